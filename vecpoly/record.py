@@ -45,6 +45,7 @@ _MODULES = (
     "mechanism.assembly.statements",
     "mechanism.assembly.branch",
     "mechanism.joints",
+    "mechanism.profiles",
     "mechanism.model",
     "mechanism.loads",
     "mechanism.asked.curvature",

@@ -45,6 +45,15 @@ def arm(at: Points, tip: Points, radius: Reals) -> Iterator[Symbol]:
     yield from _roller(spot(tip), amount(radius))
 
 
+def face_arm(at: Points, foot: Points, along: Points) -> Iterator[Symbol]:
+    """A follower with a flat face that swings about A; foot: of A on the face, along: the face from there on."""
+    start, end = spot(foot), spot(foot) + spot(along)
+    if abs(start - spot(at)) > PLAY:
+        yield rod(link(FOLLOWER), spot(at), start)
+    yield rod(link(FOLLOWER), start, end)
+    yield pivot(at, "A")
+
+
 def _roller(at: complex, radius: float) -> Iterator[Symbol]:
     if radius:
         rim = Arc(centre=at, radius=radius, start=0.0, sweep=2 * pi, role=Role.GIVEN)

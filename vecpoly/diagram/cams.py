@@ -12,6 +12,7 @@ from .bars import bar
 from .followers import face_marks, offset_marks, pressure_angle, stem_guided
 from .owners import joint, link, owned
 from .posed import Posed
+from .profile_cam import profile_marks
 
 NORMAL = 15.0  # mm the common normal runs on beyond the contact
 BLOCK = (4.5, 2.5)  # mm, half the sides of the dashed block
@@ -36,6 +37,10 @@ def guided_follower(posed: Posed, joint: Prismatic) -> bool:
 def cam_body(posed: Posed, body: Link) -> Iterator[Mark]:
     """A link that takes part in a contact: its discs, and its bar; an eccentric has no bar but its centre line."""
     discs = _discs(posed, body.name)
+    profile = next((one for one in posed.mech.cams if one.link == body.name), None)
+    if profile is not None:
+        yield from profile_marks(posed, profile, discs[profile.centre])
+        return
     for centre, radius in discs.items():
         yield Disc(centre=posed.at[centre], radius=posed.mm(radius))
     pivot = posed.fixed_pivot(body.name)

@@ -32,6 +32,7 @@ from .joints import Rack as Rack
 from .joints import Revolute as Revolute
 from .joints import Rolling as Rolling
 from .joints import SlotPin as SlotPin
+from .profiles import CamProfile as CamProfile
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -88,6 +89,7 @@ class Mechanism:
     starts: tuple[Start, ...] = ()
     guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them
     welded: tuple[tuple[str, str], ...] = ()  # rollers that turn idly, and the link of which each is taken as a part
+    cams: tuple[CamProfile, ...] = ()  # contacts whose discs only stand for a profile, at one place after another
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "frame", FrozenMap(dict(self.frame)))

@@ -12,6 +12,7 @@ from ..mechanism.assembly.statements import Form, Shaped
 from ..mechanism.model import Mechanism, Revolute, Statement
 from ..words import Words
 from .advice import Places, advice, is_hinged
+from .closed.cammed import curvature_centre
 from .closed.dyads import Hinged, Swinging
 from .closed.parallel import folded, parallel
 from .iterated.driven import drives_in
@@ -24,11 +25,15 @@ from .steps import Step
 
 def places(mech: Mechanism, bodies: Bodies) -> Places:
     """Place of every letter on the solved links, at the last position."""
-    return {
+    found = {
         point: complex(body.point(local)[-1])
         for name, body in bodies.items()
         for point, local in mech.link(name).points.items()
     }
+    wandering = {
+        cam.centre: complex(curvature_centre(mech, cam, bodies)[-1]) for cam in mech.cams if cam.link in bodies
+    }
+    return found | wandering
 
 
 def check_letters(mech: Mechanism) -> None:

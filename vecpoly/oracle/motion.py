@@ -8,9 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import NotAskedError, UnknownNameError
-from ..mechanism.model import Contact, Mechanism, Rolling
+from ..mechanism.model import CamProfile, Contact, Mechanism, Rolling
 from ..names import At, Rel
 from ..words import Words
+from .closed.cammed import curvature_centre
 from .closed.contact import touching
 from .closed.pitch import pitch_point
 from .state import Body, Points, Reals
@@ -130,6 +131,9 @@ class Motion:
         at = self.at(point)
         if at.link:
             self.body(at.link)
+        if (carried := self._wandering(at)) is not None:
+            return at.link or carried.link, None
+        if at.link:
             return at.link, self.mech.link(at.link).points.get(at.point)
         carriers = self.mech.links_at(at.point)
         if carriers:
@@ -157,6 +161,8 @@ class Motion:
     def place(self, point: str | At) -> Points:
         """Where the letter is now, of whatever link (unshaped)."""
         at = self.at(point)
+        if (carried := self._wandering(at)) is not None:
+            return curvature_centre(self.mech, carried, self.bodies)
         carriers = self.mech.links_at(at.point)
         if not carriers:
             touch = self._contact(at.point)
@@ -167,6 +173,10 @@ class Motion:
             )
         link = at.link if at.link in carriers else carriers[0]
         return self.bodies[link].point(self.mech.link(link).points[at.point])
+
+    def _wandering(self, at: At) -> CamProfile | None:
+        """The cam of which this is the centre of curvature."""
+        return next((cam for cam in self.mech.cams if cam.centre == at.point), None)
 
     def _letters(self) -> set[str]:
         pitch = {joint.point for joint in self.mech.joints if isinstance(joint, Rolling)}

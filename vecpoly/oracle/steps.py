@@ -7,6 +7,7 @@ import numpy as np
 from ..mechanism.groups.assur import Dyad, Group, is_held
 from ..mechanism.model import Joint, Mechanism, Prismatic, Revolute, Rolling
 from ..mechanism.rams import Ram, drives_within
+from .closed.cammed import Cammed, cammed
 from .closed.crossed import Crossed
 from .closed.dyads import Hinged, Swinging
 from .closed.loci import Arc, Locus, roll, slide
@@ -18,12 +19,14 @@ from .iterated.newton import Newton
 from .iterated.rows import row
 from .iterated.standing import standings, start_of
 
-Step = Hinged | Swinging | Crossed | Parallel | Newton
+Step = Hinged | Swinging | Crossed | Parallel | Cammed | Newton
 
 
 def step_for(mech: Mechanism, group: Group) -> Step:
     """The closed form of a dyad, Newton for anything else."""
-    step: Step | None = None
+    step: Step | None = cammed(mech, group) if mech.cams else None
+    if step is not None:
+        return step
     if group.ram is not None:
         return _extended(mech, group, group.ram)
     if group.dyad is not None:

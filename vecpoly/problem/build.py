@@ -21,11 +21,13 @@ from .joints.contacts import is_contact, read_contact
 from .joints.joints import read_joint, revolutes
 from .joints.motion import read_input
 from .joints.pins import read_pins
+from .joints.profiles import read_profiles
 from .joints.rolling import is_rolling, read_rolling
 from .links.bodies import Bodies
 from .links.draft import LETTER, refuse_frame
 from .links.links import read_link
 from .links.masses import read_masses
+from .links.profiles import letter_centres
 from .links.rollers import weld_rollers
 from .links.standing import check_starts, geared
 from .links.starts import say_travels
@@ -116,6 +118,7 @@ def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mecha
         guesses=guesses,
         welded=tuple(bodies.welded.items()),
     )
+    mech = replace(mech, cams=read_profiles(mech, bodies, faults))
     return geared(seated(mech, read_pins(spec.pins, mech, faults)), spec, faults), motion
 
 
@@ -166,6 +169,7 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
                 )
     if not faults.found:
         weld_rollers(spec, bodies, faults)
+        letter_centres(bodies, spec.joints)
     if faults.found:  # what follows would only repeat the same faults in other words
         faults.settle()
     return bodies

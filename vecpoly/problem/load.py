@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 from ..errors import ProblemFileError, UnknownNameError
@@ -13,8 +14,9 @@ from .problem import Problem
 from .reach import Reach, Resolver, refuse_foreign
 from .schema.faults import Place, meant
 from .text.overlay import overlay
-from .text.source import Tree, decoded, parse, read, read_text
+from .text.source import Tree, Value, decoded, parse, read, read_text
 
+PROFILE = re.compile(r"profile of (?P<file>\S.*?) about (?P<about>\S+)")
 Seen = tuple[Path | str, ...]  # files, and names that a resolver has
 
 
@@ -76,7 +78,7 @@ def held_tree(name: str, seen: Seen, reach: Reach) -> Tree | None:
 def reaching(tree: Tree, seen: Seen, reach: Reach) -> Tree:
     """The tree of a text on what it extends, within this reach."""
     tree.reach = reach
-    return _extended(tree, None, seen, reach)
+    return _profiled(_extended(tree, None, seen, reach), None, seen)
 
 
 def locate(where: str | Path, near: Path | None = None, reach: Reach | None = None) -> Path:
@@ -114,7 +116,8 @@ def tree_of(path: Path, seen: Seen = (), *, reach: Reach) -> Tree:
     """A file's values, laid on those of the file that it extends."""
     tree = read(path)
     tree.reach = reach
-    return _extended(tree, path, (*seen, path.resolve()), reach)
+    seen = (*seen, path.resolve())
+    return _profiled(_extended(tree, path, seen, reach), path, seen)
 
 
 def _extended(tree: Tree, path: Path | None, seen: Seen, reach: Reach) -> Tree:
@@ -145,6 +148,41 @@ def _below(base: str, path: Path | None, seen: Seen, reach: Reach, place: Place)
         circle = Words(f"“{base}”循环引用了自身", f"'{base}' extends itself in a circle")
         raise ProblemFileError(circle, code="contradiction").at(place, "extends")
     return opened(base, path.parent if path else None, reach, seen)[0]
+
+
+def _profiled(tree: Tree, path: Path | None, seen: Seen) -> Tree:
+    """The tree with the data of the cams that its links name (`cam: profile of FILE about O`) in their places."""
+    links = tree.data.get("links")
+    for name, link in links.items() if isinstance(links, dict) else ():
+        named = PROFILE.fullmatch(link["cam"]) if isinstance(link, dict) and isinstance(link.get("cam"), str) else None
+        if named is not None:
+            place = tree.places.get(("links", name, "cam"), Place(tree.name))
+            link["cam"] = {"about": named["about"], "profile of": named["file"]} | _cam_at(
+                named["file"], place, path, tree.reach, seen
+            )
+    return tree
+
+
+def _cam_at(name: str, place: Place, path: Path | None, reach: Reach, seen: Seen) -> dict[str, Value]:
+    """The data of a cam problem; raises ProblemFileError at this place where there is none."""
+    near = None if path is None else Path(place.file).parent
+    try:
+        if len(seen) > EXTENDS:
+            raise ProblemFileError(
+                Words(f"已有 {EXTENDS} 层，过深", f"more than {EXTENDS} files upon each other"), code="too deep"
+            )
+        data = opened(name, near, reach, seen)[0].data
+    except (ProblemFileError, UnknownNameError) as error:
+        raise ProblemFileError(error.words, code=error.code).at(place, "cam") from None
+    if data.get("device") != "cam" or not isinstance(data.get("data"), dict):
+        raise ProblemFileError(
+            Words(
+                f"“{name}”不是凸轮题，没有廓线；请写 device: cam 的题目，如 cam-roller-offset",
+                f"'{name}' is no cam and has no profile; name a problem with device: cam, such as cam-roller-offset",
+            ),
+            code="no-profile",
+        ).at(place, "cam")
+    return dict(data["data"])
 
 
 def _stands_at(base: str, path: Path | None, reach: Reach) -> Path | str:

@@ -10,6 +10,7 @@ ALPHA_RISE, ALPHA_BACK = Named("alpha_rise", "α_{max1}", "deg"), Named("alpha_r
 RHO, RHO_PROFILE = Named("rho_min", "ρ_{min}", "mm"), Named("rho_profile", "ρ_{a min}", "mm")
 UNDERCUT, UNDERCUT_FLAT = Named("undercut", "ρ_{a min} < 0", "yes/no"), Named("undercut", "ρ_{min} ≤ 0", "yes/no")
 REACH_RISE, REACH_BACK = Named("b_rise", "b_1", "mm"), Named("b_return", "b_2", "mm")
+NEAREST, FARTHEST = Named("l_min", "l_{min}", "mm"), Named("l_max", "l_{max}", "mm")
 R0, E, CENTRAL = Named("r0", "r_0", "mm"), Named("e", "e", "mm"), Named("r0_central", "r_{0c}", "mm")
 APEX = Named("r0_apex", "r_{0D}", "mm"), Named("e_apex", "e_D", "mm"), Named("s0_apex", "s_{0D}", "mm")
 

@@ -9,7 +9,7 @@ stations: 15 deg
 
 from __future__ import annotations
 
-from math import acos, degrees, pi, radians
+from math import degrees, pi, radians
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema, model_validator
@@ -25,6 +25,8 @@ from .asked import (
     ALPHA_RISE,
     APEX,
     CENTRAL,
+    FARTHEST,
+    NEAREST,
     PSI0,
     R0,
     REACH_BACK,
@@ -39,12 +41,12 @@ from .asked import (
     radius,
     travel,
 )
+from .fits import clears, closes, first_angle, may_be_sized
 from .follower import Follower
 from .motion import Entry, Piece, pieces_of, read_entry, stations
 
 Motion = Annotated[Entry, BeforeValidator(read_entry), WithJsonSchema({"type": "string"})]
 FINEST, COARSEST = 5.0, 45.0  # deg between stations
-SWUNG = pi * 0.95  # rad: an arm stays this far from stretched
 
 
 class Allowed(BaseModel):
@@ -82,7 +84,7 @@ class Cam(Device):
 
     @model_validator(mode="after")
     def _is_possible(self) -> Cam:
-        pieces = self.pieces  # its refusals first
+        assert self.pieces  # its refusals first
         step = degrees(self.stations.si)
         if not FINEST - 1e-9 <= step <= COARSEST + 1e-9:
             raise _out(
@@ -100,79 +102,31 @@ class Cam(Device):
                 ),
                 code="contradiction",
             )
-        if self.alpha is not None:
-            self._may_be_sized(pieces)
-        elif self.arm:
-            self._closes()
-        elif self.r0 is not None:
-            self._clears(self.r0)
+        if self.r0 is None:
+            may_be_sized(self.follower)
+            return self
+        clears(self.r0, self.follower)
+        if self.arm:
+            closes(self.r0, self.follower, self.lift)
         return self
-
-    def _may_be_sized(self, pieces: tuple[Piece, ...]) -> None:
-        if self.follower.flat or self.follower.arm or self.follower.offset:
-            raise FaultError(
-                Words(
-                    "由 alpha 求最小基圆只用于直动尖顶或滚子从动件，偏距一并求出；请略去 flat、arm、offset",
-                    "the least base circle is found for a translating knife edge or roller, together with its "
-                    "offset; leave out flat, arm and offset",
-                ),
-                code="contradiction",
-            )
-
-    def _clears(self, r0: Quantity) -> None:
-        """The guide passes the base circle, and the roller leaves a cam."""
-        if abs(self.follower.e) >= r0.si:
-            raise FaultError(
-                Words(
-                    f"偏距 {_mm(self.follower.e)} 不小于基圆半径 r0 = {r0.text}，导路不与基圆相交；|offset| 应小于 r0",
-                    f"the offset {_mm(self.follower.e)} is not below r0 = {r0.text}: the guide misses the base "
-                    "circle; |offset| must be less than r0",
-                ),
-                code="out-of-range",
-            )
-        if self.follower.radius >= r0.si:
-            raise FaultError(
-                Words(
-                    f"滚子半径 {_mm(self.follower.radius)} 不小于 r0 = {r0.text}，凸轮没有实体；滚子半径应小于 r0",
-                    f"the roller's radius {_mm(self.follower.radius)} is not below r0 = {r0.text} and leaves no cam; "
-                    "it must be less than r0",
-                ),
-                code="out-of-range",
-            )
-
-    def _closes(self) -> None:
-        """O, A and B make a triangle, and the arm does not come to lie along OA."""
-        assert self.r0 is not None and self.arm
-        self._clears(self.r0)
-        r0, (oa, ab) = self.r0.si, self.arm
-        if not abs(oa - ab) < r0 < oa + ab:
-            raise FaultError(
-                Words(
-                    f"r0 = {self.r0.text}、OA = {_mm(oa)}、AB = {_mm(ab)} 不能构成三角形；r0 应在 {_mm(abs(oa - ab))} "
-                    f"与 {_mm(oa + ab)} 之间",
-                    f"r0 = {self.r0.text}, OA = {_mm(oa)} and AB = {_mm(ab)} make no triangle; r0 must lie between "
-                    f"{_mm(abs(oa - ab))} and {_mm(oa + ab)}",
-                ),
-                code="out-of-range",
-            )
-        if self.psi0 + self.lift >= SWUNG:
-            raise FaultError(
-                Words(
-                    f"摆杆初始角 {degrees(self.psi0):.4g} deg，再摆 {degrees(self.lift):.4g} deg 就伸直了；摆角应小于 "
-                    f"{degrees(SWUNG - self.psi0):.4g} deg",
-                    f"the arm starts at {degrees(self.psi0):.4g} deg and after {degrees(self.lift):.4g} deg more it "
-                    f"would be stretched; let it swing less than {degrees(SWUNG - self.psi0):.4g} deg",
-                ),
-                code="out-of-range",
-            )
 
     # -- what follows from the data ------------------------------------------------------------------------------
 
     @property
     def arm(self) -> tuple[float, float] | None:
-        """OA and AB (m), where the follower swings."""
+        """OA and AB (m), where the follower swings; of a flat face, which has no B, the length that is drawn."""
         arm = self.follower.arm
-        return (arm.OA.si, arm.AB.si) if arm else None
+        return (arm.OA.si, arm.length) if arm else None
+
+    @property
+    def side(self) -> int:
+        """+1 where the arm swings about a pivot to the right of the axis, −1 to the left."""
+        return self.follower.arm.sign if self.follower.arm else 1
+
+    @property
+    def face(self) -> float:
+        """How far a flat face stands off the pivot of its arm, away from the cam (m)."""
+        return self.follower.arm.off if self.follower.arm else 0.0
 
     @property
     def sense(self) -> int:
@@ -191,10 +145,9 @@ class Cam(Device):
 
     @property
     def psi0(self) -> float:
-        """The angle OAB at the start (rad)."""
-        assert self.arm and self.r0
-        oa, ab = self.arm
-        return acos((oa**2 + ab**2 - self.r0.si**2) / (2 * oa * ab))
+        """The angle OAB at the start, or that between OA and a flat face (rad)."""
+        assert self.follower.arm and self.r0
+        return first_angle(self.r0, self.follower.arm, flat=self.follower.flat)
 
     @property
     def places(self) -> tuple[tuple[float, Piece], ...]:
@@ -214,6 +167,8 @@ class Cam(Device):
             return (R0, E, S0, *APEX, CENTRAL)
         here = [round(degrees(phi), 6) for phi, _ in self.places]
         moved = [travel(phi, swings=bool(self.arm)) for phi in here if phi]  # at the start it is nothing
+        if self.follower.flat and self.arm:
+            return (PSI0, RHO, UNDERCUT_FLAT, NEAREST, FARTHEST, *moved, *(radius(phi) for phi in here))
         if self.follower.flat:
             return (RHO, UNDERCUT_FLAT, REACH_RISE, REACH_BACK, *moved, *(radius(phi) for phi in here))
         first = (PSI0 if self.arm else S0, ALPHA, ALPHA_RISE, ALPHA_BACK, RHO)
@@ -227,12 +182,8 @@ class Cam(Device):
             told = [("[α_1]", self.alpha.rise), ("[α_2]", self.alpha.back)]
         told += [("r_r", f.roller), ("e", f.offset)]
         if f.arm:
-            told += [("l_{OA}", f.arm.OA), ("l_{AB}", f.arm.AB)]
+            told += [("l_{OA}", f.arm.OA), ("l_{AB}", f.arm.AB), ("d", f.arm.face)]
         return tuple((symbol, value.text) for symbol, value in told if value is not None)
-
-
-def _mm(metres: float) -> str:
-    return f"{1e3 * metres:.6g} mm"
 
 
 def _out(key: str, text: str, what: Words, span: str) -> FaultError:

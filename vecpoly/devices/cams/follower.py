@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema, model_validator
 
@@ -31,11 +31,32 @@ Yes = Annotated[bool, BeforeValidator(_yes), WithJsonSchema({"enum": ["yes", Tru
 
 
 class Arm(BaseModel):
-    """A follower that swings about A, to the right of the cam's centre O; its end B starts above OA and leaves O."""
+    """A follower that swings about A, to the right of the cam's centre O or to its left (`side`).
+
+    Its end B starts above OA and leaves O. A flat face has no B; it lies on the cam from above, through A or at the
+    distance `face` from A, positive away from the cam.
+    """
 
     model_config = ConfigDict(extra="forbid", frozen=True)
     OA: Length
-    AB: Length
+    AB: Length | None = None
+    side: Literal["left", "right"] = "right"
+    face: Signed | None = None
+
+    @property
+    def sign(self) -> int:
+        """+1 to the right of O, −1 to its left."""
+        return 1 if self.side == "right" else -1
+
+    @property
+    def length(self) -> float:
+        """AB, or of a flat face OA (m)."""
+        return self.AB.si if self.AB else self.OA.si
+
+    @property
+    def off(self) -> float:
+        """How far the face stands off A (m)."""
+        return self.face.si if self.face else 0.0
 
 
 class Follower(BaseModel):
@@ -70,15 +91,30 @@ class Follower(BaseModel):
                 ),
                 code="contradiction",
             )
-        if self.flat and self.arm:
+        if self.arm is not None:
+            self._fits(self.arm)
+        return self
+
+    def _fits(self, arm: Arm) -> None:
+        """An arm has the length AB up to its tip; a flat face has none, and may stand off A."""
+        if self.flat and arm.AB is not None:
             raise FaultError(
                 Words(
-                    "平底摆动从动件尚不能求解；请用滚子或尖顶，或略去 arm",
-                    "an arm with a flat face is not solved yet; take a roller or a knife edge, or leave out 'arm'",
+                    "摆动平底从动件没有端点 B，平底由 OA 与 face（到 A 的距离，可略）给出；请略去 AB",
+                    "an arm with a flat face has no tip B: OA and 'face', its distance from A (0 where left out), say "
+                    "where it is; leave out AB",
                 ),
                 code="contradiction",
             )
-        return self
+        if not self.flat and (arm.AB is None or arm.face is not None):
+            raise FaultError(
+                Words(
+                    "尖顶或滚子摆杆应写 OA 和 AB，face 只用于平底；如 arm: {OA: 80 mm, AB: 70 mm}",
+                    "an arm with a roller or a knife edge has OA and AB, and 'face' belongs to a flat one; write e.g. "
+                    "arm: {OA: 80 mm, AB: 70 mm}",
+                ),
+                code="missing" if arm.AB is None else "contradiction",
+            )
 
     @property
     def radius(self) -> float:

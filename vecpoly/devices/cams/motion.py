@@ -15,6 +15,7 @@ from ...units.reading import Dim, positive
 from ...words import Words
 
 EXAMPLE = "rise 30 mm in 120 deg cosine"
+JUST = 1e-13  # of a piece: so little before its end, or its middle
 TURN = 1e-9  # rad: by how much the angles may miss a whole turn
 LEVEL = 1e-9  # of the stroke: by how much the follower may miss its lowest place
 _WRITTEN = re.compile(
@@ -179,3 +180,17 @@ def stations(pieces: Sequence[Piece], step: float) -> Iterator[tuple[float, Piec
         inner = [k * step for k in range(first, int(piece.end / step) + 2) if k * step < piece.end - TURN]
         at_start = [0.0] if piece.start == 0 else []
         yield from ((phi, piece) for phi in (*at_start, *(p for p in inner if p > piece.start + TURN), piece.end))
+
+
+def piece_at(pieces: Sequence[Piece], turn: float) -> tuple[Piece, float]:
+    """The piece at an angle to which the cam has turned (rad), and that angle within its turn.
+
+    Where something jumps it is the place just before: the end of a piece, also of the last, and of a parabola's half.
+    """
+    phi = turn % tau
+    phi = phi + tau if phi <= TURN else phi
+    piece = next((piece for piece in pieces if phi <= piece.end + TURN), pieces[-1])
+    for end in (piece.start + piece.angle / 2, piece.end):
+        if abs(phi - end) <= TURN:
+            return piece, end - JUST * piece.angle
+    return piece, phi

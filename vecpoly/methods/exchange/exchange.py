@@ -28,6 +28,7 @@ from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, find
 from ..roots import crossings
+from .profile import osculated
 from .told import said
 from .trial import Trial, driven_by, trial_of
 
@@ -52,9 +53,10 @@ def exchanged(mech: Mechanism, stages: tuple[Stage, ...]) -> Exchange:
 
     Raises NoMethodError, AssemblyError, DeadPointError.
     """
+    mech, profiles = osculated(mech)
     group = next((g for g in decompose(mech) if g.kind == "driven"), None)
     if group is None:
-        return Exchange(mech)
+        return Exchange(mech, {} if profiles is None else {Stage.POSITION: profiles})
     drive = next(one for one in mech.drives if one.between and one.pair <= set(group.links))
     other = _other(mech, group, drive)
     mech = replace(mech, branches=(*mech.branches, *bend(mech, drive)))  # what the angle says of the assembly

@@ -6,11 +6,14 @@ import numpy as np
 
 from ...mechanism.model import Contact, Mechanism, Rack, Side
 from ..state import Bodies, Points
+from .cammed import profile_at, touched
 
 
 def touching(mech: Mechanism, bodies: Bodies, contact: Contact) -> tuple[Points, Points]:
     """The touching point K (m), and the unit normal along which the disc is pressed:
     from K towards the disc's centre."""
+    if (profile := profile_at(mech, contact.point)) is not None:
+        return touched(contact, profile, bodies)
     disc, on, radius = contact.disc, contact.on, contact.disc.radius
     centre = bodies[disc.link].point(mech.link(disc.link).points[disc.centre])
     if isinstance(on, Rack):

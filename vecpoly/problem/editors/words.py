@@ -217,6 +217,10 @@ KEYS = {
         "由齿轮带动的齿条在给定位置的位移：40 mm", "travel of a rack that a gear drives, in the given position: 40 mm"
     ),
     "Link.disc": Words("圆盘、偏心轮或圆头，写其中心", "a disc, eccentric or round tip, by its centre"),
+    "Link.cam": Words(
+        "盘形凸轮，写其凸轮题和转动中心：profile of cam-heart about O",
+        "a plate cam, by its problem and its pivot: profile of cam-heart about O",
+    ),
     "Link.face": Words("平面（平底），写其所过的铰链", "a flat face, by the pin through which it passes"),
     "Link.radius": Words("齿轮节圆或圆盘的半径：60 mm", "radius of the pitch circle or of the disc: 60 mm"),
     "Link.alpha": Words(

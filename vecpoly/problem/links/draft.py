@@ -6,6 +6,7 @@ import cmath
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from ...errors import FaultError
 from ...mechanism.assembly.start import Start
@@ -13,6 +14,9 @@ from ...mechanism.model import Circle, Link, Placement
 from ...words import Words
 from ..problem import Datum, Shape
 from ..schema.faults import not_on_link
+
+if TYPE_CHECKING:
+    from ...devices.cams.cam import Cam  # not at once: pydantic, which checks its data, is slow to load
 
 LETTER = r"[A-Z][a-z'′]?"
 ONE = re.compile(LETTER)
@@ -50,6 +54,7 @@ class Draft:
     alpha: float | None = None  # the pressure angle of its teeth (rad), where the file gives it
     disc: Circle | None = None  # a round cam, eccentric or tip
     face: Line | None = None  # a flat face
+    cam: Cam | None = None  # a plate cam, whose disc is its base circle until the profile is drawn
     rack: Line | None = None  # the pitch line of a rack
     start: Start | None = None  # where it stands, told in the file
     lengths: list[Datum] = field(default_factory=list)

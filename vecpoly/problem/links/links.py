@@ -16,6 +16,7 @@ from .circles import give_circle
 from .draft import ONE, TWO, Draft, Line, letters_of
 from .lines import read_line
 from .places import place
+from .profiles import give_profile
 from .starts import read_start
 from .teeth import read_pressure_angle
 
@@ -32,7 +33,7 @@ _SINGLE = {
 }
 _LINED = ("slot", "rod")  # what has a line of its own, through its pin or beside it
 _PLACED = ("gear", "rack", "disc", "face")  # what may name a point that is set out further on
-LINK_KEYS = (*_SINGLE, "radius", "alpha", "phi", "s")
+LINK_KEYS = (*_SINGLE, "cam", "radius", "alpha", "phi", "s")
 
 
 def read_link(name: str, data: Value) -> Draft:
@@ -48,6 +49,9 @@ def read_link(name: str, data: Value) -> Draft:
     draft = Draft(name)
     for key in data:
         _known(key)
+    if "cam" in data:
+        give_profile(draft, data)
+        return draft
     _base(draft, data)
     _set_out(draft, data)
     give_circle(draft, data)

@@ -97,6 +97,7 @@ Link = Annotated[
                 "gear": _ONE,
                 "rack": _SLOT,
                 "disc": _ONE,
+                "cam": {"anyOf": [{"type": "string", "pattern": "^profile of "}, {"type": "object"}]},
                 "face": _SLOT,
                 "radius": _QUANTITY,
                 "alpha": _QUANTITY,

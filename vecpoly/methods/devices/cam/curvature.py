@@ -11,16 +11,15 @@ from ....algebra.quantity import Quantity, magnitude, number
 from ....board.board import Board
 from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
-from ....devices.cams.asked import REACH_BACK, REACH_RISE, RHO, RHO_PROFILE, UNDERCUT, UNDERCUT_FLAT
+from ....devices.cams.asked import RHO, RHO_PROFILE, UNDERCUT, UNDERCUT_FLAT
 from ....devices.cams.cam import Cam
-from ....names import Named
-from ....plane import dot, nominal
+from ....plane import nominal
 from ....words import Words
 from ..bench import Bench
 from .diagram import place_of
-from .extremes import Spot, best, curving, parting
+from .extremes import Spot, best, curving
+from .face import reach, under_a_face
 from .inversion import VIEW, Cut
-from .laws import lift
 from .pose import centre_of_curvature
 from .pressure import copied, posed, show
 from .readings import length
@@ -39,9 +38,9 @@ def least_radius(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
     title = Words("最小曲率半径", "Least radius of curvature")
     place = board.open_pane(View.MECHANISM, RHO.key, title)
     if cam.follower.flat:
-        rho = _under_a_face(bench, cam, cuts, place, spot)
+        rho = under_a_face(bench, cam, cuts, place, spot)
         _judged_flat(bench, cam, rho)
-        _reach(bench, cam)
+        reach(bench, cam)
         return
     rho = _hartmann(bench, cam, cuts, place, spot)
     if cam.follower.roller:
@@ -128,39 +127,6 @@ def _verdict(left: float, sharp: bool, hit: bool, cam: Cam) -> Words:
     return Words("$ρ_{a min}$ > 0，廓线不失真。", " $ρ_{a min}$ > 0: the profile is not undercut.")
 
 
-def _under_a_face(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Spot) -> Quantity:
-    board = bench.board
-    board.step(
-        Words(
-            f"经试作，廓线的曲率半径在 $φ$ = {number(degrees(spot.phi))}° 处最小。法线平行于导路且过瞬心 $P$（$OP$ = "
-            "d$s$/d$φ$），曲率中心 $K$ 在其上，$PK$ = d²$s$/d$φ$²（加速度向外时在 $P$ 的内侧）。切点 $B$ 到 $K$ 的距"
-            "离：",
-            f"By trial the radius of the profile is least at $φ$ = {number(degrees(spot.phi))}°. The normal is "
-            "parallel to the guide through the instant centre $P$ ($OP$ = d$s$/d$φ$); on it lies the centre of "
-            "curvature $K$ with $PK$ = d²$s$/d$φ$², inwards where the acceleration points outwards. Its distance "
-            "from the contact $B$:",
-        ),
-        place,
-    )
-    it = posed(bench, cam, place, spot)
-    copied(bench, place, cuts, spot, edge=True)
-    at = lift(board.scratch(), place_of(cam), spot.piece, spot.phi, late=spot.late)
-    touch = board.meet(board.parallel(it.pole, it.way), board.parallel(it.b, 1j * it.way), "")
-    centre = board.lay_off(it.pole, -it.way, at.bend / board.scale_of(place).value)
-    board.join(place, 0j, it.b, Role.CENTRE)
-    board.join(place, 2 * it.b - touch, 2 * touch - it.b, Role.LINK)
-    board.join(place, 0j, it.pole, Role.CONSTRUCTION)
-    board.join(place, touch, centre, Role.DIRECTION)
-    board.join(place, it.pole, centre, Role.DIRECTION)
-    for letter, spot_ in (("O", 0j), ("P", it.pole), ("B", touch), ("K", centre)):
-        board.plot(place, spot_, letter, Dot.JOINT if letter == "O" else Dot.POINT)
-    board.circle(place, centre, np.abs(centre - touch), Role.CONSTRUCTION)
-    ahead = float(nominal(dot(it.way, touch - centre))) >= 0
-    rho = length(bench, RHO, place, centre, touch, "K B", 1 if ahead else -1)
-    board.step(Words("检查失真：", "Is it undercut?"))
-    return rho
-
-
 def _judged_flat(bench: Bench, cam: Cam, rho: Quantity) -> None:
     sharp = corners(bench.board, place_of(cam), cam)
     value = np.asarray(rho.value)
@@ -169,9 +135,12 @@ def _judged_flat(bench: Bench, cam: Cam, rho: Quantity) -> None:
     verdict = Words("$ρ_min$ > 0，廓线处处外凸，不失真。", " $ρ_min$ > 0: the profile is convex, not undercut.")
     if float(nominal(rho.value)) <= 0:
         verdict = Words(
-            f"$ρ_min$ ≤ 0，平底各位置的包络线相交，运动失真；基圆半径应大于 {number(least)} mm。",
-            f" $ρ_min$ ≤ 0: the envelope of the face crosses itself and is undercut; r_0 must exceed {number(least)} "
-            "mm.",
+            "$ρ_min$ ≤ 0，平底各位置的包络线相交，运动失真；",
+            " $ρ_min$ ≤ 0: the envelope of the face crosses itself and is undercut; ",
+        ) + (
+            Words("应加大基圆。", "take a larger base circle.")
+            if cam.arm
+            else Words(f"基圆半径应大于 {number(least)} mm。", f"r_0 must exceed {number(least)} mm.")
         )
     elif sharp:
         verdict = Words(
@@ -179,30 +148,3 @@ def _judged_flat(bench: Bench, cam: Cam, rho: Quantity) -> None:
             " Where the velocity drops at once the envelope breaks off: undercut.",
         )
     bench.judged(UNDERCUT_FLAT, spoilt, verdict)
-
-
-def _reach(bench: Bench, cam: Cam) -> None:
-    """How far the contact wanders along the face: the greatest ds/dφ either way."""
-    board = bench.board
-    for way, named, told in (
-        (1, REACH_RISE, Words("推程时切点偏离导路的最大距离等于", "On the rise the contact lies at most")),
-        (-1, REACH_BACK, Words("回程时切点偏离导路的最大距离等于", "On the return the contact lies at most")),
-    ):
-        spot = best(board, place_of(cam), [p for p in cam.pieces if p.rises == way], parting)
-        board.step(
-            told
-            + Words(
-                f" d$s$/d$φ$ 的最大值（$φ$ = {number(degrees(spot.phi))}°），平底由导路向该侧至少应有此长度：",
-                f" as far from the guide as the greatest d$s$/d$φ$ (at $φ$ = {number(degrees(spot.phi))}°); the face "
-                "must reach so far on that side:",
-            ),
-            VIEW,
-        )
-        _contact_off(bench, cam, spot, named)
-
-
-def _contact_off(bench: Bench, cam: Cam, spot: Spot, named: Named) -> None:
-    board = bench.board
-    at = lift(board, place_of(cam), spot.piece, spot.phi, late=spot.late)
-    pole = board.lay_off(0j, np.exp(-1j * cam.sense * spot.phi), np.abs(at.slope) / board.scale_of(VIEW).value)
-    length(bench, named, VIEW, 0j, pole, "O P")

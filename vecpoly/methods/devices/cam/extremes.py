@@ -81,9 +81,19 @@ def curving(cam: Cam) -> Merit:
     def merit(trial: Board, phi: Reals, at: Lift) -> Reals:
         it = pose(trial, View.MECHANISM, cam, phi, at)
         if cam.follower.flat:
-            return -(dot(it.way, it.b) + at.bend / trial.scale_of(View.MECHANISM).value)
+            return -(dot(it.way, it.b - it.pole) + it.beyond)
         centre, *_ = centre_of_curvature(trial, it)
         return 1 / dot(it.normal, centre - it.b)
+
+    return merit
+
+
+def reaching(cam: Cam, sign: int) -> Merit:
+    """How far the contact is from the foot of A along a flat face that swings; sign: −1 for the nearest."""
+
+    def merit(trial: Board, phi: Reals, at: Lift) -> Reals:
+        it = pose(trial, View.MECHANISM, cam, phi, at)
+        return sign * np.abs(it.foot - it.b)
 
     return merit
 

@@ -10,8 +10,8 @@ from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import PSI0, S0, pressure, radius
 from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Piece
-from ....diagram.cam_plate import arm, cam_pivot, stem
-from ....plane import Line, Points, foot
+from ....diagram.cam_plate import arm, cam_pivot, face_arm, stem
+from ....plane import Points, unit
 from ....words import Words
 from ..bench import Bench
 from .diagram import Station, place_of
@@ -58,17 +58,17 @@ def _given(bench: Bench, cam: Cam) -> None:
     trial = board.scratch()
     trial.step(Words("试作", "trial"))
     first = pose(board, VIEW, cam, 0.0, lift(trial, place_of(cam), cam.pieces[0], 0.0))
-    if cam.arm:
+    if cam.arm and cam.follower.flat:
+        board.depict(VIEW, *face_arm(first.start, first.b, _along_face(cam, first, mm)))
+    elif cam.arm:
         board.depict(VIEW, *arm(first.start, first.b, cam.follower.radius / mm))
     else:
         face = FACE * cam.r0.si / mm if cam.follower.flat else 0.0
         board.depict(VIEW, *stem(first.b, first.way, cam.follower.radius / mm, face))
-    if cam.follower.flat:
-        return
     if cam.arm:
-        angle = acute(bench, -first.start, first.base - first.start)
-        bench.stated(PSI0, angle)
-    else:
+        ray = 1j * cam.side * first.way if cam.follower.flat else first.base - first.start
+        bench.stated(PSI0, acute(bench, -first.start, unit(ray)))
+    elif not cam.follower.flat:
         length(bench, S0, VIEW, first.start, first.base, "C_0 B_0")
 
 
@@ -96,7 +96,9 @@ def _pitch(bench: Bench, cam: Cam, stations: Sequence[Station]) -> tuple[Cut, ..
 def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
     board, mm = bench.board, bench.board.scale_of(VIEW).value
     board.join(VIEW, it.start if cam.arm else it.start + CLEAR * it.way, it.b, Role.CONSTRUCTION)
-    if cam.follower.flat:
+    if cam.follower.flat and cam.arm:
+        board.join(VIEW, it.b, it.b + _along_face(cam, it, mm), Role.CONSTRUCTION)
+    elif cam.follower.flat:
         assert cam.r0
         half = FACE * cam.r0.si / mm * 1j * it.way
         board.join(VIEW, it.b - half, it.b + half, Role.CONSTRUCTION)
@@ -107,6 +109,12 @@ def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
     if cam.arm and station.number:  # beside its pivot there is more room than on the pitch curve
         board.plot(VIEW, it.start, number, Dot.NONE)
     board.plot(VIEW, it.b, "" if cam.arm else number, Dot.POINT)
+
+
+def _along_face(cam: Cam, it: Pose, mm: float) -> Points:
+    """From the foot of A on a flat face to its end, past the cam."""
+    assert cam.arm
+    return 1j * cam.side * it.way * cam.arm[1] / mm
 
 
 def _touch(bench: Bench, cam: Cam, it: Pose) -> Points:
@@ -159,5 +167,5 @@ def _along(bench: Bench, cam: Cam, cuts: Sequence[Cut], *, pitch: bool) -> Itera
 
 def _contact(cam: Cam, it: Pose, mm: float) -> Points:
     if cam.follower.flat:
-        return foot(Line(it.b, 1j * it.way), it.pole)
+        return it.foot
     return it.b + cam.follower.radius / mm * it.normal

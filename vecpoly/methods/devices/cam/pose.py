@@ -9,7 +9,7 @@ import numpy as np
 from ....board.board import Board
 from ....board.construction import Place
 from ....devices.cams.cam import Cam
-from ....plane import Line, Points, Reals, dot, unit
+from ....plane import Line, Points, Reals, dot, foot, unit
 from ....words import Words
 from .laws import Lift
 
@@ -18,7 +18,8 @@ from .laws import Lift
 class Pose:
     """B, or the foot of the flat face on the guide; base: where it would be at s = 0; from: foot of the guide, or A.
 
-    way: unit vector of the follower's motion on the rise. spin: ω of the follower against the cam, for the cam's 1.
+    way: unit vector of the follower's motion on the rise; the normal of a flat face, out of the cam.
+    spin: ω of the follower against the cam, for the cam's 1.
     drift: the velocity of P in the cam's plane, as a vector on paper (mm).
     """
 
@@ -29,6 +30,16 @@ class Pose:
     pole: Points
     spin: Reals
     drift: Points
+
+    @property
+    def foot(self) -> Points:
+        """Where a flat face touches: the foot of P on it."""
+        return foot(Line(self.b, 1j * self.way), self.pole)
+
+    @property
+    def beyond(self) -> Reals:
+        """How far the centre of curvature of the profile under a flat face lies from P into the cam: PK = u′/ω_r."""
+        return dot(1j * self.way, self.drift) / self.spin
 
     @property
     def normal(self) -> Points:
@@ -68,26 +79,47 @@ def _guided(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pos
 def _swung(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pose:
     """P parts OA as ψ′ to 1: by two parallels that bear these lengths."""
     assert cam.r0 and cam.arm
-    mm, sense = board.scale_of(place).value, cam.sense
-    (oa, ab), towards = cam.arm, np.exp(-1j * sense * phi)
+    mm, sense, side = board.scale_of(place).value, cam.sense, cam.side
+    oa, towards = cam.arm[0], side * np.exp(-1j * sense * phi)
     pivot = board.lay_off(0j, towards, oa / mm)
-    base = board.arcs(0j, cam.r0.si / mm, pivot, ab / mm, Words("基圆与摆杆", "the base circle and the arm"))[0]
-    b = board.lay_off(pivot, unit(base - pivot) * np.exp(-1j * lift.s), ab / mm)
-    one = board.lay_off(0j, 1j * towards, lift.slope * oa / mm)
+    base, b, facing = _face(board, cam, pivot, lift.s, mm) if cam.follower.flat else _tip(board, cam, pivot, lift.s, mm)
+    one = board.lay_off(0j, 1j * towards, side * lift.slope * oa / mm)
     other = board.lay_off(pivot, -1j * sense * towards, oa / mm)
     joined, line = board.parallel(other, unit(one - other)), board.parallel(0j, towards)
     pole = board.meet(joined, line, Words("瞬心 $P$", "the instant centre $P$"))
     rest = np.abs(pole - pivot)
-    along = sense * lift.bend * rest**2 / (oa / mm)
+    along = side * sense * lift.bend * rest**2 / (oa / mm)
     return Pose(
         start=pivot,
         base=base,
         b=b,
-        way=-1j * unit(b - pivot),
+        way=facing if cam.follower.flat else -1j * side * unit(b - pivot),
         pole=pole,
-        spin=-lift.slope - sense,
+        spin=-side * lift.slope - sense,
         drift=towards * along - 1j * sense * towards * dot(towards, pole),
     )
+
+
+def _tip(board: Board, cam: Cam, pivot: Points, s: Reals, mm: float) -> tuple[Points, Points, Points]:
+    """B where the arc about A meets the base circle, above OA; then turned on by ψ."""
+    assert cam.r0 and cam.arm
+    ab, circles = cam.arm[1], Words("基圆与摆杆", "the base circle and the arm")
+    base = board.arcs(0j, cam.r0.si / mm, pivot, ab / mm, circles)[0 if cam.side > 0 else 1]
+    b = board.lay_off(pivot, unit(base - pivot) * np.exp(-1j * cam.side * s), ab / mm)
+    return base, b, unit(b)
+
+
+def _face(board: Board, cam: Cam, pivot: Points, s: Reals, mm: float) -> tuple[Points, Points, Points]:
+    """The face as a tangent of the base circle, by the circle over OA; its foot under A, and its normal."""
+    assert cam.r0 and cam.arm
+    level, off = (cam.r0.si - cam.face) / mm, cam.face / mm
+    circles = Words("半径 $r_0$ − $d$ 的圆与以 $OA$ 为直径的圆", "the circle of radius r_0 − d and that over OA")
+    thales = board.arcs(0j, level, pivot / 2, cam.arm[0] / mm / 2, circles)[0 if cam.side > 0 else 1]
+    first = unit(thales)
+    facing = first * np.exp(-1j * cam.side * s)
+    if not cam.face:
+        return pivot, pivot, facing
+    return board.lay_off(pivot, first, off), board.lay_off(pivot, facing, off), facing
 
 
 def centre_of_curvature(board: Board, it: Pose, share: float = 1.0) -> tuple[Points, Points, Points]:
@@ -102,3 +134,10 @@ def centre_of_curvature(board: Board, it: Pose, share: float = 1.0) -> tuple[Poi
     joined = board.parallel(tip, unit(moved - tip))
     at = board.meet(joined, Line(it.b, board.turn(along)), Words("曲率中心 $K$", "the centre of curvature $K$"))
     return at, tip, moved
+
+
+def osculating(board: Board, cam: Cam, it: Pose) -> tuple[Points, Points]:
+    """The centre of curvature and the follower's tip; under a flat face the point of contact."""
+    if not cam.follower.flat:
+        return centre_of_curvature(board, it)[0], it.b
+    return board.lay_off(it.pole, -it.way, it.beyond), it.foot

@@ -8,6 +8,15 @@ from ....words import Words
 
 def opening(cam: Cam) -> Words:
     """What is given is drawn."""
+    if cam.arm and cam.follower.flat:
+        return Words(
+            "按 $μ_l$ 作基圆（半径 $r_0$）和以 $OA$ 为半径的摆动中心圆；以 $OA$ 为直径的圆与以 $O$ 为圆心、$r_0$ − "
+            "$d$ 为半径的圆的交点，"
+            "给出起始时切于基圆的平底的垂线方向（$d$ 为平底到 $A$ 的距离），量得平底的初始角 $ψ_0$。",
+            "To the scale $μ_l$ draw the base circle of radius $r_0$ and the circle of the pivots through $A$ about "
+            "$O$. The circle over $OA$ meets that of radius $r_0$ − $d$ about $O$ on the normal of the face, which "
+            "touches the base circle at the start ($d$: distance of the face from $A$); $ψ_0$ is read there.",
+        )
     if cam.arm:
         return Words(
             "按 $μ_l$ 作基圆（半径 $r_0$）和以 $OA$ 为半径的摆动中心圆；以 $A$ 为圆心、$AB$ 为半径的弧交基圆于 "
@@ -40,6 +49,13 @@ def turning(cam: Cam) -> Words:
             f"给整个机构加上 $−ω$，凸轮不动，摆动中心 $A$ 按{against.zh}反转（与凸轮转向相反），",
             f"Turn the whole by $−ω$: the cam stands still and $A$ goes round {against.en}, against the cam. ",
         )
+        if cam.follower.flat:
+            return opened + Words(
+                "在各分点按起始时的作法得切于基圆的平底，再绕 $A$ 转过位移线图上的 $ψ$，得平底的各位置。",
+                "At each station the face that touches the base circle is found as at the start and turned about $A$ "
+                "by "
+                "the $ψ$ of the diagram: the face in its places.",
+            )
         return opened + Words(
             "在各分点以 $AB$ 为半径作弧交基圆，自该处转过位移线图上的 $ψ$ 得 $B_1$、$B_2$…，连成理论廓线。",
             "At each station the arc of radius $AB$ meets the base circle; from there the arm is turned by the $ψ$ "

@@ -12,7 +12,6 @@ from ....board.board import Board
 from ....board.construction import View
 from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Law, Piece
-from ....plane import Line, foot
 from ....words import Words
 from .diagram import place_of
 from .laws import lift
@@ -58,7 +57,7 @@ def _stretch(board: Board, cam: Cam, piece: Piece, phi: Angles, late: bool) -> T
     trial.step(Words("试作", "trial"))
     it = pose(trial, View.MECHANISM, cam, phi, lift(trial, place_of(cam), piece, phi, late=late))
     inset = cam.follower.radius / mm
-    edge = foot(Line(it.b, 1j * it.way), it.pole) if cam.follower.flat else it.b + inset * it.normal
+    edge = it.foot if cam.follower.flat else it.b + inset * it.normal
     return Traced(phi=phi, pitch=np.asarray(it.b * mm), edge=np.asarray(edge * mm))
 
 

@@ -26,7 +26,8 @@ def say_replaced(desk: Desk, stage: Stage, group: Group) -> None:
                 _bar(contact, group) if isinstance(contact.on, Circle) else _block(contact, group), View.MECHANISM
             )
         elif contact is not None and stage is Stage.ACCELERATION:
-            desk.board.step(_same_motion(contact, group), View.ACCELERATION)
+            profiled = any(cam.point == contact.point for cam in desk.mech.cams)
+            desk.board.step(_here(contact, group) if profiled else _same_motion(contact, group), View.ACCELERATION)
 
 
 def letter_contacts(desk: Desk, links: tuple[str, ...]) -> None:
@@ -92,6 +93,16 @@ def _same_motion(contact: Contact, group: Group) -> Words:
         f"接触处两廓线的曲率半径为常数，高副低代后加速度也不变，仍用该 {group.kind} 杆组求解。",
         f"The radii of curvature at ${contact.point}$ are constant, so that the {group.kind} group "
         "has the same accelerations as the higher pair.",
+    )
+
+
+def _here(contact: Contact, group: Group) -> Words:
+    """Why it serves at this place of a profile whose curvature changes."""
+    return Words(
+        f"密切圆与廓线在 ${contact.point}$ 处有相同的切线和曲率，故此瞬时的加速度与高副相同，仍用该 {group.kind} "
+        "杆组求解。",
+        f"The osculating circle has the tangent and the curvature of the profile at ${contact.point}$, so that the "
+        f"{group.kind} group has the accelerations of the higher pair at this instant.",
     )
 
 

@@ -11,7 +11,7 @@ from ....devices.cams.motion import Piece
 from ..registry import Values, answers
 from .laws import Array, greatest, raised
 from .least import least
-from .shape import interferes, jumps, pitch, profile
+from .shape import interferes, jumps, pitch, profile, supported
 
 
 @answers(Cam)
@@ -27,7 +27,7 @@ def _pitched(device: Cam) -> dict[str, float]:
     assert device.r0
     rises, backs = ([p for p in device.pieces if p.rises == way] for way in (1, -1))
     up, down = (greatest(lambda p, phi: pitch(device, p, phi).pressure, part)[0] for part in (rises, backs))
-    rho = 1 / greatest(lambda p, phi: pitch(device, p, phi).curvature, device.pieces)[0]
+    rho = _least_radius(device)
     first = (
         {"psi0": degrees(device.psi0)} if device.arm else {"s0": 1e3 * (device.r0.si**2 - device.follower.e**2) ** 0.5}
     )
@@ -35,23 +35,47 @@ def _pitched(device: Cam) -> dict[str, float]:
     found["rho_min"] = 1e3 * rho
     if not device.follower.roller:
         return found
-    radius = device.follower.radius
-    spoilt = rho < radius or bool((jumps(device) < 0).any()) or interferes(device)
-    return found | {"rho_profile": 1e3 * (rho - radius), "undercut": float(spoilt)}
+    found["rho_profile"] = 1e3 * (rho - device.follower.radius)
+    return found | {"undercut": float(spoilt(device))}
 
 
 def _flat(device: Cam) -> dict[str, float]:
-    r0 = device.r0.si if device.r0 else 0.0
-
-    def bulge(piece: Piece, phi: Array) -> Array:
-        s, _, s2 = raised(piece, phi)
-        return -(r0 + s + s2)
-
-    rho = -greatest(bulge, device.pieces)[0]
     rise = greatest(lambda p, phi: raised(p, phi)[1], device.pieces)[0]
     back = greatest(lambda p, phi: -raised(p, phi)[1], device.pieces)[0]
-    spoilt = rho <= 0 or bool((jumps(device) < 0).any())
-    return {"rho_min": 1e3 * rho, "undercut": float(spoilt), "b_rise": 1e3 * rise, "b_return": 1e3 * back}
+    found = {"rho_min": 1e3 * _least_radius(device), "undercut": float(spoilt(device))}
+    if device.arm:
+        return found | {"psi0": degrees(device.psi0)} | _span(device)
+    return found | {"b_rise": 1e3 * rise, "b_return": 1e3 * back}
+
+
+def _span(device: Cam) -> dict[str, float]:
+    """Between which distances from the foot of A the contact wanders along a face that swings (mm)."""
+    assert device.arm
+
+    def along(piece: Piece, phi: Array) -> Array:
+        face = supported(device, piece, phi)
+        pivot = device.side * device.arm[0] * np.exp(-1j * device.sense * phi) if device.arm else 0.0
+        return np.abs(face.touch - pivot - device.face * face.normal)
+
+    near = -greatest(lambda p, phi: -along(p, phi), device.pieces)[0]
+    return {"l_min": 1e3 * near, "l_max": 1e3 * greatest(along, device.pieces)[0]}
+
+
+def _least_radius(device: Cam) -> float:
+    """Of the profile under a flat face, else of the pitch curve where it bulges outward (m)."""
+    if device.follower.flat:
+        return -greatest(lambda p, phi: -supported(device, p, phi).radius, device.pieces)[0]
+    return 1 / greatest(lambda p, phi: pitch(device, p, phi).curvature, device.pieces)[0]
+
+
+def spoilt(device: Cam) -> bool:
+    """Whether the follower cannot keep to its law, because the profile is cut or breaks off; never of a knife edge."""
+    radius = device.follower.radius
+    if not (device.follower.flat or radius):
+        return False
+    rho = _least_radius(device)
+    cut = rho <= 0 if device.follower.flat else rho < radius or interferes(device)
+    return cut or bool((jumps(device) < 0).any())
 
 
 def _stations(device: Cam) -> dict[str, float]:

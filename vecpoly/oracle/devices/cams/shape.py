@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi
 
 import numpy as np
 import numpy.typing as npt
@@ -52,9 +51,10 @@ def pitch(cam: Cam, piece: Piece, phi: Array) -> Curve:
     s, s1, s2 = raised(piece, phi)
     assert cam.r0
     if cam.arm:
-        oa, ab = cam.arm
-        arm = ab * np.exp(1j * (pi - cam.psi0 - s))
-        w, w1, w2, moves = oa + arm, -1j * s1 * arm, (-1j * s2 - s1**2) * arm, -1j * arm / ab
+        (oa, ab), side = cam.arm, cam.side
+        arm = -side * ab * np.exp(-1j * side * (cam.psi0 + s))
+        w, w1, w2 = side * oa + arm, -1j * side * s1 * arm, (-1j * side * s2 - s1**2) * arm
+        moves = -1j * side * arm / ab
     else:
         e = cam.follower.e
         s0 = np.sqrt(cam.r0.si**2 - e**2)
@@ -63,15 +63,43 @@ def pitch(cam: Cam, piece: Piece, phi: Array) -> Curve:
     return Curve(turn * w, turn * (w1 + back * w), turn * (w2 + 2 * back * w1 - w), turn * moves, -cam.sense)
 
 
+@dataclass(frozen=True, slots=True)
+class Face:
+    """A flat face: its unit normal out of the cam, its distance from the axis (m) and where it touches (m), in the
+    cam's plane; the radius of curvature of the profile there (m)."""
+
+    normal: Spots
+    height: Array
+    touch: Spots
+    radius: Array
+
+
+def supported(cam: Cam, piece: Piece, phi: Array) -> Face:
+    """The profile under a flat face by its support function h over the direction ν of the normal.
+
+    It touches at h n + dh/dν in, and its radius of curvature is h + d²h/dν².
+    """
+    s, s1, s2 = raised(piece, phi)
+    assert cam.r0
+    if cam.arm:
+        oa, level = cam.arm[0], cam.psi0 + s
+        h, h1 = cam.face + oa * np.sin(level), oa * np.cos(level) * s1
+        h2 = oa * (np.cos(level) * s2 - np.sin(level) * s1**2)
+        lean, n1, n2 = -cam.side * level, -cam.sense - cam.side * s1, -cam.side * s2
+    else:
+        h, h1, h2 = cam.r0.si + s, s1, s2
+        lean, n1, n2 = np.zeros_like(s), np.full_like(s, -cam.sense), np.zeros_like(s)
+    normal = 1j * np.exp(1j * (lean - cam.sense * phi))
+    first = h1 / n1
+    return Face(normal, h, normal * (h + 1j * first), h + (h2 - first * n2) / n1**2)
+
+
 def profile(cam: Cam, piece: Piece, phi: Array) -> Spots:
     """The profile that touches knife edge, roller or face."""
     if not cam.follower.flat:
         curve = pitch(cam, piece, phi)
         return curve.z + cam.follower.radius * curve.inward
-    s, s1, _ = raised(piece, phi)
-    assert cam.r0
-    touch: Spots = np.exp(-1j * cam.sense * phi) * (1j * (cam.r0.si + s) + cam.sense * s1)
-    return touch
+    return supported(cam, piece, phi).touch
 
 
 def jumps(cam: Cam) -> Array:

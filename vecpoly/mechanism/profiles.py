@@ -1,0 +1,27 @@
+"""A plate cam in a mechanism: its profile is no circle, and moves its follower by a law of motion."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+
+from ..foundation.slotted import dataclass
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CamProfile:
+    """The profile of a driving link, and who follows it.
+
+    pivot: where the link turns on the frame; centre: letter of the profile's centre of curvature at the contact (of
+    the pitch curve's too), which wanders on the cam; end: letter of the follower's tip, or of a point of its face.
+    cam: data of the device, known to whoever draws or solves it. outline: points of the profile in the link's
+    coordinates (m), where a drawing has found them.
+    """
+
+    link: str
+    pivot: str
+    centre: str
+    point: str  # letter of the contact
+    follower: str
+    end: str
+    cam: Hashable
+    outline: tuple[complex, ...] = ()
