@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
+from ..cycle import cycle
 from ..errors import FaultError
 from ..mechanism.model import Mechanism
 from ..problem.assignment import part as branch
@@ -16,15 +17,16 @@ from ..problem.schema.faults import Faults, meant
 from ..problem.schema.validate import validate
 from ..problem.text.overlay import overlay
 from ..problem.text.source import Tree
-from ..solution import solve
+from ..solution import Solution, solve
 from ..units.reading import Dim, positive, read
 from ..units.reckoning import Amount, reckon
 from ..words import Words
 from .measured import measured
-from .part import Part, Works
+from .part import FINE, Part
 from .positions import Position, position, refuse_idle
 from .spec import OWN, PartSpec
 from .substitute import substituted
+from .working import Works, working
 
 
 def made(
@@ -42,19 +44,23 @@ def made(
     base, taken = _base(spec, before, faults, key)
     problem = _problem(own, base, taken)
     also, works, delta = _beside(spec, problem, faults, key)
+    if problem.loads is not None:
+        with faults.at("parts", key, "works"):
+            refuse_idle(problem, working(cycle(problem, FINE), works))
+    faults.settle()
     if tell is not None:
         tell(problem.title)
-    solution = solve(problem, by=by, seed=seed)
+    solution: Solution | None = None
+    with faults.at("parts", key):
+        solution = solve(problem, by=by, seed=seed)
+    faults.settle()
+    assert solution is not None
     found = Part(name=key, solution=solution, base=base, taken=taken, works=works, unevenness=delta)
     return replace(found, others=_others(found, also, faults, by, seed))
 
 
 def _others(found: Part, also: tuple[float, ...], faults: Faults, by: str, seed: int) -> tuple[Position, ...]:
     """The drawings at the further positions."""
-    if not found.moves:
-        return ()
-    with faults.at("parts", found.name, "works"):
-        refuse_idle(found.problem, found.working)
     made = []
     for i, phi in enumerate(also):
         with faults.at("parts", found.name, "also", i):
@@ -142,7 +148,18 @@ def _beside(
 
 
 def _works(spec: PartSpec) -> Works | None:
-    return None if spec.works is None else Works(load=spec.works.load, clear=_pure(spec.works.clear, 0.45, 0.0))
+    if spec.works is None:
+        return None
+    begins, ends = (_pure(text, 1.0, 0.0) for text in (spec.works.begins, spec.works.ends))
+    if begins >= ends:
+        raise FaultError(
+            Words(
+                f"from {begins:.0%} 应小于 to {ends:.0%}；如写 from: 5 %, to: 95 %",
+                f"from {begins:.0%} must be less than to {ends:.0%}; write e.g. from: 5 %, to: 95 %",
+            ),
+            code="contradiction",
+        )
+    return Works(load=spec.works.load, begins=begins, ends=ends)
 
 
 def _pure(text: Any, most: float, least: float = 1e-6) -> float:

@@ -15,17 +15,9 @@ from ..problem.problem import Problem
 from ..solution import Solution
 from .flywheel import Balance, balance
 from .positions import Position
-from .working import Working, working
+from .working import Working, Works, working
 
 FINE = 721  # positions of a turn, both ends included: every half degree
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Works:
-    """The load that acts on one stroke only, and the share of the stroke at each end on which it does not."""
-
-    load: str
-    clear: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +82,7 @@ class Part:
     @cached_property
     def working(self) -> Working:
         """Where its loads act."""
-        return working(self.turn, self.works.load if self.works else None, self.works.clear if self.works else 0.0)
+        return working(self.turn, self.works)
 
     @cached_property
     def balance(self) -> Balance | None:

@@ -51,10 +51,11 @@ OWN = (OF, ROUND, ALSO, WORKS, UNEVENNESS)  # keys of a part that a problem does
 
 
 class WorksSpec(Spec):
-    """A load that acts only on one stroke of a slider, and there not at its ends."""
+    """A load that acts only on one stroke of a slider, and there from one share of the stroke to another."""
 
     load: str
-    clear: str = "0"
+    begins: str = Field("0 %", alias="from")
+    ends: str = Field("100 %", alias="to")
 
 
 class PartSpec(Spec):

@@ -15,6 +15,16 @@ from ..mechanism.loads import Force, Loads
 from ..words import Words
 
 Reals = NDArray[np.float64]
+_STILL = 1e-9  # of the greatest speed: below, it stands
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Works:
+    """The load that acts on one stroke only, from one share of that stroke to another."""
+
+    load: str
+    begins: float = 0.0
+    ends: float = 1.0
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -56,22 +66,25 @@ class Working:
         return bool(self.acts[int(np.argmax(turned.real))])
 
 
-def working(turn: Cycle, name: str | None, clear: float) -> Working:
-    """Where the load of this name acts: where it resists, and `clear` of the stroke from its ends.
+def working(turn: Cycle, works: Works | None) -> Working:
+    """Where such a load acts: where it resists, and between those shares of the stroke.
 
     Raises UnknownNameError where no force is called so, FaultError where it never resists.
     """
-    everywhere = np.full(turn.phi.shape, True)
-    if name is None or turn.loads is None:
-        return Working(loaded=turn, idle=turn, acts=everywhere)
-    force = _force(turn.loads, name)
+    if works is None or turn.loads is None:
+        return Working(loaded=turn, idle=turn, acts=np.full(turn.phi.shape, True))
+    force = _force(turn.loads, works.load)
     way = np.exp(1j * force.direction) * np.sign(force.size or 1.0)
     place, speed = ((turn.column(f"{stem}_{force.point}") * np.conj(way)).real for stem in "pv")
-    low, span = float(place.min()), float(np.ptp(place))
-    acts = (speed < 0) & (place >= low + clear * span) & (place <= low + (1 - clear) * span)
-    if not acts.any():
+    done = (place.max() - place) / (np.ptp(place) or 1.0)  # it moves against the force
+    acts = (speed < -_STILL * np.abs(speed).max()) & (done >= works.begins) & (done <= works.ends)
+    if not acts.any() or np.ptp(place) < _STILL * turn.mech.scale:
         raise FaultError(
-            Words(f"载荷 {name} 在整个循环内都不是阻力", f"load {name} resists nowhere over the cycle"),
+            Words(
+                f"载荷 {works.load} 在整个循环内都不是阻力，或作用的范围太窄；请检查其方向和 from、to",
+                f"load {works.load} resists nowhere over the cycle, or for too short a stretch; check its direction, "
+                "and from and to",
+            ),
             code="contradiction",
         )
     return Working(loaded=turn, idle=_without(turn, force), acts=acts, force=force)
