@@ -14,6 +14,7 @@ from .classes.variants import variants
 from .commands.check import check
 from .commands.cycle import cycle
 from .commands.demo import demo
+from .commands.design import design
 from .commands.draw import draw
 from .commands.exact import exact
 from .commands.export import export
@@ -82,6 +83,7 @@ COMMANDS: dict[str, Callable[..., None]] = {
     "solve": solve,
     "exact": exact,
     "report": report,
+    "design": design,
     "check": check,
     "cycle": cycle,
     "draw": draw,

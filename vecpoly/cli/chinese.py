@@ -47,6 +47,10 @@ HELP = {
         "写出 PDF 报告。\n\n用 -o 文件.pdf 时全部写入该文件；用 -o 文件夹 时每道题或每份作业各写一个文件；不写 -o "
         "时写在当前文件夹。"
     ),
+    "Write the report of a design project: linkage, motion, forces, cam, gears, and whether the demands are met.": (
+        "写出课程设计说明书：连杆机构、运动、受力、凸轮、轮系，以及各项要求是否满足。"
+    ),
+    "A project: design-shaper of the library, or a file.": "课程设计：题库中的 design-shaper 等，或文件。",
     "Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves.": (
         "分析机构的整个运动循环：列出运动特性，写数据表，绘曲线。"
     ),

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..errors import NotAskedError
 from ..words import Words
 from .errors import Tally
 
@@ -69,8 +70,23 @@ def job(name: str, outside: bool = False) -> Job:
     from ..problem.load import load, locate
 
     path = locate(name)
+    _no_project(path)
     if not is_assignment(path):
         problem = load(path, allow_outside=outside)
         return Job(name=problem.id, problems=(problem,))
     sheet = load_assignment(path, allow_outside=outside)
     return Job(name=Path(path).stem, problems=sheet.problems, title=sheet.title, fields=sheet.block, path=path)
+
+
+def _no_project(path: Path) -> None:
+    """Raise NotAskedError for a design project, which is no problem."""
+    from ..project.tree import is_project
+
+    if is_project(path):
+        raise NotAskedError(
+            Words(
+                f"{path} 是课程设计，不是一道题；请用 vecpoly design {path}",
+                f"{path} is a design project, not a problem; write it with: vecpoly design {path}",
+            ),
+            code="project",
+        )

@@ -83,6 +83,14 @@ def _tree(path: Path, name: str, reach: Reach) -> Tree:
     return tree
 
 
+def block_of(written: Mapping[str, str], tree: Tree) -> dict[str, str]:
+    """The title block of a file; raises ProblemFileError."""
+    faults = Faults(tree.name, tree.places)
+    block = _block(written, faults)
+    faults.settle()
+    return block
+
+
 def _block(written: Mapping[str, str], faults: Faults) -> dict[str, str]:
     names = {**{key: key for key in FIELDS}, **{zh: key for key, zh in FIELDS.items()}}
     block = dict.fromkeys(FIELDS, "")

@@ -104,7 +104,7 @@ def conclusion(study: Study) -> Iterator[Words]:
     loads = study.problem.loads
     if loads is None:
         return
-    answers = {key: a for key, a in study.given.answers.items() if _is_force(key)}
+    answers = {key: a for key, a in study.given.answers.items() if is_force(key)}
     if answers:
         told_here = _grouped(answers)
         yield Words(
@@ -137,7 +137,8 @@ def _overall(study: Study, key: str) -> Words:
     )
 
 
-def _is_force(key: str) -> bool:
+def is_force(key: str) -> bool:
+    """Whether a key names no quantity of motion or mass."""
     return key.partition("_")[0] not in ("p", "v", "a", "an", "at", "ak", "ar", "omega", "alpha", "m", "J")
 
 

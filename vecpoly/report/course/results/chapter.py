@@ -31,20 +31,25 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
     """Sections with their tables, figures and words in order."""
     press.chapter = "5"
     extreme = extremes(study, press)
-    sections = [
-        _links(study, press),
-        *(_point(study, press, letter) for letter in study.points),
-        _angles(study, press),
-        _forces(study, press),
-    ]
     return {
-        "sections": [s for s in sections if s["tables"] or s["figures"]],
+        "sections": sections(study, press),
         "extremes": extreme,
         "step": _step(study),
         "count": len(study.turn.phi),
         "loaded": bool(study.forces),
         "range": _range(study, press) + force_words.one_sided(study).of(press.lang),
     }
+
+
+def sections(study: Study, press: Press) -> list[dict[str, Any]]:
+    """Links, points, transmission angles, forces: those of which there is something to show."""
+    found = [
+        _links(study, press),
+        *(_point(study, press, letter) for letter in study.points),
+        _angles(study, press),
+        _forces(study, press),
+    ]
+    return [one for one in found if one["tables"] or one["figures"]]
 
 
 def _links(study: Study, press: Press) -> dict[str, Any]:
@@ -116,7 +121,7 @@ def _point(study: Study, press: Press, letter: str) -> dict[str, Any]:
             " The next figure shows the mechanism at even steps of its drive in thin lines, the given position "
             "in thick ones, the path dashed.",
         ).of(press.lang)
-    before = [posed(study, press.lang, letter)] if letter == study.points[-1] else []
+    before = [posed(study, press.lang, letter, small=own and study.dense)] if letter == study.points[-1] else []
     if own and study.dense:
         before.append(way(study, press.lang, letter))
     first = press.figures(before)

@@ -34,15 +34,15 @@ def way(study: Study, lang: str, letter: str) -> Plotted:
     return plot.scene, plot.title
 
 
-def posed(study: Study, lang: str, letter: str) -> Plotted:
-    """The mechanism in several positions with the path of the point."""
+def posed(study: Study, lang: str, letter: str, *, small: bool) -> Plotted:
+    """The mechanism in several positions with the path of the point; small: beside another figure."""
     from ....curves import poses
 
     plot = poses(
         study.turn,
         letter,
         "en" if lang == "en" else "zh",
-        **({"width": _NARROW[0], "height": _LOW} if study.dense else {"height": 88.0}),
+        **({"width": _NARROW[0], "height": _LOW} if small else {"height": 88.0}),
     )
     return plot.scene, plot.title
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ....cycle import Column, table
+from ....cycle import Column, Table, table
 from ....findings.study.study import Study
 from ....words import Words
 from ...flow.style import Style
@@ -24,13 +24,18 @@ def tabled(study: Study, press: Press, keys: Sequence[str], title: Words, style:
     """A table of these columns at the rows of the table, or at every so many of them."""
     parts = dict.fromkeys(part for key in keys for part in study.turn.info(key).parts)
     made = table(study.turn, tuple(part for part in parts if study.varies(part)) or tuple(parts), study.rows[::every])
+    return laid_out(made, press, title, style, _HALVED if study.dense else _HALVED - 1)
+
+
+def laid_out(made: Table, press: Press, title: Words, style: Style = SMALL, halved: int = _HALVED) -> str:
+    """A table of a cycle on the page; one of few columns (up to `halved`) in two halves beside each other."""
     header = [_head(column) for column in made.columns]
     formats = _formats(made.columns, made.values)
     body = [
         tuple(decimal(value, places) for value, places in zip(row, formats, strict=True))
         for row in made.values.tolist()
     ]
-    if len(header) <= (_HALVED if study.dense else _HALVED - 1) and len(body) > _LONG:
+    if len(header) <= halved and len(body) > _LONG:
         half = (len(body) + 1) // 2
         rest = [*body[half:], *([("",) * len(header)] * (2 * half - len(body)))]
         header, body = [*header, "", *header], [(*one, "", *two) for one, two in zip(body[:half], rest, strict=True)]

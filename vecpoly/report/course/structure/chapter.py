@@ -36,6 +36,11 @@ _ROOM = 165.0  # mm
 def chapter(study: Study, press: Press) -> dict[str, Any]:
     """Counts, tables of joints and groups, figure."""
     press.chapter = "2"
+    return told(study, press)
+
+
+def told(study: Study, press: Press) -> dict[str, Any]:
+    """The same within any chapter."""
     count = mobility(study.mech)
     return {
         "words": "".join(w.of(press.lang) for w in special(study)),

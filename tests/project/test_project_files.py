@@ -1,0 +1,96 @@
+"""What is refused in a project file: told with file, line, both languages, and what to do."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.sources import ROOT
+from vecpoly.errors import ProblemFileError
+from vecpoly.project.project import load_project
+
+GOOD = """\
+title: A feeder
+statement: Find it.
+parts:
+  linkage:
+    title: The linkage
+    synthesis: slider-crank
+    data: {K: 1.25, H: 160 mm, e: 50 mm}
+    find: [theta, AB, BC]
+  motion:
+    title: Its motion
+    of: linkage
+    round: 1 mm
+    input: {phi: 250 deg, omega: 2 rad/s ccw}
+    works: {load: F_r, from: 20 %}
+    loads:
+      F_r: {on: 3, at: C, size: 600 N, direction: 180 deg, role: resisting}
+      M_1: {on: 1, size: "?", role: driving}
+    find: [v_C, M_1]
+demands:
+  - motion.K = 1.25 within 1 %
+"""
+
+
+def solved(tmp_path: Path, old: str, new: str) -> None:
+    assert old in GOOD
+    path = tmp_path / "feeder.yaml"
+    path.write_text(GOOD.replace(old, new), encoding="utf-8")
+    load_project(path)
+
+
+def test_the_file_that_is_damaged_below_is_sound(tmp_path: Path) -> None:
+    solved(tmp_path, "Find it.", "Find it.")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "said"),
+    [
+        ("of: linkage", "of: linkages", 11, "no earlier part called 'linkages'.*did you mean 'linkage'"),
+        ("round: 1 mm", "round: 1 kg", 11, "'1 kg' is not a length"),
+        ("phi: 250 deg", "phi: <linkage.psi>", 13, "no quantity 'linkage.psi'; known here: linkage.theta"),
+        ("phi: 250 deg", "phi: <linkage.theta + linkage.AB>", 13, "different kinds"),
+        ("phi: 250 deg", "phi: <linkage.theta / 0>", 13, "divides by zero"),
+        ("phi: 250 deg", "phi: <motion.K * 90 deg>", 13, "no quantity 'motion.K'"),
+        ("phi: 250 deg", "phi: <2 ** 99>", 13, "cannot be read"),
+        ("phi: 250 deg", "phi: 60 deg", 14, "F_r does not act at the given position, 60°.*choose phi there"),
+        ("direction: 180 deg", "direction: 90 deg", 14, "resists nowhere"),
+        ("load: F_r,", "load: F_x,", 14, "no force of known size is called 'F_x'; known: F_r"),
+        ("from: 20 %", "from: 20 %, to: 10 %", 14, "from 20% must be less than to 10%"),
+        ("from: 20 %", "from: 20 mm", 14, "'20 mm' must be a number between"),
+        ("from: 20 %", "form: 20 %", 14, "unknown key 'form'"),
+        ("    find: [v_C, M_1]", "    also: [3 m]\n    find: [v_C, M_1]", 18, "not an angle"),
+        ("    find: [theta", "    also: [3 deg]\n    find: [theta", 8, "'also' is for mechanisms only"),
+        ("motion.K = 1.25 within 1 %", "motion.K is 1.25", 20, "is no demand; write e.g."),
+        ("motion.K = 1.25 within 1 %", "motion.K <= 30 deg", 20, "of different kinds"),
+        ("title: A feeder\n", "", 1, "'title' is missing"),
+        ("data: {K: 1.25", "data: {K: 0.25", 7, "K = 0.25"),
+    ],
+)
+def test_a_fault_is_told_with_its_line(tmp_path: Path, old: str, new: str, line: int, said: str) -> None:
+    with pytest.raises(ProblemFileError) as refused:
+        solved(tmp_path, old, new)
+    (fault,) = refused.value.faults
+    assert fault.place is not None
+    assert abs(fault.place.line - line) <= 1, fault.place
+    assert re.search(said, str(refused.value.words.en)), refused.value.words.en
+    assert re.search("[\u4e00-\u9fff]", refused.value.words.zh)
+
+
+def test_a_demand_that_fails_is_no_error_but_said(tmp_path: Path) -> None:
+    path = tmp_path / "feeder.yaml"
+    path.write_text(GOOD.replace("K = 1.25 within", "K = 1.4 within"), encoding="utf-8")
+    (demand,) = load_project(path).demands
+    assert not demand.holds
+
+
+@pytest.mark.parametrize("manual", ["problem-file.md", "problem-file.zh.md"])
+def test_the_project_of_the_manual_is_solved_and_meets_its_demands(manual: str, tmp_path: Path) -> None:
+    text = (ROOT / "docs" / manual).read_text(encoding="utf-8")
+    (block,) = [one for one in re.findall(r"```yaml\n(.*?)```", text, re.S) if "\nparts:" in one]
+    path = tmp_path / "feeder.yaml"
+    path.write_text(block, encoding="utf-8")
+    assert [one.holds for one in load_project(path).demands] == [True, True]

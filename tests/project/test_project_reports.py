@@ -1,0 +1,64 @@
+"""The report of a design project: numbers of chapters, figures and tables, full pages, one language at a time."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tests.projects import pages, project
+from vecpoly.words import Lang
+
+BOTH: list[tuple[str, Lang]] = [
+    ("design-shaper", "zh"), ("design-shaper", "en"), ("design-press", "zh"), ("design-feeder", "en")
+]  # fmt: skip
+ENGLISH = [name for name, lang in BOTH if lang == "en"]
+SHEET = re.compile("^(图|Figure) ?B-", re.M)
+
+
+@pytest.mark.parametrize(("name", "lang"), BOTH)
+def test_it_has_twenty_to_thirty_pages_or_little_more(name: str, lang: Lang) -> None:
+    assert 20 <= len(pages(name, lang)) <= 32
+
+
+@pytest.mark.parametrize(("name", "lang"), BOTH)
+def test_no_page_of_text_is_nearly_empty(name: str, lang: Lang) -> None:
+    for number, text in enumerate(pages(name, lang)[1:], 2):
+        assert SHEET.search(text) or len(text.splitlines()) > 8, (number, text)
+
+
+@pytest.mark.parametrize(("name", "lang"), BOTH)
+@pytest.mark.parametrize(("zh", "en"), [("图", "Figure"), ("表", "Table")])
+def test_figures_and_tables_are_numbered_through(name: str, lang: Lang, zh: str, en: str) -> None:
+    """Of every chapter 1, 2, 3 ... without a gap, in the order of the pages."""
+    word = zh if lang == "zh" else en
+    found = re.findall(rf"{word} ?(\d+)-(\d+)", "\n".join(pages(name, lang)))
+    chapters: dict[str, list[int]] = {}
+    for chapter, number in found:
+        chapters.setdefault(chapter, []).append(int(number))
+    assert len(chapters) >= 4
+    assert all(sorted(set(numbers)) == list(range(1, max(numbers) + 1)) for numbers in chapters.values())
+
+
+@pytest.mark.parametrize("name", ENGLISH)
+def test_the_english_report_has_chinese_only_in_the_file_that_it_lists(name: str) -> None:
+    for text in pages(name, "en"):
+        lines = [line for line in text.splitlines() if re.search("[\u4e00-\u9fff]", line)]
+        assert not lines or "zh:" in text or "{zh" in text, lines
+
+
+@pytest.mark.parametrize(("name", "lang"), BOTH)
+def test_every_sheet_of_the_appendix_is_referred_to_in_the_text(name: str, lang: Lang) -> None:
+    text = [page for page in pages(name, lang) if not SHEET.search(page)]
+    drawn = [page for page in pages(name, lang) if SHEET.search(page)]
+    assert len(drawn) >= 7
+    word = "图" if lang == "zh" else "Figure"
+    for number in range(1, len(drawn) + 1):
+        assert any(f"{word} B-{number}" in page for page in text), number
+
+
+@pytest.mark.parametrize("name", ENGLISH)
+def test_the_summary_tells_each_demand(name: str) -> None:
+    text = "\n".join(pages(name, "en"))
+    assert text.count(" met") >= len(project(name).demands)
+    assert "Not met" not in text

@@ -1,0 +1,73 @@
+"""The positions of a mechanism that are drawn: the given one, those beside it, each with the loads that act there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import degrees
+
+from ..cycle.pose import posed
+from ..errors import FaultError
+from ..mechanism.loads import Loads
+from ..problem.problem import Problem, Scales
+from ..solution import Solution, scales_of, solve
+from ..words import Words
+from .working import Working, without
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Position:
+    """The drive's position (rad, or m), and the drawing there; acts: whether the load of one stroke does."""
+
+    phi: float
+    solution: Solution
+    acts: bool = True
+
+
+def position(solution: Solution, phi: float, working: Working, by: str, seed: int) -> Position:
+    """The mechanism drawn at another position, to the same μ_l. Raises FaultError where it cannot stand there."""
+    there = next(posed(solution.problem, phi))
+    if there is None:
+        slide = solution.problem.mechanism.drive.slide
+        where = f"{1e3 * phi:g} mm" if slide else f"{degrees(phi):g}°"
+        raise FaultError(
+            Words(
+                f"机构不能装配在 {where} 处，或无法由已知装配方式到达；请另选位置",
+                f"the mechanism cannot be assembled at {where}, or not reached from where it stands; choose another",
+            ),
+            code="no-assembly",
+        )
+    acts = working.at(phi)
+    loads = there.loads if acts or working.force is None or there.loads is None else without(there.loads, working.force)
+    scale = scales_of(solution.construction).given.get("mu_l")
+    posed_there = replace(
+        there, loads=_without_roles(loads), printed=(), scales=Scales({"mu_l": scale} if scale else {})
+    )
+    return Position(phi=phi, solution=solve(posed_there, by=by, seed=seed, repeats=0), acts=acts)
+
+
+def _without_roles(loads: Loads | None) -> Loads | None:
+    """None called driving or resisting: over a cycle a load may be both in turn."""
+    if loads is None:
+        return None
+    return replace(
+        loads,
+        forces=tuple(replace(one, role="") for one in loads.forces),
+        moments=tuple(replace(one, role="") for one in loads.moments),
+    )
+
+
+def refuse_idle(problem: Problem, working: Working) -> None:
+    """Raise FaultError where the load of one stroke does not act at the given position."""
+    phi = problem.mechanism.drive.position
+    if working.force is None or working.at(phi):
+        return
+    at = "、".join(f"{degrees(a):.1f}°～{degrees(b):.1f}°" for a, b in working.stretches)
+    name = working.force.name
+    raise FaultError(
+        Words(
+            f"载荷 {name} 在题设位置 {degrees(phi):g}° 不作用（只作用于 {at}）；请把 phi 取在该范围内",
+            f"load {name} does not act at the given position, {degrees(phi):g}°, but at "
+            f"{at.replace('、', ', ').replace('～', ' to ')}: choose phi there",
+        ),
+        code="contradiction",
+    )
