@@ -61,11 +61,16 @@ class Paper:
 
 
 def paper_of(block: Block, width: float, height: float = 1000.0) -> Paper:
-    """The block wrapped to a column of this width (pt) and drawn."""
+    """The block wrapped to a column of this width (pt) and drawn: every state that it saves is restored."""
     block.wrap(width, height)
     with remembered() as paper:
         block.canv = paper
         block.draw()
+    depth = 0
+    for name, _ in paper.calls:
+        depth += (name == "saveState") - (name == "restoreState")
+        assert depth >= 0, "a state is restored that was not saved"
+    assert depth == 0, "a state is saved and never restored"
     return paper
 
 

@@ -34,7 +34,7 @@ def test_three_lines_of_action_pass_through_the_lettered_meeting_point(name: str
     told = "".join(step.words.zh for step in solution.construction.steps)
     for letter in letters:
         assert f"${letter}$" in told
-        assert len(_lines_through(points[letter], marks)) >= 2
+        assert len(_lines_through(points[letter], marks)) == 3
 
 
 def test_two_parallel_forces_are_laid_off_interchanged_and_their_resultant_divides_the_line_between_them() -> None:

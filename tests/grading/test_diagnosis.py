@@ -191,6 +191,14 @@ def test_a_unit_costs_once_a_problem_and_nothing_where_it_is_printed() -> None:
     assert wrong.lost == Rules().unit and "unit_wrong" in told(wrong, "v_D") and wrong["v_D"].outcome is Outcome.RIGHT
 
 
+def test_a_value_that_is_not_ones_own_length_times_the_scale_is_told_with_both() -> None:
+    length, value = {"pd": "37.6"}, key_of("3-9").scales["mu_v"] * 37.6
+    assert "read" not in told(marked("3-9", length | {"v_D": f"{value:.4f}"}), "v_D")
+    sheet = marked("3-9", length | {"v_D": f"{1.2 * value:.4f}"})
+    (said,) = (one for one in sheet["v_D"].messages if one.id.value == "read")
+    assert said.numbers["mm"] == "37.6" and str(said.numbers["own"]).startswith(f"{value:.3g}")
+
+
 def test_digits_are_remarked_on_and_cost_nothing() -> None:
     sheet = marked("3-9", {"v_D": "0.2257483", "v_E": "0.2"})
     assert "many_digits" in told(sheet, "v_D") and "few_digits" in told(sheet, "v_E")

@@ -17,6 +17,7 @@ from collections import Counter, defaultdict
 from collections.abc import Sequence
 from pathlib import Path
 
+from .alike import alike
 from .slips import Mutant, compiles, mutants
 from .touched import MAP, ROOT, listen, touched
 from .trial import Fate, try_all
@@ -63,13 +64,14 @@ def main() -> None:
 
 
 def _drawn(room: str, kind: str, count: int, seed: int) -> list[Mutant]:
-    """Mutants by lot: first a file, then a slip in it, so that a long file has no more weight than a short one. A file
-    is read when its lot is drawn."""
+    """Mutants by lot: first a file, as often as it has lines, then a slip in it, so that many slips in a line have no
+    more weight than one. A file's slips are listed when its lot is drawn."""
     start = ROOT / room
-    files = [start] if start.is_file() else sorted(start.rglob("*.py"))
+    paths = [start] if start.is_file() else sorted(start.rglob("*.py"))
+    files = {path: len(path.read_bytes().splitlines()) for path in paths}
     rng, drawn, pools = random.Random(seed), list[Mutant](), dict[Path, list[Mutant]]()
-    while len(drawn) < count and files:
-        path = rng.choice(files)
+    while len(drawn) < count and any(files.values()):
+        [path] = rng.choices(list(files), list(files.values()))
         if path not in pools:
             pools[path] = [
                 one
@@ -77,7 +79,7 @@ def _drawn(room: str, kind: str, count: int, seed: int) -> list[Mutant]:
                 if kind in one.kind and one.function.strip()
             ]
         if not (pool := pools[path]):
-            files.remove(path)
+            del files[path]
         elif compiles((one := pool.pop(rng.randrange(len(pool)))).text):
             drawn.append(one)
     return drawn
@@ -98,10 +100,17 @@ def _tried(drawn: Sequence[Mutant], budget: float, files: Sequence[str]) -> None
         None
         if known is None
         else (
-            lambda mutant: (*_OF_SOURCES.get(mutant.kind, ()), *known.chosen(str(mutant.path), mutant.function, budget))
+            lambda mutant, tests: (
+                *_OF_SOURCES.get(mutant.kind, ()),
+                *(
+                    known.chosen(str(mutant.path), mutant.function, budget)
+                    if known.knows(str(mutant.path))
+                    else alike(str(mutant.path), tests)
+                ),
+            )
         ),
         files,
-        int(3 * budget) + 10,
+        budget,
         tell,
     )
     print(_table(fates))

@@ -140,6 +140,10 @@ class Touched:
     calls: dict[str, list[str]]
     seconds: dict[str, float]
 
+    def knows(self, path: str) -> bool:
+        """Whether any test calls anything in this file."""
+        return any(place.startswith(f"{path}:") for place in self.calls)
+
     def chosen(self, path: str, function: str, budget: float) -> tuple[str, ...]:
         """The tests that call the function (or anything in its file),
         quickest first, then their neighbours, within so many seconds."""

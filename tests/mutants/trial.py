@@ -14,7 +14,9 @@ import os
 import pkgutil
 import signal
 import sys
+import time
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from enum import StrEnum
 from functools import _lru_cache_wrapper
 from pathlib import Path
@@ -33,7 +35,7 @@ _PARTLY = (
     "-o",
     "enable_assertion_pass_hook=false",
 )  # of a test with parameters only some may be chosen: none of these need reach an assertion
-Chosen = Callable[[Mutant], Sequence[str]]
+Chosen = Callable[[Mutant, Sequence[str]], Sequence[str]]  # of a mutant and all tests: those to run, in this order
 Keepers = Sequence["_lru_cache_wrapper[Any]"]
 
 
@@ -50,18 +52,20 @@ class Trials:
     """A plugin of pytest that, in place of running the tests once, runs some of them for each mutant."""
 
     def __init__(
-        self, mutants: Iterable[Mutant], chosen: Chosen | None, limit: int, tell: Callable[[Mutant, Fate], None]
+        self, mutants: Iterable[Mutant], chosen: Chosen | None, budget: float, tell: Callable[[Mutant, Fate], None]
     ) -> None:
-        self.mutants, self.chosen, self.limit, self.tell = mutants, chosen, limit, tell
+        self.mutants, self.chosen, self.budget, self.tell = mutants, chosen, budget, tell
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
         """Try one mutant after the other."""
         items = {item.nodeid: item for item in session.items}
-        functions, kept = _functions(), keepers()
+        functions, kept, names = _functions(), keepers(), tuple(items)
+        gc.freeze()  # again: a child that looks through all this for rubbish would copy it, too
         for mutant in self.mutants:
-            tests = [items[name] for name in self.chosen(mutant) if name in items] if self.chosen else session.items
-            self.tell(mutant, _tried(mutant, functions, tests, self.limit, kept))
+            chosen = self.chosen(mutant, names) if self.chosen else names
+            tests = [items[name] for name in chosen if name in items]
+            self.tell(mutant, _tried(mutant, functions, tests, self.budget, kept))
         return True
 
 
@@ -69,14 +73,14 @@ def try_all(
     mutants: Iterable[Mutant],
     chosen: Chosen | None,
     files: Sequence[str],
-    limit: int,
+    budget: float,
     tell: Callable[[Mutant, Fate], None],
 ) -> None:
-    """Collect the tests (of these files, where any are named),
-    then try every mutant on those chosen for it, or on all."""
+    """Collect the tests (of these files, where any are named), then try every mutant on those chosen for it, or on all;
+    no test begins after so many seconds of the processor."""
     pytest.main(
         ["-q", "-p", "no:xdist", "-p", "no:cacheprovider", "--no-summary", *_PARTLY, *(files or [str(ROOT / "tests")])],
-        plugins=[Trials(mutants, chosen, limit, tell)],
+        plugins=[Trials(mutants, chosen, budget, tell)],
     )
 
 
@@ -96,7 +100,7 @@ def _tried(
     mutant: Mutant,
     functions: dict[tuple[str, str], list[FunctionType]],
     tests: Sequence[pytest.Item],
-    limit: int,
+    budget: float,
     kept: Keepers,
 ) -> Fate:
     path, outer = str(ROOT / mutant.path), mutant.function.split(".<locals>")[0]
@@ -106,10 +110,13 @@ def _tried(
     sys.stdout.flush()
     child = os.fork()
     if child == 0:
+        os.setpgid(0, 0)
         _spoil(path, mutant.text)
         module = compile(mutant.text, path, "exec")
-        _run([(one, _code(module, name)) for name, found in targets.items() for one in found], tests, limit, kept)
+        _run([(one, _code(module, name)) for name, found in targets.items() for one in found], tests, budget, kept)
     _, status = os.waitpid(child, 0)
+    with suppress(ProcessLookupError):
+        os.killpg(child, signal.SIGKILL)  # processes that a test had started
     if os.WIFSIGNALED(status):
         return Fate.HUNG if os.WTERMSIG(status) == signal.SIGVTALRM else Fate.KILLED
     return Fate.SURVIVED if os.WEXITSTATUS(status) == 0 else Fate.KILLED
@@ -133,10 +140,10 @@ def _code(module: CodeType, name: str) -> CodeType:
 
 
 def _run(
-    targets: Sequence[tuple[FunctionType, CodeType]], tests: Sequence[pytest.Item], limit: int, kept: Keepers
+    targets: Sequence[tuple[FunctionType, CodeType]], tests: Sequence[pytest.Item], budget: float, kept: Keepers
 ) -> None:
     """The child: never returns. A function made by another before the slip has the code of its own."""
-    signal.setitimer(signal.ITIMER_VIRTUAL, limit)  # of the processor: a busy machine is no endless loop
+    signal.setitimer(signal.ITIMER_VIRTUAL, 3 * budget + 10)  # of the processor: a busy machine is no endless loop
     silent = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silent, 1)
     os.dup2(silent, 2)
@@ -145,7 +152,12 @@ def _run(
         forget(kept)
         for function, code in targets:
             function.__code__ = code
-        failed = any(_fails(test, following) for test, following in zip(tests, [*tests[1:], None], strict=True))
+        end = time.process_time() + budget
+        failed = any(
+            _fails(test, following)
+            for test, following in zip(tests, [*tests[1:], None], strict=True)
+            if time.process_time() < end
+        )
     finally:
         os._exit(int(failed))
 

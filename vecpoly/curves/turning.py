@@ -17,13 +17,16 @@ def turning(x: Reals, y: Reals, periodic: bool) -> list[tuple[float, float]]:
     if not known.size or float(np.ptp(known)) <= 1e-9 * max(1.0, float(np.abs(known).max())):
         return []
     middle, half = (float(known.max()) + float(known.min())) / 2, float(np.ptp(known)) / 2
-    before, after = (np.r_[y[-2] if periodic else np.nan, y[:-1]], np.r_[y[1:], y[1] if periodic else np.nan])
+    before, after = (
+        np.r_[y[-2] if periodic else np.nan, y[:-1]],
+        np.r_[y[1:], np.nan],
+    )  # the last is no place of its own
     with np.errstate(invalid="ignore"):
         high = (y > before) & (y >= after) & (y > middle + WORTH * half)
         low = (y < before) & (y <= after) & (y < middle - WORTH * half)
     step = float(x[1] - x[0])
     found = []
-    for i in np.flatnonzero((high | low)[:-1] if periodic else high | low):
+    for i in np.flatnonzero(high | low):
         y0, y1, y2 = float(before[i]), float(y[i]), float(after[i])
         bend = y0 - 2 * y1 + y2
         shift = 0.5 * (y0 - y2) / bend if bend and abs(y0 - y2) < _SMOOTH * half else 0.0

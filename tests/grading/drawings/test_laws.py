@@ -18,6 +18,7 @@ from vecpoly.drawing.backends.svg import to_svg
 from vecpoly.drawing.scene import Stroke
 from vecpoly.drawing.style import Dash
 from vecpoly.grading.drawings.overlay import overlay
+from vecpoly.words import Lang, bare
 
 FEW = settings(max_examples=often(8))
 places = st.complex_numbers(max_magnitude=5_000, allow_nan=False, allow_infinity=False)
@@ -77,3 +78,12 @@ def test_a_drawing_is_checked_at_the_command_line_and_a_bad_one_does_not_stop_th
     assert told.exit_code == 1 and "slip: ak_C2C3 reversed" in told.output
     both = CliRunner().invoke(app, ["check", "3-9", str(bad), str(good)])
     assert both.exit_code == 2 and "bad.dxf" in both.output and "a_E" in both.output
+
+
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_what_is_told_of_a_whole_drawing_stands_on_the_terminal(tmp_path: Path, lang: Lang) -> None:
+    key, file = key_of("3-9"), tmp_path / "mirrored.svg"
+    file.write_bytes(as_svg(put(drawn(key.exact), lambda z: z.conjugate())))
+    remarks = marked(key, put(drawn(key.exact), lambda z: z.conjugate())).remarks
+    shown = CliRunner().invoke(app, ["check", "3-9", str(file), "--lang", lang]).output
+    assert remarks and all(bare(words.of(lang)) in shown for words in remarks)
