@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import signal
 import sys
 
 # new ones between two looks for garbage: a command lives for a second, and hardly leaves any in circles
@@ -18,6 +19,18 @@ def main() -> None:
         run()
     except KeyboardInterrupt:  # while still importing
         sys.exit(130)
+    finally:
+        _past_interrupts()
+
+
+def _past_interrupts() -> None:
+    """From here on the exit code is settled, and Ctrl-C comes too late to change it.
+
+    Python notes an interrupt that met it in `exec` or `eval` of a text, which is how dataclasses are made, and in the
+    end dies of the signal (-2) although the interrupt was caught; the next text that is evaluated clears the note.
+    """
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    eval("0")
 
 
 if __name__ == "__main__":

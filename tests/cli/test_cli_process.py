@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+ROOT = Path(__file__).parents[2]
 HEAVY = ("matplotlib", "reportlab", "shapely", "jinja2", "pypdfium2")
 
 
@@ -86,6 +87,27 @@ def test_ctrl_c_leaves_with_130_and_nothing_half_written(tmp_path: Path) -> None
     _, said = process.communicate(timeout=120)
     assert process.returncode == 130 and b"Traceback" not in said
     assert not [p for p in tmp_path.iterdir() if p.suffix != ".pdf"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no signal that ends a process")
+def test_ctrl_c_leaves_with_130_wherever_it_was_met(tmp_path: Path) -> None:
+    assert interrupted(tmp_path, "exec('signal.raise_signal(signal.SIGINT)')") == (130, b"")  # as dataclasses are made
+    assert interrupted(tmp_path, "signal.raise_signal(signal.SIGINT)") == (130, b"")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no signal that ends a process")
+def test_ctrl_c_after_the_work_is_done_changes_nothing(tmp_path: Path) -> None:
+    assert interrupted(tmp_path, "atexit.register(signal.raise_signal, signal.SIGINT)") == (0, b"")
+
+
+def interrupted(folder: Path, where: str) -> tuple[int, bytes]:
+    """How the program leaves whose command does this: exit code, and what it says."""
+    lines = ("import atexit, signal, vecpoly.cli", "from vecpoly.__main__ import main", "",
+             f"vecpoly.cli.main = lambda: {where}", "main()")  # fmt: skip
+    (folder / "command.py").write_text("\n".join(lines), encoding="utf-8")
+    done = subprocess.run([sys.executable, "-m", "command"], cwd=folder, stderr=subprocess.PIPE, check=False,
+                          env={**os.environ, "PYTHONPATH": str(ROOT)}, timeout=60)  # fmt: skip
+    return done.returncode, done.stderr
 
 
 def test_solve_imports_nothing_it_does_not_need() -> None:

@@ -6,6 +6,7 @@ import ast
 import doctest
 import json
 import re
+import signal
 import sys
 import tomllib
 from pathlib import Path
@@ -28,6 +29,7 @@ def test_its_commands_do_what_they_say(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(signal, "signal", lambda *_: None)  # Ctrl-C is to end the tests as ever
     done = [words for words in commands() if words[0] == "vecpoly"]
     for words in done:
         monkeypatch.setattr(sys, "argv", words)
