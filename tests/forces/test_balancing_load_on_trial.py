@@ -50,3 +50,35 @@ def test_reactions_of_links_with_two_digits_are_told_apart() -> None:
     names = [reaction(by, on) for by, on in (("1", "11"), ("11", "1"), ("1", "2"))]
     assert [name.key for name in names] == ["R_1_11", "R_11_1", "R_12"]
     assert [without_friction(name).symbol for name in names] == ["R_{1,11,0}", "R_{11,1,0}", "R_{12,0}"]
+
+
+TURNS_ROUND = """
+id: turns-round
+title: a balancing moment on a link of which friction turns the couple round
+frame: {A: [0 mm, 0 mm], C: [64 mm, 73 mm], E: [-37 mm, 112 mm]}
+links:
+  1: {AB: 48 mm}
+  2: {BD: 115 mm}
+  3: {CD: 90 mm}
+  4: {DF: 53 mm}
+  5: {EF: 134 mm}
+  6: {FG: 133 mm}
+  7: {BG: 113 mm}
+branch: [D right of BC, F right of DE, G left of FB]
+input: {link: 1, phi: 114 deg, omega: 10 rad/s ccw}
+loads:
+  M_6: {on: 6, size: -39 N*m}
+  F_1: {on: 2, at: B, size: 896 N, direction: 115 deg}
+  X_b: {on: 6, size: "?"}
+friction:
+  {A: {rho: 1 mm}, C: {rho: 0.4 mm}, E: {rho: 1.5 mm}, B: {rho: 0.6 mm}, D: {rho: 0.3 mm}, F: {rho: 1.3 mm}}
+find: [X_b, X_b_0, R_56, R_67]
+"""
+
+
+def test_a_couple_that_turns_round_while_its_size_is_on_trial_is_not_locked() -> None:
+    """Without friction X_b leaves the couple M_6 the upper hand on link 6, with it the friction has it."""
+    found = solve(vecpoly.loads(TURNS_ROUND), by="exact", repeats=0).answers
+    assert found["X_b_0"].exact < 39.0 < found["X_b"].exact
+    for answer in found.values():
+        assert answer.deviation == pytest.approx(0.0, abs=1e-8 * max(1.0, abs(answer.exact))), answer.key

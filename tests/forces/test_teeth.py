@@ -110,3 +110,28 @@ def test_friction_of_the_bearings_asks_more_of_the_handle() -> None:
     found = of_library("winch-gears").answers
     assert abs(found["M_1"].drawn) > abs(found["M_1_0"].drawn) == pytest.approx(25.0)
     assert found["eta"].drawn == pytest.approx(found["M_1_0"].drawn / found["M_1"].drawn)
+
+
+IDLE_PIN = """
+id: idle-pin
+title: a planet whose two teeth bear its couple alone
+frame: {A: [0 mm, 0 mm]}
+links:
+  1: {gear: A, radius: 22 mm}
+  2: {gear: C, radius: 38 mm}
+  3: {AC: 60 mm, phi: 62 deg}
+joints: [2 rolls on 1 at D, 2 of 26 mm rolls inside circle about A of 86 mm at E]
+input: {link: 1, phi: 0 deg, omega: 10 rad/s ccw}
+loads: {M_2: {on: 2, size: -4 N*m}, M_1: {on: 1, size: "?"}}
+friction: {C: {rho: 1.5 mm}}
+find: [M_1, R_12, R_23, R_24]
+"""
+
+
+def test_a_pin_with_friction_that_bears_nothing_is_no_lock() -> None:
+    """The teeth are on one radius: both press with M / (r + r′), and their radial parts cancel."""
+    found = solve(vecpoly.loads(IDLE_PIN), by="exact", repeats=0)
+    tangential = 4.0 / (0.038 + 0.026)
+    assert found.answers["M_1"].drawn == pytest.approx(-tangential * 0.022)
+    assert abs(vector(found, "R_12")) == pytest.approx(tangential / cos(radians(20)))
+    assert abs(vector(found, "R_23")) == pytest.approx(0.0, abs=1e-9)

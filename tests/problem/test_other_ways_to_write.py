@@ -58,3 +58,10 @@ def test_a_block_that_passes_through_its_rod_is_told_the_other_way_round(shape: 
     )
     with pytest.raises(ProblemFileError, match=right):
         loads(text.replace("branch: [C left of BD]\n", ""))
+
+
+@pytest.mark.parametrize("written", ['"？"', "“？”", "'？'", '" ? "'])
+def test_a_question_mark_of_a_chinese_keyboard_is_the_unknown_load(written: str) -> None:
+    told = f"loads: {{M_3: {{on: 3, size: 9 N*m}}, M_1: {{on: 1, size: {written}}}}}\n"
+    found = loads(FOUR_BAR.replace("[omega_3]", "[M_1]") + told).loads
+    assert found is not None and found.unknown.name == "M_1"

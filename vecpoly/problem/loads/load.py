@@ -20,6 +20,7 @@ _NAME = re.compile(r"[A-Z][a-z]?(?:_[A-Za-z0-9]+)?")
 # keys of reactions, inertia forces and couples, inertias, instant centres
 _TAKEN = re.compile(r"R_\w+|[FM]_I\w+|J_\w+|P_\d\w*")
 UNKNOWN = "?"
+WIDE_UNKNOWN = "？"  # of a Chinese keyboard: between quotes there is no doubt what is meant
 
 
 def _check_name(name: str) -> None:
@@ -43,6 +44,8 @@ def _check_name(name: str) -> None:
 def read_load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
     """One entry of `loads`; raises FaultError."""
     _check_name(name)
+    if spec.size is not None and str(spec.size).strip() in (UNKNOWN, WIDE_UNKNOWN):
+        spec = spec.model_copy(update={"size": UNKNOWN})
     if spec.cylinder is not None:
         return read_thrust(name, spec, bodies)
     draft = _moving(spec, bodies)

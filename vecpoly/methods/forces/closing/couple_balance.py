@@ -33,7 +33,8 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
     """R of `by` along its known line, −R of the parent tangent to the friction circle of its pin;
     R h balances the couple M.
 
-    The line's sense is kept where friction counts: where the arm would have to change sides the link is locked.
+    The line's sense is kept where friction counts: where the arm would have to change sides the link is locked. While
+    the balancing load is on trial (`trial`) that only tells that the force has turned round, and the next trial knows.
     Raises LockedError there, EquilibriumError where the line passes through the pin.
     """
     held, line, by = about
@@ -51,7 +52,8 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
     across = foot(Line(line.at, u), at)
     turning = (np.conj(across - at) * u).imag  # of the couple that u at `across` and −u at `at` form, per mm of force
     _check(st, held, by, turning, moment)
-    _close(st, (held, by), (Line(line.at, u), at, across), sense, moment)
+    turned = np.where(turning * moment > 0, -1.0, 1.0)
+    _close(st, (held, by), (Line(line.at, u * turned), at, across), sense, moment)
 
 
 def _taken(st: Statics, held: Held, load: Resultant, by: str) -> Words:
@@ -86,7 +88,7 @@ def _check(st: Statics, held: Held, by: str, turning: Reals, moment: Reals) -> N
                 "another input position",
             )
         )
-    if float(nominal(turning * moment)) > 0:
+    if float(nominal(turning * moment)) > 0 and not st.balanced:
         raise LockedError(
             Words(
                 f"构件 {number}：考虑摩擦后 {one.key} 的作用线位于 {pin} 的另一侧，"

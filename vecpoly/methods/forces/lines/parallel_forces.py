@@ -30,6 +30,7 @@ from .resultant import Resultant
 
 PARALLEL = 1e-6  # sine below which a load and a line of action are parallel
 ROUNDS = 40  # of trying where a friction circle is touched
+NOTHING = 1e-9  # of the force of known line: what is left for the pin is rounding
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -162,8 +163,10 @@ def _touching(st: Statics, held: Held, load: Resultant, line: Line, sense: int) 
     tried until force and point agree."""
     assert isinstance(held.joint, Revolute)
     pin, u = held.joint.point, line.along
-    if not sense:
-        return st.desk.at[pin]
+    centre = st.desk.at[pin]
+    through = float(np.abs(nominal(load.vector + u * _needed(st, load, line, centre))))
+    if not sense or through < NOTHING * float(np.abs(nominal(_needed(st, load, line, centre)))):
+        return centre  # without friction, or where the pin bears nothing that could touch its circle
     for way in (1, -1):
         touch = st.touch(pin, u * way, sense)
         for _ in range(ROUNDS):
