@@ -27,7 +27,8 @@ from vecpoly.report.flow import (
 )
 from vecpoly.report.flow.cells import AUTO, BLANK, Kind, cells, chopped, gap
 from vecpoly.report.flow.contents import Contents
-from vecpoly.report.flow.doc import _expanded, _first, _tell_contents
+from vecpoly.report.flow.doc import _expanded, _first
+from vecpoly.report.flow.story import tell_contents
 from vecpoly.report.flow.style import CAPTION, NOTE
 from vecpoly.typeset.box import MM
 
@@ -203,7 +204,7 @@ def test_a_sheet_has_its_own_page_and_no_page_is_left_empty() -> None:
 
 def test_contents_list_the_headings_of_two_levels_that_follow_under_the_bookmarks_of_all() -> None:
     contents, later = Contents(), Contents()
-    _tell_contents(
+    tell_contents(
         [
             Heading("T", 1),
             Heading("Before", 2),

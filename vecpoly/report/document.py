@@ -25,6 +25,7 @@ from ..words import Lang, Words, label
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, SheetPage, Stamp
+from .flow.story import tightened
 from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .lines import lines_table
@@ -89,11 +90,19 @@ def report_bytes(
         )
     document, objects = markup(solutions, lang, style, fields or {}, title, templates)
     head = (title or _title(solutions)).of(lang)
-    story = [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]
+
+    def story() -> list[Any]:
+        return [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]
+
     meta = Metadata(
         title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang
     )
-    return ReportDoc(story, meta, stamp).made()[0]
+    made = ReportDoc(story(), meta, stamp)
+    data, pages, _ = made.made()
+    if stamp is None and made.leftover:
+        again, fewer, _ = ReportDoc(tightened(story()), meta).made()
+        return again if fewer < pages else data
+    return data
 
 
 def alarms(solutions: Sequence[Solution], lang: Lang) -> list[Callout]:

@@ -15,14 +15,13 @@ from ..solution import Solution
 from ..words import Lang, Words
 from .flow.table import DataTable
 
-_HEADER = Words("校核项目", "Item")
+_NUMBER = Words("解", "No.")
 _NONE, _YES, _NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
 _BARS = (("A", "B"), ("B", "C"), ("C", "D"))
-Line = tuple[Words, tuple[Words, ...]]
 
 
 def verification_table(solution: Solution, lang: Lang) -> DataTable | None:
-    """One line an item, one column a solution; None where no solution can be moved."""
+    """One line a solution, one column an item; None where no solution can be moved."""
     moved = [one for one in solution.verification if one.broken is None]
     design = solution.problem.subject
     if not moved or not isinstance(design, Design):
@@ -30,14 +29,14 @@ def verification_table(solution: Solution, lang: Lang) -> DataTable | None:
     found = {one.number: one for one in solution.construction.candidates}
     true: dict[int, Mapping[str, float]] = dict(enumerate(exact(design), 1))
     mu = 1e3 * solution.construction.figures[0].scale.value
-    columns = [_Column(design, one, found[one.number], true.get(one.number, {}), mu).items() for one in moved]
-    lines = [(items[0][0], [text for _, text in items]) for items in zip(*columns, strict=True)]
-    rows = [[title.of(lang), *(text.of(lang) for text in texts)] for title, texts in lines if set(texts) != {_NONE}]
-    header = [_HEADER.of(lang), *(Words(f"解 {one.number}", f"Solution {one.number}").of(lang) for one in moved)]
-    return DataTable(header, rows, None, "l" + "c" * len(moved), lang=lang)
+    lines = [_Line(design, one, found[one.number], true.get(one.number, {}), mu).items() for one in moved]
+    told = [n for n in range(len(lines[0])) if any(line[n][1] != _NONE for line in lines)]
+    header = [_NUMBER.of(lang), *(lines[0][n][0].of(lang) for n in told)]
+    rows = [[str(one.number), *(line[n][1].of(lang) for n in told)] for one, line in zip(moved, lines, strict=True)]
+    return DataTable(header, rows, None, "c" * len(header), lang=lang)
 
 
-class _Column:
+class _Line:
     """What is said of one solution."""
 
     def __init__(self, design: Design, moved: Verified, drawn: Candidate, true: Mapping[str, float], mu: float) -> None:
@@ -50,21 +49,14 @@ class _Column:
         swings = one.unit == "°"
         stroke, unit = ("psi", "°") if swings else ("H", " mm")
         return [
-            (Words("各位置闭合，杆长相差", "Closes in its positions; bars differ by"), self._closes()),
-            (Words("各位置在同一回路、同一分支", "Positions in one circuit and branch"), self._yes()),
-            (Words("依次通过各位置", "Passes through them in order"), self._order()),
-            (Words("机构类型（杆长和余量）", "Type (margin of lengths)"), self._type()),
-            (Words("原动件整周转动", "The driver turns fully"), _YES if one.full else _NO),
-            (Words("$K$（精确值）", "$K$ (exact)"), self._beside(one.ratio, "K", "", 4)),
-            (Words("$θ$（精确值）", "$θ$ (exact)"), self._beside(one.theta, "theta", "°", 4)),
-            (
-                Words("摆角（精确值）", "Swing (exact)") if swings else Words("行程（精确值）", "Stroke (exact)"),
-                self._beside(one.stroke, stroke, unit, 4),
-            ),
-            (
-                Words("最小传动角（精确值）", "Least transmission angle (exact)"),
-                self._beside(one.gamma, "gamma_min", "°", 4) if one.full else _NONE,
-            ),
+            (Words("杆长相差", "Bars differ by"), self._closes()),
+            (Words("同回路同分支", "One circuit, branch"), self._yes()),
+            (Words("次序", "Order"), self._order()),
+            (Words("机构类型（余量）", "Type (margin)"), self._type()),
+            (Words("整周转动", "Turns fully"), _YES if one.full else _NO),
+            (Words.same("$K$"), self._beside(one.ratio, "K", "", 4)),
+            (Words("摆角", "Swing") if swings else Words("行程", "Stroke"), self._beside(one.stroke, stroke, unit, 4)),
+            (Words.same("$γ_{min}$"), self._beside(one.gamma, "gamma_min", "°", 4) if one.full else _NONE),
         ]
 
     def _closes(self) -> Words:

@@ -94,4 +94,10 @@ POSITIONS = {
     "straight-line.E": Words("连杆点（随 BC 的坐标）", "the coupler point, in the coordinates of BC"),
     "straight-line.phi": Words("AB 转角的范围", "from which angle of AB to which"),
     "straight-line.side": Words("C 在射线 BD 的左侧还是右侧", "on which side of the ray BD the pin C lies"),
+    "grashof.take": _TAKE,
+    "grashof.omega": _OMEGA,
+    "grashof.AB": Words("AB 长，AB、BC、AD 中最短者", "AB, the shortest of AB, BC and AD"),
+    "grashof.BC": Words("BC 长", "BC"),
+    "grashof.CD": Words("CD 长", "CD"),
+    "grashof.AD": Words("AD 长", "AD"),
 }

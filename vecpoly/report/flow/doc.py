@@ -22,13 +22,15 @@ from ...typeset.fonts import Face, load
 from ...typeset.words import layout_words
 from ...words import Lang
 from .base import Block
-from .blocks import Draw, Heading
-from .contents import Contents, Entry, page_form
+from .blocks import Draw
+from .contents import page_form
+from .story import tell_contents
 from .style import BODY, GREY
 
 MARGIN = 20 * MM
 _SMALL = 8.5 / MM
 _TOTAL = "vecpoly-total"
+LEFTOVER = 0.12  # of a page of text: less is a box that was left over
 Stamp = Callable[[Any, bool], None]  # draws on the canvas of every page; whether that is a sheet
 
 
@@ -108,6 +110,7 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
     def __init__(self, story: Sequence[Any], metadata: Metadata, stamp: Stamp | None = None) -> None:
         self.story, self.metadata, self._stamp = list(story), metadata, stamp
         self._entries, self._level = 0, -1
+        self._filled: list[float] = []  # of each page of text, which share stands on it
         lang = "zh-CN" if metadata.lang == "zh" else "en-GB"
         super().__init__(
             "", pagesize=A4, leftMargin=MARGIN, rightMargin=MARGIN, topMargin=MARGIN, bottomMargin=MARGIN,
@@ -157,6 +160,7 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
 
     def _stamp_text(self, canvas: Any, _: Any) -> None:
         """Over all else of a page of text."""
+        self._filled.append(1 - (self.frame._y - self.frame._y1p) / self.frame._aH)
         if self._stamp is not None:
             self._stamp(canvas, False)
 
@@ -183,29 +187,19 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         data, pages, lost_characters = self.made()
         return Written(write_whole(Path(path), data), pages, lost_characters)
 
+    @property
+    def leftover(self) -> bool:
+        """Whether a page of text was turned for a few lines, or a single box."""
+        return min(self._filled, default=1.0) < LEFTOVER
+
     def made(self) -> tuple[bytes, int, tuple[str, ...]]:
         """The document as bytes, how many pages it has, and the characters that no font has."""
         target = BytesIO()
-        self._entries, self._level = 0, -1
-        _tell_contents(self.story)
+        self._entries, self._level, self._filled = 0, -1, []
+        tell_contents(self.story)
         self._firstPageTemplateIndex = _first(self.story)
         self.build(_expanded(self.story), filename=target, canvasmaker=_Canvas)
         return target.getvalue(), self.page, tuple(lost(self.canv))
-
-
-def _tell_contents(story: Sequence[Any]) -> None:
-    """Give every table of contents the headings after it, under the bookmarks they will have."""
-    outlined = [item for item in story if getattr(item, "outline", "") or isinstance(item, Contents)]
-    count, entries, waiting = 0, list[Entry](), list[tuple[Contents, int]]()
-    for item in outlined:
-        if isinstance(item, Contents):
-            waiting.append((item, len(entries)))
-            continue
-        count += 1
-        if isinstance(item, Heading) and item.level in (2, 3):
-            entries.append(Entry(item.text, item.level, f"h{count}"))
-    for contents, start in waiting:
-        contents.entries = tuple(entries[start:])
 
 
 def _expanded(story: Sequence[Any]) -> list[Any]:
