@@ -17,7 +17,7 @@ def case_problem(case: dict[str, Any], way: str = "bobillier", find: tuple[str, 
     letters = dict(zip("EF", case["points"].values(), strict=False))
     points = {one: f"{{along: BC, at: {x} mm, left: {y} mm}}" for one, (x, y) in letters.items()}
     further = "".join(f", {one}: {text}" for one, text in points.items())
-    asked = find or ("P_24", "W_2", "delta_2", *(f"{kind}{one}" for one in letters for kind in ("p_O", "rho_")))
+    asked = find or ("P_24", "W_2", "Wr_2", "delta_2", *(f"{kind}{one}" for one in letters for kind in ("p_O", "rho_")))
     return vecpoly.loads(f"""
 id: case
 title: case

@@ -24,7 +24,8 @@ def mm(pair: list[float]) -> complex:
 
 def expected(case: dict[str, Any]) -> dict[str, complex | float]:
     """The answers of a case under their keys (m)."""
-    found: dict[str, complex | float] = {"P_24": mm(case["P"]), "W_2": mm(case["W"]), "delta_2": case["delta"] / 1e3}
+    found: dict[str, complex | float] = {f"{key}_2": mm(case[key]) for key in ("W", "Wr")}
+    found |= {"P_24": mm(case["P"]), "delta_2": case["delta"] / 1e3}
     for letter, path in zip("EF", case["paths"].values(), strict=False):
         found |= {f"p_O{letter}": mm(path["centre"]), f"rho_{letter}": path["rho"] / 1e3}
     return found
@@ -172,3 +173,17 @@ def test_a_rolling_gear_is_drawn_by_euler_and_savary_and_by_no_other() -> None:
     assert answers["rho_E"].drawn == pytest.approx(case["rho"] / 1e3, rel=1e-9)
     with pytest.raises(NoMethodError, match="use construction: euler-savary"):
         rolling(case, "bobillier").solve()
+
+
+def test_the_pivot_that_a_rod_passes_lies_on_its_return_circle() -> None:
+    values = exact_values(vecpoly.load("curv-4"))
+    middle = (values["P_24"] + values["Wr_2"]) / 2
+    assert abs(0.07 - middle) == pytest.approx(abs(values["delta_2"]) / 2, rel=1e-11)
+
+
+def test_who_lays_an_angle_off_to_the_other_side_gets_other_curvatures() -> None:
+    problem = vecpoly.load("curv-1")
+    wrong = next(slip for slip in vecpoly.slips(problem) if str(slip) == "ψE other meeting")
+    right, off = problem.solve(by="exact"), vecpoly.solve(problem, by="exact", slip=wrong)
+    assert abs(off.answers["rho_E"].drawn - right.answers["rho_E"].drawn) > 0.01
+    assert off.answers["delta_2"].drawn == pytest.approx(right.answers["delta_2"].drawn, rel=1e-12)

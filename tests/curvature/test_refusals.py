@@ -95,6 +95,8 @@ branch: [C left of BD, F left of EG]
         ("{centrodes: 2, positions: 3}", "4 to 24"),
         ("{centrodes: 2, over: [20 deg, 20 deg]}", "the same"),
         ("{centrodes: 2}, {centrodes: 3}", "one link"),
+        ("{centrodes: 2, point: M2}", "centrodes does not go together with point"),
+        ("W_2, {point: M2, on: 2, velocity: 0, positions: 8}", "point does not go together with positions"),
         ("{centrodes: 2}, rho_D", "several links"),
     ],
 )

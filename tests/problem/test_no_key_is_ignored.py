@@ -64,6 +64,9 @@ SLIDE = (
     .replace("3: {rod: {diameter: 20 mm, density: 7800 kg/m^3, along: CD}}", "3: {mass: 1 kg}")
 )
 CENTRES = BASE.partition("loads:")[0] + "method: centres\nfind: [omega_3, {point: E2, on: 2, slowest: BC}]\n"
+CURVED = BASE.partition("loads:")[0].replace("phi: 60 deg", "phi: 25 deg") + (
+    "method: curvature\nconstruction: hartmann\nfind: [rho_E, {centrodes: 2, positions: 8, over: [20 deg, 30 deg]}]\n"
+)
 DRIVEN = (
     SLIDE.replace(
         "input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw, alpha: 3 rad/s^2}",
@@ -111,6 +114,7 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "errata": (BASE, "a misprint", "two misprints"),
     "sheet": (BASE, "landscape", "portrait"),
     "method": (CENTRES, "method: centres", "method: polygons"),
+    "construction": (CURVED, "hartmann", "euler-savary"),
     "guesses": (BASE, "find:", "guesses: {C: [1 mm, 2 mm]}\nfind:"),
     "pins": (BASE, "find:", "pins: {C: 3}\nfind:"),
     "tables": (BASE, "find:", "tables: [none.csv]\nfind:"),
@@ -155,6 +159,9 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "find.point": (CENTRES, "point: E2", "point: G2"),
     "find.on": (CENTRES, "on: 2", "on: 3"),
     "find.slowest": (CENTRES, "slowest: BC", "slowest: CE"),
+    "find.centrodes": (CURVED, ", {centrodes: 2, positions: 8, over: [20 deg, 30 deg]}", ""),
+    "find.positions": (CURVED, "positions: 8", "positions: 9"),
+    "find.over": (CURVED, "over: [20 deg", "over: [21 deg"),
     "find.velocity": (CENTRES, "slowest: BC", "velocity: 0"),
     "find.acceleration": (CENTRES, "slowest: BC", "acceleration: 0"),
     "find.coriolis": (BASE, "[v_C, ", "[{coriolis: C3C2}, "),
@@ -241,7 +248,7 @@ def test_every_key_of_the_schema_is_tried() -> None:
     assert keys == set(CHANGES)
 
 
-@pytest.mark.parametrize("text", [BASE, SLIDE, DRIVEN, CENTRES, CYLINDER, MOTOR])
+@pytest.mark.parametrize("text", [BASE, SLIDE, DRIVEN, CENTRES, CURVED, CYLINDER, MOTOR])
 def test_the_files_that_are_changed_are_good(text: str) -> None:
     assert len(effect(text)) == 4, effect(text)
 

@@ -20,6 +20,7 @@ from ..mechanism.asked.curvature import (
     inflection_pole,
     path_centre,
     radius,
+    return_pole,
 )
 from ..mechanism.model import FRAME, Mechanism
 from ..words import Words
@@ -77,6 +78,8 @@ class Curvatures:
             return self.pole
         if key == inflection_pole(mech, link).key:
             return self.inflection_pole
+        if key == return_pole(mech, link).key:
+            return 2 * self.pole - self.inflection_pole
         if key == diameter(mech, link).key:
             return abs(self.inflection_pole - self.pole)
         if key == collineation(mech, link).key:

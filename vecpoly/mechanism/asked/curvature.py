@@ -1,8 +1,9 @@
 """What may be asked of the kinematic geometry of one moving link, by key.
 
-``W_2`` the inflection pole of link 2, ``delta_2`` the diameter of its inflection circle; ``p_OE``, ``rho_E`` the centre
-and the radius of curvature of the path of its point E; ``lambda_2`` the angle between the collineation axis and the
-line of the link's two pins (Freudenstein); ``L_f2``, ``L_m2`` the fixed and the moving centrode, stepped off in chords.
+``W_2`` the inflection pole of link 2, ``delta_2`` the diameter of its inflection circle, ``Wr_2`` the return pole;
+``p_OE``, ``rho_E`` the centre and the radius of curvature of the path of its point E; ``lambda_2`` the angle between
+the collineation axis and the line of the link's two pins (Freudenstein); ``L_f2``, ``L_m2`` the fixed and the moving
+centrode, stepped off in chords.
 """
 
 from __future__ import annotations
@@ -60,6 +61,11 @@ def diameter(mech: Mechanism, link: str) -> Named:
     return Named(f"delta_{mech.number(link)}", f"δ_{{{mech.number(link)}}}", "m", sort=Sort.CURVED)
 
 
+def return_pole(mech: Mechanism, link: str) -> Named:
+    """Wr_2: the mirror image of the inflection pole in the pole, opposite it on the return circle."""
+    return Named(f"Wr_{mech.number(link)}", f"W^{{r}}_{{{mech.number(link)}}}", "m", True, Sort.SPOT)
+
+
 def collineation(mech: Mechanism, link: str) -> Named:
     """lambda_2: the angle (deg, to 90) between the collineation axis and the line of the link's pins."""
     return Named(f"lambda_{mech.number(link)}", f"λ_{{{mech.number(link)}}}", "deg", sort=Sort.CURVED)
@@ -89,6 +95,7 @@ def of_link(mech: Mechanism, link: str) -> dict[str, Named]:
         centre(mech, link, FRAME),
         inflection_pole(mech, link),
         diameter(mech, link),
+        return_pole(mech, link),
         collineation(mech, link),
         *(path_centre(point) for point in points),
         *(radius(point) for point in points),

@@ -6,7 +6,16 @@ from collections.abc import Sequence
 
 from ...board.construction import View
 from ...errors import DeadPointError, NoMethodError, NotAskedError
-from ...mechanism.asked.curvature import Curvature, Way, asked_points, collineation, diameter, inflection_pole, of_link
+from ...mechanism.asked.curvature import (
+    Curvature,
+    Way,
+    asked_points,
+    collineation,
+    diameter,
+    inflection_pole,
+    of_link,
+    return_pole,
+)
 from ...mechanism.groups.assur import Group
 from ...problem.asked.asks import AskNamed
 from ...problem.problem import Problem
@@ -22,6 +31,7 @@ from .path import draw_paths
 from .readings import read_collineation, read_curvatures
 from .room import NAME, TITLE, paper_for
 from .state import CurvatureFigure
+from .strokes.circle import draw_return_circle
 from .strokes.pole import draw_pole
 
 
@@ -39,7 +49,9 @@ def curvature_pass(desk: Desk, problem: Problem, groups: tuple[Group, ...]) -> N
 def _curvatures(desk: Desk, groups: Sequence[Group], asked: Curvature, keys: frozenset[str]) -> None:
     """By the construction that is asked, on paper that holds it all."""
     points = asked_points(desk.mech, asked.link, keys)
-    curved = bool(keys & {inflection_pole(desk.mech, asked.link).key, diameter(desk.mech, asked.link).key}) or points
+    back = return_pole(desk.mech, asked.link)
+    circle = (inflection_pole(desk.mech, asked.link), diameter(desk.mech, asked.link), back)
+    curved = bool(keys & {named.key for named in circle}) or bool(points)
     if rolling_of(desk.mech, asked.link) is not None and asked.way is not Way.EULER_SAVARY and curved:
         raise NoMethodError(_rolls(desk.mech.number(asked.link)), code="rolls")
     way = WAYS.find(Stage.CURVATURE, asked.way.value).draw
@@ -52,6 +64,8 @@ def _curvatures(desk: Desk, groups: Sequence[Group], asked: Curvature, keys: fro
                 way(fig, points)
             except (DeadPointError, ZeroDivisionError):
                 raise NotAskedError(_collapsed(asked.way), code="collapsed") from None
+        if back.key in keys:
+            draw_return_circle(fig, back.symbol)
         if axis:
             read_collineation(fig)
 

@@ -8,7 +8,7 @@ from ...algebra.formula import Row, Txt, row, sym
 from ...algebra.quantity import worked
 from ...board.construction import Reading
 from ...mechanism.asked.centres import centre
-from ...mechanism.asked.curvature import collineation, diameter, inflection_pole, path_centre, radius
+from ...mechanism.asked.curvature import collineation, diameter, inflection_pole, path_centre, radius, return_pole
 from ...mechanism.model import FRAME
 from ...names import Named
 from ...plane import Points, nominal, unit
@@ -26,6 +26,8 @@ def read_curvatures(fig: CurvatureFigure, wanted: frozenset[str]) -> None:
         _place(fig, pole, fig.pole)
     if (w := inflection_pole(mech, link)).key in wanted:
         _place(fig, w, fig.opposite)
+    if (back := return_pole(mech, link)).key in wanted:
+        _place(fig, back, fig.returned)
     if (delta := diameter(mech, link)).key in wanted:
         _length(fig, delta, fig.pole, fig.opposite, f"{fig.p} {fig.w}")
     for point, at in fig.centres.items():

@@ -58,6 +58,7 @@ class CurvatureFigure:
     rays: tuple[Ray, ...] = ()
     pole: Points = 0j
     opposite: Points = 0j  # W
+    returned: Points = 0j  # its mirror image in the pole, where that is asked
     tangent: Points = 1 + 0j
     centres: dict[str, Points] = field(default_factory=dict)  # of curvature, by the point of the link
     taken: set[str] = field(default_factory=set)  # letters that stand on the figure

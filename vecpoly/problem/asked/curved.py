@@ -14,9 +14,10 @@ from ...words import Words
 from ..schema.faults import Faults, meant
 from ..schema.models import FindSpec, ProblemSpec
 from .asks import AskNamed
-from .wanted import CURVED
+from .wanted import CURVED, refuse_beside
 
 NAME = "curvature"
+OWN = ("positions", "over")  # of an entry that asks centrodes
 POSITIONS, SPREAD = 10, 45.0  # of centrodes of which nothing is said: so many, so many degrees to both sides
 
 
@@ -51,6 +52,7 @@ def curved_quantities(spec: ProblemSpec, mech: Mechanism, faults: Faults) -> dic
 
 def read_centrodes(item: FindSpec, mech: Mechanism) -> Centrodes:
     """{centrodes: 2, positions: 10, over: [20 deg, 110 deg]}; raises FaultError."""
+    refuse_beside(item, "centrodes", OWN)
     link = item.centrodes or ""
     if link not in mech.numbered:
         raise FaultError(

@@ -19,7 +19,7 @@ from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 
 _POINT = re.compile(r"([A-Z][a-z'′]?)(\d+)")
 _FORCES = re.compile(r"[A-Z]\w*_?\w*|eta|[hm](?:_\w+)?")  # what may be meant for a quantity of the loads
-CURVED = re.compile(r"W_\d|delta_\d|lambda_\d|rho_[A-Z]|p_O[A-Z]")  # how what curvatures give is written
+CURVED = re.compile(r"Wr?_\d|delta_\d|lambda_\d|rho_[A-Z]|p_O[A-Z]")  # how what curvatures give is written
 CENTRAL = re.compile(r"P_\d|v_P\d|omega_ratio_|phi_[A-Z]")  # how what instant centres give is written
 
 
@@ -30,16 +30,22 @@ def read_find(spec: str | FindSpec, bodies: Bodies, named: Iterable[At], forces:
         key = read_any(spec, bodies, named, forces)
         return AskNamed(rel=key) if isinstance(key, Named) else AskRel(rel=key)
     if spec.coriolis is not None:
-        if beside := [key for key in FindSpec.model_fields if key != "coriolis" and getattr(spec, key) is not None]:
-            raise FaultError(
-                Words(
-                    f"coriolis 不能与 {'、'.join(beside)} 并用；请分写成两项",
-                    f"coriolis does not go together with {', '.join(beside)}; write them as two entries",
-                ),
-                beside[0],
-            )
+        refuse_beside(spec, "coriolis", ())
         return AskCoriolis(rel=read_key(f"ak_{spec.coriolis}", bodies, named))
     return read_point(spec, bodies)
+
+
+def refuse_beside(spec: FindSpec, key: str, own: tuple[str, ...]) -> None:
+    """Raise FaultError for what does not belong to this entry beside its own keys."""
+    given = [one for one in FindSpec.model_fields if getattr(spec, one) is not None]
+    if beside := [one for one in given if one != key and one not in own]:
+        raise FaultError(
+            Words(
+                f"{key} 不能与 {'、'.join(beside)} 并用；请分写成两项",
+                f"{key} does not go together with {', '.join(beside)}; write them as two entries",
+            ),
+            beside[0],
+        )
 
 
 def read_point(spec: FindSpec, bodies: Bodies) -> AskPoint:
@@ -53,6 +59,7 @@ def read_point(spec: FindSpec, bodies: Bodies) -> AskPoint:
             ),
             code="spelling",
         )
+    refuse_beside(spec, "point", ("on", "velocity", "acceleration", "slowest"))
     link = spec.on or m[2]
     bodies.draft(link)
     if link != m[2]:

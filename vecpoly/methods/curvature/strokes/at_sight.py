@@ -33,6 +33,6 @@ def inflection_at_sight(fig: CurvatureFigure, ray: Ray) -> tuple[Points, str]:
         ),
         fig.pane,
     )
-    mirrored = fig.letter(name, fig.board.follow(fig.pane, fig.pole, fig.pole - ray.o, ""))
+    mirrored = fig.letter(name, fig.board.follow(fig.pane, fig.pole, fig.pole - ray.o, f"P{ray.fixed}"))
     fig.thin(ray.line, fig.pole, mirrored)
     return mirrored, name

@@ -76,6 +76,25 @@ def settle(fig: CurvatureFigure, w: Points) -> None:
     fig.board.circle(fig.pane, middle, np.abs(fig.opposite - middle), Role.RESULT)
 
 
+def draw_return_circle(fig: CurvatureFigure, symbol: str) -> None:
+    """The mirror image of the inflection circle in the pole: on it lie the centres of the paths of points at infinity,
+    and every point that a line of the link envelops."""
+    fig.board.step(
+        Words(
+            f"将 ${fig.p}{fig.w}$ 反向移取，得回归极 ${symbol}$；以 ${fig.p}$ 与它的连线为直径作回归圆（虚线），"
+            "它与拐点圆相等而相切。",
+            f"Step off ${fig.p}{fig.w}$ to the other side: the return pole ${symbol}$, and over it the return circle "
+            "(dashed), which is equal to the inflection circle and touches it.",
+        ),
+        fig.pane,
+    )
+    across = fig.pole - fig.opposite
+    fig.returned = fig.letter(symbol, fig.board.lay_off(fig.pole, unit(across), np.abs(across)))
+    fig.thin(fig.through(fig.pole, fig.returned), fig.pole, fig.returned, role=Role.CENTRE)
+    middle = (fig.pole + fig.returned) / 2
+    fig.board.circle(fig.pane, middle, np.abs(fig.returned - middle), Role.HIDDEN)
+
+
 def letter_tangent(fig: CurvatureFigure) -> None:
     """The pole tangent t, with its letter at its end."""
     reach = float(nominal(np.abs(fig.opposite - fig.pole))) * 0.3
