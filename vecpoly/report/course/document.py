@@ -6,8 +6,6 @@ from functools import lru_cache
 from typing import Any
 
 from ...findings.study.study import Study, study
-from ...mechanism.model import Mechanism
-from ...mechanism.profiles import refuse_profiles
 from ...solution import REPEATS, Solution
 from ...words import Lang, Words
 from ..content import Objects
@@ -54,8 +52,6 @@ def _studied(key: _Same) -> tuple[Study, comparison.Compared]:
 def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     """The chapters of one problem's course report. Raises NotAskedError for a device, NoMethodError for a group without
     a closed form."""
-    if isinstance(solution.problem.subject, Mechanism):
-        refuse_profiles(solution.problem.subject.cams, Words("课程设计说明书", "a course report"))
     subject, stations = _studied(_Same(solution))
     press = Press(lang, objects)
     return {
