@@ -21,7 +21,9 @@ from vecpoly.names import At
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load, loads
 
-IDS = tuple(entry.id for entry in library() if isinstance(load(entry.id).subject, Mechanism))
+MECHANISMS = {entry.id: one for entry in library() if isinstance(one := load(entry.id).subject, Mechanism)}
+IDS = tuple(name for name, one in MECHANISMS.items() if not one.cams)
+PROFILES = tuple(name for name, one in MECHANISMS.items() if one.cams)
 GEARED = {
     "crank-rack-pinion",
     "pinion-drives-rack",
@@ -103,6 +105,12 @@ def held(text: str) -> dict[str, float]:
     """What is off in the problem of this text."""
     mech = from_pivots(loads(text).mechanism)
     return off(mech, modelled(mech))
+
+
+@pytest.mark.parametrize("name", PROFILES)
+def test_a_cam_with_a_profile_has_no_model_in_formulas(name: str) -> None:
+    with pytest.raises(NoMethodError, match="profile of cam 1"):
+        modelled(MECHANISMS[name])
 
 
 @pytest.mark.parametrize("name", [name for name in IDS if name not in GEARED])

@@ -273,10 +273,57 @@ def test_an_arm_that_does_not_close_is_refused(arm: str, said: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["cam-heart", "cam-roller-offset", "cam-flat-face", "cam-rocker", "cam-undercut", "cam-least-circle"]
+    "name",
+    [
+        "cam-heart",
+        "cam-roller-offset",
+        "cam-flat-face",
+        "cam-flat-arm",
+        "cam-rocker",
+        "cam-undercut",
+        "cam-least-circle",
+    ],
 )
 def test_a_careful_hand_is_off_by_no_more_than_its_drawing_error(name: str) -> None:
     solution = solve(load(name), repeats=60)
     assert not solution.suspect
     for answer in solution.answers.values():
         assert abs(answer.deviation) <= 1.7 * answer.expected_error + 1e-9 * abs(answer.exact), answer.key
+
+
+# -- arms to the left, flat faces that swing -----------------------------------------------------------------------
+
+
+@settings(max_examples=12, deadline=None)
+@given(swing=st.integers(5, 12), turns=st.sampled_from(["ccw", "cw"]), off=st.integers(-8, 8))
+def test_a_flat_face_that_swings_is_drawn_as_its_support_function_has_it(swing: int, turns: str, off: int) -> None:
+    motion = [f"rise {swing} deg in 120 deg cosine", "dwell 30 deg", "return in 120 deg sine", "dwell 90 deg"]
+    arm = {"OA": "90 mm", "face": f"{off} mm", "side": "left" if off % 2 else "right"}
+    agree(device("cam", follower={"flat": "yes", "arm": arm}, r0="45 mm", motion=motion, turns=turns))
+
+
+@pytest.mark.parametrize("follower", [{"roller": "8 mm"}, {"knife": "yes"}, {"flat": "yes"}])
+def test_an_arm_to_the_left_is_the_mirror_image_of_one_to_the_right(follower: dict[str, str]) -> None:
+    arm = {"OA": "80 mm", **({"face": "4 mm"} if "flat" in follower else {"AB": "70 mm"})}
+    motion = ["rise 12 deg in 120 deg cosine", "dwell 30 deg", "return in 120 deg parabolic", "dwell 90 deg"]
+    right, left = (
+        agree(
+            device("cam", follower={**follower, "arm": {**arm, "side": side}}, r0="40 mm", motion=motion, turns=turns)
+        )
+        for side, turns in (("right", "ccw"), ("left", "cw"))
+    )
+    assert right == pytest.approx(left, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("arm", "said"),
+    [
+        ("{OA: 90 mm, AB: 70 mm, side: left}", "leave out AB"),
+        ("{OA: 90 mm, face: 50 mm}", "does not touch the base circle from above.*between -45 mm and 45 mm"),
+        ("{OA: 50 mm, face: 0 mm}", "would stand nearly across OA; let it swing less than"),
+    ],
+)
+def test_a_flat_face_that_cannot_swing_so_is_refused(arm: str, said: str) -> None:
+    text = load("cam-flat-arm").text.replace("{OA: 90 mm, face: 6 mm, side: left}", arm).replace("12 deg", "25 deg")
+    with pytest.raises(ProblemFileError, match=said):
+        loads(text)

@@ -19,7 +19,7 @@ from vecpoly.export.cams.table import cam_csv
 from vecpoly.oracle.devices.cams.shape import profile
 from vecpoly.problem.load import load
 
-CAMS = ("cam-roller-offset", "cam-flat-face", "cam-rocker", "cam-heart")
+CAMS = ("cam-roller-offset", "cam-flat-face", "cam-flat-arm", "cam-rocker", "cam-heart")
 
 
 @pytest.mark.parametrize("name", CAMS)

@@ -241,4 +241,14 @@ def test_the_pressure_angle_lies_between_the_common_normal_and_the_way_of_the_fo
 
 
 def test_pressure_angles_are_marked() -> None:
-    assert [name for name in CAMS if any(m.label == "α" for m in marks(name, AngleMark))] == ["D-3-knife", "cam-roller"]
+    discs = [name for name in CAMS if not drawn(name).problem.mechanism.cams]
+    assert [name for name in discs if any(m.label == "α" for m in marks(name, AngleMark))] == [
+        "D-3-knife",
+        "cam-roller",
+    ]
+
+
+def test_pressure_angles_of_a_profile_are_marked_but_under_a_flat_face_that_slides() -> None:
+    profiles = [name for name in CAMS if drawn(name).problem.mechanism.cams and drawn(name).problem.loads is None]
+    marked = [name for name in profiles if any(m.label == "α" for m in marks(name, AngleMark))]
+    assert marked == ["cam-moves-arm", "cam-moves-flat-arm", "cam-moves-roller"]

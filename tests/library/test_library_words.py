@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -89,7 +90,17 @@ def printed(name: str, lang: Lang, style: str) -> str:
     text, objects = marked_up(name, lang, style)
     tables = [table for table in objects.named.values() if isinstance(table, DataTable)]
     cells = [cell for table in tables for row in (table.header, *table.rows) for cell in row if isinstance(cell, str)]
-    return " ".join([re.sub(r"<[^>]*>", " ", text), *cells, *(table.caption for table in tables)])
+    whole = " ".join([re.sub(r"<[^>]*>", " ", text), *cells, *(table.caption for table in tables)])
+    for column in columns_of(name):
+        whole = whole.replace(column, " ")
+    return whole
+
+
+def columns_of(name: str) -> list[str]:
+    """How the printed tables of a problem name their columns: in whatever language they were printed."""
+    texts = [table.read_text(encoding="utf-8") for table in solved(name).problem.tables if isinstance(table, Path)]
+    heads = [next(line for line in text.splitlines() if not line.startswith("#")) for text in texts]
+    return [column for head in heads for column in head.split(",")]
 
 
 PAGES = [*((name, "solution") for name in IDS[1::5]), ("4-3a", "course"), ("3-9", "course")]

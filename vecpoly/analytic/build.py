@@ -8,6 +8,7 @@ from math import radians
 from ..errors import NoMethodError
 from ..mechanism.groups.assur import Dyad, Group, decompose
 from ..mechanism.model import FRAME, Joint, Mechanism, Prismatic, Revolute, Rolling
+from ..mechanism.profiles import refuse_profiles
 from ..words import Words
 from .drive import drive_symbols, driving, given_rates
 from .equations import GroupModel, Model, Part, Stage
@@ -31,8 +32,9 @@ def model(
     position;
     lengths: the symbols of the given lengths, l_CD.
 
-    Raises NoMethodError for a group that has no closed form here.
+    Raises NoMethodError for a group that has no closed form here, and for the profile of a cam.
     """
+    refuse_profiles(mech.cams, Words("闭式方程组", "a model in formulas"))
     scope = Scope(mech, at, dict(turned) | {FRAME: 0.0}, lengths=lengths)
     groups = [driving(scope), *(_group(scope, group) for group in decompose(mech))]
     step = mech.scale / 50 if mech.drive.slide else radians(4.0)

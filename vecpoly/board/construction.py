@@ -93,9 +93,27 @@ class EquationTable:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Listing:
+    """What is read at many places, as a table: column heads with inline formulas, and rows of printed numbers."""
+
+    head: tuple[Words, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+    def abreast(self, blocks: int) -> Listing:
+        """The same in several blocks of columns beside each other, so that a long table is a short one."""
+        high = -(-len(self.rows) // blocks)
+        blank = ("",) * len(self.head)
+        at = [[*self.rows[k * high : (k + 1) * high]] for k in range(blocks)]
+        rows = [[block[i] if i < len(block) else blank for block in at] for i in range(high)]
+        return Listing(
+            head=self.head * blocks, rows=tuple(tuple(cell for part in row for cell in part) for row in rows)
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Step:
     """One numbered step: a sentence, and what belongs to it:
-    an equation table, formulas, the figure it was drawn in."""
+    an equation table, formulas, the figure it was drawn in, what is read at many places."""
 
     number: int
     section: Words  # heading under which the step stands: position diagram, velocity analysis ...
@@ -103,6 +121,7 @@ class Step:
     equation: EquationTable | None = None
     formulas: tuple[Node, ...] = ()
     view: Place | None = None
+    listing: Listing | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -15,7 +15,7 @@ from ..plane import Points, Reals
 from ..plane.traced import Acts, acts_of, bare, traced
 from ..words import Words
 from .acts import Act, Depict, Head
-from .construction import EquationTable, Figure, Scale, Step
+from .construction import EquationTable, Figure, Listing, Scale, Step
 from .ledger import Ledger
 from .paper.ink import marks_of
 from .paper.marks import Mark
@@ -61,6 +61,10 @@ class Log:
         """Write formulas into the step."""
         last = self.steps[-1]
         self.steps[-1] = replace(last, formulas=(*last.formulas, *formulas))
+
+    def tabulate(self, listing: Listing) -> None:
+        """Write a table into the step."""
+        self.steps[-1] = replace(self.steps[-1], listing=listing)
 
     @property
     def here(self) -> Place | None:

@@ -17,11 +17,11 @@ SENSE = 11.0  # mm: radius of the arrow about the pivot
 CAM, FOLLOWER, ROLLER = "1", "2", "3"
 
 
-def cam_pivot(at: Points, sense: int) -> Iterator[Symbol]:
-    """The pivot O on its ground, and the arrow of ω."""
+def cam_pivot(at: Points, sense: int, label: str = "ω") -> Iterator[Symbol]:
+    """The pivot O on its ground, and the arrow of ω; of −ω, which brings the cam to rest, in the inversion."""
     start = 0.15 * pi if sense > 0 else 0.85 * pi
     yield pivot(at, "O")
-    turning = TurnArrow(at=spot(at), radius=SENSE, start=start, ccw=sense > 0, label="ω")
+    turning = TurnArrow(at=spot(at), radius=SENSE, start=start, ccw=sense > 0, label=label)
     yield Symbol.of(link(CAM), (turning,), key="omega")
 
 

@@ -13,6 +13,7 @@ from .posed import Posed, Way
 
 BEYOND = 12.0  # mm a face runs on beyond what stands on it
 STEM, SHOE = 10.0, 14.0  # mm from the tip to its guide, length of the guide
+NUMBERED, LEAST = 15.5, 4.0  # mm: the guide begins so near to the tip that the number stands beside it; off a roller
 PLAY = 1.5  # mm from the stem's line to the guide
 SWING, SMALL = 13.0, 0.05  # mm radius of the pressure angle's mark; rad below which it is not shown
 ON_LINE = 0.3  # mm: nearer to a line a point stands on it
@@ -71,7 +72,7 @@ def _along_stem(
     line = posed.guide(guide)
     away = line.along * _sign((line.along.conjugate() * _push(posed, contact, link)).real)
     tip, reach = _tip(posed, contact, link, line)
-    start = tip + away * (reach + STEM)
+    start = tip + away * (reach + max(min(STEM, NUMBERED - reach), LEAST))
     return tip, start, away, start + away * (SHOE + STEM)
 
 

@@ -14,6 +14,7 @@ from ..board.otherwise.amended import AS_DRAWN
 from ..board.place import view_of
 from ..errors import NoMethodError, VecpolyError
 from ..mechanism.model import Drive, Mechanism
+from ..mechanism.profiles import refuse_profiles
 from ..methods.desk import Desk
 from ..methods.plan import drawn_exactly, scale_symbols
 from ..problem.asked.asks import AskNamed
@@ -56,6 +57,9 @@ def record(problem: Problem) -> Recording:
     Raises NoMethodError for a device, for an input between moving links, and where the drawing does not follow.
     """
     problem = moving(problem)
+    refuse_profiles(
+        problem.mechanism.cams, Words("随原动件运动的 GeoGebra 图", "a GeoGebra drawing that follows its drive")
+    )
     drive, scales = problem.mechanism.drive, scales_of(problem)
     desk, terms = drawn_exactly(problem, scales, recorded=True), Numbers()
     name = f"{'s' if drive.slide else 'phi'}_{drive.link}"

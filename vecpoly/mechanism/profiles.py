@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Sequence
 
+from ..errors import NoMethodError
 from ..foundation.slotted import dataclass
+from ..words import Words
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -25,3 +27,17 @@ class CamProfile:
     end: str
     cam: Hashable
     outline: tuple[complex, ...] = ()
+
+
+def refuse_profiles(cams: Sequence[CamProfile], what: Words) -> None:
+    """Raise NoMethodError for what holds at one place of a cam alone, where it would be told of all its places."""
+    if cams:
+        raise NoMethodError(
+            Words(
+                f"{what.zh}不适用于带廓线的凸轮 {cams[0].link}：其曲率中心随位置而变；请用 vecpoly cycle 或 vecpoly "
+                "play",
+                f"{what.en} does not go with the profile of cam {cams[0].link}, whose centre of curvature changes from "
+                "place to place; take 'vecpoly cycle' or 'vecpoly play'",
+            ),
+            code="cam-profile",
+        )

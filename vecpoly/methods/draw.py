@@ -45,7 +45,7 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
         coincident=coincident_letters(mech, groups),
         shapes=problem.given.shapes,
         loaded=problem.loads is not None,
-        thought=bool(said),
+        thought=Stage.VELOCITY in said,  # of a cam's profile, whose link does drive, only the position is told
     )
     for name, at in mech.frame.items():
         desk.letter(name, at * desk.mm(1.0))

@@ -68,7 +68,10 @@ def construction_html(construction: Construction, lang: Lang) -> str:
 def _step(step: Step, lang: Lang) -> str:
     written = equation(step.equation, lang) if step.equation else ""
     formulas = "".join(f"<div>{formula(one)}</div>" for one in step.formulas)
-    return f"<li>{sentence(step.words.of(lang))}{written}{formulas}</li>"
+    listing = step.listing
+    head = () if listing is None else tuple(one.of(lang) for one in listing.head)
+    listed = "" if listing is None else table(head, listing.rows, "c" * len(head))
+    return f"<li>{sentence(step.words.of(lang))}{written}{formulas}{listed}</li>"
 
 
 def _sketch(problem: Problem, drawn: Construction, lang: Lang) -> str:

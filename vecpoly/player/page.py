@@ -66,8 +66,9 @@ def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed:
         "count": len(solution.construction.steps),
         "figures": _stacked(shown_figures(solution.construction, ink)),
         "turning": turning,
-        "slides": turning and solution.problem.mechanism.drive.slide,
-        "names": names(solution, ink.faces) if turning else (),
+        "slides": turning and not through.inverts and solution.problem.mechanism.drive.slide,
+        "inverts": through.inverts,
+        "names": names(through.turns[0].solution if through.inverts else solution, ink.faces) if turning else (),
         "drive": _drive(solution, ink) if turning else "",
         "motion": _motion(through, solution, ink) if turning else "",
     }
@@ -91,6 +92,7 @@ def _rendered(context: dict[str, Any], ink: Ink) -> str:
 
 def _motion(through: Cycle, solution: Solution, ink: Ink) -> str:
     """Figures and readings at all places, as data for the script."""
+    drawn = solution.construction
     return _json(
         {
             "shown": [turn.shown for turn in through.turns],
@@ -98,7 +100,7 @@ def _motion(through: Cycle, solution: Solution, ink: Ink) -> str:
             "all": through.whole,
             "round": through.round,
             "readings": readings(through.turns, ink.faces),
-            "figures": moving(through, solution.construction, ink),
+            "figures": moving(through, through.turns[0].solution.construction if through.inverts else drawn, ink),
         }
     )
 
@@ -131,8 +133,9 @@ def _warning(solution: Solution, through: Cycle) -> Words | None:
 
 
 def _drive(solution: Solution, ink: Ink) -> str:
-    """The symbol of the drive's datum."""
-    return words_html(f"${solution.problem.given.motion[0].symbol}$", ink.faces)
+    """The symbol of the drive's datum; of a cam that is designed that of its angle."""
+    given = solution.problem.given.motion
+    return words_html(f"${given[0].symbol if given else 'φ'}$", ink.faces)
 
 
 def _stacked(figures: tuple[Shown, ...]) -> list[tuple[Shown, int, int]]:

@@ -10,8 +10,8 @@ from ..report.values import called, printed_unit, value
 from ..solution import YES_NO, Answer, Solution
 from ..words import Words
 from .figures import LANGS
+from .inverted import Turned
 from .steps import html
-from .turned import Turned
 from .type import Faces, words_html
 
 Cells = tuple[str, str, str, str, str]  # value zh, value en, direction zh, direction en, exact

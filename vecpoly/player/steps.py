@@ -8,7 +8,7 @@ from html import escape
 from itertools import groupby
 
 from ..algebra.formula import Node, Vec, plain, row, sym
-from ..board.construction import EquationTable, Step
+from ..board.construction import EquationTable, Listing, Step
 from ..typeset import layout, layout_words
 from ..words import Lang, Words
 from .type import Faces, formula_html, spoken, symbol_html, words_html
@@ -27,6 +27,7 @@ class Told:
     equation: Words | None
     formulas: tuple[str, ...]
     said: Words
+    listing: Words | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +61,15 @@ def _told(step: Step, faces: Faces) -> Told:
         table,
         tuple(formula_html(node, faces) for node in step.formulas),
         said(step),
+        None if step.listing is None else Words(*(_listed(step.listing, lang, faces) for lang in ("zh", "en"))),
     )
+
+
+def _listed(listing: Listing, lang: Lang, faces: Faces) -> str:
+    """What is read at many places, as a table."""
+    head = "".join(f"<th>{words_html(one.of(lang), faces)}</th>" for one in listing.head)
+    rows = "".join(f"<tr>{''.join(f'<td>{cell}</td>' for cell in row)}</tr>" for row in listing.rows)
+    return f'<table class="listing"><tr>{head}</tr>{rows}</table>'
 
 
 def said(step: Step) -> Words:

@@ -19,6 +19,7 @@ from ..methods.plan import sketched
 from ..problem.problem import Problem, Scales
 from ..solution import Solution, scales_of, solve
 from .fitting import fitted
+from .inverted import Turned, inverted
 
 Places = NDArray[np.float64]
 TRAVEL = 4.0  # sizes of the mechanism to each side that a sliding drive is tried in
@@ -27,29 +28,23 @@ TRIALS = 721  # places tried of a sliding drive
 
 
 @dataclass(frozen=True, slots=True)
-class Turned:
-    """The solution with the drive at another place, and what the drive's datum reads there: 75°, 120 mm."""
-
-    shown: str
-    solution: Solution
-
-
-@dataclass(frozen=True, slots=True)
 class Cycle:
     """The places that can be drawn, in the sense in which the drive moves; which is the given one; whether none is
-    missing; whether it goes round."""
+    missing; whether it goes round; whether the follower of a standing cam goes round instead of a drive."""
 
     turns: tuple[Turned, ...]
     start: int = 0
     whole: bool = False
     round: bool = False
+    inverts: bool = False
 
 
 def cycle(solution: Solution, count: int, *, seed: int = 0) -> Cycle:
-    """The solution at `count` places of the drive over a full turn (or its travel); nothing for a device."""
+    """The solution at `count` places of the drive over a full turn (or its travel); of a cam that is designed the
+    stations of its inversion; nothing for another device."""
     problem = solution.problem
     if not isinstance(problem.subject, Mechanism) or count < 2:
-        return Cycle(())
+        return Cycle(()) if count < 2 else Cycle(inverted(solution), 0, True, True, inverts=True)
     mech, hand = problem.subject, solution.construction.hand
     fixed = replace(problem, scales=scales_of(solution.construction))
     places = _places(mech, count)

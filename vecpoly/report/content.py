@@ -20,6 +20,7 @@ from ..solution import YES_NO, Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
 from .formulas import beside
 from .structure import numbering, structure
+from .tables import listed
 from .values import asked_load, called, curved
 
 _MOST, _SHORT = 4, 30.0  # formulas of a step in one line, and how long each may be (mm)
@@ -210,6 +211,7 @@ def _step(step: Step, lang: Lang, objects: Objects) -> dict[str, Any]:
         "n": step.number,
         "words": step.words.of(lang),
         "equation": objects.add("eq", step.equation) if step.equation else "",
+        "table": objects.add("tab", listed(step.listing, lang)) if step.listing else "",
         "formulas": [objects.add("f", node) for node in beside(step.formulas, _MOST, _SHORT)],
     }
 

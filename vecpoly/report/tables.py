@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from math import degrees
 
 from ..algebra.quantity import number
+from ..board.construction import Listing
 from ..check.printed.verdict import Checked
 from ..names import is_place
 from ..problem.problem import Problem, as_printed
@@ -30,6 +31,7 @@ _BLANK, _NONE = "＿＿＿＿＿", "—"
 _COMPUTED = {"zh": "计算值", "en": "Computed"}
 _NOTHING = 1e-9  # m: places that all hands find alike, a fixed pivot
 _DRAWN = 3  # column of the value in _READINGS
+BLOCKS, MOST_COLUMNS = 3, 15  # of a table of stations: beside each other, columns in all
 _SENSE = {"ccw": Words("↺ 逆时针", "↺ ccw"), "cw": Words("↻ 顺时针", "↻ cw"), None: Words.same("—")}
 
 
@@ -40,6 +42,13 @@ def readings_table(solution: Solution, lang: Lang) -> DataTable:
     if all(answer.computed for answer in solution.answers.values()):
         header[_DRAWN] = _COMPUTED[lang]
     return trimmed(header, rows, (), "lccrccrr")
+
+
+def listed(listing: Listing, lang: Lang) -> DataTable:
+    """What a step reads at many places: in as many blocks beside each other as a page has room for."""
+    blocks = max(1, min(BLOCKS, MOST_COLUMNS // len(listing.head)))
+    wide = listing.abreast(blocks) if len(listing.rows) > blocks else listing
+    return DataTable([head.of(lang) for head in wide.head], wide.rows, None, "c" * len(wide.head), lang=lang)
 
 
 def trimmed(header: Sequence[str], rows: Sequence[Sequence[str]], widths: Sequence[float], align: str) -> DataTable:

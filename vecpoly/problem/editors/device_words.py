@@ -32,7 +32,11 @@ _CAM = {
     "Follower.offset": Words("偏距，导路在轴心右侧为正", "offset of the guide, to the right of the axis positive"),
     "Follower.arm": Words("摆杆", "the arm on which it swings"),
     "Arm.OA": Words("轴心到摆动中心的距离", "distance of the arm's pivot from the axis"),
-    "Arm.AB": Words("摆杆长度", "length of the arm"),
+    "Arm.AB": Words("摆杆长度；平底没有", "length of the arm; a flat face has none"),
+    "Arm.side": Words("摆动中心在轴心的哪一侧：left 或 right", "on which side of the axis its pivot is: left or right"),
+    "Arm.face": Words(
+        "平底到摆动中心的距离，背离凸轮为正", "distance of a flat face from the pivot, positive away from the cam"
+    ),
     "Allowed.rise": Words("推程许用压力角", "allowed on the rise"),
     "Allowed.return": Words("回程许用压力角", "allowed on the return"),
 }

@@ -51,7 +51,7 @@ def give_profile(draft: Draft, data: Mapping[str, Value]) -> None:
         )
     draft.cam = _read({key: value for key, value in given.items() if key not in OWN}, draft.name)
     draft.points[about] = 0j
-    draft.say(_told(draft, about, str(given.get("profile of", ""))))
+    draft.say(_told(draft, about))
 
 
 def letter_centres(bodies: Bodies, joints: Iterable[object]) -> None:
@@ -90,13 +90,8 @@ def _base_circle(cam: Cam) -> float:
     return cam.r0.si - cam.follower.radius
 
 
-def _told(draft: Draft, about: str, file: str) -> Words:
-    source = Words(f"（{file}）", f" ({file})") if file else Words("", "")
-    return (
-        Words(
-            f"构件 {draft.name} 为绕 ${about}$ 转动的盘形凸轮",
-            f"link {draft.name} is a plate cam that turns about ${about}$",
-        )
-        + source
-        + Words("，$φ$ = 0 时从动件在最低位置", ", at whose $φ$ = 0 the follower is lowest")
+def _told(draft: Draft, about: str) -> Words:
+    return Words(
+        f"构件 {draft.name} 为绕 ${about}$ 转动的盘形凸轮，$φ_{draft.name}$ = 0 时从动件在最低位置",
+        f"link {draft.name} is a plate cam that turns about ${about}$; at $φ_{draft.name}$ = 0 the follower is lowest",
     )

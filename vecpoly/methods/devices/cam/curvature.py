@@ -21,10 +21,10 @@ from .extremes import Spot, best, curving
 from .face import reach, under_a_face
 from .inversion import VIEW, Cut
 from .pose import centre_of_curvature
-from .pressure import copied, posed, show
-from .readings import length
-from .told import corners
+from .pressure import copied, detail, posed, show
+from .read.readings import length
 from .trying import interferes
+from .words.motion import corners
 
 HALF = 0.5  # the share at which velocities are drawn
 ALMOST = 1.0  # mm: v_P shorter than this is not lettered
@@ -36,7 +36,7 @@ def least_radius(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
     board.section(Words("曲率半径与失真", "Curvature and undercut"))
     spot = best(board, place_of(cam), cam.pieces, curving(cam))
     title = Words("最小曲率半径", "Least radius of curvature")
-    place = board.open_pane(View.MECHANISM, RHO.key, title)
+    place = board.open_pane(View.MECHANISM, RHO.key, title, detail(board, cam))
     if cam.follower.flat:
         rho = under_a_face(bench, cam, cuts, place, spot)
         _judged_flat(bench, cam, rho)

@@ -15,9 +15,9 @@ from ....devices.cams.motion import Piece
 from ....words import Words
 from ..bench import Bench
 from .laws import Lift, lift
-from .readings import noted, written
+from .read.readings import noted
 from .scales import ANGULAR, DISPLACEMENT
-from .told import how_drawn, shocks
+from .words.motion import how_drawn, shocks
 
 BEYOND, TICK = 8.0, 8.0  # mm: the axes run on; marks under the ends of pieces
 CROWDED = 20  # stations on the axis: of more only every other is numbered
@@ -97,10 +97,8 @@ def _curve(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> N
 
 def _read(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> None:
     scale = bench.board.scale_of(place)
-    values = []
     for station in found[1:]:
         value = np.degrees(station.lift.s) if cam.arm else 1e3 * station.lift.s
         named = travel(station.name, swings=bool(cam.arm))
         letters = f"{station.number} {station.number}′"
-        values.append(noted(bench, named, value, station.lift.s / scale.value, letters, scale.symbol))
-    written(bench, values)
+        noted(bench, named, value, station.lift.s / scale.value, letters, scale.symbol)

@@ -22,7 +22,7 @@ from .inversion import VIEW, Cut
 from .laws import lift
 from .pose import Pose, osculating, pose
 from .pressure import copied, posed
-from .readings import length
+from .read.readings import length
 
 
 def under_a_face(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Spot) -> Quantity:

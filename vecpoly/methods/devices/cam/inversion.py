@@ -17,8 +17,9 @@ from ..bench import Bench
 from .diagram import Station, place_of
 from .laws import lift
 from .pose import Pose, pose
-from .readings import acute, length, noted, written
-from .sentences import enveloped, opening, turning
+from .read.readings import acute, length, noted
+from .read.stations import stations_read
+from .words.inversion import enveloped, opening, turning
 
 VIEW = View.MECHANISM
 CROWDED = 24  # stations: of more only every other is numbered
@@ -59,7 +60,7 @@ def _given(bench: Bench, cam: Cam) -> None:
     trial.step(Words("试作", "trial"))
     first = pose(board, VIEW, cam, 0.0, lift(trial, place_of(cam), cam.pieces[0], 0.0))
     if cam.arm and cam.follower.flat:
-        board.depict(VIEW, *face_arm(first.start, first.b, _along_face(cam, first, mm)))
+        board.depict(VIEW, *face_arm(first.start, first.b, along_face(cam, first, mm)))
     elif cam.arm:
         board.depict(VIEW, *arm(first.start, first.b, cam.follower.radius / mm))
     else:
@@ -97,7 +98,7 @@ def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
     board, mm = bench.board, bench.board.scale_of(VIEW).value
     board.join(VIEW, it.start if cam.arm else it.start + CLEAR * it.way, it.b, Role.CONSTRUCTION)
     if cam.follower.flat and cam.arm:
-        board.join(VIEW, it.b, it.b + _along_face(cam, it, mm), Role.CONSTRUCTION)
+        board.join(VIEW, it.b, it.b + along_face(cam, it, mm), Role.CONSTRUCTION)
     elif cam.follower.flat:
         assert cam.r0
         half = FACE * cam.r0.si / mm * 1j * it.way
@@ -111,7 +112,7 @@ def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
     board.plot(VIEW, it.b, "" if cam.arm else number, Dot.POINT)
 
 
-def _along_face(cam: Cam, it: Pose, mm: float) -> Points:
+def along_face(cam: Cam, it: Pose, mm: float) -> Points:
     """From the foot of A on a flat face to its end, past the cam."""
     assert cam.arm
     return 1j * cam.side * it.way * cam.arm[1] / mm
@@ -137,16 +138,15 @@ def _profile(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
     if cam.follower.roller or cam.follower.flat:
         for through in _along(bench, cam, cuts, pitch=False):
             board.curve(VIEW, through, Role.LINK)
-    values = []
     for cut in cuts:
         letters = f"O T_{{{cut.station.number}}}"
         on_paper = board.measure(0j, cut.touch, letters)
         scale = board.scale_of(VIEW)
         named = radius(cut.station.name)
-        values.append(noted(bench, named, 1e3 * scale.value * on_paper.value, on_paper.value, letters, scale.symbol))
-    written(bench, values)
-    if not cam.follower.flat:
-        written(bench, [noted(bench, pressure(c.station.name), acute(bench, c.pose.way, c.pose.normal)) for c in cuts])
+        noted(bench, named, 1e3 * scale.value * on_paper.value, on_paper.value, letters, scale.symbol)
+        if not cam.follower.flat:
+            noted(bench, pressure(cut.station.name), acute(bench, cut.pose.way, cut.pose.normal))
+    board.tabulate(stations_read(bench, cam, [cut.station for cut in cuts]))
 
 
 def _along(bench: Bench, cam: Cam, cuts: Sequence[Cut], *, pitch: bool) -> Iterator[list[Points]]:

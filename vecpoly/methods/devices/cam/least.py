@@ -19,7 +19,7 @@ from ..bench import Bench
 from ..inclined import between
 from .extremes import Merit, best
 from .laws import Lift, lift
-from .readings import length
+from .read.readings import length
 from .scales import DISPLACEMENT, LOOP
 
 EACH = 6  # stations of half a rise or a return that are drawn of the loop

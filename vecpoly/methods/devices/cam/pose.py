@@ -31,6 +31,10 @@ class Pose:
     spin: Reals
     drift: Points
 
+    def outward(self, cam: Cam) -> Points:
+        """The unit normal at the contact, out of the cam."""
+        return self.way if cam.follower.flat else -self.normal
+
     @property
     def foot(self) -> Points:
         """Where a flat face touches: the foot of P on it."""

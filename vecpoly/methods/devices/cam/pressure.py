@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import degrees, pi
 
 import numpy as np
 
 from ....algebra.quantity import number
-from ....board.construction import Pane, View
+from ....board.board import Board
+from ....board.construction import Pane, Scale, View
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import ALPHA, ALPHA_BACK, ALPHA_RISE
 from ....devices.cams.cam import Cam
@@ -22,9 +24,11 @@ from .extremes import Spot, best, slanting
 from .inversion import Cut
 from .laws import lift
 from .pose import Pose, pose
-from .readings import acute
+from .read.readings import acute
+from .scales import fitting, reach
 
 ARC, OVER, NEAR = 22.0, 16.0, pi / 5  # mm: of the angle mark, beyond B; rad: how much of the pitch curve is copied
+APART = 95.0  # mm from O to the follower on a figure apart
 SAME = 1e-6  # rad: so near to a station it is that station
 
 
@@ -48,7 +52,7 @@ def _greatest(bench: Bench, cam: Cam, cuts: Sequence[Cut], way: int, named: Name
     board = bench.board
     pieces = [piece for piece in cam.pieces if piece.rises == way]
     spot = best(board, place_of(cam), pieces, slanting(cam))
-    place = board.open_pane(View.MECHANISM, named.key, title)
+    place = board.open_pane(View.MECHANISM, named.key, title, detail(board, cam))
     part = Words("摆杆", "arm") if cam.arm else Words("导路", "guide")
     board.step(
         Words(
@@ -81,11 +85,19 @@ def posed(bench: Bench, cam: Cam, place: Pane, spot: Spot) -> Pose:
     return pose(bench.board, place, cam, spot.phi, at)
 
 
+def detail(board: Board, cam: Cam) -> Scale:
+    """The scale of a figure apart: as large as a sheet holds three of, with a symbol of its own where it is larger."""
+    whole = board.scale_of(View.MECHANISM)
+    value = min(whole.value, fitting(reach(cam) / APART))
+    return whole if value == whole.value else replace(whole, symbol="μ_l′", value=value)
+
+
 def copied(bench: Bench, place: Pane, cuts: Sequence[Cut], spot: Spot, *, edge: bool = False) -> None:
     """The part of the pitch curve, or of the profile, near the place."""
     near = [cut for cut in cuts if abs((cut.station.phi - spot.phi + pi) % (2 * pi) - pi) < NEAR]
     near.sort(key=lambda cut: (cut.station.phi - spot.phi + pi) % (2 * pi))
-    bench.board.curve(place, [cut.touch if edge else cut.pose.b for cut in near], Role.RESULT)
+    times = bench.board.scale_of(View.MECHANISM).value / bench.board.scale_of(place).value
+    bench.board.curve(place, [times * (cut.touch if edge else cut.pose.b) for cut in near], Role.RESULT)
 
 
 def show(bench: Bench, place: Pane, cam: Cam, it: Pose) -> None:

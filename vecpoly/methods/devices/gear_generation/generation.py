@@ -15,7 +15,7 @@ from ....plane import Line, Points, nominal
 from ....problem.problem import Scales
 from ....words import Words
 from ..bench import Bench
-from ..cam.readings import length
+from ..cam.read.readings import length
 from ..cam.scales import fitting
 from ..registry import device_method
 from .places import draw_places, draw_tooth

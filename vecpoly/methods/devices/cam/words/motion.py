@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from itertools import pairwise
 from math import degrees
 
-from ....algebra.quantity import number
-from ....board.board import Board
-from ....board.construction import View
-from ....devices.cams.cam import Cam
-from ....devices.cams.motion import Law, Piece
-from ....plane import nominal
-from ....words import Words
-from .laws import lift
+from .....algebra.quantity import number
+from .....board.board import Board
+from .....board.construction import View
+from .....devices.cams.cam import Cam
+from .....devices.cams.motion import Law, Piece
+from .....plane import nominal
+from .....words import Words
+from ..laws import lift
 
 JUMP = 1e-6  # of the stroke over the angle, or its square: a smaller jump is none
 _HOW = {

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
-from ....algebra.formula import Node, Row, Txt
-from ....algebra.quantity import Quantity, magnitude, stated
-from ....board.construction import Place, Reading
-from ....names import Named
-from ....plane import Points, Reals, nominal
-from ..bench import Bench
-
-IN_A_ROW = 6  # values beside each other under a step
+from .....algebra.quantity import Quantity, magnitude, stated
+from .....board.construction import Place, Reading
+from .....names import Named
+from .....plane import Points, Reals, nominal
+from ...bench import Bench
 
 
 def length(bench: Bench, named: Named, place: Place, a: Points, b: Points, letters: str, sign: int = 1) -> Quantity:
@@ -43,15 +38,6 @@ def noted(
     )
     bench.board.keep(reading, value)
     return found
-
-
-def written(bench: Bench, values: Sequence[Quantity]) -> None:
-    """Values in rows."""
-    for start in range(0, len(values), IN_A_ROW):
-        nodes: list[Node] = []
-        for value in values[start : start + IN_A_ROW]:
-            nodes += [*([Txt(",  ")] if nodes else []), stated(value)]
-        bench.board.write(Row(tuple(nodes)))
 
 
 def acute(bench: Bench, one: Points, other: Points) -> Reals:

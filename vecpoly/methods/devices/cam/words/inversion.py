@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ....devices.cams.cam import Cam
-from ....words import Words
+from .....devices.cams.cam import Cam
+from .....words import Words
 
 
 def opening(cam: Cam) -> Words:
@@ -79,8 +79,9 @@ def enveloped(cam: Cam) -> Words:
     if cam.follower.flat:
         first = Words("平底各位置的包络线即凸轮廓线。", "The envelope of the face is the profile. ")
         last = Words(
-            "，与平底的交点即切点 $T$。量各切点到 $O$ 的距离：",
-            "; it meets the face where they touch, in $T$. The distances from $O$:",
+            "，与平底的交点即切点 $T$。量各切点到 $O$ 的距离 $r$，与位移线图上读得的值一并列表：",
+            "; it meets the face where they touch, in $T$. The distances $r$ from $O$, with what is read off the "
+            "diagram:",
         )
     elif cam.follower.roller:
         first = Words(
@@ -88,15 +89,17 @@ def enveloped(cam: Cam) -> Words:
             "Circles of the roller about the points of the pitch curve; their inner envelope is the profile. ",
         )
         last = Words(
-            "，沿法线向内量 $r_r$ 得切点 $T$。量各切点到 $O$ 的距离，以及法线与从动件运动方向所夹的压力角：",
-            "; $r_r$ inwards along it leads to the point of contact $T$. The distances of these points from $O$, and "
-            "the pressure angles between normal and motion:",
+            "，沿法线向内量 $r_r$ 得切点 $T$。量各切点到 $O$ 的距离 $r$ 和法线与从动件运动方向所夹的压力角 $α$，"
+            "与位移线图上读得的值一并列表：",
+            "; $r_r$ inwards along it leads to the point of contact $T$. The distances $r$ of these points from $O$ "
+            "and the pressure angles $α$ between normal and motion, with what is read off the diagram:",
         )
     else:
         first = Words("尖顶从动件的理论廓线就是实际廓线。", "Under a knife edge the pitch curve is the profile. ")
         last = Words(
-            "。量各点到 $O$ 的距离，以及法线与从动件运动方向所夹的压力角：",
-            ". The distances of the points from $O$, and the pressure angles between normal and motion:",
+            "。量各点到 $O$ 的距离 $r$ 和法线与从动件运动方向所夹的压力角 $α$，与位移线图上读得的值一并列表：",
+            ". The distances $r$ of the points from $O$ and the pressure angles $α$ between normal and motion, with "
+            "what is read off the diagram:",
         )
     return first + _normal(cam) + last
 

@@ -1,0 +1,1 @@
+"""What is read of a cam, and the table of its stations."""
