@@ -17,6 +17,7 @@ from . import (
     printed_tables,
     redraw,
     report_pages,
+    search,
 )
 
 if __name__ == "__main__":
@@ -35,5 +36,6 @@ if __name__ == "__main__":
         course_report,
         class_sheets,
         memory,
+        search,
     ):
         print(module.run(), flush=True)

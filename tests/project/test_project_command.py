@@ -20,10 +20,11 @@ def test_the_exit_code_tells_whether_the_demands_are_met(tmp_path: Path, asked: 
     assert said in done.output and out.read_bytes().startswith(b"%PDF")
 
 
-def test_solve_refuses_a_project_and_names_the_right_command() -> None:
-    done = CliRunner().invoke(app, ["solve", "design-shaper"])
+@pytest.mark.parametrize(("name", "command"), [("design-shaper", "design"), ("search-path", "search")])
+def test_solve_refuses_what_is_no_problem_and_names_the_right_command(name: str, command: str) -> None:
+    done = CliRunner().invoke(app, ["solve", name])
     assert done.exit_code == 2
-    assert "vecpoly design" in done.output
+    assert f"vecpoly {command}" in done.output
 
 
 def test_design_refuses_a_problem() -> None:

@@ -23,6 +23,7 @@ from .commands.new import new
 from .commands.play import play
 from .commands.report import report
 from .commands.schema import schema
+from .commands.search import search
 from .commands.solve import solve
 from .errors import REFUSED, tell, tell_as, told
 from .help import Command, in_chinese
@@ -84,6 +85,7 @@ COMMANDS: dict[str, Callable[..., None]] = {
     "exact": exact,
     "report": report,
     "design": design,
+    "search": search,
     "check": check,
     "cycle": cycle,
     "draw": draw,

@@ -50,6 +50,13 @@ HELP = {
     "Write the report of a design project: linkage, motion, forces, cam, gears, and whether the demands are met.": (
         "写出课程设计说明书：连杆机构、运动、受力、凸轮、轮系，以及各项要求是否满足。"
     ),
+    "Search a linkage where no construction gives one: for a path, for a dwell, for the best transmission angle.\n\n"
+    "-o FOUND.yaml writes it as a problem, to be drawn and analysed; -o FOUND.pdf its report.": (
+        "在没有作图法的场合搜索机构：再现轨迹、实现停歇、传动角最大。\n\n"
+        "-o 结果.yaml 写成题目，可作图和分析；-o 结果.pdf 写出报告。"
+    ),
+    "A search file: search, data, candidates.": "搜索文件：search、data、candidates。",
+    "How many are tried, instead of the file's.": "候选数，代替文件中所写的。",
     "A project: design-shaper of the library, or a file.": "课程设计：题库中的 design-shaper 等，或文件。",
     "Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves.": (
         "分析机构的整个运动循环：列出运动特性，写数据表，绘曲线。"

@@ -79,14 +79,17 @@ def job(name: str, outside: bool = False) -> Job:
 
 
 def _no_project(path: Path) -> None:
-    """Raise NotAskedError for a design project, which is no problem."""
-    from ..project.tree import is_project
+    """Raise NotAskedError for a design project and for a search, which are no problems."""
+    from ..problem.text.source import read
 
-    if is_project(path):
+    data = read(path).data
+    command = "design" if "parts" in data and "problems" not in data else "search" if "search" in data else ""
+    if command:
+        what = Words("课程设计", "a design project") if command == "design" else Words("搜索", "a search")
         raise NotAskedError(
             Words(
-                f"{path} 是课程设计，不是一道题；请用 vecpoly design {path}",
-                f"{path} is a design project, not a problem; write it with: vecpoly design {path}",
+                f"{path} 是{what.zh}，不是一道题；请用 vecpoly {command} {path}",
+                f"{path} is {what.en}, not a problem; the command is: vecpoly {command} {path}",
             ),
-            code="project",
+            code=command,
         )

@@ -17,7 +17,7 @@ from ..course.numbering import Press
 from ..flow.blocks import spoken
 from ..flow.doc import SheetPage
 
-APPENDIX = "B"  # where the sheets are bound
+APPENDIX = "A"  # where the sheets are bound
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,7 +43,7 @@ class Binder:
         return self.press.lang
 
     def numbers(self, part: Part, *, every: bool = True) -> str:
-        """图 B-1、图 B-2: the sheets of a part, or of its first drawing."""
+        """图 A-1、图 A-2: the sheets of a part, or of its first drawing."""
         drawn = self.drawn[part.name] if every else self.drawn[part.name][:1]
         return self.listed([name.of(self.lang) for one in drawn for name in one.names])
 

@@ -1,0 +1,107 @@
+"""Searches find what there is, the same on any number of processes, and say what they cannot."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from vecpoly.cli.app import app
+from vecpoly.errors import FaultError, ProblemFileError
+from vecpoly.problem.load import load
+from vecpoly.problem.values.made import problem
+from vecpoly.search.path import PathSearch
+from vecpoly.search.run import Found, run
+from vecpoly.search.spec import load_search
+from vecpoly.solution import solve
+from vecpoly.words import Words
+
+NAME = Words.same("found")
+
+
+def found(name: str, count: int = 20_000, jobs: int = 1) -> Found:
+    return run(load_search(name)[0], "found", NAME, count=count, seed=3, jobs=jobs)
+
+
+def value(one: Found, name: str) -> float:
+    return next(m.value for m in one.measures if m.name.en == name)
+
+
+def test_the_best_transmission_angle_is_that_of_the_oracle_s_synthesis() -> None:
+    """Of a crank-rocker with K = 1.3 it grows as the swing shrinks: at 30° the closed form has the same angle."""
+    data = {"K": "1.3", "CD": "100 mm", "swing": "30 deg", "best": "gamma_min"}
+    told = problem({"id": "a", "title": "a", "synthesis": "crank-rocker", "data": data, "find": ["gamma_min"]})
+    exact = solve(told, by="exact", repeats=0).answers["gamma_min"].exact
+    assert value(found("search-transmission"), "least transmission angle") == pytest.approx(exact, abs=0.01)
+
+
+def test_the_ellipse_is_followed_and_no_bar_is_longer_than_allowed() -> None:
+    one = found("search-path")
+    assert value(one, "RMS error") < 1.5 and value(one, "worst error") < 3 * value(one, "RMS error")
+    links = {link.name: link for link in one.problem.mechanism.links}
+    lengths = [
+        abs(links[n].points[b] - links[n].points[a]) for n, a, b in (("1", "A", "B"), ("2", "B", "C"), ("3", "C", "D"))
+    ]
+    assert max(lengths) <= 0.3 + 1e-6
+    assert one.refined <= one.first
+
+
+def test_the_six_bar_rests_and_swings() -> None:
+    one = found("search-dwell")
+    assert value(one, "worst off the dwell") < 0.5 and value(one, "swing") > 29.0
+
+
+def test_a_straight_line_is_followed_over_part_of_the_turn() -> None:
+    line = tuple(complex(x) for x in np.linspace(-0.05, 0.05, 9))
+    one = run(PathSearch(points=line, closed=False, gamma=0.5), "line", NAME, count=20_000, seed=3)
+    assert value(one, "worst error") < 0.05
+
+
+def test_what_is_found_does_not_depend_on_the_number_of_processes() -> None:
+    one, two = (found("search-transmission", 120_000, jobs) for jobs in (1, 2))
+    assert one.problem.text == two.problem.text
+
+
+def test_a_curve_that_no_short_linkage_can_follow_is_refused() -> None:
+    line = tuple(complex(x) for x in np.linspace(-0.05, 0.05, 9))
+    with pytest.raises(FaultError, match="none of 5000 candidates"):
+        run(PathSearch(points=line, closed=False, gamma=0.5, longest=0.001), "line", NAME, count=5000)
+
+
+GOOD = """\
+title: A dwell
+search: dwell
+data: {dwell: 120 deg, swing: 30 deg, AB: 30 mm}
+candidates: 2000
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("search: dwell", "search: dwel", "'dwel' is not one of"),
+        ("dwell: 120 deg", "dwell: 1 deg", "must lie between 5 and"),
+        ("AB: 30 mm", "AB: 30 deg", "AB"),
+        ("AB: 30 mm", "AB: 30 mm, gamma_min: 95 deg", "gamma_min = 95 deg must lie between"),
+        (", AB: 30 mm", "", "'AB' is missing"),
+        ("candidates: 2000", "candidates: 2", "must be not below 1000"),
+    ],
+)
+def test_a_fault_of_a_search_file_is_told_in_both_languages(tmp_path: Path, old: str, new: str, said: str) -> None:
+    path = tmp_path / "dwell.yaml"
+    path.write_text(GOOD.replace(old, new), encoding="utf-8")
+    with pytest.raises(ProblemFileError, match=re.escape(said)) as refused:
+        load_search(path)
+    assert re.search("[\u4e00-\u9fff]", refused.value.words.zh)
+
+
+def test_the_command_writes_a_problem_that_can_be_drawn(tmp_path: Path) -> None:
+    out = tmp_path / "found.yaml"
+    done = CliRunner().invoke(app, ["search", "search-dwell", "--candidates", "20000", "-j", "1", "-o", str(out)])
+    assert done.exit_code == 0, done.output
+    assert "swing" in done.output
+    drawn = solve(load(out), repeats=0)
+    assert not drawn.suspect and "omega_5" in drawn.answers
