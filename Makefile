@@ -8,11 +8,14 @@ SHARED := -n 2 --dist loadgroup --no-loadscope-reorder  # tests that share what 
 demo: $(VENV)/installed
 	$(BIN)/vecpoly demo -o out
 
+# types are checked beside the tests, for a processor that waits for the last group of them is idle;
+# what is compiled is kept, so that it is not compiled by every process that a test starts
 test: $(VENV)/installed-dev
 	$(BIN)/ruff check vecpoly tests benchmarks
 	$(BIN)/ruff format --check --quiet vecpoly tests benchmarks
-	$(BIN)/mypy
-	PYTHONDONTWRITEBYTECODE= $(BIN)/pytest $(SHARED)  # compiled once, not in every process that a test starts
+	@$(BIN)/mypy > $(VENV)/types.txt 2>&1 & types=$$!; \
+	PYTHONDONTWRITEBYTECODE= $(BIN)/pytest $(SHARED); tests=$$?; \
+	wait $$types; types=$$?; cat $(VENV)/types.txt; exit $$((tests | types))
 
 soak: $(VENV)/installed-dev
 	$(BIN)/python -m tests.generators --count 300 --seed 1 --jobs 2

@@ -26,11 +26,21 @@ LAST = pytest.StashKey[bool]()
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Where several workers run groups of tests, those that share what they make are a group."""
+    """Where several workers run groups of tests, those that share what they make stand together."""
     if config.getoption("loadgroup", False):
         from tests.sharing import arrange
 
         arrange(items)
+
+
+@pytest.hookimpl(optionalhook=True)  # of xdist
+def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> object:
+    """Where several workers run groups of tests, those that share what they make are run by one."""
+    if config.getoption("dist") != "loadgroup":
+        return None
+    from tests.sharing import scheduler
+
+    return scheduler(config, log)
 
 
 def pytest_collection_finish() -> None:

@@ -72,8 +72,13 @@ def drafted(name: str) -> Solution | None:
 @cache
 def ids(*, mechanisms: bool = True, view: View | None = None) -> tuple[str, ...]:
     """The problems about mechanisms (else about devices), those that draw a figure of this kind."""
-    of_kind = (name for name in IDS if isinstance(load(name).subject, Mechanism) is mechanisms)
+    of_kind = (name for name in IDS if _is_mechanism(name) is mechanisms)
     return tuple(name for name in of_kind if view is None or drawn(name).figures(view))
+
+
+@cache
+def _is_mechanism(name: str) -> bool:
+    return isinstance(load(name).subject, Mechanism)
 
 
 def desk_of(name: str) -> Desk:

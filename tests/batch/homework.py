@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
+import pytest
+
 import vecpoly
+from vecpoly.batch import classwork
 from vecpoly.batch.classwork import Made, Order, make_class
 from vecpoly.batch.gather import gather
 from vecpoly.batch.run.runners import Here
 from vecpoly.batch.student import Student
 from vecpoly.problem.assignment import load_assignment
+from vecpoly.problem.problem import Problem
+from vecpoly.problem.values.vary import data_of
+from vecpoly.variants.pilot import Pilot
+from vecpoly.variants.seeds import Seed
 
 TEXT = """\
 title: {zh: 第三次作业, en: Homework 3}
@@ -43,7 +51,27 @@ def ordered(out: Path, students: Sequence[Student], text: str = TEXT) -> Order:
 
 def made(out: Path, students: Sequence[Student], text: str = TEXT) -> Made:
     """The whole class in this process."""
-    return make_class(ordered(out, students, text), Here(), lambda *_: None)
+    with piloted():
+        return make_class(ordered(out, students, text), Here(), lambda *_: None)
+
+
+_PILOTS: dict[tuple[str, Seed], Pilot] = {}
+_draw_pilot = classwork._pilot
+
+
+def _remembered(order: Order, problem: Problem) -> Pilot:
+    key = (f"{data_of(problem)} {problem.ranges}", order.seed(problem.id, ""))
+    if key not in _PILOTS:
+        _PILOTS[key] = _draw_pilot(order, problem)
+    return _PILOTS[key]
+
+
+@contextmanager
+def piloted() -> Iterator[None]:
+    """The pilot knows neither shards nor rosters: in this process it is drawn once for each problem."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(classwork, "_pilot", _remembered)
+        yield
 
 
 def files(out: Path) -> dict[str, bytes]:
@@ -58,6 +86,7 @@ def files(out: Path) -> dict[str, bytes]:
 def made_in_shards(out: Path, students: Sequence[Student], count: int) -> None:
     """Each shard by itself, then gathered."""
     order = ordered(out, students)
-    for shard in range(count):
-        make_class(order, Here(), lambda *_: None, (shard, count))
+    with piloted():
+        for shard in range(count):
+            make_class(order, Here(), lambda *_: None, (shard, count))
     gather(order, (out,), Here(), lambda *_: None)

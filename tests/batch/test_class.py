@@ -14,7 +14,6 @@ import numpy as np
 import pytest
 
 from tests.batch.homework import FIVE, TEXT, files, made, made_in_shards, people
-from vecpoly.batch import classwork
 from vecpoly.batch.classwork import Made
 from vecpoly.batch.outputs import outputs
 from vecpoly.batch.register import Register, read_register
@@ -23,10 +22,8 @@ from vecpoly.solution import solve
 
 
 def test_shards_together_are_the_whole_and_the_order_of_the_roster_does_not_matter(
-    whole: tuple[Path, Made], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    whole: tuple[Path, Made], tmp_path: Path
 ) -> None:
-    """The pilot knows neither shards nor rosters: it is not drawn again for each of three runs."""
-    monkeypatch.setattr(classwork, "_pilot", lambda _, problem: whole[1].pilots[problem.id])
     made_in_shards(tmp_path / "hw", FIVE[::-1], 2)
     assert files(tmp_path / "hw") == files(whole[0])
 
