@@ -22,7 +22,7 @@ def case_problem(case: dict[str, Any], way: str = "bobillier", find: tuple[str, 
 id: case
 title: case
 {_body(case, further)}
-input: {{link: 1, phi: {case["phi"]} deg, omega: ccw}}
+input: {{link: 1, phi: {case["phi"]} deg, omega: 7 rad/s ccw}}
 method: curvature
 construction: {way}
 find: [{", ".join(asked)}]

@@ -175,6 +175,21 @@ def test_a_rolling_gear_is_drawn_by_euler_and_savary_and_by_no_other() -> None:
         rolling(case, "bobillier").solve()
 
 
+@pytest.mark.parametrize("case", SHEETS, ids=lambda case: case["id"])
+def test_the_acceleration_pole_is_found_beside_the_curvatures(case: dict[str, Any]) -> None:
+    problem = case_problem(case, find=("delta_2", "{point: G2, on: 2, acceleration: 0}"))
+    answers = problem.solve(by="exact").answers
+    assert answers["p_G2"].drawn_vector == pytest.approx(mm(case["acceleration_pole"]), abs=1e-9)
+
+
+@pytest.mark.parametrize("way", WAYS[:3])
+def test_the_collineation_axis_is_drawn_once_by_whatever_construction(way: str) -> None:
+    case = next(one for one in LINKS if one["id"] == "B-fb-1")
+    solution = case_problem(case, way, ("lambda_2", "rho_E")).solve(by="exact")
+    assert solution.answers["lambda_2"].drawn == pytest.approx(solution.answers["lambda_2"].exact, abs=1e-9)
+    assert sum("共线轴" in step.words.zh and "交于" in step.words.zh for step in solution.construction.steps) == 1
+
+
 def test_the_pivot_that_a_rod_passes_lies_on_its_return_circle() -> None:
     values = exact_values(vecpoly.load("curv-4"))
     middle = (values["P_24"] + values["Wr_2"]) / 2

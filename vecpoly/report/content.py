@@ -156,9 +156,7 @@ def asked(solution: Solution, lang: Lang) -> Iterator[str]:
             ).of(lang)
         elif is_place(ask.rel):
             of = curved(ask.rel, lang) + symbol.replace("^{∞}", "")
-            yield Words(
-                f"{of} 的位置", f"the position of the {of}" if curved(ask.rel, lang) else f"the position of {of}"
-            ).of(lang)
+            yield Words(f"{of} 的位置", f"the position of {of}").of(lang)
         elif reading.unit == YES_NO:
             name = called(reading.symbol, reading.key, lang)
             yield Words(f"是否{name}", f"whether {name}").of(lang)

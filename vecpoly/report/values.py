@@ -92,7 +92,7 @@ def curved(named: Key, lang: Lang) -> str:
         return ""
     stem = named.key[:3] if named.key.startswith("L_") else named.key.partition("_")[0]
     words = _CURVED.get(stem, Words("曲率中心", "centre of curvature"))
-    return words.of(lang) + (" " if lang == "en" else "")
+    return words.zh if lang == "zh" else f"the {words.en} "
 
 
 def direction_of_load(problem: Problem, key: str) -> float | None:

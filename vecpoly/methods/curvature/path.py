@@ -27,11 +27,12 @@ def draw_paths(fig: CurvatureFigure, groups: Sequence[Group], paper: Paper) -> N
     if not fig.centres:
         return
     letters = "、".join(f"${fig.shown(p)}$" for p in fig.centres)
+    some, rings = ("path", "circle") if len(fig.centres) == 1 else ("paths", "circles")
     fig.board.step(
         Words(
             f"描出 {letters} 的轨迹与密切圆（虚线）：两者在该点附近重合。",
-            f"Trace the path of {letters.replace('、', ', ')} and its osculating circle (dashed): near the point they "
-            "are one.",
+            f"Trace the {some} of {letters.replace('、', ', ')}; near the point the osculating {rings} (dashed) cannot "
+            f"be told from the {some}.",
         ),
         fig.pane,
     )

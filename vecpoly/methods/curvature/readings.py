@@ -44,6 +44,15 @@ def read_collineation(fig: CurvatureFigure) -> None:
     assert one.x is not None and two.x is not None
     named = collineation(fig.desk.mech, fig.link)
     axis = draw_axis(fig).line.along
+    line = f"{fig.shown(one.moving)}{fig.shown(two.moving)}"
+    fig.board.step(
+        Words(
+            f"量共线轴与 ${line}$ 的夹角（传动比取极值时为 90°）：",
+            f"Measure the angle of the collineation axis to ${line}$ (90° where the ratio of the cranks is an "
+            f"extreme):",
+        ),
+        fig.pane,
+    )
     pins = unit(two.x - one.x)
     turned = np.degrees(fig.board.gauge(0j, axis * np.conj(pins)))
     value = 90.0 - np.abs(np.abs(turned) - 90.0)

@@ -47,6 +47,15 @@ class Ray:
         return [at for at in (self.x, self.o) if at is not None]
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Axis:
+    """The collineation axis PQ of two normals; `at` is None where Q is at infinity."""
+
+    line: Line
+    letter: str
+    at: Points | None
+
+
 @dataclass(slots=True)
 class CurvatureFigure:
     """The figure `pane`, `factor` times as large as the diagram; pole, W, points found on it."""
@@ -60,6 +69,7 @@ class CurvatureFigure:
     opposite: Points = 0j  # W
     returned: Points = 0j  # its mirror image in the pole, where that is asked
     tangent: Points = 1 + 0j
+    axis: Axis | None = None  # where it was drawn
     centres: dict[str, Points] = field(default_factory=dict)  # of curvature, by the point of the link
     taken: set[str] = field(default_factory=set)  # letters that stand on the figure
 

@@ -3,35 +3,33 @@
 from __future__ import annotations
 
 from ....board.paper.marks import Role
-from ....foundation.slotted import dataclass
 from ....plane import Line, Points, unit
 from ....words import Words
-from ..state import CurvatureFigure, Ray, sine
+from ..state import Axis, CurvatureFigure, Ray, sine
 
 FAR = 1e-7  # sine below which Q is at infinity
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Axis:
-    """The line PQ; `at` is None where Q is at infinity."""
-
-    line: Line
-    letter: str
-    at: Points | None
-
-
 def draw_axis(fig: CurvatureFigure) -> Axis:
-    """Q, in which the line of the moving points meets that of their centres."""
+    """Q, in which the line of the moving points meets that of their centres; an axis that is drawn stays."""
+    if fig.axis is not None:
+        return fig.axis
+    fig.axis = _drawn(fig)
+    return fig.axis
+
+
+def _drawn(fig: CurvatureFigure) -> Axis:
     one, two = fig.rays
     q = fig.free("Q")
     moving, fixed = _joined(one.x, two.x, fig), _joined(one.o, two.o, fig)
-    fig.board.step(_told(fig, q), fig.pane)
     if moving is None or fixed is None or sine(moving.along, fixed.along) < FAR:
         known = fixed if moving is None else moving
         assert known is not None, "a link that passes two fixed points does not move"
+        fig.board.step(_told_endless(fig, q), fig.pane)
         line = Line(fig.pole, fig.board.turn(known.along))
         fig.thin(line, fig.pole - 20 * line.along, fig.pole + 20 * line.along, role=Role.DIRECTION)
         return Axis(line=line, letter=q, at=None)
+    fig.board.step(_told(fig, q), fig.pane)
     at = fig.letter(q, fig.meet(moving, fixed, "Q 点", "Q"))
     for g, ends in ((moving, (one.x, two.x)), (fixed, (one.o, two.o))):
         fig.thin(g, at, *(end for end in ends if end is not None))
@@ -50,6 +48,26 @@ def _joined(a: Points | None, b: Points | None, fig: CurvatureFigure) -> Line | 
     if b is not None:
         return Line(b, fig.board.turn(one.line.along))
     return None
+
+
+def _told_endless(fig: CurvatureFigure, q: str) -> Words:
+    one, two = fig.rays
+    moved, fixed = (one.moving and two.moving), (one.fixed and two.fixed)
+    line = f"{one.moving}{two.moving}" if moved else f"{one.fixed}{two.fixed}"
+    other = (
+        Words("两曲率中心的连线在无穷远处", "the centres lie at infinity")
+        if not fixed
+        else Words(
+            f"${one.moving}{two.moving}$ 与 ${one.fixed}{two.fixed}$ 平行",
+            f"${one.moving}{two.moving}$ and ${one.fixed}{two.fixed}$ meet at infinity",
+        )
+    )
+    return Words(
+        f"{other.zh}，交点 ${q}$ 在无穷远处：过 ${fig.p}$ 作 ${line}$ 的平行线，即为两法线的共线轴 ${fig.p}{q}$。",
+        f"Here {other.en}: ${q}$ is at infinity, and the parallel to ${line}$ through ${fig.p}$ is the collineation "
+        f"axis "
+        f"${fig.p}{q}$ of the two normals.",
+    )
 
 
 def _told(fig: CurvatureFigure, q: str) -> Words:

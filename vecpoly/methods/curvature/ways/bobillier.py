@@ -9,10 +9,10 @@ import numpy as np
 from ....plane import Line, nominal, unit
 from ....words import Words
 from ...registry import Stage, method
-from ..state import CurvatureFigure, Ray, sine
+from ..state import Axis, CurvatureFigure, Ray, sine
 from ..strokes.angles import carry_angle
 from ..strokes.circle import letter_tangent, on_normal, refuse_inflected
-from ..strokes.collinear import Axis, draw_axis, inflection_by_axis
+from ..strokes.collinear import draw_axis, inflection_by_axis
 
 _SOURCE = "Bobillier 1870; 机械原理, 连杆曲线的曲率"
 
@@ -71,12 +71,13 @@ def _centre(fig: CurvatureFigure, letter: str) -> None:
     mine = fig.ray_of(letter)
     ray = max(fig.rays, key=lambda one: _fitness(fig, one, letter))
     q, o = fig.free("Q", letter), fig.free("O", letter)
-    known = f"{ray.moving}{ray.fixed}" or ray.name
+    at_ray = Words(f"${ray.name}$ 处的法线", f"the normal at ${ray.name}$")
+    known = Words.same(f"${ray.moving}{ray.fixed}$") if ray.whole else at_ray
     board.step(
         Words(
-            f"求 ${shown}$ 轨迹的曲率中心：过 ${fig.p}$ 作射线，使法线 ${known}$ 到它的角等于 $t$ 到 ${fig.p}{shown}$ "
+            f"求 ${shown}$ 轨迹的曲率中心：过 ${fig.p}$ 作射线，使{known.zh}到它的角等于 $t$ 到 ${fig.p}{shown}$ "
             f"的角" + _cut(ray, shown, q, o, fig.p)[0],
-            f"The centre of curvature of the path of ${shown}$: through ${fig.p}$ a line to which ${known}$ makes the "
+            f"The centre of curvature of the path of ${shown}$: through ${fig.p}$ a line to which {known.en} makes the "
             f"angle of $t$ to ${fig.p}{shown}$" + _cut(ray, shown, q, o, fig.p)[1],
         ),
         fig.pane,
