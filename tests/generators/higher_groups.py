@@ -65,11 +65,14 @@ def by_special_points_with_friction(rng: np.random.Generator) -> str:
     """The same with friction in pins and slides."""
     bare = on_crank(rng)
     mech = loads(bare).mechanism
-    rubbing = "".join(f"  {p}: {{rho: {rng.uniform(0.2, 2):.2f} mm}}\n" for p in hinges(mech) if rng.random() < 0.7)
-    slides = (j for j in mech.joints if isinstance(j, Prismatic) and j.block not in mech.slot_pins)
+    sliding = {pin.point for pin in mech.slot_pins.values()}  # these turn in no bearing
+    pins = [p for p in hinges(mech) if p not in sliding and rng.random() < 0.7]
+    rubbing = "".join(f"  {p}: {{rho: {rng.uniform(0.1, 0.8):.2f} mm}}\n" for p in pins)
+    slides = [j for j in mech.joints if isinstance(j, Prismatic) and j.block not in mech.slot_pins]
     rubbing += "".join(
         f"  {mech.number(j.block)}-{mech.number(j.guide)}: {{phi: {rng.integers(2, 10)} deg}}\n"
         for j in slides
         if rng.random() < 0.7
     )
-    return re.sub(r"\n+$", "\n", balanced(rng, bare)) + (f"friction:\n{rubbing}" if rubbing else "")
+    free = '  X_b: {on: 1, size: "?"}\n'
+    return re.sub(r"\n+$", "\n", loaded(rng, bare, free, find="")) + (f"friction:\n{rubbing}" if rubbing else "")
