@@ -29,7 +29,7 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
     curve = gamma_curve(draft, track)
     if curve is not None:
         board.step(
-            Words("取曲线上 $γ_min$ 最大的一点为 $A$。", "$A$ is where the curve is highest.")
+            Words("取曲线上 $γ_min$ 最大的一点为 $A$。", "$A$ is where $γ_min$ is greatest on the curve.")
             if best
             else Words("取曲线上 $γ_min$ 等于给定值的点为 $A$。", "$A$ is where the curve has the given $γ_min$."),
             SHEET,

@@ -45,7 +45,7 @@ def precision_pairs(draft: Draft, design: FunctionGenerator) -> tuple[Pair, ...]
 
 
 _TOLD = Words(
-    "以自变量的范围 $x_0$ 至 $x_4$ 为直径作半圆，将其六等分，过第 1、3、5 分点作直径的垂线，垂足即切比雪夫精确点 "
+    "以自变量 $x$ 的范围 $x_0$ 至 $x_4$ 为直径作半圆，将其六等分，过第一、三、五分点作直径的垂线，垂足即切比雪夫精确点 "
     "$x_1$、$x_2$、$x_3$。量其位置，算出 $y$，再按比例换算成 $φ$、$ψ$：",
     "On the range of $x$, from $x_0$ to $x_4$, as the diameter draw a semicircle and divide it into six equal parts. "
     "The perpendiculars through the first, third and fifth division meet the diameter in Chebyshev's precision points "

@@ -72,9 +72,9 @@ def error_curve(sheet: Sheet, design: FunctionGenerator) -> None:
         Words(
             "使 $AB$ 逐点转过给定范围，用两弧求 $C$，得 $DC$ 的实际转角 $ψ$ 与函数要求的转角之差 $ε$，画误差曲线；"
             "三个精确点处 $ε = 0$。误差最大处：",
-            "Turn $AB$ through its range, find $C$ by two arcs, and plot by how much $DC$ is ahead of where the "
-            "function "
-            "has it. At the three precision points $ε = 0$. The greatest error:",
+            "Turn $AB$ through its range, find $C$ by two arcs, and plot the error $ε$ by which the angle $ψ$ of $DC$ "
+            "is "
+            "ahead of the function's. At the three precision points $ε = 0$. The greatest error:",
         ),
         curve.place,
     )
