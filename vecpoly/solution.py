@@ -131,7 +131,9 @@ def solve(
         return solve(
             problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points, slip=slip, sketch=sketch
         )
-    told = (*problem.warnings, *(idle(problem) if precise else ()), *unfit(drawn.construction.figures, task.given))
+    figures = drawn.construction.figures
+    small = unfit(figures, task.given({figure.view for figure in figures}))
+    told = (*problem.warnings, *(idle(problem) if precise else ()), *small)
     return Solution(problem, _warned(task, drawn, answers), answers, told)
 
 

@@ -7,7 +7,7 @@ and what is known of it from elsewhere (`check/truths/`, registered by `@knows`)
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from .board.hand import Hand
@@ -30,13 +30,15 @@ class Task:
     drawing: Drawing
     truth: Truth
 
-    @property
-    def given(self) -> tuple[View, ...]:
-        """The kinds of figure whose scale is given; a scale to the right belongs to such a kind where there is one."""
+    def given(self, drawn: Collection[View]) -> tuple[View, ...]:
+        """The kinds of figure whose scale is given; a scale to the right belongs to such a kind where there is one,
+        else to one that is drawn."""
         given = self.problem.scales.given
         first = {view.mu.key: view for view in reversed(views())}
         found = {first[key] for key in given if key in first}
-        across = {view.across.key: view for view in reversed(views()) if view.across is not None}
+        turned = tuple(reversed(views()))
+        last = sorted(turned, key=lambda view: view in drawn)
+        across = {view.across.key: view for view in last if view.across is not None}
         known = {view.across.key for view in found if view.across is not None}
         return tuple(sorted(found | {across[key] for key in given if key not in first and key not in known}))
 

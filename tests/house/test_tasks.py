@@ -161,7 +161,7 @@ def test_all_sorts_of_problems_come_through_one_door() -> None:
         assert asked in task.asked and set(task.truth.values) == set(task.asked)
     task = task_of(problem(*MOMENTS, scales=GIVEN))
     assert isinstance(task.drawing, PressDrawing) and isinstance(task.truth, PressTruth) and list(task.asked) == ["W"]
-    assert [view.name for view in task.given] == ["work"]
+    assert [view.name for view in task.given(())] == ["work"]
 
 
 @dataclass(frozen=True)
