@@ -14,6 +14,7 @@ from vecpoly.cycle import cycle, extremes, facts
 from vecpoly.findings.advice import advice
 from vecpoly.findings.conditioning import conditioning
 from vecpoly.findings.motion import motion
+from vecpoly.findings.strokes import limits_and_ratio
 from vecpoly.findings.study.study import study
 from vecpoly.problem.load import load, loads
 from vecpoly.report.course.analysis.conclusion import conclusion
@@ -187,3 +188,10 @@ def test_the_margin_told_in_the_conclusion_is_the_oracle_s() -> None:
         changed = loads(f"id: longer\nextends: B-24\nlinks: {{4: {{EF: {length} mm}}}}\n").mechanism
         angle = oracle.solve(changed, np.radians([float(found[2])]), strict=False).angle("5")
         assert bool(np.isfinite(angle).all()) is stands
+
+
+def test_a_rocker_between_drive_and_output_is_called_intermediate_and_the_output_is_not() -> None:
+    it = studied("3-5")
+    rocker, slider = (limits_and_ratio(it, stroke) for stroke in it.facts.strokes)
+    assert rocker.en.startswith("Intermediate link 3: ") and rocker.zh.startswith("中间构件 3：")
+    assert slider.en.startswith("$s_{56}$") and slider.zh.startswith("$s_{56}$")

@@ -165,3 +165,17 @@ def test_data_of_which_nothing_was_replaced_stay_as_they_were_written() -> None:
             bound += len(problem.given.bound or ())
             assert replace(problem, subject=replace(problem.subject)).given == problem.given
     assert bound > 250
+
+
+def test_what_is_no_vector_or_vanishes_has_no_direction() -> None:
+    answers = by_exact_hand("3-9").solution.answers
+    assert answers["omega_3"].direction is None and replace(answers["v_E"], drawn_vector=0j).direction is None
+    south = replace(answers["v_E"], drawn_vector=-1j).direction
+    assert south is not None and south % 360 == pytest.approx(270)
+
+
+def test_a_place_at_infinity_says_so_in_json_and_has_no_coordinates() -> None:
+    place = by_exact_hand("3-2").solution.answers["p_E2"]
+    assert "drawn_xy" in place.as_json() and "at_infinity" not in place.as_json()
+    away = replace(place, drawn_vector=None, exact_vector=None).as_json()
+    assert away["at_infinity"] is True and "drawn_xy" not in away

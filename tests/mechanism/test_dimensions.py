@@ -13,10 +13,11 @@ from hypothesis import strategies as st
 
 from vecpoly import Problem, load
 from vecpoly.errors import VecpolyError
+from vecpoly.findings.given_lengths import given_dimensions
 from vecpoly.mechanism.dimensions.set_out import stretched
 from vecpoly.mechanism.dimensions.values import Bar, Coordinate, Dimension, Driven, Led, Part, Placed, Profile
 from vecpoly.mechanism.dimensions.vary import dimensions, upright, value, varied
-from vecpoly.mechanism.model import Mechanism, Prismatic, Rolling
+from vecpoly.mechanism.model import Circle, Mechanism, Prismatic, Rolling
 from vecpoly.problem.library import library
 
 FACTORS = st.floats(0.97, 1.03)
@@ -174,3 +175,16 @@ def test_a_stretched_side_is_so_long_and_the_other_letters_stay(times: float) ->
     anew = stretched(link, first, second, length).points
     assert isclose(abs(anew[second] - anew[first]), length) and anew[first] == 0
     assert isclose(abs(anew[third] - anew[first]), abs(link.points[third] - link.points[first]))
+
+
+@pytest.mark.parametrize("name", ["3-1c", "cam-roller", "4-4"])
+def test_the_radius_of_every_disc_of_a_cam_is_among_the_given_lengths(name: str) -> None:
+    mech = load(name).mechanism
+    discs = {end for contact in mech.contacts for end in (contact.disc, contact.on) if isinstance(end, Circle)}
+    found = {one.name.en: one for one in given_dimensions(mech)}
+    for disc in discs:
+        one = found[f"$r_{{{mech.number(disc.link)}}}$"]
+        assert one.size == disc.radius
+        assert replace(disc, radius=disc.radius + 1e-3) in {
+            end for contact in one.enlarged(1e-3).contacts for end in (contact.disc, contact.on)
+        }

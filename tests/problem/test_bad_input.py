@@ -107,6 +107,7 @@ CASES = {
     "value for a list": ("[v_C]", "v_C", "line 10", "find", "a list is expected here"),
     "number for a list": ("[v_C]", "5", "line 10", "find", "a list is expected here"),
     "mapping for a list": ("[v_C]", "{v: C}", "line 10", "find", "write e.g. [v_C, a_C]"),
+    "mappings for a list": ("[C above AD]", "{C: {above: AD}}", "line 9", "branch", "write e.g. [C left of BD]"),
     "sentence for a list": ("[C above AD]", "{C above: AD}", "line 9", "branch", "write [C above AD]"),
     "one coordinate": ("[120 mm, 0 mm]", "[120 mm]", "line 3", "frame.D", "two values are expected here"),
     "strange letter": ("D: [", "d: [", "line 3", "frame.d", "is no letter of a point"),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 import vecpoly
-from vecpoly.board.paper.marks import Point, Segment
 from vecpoly.errors import AssemblyError, ProblemFileError
 
 CASES = {
@@ -108,19 +107,6 @@ def test_a_ratio_below_one_is_refused_with_the_one_that_may_be_meant(kind: str, 
 def test_what_cannot_be_found_is_refused_with_the_numbers(kind: str, change: dict[str, str], told: str) -> None:
     with pytest.raises(AssemblyError, match=told):
         posed(kind, **(CASES[kind][0] | change)).solve()
-
-
-def test_both_limit_lines_are_ruled_to_where_they_meet() -> None:
-    solution = posed("limit-lines", **CASES["limit-lines"][0]).solve(by="exact")
-    figure = next(one for one in solution.construction.figures if not one.name)
-    spots = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point)}
-    for limit in ("C_1", "C_2"):
-        way = spots["A"] - spots[limit]
-        ends = [
-            ((m.a - spots[limit]) / way, (m.b - spots[limit]) / way) for m in figure.marks if isinstance(m, Segment)
-        ]
-        along = [sorted((a.real, b.real)) for a, b in ends if max(abs(a.imag), abs(b.imag)) < 1e-6]
-        assert any(low < 1e-6 and high > 1 - 1e-6 for low, high in along)
 
 
 @pytest.mark.parametrize("kind", CASES)

@@ -3,6 +3,7 @@ reason."""
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 import numpy as np
@@ -13,6 +14,7 @@ from tests.variants.block import TEXT, block, given, piloted
 from vecpoly import oracle
 from vecpoly.errors import VecpolyError
 from vecpoly.names import omega
+from vecpoly.variants.conditions import Condition
 from vecpoly.variants.frames import FRAMED, filled
 from vecpoly.variants.pilot import pilot
 from vecpoly.variants.seeds import Seed
@@ -98,3 +100,10 @@ def test_a_yield_below_one_in_a_hundred_is_refused_with_what_to_relax(text: str,
         pilot(problem, Seed(assignment="homework", problem="block", student=""))
     assert refused.value.code == "low-yield"
     assert relax in refused.value.words.en and relax in refused.value.words.zh
+
+
+@pytest.mark.parametrize("condition", Condition)
+def test_what_fails_is_told_apart_from_what_to_change(condition: Condition) -> None:
+    change = re.compile("缩小|减小|增大|扩大|去掉|修改")
+    assert change.search(condition.remedy.zh) and not change.search(condition.words.zh)
+    assert condition.remedy.en != condition.words.en

@@ -205,7 +205,7 @@ def _plain(text: str) -> str:
         if "(" not in text[1:]
         else text
     )
-    return re.sub(r"(?<=[a-z])2$", "^2", text.translate(_SPELLING)).replace("^", "**")
+    return re.sub(r"(?<=[a-z])2$", "^2", text.translate(_SPELLING))
 
 
 def _unit(text: str, si: str, where: Words) -> Unit | None:
