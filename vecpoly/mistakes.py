@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from .board.acts import Act, Follow, LayOff, Locate, Meet, Parallel, Ray, Touch, Transfer
+from .board.acts import Act, Follow, Invert, LayOff, Locate, Meet, Parallel, Ray, Touch, Transfer
 from .board.hand import hand
 from .board.otherwise.amended import AS_DRAWN
 from .board.otherwise.slip import Mistake, Slip
@@ -45,6 +45,8 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
             yield Slip(Mistake.TURNED, _name(act, acts))
         case Ray() if act.key:
             yield from (Slip(mistake, _name(act, acts)) for mistake in (Mistake.COMPLEMENT, Mistake.OTHER_SIDE))
+        case Invert():
+            yield Slip(Mistake.FORWARDS, act.key)
         case Locate() if any(isinstance(met := acts[n], Meet) and met.other is not None for n in act.inputs):
             yield Slip(Mistake.OTHER_MEETING, _name(act, acts))
         case Touch(free=False) if act.key:

@@ -54,4 +54,4 @@ def test_a_position_whose_arcs_graze_is_not_let_through() -> None:
     assert degrees(arcs) > 20 and least_meeting(acts) <= arcs
     near = vecpoly.loads(FOUR_BAR.format(phi=180.0).replace("CD: 200", "CD: 152"))
     acts = constructed(near, hand("exact"), AS_DRAWN).construction.acts
-    assert degrees(least_meeting(acts)) < near.gate.meetings * 180 / pi == pytest.approx(20.0)
+    assert degrees(least_meeting(acts)) < degrees(near.gate.meeting(pi)) == pytest.approx(20.0)

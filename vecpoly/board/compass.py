@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import pi
 
 import numpy as np
@@ -47,6 +48,12 @@ class Compass(Instruments):
         along = self.hand.tilt(base * np.exp(1j * angle))
         act = self.log(done.Ray(head=self.head(at, base, angle, key=key), at=spot(at), along=spot(along)))
         return Line(traced(at, act), traced(along, act))
+
+    def inverted(self, back: Points, forwards: Callable[[], Points], *, key: str) -> Points:
+        """A point of a figure that is turned back with its link; forwards: where somebody has it who carries it on."""
+        wrong = [hand for hand, slip in self.amended.wrong(self.here, key) if slip.mistake is Mistake.FORWARDS]
+        at = self.amended.altered(back, ((hand, forwards()) for hand in wrong))
+        return traced(at, self.log(done.Invert(head=self.head(at, key=key), at=spot(at))))
 
 
 def _misread(mistake: Mistake, angle: Reals) -> Reals:

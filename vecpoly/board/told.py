@@ -72,7 +72,7 @@ def _object(act: Act) -> str:
     if isinstance(act, Leaving):
         return act.key
     match act:
-        case done.Locate() | done.Image() | done.Meet():
+        case done.Locate() | done.Image() | done.Meet() | done.Invert():
             return f"{act.key} ({_mm(act.at.real)}, {_mm(act.at.imag)}) mm".lstrip()
         case done.LayOff():
             return f"{act.key}: {number(act.mm)} mm"

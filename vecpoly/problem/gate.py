@@ -14,24 +14,32 @@ from .schema.faults import Faults
 if TYPE_CHECKING:
     from .schema.models import GateSpec
 
+MEETING = radians(20.0)
+FLATTER = 0.75  # of the least angle of meeting in the problem as it stands, where that is under MEETING
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Gate:
     """What every variant must be like.
 
-    vectors: mm that a graded vector measures at least; meetings, dead_point: rad between lines or arcs, and from a dead
-    point; deviation: 2σ of a graded quantity over its size, at most. slips, apart: how many tolerances T the readings
-    of somebody who makes a slip, and those of two students (in two readings), must differ at least; 0: not asked for.
-    alike: whether senses and acts must be those of the problem as it stands.
+    vectors: mm that a graded vector measures at least; meetings: rad between lines or arcs, where None: MEETING, or a
+    little less than in the problem as it stands; dead_point: rad from a dead point; deviation: 2σ of a graded quantity
+    over its size, at most. slips, apart: how many tolerances T the readings of somebody who makes a slip, and those of
+    two students (in two readings), must differ at least; 0: not asked for. alike: whether senses and acts must be those
+    of the problem as it stands.
     """
 
     vectors: float = 15.0
-    meetings: float = radians(20.0)
+    meetings: float | None = None
     dead_point: float = radians(10.0)
     deviation: float = 0.15
     slips: float = 1.0
     apart: float = 3.0
     alike: bool = True
+
+    def meeting(self, as_it_stands: float) -> float:
+        """The least angle (rad) at which lines may meet; as_it_stands: the least one in the problem itself."""
+        return min(MEETING, FLATTER * as_it_stands) if self.meetings is None else self.meetings
 
 
 def read_gate(spec: GateSpec, faults: Faults) -> Gate:

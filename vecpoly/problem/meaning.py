@@ -10,7 +10,8 @@ from ..units.reading import Dim, read
 from ..words import Words
 from .schema.faults import meant
 from .text.source import Value
-from .values.parameters import Slot, named, other_way
+from .values.parameters import named, other_way
+from .values.slot import Slot
 
 
 def meant_by(name: str, data: Mapping[str, Value]) -> tuple[Slot, ...]:
@@ -54,7 +55,7 @@ def said(data: Mapping[str, Value], slot: Slot) -> str:
     """What is written there."""
     value = at(data, slot.path)
     text = ", ".join(map(str, value)) if isinstance(value, list) else str(value)
-    return text[slice(*slot.span)] if slot.span else text
+    return f"{text[slice(*slot.span)]} {slot.unit}".rstrip() if slot.span else text
 
 
 def alike(data: Mapping[str, Value], found: Sequence[Slot]) -> bool:

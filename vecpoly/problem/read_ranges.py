@@ -15,7 +15,7 @@ from .meaning import meant_by
 from .ranges import Range
 from .schema.faults import Faults
 from .text.source import Value
-from .values.parameters import Slot
+from .values.slot import Slot
 
 SPAN = r"(\.\.|…|~|～|至)"  # between the ends
 STEP = r"(by|，?步长|，?间隔)"  # before the step

@@ -47,5 +47,9 @@ def scaled(problem: Problem, drawn: Construction) -> Problem | None:
 
 
 def on_sheet(figures: Iterable[Figure]) -> tuple[Figure, ...]:
-    """The figures that get a frame on the question sheet."""
-    return tuple(figure for figure in figures if figure.view in FRAMED and not figure.aside)
+    """The figures that get a frame on the question sheet: those whose scales were chosen for it, others if they fit."""
+    return tuple(figure for figure in figures if not figure.aside and (figure.view in FRAMED or _fits(figure)))
+
+
+def _fits(figure: Figure) -> bool:
+    return figure.view is not View.BODY and filled(figure) <= 1

@@ -25,14 +25,14 @@ Table = NDArray[np.float64]
 class Standard:
     """What all variants of a problem are held to.
 
-    work: the acts of the problem as it stands; signs: the senses of its answers; scales: those it was drawn at.
-    demoted: what is
-    asked and too badly conditioned in most variants, graded by follow-through only. hidden, twins: slips, and pairs of
-    slips, that
-    do not show in most variants, and so are asked of none.
+    work: the acts of the problem as it stands; meeting: the least angle (rad) at which lines may meet; signs: the
+    senses of its answers; scales: those it was drawn at. demoted: what is asked and too badly conditioned in most
+    variants, graded by follow-through only. hidden, twins: slips, and pairs of slips, that do not show in most
+    variants, and so are asked of none.
     """
 
     work: tuple[tuple[str, str], ...]
+    meeting: float
     signs: Mapping[str, float]
     scales: Scales = field(default_factory=Scales)
     demoted: frozenset[str] = frozenset()
@@ -49,7 +49,7 @@ def looked_at(problem: Problem, standard: Standard) -> Look | Condition:
         framed = scaled(problem, sketch)
         if framed is None:
             return Condition.FRAME
-        if least_meeting(sketch.acts) < problem.gate.meetings:
+        if least_meeting(sketch.acts) < standard.meeting:
             return Condition.MEETINGS
         lengths = sizes_mm(framed, sketch)
         if any(mm < problem.gate.vectors for key, mm in lengths.items() if key not in standard.demoted and mm > ZERO):

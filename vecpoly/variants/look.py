@@ -10,7 +10,21 @@ from math import asin, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from ..board.acts import Act, Compute, Follow, Image, LayOff, Locate, Measure, Meet, Parallel, Ray, Touch, Transfer
+from ..board.acts import (
+    Act,
+    Compute,
+    Follow,
+    Image,
+    Invert,
+    LayOff,
+    Locate,
+    Measure,
+    Meet,
+    Parallel,
+    Ray,
+    Touch,
+    Transfer,
+)
 from ..board.construction import Construction
 from ..board.hand import hand, steady
 from ..board.otherwise.amended import AS_DRAWN, Amended
@@ -27,7 +41,7 @@ from ..problem.problem import Problem, Scales
 from ..solution import constructed
 from ..task import task_of
 
-_WORK = (Locate, LayOff, Transfer, Parallel, Meet, Measure, Compute, Image, Follow, Touch, Ray)
+_WORK = (Locate, LayOff, Transfer, Parallel, Meet, Measure, Compute, Image, Follow, Touch, Ray, Invert)
 MEASURED = (Kind.VECTOR, Kind.SIGNED, Kind.SCALAR)
 
 

@@ -16,11 +16,13 @@ from .conditions import Condition
 from .draw import Trial, tried
 from .frames import scaled
 from .judge import Standard, deviation, failing, long_enough, signs, told_apart, visible
-from .look import Look, sketch_of, work
+from .look import Look, least_meeting, sketch_of, work
 from .seeds import Seed
 
 SETS = 12  # of values that are tried
 MOST = 0.5  # a quantity that fails in more of the drawings than this is demoted
+SHARES = (MOST, 0.2, 0.0)  # a slip that fails in more than this is let off, the next where too few draws pass else
+ENOUGH = 0.1  # of the draws
 LEAST = 0.01  # yield below which the ranges are refused
 
 
@@ -43,8 +45,12 @@ def pilot(problem: Problem, seed: Seed) -> Pilot:
     trials = [_whole(tried(problem, seed, attempt, first, frozenset())) for attempt in range(SETS)]
     looks = [look for trial in trials for _, look in trial.drawn if isinstance(look, Look)]
     asked = tuple(dict.fromkeys(ask.rel.key for ask in problem.asks))
-    standard = _with_slips(_with_demoted(first, looks, asked), looks)
-    passed, failed = _weighed(trials, standard)
+    demoted = _with_demoted(first, looks, asked)
+    for most in SHARES:
+        standard = _with_slips(demoted, looks, most)
+        passed, failed = _weighed(trials, standard)
+        if passed >= ENOUGH or not failed.get(Condition.SLIPS):
+            break
     if looks and standard.demoted >= {one.key for look in looks for one in look.asked}:  # nothing is left to be graded
         passed, failed = 0.0, {_worst(looks): 1.0}
     if passed < LEAST:
@@ -64,6 +70,7 @@ def _standard(problem: Problem) -> Standard:
     look = Look(scaled(problem, sketch) or problem, sketch)
     return Standard(
         work=work(sketch.acts),
+        meeting=problem.gate.meeting(least_meeting(sketch.acts)),
         signs=signs(look),
         scales=scales_of(sketch),
         demoted=frozenset(one.key for one in look.key.quantities),
@@ -88,8 +95,8 @@ def _good(look: Look, key: str) -> bool:
     return one is None or (long_enough(one, look) and deviation(one) <= look.problem.gate.deviation)
 
 
-def _with_slips(standard: Standard, looks: Sequence[Look]) -> Standard:
-    """What does not show in most drawings in which it can be made."""
+def _with_slips(standard: Standard, looks: Sequence[Look], most: float) -> Standard:
+    """What does not show in more than this share of the drawings in which it can be made, is let off."""
     made, unseen = Counter[Slip](), Counter[Slip]()
     pairs, alike = Counter[frozenset[Slip]](), Counter[frozenset[Slip]]()
     for look in looks:
@@ -99,8 +106,8 @@ def _with_slips(standard: Standard, looks: Sequence[Look]) -> Standard:
         for (i, one), (j, other) in combinations(enumerate(look.slips), 2):
             pairs[frozenset((one, other))] += 1
             alike[frozenset((one, other))] += int(apart[i, j] <= least)
-    hidden = frozenset(slip for slip in made if unseen[slip] > MOST * made[slip])
-    twins = frozenset(pair for pair in pairs if alike[pair] > MOST * pairs[pair])
+    hidden = frozenset(slip for slip in made if unseen[slip] > most * made[slip])
+    twins = frozenset(pair for pair in pairs if alike[pair] > most * pairs[pair])
     return replace(standard, hidden=hidden, twins=twins)
 
 

@@ -45,9 +45,9 @@ def demoted(pilot: Pilot) -> Iterator[Words]:
             f"demoted to follow-through (in most variants too short, or drawn too badly, to be held against "
             f"the exact value): {names}",
         )
-    if hidden := sorted(map(str, pilot.standard.hidden)):
-        names = ", ".join(hidden)
-        yield Words(f"读数上看不出的错误：{names}", f"slips that no answer shows: {names}")
+    if hidden := sorted(pilot.standard.hidden, key=str):
+        zh, en = "、".join(slip.words.zh for slip in hidden), ", ".join(slip.words.en for slip in hidden)
+        yield Words(f"读数上看不出的错误：{zh}", f"slips that no answer shows: {en}")
     if pilot.standard.twins:
         count = len(pilot.standard.twins)
         yield Words(

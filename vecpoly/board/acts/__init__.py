@@ -15,6 +15,7 @@ from .inkless import (
     Follow,
     Gauge,
     Image,
+    Invert,
     LayOff,
     Locate,
     Measure,
@@ -44,6 +45,7 @@ __all__ = [
     "Head",
     "Image",
     "Inkless",
+    "Invert",
     "Join",
     "LayOff",
     "Leaving",
@@ -63,5 +65,5 @@ __all__ = [
 
 Leaving = Plot | Join | Arrow | Rule | Swing | Curve | Corner | Angle | CurvedArrow | Annotate | Tint | Depict
 Found = Locate | Meet | Touch | Image | Measure | Gauge | Compute | Answer
-Inkless = Found | Turn | Parallel | Ray | LayOff | Follow | Transfer
+Inkless = Found | Invert | Turn | Parallel | Ray | LayOff | Follow | Transfer
 Act = Leaving | Inkless

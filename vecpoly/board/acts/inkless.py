@@ -25,6 +25,14 @@ class Turn(Done):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Invert(Done):
+    """Turn a figure back with its link until the link covers the position that is kept: the point `at` of it."""
+
+    verb: ClassVar[Words | None] = Words("反转", "turn back")
+    at: complex
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Parallel(Done):
     """Rule a line through a point parallel, or perpendicular, to a drawn direction."""
 

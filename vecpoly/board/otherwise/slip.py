@@ -23,6 +23,7 @@ class Mistake(StrEnum):
     OTHER_TANGENT = "other tangent"  # on the wrong side of the friction circle
     COMPLEMENT = "complement"  # θ set out for 90° − θ, or the other way round
     OTHER_SIDE = "other side"  # an angle set out on the wrong side
+    FORWARDS = "forwards"  # a figure carried on with the motion, not turned back
 
     @property
     def words(self) -> Words:
@@ -43,6 +44,7 @@ _WORDS = {
     Mistake.OTHER_TANGENT: "切于摩擦圆的另一侧",
     Mistake.COMPLEMENT: "取了余角",
     Mistake.OTHER_SIDE: "角作在另一侧",
+    Mistake.FORWARDS: "反转方向取反",
 }
 
 
@@ -57,6 +59,13 @@ class Slip:
     mistake: Mistake
     key: str
     instead: str = ""
+
+    @property
+    def words(self) -> Words:
+        """The mistake, of what, and on which figure: e 方向画反（mechanism rho_min）."""
+        figure, _, key = self.key.rpartition(":")
+        there = Words(f"（{figure}）", f" ({figure})") if figure else Words.same("")
+        return Words.same(f"{key} ") + self.mistake.words + there
 
     def __str__(self) -> str:
         return f"{self.key} {self.mistake.value}" + (f" ({self.instead})" if self.instead else "")

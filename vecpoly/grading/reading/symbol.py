@@ -33,6 +33,8 @@ def keyed(symbol: str, keys: Iterable[str]) -> str:
     where there is none, or more than one.
     """
     known = list(keys)
+    if symbol in known:
+        return symbol
     want = squeezed(symbol)
     for same in (str, str.lower, _latin):
         found = [key for key in known if same(squeezed(key)) == same(want)]

@@ -78,8 +78,8 @@ SENTENCES: Mapping[Told, Words] = {
         "不正确：按你的 ${src}$ = {v} 应得 {own}", "Not correct: from your ${src}$ = {v} follows {own}"
     ),
     Told.SENSE: Words(
-        "大小正确，转向相反：请将切向矢量移到机构图上判断转向",
-        "Magnitude right, sense reversed: place the tangential vector on the diagram to find the sense",
+        "大小正确，转向相反：请在图上重新判断转向（如将切向矢量移到机构图上）",
+        "Magnitude right, sense reversed: judge it again on the drawing (place the tangential vector on the link)",
     ),
     Told.SENSE_MISSING: Words("大小正确，没有写转向", "Magnitude right, but its sense is not stated"),
     Told.SIGN: Words("大小正确，符号相反", "Magnitude right, sign reversed"),

@@ -6,11 +6,12 @@ import re
 from collections.abc import Iterator, Mapping
 from itertools import chain
 
-from ...foundation.slotted import dataclass
 from ...units.reading import Dim
 from ..links.draft import ONE, PLACED
-from ..schema.faults import Path, dotted
+from ..schema.faults import Path
 from ..text.source import Value
+from .in_data import in_data
+from .slot import Slot
 
 _ANGLED = re.compile(r"(.+?)(?:\s+from\s.*)?", re.S)  # 50 deg from BC
 _JOINT = (
@@ -43,25 +44,6 @@ _LINK = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Slot:
-    """Where one quantity stands: its path, its dimension (None: a pure number, or a device's), its short names.
-
-    span: the part of the text that is the quantity, where it is not the whole. A point is two texts (`pair`).
-    """
-
-    path: Path
-    dim: Dim | None
-    names: tuple[str, ...] = ()
-    span: tuple[int, int] | None = None
-    pair: bool = False
-
-    @property
-    def full(self) -> str:
-        """The name that no other has: links.2.E.angle; of one of several quantities of a joint joints[0].e_3."""
-        return dotted(self.path) + (f".{self.names[0]}" if self.path[0] == "joints" else "")
-
-
 def slots(data: Mapping[str, Value]) -> Iterator[Slot]:
     """Every quantity that is written in these values."""
     yield from _points(data, "frame", "x_{}", "y_{}")
@@ -87,7 +69,7 @@ def slots(data: Mapping[str, Value]) -> Iterator[Slot]:
     for name, mass in _entries(data, "masses"):
         yield from _of_mass(("masses", name), name, mass)
     yield from _keyed(("scales",), data.get("scales"), {key: (key, dim) for key, dim in _SCALES.items()})
-    yield from _of_device(("data",), data.get("data"))
+    yield from in_data(("data",), data.get("data"))
 
 
 def _entries(data: Mapping[str, Value], key: str) -> Iterator[tuple[str, Mapping[str, Value]]]:
@@ -146,7 +128,7 @@ def _of_joints(joints: Value) -> Iterator[Slot]:
     for i, text in enumerate(joints if isinstance(joints, list) else ()):
         for (pattern, dim), stem in zip(_JOINT, _NAMED, strict=True):
             if isinstance(text, str) and (m := pattern.match(text)):
-                yield Slot(("joints", i), dim, (f"{stem or m['name']}_{m['link']}",), m.span("it"))
+                yield Slot(("joints", i), dim, (f"{stem or m['name']}_{m['link']}",), m.span("it"), several=True)
 
 
 def _of_inputs(inputs: Value) -> Iterator[Slot]:
@@ -165,16 +147,6 @@ def _of_mass(path: Path, name: str, mass: Mapping[str, Value]) -> Iterator[Slot]
     yield from _keyed(
         (*path, "rod"), mass.get("rod"), {key: (f"{stem}_{name}", dim) for key, (stem, dim) in _ROD.items()}
     )
-
-
-def _of_device(path: Path, data: Value) -> Iterator[Slot]:
-    """Every single value of a device's data that holds a number."""
-    items = data.items() if isinstance(data, Mapping) else enumerate(data) if isinstance(data, list) else ()
-    for key, item in items:
-        if isinstance(item, Mapping | list):
-            yield from _of_device((*path, key), item)
-        elif item is not None and re.match(r"\s*[-+−]?[\d.]", str(item)):
-            yield Slot((*path, key), None, (key,) if isinstance(key, str) else ())
 
 
 def named(data: Mapping[str, Value]) -> dict[str, tuple[Slot, ...]]:

@@ -16,7 +16,8 @@ from ..problem import Problem
 from ..schema.faults import Place
 from ..text.numbers import Quantity, as_pair, as_text
 from ..text.source import Tree
-from .parameters import Slot, named
+from .parameters import named
+from .slot import Slot
 from .written import Written, text_of, thawed, written_of
 
 Point = complex | Sequence[Quantity]
@@ -104,11 +105,26 @@ def _put(tree: Tree, slot: Slot, name: str, value: Quantity | Point) -> None:
     """Write the value at its place, which is told by this name from now on."""
     new = as_pair(name, value) if slot.pair else as_text(name, value, slot.dim)
     if slot.span and " from " not in str(new):
-        old = at(tree.data, slot.path)
+        old, new = at(tree.data, slot.path), _in_unit(name, str(new), slot.unit)
         new = f"{old[: slot.span[0]]}{new}{old[slot.span[1] :]}"
     if new != at(tree.data, slot.path):
         at(tree.data, slot.path[:-1])[slot.path[-1]] = new
         tree.places[slot.path] = Place(f"vary({name})")
+
+
+def _in_unit(name: str, text: str, unit: str) -> str:
+    """The number alone of one of two in brackets, with their unit behind; raises ArgumentError for another unit."""
+    if not unit:
+        return text
+    if not text.endswith(unit):
+        raise ArgumentError(
+            Words(
+                f"{name} 写在括号内，单位 {unit} 在括号后；请用 {unit} 给出，而不是“{text}”",
+                f"{name} stands in brackets with the unit {unit} behind them; give it in {unit}, not '{text}'",
+            ),
+            code="wrong-unit",
+        )
+    return text.removesuffix(unit).strip()
 
 
 def data_of(problem: Problem) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import pairwise
 from typing import assert_never
 
@@ -37,8 +38,13 @@ def _seen(sheet: Sheet, stage: Find) -> Places:
     seen = []
     for n, place in enumerate(sheet.pins[stage.known]):
         letter = sheet.named(stage.known, n)
-        moved = sheet.carried(place, stage.on, n, kept, letter)
-        seen.append(place if n == kept else pin(sheet.draft, _primed(stage.known, n), moved, Dot.POINT))
+        if n == kept:
+            seen.append(place)
+            continue
+        back = sheet.carried(place, stage.on, n, kept, letter)
+        onwards = partial(sheet.carried, place, stage.on, kept, n, letter)
+        moved = board.inverted(back, onwards, key=f"{stage.known}′")
+        seen.append(pin(sheet.draft, _primed(stage.known, n), moved, Dot.POINT))
     return tuple(seen)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from ....designs.inversion.plan import FRAME, Plan
 from ....foundation.frozen import FrozenMap
 from ....plane import Points, cross, nominal, unit
 from ....plane.geometry import dot
+from ....plane.traced import acts_of, bare, traced
 from ....words import Words
 from ..draft import SHEET, Draft
 from ..linkage import pin, pivot
@@ -79,17 +81,23 @@ def transferred(draft: Draft, of: tuple[Points, Points, Points], on: tuple[Point
     board = draft.board
     legs = unit(corner - p) if _far(corner, p) else unit(q - p), unit(corner - q) if _far(corner, q) else unit(p - q)
     if abs(float(nominal(cross(unit(q - p), corner - p)))) < FLAT:  # on the line itself, either way
-        way = 1 if float(nominal(dot(q - p, corner - p))) > 0 else -1
+        way = np.where(bare(dot(q - p, corner - p)) > 0, 1.0, -1.0)
         return board.lay_off(on[0], way * unit(on[1] - on[0]), np.abs(corner - p))
     if abs(float(nominal(cross(*legs)))) < GRAZING:
         return board.image(of, on)
-    left = float(nominal(cross(q - p, corner - p))) > 0
     radii = np.abs(corner - p), np.abs(corner - q)
     what = Words(f"转移 ${letter}$", f"carrying ${letter}$ over")
-    met = board.arcs(on[0], radii[0], on[1], radii[1], what)[0 if left else 1]
+    met = of_each(bare(cross(q - p, corner - p)) > 0, *board.arcs(on[0], radii[0], on[1], radii[1], what))
     for centre, radius in zip(on, radii, strict=True):
         board.swing(SHEET, centre, radius, met)
     return met
+
+
+def of_each(first: Any, one: Points, other: Points) -> Points:
+    """Of two places the one, or by those hands for which `first` is not so, the other."""
+    if np.all(first):
+        return one
+    return traced(np.where(first, bare(one), bare(other)), acts_of(one, other)) if np.any(first) else other
 
 
 def _far(one: Points, other: Points) -> bool:

@@ -1,0 +1,49 @@
+"""The slip of inversion: a figure that is carried on with the motion instead of turned back."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import vecpoly
+from vecpoly import Mistake, Slip
+
+
+def _drawn(problem: vecpoly.Problem, slip: Slip | None = None) -> dict[str, float]:
+    return {key: one.drawn for key, one in vecpoly.solve(problem, slip=slip, repeats=0).answers.items()}
+
+
+def test_who_inverts_forwards_gets_the_linkage_of_the_opposite_turns() -> None:
+    """About D both frames are turned by the ψ of the rocker, the other way: the answers of the data with −ψ."""
+    problem = vecpoly.load("two-pairs")
+    (slip,) = (one for one in vecpoly.slips(problem) if one.mistake is Mistake.FORWARDS)
+    wrong = _drawn(problem, slip)
+    d = 100.0 + 0j
+    b1, b2 = (40.0 * np.exp(1j * np.radians(phi)) for phi in (60, 110))
+    turned = d + (b2 - d) * np.exp(1j * np.radians(85 - 50))  # carried on by ψ₁₂ instead of turned back
+    along = np.exp(1j * np.radians(50))  # C lies on the line of the rocker in position 1
+    middle, across = (b1 + turned) / 2, 1j * (turned - b1)
+    lines = [[along.real, -across.real], [along.imag, -across.imag]]
+    at = np.linalg.solve(lines, [(middle - d).real, (middle - d).imag])
+    c = d + at[0] * along
+    assert_allclose([wrong["BC"], wrong["CD"]], [abs(c - b1), abs(c - d)], atol=0.6)
+
+
+@pytest.mark.parametrize("name", ["8-9", "8-11", "three-positions-frame"])
+def test_the_slip_is_in_the_catalogue_and_changes_an_answer(name: str) -> None:
+    problem = vecpoly.load(name)
+    right = _drawn(problem)
+    made = [one for one in vecpoly.slips(problem) if one.mistake is Mistake.FORWARDS]
+    assert made
+    for slip in made:
+        wrong = _drawn(problem, slip)
+        assert max(abs(wrong[key] / right[key] - 1) for key in right) > 0.1
+
+
+def test_an_answer_that_follows_from_it_is_told_so_and_costs_once() -> None:
+    problem = vecpoly.load("8-9")
+    wrong = _drawn(problem, next(one for one in vecpoly.slips(problem) if one.mistake is Mistake.FORWARDS))
+    told = str(vecpoly.check_answers(problem, [f"AB={wrong['AB']:.1f} mm", f"BC={wrong['BC']:.1f} mm"]))
+    assert "turned back" in told
+    assert "not penalised again" in told
