@@ -28,7 +28,8 @@ from .read.readings import acute
 from .scales import fitting, reach
 
 ARC, OVER, NEAR = 22.0, 16.0, pi / 5  # mm: of the angle mark, beyond B; rad: how much of the pitch curve is copied
-APART = 95.0  # mm from O to the follower on a figure apart
+APART = 95.0  # mm from O to a guided follower on a figure apart
+ARMED = 78.0  # mm from O to the pivot of an arm, which is drawn there too
 SAME = 1e-6  # rad: so near to a station it is that station
 
 
@@ -88,7 +89,7 @@ def posed(bench: Bench, cam: Cam, place: Pane, spot: Spot) -> Pose:
 def detail(board: Board, cam: Cam) -> Scale:
     """The scale of a figure apart: as large as a sheet holds three of, with a symbol of its own where it is larger."""
     whole = board.scale_of(View.MECHANISM)
-    value = min(whole.value, fitting(reach(cam) / APART))
+    value = min(whole.value, fitting(reach(cam) / (ARMED if cam.arm else APART)))
     return whole if value == whole.value else replace(whole, symbol="μ_l′", value=value)
 
 

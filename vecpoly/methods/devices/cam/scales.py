@@ -13,6 +13,7 @@ from ....problem.problem import Scales
 
 DISPLACEMENT, ANGULAR, LOOP = (view_named(name) for name in ("displacement", "swing", "loop"))
 CAM, WIDE, HIGH = 142.0, 160.0, 42.0  # mm: across the cam; along the diagram, up to its highest point
+NARROW = 140.0  # mm: along the diagram of an arm, whose semicircle would make it wider than an upright sheet
 EQUAL = (19.0, 55.0)  # mm: a stroke of this size on the cam's own scale is drawn so
 
 
@@ -20,7 +21,7 @@ def cam_scales(cam: Cam, given: Scales) -> Mapping[View, Scale]:
     """As given, or round ones that fit."""
     length = given.of(View.MECHANISM.mu) or fitting(2 * reach(cam) / CAM)
     across = None if DISPLACEMENT.across is None else given.of(DISPLACEMENT.across)
-    turned = across or fitting(tau / WIDE)
+    turned = across or fitting(tau / (NARROW if cam.arm else WIDE))
     stroke = given.of(DISPLACEMENT.mu) or (
         length if EQUAL[0] <= cam.lift / length <= EQUAL[1] else fitting(cam.lift / HIGH)
     )
