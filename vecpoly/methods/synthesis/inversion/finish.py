@@ -12,6 +12,7 @@ from ....designs.quantities import TURN_AB, TURN_AD, TURN_DC
 from ....designs.verdict import Verdict
 from ....names import Named
 from ....plane import Points, Reals
+from ....plane.geometry import dot
 from ....words import Words
 from ..draft import SHEET
 from ..linkage import drawn, rejected, slider
@@ -111,7 +112,7 @@ def _ahead(sheet: Sheet) -> None:
         if stage.lies is None:
             sheet.draft.stated(sheet.draft.of_this(named), _between(sheet, stands, at))
         elif stage.lies == On():  # on its line itself, on either side of the pivot
-            sheet.draft.shared(named, np.where(np.real((at - stands.start) / stands.along) < 0, HALF, 0.0))
+            sheet.draft.shared(named, np.where(dot(stands.along, at - stands.start) < 0, HALF, 0.0))
         else:
             sheet.draft.shared(named, np.degrees(np.angle((at - stands.start) / stands.along)))
 
