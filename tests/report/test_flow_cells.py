@@ -26,9 +26,8 @@ from vecpoly.report.flow import (
     to_flowables,
 )
 from vecpoly.report.flow.cells import AUTO, BLANK, Kind, cells, chopped, gap
-from vecpoly.report.flow.contents import Contents
+from vecpoly.report.flow.contents import Contents, tell_contents
 from vecpoly.report.flow.doc import _expanded, _first
-from vecpoly.report.flow.story import tell_contents
 from vecpoly.report.flow.style import CAPTION, NOTE
 from vecpoly.typeset.box import MM
 

@@ -10,8 +10,8 @@ from pypdf import PdfReader
 import vecpoly
 from vecpoly.report.document import report_bytes
 from vecpoly.report.flow.blocks import Callout
+from vecpoly.report.flow.contents import tightened
 from vecpoly.report.flow.doc import Metadata, ReportDoc
-from vecpoly.report.flow.story import tightened
 
 
 def story(count: int) -> list[Callout]:

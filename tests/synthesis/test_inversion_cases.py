@@ -101,3 +101,10 @@ def test_a_sine_above_one_is_refused_with_its_value() -> None:
             rays={"AB": ["0 deg", "90 deg"], "DC": ["90 deg - asin(60 mm / 30 mm)", "90 deg"]},
             stages=[{"find": "B", "on": "AB", "from": "C"}],
         )
+
+
+def test_a_pin_found_beyond_its_pivot_is_at_180_degrees_by_drawing_and_by_closed_form() -> None:
+    problem = posed("angle-pairs", AB="30 mm", AD="60 mm", pairs=["50 deg -> 220 deg", "65 deg -> 240 deg"])
+    (one,) = solved(problem).construction.candidates
+    assert isinstance(problem.subject, Design)
+    assert one.values["delta_C"] == linkages(problem.subject)[0].values["delta_C"] == 180.0

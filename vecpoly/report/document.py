@@ -24,8 +24,8 @@ from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Drawing
+from .flow.contents import tightened
 from .flow.doc import Metadata, ReportDoc, SheetPage, Stamp
-from .flow.story import tightened
 from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .lines import lines_table

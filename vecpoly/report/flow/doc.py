@@ -23,8 +23,7 @@ from ...typeset.words import layout_words
 from ...words import Lang
 from .base import Block
 from .blocks import Draw
-from .contents import page_form
-from .story import tell_contents
+from .contents import page_form, tell_contents
 from .style import BODY, GREY
 
 MARGIN = 20 * MM

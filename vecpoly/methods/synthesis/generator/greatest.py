@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-TRIALS, FINER = 3600, 60
+TRIALS, FINER = 720, 60
 GOLDEN = (5**0.5 - 1) / 2
 
 

@@ -7,18 +7,19 @@ from itertools import pairwise
 import numpy as np
 
 from ....designs.inversion.loops import Hinged, Loop, Sliding
-from ....designs.inversion.plan import Find
+from ....designs.inversion.plan import Find, On
 from ....designs.quantities import TURN_AB, TURN_AD, TURN_DC
 from ....designs.verdict import Verdict
 from ....names import Named
 from ....plane import Points, Reals
+from ....plane.geometry import dot
 from ....words import Words
 from ..draft import SHEET
 from ..linkage import drawn, rejected, slider
 from .judged import drives, judged, turns_fully
 from .sheet import Sheet, Stands
 
-HALF, STRAIGHT = 180.0, 1e-6  # deg
+HALF = 180.0  # deg
 
 
 def finish(sheet: Sheet) -> None:
@@ -110,10 +111,10 @@ def _ahead(sheet: Sheet) -> None:
         named = Named(f"delta_{stage.pin}", f"δ_{{{stage.pin}}}", "deg")
         if stage.lies is None:
             sheet.draft.stated(sheet.draft.of_this(named), _between(sheet, stands, at))
+        elif stage.lies == On():  # on its line itself, on either side of the pivot
+            sheet.draft.shared(named, np.where(dot(stands.along, at - stands.start) < 0, HALF, 0.0))
         else:
-            ahead = np.degrees(np.angle((at - stands.start) / stands.along))
-            backwards = np.abs(np.abs(ahead) - HALF) < STRAIGHT  # on its line either sign of 180° may come of it
-            sheet.draft.shared(named, np.where(backwards, HALF, ahead))
+            sheet.draft.shared(named, np.degrees(np.angle((at - stands.start) / stands.along)))
 
 
 def _between(sheet: Sheet, stands: Stands, at: Points) -> Reals:

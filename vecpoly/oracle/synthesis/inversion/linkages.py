@@ -18,6 +18,7 @@ from .defects import Defect, fourbar, slider_crank
 from .staged import Found, linkages
 
 _NONE = 1e-7  # of the extent of what is given: a link shorter than that has no length
+_STRAIGHT = 1e-9  # deg
 _VERDICTS: Mapping[Defect | None, Verdict] = {
     None: Verdict.VALID,
     Defect.CIRCUIT: Verdict.CIRCUIT,
@@ -59,9 +60,14 @@ def _ahead(plan: Plan, found: Found) -> dict[str, float]:
     """The angle by which the pin is ahead of the line of its link, in (−180°, 180°]."""
     kept = (stage for stage in plan.stages if isinstance(stage, Find) and plan.turns(stage.on))
     return {
-        f"delta_{stage.pin}": degrees(phase(found.bodies[stage.on][0].trace(found.pins[stage.pin][0])))
+        f"delta_{stage.pin}": _upwards(degrees(phase(found.bodies[stage.on][0].trace(found.pins[stage.pin][0]))))
         for stage in kept
     }
+
+
+def _upwards(angle: float) -> float:
+    """180° for either sign of it: a pin on its line, beyond the pivot."""
+    return 180.0 if abs(abs(angle) - 180.0) < _STRAIGHT else angle
 
 
 def _turned(plan: Plan, found: Found) -> dict[str, float]:
