@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
-from tests.batch.homework import TEXT, files
+from tests.batch.homework import TEXT, files, piloted
 from vecpoly.batch.register import read_register
 from vecpoly.cli import app
 from vecpoly.problem.assignment import load_assignment
@@ -28,7 +28,7 @@ def prepared(folder: Path, text: str = TEXT) -> None:
 
 def run(folder: Path, *words: str) -> Result:
     """The command, given in this folder."""
-    with chdir(folder):
+    with chdir(folder), piloted():
         return CliRunner().invoke(app, words)
 
 

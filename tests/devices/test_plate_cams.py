@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.cam_cases import CASES, agree, cam_of, device, drawn
+from tests.laws import often
 from vecpoly.board.board import Board
 from vecpoly.board.construction import Scale, View
 from vecpoly.board.hand import hand
@@ -99,7 +100,7 @@ def test_each_construction_gives_s_and_its_derivatives(name: str) -> None:
         assert lifted(Law(LAWS[name]), u) == pytest.approx((s, v, a), abs=2e-9), u
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=often(25), deadline=None)
 @given(law=st.sampled_from(list(Law)), u=st.floats(0, 1))
 def test_a_return_is_its_rise_run_backwards_and_both_halves_are_alike(law: Law, u: float) -> None:
     up, down, other = lifted(law, u), lifted(law, u, rises=-1), lifted(law, 1 - u)
@@ -141,13 +142,13 @@ def cams(draw: st.DrawFn) -> dict[str, Any]:
     return {"follower": end, "r0": "60 mm", "motion": [*motion, f"dwell {360 - rise - back} deg"], "stations": "30 deg"}
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=often(8), deadline=None)
 @given(data=cams())
 def test_any_cam_is_drawn_as_the_oracle_computes_it(data: dict[str, Any]) -> None:
     agree(device("cam", **data), within=1e-8)
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=often(8), deadline=None)
 @given(data=cams())
 def test_a_mirrored_cam_has_the_same_answers(data: dict[str, Any]) -> None:
     end = dict(data["follower"])

@@ -10,6 +10,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tests.cam_cases import CASES, agree, device, drawn
+from tests.laws import often
 from vecpoly.errors import NotAskedError, ProblemFileError
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.problem.load import load, loads
@@ -63,7 +64,7 @@ def basic(data: dict[str, Any]) -> float:
     return float(outer * data["ring"] / small if "ring" in data else -outer * data["sun_2"] / small)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=often(20), deadline=None)
 @given(data=trains())
 def test_any_train_moves_as_willis_says(data: dict[str, Any]) -> None:
     assume(
@@ -75,7 +76,7 @@ def test_any_train_moves_as_willis_says(data: dict[str, Any]) -> None:
     assert w1 - arm == pytest.approx(basic(data) * (w3 - arm), abs=1e-7)
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=often(10), deadline=None)
 @given(data=trains())
 def test_any_train_that_can_be_read_is_drawn_as_it_is_computed(data: dict[str, Any]) -> None:
     try:
@@ -137,7 +138,7 @@ def test_the_tooth_is_that_of_the_numerical_generation(case: str) -> None:
     assert bool(found["undercut"]) is told["undercut"]
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=often(15), deadline=None)
 @given(z=st.integers(7, 40), x=st.floats(-0.3, 0.6).map(lambda x: round(x, 2)), m=st.integers(2, 20))
 def test_any_gear_is_drawn_as_it_is_computed(z: int, x: float, m: int) -> None:
     subject = gear(m=f"{m} mm", z=z, x=str(x), steps=6)
