@@ -33,6 +33,10 @@ CASES = {
         {"AB": "35 mm", "BC": "100 mm", "e": "28 mm"},
         {"theta": 13.54592, "K": 1.162759, "gamma_min": 50.94988, "H": 73.4043},
     ),
+    "guide-bar-limits": (
+        {"AB": "54 mm", "AC": "80 mm", "e": "23 mm"},
+        {"theta": 97.05848, "K": 3.340408, "gamma_min": 27.79577},
+    ),
 }
 
 
@@ -48,6 +52,17 @@ def test_what_is_found_is_that_of_the_case(kind: str) -> None:
     found = {key: solution.answers[key].drawn for key in true}
     assert found == pytest.approx(true, rel=1e-9 if kind in ("shaper", "dead-centre", "drag-link") else 3e-6)
     assert not solution.suspect and all(one.full for one in solution.verification)
+
+
+@pytest.mark.parametrize("offset", [{}, {"e": "3 mm"}, {"e": "30 mm"}, {"e": "49 mm"}])
+def test_a_guide_bar_is_drawn_with_any_offset_and_moves_as_read(offset: dict[str, str]) -> None:
+    """Without one; with less than the crank, as much, and more."""
+    solution = posed("guide-bar-limits", AB="30 mm", AC="80 mm", **offset).solve(by="exact")
+    (moved,) = solution.verification
+    assert not solution.suspect
+    assert (moved.ratio, moved.stroke) == pytest.approx(
+        tuple(solution.answers[key].drawn for key in ("K", "psi")), rel=1e-6
+    )
 
 
 @pytest.mark.parametrize("kind", ["shaper", "whitworth"])
@@ -101,6 +116,7 @@ def test_a_ratio_below_one_is_refused_with_the_one_that_may_be_meant(kind: str, 
         ("limit-lines", {"line_2": "270 deg"}, "are parallel: no A"),
         ("crank-rocker-limits", {"AB": "70 mm", "BC": "126 mm"}, r"AB is no crank: AB \+ l_max = 196 mm, 190 mm"),
         ("slider-crank-limits", {"e": "66 mm"}, r"AB \+ e = 101 mm, BC = 100 mm"),
+        ("guide-bar-limits", {"e": "26 mm"}, r"AB \+ e = 80 mm, AC = 80 mm"),
         ("drag-link", {"AD": "80 mm"}, "no double crank"),
     ],
 )

@@ -8,8 +8,9 @@ from typing import Any, ClassVar
 from ..devices.base import Length
 from ..names import Named
 from .base import Design
-from .linkages import four_bar, slider_crank
+from .linkages import four_bar, guide_bar, slider_crank
 from .quantities import AB as CRANK
+from .quantities import AC as FRAME
 from .quantities import ALPHA_MAX, FOUR_BAR, GAMMA_MIN, OFFSET, STROKE, SWING, THETA
 from .quantities import BC as COUPLER
 from .quantities import K as ADVANCE
@@ -72,3 +73,35 @@ class SliderCrankLimits(Design):
     def size(self) -> float:
         """Coupler and crank in one line."""
         return self.AB.si + self.BC.si
+
+
+class GuideBarLimits(Design):
+    """A crank that drives an oscillating guide bar: crank, frame, distance of the bar's line from its pivot C."""
+
+    kind: ClassVar[str] = "guide-bar-limits"
+    AB: Length
+    AC: Length
+    e: Length | None = None
+
+    def quantities(self) -> tuple[Named, ...]:
+        """θ, K, swing, greatest pressure and least transmission angle; the lengths as given."""
+        return (THETA, ADVANCE, SWING, ALPHA_MAX, GAMMA_MIN, CRANK, FRAME, OFFSET)
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Crank, frame, offset."""
+        written = (("l_{AB}", self.AB), ("l_{AC}", self.AC), ("e", self.e))
+        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """Crank, block and guide bar."""
+        return guide_bar(values, self.omega)
+
+    @property
+    def offset(self) -> float:
+        """e in m; 0 where none is given."""
+        return 0.0 if self.e is None else self.e.si
+
+    @property
+    def size(self) -> float:
+        """Frame and crank in one line."""
+        return self.AC.si + self.AB.si

@@ -59,6 +59,18 @@ def shaper(values: Mapping[str, float], rod: float, omega: Quantity | None) -> d
     }
 
 
+def guide_bar(values: Mapping[str, float], omega: Quantity | None) -> dict[str, Any]:
+    """C in the origin, A above it, the crank's block in the slot of a bar whose line passes beside C."""
+    beside = {"through": "C", "left": _mm(values["e"])} if values["e"] else "C"
+    return {
+        "frame": {"A": ["0 mm", _mm(values["AC"])], "C": ["0 mm", "0 mm"]},
+        "links": {"1": {"AB": _mm(values["AB"])}, "2": {"block": "B"}, "3": {"slot": beside}},
+        "joints": ["2 slides in 3"],
+        "input": _input(omega),
+        "find": ["omega_3", "alpha_3"],
+    }
+
+
 def whitworth(values: Mapping[str, float], rod: float, omega: Quantity | None) -> dict[str, Any]:
     """C in the origin, A above it, the crank in the slot of the bar that turns about C, the slider E on y = 0."""
     return {

@@ -65,10 +65,16 @@ class _Line:
         return Words.same(f"{max(spans):.2f} mm") if spans else _NONE
 
     def _lengths(self) -> Iterator[list[float]]:
-        bars: Iterable[tuple[str, str]] = self.design.plan().bars() if isinstance(self.design, Stages) else _BARS
-        for one, two in bars:
+        for one, two in self._bars():
             places = [(self._pin(one, n), self._pin(two, n)) for n in range(1, self.positions + 1)]
             yield [abs(b - a) for a, b in places if a is not None and b is not None]
+
+    def _bars(self) -> Iterable[tuple[str, str]]:
+        """Those with a length: B slides along a guide bar BC."""
+        if isinstance(self.design, Stages):
+            return self.design.plan().bars()
+        known = {named.key for named in self.design.quantities()}
+        return [(one, two) for one, two in _BARS if {one + two, two + one} & known]
 
     @property
     def positions(self) -> int:

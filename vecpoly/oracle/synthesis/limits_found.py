@@ -1,11 +1,11 @@
-"""Limit positions of a crank-rocker and of a slider-crank with given lengths, by the law of cosines."""
+"""Limit positions of a crank-rocker, a slider-crank and a guide bar with given lengths, in closed form."""
 
 from __future__ import annotations
 
 from cmath import exp
 from math import acos, asin, degrees, pi, sqrt
 
-from ...designs.limits_found import CrankRockerLimits, SliderCrankLimits
+from ...designs.limits_found import CrankRockerLimits, GuideBarLimits, SliderCrankLimits
 from ...designs.verdict import Verdict
 from ...errors import AssemblyError
 from ...words import Words
@@ -56,6 +56,37 @@ def slider_crank(design: SliderCrankLimits) -> list[Linkage]:
     }
     pins = {"A": 0j, "C1": complex(near, -e), "C2": complex(far, -e)}
     return [Linkage(values=values, pins=pins, verdict=Verdict.VALID, order=(a, b, e, 0.0))]
+
+
+@synthesizes(GuideBarLimits)
+def guide_bar(design: GuideBarLimits) -> list[Linkage]:
+    """The bar's line touches the circle of B on either side: ψ = asin((a + e)/d) + asin((a − e)/d) = θ."""
+    a, d, e = design.AB.si, design.AC.si, design.offset
+    if not a + e < d:
+        raise _no_crank(
+            f"AB + e = {1e3 * (a + e):.4g} mm",
+            f"AC = {1e3 * d:.4g} mm",
+            Words(
+                "摆动导杆须 AB + e < AC（AB ≥ AC + e 时为转动导杆，用 synthesis: whitworth）",
+                "for a bar that swings AB + e must be below AC (with AB ≥ AC + e it turns right round: "
+                "synthesis: whitworth)",
+            ),
+        )
+    leaning = asin((a + e) / d), asin((e - a) / d)  # of the bar from CA, ccw
+    theta, alpha = leaning[0] - leaning[1], degrees(asin(e / (d - a)))
+    values = {
+        "theta": degrees(theta),
+        "K": (pi + theta) / (pi - theta),
+        "psi": degrees(theta),
+        "alpha_max": alpha,
+        "gamma_min": 90 - alpha,
+        "AB": 1e3 * a,
+        "AC": 1e3 * d,
+        "e": 1e3 * e,
+    }
+    ends = [complex(0, d) + side * a * exp(1j * lean) for side, lean in zip((-1, 1), leaning, strict=True)]
+    pins = {"A": complex(0, d), "C": 0j, "B1": ends[0], "B2": ends[1]}
+    return [Linkage(values=values, pins=pins, verdict=Verdict.VALID, order=(a, e, d, 0.0))]
 
 
 def _no_crank(one: str, other: str, condition: Words) -> AssemblyError:

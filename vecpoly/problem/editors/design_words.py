@@ -59,7 +59,7 @@ DESIGNS = {
     "limit-lines.alpha_1": Words("C1 处的压力角", "pressure angle at C1"),
     **{
         f"{kind}.{key}": words
-        for kind in ("crank-rocker-limits", "slider-crank-limits", "dead-centre", "drag-link")
+        for kind in ("crank-rocker-limits", "slider-crank-limits", "guide-bar-limits", "dead-centre", "drag-link")
         for key, words in {
             "take": _TAKE,
             "omega": _OMEGA,
@@ -67,7 +67,8 @@ DESIGNS = {
             "BC": Words("连杆长", "the coupler"),
             "CD": Words("摇杆长", "the rocker"),
             "AD": Words("机架长", "the frame"),
-            "e": Words("偏距", "offset of the guide from A"),
+            "AC": Words("机架长", "the frame"),
+            "e": Words("偏距", "offset: of the guide from A, of the guide bar from C"),
             "K": _K,
             "psi_1": Words("DC 在第一位置的方向角", "direction of DC in the first position"),
             "psi_2": Words("DC 在死点位置的方向角", "direction of DC at the dead centre"),
