@@ -99,12 +99,12 @@ def well_conditioned(it: Study, phi: np.ndarray) -> np.ndarray:
     )
 
 
-def test_the_other_sign_of_m_is_another_assembly() -> None:
-    """The sign that is printed matters: with M turned round, C is not where the oracle has it."""
+def test_the_other_sign_of_the_assembly_is_another_assembly() -> None:
+    """The sign that is printed matters: with σ turned round, C is not where the oracle has it."""
     it = studied("A-27")
     equations = [e for g in it.model.groups for e in g.equations]
-    signs = {c for g in it.model.groups for c in g.constants if c.symbol == "M"}
-    assert signs == {Const("M", -1.0, "")}
+    signs = {c for g in it.model.groups for c in g.constants if c.symbol == "σ"}
+    assert signs == {Const("σ", -1.0, "")}
     angle = next(e for e in equations if plain(e.left.node) == "φ_2" and e.gives)
     env = dict(it.model.values(np.array([1.0])))
     other = 2 * np.arctan2(

@@ -235,7 +235,10 @@ def test_the_documented_examples_load(tmp_path: Path) -> None:
     assert loads(six_bar).mechanism == load("A-27").mechanism
     sheet = tmp_path / "sheet.yaml"
     sheet.write_text(
-        text.split("```yaml\n")[-1].split("```")[0].replace("  - mine/four-bar.yaml\n", ""), encoding="utf-8"
+        next(block for block in text.split("```yaml\n") if "\nproblems:" in block)
+        .split("```")[0]
+        .replace("  - mine/four-bar.yaml\n", ""),
+        encoding="utf-8",
     )
     assert [problem.id for problem in load_assignment(sheet).problems] == ["3-8", "3-9-ccw"]
 

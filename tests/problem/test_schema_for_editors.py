@@ -15,13 +15,14 @@ from typer.testing import CliRunner
 
 from tests.schema_check import errors
 from vecpoly.cli import app
+from vecpoly.editors import file_schema
 from vecpoly.foundation.data import data_dir
 from vecpoly.problem.editors import ID, json_schema
 from vecpoly.units.patterns import pattern
 from vecpoly.units.reading import Dim, read
 
 ROOT = data_dir("problems")
-SCHEMA = json_schema()
+SCHEMA, WHOLE = json_schema(), file_schema()
 FILES = sorted(ROOT.rglob("*.yaml"))
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 FOUR_BAR = """id: a
@@ -47,7 +48,7 @@ def plain(data: Any) -> Any:
 
 
 def wrong(text: str) -> list[str]:
-    return list(errors(SCHEMA, SCHEMA, plain(YAML(typ="safe", pure=True).load(text))))
+    return list(errors(WHOLE, WHOLE, plain(YAML(typ="safe", pure=True).load(text))))
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
@@ -97,6 +98,19 @@ def test_the_schema_takes_the_whole_files_of_the_manual_and_of_vecpoly_new() -> 
 def test_the_schema_refuses_wrong_units_sentences_symbols_and_keys(old: str, new: str) -> None:
     assert old in FOUR_BAR and wrong(FOUR_BAR) == []
     assert wrong(FOUR_BAR.replace(old, new, 1))
+
+
+@pytest.mark.parametrize(("kind", "keys"), [(WHOLE["then"], 8), (WHOLE["else"]["then"], 4)])
+def test_projects_and_searches_tell_every_key_in_both_languages(kind: dict[str, Any], keys: int) -> None:
+    told = [spec.get("description", "") for spec in kind["properties"].values()]
+    assert len(told) >= keys and all(" / " in words and re.search("[一-龥]", words) for words in told)
+
+
+@pytest.mark.parametrize(
+    "text", ["title: t\nstatement: s\nparts: {a: {of: 3}, b: [1]}", "title: t\nsearch: gears\ndata: {}"]
+)
+def test_projects_and_searches_are_checked_too(text: str) -> None:
+    assert wrong(text)
 
 
 def test_numbers_null_and_assignments_are_known() -> None:
@@ -158,4 +172,4 @@ def test_a_new_file_names_its_schema_and_the_schema_lies_beside_it(
             and f"id: {words[1]}" in text
             and wrong(text) == []
         )
-    assert json.loads(Path("vecpoly.schema.json").read_text(encoding="utf-8")) == json.loads(json.dumps(SCHEMA))
+    assert json.loads(Path("vecpoly.schema.json").read_text(encoding="utf-8")) == json.loads(json.dumps(WHOLE))

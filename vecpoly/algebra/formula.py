@@ -75,7 +75,7 @@ class Vec:
 Node = Sym | Txt | Row | Frac | Power | Root | Over | Vec
 
 _SYMBOL = re.compile(
-    r"(?P<base>[A-Za-zμωαφρθβγδψΔληπε]['′]*)"
+    r"(?P<base>[A-Za-zμωαφρθβγδψΔληπεσ]['′]*)"
     r"(?:\^(?P<sup>\{[^}]*\}|[A-Za-z0-9′']))?"
     r"(?:_(?P<sub>\{[^}]*\}|[A-Za-z0-9′']+))?"
     r"(?:\^(?P<sup2>\{[^}]*\}|[A-Za-z0-9′']))?"

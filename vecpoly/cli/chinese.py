@@ -83,7 +83,9 @@ HELP = {
     "Write a problem file to start from: a commented one, or a copy of one of the library.": (
         "写出一个可供修改的题目文件：带注释的样板，或题库中某题的副本。"
     ),
-    "Print the JSON Schema of a problem file.": "输出题目文件的 JSON Schema。",
+    "Print the JSON Schema of problem files, assignments, design projects and searches.": (
+        "输出题目文件、作业文件、设计项目文件和搜索文件的 JSON Schema。"
+    ),
     "Render chapters 2 to 5 as assignments and one course report, in both languages, and one step player.": (
         "生成第 2 至 5 章的作业解答、一份课程报告（均有中英文）和一个分步演示。"
     ),

@@ -114,8 +114,8 @@ class Curvatures:
         far = abs(turn) <= NONE * max(rates, abs(slip) / self.mech.scale)
         axis = 1j * slip if far else 1j * slip / turn - self.pole
         p, q = (complex(self.motion.place(letter)[0]) for letter in self._pins())
-        sine = abs((axis.conjugate() * (q - p)).imag) / (abs(axis) * abs(q - p))
-        return float(np.degrees(np.arcsin(min(sine, 1.0))))
+        turned = axis.conjugate() * (q - p)
+        return float(np.degrees(np.arctan2(abs(turned.imag), abs(turned.real))))
 
     def _pins(self) -> tuple[str, str]:
         """The two pins of the link at which others carry it."""

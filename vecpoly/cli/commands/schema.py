@@ -1,4 +1,4 @@
-"""vecpoly schema: the JSON Schema of a problem file, with which editors complete and check it."""
+"""vecpoly schema: the JSON Schema of every kind of file, with which editors complete and check it."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from ..options import JSON, OutOption
 
 
 def schema(output: OutOption = None) -> None:
-    """Print the JSON Schema of a problem file."""
+    """Print the JSON Schema of problem files, assignments, design projects and searches."""
     put(spared(output, JSON) or STDOUT, schema_text().encode())
 
 
 def schema_text() -> str:
     """The schema as it is written."""
-    from ...problem.editors import json_schema
+    from ...editors import file_schema
 
-    return json.dumps(json_schema(), ensure_ascii=False, indent=2) + "\n"
+    return json.dumps(file_schema(), ensure_ascii=False, indent=2) + "\n"

@@ -88,9 +88,9 @@ def _limit(
     """G, as far from A as the circles say, and B on AG. radii: of the crank; of the arc, below 0 beyond A."""
     board, (a, c), (crank, arc) = draft.board, frame, radii
     side = (-1 if number == 1 else 1) * (1 if arc >= 0 else -1)  # of CA on which G lies: +1 right
-    if abs(arc) < EVEN:
-        g, way = a, 1 + 0j
-    else:
+    g: Points = a
+    way: Points = np.complex128(1)  # the circles are of one size: the bar is parallel to CA
+    if abs(arc) > EVEN:
         both = board.arcs(a, abs(arc), (a + c) / 2, np.abs(a - c) / 2, Words("求切点", "the points of contact"))
         g = board.either(both[0] if side > 0 else both[1])
         board.swing(SHEET, a, abs(arc), g)
