@@ -186,7 +186,7 @@ def test_new_writes_a_file_that_solves_and_never_overwrites(run: Run, tmp_path: 
 
 
 def test_schema_is_a_json_schema(run: Run, tmp_path: Path) -> None:
-    assert json.loads(run("schema").stdout)["properties"]["frame"]
+    assert json.loads(run("schema").stdout)["else"]["else"]["properties"]["frame"]
     assert run("schema", "-o", "vecpoly.schema.json").stdout == ""
     assert json.loads((tmp_path / "vecpoly.schema.json").read_text("utf-8"))["title"] == "vecpoly problem file"
 

@@ -60,7 +60,7 @@ def by_special_points(rng: np.random.Generator) -> str:
     return balanced(rng, on_crank(rng))
 
 
-@family("forces-special-points-friction", also=told, often=4)
+@family("forces-special-points-friction", also=told, often=2)
 def by_special_points_with_friction(rng: np.random.Generator) -> str:
     """The same with friction in pins and slides."""
     bare = on_crank(rng)

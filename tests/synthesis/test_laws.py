@@ -7,10 +7,11 @@ from math import cos, pi, radians, sin
 import numpy as np
 import numpy.typing as npt
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import vecpoly
+from tests.laws import often
 from vecpoly.errors import AssemblyError, DeadPointError
 
 Angles = npt.NDArray[np.float64]
@@ -95,6 +96,7 @@ def test_mirrored_limit_lines_give_the_same_lengths(first: float, second: float,
         assert mine == pytest.approx(its, rel=1e-6)
 
 
+@settings(max_examples=often(8))
 @given(k=ratios, swing=swings)
 def test_no_other_crank_on_the_circles_transmits_better_than_the_best(k: float, swing: float) -> None:
     theta, chord = pi * (k - 1) / (k + 1), 200 * sin(radians(swing) / 2)
