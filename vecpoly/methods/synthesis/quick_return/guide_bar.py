@@ -140,7 +140,8 @@ def _pressure(draft: Draft, radii: tuple[float, float], frame: Reals) -> None:
     board.step(
         Words(
             "$B$ 离 $C$ 最近时压力角最大。作此位置：自 $B′$ 作半径为 $e$ 的偏距圆的切线 $B′T$"
-            "（以 $CB′$ 为直径作圆求切点 $T$），导杆受力沿其法线，$B′$ 处的速度垂直于 $CB′$，故 $α$ 等于 $∠CB′T$，量得：",
+            "（以 $CB′$ 为直径作圆求切点 $T$），导杆受力沿其法线，$B′$ 处的速度垂直于 $CB′$，"
+            "故 $α$ 等于 $∠CB′T$，量得：",
             "The pressure angle is greatest with $B$ nearest to $C$. Draw this position: the tangent $B′T$ to the "
             "circle of $e$ (its point of contact $T$ lies on the circle on the diameter $CB′$). The force is square to "
             "the line and the velocity of the bar's point square to $CB′$, so that $α$ equals $∠CB′T$; it is read:",
