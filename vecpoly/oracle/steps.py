@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..errors import AssemblyError
 from ..mechanism.groups.assur import Dyad, Group, is_held
 from ..mechanism.model import Joint, Mechanism, Prismatic, Revolute, Rolling
 from ..mechanism.rams import Ram, drives_within
+from ..words import Words
 from .closed.cammed import Cammed, cammed
 from .closed.crossed import Crossed
 from .closed.dyads import Hinged, Swinging
@@ -61,12 +63,25 @@ def _locus(mech: Mechanism, joint: Joint, name: str, parent: str, point: str) ->
     match joint:
         case Revolute():
             start = link.points[joint.point]
+            if inner == start:
+                raise _one_place(name, joint.point, point)
             return Arc(name, parent, base.points[joint.point], start, inner - start)
         case Prismatic():
             return slide(joint, name, inner, mech.link(joint.block).points[joint.pin])
         case Rolling():
             locus = roll(joint, link, base, start_of(mech, name))
             return locus if locus is not None and locus.start == inner else None
+
+
+def _one_place(link: str, one: str, other: str) -> AssemblyError:
+    return AssemblyError(
+        Words(
+            f"构件 {link} 的铰链 {one} 与 {other} 重合，其方向不定；请给出两者的距离，或将两铰链合为一个复合铰链",
+            f"the hinges {one} and {other} of link {link} lie in one place, so that its direction is not determined; "
+            "give their distance, or make one compound hinge of them",
+        ),
+        code="coincident",
+    )
 
 
 def _swinging(mech: Mechanism, group: Group, dyad: Dyad, joints: tuple[Revolute, Prismatic, Revolute]) -> Swinging:

@@ -10,6 +10,7 @@ import numpy as np
 from ...board.board import Board
 from ...board.construction import Pane
 from ...board.paper.marks import Dot, Role
+from ...errors import NotAskedError
 from ...mechanism.asked.centres import centre
 from ...mechanism.asked.curvature import inflection_pole
 from ...mechanism.model import FRAME
@@ -122,7 +123,16 @@ class CurvatureFigure:
         self.board.join(self.pane, line.at + line.along * low, line.at + line.along * high, role)
 
     def through(self, a: Points, b: Points) -> Line:
-        """The line through two points."""
+        """The line through two points; raises NotAskedError where they are one."""
+        if not abs(complex(nominal(b - a))):
+            raise NotAskedError(
+                Words(
+                    "作图中有两点重合，不能连成直线；请检查机架上各点和各杆长，或另取原动件位置",
+                    "two points of the construction lie in one place and give no line; check the points of the frame "
+                    "and the lengths, or choose another position",
+                ),
+                code="coincident",
+            )
         return Line(a, unit(b - a))
 
     def meet(self, g: Line, h: Line, zh: str, en: str) -> Points:

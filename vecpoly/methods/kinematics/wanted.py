@@ -6,8 +6,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...board.construction import View
+from ...errors import NotAskedError
+from ...mechanism.model import FRAME
 from ...names import At, Kind
 from ...problem.asked.asks import Ask, AskPoint, AskRel
+from ...words import Words
 from ..desk import VECTOR, Desk
 from .components import draw_components
 from .given_vector import find_point
@@ -35,5 +38,13 @@ def draw_wanted(desk: Desk, asks: Sequence[Ask], view: View) -> None:
 
 
 def _ensure(desk: Desk, view: View, at: At) -> None:
+    if at.link == FRAME:
+        raise NotAskedError(
+            Words(
+                f"{at} 是机架上的点，没有速度和加速度；请勿求它",
+                f"{at} is a point of the frame and rests; do not ask for it",
+            ),
+            code="of-the-frame",
+        )
     if at.link and not desk.has_tip(view, at) and {at.point, str(at)} & set(desk.at):
         imaged(desk, view, at.link, desk.canonical(at))

@@ -12,6 +12,8 @@ def beyond(one: complex, to_one: float, two: complex, to_two: float, side: int) 
     """
     span = two - one
     d = abs(span)
+    if not d:  # both in one place: no circle meets the other, or each point of it
+        return None
     along = (d * d + to_one**2 - to_two**2) / (2 * d)
     square = to_one**2 - along**2
     return None if square < 0 else one + span / d * (along + 1j * side * sqrt(square))
