@@ -30,3 +30,9 @@ def test_points_in_one_place_are_refused_with_what_to_do(d: str, two: str, asked
 
 def test_circles_about_one_point_do_not_meet() -> None:
     assert beyond(1 + 1j, 2.0, 1 + 1j, 2.0, 1) is None
+
+
+def test_another_link_s_point_taken_on_the_frame_is_refused() -> None:
+    text = (LINKAGE + DRIVEN).format(d="80 mm", two="{BC: 80 mm}", asked="find: [a_C0]")
+    with pytest.raises(VecpolyError, match="C0 is a point of the frame and rests"):
+        vecpoly.solve(vecpoly.loads(text))

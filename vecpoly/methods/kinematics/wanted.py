@@ -38,6 +38,8 @@ def draw_wanted(desk: Desk, asks: Sequence[Ask], view: View) -> None:
 
 
 def _ensure(desk: Desk, view: View, at: At) -> None:
+    if not at.link or desk.has_tip(view, at) or not {at.point, str(at)} & set(desk.at):
+        return
     if at.link == FRAME:
         raise NotAskedError(
             Words(
@@ -46,5 +48,4 @@ def _ensure(desk: Desk, view: View, at: At) -> None:
             ),
             code="of-the-frame",
         )
-    if at.link and not desk.has_tip(view, at) and {at.point, str(at)} & set(desk.at):
-        imaged(desk, view, at.link, desk.canonical(at))
+    imaged(desk, view, at.link, desk.canonical(at))
