@@ -50,6 +50,11 @@ def test_pi_is_upright() -> None:
     assert face_of("π", layout(sym("π"), EM)) == Face.STIX
 
 
+def test_a_greek_subscript_stands_low_as_any_other() -> None:
+    assert layout(sym("μ_γ"), EM) == layout(sym("μ_{γ}"), EM)
+    assert "_" not in text(layout(row("μ_ψ, μ_φ"), EM))
+
+
 def test_a_prime_is_a_prime() -> None:
     assert text(layout(sym("n'"), EM)) == "n′"
 

@@ -74,10 +74,11 @@ class Vec:
 
 Node = Sym | Txt | Row | Frac | Power | Root | Over | Vec
 
+_LETTERS = "A-Za-zμωαφρθβγδψΔληπεσ"
 _SYMBOL = re.compile(
-    r"(?P<base>[A-Za-zμωαφρθβγδψΔληπεσ]['′]*)"
+    rf"(?P<base>[{_LETTERS}]['′]*)"
     r"(?:\^(?P<sup>\{[^}]*\}|[A-Za-z0-9′']))?"
-    r"(?:_(?P<sub>\{[^}]*\}|[A-Za-z0-9′']+))?"
+    rf"(?:_(?P<sub>\{{[^}}]*\}}|[{_LETTERS}0-9′']+))?"
     r"(?:\^(?P<sup2>\{[^}]*\}|[A-Za-z0-9′']))?"
 )
 
