@@ -111,10 +111,13 @@ class Design(BaseModel):
         """What a problem file says of the linkage with these lengths (mm); None of a task that finds none."""
         return None
 
-    def one_of(self, *names: str, example: str = "70 mm") -> None:
-        """Raise FaultError unless just one of these data is given; example: how the first of them is written."""
-        more = [name for name in names if getattr(self, name) is not None]
-        if len(more) != 1:
+    def one_of(self, *names: str, never: tuple[str, ...] = (), example: str = "70 mm") -> None:
+        """Raise FaultError unless just one of these data is given, and none that has no place beside them.
+
+        example: how the first of them is written.
+        """
+        more = [name for name in (*names, *never) if getattr(self, name) is not None]
+        if len(more) != 1 or more[0] in never:
             raise FaultError(
                 Words(
                     f"还须且只须给定 {'、'.join(names)} 之一，此处有：{'、'.join(more) or '无'}；如写 "
