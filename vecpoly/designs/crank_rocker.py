@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal
 
 from pydantic import model_validator
 
-from ..devices.base import Angle, Length
+from ..devices.base import Angle, Length, as_written
 from ..errors import FaultError
 from ..names import Named
 from ..words import Words
@@ -90,7 +90,7 @@ class CrankRocker(Design):
             ("γ_{min}", self.gamma_min),
             ("A", self.A),
         )
-        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+        return as_written(written)
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any]:
         """The four-bar with A in the origin and D on the x axis."""

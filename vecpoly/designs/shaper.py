@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from pydantic import model_validator
 
-from ..devices.base import Length
+from ..devices.base import Length, as_written
 from ..names import Named
 from .base import Design, Quick, between_limits
 from .linkages import shaper
@@ -43,7 +43,7 @@ class Shaper(Design):
     def given(self) -> tuple[tuple[str, str], ...]:
         """K, H, and what is given beside."""
         written = (("K", self.K), ("H", self.H), ("l_{AB}", self.AB), ("l_{AC}", self.AC), ("l_{DE}", self.DE))
-        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+        return as_written(written)
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any]:
         """Crank, lever, rod and ram."""
