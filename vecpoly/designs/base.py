@@ -7,7 +7,7 @@ after `synthesis:`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from math import pi
 from typing import Annotated, Any, ClassVar
@@ -152,7 +152,15 @@ def numbered(named: Named, number: int) -> Named:
 def kinds() -> dict[str, type[Design]]:
     """Every task of synthesis on file, by the name that a problem file uses."""
     load_modules("vecpoly.designs")
-    return {sub.kind: sub for sub in sorted(Design.__subclasses__(), key=lambda s: s.kind)}
+    return {sub.kind: sub for sub in sorted(_below(Design), key=lambda s: s.kind)}
+
+
+def _below(base: type[Design]) -> Iterator[type[Design]]:
+    """The tasks on file that are of this sort: classes with a kind of their own, at any depth."""
+    for sub in base.__subclasses__():
+        if "kind" in vars(sub):
+            yield sub
+        yield from _below(sub)
 
 
 def kind_of(name: str) -> type[Design]:

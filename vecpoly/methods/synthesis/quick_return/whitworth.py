@@ -9,8 +9,8 @@ import numpy as np
 from ....algebra.quantity import Quantity, magnitude
 from ....board.paper.marks import Role
 from ....designs.quantities import AB, AC, CD
+from ....designs.quick_return import Whitworth
 from ....designs.verdict import Verdict
-from ....designs.whitworth import Whitworth
 from ....plane import Line, Points, unit
 from ....words import Words
 from ..advance import theta_of
