@@ -12,7 +12,8 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-HEAVY = ("matplotlib", "reportlab", "shapely", "jinja2", "pypdfium2")
+HEAVY = ("matplotlib", "reportlab", "shapely", "jinja2", "pypdfium2",
+         "vecpoly.oracle.synthesis.registry", "vecpoly.oracle.devices.registry")  # fmt: skip
 
 
 def command(

@@ -9,7 +9,7 @@ import pytest
 
 from tests.generators.equilibrium import in_equilibrium
 from vecpoly import loads
-from vecpoly.check.truths.mechanism import Exact
+from vecpoly.check.truths.analysis import Exact
 from vecpoly.report.lines import lines_table
 from vecpoly.report.values import value
 from vecpoly.solution import Solution, solve

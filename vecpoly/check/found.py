@@ -8,7 +8,6 @@ from math import degrees, nan
 from typing import Any
 
 from ..cycle.cycle import Cycle
-from ..cycle.facts.closing import turns_of
 from ..cycle.facts.found import facts
 from ..cycle.whole_cycle import cycle
 from ..designs.base import Design
@@ -85,7 +84,7 @@ def _moved(number: int, values: Mapping[str, float], loose: Mapping[str, float],
     angle = stroke is not None and stroke.key.startswith("phi")
     return Verified(
         number=number,
-        full=turn.whole and turns_of(turn) is not None,
+        full=turn.whole,
         kind=kind,
         margin=margin,
         ratio=stroke.ratio if stroke else nan,

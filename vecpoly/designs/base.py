@@ -7,7 +7,7 @@ after `synthesis:`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from math import pi
 from typing import Annotated, Any, ClassVar
@@ -111,10 +111,13 @@ class Design(BaseModel):
         """What a problem file says of the linkage with these lengths (mm); None of a task that finds none."""
         return None
 
-    def one_of(self, *names: str, example: str = "70 mm") -> None:
-        """Raise FaultError unless just one of these data is given; example: how the first of them is written."""
-        more = [name for name in names if getattr(self, name) is not None]
-        if len(more) != 1:
+    def one_of(self, *names: str, never: tuple[str, ...] = (), example: str = "70 mm") -> None:
+        """Raise FaultError unless just one of these data is given, and none that has no place beside them.
+
+        example: how the first of them is written.
+        """
+        more = [name for name in (*names, *never) if getattr(self, name) is not None]
+        if len(more) != 1 or more[0] in never:
             raise FaultError(
                 Words(
                     f"还须且只须给定 {'、'.join(names)} 之一，此处有：{'、'.join(more) or '无'}；如写 "
@@ -149,7 +152,15 @@ def numbered(named: Named, number: int) -> Named:
 def kinds() -> dict[str, type[Design]]:
     """Every task of synthesis on file, by the name that a problem file uses."""
     load_modules("vecpoly.designs")
-    return {sub.kind: sub for sub in sorted(Design.__subclasses__(), key=lambda s: s.kind)}
+    return {sub.kind: sub for sub in sorted(_below(Design), key=lambda s: s.kind)}
+
+
+def _below(base: type[Design]) -> Iterator[type[Design]]:
+    """The tasks on file that are of this sort: classes with a kind of their own, at any depth."""
+    for sub in base.__subclasses__():
+        if "kind" in vars(sub):
+            yield sub
+        yield from _below(sub)
 
 
 def kind_of(name: str) -> type[Design]:

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal
 
 from pydantic import model_validator
 
-from ..devices.base import Angle, Length
+from ..devices.base import Angle, Length, as_written
 from ..errors import FaultError
 from ..names import Named
 from ..words import Words
@@ -51,17 +51,8 @@ class CrankRocker(Design):
                 ),
                 code="contradiction",
             )
-        more = [name for name in _ONE_MORE if getattr(self, name) is not None]
-        wanted = _ONE_MORE if self.swing is not None else ("AD",)
-        if len(more) != 1 or more[0] not in wanted:
-            raise FaultError(
-                Words(
-                    f"还须且只须给定 {'、'.join(wanted)} 之一，此处有：{'、'.join(more) or '无'}；如写 AD: 70 mm",
-                    f"just one of {', '.join(wanted)} is needed beside, and here are: {', '.join(more) or 'none'}; "
-                    "write e.g. AD: 70 mm",
-                ),
-                code="contradiction",
-            )
+        wanted = len(_ONE_MORE) if self.swing is not None else 1  # with ADC only AD
+        self.one_of(*_ONE_MORE[:wanted], never=_ONE_MORE[wanted:])
         self._angles()
         return self
 
@@ -99,7 +90,7 @@ class CrankRocker(Design):
             ("γ_{min}", self.gamma_min),
             ("A", self.A),
         )
-        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+        return as_written(written)
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any]:
         """The four-bar with A in the origin and D on the x axis."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from ..devices.base import Length
+from ..devices.base import Length, as_written
 from ..names import Named
 from .base import Design
 from .linkages import four_bar, guide_bar, slider_crank
@@ -58,7 +58,7 @@ class SliderCrankLimits(Design):
     def given(self) -> tuple[tuple[str, str], ...]:
         """Crank, coupler, offset."""
         written = (("l_{AB}", self.AB), ("l_{BC}", self.BC), ("e", self.e))
-        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+        return as_written(written)
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any]:
         """The slider-crank itself."""
@@ -90,7 +90,7 @@ class GuideBarLimits(Design):
     def given(self) -> tuple[tuple[str, str], ...]:
         """Crank, frame, offset."""
         written = (("l_{AB}", self.AB), ("l_{AC}", self.AC), ("e", self.e))
-        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+        return as_written(written)
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any]:
         """Crank, block and guide bar."""

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from pydantic import model_validator
 
-from ..devices.base import Length
+from ..devices.base import Length, as_written
 from ..names import Named
 from .base import Design, Quick, between_limits
 from .linkages import slider_crank
@@ -37,7 +37,7 @@ class SliderCrank(Design):
     def given(self) -> tuple[tuple[str, str], ...]:
         """K, H, and what is given beside."""
         written = (("K", self.K), ("H", self.H), ("e", self.e), ("l_{AB}", self.AB), ("l_{BC}", self.BC))
-        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+        return as_written(written)
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any]:
         """The slider-crank with A in the origin."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil, cos, degrees, floor, pi
+from math import cos, degrees, pi
 from typing import ClassVar, Literal
 
 from pydantic import model_validator
@@ -13,6 +13,7 @@ from ..names import Named
 from ..words import Words
 from .base import Design
 from .inversion.written import Place
+from .ranges import extremes
 
 L, BAND = Named("L", "L", "mm"), Named("delta", "δ", "mm")
 SLACK = 1e-9  # of a length: at a dead point
@@ -44,7 +45,7 @@ class StraightLine(Design):
                 "phi",
                 code="out-of-range",
             )
-        for phi in (low, high, *(pi * n for n in range(ceil(low / pi), floor(high / pi) + 1))):
+        for phi in extremes(low, high):
             self._reaches(phi)
         return self
 

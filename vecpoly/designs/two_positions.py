@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from math import pi
 from typing import Any, ClassVar
 
-from ..devices.base import Angle, Length
+from ..devices.base import Angle, Length, as_written
 from ..names import Named
 from .base import Design, Quick
 from .linkages import four_bar
@@ -40,7 +40,7 @@ class DeadCentre(Design):
             ("ψ_2", self.psi_2),
             ("φ_{12}", self.phi_12),
         )
-        return tuple((symbol, value.text) for symbol, value in written)
+        return as_written(written)
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any]:
         """The four-bar with A in the origin and D on the x axis."""
@@ -69,7 +69,7 @@ class DragLink(Design):
     def given(self) -> tuple[tuple[str, str], ...]:
         """Frame, crank, K, the angles."""
         written = (("l_{AD}", self.AD), ("l_{AB}", self.AB), ("K", self.K), ("φ_1", self.phi_1), ("ψ_1", self.psi_1))
-        return tuple((symbol, value.text) for symbol, value in written)
+        return as_written(written)
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any]:
         """The four-bar with A in the origin and D on the x axis."""

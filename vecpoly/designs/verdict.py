@@ -28,7 +28,6 @@ class Verdict(Enum):
         "from one "
         "to the other; take $e < H cot θ$",
     )
-    NOT_GRASHOF = Words("不满足曲柄存在条件", "no link can turn fully (Grashof)")
     CIRCUIT = Words(
         "各位置不在同一装配回路中，须拆开机构才能通过",
         "its positions belong to different circuits: it would have to be taken apart",

@@ -6,9 +6,9 @@ exact answers); nothing else is edited. Its `kind` is what a problem file writes
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import cache
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Protocol
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
 
@@ -63,6 +63,20 @@ Speed = Annotated[Quantity, BeforeValidator(_reader(Dim.SPEED, positive)), _QUAN
 Power = Annotated[Quantity, BeforeValidator(_reader(Dim.POWER, positive)), _QUANTITY]
 Ratio = Annotated[Quantity, BeforeValidator(_ratio), _QUANTITY]
 Efficiency = Annotated[Quantity, BeforeValidator(_efficiency), _QUANTITY]
+
+
+class Written(Protocol):
+    """A datum that knows how it was written."""
+
+    @property
+    def text(self) -> str:
+        """As in the problem file."""
+        ...
+
+
+def as_written(data: Iterable[tuple[str, Written | None]]) -> tuple[tuple[str, str], ...]:
+    """Symbol and text of each datum that is given."""
+    return tuple((symbol, value.text) for symbol, value in data if value is not None)
 
 
 class Device(BaseModel):

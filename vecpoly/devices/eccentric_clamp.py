@@ -11,7 +11,7 @@ from pydantic import Field, model_validator
 from ..errors import FaultError
 from ..names import Named, reaction
 from ..words import Words
-from .base import Angle, Device, ForceSize, Length, Ratio
+from .base import Angle, Device, ForceSize, Length, Ratio, as_written
 
 
 class EccentricClamp(Device):
@@ -100,7 +100,7 @@ class EccentricClamp(Device):
             ("ρ", self.rho),
             ("Q", self.Q),
         ]
-        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+        return as_written(written)
 
     @property
     def size(self) -> float:

@@ -10,7 +10,7 @@ from pydantic import model_validator
 from ..errors import FaultError, LockedError
 from ..names import Named, reaction
 from ..words import Words
-from .base import Angle, Device, ForceSize, Ratio
+from .base import Angle, Device, ForceSize, Ratio, as_written
 
 
 class Incline(Device):
@@ -67,7 +67,7 @@ class Incline(Device):
     def given(self) -> tuple[tuple[str, str], ...]:
         """f, α where it is given, β, Q."""
         written = [("f", self.f), ("α", self.alpha), ("β", self.beta), ("Q", self.Q)]
-        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+        return as_written(written)
 
     @property
     def force(self) -> float:

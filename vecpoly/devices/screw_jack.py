@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from ..errors import FaultError
 from ..names import Named
 from ..words import Words
-from .base import Angle, Device, ForceSize, Length, Ratio
+from .base import Angle, Device, ForceSize, Length, Ratio, as_written
 
 
 class ScrewJack(Device):
@@ -170,7 +170,7 @@ class ScrewJack(Device):
             ("Q", self.Q),
             ("F", self.F),
         ]
-        found = [(symbol, value.text) for symbol, value in written if value is not None]
+        found = as_written(written)
         return (*found[:3], *((("n", str(self.starts)),) if self.starts > 1 else ()), *found[3:])
 
     @property

@@ -10,7 +10,7 @@ from pydantic import model_validator
 from ..errors import FaultError, LockedError
 from ..names import Named, reaction
 from ..words import Words
-from .base import Angle, Device, ForceSize, Ratio
+from .base import Angle, Device, ForceSize, Ratio, as_written
 
 FACES = ("12", "13", "23")  # who presses on whom
 
@@ -84,7 +84,7 @@ class Wedges(Device):
         """α, β, Q and the coefficients of friction."""
         fs = [("f", self.f)] if self.f else [(f"f_{{{face}}}", self.friction(face)) for face in FACES]
         written = [("α", self.alpha), ("β", self.beta), ("Q", self.Q), *fs]
-        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+        return as_written(written)
 
     @property
     def force(self) -> float:

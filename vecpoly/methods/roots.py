@@ -1,4 +1,4 @@
-"""Where a curve that is drawn by trial crosses zero."""
+"""Where a curve that is drawn by trial crosses zero, and where it is highest."""
 
 from __future__ import annotations
 
@@ -13,8 +13,26 @@ FINER = 24  # further trials where the curve turns back near zero
 
 STRIDE = 1e-7  # of the drive's position: the first secant of the last steps
 POLISHINGS = 6
+GOLDEN = (5**0.5 - 1) / 2
 
 Curve = Callable[[float], float]
+
+
+def halved(curve: Curve, low: float, high: float, times: int) -> float:
+    """The zero between two trials of different sign, by halving."""
+    above = curve(low) > 0
+    for _ in range(times):
+        middle = (low + high) / 2
+        low, high = (middle, high) if (curve(middle) > 0) == above else (low, middle)
+    return (low + high) / 2
+
+
+def top(curve: Curve, low: float, high: float, times: int) -> float:
+    """The place of the one top between two trials, by the golden section."""
+    for _ in range(times):
+        left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+        low, high = (left, high) if curve(left) < curve(right) else (low, right)
+    return (low + high) / 2
 
 
 def crossings(curve: Curve, grid: Sequence[float], near: float) -> list[float]:

@@ -7,7 +7,7 @@ from math import degrees
 
 from ..algebra.quantity import number
 from ..board.construction import LineOfAction
-from ..check.truths.mechanism import pin_of
+from ..check.truths.analysis import pin_of
 from ..mechanism.asked.forces import pairs, press_named
 from ..mechanism.groups.assur import ends, is_held
 from ..mechanism.loads import Loads

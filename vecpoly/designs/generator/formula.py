@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from math import e, pi
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +17,7 @@ from ...errors import FaultError
 from ...units.reading import Quantity, pure
 from ...words import Words
 
-Value = float | npt.NDArray[np.float64]
+Value = TypeVar("Value", float, float | npt.NDArray[np.float64])
 LONGEST = 80  # letters of a formula
 _KNOWN: dict[str, Callable[..., Any]] = {
     "sqrt": np.sqrt,

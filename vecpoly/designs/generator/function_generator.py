@@ -17,7 +17,7 @@ from ..base import Design
 from ..inversion.built import posed_four_bar
 from ..inversion.written import Corresponding, Pair
 from ..quantities import FOUR_BAR
-from .formula import Function, Number
+from .formula import Function, Number, Value
 
 AHEAD_B, AHEAD_C = Named("delta_B", "δ_{B}", "deg"), Named("delta_C", "δ_{C}", "deg")
 P0, P1, P2 = (Named(f"P_{n}", f"P_{n}", "") for n in range(3))  # of Freudenstein's equation
@@ -101,17 +101,18 @@ class FunctionGenerator(Design):
 
     # -- the function ----------------------------------------------------------------------------------------
 
-    def y(self, x: float) -> float:
+    def y(self, x: Value) -> Value:
         """f(x)."""
         assert self.function is not None
-        return float(self.function(x))
+        found = self.function(x)
+        return float(found) if isinstance(found, float) else found
 
-    def x_at(self, share: float) -> float:
+    def x_at(self, share: Value) -> Value:
         """x at this share of its range, 0 to 1."""
         assert self.x is not None
         return self.x[0].si + share * (self.x[1].si - self.x[0].si)
 
-    def angles_at(self, share: float) -> tuple[float, float]:
+    def angles_at(self, share: Value) -> tuple[Value, Value]:
         """φ and the ψ that belongs to it (rad), at this share of the range."""
         assert self.x is not None and self.phi is not None and self.psi is not None
         low, high = (self.y(at.si) for at in self.x)

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from pydantic import model_validator
 
-from ...devices.base import Length
+from ...devices.base import Length, as_written
 from ...errors import FaultError
 from ...names import Named
 from ...words import Words
@@ -86,11 +86,7 @@ class AnglePairs(Design):
         pairs = tuple((f"φ_{{{n}}}", pair.text) for n, pair in enumerate(self.pairs, 1))
         lengths = (("l_{AB}", self.AB), ("l_{AD}", self.AD))
         lines = (("C", self.guide), ("C", self.C), ("B", self.B))
-        return (
-            *((symbol, value.text) for symbol, value in lengths if value is not None),
-            *(said(letter, line) for letter, line in lines if line is not None),
-            *pairs,
-        )
+        return (*as_written(lengths), *(said(letter, line) for letter, line in lines if line is not None), *pairs)
 
     @property
     def size(self) -> float:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from math import pi
 
 from ...errors import FaultError
 from ...words import Words
+from ..base import between_limits
 from .loops import Hinged, Loop, Sliding
 from .plan import FRAME, Assemble, Body, Find, Limit, Limits, On, Pin, Plan, Position, Slide, Stage, Through
 from .step import Step
@@ -103,7 +103,7 @@ class Assembly:
             pivot=self._known(step.on[0]),
             crank=pin,
             about=self._known(about),
-            theta=pi * (step.K.si - 1) / (step.K.si + 1),
+            theta=between_limits(step.K),
             first=step.first.at,
             limit=Limit.LEFT if step.limit == "left" else Limit.RIGHT,
         )

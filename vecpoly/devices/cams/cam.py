@@ -18,7 +18,7 @@ from ...errors import FaultError
 from ...names import Named
 from ...units.reading import Dim, Quantity
 from ...words import Words
-from ..base import Angle, Device, Length
+from ..base import Angle, Device, Length, as_written
 from .asked import (
     ALPHA,
     ALPHA_BACK,
@@ -183,7 +183,7 @@ class Cam(Device):
         told += [("r_r", f.roller), ("e", f.offset)]
         if f.arm:
             told += [("l_{OA}", f.arm.OA), ("l_{AB}", f.arm.AB), ("d", f.arm.face)]
-        return tuple((symbol, value.text) for symbol, value in told if value is not None)
+        return as_written(told)
 
 
 def _out(key: str, text: str, what: Words, span: str) -> FaultError:

@@ -20,6 +20,7 @@ from ...plane import Points, Reals, nominal
 from ..devices.bench import Bench
 
 ONE, TWO = Quantity(Txt("1"), 1.0, ""), Quantity(Txt("2"), 2.0, "")
+WHOLE_TURN = Quantity(Txt("360°"), 360.0, "deg")
 HALF_TURN = Quantity(Txt("180°"), 180.0, "deg")
 RIGHT = Quantity(Txt("90°"), 90.0, "deg")
 SHEET = View.MECHANISM
@@ -107,6 +108,16 @@ class Draft(Bench):
         self._keep(_reading(named, value), value)
         return result
 
+    def kept(self, *keys: str) -> str | None:
+        """The first of these keys under which an answer is kept."""
+        return next((key for key in keys if key in self.board.readings), None)
+
+    def own(self, named: Named) -> Reals:
+        """What was found of the candidate that is found next, under its number or in common; else what was given."""
+        key = self.kept(numbered(named, self.number).key, named.key)
+        assert key is not None
+        return self.board.found[key]
+
     # -- the end -------------------------------------------------------------------------------------------
 
     def settle(self, design: Design) -> None:
@@ -124,8 +135,7 @@ class Draft(Bench):
 
     def _copy(self, source: Named, shared: Named, named: Named) -> None:
         """Keep an answer under another key; what was not found is no number."""
-        here = next((key for key in (source.key, shared.key) if key in self.board.readings), None)
-        if here is None:
+        if (here := self.kept(source.key, shared.key)) is None:
             self._keep(_reading(named, nan), np.float64(nan))
             return
         self._keep(replace(self.board.readings[here], key=named.key, symbol=named.symbol), self.board.found[here])
@@ -137,7 +147,7 @@ class Draft(Bench):
     def _candidate(self, one: Found, design: Design) -> Candidate:
         read, found = self.board.readings, self.board.found
         where = {named.key: (numbered(named, one.number).key, named.key) for named in design.quantities()}
-        kept = {key: name for key, names in where.items() if (name := next((k for k in names if k in read), None))}
+        kept = {key: name for key, names in where.items() if (name := self.kept(*names))}
         valid = one.verdict is Verdict.VALID
         return Candidate(
             number=one.number,

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
+from ...algebra.quantity import Quantity
 from ...designs.quantities import AB, AD, BC, CD, SWING
 from ...designs.verdict import Verdict
 from ...plane import Points, cross, nominal, unit
@@ -49,34 +51,22 @@ def limits_of(a: Points, d: Points, c1: Points, c2: Points, letters: tuple[str, 
     return Limits(a=a, d=d, folded=folded, extended=extended, letters=(of_a, near, far), first=first)
 
 
-def settled(draft: Draft, limits: Limits, verdict: Verdict) -> None:
-    """The linkage in both limits, thick in the extended one; of a valid one AB, BC and what follows from them."""
-    a, d, near, far = limits.a, limits.d, limits.folded, limits.extended
-    crank = (np.abs(far - a) - np.abs(near - a)) / 2
-    of_near: Points = a - unit(near - a) * crank
-    of_far: Points = a + unit(far - a) * crank
-    drawn(draft, (a, of_far, far, d), (a, of_near, near, d), verdict=verdict)
-    rejected(draft, verdict)
-    if verdict is Verdict.VALID:
-        numbers = "12" if limits.first else "21"
-        of_near, of_far = (
-            pin(draft, draft.letter(f"B{i}"), b) for i, b in zip(numbers, (of_near, of_far), strict=True)
-        )
-        _read(draft, limits)
-    order = crank, (np.abs(far - a) + np.abs(near - a)) / 2, np.abs(d - a), a.real
-    draft.candidate(verdict, order, A=a, D=d, B1=of_near, C1=near, B2=of_far, C2=far)
-
-
-def _read(draft: Draft, limits: Limits) -> None:
-    """l_AB = μ_l (AC_far − AC_near) / 2, l_BC = μ_l (AC_far + AC_near) / 2; then AD, the swing and γ_min."""
+def crank_and_coupler(draft: Draft, limits: Limits) -> tuple[Quantity, Quantity]:
+    """l_AB = μ_l (AC_far − AC_near) / 2, l_BC = μ_l (AC_far + AC_near) / 2."""
     board, (of_a, of_near, of_far) = draft.board, limits.letters
-    if board.here is not SHEET:  # the last solution went on to a figure of its own
-        told = Words("另一交点给出另一个解，同样量取：", "The other meeting gives another solution; read it likewise:")
-        board.step(told, SHEET)
     far = board.measure(limits.a, limits.extended, f"{of_a} {of_far}")
     near = board.measure(limits.a, limits.folded, f"{of_a} {of_near}")
     crank = draft.length(draft.of_this(AB), (far - near) / TWO, f"{of_a} B")
-    coupler = draft.length(draft.of_this(BC), (far + near) / TWO, "B C")
+    return crank, draft.length(draft.of_this(BC), (far + near) / TWO, "B C")
+
+
+def _four_bar(draft: Draft, limits: Limits) -> None:
+    """AB and BC; then CD, AD, the swing and γ_min."""
+    board, (of_a, _, of_far) = draft.board, limits.letters
+    if board.here is not SHEET:  # the last solution went on to a figure of its own
+        told = Words("另一交点给出另一个解，同样量取：", "The other meeting gives another solution; read it likewise:")
+        board.step(told, SHEET)
+    crank, coupler = crank_and_coupler(draft, limits)
     if CD.key not in board.readings:
         draft.length(draft.of_this(CD), board.measure(limits.d, limits.extended, f"D {of_far}"), f"D {of_far}")
     if AD.key not in board.readings:
@@ -84,3 +74,32 @@ def _read(draft: Draft, limits: Limits) -> None:
     if SWING.key not in board.readings:
         draft.stated(draft.of_this(SWING), draft.angle(limits.d, limits.folded, limits.extended))
     least_angle(draft, crank, coupler)
+
+
+def settled(
+    draft: Draft,
+    limits: Limits,
+    verdict: Verdict,
+    read: Callable[[Draft, Limits], None] = _four_bar,
+    *,
+    framed: bool = True,
+) -> None:
+    """The linkage in both limits, thick in the extended one; of a valid one AB, BC and what follows from them.
+
+    framed: whether C is on a rocker, which is drawn as far as its pivot D.
+    """
+    a, near, far = limits.a, limits.folded, limits.extended
+    pivots = {"D": limits.d} if framed else {}
+    crank = (np.abs(far - a) - np.abs(near - a)) / 2
+    of_near: Points = a - unit(near - a) * crank
+    of_far: Points = a + unit(far - a) * crank
+    drawn(draft, (a, of_far, far, *pivots.values()), (a, of_near, near, *pivots.values()), verdict=verdict)
+    rejected(draft, verdict)
+    if verdict is Verdict.VALID:
+        numbers = "12" if limits.first else "21"
+        of_near, of_far = (
+            pin(draft, draft.letter(f"B{i}"), b) for i, b in zip(numbers, (of_near, of_far), strict=True)
+        )
+        read(draft, limits)
+    order = crank, (np.abs(far - a) + np.abs(near - a)) / 2, np.abs(limits.d - a), a.real
+    draft.candidate(verdict, order, A=a, **pivots, B1=of_near, C1=near, B2=of_far, C2=far)

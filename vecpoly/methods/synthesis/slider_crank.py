@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from ...board.paper.marks import Role
-from ...designs.quantities import AB, ALPHA_MAX, BC, GAMMA_MIN, OFFSET, STROKE
+from ...designs.quantities import ALPHA_MAX, GAMMA_MIN, OFFSET, STROKE
 from ...designs.slider_crank import SliderCrank
 from ...designs.verdict import Verdict
 from ...plane import Line, Points, foot, nominal, unit
@@ -14,10 +16,10 @@ from ...plane.geometry import dot
 from ...words import Words
 from .advance import theta_of
 from .arc_middle import MIRROR, by_arc
-from .draft import RIGHT, SHEET, TWO, Draft
+from .draft import RIGHT, SHEET, Draft
 from .eta import Eta, eta
-from .limits import Limits, limits_of
-from .linkage import drawn, pin, pivot, rejected
+from .limits import Limits, crank_and_coupler, limits_of, settled
+from .linkage import pin, pivot
 from .pressure import greatest_pressure
 from .registry import design_method
 
@@ -63,26 +65,8 @@ def _solution(draft: Draft, design: SliderCrank, ends: tuple[Points, Points], ci
     base = foot(Line(c1, unit(c2 - c1)), a)
     along = float(nominal(dot(c2 - c1, base - c1) / np.square(np.abs(c2 - c1))))
     verdict = Verdict.ACROSS if 0 <= along <= 1 else Verdict.VALID
-    letters = ("A", "C_1", "C_2")
-    _settled(draft, design, limits_of(a, base, c1, c2, letters), verdict)
-
-
-def _settled(draft: Draft, design: SliderCrank, limits: Limits, verdict: Verdict) -> None:
-    """The linkage in both limits; of a valid one its lengths. The foot of A on the guide stands in the place of D."""
-    a, near, far = limits.a, limits.folded, limits.extended
-    crank = (np.abs(far - a) - np.abs(near - a)) / 2
-    of_near: Points = a - unit(near - a) * crank
-    of_far: Points = a + unit(far - a) * crank
-    drawn(draft, (a, of_far, far), (a, of_near, near), verdict=verdict)
-    rejected(draft, verdict)
-    if verdict is Verdict.VALID:
-        numbers = "12" if limits.first else "21"
-        of_near, of_far = (
-            pin(draft, draft.letter(f"B{i}"), b) for i, b in zip(numbers, (of_near, of_far), strict=True)
-        )
-        _read(draft, design, limits)
-    order = crank, (np.abs(far - a) + np.abs(near - a)) / 2, np.abs(a - limits.d), a.real
-    draft.candidate(verdict, order, A=a, B1=of_near, C1=near, B2=of_far, C2=far)
+    limits = limits_of(a, base, c1, c2, ("A", "C_1", "C_2"))  # the foot of A on the guide in the place of D
+    settled(draft, limits, verdict, partial(_read, design=design), framed=False)
 
 
 def _at_offset(draft: Draft, circle: Eta, c1: Points, offset: float) -> Points:
@@ -102,15 +86,11 @@ def _at_offset(draft: Draft, circle: Eta, c1: Points, offset: float) -> Points:
     return board.either(left)
 
 
-def _read(draft: Draft, design: SliderCrank, limits: Limits) -> None:
+def _read(draft: Draft, limits: Limits, design: SliderCrank) -> None:
     """l_AB, l_BC by half the difference and half the sum; the offset; the greatest pressure angle."""
-    board, (_, of_near, of_far) = draft.board, limits.letters
-    far = board.measure(limits.a, limits.extended, f"A {of_far}")
-    near = board.measure(limits.a, limits.folded, f"A {of_near}")
-    crank = draft.length(draft.of_this(AB), (far - near) / TWO, "A B")
-    coupler = draft.length(draft.of_this(BC), (far + near) / TWO, "B C")
+    crank, coupler = crank_and_coupler(draft, limits)
     if design.e is None:
-        offset = draft.length(draft.of_this(OFFSET), board.measure(limits.a, limits.d, "A N"), "A N")
+        offset = draft.length(draft.of_this(OFFSET), draft.board.measure(limits.a, limits.d, "A N"), "A N")
     else:
         offset = draft.shared(OFFSET, design.e.si * 1e3)
     found = draft.stated(draft.of_this(ALPHA_MAX), greatest_pressure(draft, crank, coupler, offset))

@@ -11,6 +11,7 @@ from ...board.construction import View
 from ...board.paper.marks import Dot, Role
 from ...board.place import Pane
 from ...designs.quantities import AD, CD, GAMMA_MIN
+from ...names import Named
 from ...plane import Points, Reals, nominal
 from ...words import Words
 from .draft import Draft
@@ -39,7 +40,7 @@ def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
         ),
         place,
     )
-    frame = _mm(draft, draft.of_this(AD).key, AD.key)
+    frame = _mm(draft, AD)
     a = board.locate(place, "A", 0j)
     d = board.locate(place, "D", board.lay_off(a, 1 + 0j, frame))
     both = [_extreme(draft, place, (a, d), crank, coupler, side) for side in (1, -1)]
@@ -47,10 +48,9 @@ def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
     draft.stated(draft.of_this(GAMMA_MIN), np.minimum(both[0].gamma, both[1].gamma))
 
 
-def _mm(draft: Draft, *keys: str) -> Reals:
+def _mm(draft: Draft, named: Named) -> Reals:
     """A length found, or given, on paper."""
-    found = next(draft.board.found[key] for key in keys if key in draft.board.found)
-    return found * 1e-3 / draft.board.scale_of(View.MECHANISM).value
+    return draft.own(named) * 1e-3 / draft.board.scale_of(View.MECHANISM).value
 
 
 def _extreme(
@@ -61,7 +61,7 @@ def _extreme(
     per_mm = 1e-3 / board.scale_of(place).value
     b = board.locate(place, f"B{marks}", board.lay_off(a, side + 0j, crank.value * per_mm))
     what = Words(f"求 $C{marks}$", f"finding $C{marks}$")
-    c, _ = board.arcs(b, coupler.value * per_mm, d, _mm(draft, draft.of_this(CD).key, CD.key), what)
+    c, _ = board.arcs(b, coupler.value * per_mm, d, _mm(draft, CD), what)
     c = board.locate(place, f"C{marks}", board.either(c))
     angle = draft.angle(c, b, d)
     gamma = np.minimum(angle, 180.0 - angle)

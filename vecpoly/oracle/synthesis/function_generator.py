@@ -8,18 +8,18 @@ from __future__ import annotations
 from cmath import exp, phase
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import ceil, cos, degrees, floor, inf, pi, sqrt
+from math import cos, degrees, inf, pi, sqrt
 
 import numpy as np
 
 from ...designs.generator.function_generator import FunctionGenerator
 from ...designs.generator.refusals import checked
+from ...designs.ranges import extremes
 from ...designs.verdict import Verdict
-from .inversion.defects import Defect, fourbar
+from .inversion.defects import fourbar
 from .registry import Linkage, synthesizes
 from .sweep import greatest
 
-_VERDICTS = {Defect.CIRCUIT: Verdict.CIRCUIT, Defect.BRANCH: Verdict.BRANCH, Defect.ORDER: Verdict.ORDER}
 _DEAD = 1e-9  # of the coupler and output link: the loop at a dead point
 Pairs = tuple[tuple[float, float], ...]
 
@@ -99,16 +99,9 @@ def _verdict(design: FunctionGenerator, found: _Signed, b: tuple[complex, ...], 
     if found.b < 1e-9 * found.d:
         return Verdict.NO_LINK
     if (defect := fourbar(0j, complex(found.d), b, c).defect) is not None:
-        return _VERDICTS[defect]
-    return Verdict.VALID if all(found.reaches(phi) for phi in _extremes(design)) else Verdict.RANGE
-
-
-def _extremes(design: FunctionGenerator) -> list[float]:
-    """Where BD may be longest or shortest within the range of a function: at its ends, with AB on the line AD."""
-    if design.phi is None:
-        return []
-    low, high = sorted(end.si for end in design.phi)
-    return [low, high, *(pi * n for n in range(ceil(low / pi), floor(high / pi) + 1))]
+        return Verdict[defect.name]
+    turned = () if design.phi is None else extremes(*sorted(end.si for end in design.phi))
+    return Verdict.VALID if all(found.reaches(phi) for phi in turned) else Verdict.RANGE
 
 
 def _side(b: complex, c: complex, d: float) -> int:

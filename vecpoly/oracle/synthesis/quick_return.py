@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from math import asin, cos, degrees, pi, sin
 
-from ...designs.shaper import Shaper
+from ...designs.quick_return import Shaper, Whitworth
 from ...designs.verdict import Verdict
-from ...designs.whitworth import Whitworth
 from ...errors import AssemblyError
 from ...words import Words
 from .registry import Linkage, synthesizes

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 
+from ...roots import Curve, halved, top
 from .track import Track
 
 PLACES = 1440  # of A on its locus, tried in turn
 REFINED = 100  # halvings, or golden sections
-GOLDEN = (5**0.5 - 1) / 2
 EQUAL = 1e-6  # rad: two angles at the best place
-Function = Callable[[float], float]
 
 
 def meetings(track: Track, wanted: float) -> Iterator[float]:
@@ -25,7 +24,7 @@ def meetings(track: Track, wanted: float) -> Iterator[float]:
     tried = [off(t) for t in places]
     for i in range(len(places) - 1):
         if tried[i] * tried[i + 1] < 0:
-            yield _halved(off, places[i], places[i + 1])
+            yield halved(off, places[i], places[i + 1], REFINED)
 
 
 def summit(track: Track) -> Iterator[float]:
@@ -39,34 +38,19 @@ def summit(track: Track) -> Iterator[float]:
     if not 0 < i < len(places) - 1:
         return
     low, high = places[i - 1], places[i + 1]
-    t = _best(lambda x: min(track.angles(x)), low, high)
+    t = top(lambda x: min(track.angles(x)), low, high, REFINED)
     first, second = track.angles(t)
     if abs(first - second) < EQUAL:
-        yield _halved(lambda x: track.angles(x)[0] - track.angles(x)[1], low, high)
+        yield halved(lambda x: track.angles(x)[0] - track.angles(x)[1], low, high, REFINED)
         return
     lesser, step = (0 if first < second else 1), (high - low) / 10
-    yield _halved(lambda x: _change(lambda y: track.angles(y)[lesser], x, step), t - step, t + step)
+    yield halved(lambda x: _change(lambda y: track.angles(y)[lesser], x, step), t - step, t + step, REFINED)
 
 
 def _places() -> list[float]:
     return [float(t) for t in np.linspace(0.0, 1.0, PLACES + 2)[1:-1]]
 
 
-def _halved(of: Function, low: float, high: float) -> float:
-    above = of(low) > 0
-    for _ in range(REFINED):
-        middle = (low + high) / 2
-        low, high = (middle, high) if (of(middle) > 0) == above else (low, middle)
-    return (low + high) / 2
-
-
-def _best(of: Function, low: float, high: float) -> float:
-    for _ in range(REFINED):
-        left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        low, high = (left, high) if of(left) < of(right) else (low, right)
-    return (low + high) / 2
-
-
-def _change(of: Function, at: float, step: float) -> float:
+def _change(of: Curve, at: float, step: float) -> float:
     """How the angle changes there, from two places on either side (fourth order)."""
     return 8 * (of(at + step) - of(at - step)) - (of(at + 2 * step) - of(at - 2 * step))

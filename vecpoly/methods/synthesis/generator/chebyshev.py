@@ -31,11 +31,10 @@ def precision_pairs(draft: Draft, design: FunctionGenerator) -> tuple[Pair, ...]
     shares = [mm / ACROSS for mm in _feet(draft, place)]
     pairs = []
     for n, share in enumerate(shares, 1):
-        pair = _angles(design, share)
-        x = design.x[0].si + share * span
+        pair, x = design.angles_at(share), design.x_at(share)
         for symbol, value, unit in (
             (f"x_{n}", x, ""),
-            (f"y_{n}", _of(design, x), ""),
+            (f"y_{n}", design.y(x), ""),
             (f"φ_{n}", np.degrees(pair[0]), "deg"),
             (f"ψ_{n}", np.degrees(pair[1]), "deg"),
         ):
@@ -71,17 +70,3 @@ def _feet(draft: Draft, place: Pane) -> list[Reals]:
         board.plot(place, below, f"x_{n}", Dot.POINT)
         found.append(board.measure(start, below, f"x_0 x_{n}").value)
     return found
-
-
-def _of(design: FunctionGenerator, x: Reals) -> Reals:
-    assert design.function is not None
-    return design.function(x)
-
-
-def _angles(design: FunctionGenerator, share: Reals) -> Pair:
-    """φ and ψ in proportion to x and y."""
-    assert design.x is not None and design.phi is not None and design.psi is not None
-    low, high = (_of(design, at.si) for at in design.x)
-    of_y = (_of(design, design.x[0].si + share * (design.x[1].si - design.x[0].si)) - low) / (high - low)
-    (phi, phi_end), (psi, psi_end) = design.phi, design.psi
-    return phi.si + share * (phi_end.si - phi.si), psi.si + of_y * (psi_end.si - psi.si)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from cmath import exp
-from math import ceil, degrees, floor, pi
+from math import degrees
 
 import numpy as np
 
 from ....algebra.quantity import magnitude, stated
 from ....designs.generator.function_generator import ERROR, FunctionGenerator
+from ....designs.ranges import extremes
 from ....plane import Points, Reals, circles_meet, cross, nominal
 from ....plane.geometry import dot
 from ....words import Words
@@ -51,8 +52,7 @@ def passes(sheet: Sheet, design: FunctionGenerator) -> bool:
     assert design.phi is not None
     one = Output(sheet, design)
     ab, bc, cd, d = (float(nominal(value)) for value in (one.ab, one.bc, one.cd, np.abs(one.d)))
-    low, high = sorted(end.si for end in design.phi)
-    places = [low, high, *(pi * n for n in range(ceil(low / pi), floor(high / pi) + 1))]
+    places = extremes(*sorted(end.si for end in design.phi))
     bases = [abs(d - one.ways[0] * ab * exp(1j * phi)) for phi in places]
     slack = LEAST * (bc + cd)
     return all(abs(bc - cd) - slack <= base <= bc + cd + slack for base in bases)

@@ -9,8 +9,10 @@ from ....board.paper.marks import Dot, Role
 from ....designs.generator.function_generator import P0, P1, P2, FunctionGenerator
 from ....designs.inversion.loops import Hinged
 from ....designs.inversion.plan import FRAME, Body, Find, On, Pin, Plan, Position
+from ....designs.quantities import AB, AD, BC, CD
 from ....designs.verdict import Verdict
 from ....foundation.frozen import FrozenMap
+from ....names import Named
 from ....plane import Points, Reals, nominal
 from ....plane.geometry import dot
 from ....words import Words
@@ -136,22 +138,17 @@ def _freudenstein(sheet: Sheet) -> None:
         "against its line:",
     )
     draft.board.step(told, SHEET)
-    a, c = (_signed(sheet, key, *at) for key, at in (("a", ("AB", "AM", "B")), ("c", ("CD", "DN", "C"))))
-    b, d = (magnitude(key, draft.board.found[_key(draft, name)], "mm") for key, name in (("b", "BC"), ("d", "AD")))
+    a, c = (_signed(sheet, key, *at) for key, at in (("a", (AB, "AM", "B")), ("c", (CD, "DN", "C"))))
+    b, d = (magnitude(key, draft.own(named), "mm") for key, named in (("b", BC), ("d", AD)))
     draft.worked(draft.of_this(P0), c / a)
     draft.worked(draft.of_this(P1), Sum((c / d,), (-1,)))
     draft.worked(draft.of_this(P2), (a.squared() + c.squared() + d.squared() - b.squared()) / (TWO * a * d))
 
 
-def _signed(sheet: Sheet, symbol: str, length: str, body: str, letter: str) -> Quantity:
+def _signed(sheet: Sheet, symbol: str, length: Named, body: str, letter: str) -> Quantity:
     """A length with the sign that tells whether it points along the line of its link."""
     draft, stands = sheet.draft, sheet.bodies[body][0]
     way = 1 if float(nominal(dot(stands.along, sheet.pins[letter][0] - stands.start))) > 0 else -1
-    found = magnitude(symbol, way * draft.board.found[_key(draft, length)], "mm")
+    found = magnitude(symbol, way * draft.own(length), "mm")
     draft.board.write(stated(found))
     return found
-
-
-def _key(draft: Draft, name: str) -> str:
-    """Under which key a length of this candidate is kept."""
-    return next(key for key in (f"{name}_{draft.number}", name) if key in draft.board.found)

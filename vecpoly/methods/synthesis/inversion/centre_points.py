@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from ....designs.inversion.refusals import no_centre_point
 from ....foundation.frozen import FrozenMap
 from ....plane import Line, Points, nominal
 from ....words import Words
+from ...roots import Curve, halved
 from ..draft import SHEET
 from ..linkage import pin, pivot
 from .curve import centre_point_curve
@@ -96,19 +98,18 @@ def _off(spots: Sequence[Stands], m: complex) -> float:
     return float(area * abs(w) ** 2 - 2 * (w.conjugate() * centre).real)
 
 
-def _zeros(of: Callable[[float], float]) -> list[float]:
+def _zeros(of: Curve) -> list[float]:
     """Every place along the line where the deviation changes its sign; u → t = 100 tan u covers the whole line."""
-    places = np.linspace(-np.pi / 2, np.pi / 2, TRIALS + 2)[1:-1]
-    tried = [of(100 * np.tan(u)) for u in places]
-    changes = [i for i in range(len(tried) - 1) if tried[i] * tried[i + 1] < 0]
-    return [_halved(of, float(places[i]), float(places[i + 1]), tried[i] > 0) for i in changes]
 
+    def at(u: float) -> float:
+        return 100 * float(np.tan(u))
 
-def _halved(of: Callable[[float], float], low: float, high: float, above: bool) -> float:
-    for _ in range(REFINED):
-        middle = (low + high) / 2
-        low, high = (middle, high) if (of(100 * float(np.tan(middle))) > 0) == above else (low, middle)
-    return 100 * float(np.tan((low + high) / 2))
+    def off(u: float) -> float:
+        return of(at(u))
+
+    places = [float(u) for u in np.linspace(-np.pi / 2, np.pi / 2, TRIALS + 2)[1:-1]]
+    tried = [(u, off(u)) for u in places]
+    return [at(halved(off, low, high, REFINED)) for (low, a), (high, b) in pairwise(tried) if a * b < 0]
 
 
 def _bar(sheet: Sheet, stage: CentrePoints, line: Line, t: float, number: int) -> Bar:

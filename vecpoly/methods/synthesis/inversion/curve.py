@@ -8,7 +8,7 @@ the central angle 2γ, meet in two points of the curve.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import pairwise, product
+from itertools import chain, pairwise
 
 import numpy as np
 
@@ -39,8 +39,8 @@ def centre_point_curve(sheet: Sheet, body: str, found: Mapping[str, Points]) -> 
         sheet.draft.board.plot(place, pole, f"P_{{{i + 1}{j + 1}}}", Dot.POINT)
     for start, end in ((0, 1), (1, 3), (3, 2), (2, 0)):
         sheet.draft.board.join(place, poles[start], poles[end], Role.CONSTRUCTION)
-    for sides, branch in product(_both(spots), (0, 1)):
-        inside = (at for at in _branch(sides, branch) if abs(at - middle) < 1.1 * window)
+    for branch in chain.from_iterable(_branches(sides) for sides in _both(spots)):
+        inside = (at for at in branch if abs(at - middle) < 1.1 * window)
         for one, two in pairwise(_spaced(inside)):
             if abs(two - one) < JOINED:
                 sheet.draft.board.join(place, np.complex128(one), np.complex128(two), Role.CENTRE)
@@ -85,12 +85,9 @@ def _both(poles: Sequence[complex]) -> tuple[tuple[complex, ...], ...]:
     return (p12, p13, p24, p34), (p12, p24, p13, p34)
 
 
-def _branch(poles: Sequence[complex], branch: int) -> Iterator[complex]:
-    """One of the two meetings for every angle γ."""
-    for gamma in np.pi * (np.arange(ANGLES) + 0.5) / ANGLES:
-        at = meetings(poles, float(gamma))[branch]
-        if np.isfinite(at):
-            yield at
+def _branches(poles: Sequence[complex]) -> Iterator[tuple[complex, ...]]:
+    """The first meetings for every angle γ, and the second ones; NaN where there are none."""
+    return zip(*(meetings(poles, np.pi * (n + 0.5) / ANGLES) for n in range(ANGLES)), strict=True)
 
 
 def _spaced(spots: Iterable[complex]) -> Iterator[complex]:

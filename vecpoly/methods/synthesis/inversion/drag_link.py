@@ -5,8 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ....algebra.formula import Txt
-from ....algebra.quantity import Quantity, magnitude
+from ....algebra.quantity import magnitude
 from ....board.paper.marks import Role
 from ....designs.quantities import AB, AD, BC, CD
 from ....designs.quantities import K as ADVANCE
@@ -14,12 +13,10 @@ from ....designs.two_positions import DragLink
 from ....designs.verdict import Verdict
 from ....plane import Points, nominal
 from ....words import Words
-from ..draft import ONE, SHEET, Draft
+from ..draft import ONE, SHEET, WHOLE_TURN, Draft
 from ..linkage import drawn, pin, pivot, point, rejected
 from ..registry import design_method
 from ..transmission import least_angle
-
-WHOLE_TURN = Quantity(Txt("360°"), 360.0, "deg")
 
 
 @design_method(

@@ -9,7 +9,7 @@ import numpy as np
 from ....algebra.quantity import Quantity
 from ....board.paper.marks import Dot, Role
 from ....designs.quantities import AB, AC, ALPHA_MAX, CD, HEIGHT
-from ....designs.shaper import Shaper
+from ....designs.quick_return import Shaper
 from ....designs.verdict import Verdict
 from ....plane import Line, Points, foot, unit
 from ....words import Words

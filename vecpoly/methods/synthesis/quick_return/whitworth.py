@@ -6,21 +6,19 @@ from math import pi
 
 import numpy as np
 
-from ....algebra.formula import Txt
 from ....algebra.quantity import Quantity, magnitude
 from ....board.paper.marks import Role
 from ....designs.quantities import AB, AC, CD
+from ....designs.quick_return import Whitworth
 from ....designs.verdict import Verdict
-from ....designs.whitworth import Whitworth
 from ....plane import Line, Points, unit
 from ....words import Words
 from ..advance import theta_of
-from ..draft import ONE, SHEET, TWO, Draft
+from ..draft import ONE, SHEET, TWO, WHOLE_TURN, Draft
 from ..linkage import drawn, pin, pivot
 from ..registry import design_method
 
 DOWN = -1j
-WHOLE_TURN = Quantity(Txt("360°"), 360.0, "deg")
 
 
 @design_method(

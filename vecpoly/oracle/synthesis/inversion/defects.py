@@ -21,7 +21,7 @@ _BACK = 1e-12  # rad or m: what counts as standing still
 
 
 class Defect(Enum):
-    """Why a linkage that closes in every position is no solution."""
+    """Why a linkage that closes in every position is no solution, under the names of its `Verdict`."""
 
     CIRCUIT = "circuit"  # it would have to be taken apart
     BRANCH = "branch"  # the driver stops at a dead point on the way

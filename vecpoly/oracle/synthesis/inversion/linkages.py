@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cmath import phase
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from itertools import pairwise
 from math import degrees
 
@@ -19,12 +19,6 @@ from .staged import Found, linkages
 
 _NONE = 1e-7  # of the extent of what is given: a link shorter than that has no length
 _STRAIGHT = 1e-9  # deg
-_VERDICTS: Mapping[Defect | None, Verdict] = {
-    None: Verdict.VALID,
-    Defect.CIRCUIT: Verdict.CIRCUIT,
-    Defect.BRANCH: Verdict.BRANCH,
-    Defect.ORDER: Verdict.ORDER,
-}
 
 
 @synthesizes(Positions)
@@ -89,8 +83,8 @@ def _pins(found: Found) -> dict[str, complex]:
 def _verdict(plan: Plan, found: Found) -> Verdict:
     if min(found.length(one, two) for one, two in plan.bars()) < _NONE * plan.extent:
         return Verdict.NO_LINK
-    verdicts = [_VERDICTS[_defect(loop, found, plan.either)] for loop in plan.loops]
-    return next((verdict for verdict in verdicts if verdict is not Verdict.VALID), Verdict.VALID)
+    defects = [_defect(loop, found, plan.either) for loop in plan.loops]
+    return next((Verdict[defect.name] for defect in defects if defect is not None), Verdict.VALID)
 
 
 def _defect(loop: Loop, found: Found, either: bool) -> Defect | None:

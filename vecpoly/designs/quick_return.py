@@ -1,0 +1,90 @@
+"""Crank and guide bar from K and a stroke: the crank-shaper, whose bar swings, and Whitworth's, whose bar turns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, ClassVar, Self
+
+from pydantic import model_validator
+
+from ..devices.base import Length, as_written
+from ..names import Named
+from .base import Design, Quick, between_limits
+from .linkages import shaper, whitworth
+from .quantities import AB, AC, ALPHA_MAX, CD, HEIGHT, THETA
+from .quantities import K as ADVANCE
+
+LONG = 3.0  # lengths CD of the bar: a rod DE where none is given, for the motion alone
+
+
+class QuickReturn(Design):
+    """K, the stroke H and the crank AB or the frame AC."""
+
+    K: Quick
+    H: Length
+    AB: Length | None = None
+    AC: Length | None = None
+    DE: Length | None = None
+
+    @model_validator(mode="after")
+    def _determined(self) -> Self:
+        self.one_of("AB", "AC")
+        return self
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """K, H, and what is given beside."""
+        written = (("K", self.K), ("H", self.H), ("l_{AB}", self.AB), ("l_{AC}", self.AC), ("l_{DE}", self.DE))
+        return as_written(written)
+
+    def rod(self, values: Mapping[str, float]) -> float:
+        """DE, mm."""
+        return 1e3 * self.DE.si if self.DE is not None else LONG * values["CD"]
+
+    @property
+    def theta(self) -> float:
+        """θ = π (K − 1) / (K + 1), rad."""
+        return between_limits(self.K)
+
+
+class Shaper(QuickReturn):
+    """K, the stroke H and the crank AB or the frame AC; DE, where the pressure angle at the ram is asked.
+
+    C, about which the lever swings, is the origin, A above it; the ram's guide is level, through the middle of the
+    height of D's arc, where the pressure angle is least.
+    """
+
+    kind: ClassVar[str] = "shaper"
+
+    def quantities(self) -> tuple[Named, ...]:
+        """θ, which is the swing of the lever, crank, frame, lever, height of the guide; with DE the pressure angle."""
+        return (THETA, AB, AC, CD, HEIGHT, *((ALPHA_MAX,) if self.DE is not None else ()), ADVANCE)
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """Crank, lever, rod and ram."""
+        return shaper(values, self.rod(values), self.omega)
+
+    @property
+    def size(self) -> float:
+        """The stroke."""
+        return 2 * self.H.si
+
+
+class Whitworth(QuickReturn):
+    """K, the stroke H and the crank AB or the frame AC; the slider runs on the line through C square to AC."""
+
+    kind: ClassVar[str] = "whitworth"
+
+    def quantities(self) -> tuple[Named, ...]:
+        """θ, crank, frame, arm of the bar, K."""
+        return (THETA, AB, AC, CD, ADVANCE)
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """Crank, bar, rod and slider."""
+        return whitworth(values, self.rod(values), self.omega)
+
+    @property
+    def size(self) -> float:
+        """Twice the crank, or the frame."""
+        length = self.AB or self.AC
+        assert length is not None
+        return 3 * length.si
