@@ -33,14 +33,19 @@ def verification(problem: Problem, candidates: Sequence[Candidate]) -> tuple[Ver
     return tuple(one for one in found if one is not None)
 
 
+def taken(problem: Problem, candidates: Sequence[Candidate]) -> Candidate | None:
+    """The solution that is taken; None where there are not so many, or nothing was to be found."""
+    valid = _valid(candidates)
+    return valid[problem.design.take - 1] if valid and problem.design.take <= len(valid) else None
+
+
 def linkage(problem: Problem, candidates: Sequence[Candidate]) -> Problem:
     """The solution that is taken, as a problem of its own; raises NotAskedError where nothing was to be found."""
-    valid = _valid(candidates)
-    if valid and problem.design.take <= len(valid):
+    one = taken(problem, candidates)
+    if one is not None:
         from .check.found import linkage as made  # late, likewise
 
-        take = problem.design.take
-        if (found := made(problem.design, valid[take - 1].values, f"{problem.id}-{take}")) is not None:
+        if (found := made(problem.design, one.values, f"{problem.id}-{problem.design.take}")) is not None:
             return found
     raise NotAskedError(
         Words(

@@ -105,3 +105,18 @@ def test_the_command_writes_a_problem_that_can_be_drawn(tmp_path: Path) -> None:
     assert "swing" in done.output
     drawn = solve(load(out), repeats=0)
     assert not drawn.suspect and "omega_5" in drawn.answers
+
+
+@pytest.mark.parametrize(("output", "said"), [("found.txt", "end the file's name so"), ("dwell.yaml", "destroy")])
+def test_a_place_that_cannot_be_written_to_is_refused_before_the_search(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, output: str, said: str
+) -> None:
+    def begun(*_: object, **__: object) -> Found:
+        raise AssertionError("the search has begun")
+
+    monkeypatch.setattr("vecpoly.search.run.run", begun)
+    path = tmp_path / "dwell.yaml"
+    path.write_text(GOOD, encoding="utf-8")
+    done = CliRunner().invoke(app, ["search", str(path), "-o", str(tmp_path / output)])
+    assert done.exit_code == 2 and said in " ".join(done.output.split()), done.output
+    assert path.read_text(encoding="utf-8") == GOOD

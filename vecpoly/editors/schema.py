@@ -7,6 +7,7 @@ from typing import Any
 from pydantic import BaseModel
 
 from ..problem.editors import json_schema
+from ..problem.editors.schema import loose
 from ..project.spec import PartSpec, ProjectSpec, WorksSpec
 from ..search.spec import KINDS, SearchSpec
 from .words import PROJECT, SEARCH
@@ -51,19 +52,18 @@ def _of(model: type[BaseModel], shared: Schema) -> Schema:
     """The schema of a model, as YAML writes its values; what it refers to stands with the rest."""
     found = model.model_json_schema()
     shared |= {name: spec for name, spec in found.pop("$defs", {}).items() if name not in shared}
-    return dict(_as_written(found))
+    return dict(_untitled(loose(found)))
 
 
-def _as_written(value: Any) -> Any:
-    """Where a text stands, a number may stand as well; titles made of keys tell nothing."""
-    if isinstance(value, list):
-        return [_as_written(inner) for inner in value]
-    if not isinstance(value, dict):
-        return value
-    loose = {key: _as_written(inner) for key, inner in value.items() if not (key == "title" and isinstance(inner, str))}
-    if loose.get("type") == "string" and "enum" not in loose:
-        loose["type"] = ["string", "number"]
-    return loose
+def _untitled(value: Any) -> Any:
+    """Without the titles that are made of keys, which tell nothing."""
+    match value:
+        case list():
+            return [_untitled(inner) for inner in value]
+        case dict():
+            told = ((key, inner) for key, inner in value.items() if key != "title" or not isinstance(inner, str))
+            return {key: _untitled(inner) for key, inner in told}
+    return value
 
 
 def _told(schema: Schema, words: dict[str, str]) -> Schema:

@@ -14,7 +14,7 @@ from math import pi, sqrt
 from typing import Literal
 
 from ..foundation.frozen import FrozenMap
-from ..foundation.slotted import dataclass
+from ..foundation.slotted import dataclass, replace
 
 Role = Literal["", "driving", "resisting"]  # what the problem says of a load; its power must agree
 
@@ -138,6 +138,14 @@ class Loads:
     def mass(self, link: str) -> Mass | None:
         """The link's mass, if it has one."""
         return next((m for m in self.masses if m.link == link), None)
+
+    def without_roles(self) -> Loads:
+        """The loads, none called driving or resisting: over a cycle a load may be both in turn."""
+        return replace(
+            self,
+            forces=tuple(replace(one, role="") for one in self.forces),
+            moments=tuple(replace(one, role="") for one in self.moments),
+        )
 
 
 GRAVITY = 9.81  # m/s²

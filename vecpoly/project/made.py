@@ -8,6 +8,7 @@ from typing import Any
 
 from ..cycle import cycle
 from ..errors import FaultError
+from ..found import taken as solution_taken
 from ..mechanism.model import Mechanism
 from ..problem.assignment import part as branch
 from ..problem.build import build
@@ -21,12 +22,12 @@ from ..solution import Solution, solve
 from ..units.reading import Dim, positive, read
 from ..units.reckoning import Amount, reckon
 from ..words import Words
-from .measured import measured
+from .measured import known
 from .part import FINE, Part
 from .positions import Position, position, refuse_idle
 from .spec import OWN, PartSpec
 from .substitute import substituted
-from .working import Works, working
+from .working import Working, Works, working
 
 
 def made(
@@ -35,8 +36,7 @@ def made(
 ) -> Part:  # fmt: skip
     """The part under this key, solved. Raises ProblemFileError with its faults, and what `solve` raises."""
     faults = Faults(tree.name, tree.places)
-    given = {f"{one.name}.{name}": m.drawn for one in before for name, m in measured(one).items()}
-    data = substituted(tree.data["parts"][key], given, faults, "parts", key)
+    data = substituted(tree.data["parts"][key], known(before, exact=False), faults, "parts", key)
     faults.settle()
     spec = validate(PartSpec, {name: data.pop(name) for name in OWN if name in data}, faults, "parts", key)
     own = branch(tree, ("parts", key))
@@ -44,9 +44,11 @@ def made(
     base, taken = _base(spec, before, faults, key)
     problem = _problem(own, base, taken)
     also, works, delta = _beside(spec, problem, faults, key)
+    acting: Working | None = None
     if problem.loads is not None:
         with faults.at("parts", key, "works"):
-            refuse_idle(problem, working(cycle(problem, FINE), works))
+            acting = working(cycle(problem, FINE), works)
+            refuse_idle(problem, acting)
     faults.settle()
     if tell is not None:
         tell(problem.title)
@@ -55,8 +57,9 @@ def made(
         solution = solve(problem, by=by, seed=seed)
     faults.settle()
     assert solution is not None
-    found = Part(name=key, solution=solution, base=base, taken=taken, works=works, unevenness=delta)
-    return replace(found, others=_others(found, also, faults, by, seed))
+    found = Part(name=key, solution=solution, base=base, taken=taken, works=works, acting=acting, unevenness=delta)
+    others = _others(found, also, faults, by, seed)
+    return replace(found, others=others, acting=found.working) if others else found
 
 
 def _others(found: Part, also: tuple[float, ...], faults: Faults, by: str, seed: int) -> tuple[Position, ...]:
@@ -99,15 +102,15 @@ def _earlier(name: str, before: tuple[Part, ...]) -> Part:
 
 def _rounded(found: Part, step: float) -> dict[str, float]:
     """The values of the solution that is taken, as read; lengths to whole steps (mm)."""
-    design, valid = found.problem.design, [c for c in found.solution.construction.candidates if c.reason is None]
-    if len(valid) < design.take or design.built(valid[design.take - 1].values) is None:
+    design, one = found.problem.design, solution_taken(found.problem, found.solution.construction.candidates)
+    if one is None or design.built(one.values) is None:
         raise FaultError(
             Words(f"“{found.name}”没有求出可用的机构", f"'{found.name}' found no linkage that could be taken"),
             code="no-solution",
         )
-    values = dict(valid[design.take - 1].values)
     return {
-        key: round(value / step) * step if step and design.is_length(key) else value for key, value in values.items()
+        key: round(value / step) * step if step and design.is_length(key) else value
+        for key, value in one.values.items()
     }
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from math import nan
 
@@ -27,6 +27,13 @@ def measured(part: Part) -> Mapping[str, Measured]:
     if part.moves:
         found |= {key: _known(symbol, value, unit) for key, symbol, value, unit in _facts(part)}
     return found
+
+
+def known(parts: Iterable[Part], *, exact: bool) -> dict[str, Amount]:
+    """What these parts gave, as `part.key`: drawn, or exact."""
+    return {
+        f"{part.name}.{key}": one.exact if exact else one.drawn for part in parts for key, one in measured(part).items()
+    }
 
 
 def _read(answer: Answer) -> Measured:

@@ -32,7 +32,7 @@ class Told(Study):
 @dataclass(frozen=True, kw_only=True)
 class Part:
     """A part: `base` is the part whose linkage it takes, `taken` its lengths (mm) as rounded; others: positions
-    drawn beside the given one; unevenness: [δ]."""
+    drawn beside the given one; acting: where its loads act, where that is known already; unevenness: [δ]."""
 
     name: str
     solution: Solution
@@ -40,6 +40,7 @@ class Part:
     taken: Mapping[str, float] = field(default_factory=dict)
     others: tuple[Position, ...] = ()
     works: Works | None = None
+    acting: Working | None = None
     unevenness: float | None = None
 
     @property
@@ -73,7 +74,7 @@ class Part:
     @cached_property
     def turn(self) -> Cycle:
         """Its cycle on a fine grid."""
-        return cycle(self.problem, FINE)
+        return cycle(self.problem, FINE) if self.acting is None else self.acting.loaded
 
     @cached_property
     def facts(self) -> Facts:
@@ -82,7 +83,7 @@ class Part:
     @cached_property
     def working(self) -> Working:
         """Where its loads act."""
-        return working(self.turn, self.works)
+        return working(self.turn, self.works) if self.acting is None else self.acting
 
     @cached_property
     def balance(self) -> Balance | None:

@@ -7,7 +7,6 @@ from math import degrees
 
 from ..cycle.pose import posed
 from ..errors import FaultError
-from ..mechanism.loads import Loads
 from ..problem.problem import Problem, Scales
 from ..solution import Solution, scales_of, solve
 from ..words import Words
@@ -40,20 +39,9 @@ def position(solution: Solution, phi: float, working: Working, by: str, seed: in
     loads = there.loads if acts or working.force is None or there.loads is None else without(there.loads, working.force)
     scale = scales_of(solution.construction).given.get("mu_l")
     posed_there = replace(
-        there, loads=_without_roles(loads), printed=(), scales=Scales({"mu_l": scale} if scale else {})
+        there, loads=loads and loads.without_roles(), printed=(), scales=Scales({"mu_l": scale} if scale else {})
     )
     return Position(phi=phi, solution=solve(posed_there, by=by, seed=seed, repeats=0), acts=acts)
-
-
-def _without_roles(loads: Loads | None) -> Loads | None:
-    """None called driving or resisting: over a cycle a load may be both in turn."""
-    if loads is None:
-        return None
-    return replace(
-        loads,
-        forces=tuple(replace(one, role="") for one in loads.forces),
-        moments=tuple(replace(one, role="") for one in loads.moments),
-    )
 
 
 def refuse_idle(problem: Problem, working: Working) -> None:

@@ -14,11 +14,10 @@ from ..problem.schema.faults import Faults
 from ..problem.schema.validate import validate
 from ..problem.text.source import Tree
 from ..problem.text.source import read as parsed
-from ..units.reckoning import Amount
 from ..words import Words
 from .demand import Demand, judged
 from .made import made
-from .measured import measured
+from .measured import known
 from .part import Part
 from .spec import ProjectSpec, SchemeSpec
 
@@ -70,13 +69,6 @@ def load_project(
         parts=tuple(parts), demands=_demands(spec, tree, parts), path=path, text=tree.text,
         block=block_of(spec.title_block, tree),
     )  # fmt: skip
-
-
-def known(parts: tuple[Part, ...] | list[Part], *, exact: bool) -> dict[str, Amount]:
-    """What these parts gave, as `part.key`: drawn, or exact."""
-    return {
-        f"{part.name}.{key}": one.exact if exact else one.drawn for part in parts for key, one in measured(part).items()
-    }
 
 
 def _demands(spec: ProjectSpec, tree: Tree, parts: list[Part]) -> tuple[Demand, ...]:

@@ -46,10 +46,6 @@ class ProjectSpec(Spec):
     demands: list[Demanded] = Field([])
 
 
-OF, ROUND, ALSO, WORKS, UNEVENNESS = "of", "round", "also", "works", "unevenness"
-OWN = (OF, ROUND, ALSO, WORKS, UNEVENNESS)  # keys of a part that a problem does not have
-
-
 class WorksSpec(Spec):
     """A load that acts only on one stroke of a slider, and there from one share of the stroke to another."""
 
@@ -70,3 +66,6 @@ class PartSpec(Spec):
     also: list[str] = Field([])
     works: WorksSpec | None = None
     unevenness: str | None = None
+
+
+OWN = tuple(PartSpec.model_fields)  # keys of a part that a problem does not have

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, ClassVar, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,8 +26,6 @@ class Measure:
 
 class Search(Protocol):
     """A search: `score` is to be least; it is infinite where a candidate is none."""
-
-    kind: ClassVar[str]
 
     @property
     def box(self) -> tuple[Reals, Reals]:

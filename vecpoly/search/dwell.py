@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +30,6 @@ class DwellSearch:
     """dwell: the crank's angle while the output is to rest (rad); swing: of the output at least (rad); crank: AB (m);
     gamma: least transmission angle of both loops (rad)."""
 
-    kind: ClassVar[str] = "dwell"
     dwell: float
     swing: float
     crank: float

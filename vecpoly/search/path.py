@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +29,6 @@ POINTS, CRANKS = 32, 64  # of a curve; places of the crank between which it is t
 class PathSearch:
     """points: of the curve (m), in order; gamma: least transmission angle (rad); longest: of the bars (m)."""
 
-    kind: ClassVar[str] = "path"
     points: tuple[complex, ...]
     closed: bool
     gamma: float
@@ -48,11 +47,6 @@ class PathSearch:
         even = even_points(line[None, :], self.closed)[0]
         centred: Points = even - even.mean()
         return centred
-
-    @property
-    def size(self) -> float:
-        """Root mean square of the distances from the middle (m)."""
-        return float(np.sqrt(np.mean(np.abs(self.target) ** 2)))
 
     def possible(self, x: Reals) -> NDArray[np.bool_]:
         """Cranks that turn right round."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,6 @@ NO_CHANGE = np.radians(5.0)  # of γ_min: below, the linkage all but lies in one
 class TransmissionSearch:
     """ratio: K; swing: range of ψ (rad); rocker: CD (m)."""
 
-    kind: ClassVar[str] = "transmission"
     ratio: float
     swing: tuple[float, float]
     rocker: float

@@ -60,6 +60,14 @@ _COMMON = {
 _USUAL = "mm cm m s min rad deg r rad/s r/min m/s m/s^2 m/mm"
 
 
+_SPELLING = str.maketrans({"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"})
+
+
+def plain(unit: str) -> str:
+    """A unit as `unit_of` knows it: m/s² is m/s**2, N·m is N*m, ° is deg."""
+    return unit.translate(_SPELLING).replace("^", "**")
+
+
 @lru_cache(maxsize=256)
 def unit_of(unit: str) -> tuple[float, str]:
     """SI factor and dimension of a unit; raises FaultError where it is unknown."""

@@ -10,7 +10,7 @@ from ..errors import FaultError
 from ..foundation.slotted import dataclass
 from ..limits import LEAST, MOST, MOST_ANGLE, MOST_LENGTH
 from ..words import Words
-from .names import unit_of
+from .names import plain, unit_of
 
 
 class Dim(Enum):
@@ -59,7 +59,7 @@ class PerMm:
     @property
     def dimension(self) -> str:
         """Of the unit over a length."""
-        unit = self.unit.translate(_SPELLING).replace("^", "**")
+        unit = plain(self.unit)
         return unit_of(f"({unit})/mm" if "/" in unit else f"{unit}/mm")[1]
 
 
@@ -77,7 +77,6 @@ _NUMBER = re.compile(
 )
 _COMMA = re.compile(r"\s*([+\-−]?\d+)[,，](\d+)")
 _SENSE = re.compile(r"\s*(?:\b(ccw|acw|cw|(?:counter|anti)-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$", re.I)
-_SPELLING = str.maketrans({"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"})
 
 
 def read(text: object, dim: Dim | PerMm) -> Quantity:
@@ -89,7 +88,7 @@ def read(text: object, dim: Dim | PerMm) -> Quantity:
     if m is None:
         raise _refused(Words(f"“{text}”不是{dim.label.zh}", f"'{text}' is not {dim.label.en}"), dim, "spelling")
     refuse_comma(text)
-    number, unit = float(m[1].replace("−", "-")), m[2].translate(_SPELLING).replace("^", "**")
+    number, unit = float(m[1].replace("−", "-")), plain(m[2])
     if not math.isfinite(number):
         raise _refused(Words(f"“{text}”不是有限的数", f"'{text}' is not a finite number"), dim)
     if not unit:

@@ -13,7 +13,7 @@ from typing import Any
 from ..errors import FaultError
 from ..foundation.slotted import dataclass
 from ..words import Words
-from .names import unit_of
+from .names import plain, unit_of
 
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>\d+\.?\d*(?:[eE][+\-]?\d+)?)(?:\s*(?P<unit>%|[a-zA-Z°][a-zA-Z°²*/^\d]*))?"
@@ -45,8 +45,7 @@ class Amount:
     @classmethod
     def of(cls, value: float, unit: str) -> Amount:
         """The value in this unit (`deg`, `mm`, `m/s^2`, `N·m`); raises FaultError for an unknown unit."""
-        plain = unit.replace("²", "^2").replace("^", "**").replace("·", "*").replace("°", "deg")
-        factor, dimension = unit_of(plain) if plain else (1.0, "")
+        factor, dimension = unit_of(plain(unit)) if unit else (1.0, "")
         parts = dimension.split()
         powers = tuple((name, float(power)) for name, power in zip(parts[::2], parts[1::2], strict=True))
         return cls(value * factor, powers)

@@ -47,9 +47,9 @@ def search(
     """
     tally = Tally()
     with tally.job():
+        spared(output, ENDINGS, more=[Path(name)])
         found = _found(name, count, seed, processes)
         if output is not None:
-            spared(output, ENDINGS, more=[Path(name)])
             put(output, _written(found, output, lang))
         if output != STDOUT:
             _tell(found, lang)

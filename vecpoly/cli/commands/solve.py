@@ -77,8 +77,6 @@ def solve(
 
 
 def _print(solution: Solution, lang: Lang) -> None:
-    from ...check.found_words import ill_conditioned
-    from ...check.found_words import told as verified_words
     from ...problem.asked.hints import nothing_asked
     from ...solution import fewer_digits
 
@@ -110,8 +108,17 @@ def _print(solution: Solution, lang: Lang) -> None:
         say(f"{problem.id}: {nothing_asked(problem).of(lang)}")
     if (few := fewer_digits(solution)) is not None:
         say(bare(few.of(lang)))
+    _print_verified(solution, lang)
+
+
+def _print_verified(solution: Solution, lang: Lang) -> None:
+    """What the linkages of a synthesis do, moved by the exact solver."""
+    if not solution.verification:
+        return
+    from ...check.found_words import ill_conditioned, told  # late: a whole cycle, which other problems need not
+
     for one in solution.verification:
-        for words in (verified_words(one), ill_conditioned(one)):
+        for words in (told(one), ill_conditioned(one)):
             if words is not None:
                 typer.echo(bare(words.of(lang)))
 

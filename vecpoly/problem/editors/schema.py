@@ -78,7 +78,7 @@ def json_schema() -> Schema:
     schema["allOf"] = []
     _with_data(schema, "device", devices.kinds())
     _with_data(schema, "synthesis", designs.kinds())
-    schema = _loose(schema)
+    schema = loose(schema)
     _with_assignments(schema)
     for name, spec in schema["$defs"].items():
         _finish(spec, name)
@@ -124,12 +124,12 @@ def _with_assignments(schema: Schema) -> None:
     whole = AssignmentSpec.model_json_schema()
     sheet = whole["properties"]
     schema["$defs"] |= whole["$defs"]
-    changes = {"type": "object", "required": ["problem"], "properties": {"problem": _loose({"type": "string"})}}
+    changes = {"type": "object", "required": ["problem"], "properties": {"problem": loose({"type": "string"})}}
     schema["properties"] |= {
         "title_block": sheet["title_block"],
-        "salt": _loose(sheet["salt"]),
+        "salt": loose(sheet["salt"]),
         **{key: sheet[key] for key in MARKING},
-        "problems": {"type": "array", "minItems": 1, "items": {"anyOf": [_loose({"type": "string"}), changes]}},
+        "problems": {"type": "array", "minItems": 1, "items": {"anyOf": [loose({"type": "string"}), changes]}},
     }
     schema["required"] = ["title"]
     about = [
@@ -202,16 +202,16 @@ def _inside(value: Any) -> None:
             _inside(inner)
 
 
-def _loose(value: Any) -> Any:
+def loose(value: Any) -> Any:
     """Scalars are read as their text: where a text stands, a number may stand as well."""
     if isinstance(value, list):
-        return [_loose(inner) for inner in value]
+        return [loose(inner) for inner in value]
     if not isinstance(value, dict):
         return value
-    loose = {key: _loose(inner) for key, inner in value.items()}
-    if loose.get("type") == "string" and "enum" not in loose:
-        loose["type"] = ["string", "number"]
-    return loose
+    found = {key: loose(inner) for key, inner in value.items()}
+    if found.get("type") == "string" and "enum" not in found:
+        found["type"] = ["string", "number"]
+    return found
 
 
 def _nullable(value: Schema) -> Schema:

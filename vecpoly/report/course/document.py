@@ -59,7 +59,7 @@ def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "assumed": statement.assumed(subject).of(lang),
         "title": subject.problem.title.of(lang),
         "kind": KIND.of(lang),
-        "cover": _cover(solution, lang, objects),
+        "cover": cover(solution, lang, objects),
         "hand": solution.construction.hand,
         "repeats": REPEATS,
         "drive": subject.where(subject.mech.drive.position).split(" = ")[0],
@@ -79,7 +79,8 @@ def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     }
 
 
-def _cover(solution: Solution, lang: Lang, objects: Objects) -> str:
+def cover(solution: Solution, lang: Lang, objects: Objects) -> str:
+    """The drawing on the first page; empty where there is none."""
     from ...drawing.figure import draw_figure
 
     figure = picture(solution.problem, solution.construction, *_COVER)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ...drawing.backends.pdf import draw_pdf
 from ...drawing.sheets.sheet import Sheet, bound, sheets
 from ...findings.study.study import Study
 from ...project.part import Part
@@ -14,6 +13,7 @@ from ...solution import Solution
 from ...units.reckoning import Amount
 from ...words import Lang, Words
 from ..course.numbering import Press
+from ..course.results.drawings import page
 from ..flow.blocks import spoken
 from ..flow.doc import SheetPage
 
@@ -93,9 +93,7 @@ def _page(sheet: Sheet, drawn: Drawn, name: Words, lang: Lang) -> SheetPage:
     gap = Words("　", ": ")
     title = (name + gap + drawn.solution.problem.title).of(lang)
     said = spoken(f"{title}（{drawn.where}）" if drawn.where and lang == "zh" else f"{title} {drawn.where}".rstrip())
-    return SheetPage(
-        lambda canvas, x, y: draw_pdf(sheet.scene, canvas, x, y), wide=sheet.landscape, title=said, alt=said
-    )
+    return page(sheet, said)
 
 
 def amount(value: Amount, digits: int = 4) -> str:

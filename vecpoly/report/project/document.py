@@ -6,25 +6,23 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from ...drawing.figure import draw_figure
 from ...foundation.data import data_dir
 from ...foundation.files import write_whole
 from ...project.part import Part
 from ...project.project import Project
 from ...words import Lang, Words
 from ..content import Objects
-from ..course.numbering import Press, drawn
+from ..course.document import cover
+from ..course.numbering import Press
 from ..document import FIELDS, alarms
 from ..flow.doc import Metadata, ReportDoc
 from ..flow.listing import Listing
 from ..flow.xml import to_flowables
-from ..picture import picture
 from ..templates import filled
 from . import device, forces, linkage, motion, summary, task
 from .binder import Binder, binder, pages
 
 KIND = Words("机械原理课程设计说明书", "Theory of machines: design report")
-_COVER = (130.0, 95.0)  # mm
 
 
 def write_project(
@@ -97,7 +95,4 @@ def _kinds(part: Part) -> Iterator[tuple[str, Any]]:
 
 def _cover(bound: Binder) -> str:
     part = next((one for one in bound.project.parts if one.moves), None)
-    figure = None if part is None else picture(part.problem, part.solution.construction, *_COVER)
-    if figure is None:
-        return ""
-    return bound.press.objects.add("cover", drawn(draw_figure(figure, lang=bound.lang, caption=False), ""))
+    return "" if part is None else cover(part.solution, bound.lang, bound.press.objects)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from ...found import taken
 from ...project.part import Part
 from ...words import Words
 from ..content import cautions, conclusions, sections, statement
 from ..course.numbering import SMALL
-from ..flow.table import DataTable
 from ..tables import readings_table
 from .binder import Binder
 
@@ -17,24 +17,21 @@ _TAKEN = {"zh": ["尺寸", "量得 /mm", "取用 /mm"], "en": ["Length", "Read, 
 
 def chapter(part: Part, binder: Binder) -> dict[str, Any]:
     """Given, asked, steps, results with their check."""
-    press, lang = binder.press, binder.lang
-    said = statement(part.solution, lang)
-    steps = sections(part.solution, lang, press.objects)
+    return {**told(part, binder), "sheets": binder.numbers(part), "taken": _taken(part, binder)}
+
+
+def told(part: Part, binder: Binder) -> dict[str, Any]:
+    """What a linkage that is found and a device have in common: given, asked, steps, results."""
+    press, lang, solution = binder.press, binder.lang, part.solution
+    made = readings_table(solution, lang)
     title = Words("量取结果与精确值", "Readings and exact values")
     return {
-        **said,
-        "sections": steps,
-        "sheets": binder.numbers(part),
-        "table": captioned(readings_table(part.solution, lang), title, binder),
-        "conclusions": conclusions(part.solution, lang),
-        "cautions": cautions(part.solution, lang),
-        "taken": _taken(part, binder),
+        **statement(solution, lang),
+        "sections": sections(solution, lang, press.objects),
+        "table": press.table(title, made.header, made.rows, made.align, style=SMALL),
+        "conclusions": conclusions(solution, lang),
+        "cautions": cautions(solution, lang),
     }
-
-
-def captioned(made: DataTable, title: Words, binder: Binder) -> str:
-    """A table with its number."""
-    return binder.press.table(title, made.header, made.rows, made.align, style=SMALL)
 
 
 def _taken(part: Part, binder: Binder) -> str:
@@ -42,9 +39,9 @@ def _taken(part: Part, binder: Binder) -> str:
     user = next((one for one in binder.project.parts if one.base is part), None)
     if user is None:
         return ""
-    design = part.problem.design
-    valid = [one for one in part.solution.construction.candidates if one.reason is None]
-    read = valid[design.take - 1].values
+    design, one = part.problem.design, taken(part.problem, part.solution.construction.candidates)
+    assert one is not None  # else nothing could use it
+    read = one.values
     rows = [
         (f"${named.symbol}$", _mm(read[named.key]), _mm(user.taken[named.key]))
         for named in design.quantities()

@@ -51,11 +51,12 @@ def _symbol(one: Demand, binder: Binder) -> str:
 
 def _results(part: Part) -> Iterator[str]:
     """The answers of a part as read; of a mechanism the facts of its cycle."""
+    gives = measured(part)
     if part.finds and part.taken == {}:
         shown = list(part.solution.answers)
     else:
-        shown = [key for key in measured(part) if not part.moves or key not in part.solution.answers]
+        shown = [key for key in gives if not part.moves or key not in part.solution.answers]
     for key in shown:
-        one = measured(part)[key]
+        one = gives[key]
         if one.unit or key.startswith("i_") or key == "K":
             yield f"${one.symbol}$ = {amount(one.drawn)}"

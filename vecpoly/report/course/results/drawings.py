@@ -141,7 +141,7 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
         "readings": _given(study, press),
         "others": _others(study, press, drawn[1:]),
         "sheets": [
-            press.objects.add("sheet", _page(sheet, _name(study, one, sheet).of(press.lang)))
+            press.objects.add("sheet", page(sheet, _name(study, one, sheet).of(press.lang)))
             for (one, _), sheet in zip(loose, bound([sheet for _, sheet in loose], names), strict=True)
         ],
     }
@@ -199,7 +199,8 @@ def _name(study: Study, one: Drawn, sheet: Sheet) -> Words:
     return sheet.strip.name + Words(f"　{where}", f": {where}")
 
 
-def _page(sheet: Sheet, name: str) -> SheetPage:
+def page(sheet: Sheet, name: str) -> SheetPage:
+    """A sheet as a page of its own, called so in the bookmarks."""
     return SheetPage(
         lambda canvas, x, y: draw_pdf(sheet.scene, canvas, x, y), wide=sheet.landscape, title=name, alt=name
     )

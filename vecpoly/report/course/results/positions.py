@@ -9,7 +9,6 @@ from ....cycle.pose import posed
 from ....errors import AssemblyError
 from ....figures.mu import LENGTH
 from ....findings.study.study import Study
-from ....mechanism.loads import Loads
 from ....problem.problem import Problem, Scales
 from ....words import Words
 
@@ -25,18 +24,7 @@ def at_position(study: Study, phi: float, *, same_scale: bool = True) -> Problem
     figure = study.solution.construction.figure(View.MECHANISM)
     return replace(
         there,
-        loads=_without_roles(there.loads),
+        loads=there.loads and there.loads.without_roles(),
         printed=(),
         scales=Scales({LENGTH.key: figure.scale.value} if figure and same_scale else {}),
-    )
-
-
-def _without_roles(loads: Loads | None) -> Loads | None:
-    """The loads, none called driving or resisting: over a cycle a load may be both in turn."""
-    if loads is None:
-        return None
-    return replace(
-        loads,
-        forces=tuple(replace(f, role="") for f in loads.forces),
-        moments=tuple(replace(m, role="") for m in loads.moments),
     )
