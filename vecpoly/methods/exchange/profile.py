@@ -59,15 +59,15 @@ def _circle(profile: CamProfile, turn: float) -> Osculating:
     from ...devices.cams.cam import Cam  # late: pydantic, which checks its data, is slow to load
     from ...devices.cams.motion import piece_at
     from ..devices.cam.diagram import place_of
-    from ..devices.cam.laws import lift
+    from ..devices.cam.laws import lift, stretches
     from ..devices.cam.pose import osculating, pose
 
     cam = profile.cam
     assert isinstance(cam, Cam)
     board = _paper(cam)
     piece, phi = piece_at(cam.pieces, cam.sense * turn)
-    from_end = (phi > piece.start + piece.angle / 2) == (piece.rises > 0)  # half of a parabola is drawn from its top
-    at = lift(board, place_of(cam), piece, phi, late=from_end)
+    late = [late for low, _, late in stretches(piece) if low < phi][-1]
+    at = lift(board, place_of(cam), piece, phi, late=late)
     it = pose(board, View.MECHANISM, cam, phi, at)
     centre, tip = (complex(nominal(spot)) for spot in osculating(board, cam, it))
     inward = complex(nominal(-it.way if cam.follower.flat else it.normal))

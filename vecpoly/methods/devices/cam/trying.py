@@ -11,10 +11,10 @@ import numpy.typing as npt
 from ....board.board import Board
 from ....board.construction import View
 from ....devices.cams.cam import Cam
-from ....devices.cams.motion import Law, Piece
+from ....devices.cams.motion import Piece
 from ....words import Words
 from .diagram import place_of
-from .laws import lift
+from .laws import lift, stretches
 from .pose import pose
 
 DENSE, CLEAR = 240, 1e-5  # chords a piece; m by which a point may lie inside the roller
@@ -43,13 +43,9 @@ def traced(board: Board, cam: Cam, counts: Sequence[int] | None = None) -> tuple
 
 def _spans(piece: Piece, count: int) -> tuple[tuple[Angles, bool], ...]:
     """The angles of a piece; of a parabola its halves, each drawn from its own end."""
-    if piece.law is not Law.PARABOLIC:
-        return ((np.linspace(piece.start, piece.end, count + 1), False),)
-    middle, half = piece.start + piece.angle / 2, -(-count // 2)
-    return (
-        (np.linspace(piece.start, middle, half + 1), piece.rises < 0),
-        (np.linspace(middle, piece.end, half + 1), piece.rises > 0),
-    )
+    parts = stretches(piece)
+    each = -(-count // len(parts))
+    return tuple((np.linspace(low, high, each + 1), late) for low, high, late in parts)
 
 
 def _stretch(board: Board, cam: Cam, piece: Piece, phi: Angles, late: bool) -> Traced:

@@ -13,7 +13,7 @@ from .....devices.cams.cam import Cam
 from .....devices.cams.motion import Law, Piece
 from .....plane import nominal
 from .....words import Words
-from ..laws import lift
+from ..laws import lift, stretches
 
 JUMP = 1e-6  # of the stroke over the angle, or its square: a smaller jump is none
 _HOW = {
@@ -72,11 +72,8 @@ def corners(board: Board, place: View, cam: Cam) -> bool:
 
 def _ends(trial: Board, place: View, piece: Piece) -> tuple[tuple[float, float], tuple[float, float]]:
     """s′ and s″ at the start and at the end of a piece."""
-    turned = piece.rises < 0  # a return is drawn from its end
-    found = (
-        lift(trial, place, piece, piece.start, late=turned and piece.law is Law.PARABOLIC),
-        lift(trial, place, piece, piece.end, late=not turned and piece.law is Law.PARABOLIC),
-    )
+    (*_, first), (*_, last) = (stretches(piece)[i] for i in (0, -1))
+    found = lift(trial, place, piece, piece.start, late=first), lift(trial, place, piece, piece.end, late=last)
     start, end = ((float(nominal(at.slope)), float(nominal(at.bend))) for at in found)
     return start, end
 
