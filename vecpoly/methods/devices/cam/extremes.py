@@ -12,7 +12,7 @@ from ....board.construction import View
 from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Piece
 from ....plane import Reals, cross, dot
-from ....words import Words
+from ..bench import trial_board
 from .laws import Lift, lift, stretches
 from .pose import centre_of_curvature, pose
 
@@ -42,8 +42,7 @@ def _rank(spot: Spot) -> float:
 
 def _best(board: Board, place: View, piece: Piece, low: float, high: float, late: bool, merit: Merit) -> Spot:
     for _ in range(CLOSER):
-        trial = board.scratch()
-        trial.step(Words("试作", "trial"))
+        trial = trial_board(board)
         tried = np.linspace(low, high, TRIED)
         found = np.asarray(merit(trial, tried, lift(trial, place, piece, tried, late=late)), dtype=float)
         top = int(np.nanargmax(found))

@@ -13,7 +13,7 @@ from ....devices.cams.motion import Piece
 from ....diagram.cam_plate import arm, cam_pivot, face_arm, stem
 from ....plane import Points, unit
 from ....words import Words
-from ..bench import Bench
+from ..bench import Bench, trial_board
 from .diagram import Station, place_of
 from .laws import lift
 from .pose import Pose, pose
@@ -56,8 +56,7 @@ def _given(bench: Bench, cam: Cam) -> None:
     elif cam.follower.e:
         board.circle(VIEW, 0j, abs(cam.follower.e) / mm, Role.CENTRE)
     board.depict(VIEW, *cam_pivot(0j, cam.sense))
-    trial = board.scratch()
-    trial.step(Words("试作", "trial"))
+    trial = trial_board(board)
     first = pose(board, VIEW, cam, 0.0, lift(trial, place_of(cam), cam.pieces[0], 0.0))
     if cam.arm and cam.follower.flat:
         board.depict(VIEW, *face_arm(first.start, first.b, along_face(cam, first, mm)))
@@ -75,8 +74,7 @@ def _given(bench: Bench, cam: Cam) -> None:
 
 def _at(bench: Bench, cam: Cam, phi: float, piece: Piece) -> Pose:
     """The follower at an angle, on scratch paper."""
-    trial = bench.board.scratch()
-    trial.step(Words("试作", "trial"))
+    trial = trial_board(bench.board)
     return pose(trial, VIEW, cam, phi, lift(trial, place_of(cam), piece, phi))
 
 
@@ -152,8 +150,6 @@ def _profile(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
 def _along(bench: Bench, cam: Cam, cuts: Sequence[Cut], *, pitch: bool) -> Iterator[list[Points]]:
     """The points of every piece, with its two ends as seen from inside it."""
     for piece in cam.pieces:
-        trial = bench.board.scratch()
-        trial.step(Words("试作", "trial"))
         ends = [_at(bench, cam, phi, piece) for phi in (piece.start, piece.end)]
         mm = bench.board.scale_of(VIEW).value
         outer = [it.b if pitch else _contact(cam, it, mm) for it in ends]

@@ -12,7 +12,7 @@ from ....board.board import Board
 from ....board.construction import View
 from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Piece
-from ....words import Words
+from ..bench import trial_board
 from .diagram import place_of
 from .laws import lift, stretches
 from .pose import pose
@@ -49,8 +49,7 @@ def _spans(piece: Piece, count: int) -> tuple[tuple[Angles, bool], ...]:
 
 
 def _stretch(board: Board, cam: Cam, piece: Piece, phi: Angles, late: bool) -> Traced:
-    trial, mm = board.scratch(), board.scale_of(View.MECHANISM).value
-    trial.step(Words("试作", "trial"))
+    trial, mm = trial_board(board), board.scale_of(View.MECHANISM).value
     it = pose(trial, View.MECHANISM, cam, phi, lift(trial, place_of(cam), piece, phi, late=late))
     inset = cam.follower.radius / mm
     edge = it.foot if cam.follower.flat else it.b + inset * it.normal
