@@ -10,7 +10,7 @@ from __future__ import annotations
 import cmath
 from dataclasses import replace
 from functools import lru_cache
-from math import ceil, degrees
+from math import degrees
 
 import numpy as np
 
@@ -120,7 +120,7 @@ def _outline(profile: CamProfile) -> tuple[complex, ...]:
     """Points of the profile by inversion; NoMethodError where it is undercut."""
     from ...devices.cams.cam import Cam
     from ..devices.cam.curvature import is_spoilt
-    from ..devices.cam.trying import traced
+    from ..devices.cam.trying import outlined
 
     cam = profile.cam
     assert isinstance(cam, Cam)
@@ -134,8 +134,7 @@ def _outline(profile: CamProfile) -> tuple[complex, ...]:
             ),
             code="undercut",
         )
-    parts = traced(board, cam, [max(ceil(degrees(piece.angle) / EVERY), 4) for piece in cam.pieces])
-    return tuple(complex(spot) for part in parts for spot in part.edge)
+    return tuple(complex(spot) for edge in outlined(board, cam, EVERY) for spot in edge)
 
 
 def _with(mech: Mechanism, profile: CamProfile, found: Osculating) -> Mechanism:

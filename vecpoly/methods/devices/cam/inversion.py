@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from ....board.board import Board
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import PSI0, S0, pressure, radius
@@ -58,18 +59,25 @@ def _given(bench: Bench, cam: Cam) -> None:
     board.depict(VIEW, *cam_pivot(0j, cam.sense))
     trial = trial_board(board)
     first = pose(board, VIEW, cam, 0.0, lift(trial, place_of(cam), cam.pieces[0], 0.0))
-    if cam.arm and cam.follower.flat:
-        board.depict(VIEW, *face_arm(first.start, first.b, along_face(cam, first, mm)))
-    elif cam.arm:
-        board.depict(VIEW, *arm(first.start, first.b, cam.follower.radius / mm))
-    else:
-        face = FACE * cam.r0.si / mm if cam.follower.flat else 0.0
-        board.depict(VIEW, *stem(first.b, first.way, cam.follower.radius / mm, face))
+    draw_follower(board, cam, first)
     if cam.arm:
         ray = 1j * cam.side * first.way if cam.follower.flat else first.base - first.start
         bench.stated(PSI0, acute(bench, -first.start, unit(ray)))
     elif not cam.follower.flat:
         length(bench, S0, VIEW, first.start, first.base, "C_0 B_0")
+
+
+def draw_follower(board: Board, cam: Cam, it: Pose) -> None:
+    """The follower as it stands there: its arm with the face or the roller, or its stem in the guide."""
+    mm = board.scale_of(VIEW).value
+    if cam.arm and cam.follower.flat:
+        board.depict(VIEW, *face_arm(it.start, it.b, _along_face(cam, it, mm)))
+    elif cam.arm:
+        board.depict(VIEW, *arm(it.start, it.b, cam.follower.radius / mm))
+    else:
+        assert cam.r0
+        face = FACE * cam.r0.si / mm if cam.follower.flat else 0.0
+        board.depict(VIEW, *stem(it.b, it.way, cam.follower.radius / mm, face))
 
 
 def _at(bench: Bench, cam: Cam, phi: float, piece: Piece) -> Pose:
@@ -96,7 +104,7 @@ def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
     board, mm = bench.board, bench.board.scale_of(VIEW).value
     board.join(VIEW, it.start if cam.arm else it.start + CLEAR * it.way, it.b, Role.CONSTRUCTION)
     if cam.follower.flat and cam.arm:
-        board.join(VIEW, it.b, it.b + along_face(cam, it, mm), Role.CONSTRUCTION)
+        board.join(VIEW, it.b, it.b + _along_face(cam, it, mm), Role.CONSTRUCTION)
     elif cam.follower.flat:
         assert cam.r0
         half = FACE * cam.r0.si / mm * 1j * it.way
@@ -110,7 +118,7 @@ def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
     board.plot(VIEW, it.b, "" if cam.arm else number, Dot.POINT)
 
 
-def along_face(cam: Cam, it: Pose, mm: float) -> Points:
+def _along_face(cam: Cam, it: Pose, mm: float) -> Points:
     """From the foot of A on a flat face to its end, past the cam."""
     assert cam.arm
     return 1j * cam.side * it.way * cam.arm[1] / mm
@@ -152,16 +160,10 @@ def _along(bench: Bench, cam: Cam, cuts: Sequence[Cut], *, pitch: bool) -> Itera
     for piece in cam.pieces:
         ends = [_at(bench, cam, phi, piece) for phi in (piece.start, piece.end)]
         mm = bench.board.scale_of(VIEW).value
-        outer = [it.b if pitch else _contact(cam, it, mm) for it in ends]
+        outer = [it.b if pitch else it.touch(cam, mm) for it in ends]
         inner = [
             cut.pose.b if pitch else cut.touch
             for cut in cuts
             if piece.start + 1e-9 < cut.station.phi < piece.end - 1e-9
         ]
         yield [outer[0], *inner, outer[1]]
-
-
-def _contact(cam: Cam, it: Pose, mm: float) -> Points:
-    if cam.follower.flat:
-        return it.foot
-    return it.b + cam.follower.radius / mm * it.normal

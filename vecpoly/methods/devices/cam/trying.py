@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import ceil, degrees
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +18,8 @@ from .diagram import place_of
 from .laws import lift, stretches
 from .pose import pose
 
-DENSE, CLEAR = 240, 1e-5  # chords a piece; m by which a point may lie inside the roller
+DENSE, FEWEST = 240, 4  # chords a piece; the fewest of one that is outlined
+CLEAR = 1e-5  # m by which a point may lie inside the roller
 Spots = npt.NDArray[np.complex128]
 Angles = npt.NDArray[np.float64]
 
@@ -51,9 +53,13 @@ def _spans(piece: Piece, count: int) -> tuple[tuple[Angles, bool], ...]:
 def _stretch(board: Board, cam: Cam, piece: Piece, phi: Angles, late: bool) -> Traced:
     trial, mm = trial_board(board), board.scale_of(View.MECHANISM).value
     it = pose(trial, View.MECHANISM, cam, phi, lift(trial, place_of(cam), piece, phi, late=late))
-    inset = cam.follower.radius / mm
-    edge = it.foot if cam.follower.flat else it.b + inset * it.normal
-    return Traced(phi=phi, pitch=np.asarray(it.b * mm), edge=np.asarray(edge * mm))
+    return Traced(phi=phi, pitch=np.asarray(it.b * mm), edge=np.asarray(it.touch(cam, mm) * mm))
+
+
+def outlined(board: Board, cam: Cam, every: float) -> tuple[Spots, ...]:
+    """The profile of every stretch (m), in points not more than so many degrees of the cam apart."""
+    counts = [max(ceil(degrees(piece.angle) / every), FEWEST) for piece in cam.pieces]
+    return tuple(part.edge for part in traced(board, cam, counts))
 
 
 def interferes(board: Board, cam: Cam) -> bool:
