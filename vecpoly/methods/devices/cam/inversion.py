@@ -11,7 +11,7 @@ from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import PSI0, S0, pressure, radius
 from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Piece
-from ....diagram.cam_plate import arm, cam_pivot, face_arm, stem
+from ....diagram.cams.plate import arm, cam_pivot, face_arm, stem
 from ....plane import Points, unit
 from ....words import Words
 from ..bench import Bench, trial_board

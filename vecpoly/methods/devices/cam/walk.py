@@ -10,7 +10,7 @@ from ....board.construction import Figure, View
 from ....board.hand import hand
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.cam import Cam
-from ....diagram.cam_plate import cam_pivot
+from ....diagram.cams.plate import cam_pivot
 from ....plane import nominal
 from ....problem.problem import Problem
 from ....words import Words
