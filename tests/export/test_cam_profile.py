@@ -17,9 +17,18 @@ from vecpoly.export.cams.drawing import cam_dxf, tolerance
 from vecpoly.export.cams.profile import profile_of
 from vecpoly.export.cams.table import cam_csv
 from vecpoly.oracle.devices.cams.shape import profile
-from vecpoly.problem.load import load
+from vecpoly.problem.load import load, loads
 
 CAMS = ("cam-roller-offset", "cam-flat-face", "cam-flat-arm", "cam-rocker", "cam-heart")
+PARABOLIC = """
+id: s
+title: a rise that is no even number of degrees
+device: cam
+data:
+  follower: {{roller: 10 mm}}
+  r0: 50 mm
+  motion: [rise 30 mm in {rise} deg parabolic, dwell {rest} deg, return in 120 deg cosine, dwell 60 deg]
+"""
 
 
 @pytest.mark.parametrize("name", CAMS)
@@ -52,6 +61,21 @@ def test_the_splines_close_and_keep_their_tolerance(name: str) -> None:
     assert 0 < tolerance(made) < 1e-3
     (told,) = doc.modelspace().query("TEXT")
     assert f"{tolerance(made):.6f} mm" in told.dxf.text
+
+
+@pytest.mark.parametrize("rise", [75, 76])
+def test_the_tolerance_of_the_chords_is_measured_halfway_between_the_points(rise: int) -> None:
+    problem = loads(PARABOLIC.format(rise=rise, rest=180 - rise))
+    cam, made = problem.subject, profile_of(problem)
+    assert isinstance(cam, Cam)
+    most = 0.0
+    for part, fine in zip(made.stretches, made.between, strict=True):
+        halfway = (part.phi[:-1] + part.phi[1:]) / 2
+        np.testing.assert_allclose(fine.phi[1::2], halfway, rtol=0, atol=1e-12)
+        (piece,) = [one for one in cam.pieces if one.start <= halfway[0] <= one.end]
+        exact = 1e3 * profile(cam, piece, halfway)
+        most = max(most, float(np.abs(exact - (part.edge[:-1] + part.edge[1:]) / 2).max()))
+    assert made.chords == pytest.approx(most, abs=2e-6)
 
 
 @pytest.mark.parametrize("name", ["cam-undercut", "cam-least-circle", "3-9", "5-5"])

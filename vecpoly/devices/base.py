@@ -57,9 +57,11 @@ def _efficiency(text: Any) -> Quantity:
 
 _QUANTITY = WithJsonSchema({"type": ["string", "number"]})
 Length = Annotated[Quantity, BeforeValidator(_reader(Dim.LENGTH, positive)), _QUANTITY]
+Signed = Annotated[Quantity, BeforeValidator(_reader(Dim.LENGTH, read)), _QUANTITY]
 Angle = Annotated[Quantity, BeforeValidator(_reader(Dim.ANGLE, read)), _QUANTITY]
 ForceSize = Annotated[Quantity, BeforeValidator(_reader(Dim.FORCE, positive)), _QUANTITY]
 Speed = Annotated[Quantity, BeforeValidator(_reader(Dim.SPEED, positive)), _QUANTITY]
+Omega = Annotated[Quantity, BeforeValidator(_reader(Dim.OMEGA, read)), _QUANTITY]
 Power = Annotated[Quantity, BeforeValidator(_reader(Dim.POWER, positive)), _QUANTITY]
 Ratio = Annotated[Quantity, BeforeValidator(_ratio), _QUANTITY]
 Efficiency = Annotated[Quantity, BeforeValidator(_efficiency), _QUANTITY]

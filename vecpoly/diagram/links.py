@@ -10,9 +10,9 @@ from ..mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
 from ..names import subscripted
 from ..problem.problem import Shape
 from .bars import bar
-from .cams import cam_body, contact_replaced, contacts_of, guided_follower, thought_guide
+from .cams.contact import cam_body, contact_replaced, contacts_of, guided_follower, thought_guide
+from .cams.follower import face_marks, stem
 from .cylinders import cylinder_joint, cylinder_part, is_cylinder
-from .followers import face_marks, stem
 from .gears import gear_marks, guided_rack, rack_marks
 from .guides import block_marks, guide_body, is_slot, link_number, reaching, sliding_pair
 from .owners import link as owner

@@ -30,9 +30,7 @@ def places(mech: Mechanism, bodies: Bodies) -> Places:
         for name, body in bodies.items()
         for point, local in mech.link(name).points.items()
     }
-    wandering = {
-        cam.centre: complex(curvature_centre(mech, cam, bodies)[-1]) for cam in mech.cams if cam.link in bodies
-    }
+    wandering = {cam.centre: complex(curvature_centre(cam, bodies)[-1]) for cam in mech.cams if cam.link in bodies}
     return found | wandering
 
 

@@ -162,7 +162,7 @@ class Motion:
         """Where the letter is now, of whatever link (unshaped)."""
         at = self.at(point)
         if (carried := self._wandering(at)) is not None:
-            return curvature_centre(self.mech, carried, self.bodies)
+            return curvature_centre(carried, self.bodies)
         carriers = self.mech.links_at(at.point)
         if not carriers:
             touch = self._contact(at.point)

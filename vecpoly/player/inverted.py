@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 
 from ..answer import Answer
 from ..board.construction import Figure
-from ..methods.devices.cam.walk import stations_walked, walked
 from ..problem.asked.asks import AskNamed
 from ..problem.problem import Problem
 from ..solution import Solution, solve
@@ -25,6 +24,8 @@ class Turned:
 
 def inverted(solution: Solution) -> tuple[Turned, ...]:
     """The stations of a cam, each with its figure and what was read there; nothing for anything else."""
+    from ..methods.devices.cam.walk import stations_walked, walked  # late: no other subject needs the cams
+
     stations = stations_walked(solution.problem)
     if not stations:
         return ()

@@ -18,7 +18,6 @@ from .faces import font_css
 from .figures import LANGS, Shown, shown_figures
 from .ink import Ink
 from .motion import moving
-from .questions import box
 from .readings import names, readings
 from .steps import html, sections
 from .turned import Cycle, cycle
@@ -70,9 +69,13 @@ def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed:
         "inverts": through.inverts,
         "names": names(through.turns[0].solution if through.inverts else solution, ink.faces) if turning else (),
         "drive": _drive(solution, ink) if turning else "",
+        "box": None,
         "motion": _motion(through, solution, ink) if turning else "",
     }
-    context["box"] = box(solution.problem, ink.faces) if check else None
+    if check:
+        from .questions import box  # late: all of the grading, which few pages need
+
+        context["box"] = box(solution.problem, ink.faces)
     page = _rendered(context | {"definitions": ink.definitions(), "looks": ink.css()}, ink)
     return (
         Page(page, warning)

@@ -52,7 +52,7 @@ FINEST, COARSEST = 5.0, 45.0  # deg between stations
 class Allowed(BaseModel):
     """The greatest pressure angles that are allowed, on the rise and on the return."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, populate_by_name=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True, populate_by_name=True)
     rise: Angle
     back: Angle = Field(alias="return")
 

@@ -7,13 +7,8 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema, model_validator
 
 from ...errors import FaultError
-from ...units.reading import Dim, Quantity, read
 from ...words import Words
-from ..base import Length
-
-
-def _signed(text: Any) -> Quantity:
-    return text if isinstance(text, Quantity) else read(text, Dim.LENGTH)
+from ..base import Length, Signed
 
 
 def _yes(value: Any) -> bool:
@@ -26,7 +21,6 @@ def _yes(value: Any) -> bool:
     return True
 
 
-Signed = Annotated[Quantity, BeforeValidator(_signed), WithJsonSchema({"type": ["string", "number"]})]
 Yes = Annotated[bool, BeforeValidator(_yes), WithJsonSchema({"enum": ["yes", True]})]
 
 
@@ -37,7 +31,7 @@ class Arm(BaseModel):
     distance `face` from A, positive away from the cam.
     """
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
     OA: Length
     AB: Length | None = None
     side: Literal["left", "right"] = "right"
@@ -62,7 +56,7 @@ class Arm(BaseModel):
 class Follower(BaseModel):
     """One of knife, roller (its radius) and flat; offset: the guide to the right of O; arm: where it swings."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
     knife: Yes = False
     roller: Length | None = None
     flat: Yes = False

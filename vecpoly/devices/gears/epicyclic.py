@@ -13,9 +13,9 @@ from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 
 from ...errors import FaultError
 from ...names import Named
-from ...units.reading import Dim, Quantity, read
+from ...units.reading import Quantity
 from ...words import Words
-from ..base import Device, Length
+from ..base import Device, Length, Omega
 
 FEWEST, MOST = 3, 2000  # teeth
 ONE_TO_ONE = 1e-9  # how far i_13^H must be from 1, where neither central gear would know of the carrier
@@ -38,10 +38,6 @@ def _several(value: Any) -> tuple[int, ...]:
     return tuple(_teeth(one) for one in (value if isinstance(value, list | tuple) else [value]))
 
 
-def _omega(text: Any) -> Quantity:
-    return text if isinstance(text, Quantity) else read(text, Dim.OMEGA)
-
-
 Teeth = Annotated[int, BeforeValidator(_teeth), WithJsonSchema({"type": ["integer", "string"]})]
 Planets = Annotated[
     tuple[int, ...],
@@ -49,7 +45,6 @@ Planets = Annotated[
     Field(min_length=1, max_length=2),
     WithJsonSchema({"type": ["integer", "string", "array"]}),
 ]
-Omega = Annotated[Quantity, BeforeValidator(_omega), WithJsonSchema({"type": ["string", "number"]})]
 
 
 class Epicyclic(Device):

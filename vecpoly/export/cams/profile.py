@@ -10,6 +10,7 @@ import numpy as np
 from ...board.board import Board
 from ...board.hand import hand
 from ...devices.cams.cam import Cam
+from ...devices.cams.motion import Law
 from ...errors import NoMethodError
 from ...methods.devices.cam.curvature import is_spoilt
 from ...methods.devices.cam.scales import cam_scales
@@ -61,6 +62,8 @@ def profile_of(problem: Problem) -> Profile:
             code="export-cam",
         )
     counts = [max(ceil(degrees(piece.angle) / STEP), 2) for piece in cam.pieces]
+    # a parabola has its halves alike: of an odd count the points between would stand elsewhere
+    counts = [n + n % 2 if p.law is Law.PARABOLIC else n for n, p in zip(counts, cam.pieces, strict=True)]
     return Profile(
         tuple(_mm(part) for part in traced(board, cam, counts)),
         tuple(_mm(part) for part in traced(board, cam, [2 * count for count in counts])),

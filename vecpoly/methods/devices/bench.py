@@ -18,6 +18,13 @@ from ...words import Words
 NO_SCALE = Scale(symbol="", value=1.0, unit="")  # of a sketch and of a block diagram
 
 
+def trial_board(board: Board) -> Board:
+    """Scratch paper on which something is tried."""
+    trial = board.scratch()
+    trial.step(Words("试作", "trial"))
+    return trial
+
+
 @dataclass(slots=True)
 class Bench:
     """The state of one solution of a device."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import cmath
 from dataclasses import replace
 from functools import lru_cache
-from math import ceil, degrees
+from math import degrees
 
 import numpy as np
 
@@ -59,15 +59,15 @@ def _circle(profile: CamProfile, turn: float) -> Osculating:
     from ...devices.cams.cam import Cam  # late: pydantic, which checks its data, is slow to load
     from ...devices.cams.motion import piece_at
     from ..devices.cam.diagram import place_of
-    from ..devices.cam.laws import lift
+    from ..devices.cam.laws import lift, stretches
     from ..devices.cam.pose import osculating, pose
 
     cam = profile.cam
     assert isinstance(cam, Cam)
     board = _paper(cam)
     piece, phi = piece_at(cam.pieces, cam.sense * turn)
-    from_end = (phi > piece.start + piece.angle / 2) == (piece.rises > 0)  # half of a parabola is drawn from its top
-    at = lift(board, place_of(cam), piece, phi, late=from_end)
+    late = [late for low, _, late in stretches(piece) if low < phi][-1]
+    at = lift(board, place_of(cam), piece, phi, late=late)
     it = pose(board, View.MECHANISM, cam, phi, at)
     centre, tip = (complex(nominal(spot)) for spot in osculating(board, cam, it))
     inward = complex(nominal(-it.way if cam.follower.flat else it.normal))
@@ -120,7 +120,7 @@ def _outline(profile: CamProfile) -> tuple[complex, ...]:
     """Points of the profile by inversion; NoMethodError where it is undercut."""
     from ...devices.cams.cam import Cam
     from ..devices.cam.curvature import is_spoilt
-    from ..devices.cam.trying import traced
+    from ..devices.cam.trying import outlined
 
     cam = profile.cam
     assert isinstance(cam, Cam)
@@ -134,8 +134,7 @@ def _outline(profile: CamProfile) -> tuple[complex, ...]:
             ),
             code="undercut",
         )
-    parts = traced(board, cam, [max(ceil(degrees(piece.angle) / EVERY), 4) for piece in cam.pieces])
-    return tuple(complex(spot) for part in parts for spot in part.edge)
+    return tuple(complex(spot) for edge in outlined(board, cam, EVERY) for spot in edge)
 
 
 def _with(mech: Mechanism, profile: CamProfile, found: Osculating) -> Mechanism:

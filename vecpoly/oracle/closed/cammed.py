@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 
 def profile_at(mech: Mechanism, letter: str) -> CamProfile | None:
-    """The cam with this contact, or with this centre of curvature."""
-    return next((one for one in mech.cams if letter in (one.point, one.centre)), None)
+    """The cam with this contact."""
+    return next((one for one in mech.cams if one.point == letter), None)
 
 
 def law_of(profile: CamProfile) -> tuple[int, int]:
@@ -40,7 +40,7 @@ def followed(profile: CamProfile, bodies: Bodies) -> Followed:
     return follow(profile.cam, np.angle(bodies[profile.link].unit))
 
 
-def curvature_centre(mech: Mechanism, profile: CamProfile, bodies: Bodies) -> Points:
+def curvature_centre(profile: CamProfile, bodies: Bodies) -> Points:
     """Where the centre of curvature of the profile at the contact is (m)."""
     return _on_cam(profile, bodies, followed(profile, bodies).centre)
 
@@ -138,12 +138,12 @@ class Cammed:
         body = bodies[name]
         turning = body.moving(STILL, way * speed, STILL, way * gain)
         moving = turning if self._pin() else body.moving(_upright(speed), NONE, _upright(gain), NONE)
-        return {name: moving, self.contact.substitute: self._moving({**bodies, name: moving})}
+        return {name: moving, self.contact.substitute: self._moving({**bodies, name: moving}, found)}
 
-    def _moving(self, bodies: Bodies) -> Body:
+    def _moving(self, bodies: Bodies, found: Followed) -> Body:
         """The bar's ω and α from the motion of both ends; the block turns with the face."""
         bar, cam, follower = bodies[self.contact.substitute], bodies[self.profile.link], bodies[self.profile.follower]
-        centre = curvature_centre(self.mech, self.profile, bodies)
+        centre = _on_cam(self.profile, bodies, found.centre)
         v, a = cam.velocity_at(centre), cam.acceleration_at(centre)
         if isinstance(self.contact.on, Rack):
             return bar.moving(v, follower.omega, a, follower.alpha)

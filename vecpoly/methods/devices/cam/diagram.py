@@ -13,7 +13,7 @@ from ....devices.cams.asked import travel
 from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Piece
 from ....words import Words
-from ..bench import Bench
+from ..bench import Bench, trial_board
 from .laws import Lift, lift
 from .read.readings import noted
 from .scales import ANGULAR, DISPLACEMENT
@@ -88,8 +88,7 @@ def _curve(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> N
     """A smooth curve through the stations of every piece; it ends where the next begins."""
     board = bench.board
     for piece in cam.pieces:
-        scratch = board.scratch()
-        scratch.step(Words("试作", "trial"))
+        scratch = trial_board(board)
         ends = [lift(scratch, place, piece, phi).point for phi in (piece.start, piece.end)]
         inner = [s.lift.point for s in found if piece.start + 1e-9 < s.phi < piece.end - 1e-9]
         board.curve(place, [ends[0], *inner, ends[1]], Role.RESULT)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,10 +10,10 @@ import numpy as np
 from ....board.board import Board
 from ....board.construction import View
 from ....devices.cams.cam import Cam
-from ....devices.cams.motion import Law, Piece
+from ....devices.cams.motion import Piece
 from ....plane import Reals, cross, dot
-from ....words import Words
-from .laws import Lift, lift
+from ..bench import trial_board
+from .laws import Lift, lift, stretches
 from .pose import centre_of_curvature, pose
 
 TRIED, CLOSER = 41, 6  # places in a row, and how often the best is looked at closer
@@ -32,32 +32,17 @@ class Spot:
 
 def best(board: Board, place: View, pieces: Iterable[Piece], merit: Merit) -> Spot:
     """The place where the merit is greatest; the first of equals."""
-    return max((_best(board, place, *stretch, merit) for piece in pieces for stretch in _stretches(piece)), key=_rank)
+    spots = (_best(board, place, piece, *stretch, merit) for piece in pieces for stretch in stretches(piece))
+    return max(spots, key=_rank)
 
 
 def _rank(spot: Spot) -> float:
     return round(spot.merit, 9)
 
 
-def _stretches(piece: Piece) -> Iterator[tuple[Piece, float, float, bool]]:
-    """Parts of a piece in which nothing jumps."""
-    middle = piece.start + piece.angle / 2
-    if piece.law is Law.PARABOLIC:
-        yield (
-            piece,
-            piece.start,
-            middle,
-            piece.rises < 0,
-        )  # drawn from its other end, a return begins with the late half
-        yield piece, middle, piece.end, piece.rises > 0
-    else:
-        yield piece, piece.start, piece.end, False
-
-
 def _best(board: Board, place: View, piece: Piece, low: float, high: float, late: bool, merit: Merit) -> Spot:
     for _ in range(CLOSER):
-        trial = board.scratch()
-        trial.step(Words("试作", "trial"))
+        trial = trial_board(board)
         tried = np.linspace(low, high, TRIED)
         found = np.asarray(merit(trial, tried, lift(trial, place, piece, tried, late=late)), dtype=float)
         top = int(np.nanargmax(found))

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from ....board.board import Board
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import PSI0, S0, pressure, radius
 from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Piece
-from ....diagram.cam_plate import arm, cam_pivot, face_arm, stem
+from ....diagram.cams.plate import arm, cam_pivot, face_arm, stem
 from ....plane import Points, unit
 from ....words import Words
-from ..bench import Bench
+from ..bench import Bench, trial_board
 from .diagram import Station, place_of
 from .laws import lift
 from .pose import Pose, pose
@@ -56,16 +57,9 @@ def _given(bench: Bench, cam: Cam) -> None:
     elif cam.follower.e:
         board.circle(VIEW, 0j, abs(cam.follower.e) / mm, Role.CENTRE)
     board.depict(VIEW, *cam_pivot(0j, cam.sense))
-    trial = board.scratch()
-    trial.step(Words("试作", "trial"))
+    trial = trial_board(board)
     first = pose(board, VIEW, cam, 0.0, lift(trial, place_of(cam), cam.pieces[0], 0.0))
-    if cam.arm and cam.follower.flat:
-        board.depict(VIEW, *face_arm(first.start, first.b, along_face(cam, first, mm)))
-    elif cam.arm:
-        board.depict(VIEW, *arm(first.start, first.b, cam.follower.radius / mm))
-    else:
-        face = FACE * cam.r0.si / mm if cam.follower.flat else 0.0
-        board.depict(VIEW, *stem(first.b, first.way, cam.follower.radius / mm, face))
+    draw_follower(board, cam, first)
     if cam.arm:
         ray = 1j * cam.side * first.way if cam.follower.flat else first.base - first.start
         bench.stated(PSI0, acute(bench, -first.start, unit(ray)))
@@ -73,10 +67,22 @@ def _given(bench: Bench, cam: Cam) -> None:
         length(bench, S0, VIEW, first.start, first.base, "C_0 B_0")
 
 
+def draw_follower(board: Board, cam: Cam, it: Pose) -> None:
+    """The follower as it stands there: its arm with the face or the roller, or its stem in the guide."""
+    mm = board.scale_of(VIEW).value
+    if cam.arm and cam.follower.flat:
+        board.depict(VIEW, *face_arm(it.start, it.b, _along_face(cam, it, mm)))
+    elif cam.arm:
+        board.depict(VIEW, *arm(it.start, it.b, cam.follower.radius / mm))
+    else:
+        assert cam.r0
+        face = FACE * cam.r0.si / mm if cam.follower.flat else 0.0
+        board.depict(VIEW, *stem(it.b, it.way, cam.follower.radius / mm, face))
+
+
 def _at(bench: Bench, cam: Cam, phi: float, piece: Piece) -> Pose:
     """The follower at an angle, on scratch paper."""
-    trial = bench.board.scratch()
-    trial.step(Words("试作", "trial"))
+    trial = trial_board(bench.board)
     return pose(trial, VIEW, cam, phi, lift(trial, place_of(cam), piece, phi))
 
 
@@ -98,7 +104,7 @@ def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
     board, mm = bench.board, bench.board.scale_of(VIEW).value
     board.join(VIEW, it.start if cam.arm else it.start + CLEAR * it.way, it.b, Role.CONSTRUCTION)
     if cam.follower.flat and cam.arm:
-        board.join(VIEW, it.b, it.b + along_face(cam, it, mm), Role.CONSTRUCTION)
+        board.join(VIEW, it.b, it.b + _along_face(cam, it, mm), Role.CONSTRUCTION)
     elif cam.follower.flat:
         assert cam.r0
         half = FACE * cam.r0.si / mm * 1j * it.way
@@ -112,7 +118,7 @@ def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
     board.plot(VIEW, it.b, "" if cam.arm else number, Dot.POINT)
 
 
-def along_face(cam: Cam, it: Pose, mm: float) -> Points:
+def _along_face(cam: Cam, it: Pose, mm: float) -> Points:
     """From the foot of A on a flat face to its end, past the cam."""
     assert cam.arm
     return 1j * cam.side * it.way * cam.arm[1] / mm
@@ -152,20 +158,12 @@ def _profile(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
 def _along(bench: Bench, cam: Cam, cuts: Sequence[Cut], *, pitch: bool) -> Iterator[list[Points]]:
     """The points of every piece, with its two ends as seen from inside it."""
     for piece in cam.pieces:
-        trial = bench.board.scratch()
-        trial.step(Words("试作", "trial"))
         ends = [_at(bench, cam, phi, piece) for phi in (piece.start, piece.end)]
         mm = bench.board.scale_of(VIEW).value
-        outer = [it.b if pitch else _contact(cam, it, mm) for it in ends]
+        outer = [it.b if pitch else it.touch(cam, mm) for it in ends]
         inner = [
             cut.pose.b if pitch else cut.touch
             for cut in cuts
             if piece.start + 1e-9 < cut.station.phi < piece.end - 1e-9
         ]
         yield [outer[0], *inner, outer[1]]
-
-
-def _contact(cam: Cam, it: Pose, mm: float) -> Points:
-    if cam.follower.flat:
-        return it.foot
-    return it.b + cam.follower.radius / mm * it.normal

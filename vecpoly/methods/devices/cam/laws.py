@@ -80,6 +80,14 @@ def lift(board: Board, place: View, piece: Piece, phi: Reals, *, late: bool = Fa
     return Lift(foot=foot, point=point, s=s, slope=way * first * mu, bend=second * mu)
 
 
+def stretches(piece: Piece) -> tuple[tuple[float, float, bool], ...]:
+    """Parts of a piece in which nothing jumps: from where, to where, and whether late; a parabola's are its halves."""
+    if piece.law is not Law.PARABOLIC:
+        return ((piece.start, piece.end, False),)
+    middle = piece.start + piece.angle / 2  # drawn from its other end, a return begins with the late half
+    return (piece.start, middle, piece.rises < 0), (middle, piece.end, piece.rises > 0)
+
+
 def _drawn(stroke: Stroke, law: Law | None, u: Reals, upright: Line, late: bool) -> Rates:
     match law:
         case None:

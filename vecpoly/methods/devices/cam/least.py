@@ -15,7 +15,7 @@ from ....devices.cams.motion import Piece
 from ....names import Named
 from ....plane import Line, Points, Reals, cross, foot, nominal
 from ....words import Words
-from ..bench import Bench
+from ..bench import Bench, trial_board
 from ..inclined import between
 from .extremes import Merit, best
 from .laws import Lift, lift
@@ -77,8 +77,7 @@ def _axes(board: Board, cam: Cam) -> None:
 
 def _curves(board: Board, pieces: Sequence[Piece]) -> None:
     for piece in pieces:
-        trial = board.scratch()
-        trial.step(Words("试作", "trial"))
+        trial = trial_board(board)
         middle = piece.start + piece.angle / 2  # where the acceleration may jump, the loop has a corner
         for low, high in ((piece.start, middle), (middle, piece.end)):
             found = [lift(trial, DISPLACEMENT, piece, phi) for phi in np.linspace(low, high, EACH + 1)]

@@ -35,6 +35,10 @@ class Pose:
         """The unit normal at the contact, out of the cam."""
         return self.way if cam.follower.flat else -self.normal
 
+    def touch(self, cam: Cam, mm: float) -> Points:
+        """Where the follower touches the profile; mm: what a mm on paper is (m)."""
+        return self.foot if cam.follower.flat else self.b + cam.follower.radius / mm * self.normal
+
     @property
     def foot(self) -> Points:
         """Where a flat face touches: the foot of P on it."""

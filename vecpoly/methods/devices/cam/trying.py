@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import ceil, degrees
 
 import numpy as np
 import numpy.typing as npt
@@ -11,13 +12,14 @@ import numpy.typing as npt
 from ....board.board import Board
 from ....board.construction import View
 from ....devices.cams.cam import Cam
-from ....devices.cams.motion import Law, Piece
-from ....words import Words
+from ....devices.cams.motion import Piece
+from ..bench import trial_board
 from .diagram import place_of
-from .laws import lift
+from .laws import lift, stretches
 from .pose import pose
 
-DENSE, CLEAR = 240, 1e-5  # chords a piece; m by which a point may lie inside the roller
+DENSE, FEWEST = 240, 4  # chords a piece; the fewest of one that is outlined
+CLEAR = 1e-5  # m by which a point may lie inside the roller
 Spots = npt.NDArray[np.complex128]
 Angles = npt.NDArray[np.float64]
 
@@ -43,22 +45,21 @@ def traced(board: Board, cam: Cam, counts: Sequence[int] | None = None) -> tuple
 
 def _spans(piece: Piece, count: int) -> tuple[tuple[Angles, bool], ...]:
     """The angles of a piece; of a parabola its halves, each drawn from its own end."""
-    if piece.law is not Law.PARABOLIC:
-        return ((np.linspace(piece.start, piece.end, count + 1), False),)
-    middle, half = piece.start + piece.angle / 2, -(-count // 2)
-    return (
-        (np.linspace(piece.start, middle, half + 1), piece.rises < 0),
-        (np.linspace(middle, piece.end, half + 1), piece.rises > 0),
-    )
+    parts = stretches(piece)
+    each = -(-count // len(parts))
+    return tuple((np.linspace(low, high, each + 1), late) for low, high, late in parts)
 
 
 def _stretch(board: Board, cam: Cam, piece: Piece, phi: Angles, late: bool) -> Traced:
-    trial, mm = board.scratch(), board.scale_of(View.MECHANISM).value
-    trial.step(Words("试作", "trial"))
+    trial, mm = trial_board(board), board.scale_of(View.MECHANISM).value
     it = pose(trial, View.MECHANISM, cam, phi, lift(trial, place_of(cam), piece, phi, late=late))
-    inset = cam.follower.radius / mm
-    edge = it.foot if cam.follower.flat else it.b + inset * it.normal
-    return Traced(phi=phi, pitch=np.asarray(it.b * mm), edge=np.asarray(edge * mm))
+    return Traced(phi=phi, pitch=np.asarray(it.b * mm), edge=np.asarray(it.touch(cam, mm) * mm))
+
+
+def outlined(board: Board, cam: Cam, every: float) -> tuple[Spots, ...]:
+    """The profile of every stretch (m), in points not more than so many degrees of the cam apart."""
+    counts = [max(ceil(degrees(piece.angle) / every), FEWEST) for piece in cam.pieces]
+    return tuple(part.edge for part in traced(board, cam, counts))
 
 
 def interferes(board: Board, cam: Cam) -> bool:

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import ceil, degrees
-
-import numpy as np
+from math import degrees
 
 from ....board.board import Board
 from ....board.construction import Figure, View
 from ....board.hand import hand
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.cam import Cam
-from ....diagram.cam_plate import arm, cam_pivot, face_arm, stem
+from ....diagram.cams.plate import cam_pivot
+from ....plane import nominal
 from ....problem.problem import Problem
 from ....words import Words
+from ..bench import trial_board
 from .diagram import place_of
-from .inversion import FACE, along_face
+from .inversion import draw_follower
 from .laws import lift
-from .pose import Pose, pose
+from .pose import pose
 from .scales import cam_scales
-from .trying import traced
+from .trying import Spots, outlined
 
 EVERY = 3.0  # deg of the cam between two points of its outline
 PAST = 8.0  # mm: the normal runs on beyond the follower
@@ -40,14 +40,11 @@ def walked(problem: Problem) -> tuple[Figure, ...]:
     cam = problem.subject
     assert isinstance(cam, Cam)
     scales = cam_scales(cam, problem.scales)
-    paper = Board(hand("exact"), scales)
-    outline = [part.edge for part in traced(paper, cam, [max(ceil(degrees(p.angle) / EVERY), 4) for p in cam.pieces])]
+    outline = outlined(Board(hand("exact"), scales), cam, EVERY)
     return tuple(_station(Board(hand("exact"), scales), cam, number, outline) for number in range(len(cam.places)))
 
 
-def _station(
-    board: Board, cam: Cam, number: int, outline: Sequence[np.ndarray[tuple[int], np.dtype[np.complex128]]]
-) -> Figure:
+def _station(board: Board, cam: Cam, number: int, outline: Sequence[Spots]) -> Figure:
     assert cam.r0
     (phi, piece), view = cam.places[number], View.MECHANISM
     board.step(CALLED, view)
@@ -56,26 +53,10 @@ def _station(
     board.depict(view, *cam_pivot(0j, -cam.sense, "−ω"))
     for edge in outline:
         board.curve(view, [complex(spot) / mm for spot in edge], Role.LINK)
-    scratch = board.scratch()
-    scratch.step(CALLED)
-    it = pose(board, view, cam, phi, lift(scratch, place_of(cam), piece, phi))
-    touch = _follower(board, cam, it)
+    it = pose(board, view, cam, phi, lift(trial_board(board), place_of(cam), piece, phi))
+    draw_follower(board, cam, it)
+    touch = complex(nominal(it.touch(cam, mm)))
     board.join(view, it.pole, touch + (PAST + cam.follower.radius / mm) * it.outward(cam), Role.DIRECTION)
     board.plot(view, touch, "T", Dot.POINT)
     (figure,) = board.figures({view: CALLED})
     return figure
-
-
-def _follower(board: Board, cam: Cam, it: Pose) -> complex:
-    """The follower, and where it touches."""
-    view, mm = View.MECHANISM, board.scale_of(View.MECHANISM).value
-    radius = cam.follower.radius / mm
-    if cam.arm and cam.follower.flat:
-        board.depict(view, *face_arm(it.start, it.b, along_face(cam, it, mm)))
-    elif cam.arm:
-        board.depict(view, *arm(it.start, it.b, radius))
-    else:
-        assert cam.r0
-        board.depict(view, *stem(it.b, it.way, radius, FACE * cam.r0.si / mm if cam.follower.flat else 0.0))
-    touch = it.foot if cam.follower.flat else it.b + radius * it.normal
-    return complex(np.asarray(touch).ravel()[0])

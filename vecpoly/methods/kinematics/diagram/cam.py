@@ -7,8 +7,8 @@ centre, led parallel to the face. With constant radii both are exact, for veloci
 from __future__ import annotations
 
 from ....board.construction import View
-from ....diagram.cams import contact_replaced
-from ....diagram.followers import pressure_angle
+from ....diagram.cams.contact import contact_replaced
+from ....diagram.cams.follower import pressure_angle
 from ....mechanism.groups.assur import Group
 from ....mechanism.model import Circle, Contact, Prismatic
 from ....words import Words

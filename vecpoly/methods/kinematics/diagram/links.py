@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ....board.construction import View
 from ....board.paper.marks import Dot, Point
-from ....diagram.cams import contact_drawn
+from ....diagram.cams.contact import contact_drawn
 from ....diagram.links import links_drawn
 from ....diagram.single import pivot
 from ....mechanism.model import Revolute

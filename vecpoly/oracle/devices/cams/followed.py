@@ -13,18 +13,17 @@ from .laws import Array, raised
 from .shape import Spots, pitch, supported
 
 STRAIGHT = 1e-4  # 1/m: a smaller curvature is taken as this; the centre would be farther away than 10 km
-ROWS = 7
+ROWS = 6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Followed:
-    """s (m, or rad) with s′ and s″; the follower in the frame, the profile in the cam's coordinates (m).
+    """s′ and s″ (m, or rad); the follower in the frame, the profile in the cam's coordinates (m).
 
     tip: the follower's end from the cam's axis; of a flat face the foot of the axis on it. edge, centre, inward: the
     point of the profile, its centre of curvature, the unit normal into the cam.
     """
 
-    level: Array
     slope: Array
     bend: Array
     tip: Spots
@@ -35,18 +34,19 @@ class Followed:
 
 def follow(cam: Cam, turn: Array) -> Followed:
     """The cam turned by these angles (rad, counter-clockwise) from its first station."""
-    places = [piece_at(cam.pieces, cam.sense * float(one)) for one in turn]
-    phi, which = np.array([at for _, at in places]), np.array([cam.pieces.index(piece) for piece, _ in places])
+    pieces, sense = cam.pieces, cam.sense
+    places = [piece_at(pieces, sense * float(one)) for one in turn]
+    phi, which = np.array([at for _, at in places]), np.array([pieces.index(piece) for piece, _ in places])
     rows = np.zeros((ROWS, len(phi)), np.complex128)
-    for i, piece in enumerate(cam.pieces):
+    for i, piece in enumerate(pieces):
         rows[:, which == i] = _rows(cam, piece, phi[which == i])
-    level, slope, bend = (np.ascontiguousarray(row.real) for row in rows[:3])
-    tip, edge, centre, inward = rows[3:]
-    return Followed(level=level, slope=slope, bend=bend, tip=tip, edge=edge, centre=centre, inward=inward)
+    slope, bend = (np.ascontiguousarray(row.real) for row in rows[:2])
+    tip, edge, centre, inward = rows[2:]
+    return Followed(slope=slope, bend=bend, tip=tip, edge=edge, centre=centre, inward=inward)
 
 
 def _rows(cam: Cam, piece: Piece, phi: Array) -> Spots:
-    law, back = raised(piece, phi), np.exp(1j * cam.sense * phi)
+    (_, *law), back = raised(piece, phi), np.exp(1j * cam.sense * phi)
     if cam.follower.flat:
         face = supported(cam, piece, phi)
         edge = face.touch

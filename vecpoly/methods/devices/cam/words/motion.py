@@ -13,7 +13,8 @@ from .....devices.cams.cam import Cam
 from .....devices.cams.motion import Law, Piece
 from .....plane import nominal
 from .....words import Words
-from ..laws import lift
+from ...bench import trial_board
+from ..laws import lift, stretches
 
 JUMP = 1e-6  # of the stroke over the angle, or its square: a smaller jump is none
 _HOW = {
@@ -48,8 +49,7 @@ def how_drawn(cam: Cam) -> Words:
 
 def shocks(board: Board, place: View, cam: Cam) -> Words:
     """Where velocity or acceleration jump, read off the diagrams from both sides."""
-    trial = board.scratch()
-    trial.step(Words("试作", "trial"))
+    trial = trial_board(board)
     ends = [(_ends(trial, place, piece), piece) for piece in cam.pieces]
     hard, soft = [], []
     for (before, piece), (after, _) in pairwise([*ends, ends[0]]):
@@ -64,19 +64,15 @@ def shocks(board: Board, place: View, cam: Cam) -> Words:
 
 def corners(board: Board, place: View, cam: Cam) -> bool:
     """Whether the velocity drops at once somewhere: the pitch curve has a corner there that points outward."""
-    trial = board.scratch()
-    trial.step(Words("试作", "trial"))
+    trial = trial_board(board)
     ends = [_ends(trial, place, piece) for piece in cam.pieces]
     return any(after[0][0] - before[1][0] < -JUMP * cam.lift for before, after in pairwise([*ends, ends[0]]))
 
 
 def _ends(trial: Board, place: View, piece: Piece) -> tuple[tuple[float, float], tuple[float, float]]:
     """s′ and s″ at the start and at the end of a piece."""
-    turned = piece.rises < 0  # a return is drawn from its end
-    found = (
-        lift(trial, place, piece, piece.start, late=turned and piece.law is Law.PARABOLIC),
-        lift(trial, place, piece, piece.end, late=not turned and piece.law is Law.PARABOLIC),
-    )
+    (*_, first), (*_, last) = (stretches(piece)[i] for i in (0, -1))
+    found = lift(trial, place, piece, piece.start, late=first), lift(trial, place, piece, piece.end, late=last)
     start, end = ((float(nominal(at.slope)), float(nominal(at.bend))) for at in found)
     return start, end
 

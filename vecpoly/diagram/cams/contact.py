@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from math import pi
 
-from ..board.paper.marks import Arc, Disc, Dot, LinkNumber, Mark, Point, Role, Segment
-from ..board.paper.symbols import Symbol
-from ..mechanism.model import FRAME, Circle, Contact, Link, Mechanism, Prismatic, Rack
-from .bars import bar
-from .followers import face_marks, offset_marks, pressure_angle, stem_guided
-from .owners import joint, link, owned
-from .posed import Posed
-from .profile_cam import profile_marks
+from ...board.paper.marks import Arc, Disc, Dot, LinkNumber, Mark, Point, Role, Segment
+from ...board.paper.symbols import Symbol
+from ...mechanism.model import FRAME, Circle, Contact, Link, Mechanism, Prismatic, Rack
+from ..bars import bar
+from ..owners import joint, link, owned
+from ..posed import Posed
+from .follower import face_marks, offset_marks, pressure_angle, stem_guided
+from .profile import profile_marks
 
 NORMAL = 15.0  # mm the common normal runs on beyond the contact
 BLOCK = (4.5, 2.5)  # mm, half the sides of the dashed block

@@ -6,10 +6,10 @@ import cmath
 from collections.abc import Iterator
 from math import copysign, pi
 
-from ..board.paper.marks import AngleMark, Arc, FixedGuide, LinkNumber, Mark, Role, Segment
-from ..mechanism.model import FRAME, Circle, Contact, Prismatic, Revolute
-from .bars import weld
-from .posed import Posed, Way
+from ...board.paper.marks import AngleMark, Arc, FixedGuide, LinkNumber, Mark, Role, Segment
+from ...mechanism.model import FRAME, Circle, Contact, Prismatic, Revolute
+from ..bars import weld
+from ..posed import Posed, Way
 
 BEYOND = 12.0  # mm a face runs on beyond what stands on it
 STEM, SHOE = 10.0, 14.0  # mm from the tip to its guide, length of the guide

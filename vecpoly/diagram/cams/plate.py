@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import pi
 
-from ..board.paper.marks import Arc, Dot, Point, Role, TurnArrow
-from ..board.paper.symbols import Symbol
-from ..board.strokes import amount, spot
-from ..plane import Points, Reals
-from .owners import joint, link
-from .single import pivot, rail, rod
+from ...board.paper.marks import Arc, Dot, Point, Role, TurnArrow
+from ...board.paper.symbols import Symbol
+from ...board.strokes import amount, spot
+from ...plane import Points, Reals
+from ..owners import joint, link
+from ..single import pivot, rail, rod
 
 STEM, SHOE, PLAY, OUT = 22.0, 7.0, 1.6, 11.0  # mm: the stem beyond the tip; its guide: length, gap, how far out
 SENSE = 11.0  # mm: radius of the arrow about the pivot

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import pi
 
-from ..board.paper.marks import Arc, Curve, Dot, LinkNumber, Mark, Point, Role
-from ..mechanism.model import CamProfile
-from .posed import Posed
+from ...board.paper.marks import Arc, Curve, Dot, LinkNumber, Mark, Point, Role
+from ...mechanism.model import CamProfile
+from ..posed import Posed
 
 INSIDE = 0.55  # of the base circle: where the cam's number stands
 
