@@ -6,12 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-import numpy as np
-
 from ...algebra.formula import Txt, sym
 from ...algebra.quantity import paper, worked
 from ...board.board import Board
 from ...board.construction import Pane, Reading, View
+from ...board.paper.extent import box_of
 from ...board.paper.marks import Dot, Role
 from ...errors import NotAskedError
 from ...mechanism.asked.centres import centre
@@ -76,8 +75,7 @@ def _paper(desk: Desk, there: Sequence[Desk], asked: Centrodes, pairs: tuple[Pai
     own = _rolled(desk, desk, asked.link, pairs, 1.0, scratch)
     run = [_rolled(desk, one, asked.link, pairs, 1.0, scratch) for one in there]
     spots = [one.pole for one in run] + [scratch.image((*one.ends, one.pole), own.ends) for one in run]
-    at = np.array([complex(nominal(spot)) for spot in spots])
-    found = fitted(desk, (complex(at.real.min(), at.imag.min()), complex(at.real.max(), at.imag.max())))
+    found = fitted(desk, box_of([complex(nominal(spot)) for spot in spots]))
     if found is None:
         raise NotAskedError(
             Words(
