@@ -34,6 +34,7 @@ from vecpoly.report.course.results.tabled import _formats
 from vecpoly.report.course.statement import assumed
 from vecpoly.report.course.structure.undrawn import undrawn
 from vecpoly.report.picture import picture
+from vecpoly.solution import solve
 
 
 def text_of(pdf: bytes) -> str:
@@ -145,6 +146,23 @@ def test_the_condition_of_full_rotation_tells_the_double_crank() -> None:
     assert "双曲柄" in told.zh and "510 mm" in told.zh and "600 mm" in told.zh
     (rocker,) = full_rotation(studied("B-24"))
     assert "crank-rocker" in rocker.en
+
+
+TRUSS = """
+id: truss
+title: {zh: 铰链四杆机构与桁架, en: A four-bar beside a truss}
+statement: {zh: 求 $F$ 点的速度。, en: Find the velocity of $F$.}
+frame: {A: [0 mm, 0 mm], D: [100 mm, 0 mm], E: [160 mm, 0 mm], G: [-60 mm, -60 mm]}
+links: {1: {AB: 30 mm}, 2: {DC: 50 mm}, 3: {EC: 50 mm}, 4: {BF: 100 mm}, 5: {GF: 95 mm}}
+input: {link: 1, phi: 60 deg, omega: 10 rad/s}
+branch: [C left of DE, F left of BG]
+find: [v_F]
+"""
+
+
+def test_two_links_that_are_pinned_to_the_frame_and_stand_still_are_no_four_bar_loop() -> None:
+    (told,) = full_rotation(study(solve(loads(TRUSS), repeats=0)))
+    assert "loop $ABFG$" in told.en
 
 
 def test_the_determinant_is_least_where_the_transmission_angle_is() -> None:

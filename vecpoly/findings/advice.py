@@ -10,11 +10,10 @@ import numpy as np
 
 from ..algebra.quantity import number
 from ..cycle import Spot
-from ..mechanism.groups.assur import Dyad, decompose
+from ..mechanism.groups.assur import Dyad, decompose, pivot_of
 from ..mechanism.model import FRAME, Revolute
 from ..words import Words
 from .conditioning import Conditioning
-from .grashof import pivot_of
 from .other_lengths import Side, trial
 from .study.study import Study
 from .transmission import least_places

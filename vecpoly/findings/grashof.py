@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ..algebra.quantity import number
-from ..mechanism.groups.assur import Dyad, decompose, hinges
+from ..mechanism.groups.assur import Dyad, decompose, pivot_of
 from ..mechanism.model import FRAME, Mechanism, Prismatic, Revolute
 from ..words import Words
 from .guide_bars import guide_bar
@@ -40,11 +40,6 @@ def full_rotation(study: Study) -> Iterator[Words]:
             yield _grashof(study, bars)
         elif told := _slider_crank(study, dyad) or guide_bar(study, dyad):
             yield told
-
-
-def pivot_of(mech: Mechanism, link: str) -> str:
-    """The fixed pivot of a link, nothing where it has none."""
-    return next((p for p, names in hinges(mech).items() if FRAME in names and link in names), "")
 
 
 def _four_bar(mech: Mechanism, d: Dyad) -> tuple[Bar, ...]:

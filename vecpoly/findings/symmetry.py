@@ -8,10 +8,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..mechanism.groups.assur import Dyad, decompose
+from ..mechanism.groups.assur import Dyad, decompose, pivot_of
 from ..mechanism.model import FRAME, Revolute
 from ..words import Words
-from .grashof import pivot_of
 from .study.study import Study
 
 _EQUAL = 1e-6  # of a length

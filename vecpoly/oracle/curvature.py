@@ -16,7 +16,9 @@ from ..mechanism.asked.curvature import (
     Centrodes,
     centrode_lengths,
     collineation,
+    cusp,
     diameter,
+    inflected,
     inflection_pole,
     path_centre,
     radius,
@@ -97,9 +99,9 @@ class Curvatures:
         at, v, a = (f(complex(local[0])) for f in (self.body.point, self.body.velocity_of, self.body.acceleration_of))
         speed, bend = float(np.abs(v)[0]), float(cross(v, a)[0])
         if speed <= NONE * abs(float(self.body.omega[0])) * self.mech.scale:
-            raise _at_rest(point)
+            raise cusp(point)
         if abs(bend) * self.mech.scale <= STRAIGHT * speed**3:
-            raise _is_straight(point)
+            raise inflected(point)
         return complex((at + 1j * v * speed**2 / bend)[0]), speed**3 / abs(bend)
 
     def collineation(self) -> float:
@@ -166,25 +168,4 @@ def _no_pole(mech: Mechanism, link: str) -> NotAskedError:
             "another input position",
         ),
         code="pole-at-infinity",
-    )
-
-
-def _at_rest(point: str) -> NotAskedError:
-    return NotAskedError(
-        Words(
-            f"{point} 与绝对瞬心重合，其轨迹在此为尖点，没有曲率半径；请从 find 中去掉",
-            f"{point} is the pole itself: its path has a cusp here and no radius of curvature; leave it out of `find`",
-        ),
-        code="cusp",
-    )
-
-
-def _is_straight(point: str) -> NotAskedError:
-    return NotAskedError(
-        Words(
-            f"{point} 在拐点圆上，ρ = ∞：其轨迹在此为拐点或直线，曲率中心在无穷远处；请从 find 中去掉",
-            f"{point} lies on the inflection circle, ρ = ∞: its path has an inflection here or is straight, and the "
-            "centre of curvature is at infinity; leave it out of `find`",
-        ),
-        code="inflection",
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import assert_never
 
 import numpy as np
@@ -38,8 +38,13 @@ from .marks import (
 
 def bounds(marks: Iterable[Mark]) -> tuple[complex, complex]:
     """Lower left and upper right corner (mm) of the box round the marks' points."""
-    points = np.array([p for m in marks for p in corners(m)] or [0j])
-    return complex(points.real.min(), points.imag.min()), complex(points.real.max(), points.imag.max())
+    return box_of([p for m in marks for p in corners(m)] or [0j])
+
+
+def box_of(points: Sequence[complex]) -> tuple[complex, complex]:
+    """Lower left and upper right corner of the box round points, of which there is one at least."""
+    at = np.array(points)
+    return complex(at.real.min(), at.imag.min()), complex(at.real.max(), at.imag.max())
 
 
 def extent(marks: Iterable[Mark]) -> tuple[float, float]:

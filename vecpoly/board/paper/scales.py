@@ -3,7 +3,7 @@ ones as far as a sheet has room."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from math import floor, log10
 from typing import TypeVar
 
@@ -32,10 +32,10 @@ class Sketched:
         return self.size[0] * grown + self.around[0], self.size[1] * grown + self.around[1]
 
 
-def round_up(value: float) -> float:
-    """The smallest scale of the series that is not below `value`."""
+def round_up(value: float, series: Iterable[float] = SERIES) -> float:
+    """The smallest scale of the series, in rising order, that is not below `value`."""
     power = floor(log10(value))
-    step = next(s for s in SERIES if s * 10.0**power >= value * (1 - 1e-9))
+    step = next(s for s in series if s * 10.0**power >= value * (1 - 1e-9))
     return float(f"{step:g}e{power}")
 
 

@@ -11,8 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from enum import StrEnum
 
+from ...errors import NotAskedError
 from ...foundation.slotted import dataclass
 from ...names import Named, Sort
+from ...words import Words
 from ..model import FRAME, Mechanism
 from .centres import centre
 
@@ -107,3 +109,26 @@ def asked_points(mech: Mechanism, link: str, keys: Iterable[str]) -> tuple[str, 
     """The points of the link of whose paths something is asked."""
     wanted = set(keys)
     return tuple(p for p in mech.link(link).points if wanted & {path_centre(p).key, radius(p).key})
+
+
+def cusp(name: str) -> NotAskedError:
+    """The point is the pole: it rests, and its path has no curvature."""
+    return NotAskedError(
+        Words(
+            f"{name} 与绝对瞬心重合，其轨迹在此为尖点，没有曲率半径；请从 find 中去掉",
+            f"{name} is the pole itself: its path has a cusp here and no radius of curvature; leave it out of `find`",
+        ),
+        code="cusp",
+    )
+
+
+def inflected(name: str) -> NotAskedError:
+    """The point lies on the inflection circle: its path is straight here."""
+    return NotAskedError(
+        Words(
+            f"{name} 在拐点圆上，ρ = ∞：其轨迹在此为拐点或直线，曲率中心在无穷远处；请从 find 中去掉",
+            f"{name} lies on the inflection circle, ρ = ∞: its path has an inflection here or is straight, and the "
+            "centre of curvature is at infinity; leave it out of `find`",
+        ),
+        code="inflection",
+    )

@@ -21,7 +21,19 @@ from .group import Dyad, Group, Outer
 
 MOST = 120_000  # sets of links that are tried for a group: all of 16 links; of 22 those of up to six
 
-__all__ = ["Dyad", "Group", "Outer", "decompose", "dyad_of", "ends", "hinges", "holders", "is_held", "joint_letter"]
+__all__ = [
+    "Dyad",
+    "Group",
+    "Outer",
+    "decompose",
+    "dyad_of",
+    "ends",
+    "hinges",
+    "holders",
+    "is_held",
+    "joint_letter",
+    "pivot_of",
+]
 
 
 def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
@@ -87,6 +99,11 @@ def hinges(mech: Mechanism) -> dict[str, tuple[str, ...]]:
             at.setdefault(joint.point, set()).update((joint.a, joint.b))
     order = [*(link.name for link in mech.links), FRAME]
     return {point: tuple(name for name in order if name in names) for point, names in at.items()}
+
+
+def pivot_of(mech: Mechanism, link: str) -> str:
+    """The letter of a moving link's pivot on the frame; "" where it has none."""
+    return next((p for p, names in hinges(mech).items() if {FRAME, link} <= {*names} and link != FRAME), "")
 
 
 def is_held(mech: Mechanism, rolling: Rolling) -> bool:

@@ -3,13 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from ...board.construction import Scale, View
-from ...board.paper.extent import bounds
+from ...board.paper.extent import bounds, box_of
 from ...board.paper.scales import round_up
 from ...mechanism.asked.centres import Pair
 from ...plane import Line, cross, nominal
@@ -83,8 +81,8 @@ def _paper(desk: Desk, seen: Survey, kept: set[Pair]) -> Paper:
     spots = {pair: centre.spot() for pair, centre in seen.centres.items() if not centre.endless}
     inside = sorted(spots, key=lambda pair: (pair not in kept, abs(spots[pair] - middle)))
     while True:
-        corners = _box([low, high, *(spots[pair] for pair in inside)])
-        scale = replace(mu, value=max(mu.value, round_up(mu.value * _too_large(corners))))
+        corners = box_of([low, high, *(spots[pair] for pair in inside)])
+        scale = replace(mu, value=max(mu.value, round_up(mu.value * too_large(corners))))
         factor = mu.value / scale.value
         if set(inside) <= kept or size * factor >= min(LEAST, size):
             break
@@ -98,15 +96,10 @@ def _paper(desk: Desk, seen: Survey, kept: set[Pair]) -> Paper:
     )
 
 
-def _too_large(corners: tuple[complex, complex]) -> float:
+def too_large(corners: tuple[complex, complex]) -> float:
     """By what factor the figure must shrink to fit one of the rooms."""
     span = corners[1] - corners[0]
     return min(max(span.real / wide, span.imag / high, 1e-6) for wide, high in ROOMS)
-
-
-def _box(points: Iterable[complex]) -> tuple[complex, complex]:
-    p = np.array(list(points))
-    return complex(p.real.min(), p.imag.min()), complex(p.real.max(), p.imag.max())
 
 
 def _plain(one: Direct) -> Direct:

@@ -6,15 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...algebra.formula import Row, Txt, row
 from ...board.board import Board
-from ...board.construction import Pane, Reading
+from ...board.construction import Pane
 from ...board.paper.marks import Dot, Role
 from ...mechanism.asked.centres import Pair, centre, pair_of, real_links
 from ...mechanism.model import Mechanism
 from ...plane import Line, Points, nominal
 from ..desk import Desk
 from .geometry import Centre
+from .places import place_read
 from .size import Paper
 from .theorem.search import Known
 
@@ -77,14 +77,7 @@ class CentreFigure:
 
     def keep_place(self, key: str, symbol: str, mm: Points) -> None:
         """The place of a point, read in mm from the origin, as an answer in m."""
-        metres = mm * self.paper.scale.value
-        vector = complex(nominal(metres))
-        text = Row((*row(symbol).items, Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
-        scale = self.paper.scale.symbol
-        reading = Reading(
-            key=key, symbol=symbol, unit="m", scalar=abs(vector), vector=vector, scale=scale, formula=text
-        )
-        self.board.keep(reading, np.abs(metres))
+        self.board.keep(*place_read(key, symbol, mm, self.paper.scale))
 
     def letter(self, pair: Pair, dot: Dot, start: complex) -> None:
         """Letter a centre: a point, or an arrow from `start` towards infinity;

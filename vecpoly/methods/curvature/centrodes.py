@@ -6,12 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-import numpy as np
-
-from ...algebra.formula import Txt, sym
-from ...algebra.quantity import paper, worked
+from ...algebra.formula import Txt
+from ...algebra.quantity import paper
 from ...board.board import Board
-from ...board.construction import Pane, Reading, View
+from ...board.construction import Pane, View
+from ...board.paper.extent import box_of
 from ...board.paper.marks import Dot, Role
 from ...errors import NotAskedError
 from ...mechanism.asked.centres import centre
@@ -26,6 +25,7 @@ from ..centres.size import Paper
 from ..desk import Desk
 from ..placed import placed
 from .pairs import Pair, pairs_of
+from .readings import keep_length
 from .room import fitted
 from .strokes.normals import normal_of, refuse_parallel
 
@@ -76,8 +76,7 @@ def _paper(desk: Desk, there: Sequence[Desk], asked: Centrodes, pairs: tuple[Pai
     own = _rolled(desk, desk, asked.link, pairs, 1.0, scratch)
     run = [_rolled(desk, one, asked.link, pairs, 1.0, scratch) for one in there]
     spots = [one.pole for one in run] + [scratch.image((*one.ends, one.pole), own.ends) for one in run]
-    at = np.array([complex(nominal(spot)) for spot in spots])
-    found = fitted(desk, (complex(at.real.min(), at.imag.min()), complex(at.real.max(), at.imag.max())))
+    found = fitted(desk, box_of([complex(nominal(spot)) for spot in spots]))
     if found is None:
         raise NotAskedError(
             Words(
@@ -144,23 +143,10 @@ def _step_off(desk: Desk, pane: Pane, asked: Centrodes, fixed: Sequence[Points],
 
 
 def _keep(desk: Desk, pane: Pane, named: Named, run: Sequence[Points], prime: str) -> None:
-    board, scale = desk.board, desk.board.scale_of(pane)
+    board = desk.board
     pairs = enumerate(pairwise(run), start=1)
     chords = [board.measure(a, b, f"P{prime}_{{{k}}} P{prime}_{{{k + 1}}}").value for k, (a, b) in pairs]
     total = chords[0]
     for chord in chords[1:]:
         total = total + chord
-    on_paper = paper(Txt("Σ"), total)
-    formula = worked(sym(named.symbol), board.mu(pane) * on_paper, named.unit)
-    board.write(formula)
-    size = total * scale.value
-    reading = Reading(
-        key=named.key,
-        symbol=named.symbol,
-        unit=named.unit,
-        scalar=float(nominal(size)),
-        mm=float(nominal(total)),
-        scale=scale.symbol,
-        formula=formula,
-    )
-    board.keep(reading, size)
+    keep_length(board, pane, named, paper(Txt("Σ"), total))

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...errors import NoMethodError
 from ...foundation.slotted import dataclass
-from ...mechanism.groups.assur import ends, hinges
+from ...mechanism.groups.assur import ends, hinges, pivot_of
 from ...mechanism.model import FRAME, Circle, Mechanism, Prismatic, Rolling
 from ...words import Words
 
@@ -90,11 +90,6 @@ def _sliding(mech: Mechanism, link: str) -> Iterator[Pair]:
             other = joint.block if joint.guide == link else joint.guide
             if pivot := pivot_of(mech, other):
                 yield Pair(fixed=pivot, joint=joint)
-
-
-def pivot_of(mech: Mechanism, link: str) -> str:
-    """The letter of the link's pivot on the frame; "" where it has none."""
-    return next((p for p, names in hinges(mech).items() if link in names and FRAME in names and link != FRAME), "")
 
 
 def _slide_of(mech: Mechanism, link: str) -> Prismatic | None:

@@ -5,14 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from ...algebra.formula import Row, Txt, row, sym
-from ...algebra.quantity import worked
-from ...board.construction import Reading
+from ...algebra.quantity import Quantity, worked
+from ...board.board import Board
+from ...board.construction import Pane, Reading
 from ...mechanism.asked.centres import centre
 from ...mechanism.asked.curvature import collineation, diameter, inflection_pole, path_centre, radius, return_pole
 from ...mechanism.model import FRAME
 from ...names import Named
 from ...plane import Points, nominal, unit
 from ...words import Words
+from ..centres.places import place_read
 from .state import CurvatureFigure
 from .strokes.collinear import draw_axis
 
@@ -64,38 +66,32 @@ def read_collineation(fig: CurvatureFigure) -> None:
 
 def _place(fig: CurvatureFigure, named: Named, at: Points) -> None:
     """Both coordinates read off the rule (m on the diagram's axes)."""
-    scale = fig.board.scale_of(fig.pane)
-    metres = fig.board.coordinates(at, named.symbol) * scale.value
-    vector = complex(nominal(metres))
-    text = Row((*row(named.symbol).items, Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
-    fig.board.write(text)
-    reading = Reading(
-        key=named.key,
-        symbol=named.symbol,
-        unit=named.unit,
-        scalar=abs(vector),
-        vector=vector,
-        scale=scale.symbol,
-        formula=text,
-    )
-    fig.board.keep(reading, np.abs(metres))
+    mm, scale = fig.board.coordinates(at, named.symbol), fig.board.scale_of(fig.pane)
+    reading, distance = place_read(named.key, named.symbol, mm, scale)
+    assert reading.formula is not None
+    fig.board.write(reading.formula)
+    fig.board.keep(reading, distance)
 
 
 def _length(fig: CurvatureFigure, named: Named, a: Points, b: Points, letters: str) -> None:
     """μ_l times the length on paper."""
-    scale = fig.board.scale_of(fig.pane)
-    on_paper = fig.board.measure(a, b, letters)
+    keep_length(fig.board, fig.pane, named, fig.board.measure(a, b, letters), letters)
+
+
+def keep_length(board: Board, pane: Pane, named: Named, on_paper: Quantity, line: str = "") -> None:
+    """A length (m) by what it measures on paper, written into the step; line: the letters of its ends."""
+    scale = board.scale_of(pane)
     size = on_paper.value * scale.value
-    formula = worked(sym(named.symbol), fig.board.mu(fig.pane) * on_paper, named.unit)
-    fig.board.write(formula)
+    formula = worked(sym(named.symbol), board.mu(pane) * on_paper, named.unit)
+    board.write(formula)
     reading = Reading(
         key=named.key,
         symbol=named.symbol,
         unit=named.unit,
         scalar=float(nominal(size)),
         mm=float(nominal(on_paper.value)),
-        line=letters,
+        line=line,
         scale=scale.symbol,
         formula=formula,
     )
-    fig.board.keep(reading, size)
+    board.keep(reading, size)

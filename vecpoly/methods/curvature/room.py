@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from math import degrees, floor, log10, radians
+from math import degrees, radians
 
 from ...board.construction import View
-from ...board.paper.extent import bounds
-from ...board.paper.scales import HALF, SERIES
+from ...board.paper.extent import bounds, box_of
+from ...board.paper.scales import HALF, SERIES, round_up
 from ...errors import NotAskedError, VecpolyError
 from ...mechanism.groups.assur import Group
 from ...plane import Points, nominal
 from ...words import Words
-from ..centres.size import MARGIN, ROOMS, Paper
+from ..centres.size import MARGIN, Paper, too_large
 from ..desk import Desk
 from ..placed import placed
 from .state import CurvatureFigure
@@ -22,6 +22,7 @@ NAME = "curvature"
 TITLE = Words("曲率作图", "Curvatures")
 STEPS = (5, -5, 10, -10, 15, -15, 20, -20, 30, -30, 40, -40, 50, -50, 60, -60, 80, -80, 100, -100, 120, -120, 150, 180)
 LEAST = 28.0  # mm that the mechanism must measure on the figure, for its links to be told apart
+SCALES = tuple(sorted((*SERIES, HALF)))  # 1 : 1.5 and its like among them
 Box = tuple[complex, complex]
 Draw = Callable[[CurvatureFigure], None]
 
@@ -46,26 +47,12 @@ def _box(desk: Desk, link: str, draw: Draw) -> Box:
     return bounds(sketch.board.marks(pane))
 
 
-def _round_up(value: float) -> float:
-    """The smallest round scale that is not below the value, 1 : 1.5 and its like among them."""
-    power = floor(log10(value))
-    step = next(s for s in sorted((*SERIES, HALF)) if s * 10.0**power >= value * (1 - 1e-9))
-    return float(f"{step:g}e{power}")
-
-
-def _joined(one: Box, other: Box) -> Box:
-    low = complex(min(one[0].real, other[0].real), min(one[0].imag, other[0].imag))
-    return low, complex(max(one[1].real, other[1].real), max(one[1].imag, other[1].imag))
-
-
 def fitted(desk: Desk, box: Box) -> Paper | None:
     """The largest round scale, no larger than the diagram's; None where the mechanism would be too small on it."""
     low, high = bounds(desk.board.marks(View.MECHANISM))
-    box = _joined(box, (low, high))
-    size, span = max(high.real - low.real, high.imag - low.imag), box[1] - box[0]
+    box, size = box_of([*box, low, high]), max(high.real - low.real, high.imag - low.imag)
     mu = desk.board.scales[View.MECHANISM]
-    shrunk = min(max(span.real / wide, span.imag / tall, 1e-6) for wide, tall in ROOMS)
-    scale = replace(mu, value=max(mu.value, _round_up(mu.value * shrunk)))
+    scale = replace(mu, value=max(mu.value, round_up(mu.value * too_large(box), SCALES)))
     factor, margin = mu.value / scale.value, complex(MARGIN, MARGIN)
     if size * factor < min(LEAST, size):
         return None

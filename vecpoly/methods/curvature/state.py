@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
-
-import numpy as np
 
 from ...board.board import Board
 from ...board.construction import Pane
@@ -20,7 +17,6 @@ from ...words import Words
 from ..desk import Desk
 
 BEYOND = 4.0  # mm that a thin line runs on beyond what it joins
-SAME = 1e-6  # mm: points nearer than this are one
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -151,9 +147,3 @@ class CurvatureFigure:
 def sine(g: Points, h: Points) -> float:
     """Of the angle between two directions, as the nominal hand sees it."""
     return abs(float(nominal(cross(g, h)))) / float(abs(nominal(g)) * abs(nominal(h)))
-
-
-def spread(points: Sequence[Points]) -> float:
-    """How far apart the nearest two of these points are (mm)."""
-    spots = [complex(nominal(p)) for p in points]
-    return float(np.min([abs(p - q) for i, p in enumerate(spots) for q in spots[i + 1 :]]))

@@ -20,11 +20,10 @@ from ...mechanism.groups.assur import hinges
 from ...mechanism.model import Drive, Mechanism
 from ...mechanism.seats import seat, seated
 from ...plane import Points, Reals, nominal
-from ...vector.equation import Term
 from ...words import Words
 from ..desk import Desk
 from .acting import Acting, Drawn
-from .bodies.link_polygon import draw_polygon
+from .bodies.link_polygon import closing_side
 from .friction import Hub
 from .lines.resultant import Resultant
 from .readings import write_sizes
@@ -155,8 +154,7 @@ def _pin_polygon(st: Statics, own: Statics, hub: Hub, pushes: dict[str, Acting])
     total: Points = sum((force.vector for force in known), 0j)
     if not known or abs(nominal(total)) < NO_LENGTH:
         return None
-    closing = Term(rel=named, symbol=named.symbol, direction=Words.same("?"), magnitude="?")
-    side = draw_polygon(own, hub.hung, Resultant(forces=tuple(known), vector=total, at=0j), (closing,), pane)[named.key]
+    side = closing_side(own, hub.hung, hub.carrier, Resultant(forces=tuple(known), vector=total, at=0j), pane)
     write_sizes(own, Acting(named=named, vector=side.end - side.start, at=0j, drawn=side))
     return side
 

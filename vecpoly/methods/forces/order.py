@@ -57,14 +57,17 @@ def _known_before(mech: Mechanism) -> Order:
     first = replace(own, held=None if joint is None else Held(link=drive.link, parent=FRAME, joint=joint), known=True)
     if is_plain(own.groups) or drive.between:
         return first
-    for link in mech.numbered:
+    for link in (one for one in mech.numbered if one != drive.link):
         moved = Drive(link=link, position=0.0, rate=1.0)
         hung = _held(mech, moved)
         joint = fixed_joint(hung, link)
         if joint is None:
             continue
         moved = replace(moved, slide=isinstance(joint, Prismatic))
-        other = _apart(mech, moved, unfit=())
+        try:
+            other = _apart(mech, moved)
+        except MobilityError:
+            continue
         if other.groups and is_plain(other.groups):
             return replace(other, held=Held(link=link, parent=FRAME, joint=joint), known=True)
     return first
@@ -108,26 +111,26 @@ def _held(mech: Mechanism, drive: Drive) -> Mechanism:
     return hung if fixed_joint(mech, drive.link) is None and fixed_joint(hung, drive.link) is not None else mech
 
 
-def _apart(mech: Mechanism, drive: Drive, unfit: tuple[Group, ...] | None = None) -> Order:
+def _apart(mech: Mechanism, drive: Drive) -> Order:
     """The groups when this drive moves the mechanism:
     with the pins as the problem has them, else where the groups hang.
 
-    unfit: the groups where it does not come apart; MobilityError where left out.
+    Raises MobilityError where it comes apart neither way.
     """
     hung, mech = on_groups(mech, drive), _held(mech, drive)
     found = _pressing(mech, drive)
     if found is not None and is_plain(found):
         return Order(held=None, groups=found, mech=mech)
-    other = _pressing(hung, drive)
+    other = found if hung.joints == mech.joints else _pressing(hung, drive)
+    both = ((found, mech), (other, hung))
+    ways = [Order(held=None, groups=groups, mech=one) for groups, one in both if groups is not None]
     for suits in (is_plain, is_drawn):
-        for groups, as_hung in ((found, mech), (other, hung)):
-            if groups is not None and suits(groups):
-                return Order(held=None, groups=groups, mech=as_hung)
-    if other is not None and found is None:
-        return Order(held=None, groups=other, mech=hung)
-    if found is None and unfit is not None:
-        return Order(held=None, groups=unfit, mech=mech)
-    return Order(held=None, groups=found or decompose(replace(mech, drives=(drive,)), pressing=True), mech=mech)
+        for way in ways:
+            if suits(way.groups):
+                return way
+    if ways:
+        return ways[0]
+    return Order(held=None, groups=decompose(replace(mech, drives=(drive,)), pressing=True), mech=mech)
 
 
 def _pressing(mech: Mechanism, drive: Drive) -> tuple[Group, ...] | None:

@@ -13,11 +13,11 @@ import numpy as np
 
 from ...board.board import NO_LENGTH
 from ...board.construction import Reading, View
-from ...errors import EquilibriumError
 from ...mechanism.groups.assur import Group
 from ...mechanism.loads import Force
 from ...plane import Reals, dot, nominal
 from ...words import Words
+from .balance.power_terms import idle
 from .lines.links_of_group import Held
 from .senses import velocity_of
 from .state import Statics
@@ -69,11 +69,5 @@ def _pace(st: Statics) -> float:
     along = complex(np.exp(1j * load.direction))
     mm = float(nominal(dot(along, velocity_of(st, load.link, st.desk.at[load.point]))))
     if abs(mm) < NO_LENGTH:
-        raise EquilibriumError(
-            Words(
-                f"平衡载荷 {load.name} 的作用点不沿其方向运动，在此位置不作功；请另取原动件位置或另选平衡载荷",
-                f"the balancing load {load.name} does no work in this position: its point does not move along "
-                "it; choose another input position or another balancing load",
-            )
-        )
+        raise idle(load)
     return mm * st.board.scales[View.VELOCITY].value

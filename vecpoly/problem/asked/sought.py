@@ -79,12 +79,12 @@ def _geometric(spec: ProblemSpec, mechanism: Mechanism, faults: Faults) -> dict[
     """What curvatures, or the instant centres, give."""
     if faults.found:
         return {}
-    return _by_centres(spec, mechanism, faults) if not is_curved(spec) else curved_quantities(spec, mechanism, faults)
+    curved = curved_quantities(spec, mechanism, faults)  # tells what is asked without its method
+    return curved if is_curved(spec) or faults.found else _by_centres(spec, mechanism)
 
 
-def _by_centres(spec: ProblemSpec, mechanism: Mechanism, faults: Faults) -> dict[str, Named]:
+def _by_centres(spec: ProblemSpec, mechanism: Mechanism) -> dict[str, Named]:
     """What the instant centres give, where one of these is asked for or printed."""
-    curved_quantities(spec, mechanism, faults)  # tells what is asked without its method
     keys = [item for item in spec.find if isinstance(item, str)] + [entry.symbol for entry in spec.printed]
     wanted = any(key == ALL_CENTRES or CENTRAL.match(key) for key in keys)
-    return centre_quantities(mechanism) if wanted and not faults.found else {}
+    return centre_quantities(mechanism) if wanted else {}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ....board.paper.marks import Dot, Role
-from ....errors import NotAskedError
+from ....mechanism.asked.curvature import cusp, inflected
 from ....plane import Line, Points, nominal, unit
 from ....words import Words
 from ..state import CurvatureFigure, Ray
@@ -108,27 +108,12 @@ def letter_tangent(fig: CurvatureFigure) -> None:
 def refuse_inflected(fig: CurvatureFigure, letter: str) -> None:
     """Raise NotAskedError where the point is the pole, or lies on the inflection circle."""
     p, e, w = (complex(nominal(at)) for at in (fig.pole, fig.at(letter), fig.opposite))
-    shown = fig.shown(letter)
     size = abs(w - p)
     if abs(e - p) <= INFLECTED * size:
-        raise NotAskedError(
-            Words(
-                f"{shown} 与绝对瞬心重合，其轨迹在此为尖点，没有曲率半径；请从 find 中去掉",
-                f"{shown} is the pole itself: its path has a cusp here and no radius of curvature; leave it out of "
-                "`find`",
-            ),
-            code="cusp",
-        )
+        raise cusp(fig.shown(letter))
     along = (e - p) / abs(e - p)
     if abs(abs(e - p) - (along.conjugate() * (w - p)).real) <= INFLECTED * size:
-        raise NotAskedError(
-            Words(
-                f"{shown} 在拐点圆上，ρ = ∞：其轨迹在此为拐点或直线，曲率中心在无穷远处；请从 find 中去掉",
-                f"{shown} lies on the inflection circle, ρ = ∞: its path has an inflection here or is straight, and "
-                "the centre of curvature is at infinity; leave it out of `find`",
-            ),
-            code="inflection",
-        )
+        raise inflected(fig.shown(letter))
 
 
 def _square(fig: CurvatureFigure, at: Points) -> None:

@@ -12,10 +12,12 @@ from ....algebra.quantity import Expr, magnitude
 from ....board.board import NO_LENGTH
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
+from ....errors import EquilibriumError
 from ....mechanism.asked.forces import load_named
 from ....mechanism.loads import Force, Load, Moment
 from ....names import At, Named, omega
 from ....plane import Points, Reals, dot, nominal, unit
+from ....words import Words
 from ...desk import POLE
 from ...kinematics.image import found_tip
 from ..friction import STILL
@@ -137,6 +139,17 @@ def lengthening(st: Statics, thrust: Force) -> Rate:
         tip=head,
         foot=foot,
         start=base,
+    )
+
+
+def idle(load: Load) -> EquilibriumError:
+    """The balancing load does no work in this position."""
+    return EquilibriumError(
+        Words(
+            f"平衡载荷 {load.name} 的作用点不沿其方向运动，在此位置不作功；请另取原动件位置或另选平衡载荷",
+            f"the balancing load {load.name} does no work in this position: its point does not move along "
+            "it; choose another input position or another balancing load",
+        )
     )
 
 

@@ -6,7 +6,6 @@ from __future__ import annotations
 from ....algebra.formula import sym
 from ....algebra.quantity import Quantity, Sum, magnitude, worked
 from ....board.construction import View
-from ....errors import EquilibriumError
 from ....mechanism.asked.forces import quantities
 from ....mechanism.loads import Load
 from ....names import Named
@@ -16,7 +15,7 @@ from ...registry import Stage, method
 from ..lines.letters import power_symbol
 from ..readings import keep_nothing, keep_value
 from ..state import Statics
-from .power_terms import Work, draw_rate, rate_of, works
+from .power_terms import Work, draw_rate, idle, rate_of, works
 
 _SOURCE = "机械原理, principle of virtual power: the powers of all given forces, inertia included, sum to zero"
 
@@ -50,13 +49,7 @@ def balancing_by_power(st: Statics, load: Load | None) -> None:
     parts = [_written(st, work) for work in works(st)]
     rate = rate_of(st, load)
     if not rate.way:
-        raise EquilibriumError(
-            Words(
-                f"平衡载荷 {load.name} 的作用点不沿其方向运动，在此位置不作功；请另取原动件位置或另选平衡载荷",
-                f"the balancing load {load.name} does no work in this position: its point does not move along "
-                "it; choose another input position or another balancing load",
-            )
-        )
+        raise idle(load)
     draw_rate(st, rate)
     moving = [part for part in parts if nominal(part.value)]
     if not moving:

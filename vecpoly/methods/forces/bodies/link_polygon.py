@@ -9,7 +9,7 @@ from ....board.construction import Pane
 from ....board.paper.marks import Dot
 from ....plane import nominal
 from ....vector.close import close
-from ....vector.equation import Equation, Term
+from ....vector.equation import UNKNOWN, Equation, Term
 from ....words import Words
 from ..acting import Drawn
 from ..lines.resultant import Resultant
@@ -56,3 +56,18 @@ def draw_polygon(
         if not last:
             st.board.plot(pane, complex(nominal(end)), LETTERS[i + 1], Dot.POINT)
     return found
+
+
+def closing_side(st: Statics, by: str, on: str, load: Resultant, figure: Pane | None = None) -> Drawn:
+    """The one force of which nothing is known: the side that closes the polygon of all others."""
+    named = st.named(by, on)
+    closing = Term(rel=named, symbol=named.symbol, direction=UNKNOWN, magnitude="?")
+    return draw_polygon(st, on, load, (closing,), figure)[named.key]
+
+
+def answered(st: Statics, by: str, on: str, load: Resultant) -> Drawn | None:
+    """That force: the only known one turned round (none that stands on no polygon), or the closing side."""
+    if len(load.forces) != 1:
+        return closing_side(st, by, on, load)
+    drawn = load.forces[0].drawn
+    return None if drawn is None else drawn.reversed()

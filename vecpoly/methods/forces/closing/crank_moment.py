@@ -13,11 +13,10 @@ from ....mechanism.loads import Moment
 from ....mechanism.model import FRAME, Revolute
 from ....names import Named
 from ....plane import Line, Points, Reals, dot, foot, nominal, unit
-from ....vector.equation import Term
 from ....words import Words
 from ...registry import Stage, method
 from ..acting import Drawn
-from ..bodies.link_polygon import draw_polygon
+from ..bodies.link_polygon import answered
 from ..lines.arms import moments_at
 from ..lines.links_of_group import Held
 from ..lines.resultant import Resultant, resultant
@@ -79,17 +78,15 @@ def moment_on_crank(st: Statics, held: Held) -> None:
 
 def _frame_side(st: Statics, held: Held, load: Resultant) -> Drawn | None:
     """The frame's reaction on paper: the side that closes the polygon, or the only force turned round."""
-    if len(load.forces) == 1:
-        return load.forces[0].drawn.reversed() if load.forces[0].drawn else None
-    named = st.named(FRAME, held.link)
-    st.board.remark(
-        Words(
-            f"由 {load.symbols.zh} 作力多边形，由封闭边量得 ${named.symbol}$。",
-            f" Draw the polygon of {load.symbols.en} and measure its closing side, ${named.symbol}$.",
+    if len(load.forces) > 1:
+        symbol = st.named(FRAME, held.link).symbol
+        st.board.remark(
+            Words(
+                f"由 {load.symbols.zh} 作力多边形，由封闭边量得 ${symbol}$。",
+                f" Draw the polygon of {load.symbols.en} and measure its closing side, ${symbol}$.",
+            )
         )
-    )
-    closing = Term(rel=named, symbol=named.symbol, direction=Words.same("?"), magnitude="?")
-    return draw_polygon(st, held.link, load, (closing,))[named.key]
+    return answered(st, FRAME, held.link, load)
 
 
 def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn | None) -> None:

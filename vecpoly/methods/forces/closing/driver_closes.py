@@ -6,11 +6,10 @@ from __future__ import annotations
 from ....board.construction import View
 from ....mechanism.model import FRAME, Prismatic, Revolute
 from ....plane import Reals, cross, dot, nominal
-from ....vector.equation import Term
 from ....words import Words
 from ...registry import Stage, method
 from ..acting import Drawn
-from ..bodies.link_polygon import draw_polygon, pane_of
+from ..bodies.link_polygon import answered, pane_of
 from ..couples import couples_on
 from ..groups.reactions import no_force
 from ..lines.couples_on_guides import keep_couple
@@ -82,12 +81,8 @@ def _rest_along(st: Statics, held: Held, load: Resultant) -> Reals:
 
 def _closing_side(st: Statics, held: Held, load: Resultant) -> Drawn | None:
     """The frame's reaction: the only force turned round, or the side that closes the polygon."""
-    named = st.named(FRAME, held.link)
     st.board.step(_closed_by_frame(st, held, load), View.MECHANISM if len(load.forces) == 1 else pane_of(st, held.link))
-    if len(load.forces) == 1:
-        return load.forces[0].drawn.reversed() if load.forces[0].drawn else None
-    closing = Term(rel=named, symbol=named.symbol, direction=Words.same("?"), magnitude="?")
-    return draw_polygon(st, held.link, load, (closing,))[named.key]
+    return answered(st, FRAME, held.link, load)
 
 
 def _closed_by_frame(st: Statics, held: Held, load: Resultant) -> Words:

@@ -15,10 +15,9 @@ from ....errors import EquilibriumError, LockedError, NoMethodError
 from ....mechanism.model import Prismatic, Revolute
 from ....names import Named
 from ....plane import Line, Points, Reals, cross, foot, lines_meet, nominal, unit
-from ....vector.equation import Term
 from ....words import Words
 from ..acting import Acting
-from ..bodies.link_polygon import draw_polygon, pane_of
+from ..bodies.link_polygon import closing_side, pane_of
 from ..readings import write_sizes
 from ..senses import pin_words
 from ..state import OFF_SHEET, Statics
@@ -112,9 +111,7 @@ def _close(st: Statics, held: Held, load: Resultant, found: Balanced) -> None:
         ),
         pane_of(st, link),
     )
-    side = draw_polygon(
-        st, link, load, (Term(rel=named, symbol=named.symbol, direction=Words.same("?"), magnitude="?"),)
-    )[named.key]
+    side = closing_side(st, held.parent, link, load)
     write_sizes(st, st.settle(held.parent, link, side.end - side.start, found.touch, side, found.sense))
 
 

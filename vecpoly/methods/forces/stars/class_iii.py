@@ -16,14 +16,13 @@ from ....board.paper.marks import Dot, Role
 from ....mechanism.groups.assur import Group, ends
 from ....mechanism.model import Prismatic
 from ....plane import Points, cross, foot, nominal
-from ....vector.equation import UNKNOWN, Term
 from ....words import Words
 from ...kinematics.class_iii.special import special_of
 from ...kinematics.class_iii.star import Guided, Hinged, Slotted, Star, star_of
 from ...registry import Stage, method
 from ..acting import Drawn
 from ..bodies.arrows import REACH
-from ..bodies.link_polygon import draw_polygon
+from ..bodies.link_polygon import closing_side
 from ..groups.body import SHORT, draw_forces, group_pane
 from ..groups.corners import part_named
 from ..groups.polygon import name_side, say_measured
@@ -157,8 +156,7 @@ def _closing(st: Statics, parent: str, link: str) -> Drawn:
         )
     )
     rest = Resultant(forces=tuple(acting_on(st, link)), vector=0j, at=0j)
-    sought = Term(rel=named, symbol=named.symbol, direction=UNKNOWN, magnitude="?")
-    return draw_polygon(st, link, rest, (sought,))[named.key]
+    return closing_side(st, parent, link, rest)
 
 
 def _unloaded(st: Statics, group: Group) -> None:

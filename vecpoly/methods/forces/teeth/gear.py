@@ -8,11 +8,9 @@ from ....board.construction import View
 from ....mechanism.groups.assur import Group
 from ....mechanism.model import Prismatic, Revolute
 from ....plane import cross, nominal
-from ....vector.equation import Term
 from ....words import Words
 from ...registry import Stage, method
-from ..acting import Drawn
-from ..bodies.link_polygon import draw_polygon
+from ..bodies.link_polygon import answered
 from ..doors import COUPLES
 from ..lines.couples_on_guides import couple_on_guide
 from ..lines.resultant import Resultant, resultant
@@ -33,9 +31,7 @@ _SOURCE = "机械原理, forces between the teeth of gears: along the line of ac
 )
 def forces_on_gear(st: Statics, group: Group) -> None:
     """P + R_teeth + R_bearing = 0: three forces that meet in one point, or a couple P and two equal forces."""
-    mesh = mesh_of(group)
-    assert mesh is not None
-    _solve(st, mesh)
+    _solve(st, group)
 
 
 @method(
@@ -47,12 +43,12 @@ def forces_on_gear(st: Statics, group: Group) -> None:
 )
 def forces_on_rack(st: Statics, group: Group) -> None:
     """P + R_teeth + R_guide = 0, R_guide normal to the guide (or at φ to that)."""
+    _solve(st, group)
+
+
+def _solve(st: Statics, group: Group) -> None:
     mesh = mesh_of(group)
     assert mesh is not None
-    _solve(st, mesh)
-
-
-def _solve(st: Statics, mesh: Mesh) -> None:
     held = mesh.held
     if not st.loaded(held.link):
         _unloaded(st, mesh)
@@ -102,14 +98,5 @@ def _bearing_alone(st: Statics, mesh: Mesh, load: Resultant) -> None:
         View.MECHANISM,
     )
     st.settle(mesh.by, held.link, 0j, st.desk.at[mesh.teeth.point])
-    st.settle(held.parent, held.link, -load.vector, st.desk.at[pin], _closing(st, mesh, load))
-
-
-def _closing(st: Statics, mesh: Mesh, load: Resultant) -> Drawn | None:
-    """The side that closes the polygon, or the only force turned round."""
-    if len(load.forces) == 1:
-        drawn = load.forces[0].drawn
-        return None if drawn is None else drawn.reversed()
-    named = st.named(mesh.held.parent, mesh.held.link)
-    closing = Term(rel=named, symbol=named.symbol, direction=Words.same("?"), magnitude="?")
-    return draw_polygon(st, mesh.held.link, load, (closing,))[named.key]
+    drawn = answered(st, held.parent, held.link, load)
+    st.settle(held.parent, held.link, -load.vector, st.desk.at[pin], drawn)
