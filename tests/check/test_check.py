@@ -36,7 +36,8 @@ def test_a_calculated_value_is_judged_by_its_last_printed_digit(text: str, exact
 
 
 @pytest.mark.parametrize(
-    ("figures", "verdict"), [(None, Verdict.WRONG), (3, Verdict.REPRODUCED), (4, Verdict.REPRODUCED), (5, Verdict.WRONG)]
+    ("figures", "verdict"),
+    [(None, Verdict.WRONG), (3, Verdict.REPRODUCED), (4, Verdict.REPRODUCED), (5, Verdict.WRONG)],
 )
 def test_a_book_is_held_to_no_more_figures_than_it_reckoned_with(figures: int | None, verdict: Verdict) -> None:
     """The balancing product of exercise 6-1: 10.904 kg·cm, where 10.9087 is exact."""
