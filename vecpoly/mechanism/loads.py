@@ -127,6 +127,11 @@ class Loads:
         return next(load for load in self.all if load.size is None)
 
     @property
+    def balancing(self) -> bool:
+        """Whether there is a load without size, which balances the others; a machine need have none."""
+        return any(load.size is None for load in self.all)
+
+    @property
     def dynamic(self) -> bool:
         """Whether accelerations are needed."""
         return self.inertia and bool(self.masses)

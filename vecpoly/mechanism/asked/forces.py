@@ -17,7 +17,7 @@ from itertools import combinations
 
 from ...names import Named, reaction
 from ..groups.assur import ends, hinges
-from ..loads import Force, Load, Loads
+from ..loads import Force, Load, Loads, Mass
 from ..model import Mechanism, Prismatic, Revolute
 
 
@@ -116,8 +116,14 @@ def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
             Named(f"M_I{link}", f"M_{{I{link}}}", "N·m"),
             Named(f"h_{link}", f"h_{link}", "m"),
         ]
-        found += [Named(f"m_{link}", f"m_{{{link}}}", "kg"), Named(f"J_{link}", f"J_{{{mass.centre}}}", "kg·m^2")]
+        found += mass_named(mass)
     return {named.key: named for named in found}
+
+
+def mass_named(mass: Mass) -> tuple[Named, Named]:
+    """Mass and moment of inertia of a link."""
+    link = mass.link
+    return Named(f"m_{link}", f"m_{{{link}}}", "kg"), Named(f"J_{link}", f"J_{{{mass.centre}}}", "kg·m^2")
 
 
 def given_value(loads: Loads, key: str) -> float | None:

@@ -19,6 +19,7 @@ from ..schema.models import AssignmentSpec, ProblemSpec
 from . import patterns
 from .design_words import DESIGNS
 from .device_words import DATA
+from .machine_words import MACHINE
 from .patterns import Schema, quantity
 from .words import KEYS
 
@@ -168,7 +169,7 @@ def _finish(spec: Schema, name: str) -> None:
 
 
 def _said(place: str) -> str:
-    words = KEYS.get(place) or DATA.get(place) or DESIGNS.get(place)
+    words = KEYS.get(place) or MACHINE.get(place) or DATA.get(place) or DESIGNS.get(place)
     if words is None:
         return place  # a test asks for its words
     return f"{words.zh} / {words.en}"

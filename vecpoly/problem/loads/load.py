@@ -17,8 +17,8 @@ from ..schema.models import LoadSpec
 from .thrusts import read_thrust
 
 _NAME = re.compile(r"[A-Z][a-z]?(?:_[A-Za-z0-9]+)?")
-# keys of reactions, inertia forces and couples, inertias, instant centres
-_TAKEN = re.compile(r"R_\w+|[FM]_I\w+|J_\w+|P_\d\w*")
+# keys of reactions, inertia forces and couples, inertias, instant centres, equivalents
+_TAKEN = re.compile(r"R_\w+|[FM]_I\w+|J_\w+|P_\d\w*|[FM]_e(?:\d\w*)?")
 UNKNOWN = "?"
 WIDE_UNKNOWN = "？"  # of a Chinese keyboard: between quotes there is no doubt what is meant
 
@@ -34,9 +34,9 @@ def _check_name(name: str) -> None:
     if _TAKEN.fullmatch(name):
         raise FaultError(
             Words(
-                f"“{name}”是反力、惯性力或瞬心的符号；载荷请写 F、Q、F_r 或 M_1",
-                f"'{name}' is the name of a reaction, of an inertia force or of an instant centre; call the "
-                "load F, Q, F_r or M_1",
+                f"“{name}”是反力、惯性力、瞬心或等效量的符号；载荷请写 F、Q、F_r 或 M_1",
+                f"'{name}' is the name of a reaction, of an inertia force, of an instant centre or of an equivalent; "
+                "call the load F, Q, F_r or M_1",
             )
         )
 

@@ -11,6 +11,7 @@ from ..links.bodies import Bodies
 from ..schema.faults import Faults
 from ..schema.models import ProblemSpec
 from .load import read_load
+from .machine import reduces
 
 _ACTING = ("loads", "masses", "friction", "weight")
 
@@ -22,7 +23,7 @@ def acts(spec: ProblemSpec) -> bool:
 
 def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faults: Faults) -> Loads | None:
     """All that acts but friction; None where the file knows no loads.
-    Exactly one load is unknown, and something must act."""
+    Exactly one load is unknown (none need be of a machine), and something must act."""
     found: list[Load] = []
     for name, load in spec.loads.items():
         with faults.at("loads", name):
@@ -30,7 +31,8 @@ def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faul
     _masses_meant(spec, faults)
     if not acts(spec) or faults.found:
         return None
-    if spec.masses and spec.inertia and sense_only(spec):
+    balances = any(load.size is None for load in found)
+    if spec.masses and spec.inertia and sense_only(spec) and (balances or not reduces(spec)):
         with faults.at("input"):
             raise FaultError(
                 Words(
@@ -41,7 +43,8 @@ def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faul
                 code="spelling",
             )
     with faults.at(next(key for key in _ACTING if getattr(spec, key))):
-        _one_unknown(found, bodies)
+        if balances or not reduces(spec):
+            _one_unknown(found, bodies)
         loads = Loads(
             forces=tuple(x for x in found if isinstance(x, Force)),
             moments=tuple(x for x in found if isinstance(x, Moment)),

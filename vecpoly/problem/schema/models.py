@@ -123,6 +123,24 @@ class SheetSpec(Spec):
     orientation: Literal["portrait", "landscape"]
 
 
+class StartSpec(Spec):
+    """The state from which a machine moves."""
+
+    phi: Number
+    omega: Number
+
+
+class MachineSpec(Spec):
+    """How a machine runs: at a mean speed, as evenly as is allowed or as its flywheel makes it; or from a state."""
+
+    n: Number | None = Field(None, description="mean speed, 60 r/min")
+    delta: Number | None = Field(None, description="allowed unevenness, 0.05")
+    J_F: Number | None = Field(None, description="the flywheel that is there, 6 kg*m^2")
+    start: StartSpec | None = Field(None, description="{phi: 30 deg, omega: 0 rad/s}")
+    until: Number | None = Field(None, description="how far the driving link is followed, 360 deg")
+    at: list[Number] = Field([], description="how far from the start its speed is asked for, [90 deg, 180 deg]")
+
+
 class GateSpec(Spec):
     """What the drawing of every variant must be like."""
 
@@ -167,6 +185,7 @@ class ProblemSpec(Spec):
     masses: dict[str, MassSpec] = {}
     weight: YesNo = False
     inertia: YesNo = True
+    machine: MachineSpec | None = None
     vary: dict[str, Number] = {}
     gate: GateSpec = GateSpec()
 

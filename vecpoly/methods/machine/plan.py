@@ -1,0 +1,50 @@
+"""The stage of the machine: what acts is shown on the diagram, then every equivalent that is asked for is found."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ...board.construction import View
+from ...mechanism.asked.machine import Equivalent, equivalents
+from ...mechanism.groups.assur import Group
+from ...problem.problem import Problem
+from ...words import Words
+from ..desk import Desk
+from ..forces.bodies.given_loads import draw_given_loads
+from ..forces.inertia import weight_force
+from ..forces.masses import masses
+from ..forces.state import Statics
+from ..registry import Stage
+from .doors import EQUIVALENTS
+
+
+def machine_pass(desk: Desk, problem: Problem, groups: Sequence[Group]) -> None:
+    """Draw what is asked of the machine; the readings are on the board.
+
+    Raises DeadPointError where the equivalent link stands still.
+    """
+    assert problem.machine is not None
+    st = Statics(desk=desk, loads=replace(problem.machine.loads, inertia=False))
+    asked = {ask.rel.key for ask in problem.asks}
+    if problem.loads is None:
+        _acting(st)
+    for to in _asked(desk, asked):
+        EQUIVALENTS.find(Stage.MACHINE, "slider" if to.slide else "turning link").draw(st, to)
+
+
+def _asked(desk: Desk, asked: set[str]) -> list[Equivalent]:
+    return [to for to in equivalents(desk.mech) if asked & {to.inertia.key, to.load.key}]
+
+
+def _acting(st: Statics) -> None:
+    """Masses, loads and weights, as the forces of an equilibrium are shown."""
+    masses(st)
+    if st.loads.all:
+        st.board.step(
+            Words("在机构图上标出各已知力（矩）。", "Mark the given forces and moments on the diagram."), View.MECHANISM
+        )
+        draw_given_loads(st)
+    if st.loads.weight:
+        for mass in st.loads.masses:
+            weight_force(st, mass)
