@@ -44,6 +44,7 @@ class Cycle:
     high: float
     whole: bool
     points: tuple[str, ...] | None = None
+    machine: Loads | None = None  # what acts where nothing balances it
     _kept: dict[str, Points | Reals] = field(default_factory=dict, repr=False)
     _solved: dict[bytes, Sample] = field(default_factory=dict, repr=False)
     _infos: dict[str, Column] = field(default_factory=dict, repr=False)
@@ -52,7 +53,12 @@ class Cycle:
     def columns(self) -> tuple[Column, ...]:
         """What a whole-cycle table holds: links, points, slides, transmission angles,
         with loads what balances and what presses."""
-        return catalogue(self.mech, self.loads, self.points)
+        return catalogue(self.mech, self.acting, self.points)
+
+    @property
+    def acting(self) -> Loads | None:
+        """What acts, balanced or not."""
+        return self.machine if self.loads is None else self.loads
 
     @cached_property
     def samples(self) -> tuple[Sample, ...]:
@@ -61,11 +67,11 @@ class Cycle:
 
     def _blocks(self) -> Iterator[Sample]:
         for i in range(0, len(self.phi), BLOCK):
-            yield sample(self.mech, self.loads, self.phi[i : i + BLOCK])
+            yield sample(self.mech, self.acting, self.phi[i : i + BLOCK])
 
     def solved(self, key: str) -> Points | Reals:
         """The quantity at every position as the solver gives it: angles within -π..π."""
-        read = reader(self.mech, self.loads, key)
+        read = reader(self.mech, self.acting, key)
         parts = [read(block) for block in self.samples]
         whole: Points = np.concatenate(parts) if len(parts) > 1 else parts[0]  # type: ignore[assignment]
         return whole
@@ -75,7 +81,7 @@ class Cycle:
         for tens of thousands of positions."""
         missing = [key for key in dict.fromkeys(keys) if key not in self._kept and key != self.drive.key]
         if len(self.phi) > BLOCK and missing:
-            readers = [reader(self.mech, self.loads, key) for key in missing]
+            readers = [reader(self.mech, self.acting, key) for key in missing]
             parts = [[read(block) for read in readers] for block in self._blocks()]
             for key, pieces in zip(missing, zip(*parts, strict=True), strict=True):
                 whole = np.concatenate(pieces)
@@ -103,7 +109,7 @@ class Cycle:
     def info(self, key: str) -> Column:
         """Symbol, unit and words of a column; UnknownNameError where there is none."""
         if key not in self._infos:
-            self._infos[key] = self.drive if key == self.drive.key else column_of(self.mech, self.loads, key)
+            self._infos[key] = self.drive if key == self.drive.key else column_of(self.mech, self.acting, key)
         return self._infos[key]
 
     def column(self, key: str) -> Points | Reals:
@@ -140,19 +146,19 @@ class Cycle:
     def _sampled(self, places: Reals) -> Sample:
         """The mechanism solved at these positions;
         with loads the last few are kept, for all columns break off at the same ones."""
-        if self.loads is None or places.size > FEW:
-            return sample(self.mech, self.loads, places)
+        if self.acting is None or places.size > FEW:
+            return sample(self.mech, self.acting, places)
         mark = places.tobytes()
         if mark not in self._solved:
             if len(self._solved) >= FEW:
                 self._solved.pop(next(iter(self._solved)))
-            self._solved[mark] = sample(self.mech, self.loads, places)
+            self._solved[mark] = sample(self.mech, self.acting, places)
         return self._solved[mark]
 
     @cached_property
     def _grid(self) -> Sample:
         """Solved all round, as closely as its motion needs."""
-        return sample(self.mech, self.loads, places(self.mech, self.low, self.high, self.whole))
+        return sample(self.mech, self.acting, places(self.mech, self.low, self.high, self.whole))
 
     def on_grid(self, key: str) -> tuple[Reals, Points | Reals]:
         """Positions on which turning points are sought (none of them on a round degree), and the quantity there."""
@@ -184,7 +190,7 @@ class Cycle:
         if drive.rate != 0.0 and drive.accel == 0.0:
             return self
         even = replace(self.mech, drives=(replace(drive, rate=drive.rate or 1.0, accel=0.0), *self.mech.drives[1:]))
-        return replace(self, mech=even, loads=None, _kept={}, _solved={}, _infos={})
+        return replace(self, mech=even, loads=None, machine=None, _kept={}, _solved={}, _infos={})
 
     @property
     def _parts(self) -> int:
@@ -208,5 +214,5 @@ class Cycle:
         between = np.interp(index, np.arange(len(self.phi)), self.phi)
         trace = f"{key} between"
         if trace not in self._kept:
-            self._kept[trace] = follow(np.asarray(sample(self.mech, self.loads, between).value(key), np.float64))
+            self._kept[trace] = follow(np.asarray(sample(self.mech, self.acting, between).value(key), np.float64))
         return between, np.asarray(self._kept[trace], np.float64)

@@ -32,6 +32,7 @@ def cycle(
     """
     of_kind(subject, (Problem, Mechanism), Words("题目或机构", "a problem or a mechanism"))
     mech, own, name = (subject, None, "") if isinstance(subject, Mechanism) else _parts(subject)
+    machine = subject.machine if isinstance(subject, Problem) else None
     if not mech.drives:
         raise MobilityError(Words("没有原动件：整周分析需要 input", "no link is driven: a cycle needs an `input`"))
     if n < 2:
@@ -41,7 +42,7 @@ def cycle(
     low, high, whole = range_of(mech)
     phi = np.linspace(low, high, n) if over is None else np.atleast_1d(np.asarray(over, np.float64))
     acting = own if loads is None else loads
-    return Cycle(name, mech, acting, phi, low, high, whole, points)
+    return Cycle(name, mech, acting, phi, low, high, whole, points, machine.loads if machine else None)
 
 
 def _parts(problem: Problem) -> tuple[Mechanism, Loads | None, str]:
