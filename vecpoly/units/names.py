@@ -32,6 +32,8 @@ _DEFINITIONS = (
     "kilonewton = 1e3 * newton = kN = 千牛",
     "watt = newton * meter / second = W = 瓦",
     "kilowatt = 1e3 * watt = kW = 千瓦",
+    "joule = newton * meter = J = 焦",
+    "kilojoule = 1e3 * joule = kJ = 千焦",
 )
 
 # spelling: SI factor and dimension

@@ -226,6 +226,14 @@ class Outline(Ink):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Hatched(Ink):
+    """An area between lines that are drawn already, hatched: rising to the right, or falling."""
+
+    points: tuple[complex, ...]
+    rising: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Cell(Ink):
     """A box of a block diagram (a machine of a train) with words in it."""
 
@@ -245,5 +253,5 @@ class Note(Ink):
 
 Trace = Segment | Vector | Arc | Curve
 Body = Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark
-Solid = FrictionCircle | Disc | Outline | Cell
+Solid = FrictionCircle | Disc | Outline | Hatched | Cell
 Mark = Trace | Point | RightAngle | ImageOf | Body | TurnArrow | AngleMark | LinkNumber | Solid | Note
