@@ -62,4 +62,23 @@ def _of_forces(dim: Dim) -> str:
         case Dim.POWER:
             return r"(W|kW|瓦|千瓦)"
         case _:
+            return _of_springs(dim)
+
+
+def _of_springs(dim: Dim) -> str:
+    per = rf"[(（]?{_FORCE}{_TIMES}{_LENGTH}[)）]?"
+    match dim:
+        case Dim.PRESSURE:
+            return rf"(Pa|kPa|MPa|bar|帕|千帕|兆帕|巴|{_FORCE} ?/ ?{_LENGTH}{_SQUARE})"
+        case Dim.AREA:
+            return rf"{_LENGTH}{_SQUARE}"
+        case Dim.STIFFNESS:
+            return rf"{_FORCE} ?/ ?{_LENGTH}"
+        case Dim.TWIST:
+            return rf"{per} ?/ ?{_ANGLE}"
+        case Dim.DAMPING:
+            return rf"[(（]?{_FORCE}{_TIMES}{_TIME}[)）]? ?/ ?{_LENGTH}"
+        case Dim.DRAG:
+            return rf"{_FORCE}{_TIMES}{_LENGTH}{_TIMES}{_TIME}"
+        case _:
             raise ValueError(f"{dim} has a pattern of its own")

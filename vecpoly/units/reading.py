@@ -32,6 +32,12 @@ class Dim(Enum):
     INERTIA = (Words("转动惯量", "a moment of inertia"), "length 2 mass 1", "0.02 kg*m^2")
     DENSITY = (Words("密度", "a density"), "length -3 mass 1", "7800 kg/m^3")
     POWER = (Words("功率", "a power"), "length 2 mass 1 time -3", "5 kW")
+    PRESSURE = (Words("压强", "a pressure"), "length -1 mass 1 time -2", "2 MPa")
+    AREA = (Words("面积", "an area"), "length 2", "5000 mm^2")
+    STIFFNESS = (Words("弹簧刚度", "a stiffness"), "mass 1 time -2", "5 N/mm")
+    TWIST = (Words("扭转刚度", "a torsional stiffness"), "angle -1 length 2 mass 1 time -2", "2 N*m/rad")
+    DAMPING = (Words("阻尼系数", "a coefficient of damping"), "mass 1 time -1", "50 N*s/m")
+    DRAG = (Words("转动阻尼系数", "a coefficient of rotary damping"), "length 2 mass 1 time -1", "0.1 N*m*s")
 
     @property
     def label(self) -> Words:
