@@ -35,3 +35,47 @@ def engine(
     acting = "loads: {" + ", ".join(loads) + "}\n" if loads else ""
     head = f"input: {{link: 1, phi: {phi} deg, omega: {omega}}}\nfind: [{', '.join(find)}]\n"
     return read(dedent(ENGINE) + acting + head + more)
+
+
+PRESS = """
+    id: press
+    title: {zh: 曲柄摇杆压力机, en: A crank-rocker press}
+    frame: {A: [0 mm, 0 mm], D: [280 mm, 0 mm]}
+    links: {1: {AB: 100 mm}, 2: {BC: 300 mm}, 3: {CD: 200 mm}}
+    branch: [C left of BD]
+    masses:
+      1: {mass: 1 kg, inertia: 0.05 kg*m^2, centre: A}
+      2: {mass: 4 kg, inertia: 0.04 kg*m^2, centre: {along: BC, at: 150 mm}}
+      3: {mass: 6 kg, inertia: 0.05 kg*m^2, centre: {along: DC, at: 90 mm}}
+    loads:
+      M_r: {on: 3, size: 900 N*m cw, during: [60 deg, 150 deg], role: resisting}
+      M_d: {on: 1, size: constant, role: driving}
+    input: {link: 1, phi: 120 deg, omega: 120 r/min ccw}
+"""
+SHAPER = """
+    id: shaper
+    title: {zh: 牛头刨床, en: A shaper}
+    frame: {A: [0 mm, 0 mm], D: [0 mm, -380 mm]}
+    links:
+      1: {AB: 110 mm}
+      2: {block: B}
+      3: {slot: D, C: {along: D, at: 540 mm}}
+      4: {CE: 135 mm}
+      5: {block: E}
+    joints: [2 slides in 3, 5 slides on y = 148 mm]
+    branch: [E left of C]
+    masses:
+      1: {mass: 1 kg, inertia: 0.5 kg*m^2, centre: A}
+      3: {mass: 20 kg, inertia: 1.1 kg*m^2, centre: {along: D, at: 270 mm}}
+      4: {mass: 3 kg, inertia: 0.005 kg*m^2, centre: {along: CE, at: 67.5 mm}}
+      5: {mass: 70 kg}
+    loads:
+      F_r: {on: 5, at: E, size: 7000 N, direction: 0 deg, while: E moves left, between: [5 %, 95 %], role: resisting}
+      M_d: {on: 1, size: constant, role: driving}
+    input: {link: 1, phi: 120 deg, omega: 60 r/min ccw}
+"""
+
+
+def machine(text: str, find: Sequence[str], run: str) -> Problem:
+    """The press, or the shaper, that runs so; with these questions."""
+    return read(dedent(text) + f"machine: {{{run}}}\nfind: [{', '.join(find)}]\n")

@@ -19,7 +19,7 @@ from .gate import read_gate
 from .joints.branches import read_branches
 from .joints.contacts import is_contact, read_contact
 from .joints.joints import read_joint, revolutes
-from .joints.motion import read_input
+from .joints.motion import read_input, sense_only
 from .joints.pins import read_pins
 from .joints.profiles import read_profiles
 from .joints.rolling import is_rolling, read_rolling
@@ -31,10 +31,11 @@ from .links.profiles import letter_centres
 from .links.rollers import weld_rollers
 from .links.standing import geared
 from .links.starts import say_travels
+from .loads.driven import driven_by
 from .loads.friction import read_friction
 from .loads.load_data import data_of_loads
 from .loads.loads import acts, read_loads
-from .loads.machine import read_machine
+from .loads.machine import needs_balance, read_machine
 from .moves import settle
 from .problem import Datum, Given, Problem
 from .read_ranges import read_ranges
@@ -55,7 +56,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     bodies = _bodies(spec, faults)
     masses, weights = read_masses(spec, bodies, faults)
     mechanism, motion = _mechanism(spec, bodies, faults)
-    loads = read_loads(spec, bodies, masses, faults)
+    loads = read_loads(spec, bodies, masses, driven_by(mechanism, motion, not sense_only(spec)), faults)
     loads, machine, acting = _acting(spec, mechanism, loads, weights, faults)
     asks, curvature, printed, scales = read_wanted(spec, bodies, mechanism, loads, machine, faults)
     ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
@@ -227,7 +228,8 @@ def _acting(
     machine, running = read_machine(spec, mechanism, loads, faults)
     faults.settle()
     told = (*data_of_loads(spec, loads), *rubbing, *weights, *running)
-    return loads if loads.balancing else None, machine, told
+    balanced = loads.balancing and (machine is None or needs_balance(spec))
+    return loads if balanced else None, machine, told
 
 
 def _given(bodies: Bodies, motion: tuple[Datum, ...], acting: tuple[Datum, ...]) -> Given:

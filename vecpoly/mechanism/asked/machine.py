@@ -25,6 +25,7 @@ from ...words import Words
 from ..groups.assur import ends
 from ..machine import Machine, Started, Steady
 from ..model import FRAME, Mechanism, Prismatic
+from .forces import load_symbol
 
 REDUCED = re.compile(r"[JMmF]_e(?:[1-9]\d*[a-z']?)?")  # how these keys are written
 
@@ -78,7 +79,14 @@ def equivalent_of(mech: Mechanism, key: str) -> Equivalent:
 
 def machine_quantities(mech: Mechanism, machine: Machine) -> dict[str, Named]:
     """Every quantity of the machine by its key."""
-    return reduced_quantities(mech) | {named.key: named for named in _of_run(machine)}
+    found = {named.key: named for named in (*constant_of(machine), *_of_run(machine))}
+    return reduced_quantities(mech) | found
+
+
+def constant_of(machine: Machine) -> tuple[Named, ...]:
+    """The unknown moment that is the same all through the period, M_d (N·m)."""
+    one = machine.loads.constant
+    return () if one is None else (_run(one.name, load_symbol(one.name), "N·m"),)
 
 
 def _of_run(machine: Machine) -> tuple[Named, ...]:

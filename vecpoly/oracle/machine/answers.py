@@ -6,10 +6,12 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from ...mechanism.asked.machine import at_rest, equivalent_of, reduced_quantities
+from ...mechanism.asked.machine import STEADY, at_rest, equivalent_of, reduced_quantities
 from ...mechanism.machine import Machine
 from ...mechanism.model import Mechanism
+from ..forces.laws.period import constant_size
 from .reduced import Reduced, reduce
+from .steady import steady_values
 
 
 def machine_values(mech: Mechanism, machine: Machine, keys: Iterable[str]) -> dict[str, float]:
@@ -19,7 +21,12 @@ def machine_values(mech: Mechanism, machine: Machine, keys: Iterable[str]) -> di
     """
     asked, known = tuple(keys), reduced_quantities(mech)
     reduced = reduce(mech, machine.loads)
-    return {key: _equivalent(reduced, key) for key in asked if key in known}
+    found = {key: _equivalent(reduced, key) for key in asked if key in known}
+    if (constant := machine.loads.constant) is not None and constant.name in asked:
+        found[constant.name] = constant_size(mech, machine.loads)
+    if machine.steady is not None and {named.key for named in STEADY} & set(asked):
+        found |= {key: value for key, value in steady_values(mech, machine).items() if key in asked}
+    return found
 
 
 def _equivalent(reduced: Reduced, key: str) -> float:

@@ -11,7 +11,7 @@ from ...mechanism.asked.machine import Equivalent
 from ...mechanism.loads import Loads, Mass
 from ...mechanism.model import Mechanism, Prismatic
 from .. import solve
-from ..forces.acting import given, unit_drive
+from ..forces.acting import given
 from ..motion import Motion
 from ..state import Body, Points, Reals, dot
 
@@ -20,31 +20,38 @@ NOTHING = 1e-9  # of the greatest v / ω_1, or ω_i / ω_1, that the mechanism c
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Reduced:
-    """A mechanism with loads, its drive moving at unit rate; every answer has one element a position.
+    """A mechanism with loads at the positions `at` of its drive, which moves evenly; every answer has one element a
+    position.
 
-    energy: J_e of the drive, twice the kinetic energy at unit rate (kg·m², or kg). rate: dJ_e/dφ (kg·m², or kg/m), from
-    the accelerations at constant unit rate. power: M_e of the drive, of all loads at unit rate (N·m, or N).
+    energy: J_e of the drive, twice the kinetic energy over ω_1² (kg·m², or kg). rate: dJ_e/dφ (kg·m², or kg/m), from
+    the accelerations. power: M_e of the drive, the powers of all loads over ω_1 (N·m, or N).
     """
 
     mech: Mechanism
     loads: Loads
     motion: Motion
+    at: Reals
+
+    @property
+    def pace(self) -> float:
+        """ω_1 (rad/s), or v_1 (m/s)."""
+        return self.motion.mech.drive.rate
 
     @property
     def energy(self) -> Reals:
-        """Σ m v_S² + Σ J ω²."""
-        return self._sum([self._energy(mass) for mass in self.loads.masses])
+        """Σ m v_S² + Σ J ω², over ω_1²."""
+        return self._sum([self._energy(mass) for mass in self.loads.masses]) / self.pace**2
 
     @property
     def rate(self) -> Reals:
-        """2 Σ m v_S · a_S + 2 Σ J ω α."""
-        return self._sum([self._rate(mass) for mass in self.loads.masses])
+        """2 Σ m v_S · a_S + 2 Σ J ω α, over ω_1³."""
+        return self._sum([self._rate(mass) for mass in self.loads.masses]) / self.pace**3
 
     @property
     def power(self) -> Reals:
-        """Σ F · v + Σ M ω; of weights too, where they count."""
-        acting = given(self.mech, replace(self.loads, inertia=False), self.motion.bodies)
-        return self._sum([one.power(self.motion.bodies) for one in acting])
+        """Σ F · v + Σ M ω, over ω_1; of springs and weights too."""
+        acting = given(self.motion.mech, replace(self.loads, inertia=False), self.motion.bodies, self.at)
+        return self._sum([one.power(self.motion.bodies) for one in acting]) / self.pace
 
     def inertia(self, to: Equivalent) -> Reals:
         """J_e = Σ m (v_S / ω)² + Σ J (ω_i / ω)² of a link; m_e with v in the place of ω; NaN where that rests."""
@@ -53,14 +60,13 @@ class Reduced:
     def load(self, to: Equivalent) -> Reals:
         """M_e = Σ F · v / ω + Σ M ω_i / ω of a link; F_e with |v|, positive along the motion; NaN where that rests."""
         speed = self.speed(to)
-        sense = np.sign(self.mech.drive.rate) or 1.0
-        return self._over(self.power, np.abs(speed) * sense if to.slide else speed)
+        return self._over(self.power, np.abs(speed) * np.sign(self.pace) if to.slide else speed)
 
     def speed(self, to: Equivalent) -> Reals:
         """ω of the link, or v of the slider along its guide, over the rate of the drive; 0 where nothing is left but
         rounding."""
         body = self.motion.moving(to.link)
-        found = along(self.mech, to.link, body) if to.slide else body.omega
+        found = (along(self.mech, to.link, body) if to.slide else body.omega) / self.pace
         size = 1.0 if to.slide == self.mech.drive.slide else self.mech.scale if to.slide else 1 / self.mech.scale
         return self._sum([np.where(np.abs(found) <= NOTHING * size, 0.0, found)])
 
@@ -102,5 +108,6 @@ def reduce(mech: Mechanism, loads: Loads, position: ArrayLike | None = None, *, 
 
     strict: as for `solve`. Raises AssemblyError, DeadPointError.
     """
-    unit = unit_drive(mech)
-    return Reduced(mech=mech, loads=loads, motion=solve(unit, position, strict=strict))
+    even = replace(mech, drives=(replace(mech.drive, rate=mech.drive.rate or 1.0, accel=0.0), *mech.drives[1:]))
+    at = np.atleast_1d(np.asarray(mech.drive.position if position is None else position, np.float64))
+    return Reduced(mech=mech, loads=loads, motion=solve(even, position, strict=strict), at=at)

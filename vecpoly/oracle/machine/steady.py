@@ -1,8 +1,8 @@
 """Steady motion: the greatest surplus of work, the flywheel, the fastest and the slowest place.
 
 T = ½ (J_F + J_e) ω². With a given δ the flywheel is exact (Wittenbauer): of all places the highest of E − ½ J_e ω_max²
-and the lowest of E − ½ J_e ω_min² tell J_F = (a − b) / (δ ω_m²). With a given flywheel the mean energy is found by which
-(ω_max + ω_min) / 2 = ω_m.
+and the lowest of E − ½ J_e ω_min² tell J_F = (a − b) / (δ ω_m²). With a given flywheel the mean energy is found by
+which (ω_max + ω_min) / 2 = ω_m.
 """
 
 from __future__ import annotations
@@ -49,10 +49,7 @@ class Tangents:
 
 def surplus(of: Course) -> tuple[Top, Top]:
     """The highest and the lowest point of the work ∫ M dψ: between them is ΔW_max (J)."""
-    return (
-        highest(of, lambda e, j: e, lambda e, j, m, r: m),
-        lowest(of, lambda e, j: e, lambda e, j, m, r: m),
-    )
+    return (highest(of, lambda e, j: e, lambda e, j, m, r: m), lowest(of, lambda e, j: e, lambda e, j, m, r: m))
 
 
 def tangents(of: Course, speed: float, delta: float) -> Tangents:

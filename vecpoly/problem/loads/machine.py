@@ -5,6 +5,7 @@ Where its equivalent inertia, its flywheel or its motion is asked for, no load n
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import partial
 from math import pi
@@ -20,8 +21,10 @@ from ...words import Words
 from ..problem import Datum
 from ..schema.faults import Faults
 from ..schema.models import MachineSpec, ProblemSpec
+from .lawful import CONSTANT
 
 MOST_TURNS = 1000.0
+FORCES = re.compile(r"[A-Z]\w*|eta|h(?:_\w+)?")  # how what an equilibrium gives is written
 Found = TypeVar("Found")
 
 
@@ -29,6 +32,13 @@ def reduces(spec: ProblemSpec) -> bool:
     """Whether the file asks for anything of the mechanism as a machine."""
     asked = [*(one for one in spec.find if isinstance(one, str)), *(one.symbol for one in spec.printed)]
     return spec.machine is not None or any(REDUCED.fullmatch(key) or RUN_KEYS.fullmatch(key) for key in asked)
+
+
+def needs_balance(spec: ProblemSpec) -> bool:
+    """Whether the file asks for what an equilibrium gives as well: reactions, a balancing load, an efficiency."""
+    constant = {name for name, load in spec.loads.items() if load.size in CONSTANT}
+    asked = {one for one in spec.find if isinstance(one, str)} - constant
+    return any(FORCES.fullmatch(key) and not REDUCED.fullmatch(key) and not RUN_KEYS.fullmatch(key) for key in asked)
 
 
 def read_machine(
