@@ -21,13 +21,15 @@ class Steady:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Started:
-    """Motion from a state: the drive's position φ_0 (rad) and its ω_0 (rad/s); `turned`: how far it is followed (rad);
-    `stations`: how far from φ_0 its speed is asked for on the way (rad)."""
+    """Motion from a state: the drive's position φ_0 (rad) and its ω_0 (rad/s); `turned`: how far it is followed (rad;
+    None: until it is steady); `stations`: how far from φ_0 its speed is asked for on the way (rad).
+    `flywheel`: J_F (kg·m²)."""
 
     phi: float
     omega: float
-    turned: float
+    turned: float | None
     stations: tuple[float, ...] = ()
+    flywheel: float = 0.0
 
 
 Run = Steady | Started

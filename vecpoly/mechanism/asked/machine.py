@@ -8,8 +8,8 @@ Of a machine that runs at a mean speed: ``dW_max`` the greatest surplus of work 
 to the highest; ``J_F`` the flywheel with which it is as uneven as is allowed, ``J_F_areas`` the same as if J_e were
 constant, J_F = ΔW_max / (ω_m² [δ]); ``phi_max``, ``phi_min`` where it is fastest and slowest; ``omega_max``,
 ``omega_min``, ``delta``.
-Of one that is followed from a state: ``omega_end``, ``t_end``, ``alpha_0``, ``omega_at_90``, ``t_at_90`` ... (degrees
-from the start).
+Of one that is followed from a state: ``omega_end``, ``t_end``, ``alpha_0``, ``phi_end``, ``omega_at_90``,
+``t_at_90`` ... (degrees from the start), ``T_cycle`` the period of a steady motion or of an oscillation, and its extremes.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from .forces import load_symbol
 REDUCED = re.compile(r"[JMmF]_e(?:[1-9]\d*[a-z']?)?")  # how these keys are written
 
 RUN_KEYS = re.compile(
-    r"dW_max|J_F|J_F_areas|phi_(?:max|min)|omega_(?:max|min|end|at_\S+)|t_(?:end|at_\S+)|delta|alpha_0"
+    r"dW_max|J_F|J_F_areas|phi_(?:max|min|end)|T_cycle|omega_(?:max|min|end|at_\S+)|t_(?:end|at_\S+)|delta|alpha_0"
 )
 
 
@@ -119,7 +119,8 @@ OMEGA_END, T_END, ALPHA_0 = (
     _run("t_end", "t_{end}", "s"),
     _run("alpha_0", "α_0", "rad/s^2"),
 )
-STARTED = (OMEGA_END, T_END, ALPHA_0)
+PHI_END, PERIOD = _run("phi_end", "φ_{end}", "deg"), _run("T_cycle", "T", "s")
+STARTED = (OMEGA_END, T_END, PHI_END, ALPHA_0, PERIOD, PHI_MAX, PHI_MIN, OMEGA_MAX, OMEGA_MIN, DELTA)
 
 
 def at_station(turned: float) -> tuple[Named, Named]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ...board.construction import View
-from ...mechanism.asked.machine import Equivalent, equivalents
+from ...mechanism.asked.machine import STEADY, Equivalent, constant_of, equivalents
 from ...mechanism.groups.assur import Group
 from ...problem.problem import Problem
 from ...words import Words
@@ -17,6 +17,7 @@ from ..forces.masses import masses
 from ..forces.state import Statics
 from ..registry import Stage
 from .doors import EQUIVALENTS
+from .steady import draw_steady
 
 
 def machine_pass(desk: Desk, problem: Problem, groups: Sequence[Group]) -> None:
@@ -31,6 +32,9 @@ def machine_pass(desk: Desk, problem: Problem, groups: Sequence[Group]) -> None:
         _acting(st)
     for to in _asked(desk, asked):
         EQUIVALENTS.find(Stage.MACHINE, "slider" if to.slide else "turning link").draw(st, to)
+    run = problem.machine.steady
+    if run is not None and asked & {named.key for named in (*STEADY, *constant_of(problem.machine))}:
+        draw_steady(desk, problem, problem.machine, run)
 
 
 def _asked(desk: Desk, asked: set[str]) -> list[Equivalent]:

@@ -6,11 +6,12 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from ...mechanism.asked.machine import STEADY, at_rest, equivalent_of, reduced_quantities
+from ...mechanism.asked.machine import STEADY, at_rest, equivalent_of, machine_quantities, reduced_quantities
 from ...mechanism.machine import Machine
 from ...mechanism.model import Mechanism
 from ..forces.laws.period import constant_size
 from .reduced import Reduced, reduce
+from .started import started_values
 from .steady import steady_values
 
 
@@ -26,6 +27,8 @@ def machine_values(mech: Mechanism, machine: Machine, keys: Iterable[str]) -> di
         found[constant.name] = constant_size(mech, machine.loads)
     if machine.steady is not None and {named.key for named in STEADY} & set(asked):
         found |= {key: value for key, value in steady_values(mech, machine).items() if key in asked}
+    if machine.started is not None and {named.key for named in machine_quantities(mech, machine).values()} & set(asked):
+        found |= started_values(mech, machine, [key for key in asked if key not in found])
     return found
 
 

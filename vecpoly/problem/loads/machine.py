@@ -23,7 +23,8 @@ from ..schema.faults import Faults
 from ..schema.models import MachineSpec, ProblemSpec
 from .lawful import CONSTANT
 
-MOST_TURNS = 1000.0
+MOST_TURNS = 100.0
+STEADILY = ("steady", "稳定", "稳定运转")
 FORCES = re.compile(r"[A-Z]\w*|eta|h(?:_\w+)?")  # how what an equilibrium gives is written
 Found = TypeVar("Found")
 
@@ -86,7 +87,7 @@ def _refuse(spec: ProblemSpec, mech: Mechanism, loads: Loads | None) -> None:
 
 
 def _run(spec: MachineSpec) -> tuple[Run, tuple[Datum, ...]]:
-    beside = [key for key in ("n", "delta", "J_F") if getattr(spec, key) is not None]
+    beside = [key for key in ("n", "delta") if getattr(spec, key) is not None]
     if spec.start is None and (spec.until is not None or spec.at):
         raise FaultError(
             Words("until 和 at 属于 start", "'until' and 'at' belong to a 'start'"), "until", code="contradiction"
@@ -134,21 +135,24 @@ def _started(spec: MachineSpec) -> tuple[Started, tuple[Datum, ...]]:
     assert spec.start is not None
     phi = _at("start", lambda: read(spec.start.phi, Dim.ANGLE))  # type: ignore[union-attr]
     omega = _at("start", lambda: read(spec.start.omega, Dim.OMEGA))  # type: ignore[union-attr]
-    turned = (
-        read("360 deg", Dim.ANGLE) if spec.until is None else _at("until", partial(positive, spec.until, Dim.ANGLE))
-    )
-    if turned.si > MOST_TURNS * 2 * pi:
-        raise FaultError(
-            Words(
-                f"until 为 {turned.si / (2 * pi):.4g} 转，最多 {MOST_TURNS:g} 转",
-                f"'until' is {turned.si / (2 * pi):.4g} turns; {MOST_TURNS:g} are the most",
-            ),
-            "until",
-            code="out-of-range",
-        )
+    turned = None if spec.until in STEADILY else _at("until", lambda: _way(spec.until or "360 deg"))
+    wheel = 0.0 if spec.J_F is None else _at("J_F", lambda: read(spec.J_F, Dim.INERTIA)).si
     stations = tuple(_at("at", partial(positive, text, Dim.ANGLE)).si for text in spec.at)
     told = (Datum(symbol="φ_0", si=phi.si, text=phi.text), Datum(symbol="ω_0", si=omega.si, text=omega.text))
-    return Started(phi=phi.si, omega=omega.si, turned=turned.si, stations=stations), told
+    return Started(phi=phi.si, omega=omega.si, turned=turned, stations=stations, flywheel=wheel), told
+
+
+def _way(text: str) -> float:
+    way = positive(text, Dim.ANGLE).si
+    if way > MOST_TURNS * 2 * pi:
+        raise FaultError(
+            Words(
+                f"until 为 {way / (2 * pi):.4g} 转，最多 {MOST_TURNS:g} 转",
+                f"'until' is {way / (2 * pi):.4g} turns; {MOST_TURNS:g} are the most",
+            ),
+            code="out-of-range",
+        )
+    return way
 
 
 def _share(text: str) -> float:

@@ -169,7 +169,7 @@ class MachineSpec(Spec):
     delta: Number | None = Field(None, description="allowed unevenness, 0.05")
     J_F: Number | None = Field(None, description="the flywheel that is there, 6 kg*m^2")
     start: StartSpec | None = Field(None, description="{phi: 30 deg, omega: 0 rad/s}")
-    until: Number | None = Field(None, description="how far the driving link is followed, 360 deg")
+    until: Number | None = Field(None, description="how far the driving link is followed, 360 deg; or: steady")
     at: list[Number] = Field([], description="how far from the start its speed is asked for, [90 deg, 180 deg]")
 
 
