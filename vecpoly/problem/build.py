@@ -19,7 +19,7 @@ from .gate import read_gate
 from .joints.branches import read_branches
 from .joints.contacts import is_contact, read_contact
 from .joints.joints import read_joint, revolutes
-from .joints.motion import read_input
+from .joints.motion import read_input, sense_only
 from .joints.pins import read_pins
 from .joints.profiles import read_profiles
 from .joints.rolling import is_rolling, read_rolling
@@ -31,6 +31,7 @@ from .links.profiles import letter_centres
 from .links.rollers import weld_rollers
 from .links.standing import check_starts, geared
 from .links.starts import say_travels
+from .loads.driven import driven_by
 from .loads.friction import read_friction
 from .loads.load_data import data_of_loads
 from .loads.loads import acts, read_loads
@@ -53,7 +54,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     bodies = _bodies(spec, faults)
     masses, weights = read_masses(spec, bodies, faults)
     mechanism, motion = _mechanism(spec, bodies, faults)
-    loads = read_loads(spec, bodies, masses, faults)
+    loads = read_loads(spec, bodies, masses, driven_by(mechanism, motion, not sense_only(spec)), faults)
     loads, acting = _acting(spec, mechanism, loads, weights, faults)
     asks, curvature, printed, scales = read_wanted(spec, bodies, mechanism, loads, faults)
     ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)

@@ -73,4 +73,19 @@ def _of_forces(dim: Dim) -> str:
         case Dim.MU_WORK:
             return rf"{_WORK} ?/ ?{_LENGTH}{_SQUARE}"
         case _:
+            return _of_springs(dim)
+
+
+def _of_springs(dim: Dim) -> str:
+    per = rf"[(（]?{_FORCE}{_TIMES}{_LENGTH}[)）]?"
+    match dim:
+        case Dim.PRESSURE:
+            return rf"(Pa|kPa|MPa|bar|帕|千帕|兆帕|巴|{_FORCE} ?/ ?{_LENGTH}{_SQUARE})"
+        case Dim.STIFFNESS:
+            return rf"{_FORCE} ?/ ?{_LENGTH}"
+        case Dim.TWIST:
+            return rf"{per} ?/ ?{_ANGLE}"
+        case Dim.DAMPING:
+            return rf"[(（]?{_FORCE}{_TIMES}{_TIME}[)）]? ?/ ?{_LENGTH}"
+        case _:
             raise ValueError(f"{dim} has a pattern of its own")

@@ -37,6 +37,10 @@ class Dim(Enum):
     TIME = (Words("时间", "a time"), "time 1", "0.5 s")
     DRAG = (Words("转动阻尼系数", "a torsional drag"), "length 2 mass 1 time -1", "0.05 N*m*s")
     POWER = (Words("功率", "a power"), "length 2 mass 1 time -3", "5 kW")
+    PRESSURE = (Words("压强", "a pressure"), "length -1 mass 1 time -2", "2 MPa")
+    STIFFNESS = (Words("弹簧刚度", "a stiffness"), "mass 1 time -2", "5 N/mm")
+    TWIST = (Words("扭转刚度", "a torsional stiffness"), "angle -1 length 2 mass 1 time -2", "2 N*m/rad")
+    DAMPING = (Words("阻尼系数", "a coefficient of damping"), "mass 1 time -1", "50 N*s/m")
 
     @property
     def label(self) -> Words:

@@ -146,7 +146,10 @@ def _power(cycle: Cycle, index: int, phi: Reals) -> Reals:
     """Of one load (W), by its place in `_names`; of unit size where it balances."""
     assert cycle.loads is not None
     bodies = sample(cycle.mech, None, phi).motion.bodies
-    acts = (*given(cycle.mech, cycle.loads, bodies)[: len(_names(cycle)) - 1], sought(cycle.mech, cycle.loads, bodies))
+    acts = (
+        *given(cycle.mech, cycle.loads, bodies, phi)[: len(_names(cycle)) - 1],
+        sought(cycle.mech, cycle.loads, bodies),
+    )
     return np.broadcast_to(acts[index].power(bodies), phi.shape)
 
 

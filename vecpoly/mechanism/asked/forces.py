@@ -1,14 +1,11 @@
 """What may be asked of a loaded mechanism, by key.
 
 ``M_1`` the balancing load; ``M_1_0`` the same without friction; ``M_1_lever``, ``M_1_power`` without friction by the
-Zhukovsky
-lever and by virtual power; ``R_12`` the force of link 1 on link 2 (frame: its printed number), ``R_12_0`` without
-friction;
-``h`` the arm of the couple on the link that a balancing moment acts on; ``eta`` the efficiency; ``F_I2``, ``M_I2``
-inertia force
-and couple of link 2, ``h_2`` the arm by which they join into one force; ``m_2``, ``J_2`` its mass and its moment of
-inertia
-about the centre of mass, which are data (`given_value`).
+Zhukovsky lever and by virtual power; ``R_12`` the force of link 1 on link 2 (frame: its printed number), ``R_12_0``
+without friction; ``h`` the arm of the couple on the link that a balancing moment acts on; ``eta`` the efficiency;
+``F_I2``, ``M_I2`` inertia force and couple of link 2, ``h_2`` the arm by which they join into one force; ``m_2``,
+``J_2`` its mass and its moment of inertia about the centre of mass, which are data (`given_value`). A moment that is
+constant over the period has its own name, ``M_d``; what balances at a position is then ``M_b``.
 """
 
 from __future__ import annotations
@@ -103,6 +100,8 @@ def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
     ideal = without_friction(unknown)
     found = [unknown, Named("eta", "η", ""), ideal]
     found += [Named(f"{unknown.key}_{way}", ideal.symbol, unknown.unit) for way in ("lever", "power")]
+    if loads.constant is not None:
+        found.append(Named(loads.constant.name, load_symbol(loads.constant.name), "N·m"))
     if unknown.unit == "N·m":
         found.append(Named("h", "h", "m"))
     for a, b in (*pairs(mech), *apart(mech)):

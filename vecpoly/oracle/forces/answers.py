@@ -11,6 +11,7 @@ from ...mechanism.model import FRAME
 from ...words import Words
 from ..state import Points, Reals, cross
 from .acting import Acting, inertia
+from .laws.period import constant_size
 from .pairs import Wrench
 from .solved import Equilibrium
 from .system import ROUNDING, Balance
@@ -68,6 +69,8 @@ def _value(result: Equilibrium, key: str) -> Points | Reals:
         return _arm(result)
     if key.startswith("R_"):
         return _reaction(result, key.removesuffix("_0"), result.dry if key.endswith("_0") else result.wet)
+    if result.loads.constant is not None and key == result.loads.constant.name:
+        return np.full(1, constant_size(result.mech, result.loads))
     if (data := given_value(result.loads, key)) is not None:
         return np.full(1, data)
     return _inertia(result, key)

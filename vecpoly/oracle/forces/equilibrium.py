@@ -11,9 +11,10 @@ from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ..run import Run
 from ..state import Points, Reals
-from .acting import checked, given, sought, unit_drive
+from .acting import checked, given, sought
 from .answers import couple, line, value
 from .flanks import solved
+from .laws.drives import unit_drive
 from .pairs import pairs_of
 from .refusal import Judge
 from .solved import Equilibrium
@@ -69,7 +70,7 @@ def forces(mech: Mechanism, loads: Loads, position: ArrayLike | None = None, *, 
         tuple(name for name in mech.bodies if name not in mech.slot_pins),
         motion.bodies,
         pairs_of(mech, motion.bodies, rates, loads.friction),
-        given(mech, loads, motion.bodies),
+        given(mech, loads, motion.bodies, asked),
         sought(mech, loads, motion.bodies),
         mech.scale,
         asked.size,
