@@ -207,7 +207,7 @@ def ascii_key(symbol: str) -> str:
     return symbol.translate(_ASCII)
 
 
-_ASCII = str.maketrans({"^": None, "{": None, "}": None, "ω": "omega", "α": "alpha", "′": "'"})
+_ASCII = str.maketrans({"^": None, "{": None, "}": None, "ω": "omega", "α": "alpha", "Δ": "d", "μ": "mu", "′": "'"})
 
 
 def parse_rel(text: str) -> Rel:

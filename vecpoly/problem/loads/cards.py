@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from ... import limits
 from ...errors import FaultError, ProblemFileError, VecpolyError
@@ -16,18 +18,28 @@ _MARKS = ",;\t，"
 
 def with_cards(tree: Tree) -> Tree:
     """The tree with columns and rows beside the name of every table's file; raises ProblemFileError at its line."""
-    loads = tree.data.get("loads")
-    for name, load in loads.items() if isinstance(loads, dict) else ():
-        size = load.get("size") if isinstance(load, dict) else None
+    for path, holder in _holders(tree):
+        size = holder[path[-1]]
         if isinstance(size, dict) and isinstance(size.get("table"), str) and "rows" not in size:
-            path = ("loads", name, "size", "table")
+            path = (*path, "table")
             place = tree.places.get(path, tree.places.get(path[:2], Place(tree.name)))
             try:
                 columns, *rows = _cells(_text(tree, size["table"], place), size["table"])
             except (FaultError, ProblemFileError) as error:
                 raise ProblemFileError(error.words, code=error.code, numbers=error.numbers).at(place, *path) from None
-            load["size"] = size | {"columns": columns, "rows": rows}
+            holder[path[-2]] = size | {"columns": columns, "rows": rows}
     return tree
+
+
+def _holders(tree: Tree) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
+    """Where a table may stand, as the path to it and the mapping that has it: the size of a load, a datum of a
+    device."""
+    loads, data = tree.data.get("loads"), tree.data.get("data")
+    for name, load in loads.items() if isinstance(loads, dict) else ():
+        if isinstance(load, dict) and "size" in load:
+            yield ("loads", name, "size"), load
+    if isinstance(data, dict):
+        yield from ((("data", name), data) for name in data)
 
 
 def _text(tree: Tree, name: str, place: Place) -> str:
