@@ -9,7 +9,8 @@ to the highest; ``J_F`` the flywheel with which it is as uneven as is allowed, `
 constant, J_F = ΔW_max / (ω_m² [δ]); ``phi_max``, ``phi_min`` where it is fastest and slowest; ``omega_max``,
 ``omega_min``, ``delta``.
 Of one that is followed from a state: ``omega_end``, ``t_end``, ``alpha_0``, ``phi_end``, ``omega_at_90``,
-``t_at_90`` ... (degrees from the start), ``T_cycle`` the period of a steady motion or of an oscillation, and its extremes.
+``t_at_90`` ... (degrees from the start), ``T_cycle`` the period of a steady motion or of an
+oscillation, and its extremes.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import pairwise
 
 import numpy as np
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from ...mechanism.laws.sizes import Table
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
+from ..roots import halved
 from .turn import jumps, station
 
 Array = NDArray[np.float64]
@@ -61,7 +62,7 @@ class French:
         piece = self._piece(psi, before=True)
         whole = legendre.legint(self.moments[piece], lbnd=-1) * half[piece]
         done = 2 * float(half[:piece] @ self.moments[:piece, 0])
-        return done + float(legendre.legval(self._within(piece, psi), whole)) + constant * psi
+        return float(done + legendre.legval(self._within(piece, psi), whole) + constant * psi)
 
     def highest(self, weight: float, constant: float, sign: float) -> float:
         """Where sign · (E − weight · J_e) is greatest: at a turning point, or at a corner."""
@@ -69,9 +70,9 @@ class French:
         def slope(piece: int, x: float) -> float:
             half = (self.cuts[piece + 1] - self.cuts[piece]) / 2
             rise = float(legendre.legval(x, legendre.legder(self.inertias[piece]))) / half
-            return sign * (float(legendre.legval(x, self.moments[piece])) + constant - weight * rise)
+            return float(sign * (legendre.legval(x, self.moments[piece]) + constant - weight * rise))
 
-        places = [*map(float, self.cuts), *self._turning(slope)]
+        places = [*map(float, self.cuts), *self._roots(slope)]
         return max(places, key=lambda psi: sign * (self.work(psi, constant) - weight * self.inertia(psi)))
 
     def crossings(self, level: float) -> tuple[float, ...]:
@@ -79,16 +80,13 @@ class French:
         found = [*self._roots(lambda piece, x: float(legendre.legval(x, self.moments[piece])) - level)]
         return tuple(sorted(found))
 
-    def _turning(self, slope: Callable[[int, float], float]) -> Iterator[float]:
-        yield from self._roots(slope)
-
     def _roots(self, f: Callable[[int, float], float]) -> Iterator[float]:
         for piece, (a, b) in enumerate(pairwise(self.cuts)):
             grid = np.linspace(-1.0, 1.0, SAMPLES)
             values = [f(piece, x) for x in grid]
             for i in range(SAMPLES - 1):
                 if values[i] * values[i + 1] < 0:
-                    x = _halved(lambda x, piece=piece: f(piece, x), grid[i], grid[i + 1])
+                    x = halved(partial(f, piece), float(grid[i]), float(grid[i + 1]), HALVINGS)
                     yield float(a + (b - a) / 2 * (1 + x))
 
     def _at(self, rows: Array, psi: float, before: bool) -> float:
@@ -102,14 +100,6 @@ class French:
     def _within(self, piece: int, psi: float) -> float:
         a, b = self.cuts[piece], self.cuts[piece + 1]
         return float(2 * (psi - a) / (b - a) - 1)
-
-
-def _halved(f: Callable[[float], float], a: float, b: float) -> float:
-    up = f(a) > 0
-    for _ in range(HALVINGS):
-        middle = (a + b) / 2
-        a, b = (middle, b) if (f(middle) > 0) == up else (a, middle)
-    return (a + b) / 2
 
 
 @lru_cache(maxsize=16)

@@ -21,16 +21,16 @@ from ...plane import Reals
 from ..coincident import coincident_letters
 from ..desk import Desk
 from ..forces.balance.power_terms import works
+from ..forces.laws.found import found_loads
 from ..forces.state import Statics
 from ..kinematics.diagram.cam import letter_contacts
 from ..kinematics.doors import draw_drive, draw_group
 from ..kinematics.image import found_tip
 from ..registry import Stage
-from .acting_here import acting_here
 
 SIZE = 100.0  # mm: how large mechanism and first vector are drawn on scratch paper
 JUMP = 1e-10  # rad: how closely the place is found at which a load begins or ends
-Signs = tuple[int, ...]
+Names = tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,7 +40,7 @@ class Station:
     phi: float
     inertia: Reals
     moment: Reals
-    acting: Signs
+    acting: Names
 
 
 def station(mech: Mechanism, loads: Loads, phi: float) -> Station:
@@ -57,11 +57,11 @@ def drawn(mech: Mechanism, loads: Loads, phi: float, by: Hand) -> Station:
     """As this hand draws it, with all its readings. Raises AssemblyError, DeadPointError."""
     desk = _desk(replace(mech, drives=(replace(mech.drive, position=phi, accel=0.0), *mech.drives[1:])), by)
     rate = mech.drive.rate
-    here, pulls = acting_here(desk, loads)
-    st = Statics(desk=desk, loads=replace(here, inertia=False))
+    here, pulls = found_loads(desk, replace(loads, inertia=False))
+    st = Statics(desk=desk, loads=here, pulls=pulls)
     power: Reals = sum((work.value for work in works(st)), 0.0)
     energy: Reals = sum((_energy(st, link) for link in range(len(loads.masses))), 0.0)
-    acting = tuple(int(np.sign(st.size_of(load))) for load in here.all)
+    acting = tuple(load.name for load in here.all if load.size)
     return Station(phi, energy / rate**2, power / rate, acting)
 
 

@@ -74,10 +74,9 @@ def _ink(period: Period, pane: Pane, energies: Energies, points: list[Points]) -
     draw_axes(board, pane, axes, ())
     board.curve(pane, points, Role.GIVEN)
     step = period.curve.period / (len(period.read) - 1)
-    for k in range(len(period.read) - 1):
-        near = min(range(len(points)), key=lambda i, k=k: abs(energies.places[i] - k * step))
-        if abs(energies.places[near] - k * step) < 1e-9:
-            board.plot(pane, points[near], str(k), Dot.POINT)
+    for psi, point in zip(energies.places[:-1], points, strict=False):
+        if abs(psi / step - round(psi / step)) < 1e-9:
+            board.plot(pane, point, str(round(psi / step)), Dot.POINT)
 
 
 def _speeds(period: Period, pane: Pane) -> None:

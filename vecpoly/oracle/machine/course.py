@@ -113,7 +113,7 @@ def _cuts(mech: Mechanism, loads: Loads, sense: float) -> Reals:
     even = np.linspace(low, high, round((high - low) / PIECE) + 1)
     cuts = np.unique(np.concatenate([even, corners(mech, loads)]))
     cuts = cuts[np.append(True, np.diff(cuts) > SAME)]
-    return cuts if sense > 0 else -cuts[::-1]
+    return np.asarray(cuts if sense > 0 else -cuts[::-1], np.float64)
 
 
 def _rocks(mech: Mechanism, low: float, high: float) -> Words:

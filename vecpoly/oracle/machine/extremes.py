@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..state import Reals
 from .course import Course
@@ -53,11 +54,11 @@ def _slope(course: Course, slope: Slope, at: Reals) -> Reals:
     return slope(*(course.of_pieces(row, at) for row in rows))
 
 
-def _slope_at(course: Course, slope: Slope, piece: Reals, x: Reals) -> Reals:
+def _slope_at(course: Course, slope: Slope, piece: NDArray[np.intp], x: Reals) -> Reals:
     """The same at one place of each of these pieces."""
     rows = (course.works, course.inertias, course.moments, course.slopes)
     found = []
     for row in rows:
         powers = np.polynomial.legendre.legvander(x, row.shape[1] - 1)
-        found.append((powers * row[np.asarray(piece, np.intp)]).sum(axis=1))
+        found.append((powers * row[piece]).sum(axis=1))
     return slope(*found)

@@ -99,7 +99,7 @@ def along(mech: Mechanism, link: str, body: Body) -> Reals:
     """The velocity of a slider on the frame, positive along its guide."""
     joint = next(one for one in mech.joints if isinstance(one, Prismatic) and link in (one.block, one.guide))
     guide = 1.0 if joint.block == link else body.unit
-    axis: Points = guide * np.full(1, np.exp(1j * joint.direction))
+    axis = np.asarray(guide * np.full(1, np.exp(1j * joint.direction)), np.complex128)
     return dot(axis, body.velocity)
 
 
