@@ -51,6 +51,7 @@ _MODULES = (
     "mechanism.laws.sizes",
     "mechanism.laws.springs",
     "mechanism.loads",
+    "mechanism.machine",
     "mechanism.asked.curvature",
     "problem.values.given",
     "problem.asked.asks",

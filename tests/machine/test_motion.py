@@ -116,3 +116,40 @@ def test_a_drive_that_never_weakens_comes_to_no_steady_motion() -> None:
     run = "machine: {start: {phi: 30 deg, omega: 0 rad/s}, until: steady}\n"
     with pytest.raises(EquilibriumError, match="has not settled"):
         exact_values(engine(["T_cycle"], phi=30, loads=("M_1: {on: 1, size: 5 N*m ccw}",), more=run))
+
+
+def test_the_power_flow_of_the_case_goes_into_its_links() -> None:
+    push = ("F: {on: 3, at: C, size: 3000 N, direction: 180 deg}", "M_1: {on: 1, size: 60 N*m cw}")
+    run = "machine: {start: {phi: 50 deg, omega: 157.08 rad/s}, until: 1 deg}\n"
+    exact = exact_values(engine(["alpha_0", "power_F", "power_M_1", "dT_1", "dT_2", "dT_3"], loads=push, more=run))
+    wanted = DATA["C07"]["results"]
+    gains = wanted["dT_dt_by_mass_W"]
+    assert exact["alpha_0"] == pytest.approx(wanted["alpha"], rel=5e-9)
+    assert [exact["power_F"], exact["power_M_1"]] == pytest.approx([wanted["P_load"], wanted["P_motor"]], rel=5e-9)
+    assert exact["dT_1"] == pytest.approx(gains["J of link 1"], rel=5e-9)
+    assert exact["dT_2"] == pytest.approx(gains["m at S2"] + gains["J of link 2"], rel=5e-9)
+    assert exact["dT_3"] == pytest.approx(gains["m at C"], rel=5e-9)
+    assert sum(exact[f"dT_{n}"] for n in "123") == pytest.approx(exact["power_F"] + exact["power_M_1"], rel=1e-12)
+
+
+class _Given(Mover):
+    """A machine of which J_e and M_e are given over φ."""
+
+    def acceleration(self, phi: float, omega: float) -> float:
+        moment = 120 * (1 - phi / (2 * np.pi)) - 52
+        return (moment + 0.25 * np.sin(2 * phi) * omega**2) / (0.6 + 0.25 * np.cos(2 * phi))
+
+    def next_corner(self, phi: float, sense: float) -> float:
+        return sense * np.inf
+
+
+def test_given_courses_of_inertia_and_moment_lead_to_the_speeds_of_the_case() -> None:
+    problem, wanted = engine(["J_e"], loads=("M_1: {on: 1, size: 5 N*m ccw}",)), DATA["B20"]["results"]
+    assert problem.machine is not None
+    places = (60, 120, 180, 270)
+    found = follow(_Given(problem.mechanism, problem.machine.loads), 0.0, 14.0, 2 * np.pi, tuple(np.radians(places)))
+    assert [speed for _, speed in found.passed] == pytest.approx([wanted["omega"][str(q)] for q in places], rel=5e-9)
+    assert found.end[2] == pytest.approx(wanted["omega"]["360"], rel=5e-9)
+    assert found.end[0] == pytest.approx(wanted["T_s"], rel=5e-9)
+    (place, top), _ = found.extremes
+    assert (np.degrees(place), top) == pytest.approx((wanted["at_deg"], wanted["omega_max"]), rel=1e-7)

@@ -53,6 +53,14 @@ class Machine:
         return self.run if isinstance(self.run, Started) else None
 
 
+def flywheel_of(work: float, speed: float, delta: float) -> float:
+    """J_F = W / (δ ω_m²) (kg·m²): what stores this work (J) between ω_max and ω_min, δ ω_m apart about ω_m (rad/s).
+
+    Of ΔW_max where the equivalent inertia is even, of the length cut off by Wittenbauer's tangents where it is not.
+    """
+    return work / (delta * speed**2)
+
+
 def known_of(loads: Loads) -> Loads:
     """The loads of known size: one that only balances the others is no part of a machine's work."""
     return replace(

@@ -10,7 +10,7 @@ constant, J_F = ΔW_max / (ω_m² [δ]); ``phi_max``, ``phi_min`` where it is fa
 ``omega_min``, ``delta``.
 Of one that is followed from a state: ``omega_end``, ``t_end``, ``alpha_0``, ``phi_end``, ``omega_at_90``,
 ``t_at_90`` ... (degrees from the start), ``T_cycle`` the period of a steady motion or of an
-oscillation, and its extremes.
+oscillation, and its extremes; ``power_F``, ``dT_2`` what a load gives and a link gains at the start (W).
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from .forces import load_symbol
 REDUCED = re.compile(r"[JMmF]_e(?:[1-9]\d*[a-z']?)?")  # how these keys are written
 
 RUN_KEYS = re.compile(
-    r"dW_max|J_F|J_F_areas|phi_(?:max|min|end)|T_cycle|omega_(?:max|min|end|at_\S+)|t_(?:end|at_\S+)|delta|alpha_0"
+    r"dW_max|J_F|J_F_areas|phi_(?:max|min|end)|T_cycle|omega_(?:max|min|end|at_\S+)|dT_\w+|power_\w+|t_(?:end|at_\S+)|delta|alpha_0"
 )
 
 
@@ -97,9 +97,16 @@ def _of_run(machine: Machine) -> tuple[Named, ...]:
         case Steady():
             return STEADY
         case Started(stations=stations):
-            return (*STARTED, *(named for one in stations for named in at_station(one)))
+            return (*STARTED, *(named for one in stations for named in at_station(one)), *_flow(machine))
         case _:
             assert_never(machine.run)
+
+
+def _flow(machine: Machine) -> tuple[Named, ...]:
+    """The power of every load, and the rate at which every link gains energy, at the start (W)."""
+    loads = [*(one.name for one in machine.loads.all), *(one.name for one in machine.loads.springs)]
+    gains = [_run(f"dT_{mass.link}", f"(dT/dt)_{{{mass.link}}}", "W") for mass in machine.loads.masses]
+    return (*(_run(f"power_{name}", f"P_{{{name.replace('_', '')}}}", "W") for name in loads), *gains)
 
 
 def _run(key: str, symbol: str, unit: str) -> Named:

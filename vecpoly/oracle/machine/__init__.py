@@ -9,5 +9,6 @@ from __future__ import annotations
 
 from .answers import machine_values
 from .reduced import Reduced, reduce
+from .started import ending, motion_of
 
-__all__ = ["Reduced", "machine_values", "reduce"]
+__all__ = ["Reduced", "ending", "machine_values", "motion_of", "reduce"]

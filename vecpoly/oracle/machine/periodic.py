@@ -10,7 +10,7 @@ from .forward import Moved, Mover, Outcome
 from .run import follow
 
 TURNS = 200  # of running in
-SETTLED = 1e-9  # of ω: two turns alike
+SETTLED, SECANTS = 1e-11, 12  # of ω: two turns alike
 
 
 def settled(mover: Mover, phi: float, omega: float) -> Moved:
@@ -18,8 +18,6 @@ def settled(mover: Mover, phi: float, omega: float) -> Moved:
 
     Raises EquilibriumError where the machine stalls, swings to and fro, or never settles.
     """
-    from scipy.optimize import newton
-
     period = 2 * np.pi * mover.loads.turns
     last = np.nan
     for turn in range(TURNS):
@@ -31,10 +29,22 @@ def settled(mover: Mover, phi: float, omega: float) -> Moved:
             break
     else:
         raise EquilibriumError(_runs_away(omega), code="not-steady", numbers={"turns": TURNS, "omega": omega})
-    start = float(
-        newton(lambda w: follow(mover, phi, float(w), period).end[2] - w, omega, x1=last, tol=SETTLED * abs(omega))
-    )
-    return follow(mover, phi, start, period)
+    return follow(mover, phi, _fixed(mover, phi, last, omega), period)
+
+
+def _fixed(mover: Mover, phi: float, last: float, omega: float) -> float:
+    """The speed with which a period begins as it ends, by secants; last, omega: two turns running, nearly settled."""
+
+    def missed(speed: float) -> float:
+        return follow(mover, phi, speed, 2 * np.pi * mover.loads.turns).end[2] - speed
+
+    a, b = (last, omega - last), (omega, missed(omega))
+    for _ in range(SECANTS):
+        if abs(b[1]) <= SETTLED * abs(b[0]) or a[1] == b[1]:
+            break
+        new = b[0] - b[1] * (b[0] - a[0]) / (b[1] - a[1])
+        a, b = b, (new, missed(new))
+    return b[0]
 
 
 def _ends(moved: Moved, turn: int) -> Words:

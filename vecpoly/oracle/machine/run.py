@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
+from ...errors import MissingPackageError
+from ...words import Words
 from .forward import ATOL, MOST, NOTHING, RTOL, STILL, Leg, Moved, Mover, Outcome, State, refuse_massless
 
 Event = Callable[[float, State], float]
@@ -91,10 +94,22 @@ def _sense(mover: Mover, phi: float, omega: float) -> float:
     return 0.0
 
 
+def _solver() -> Callable[..., Any]:
+    try:
+        from scipy.integrate import solve_ivp
+    except ImportError as error:
+        raise MissingPackageError(
+            Words(
+                "求真实运动需要 scipy；请 pip install vecpoly[motion]",
+                "a motion from a state needs scipy; pip install vecpoly[motion]",
+            )
+        ) from error
+    return solve_ivp  # type: ignore[no-any-return]
+
+
 def _leg(mover: Mover, state: tuple[float, float, float], end: float, sense: float) -> tuple[Leg, bool]:
     """One segment by `solve_ivp`; whether it ended at a standstill."""
-    from scipy.integrate import solve_ivp
-
+    solve_ivp = _solver()
     t, phi, omega = state
 
     def pull(at: State) -> float:

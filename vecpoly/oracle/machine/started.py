@@ -14,6 +14,7 @@ from ...mechanism.model import Mechanism
 from ...words import Words
 from .forward import Moved, Mover, Outcome
 from .periodic import settled
+from .power import power_flow
 from .run import follow
 
 
@@ -49,6 +50,9 @@ def started_values(mech: Mechanism, machine: Machine, keys: Iterable[str]) -> di
     }
     for way, (when, speed) in zip(sorted(run.stations), moved.passed, strict=False):
         values |= {named.key: value for named, value in zip(at_station(way), (speed, when), strict=True)}
+    flow = power_flow(mech, machine.loads, run.phi, run.omega, run.flywheel)
+    values |= {f"power_{name}": power for name, power in flow.powers.items()}
+    values |= {f"dT_{link}": gain for link, gain in flow.gains.items()}
     _refuse_missing(moved, run, values, asked)
     return {key: float(values[key]) for key in asked if key in values}
 

@@ -7,18 +7,21 @@ which (ω_max + ω_min) / 2 = ω_m.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
 from ...errors import EquilibriumError
-from ...mechanism.machine import Machine, Steady
+from ...mechanism.machine import Machine, Steady, flywheel_of
 from ...mechanism.model import Mechanism
 from ...words import Words
 from ..state import Reals
 from .course import Course, course
 from .extremes import Top, highest, lowest
+
+ROUNDS = 60
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,7 +71,7 @@ def evenness(of: Course, run: Steady) -> Evenness:
     if run.delta is None:
         return with_flywheel(of, run.speed, run.flywheel or 0.0)
     found = tangents(of, run.speed, run.delta)
-    wheel = found.cut / (run.delta * run.speed**2)
+    wheel = flywheel_of(found.cut, run.speed, run.delta)
     if wheel <= 0:
         return with_flywheel(of, run.speed, 0.0)
     top, low = (run.speed * (1 + sign * run.delta / 2) for sign in (1, -1))
@@ -79,8 +82,6 @@ def evenness(of: Course, run: Steady) -> Evenness:
 
 def with_flywheel(of: Course, speed: float, wheel: float) -> Evenness:
     """The steady motion with this flywheel; EquilibriumError where the machine would stand still on its way."""
-    from scipy.optimize import brentq
-
     least = -surplus(of)[1].value  # so much energy at the beginning leaves none at the lowest point
     top, low = surplus(of)
     scale = max(top.value - low.value, 1e-300)
@@ -104,9 +105,17 @@ def with_flywheel(of: Course, speed: float, wheel: float) -> Evenness:
     far = start + scale
     while middle(far) < 0:
         far = least + 2 * (far - least)
-    energy = float(brentq(middle, start, far, xtol=1e-15 * far, rtol=8.9e-16))
+    energy = _halved(middle, start, far)
     fast, slow = _speeds(of, energy, wheel)
     return Evenness(fastest=fast, slowest=slow, delta=(fast.value - slow.value) / speed, flywheel=wheel)
+
+
+def _halved(miss: Callable[[float], float], low: float, high: float) -> float:
+    """The root of a rising function, to the last digit."""
+    for _ in range(ROUNDS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if miss(middle) < 0 else (low, middle)
+    return (low + high) / 2
 
 
 def _speeds(of: Course, energy: float, wheel: float) -> tuple[Top, Top]:
@@ -140,5 +149,5 @@ def steady_values(mech: Mechanism, machine: Machine) -> dict[str, float]:
         "delta": found.delta,
     }
     if run.delta is not None:
-        values["J_F_areas"] = (top.value - low.value) / (run.delta * run.speed**2)
+        values["J_F_areas"] = flywheel_of(top.value - low.value, run.speed, run.delta)
     return values

@@ -20,7 +20,8 @@ from ...units.reading import Dim, positive, pure, read
 from ...words import Words
 from ..problem import Datum
 from ..schema.faults import Faults
-from ..schema.models import MachineSpec, ProblemSpec
+from ..schema.models import ProblemSpec
+from ..schema.running import MachineSpec
 from .lawful import CONSTANT
 
 MOST_TURNS = 100.0

@@ -13,6 +13,7 @@ from ...figures import scales
 from ...words import Words
 from .fields import ID, Centre, Link, Name, Number, Pair, Text, YesNo
 from .marking import MarkingSpec
+from .running import MachineSpec
 
 
 class Spec(BaseModel):
@@ -153,24 +154,6 @@ class SheetSpec(Spec):
     """The drawing sheet."""
 
     orientation: Literal["portrait", "landscape"]
-
-
-class StartSpec(Spec):
-    """The state from which a machine moves."""
-
-    phi: Number
-    omega: Number
-
-
-class MachineSpec(Spec):
-    """How a machine runs: at a mean speed, as evenly as is allowed or as its flywheel makes it; or from a state."""
-
-    n: Number | None = Field(None, description="mean speed, 60 r/min")
-    delta: Number | None = Field(None, description="allowed unevenness, 0.05")
-    J_F: Number | None = Field(None, description="the flywheel that is there, 6 kg*m^2")
-    start: StartSpec | None = Field(None, description="{phi: 30 deg, omega: 0 rad/s}")
-    until: Number | None = Field(None, description="how far the driving link is followed, 360 deg; or: steady")
-    at: list[Number] = Field([], description="how far from the start its speed is asked for, [90 deg, 180 deg]")
 
 
 class GateSpec(Spec):
