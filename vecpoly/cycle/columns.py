@@ -62,6 +62,8 @@ def catalogue(mech: Mechanism, loads: Loads | None, points: tuple[str, ...] | No
         keys += [key for key in ("J_e", "M_e") if key in reduced_quantities(mech)]
     elif loads is not None:
         keys += [loads.unknown.name, *(["eta"] if loads.friction else [])]
+        keys += [load.name for load in loads.all if load.law is not None]
+        keys += [spring.name for spring in loads.springs]
         keys += [press_named(mech, a, b).key for a, b in pairs(mech)]
     return tuple(column_of(mech, loads, key) for key in keys)
 

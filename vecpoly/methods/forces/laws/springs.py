@@ -87,11 +87,9 @@ def _size(at: OffPaper, spring: Spring, named: Named) -> Reals:
         terms.append((magnitude("k", spring.stiffness, "N/m") * stretch, 1))
     if spring.damping:
         terms += _damped(at, spring)
-    if not terms:
-        return 0.0
     total = Sum(tuple(one for one, _ in terms), tuple(sign for _, sign in terms))
-    size = board.compute(named.symbol, total, "N").value
-    at.desk.board.keep(Reading(key=named.key, symbol=named.symbol, unit="N", scalar=float(nominal(size))), size)
+    size: Reals = board.compute(named.symbol, total, "N").value if terms else 0.0
+    board.keep(Reading(key=named.key, symbol=named.symbol, unit="N", scalar=float(nominal(size))), size)
     return size
 
 
