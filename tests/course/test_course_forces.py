@@ -17,6 +17,7 @@ from tests.oracle.test_oracle_forces_models import slider_crank
 from tests.studies import studied
 from vecpoly.algebra.formula import plain
 from vecpoly.analytic.forces.balance import ForceModel, force_model
+from vecpoly.mechanism.asked.forces import load_symbol
 from vecpoly.cycle import Cycle, cycle, extremes
 from vecpoly.cycle.facts.duties import Cause, duties, idle, stills
 from vecpoly.cycle.sample import sample
@@ -40,6 +41,9 @@ LOADED = [
     "C-inertia",
     "six-bar-dynamic",
     "slider-crank-dynamic",
+    "engine-card",
+    "return-spring",
+    "shaper-cut",
 ]
 
 
@@ -136,9 +140,13 @@ def environment(it: Study, made: ForceModel, phi: np.ndarray) -> tuple[dict[str,
     and the largest force."""
     statics = sample(it.mech, it.problem.loads, phi).statics
     env: dict[str, Any] = dict(it.model.values(phi))
-    for equation in (*made.normals, *made.inertia):
+    for equation in (*made.normals, *made.inertia, *made.springs):
         env[equation.left.symbol] = equation.right.value(env)  # type: ignore[attr-defined]
     env[made.unknowns[-1]] = statics.wet.load
+    assert it.problem.loads is not None
+    for load in it.problem.loads.all:
+        if load.law is not None:
+            env[load_symbol(load.name)] = statics.value(load.name)
     largest = np.abs(np.asarray(statics.wet.load))
     for touch in made.touches:
         index = next(

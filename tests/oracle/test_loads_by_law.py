@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from lawful import CARD, COIL, CUT, ENGINE, PLAIN, SPRING, slider
-from laws import often
 
+from tests.lawful import CARD, COIL, CUT, ENGINE, PLAIN, SPRING, slider
+from tests.laws import often
 from vecpoly.errors import EquilibriumError, VecpolyError
 from vecpoly.oracle import solve
 from vecpoly.oracle.forces import forces

@@ -59,6 +59,8 @@ def catalogue(mech: Mechanism, loads: Loads | None, points: tuple[str, ...] | No
     keys += [f"gamma_{pair}" for pair, dyad in dyads(mech).items() if "G" not in dyad.kind]
     if loads is not None:
         keys += [loads.unknown.name, *(["eta"] if loads.friction else [])]
+        keys += [load.name for load in loads.all if load.law is not None]
+        keys += [spring.name for spring in loads.springs]
         keys += [press_named(mech, a, b).key for a, b in pairs(mech)]
     return tuple(column_of(mech, loads, key) for key in keys)
 

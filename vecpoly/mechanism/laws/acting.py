@@ -87,10 +87,10 @@ def tabulated(table: Table, at: Standing) -> Reals:
 
 
 def broken_line(places: tuple[float, ...], sizes: tuple[float, ...], x: Reals) -> Reals:
-    """The broken line through these points at x, level beyond its ends: Σ m (|x - a| - |x - b| + b - a) / 2."""
-    found: Reals = sizes[0]
+    """The broken line through these points at x, level beyond its ends."""
+    found: Reals = (x < places[0]) * sizes[0] + (x >= places[-1]) * sizes[-1]
     for (a, from_), (b, to) in pairwise(zip(places, sizes, strict=True)):
-        found = found + (to - from_) / (b - a) * (abs(x - a) - abs(x - b) + (b - a)) / 2
+        found = found + (x >= a) * (x < b) * (from_ + (to - from_) / (b - a) * (x - a))
     return found
 
 

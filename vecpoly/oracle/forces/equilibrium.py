@@ -15,6 +15,7 @@ from .acting import checked, given, sought
 from .answers import couple, line, value
 from .flanks import solved
 from .laws.drives import unit_drive
+from .laws.stands import Stands
 from .pairs import pairs_of
 from .refusal import Judge
 from .solved import Equilibrium
@@ -65,6 +66,7 @@ def forces(mech: Mechanism, loads: Loads, position: ArrayLike | None = None, *, 
     moving = mech.drive.rate != 0.0
     rates = motion.bodies if moving else solve(unit_drive(mech), position, order=1, strict=strict).bodies
     asked = np.atleast_1d(np.asarray(mech.drive.position if position is None else position, dtype=np.float64))
+    stands = Stands(mech, motion.bodies, asked)
     judge = Judge(Run(asked, strict, "mm" if mech.drive.slide else "deg"))
     system = System(
         tuple(name for name in mech.bodies if name not in mech.slot_pins),
@@ -83,4 +85,4 @@ def forces(mech: Mechanism, loads: Loads, position: ArrayLike | None = None, *, 
         judge.unsolved(dry)
         judge.locked(system, (dry, wet), reached, loads.dynamic, rates)
         judge.parting(system, wet)
-    return Forces(mech, loads, motion, rates, system, dry, wet.without(judge.lost), judge.causes)
+    return Forces(mech, loads, motion, rates, system, dry, wet.without(judge.lost), judge.causes, stands)

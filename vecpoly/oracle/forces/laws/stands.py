@@ -54,7 +54,8 @@ class Stands:
         """dl/dt = (v - v') · u (m/s)."""
         ray = self.ray(spring)
         gap = self._velocity(spring.link, spring.point) - self._velocity(spring.against, spring.foot)
-        return dot(ray / np.abs(ray), gap)
+        with np.errstate(invalid="ignore", divide="ignore"):  # ends at one place have no direction: NaN
+            return dot(ray / np.abs(ray), gap)
 
     def turned(self, coil: Coil) -> Reals:
         """φ - φ_0 within half a turn (rad)."""

@@ -36,7 +36,7 @@ def results(study: Study) -> Words:
 
 
 def _steady(loads: Loads) -> Iterator[Words]:
-    given = [load.name for load in loads.all if load.size is not None]
+    given = [load.name for load in loads.all if load.size is not None and load.law is None]
     if given:
         yield Words(
             f"计算中 {listed(given)} 的大小和方向在整个循环内不变。",
