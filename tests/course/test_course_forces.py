@@ -17,12 +17,12 @@ from tests.oracle.test_oracle_forces_models import slider_crank
 from tests.studies import studied
 from vecpoly.algebra.formula import plain
 from vecpoly.analytic.forces.balance import ForceModel, force_model
-from vecpoly.mechanism.asked.forces import load_symbol
 from vecpoly.cycle import Cycle, cycle, extremes
 from vecpoly.cycle.facts.duties import Cause, duties, idle, stills
 from vecpoly.cycle.sample import sample
 from vecpoly.findings.load_drive import driven
 from vecpoly.findings.study.study import Study
+from vecpoly.mechanism.asked.forces import load_symbol
 from vecpoly.mechanism.loads import Force, Friction, Loads, Moment
 from vecpoly.problem.load import load
 from vecpoly.report.course.analysis.force_words import one_sided, refusals, results, role_note

@@ -130,6 +130,16 @@ class RunUp(Device):
         return self.to.si if isinstance(self.to, Quantity) else 0.0
 
     @property
+    def goal(self) -> float | None:
+        """The speed at which the run-up ends (rad/s); None where it is a share of the steady one."""
+        return self.to.si if isinstance(self.to, Quantity) else None
+
+    @property
+    def share(self) -> float:
+        """Of the steady speed."""
+        return self.to if isinstance(self.to, float) else USUAL
+
+    @property
     def linear(self) -> bool:
         """Whether ΔM is a straight line over the speed."""
         curves = [one for one in (self.motor, self.load) if one is not None]

@@ -11,9 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ....devices.dynamics.characteristic import Characteristic, Kloss, Measured, Polynomial, highest
-from ....devices.dynamics.run_up import USUAL, RunUp
+from ....devices.dynamics.run_up import RunUp
 from ....errors import NotAskedError
-from ....units.reading import Quantity
 from ....words import Words
 from ...diagrams.strip import Strip, root, strips
 
@@ -70,9 +69,9 @@ def courses(device: RunUp) -> tuple[Course, ...]:
     load, corners = moment(device.load), _corners(device.load)
     if device.motor is not None:
         motor = moment(device.motor)
-        steady = None if isinstance(device.to, Quantity) else _steady(device, motor, load)
-        share = device.to if isinstance(device.to, float) else USUAL
-        goal = device.to.si if isinstance(device.to, Quantity) else share * (steady or 0.0)
+        steady = None if device.goal is not None else _steady(device, motor, load)
+        goal = device.goal if steady is None else device.share * steady
+        assert goal is not None
         both = tuple(sorted({*corners, *_corners(device.motor)}))
         return (
             Course(

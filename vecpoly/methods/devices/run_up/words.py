@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ....algebra.quantity import number
 from ....board.construction import View
-from ....devices.dynamics.run_up import USUAL, RunUp
+from ....devices.dynamics.run_up import RunUp
 from ....words import Words
 from .course import Course
 
@@ -62,7 +62,7 @@ def steady() -> Words:
 
 def goal(device: RunUp, course: Course) -> Words:
     """Where the run-up ends."""
-    share = 100 * (device.to if isinstance(device.to, float) else USUAL)
+    share = 100 * device.share
     return Words(
         f"起动计算到稳定转速的 {share:g} %，即 {number(course.goal)} rad/s。",
         f" The run-up is followed to {share:g} % of it, {number(course.goal)} rad/s.",

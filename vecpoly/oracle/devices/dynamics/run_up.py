@@ -10,9 +10,8 @@ import numpy as np
 
 from ....devices.dynamics import run_up as asked
 from ....devices.dynamics.characteristic import Characteristic, Kloss, Measured, Polynomial, highest
-from ....devices.dynamics.run_up import USUAL, RunUp
+from ....devices.dynamics.run_up import RunUp
 from ....errors import NotAskedError
-from ....units.reading import Quantity
 from ....words import Words
 from ..registry import Values, answers
 
@@ -32,11 +31,10 @@ def run_up(device: RunUp) -> Values:
         return motor(omega) - load(omega)
 
     found: dict[str, complex | float] = {asked.START.key: motor(0.0)}
-    if isinstance(device.to, Quantity):
-        goal = device.to.si
-    else:
+    goal = device.goal
+    if goal is None:
         steady = _steady(device, surplus)
-        goal = (USUAL if device.to is None else device.to) * steady
+        goal = device.share * steady
         found |= {asked.STEADY.key: steady, asked.CONSTANT.key: device.J.si / (surplus(0.0) - surplus(1.0))}
     _refuse_slow(surplus, device.start.si, goal)
     time, angle = _integrals(device, surplus, device.start.si, goal)
