@@ -34,6 +34,7 @@ _MODULES = (
     "units.reading",
     "algebra.formula",
     "board.place",
+    "board.paper.roles",
     "board.paper.marks",
     "board.acts.base",
     "board.acts.leaving",

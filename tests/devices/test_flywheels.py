@@ -191,7 +191,7 @@ MOMENT = st.integers(-200, 500)
 def diagrams(draw: st.DrawFn) -> list[list[float]]:
     """Corners at random places of a period, some of them jumps."""
     inner = sorted(draw(st.lists(st.integers(5, 355), min_size=1, max_size=8, unique=True)))
-    rows = [[0, draw(MOMENT)]]
+    rows: list[list[float]] = [[0, draw(MOMENT)]]
     for phi in inner:
         rows.append([phi, draw(MOMENT)])
         if draw(st.booleans()):

@@ -137,7 +137,7 @@ def test_a_sheet_of_the_house_is_in_the_order_of_the_textbook() -> None:
     assert [view.name for view in views()] == [
         *("displacement", "swing", "loop"),
         *("mechanism", "velocity", "acceleration", "body", "force", "radii", "turns", "work"),
-        *("torque", "inertia", "energy", "energy-mass", "indicator", "characteristic", "inverse"),
+        *("torque", "inertia", "energy", "energy-mass", "indicator", "characteristic", "inverse", "speed"),
     ]
     assert list(scales()) == [
         "mu_s",
@@ -149,8 +149,10 @@ def test_a_sheet_of_the_house_is_in_the_order_of_the_textbook() -> None:
         "mu_F",
         "mu_omega",
         "mu_M",
+        "mu_J",
         "mu_E",
         "mu_y",
+        "mu_t",
     ]
 
 

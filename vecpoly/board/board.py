@@ -87,9 +87,21 @@ class Board(Compass):
         act = done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=amount(mm))
         return self.gave(mm, act)
 
-    def area(self, view: Place, outline: Sequence[Points], symbol: str, way: Way = Way.SQUARES) -> Quantity:
-        """Measure the area within an outline (mm²) by counting squares, or with a planimeter; never less than 0."""
-        size = shoelace(outline) * np.sign(nominal(shoelace(outline)))
+    def area(
+        self,
+        view: Place,
+        outline: Sequence[Points],
+        symbol: str,
+        way: Way = Way.SQUARES,
+        *,
+        curved: Reals | None = None,
+    ) -> Quantity:
+        """Measure the area within an outline (mm²) by counting squares, or with a planimeter; never less than 0.
+
+        curved: what lies within, where part of the outline is a smooth curve, of which only some points are told.
+        """
+        straight = shoelace(outline)
+        size = straight * np.sign(nominal(straight)) if curved is None else curved
         read = self.hand.count(size, around(outline)) if way is Way.SQUARES else self.hand.roll(size)
         key = plain_letters(symbol)
         mm2 = self.amended.reading(view, key, np.maximum(read, 0.0))

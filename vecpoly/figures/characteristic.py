@@ -20,6 +20,24 @@ CHARACTERISTIC = register(
         wide=True,
     )
 )
+SPEED = register(
+    View(
+        name="speed",
+        order=78,
+        title=Words("转速曲线 ω–t", "Speed ω over time"),
+        called=Words("转速曲线", "the curve of the speed"),
+        mu=TURNS.mu,
+        across=Mu(
+            symbol="μ_t",
+            unit="s",
+            called=Words("时间比例尺", "a time scale"),
+            listed=Words("时间比例尺", "scale of times"),
+            example="0.1 s/mm",
+        ),
+        ink=INK,
+        wide=True,
+    )
+)
 INVERSE = register(
     View(
         name="inverse",

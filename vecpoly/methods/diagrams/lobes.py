@@ -59,7 +59,7 @@ def lobes_between(
         name = f"{symbol}_{n}"
         if letters:
             board.hatch(place, outline, rising=bool(nominal(sign) > 0))
-            board.plot(place, _middle(outline), name, Dot.NONE)
+            board.plot(place, middle_of(outline), name, Dot.NONE)
         read.append(Lobe(outline=outline, area=board.area(place, outline, name, way), sign=sign))
     return Lobes(lobes=tuple(read), ends=ends, letters=tuple(letters))
 
@@ -111,7 +111,7 @@ def _outlines(upper: Graph, lower: Graph, between: Sequence[Meeting]) -> list[tu
     return found
 
 
-def _middle(outline: Sequence[Points]) -> complex:
+def middle_of(outline: Sequence[Points]) -> complex:
     """A place for a letter: of a grid over the area the point within it that is farthest from its outline."""
     corners = np.array([complex(nominal(corner)) for corner in outline])
     xs, ys = (np.linspace(part.min(), part.max(), GRID)[1:-1] for part in (corners.real, corners.imag))
