@@ -137,7 +137,7 @@ class _Given(Mover):
 
     def acceleration(self, phi: float, omega: float) -> float:
         moment = 120 * (1 - phi / (2 * np.pi)) - 52
-        return (moment + 0.25 * np.sin(2 * phi) * omega**2) / (0.6 + 0.25 * np.cos(2 * phi))
+        return float((moment + 0.25 * np.sin(2 * phi) * omega**2) / (0.6 + 0.25 * np.cos(2 * phi)))
 
     def next_corner(self, phi: float, sense: float) -> float:
         return sense * np.inf
