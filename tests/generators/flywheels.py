@@ -107,7 +107,7 @@ def of_runge_kutta(solution: Solution) -> str:
     omega = np.linspace(low, solution.answers["omega_s"].exact * run.share, STEPS)
     surplus = first - b * omega - load - drag * omega - fan * omega**2
     time, turns = np.trapezoid(run.J.si / surplus, omega), np.trapezoid(run.J.si * omega / surplus, omega) / tau
-    off = [abs(value - solution.answers[key].exact) / abs(value) for key, value in (("t", time), ("turns", turns))]
+    off = [abs(value - solution.answers[key].exact) / abs(value) for key, value in (("t", time), ("N", turns))]
     return "" if max(off) < 1e-5 else f"{time} s and {turns} turns by small steps"
 
 
@@ -121,4 +121,4 @@ def run_up(rng: np.random.Generator) -> str:
         f"{{motor: [{a} N*m, {b} N*m*s], load: [{load} N*m, {drag} N*m*s, {fan} N*m*s^2], "
         f"J: {rng.uniform(0.1, 20):.3g} kg*m^2, to: {share} %}}"
     )
-    return _file("run-up", data, "omega_s, t, turns") + f"source: '{a} 0 {b} {load} {drag} {fan}'\n"
+    return _file("run-up", data, "omega_s, t, N") + f"source: '{a} 0 {b} {load} {drag} {fan}'\n"
