@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
 
 from tests.cam_cases import agree, drawn
 from tests.flywheels import CASES, pairs, rimmed, two_stroke, wheel
@@ -18,6 +19,8 @@ from vecpoly import slips
 from vecpoly.board.acts import Area, Way
 from vecpoly.board.otherwise.slip import Mistake
 from vecpoly.errors import FaultError, ProblemFileError, UnknownNameError
+from vecpoly.grading.derive.keyed import answer_key
+from vecpoly.grading.student import check_answers
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.problem.load import load, loads
 from vecpoly.solution import solve
@@ -226,3 +229,29 @@ def test_every_refusal_of_a_flywheel_names_no_machinery() -> None:
         wheel(M_d="3")
     assert re.search(r"N\*m", str(caught.value))
     assert device_answers(wheel(M_d=TRIANGLE))["M_r"] == pytest.approx(50)
+
+
+def test_the_motion_simulated_with_the_flywheel_has_the_demanded_delta() -> None:
+    told = CASES["B14"]["inputs"]
+    found = device_answers(two_stroke())
+    phi, moment = np.radians([row[0] for row in told["M_d"]]), np.array([row[1] for row in told["M_d"]])
+    inertia = float(found["J_F"]) + told["J_other"]
+
+    def flow(at: float, omega: Any) -> list[float]:
+        return [(np.interp(at % tau, phi, moment) - float(found["M_r"])) / (inertia * omega[0])]
+
+    start = told["n_rpm"] * pi / 30
+    for _ in range(3):  # the mean of the extremes is to be n
+        run = solve_ivp(flow, (0, tau), [start], max_step=0.01, rtol=1e-10, atol=1e-10)
+        start += told["n_rpm"] * pi / 30 - (run.y.max() + run.y.min()) / 2
+    assert 2 * np.ptp(run.y) / (run.y.max() + run.y.min()) == pytest.approx(told["delta"], rel=2e-4)
+    assert degrees(run.t[int(np.argmax(run.y[0]))]) == pytest.approx(found["phi_max"], abs=0.6)
+    assert run.y[0, -1] == pytest.approx(run.y[0, 0], abs=1e-3)
+
+
+def test_a_graded_sheet_knows_the_areas_and_names_degrees_for_radians() -> None:
+    key = answer_key(load("7-5"))
+    areas = {one.key: one for one in key.quantities if one.unit == "mm^2"}
+    assert set(areas) == {"S1", "A1", "A2", "A3"} and all(0 < one.allowed < 0.2 * one.exact for one in areas.values())
+    told = str(check_answers(load("7-5"), {"dW_max": "5104", "J_F": "121"}))
+    assert "mu_A" in told and re.search("degrees in place of radians|以度代弧度", told)

@@ -43,7 +43,7 @@ def test_the_hoist_runs_up_as_it_was_worked_out() -> None:
         "M_r": "M_r_Nm",
         "alpha_1": "alpha_rad_s2",
         "t": "t_run_s",
-        "turns": "motor_turns",
+        "N": "motor_turns",
         "lift": "lift_m",
         "F_rope": "rope_force_accelerating_N",
     }

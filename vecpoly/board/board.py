@@ -104,7 +104,7 @@ class Board(Compass):
         size = straight * np.sign(nominal(straight)) if curved is None else curved
         read = self.hand.count(size, around(outline)) if way is Way.SQUARES else self.hand.roll(size)
         key = plain_letters(symbol)
-        mm2 = self.amended.reading(view, key, np.maximum(read, 0.0))
+        mm2 = self.amended.value(view, key, self.amended.reading(view, key, np.maximum(read, 0.0)))
         corners = tuple(spot(corner) for corner in outline)
         act = done.Area(head=self.head(tuple(outline), on=view, key=key), outline=corners, way=way, mm2=amount(mm2))
         return magnitude(symbol, self.gave(mm2, act), "mm^2")

@@ -43,7 +43,7 @@ INVERSE = register(
         name="inverse",
         order=77,
         title=Words("$y$ = $1/ΔM$ 线图 $y$–$ω$", "$y$ = $1/ΔM$ over $ω$"),
-        called=Words("$1/ΔM$–$ω$ 线图", "the diagram of $1/ΔM$"),
+        called=Words("$1/ΔM$ 线图", "the diagram of $1/ΔM$"),
         mu=Mu(
             symbol="μ_y",
             unit="1/(N·m)",

@@ -47,7 +47,7 @@ def by_hands(problem: Problem, key: AnswerKey, amended: Amended) -> ByHand:
 
 def act_of(drawn: Drawn, one: Graded) -> Act | None:
     """The act that gave a quantity."""
-    sort = Measure | Area if one.kind is Kind.READING else Wrote if one.asked else Compute
+    sort = Measure if one.kind is Kind.READING else Wrote if one.asked else Compute | Area
     return next((act for act in drawn.construction.acts if isinstance(act, sort) and one.letters in act.names), None)
 
 

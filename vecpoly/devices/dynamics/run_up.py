@@ -18,9 +18,9 @@ from ...words import Words
 from ..base import Device, Duration, Inertia, Omega, Torque, as_written
 from .characteristic import Load, Motor, Polynomial, at_rest
 
-STEADY, CONSTANT, START = Named("omega_s", "ω_s", "rad/s"), Named("T", "T", "s"), Named("M_start", "M_{d0}", "N·m")
-TIME, TURNS = Named("t", "t", "s"), Named("turns", "N", "r")
-TIME_BRAKED, TURNS_BRAKED = Named("t_b", "t_b", "s"), Named("turns_b", "N_b", "r")
+STEADY, CONSTANT, START = Named("omega_s", "ω_s", "rad/s"), Named("T", "T", "s"), Named("M_d0", "M_{d0}", "N·m")
+TIME, TURNS = Named("t", "t", "s"), Named("N", "N", "r")
+TIME_BRAKED, TURNS_BRAKED = Named("t_b", "t_b", "s"), Named("N_b", "N_b", "r")
 THEN = Named("omega_t", "ω_t", "rad/s")
 USUAL = 0.95  # of the steady speed, where nothing else is said
 _SHARE = re.compile(r"\s*([\d.]+)\s*[%％]\s*")

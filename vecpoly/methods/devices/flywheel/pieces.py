@@ -49,7 +49,7 @@ def given_areas(bench: Bench, load: Areas) -> Pieces:
     board, names = bench.board, letters_of(load.count)
     board.section(GIVEN_SECTION)
     board.step(GIVEN)
-    scale = magnitude("μ_A", board.conclude("mu_A", load.scale, "J/mm^2"), "J/mm^2")
+    scale = magnitude("μ_A", load.scale, "J/mm^2")
     sizes = [magnitude(f"A_{n}", abs(size), "mm^2") for n, size in enumerate(load.sizes, 1)]
     works = works_of(bench, sizes, _signs(bench, load.sizes, names), scale, names)
     return Pieces(works=works, letters=names)

@@ -86,7 +86,7 @@ def _equal_area(bench: Bench, wheel: Flywheel, load: Torques, graph: Graph, omeg
     long = board.measure(under.ends[0], under.ends[-1], "O T")
     size = bench.worked(named, board.mu(TORQUE) * _whole(under.lobes) / long)
     bench.worked(POWER, size * omega / THOUSAND)
-    line = level(board, graph.xs[-1], board.lay_off(0j, 1j, board.to_paper(TORQUE, size.value), key=named.key))
+    line = level(board, graph.xs[-1], board.lay_off(0j, 1j, board.to_paper(TORQUE, size.value)))
     trace(board, TORQUE, line)
     board.plot(TORQUE, line.corners[1], named.symbol, Dot.NONE)
     return line

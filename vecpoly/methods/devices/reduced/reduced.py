@@ -81,7 +81,9 @@ def _product(factors: list[Quantity]) -> Expr:
 def _inertia(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | None]) -> Quantity:
     bench.board.section(Words("等效转动惯量", "Equivalent moment of inertia"))
     bench.board.step(
-        Words("动能相等，各转动惯量乘以传动比的平方：", "Of equal kinetic energy: each $J$ times its ratio squared:")
+        Words(
+            "动能相等，各转动惯量 $J$ 乘以传动比的平方：", "Of equal kinetic energy: each $J$ times its ratio squared:"
+        )
     )
     terms: list[Expr] = []
     for name, shaft in train.shafts.items():

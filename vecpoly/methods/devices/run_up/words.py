@@ -46,7 +46,7 @@ def drawn(course: Course) -> Words:
     return (
         Words("作阻力矩", "Draw the resisting moment")
         + brake
-        + Words(" $M_r$ 随转速变化的曲线。", ", $M_r$, over $ω$.")
+        + Words(" $M_r$ 随 $ω$ 变化的曲线。", ", $M_r$, over $ω$.")
     )
 
 
