@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 
-from .board.acts import Act, Locate, Measure
+from .board.acts import Act, Area, Locate, Measure
 from .board.otherwise.amended import Amended, plain_letters
 from .board.otherwise.slip import Slip
 from .errors import ArgumentError, UnknownNameError
@@ -13,7 +13,7 @@ from .foundation.frozen import FrozenMap
 from .units.reading import Dim, read
 from .words import Words
 
-Length = float | str  # mm on paper, or with its unit: "38 mm"
+Length = float | str  # mm on paper (mm² of an area), or with its unit: "38 mm", "412 mm^2"
 # mm on paper, right and up from where the figure has its origin: the pole of a polygon
 Spot = complex | tuple[Length, Length]
 
@@ -23,15 +23,18 @@ def amend(
 ) -> Amended:
     """The amendments as the board takes them (mm); raises FaultError for what is no length."""
     return Amended(
-        readings=FrozenMap({_plain(key): _mm(value) for key, value in (readings or {}).items()}),
+        readings=FrozenMap({_plain(key): _read(value) for key, value in (readings or {}).items()}),
         points=FrozenMap({_plain(key): _spot(key, value) for key, value in (points or {}).items()}),
         slip=slip,
     )
 
 
-def found_all(amended: Amended, acts: Sequence[Act]) -> None:
-    """Raise UnknownNameError for an amendment that nothing on the sheet answers to, or more than one figure."""
-    _known(amended.readings, [act for act in acts if isinstance(act, Measure)], Words("读数", "length read"))
+def found_all(amended: Amended, acts: Sequence[Act], written: Mapping[str, Length] | None = None) -> None:
+    """Raise UnknownNameError for an amendment that nothing on the sheet answers to, or more than one figure;
+    FaultError for a length where an area was measured, and the other way round, as they were written."""
+    for key, value in (written or {}).items():
+        _of_its_kind(_plain(key), value, acts)
+    _known(amended.readings, [act for act in acts if isinstance(act, Measure | Area)], Words("读数", "reading"))
     if amended.slip is not None:
         key = amended.slip.key
         if not any(key in act.names for act in acts):
@@ -65,12 +68,31 @@ def _known(given: Iterable[str], acts: Sequence[Act], what: Words) -> None:
             )
 
 
+def _of_its_kind(key: str, value: Length, acts: Sequence[Act]) -> None:
+    """Nothing, where the unit of somebody's reading is that of what was read."""
+    areas = [isinstance(act, Area) for act in acts if isinstance(act, Measure | Area) and key in act.names]
+    if isinstance(value, str) and areas:
+        read(value, Dim.AREA if all(areas) else Dim.LENGTH)
+
+
 def _plain(key: str) -> str:
     return f"{key.rpartition(':')[0]}{key.rpartition(':')[1]}{plain_letters(key.rpartition(':')[2])}"
 
 
 def _mm(value: Length) -> float:
     return read(value, Dim.LENGTH).si * 1000.0 if isinstance(value, str) else float(value)
+
+
+def _read(value: Length) -> float:
+    """A length in mm, or an area in mm²: what its unit says."""
+    return read(value, Dim.AREA).si * 1e6 if isinstance(value, str) and _squared(value) else _mm(value)
+
+
+def _squared(value: str) -> bool:
+    return "2" in value.translate(_RAISED).rpartition("m")[2]
+
+
+_RAISED = str.maketrans("²", "2")
 
 
 def _spot(key: str, value: Spot) -> complex:

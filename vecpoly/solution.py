@@ -125,7 +125,7 @@ def solve(
     off = noise(task.truth, size) if precise else dict.fromkeys(values, 0.0)
     amended = amend(readings, points, slip)
     drawn = task.draw(hand(by, seed=seed, repeats=repeats), amended, sketch)
-    found_all(amended, drawn.construction.acts)
+    found_all(amended, drawn.construction.acts, readings)
     answers = _answers(task, drawn, off, size, scatters=by == "pencil", judged=bool(repeats))
     if not precise and any(answer.suspect for answer in answers.values()):
         return solve(

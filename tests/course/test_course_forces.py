@@ -22,6 +22,7 @@ from vecpoly.cycle.facts.duties import Cause, duties, idle, stills
 from vecpoly.cycle.sample import sample
 from vecpoly.findings.load_drive import driven
 from vecpoly.findings.study.study import Study
+from vecpoly.mechanism.asked.forces import load_symbol
 from vecpoly.mechanism.loads import Force, Friction, Loads, Moment
 from vecpoly.problem.load import load
 from vecpoly.report.course.analysis.force_words import one_sided, refusals, results, role_note
@@ -40,6 +41,9 @@ LOADED = [
     "C-inertia",
     "six-bar-dynamic",
     "slider-crank-dynamic",
+    "engine-card",
+    "return-spring",
+    "shaper-cut",
 ]
 
 
@@ -136,9 +140,13 @@ def environment(it: Study, made: ForceModel, phi: np.ndarray) -> tuple[dict[str,
     and the largest force."""
     statics = sample(it.mech, it.problem.loads, phi).statics
     env: dict[str, Any] = dict(it.model.values(phi))
-    for equation in (*made.normals, *made.inertia):
+    for equation in (*made.normals, *made.inertia, *made.springs):
         env[equation.left.symbol] = equation.right.value(env)  # type: ignore[attr-defined]
     env[made.unknowns[-1]] = statics.wet.load
+    assert it.problem.loads is not None
+    for one in it.problem.loads.all:
+        if one.law is not None:
+            env[load_symbol(one.name)] = statics.value(one.name)
     largest = np.abs(np.asarray(statics.wet.load))
     for touch in made.touches:
         index = next(

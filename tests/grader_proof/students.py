@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vecpoly.answer import bearing
-from vecpoly.board.hand import Hand, Skill
+from vecpoly.board.hand import EXACT, Hand
 from vecpoly.board.hand import hand as hand_of
 from vecpoly.board.otherwise.amended import AS_DRAWN, Amended
 from vecpoly.grading import redraw
@@ -23,7 +23,9 @@ from vecpoly.methods.plan import drawn_otherwise
 from vecpoly.problem.problem import Problem, Scales
 from vecpoly.solution import constructed
 
-SLOPPY = Skill(reading=0.5, protractor=1.0 * pi / 180, dividers=0.35, square=0.7 * pi / 180)
+SLOPPY = replace(
+    hand_of("pencil").repeated, protractor=1.0 * pi / 180, dividers=0.35, square=0.7 * pi / 180, squares=0.5
+)
 Cells = dict[str, str]
 
 
@@ -53,8 +55,7 @@ def drawn_class(
     there is one.
     """
     known = {"pencil": hand_of("pencil").repeated, "student": STUDENT.hand(0).repeated, "sloppy": SLOPPY}[skill]
-    exact = Skill(reading=0, protractor=0, dividers=0, square=0)
-    by = Hand("pencil", exact, known, count, np.random.Generator(np.random.PCG64(seed)))
+    by = Hand("pencil", EXACT, known, count, np.random.Generator(np.random.PCG64(seed)))
     scaled = replace(problem, scales=Scales(dict(key.scales)))
     linkage = isinstance(problem.subject, Mechanism)
     drawn = drawn_otherwise(scaled, by, amended) if linkage else constructed(scaled, by, amended)

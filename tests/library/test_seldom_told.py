@@ -66,7 +66,7 @@ def test_a_misspelt_key_of_a_link_is_told_with_the_one_that_is_meant(written: st
 @pytest.mark.parametrize("name", ids(mechanisms=False))
 def test_what_is_read_off_a_device_in_millimetres_tells_its_line_and_its_scale(name: str) -> None:
     construction = drawn(name).construction
-    scales = {figure.scale.symbol for figure in construction.figures}
+    scales = {one.symbol for figure in construction.figures for one in (figure.scale, figure.scale.right)}
     for reading in (*construction.readings.values(), *construction.forces.values()):
         assert (reading.mm is None) == (reading.scale == ""), reading.key
         assert reading.scale in {"", *scales} and (reading.line == "" or reading.mm is not None), reading.key

@@ -33,6 +33,7 @@ from vecpoly.problem.schema.models import (
 from vecpoly.solution import solve
 
 HEART, ROCKER, TRAIN = (load(name).text for name in ("cam-heart", "cam-rocker", "train-ring"))
+ENGINE, RUN = (load(name).text for name in ("7-5", "motor-run-up"))
 BASE = """\
 id: t
 title: test
@@ -156,6 +157,10 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "scales.mu_phi": (HEART, "device:", "scales: {mu_phi: 0.08 rad/mm}\ndevice:"),
     "scales.mu_psi": (ROCKER, "device:", "scales: {mu_psi: 0.02 rad/mm}\ndevice:"),
     "scales.mu_omega": (TRAIN, "device:", "scales: {mu_omega: 0.5 (rad/s)/mm}\ndevice:"),
+    "scales.mu_M": (ENGINE, "device:", "scales: {mu_M: 4 N*m/mm}\ndevice:"),
+    "scales.mu_E": (ENGINE, "device:", "scales: {mu_E: 2 J/mm}\ndevice:"),
+    "scales.mu_y": (RUN, "device:", "scales: {mu_y: 0.002 (1/(N*m))/mm}\ndevice:"),
+    "scales.mu_t": (RUN, "device:", "scales: {mu_t: 0.1 s/mm}\ndevice:"),
     "find.point": (CENTRES, "point: E2", "point: G2"),
     "find.on": (CENTRES, "on: 2", "on: 3"),
     "find.slowest": (CENTRES, "slowest: BC", "slowest: CE"),

@@ -7,7 +7,7 @@ next act knows what it needed. It is the one mutable object of the program, whil
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import cast
 
 import numpy as np
@@ -16,11 +16,12 @@ from ..algebra.formula import Node, Row, row
 from ..algebra.quantity import Expr, Quantity, magnitude, paper, worked
 from ..errors import NotAskedError
 from ..names import ascii_key
-from ..plane import Points, Reals, nominal
+from ..plane import Points, Reals, around, nominal, shoelace
 from ..plane.derived import variable
 from ..plane.traced import Acts, acts_of, traced
 from ..words import Words
 from . import acts as done
+from .acts import Way
 from .compass import Compass
 from .construction import Reading, Scale
 from .hand import Hand
@@ -85,6 +86,28 @@ class Board(Compass):
         key = plain_letters(letters)
         act = done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=amount(mm))
         return self.gave(mm, act)
+
+    def area(
+        self,
+        view: Place,
+        outline: Sequence[Points],
+        symbol: str,
+        way: Way = Way.SQUARES,
+        *,
+        curved: Reals | None = None,
+    ) -> Quantity:
+        """Measure the area within an outline (mm²) by counting squares, or with a planimeter; never less than 0.
+
+        curved: what lies within, where part of the outline is a smooth curve, of which only some points are told.
+        """
+        straight = shoelace(outline)
+        size = straight * np.sign(nominal(straight)) if curved is None else curved
+        read = self.hand.count(size, around(outline)) if way is Way.SQUARES else self.hand.roll(size)
+        key = plain_letters(symbol)
+        mm2 = self.amended.value(view, key, self.amended.reading(view, key, np.maximum(read, 0.0)))
+        corners = tuple(spot(corner) for corner in outline)
+        act = done.Area(head=self.head(tuple(outline), on=view, key=key), outline=corners, way=way, mm2=amount(mm2))
+        return magnitude(symbol, self.gave(mm2, act), "mm^2")
 
     def bearing(self, a: Points, b: Points) -> Points:
         """The direction from a to b read off the protractor, as a unit vector;

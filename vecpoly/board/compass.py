@@ -12,6 +12,7 @@ from ..plane.traced import traced
 from ..words import Words
 from . import acts as done
 from .instruments import Instruments
+from .otherwise.amended import plain_letters
 from .otherwise.slip import Mistake
 from .place import Place
 from .strokes import amount, spot
@@ -48,6 +49,14 @@ class Compass(Instruments):
         along = self.hand.tilt(base * np.exp(1j * angle))
         act = self.log(done.Ray(head=self.head(at, base, angle, key=key), at=spot(at), along=spot(along)))
         return Line(traced(at, act), traced(along, act))
+
+    def judged(self, view: Place, letter: str, *, crosses: bool) -> Reals:
+        """What two lines do at a lettered point: −1 where they cross, so that what follows has the other sign; 1 where
+        they only touch."""
+        key = plain_letters(letter)
+        counted = (hand for hand, slip in self.amended.wrong(view, key) if slip.mistake is Mistake.COUNTED)
+        taken = self.amended.altered(-1.0 if crosses else 1.0, ((hand, -1.0) for hand in counted))
+        return self.gave(taken, done.Judge(head=self.head(on=view, key=key), crosses=amount(taken) < 0))
 
     def inverted(self, back: Points, forwards: Callable[[], Points], *, key: str) -> Points:
         """A point of a figure that is turned back with its link; forwards: where somebody has it who carries it on."""

@@ -98,6 +98,7 @@ class Listing:
 
     head: tuple[Words, ...]
     rows: tuple[tuple[str, ...], ...]
+    blocks: int = 3  # beside each other on a page, at most
 
     def abreast(self, blocks: int) -> Listing:
         """The same in several blocks of columns beside each other, so that a long table is a short one."""

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..errors import UnknownNameError
 from ..foundation.arguments import whole_number
-from ..foundation.slotted import dataclass
+from ..foundation.slotted import dataclass, replace
 from ..limits import REPEATS, SEED
 from ..plane import Points, Reals
 from ..plane.traced import acts_of, bare, traced
@@ -28,27 +28,34 @@ HandName = Literal["exact", "drafting", "pencil"]
 class Skill:
     """reading: graduation read to (mm, 0 = exact); protractor: angles read to (rad); dividers: σ of a length carried
     (mm);
-    square: σ of a parallel or perpendicular (rad)."""
+    square: σ of a parallel or perpendicular (rad). squares: σ of an area counted on millimetre paper (mm²) over the
+    root of its perimeter (mm), for that many squares are cut; whole: to which a count is rounded (mm²); planimeter:
+    graduation to which one is read (mm²)."""
 
     reading: float
     protractor: float
     dividers: float
     square: float
+    squares: float
+    whole: float
+    planimeter: float
 
 
+EXACT = Skill(reading=0, protractor=0, dividers=0, square=0, squares=0, whole=0, planimeter=0)
+_DRAFTING = Skill(
+    reading=0.1,
+    protractor=0.1 * pi / 180,
+    dividers=0.05,
+    square=0.05 * pi / 180,
+    squares=0.3,
+    whole=1.0,
+    planimeter=10.0,
+)
+_PENCIL = replace(_DRAFTING, reading=0.5, protractor=0.5 * pi / 180, dividers=0.2, square=0.3 * pi / 180)
 _SKILLS: dict[str, tuple[Skill, Skill]] = {  # (the nominal sheet, its repetitions)
-    "exact": (
-        Skill(reading=0, protractor=0, dividers=0, square=0),
-        Skill(reading=0.1, protractor=0.1 * pi / 180, dividers=0.05, square=0.05 * pi / 180),
-    ),
-    "drafting": (
-        Skill(reading=0.1, protractor=0.1 * pi / 180, dividers=0, square=0),
-        Skill(reading=0.1, protractor=0.1 * pi / 180, dividers=0.05, square=0.05 * pi / 180),
-    ),
-    "pencil": (
-        Skill(reading=0.5, protractor=0.5 * pi / 180, dividers=0.2, square=0.3 * pi / 180),
-        Skill(reading=0.5, protractor=0.5 * pi / 180, dividers=0.2, square=0.3 * pi / 180),
-    ),
+    "exact": (EXACT, _DRAFTING),
+    "drafting": (replace(_DRAFTING, dividers=0, square=0, squares=0), _DRAFTING),
+    "pencil": (_PENCIL, _PENCIL),
 }
 
 
@@ -90,6 +97,14 @@ class Hand:
         """An angle read off the protractor (rad)."""
         return self._graduated(angle, lambda skill: skill.protractor)
 
+    def count(self, mm2: Reals, perimeter: Reals) -> Reals:
+        """An area counted in squares of millimetre paper: those that its outline cuts are judged by the eye."""
+        return self._graduated(mm2 + np.sqrt(perimeter) * self._scatter(lambda skill: skill.squares), lambda s: s.whole)
+
+    def roll(self, mm2: Reals) -> Reals:
+        """An area read off a planimeter."""
+        return self._graduated(mm2, lambda skill: skill.planimeter)
+
     def _scatter(self, of: Callable[[Skill], float]) -> Reals:
         first, others = of(self.nominal), of(self.repeated)
         if not self.repeats:
@@ -116,8 +131,7 @@ def _round_to(value: Reals, step: float) -> Reals:
 
 def steady(repeats: int) -> Hand:
     """An exact hand whose repetitions are as exact: each can be amended in its own way."""
-    exact = _SKILLS["exact"][0]
-    return Hand("exact", exact, exact, repeats, np.random.Generator(np.random.PCG64(0)))
+    return Hand("exact", EXACT, EXACT, repeats, np.random.Generator(np.random.PCG64(0)))
 
 
 def hand(name: str, *, seed: int = 0, repeats: int = 0) -> Hand:

@@ -121,6 +121,11 @@ class Strokes(Log):
         """Write a short note beside a point."""
         self.log(done.Annotate(head=self.head(at, on=view), at=spot(at), words=words))
 
+    def hatch(self, view: Place, outline: Sequence[Points], *, rising: bool) -> None:
+        """Hatch an area: a surplus with lines that rise to the right, a deficit with lines that fall."""
+        head = self.head(tuple(outline), on=view)
+        self.log(done.Hatch(head=head, points=tuple(spot(p) for p in outline), rising=rising))
+
     def tint(self, view: Place, points: tuple[Points, ...]) -> None:
         """Tint the image of a link."""
         self.log(done.Tint(head=self.head(points, on=view), points=tuple(spot(p) for p in points)))

@@ -78,6 +78,10 @@ def _object(act: Act) -> str:
             return f"{act.key}: {number(act.mm)} mm"
         case done.Measure():
             return f"{act.key} = {number(act.mm)} mm"
+        case done.Area():
+            return f"{act.key} = {number(act.mm2)} mm²"
+        case done.Judge():
+            return f"{act.key}: {'×' if act.crosses else '∥'}"
         case done.Compute():
             return f"{act.key} = {_value(act.value, act.unit)}"
         case done.Answer():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ..names import Named
 from ..words import Words
 
 _SHOWN = {"rad": ("°", 57.29577951308232), "m": ("mm", 1000.0)}
@@ -36,3 +37,28 @@ class Column:
     def parts(self) -> tuple[str, ...]:
         """Keys of the real columns in which a vector is tabled: its x and y, or itself."""
         return (f"{self.key}.x", f"{self.key}.y") if self.is_vector else (self.key,)
+
+
+def of_loads(named: Named) -> Column:
+    """A load that balances, a reaction, an efficiency."""
+    words = {"R": Words("运动副反力", "reaction"), "eta": Words("效率", "efficiency"), "M": Words("力矩", "moment")}
+    stem = named.key.partition("_")[0]
+    found = words.get(stem, Words("力", "force") if named.unit == "N" else Words.same(""))
+    return Column(
+        key=named.key,
+        symbol=named.symbol,
+        unit=named.unit,
+        words=found + Words.same(f" ${named.symbol}$"),
+        is_vector=named.is_vector,
+    )
+
+
+def of_reduced(named: Named) -> Column:
+    """What stands for a whole machine on one link."""
+    what = {
+        "J": Words("等效转动惯量", "equivalent moment of inertia"),
+        "M": Words("等效力矩", "equivalent moment"),
+        "m": Words("等效质量", "equivalent mass"),
+        "F": Words("等效力", "equivalent force"),
+    }
+    return Column(key=named.key, symbol=named.symbol, unit=named.unit, words=what[named.key[0]])

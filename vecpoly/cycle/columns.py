@@ -16,6 +16,7 @@ from itertools import chain
 
 from ..errors import EquilibriumError, UnknownNameError
 from ..mechanism.asked.forces import pairs, press_named, quantities, slide_named
+from ..mechanism.asked.machine import reduced_quantities
 from ..mechanism.groups.assur import Dyad, decompose, ends
 from ..mechanism.loads import Loads
 from ..mechanism.model import FRAME, Mechanism, Prismatic
@@ -23,7 +24,7 @@ from ..mechanism.rams import driver_words
 from ..names import Kind, Named, Rel, parse_rel, subscripted
 from ..problem.text.spelling import did_you_mean
 from ..words import Words
-from .column import Column
+from .column import Column, of_loads, of_reduced
 
 PARTS = ("x", "y", "abs", "arg")
 
@@ -57,8 +58,12 @@ def catalogue(mech: Mechanism, loads: Loads | None, points: tuple[str, ...] | No
     ]
     keys += [f"{stem}_{pair}" for pair in slides(mech) for stem in ("s", "v", "a")]
     keys += [f"gamma_{pair}" for pair, dyad in dyads(mech).items() if "G" not in dyad.kind]
-    if loads is not None:
+    if loads is not None and not loads.balancing:
+        keys += [key for key in ("J_e", "M_e") if key in reduced_quantities(mech)]
+    elif loads is not None:
         keys += [loads.unknown.name, *(["eta"] if loads.friction else [])]
+        keys += [load.name for load in loads.all if load.law is not None]
+        keys += [spring.name for spring in loads.springs]
         keys += [press_named(mech, a, b).key for a, b in pairs(mech)]
     return tuple(column_of(mech, loads, key) for key in keys)
 
@@ -89,9 +94,9 @@ def column_of(mech: Mechanism, loads: Loads | None, key: str) -> Column:
             unit="m",
             words=Words(f"杆组 {rest} 两外副的距离", f"distance of the outer pins of dyad {rest}"),
         )
-    if loads is not None and (named := quantities(mech, loads).get(key)) is not None:
-        return _named(named)
-    if loads is None and re.fullmatch(r"(R|M|F|h|eta|Q)(_\w+)?", key):
+    if loads is not None and (named := loaded_quantities(mech, loads).get(key)) is not None:
+        return of_reduced(named) if named.is_reduced else of_loads(named)
+    if (loads is None or not loads.balancing) and re.fullmatch(r"(R|M|F|h|eta|Q)(_\w+)?", key):
         raise EquilibriumError(
             Words(
                 f"题目没有载荷，不能求 {key}；题目中须有 loads",
@@ -99,6 +104,11 @@ def column_of(mech: Mechanism, loads: Loads | None, key: str) -> Column:
             )
         )
     return _kinematic(mech, key)
+
+
+def loaded_quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
+    """What a mechanism has on which these loads act: what balances them, and its equivalents."""
+    return (quantities(mech, loads) if loads.balancing else {}) | reduced_quantities(mech)
 
 
 def drive_column(mech: Mechanism) -> Column:
@@ -171,19 +181,6 @@ def _angle_words(mech: Mechanism, name: str) -> Words:
     return Words(
         f"构件 {name} 的转角" + (f"（{said} 的方向）" if said else ""),
         f"angle of link {name}" + (f" (direction {said})" if said else ""),
-    )
-
-
-def _named(named: Named) -> Column:
-    words = {"R": Words("运动副反力", "reaction"), "eta": Words("效率", "efficiency"), "M": Words("力矩", "moment")}
-    stem = named.key.partition("_")[0]
-    found = words.get(stem, Words("力", "force") if named.unit == "N" else Words.same(""))
-    return Column(
-        key=named.key,
-        symbol=named.symbol,
-        unit=named.unit,
-        words=found + Words.same(f" ${named.symbol}$"),
-        is_vector=named.is_vector,
     )
 
 

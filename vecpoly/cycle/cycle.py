@@ -31,8 +31,8 @@ FINE = 720  # steps a turn within which no link turns half round between two of 
 class Cycle:
     """A mechanism at n positions of its drive.
 
-    phi: the drive's position: rad over one revolution (both ends, 0 and 2π, are there) or over the range in which a
-    rocking input can move; m for a sliding input. whole:
+    phi: the drive's position: rad over one revolution (both ends, 0 and 2π, are there; over two where the loads of a
+    four-stroke engine need them) or over the range in which a rocking input can move; m for a sliding input. whole:
     whether the drive can turn right round. low, high: the ends of its range.
     """
 
@@ -44,6 +44,7 @@ class Cycle:
     high: float
     whole: bool
     points: tuple[str, ...] | None = None
+    machine: Loads | None = None  # what acts where nothing balances it
     _kept: dict[str, Points | Reals] = field(default_factory=dict, repr=False)
     _solved: dict[bytes, Sample] = field(default_factory=dict, repr=False)
     _infos: dict[str, Column] = field(default_factory=dict, repr=False)
@@ -52,7 +53,12 @@ class Cycle:
     def columns(self) -> tuple[Column, ...]:
         """What a whole-cycle table holds: links, points, slides, transmission angles,
         with loads what balances and what presses."""
-        return catalogue(self.mech, self.loads, self.points)
+        return catalogue(self.mech, self.acting, self.points)
+
+    @property
+    def acting(self) -> Loads | None:
+        """What acts, balanced or not."""
+        return self.machine if self.loads is None else self.loads
 
     @cached_property
     def samples(self) -> tuple[Sample, ...]:
@@ -61,11 +67,11 @@ class Cycle:
 
     def _blocks(self) -> Iterator[Sample]:
         for i in range(0, len(self.phi), BLOCK):
-            yield sample(self.mech, self.loads, self.phi[i : i + BLOCK])
+            yield sample(self.mech, self.acting, self.phi[i : i + BLOCK])
 
     def solved(self, key: str) -> Points | Reals:
         """The quantity at every position as the solver gives it: angles within -π..π."""
-        read = reader(self.mech, self.loads, key)
+        read = reader(self.mech, self.acting, key)
         parts = [read(block) for block in self.samples]
         whole: Points = np.concatenate(parts) if len(parts) > 1 else parts[0]  # type: ignore[assignment]
         return whole
@@ -75,7 +81,7 @@ class Cycle:
         for tens of thousands of positions."""
         missing = [key for key in dict.fromkeys(keys) if key not in self._kept and key != self.drive.key]
         if len(self.phi) > BLOCK and missing:
-            readers = [reader(self.mech, self.loads, key) for key in missing]
+            readers = [reader(self.mech, self.acting, key) for key in missing]
             parts = [[read(block) for read in readers] for block in self._blocks()]
             for key, pieces in zip(missing, zip(*parts, strict=True), strict=True):
                 whole = np.concatenate(pieces)
@@ -103,7 +109,7 @@ class Cycle:
     def info(self, key: str) -> Column:
         """Symbol, unit and words of a column; UnknownNameError where there is none."""
         if key not in self._infos:
-            self._infos[key] = self.drive if key == self.drive.key else column_of(self.mech, self.loads, key)
+            self._infos[key] = self.drive if key == self.drive.key else column_of(self.mech, self.acting, key)
         return self._infos[key]
 
     def column(self, key: str) -> Points | Reals:
@@ -140,19 +146,19 @@ class Cycle:
     def _sampled(self, places: Reals) -> Sample:
         """The mechanism solved at these positions;
         with loads the last few are kept, for all columns break off at the same ones."""
-        if self.loads is None or places.size > FEW:
-            return sample(self.mech, self.loads, places)
+        if self.acting is None or places.size > FEW:
+            return sample(self.mech, self.acting, places)
         mark = places.tobytes()
         if mark not in self._solved:
             if len(self._solved) >= FEW:
                 self._solved.pop(next(iter(self._solved)))
-            self._solved[mark] = sample(self.mech, self.loads, places)
+            self._solved[mark] = sample(self.mech, self.acting, places)
         return self._solved[mark]
 
     @cached_property
     def _grid(self) -> Sample:
         """Solved all round, as closely as its motion needs."""
-        return sample(self.mech, self.loads, places(self.mech, self.low, self.high, self.whole))
+        return sample(self.mech, self.acting, places(self.mech, self.low, self.high, self.whole))
 
     def on_grid(self, key: str) -> tuple[Reals, Points | Reals]:
         """Positions on which turning points are sought (none of them on a round degree), and the quantity there."""
@@ -176,6 +182,20 @@ class Cycle:
         turns = (self.phi - self.phi[0]) / step
         return np.flatnonzero(np.abs(turns - np.round(turns)) * step < 1e-3 * (self.phi[1] - self.phi[0]))
 
+    @property
+    def period(self) -> float:
+        """After which all is as it was (rad): a whole turn, or as many as the loads need; 0 of a mere range."""
+        return self.high - self.low if self.whole else 0.0
+
+    @cached_property
+    def once(self) -> Cycle:
+        """One turn of the drive, for what the links do, which need no more; the cycle itself where it is one."""
+        if self.period <= 2 * np.pi * 1.5:
+            return self
+        high = self.low + 2 * np.pi
+        own = self.phi[self.phi <= high + 1e-9]
+        return replace(self, phi=own, high=high, _kept={}, _solved={}, _infos={})
+
     @cached_property
     def steady(self) -> Cycle:
         """The same cycle with a drive that moves evenly: of unit rate where it rests.
@@ -184,7 +204,7 @@ class Cycle:
         if drive.rate != 0.0 and drive.accel == 0.0:
             return self
         even = replace(self.mech, drives=(replace(drive, rate=drive.rate or 1.0, accel=0.0), *self.mech.drives[1:]))
-        return replace(self, mech=even, loads=None, _kept={}, _solved={}, _infos={})
+        return replace(self, mech=even, loads=None, machine=None, _kept={}, _solved={}, _infos={})
 
     @property
     def _parts(self) -> int:
@@ -208,5 +228,5 @@ class Cycle:
         between = np.interp(index, np.arange(len(self.phi)), self.phi)
         trace = f"{key} between"
         if trace not in self._kept:
-            self._kept[trace] = follow(np.asarray(sample(self.mech, self.loads, between).value(key), np.float64))
+            self._kept[trace] = follow(np.asarray(sample(self.mech, self.acting, between).value(key), np.float64))
         return between, np.asarray(self._kept[trace], np.float64)

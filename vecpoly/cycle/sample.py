@@ -12,10 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 from .. import oracle
 from ..errors import EquilibriumError
 from ..mechanism.asked.forces import quantities
+from ..mechanism.asked.machine import equivalent_of, reduced_quantities
 from ..mechanism.loads import Loads
+from ..mechanism.machine import known_of
 from ..mechanism.model import Mechanism, Prismatic
 from ..names import parse_rel
 from ..oracle.forces import Forces, forces
+from ..oracle.machine import Reduced, reduce
 from ..words import Words
 from .columns import dyads, slides
 from .facts.transmission import angle_of, arm_of
@@ -38,7 +41,7 @@ class Sample:
     @cached_property
     def statics(self) -> Forces:
         """The equilibrium at the same positions; NaN where it locks."""
-        if self.loads is None:
+        if self.loads is None or not self.loads.balancing:
             raise EquilibriumError(
                 Words(
                     "题目没有载荷，不能求反力；请在题目中给出 loads",
@@ -46,6 +49,12 @@ class Sample:
                 )
             )
         return forces(self.mech, self.loads, self.phi, strict=False)
+
+    @cached_property
+    def reduced(self) -> Reduced:
+        """The equivalent link at the same positions; NaN where there is none."""
+        assert self.loads is not None
+        return reduce(self.mech, known_of(self.loads), self.phi, strict=False)
 
     def value(self, key: str) -> Points | Reals:
         """The quantity with this key (see `columns`): complex for a vector, SI;
@@ -98,7 +107,10 @@ def reader(mech: Mechanism, loads: Loads | None, key: str) -> Reader:
     if stem in ("gamma", "d") and (dyad := dyads(mech).get(rest)):
         read = angle_of if stem == "gamma" else arm_of
         return lambda s: _full(s, read(s.motion, dyad))
-    if loads is not None and key in quantities(mech, loads):
+    if loads is not None and key in reduced_quantities(mech):
+        to, read_inertia = equivalent_of(mech, key), key[0] in "Jm"
+        return lambda s: s.reduced.inertia(to) if read_inertia else s.reduced.load(to)
+    if loads is not None and loads.balancing and key in quantities(mech, loads):
         return lambda s: s.statics.value(key)
     rel = parse_rel(key)
     return lambda s: s.motion.value(rel)

@@ -67,6 +67,15 @@ Ratio = Annotated[Quantity, BeforeValidator(_ratio), _QUANTITY]
 Efficiency = Annotated[Quantity, BeforeValidator(_efficiency), _QUANTITY]
 
 
+Density = Annotated[Quantity, BeforeValidator(_reader(Dim.DENSITY, positive)), _QUANTITY]
+Inertia = Annotated[Quantity, BeforeValidator(_reader(Dim.INERTIA, positive)), _QUANTITY]
+WorkScale = Annotated[Quantity, BeforeValidator(_reader(Dim.MU_WORK, positive)), _QUANTITY]
+Mass = Annotated[Quantity, BeforeValidator(_reader(Dim.MASS, positive)), _QUANTITY]
+Torque = Annotated[Quantity, BeforeValidator(_reader(Dim.MOMENT, positive)), _QUANTITY]
+Duration = Annotated[Quantity, BeforeValidator(_reader(Dim.TIME, positive)), _QUANTITY]
+Positive = Annotated[Quantity, BeforeValidator(_ratio), _QUANTITY]
+
+
 class Written(Protocol):
     """A datum that knows how it was written."""
 
@@ -78,7 +87,14 @@ class Written(Protocol):
 
 def as_written(data: Iterable[tuple[str, Written | None]]) -> tuple[tuple[str, str], ...]:
     """Symbol and text of each datum that is given."""
-    return tuple((symbol, value.text) for symbol, value in data if value is not None)
+    return tuple(
+        (symbol, value.text.translate(_TYPED).replace("^2", "²").replace("^3", "³"))
+        for symbol, value in data
+        if value is not None
+    )
+
+
+_TYPED = str.maketrans({"*": "·"})
 
 
 class Device(BaseModel):

@@ -43,7 +43,7 @@ def _places(act: done.Act) -> tuple[complex, ...]:
             return (centre, radius)
         case done.Corner(at=at, u=u, v=v):
             return (at, u, v)
-        case done.Tint(points=points) | done.Curve(points=points):
+        case done.Tint(points=points) | done.Curve(points=points) | done.Hatch(points=points):
             return points
         case done.Depict():
             return ()  # a symbol is carried along by its owner

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from . import acceleration, body, displacement, force, mechanism, velocity, wheels
+from . import acceleration, body, characteristic, displacement, energy, force, mechanism, torque, velocity, wheels
 from .kind import View, register, scales, view_named, views
 from .mu import Mu
 
@@ -11,11 +11,14 @@ __all__ = [
     "View",
     "acceleration",
     "body",
+    "characteristic",
     "displacement",
+    "energy",
     "force",
     "mechanism",
     "register",
     "scales",
+    "torque",
     "velocity",
     "view_named",
     "views",

@@ -20,6 +20,7 @@ class Hue:
     ALARM: ClassVar[Hue]  # what must not be taken for an answer
     WHITE: ClassVar[Hue]
     PLATE: ClassVar[Hue]  # a body
+    HATCH: ClassVar[Hue]  # an area between lines
 
     name: str  # in style sheets: velocity, velocity-tint
     value: tuple[float, float, float]
@@ -37,4 +38,5 @@ Hue.GHOST = Hue("ghost", (0.78, 0.78, 0.78))
 Hue.ALARM = Hue("alarm", (0.78, 0.0, 0.0))
 Hue.WHITE = Hue("white", (1.0, 1.0, 1.0), is_tint=True)
 Hue.PLATE = Hue("plate", (0.91, 0.91, 0.91), is_tint=True)
-PLAIN = (Hue.BLACK, Hue.GREY, Hue.GHOST, Hue.ALARM, Hue.WHITE, Hue.PLATE)  # those of no kind of figure
+Hue.HATCH = Hue("hatch", (0.72, 0.72, 0.72), is_tint=True)
+PLAIN = (Hue.BLACK, Hue.GREY, Hue.GHOST, Hue.ALARM, Hue.WHITE, Hue.PLATE, Hue.HATCH)  # those of no kind of figure

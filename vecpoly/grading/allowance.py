@@ -7,7 +7,7 @@ from math import radians, sqrt
 
 import numpy as np
 
-from ..board.hand import Hand, Skill
+from ..board.hand import EXACT, Hand, Skill
 
 UNIFORM_TWICE = sqrt(
     6.0
@@ -22,7 +22,7 @@ class Allowance:
 
     A value beyond `wrong` T is wrong; direction: what a vector's direction may be off (deg), where it is at least
     `short` mm long. arithmetic: share of a value that is found by formula alone. reading: ruler (mm), of own mm × own
-    μ.
+    μ. squares: σ of an area (mm²) over the root of its perimeter (mm); 0: a program measures it.
     """
 
     plot: float = 0.25
@@ -37,6 +37,7 @@ class Allowance:
     short: float = 5.0
     arithmetic: float = 0.01
     reading: float = 0.5
+    squares: float = 0.3
 
     def hand(self, repeats: int = REPEATS) -> Hand:
         """An exact hand, and beside it as many students' hands."""
@@ -45,10 +46,14 @@ class Allowance:
             protractor=UNIFORM_TWICE * radians(self.set_square),
             dividers=self.plot,
             square=radians(self.set_square),
+            squares=self.squares,
+            whole=1.0 if self.squares else 0.0,
+            planimeter=10.0 if self.squares else 0.0,
         )
-        exact = Skill(reading=0, protractor=0, dividers=0, square=0)
-        return Hand("exact", exact, student, repeats, np.random.Generator(np.random.PCG64(0)))
+        return Hand("exact", EXACT, student, repeats, np.random.Generator(np.random.PCG64(0)))
 
 
 STUDENT = Allowance()  # with pencil, rule and set squares
-CAD = Allowance(plot=0.02, set_square=0.05, read=0.02, floor=0.1, direction=0.2, reading=0.05, arithmetic=0.005)
+CAD = Allowance(
+    plot=0.02, set_square=0.05, read=0.02, floor=0.1, direction=0.2, reading=0.05, arithmetic=0.005, squares=0.0
+)

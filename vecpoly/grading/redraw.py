@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..board.acts import Act, Compute, Measure
+from ..board.acts import Act, Area, Compute, Measure
 from ..board.acts import Answer as Wrote
 from ..board.hand import steady
 from ..board.otherwise.amended import Amended
@@ -47,7 +47,7 @@ def by_hands(problem: Problem, key: AnswerKey, amended: Amended) -> ByHand:
 
 def act_of(drawn: Drawn, one: Graded) -> Act | None:
     """The act that gave a quantity."""
-    sort = Measure if one.kind is Kind.READING else Wrote if one.asked else Compute
+    sort = Measure if one.kind is Kind.READING else Wrote if one.asked else Compute | Area
     return next((act for act in drawn.construction.acts if isinstance(act, sort) and one.letters in act.names), None)
 
 
@@ -58,6 +58,8 @@ def values_of(drawn: Drawn, act: Act) -> Any:
     match act:
         case Measure(mm=mm):
             return mm
+        case Area(mm2=mm2):
+            return mm2
         case Compute(value=value) | Wrote(value=value):
             return value
     raise AssertionError(act)

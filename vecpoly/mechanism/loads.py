@@ -1,9 +1,10 @@
 """What acts on the links of a mechanism: forces, moments, masses, friction.
 SI; angles in rad; counter-clockwise positive.
 
-One load has no size: it is the one that balances the others. Friction is Coulomb's: a pin's reaction touches the
-friction circle of radius ρ, the reaction of a slide or a contact leans by φ = arctan f from the normal,
-against the relative motion.
+One load has no size: it is the one that balances the others. A load may have a law, by which it acts at some places
+only, or with a size that changes: `size` is then its size where it acts, or the greatest one. Friction is Coulomb's:
+a pin's reaction touches the friction circle of radius ρ, the reaction of a slide or a contact leans by φ = arctan f
+from the normal, against the relative motion.
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ from typing import Literal
 
 from ..foundation.frozen import FrozenMap
 from ..foundation.slotted import dataclass, replace
+from .laws.sizes import Law, Table
+from .laws.springs import Elastic
 
 Role = Literal["", "driving", "resisting"]  # what the problem says of a load; its power must agree
 
@@ -35,6 +38,7 @@ class Force:
     role: Role = ""
     against: str = ""
     foot: str = ""
+    law: Law | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,9 +49,22 @@ class Moment:
     link: str
     size: float | None = None
     role: Role = ""
+    law: Law | None = None
 
 
 Load = Force | Moment
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Constant:
+    """The unknown moment on the driving link that is the same over the whole period, and does the work of all others.
+
+    At one position it does not balance: `Loads.unknown` is then all that the driving link needs there for even motion.
+    """
+
+    name: str  # M_d
+    link: str
+    role: Role = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -115,6 +132,8 @@ class Loads:
     friction: Friction = field(default_factory=Friction)
     weight: bool = False
     inertia: bool = True  # whether the inertia forces of the masses act
+    springs: tuple[Elastic, ...] = ()
+    constant: Constant | None = None  # then `unknown` is M_b, which nobody wrote
 
     @property
     def all(self) -> tuple[Load, ...]:
@@ -125,6 +144,22 @@ class Loads:
     def unknown(self) -> Load:
         """The balancing load."""
         return next(load for load in self.all if load.size is None)
+
+    @property
+    def balancing(self) -> bool:
+        """Whether there is a load without size, which balances the others; a machine need have none."""
+        return any(load.size is None for load in self.all)
+
+    @property
+    def turns(self) -> int:
+        """After how many turns of the drive all loads are what they were: 2 of a four-stroke engine."""
+        tables = (load.law.size for load in self.all if load.law is not None and isinstance(load.law.size, Table))
+        return max((round(table.period / (2 * pi)) for table in tables), default=1) or 1
+
+    @property
+    def varying(self) -> bool:
+        """Whether a load depends on place or speed."""
+        return bool(self.springs) or any(load.law is not None for load in self.all)
 
     @property
     def dynamic(self) -> bool:

@@ -30,6 +30,7 @@ SECTIONS = {
     Stage.VELOCITY: Words("速度分析", "Velocity analysis"),
     Stage.ACCELERATION: Words("加速度分析", "Acceleration analysis"),
     Stage.FORCE: Words("力分析", "Force analysis"),
+    Stage.MACHINE: Words("等效动力学模型", "Equivalent model"),
 }
 NOTHING: Mapping[Stage, Words] = {}
 
@@ -39,12 +40,14 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
     mech = problem.mechanism
     groups = decompose(mech)
     refuse_higher(mech, groups)
+    constant = problem.loads.constant if problem.loads is not None else None
     desk = Desk(
         board=board,
         mech=mech,
         coincident=coincident_letters(mech, groups),
         shapes=problem.given.shapes,
         loaded=problem.loads is not None,
+        over_period=(constant.name,) if constant is not None else (),
         thought=Stage.VELOCITY in said,  # of a cam's profile, whose link does drive, only the position is told
     )
     for name, at in mech.frame.items():
@@ -67,6 +70,10 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
             before = set(desk.board.readings)
             force_pass(desk, problem)
             desk.forces = tuple(key for key in desk.board.readings if key not in before)
+        elif stage is Stage.MACHINE:
+            from .machine.plan import machine_pass
+
+            machine_pass(desk, problem, groups)
         else:
             _pass(desk, problem, stage, groups)
     return desk

@@ -20,7 +20,7 @@ def stages(problem: Problem) -> tuple[Stage, ...]:
         or (loads is not None and loads.dynamic)
         or any(isinstance(a, AskPoint) and a.acceleration is not None for a in problem.asks)
     )
-    last = (Stage.FORCE,) if loads is not None else ()
+    last = (*((Stage.FORCE,) if loads is not None else ()), *((Stage.MACHINE,) if problem.machine is not None else ()))
     central, curved = needs_centres(problem), problem.curvature is not None
     moving = needs_polygons(problem) or bool(last)
     return (

@@ -23,6 +23,7 @@ class Stage(StrEnum):
     VELOCITY = "velocity"
     ACCELERATION = "acceleration"
     FORCE = "force"
+    MACHINE = "machine"
 
     @property
     def words(self) -> Words:
@@ -38,7 +39,7 @@ class Stage(StrEnum):
     @property
     def folder(self) -> str:
         """The package whose files draw this stage."""
-        own = {Stage.CENTRES: "centres", Stage.CURVATURE: "curvature", Stage.FORCE: "forces"}
+        own = {Stage.CENTRES: "centres", Stage.CURVATURE: "curvature", Stage.FORCE: "forces", Stage.MACHINE: "machine"}
         inside = own.get(self, "kinematics")
         return f"vecpoly.methods.{inside}"
 
@@ -50,6 +51,7 @@ _STAGES = {
     Stage.VELOCITY: "速度",
     Stage.ACCELERATION: "加速度",
     Stage.FORCE: "反力",
+    Stage.MACHINE: "等效量",
 }
 
 State = TypeVar("State", contravariant=True)

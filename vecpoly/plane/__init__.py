@@ -4,6 +4,7 @@ from .geometry import (
     Line,
     Points,
     Reals,
+    around,
     circles_meet,
     cross,
     distance,
@@ -13,6 +14,7 @@ from .geometry import (
     line_circle_meet,
     lines_meet,
     nominal,
+    shoelace,
     similar,
     unit,
 )
@@ -21,6 +23,7 @@ __all__ = [
     "Line",
     "Points",
     "Reals",
+    "around",
     "circles_meet",
     "cross",
     "distance",
@@ -30,6 +33,7 @@ __all__ = [
     "line_circle_meet",
     "lines_meet",
     "nominal",
+    "shoelace",
     "similar",
     "unit",
 ]

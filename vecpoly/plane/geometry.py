@@ -6,7 +6,9 @@ a meeting that does not exist: it gives NaN, and the board, which knows the lett
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from math import atan2, pi
 from typing import Any
 
@@ -51,6 +53,17 @@ def cross(u: Points, v: Points) -> Reals:
 def distance(p: Points, q: Points) -> Reals:
     """|q − p|."""
     return np.abs(q - p)
+
+
+def shoelace(outline: Sequence[Points]) -> Reals:
+    """The area of a polygon by its corners, positive where they run counter-clockwise."""
+    first, *others = outline
+    return 0.5 * sum((cross(a - first, b - first) for a, b in pairwise(others)), 0.0 * distance(first, first))
+
+
+def around(outline: Sequence[Points]) -> Reals:
+    """The length of its perimeter."""
+    return sum((distance(a, b) for a, b in pairwise((*outline, outline[0]))), 0.0 * distance(outline[0], outline[0]))
 
 
 def foot(line: Line, p: Points) -> Points:

@@ -6,9 +6,9 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
-from ..errors import FaultError, VecpolyError
-from ..mechanism.groups import mobility
+from ..errors import FaultError
 from ..mechanism.loads import Loads
+from ..mechanism.machine import Machine
 from ..mechanism.model import Drive, Joint, Mechanism
 from ..mechanism.seats import seated
 from ..units.reading import Dim, read
@@ -19,7 +19,7 @@ from .gate import read_gate
 from .joints.branches import read_branches
 from .joints.contacts import is_contact, read_contact
 from .joints.joints import read_joint, revolutes
-from .joints.motion import read_input
+from .joints.motion import read_input, sense_only
 from .joints.pins import read_pins
 from .joints.profiles import read_profiles
 from .joints.rolling import is_rolling, read_rolling
@@ -29,14 +29,17 @@ from .links.links import read_link
 from .links.masses import read_masses
 from .links.profiles import letter_centres
 from .links.rollers import weld_rollers
-from .links.standing import check_starts, geared
+from .links.standing import geared
 from .links.starts import say_travels
+from .loads.driven import driven_by
 from .loads.friction import read_friction
 from .loads.load_data import data_of_loads
 from .loads.loads import acts, read_loads
+from .loads.machine import needs_balance, read_machine
+from .moves import settle
 from .problem import Datum, Given, Problem
 from .read_ranges import read_ranges
-from .schema.faults import Faults, Place, meant
+from .schema.faults import Faults, meant
 from .schema.models import ProblemSpec
 from .schema.validate import validate
 from .schema.warnings import warnings_of
@@ -53,12 +56,12 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     bodies = _bodies(spec, faults)
     masses, weights = read_masses(spec, bodies, faults)
     mechanism, motion = _mechanism(spec, bodies, faults)
-    loads = read_loads(spec, bodies, masses, faults)
-    loads, acting = _acting(spec, mechanism, loads, weights, faults)
-    asks, curvature, printed, scales = read_wanted(spec, bodies, mechanism, loads, faults)
+    loads = read_loads(spec, bodies, masses, driven_by(mechanism, motion, not sense_only(spec)), faults)
+    loads, machine, acting = _acting(spec, mechanism, loads, weights, faults)
+    asks, curvature, printed, scales = read_wanted(spec, bodies, mechanism, loads, machine, faults)
     ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
     tables = read_tables(spec, tree, faults)
-    _settle(mechanism, tree, faults)
+    settle(mechanism, tree, faults)
     return Problem(
         id=spec.id,
         title=spec.title,
@@ -66,6 +69,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         statement=spec.statement,
         subject=mechanism,
         loads=loads,
+        machine=machine,
         by_centres=spec.method == "centres",
         curvature=curvature,
         asks=asks,
@@ -83,14 +87,6 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         warnings=warnings_of(tree),
         written=written_of(tree),
     )
-
-
-def _settle(mechanism: Mechanism, tree: Tree, faults: Faults) -> None:
-    """Tell every fault of the file; then whether the mechanism moves as it must, and stands where it is told to."""
-    faults.settle()
-    _check_mobility(mechanism, tree)
-    check_starts(mechanism, faults)
-    faults.settle()
 
 
 def _by_data(tree: Tree, path: Path | None) -> Problem | None:
@@ -219,15 +215,21 @@ def _inputs(
 
 def _acting(
     spec: ProblemSpec, mechanism: Mechanism, loads: Loads | None, weights: tuple[Datum, ...], faults: Faults
-) -> tuple[Loads | None, tuple[Datum, ...]]:
-    """The loads with friction, and what is printed of them after 已知."""
+) -> tuple[Loads | None, Machine | None, tuple[Datum, ...]]:
+    """The loads with friction (none where nothing balances them), the machine, what is printed of them after 已知."""
     if not acts(spec):
-        return None, ()
+        read_machine(spec, mechanism, None, faults)  # refused, where one is asked for
+        return None, None, ()
     faults.settle()  # which quantities may be asked for is known only where the mechanism and its loads are right
     assert loads is not None
     friction, rubbing = read_friction(spec.friction, mechanism, faults)
     faults.settle()
-    return replace(loads, friction=friction), (*data_of_loads(spec, loads), *rubbing, *weights)
+    loads = replace(loads, friction=friction)
+    machine, running = read_machine(spec, mechanism, loads, faults)
+    faults.settle()
+    told = (*data_of_loads(spec, loads), *rubbing, *weights, *running)
+    balanced = loads.balancing and (machine is None or needs_balance(spec))
+    return loads if balanced else None, machine, told
 
 
 def _given(bodies: Bodies, motion: tuple[Datum, ...], acting: tuple[Datum, ...]) -> Given:
@@ -238,12 +240,3 @@ def _given(bodies: Bodies, motion: tuple[Datum, ...], acting: tuple[Datum, ...])
         letters=bodies.letters(),
         shapes={name: draft.shape for name, draft in bodies.drafts.items()},
     )
-
-
-def _check_mobility(mechanism: Mechanism, tree: Tree) -> None:
-    """Degrees of freedom and inputs must agree; the mechanism's own error, with the file's name in front."""
-    try:
-        mobility.check(mechanism)
-    except VecpolyError as error:
-        place = tree.places.get(("input",), Place(tree.name))
-        raise error.at(Place(place.file, place.line), "input") from None

@@ -10,6 +10,7 @@ from ..limits import EXTENDS
 from ..words import Words
 from .build import build
 from .library import entries, find
+from .loads.cards import with_cards
 from .problem import Problem
 from .reach import Reach, Resolver, refuse_foreign
 from .schema.faults import Place, meant
@@ -78,7 +79,7 @@ def held_tree(name: str, seen: Seen, reach: Reach) -> Tree | None:
 def reaching(tree: Tree, seen: Seen, reach: Reach) -> Tree:
     """The tree of a text on what it extends, within this reach."""
     tree.reach = reach
-    return _profiled(_extended(tree, None, seen, reach), None, seen)
+    return with_cards(_profiled(_extended(tree, None, seen, reach), None, seen))
 
 
 def locate(where: str | Path, near: Path | None = None, reach: Reach | None = None) -> Path:
@@ -117,7 +118,7 @@ def tree_of(path: Path, seen: Seen = (), *, reach: Reach) -> Tree:
     tree = read(path)
     tree.reach = reach
     seen = (*seen, path.resolve())
-    return _profiled(_extended(tree, path, seen, reach), path, seen)
+    return with_cards(_profiled(_extended(tree, path, seen, reach), path, seen))
 
 
 def _extended(tree: Tree, path: Path | None, seen: Seen, reach: Reach) -> Tree:

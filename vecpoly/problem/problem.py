@@ -12,6 +12,7 @@ from ..foundation.frozen import FrozenMap
 from ..foundation.slotted import dataclass
 from ..mechanism.asked.curvature import Curvature
 from ..mechanism.loads import Loads
+from ..mechanism.machine import Machine
 from ..mechanism.model import Mechanism
 from ..names import Key
 from ..words import Words
@@ -80,6 +81,7 @@ class Problem:
     source: Words | None = None
     statement: Words = field(default_factory=lambda: Words.same(""))
     loads: Loads | None = None
+    machine: Machine | None = None  # what acts on it as a machine, where anything is asked of that
     by_centres: bool = False  # velocities by instant centres instead of polygons
     curvature: Curvature | None = None  # that curvatures of paths are asked, and by which construction
     scales: Scales = field(default_factory=Scales)
@@ -107,7 +109,12 @@ class Problem:
 
     def __post_init__(self) -> None:
         if isinstance(self.subject, Mechanism):
-            object.__setattr__(self, "given", current(self.given, self.subject, self.loads))
+            object.__setattr__(self, "given", current(self.given, self.subject, self.acting))
+
+    @property
+    def acting(self) -> Loads | None:
+        """What acts, whether anything balances it or not."""
+        return self.loads if self.loads is not None or self.machine is None else self.machine.loads
 
     @property
     def mechanism(self) -> Mechanism:

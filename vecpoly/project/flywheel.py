@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ..cycle import Cycle
 from ..mechanism.loads import Moment
+from ..mechanism.machine import flywheel_of
 from .working import Working
 
 Reals = NDArray[np.float64]
@@ -47,7 +48,7 @@ def balance(turn: Cycle, acting: Working, unevenness: float | None) -> Balance |
     steps = np.diff(turn.phi)
     mean = float(np.sum(_middles(moment) * steps) / (2 * np.pi))
     surplus = np.concatenate([[0.0], np.cumsum((mean - _middles(moment)) * steps)])
-    needed = None if unevenness is None else float(np.ptp(surplus)) / (drive.rate**2 * unevenness)
+    needed = None if unevenness is None else flywheel_of(float(np.ptp(surplus)), drive.rate, unevenness)
     return Balance(
         key=free.name, phi=turn.phi, moment=moment, mean=mean, power=mean * abs(drive.rate), surplus=surplus,
         inertia=needed,

@@ -7,10 +7,14 @@ import cmath
 from math import pi
 
 from ..board.construction import Figure
-from ..board.paper.marks import Block, Disc, FrictionCircle, Mark, Point, Role, Segment, TurnArrow, Vector
-from ..mechanism.asked.forces import load_named
+from ..board.paper.marks import Block, Disc, Dot, FrictionCircle, Mark, Point, Role, Segment, TurnArrow, Vector
+from ..diagram.single import pivot
+from ..diagram.springs.straight import damper, spring_symbol
+from ..foundation.slotted import replace
+from ..mechanism.asked.forces import load_named, load_symbol
+from ..mechanism.laws.springs import Spring
 from ..mechanism.loads import Force, Load, Loads, Moment
-from ..mechanism.model import Mechanism
+from ..mechanism.model import FRAME, Mechanism
 
 ARROW = 16.0  # mm, length of a force
 TURN_RADIUS = 7.0  # mm, of a moment's arrow
@@ -28,7 +32,22 @@ def acting(mech: Mechanism, loads: Loads, figure: Figure) -> tuple[Mark, ...]:
         if rho and pin in spots
     )
     arrows = tuple(mark for load in loads.all if (mark := _arrow(mech, load, spots, figure)) is not None)
-    return circles + arrows
+    return circles + _springs(mech, loads, spots) + arrows
+
+
+def _springs(mech: Mechanism, loads: Loads, spots: dict[str, complex]) -> tuple[Mark, ...]:
+    """Springs and dampers between the points that are drawn, each with its letter."""
+    found: list[Mark] = []
+    for spring in (one for one in loads.springs if isinstance(one, Spring) and {one.foot, one.point} <= set(spots)):
+        foot, point = spots[spring.foot], spots[spring.point]
+        if abs(point - foot) < 1e-6:
+            continue
+        draw = spring_symbol if spring.stiffness else damper
+        aside = 5j * (point - foot) / abs(point - foot)
+        symbols = (draw(foot, point), *((pivot(foot),) if mech.links_at(spring.foot) == (FRAME,) else ()))
+        found += [replace(mark, step=1) for symbol in symbols for mark in symbol.marks]
+        found.append(Point(at=(foot + point) / 2 + aside, label=load_symbol(spring.name), dot=Dot.NONE, step=1))
+    return tuple(found)
 
 
 def _arrow(mech: Mechanism, load: Load, spots: dict[str, complex], figure: Figure) -> Mark | None:

@@ -22,10 +22,19 @@ class Kind(Enum):
     SYNTHESIS = Words("平面连杆机构综合图解作业", "Graphical synthesis of planar linkages")
     CAMS = Words("凸轮机构设计作业", "Design of cam mechanisms")
     GEARS = Words("齿轮机构与轮系作业", "Gears and gear trains")
+    MOTION = Words("机械的运转及其速度波动作业", "Motion of machines and its fluctuation")
     EFFICIENCY = Words("机械的效率和自锁作业", "Efficiency and self-locking of machines")
 
 
-_OF_DEVICE = {"structure": Kind.STRUCTURE, "cam": Kind.CAMS, "epicyclic": Kind.GEARS, "gear-generation": Kind.GEARS}
+_OF_DEVICE = {
+    "structure": Kind.STRUCTURE,
+    "cam": Kind.CAMS,
+    "epicyclic": Kind.GEARS,
+    "gear-generation": Kind.GEARS,
+    "flywheel": Kind.MOTION,
+    "reduced-train": Kind.MOTION,
+    "run-up": Kind.MOTION,
+}
 _FORCES_AND_EFFICIENCY = Words("机构力分析、效率和自锁作业", "Forces, efficiency and self-locking of mechanisms")
 _MIXED = Words("机械原理图解作业", "Graphical exercises in the theory of machines")
 

@@ -32,6 +32,12 @@ _DEFINITIONS = (
     "kilonewton = 1e3 * newton = kN = 千牛",
     "watt = newton * meter / second = W = 瓦",
     "kilowatt = 1e3 * watt = kW = 千瓦",
+    "joule = newton * meter = J = 焦",
+    "kilojoule = 1e3 * joule = kJ = 千焦",
+    "pascal = newton / meter ** 2 = Pa = 帕",
+    "kilopascal = 1e3 * pascal = kPa = 千帕",
+    "megapascal = 1e6 * pascal = MPa = 兆帕",
+    "bar = 1e5 * pascal = bar = 巴",
 )
 
 # spelling: SI factor and dimension
@@ -56,6 +62,10 @@ _COMMON = {
     "kg": (1.0, "mass 1"),
     "kg*m**2": (1.0, "length 2 mass 1"),
     "kg/m**3": (1.0, "length -3 mass 1"),
+    "MPa": (1e6, "length -1 mass 1 time -2"),
+    "N*s/m": (1.0, "mass 1 time -1"),
+    "N*m/rad": (1.0, "angle -1 length 2 mass 1 time -2"),
+    "N*m*s": (1.0, "length 2 mass 1 time -1"),
 }
 _USUAL = "mm cm m s min rad deg r rad/s r/min m/s m/s^2 m/mm"
 

@@ -12,6 +12,7 @@ _TIME = r"(s|min|h|second|minute|hour|秒|分|分钟|小时)"
 _MASS = r"(kg|g|千克|克)"
 _FORCE = r"(N|kN|牛|千牛)"
 _TIMES, _SQUARE, _CUBE = r" ?[*·⋅×]? ?", r"(\^2|\*\*2|²)", r"(\^3|\*\*3|³)"
+_WORK = rf"(J|kJ|焦|千焦|{_FORCE}{_TIMES}{_LENGTH})"
 
 
 def pattern(dim: Dim) -> str:
@@ -51,6 +52,10 @@ def _of_forces(dim: Dim) -> str:
     match dim:
         case Dim.FORCE:
             return _FORCE
+        case Dim.AREA:
+            return rf"{_LENGTH}{_SQUARE}"
+        case Dim.TIME:
+            return _TIME
         case Dim.MOMENT:
             return rf"{_FORCE}{_TIMES}{_LENGTH}"
         case Dim.MASS:
@@ -61,5 +66,26 @@ def _of_forces(dim: Dim) -> str:
             return rf"{_MASS} ?/ ?{_LENGTH}{_CUBE}"
         case Dim.POWER:
             return r"(W|kW|瓦|千瓦)"
+        case Dim.WORK:
+            return _WORK
+        case Dim.DRAG:
+            return rf"{_FORCE}{_TIMES}{_LENGTH}{_TIMES}{_TIME}"
+        case Dim.MU_WORK:
+            return rf"{_WORK} ?/ ?{_LENGTH}{_SQUARE}"
+        case _:
+            return _of_springs(dim)
+
+
+def _of_springs(dim: Dim) -> str:
+    per = rf"[(（]?{_FORCE}{_TIMES}{_LENGTH}[)）]?"
+    match dim:
+        case Dim.PRESSURE:
+            return rf"(Pa|kPa|MPa|bar|帕|千帕|兆帕|巴|{_FORCE} ?/ ?{_LENGTH}{_SQUARE})"
+        case Dim.STIFFNESS:
+            return rf"{_FORCE} ?/ ?{_LENGTH}"
+        case Dim.TWIST:
+            return rf"{per} ?/ ?{_ANGLE}"
+        case Dim.DAMPING:
+            return rf"[(（]?{_FORCE}{_TIMES}{_TIME}[)）]? ?/ ?{_LENGTH}"
         case _:
             raise ValueError(f"{dim} has a pattern of its own")

@@ -31,7 +31,16 @@ class Dim(Enum):
     MASS = (Words("质量", "a mass"), "mass 1", "3 kg")
     INERTIA = (Words("转动惯量", "a moment of inertia"), "length 2 mass 1", "0.02 kg*m^2")
     DENSITY = (Words("密度", "a density"), "length -3 mass 1", "7800 kg/m^3")
+    AREA = (Words("面积", "an area"), "length 2", "400 mm^2")
+    WORK = (Words("功", "a work"), "length 2 mass 1 time -2", "600 J")
+    MU_WORK = (Words("面积比例尺", "a scale of areas"), "mass 1 time -2", "12 J/mm^2")
+    TIME = (Words("时间", "a time"), "time 1", "0.5 s")
+    DRAG = (Words("转动阻尼系数", "a torsional drag"), "length 2 mass 1 time -1", "0.05 N*m*s")
     POWER = (Words("功率", "a power"), "length 2 mass 1 time -3", "5 kW")
+    PRESSURE = (Words("压强", "a pressure"), "length -1 mass 1 time -2", "2 MPa")
+    STIFFNESS = (Words("弹簧刚度", "a stiffness"), "mass 1 time -2", "5 N/mm")
+    TWIST = (Words("扭转刚度", "a torsional stiffness"), "angle -1 length 2 mass 1 time -2", "2 N*m/rad")
+    DAMPING = (Words("阻尼系数", "a coefficient of damping"), "mass 1 time -1", "50 N*s/m")
 
     @property
     def label(self) -> Words:
@@ -116,6 +125,7 @@ def read(text: object, dim: Dim | PerMm) -> Quantity:
             text,
         )
     per_mm = 1e-3 if isinstance(dim, PerMm) or dim in (Dim.MU_L, Dim.MU_V, Dim.MU_A, Dim.MU_F) else 1.0
+    per_mm = 1e-6 if dim is Dim.MU_WORK else per_mm
     return Quantity(sign * _sensible(_times(number, factor * per_mm), text, dim), text)
 
 

@@ -12,10 +12,12 @@ from numpy.typing import NDArray
 
 from ..board.acts import (
     Act,
+    Area,
     Compute,
     Follow,
     Image,
     Invert,
+    Judge,
     LayOff,
     Locate,
     Measure,
@@ -41,7 +43,7 @@ from ..problem.problem import Problem, Scales
 from ..solution import constructed
 from ..task import task_of
 
-_WORK = (Locate, LayOff, Transfer, Parallel, Meet, Measure, Compute, Image, Follow, Touch, Ray, Invert)
+_WORK = (Locate, LayOff, Transfer, Parallel, Meet, Measure, Area, Judge, Compute, Image, Follow, Touch, Ray, Invert)
 MEASURED = (Kind.VECTOR, Kind.SIGNED, Kind.SCALAR)
 
 

@@ -12,6 +12,7 @@ from ...mechanism.model import Mechanism, Rolling
 from ..equations import Equation, Model
 from ..expr import ZERO, Const, Expr, Var, total
 from ..functions import cos, sin
+from .laws import Act, spring_acts, spring_equations
 from .pairs import Frame, Pair, Touch, touches
 
 
@@ -26,11 +27,12 @@ class LinkBalance:
 
 @dataclass(frozen=True, slots=True)
 class ForceModel:
-    """All equations of the forces. inertia: inertia forces and couples by the motion; normals: of the contacts;
-    friction: by the reactions."""
+    """All equations of the forces. inertia: inertia forces and couples by the motion; springs: theirs; normals: of the
+    contacts; friction: by the reactions. The size of a load that depends on the motion is a variable."""
 
     touches: tuple[Touch, ...]
     inertia: tuple[Equation, ...]
+    springs: tuple[Equation, ...]
     links: tuple[LinkBalance, ...]
     loads: tuple[Const, ...]
     unknowns: tuple[str, ...]  # of the frictionless system, the balancing load last
@@ -44,16 +46,6 @@ class ForceModel:
         return tuple(equation for touch in self.touches for equation in touch.friction)
 
 
-@dataclass(frozen=True, slots=True)
-class _Act:
-    """A force at a letter of a link, or a couple."""
-
-    link: str
-    at: Pair | None
-    force: Pair
-    couple: Expr = ZERO
-
-
 def force_model(mech: Mechanism, loads: Loads, motion: Model, turned: Mapping[str, float]) -> ForceModel | None:
     """The model for a mechanism whose motion has this model;
     None where gears roll or a cylinder pushes, for which there is none on file."""
@@ -64,7 +56,9 @@ def force_model(mech: Mechanism, loads: Loads, motion: Model, turned: Mapping[st
     frame = Frame(mech, frozenset(given), turned)
     found = tuple(touches(frame, loads.friction))
     inertia = tuple(e for mass in loads.masses for e in _inertia(frame, mass)) if loads.dynamic else ()
+    springs = tuple(e for spring in loads.springs for e in spring_equations(frame, spring))
     acts = [_load(frame, load) for load in loads.all]
+    acts += [act for spring in loads.springs for act in spring_acts(frame, spring)]
     acts += [act for mass in loads.masses for act in _mass(frame, loads, mass)]
     links = tuple(
         _balance(frame, link, found, [act for act in acts if act.link == link])
@@ -74,19 +68,24 @@ def force_model(mech: Mechanism, loads: Loads, motion: Model, turned: Mapping[st
     sized = tuple(
         Const(load_symbol(load.name), load.size, "N" if isinstance(load, Force) else "N·m")
         for load in loads.all
-        if load.size is not None
+        if load.size is not None and load.law is None
     )
     unknowns = (*(symbol for touch in found for symbol in touch.unknowns), load_symbol(loads.unknown.name))
-    return ForceModel(found, inertia, links, sized, unknowns)
+    return ForceModel(found, inertia, springs, links, sized, unknowns)
 
 
-def _load(frame: Frame, load: Load) -> _Act:
+def _load(frame: Frame, load: Load) -> Act:
     symbol = load_symbol(load.name)
     if isinstance(load, Force):
-        size: Expr = Var(symbol) if load.size is None else Const(symbol, load.size, "N")
+        size: Expr = Var(symbol) if load.size is None or load.law is not None else Const(symbol, load.size, "N")
         way = Const(f"θ_{{{load.name.replace('_', '')}}}", load.direction, "rad")
-        return _Act(load.link, frame.xy(load.point), (size * cos(way), size * sin(way)))
-    return _Act(load.link, None, (ZERO, ZERO), Var(symbol) if load.size is None else Const(symbol, load.size, "N·m"))
+        return Act(load.link, frame.xy(load.point), (size * cos(way), size * sin(way)))
+    return Act(
+        load.link,
+        None,
+        (ZERO, ZERO),
+        Var(symbol) if load.size is None or load.law is not None else Const(symbol, load.size, "N·m"),
+    )
 
 
 def _inertia(frame: Frame, mass: Mass) -> tuple[Equation, ...]:
@@ -111,18 +110,18 @@ def _pushed(frame: Frame, mass: Mass) -> Pair:
     return Var(f"F_{{I{mass.link}x}}"), Var(f"F_{{I{mass.link}y}}")
 
 
-def _mass(frame: Frame, loads: Loads, mass: Mass) -> list[_Act]:
+def _mass(frame: Frame, loads: Loads, mass: Mass) -> list[Act]:
     """Weight and inertia force of a link."""
     acts, at = [], frame.xy(mass.centre)
     if loads.weight:
-        acts.append(_Act(mass.link, at, (ZERO, -Const(f"G_{{{mass.link}}}", GRAVITY * mass.mass, "N"))))
+        acts.append(Act(mass.link, at, (ZERO, -Const(f"G_{{{mass.link}}}", GRAVITY * mass.mass, "N"))))
     if loads.dynamic:
         turning = bool(mass.inertia) and f"α_{{{mass.link}}}" in frame.symbols
-        acts.append(_Act(mass.link, at, _pushed(frame, mass), Var(f"M_{{I{mass.link}}}") if turning else ZERO))
+        acts.append(Act(mass.link, at, _pushed(frame, mass), Var(f"M_{{I{mass.link}}}") if turning else ZERO))
     return acts
 
 
-def _balance(frame: Frame, link: str, found: tuple[Touch, ...], acts: list[_Act]) -> LinkBalance:
+def _balance(frame: Frame, link: str, found: tuple[Touch, ...], acts: list[Act]) -> LinkBalance:
     own = [(touch, 1 if touch.b == link else -1) for touch in found if link in (touch.a, touch.b)]
     letter, centre = own[0][0].letter, own[0][0].at
     forces = [

@@ -62,6 +62,12 @@ class Frame:
         )
         return own + Const(f"θ_{{{link}}}", more, "rad")
 
+    def velocity(self, letter: str) -> Pair:
+        """Components of a letter's velocity, nothing of the frame's."""
+        if letter in self.mech.frame:
+            return ZERO, ZERO
+        return Var(f"v_{{{letter}x}}"), Var(f"v_{{{letter}y}}")
+
     def rate(self, link: str) -> Expr:
         """ω, nothing where the link cannot turn."""
         return Var(f"ω_{{{link}}}") if f"ω_{{{link}}}" in self.symbols else ZERO

@@ -53,4 +53,5 @@ def _head(canvas: Any, title: str, student: Student, lang: Lang) -> None:
 
 
 def _scale(figure: Figure) -> str:
-    return f"${figure.scale.symbol}$ = {number(figure.scale.value)} {figure.scale.per_mm}"
+    both = (figure.scale, figure.scale.across)
+    return ", ".join(f"${one.symbol}$ = {number(one.value)} {one.per_mm}" for one in both if one is not None)

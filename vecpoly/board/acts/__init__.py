@@ -11,11 +11,13 @@ from __future__ import annotations
 from .base import Done, Head
 from .inkless import (
     Answer,
+    Area,
     Compute,
     Follow,
     Gauge,
     Image,
     Invert,
+    Judge,
     LayOff,
     Locate,
     Measure,
@@ -25,14 +27,16 @@ from .inkless import (
     Touch,
     Transfer,
     Turn,
+    Way,
 )
-from .leaving import Angle, Annotate, Arrow, Corner, Curve, CurvedArrow, Depict, Join, Plot, Rule, Swing, Tint
+from .leaving import Angle, Annotate, Arrow, Corner, Curve, CurvedArrow, Depict, Hatch, Join, Plot, Rule, Swing, Tint
 
 __all__ = [
     "Act",
     "Angle",
     "Annotate",
     "Answer",
+    "Area",
     "Arrow",
     "Compute",
     "Corner",
@@ -42,11 +46,13 @@ __all__ = [
     "Done",
     "Follow",
     "Gauge",
+    "Hatch",
     "Head",
     "Image",
     "Inkless",
     "Invert",
     "Join",
+    "Judge",
     "LayOff",
     "Leaving",
     "Locate",
@@ -61,9 +67,10 @@ __all__ = [
     "Touch",
     "Transfer",
     "Turn",
+    "Way",
 ]
 
-Leaving = Plot | Join | Arrow | Rule | Swing | Curve | Corner | Angle | CurvedArrow | Annotate | Tint | Depict
-Found = Locate | Meet | Touch | Image | Measure | Gauge | Compute | Answer
+Leaving = Plot | Join | Arrow | Rule | Swing | Curve | Corner | Angle | CurvedArrow | Annotate | Tint | Hatch | Depict
+Found = Locate | Meet | Touch | Image | Measure | Area | Judge | Gauge | Compute | Answer
 Inkless = Found | Invert | Turn | Parallel | Ray | LayOff | Follow | Transfer
 Act = Leaving | Inkless

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from enum import StrEnum
 from typing import ClassVar
 
 from ...foundation.slotted import dataclass
@@ -115,6 +116,31 @@ class Measure(Done):
     a: complex
     b: complex
     mm: float
+
+
+class Way(StrEnum):
+    """How an area is measured: by counting the squares of millimetre paper, or with a planimeter."""
+
+    SQUARES = "squares"
+    PLANIMETER = "planimeter"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Area(Done):
+    """Measure an area (key) on paper: so many mm², never less than nothing; outline: its corners, round it once."""
+
+    verb: ClassVar[Words | None] = Words("量面积", "area")
+    outline: tuple[complex, ...]
+    way: Way
+    mm2: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Judge(Done):
+    """Judge whether two lines cross at a point (key) or only touch there, so that what lies between has one sign."""
+
+    verb: ClassVar[Words | None] = Words("判别相交", "crossing")
+    crosses: bool
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

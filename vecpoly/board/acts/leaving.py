@@ -116,6 +116,14 @@ class Tint(Done):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Hatch(Done):
+    """Hatch an area, rising to the right where it is a surplus, falling where it is a deficit."""
+
+    points: tuple[complex, ...]
+    rising: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Depict(Done):
     """Draw the symbol of a link, a joint, a body: its owner's."""
 

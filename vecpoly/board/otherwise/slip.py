@@ -24,6 +24,9 @@ class Mistake(StrEnum):
     COMPLEMENT = "complement"  # θ set out for 90° − θ, or the other way round
     OTHER_SIDE = "other side"  # an angle set out on the wrong side
     FORWARDS = "forwards"  # a figure carried on with the motion, not turned back
+    DEGREES = "degrees"  # an area under M over φ taken with degrees for radians
+    PER_MINUTE = "per minute"  # n (r/min) taken for ω
+    COUNTED = "counted as a crossing"  # where two lines only touch, so that the next area has the wrong sign
 
     @property
     def words(self) -> Words:
@@ -45,6 +48,9 @@ _WORDS = {
     Mistake.COMPLEMENT: "取了余角",
     Mistake.OTHER_SIDE: "角作在另一侧",
     Mistake.FORWARDS: "反转方向取反",
+    Mistake.DEGREES: "转角未化为弧度",
+    Mistake.PER_MINUTE: "把转速 n 当作角速度",
+    Mistake.COUNTED: "把同号相邻当作变号",
 }
 
 

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Container, Mapping
+from math import pi
 from typing import assert_never
 
 from ...plane import Points
 from ..place import Place, View, view_of, views
 from .slip import Mistake
 
-FACTOR: Mapping[Mistake, float] = {Mistake.HALVED: 0.5, Mistake.DOUBLED: 2.0}  # what is computed wrongly
+FACTOR: Mapping[Mistake, float] = {  # what is computed wrongly
+    Mistake.HALVED: 0.5,
+    Mistake.DOUBLED: 2.0,
+    Mistake.DEGREES: 180 / pi,
+    Mistake.PER_MINUTE: 30 / pi,
+}
 
 
 def as_taken(mistake: Mistake, vector: Points, scale: float) -> Points:
@@ -21,13 +27,13 @@ def as_taken(mistake: Mistake, vector: Points, scale: float) -> Points:
             return 1j * vector
         case Mistake.DROPPED:
             return 0.0 * vector
-        case Mistake.HALVED | Mistake.DOUBLED:
+        case Mistake.HALVED | Mistake.DOUBLED | Mistake.DEGREES | Mistake.PER_MINUTE:
             return vector * FACTOR[mistake]
         case Mistake.SCALED:
             return vector * scale
         case Mistake.COINCIDENT | Mistake.OTHER_MEETING | Mistake.OTHER_CENTRE | Mistake.OTHER_TANGENT:
             return vector
-        case Mistake.COMPLEMENT | Mistake.OTHER_SIDE | Mistake.FORWARDS:
+        case Mistake.COMPLEMENT | Mistake.OTHER_SIDE | Mistake.FORWARDS | Mistake.COUNTED:
             return vector
         case _:
             assert_never(mistake)

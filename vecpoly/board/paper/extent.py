@@ -19,6 +19,7 @@ from .marks import (
     FrictionCircle,
     GearMark,
     Ground,
+    Hatched,
     ImageOf,
     LinkNumber,
     Mark,
@@ -68,6 +69,8 @@ def corners(mark: Mark) -> Iterator[complex]:
     """Points that span the mark."""
     match mark:
         case ImageOf(points=points) | Plate(points=points) | Outline(points=points) | Curve(points=points):
+            yield from points
+        case Hatched(points=points):
             yield from points
         case Arc(centre=c, radius=r, start=start, sweep=sweep):
             for t in np.linspace(start, start + sweep, 9):

@@ -9,7 +9,22 @@ from ...foundation.slotted import replace
 from .. import acts as done
 from ..acts import Act, Leaving
 from ..place import Place, called
-from .marks import AngleMark, Arc, Curve, Dot, ImageOf, Mark, Note, Point, RightAngle, Role, Segment, TurnArrow, Vector
+from .marks import (
+    AngleMark,
+    Arc,
+    Curve,
+    Dot,
+    Hatched,
+    ImageOf,
+    Mark,
+    Note,
+    Point,
+    RightAngle,
+    Role,
+    Segment,
+    TurnArrow,
+    Vector,
+)
 from .smooth import smooth
 
 _LEAVING = frozenset(get_args(Leaving))
@@ -63,6 +78,8 @@ def _left(act: Leaving) -> tuple[Mark, ...]:
             return (RightAngle(at=act.at, u=act.u, v=act.v),)
         case done.Tint():
             return (ImageOf(points=act.points),)
+        case done.Hatch():
+            return (Hatched(points=act.points, rising=act.rising),)
         case done.Angle():
             return (AngleMark(at=act.at, radius=act.radius, start=act.start, sweep=act.sweep, label=act.label),)
         case done.CurvedArrow():

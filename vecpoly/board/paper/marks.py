@@ -6,31 +6,10 @@ Marks follow from acts (`ink`). Drawing code reads marks and nothing else.
 
 from __future__ import annotations
 
-from enum import StrEnum
-
 from ...foundation.slotted import dataclass
 from ...words import Words
-
-
-class Role(StrEnum):
-    """Why a line is there; the drawing decides width, dash and hue."""
-
-    LINK = "link"  # 0.7 mm
-    RESULT = "result"  # 0.5 mm: vectors asked for
-    GIVEN = "given"  # 0.35 mm: known vectors
-    DIRECTION = "direction"  # 0.18 mm: direction lines of a polygon, run a little past their meeting point
-    CONSTRUCTION = "construction"  # 0.18 mm: arcs, helping lines in the kinematic diagram
-    CENTRE = "centre"  # 0.18 mm dash-dot: centre lines, pitch circles
-    HIDDEN = "hidden"  # 0.18 mm dashed: the expanded link (扩大构件), what is only thought
-
-
-class Dot(StrEnum):
-    """How a point is drawn."""
-
-    POLE = "pole"  # small open circle
-    POINT = "point"  # small filled dot (tip of a vector, point of a link)
-    JOINT = "joint"  # open circle 2.5 mm across
-    NONE = "none"  # only its letter
+from .roles import Dot as Dot
+from .roles import Role as Role
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -226,6 +205,14 @@ class Outline(Ink):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Hatched(Ink):
+    """An area between lines that are drawn already, hatched: rising to the right, or falling."""
+
+    points: tuple[complex, ...]
+    rising: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Cell(Ink):
     """A box of a block diagram (a machine of a train) with words in it."""
 
@@ -245,5 +232,5 @@ class Note(Ink):
 
 Trace = Segment | Vector | Arc | Curve
 Body = Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark
-Solid = FrictionCircle | Disc | Outline | Cell
+Solid = FrictionCircle | Disc | Outline | Hatched | Cell
 Mark = Trace | Point | RightAngle | ImageOf | Body | TurnArrow | AngleMark | LinkNumber | Solid | Note

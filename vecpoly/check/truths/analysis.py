@@ -58,7 +58,18 @@ class Exact:
 
         Raises NotAskedError for what else has no value with these data.
         """
-        return finite(_kinematic(self.problem, self.motion) | self._central() | self._curved() | self._static())
+        return finite(
+            _kinematic(self.problem, self.motion) | self._central() | self._curved() | self._static() | self._reduced()
+        )
+
+    def _reduced(self) -> Values:
+        """What is asked of the mechanism as a machine."""
+        machine, asked = self.problem.machine, [ask.rel.key for ask in self.problem.asks if _is_reduced(ask)]
+        if machine is None or not asked:
+            return {}
+        from ...oracle.machine import machine_values
+
+        return dict(machine_values(self.problem.mechanism, machine, asked))
 
     def _curved(self) -> Values:
         """What the rates of a link tell of the curvatures of its paths."""
@@ -90,7 +101,7 @@ class Exact:
         asked = [
             ask.rel
             for ask in self.problem.asks
-            if isinstance(ask, AskNamed) and not (ask.rel.is_central or ask.rel.is_curved)
+            if isinstance(ask, AskNamed) and not (ask.rel.is_central or ask.rel.is_curved or ask.rel.is_reduced)
         ]
         if self.problem.loads is None or not asked:
             return {}
@@ -154,6 +165,10 @@ class Exact:
 
 def _is_curved(ask: Ask) -> bool:
     return isinstance(ask, AskNamed) and ask.rel.is_curved
+
+
+def _is_reduced(ask: Ask) -> bool:
+    return isinstance(ask, AskNamed) and ask.rel.is_reduced
 
 
 @lru_cache(maxsize=512)

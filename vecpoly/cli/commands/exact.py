@@ -96,6 +96,10 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
             size, way = number(abs(value), 7), f"{degrees(cmath.phase(value)):.3f}°".replace("-", "−") if value else "—"
         add(made, (symbol(ask.rel.key), size, written_unit(ask.rel.unit), way))
     show(made)
+    from ...check.ending import ending_of
+
+    if (told := ending_of(problem)) is not None:
+        say(f"{problem.id}: {told.of(lang)}")
     if not problem.asks:
         from ...problem.asked.hints import nothing_asked
 

@@ -21,6 +21,7 @@ from ...board.paper.marks import (
     FrictionCircle,
     GearMark,
     Ground,
+    Hatched,
     ImageOf,
     LinkNumber,
     Mark,
@@ -146,6 +147,8 @@ def _solid(mark: Solid, around: Surroundings) -> tuple[Item, ...]:
             return solids.disc(mark)
         case Outline():
             return solids.outline(mark)
+        case Hatched():
+            return solids.hatched(mark)
         case Cell():
             return solids.cell(mark, around.lang)
     assert_never(mark)

@@ -9,7 +9,7 @@ import math
 import numpy as np
 import shapely
 
-from ...board.paper.marks import Cell, Disc, FrictionCircle, Outline
+from ...board.paper.marks import Cell, Disc, FrictionCircle, Hatched, Outline
 from ...words import Lang
 from ..labels.notes import fitted
 from ..scene import Fill, Item, Layer, Stroke, TextBox
@@ -67,15 +67,26 @@ def body(points: tuple[complex, ...], step: int) -> tuple[Item, ...]:
     )
 
 
-def hatched_area(points: tuple[complex, ...]) -> tuple[tuple[complex, complex], ...]:
-    """Lines at 45° through a polygon, clipped to it."""
+def hatched(mark: Hatched) -> tuple[Item, ...]:
+    """An area between lines: hatched in light ink, on which letters may stand."""
+    if len(mark.points) < 3:
+        return ()
+    slope = SLOPE if mark.rising else SLOPE.conjugate()
+    return tuple(
+        Stroke(points=pair, width=THIN, hue=Hue.HATCH, layer=Layer.TINT, step=mark.step)
+        for pair in hatched_area(mark.points, slope)
+    )
+
+
+def hatched_area(points: tuple[complex, ...], slope: complex = SLOPE) -> tuple[tuple[complex, complex], ...]:
+    """Lines at 45°, or along another direction, through a polygon, clipped to it."""
     area = shapely.make_valid(shapely.Polygon([(z.real, z.imag) for z in points]))
-    turned = np.array(points) * SLOPE.conjugate()  # the lines lie level here
+    turned = np.array(points) * slope.conjugate()  # the lines lie level here
     x0, x1 = turned.real.min() - 1, turned.real.max() + 1
     levels = np.arange(math.ceil(turned.imag.min() / PITCH), math.floor(turned.imag.max() / PITCH) + 1) * PITCH
     found: list[tuple[complex, complex]] = []
     for y in levels:
-        ends = [complex(x, y) * SLOPE for x in (x0, x1)]
+        ends = [complex(x, y) * slope for x in (x0, x1)]
         cut = shapely.intersection(area, shapely.LineString([(z.real, z.imag) for z in ends]))
         for part in shapely.get_parts(cut):
             if part.geom_type == "LineString" and part.length > 0.3:

@@ -14,6 +14,7 @@ from ...board.paper.marks import (
     FrictionCircle,
     GearMark,
     Ground,
+    Hatched,
     ImageOf,
     LinkNumber,
     Mark,
@@ -99,7 +100,7 @@ def layer_of(mark: Mark) -> str:
             return POINT
         case RightAngle() | AngleMark() | TurnArrow():
             return DIMENSION
-        case ImageOf():
+        case ImageOf() | Hatched():
             return TINT
         case LinkNumber() | Note():
             return TEXT

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from ...answer import YES_NO, Answer, bearing
-from ...board.acts import Act, Compute, Measure
+from ...board.acts import Act, Area, Compute, Measure
 from ...board.acts import Answer as Wrote
 from ...board.otherwise.amended import AS_DRAWN
 from ...board.place import View, views
@@ -76,6 +76,7 @@ class _Found:
         computed = {act.key: act for act in acts if isinstance(act, Compute) and act.key not in asked and _is_step(act)}
         taken = {*asked, *computed}
         steps: list[tuple[Act, Graded]] = [(act, _reading(act, _name(act, read, taken))) for act in read]
+        steps += [(act, _area(act)) for act in acts if isinstance(act, Area) and act.mm2 > ZERO]
         steps += [(act, _computed(act)) for act in computed.values()]
         steps += [(act, self._asked(self.solution.answers[key])) for key, act in asked.items()]
         return sorted(steps, key=lambda step: step[0].number)
@@ -124,6 +125,13 @@ def _computed(act: Compute) -> Graded:
     kind = Kind.SIGNED if act.unit in TURNING else Kind.SCALAR
     return Graded(
         key=act.key, symbol=_symbol(act.key), kind=kind, unit=act.unit, block=block_of(None, act.unit), exact=act.value
+    )
+
+
+def _area(act: Area) -> Graded:
+    """An area that was counted: a value by itself, for no ruler tells it."""
+    return Graded(
+        key=act.key, symbol=_lettered(act.key), kind=Kind.SCALAR, unit="mm^2", block=block_of(_view(act)), exact=act.mm2
     )
 
 

@@ -23,6 +23,9 @@ _SAID = {
     Mistake.COMPLEMENT: Words("取了余角（如以 θ 代 90° − θ）", "at the complementary angle (θ for 90° − θ, say)"),
     Mistake.OTHER_SIDE: Words("角作在了另一侧", "at the angle on the other side"),
     Mistake.FORWARDS: Words("反转的方向取反了", "carried on with the motion instead of turned back"),
+    Mistake.DEGREES: Words("转角比例尺以度代弧度", "taken with degrees in place of radians"),
+    Mistake.PER_MINUTE: Words("把转速 n（r/min）当作角速度", "the speed n in r/min, taken for rad/s"),
+    Mistake.COUNTED: Words("把同号相邻的面积当作变号", "counted as a crossing, though the sign does not change"),
 }
 
 

@@ -1,14 +1,12 @@
 """What may be asked of a loaded mechanism, by key.
 
 ``M_1`` the balancing load; ``M_1_0`` the same without friction; ``M_1_lever``, ``M_1_power`` without friction by the
-Zhukovsky
-lever and by virtual power; ``R_12`` the force of link 1 on link 2 (frame: its printed number), ``R_12_0`` without
-friction;
-``h`` the arm of the couple on the link that a balancing moment acts on; ``eta`` the efficiency; ``F_I2``, ``M_I2``
-inertia force
-and couple of link 2, ``h_2`` the arm by which they join into one force; ``m_2``, ``J_2`` its mass and its moment of
-inertia
-about the centre of mass, which are data (`given_value`).
+Zhukovsky lever and by virtual power; ``R_12`` the force of link 1 on link 2 (frame: its printed number), ``R_12_0``
+without friction; ``h`` the arm of the couple on the link that a balancing moment acts on; ``eta`` the efficiency;
+``F_I2``, ``M_I2`` inertia force and couple of link 2, ``h_2`` the arm by which they join into one force; ``m_2``,
+``J_2`` its mass and its moment of inertia about the centre of mass, which are data (`given_value`). A moment that is
+constant over the period has its own name, ``M_d``; what balances at a position is then ``M_b``. Loads that depend on
+the motion, and springs, have their sizes by their own names.
 """
 
 from __future__ import annotations
@@ -17,7 +15,8 @@ from itertools import combinations
 
 from ...names import Named, reaction
 from ..groups.assur import ends, hinges
-from ..loads import Force, Load, Loads
+from ..laws.springs import Coil, Elastic
+from ..loads import Force, Load, Loads, Mass
 from ..model import Mechanism, Prismatic, Revolute
 
 
@@ -30,6 +29,11 @@ def load_symbol(name: str) -> str:
 def load_named(load: Load) -> Named:
     """The load as a quantity: N along its direction, or N·m counter-clockwise."""
     return Named(load.name, load_symbol(load.name), "N" if isinstance(load, Force) else "N·m")
+
+
+def spring_named(spring: Elastic) -> Named:
+    """What a spring does: N where it pulls, or N·m on its link."""
+    return Named(spring.name, load_symbol(spring.name), "N·m" if isinstance(spring, Coil) else "N")
 
 
 def without_friction(named: Named) -> Named:
@@ -103,6 +107,10 @@ def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
     ideal = without_friction(unknown)
     found = [unknown, Named("eta", "η", ""), ideal]
     found += [Named(f"{unknown.key}_{way}", ideal.symbol, unknown.unit) for way in ("lever", "power")]
+    found += [load_named(load) for load in loads.all if load.law is not None]
+    found += [spring_named(spring) for spring in loads.springs]
+    if loads.constant is not None:
+        found.append(Named(loads.constant.name, load_symbol(loads.constant.name), "N·m"))
     if unknown.unit == "N·m":
         found.append(Named("h", "h", "m"))
     for a, b in (*pairs(mech), *apart(mech)):
@@ -116,8 +124,14 @@ def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
             Named(f"M_I{link}", f"M_{{I{link}}}", "N·m"),
             Named(f"h_{link}", f"h_{link}", "m"),
         ]
-        found += [Named(f"m_{link}", f"m_{{{link}}}", "kg"), Named(f"J_{link}", f"J_{{{mass.centre}}}", "kg·m^2")]
+        found += mass_named(mass)
     return {named.key: named for named in found}
+
+
+def mass_named(mass: Mass) -> tuple[Named, Named]:
+    """Mass and moment of inertia of a link."""
+    link = mass.link
+    return Named(f"m_{link}", f"m_{{{link}}}", "kg"), Named(f"J_{link}", f"J_{{{mass.centre}}}", "kg·m^2")
 
 
 def given_value(loads: Loads, key: str) -> float | None:

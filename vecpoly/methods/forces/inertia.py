@@ -39,7 +39,7 @@ def inertia_forces(st: Statics) -> None:
         if st.loads.inertia:
             _inertia(st, mass)
         if st.loads.weight:
-            _weight(st, mass)
+            weight_force(st, mass)
 
 
 def weight_named(mass: Mass) -> Named:
@@ -197,7 +197,7 @@ def _displace(st: Statics, mass: Mass, force: Acting, arm: Reals) -> None:
     draw_arm(st, View.MECHANISM, _lever(st, mass).symbol, s, at, along)
 
 
-def _weight(st: Statics, mass: Mass) -> None:
+def weight_force(st: Statics, mass: Mass) -> None:
     """G = m g, down through S."""
     named = weight_named(mass)
     s = st.desk.name(At(mass.centre))

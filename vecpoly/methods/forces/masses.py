@@ -6,7 +6,7 @@ from math import pi
 
 from ...algebra.formula import Txt
 from ...algebra.quantity import Expr, Quantity, magnitude
-from ...mechanism.asked.forces import quantities
+from ...mechanism.asked.forces import mass_named
 from ...mechanism.loads import Mass, Rod
 from ...plane import nominal
 from ...words import Words
@@ -32,8 +32,7 @@ def masses(st: Statics) -> None:
 
 
 def _keep(st: Statics, mass: Mass) -> None:
-    names = quantities(st.mech, st.loads)
-    weight, inertia = names[f"m_{mass.link}"], names[f"J_{mass.link}"]
+    weight, inertia = mass_named(mass)
     m: Expr = magnitude(weight.symbol, mass.mass, weight.unit)
     j: Expr = magnitude(inertia.symbol, mass.inertia, inertia.unit)
     if mass.rod is not None:

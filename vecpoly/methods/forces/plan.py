@@ -42,6 +42,7 @@ from .doors import DRIVERS
 from .groups.group import solve_group
 from .hubs import hub_couples, hubs_of, joined, say_hubs
 from .inertia import inertia_forces
+from .laws.found import Pulls, found_loads
 from .lines.links_of_group import Held
 from .order import order_of, order_without
 from .readings import read_reactions
@@ -59,14 +60,20 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     Raises LockedError, EquilibriumError, NoSlipSenseError, NoMethodError.
     """
     assert problem.loads is not None
-    problem = replace(problem, loads=from_the_frame(desk.mech, problem.loads))
+    here, pulls = found_loads(desk, from_the_frame(desk.mech, problem.loads))
+    return _of_position(desk, replace(problem, loads=here), pulls)
+
+
+def _of_position(desk: Desk, problem: Problem, pulls: Pulls) -> Statics:
+    """The force analysis with the loads as they are in this position."""
     assert problem.loads is not None
     if not problem.loads.friction and is_alone(problem) and not _are_reactions_drawn(desk, problem.loads):
-        return _balance_alone(desk, problem)
+        return _balance_alone(desk, problem, pulls)
     loads = as_outer_forces(desk, problem.loads)
     floating = floating_unknown(desk.mech, problem.loads)
     order = order_of(desk.mech, loads) if floating is None else order_without(desk.mech, floating)
-    st = Statics(desk=replace(desk, mech=order.mech), loads=loads, hubs=hubs_of(desk.mech, order.mech), own=desk.mech)
+    hubs = hubs_of(desk.mech, order.mech)
+    st = Statics(desk=replace(desk, mech=order.mech), loads=loads, hubs=hubs, own=desk.mech, pulls=pulls)
     held, groups = order.held, without_cylinders(order.groups, problem.loads)
     if not is_drawn(groups):
         raise refuse_undrawn(st, groups)
@@ -118,11 +125,11 @@ def _are_reactions_drawn(desk: Desk, loads: Loads) -> bool:
     return is_drawn(without_cylinders(order_of(desk.mech, moved).groups, loads))
 
 
-def _balance_alone(desk: Desk, problem: Problem) -> Statics:
+def _balance_alone(desk: Desk, problem: Problem, pulls: Pulls) -> Statics:
     """No reaction is asked for, and not all are drawn:
     virtual power finds the balancing load, and the lever where it is asked for."""
     assert problem.loads is not None
-    st = Statics(desk=desk, loads=problem.loads)
+    st = Statics(desk=desk, loads=problem.loads, pulls=pulls)
     inertia_forces(st)
     draw_given_loads(st)
     power_first(st)
@@ -163,6 +170,7 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: D
         couples=couples,
         hubs=ideal.hubs,
         own=ideal.own,
+        pulls=ideal.pulls,
         balance=tried(ideal, couples),
         balanced=ideal.balanced,
     )

@@ -51,6 +51,7 @@ def settled(
         inertia_couples=ideal.inertia_couples,
         hubs=ideal.hubs,
         own=ideal.own,
+        pulls=ideal.pulls,
         balanced=ideal.balanced,
     )
     guide: Statics = ideal

@@ -6,6 +6,7 @@ is known under that pair and, reversed, under the opposite one: R_21 = −R_12.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -20,6 +21,7 @@ from ...plane import Line, Points, Reals, foot, nominal
 from ...words import Words
 from .acting import Acting, Drawn, summed
 from .friction import Rubbing
+from .laws.pull import Pull
 
 OFF_SHEET = 300.0  # mm from a joint: a meeting point farther away is on no drawing board
 
@@ -39,6 +41,7 @@ class Statics(Rubbing):
     balanced: bool = False  # whether it was found before the reactions
     rest: Reals = 0.0  # power (W) that the link which closes would still need, where the balancing load is on trial
     own: Mechanism | None = None  # the problem's mechanism, where hubs are hung otherwise
+    pulls: Mapping[str, Pull] = field(default_factory=dict)  # loads whose size was read off the sheet, by name
 
     # -- names ------------------------------------------------------------------------------------------------
 
@@ -172,7 +175,13 @@ class Statics(Rubbing):
 
     def size_of(self, load: Load) -> Reals:
         """N along the load's direction, or N·m."""
-        return self.balance if load.size is None else load.size
+        if load.size is None:
+            return self.balance
+        return self.pulls[load.name].size if load.name in self.pulls else load.size
+
+    def along(self, load: Force) -> Points:
+        """The direction of a force (a unit vector)."""
+        return self.pulls[load.name].along if load.name in self.pulls else complex(np.exp(1j * load.direction))
 
     def reactions(self, link: str) -> list[Acting]:
         """The reactions on a link found so far."""
@@ -199,7 +208,7 @@ class Statics(Rubbing):
         )
 
     def _load(self, load: Force) -> Acting:
-        vector = self.mm(self.size_of(load)) * complex(np.exp(1j * load.direction))
+        vector = self.mm(self.size_of(load)) * self.along(load)
         return Acting(
             named=load_named(load), vector=vector, at=self.desk.at[load.point], size=f"${load_named(load).symbol}$"
         )

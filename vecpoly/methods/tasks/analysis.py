@@ -27,7 +27,7 @@ class Analysis:
 
     def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended, sketch: Desk | None = None) -> Drawn:
         """Each figure as large as its place on the sheet allows."""
-        if problem.loads is not None:
+        if problem.loads is not None or (problem.machine is not None and problem.machine.run is not None):
             return construct(problem, by, _of_forces(paper), amended=amended, sketch=sketch)
         if problem.curvature is not None:
             slots = {view: BESIDE if view is View.MECHANISM else POLYGON for view in views()}

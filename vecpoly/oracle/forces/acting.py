@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ...errors import EquilibriumError, UnknownNameError
+from ...mechanism.laws.springs import Coil, Elastic
 from ...mechanism.loads import GRAVITY, Force, Load, Loads, Mass
-from ...mechanism.model import Mechanism
+from ...mechanism.model import FRAME, Mechanism
 from ...words import Words
 from ..state import NONE, STILL, Bodies, Points, Reals, dot
+from .laws.stands import Stands, couple_here, pull_here, refuse_still, size_here
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -22,7 +24,7 @@ class Acting:
     at: Points
     force: Points
     couple: Reals
-    opposite: Acting | None = None  # what acts on the other link of a cylinder
+    opposite: Acting | None = None  # what acts on the other link of a cylinder or a spring
 
     def power(self, rates: Bodies) -> Reals:
         """F·v + M ω (W)."""
@@ -32,7 +34,7 @@ class Acting:
 
     @property
     def parts(self) -> tuple[Acting, ...]:
-        """This force, and the opposite one of a cylinder."""
+        """This force, and the opposite one of a cylinder or a spring."""
         return (self,) if self.opposite is None else (self, self.opposite)
 
 
@@ -47,6 +49,7 @@ def checked(mech: Mechanism, loads: Loads) -> None:
                 f"{len(free)} loads have no size{named}; exactly one must be left to balance the others",
             )
         )
+    refuse_still(mech, loads)
     for item in (*loads.all, *loads.masses):
         if item.link not in mech.bodies:
             name = f"the mass of {item.link}" if isinstance(item, Mass) else item.name
@@ -77,9 +80,11 @@ def checked(mech: Mechanism, loads: Loads) -> None:
             )
 
 
-def given(mech: Mechanism, loads: Loads, bodies: Bodies) -> tuple[Acting, ...]:
-    """Everything whose size is known: loads, weights, inertia forces."""
-    sized = [_load(mech, load, load.size, bodies) for load in loads.all if load.size is not None]
+def given(mech: Mechanism, loads: Loads, bodies: Bodies, q: Reals) -> tuple[Acting, ...]:
+    """Everything whose size is known at the positions q of the drive: loads, springs, weights, inertia forces."""
+    at = Stands(mech, bodies, q)
+    sized = [_load(mech, load, size_here(load, at), bodies) for load in loads.all if load.size is not None]
+    sized += [_elastic(spring, at) for spring in loads.springs]
     if loads.weight:
         sized += [weight(mech, mass, bodies) for mass in loads.masses]
     if loads.dynamic:
@@ -89,7 +94,7 @@ def given(mech: Mechanism, loads: Loads, bodies: Bodies) -> tuple[Acting, ...]:
 
 def sought(mech: Mechanism, loads: Loads, bodies: Bodies) -> Acting:
     """The balancing load, of size 1."""
-    return _load(mech, loads.unknown, 1.0, bodies)
+    return _load(mech, loads.unknown, np.ones(1), bodies)
 
 
 def inertia(mech: Mechanism, mass: Mass, bodies: Bodies) -> Acting:
@@ -112,18 +117,18 @@ def weight(mech: Mechanism, mass: Mass, bodies: Bodies) -> Acting:
     )
 
 
-def _load(mech: Mechanism, load: Load, size: float, bodies: Bodies) -> Acting:
+def _load(mech: Mechanism, load: Load, size: Reals, bodies: Bodies) -> Acting:
     body = bodies[load.link]
     if isinstance(load, Force) and load.against:
         return _thrust(mech, load, size, bodies)
     if isinstance(load, Force):
-        force = np.full(1, size * np.exp(1j * load.direction))
+        force = (size * complex(np.exp(1j * load.direction))).astype(np.complex128)
         at = body.point(mech.link(load.link).points[load.point])
         return Acting(name=load.name, link=load.link, at=at, force=force, couple=NONE)
-    return Acting(name=load.name, link=load.link, at=body.at, force=STILL, couple=np.full(1, size))
+    return Acting(name=load.name, link=load.link, at=body.at, force=STILL, couple=size)
 
 
-def _thrust(mech: Mechanism, load: Force, size: float, bodies: Bodies) -> Acting:
+def _thrust(mech: Mechanism, load: Force, size: Reals, bodies: Bodies) -> Acting:
     """The force of a cylinder on its two links, apart along the line of their pins."""
     places = [
         bodies[link].point(mech.link(link).points[letter])
@@ -135,6 +140,21 @@ def _thrust(mech: Mechanism, load: Force, size: float, bodies: Bodies) -> Acting
     return Acting(name=load.name, link=load.link, at=places[1], force=push, couple=NONE, opposite=back)
 
 
-def unit_drive(mech: Mechanism) -> Mechanism:
-    """The mechanism with its drive moving at unit rate: for virtual velocities where the drive itself rests."""
-    return replace(mech, drives=(replace(mech.drive, rate=1.0, accel=0.0), *mech.drives[1:]))
+def _elastic(spring: Elastic, at: Stands) -> Acting:
+    """What a spring with its damper does to its two links; on the link alone where the other is the frame."""
+    if isinstance(spring, Coil):
+        turns = couple_here(spring, at)
+        place = at.bodies[spring.link].at
+        other = None
+        if spring.against != FRAME:
+            there = at.bodies[spring.against].at
+            other = Acting(name=spring.name, link=spring.against, at=there, force=STILL, couple=-turns)
+        return Acting(name=spring.name, link=spring.link, at=place, force=STILL, couple=turns, opposite=other)
+    foot, point = at.ends(spring)
+    with np.errstate(invalid="ignore", divide="ignore"):  # ends at one place have no direction: NaN
+        pull: Points = -pull_here(spring, at) * (point - foot) / np.abs(point - foot)
+    back = Acting(name=spring.name, link=spring.against, at=foot, force=-pull, couple=NONE)
+    held = spring.against == FRAME
+    return Acting(
+        name=spring.name, link=spring.link, at=point, force=pull, couple=NONE, opposite=None if held else back
+    )

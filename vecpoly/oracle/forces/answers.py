@@ -6,11 +6,14 @@ import numpy as np
 
 from ...errors import UnknownNameError
 from ...mechanism.asked.forces import given_value
+from ...mechanism.laws.springs import Coil
 from ...mechanism.loads import Mass
 from ...mechanism.model import FRAME
 from ...words import Words
 from ..state import Points, Reals, cross
 from .acting import Acting, inertia
+from .laws.period import constant_size
+from .laws.stands import couple_here, pull_here, size_here
 from .pairs import Wrench
 from .solved import Equilibrium
 from .system import ROUNDING, Balance
@@ -68,9 +71,24 @@ def _value(result: Equilibrium, key: str) -> Points | Reals:
         return _arm(result)
     if key.startswith("R_"):
         return _reaction(result, key.removesuffix("_0"), result.dry if key.endswith("_0") else result.wet)
+    if result.loads.constant is not None and key == result.loads.constant.name:
+        return np.full(1, constant_size(result.mech, result.loads))
     if (data := given_value(result.loads, key)) is not None:
         return np.full(1, data)
+    if (size := _by_law(result, key)) is not None:
+        return size
     return _inertia(result, key)
+
+
+def _by_law(result: Equilibrium, key: str) -> Reals | None:
+    """The size of a load that depends on the motion, or of a spring; None for every other key."""
+    load = next((one for one in result.loads.all if one.name == key and one.law is not None), None)
+    if load is not None:
+        return size_here(load, result.stands)
+    spring = next((one for one in result.loads.springs if one.name == key), None)
+    if spring is None:
+        return None
+    return couple_here(spring, result.stands) if isinstance(spring, Coil) else pull_here(spring, result.stands)
 
 
 def _balancing(result: Equilibrium, load: Reals) -> Reals:

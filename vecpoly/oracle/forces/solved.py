@@ -15,6 +15,7 @@ from ...mechanism.model import Mechanism
 from ...names import Named
 from ..motion import Motion
 from ..state import Bodies, Reals
+from .laws.stands import Stands
 from .system import ROUNDING, Balance, System
 
 _Number = TypeVar("_Number", np.complex128, np.float64)
@@ -33,6 +34,7 @@ class Equilibrium:
     dry: Balance  # without friction
     wet: Balance  # with it
     causes: NDArray[np.int8]  # `causes.Cause` by position: why there is no answer
+    stands: Stands  # what loads that depend on the motion ask
 
     @cached_property
     def named(self) -> dict[str, Named]:

@@ -6,7 +6,9 @@ from ...errors import FaultError
 from ...mechanism.asked.centres import centre_quantities
 from ...mechanism.asked.curvature import Centrodes, Curvature
 from ...mechanism.asked.forces import quantities
+from ...mechanism.asked.machine import machine_quantities
 from ...mechanism.loads import Loads
+from ...mechanism.machine import Machine
 from ...mechanism.model import Mechanism
 from ...names import At, Named, is_centre
 from ...words import Words
@@ -26,16 +28,19 @@ ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 
 
 def read_wanted(
-    spec: ProblemSpec, bodies: Bodies, mechanism: Mechanism, loads: Loads | None, faults: Faults
+    spec: ProblemSpec,
+    bodies: Bodies,
+    mechanism: Mechanism,
+    loads: Loads | None,
+    machine: Machine | None,
+    faults: Faults,
 ) -> tuple[tuple[Ask, ...], Curvature | None, tuple[Printed, ...], Scales]:
     """What is asked for, of which curvatures, what was printed, and the scales;
     every fault is noted at its place."""
-    forces = _geometric(spec, mechanism, faults) | (quantities(mechanism, loads) if loads else {})
+    forces = _geometric(spec, mechanism, faults) | _acting(mechanism, loads, machine)
     centrodes = _centrodes(spec, mechanism, faults)
     forces = known_quantities(forces, centrodes, mechanism)
-    named: list[At] = []
-    asks: list[Ask] = []
-    printed: list[Printed] = []
+    named, asks, printed = list[At](), list[Ask](), list[Printed]()
     for i, item in enumerate(spec.find):
         if isinstance(item, FindSpec) and item.point:
             with faults.at("find", i):
@@ -61,6 +66,11 @@ def read_wanted(
     clean = not faults.found
     curvature = curvature_of(spec, mechanism, tuple(asks), centrodes, faults) if clean else None
     return tuple(asks), curvature, tuple(printed), scales
+
+
+def _acting(mechanism: Mechanism, loads: Loads | None, machine: Machine | None) -> dict[str, Named]:
+    """What follows from what acts: an equilibrium, a machine."""
+    return (quantities(mechanism, loads) if loads else {}) | (machine_quantities(mechanism, machine) if machine else {})
 
 
 def _centrodes(spec: ProblemSpec, mechanism: Mechanism, faults: Faults) -> Centrodes | None:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError, UnknownNameError
+from ...mechanism.asked.machine import RUN_KEYS
 from ...mechanism.model import FRAME
 from ...names import At, Key, Named, Rel, parse_rel
 from ...units.reading import Dim, read
@@ -139,6 +140,7 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
             + meant(text, curved),
             code="unknown-name",
         )
+    _refuse_running(text, forces)
     loads = [key for key, named in forces.items() if not (named.is_central or named.is_curved)]
     if _FORCES.fullmatch(text) and (loads or intended(text) is None):
         raise FaultError(
@@ -151,6 +153,19 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
             code="missing",
         )
     return read_key(text, bodies, named)
+
+
+def _refuse_running(text: str, forces: Mapping[str, Named]) -> None:
+    """Raise FaultError for what only a machine that runs has."""
+    if RUN_KEYS.fullmatch(text):
+        raise FaultError(
+            Words(
+                f"求“{text}”须说明机器如何运转；如写 machine: {{n: 60 r/min, delta: 0.05}}",
+                f"'{text}' needs to know how the machine runs; write e.g. machine: {{n: 60 r/min, delta: 0.05}}",
+            )
+            + meant(text, [key for key, named in forces.items() if named.is_reduced]),
+            code="missing",
+        )
 
 
 def read_key(text: str, bodies: Bodies, named: Iterable[At] = ()) -> Rel:

@@ -12,11 +12,12 @@ from ..joints.branches import BRANCHES
 from ..joints.contacts import FORMS as CONTACTS
 from ..joints.rolling import FORMS as ROLLING
 from ..joints.slides import FORMS as JOINTS
+from ..loads.lawful import CONSTANT
 
 Schema = dict[str, Any]
 _SYMBOL = (
     r"^((p|v|a|an|at|ak|ar|a[ⁿᵗᵏʳᶜ]|l)_[A-Z][A-Za-z0-9'′]*|(omega|alpha|ω|α)_\w+[a-z']?|centres|P_\w+"
-    r"|phi_[A-Z]\w*_(extended|overlapped)|(delta|lambda|rho)_\w+|eta|η|[A-Z][A-Za-z]?\w*|[hmJ](_\w+)?)$"
+    r"|phi_[A-Z]\w*_(extended|overlapped)|(delta|lambda|rho)_\w+|eta|η|m_e\d*|dW_max|delta|dT_\w+|power_\w+|t_(end|at_\S+)|phi_(max|min|end)|omega_at_\S+|[A-Z][A-Za-z]?\w*|[hmJ](_\w+)?)$"
 )
 
 
@@ -47,10 +48,21 @@ def omega() -> Schema:
     return quantity(Dim.OMEGA, SENSE)
 
 
+def either(one: Dim, other: Dim) -> Schema:
+    """A quantity of one of two kinds."""
+    return quantity(one, pattern(other)[2:-3])
+
+
 def size() -> Schema:
-    """A force, a moment, or ? for the load that balances."""
+    """A force, a moment, ? for the load that balances, a constant moment, or a table."""
     force, moment = pattern(Dim.FORCE)[3:-3], pattern(Dim.MOMENT)[3:-3]
-    return {"anyOf": [{"type": "string", "pattern": rf"^ *({force}|{moment}|\?) *$"}, {"const": 0}]}
+    return {
+        "anyOf": [
+            {"type": "string", "pattern": rf"^ *({force}|{moment}|\?|{'|'.join(CONSTANT)}) *$"},
+            {"const": 0},
+            {"$ref": "#/$defs/TableSpec"},
+        ]
+    }
 
 
 def sentences(forms: Iterable[re.Pattern[str]]) -> Schema:

@@ -19,6 +19,7 @@ from ..schema.models import AssignmentSpec, ProblemSpec
 from . import patterns
 from .design_words import DESIGNS
 from .device_words import DATA
+from .machine_words import MACHINE
 from .patterns import Schema, quantity
 from .words import KEYS
 
@@ -36,6 +37,13 @@ _VALUES = {
     "InputSpec.a": quantity(Dim.ACCEL),
     "LoadSpec.size": patterns.size(),
     "LoadSpec.direction": _ANGLE,
+    "LoadSpec.k": patterns.either(Dim.STIFFNESS, Dim.TWIST),
+    "LoadSpec.l_0": _LENGTH,
+    "LoadSpec.phi_0": _ANGLE,
+    "LoadSpec.preload": patterns.either(Dim.FORCE, Dim.MOMENT),
+    "LoadSpec.c": patterns.either(Dim.DAMPING, Dim.DRAG),
+    "TableSpec.area": quantity(Dim.AREA),
+    "TableSpec.bore": _LENGTH,
     "FrictionSpec.rho": _LENGTH,
     "FrictionSpec.r": _LENGTH,
     "FrictionSpec.phi": _ANGLE,
@@ -168,7 +176,7 @@ def _finish(spec: Schema, name: str) -> None:
 
 
 def _said(place: str) -> str:
-    words = KEYS.get(place) or DATA.get(place) or DESIGNS.get(place)
+    words = KEYS.get(place) or MACHINE.get(place) or DATA.get(place) or DESIGNS.get(place)
     if words is None:
         return place  # a test asks for its words
     return f"{words.zh} / {words.en}"

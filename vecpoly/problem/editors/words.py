@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...figures import scales
 from ...words import Words
+from .load_words import LOADS
 
 _MARKING = {
     "Problem.rules": Words("批改规则", "rules of marking"),
@@ -146,14 +147,7 @@ KEYS = {
     ),
     "InputSpec.cylinder": Words("被驱动的移动副的两构件：2-3", "the two links of the driven sliding pair: 2-3"),
     "InputSpec.length": Words("液压缸两铰链间的长度：900 mm", "length of a cylinder between its two pins: 900 mm"),
-    "LoadSpec.cylinder": Words("液压缸的推力，写其两构件：2-3", "the thrust of a cylinder, by its two links: 2-3"),
-    "LoadSpec.on": Words("所作用构件的编号", "number of the link on which it acts"),
-    "LoadSpec.at": Words("力的作用点（构件上的字母）", "the lettered point of the link at which a force acts"),
-    "LoadSpec.size": Words(
-        '大小：1000 N、20 N*m ccw；待求的写 "?"', 'size: 1000 N, 20 N*m ccw; "?" for the load that balances'
-    ),
-    "LoadSpec.direction": Words("力的方向，由 x 轴量起：180 deg", "direction of a force from the x axis: 180 deg"),
-    "LoadSpec.role": Words("驱动（driving）或阻力（resisting）", "what it is meant to do: driving or resisting"),
+    **LOADS,
     "FrictionSpec.rho": Words("摩擦圆半径：6 mm", "radius of a pin's friction circle: 6 mm"),
     "FrictionSpec.f": Words("摩擦系数：0.1", "coefficient of friction: 0.1"),
     "FrictionSpec.f_v": Words("当量摩擦系数，代替 f", "equivalent coefficient, in the place of f"),

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 
 from ...errors import FaultError
-from ...mechanism.loads import Force, Load, Moment
+from ...mechanism.laws.springs import Elastic
+from ...mechanism.loads import Constant, Force, Load, Moment
 from ...mechanism.model import FRAME
 from ...units.names import unit_of
 from ...units.reading import Dim, Quantity, read
@@ -13,12 +14,15 @@ from ...words import Words
 from ..links.bodies import Bodies, frame_number
 from ..links.draft import Draft
 from ..schema.faults import meant
-from ..schema.models import LoadSpec
+from ..schema.models import LoadSpec, TableSpec
+from .driven import Driven
+from .lawful import CONSTANT, lawful, read_constant, read_motor
+from .springs import read_spring
 from .thrusts import read_thrust
 
 _NAME = re.compile(r"[A-Z][a-z]?(?:_[A-Za-z0-9]+)?")
-# keys of reactions, inertia forces and couples, inertias, instant centres
-_TAKEN = re.compile(r"R_\w+|[FM]_I\w+|J_\w+|P_\d\w*")
+# keys of reactions, inertia forces and couples, inertias, instant centres, equivalents
+_TAKEN = re.compile(r"R_\w+|[FM]_I\w+|J_\w+|P_\d\w*|[FM]_e(?:\d\w*)?")
 UNKNOWN = "?"
 WIDE_UNKNOWN = "？"  # of a Chinese keyboard: between quotes there is no doubt what is meant
 
@@ -34,21 +38,27 @@ def _check_name(name: str) -> None:
     if _TAKEN.fullmatch(name):
         raise FaultError(
             Words(
-                f"“{name}”是反力、惯性力或瞬心的符号；载荷请写 F、Q、F_r 或 M_1",
-                f"'{name}' is the name of a reaction, of an inertia force or of an instant centre; call the "
-                "load F, Q, F_r or M_1",
+                f"“{name}”是反力、惯性力、瞬心或等效量的符号；载荷请写 F、Q、F_r 或 M_1",
+                f"'{name}' is the name of a reaction, of an inertia force, of an instant centre or of an equivalent; "
+                "call the load F, Q, F_r or M_1",
             )
         )
 
 
-def read_load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
+def read_load(name: str, spec: LoadSpec, bodies: Bodies, driven: Driven) -> Load | Elastic | Constant:
     """One entry of `loads`; raises FaultError."""
     _check_name(name)
-    if spec.size is not None and str(spec.size).strip() in (UNKNOWN, WIDE_UNKNOWN):
+    if isinstance(spec.size, str) and spec.size.strip() in (UNKNOWN, WIDE_UNKNOWN):
         spec = spec.model_copy(update={"size": UNKNOWN})
+    if spec.spring is not None or spec.damper is not None:
+        return read_spring(name, spec, bodies, driven)
     if spec.cylinder is not None:
-        return read_thrust(name, spec, bodies)
+        return lawful(read_thrust(name, spec, bodies), spec, bodies, driven)
     draft = _moving(spec, bodies)
+    if spec.motor is not None:
+        return lawful(read_motor(name, spec, draft, driven), spec, bodies, driven)
+    if isinstance(spec.size, str) and spec.size.strip() in CONSTANT:
+        return read_constant(name, spec, draft, driven)
     if spec.size is None:
         raise FaultError(
             Words(
@@ -58,8 +68,9 @@ def read_load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
             code="missing",
         )
     if _is_force(spec):
-        return _force(name, spec, spec.size, draft)
-    return Moment(name=name, link=draft.name, size=_size(spec.size, Dim.MOMENT), role=spec.role or "")
+        return lawful(_force(name, spec, spec.size, draft), spec, bodies, driven)
+    own = Moment(name=name, link=draft.name, size=_size(spec.size, Dim.MOMENT), role=spec.role or "")
+    return lawful(own, spec, bodies, driven)
 
 
 def _moving(spec: LoadSpec, bodies: Bodies) -> Draft:
@@ -91,7 +102,7 @@ def _moving(spec: LoadSpec, bodies: Bodies) -> Draft:
     return draft
 
 
-def _force(name: str, spec: LoadSpec, written: str, draft: Draft) -> Force:
+def _force(name: str, spec: LoadSpec, written: str | TableSpec, draft: Draft) -> Force:
     if spec.at is None:
         raise FaultError(
             Words(
@@ -131,6 +142,8 @@ def _is_force(spec: LoadSpec) -> bool:
     """A force has a point and a direction, a moment neither; raises where only one of them is written."""
     if spec.direction is not None:
         return True
+    if isinstance(spec.size, TableSpec):
+        return spec.at is not None
     turns = spec.size not in (None, UNKNOWN) and _dimension(str(spec.size)) == Dim.MOMENT.dimension
     if spec.at is not None and turns:
         raise FaultError(
@@ -170,7 +183,10 @@ def _dimension(text: str) -> str:
         return ""
 
 
-def _size(text: str, dim: Dim) -> float | None:
+def _size(text: str | TableSpec, dim: Dim) -> float | None:
+    """The size as written; of a table, which has its own, 0 for the time being."""
+    if isinstance(text, TableSpec):
+        return 0.0
     return None if text == UNKNOWN else _read("size", text, dim).si
 
 

@@ -2,28 +2,55 @@
 
 from __future__ import annotations
 
+from typing import assert_never
+
+from ...foundation.slotted import replace
+from ...mechanism.laws.sizes import Motor, Table
 from ...mechanism.loads import Force, Load, Loads
 from ...words import Words
 from ..problem import Datum
-from ..schema.models import ProblemSpec
-
-
-def written(text: str) -> str:
-    """A unit as a book prints it: N*m → N·m, kg/m^3 → kg/m³."""
-    return text.replace("**", "^").replace("*", "·").replace("^2", "²").replace("^3", "³")
+from ..schema.models import LoadSpec, ProblemSpec
+from .law_data import told_constant, told_motor, told_spring, told_table, told_windows, written
 
 
 def data_of_loads(spec: ProblemSpec, loads: Loads) -> tuple[Datum, ...]:
     """The loads for 已知, and whether weights and inertia forces count."""
-    data = [
-        _told(load, written(str(spec.loads[load.name].size)), spec.loads[load.name].direction or "")
-        for load in loads.all
-    ]
+    data = [_lawful(load, spec.loads[load.name]) for load in loads.all if load.name in spec.loads]
+    data += [told_spring(spring, spec.loads[spring.name]) for spring in loads.springs]
+    if loads.constant is not None:
+        data.append(told_constant(loads.constant))
     if loads.weight:
         data.append(Datum(words=Words("计各构件重力，$g$ = 9.81 m/s²", "the links' weights count, $g$ = 9.81 m/s²")))
     if loads.masses and not loads.inertia:
         data.append(Datum(words=Words("不计惯性力", "inertia forces are neglected")))
     return tuple(data)
+
+
+def _lawful(load: Load, spec: LoadSpec) -> Datum:
+    """A load, with when it acts."""
+    size = load.law.size if load.law is not None else None
+    when = told_windows(load, spec)
+    match size:
+        case Table():
+            where = _on(load, spec.direction or "")
+            return Datum(words=told_table(load, size, spec) + where + when)
+        case Motor():
+            return told_motor(load, spec)
+        case None:
+            plain = _told(load, written(str(spec.size)), spec.direction or "")
+            return replace(plain, words=plain.words + when) if plain.words is not None else plain
+        case other:
+            assert_never(other)
+
+
+def _on(load: Load, direction: str) -> Words:
+    """Where it acts, after its size."""
+    if isinstance(load, Force):
+        return Words(
+            f"，作用于构件 {load.link} 的 ${load.point}$ 点，方向角 {direction}",
+            f", on link {load.link} at ${load.point}$, direction {direction}",
+        )
+    return Words(f"，作用于构件 {load.link}", f", on link {load.link}")
 
 
 _ROLE = {"": Words("", ""), "driving": Words("驱动", "driving "), "resisting": Words("阻", "resisting ")}

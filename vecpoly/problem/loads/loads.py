@@ -1,17 +1,26 @@
-"""Loads as written: forces ``F: {on: 3, at: C, size: 1000 N, direction:
-180 deg}``, moments ``M_1: {on: 1, size: "?"}``."""
+"""Loads as written: forces ``F: {on: 3, at: C, size: 1000 N, direction: 180 deg}``,
+moments ``M_1: {on: 1, size: "?"}``, springs."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from ...errors import FaultError
-from ...mechanism.loads import Force, Load, Loads, Mass, Moment
+from ...mechanism.laws.sizes import Motor
+from ...mechanism.laws.springs import Coil, Elastic, Spring
+from ...mechanism.loads import Constant, Force, Load, Loads, Mass, Moment
 from ...words import Words
 from ..joints.motion import sense_only
 from ..links.bodies import Bodies
 from ..schema.faults import Faults
-from ..schema.models import ProblemSpec
+from ..schema.models import ProblemSpec, TableSpec
+from .driven import Driven
 from .load import read_load
+from .machine import needs_balance, reduces
+from .tables import turns_of
 
+BALANCING = "M_b"  # what balances on the driving link at a position, where nobody wrote it
+MACHINE = "machine"  # in the place of what balances: of a machine nothing does
 _ACTING = ("loads", "masses", "friction", "weight")
 
 
@@ -20,17 +29,21 @@ def acts(spec: ProblemSpec) -> bool:
     return any(getattr(spec, key) for key in _ACTING)
 
 
-def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faults: Faults) -> Loads | None:
+def read_loads(
+    spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], driven: Driven, faults: Faults
+) -> Loads | None:
     """All that acts but friction; None where the file knows no loads.
-    Exactly one load is unknown, and something must act."""
-    found: list[Load] = []
+    Exactly one load is unknown (none need be of a machine), and something must act."""
+    found: list[Load | Elastic | Constant] = []
+    driven = _over_turns(spec, driven)
     for name, load in spec.loads.items():
         with faults.at("loads", name):
-            found.append(read_load(name, load, bodies))
+            found.append(read_load(name, load, bodies, driven))
     _masses_meant(spec, faults)
     if not acts(spec) or faults.found:
         return None
-    if spec.masses and spec.inertia and sense_only(spec):
+    balances = any(isinstance(load, Force | Moment) and load.size is None for load in found)
+    if spec.masses and spec.inertia and sense_only(spec) and (balances or not reduces(spec)):
         with faults.at("input"):
             raise FaultError(
                 Words(
@@ -41,17 +54,55 @@ def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faul
                 code="spelling",
             )
     with faults.at(next(key for key in _ACTING if getattr(spec, key))):
-        _one_unknown(found, bodies)
-        loads = Loads(
-            forces=tuple(x for x in found if isinstance(x, Force)),
-            moments=tuple(x for x in found if isinstance(x, Moment)),
-            masses=masses,
-            weight=spec.weight,
-            inertia=spec.inertia,
-        )
+        loads = _gathered(found, spec, masses, bodies)
         _something_acts(loads)
         return loads
     return None
+
+
+def _over_turns(spec: ProblemSpec, driven: Driven) -> Driven:
+    """The drive with as many turns as a table says: two, where one goes twice round."""
+    tables = (load.size for load in spec.loads.values() if isinstance(load.size, TableSpec))
+    return replace(driven, turns=max((turns_of(table) for table in tables), default=1))
+
+
+def _gathered(
+    found: list[Load | Elastic | Constant], spec: ProblemSpec, masses: tuple[Mass, ...], bodies: Bodies
+) -> Loads:
+    """The loads, with M_b on the driving link where nothing balances at a position but a motor drives, or a constant
+    moment is sought."""
+    known = [one for one in found if isinstance(one, Force | Moment)]
+    constant = [one for one in found if isinstance(one, Constant)]
+    motors = [one.link for one in known if one.law is not None and isinstance(one.law.size, Motor)]
+    unknown = [one.name for one in known if one.size is None]
+    if not unknown and reduces(spec) and not needs_balance(spec):
+        unknown = [MACHINE]
+    elif (constant or motors) and not unknown:
+        if BALANCING in spec.loads:
+            raise _taken()
+        known.append(Moment(name=BALANCING, link=constant[0].link if constant else motors[0]))
+    sought = [] if unknown == [MACHINE] else [one.name for one in constant]
+    _one_unknown([*unknown, *sought] or [one.name for one in known if one.size is None], bodies)
+    return Loads(
+        forces=tuple(x for x in known if isinstance(x, Force)),
+        moments=tuple(x for x in known if isinstance(x, Moment)),
+        masses=masses,
+        weight=spec.weight,
+        inertia=spec.inertia,
+        springs=tuple(x for x in found if isinstance(x, Spring | Coil)),
+        constant=constant[0] if constant else None,
+    )
+
+
+def _taken() -> FaultError:
+    return FaultError(
+        Words(
+            f"{BALANCING} 是原动件在各位置的平衡力矩的名称；请给此载荷另取名称",
+            f"{BALANCING} is what balances on the driving link at a position; give the load another name",
+        ),
+        BALANCING,
+        code="contradiction",
+    )
 
 
 def _masses_meant(spec: ProblemSpec, faults: Faults) -> None:
@@ -72,8 +123,7 @@ def _masses_meant(spec: ProblemSpec, faults: Faults) -> None:
                 )
 
 
-def _one_unknown(found: list[Load], bodies: Bodies) -> None:
-    unknown = [load.name for load in found if load.size is None]
+def _one_unknown(unknown: list[str], bodies: Bodies) -> None:
     if len(unknown) > 1:
         raise FaultError(
             Words(
@@ -94,7 +144,7 @@ def _one_unknown(found: list[Load], bodies: Bodies) -> None:
 
 
 def _something_acts(loads: Loads) -> None:
-    pushed = any(load.size for load in loads.all) or (loads.masses and (loads.weight or loads.inertia))
+    pushed = any(load.size for load in loads.all) or loads.springs or (loads.masses and (loads.weight or loads.inertia))
     if not pushed:
         raise FaultError(
             Words(

@@ -12,7 +12,7 @@ from ..links.bodies import Bodies
 from ..links.guides import LINK
 from ..problem import Shape
 from ..schema.faults import meant
-from ..schema.models import LoadSpec
+from ..schema.models import LoadSpec, TableSpec
 
 _PAIR = re.compile(rf"({LINK})\s*[-–,]\s*({LINK})")
 
@@ -65,7 +65,7 @@ def read_thrust(name: str, spec: LoadSpec, bodies: Bodies) -> Force:
                 'the size is missing; write e.g. size: 1000 N, or size: "?" for the load that balances',
             )
         )
-    size = None if spec.size == "?" else read(spec.size, Dim.FORCE).si
+    size = 0.0 if isinstance(spec.size, TableSpec) else None if spec.size == "?" else read(spec.size, Dim.FORCE).si
     foot, point = (next(iter(bodies.drafts[link].points)) for link in (barrel, rod))
     return Force(
         name=name, link=rod, point=point, direction=0.0, size=size, role=spec.role or "", against=barrel, foot=foot

@@ -13,6 +13,7 @@ from ...figures import scales
 from ...words import Words
 from .fields import ID, Centre, Link, Name, Number, Pair, Text, YesNo
 from .marking import MarkingSpec
+from .running import MachineSpec
 
 
 class Spec(BaseModel):
@@ -41,8 +42,24 @@ class InputSpec(Spec):
     a: Number | None = None
 
 
-class LoadSpec(Spec):
-    """A force (with point and direction) or a moment on a link, or the thrust of a cylinder;
+class TableSpec(Spec):
+    """A size by a table: its file beside this one, or columns and rows; a pressure with the area on which it acts."""
+
+    table: str | None = Field(None, description="a CSV file beside this file: first column phi or s, then F, M or p")
+    columns: Pair | None = Field(None, description="in the place of a file: [phi (deg), F (N)]")
+    rows: list[Pair] | None = Field(None, description="in the place of a file: [[0, 100], [90, 250]]")
+    area: Number | None = Field(None, description="of the piston on which a pressure acts: 5000 mm^2")
+    bore: Number | None = Field(None, description="its diameter, in the place of the area: 80 mm")
+
+
+_SENSE: dict[str, Any] = {
+    "while": (str | None, Field(None, description="E moves left; E moves along 30 deg; 3 turns ccw"))
+}
+_While: Any = create_model("_While", __base__=Spec, **_SENSE)  # a keyword of Python is no name of a field
+
+
+class LoadSpec(_While):  # type: ignore[misc]
+    """A force (with point and direction) or a moment on a link, the thrust of a cylinder, a motor, a spring, a damper;
     the size of one load is '?'."""
 
     on: Name | None = None
@@ -50,9 +67,25 @@ class LoadSpec(Spec):
         None, description="2-3: the thrust of the cylinder between these links, positive where it lengthens it"
     )
     at: str | None = Field(None, description="the lettered point of the link at which a force acts")
-    size: Number | None = Field(None, description="1000 N, 20 N*m ccw, or ? for the load that balances")
+    size: TableSpec | Number | None = Field(
+        None,
+        description="1000 N, 20 N*m ccw, ? for the load that balances, constant for the moment that is the same over "
+        "the period, or {table: card.csv}",
+    )
     direction: Number | None = Field(None, description="of a force, from the x axis: 180 deg")
     role: Literal["driving", "resisting"] | None = None
+    between: Pair | None = Field(None, description="with while: part of the stroke, [5 %, 95 %]")
+    during: Pair | None = Field(None, description="part of the drive's turn, [60 deg, 150 deg]")
+    motor: Pair | None = Field(None, description="of the driving link, M = a - b omega: [2400 N*m, 330 N*m*s]")
+    spring: Name | None = Field(None, description="between two points, B-D, or two links, 1-4")
+    damper: Name | None = Field(None, description="between two points, B-D, or two links, 1-4")
+    k: Number | None = Field(None, description="stiffness of a spring: 5 N/mm, 2 N*m/rad")
+    l_0: Number | None = Field(
+        None, description="of a spring between two points, its length at which only preload acts"
+    )
+    phi_0: Number | None = Field(None, description="of a torsion spring, its angle at which only preload acts")
+    preload: Number | None = Field(None, description="of a spring: 20 N (negative: compressed), 1 N*m")
+    c: Number | None = Field(None, description="coefficient of damping: 50 N*s/m, 0.1 N*m*s")
 
 
 class FrictionSpec(Spec):
@@ -170,6 +203,7 @@ class ProblemSpec(Spec):
     masses: dict[str, MassSpec] = {}
     weight: YesNo = False
     inertia: YesNo = True
+    machine: MachineSpec | None = None
     vary: dict[str, Number] = {}
     gate: GateSpec = GateSpec()
 

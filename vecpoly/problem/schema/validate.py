@@ -22,6 +22,7 @@ from .models import (
     RodSpec,
     ScalesSpec,
     SheetSpec,
+    TableSpec,
 )
 
 Model = TypeVar("Model", bound=BaseModel)
@@ -39,7 +40,11 @@ _MODELS: dict[str, type[BaseModel]] = {
     "rules": RulesSpec,
     "rubric": RubricSpec,
 }
-_DEEPER: dict[tuple[str, int], type[BaseModel]] = {("rubric", 2): BlockSpec, ("points", 3): PointsSpec}
+_DEEPER: dict[tuple[str, int], type[BaseModel]] = {
+    ("rubric", 2): BlockSpec,
+    ("points", 3): PointsSpec,
+    ("loads", 3): TableSpec,
+}
 _PAIR = Words("此处应为两个值，如 [100 mm, 0 mm]", "two values are expected here, e.g. [100 mm, 0 mm]")
 _MAPPING = Words("此处应为映射（键: 值）", "a mapping (key: value) is expected here")
 _SAID = {
@@ -65,7 +70,7 @@ _LISTS = {
     "independent": "[bc2]",
     "first": "[v_C]",
 }
-_UNION = {"str", "InputSpec", "list[InputSpec]", "FindSpec", "dict[str,any]"}
+_UNION = {"str", "InputSpec", "list[InputSpec]", "FindSpec", "TableSpec", "dict[str,any]"}
 
 
 def validate(model: type[Model], data: Any, faults: Faults, *below: str) -> Model:

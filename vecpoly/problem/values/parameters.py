@@ -11,9 +11,9 @@ from ..links.draft import ONE, PLACED
 from ..schema.faults import Path
 from ..text.source import Value
 from .in_data import in_data
-from .slot import Slot
+from .of_loads import of_load
+from .slot import Slot, angle_span, keyed, there
 
-_ANGLED = re.compile(r"(.+?)(?:\s+from\s.*)?", re.S)  # 50 deg from BC
 _JOINT = (
     (re.compile(r"(?P<link>\d+[a-z']?) .*?\b(?P<name>[xy]) = (?P<it>.+?)(?= with | turned | at [A-Z]|$)"), Dim.LENGTH),
     (re.compile(r"(?P<link>\d+[a-z']?) .*?line through \S+ at (?P<it>.+?)(?= with | turned |$)"), Dim.ANGLE),
@@ -53,14 +53,9 @@ def slots(data: Mapping[str, Value]) -> Iterator[Slot]:
     yield from _of_joints(data.get("joints"))
     yield from _of_inputs(data.get("input"))
     for name, load in _entries(data, "loads"):
-        force = "direction" in load or "cylinder" in load
-        yield from _keyed(
-            ("loads", name),
-            load,
-            {"size": (name, Dim.FORCE if force else Dim.MOMENT), "direction": (f"direction_{name}", Dim.ANGLE)},
-        )
+        yield from of_load(("loads", name), name, load)
     for name, rubs in _entries(data, "friction"):
-        for key in _there(rubs, _RUBBING):
+        for key in there(rubs, _RUBBING):
             yield Slot(
                 ("friction", name, key),
                 _RUBBING[key],
@@ -68,7 +63,7 @@ def slots(data: Mapping[str, Value]) -> Iterator[Slot]:
             )
     for name, mass in _entries(data, "masses"):
         yield from _of_mass(("masses", name), name, mass)
-    yield from _keyed(("scales",), data.get("scales"), {key: (key, dim) for key, dim in _SCALES.items()})
+    yield from keyed(("scales",), data.get("scales"), {key: (key, dim) for key, dim in _SCALES.items()})
     yield from in_data(("data",), data.get("data"))
 
 
@@ -77,27 +72,6 @@ def _entries(data: Mapping[str, Value], key: str) -> Iterator[tuple[str, Mapping
     for name, item in entries.items() if isinstance(entries, Mapping) else ():
         if isinstance(item, Mapping):
             yield name, item
-
-
-def _there(data: Value, keys: Mapping[str, object]) -> list[str]:
-    """Those of these keys under which a single value stands."""
-    return [
-        key
-        for key in keys
-        if isinstance(data, Mapping) and data.get(key) is not None and not isinstance(data[key], Mapping | list)
-    ]
-
-
-def _keyed(path: Path, data: Value, keys: Mapping[str, tuple[str, Dim]]) -> Iterator[Slot]:
-    for key in _there(data, keys):
-        name, dim = keys[key]
-        yield Slot((*path, key), dim, (name,), _angle_span(data[key]) if dim is Dim.ANGLE else None)
-
-
-def _angle_span(text: Value) -> tuple[int, int] | None:
-    """The angle alone of `50 deg from BC`."""
-    m = _ANGLED.fullmatch(text) if isinstance(text, str) else None
-    return m.span(1) if m and m.end(1) < len(text) else None
 
 
 def _points(data: Mapping[str, Value], key: str, *axes: str) -> Iterator[Slot]:
@@ -110,7 +84,7 @@ def _points(data: Mapping[str, Value], key: str, *axes: str) -> Iterator[Slot]:
 
 
 def _of_link(path: Path, name: str, link: Mapping[str, Value]) -> Iterator[Slot]:
-    yield from _keyed(path, link, {key: (f"{stem}_{name}", dim) for key, (stem, dim) in _LINK.items()})
+    yield from keyed(path, link, {key: (f"{stem}_{name}", dim) for key, (stem, dim) in _LINK.items()})
     for key, item in link.items():
         if isinstance(item, Mapping):
             yield from _of_place((*path, key), key if ONE.fullmatch(key) else name, item)
@@ -120,8 +94,8 @@ def _of_link(path: Path, name: str, link: Mapping[str, Value]) -> Iterator[Slot]
 
 def _of_place(path: Path, letter: str, place: Mapping[str, Value]) -> Iterator[Slot]:
     """A point that is set out on its link, or the link's own line."""
-    yield from _keyed(path, place, {key: (f"{key}_{letter}", dim) for key, dim in _OFFSETS.items()})
-    yield from (Slot((*path, key), Dim.LENGTH, (key,)) for key in _there(place, place) if PLACED.fullmatch(key))
+    yield from keyed(path, place, {key: (f"{key}_{letter}", dim) for key, dim in _OFFSETS.items()})
+    yield from (Slot((*path, key), Dim.LENGTH, (key,)) for key in there(place, place) if PLACED.fullmatch(key))
 
 
 def _of_joints(joints: Value) -> Iterator[Slot]:
@@ -134,17 +108,17 @@ def _of_joints(joints: Value) -> Iterator[Slot]:
 def _of_inputs(inputs: Value) -> Iterator[Slot]:
     several = isinstance(inputs, list)
     for i, one in enumerate(inputs if isinstance(inputs, list) else [inputs]):
-        for key in _there(one, _INPUT):
+        for key in there(one, _INPUT):
             whose = str(one.get("link") or one.get("cylinder") or "")
-            span = _angle_span(one[key]) if key == "phi" else None
+            span = angle_span(one[key]) if key == "phi" else None
             yield Slot(("input", i, key) if several else ("input", key), _INPUT[key], (key, f"{key}_{whose}"), span)
 
 
 def _of_mass(path: Path, name: str, mass: Mapping[str, Value]) -> Iterator[Slot]:
-    yield from _keyed(path, mass, {key: (f"{stem}_{name}", dim) for key, (stem, dim) in _MASS.items()})
+    yield from keyed(path, mass, {key: (f"{stem}_{name}", dim) for key, (stem, dim) in _MASS.items()})
     if isinstance(mass.get("centre"), Mapping):
         yield from _of_place((*path, "centre"), f"S{name}", mass["centre"])
-    yield from _keyed(
+    yield from keyed(
         (*path, "rod"), mass.get("rod"), {key: (f"{stem}_{name}", dim) for key, (stem, dim) in _ROD.items()}
     )
 

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator, Mapping
+
 from ...foundation.slotted import dataclass
 from ...units.reading import Dim
 from ..schema.faults import Path, dotted
+from ..text.source import Value
+
+_ANGLED = re.compile(r"(.+?)(?:\s+from\s.*)?", re.S)  # 50 deg from BC
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,3 +33,25 @@ class Slot:
     def full(self) -> str:
         """The name that no other has: links.2.E.angle; of one of several in a text joints[0].e_3."""
         return dotted(self.path) + (f".{self.names[0]}" if self.several else "")
+
+
+def there(data: Value, keys: Mapping[str, object]) -> list[str]:
+    """Those of these keys under which a single value stands."""
+    return [
+        key
+        for key in keys
+        if isinstance(data, Mapping) and data.get(key) is not None and not isinstance(data[key], Mapping | list)
+    ]
+
+
+def keyed(path: Path, data: Value, keys: Mapping[str, tuple[str, Dim]]) -> Iterator[Slot]:
+    """The quantities under these keys, each with its short name and its dimension."""
+    for key in there(data, keys):
+        name, dim = keys[key]
+        yield Slot((*path, key), dim, (name,), angle_span(data[key]) if dim is Dim.ANGLE else None)
+
+
+def angle_span(text: Value) -> tuple[int, int] | None:
+    """The angle alone of `50 deg from BC`."""
+    m = _ANGLED.fullmatch(text) if isinstance(text, str) else None
+    return m.span(1) if m and m.end(1) < len(text) else None

@@ -85,7 +85,8 @@ def _given(st: Statics, pane: Pane, tips: Tips) -> list[Sum]:
     found: list[Sum] = []
     for load in st.loads.all:
         if load.size is not None:
-            found += _term(st, pane, tips, load, abs(load.size), int(np.sign(load.size)))
+            known = st.size_of(load)
+            found += _term(st, pane, tips, load, np.abs(known), int(np.sign(nominal(known))))
     for mass in st.loads.masses:
         for acting in st.inertia.get(mass.link, []):
             size = magnitude(acting.named.symbol, np.abs(acting.vector) * st.scale.value, "N")
@@ -103,7 +104,7 @@ def _term(st: Statics, pane: Pane, tips: Tips, load: Load, size: Reals, sense: i
     """The moment of a force, or of the pair of forces that stands for a couple."""
     named = load_named(load)
     if isinstance(load, Force):
-        along = sense * complex(np.exp(1j * load.direction))
+        along = sense * st.along(load)
         return _moment(
             magnitude(named.symbol, size, "N"), _force_arm(st, pane, tips, At(load.point, load.link), along, named)
         )

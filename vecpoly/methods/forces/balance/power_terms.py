@@ -20,6 +20,7 @@ from ....plane import Points, Reals, dot, nominal, unit
 from ....words import Words
 from ...desk import POLE
 from ...kinematics.image import found_tip
+from ..acting import OTHER_END
 from ..friction import STILL
 from ..lines.letters import foot_letter
 from ..state import Statics
@@ -64,18 +65,19 @@ def works(st: Statics) -> Iterator[Work]:
     for load in st.loads.all:
         if load.size is not None:
             rate, named = rate_of(st, load), load_named(load)
-            size = magnitude(named.symbol, abs(load.size), named.unit)
-            yield Work(named=named, expr=size * rate.expr, sign=np.sign(load.size) * rate.sign, rate=rate)
+            signed = st.size_of(load)
+            size = magnitude(named.symbol, np.abs(signed), named.unit)
+            yield Work(named=named, expr=size * rate.expr, sign=np.sign(signed) * rate.sign, rate=rate)
     for mass in st.loads.masses:
         yield from _mass_works(st, mass.link, mass.centre)
 
 
 def powers(st: Statics) -> dict[str, Reals]:
     """Power (W) of each load of given size, of the inertia of each link (force and couple together), of each weight;
-    nothing is drawn or written."""
+    of a cylinder or a spring of both its ends together. Nothing is drawn or written."""
     found: dict[str, Reals] = {}
     for work in works(st):
-        key = work.named.key.replace("M_I", "F_I", 1) if work.inertia else work.named.key
+        key = work.named.key.replace("M_I", "F_I", 1) if work.inertia else work.named.key.removesuffix(OTHER_END)
         found[key] = found.get(key, 0.0) + work.value
     return found
 
@@ -86,7 +88,7 @@ def rate_of(st: Statics, load: Load) -> Rate:
         return turning(st, load.link)
     if load.against:
         return lengthening(st, load)
-    along = complex(np.exp(1j * load.direction))
+    along = st.along(load)
     return along_force(st, At(load.point, load.link), along, load_named(load).symbol)
 
 

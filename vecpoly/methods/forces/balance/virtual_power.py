@@ -46,7 +46,7 @@ def balancing_by_power(st: Statics, load: Load | None) -> None:
         ),
         View.VELOCITY,
     )
-    parts = [_written(st, work) for work in works(st)]
+    parts = [written_power(st, work) for work in works(st)]
     rate = rate_of(st, load)
     if not rate.way:
         raise idle(load)
@@ -61,7 +61,7 @@ def balancing_by_power(st: Statics, load: Load | None) -> None:
     keep_value(st, named, -total / (rate.sign * rate.expr.value), expr)
 
 
-def _written(st: Statics, work: Work) -> Quantity:
+def written_power(st: Statics, work: Work) -> Quantity:
     """P = ± F v in the step; zero where its point does not move along it."""
     named = Named(f"P_{work.named.key}", power_symbol(work.named.symbol), "W")
     quantity = magnitude(named.symbol, work.value, "W")

@@ -18,7 +18,7 @@ from ....names import Named, reaction
 from ....plane import Line, Points, foot, nominal
 from ....words import Words
 from ...desk import Desk
-from ..acting import Acting
+from ..acting import OTHER_END, Acting
 from ..state import Statics
 
 
@@ -56,7 +56,7 @@ def is_outer(mech: Mechanism, loads: Loads, force: Force) -> bool:
 def opposite_name(force: Force) -> str:
     """F_c′: what a thrust does at the barrel's end;
     another name than that of the rod's end, for both may stand in one polygon."""
-    return f"{force.name}′"
+    return f"{force.name}{OTHER_END}"
 
 
 def is_floating(mech: Mechanism, force: Force) -> bool:

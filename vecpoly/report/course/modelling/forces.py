@@ -36,6 +36,11 @@ def _opening(study: Study, loads: Loads, found: ForceModel) -> Words:
     if tilted := [load for load in loads.all if isinstance(load, Force) and abs(sin(2 * load.direction)) > 1e-9]:
         angles = [f"$θ_{{{load.name.replace('_', '')}}}$" for load in tilted]
         told += Words(f"{'、'.join(angles)} 为力的方向角。", f"{', '.join(angles)}: direction of the force. ")
+    if lawful := [f"${load_symbol(load.name)}$" for load in loads.all if load.law is not None]:
+        told += Words(
+            f"{'、'.join(lawful)} 随位置（速度）变化，按题给规律取值。",
+            f"{', '.join(lawful)}: by the law that is given, at every position. ",
+        )
     pins, free = carried_pins(study.mech), f"${load_symbol(loads.unknown.name)}$"
     told += Words(pins.zh, f"{pins.en.strip()} " if pins.en else "")
     if given := _given(loads, found):
@@ -82,6 +87,12 @@ def _stages(study: Study, loads: Loads, found: ForceModel) -> Iterator[Stage]:
             "By d'Alembert's principle, from the accelerations of the centres of mass and the angular accelerations,",
         )
         yield Stage(Words("惯性力", "Inertia forces"), (Part(said, found.inertia),))
+    if found.springs:
+        said = Words(
+            "弹簧（阻尼器）的长度 $l$、伸长的速度 $v$ 和拉力（扭簧为力矩）",
+            "Lengths $l$ of springs and dampers, how fast they grow, $v$, and the pull (of a coil the moment)",
+        )
+        yield Stage(Words("弹簧", "Springs"), (Part(said, found.springs),))
     if found.normals:
         yield Stage(
             Words("接触点和公法线", "Point of contact and common normal"),

@@ -1,0 +1,103 @@
+"""Equivalent inertia and moment of a mechanism: cases, energies that are differenced, refusals."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import vecpoly
+from tests.laws import often
+from tests.machine.engines import DATA, PISTON, engine
+from vecpoly.check.truth import exact_values
+from vecpoly.errors import DeadPointError, ProblemFileError
+from vecpoly.mechanism.asked.machine import equivalents
+from vecpoly.oracle import solve
+from vecpoly.oracle.machine import reduce
+
+B03 = DATA["B03"]["results"]
+MOVING = [row for row in B03["table"] if row["m_e"] is not None]
+LOADS = (PISTON, "M_1: {on: 1, size: 60 N*m cw}")
+KEYS = ("J_e", "M_e", "m_e3", "F_e3")
+
+
+@pytest.mark.parametrize("row", MOVING, ids=lambda row: f"{row['phi_deg']}")
+def test_the_oracle_has_the_equivalents_of_the_case_at_every_position(row: dict[str, float]) -> None:
+    values = exact_values(engine(KEYS, phi=row["phi_deg"], loads=LOADS))
+    wanted = [row[key] for key in ("J_e", "M_e", "m_e", "F_e")]
+    assert [values[key] for key in KEYS] == pytest.approx(wanted, rel=5e-9)
+
+
+@pytest.mark.parametrize("omega", ["ccw", "1500 r/min ccw", "0.2 rad/s ccw"])
+def test_equivalents_depend_on_ratios_of_velocities_alone(omega: str) -> None:
+    answers = vecpoly.solve(engine(KEYS, omega=omega, loads=LOADS), by="exact").answers
+    row = next(row for row in MOVING if row["phi_deg"] == 50)
+    wanted = [row[key] for key in ("J_e", "M_e", "m_e", "F_e")]
+    assert [answers[key].drawn for key in KEYS] == pytest.approx(wanted, rel=1e-8)
+
+
+@pytest.mark.parametrize("phi", [0.0, 180.0])
+def test_no_mass_is_thought_on_a_slider_at_its_dead_centre(phi: float) -> None:
+    problem = engine(["J_e", "m_e3"], phi=phi, loads=LOADS)
+    with pytest.raises(DeadPointError, match="link 3 stands still") as refused:
+        vecpoly.solve(problem)
+    assert refused.value.numbers["link"] == "3"
+    still = next(row for row in B03["table"] if row["phi_deg"] == phi)
+    assert exact_values(engine(["J_e"], phi=phi, loads=LOADS))["J_e"] == pytest.approx(still["J_e"], rel=5e-9)
+
+
+def test_exercise_7_1_comes_to_round_numbers_wherever_the_guide_is() -> None:
+    answers = vecpoly.load("7-1").solve(by="exact").answers
+    assert [answers[key].drawn for key in ("J_e", "M_e")] == pytest.approx([0.05, -50.0], rel=1e-9)
+    assert [answers[key].drawn for key in ("m_e5", "F_e5")] == pytest.approx([20.0, -1000.0], rel=1e-9)
+
+
+@pytest.mark.parametrize("id", ["six-bar-dynamic", "slider-crank-dynamic", "4-7"])
+def test_the_equivalent_moment_is_what_the_balancing_moment_holds_where_nothing_has_mass(id: str) -> None:
+    problem = vecpoly.load(id)
+    assert problem.loads is not None
+    still = replace(problem.loads, inertia=False, friction=type(problem.loads.friction)())
+    from vecpoly.mechanism.machine import known_of
+    from vecpoly.oracle.forces import forces
+
+    reduced = reduce(problem.mechanism, known_of(still))
+    balanced = float(forces(problem.mechanism, still).value(still.unknown.name))
+    to = next(one for one in equivalents(problem.mechanism) if one.link == still.unknown.link)
+    assert float(reduced.load(to)[0]) == pytest.approx(-balanced, rel=1e-9)
+
+
+@settings(max_examples=often(20))
+@given(phi=st.floats(0.0, 6.28), rate=st.floats(-40.0, 40.0).filter(lambda w: abs(w) > 0.1))
+def test_the_equivalent_link_has_the_energy_of_all_and_its_rate_is_the_difference(phi: float, rate: float) -> None:
+    problem = engine(["J_e"], loads=LOADS)
+    mech, machine = problem.mechanism, problem.machine
+    assert machine is not None
+    moving = replace(mech, drives=(replace(mech.drive, rate=rate),))
+    motion = solve(moving, phi)
+    energy = sum(
+        one.mass * abs(complex(motion.velocity(one.centre))) ** 2 + one.inertia * float(motion.omega(one.link)) ** 2
+        for one in machine.loads.masses
+    )
+    here, near = reduce(mech, machine.loads, phi), reduce(mech, machine.loads, np.array([phi - 1e-5, phi + 1e-5]))
+    assert float(here.energy[0]) * rate**2 == pytest.approx(energy, rel=1e-12)
+    assert float(here.rate[0]) == pytest.approx(float(np.diff(near.energy)[0]) / 2e-5, abs=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("find", "more", "told"),
+    [
+        (["J_e9"], "", "no quantity of these loads"),
+        (["J_F"], "", "needs to know how the machine runs"),
+        (["J_F"], "machine: {delta: 0.05}", "the mean speed is missing"),
+        (["J_F"], "machine: {n: 60 r/min, delta: 5}", "must lie between 0 and 1"),
+        (["J_F"], "machine: {n: 60 r/min, delta: 0.05, J_F: 6 kg*m^2}", "give delta or J_F"),
+        (["J_e"], "friction: {A: {rho: 3 mm}}", "equivalents know no friction"),
+        (["omega_end"], "machine: {n: 60 r/min, start: {phi: 0 deg, omega: 0 rad/s}}", "does not go with n"),
+    ],
+)
+def test_what_no_machine_can_answer_is_refused_in_words(find: list[str], more: str, told: str) -> None:
+    with pytest.raises(ProblemFileError, match=told):
+        engine(find, loads=LOADS, more=more + "\n")

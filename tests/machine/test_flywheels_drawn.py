@@ -1,0 +1,82 @@
+"""Flywheels of the library's linkages as they are drawn: twelve polygons, areas, the bar, Wittenbauer's tangents."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import vecpoly
+from tests.machine.engines import DATA, PRESS, machine
+from vecpoly.errors import EquilibriumError, NoMethodError
+from vecpoly.solution import Solution
+
+LIBRARY = ("press-flywheel", "shaper-flywheel", "engine-flywheel")
+CASES = {"press-flywheel": "B07", "shaper-flywheel": "B09", "engine-flywheel": "B04"}
+
+
+@pytest.fixture(scope="module", params=LIBRARY)
+def drawn(request: pytest.FixtureRequest) -> Solution:
+    return vecpoly.load(request.param).solve(by="exact")
+
+
+def test_an_exact_hand_draws_the_flywheel_that_the_oracle_integrates(drawn: Solution) -> None:
+    for key, answer in drawn.answers.items():
+        assert answer.drawn == pytest.approx(answer.exact, rel=2e-8, abs=1e-7), key
+        assert not answer.suspect
+
+
+def test_the_flywheel_is_that_of_the_case(drawn: Solution) -> None:
+    wanted = DATA[CASES[drawn.problem.id]]["results"]
+    answers = drawn.answers
+    assert answers["dW_max"].drawn == pytest.approx(wanted["dW_max_J"], rel=2e-7)
+    assert answers["J_F_areas"].drawn == pytest.approx(wanted["J_F_areas"], rel=2e-7)
+    assert answers["J_F"].drawn == pytest.approx(wanted["wittenbauer"]["J_F"], rel=2e-7)
+    assert answers["phi_max"].drawn == pytest.approx(wanted["wittenbauer"]["phi_wmax_deg"], abs=1e-5)
+
+
+def test_the_figures_of_a_flywheel_are_all_there_each_with_its_scales(drawn: Solution) -> None:
+    names = [figure.view.name for figure in drawn.construction.figures]
+    assert {"torque", "inertia", "energy", "energy-mass", "indicator"} <= set(names)
+    for figure in drawn.construction.figures:
+        if figure.view.across is not None:
+            assert figure.scale.across is not None
+    torque = next(one for one in drawn.construction.figures if one.view.name == "torque")
+    energy = next(one for one in drawn.construction.figures if one.view.name == "energy")
+    assert torque.scale.across is not None
+    pole = energy.scale.value / (torque.scale.value * torque.scale.across.value)
+    assert pole == pytest.approx(round(pole), abs=1e-9)
+
+
+def test_areas_that_decide_are_large_enough_to_be_counted(drawn: Solution) -> None:
+    scale = drawn.construction.figure(next(f.view for f in drawn.construction.figures if f.view.name == "torque"))
+    assert scale is not None and scale.scale.across is not None
+    square = scale.scale.value * scale.scale.across.value
+    assert drawn.answers["dW_max"].exact / square > 400
+
+
+@pytest.mark.parametrize("hand", ["drafting", "pencil"])
+def test_other_hands_stay_within_what_they_are_expected_to_miss(hand: str) -> None:
+    solution = vecpoly.load("press-flywheel").solve(by=hand, seed=3)
+    for key, answer in solution.answers.items():
+        assert not answer.suspect, key
+    assert solution.answers["J_F"].drawn != pytest.approx(solution.answers["J_F"].exact, rel=1e-6)
+    assert solution.answers["J_F"].drawn == pytest.approx(solution.answers["J_F"].exact, rel=0.04)
+
+
+def test_degrees_for_radians_are_a_slip_that_the_surplus_shows() -> None:
+    problem = vecpoly.load("press-flywheel")
+    slip = next(one for one in vecpoly.slips(problem) if one.key == "mu_A")
+    wrong, right = vecpoly.solve(problem, slip=slip), vecpoly.solve(problem)
+    ratio = wrong.answers["dW_max"].drawn / right.answers["dW_max"].drawn
+    assert ratio == pytest.approx(np.degrees(1.0), rel=0.01)
+
+
+def test_unevenness_from_a_flywheel_that_is_there_is_left_to_the_exact_answers() -> None:
+    with pytest.raises(NoMethodError, match="use 'vecpoly exact'"):
+        vecpoly.solve(machine(PRESS, ("delta",), "n: 120 r/min, J_F: 6 kg*m^2"))
+
+
+def test_the_drawing_refuses_work_that_is_left_over_as_the_oracle_does() -> None:
+    text = PRESS.replace("size: constant", "size: 50 N*m ccw")
+    with pytest.raises(EquilibriumError, match="over a period, not 0"):
+        vecpoly.solve(machine(text, ("dW_max",), "n: 120 r/min, delta: 0.05"))

@@ -1,0 +1,26 @@
+"""Why a line is on the paper, and how a point is drawn."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+
+class Role(StrEnum):
+    """Why a line is there; the drawing decides width, dash and hue."""
+
+    LINK = "link"  # 0.7 mm
+    RESULT = "result"  # 0.5 mm: vectors asked for
+    GIVEN = "given"  # 0.35 mm: known vectors
+    DIRECTION = "direction"  # 0.18 mm: direction lines of a polygon, run a little past their meeting point
+    CONSTRUCTION = "construction"  # 0.18 mm: arcs, helping lines in the kinematic diagram
+    CENTRE = "centre"  # 0.18 mm dash-dot: centre lines, pitch circles
+    HIDDEN = "hidden"  # 0.18 mm dashed: the expanded link (扩大构件), what is only thought
+
+
+class Dot(StrEnum):
+    """How a point is drawn."""
+
+    POLE = "pole"  # small open circle
+    POINT = "point"  # small filled dot (tip of a vector, point of a link)
+    JOINT = "joint"  # open circle 2.5 mm across
+    NONE = "none"  # only its letter

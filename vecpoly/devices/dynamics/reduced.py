@@ -1,0 +1,191 @@
+"""Gears, belts and a hoist reduced to one shaft: J_e, M_e, and how it runs up with constant moments.
+
+data:
+  shafts: {1: {J: 0.1 kg*m^2, drives: 80 N*m}, 2: {J: 0.225 kg*m^2}, 3: {J: 0.4 kg*m^2, resists: 100 N*m}}
+  pairs: [1 to 2 by 20/30, 2 to 3 by 30/40]
+  after: 0.5 s
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, ClassVar
+
+from pydantic import Field, model_validator
+
+from ...errors import FaultError
+from ...names import Named
+from ...units.reading import Quantity
+from ...words import Words
+from ..base import Device, Duration, Omega, as_written
+from .shafts import Meshing, Pair, Shaft, ways
+
+G = 9.81  # m/s²
+REST = 1e-12
+J_E, M_E = Named("J_e", "J_e", "kg·m^2"), Named("M_e", "M_e", "N·m")
+M_D, M_R = Named("M_d", "M_{ed}", "N·m"), Named("M_r", "M_{er}", "N·m")
+TIME, TURNS = Named("t", "t", "s"), Named("N", "N", "r")
+LIFT, ROPE = Named("lift", "s", "m"), Named("F_rope", "F", "N")
+
+
+def ratio_of(name: str, to: str) -> Named:
+    """i: ω of a shaft over that of the shaft to which all is reduced."""
+    return Named(f"i_{name}_{to}", f"i_{{{both(name, to)}}}", "")
+
+
+def both(one: str, other: str) -> str:
+    """Two names as a subscript: 13, and II,I where one is longer."""
+    return f"{one}{other}" if len(one + other) == 2 else f"{one},{other}"
+
+
+def alpha_of(name: str) -> Named:
+    """α of a shaft."""
+    return Named(f"alpha_{name}", f"α_{{{name}}}", "rad/s^2")
+
+
+def omega_of(name: str) -> Named:
+    """ω of a shaft at the end."""
+    return Named(f"omega_{name}", f"ω_{{{name}}}", "rad/s")
+
+
+class ReducedTrain(Device):
+    """to: the shaft (the first by default); start: its speed; until: the speed, or after: the time, at the end."""
+
+    kind: ClassVar[str] = "reduced-train"
+    shafts: Annotated[dict[str, Shaft], Field(min_length=2)]
+    pairs: Annotated[tuple[Meshing, ...], Field(min_length=1)]
+    to: str = ""
+    start: Omega = Quantity(0.0, "0")
+    until: Omega | None = None
+    after: Duration | None = None
+
+    @model_validator(mode="after")
+    def _is_joined(self) -> ReducedTrain:
+        if self.main not in self.shafts:
+            raise FaultError(
+                Words(
+                    f"没有轴“{self.main}”；有 {'、'.join(self.shafts)}",
+                    f"there is no shaft '{self.main}'; there are {', '.join(self.shafts)}",
+                ),
+                "to",
+                code="unknown-name",
+            )
+        assert self.ways
+        if not any(shaft.J or shaft.lifts for shaft in self.shafts.values()):
+            raise FaultError(
+                Words("没有任何转动惯量；如写 J: 0.1 kg*m^2", "nothing has a moment of inertia; write J: 0.1 kg*m^2"),
+                "shafts",
+                code="missing",
+            )
+        if sum(shaft.lifts is not None for shaft in self.shafts.values()) > 1:
+            raise FaultError(Words("只能有一个卷筒", "one drum only"), "shafts", code="contradiction")
+        self._runs()
+        return self
+
+    def _runs(self) -> None:
+        """FaultError for a motion that ends twice, or never."""
+        if self.until is not None and self.after is not None:
+            raise FaultError(
+                Words("until 与 after 只写其一", "write one of 'until' and 'after'"), "after", code="contradiction"
+            )
+        moment = self.moment
+        if self.moves and not self.start.si and moment <= 0:
+            raise FaultError(
+                Words(
+                    f"等效驱动力矩不大于等效阻力矩（相差 {moment:.6g} N·m），不能起动；请增大驱动力矩",
+                    f"the driving moment does not exceed the resisting one (by {moment:.6g} N·m): it stays at rest; "
+                    "drive it harder",
+                ),
+                code="no-start",
+                numbers={"M_e": moment},
+            )
+        if self.until is not None and (self.until.si - self.start.si) * moment <= 0:
+            raise FaultError(
+                Words(
+                    f"由 {self.start.text} 以等效力矩 {moment:.6g} N·m 不能达到 {self.until.text}",
+                    f"from {self.start.text} it never comes to {self.until.text} with M_e = {moment:.6g} N·m",
+                ),
+                "until",
+                code="out-of-range",
+                numbers={"M_e": moment},
+            )
+
+    @property
+    def main(self) -> str:
+        """The shaft to which all is reduced."""
+        return self.to or next(iter(self.shafts))
+
+    @property
+    def ways(self) -> dict[str, tuple[tuple[Pair, bool], ...]]:
+        """How every shaft is reached from it."""
+        return ways(self.pairs, self.main, self.shafts)
+
+    @property
+    def moves(self) -> bool:
+        """Whether its motion is asked for."""
+        return self.until is not None or self.after is not None
+
+    @property
+    def driven(self) -> bool:
+        """Whether anything drives it: else it does not run, and is only reduced."""
+        return any(shaft.drives is not None for shaft in self.shafts.values())
+
+    @property
+    def resisted(self) -> bool:
+        """Whether anything resists."""
+        return any(shaft.resists is not None or shaft.lifts is not None for shaft in self.shafts.values())
+
+    @property
+    def hoist(self) -> tuple[str, Shaft] | None:
+        """The shaft that lifts something."""
+        return next(((name, shaft) for name, shaft in self.shafts.items() if shaft.lifts is not None), None)
+
+    @property
+    def moment(self) -> float:
+        """M_e (N·m), by which it is judged whether anything moves."""
+        total = 0.0
+        for name, way in self.ways.items():
+            turns = 1.0
+            for pair, forwards in way:
+                turns *= pair.ratio if forwards else 1 / pair.ratio
+            shaft = self.shafts[name]
+            total += turns * ((shaft.drives.si if shaft.drives else 0.0) - (shaft.resists.si if shaft.resists else 0.0))
+            if shaft.drum and shaft.lifts:
+                total -= turns * shaft.lifts.si * G * shaft.drum.si / 2
+        return total
+
+    def quantities(self) -> tuple[Named, ...]:
+        """The ratios, the equivalents, the angular accelerations; how it runs."""
+        others = [name for name in self.shafts if name != self.main]
+        found = [*(ratio_of(name, self.main) for name in others), J_E]
+        found += [M_D] * self.driven + [M_R] * self.resisted
+        if self.driven or self.moves:
+            found += [M_E, *(alpha_of(name) for name in self.shafts)]
+            found += [ROPE] if self.hoist is not None else []
+        if self.moves:
+            found += [TIME, *(omega_of(name) for name in self.shafts), TURNS]
+            found += [LIFT] if self.hoist is not None else []
+        return tuple(found)
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Shaft by shaft, then the pairs, and the run."""
+        told: list[tuple[str, str]] = []
+        for name, shaft in self.shafts.items():
+            told += [(f"J_{{{name}}}", " + ".join(one.text for one in shaft.J))] if shaft.J else []
+            told += as_written(
+                (
+                    (f"M_{{d{name}}}", shaft.drives),
+                    (f"M_{{r{name}}}", shaft.resists),
+                    (f"D_{{{name}}}", shaft.drum),
+                    ("m", shaft.lifts),
+                )
+            )
+        sizes = [
+            (f"{pair.letter}_{{{both(one, two)}}}/{pair.letter}_{{{both(two, one)}}}", pair.text.partition(" by ")[2])
+            for pair in self.pairs
+            for one, two in ((pair.first, pair.second),)
+        ]
+        tidy = [(symbol, text.replace("*", "·").replace("^2", "²")) for symbol, text in told]
+        run = as_written(
+            (("ω_0", self.start if self.start.si else None), (f"n_{{{self.main}}}", self.until), ("t", self.after))
+        )
+        return (*tidy, *sizes, *run)

@@ -1,0 +1,1 @@
+"""Symbols of springs and dampers (GB/T 4460)."""

@@ -1,0 +1,1 @@
+"""Loads that depend on place and speed: when they act, how large they are, springs and dampers."""

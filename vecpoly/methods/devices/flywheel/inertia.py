@@ -1,0 +1,81 @@
+"""The flywheel's moment of inertia from ΔW_max, or the δ that there is; the extreme speeds."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+
+from ....algebra.formula import Txt
+from ....algebra.quantity import Quantity, magnitude
+from ....devices.dynamics import asked
+from ....devices.dynamics.flywheel import GRAVITY, Flywheel
+from ....plane import nominal
+from ....words import Words
+from ..bench import Bench
+from .words import ENOUGH, INERTIA_SECTION, SPEED, SPEED_SECTION, UNEVEN
+
+PI, THIRTY, FOUR = (Quantity(Txt(text), value, "") for text, value in (("π", pi), ("30", 30.0), ("4", 4.0)))
+ONE, TWO = Quantity(Txt("1"), 1.0, ""), Quantity(Txt("2"), 2.0, "")
+
+
+def mean_speed(bench: Bench, wheel: Flywheel) -> Quantity:
+    """ω_m = π n / 30."""
+    bench.board.section(SPEED_SECTION)
+    bench.board.step(SPEED)
+    n = magnitude("n", wheel.speed * 30 / pi, "r/min")
+    return bench.board.compute("ω_m", PI * n / THIRTY, "rad/s")
+
+
+def moment_of_inertia(bench: Bench, wheel: Flywheel, swing: Quantity, omega: Quantity) -> Quantity | None:
+    """J_F where δ is allowed; None where δ was sought."""
+    bench.board.section(INERTIA_SECTION)
+    wheel_has = None if wheel.J is None else magnitude("J", wheel.J.si, "kg·m^2")
+    sought = None if wheel.delta is None else _sought(bench, wheel, swing, omega, wheel_has)
+    _unevenness(bench, swing, omega, _all(wheel_has, sought))
+    return sought
+
+
+def _sought(bench: Bench, wheel: Flywheel, swing: Quantity, omega: Quantity, has: Quantity | None) -> Quantity:
+    """J_F = ΔW_max / (ω_m² [δ]) − J, and 0 where that is negative."""
+    board, allowed = bench.board, magnitude("[δ]", wheel.delta.si if wheel.delta else 0.0, "")
+    board.step(
+        Words(
+            "由 $ΔW_{max}$ 和许用不均匀系数求所需的转动惯量" + ("，减去已有的 $J$ 即为飞轮的：" if has else "："),
+            "From $ΔW_{max}$ and the allowed coefficient follows the moment of inertia"
+            + (" that is needed, and less $J$, which is there, that of the flywheel:" if has else ":"),
+        )
+    )
+    need = bench.worked(asked.J_NEED, swing / (omega.squared() * allowed))
+    found = bench.worked(asked.J_F, need if has is None else need - has)
+    if nominal(found.value) < 0:
+        board.remark(ENOUGH)
+        found = bench.stated(asked.J_F, np.maximum(found.value, 0.0))
+    bench.worked(asked.GD2, FOUR * magnitude("g", GRAVITY, "m/s^2") * found)
+    if wheel.shaft is not None:
+        other = magnitude("n_2", abs(wheel.shaft.si) * 30 / pi, "r/min")
+        n = magnitude("n", wheel.speed * 30 / pi, "r/min")
+        board.step(
+            Words("飞轮装在转速为 $n_2$ 的轴上时，动能不变：", "On the shaft of speed $n_2$, with the same energy:")
+        )
+        bench.worked(asked.J_SHAFT, found * n.squared() / other.squared())
+    return found
+
+
+def _all(has: Quantity | None, found: Quantity | None) -> Quantity:
+    """All that turns."""
+    if has is None or found is None:
+        one = has or found
+        assert one is not None
+        return one
+    return magnitude("J_{Σ}", has.value + found.value, "kg·m^2")
+
+
+def _unevenness(bench: Bench, swing: Quantity, omega: Quantity, whole: Quantity) -> None:
+    bench.board.step(UNEVEN)
+    delta = bench.worked(asked.DELTA, swing / (whole * omega.squared()))
+    for named, sign in ((asked.OMEGA_MAX, 1), (asked.OMEGA_MIN, -1)):
+        factor = ONE + delta / TWO if sign > 0 else ONE - delta / TWO
+        speed = bench.worked(named, omega * factor)
+        turns = asked.N_MAX if sign > 0 else asked.N_MIN
+        bench.worked(turns, THIRTY * speed / PI)

@@ -1,0 +1,98 @@
+"""The works of the areas of a period: each read, or given, times the scale of areas; their misreading is shared."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ....algebra.quantity import Expr, Quantity, Sum, magnitude, number, worked
+from ....board.construction import Listing
+from ....devices.dynamics.asked import letter, level, work
+from ....devices.dynamics.given import Areas
+from ....plane import Points, Reals, nominal
+from ....words import Words
+from ...diagrams.indicator import shared_out
+from ..bench import Bench
+from ..cam.read.readings import noted
+from .scales import INDICATOR
+from .words import GIVEN, GIVEN_SECTION, shared
+
+NOTHING = 1e-9  # of all works: rounding, and no misreading
+HEAD = (
+    Words("区间", "from–to"),
+    Words("$A$ / mm²", "$A$ / mm²"),
+    Words("$W$ / J", "$W$ / J"),
+    Words("改正后 $W$ / J", "$W$ corrected / J"),
+    Words("段末 $E$ / J", "$E$ at its end / J"),
+)
+
+
+CORRECTED = 3  # column of HEAD
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Pieces:
+    """The works (J, by every hand), the letters at their ends, where these stand on the diagram of moments."""
+
+    works: tuple[Reals, ...]
+    letters: tuple[str, ...]
+    ends: tuple[Points, ...] = ()
+
+
+def letters_of(count: int) -> tuple[str, ...]:
+    """a, b, c ... and a′ where the period ends."""
+    return (*(letter(i) for i in range(count)), "a′")
+
+
+def given_areas(bench: Bench, load: Areas) -> Pieces:
+    """Areas that are known already, times their scale."""
+    board, names = bench.board, letters_of(load.count)
+    board.section(GIVEN_SECTION)
+    board.step(GIVEN)
+    scale = magnitude("μ_A", load.scale, "J/mm^2")
+    sizes = [magnitude(f"A_{n}", abs(size), "mm^2") for n, size in enumerate(load.sizes, 1)]
+    works = works_of(bench, sizes, _signs(bench, load.sizes, names), scale, names)
+    return Pieces(works=works, letters=names)
+
+
+def _signs(bench: Bench, sizes: Sequence[float], names: Sequence[str]) -> list[Reals]:
+    """+1 of a surplus, −1 of a deficit: as the first one, and then the other wherever the curves cross."""
+    signs: list[Reals] = [1.0 if sizes[0] > 0 else -1.0]
+    for n in range(1, len(sizes)):
+        crosses = (sizes[n] > 0) is not (sizes[n - 1] > 0)
+        signs.append(signs[-1] * bench.board.judged(INDICATOR, names[n], crosses=crosses))
+    return signs
+
+
+def works_of(
+    bench: Bench, sizes: Sequence[Quantity], signs: Sequence[Reals], scale: Quantity, names: Sequence[str]
+) -> tuple[Reals, ...]:
+    """The works as read, what they miss zero by, the works without it, and a table of all that."""
+    board = bench.board
+    read = [sign * size.value * scale.value for sign, size in zip(signs, sizes, strict=True)]
+    board.write(worked(magnitude("W_1", read[0], "J").node, _signed(sizes[0] * scale, signs[0]), "J"))
+    left, works = shared_out(read)
+    missed = abs(float(nominal(left))) > NOTHING * sum(abs(float(nominal(one))) for one in read)
+    if missed:
+        board.remark(shared(float(nominal(left))))
+    energy: Reals = 0.0
+    rows = []
+    for n, (size, raw, value) in enumerate(zip(sizes, read, works, strict=True), 1):
+        value = board.conclude(f"W_{n}", value, "J")
+        energy = energy + value
+        noted(bench, work(n), value)
+        if n < len(sizes):
+            noted(bench, level(n), energy)
+        rows.append(_row(f"${names[n - 1]}$–${names[n]}$", size.value, raw, value, energy if n < len(sizes) else 0.0))
+    kept = [column for column in range(len(HEAD)) if missed or column != CORRECTED]
+    told = tuple(tuple(row[column] for column in kept) for row in rows)
+    board.tabulate(Listing(head=tuple(HEAD[column] for column in kept), rows=told, blocks=1))
+    return works
+
+
+def _signed(size: Expr, sign: Reals) -> Expr:
+    return size if float(nominal(sign)) > 0 else Sum((size,), (-1,))
+
+
+def _row(between: str, *values: Reals) -> tuple[str, ...]:
+    return (between, *(number(float(nominal(value))) for value in values))

@@ -1,0 +1,60 @@
+"""The rim of a flywheel: its mass, its section, its speed."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ....algebra.formula import Node, Root, Row, Txt
+from ....algebra.formula import named as name_of
+from ....algebra.quantity import Quantity, magnitude, number
+from ....devices.dynamics import asked
+from ....devices.dynamics.rim import Rim
+from ....plane import nominal
+from ....words import Words
+from ..bench import Bench
+from .inertia import FOUR, PI
+
+HALF = Quantity(Txt("0.5"), 0.5, "")
+BILLION = Quantity(Txt("10^{9}"), 1e9, "")
+
+
+def rim_of(bench: Bench, rim: Rim, inertia: Quantity, omega: Quantity) -> None:
+    """m = 4 J_F / D²; of its section b h = m / (π D ρ); the speed of its outside; the annulus as it really is."""
+    board = bench.board
+    board.section(Words("轮缘", "Rim"))
+    board.step(Words("轮缘质量集中在平均直径 $D$ 上：", "With the mass of the rim on its mean diameter $D$:"))
+    d = magnitude("D", rim.D.si, "m")
+    mass = bench.worked(asked.RIM_MASS, FOUR * inertia / d.squared())
+    section = board.compute("S", mass / (PI * d * magnitude("ρ", rim.density.si, "kg/m^3")), "m^2")
+    high = 1e3 * np.sqrt(section.value / rim.ratio.si)
+    h = bench.stated(asked.RIM_H, high, _root(float(nominal(section.value)), rim.ratio.si, float(nominal(high))))
+    b = bench.worked(asked.RIM_B, magnitude("(b/h)", rim.ratio.si, "") * h)
+    assert b is not None
+    _speed(bench, rim, h, omega)
+    board.step(
+        Words(
+            "按真实的圆环校核转动惯量（$R_1$、$R_2$ 为轮缘的内、外半径）：",
+            "The annulus as it is, with $R_1$ and $R_2$ its radii inside and outside:",
+        )
+    )
+    inner, outer = (magnitude(f"R_{n}", rim.D.si / 2 + sign * h.value / 2e3, "m") for n, sign in ((1, -1), (2, 1)))
+    bench.worked(asked.RIM_J, HALF * mass * (inner.squared() + outer.squared()))
+
+
+def _speed(bench: Bench, rim: Rim, h: Quantity, omega: Quantity) -> None:
+    board = bench.board
+    board.step(Words("轮缘外圆的线速度：", "The speed of the outside of the rim:"))
+    outer = magnitude("R_2", rim.D.si / 2 + h.value / 2e3, "m")
+    v = bench.worked(asked.RIM_SPEED, omega * outer)
+    if rim.v_max is not None:
+        safe = v.value <= rim.v_max.si
+        most = number(rim.v_max.si)
+        zh, en = ("不超过", "does not exceed") if bool(nominal(safe)) else ("超过", "exceeds")
+        bench.judged(asked.RIM_SAFE, safe, Words(f"{zh}许用值 {most} m/s。", f" It {en} the allowed {most} m/s."))
+
+
+def _root(section: float, ratio: float, high: float) -> Node:
+    """h = √(S / (b/h)) = √(…) = … mm."""
+    symbols, numbers = (Root(Row((Txt(one),))) for one in ("S/(b/h)", f"{number(section)}/{number(ratio)}"))
+    end = Txt(f" = {number(high)} mm")
+    return Row((name_of("h"), Txt(" = "), symbols, Txt(" = "), numbers, end))

@@ -1,0 +1,1 @@
+"""A train reduced to one shaft: sketch, ratios, equivalents, run-up."""

@@ -1,0 +1,150 @@
+"""A train reduced to one of its shafts: kinetic energies and powers with the ratios of the speeds."""
+
+from __future__ import annotations
+
+from ....algebra.quantity import Expr, Product, Quantity, Quotient, Sum, magnitude, number
+from ....board.construction import Listing, View
+from ....devices.dynamics.reduced import J_E, M_D, M_E, M_R, G, ReducedTrain, alpha_of, both, ratio_of
+from ....devices.dynamics.shafts import Pair
+from ....plane import nominal
+from ....words import Words
+from ..bench import Bench
+from ..registry import device_method
+from .run import run_up
+from .sketch import draw_shafts
+
+HEAD = (
+    Words("轴", "shaft"),
+    Words("$ω_i/ω$", "$ω_i/ω$"),
+    Words("$J_i$ / kg·m²", "$J_i$ / kg·m²"),
+    Words("$J_i (ω_i/ω)^2$ / kg·m²", "$J_i (ω_i/ω)^2$ / kg·m²"),
+    Words("$M_i$ / N·m", "$M_i$ / N·m"),
+    Words("$M_i ω_i/ω$ / N·m", "$M_i ω_i/ω$ / N·m"),
+)
+
+
+@device_method(
+    ReducedTrain,
+    title=Words("轮系的等效转动惯量与等效力矩", "A train reduced to one shaft"),
+    source="机械原理, 机械的运转: kinetic energy and power of the equivalent link",
+    example="7-3",
+)
+def draw_reduced(bench: Bench, train: ReducedTrain) -> None:
+    """J_e = Σ J_i (ω_i/ω)² + m (v/ω)²; M_e = Σ ± M_i ω_i/ω − G v/ω; α = M_e / J_e."""
+    board = bench.board
+    place = board.open_pane(View.MECHANISM, "train", Words("传动简图（示意）", "The train (sketch)"))
+    board.section(Words("传动比", "Ratios of the speeds"))
+    board.step(
+        Words(
+            f"取轴 {train.main} 为等效构件。相啮合的两轮（或带轮）节线速度相等，故转速与齿数（直径）成反比：",
+            f"Take shaft {train.main} as the equivalent link. Two wheels in mesh, or with one belt, have one pitch "
+            "line velocity, so that their speeds are inversely as their teeth (diameters):",
+        ),
+        place,
+    )
+    draw_shafts(board, place, train)
+    ratios = {name: _ratio(bench, train, name) for name in train.shafts}
+    inertia = _inertia(bench, train, ratios)
+    moment = _moments(bench, train, ratios)
+    _table(bench, train, ratios)
+    if moment is None:
+        return
+    board.step(Words("由 $M_e = J_e α$：", "From $M_e = J_e α$:"))
+    alpha = bench.worked(alpha_of(train.main), moment / inertia)
+    for name, ratio in ratios.items():
+        if name != train.main and ratio is not None:
+            bench.worked(alpha_of(name), ratio * alpha)
+    run_up(bench, train, ratios, alpha)
+
+
+def _ratio(bench: Bench, train: ReducedTrain, name: str) -> Quantity | None:
+    """ω of a shaft over ω, by the pairs on the way; None of the shaft itself."""
+    way = train.ways[name]
+    if not way:
+        return None
+    above = [_size(pair, first=forwards) for pair, forwards in way]
+    below = [_size(pair, first=not forwards) for pair, forwards in way]
+    return bench.worked(ratio_of(name, train.main), Quotient(_product(above), _product(below)))
+
+
+def _size(pair: Pair, *, first: bool) -> Quantity:
+    """The teeth, or the diameter, of one of two wheels."""
+    one, other = (pair.first, pair.second) if first else (pair.second, pair.first)
+    size = pair.sizes[0] if first else pair.sizes[1]
+    return magnitude(f"{pair.letter}_{{{both(one, other)}}}", 1e3 * size if pair.belt else size, "")
+
+
+def _product(factors: list[Quantity]) -> Expr:
+    return factors[0] if len(factors) == 1 else Product(tuple(factors))
+
+
+def _inertia(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | None]) -> Quantity:
+    bench.board.section(Words("等效转动惯量", "Equivalent moment of inertia"))
+    bench.board.step(
+        Words(
+            "动能相等，各转动惯量 $J$ 乘以传动比的平方：", "Of equal kinetic energy: each $J$ times its ratio squared:"
+        )
+    )
+    terms: list[Expr] = []
+    for name, shaft in train.shafts.items():
+        for n, one in enumerate(shaft.J):
+            mark = "" if len(shaft.J) == 1 else "′" * n
+            terms.append(_reduced(magnitude(f"J{mark}_{{{name}}}", one.si, "kg·m^2"), ratios[name], squared=True))
+        if shaft.lifts is not None and shaft.drum is not None:
+            mass, radius = magnitude("m", shaft.lifts.si, "kg"), magnitude("R", shaft.drum.si / 2, "m")
+            terms.append(_reduced(mass * radius.squared(), ratios[name], squared=True))
+    return bench.worked(J_E, _sum(terms, [1] * len(terms)))
+
+
+def _moments(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | None]) -> Quantity | None:
+    """M_e = M_ed − M_er; None where nothing drives."""
+    if not (train.driven or train.resisted):
+        return None
+    bench.board.section(Words("等效力矩", "Equivalent moment"))
+    bench.board.step(
+        Words(
+            "功率相等，各力矩乘以传动比，驱动与阻力分别求和：",
+            "Of equal power: each moment times its ratio, those that drive and those that resist:",
+        )
+    )
+    driving: list[Expr] = []
+    resisting: list[Expr] = []
+    for name, shaft in train.shafts.items():
+        if shaft.drives is not None:
+            driving.append(_reduced(magnitude(f"M_{{d{name}}}", shaft.drives.si, "N·m"), ratios[name]))
+        if shaft.resists is not None:
+            resisting.append(_reduced(magnitude(f"M_{{r{name}}}", shaft.resists.si, "N·m"), ratios[name]))
+        if shaft.lifts is not None and shaft.drum is not None:
+            weight = magnitude("m", shaft.lifts.si, "kg") * magnitude("g", G, "m/s^2")
+            resisting.append(_reduced(weight * magnitude("R", shaft.drum.si / 2, "m"), ratios[name]))
+    drives = bench.worked(M_D, _sum(driving, [1] * len(driving))) if driving else None
+    resists = bench.worked(M_R, _sum(resisting, [1] * len(resisting))) if resisting else None
+    if drives is None:
+        return bench.worked(M_E, Sum((resists,), (-1,))) if train.moves and resists is not None else None
+    return bench.worked(M_E, drives if resists is None else drives - resists)
+
+
+def _reduced(term: Expr, ratio: Quantity | None, *, squared: bool = False) -> Expr:
+    if ratio is None:
+        return term
+    return term * (ratio.squared() if squared else ratio)
+
+
+def _sum(terms: list[Expr], signs: list[int]) -> Expr:
+    return terms[0] if len(terms) == 1 else Sum(tuple(terms), tuple(signs))
+
+
+def _table(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | None]) -> None:
+    """Shaft by shaft, the weight that is lifted with its drum."""
+    rows = []
+    for name, shaft in train.shafts.items():
+        ratio = ratios[name]
+        turns = 1.0 if ratio is None else float(nominal(ratio.value))
+        inertia = sum(one.si for one in shaft.J)
+        moment = (shaft.drives.si if shaft.drives else 0.0) - (shaft.resists.si if shaft.resists else 0.0)
+        if shaft.lifts is not None and shaft.drum is not None:
+            inertia += shaft.lifts.si * (shaft.drum.si / 2) ** 2
+            moment -= shaft.lifts.si * G * shaft.drum.si / 2
+        values = (turns, inertia, inertia * turns**2, moment, moment * turns)
+        rows.append((name, *(number(value) for value in values)))
+    bench.board.tabulate(Listing(head=HEAD, rows=tuple(rows), blocks=1))

@@ -1,0 +1,55 @@
+"""A train that runs up with constant moments: speed, time, turns; what it lifts meanwhile."""
+
+from __future__ import annotations
+
+from math import pi
+
+from ....algebra.formula import Txt
+from ....algebra.quantity import Quantity, magnitude
+from ....devices.dynamics.reduced import LIFT, ROPE, TIME, TURNS, G, ReducedTrain, alpha_of, omega_of
+from ....words import Words
+from ..bench import Bench
+
+TWO, FOUR_PI = Quantity(Txt("2"), 2.0, ""), Quantity(Txt("4π"), 4 * pi, "")
+
+
+def run_up(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | None], alpha: Quantity) -> None:
+    """α is constant: ω = ω_0 + α t, and the turns from the mean speed."""
+    board, hoist = bench.board, train.hoist
+    if hoist is not None:
+        _rope(bench, train, hoist[0])
+    if not train.moves:
+        return
+    board.section(Words("起动", "Run-up"))
+    board.step(Words("力矩不变，角加速度不变：", "The moments are constant, and so is the angular acceleration:"))
+    first = magnitude("ω_0", train.start.si, "rad/s")
+    if train.until is not None:
+        last = bench.stated(omega_of(train.main), train.until.si)
+        time = bench.worked(TIME, (last - first) / alpha)
+    else:
+        assert train.after is not None
+        time = bench.stated(TIME, train.after.si)
+        last = bench.worked(omega_of(train.main), first + alpha * time)
+    for name, ratio in ratios.items():
+        if name != train.main and ratio is not None:
+            bench.worked(omega_of(name), ratio * last)
+    turns = bench.worked(TURNS, (first + last) * time / FOUR_PI)
+    if hoist is not None:
+        _lifted(bench, hoist[0], train, ratios[hoist[0]], turns)
+
+
+def _rope(bench: Bench, train: ReducedTrain, name: str) -> None:
+    """The rope carries the weight and accelerates it."""
+    shaft = train.shafts[name]
+    assert shaft.lifts is not None and shaft.drum is not None
+    bench.board.step(Words("起动时绳的拉力：", "The tension of the rope while it starts:"))
+    alpha = magnitude(alpha_of(name).symbol, bench.board.found[alpha_of(name).key], "rad/s^2")
+    a = bench.board.compute("a", alpha * magnitude("R", shaft.drum.si / 2, "m"), "m/s^2")
+    bench.worked(ROPE, magnitude("m", shaft.lifts.si, "kg") * (magnitude("g", G, "m/s^2") + a))
+
+
+def _lifted(bench: Bench, name: str, train: ReducedTrain, ratio: Quantity | None, turns: Quantity) -> None:
+    shaft = train.shafts[name]
+    assert shaft.drum is not None
+    drum = Quantity(Txt("π"), pi, "") * magnitude("D", shaft.drum.si, "m") * turns
+    bench.worked(LIFT, drum if ratio is None else drum * ratio)

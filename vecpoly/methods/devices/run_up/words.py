@@ -1,0 +1,74 @@
+"""What the steps of a run say."""
+
+from __future__ import annotations
+
+from ....algebra.quantity import number
+from ....board.construction import View
+from ....devices.dynamics.run_up import RunUp
+from ....words import Words
+from .course import Course
+
+SECTIONS = {
+    "run": Words("起动", "Run-up"),
+    "free": Words("自由停车", "Running down"),
+    "braked": Words("制动停车", "Braking"),
+}
+_OF = {"run": Words("", ""), "free": Words("（自由停车）", ", running down"), "braked": Words("（制动）", ", braked")}
+HEAD = (
+    Words.same("$ω$ / (rad/s)"),
+    Words.same("$M_d$ / N·m"),
+    Words.same("$M_r$ / N·m"),
+    Words.same("$ΔM$ / N·m"),
+    Words.same("$1/|ΔM|$ / (1/(N·m))"),
+)
+INVERSES = Words(
+    "由 $J dω/dt = ΔM$ 得 $t = J ∫ dω/ΔM$。由两曲线间的距离求 $y = 1/|ΔM|$，作 $y$–$ω$ 线图，线下的面积即为所求的积分，"
+    "量得：",
+    "From $J dω/dt = ΔM$ follows $t = J ∫ dω/ΔM$. Take $ΔM$ off the characteristics, draw $y = 1/|ΔM|$ over $ω$; the "
+    "area below it is the integral. It is measured:",
+)
+SPEEDS = Words(
+    "到某一转速为止的面积即到该转速的时间，由此作 $ω$–$t$ 线图；其线下的面积为转角：",
+    "The area up to a speed is the time until then: this gives the curve of $ω$ over $t$, below which the area is the "
+    "angle:",
+)
+
+
+def drawn(course: Course) -> Words:
+    """Which curves are drawn."""
+    if course.name == "run":
+        return Words(
+            "作电动机的机械特性 $M_d$ 和阻力矩 $M_r$ 随转速变化的曲线。静止时（$A$ 点）驱动力矩为：",
+            "Draw the characteristics of the motor, $M_d$, and of the load, $M_r$, over the speed. At rest (point $A$) "
+            "the motor has:",
+        )
+    brake = Words("与制动力矩之和", " together with the brake") if course.name == "braked" else Words("", "")
+    return (
+        Words("作阻力矩", "Draw the resisting moment")
+        + brake
+        + Words(" $M_r$ 随 $ω$ 变化的曲线。", ", $M_r$, over $ω$.")
+    )
+
+
+def steady() -> Words:
+    """Why the motion is stable at the crossing."""
+    return Words(
+        "两曲线交于 $S$ 点，$M_d = M_r$，转速稳定。转速略升则 $M_d < M_r$，略降则 $M_d > M_r$"
+        "（d$M_d$/d$ω$ < d$M_r$/d$ω$），机组具有自调性，$S$ 为稳定工作点：",
+        "At $S$, where the curves cross, $M_d = M_r$ and the speed is steady. A little above it $M_d < M_r$, a little "
+        "below $M_d > M_r$ (d$M_d$/d$ω$ < d$M_r$/d$ω$): the set regulates itself, $S$ is stable:",
+    )
+
+
+def goal(device: RunUp, course: Course) -> Words:
+    """Where the run-up ends."""
+    share = 100 * device.share
+    return Words(
+        f"起动计算到稳定转速的 {share:g} %，即 {number(course.goal)} rad/s。",
+        f" The run-up is followed to {share:g} % of it, {number(course.goal)} rad/s.",
+    )
+
+
+def titles(view: View, name: str) -> Words:
+    """The title of a figure."""
+    return view.title + _OF[name]

@@ -1,0 +1,48 @@
+"""The axes of a diagram, with numbers below the one that goes to the right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from math import degrees
+
+from ...board.board import Board
+from ...board.construction import Place
+from ...board.paper.marks import Dot, Role
+
+BEYOND, TICK = 9.0, 1.5  # mm: how far the axes run on; half a tick
+STEPS = (1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180, 360)  # deg from tick to tick
+MOST = 13  # ticks
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Axes:
+    """How far something is set out (mm): to the right, and from the lowest to the highest; the letters at the ends."""
+
+    wide: float
+    low: float
+    high: float
+    across: str
+    up: str
+
+
+def draw_axes(board: Board, place: Place, axes: Axes, ticks: Iterable[tuple[float, str]]) -> None:
+    """Both axes with their letters; ticks: how far to the right (mm), and what is written there."""
+    right, top = axes.wide + BEYOND + 0j, 1j * (axes.high + BEYOND)
+    bottom = 1j * (axes.low - BEYOND / 2) if axes.low < 0 else 0j
+    board.arrow(place, 0j, right, Role.DIRECTION)
+    board.arrow(place, bottom, top, Role.DIRECTION)
+    board.plot(place, right, axes.across, Dot.NONE)
+    board.plot(place, top, axes.up, Dot.NONE)
+    for at, written in ticks:
+        board.join(place, at - TICK * 1j, at + TICK * 1j, Role.CONSTRUCTION)
+        board.plot(place, at - TICK * 1j, written, Dot.NONE)
+
+
+def angle_ticks(board: Board, place: Place, period: float) -> Iterable[tuple[float, str]]:
+    """Round angles up to the end of a period (rad), and its end."""
+    whole = degrees(period)
+    step = next((one for one in STEPS if whole / one <= MOST), 360)
+    inner = [step * i for i in range(1, int(whole / step) + 1) if step * i < whole - step / 3]
+    for angle in (*inner, whole):
+        yield period * angle / whole / board.scale_of(place).right.value, f"{angle:.6g}°"

@@ -1,0 +1,1 @@
+"""Loads that depend on place and speed, read off the sheet."""

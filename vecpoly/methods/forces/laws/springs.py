@@ -1,0 +1,151 @@
+"""Springs and dampers: the length off the diagram, its rate off the velocity polygon, the force along the line."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ....algebra.quantity import Expr, Quantity, Sum, magnitude
+from ....board.board import NO_LENGTH
+from ....board.construction import Reading, View
+from ....diagram.single import pivot
+from ....diagram.springs.straight import damper, spring_symbol
+from ....diagram.springs.torsion import coil_symbol
+from ....mechanism.asked.forces import spring_named
+from ....mechanism.laws.springs import Coil, Spring
+from ....mechanism.loads import Force, Moment
+from ....mechanism.model import FRAME
+from ....plane import Points, Reals, dot, nominal, unit
+from ....words import Words
+from ..acting import OTHER_END
+from .off_paper import OffPaper
+from .pull import Pull
+
+
+def pulled(at: OffPaper, spring: Spring) -> tuple[tuple[Force, ...], dict[str, Pull]]:
+    """The force of a spring on its link, and the opposite one on the other if that moves."""
+    _say(at, spring)
+    foot, point = at.ends(spring)
+    size = _size(at, spring)
+    way = np.sign(float(nominal(size)))
+    if not way:
+        at.desk.board.remark(Words("此时不受力。", " It does nothing here."))
+        return (), {}
+    says = Words("受拉", "it is in tension") if way > 0 else Words("受压", "it is compressed")
+    at.desk.board.remark(Words(f"{says.zh}。", f" Here {says.en}."))
+    along = -way * unit(point - foot)
+    force = _force(spring.name, spring.link, spring.point, along, size)
+    found = {force.name: Pull(size=way * size, along=along)}
+    if spring.against == FRAME:
+        return (force,), found
+    back = _force(f"{spring.name}{OTHER_END}", spring.against, spring.foot, -along, size)
+    return (force, back), found | {back.name: Pull(size=way * size, along=-along)}
+
+
+def _force(name: str, link: str, point: str, along: Points, size: Reals) -> Force:
+    way = float(np.angle(complex(nominal(along))))
+    return Force(name=name, link=link, point=point, direction=way, size=abs(float(nominal(size))))
+
+
+def _say(at: OffPaper, spring: Spring) -> None:
+    """The step: the spring is drawn, and what is to be read."""
+    board, ends = at.desk.board, f"{spring.foot}{spring.point}"
+    what = Words("弹簧", "spring") if spring.stiffness else Words("阻尼器", "damper")
+    rate = Words("，在速度多边形上量其伸长的速度", ", and how fast it grows on the velocity polygon")
+    rate = rate if spring.damping else Words("", "")
+    board.step(
+        Words(
+            f"{what.zh} ${spring.name}$ 连接 ${spring.foot}$、${spring.point}$ 两点，其力沿 ${ends}$："
+            f"在图上量其长度{rate.zh}。",
+            f"The {what.en} ${spring.name}$ joins ${spring.foot}$ and ${spring.point}$; its force acts along ${ends}$: "
+            f"measure its length on the diagram{rate.en}.",
+        ),
+        View.MECHANISM,
+    )
+    foot, point = at.ends(spring)
+    board.depict(View.MECHANISM, (spring_symbol if spring.stiffness else damper)(foot, point))
+    if at.desk.mech.links_at(spring.foot) == (FRAME,):
+        board.depict(View.MECHANISM, pivot(foot, spring.foot))
+
+
+def _size(at: OffPaper, spring: Spring) -> Reals:
+    """T = F_0 + k (l - l_0) + c v, positive where it pulls."""
+    board, named = at.desk.board, spring_named(spring)
+    terms: list[tuple[Expr, int]] = []
+    foot, point = at.ends(spring)
+    if spring.preload:
+        terms.append((magnitude("F_{0}", abs(spring.preload), "N"), 1 if spring.preload > 0 else -1))
+    if spring.stiffness:
+        on_paper = board.measure(foot, point, f"{spring.foot} {spring.point}")
+        length = board.compute(f"l_{{{spring.foot}{spring.point}}}", board.mu(View.MECHANISM) * on_paper, "m")
+        stretch = length - magnitude("l_{0}", spring.free, "m")
+        terms.append((magnitude("k", spring.stiffness, "N/m") * stretch, 1))
+    if spring.damping:
+        terms += _damped(at, spring)
+    total = Sum(tuple(one for one, _ in terms), tuple(sign for _, sign in terms))
+    size: Reals = board.compute(named.symbol, total, "N").value if terms else 0.0
+    board.keep(Reading(key=named.key, symbol=named.symbol, unit="N", scalar=float(nominal(size))), size)
+    return size
+
+
+def _damped(at: OffPaper, spring: Spring) -> list[tuple[Expr, int]]:
+    """c v, v the component along the line of the one end's velocity against the other's."""
+    board = at.desk.board
+    foot, point = at.ends(spring)
+    along = unit(point - foot)
+    base, head = at.tip(spring.against, spring.foot), at.tip(spring.link, spring.point)
+    part = dot(along, head - base)
+    if abs(float(nominal(part))) < NO_LENGTH:
+        board.remark(Words("此时长度不变，无阻尼力。", " Its length does not change here, so nothing is damped."))
+        return []
+    end = base + along * part
+    on_paper = board.measure(base, end, f"v_{{{spring.foot}{spring.point}}}")
+    rate = board.compute(f"v_{{{spring.name.replace('_', '')}}}", board.mu(View.VELOCITY) * on_paper, "m/s")
+    return [(magnitude("c", spring.damping, "N·s/m") * rate, 1 if float(nominal(part)) > 0 else -1)]
+
+
+def turned(at: OffPaper, coil: Coil) -> tuple[tuple[Moment, ...], dict[str, Pull]]:
+    """The couple of a torsion spring on its link, and the opposite one on the other if that moves."""
+    board = at.desk.board
+    named = spring_named(coil)
+    other = (
+        Words("机架", "the frame") if coil.against == FRAME else Words(f"构件 {coil.against}", f"link {coil.against}")
+    )
+    what = Words("扭簧", "torsion spring") if coil.stiffness else Words("转动阻尼器", "rotary damper")
+    board.step(
+        Words(
+            f"{what.zh} ${coil.name}$ 在构件 {coil.link} 与{other.zh}之间：用量角器量相对转角。",
+            f"The {what.en} ${coil.name}$ joins link {coil.link} and {other.en}: the protractor shows their angle.",
+        ),
+        View.MECHANISM,
+    )
+    pin = _pin(at, coil)
+    if pin:
+        board.depict(View.MECHANISM, coil_symbol(at.desk.at[pin]))
+    terms: list[tuple[Expr, int]] = []
+    if coil.preload:
+        terms.append((magnitude("M_{0}", abs(coil.preload), "N·m"), -1 if coil.preload > 0 else 1))
+    if coil.stiffness:
+        terms.append(_against(magnitude("k", coil.stiffness, "N·m/rad"), "Δφ", at.turned(coil), "rad"))
+    if coil.damping:
+        terms.append(_against(magnitude("c", coil.damping, "N·m·s"), "ω_{r}", at.turning(coil), "rad/s"))
+    size = board.compute(named.symbol, Sum(tuple(x for x, _ in terms), tuple(y for _, y in terms)), "N·m").value
+    value = float(nominal(size))
+    board.keep(Reading(key=named.key, symbol=named.symbol, unit="N·m", scalar=value), size)
+    moment = Moment(name=coil.name, link=coil.link, size=value)
+    if coil.against == FRAME:
+        return (moment,), {coil.name: Pull(size=size)}
+    back = Moment(name=f"{coil.name}{OTHER_END}", link=coil.against, size=-value)
+    return (moment, back), {moment.name: Pull(size=size), back.name: Pull(size=-size)}
+
+
+def _against(factor: Quantity, symbol: str, value: Reals, unit_text: str) -> tuple[Expr, int]:
+    """A term that turns against an angle, or a rate: its size, and its sign."""
+    sense = 1 if float(nominal(value)) >= 0 else -1
+    return factor * magnitude(symbol, sense * value, unit_text), -sense
+
+
+def _pin(at: OffPaper, coil: Coil) -> str:
+    """The letter at which both links are hinged, about which the spring is drawn."""
+    mech = at.desk.mech
+    common = [p for p in mech.link(coil.link).points if p in mech.link(coil.against).points]
+    return common[0] if common else ""

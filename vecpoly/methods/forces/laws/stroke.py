@@ -1,0 +1,132 @@
+"""The two ends of a point's stroke, found by drawing the mechanism in many places of its drive on scratch paper."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import lru_cache
+from itertools import pairwise
+
+import numpy as np
+
+from ....board.board import Scratch
+from ....board.construction import Scale, View
+from ....board.hand import hand
+from ....board.place import views
+from ....errors import EquilibriumError, VecpolyError
+from ....mechanism.groups.assur import decompose
+from ....mechanism.laws.told import no_stroke
+from ....mechanism.model import Mechanism
+from ....names import At
+from ....plane import dot, nominal
+from ...coincident import coincident_letters
+from ...desk import Desk
+from ...exchange.exchange import exchanged
+from ...kinematics.doors import draw_drive, draw_group
+from ...kinematics.image import found_tip
+from ...registry import Stage
+from ...roots import halved
+
+TRIALS = 72  # places of the drive
+HALVINGS = 48
+_STAGES = (Stage.POSITION, Stage.VELOCITY)
+
+
+def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[float, float]:
+    """Least and greatest coordinate of a point along a direction (m); EquilibriumError where it has no stroke."""
+    whole, low, high = _stroke(_at_zero(mech), link, point, direction)
+    if not whole:
+        _, low, high = _stroke(mech, link, point, direction)
+    if (why := no_stroke(link, point, direction, high - low, mech.scale)) is not None:
+        raise EquilibriumError(why, code="contradiction")
+    return low, high
+
+
+def _at_zero(mech: Mechanism) -> Mechanism:
+    """The same for every place of the drive: the trials of a whole turn serve for them all."""
+    return mech if mech.drive.slide else replace(mech, drives=(replace(mech.drive, position=0.0), *mech.drives[1:]))
+
+
+@lru_cache(maxsize=128)
+def _stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[bool, float, float]:
+    """Whether the drive goes right round, and both ends: at the dead centres, where the velocity turns round, or where
+    the drive comes to its own end."""
+    drive = mech.drive
+    own, step = drive.position, (mech.scale / 18 if drive.slide else 2 * np.pi / TRIALS)
+    seen: dict[float, tuple[float, float] | None] = {}
+
+    def drawn(at: float) -> tuple[float, float] | None:
+        if at not in seen:
+            seen[at] = _drawn(mech, at, link, point, direction)
+        return seen[at]
+
+    ahead, behind = ([own + way * step * k for k in range(1, TRIALS + 1)] for way in (1, -1))
+    if drawn(own) is None:
+        return False, 0.0, 0.0
+    if not drive.slide and all(drawn(at) is not None for at in ahead):
+        return True, *_ends([own, *ahead], drawn)
+    reach = [*_reached(behind, drawn)[::-1], own, *_reached(ahead, drawn)]
+    return False, *_ends(sorted([*reach, *_edges(reach, step, drawn)]), drawn)
+
+
+Drawn = Callable[[float], tuple[float, float] | None]
+
+
+def _drawn(mech: Mechanism, at: float, link: str, point: str, direction: float) -> tuple[float, float] | None:
+    """Coordinate (m) and velocity of the point along the direction in this place of the drive; None where there is
+    none."""
+    even = replace(mech.drive, position=at, rate=mech.drive.rate or 1.0, accel=0.0)
+    try:
+        moved = exchanged(replace(mech, drives=(even, *mech.drives[1:])), _STAGES).mech
+        groups = decompose(moved)
+        scales = {view: Scale(symbol="μ", value=_size(moved, view), unit="") for view in views()}
+        desk = Desk(board=Scratch(hand("exact"), scales), mech=moved, coincident=coincident_letters(moved, groups))
+        desk.at = {name: place * desk.mm(1.0) for name, place in moved.frame.items()}
+        for stage in _STAGES:
+            for one in moved.drives:
+                draw_drive(desk, stage, one)
+            for group in groups:
+                draw_group(desk, stage, group)
+        along = complex(np.exp(1j * direction))
+        place = float(nominal(dot(along, desk.where(At(point, link))))) / desk.mm(1.0)
+        return place, float(nominal(dot(along, found_tip(desk, View.VELOCITY, At(point, link)))))
+    except VecpolyError:
+        return None
+
+
+def _size(mech: Mechanism, view: View) -> float:
+    pace = abs(mech.drive.rate) * (1.0 if mech.drive.slide else mech.scale)
+    return {View.MECHANISM: mech.scale, View.VELOCITY: pace}.get(view, 1.0) / 100
+
+
+def _reached(places: list[float], drawn: Drawn) -> list[float]:
+    """As far as the mechanism can be drawn."""
+    found: list[float] = []
+    for at in places:
+        if drawn(at) is None:
+            break
+        found.append(at)
+    return found
+
+
+def _edges(reach: list[float], step: float, drawn: Drawn) -> list[float]:
+    """The last places at both ends of a range, where the links only just meet."""
+    found = []
+    for inside, way in ((reach[0], -1), (reach[-1], 1)):
+        outside = inside + way * step
+        for _ in range(HALVINGS):
+            middle = (inside + outside) / 2
+            inside, outside = (inside, middle) if drawn(middle) is None else (middle, outside)
+        found.append(inside)
+    return found
+
+
+def _ends(places: list[float], drawn: Drawn) -> tuple[float, float]:
+    """The least and the greatest coordinate, between trials at the place where the velocity turns round."""
+    found = [one[0] for at in places if (one := drawn(at)) is not None]
+    for low, high in pairwise(places):
+        a, b = drawn(low), drawn(high)
+        if a is not None and b is not None and a[1] * b[1] < 0:
+            turn = drawn(halved(lambda at: (drawn(at) or (0.0, 0.0))[1], low, high, HALVINGS))
+            found += [] if turn is None else [turn[0]]
+    return min(found), max(found)

@@ -1,0 +1,1 @@
+"""The mechanism as a machine: its equivalent link by the velocity polygon."""

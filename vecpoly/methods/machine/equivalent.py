@@ -1,0 +1,180 @@
+"""The equivalent link (等效构件) by the velocity polygon: T = ½ J_e ω², P = M_e ω; only ratios of velocities enter."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...algebra.formula import Row, Txt
+from ...algebra.quantity import Expr, Product, Quantity, Sum, magnitude, number
+from ...board.board import NO_LENGTH
+from ...board.construction import Listing, View
+from ...mechanism.asked.machine import Equivalent
+from ...mechanism.loads import Mass
+from ...names import At, omega
+from ...plane import Reals, nominal
+from ...words import Words
+from ..desk import POLE
+from ..forces.balance.power_terms import works
+from ..forces.balance.virtual_power import written_power
+from ..forces.friction import STILL
+from ..forces.readings import keep_nothing, keep_value
+from ..forces.state import Statics
+from ..kinematics.image import found_tip
+from ..registry import Stage, method
+from .motion_of import Motion, motion_of
+
+_SOURCE = "机械原理, equivalent link: its kinetic energy and its power are those of the whole machine"
+_Row = tuple[str, ...]
+
+
+@method(
+    stage=Stage.MACHINE,
+    group="turning link",
+    source=_SOURCE,
+    example="7-1",
+    title=Words("等效转动惯量与等效力矩", "Equivalent moment of inertia and moment"),
+)
+def equivalent_turning(st: Statics, to: Equivalent) -> None:
+    """J_e = Σ [m (v_S/ω)² + J_S (ω_i/ω)²] (kg·m²), M_e = Σ (F v cos α ± M ω_i) / ω (N·m)."""
+    _reduce(st, to)
+
+
+@method(
+    stage=Stage.MACHINE,
+    group="slider",
+    source=_SOURCE,
+    example="7-1",
+    title=Words("等效质量与等效力", "Equivalent mass and force"),
+)
+def equivalent_slider(st: Statics, to: Equivalent) -> None:
+    """m_e = Σ [m (v_S/v)² + J_S (ω_i/v)²] (kg), F_e = Σ (F v_F cos α ± M ω_i) / v (N), positive along the motion."""
+    _reduce(st, to)
+
+
+def _reduce(st: Statics, to: Equivalent) -> None:
+    _say(st, to)
+    moved = motion_of(st, to)
+    if st.loads.masses:
+        _inertia(st, to, moved)
+    else:
+        keep_nothing(st, to.inertia)
+    _load(st, to, moved)
+
+
+def _say(st: Statics, to: Equivalent) -> None:
+    link, stem = st.mech.number(to.link), "v" if to.slide else "ω"
+    st.board.step(
+        Words(
+            f"取构件 {link} 为等效构件。动能等效：${to.inertia.symbol}$ = Σ[$m_i$ ($v_{{Si}}/{stem}$)² + $J_{{Si}}$ "
+            f"($ω_i/{stem}$)²]，只用到速度比，与 ${stem}$ 的大小无关；各速度由速度多边形量得。",
+            f"Link {link} is the equivalent link. It has the kinetic energy of all: ${to.inertia.symbol}$ = Σ[$m_i$ "
+            f"($v_{{Si}}/{stem}$)² + $J_{{Si}}$ ($ω_i/{stem}$)²]; only ratios of velocities enter, whatever ${stem}$ "
+            "is. The velocities are measured on the polygon.",
+        ),
+        View.VELOCITY,
+    )
+
+
+def _inertia(st: Statics, to: Equivalent, moved: Motion) -> None:
+    """Every mass by its ratios, as a table; then their sum."""
+    terms: list[Expr] = []
+    rows: list[_Row] = []
+    for mass in st.loads.masses:
+        found = [_moving(st, mass, moved), _turning(st, mass, moved)]
+        terms += [term for _, term in found if term is not None]
+        rows.append(_row(st, mass, found))
+    st.board.tabulate(_table(moved, rows))
+    if not terms:
+        keep_nothing(st, to.inertia)
+        return
+    total = Sum(tuple(terms), (1,) * len(terms)) if len(terms) > 1 else terms[0]
+    value = st.board.compute(to.inertia.symbol, total, to.inertia.unit)
+    keep_value(st, to.inertia, value.value, total)
+
+
+_Found = tuple[Quantity | None, Expr | None]
+
+
+def _moving(st: Statics, mass: Mass, moved: Motion) -> _Found:
+    """v_S over the motion of the equivalent link, and m (v_S / ω)²; nothing of a centre at rest."""
+    board, at = st.board, At(mass.centre, mass.link)
+    tip = found_tip(st.desk, View.VELOCITY, at)
+    if abs(complex(nominal(tip))) < NO_LENGTH:
+        return None, None
+    letters = f"{POLE[View.VELOCITY]} {st.desk.tip_label(View.VELOCITY, st.desk.canonical(at))}"
+    speed = board.mu(View.VELOCITY) * board.measure(0j, tip, letters)
+    ratio = board.compute(f"v_{{{mass.centre}}}/{moved.symbol}", speed / moved.size, moved.of_speeds)
+    return ratio, magnitude(f"m_{{{mass.link}}}", mass.mass, "kg") * _bracketed(ratio).squared()
+
+
+def _turning(st: Statics, mass: Mass, moved: Motion) -> _Found:
+    """ω_i over the motion of the equivalent link, and J (ω_i / ω)²; nothing of a link that does not turn."""
+    turn = st.desk.turns[omega(mass.link)]
+    if not mass.inertia or turn.never or abs(nominal(turn.value)) <= STILL * st.speed / st.mech.scale:
+        return None, None
+    inertia = magnitude(f"J_{{{mass.centre}}}", mass.inertia, "kg·m^2")
+    if mass.link == moved.link and not moved.slides:
+        return magnitude("1", 1.0, ""), Product((inertia,))
+    rate = magnitude(f"ω_{mass.link}", np.abs(turn.value), "rad/s")
+    ratio = st.board.compute(f"ω_{{{mass.link}}}/{moved.symbol}", rate / moved.size, moved.of_turns)
+    return ratio, inertia * _bracketed(ratio).squared()
+
+
+def _bracketed(ratio: Quantity) -> Quantity:
+    return Quantity(Row((Txt("("), ratio.node, Txt(")"))), ratio.value, ratio.unit)
+
+
+def _row(st: Statics, mass: Mass, found: list[_Found]) -> _Row:
+    ratios = [_written(ratio) for ratio, _ in found]
+    parts = [_written(term) for _, term in found]
+    return (st.mech.number(mass.link), *ratios, *parts)
+
+
+def _written(value: Expr | None) -> str:
+    return "0" if value is None else number(float(nominal(value.value)))
+
+
+def _table(moved: Motion, rows: list[_Row]) -> Listing:
+    head = (
+        Words("构件", "link"),
+        Words.same(f"$v_S/{moved.symbol}$"),
+        Words.same(f"$ω_i/{moved.symbol}$"),
+        Words.same(f"$m$ ($v_S/{moved.symbol}$)²"),
+        Words.same(f"$J_S$ ($ω_i/{moved.symbol}$)²"),
+    )
+    return Listing(head=head, rows=tuple(rows))
+
+
+def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
+    """P = M_e ω: the powers of all loads and weights over the motion of the equivalent link."""
+    given = list(works(st))
+    if not given:
+        keep_nothing(st, to.load)
+        return
+    st.board.step(
+        Words(
+            f"功率等效：${to.load.symbol}$ 等于各力（矩）的功率 $F v$ cos α、$M ω$ 之和除以 ${moved.symbol}$；"
+            "作用点的速度沿力方向的分量由速度多边形量得。",
+            f"It has the power of all: ${to.load.symbol}$ is the sum of the powers $F v$ cos α and $M ω$, over "
+            f"${moved.symbol}$; the component of each velocity along its force is measured on the polygon.",
+        ),
+        View.VELOCITY,
+    )
+    parts = [written_power(st, work) for work in given]
+    moving = [part for part in parts if nominal(part.value)]
+    if not moving:
+        keep_nothing(st, to.load)
+        return
+    total = sum((part.value for part in parts), np.zeros(()))
+    expr = Sum(tuple(moving), (1,) * len(moving)) / moved.size
+    _keep_load(st, to, total / (moved.size.value * moved.sign), expr)
+
+
+def _keep_load(st: Statics, to: Equivalent, value: Reals, expr: Expr) -> None:
+    named = to.load
+    st.board.compute(named.symbol, expr, named.unit)
+    sense = float(nominal(value))
+    if not to.slide:
+        way = ("逆时针", "counter-clockwise") if sense > 0 else ("顺时针", "clockwise")
+        st.board.remark(Words(f"${named.symbol}$ 为{way[0]}方向。", f" ${named.symbol}$ acts {way[1]}."))
+    keep_value(st, named, value, expr)

@@ -1,0 +1,146 @@
+"""The French curve: J_e and M_e between the positions that were drawn, smooth from one corner of the loads to the next.
+
+ψ is the drive's way in the sense of its motion, from φ = 0 on (rad). Everything here comes from velocity polygons on
+scratch paper, at Gauss's places of each piece; through them a polynomial is laid as a hand lays its curve.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache, partial
+from itertools import pairwise
+
+import numpy as np
+from numpy.polynomial import legendre
+from numpy.typing import NDArray
+
+from ...mechanism.laws.sizes import Table
+from ...mechanism.loads import Loads
+from ...mechanism.model import Mechanism
+from ..roots import halved
+from .turn import jumps, station
+
+Array = NDArray[np.float64]
+LOOKED, PIECE = np.radians(7.5), np.radians(30.0)  # where corners are looked for; no piece is longer
+NODES = 9
+SAMPLES, HALVINGS = 41, 60
+_AT, _WEIGHTS = legendre.leggauss(NODES)
+_FITTED = legendre.legvander(_AT, NODES - 1).T * _WEIGHTS * (np.arange(NODES) + 0.5)[:, None]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class French:
+    """cuts: ends of the pieces; moments (positive where the load drives), inertias: coefficients, a row a piece.
+
+    corners: where a load jumps. mean: the constant moment (N·m) that does the work of the loads, with its sign.
+    """
+
+    sense: float
+    cuts: Array
+    moments: Array
+    inertias: Array
+    corners: tuple[float, ...]
+    mean: float
+
+    @property
+    def period(self) -> float:
+        """2π, or 4π (rad)."""
+        return float(self.cuts[-1])
+
+    def moment(self, psi: float, *, before: bool = False) -> float:
+        """M of the given loads; at a corner as it is before it, or behind."""
+        return self._at(self.moments, psi, before)
+
+    def inertia(self, psi: float) -> float:
+        """J_e."""
+        return self._at(self.inertias, psi, before=False)
+
+    def work(self, psi: float, constant: float) -> float:
+        """∫ (M + constant) dψ from 0 (J)."""
+        half = np.diff(self.cuts) / 2
+        piece = self._piece(psi, before=True)
+        whole = legendre.legint(self.moments[piece], lbnd=-1) * half[piece]
+        done = 2 * float(half[:piece] @ self.moments[:piece, 0])
+        return float(done + legendre.legval(self._within(piece, psi), whole) + constant * psi)
+
+    def highest(self, weight: float, constant: float, sign: float) -> float:
+        """Where sign · (E − weight · J_e) is greatest: at a turning point, or at a corner."""
+
+        def slope(piece: int, x: float) -> float:
+            half = (self.cuts[piece + 1] - self.cuts[piece]) / 2
+            rise = float(legendre.legval(x, legendre.legder(self.inertias[piece]))) / half
+            return float(sign * (legendre.legval(x, self.moments[piece]) + constant - weight * rise))
+
+        places = [*map(float, self.cuts), *self._roots(slope)]
+        return max(places, key=lambda psi: sign * (self.work(psi, constant) - weight * self.inertia(psi)))
+
+    def crossings(self, level: float) -> tuple[float, ...]:
+        """Where M runs through this level, without a jump."""
+        found = [*self._roots(lambda piece, x: float(legendre.legval(x, self.moments[piece])) - level)]
+        return tuple(sorted(found))
+
+    def _roots(self, f: Callable[[int, float], float]) -> Iterator[float]:
+        for piece, (a, b) in enumerate(pairwise(self.cuts)):
+            grid = np.linspace(-1.0, 1.0, SAMPLES)
+            values = [f(piece, x) for x in grid]
+            for i in range(SAMPLES - 1):
+                if values[i] * values[i + 1] < 0:
+                    x = halved(partial(f, piece), float(grid[i]), float(grid[i + 1]), HALVINGS)
+                    yield float(a + (b - a) / 2 * (1 + x))
+
+    def _at(self, rows: Array, psi: float, before: bool) -> float:
+        piece = self._piece(psi, before=before)
+        return float(legendre.legval(self._within(piece, psi), rows[piece]))
+
+    def _piece(self, psi: float, *, before: bool) -> int:
+        place = int(np.searchsorted(self.cuts, psi, "left" if before else "right")) - 1
+        return min(max(place, 0), len(self.cuts) - 2)
+
+    def _within(self, piece: int, psi: float) -> float:
+        a, b = self.cuts[piece], self.cuts[piece + 1]
+        return float(2 * (psi - a) / (b - a) - 1)
+
+
+@lru_cache(maxsize=16)
+def french(mech: Mechanism, loads: Loads) -> French:
+    """Corners first, then every piece. Raises AssemblyError, DeadPointError."""
+    sense = float(np.sign(mech.drive.rate)) or 1.0
+    period = 2 * np.pi * loads.turns
+    looked = [float(x) for x in np.linspace(0.0, period, round(period / LOOKED) + 1)]
+    own = sorted(sense * q % period for q in jumps(mech, loads, *_ends(sense, period), _along(sense, looked)))
+    cuts = _cuts(loads, sense, period, own)
+    rows = [_fitted(mech, loads, sense, a, b) for a, b in pairwise(cuts)]
+    moments, inertias = (np.array(part) for part in zip(*rows, strict=True))
+    mean = -float(np.diff(cuts) @ moments[:, 0]) / period if loads.constant is not None else 0.0
+    return French(sense, cuts, moments, inertias, tuple(own), mean)
+
+
+def _ends(sense: float, period: float) -> tuple[float, float]:
+    return (0.0, period) if sense > 0 else (-period, 0.0)
+
+
+def _along(sense: float, looked: list[float]) -> list[float]:
+    return looked if sense > 0 else [-one for one in reversed(looked)]
+
+
+def _cuts(loads: Loads, sense: float, period: float, own: list[float]) -> Array:
+    """Ends of pieces: even ones, the jumps, the corners of tables over the drive."""
+    even = np.linspace(0.0, period, round(period / PIECE) + 1)
+    tables = [load.law.size for load in loads.all if load.law is not None]
+    bends = [
+        (sense * place + k * table.period) % period
+        for table in tables
+        if isinstance(table, Table) and table.over is None and table.period
+        for place in table.places
+        for k in range(max(round(period / table.period), 1))
+    ]
+    cuts = np.unique(np.concatenate([even, own, bends]))
+    return np.asarray(cuts[np.append(True, np.diff(cuts) > 1e-9)], np.float64)
+
+
+def _fitted(mech: Mechanism, loads: Loads, sense: float, a: float, b: float) -> tuple[Array, Array]:
+    drawn = [station(mech, loads, sense * (a + (b - a) / 2 * (1 + x))) for x in _AT]
+    moments = np.array([sense * float(one.moment) for one in drawn])
+    inertias = np.array([float(one.inertia) for one in drawn])
+    return _FITTED @ moments, _FITTED @ inertias

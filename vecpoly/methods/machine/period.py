@@ -1,0 +1,95 @@
+"""What is drawn over a period: the French curve with this hand's readings at twelve positions, and the sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...algebra.quantity import Expr, Quantity, worked
+from ...board.board import Board
+from ...board.construction import Reading
+from ...mechanism.loads import Loads
+from ...mechanism.machine import Steady
+from ...names import Named
+from ...plane import Reals, nominal
+from ..desk import Desk
+from .french import French
+from .turn import Station, drawn, station
+
+STEP = np.radians(30.0)
+Factors = tuple[Reals, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Period:
+    """read: the stations as this hand drew them, in the order of ψ from 0 on, the last at the end of the period.
+
+    moments, inertias: what this hand read there over what an exact hand reads; between them in proportion.
+    """
+
+    board: Board
+    run: Steady
+    curve: French
+    read: tuple[Station, ...]
+    moments: Factors
+    inertias: Factors
+
+    def moment(self, psi: float, *, before: bool = False) -> Reals:
+        """M of the given loads (N·m), positive where it drives."""
+        return self.curve.moment(psi, before=before) * self._between(self.moments, psi)
+
+    def inertia(self, psi: float) -> Reals:
+        """J_e (kg·m²)."""
+        return self.curve.inertia(psi) * self._between(self.inertias, psi)
+
+    def factor(self, psi: float) -> Reals:
+        """By how much this hand's moments are off about a place."""
+        return self._between(self.moments, psi)
+
+    def degrees(self, psi: float) -> float:
+        """The drive's angle there, within the period."""
+        whole = np.degrees(self.curve.period)
+        return float(np.round(np.degrees(self.curve.sense * psi) % whole, 10) % whole)
+
+    def _between(self, factors: Factors, psi: float) -> Reals:
+        step = self.curve.period / (len(factors) - 1)
+        number = min(int(psi / step), len(factors) - 2)
+        share = psi / step - number
+        return factors[number] * (1 - share) + factors[number + 1] * share
+
+
+def period_of(desk: Desk, run: Steady, curve: French, loads: Loads) -> Period:
+    """Draw the twelve positions by this hand."""
+
+    count = round(curve.period / STEP)
+    places = [curve.sense * curve.period * k / count for k in range(count)]
+    exact = [station(desk.mech, loads, phi) for phi in places]
+    steady = desk.board.hand.name == "exact" and not desk.board.hand.repeats
+    read = exact if steady else [drawn(desk.mech, loads, phi, desk.board.hand) for phi in places]
+    moments = _over([one.moment for one in read], [one.moment for one in exact])
+    inertias = _over([one.inertia for one in read], [one.inertia for one in exact])
+    return Period(board=desk.board, run=run, curve=curve, read=(*read, read[0]), moments=moments, inertias=inertias)
+
+
+def _over(read: Sequence[Reals], exact: Sequence[Reals]) -> Factors:
+    """Each over the exact one; 1 where nothing acts."""
+    found = [value / float(true) if float(true) else 1.0 for value, true in zip(read, exact, strict=True)]
+    return (*found, found[0])
+
+
+def shown(value: Reals) -> float:
+    """On the nominal sheet."""
+    return float(nominal(value))
+
+
+def kept(board: Board, named: Named, expr: Expr, sign: float = 1.0) -> Quantity:
+    """Compute an answer and keep it; sign: of its sense."""
+    found = board.compute(named.symbol, expr, named.unit)
+    value = sign * found.value
+    formula = worked(found.node, expr, named.unit)
+    board.keep(
+        Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=shown(value), formula=formula), value
+    )
+    return found

@@ -1,0 +1,124 @@
+"""Loads that depend on place and speed, for 已知."""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+from ...mechanism.laws.sizes import Table
+from ...mechanism.laws.springs import Coil, Elastic
+from ...mechanism.laws.windows import During, Moving, Turning
+from ...mechanism.loads import Constant, Load
+from ...mechanism.model import FRAME
+from ...words import Words
+from ..problem import Datum
+from ..schema.models import LoadSpec, TableSpec
+
+_WAYS = {
+    0: Words("向右", "to the right"),
+    90: Words("向上", "up"),
+    180: Words("向左", "to the left"),
+    -90: Words("向下", "down"),
+}
+
+
+def written(text: str) -> str:
+    """A unit as a book prints it: N*m → N·m, kg/m^3 → kg/m³."""
+    return text.replace("**", "^").replace("*", "·").replace("^2", "²").replace("^3", "³")
+
+
+def told_windows(load: Load, spec: LoadSpec) -> Words:
+    """Behind the load: when it acts; empty for always."""
+    found = Words("", "")
+    for window in load.law.windows if load.law is not None else ():
+        match window:
+            case Moving():
+                found += _told_moving(window, spec)
+            case Turning(link=link, sense=sense):
+                way = Words("逆时针", "counter-clockwise") if sense > 0 else Words("顺时针", "clockwise")
+                found += Words(f"，仅在构件 {link} {way.zh}转动时作用", f", only while link {link} turns {way.en}")
+            case During():
+                assert spec.during is not None
+                a, b = spec.during
+                found += Words(f"，仅在原动件由 {a} 到 {b} 时作用", f", only while the drive goes from {a} to {b}")
+            case other:
+                assert_never(other)
+    return found
+
+
+def _told_moving(window: Moving, spec: LoadSpec) -> Words:
+    from math import degrees
+
+    angle = round(degrees(window.direction), 9)
+    way = _WAYS.get(int(angle)) if angle == int(angle) else None
+    if way is None:
+        way = Words(f"沿 {angle:g}° 方向", f"along {angle:g}°")
+    found = Words(f"，仅在 ${window.point}$ 点{way.zh}运动时作用", f", only while ${window.point}$ moves {way.en}")
+    if spec.between is None:
+        return found
+    low, high = 100 * window.low, 100 * window.high
+    return found + Words(f"（其行程的 {low:g} % 至 {high:g} %）", f" (from {low:g} % to {high:g} % of its stroke)")
+
+
+def told_table(load: Load, table: Table, spec: LoadSpec) -> Words:
+    """A load by its table."""
+    assert isinstance(spec.size, TableSpec) and spec.size.columns is not None
+    name = f" {table.name}" if table.name else ""
+    over, sizes = spec.size.columns
+    area = spec.size.area or spec.size.bore
+    piston = Words("", "")
+    if area is not None:
+        which = Words("面积", "area") if spec.size.area else Words("直径", "bore")
+        text = written(area)
+        piston = Words(f"，活塞{which.zh} {text}", f", {which.en} of the piston {text}")
+    return Words(
+        f"${load.name}$ 由数据表{name} 给出（{over}；{sizes}）{piston.zh}",
+        f"${load.name}$ by the table{name} ({over}; {sizes}){piston.en}",
+    )
+
+
+def told_motor(load: Load, spec: LoadSpec) -> Datum:
+    """A motor by its characteristic."""
+    assert spec.motor is not None
+    a, b = (written(text) for text in spec.motor)
+    return Datum(
+        words=Words(
+            f"原动件 {load.link} 由电动机驱动，${load.name}$ = {a} − ({b}) ω",
+            f"a motor drives link {load.link}, ${load.name}$ = {a} − ({b}) ω",
+        )
+    )
+
+
+def told_constant(one: Constant) -> Datum:
+    """The moment that is the same over the period."""
+    role = {"": Words("", ""), "driving": Words("驱动", "driving "), "resisting": Words("阻", "resisting ")}[one.role]
+    return Datum(
+        words=Words(
+            f"作用于构件 {one.link} 的{role.zh}力矩 ${one.name}$ 在一周期内为常数，待求",
+            f"the {role.en}moment ${one.name}$ on link {one.link} is constant over the period, and sought",
+        )
+    )
+
+
+def told_spring(spring: Elastic, spec: LoadSpec) -> Datum:
+    """A spring or a damper."""
+    symbols = (("k", "k"), ("l_0", "l_0"), ("phi_0", "φ_0"), ("preload", "F_0"), ("c", "c"))
+    values = [
+        f"${'M_0' if key == 'preload' and isinstance(spring, Coil) else symbol}$ = {written(getattr(spec, key))}"
+        for key, symbol in symbols
+        if getattr(spec, key) is not None
+    ]
+    kind = Words("弹簧", "a spring") if spring.stiffness else Words("阻尼器", "a damper")
+    if isinstance(spring, Coil):
+        other = Words("机架", "the frame") if spring.against == FRAME else Words.same(spring.against)
+        link = Words("" if spring.against == FRAME else "构件 ", "" if spring.against == FRAME else "link ")
+        kind = Words("扭簧", "a torsion spring") if spring.stiffness else Words("转动阻尼器", "a rotary damper")
+        where = Words(f"构件 {spring.link} 与{link.zh}{other.zh}之间", f"link {spring.link} and {link.en}{other.en}")
+    else:
+        ends = " ".join(f"${letter}$" for letter in (spring.foot, spring.point))
+        where = Words(f"{ends.replace(' ', '、')} 两点之间", ends.replace(" ", " and "))
+    return Datum(
+        words=Words(
+            f"{where.zh}有{kind.zh} ${spring.name}$：{'，'.join(values)}",
+            f"{kind.en} ${spring.name}$ between {where.en}: {', '.join(values)}",
+        )
+    )
