@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from . import acceleration, body, displacement, force, mechanism, velocity, wheels
+from . import acceleration, balancing, body, displacement, force, mechanism, velocity, wheels
 from .kind import View, register, scales, view_named, views
 from .mu import Mu
 
@@ -10,6 +10,7 @@ __all__ = [
     "Mu",
     "View",
     "acceleration",
+    "balancing",
     "body",
     "displacement",
     "force",

@@ -22,10 +22,18 @@ class Kind(Enum):
     SYNTHESIS = Words("平面连杆机构综合图解作业", "Graphical synthesis of planar linkages")
     CAMS = Words("凸轮机构设计作业", "Design of cam mechanisms")
     GEARS = Words("齿轮机构与轮系作业", "Gears and gear trains")
+    BALANCE = Words("转子与机械的平衡作业", "Balance of rotors and machines")
     EFFICIENCY = Words("机械的效率和自锁作业", "Efficiency and self-locking of machines")
 
 
-_OF_DEVICE = {"structure": Kind.STRUCTURE, "cam": Kind.CAMS, "epicyclic": Kind.GEARS, "gear-generation": Kind.GEARS}
+_OF_DEVICE = {
+    "structure": Kind.STRUCTURE,
+    "cam": Kind.CAMS,
+    "epicyclic": Kind.GEARS,
+    "gear-generation": Kind.GEARS,
+    "rotor": Kind.BALANCE,
+    "field-balancing": Kind.BALANCE,
+}
 _FORCES_AND_EFFICIENCY = Words("机构力分析、效率和自锁作业", "Forces, efficiency and self-locking of mechanisms")
 _MIXED = Words("机械原理图解作业", "Graphical exercises in the theory of machines")
 

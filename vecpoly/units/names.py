@@ -20,6 +20,8 @@ _DEFINITIONS = (
     "millimeter = 1e-3 * meter = mm = 毫米",
     "centimeter = 1e-2 * meter = cm = 厘米",
     "decimeter = 1e-1 * meter = dm = 分米",
+    "micrometer = 1e-6 * meter = um = µm = μm = 微米",
+    "mil = 25.4e-6 * meter = mil",
     "kilometer = 1e3 * meter = km = 千米",
     "inch = 25.4e-3 * meter = in = 英寸",
     "minute = 60 * second = min = 分钟 = 分",
@@ -54,6 +56,8 @@ _COMMON = {
     "N*mm": (1e-3, "length 2 mass 1 time -2"),
     "N/mm": (1e3, "mass 1 time -2"),
     "kg": (1.0, "mass 1"),
+    "kg*m": (1.0, "length 1 mass 1"),
+    "g*mm": (1e-6, "length 1 mass 1"),
     "kg*m**2": (1.0, "length 2 mass 1"),
     "kg/m**3": (1.0, "length -3 mass 1"),
 }

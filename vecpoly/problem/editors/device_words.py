@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...words import Words
+from .balancing_words import BALANCING
 
 _F, _Q = Words("摩擦系数", "coefficient of friction"), Words("载荷", "the load")
 _EFFICIENCY = (
@@ -60,6 +61,7 @@ _GEARS = {
 }
 
 DATA = {
+    **BALANCING,
     **_CAM,
     **_GEARS,
     "eccentric-clamp.e": Words("偏心距", "eccentricity of the disc"),
