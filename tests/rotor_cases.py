@@ -113,3 +113,23 @@ def agree(subject: Device, within: float = 1e-9) -> dict[str, Any]:
         nothing = isnan(abs(exact[key])) and isnan(abs(found[key]))
         assert nothing or off <= within * largest[one.unit], (key, found[key], exact[key])
     return found
+
+
+def blind(**more: str) -> dict[str, Any]:
+    """A pulley from which a blind hole is drilled (A03)."""
+    told = CASES["A03"]["inputs"]["correction"]
+    plane = {"r": f"{told['r_mm']} mm", "hole": f"{told['drill_d_mm']} mm", **more}
+    return holes("A03") | {"correct": {"I": plane}}
+
+
+def lumps(*masses: tuple[float, float, float]) -> dict[str, Any]:
+    """Masses by their product (kg·m), direction and place along the axis (mm)."""
+    return {
+        str(i): {"m": f"{w!r} kg", "r": "1 m", "at": f"{at!r} deg", "z": f"{z!r} mm"}
+        for i, (w, at, z) in enumerate(masses, 1)
+    }
+
+
+def planes(one: float, other: float) -> dict[str, Any]:
+    """Two planes of correction, by their places (mm)."""
+    return {"I": {"z": f"{one!r} mm", "r": "1 m"}, "II": {"z": f"{other!r} mm", "r": "1 m"}}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from .board.acts import Act, Follow, Invert, LayOff, Locate, Meet, Parallel, Ray, Touch, Transfer
+from .board.acts import Act, Compute, Follow, Invert, LayOff, Locate, Meet, Parallel, Ray, Touch, Transfer
 from .board.hand import hand
 from .board.otherwise.amended import AS_DRAWN
 from .board.otherwise.slip import Mistake, Slip
@@ -49,6 +49,8 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
             yield Slip(Mistake.FORWARDS, act.key)
         case Locate() if any(isinstance(met := acts[n], Meet) and met.other is not None for n in act.inputs):
             yield Slip(Mistake.OTHER_MEETING, _name(act, acts))
+        case Compute() if act.instead:
+            yield Slip(Mistake.SWAPPED, _name(act, acts), act.instead)
         case Touch(free=False) if act.key:
             yield Slip(Mistake.OTHER_TANGENT, act.key)
         case _:

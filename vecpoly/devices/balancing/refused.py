@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import combinations
 from math import degrees, pi, radians, sqrt
 
-from ...errors import EquilibriumError
+from ...errors import EquilibriumError, NotAskedError
 from ...words import Words
 from .plane import RotorPlane
 
@@ -32,6 +32,33 @@ def too_deep(plane: RotorPlane, mass: float, depth: float) -> EquilibriumError:
         ),
         code="too-deep",
         numbers={"depth": depth, "b": plane.b.si, "two_holes": two / 1e3},
+    )
+
+
+def nothing_to_share(end: str) -> NotAskedError:
+    """Places are asked of a plane that needs no correction."""
+    zh, en = (f"平面 {end} ", f"plane {end}") if end else ("转子", "the rotor")
+    return NotAskedError(
+        Words(
+            f"{zh}已经平衡，没有可分配到两个方位的质径积；请去掉 places",
+            f"{en} is in balance already: there is nothing to share between two places; leave out 'places'",
+        ),
+        code="balanced",
+    )
+
+
+def parallel_places(at: tuple[float, float]) -> EquilibriumError:
+    """Two neighbouring places are opposite."""
+    return EquilibriumError(
+        Words(
+            f"相邻的两个允许方位 {at[0]:g}° 和 {at[1]:g}° 在同一直线上，所求质径积不能沿它们分解；请增加方位或用 use "
+            "另选",
+            f"the two places on either side, {at[0]:g}° and {at[1]:g}°, lie in one line: the product cannot be "
+            "resolved "
+            "along them; allow more places, or choose two with 'use'",
+        ),
+        code="parallel",
+        numbers={"at_1": at[0], "at_2": at[1]},
     )
 
 

@@ -84,6 +84,20 @@ def no_polygon(gap: float, largest: float, others: float) -> EquilibriumError:
     )
 
 
+def parallel_couples(one: float, other: float) -> EquilibriumError:
+    """Two masses of unknown size in one line."""
+    return EquilibriumError(
+        Words(
+            f"两个待求质量的方位 {one:g}° 和 {other:g}° 在同一直线上，力偶多边形不能确定它们；请改变其一",
+            f"the two masses whose sizes are sought lie in one line, at {one:g}° and {other:g}°: the couple polygon "
+            "does "
+            "not determine them; change one direction",
+        ),
+        code="parallel",
+        numbers={"at_1": one, "at_2": other},
+    )
+
+
 def couple_of(name: str) -> Named:
     """C_B: the couple W z of a mass about the reference plane (kg·m²), without sign."""
     return Named(f"C_{name}", f"C_{{{name}}}", "kg·m^2")

@@ -42,7 +42,7 @@ def about_a_third_plane(
         place,
     )
     laid = [*_of_masses(rotor, sizes, here), *_of_corrections(bench, rotor, polygons, found, here)]
-    closed = summed(bench, place, laid, Named("gap", "ΔC", "kg·m^2", True), shown=False)
+    closed = summed(bench, place, laid, None, known=False)
     gap = board.measure(0j * closed.tip, closed.tip, f"O {closed.letter}")
     board.remark(
         Words(

@@ -60,8 +60,7 @@ def _drilled(bench: Bench, rotor: Rotor, end: str, polygon: Polygon, needed: Qua
             + (_TWO.en if plane.spread is not None else ""),
         )
     )
-    least = 0.005 * abs(float(nominal(np.abs(polygon.tip))))
-    stated_bearing(bench, hole_bearing(end), polygon.tip, least)
+    stated_bearing(bench, hole_bearing(end), polygon.tip, polygon.least)
     each = needed
     if plane.spread is not None:
         gamma = magnitude("γ", degrees(plane.spread.si), "deg")

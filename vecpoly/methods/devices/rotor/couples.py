@@ -12,10 +12,9 @@ from ....algebra.quantity import Quantity
 from ....board.construction import Pane
 from ....board.paper.marks import Dot, Role
 from ....devices.balancing.rotor import Rotor
-from ....devices.balancing.sought import couple_of, no_polygon, reference, unknowns
-from ....errors import AssemblyError, EquilibriumError
+from ....devices.balancing.sought import couple_of, no_polygon, parallel_couples, reference, unknowns
+from ....errors import AssemblyError, DeadPointError, EquilibriumError
 from ....foundation.slotted import dataclass
-from ....names import Named
 from ....plane import Line, Points, Reals, nominal
 from ....words import Words
 from ..bench import Bench
@@ -103,7 +102,7 @@ def _laid(bench: Bench, place: Pane, known: list[Laid]) -> tuple[Points, str]:
     if not known:
         bench.board.plot(place, 0j, "O", Dot.POLE)
         return 0j, "O"
-    polygon = summed(bench, place, known, Named("C_S", "", "kg·m^2", True), shown=False)
+    polygon = summed(bench, place, known, None)
     return polygon.tip, polygon.letter
 
 
@@ -142,6 +141,9 @@ def _corners(
         else:
             (swung, size), (line,) = next(iter(radii.items())), lines.values()
             pair = board.arc_on_line(line, tip if swung == names[0] else 0j * tip, size, what)
+    except DeadPointError:
+        at = [degrees(rotor.masses[name].at.si) for name in names]
+        raise parallel_couples(at[0], at[1]) from None
     except AssemblyError:
         raise _unclosed(bench, place, tip, radii) from None
     for name, size in radii.items():

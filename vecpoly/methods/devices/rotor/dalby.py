@@ -120,8 +120,7 @@ def _products(
     laid = [_laid(bench, rotor, name, sizes, which, solution) for name in rotor.masses if name != first]
     closing = _closing(first, rotor)
     polygon = chain(bench, place, laid, closing)
-    size = read_closing(bench, polygon, closing, None, 0.0)
-    stated_bearing(bench, found_bearing(first, which), -polygon.tip, 0.0)
+    size = read_closing(bench, polygon, closing, found_bearing(first, which))
     mass = rotor.masses[first]
     assert mass.r is not None
     bench.worked(found_mass(first, which, unit), size / radius(f"r_{{{first}}}", mass.r.si, unit))

@@ -11,10 +11,10 @@ from ....board.construction import Pane
 from ....board.paper.marks import Role
 from ....devices.balancing.asked import share, share_bearing, share_weight
 from ....devices.balancing.plane import RotorPlane
-from ....devices.balancing.refused import check_signs
+from ....devices.balancing.refused import check_signs, nothing_to_share, parallel_places
 from ....devices.balancing.rotor import Rotor
 from ....names import Named
-from ....plane import Line, Points, nominal
+from ....plane import Points, nominal
 from ....words import Words
 from ..bench import Bench
 from ..equilibrium import signed
@@ -23,10 +23,14 @@ from .products import radius
 from .rounding import rounded_shares
 from .sketch import placed
 
+ALIKE = 1e-6  # sine of the angle between two places along which nothing can be resolved
+
 
 def at_places(bench: Bench, rotor: Rotor, end: str, polygon: Polygon) -> Points:
     """W_b = W_b1 + W_b2 along two allowed directions; gives the unbalance that is left (mm from the pole)."""
     plane, board = rotor.planes[end], bench.board
+    if float(nominal(np.abs(polygon.tip))) <= polygon.least:
+        raise nothing_to_share(end)
     at = _chosen(plane, -complex(nominal(polygon.tip)))
     board.step(
         in_plane(
@@ -74,7 +78,9 @@ def _corner(bench: Bench, polygon: Polygon, at: tuple[float, float]) -> Points:
     board, place = bench.board, polygon.place
     one = board.parallel(polygon.tip, heading(at[0]), key=f"{place.name}_1")
     other = board.parallel(0j * polygon.tip, heading(at[1]), key=f"{place.name}_2")
-    corner = board.meet(one, Line(other.at, other.along), Words("两个允许的方位", "the two places"))
+    if abs(float(np.sin(np.radians(at[1] - at[0])))) < ALIKE:
+        raise parallel_places(at)
+    corner = board.meet(one, other, Words("两个允许的方位", "the two places"))
     board.rule(place, one, corner)
     board.rule(place, other, corner)
     corner = board.locate(place, "e", corner)

@@ -11,6 +11,7 @@ from ....algebra.quantity import Quantity, number
 from ....board.board import NO_LENGTH
 from ....board.construction import Pane
 from ....board.paper.marks import Dot, Role
+from ....devices.balancing.asked import CLOSES
 from ....foundation.slotted import dataclass
 from ....names import Named
 from ....plane import Points, Reals, nominal
@@ -35,11 +36,15 @@ class Laid:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Polygon:
-    """A polygon as drawn: its figure, the end of the chain and its letter; the pole is O, at the origin."""
+    """A polygon as drawn: its figure, the end of the chain and its letter; the pole is O, at the origin.
+
+    least: the length (mm) up to which its closing side counts as none.
+    """
 
     place: Pane
     tip: Points
     letter: str
+    least: float
 
 
 def heading(degrees: Reals) -> Points:
@@ -58,11 +63,16 @@ def chain(bench: Bench, place: Pane, laid: Sequence[Laid], closing: Named) -> Po
     board.equate(equation.table())
     board.plot(place, 0j, "O", Dot.POLE)
     start, _ = close(board, place, 0j, equation).ends[closing.key]
-    return Polygon(place=place, tip=start, letter=LETTERS[len(drawn) - 1] if drawn else "O")
+    letter = LETTERS[len(drawn) - 1] if drawn else "O"
+    return Polygon(place=place, tip=start, letter=letter, least=_least(bench, place, laid))
 
 
-def summed(bench: Bench, place: Pane, laid: Sequence[Laid], total: Named, *, shown: bool = True) -> Polygon:
-    """Draw the products head to tail and, where it is shown, their sum, from the pole to the last tip."""
+def _least(bench: Bench, place: Pane, laid: Sequence[Laid]) -> float:
+    return CLOSES * sum(abs(float(nominal(bench.board.to_paper(place, one.size)))) for one in laid)
+
+
+def summed(bench: Bench, place: Pane, laid: Sequence[Laid], total: Named | None, *, known: bool = True) -> Polygon:
+    """Draw the products head to tail and their sum `total`, from the pole to the last tip; known: somebody may err."""
     board = bench.board
     board.plot(place, 0j, "O", Dot.POLE)
     tip: Points = 0j
@@ -73,13 +83,13 @@ def summed(bench: Bench, place: Pane, laid: Sequence[Laid], total: Named, *, sho
         term = _term(bench, place, one, "")
         assert term.along is not None and term.mm is not None
         letter = LETTERS[(LETTERS.index(letter) + 1) if letter in LETTERS else 0]
-        end = board.locate(place, letter, board.lay_off(tip, term.along, term.mm, key=one.named.key))
+        end = board.locate(place, letter, board.lay_off(tip, term.along, term.mm, key=one.named.key if known else ""))
         board.arrow(place, tip, end, Role.GIVEN, key=one.named.key, label=one.named.symbol)
         board.plot(place, end, letter)
         tip = end
-    if shown:
+    if total is not None:
         board.arrow(place, 0j, tip, Role.RESULT, key=total.key, label=total.symbol)
-    return Polygon(place=place, tip=tip, letter=letter)
+    return Polygon(place=place, tip=tip, letter=letter, least=_least(bench, place, laid))
 
 
 def _term(bench: Bench, place: Pane, one: Laid, tip: str) -> Term:
@@ -96,11 +106,10 @@ def _term(bench: Bench, place: Pane, one: Laid, tip: str) -> Term:
     )
 
 
-def read_closing(bench: Bench, polygon: Polygon, closing: Named, turned: Named | None, least: float) -> Quantity:
-    """Measure the closing side, and its direction where it is longer than what counts as none (mm)."""
+def read_closing(bench: Bench, polygon: Polygon, closing: Named, turned: Named) -> Quantity:
+    """Measure the closing side, and its direction where it is longer than what counts as none."""
     found = bench.measured(closing, polygon.place, polygon.tip, 0j * polygon.tip, f"{polygon.letter} O")
-    if turned is not None:
-        stated_bearing(bench, turned, -polygon.tip, least)
+    stated_bearing(bench, turned, -polygon.tip, polygon.least)
     return found
 
 

@@ -14,7 +14,7 @@ from ....devices.balancing.sought import reference, unknowns
 from ....problem.problem import Scales
 
 END_VIEW, COUPLES = view_named("end-view"), view_named("couples")
-LONG, WIDE, POLYGON = 110.0, 64.0, 66.0  # mm: along the shaft; across the end view; across the largest polygon
+LONG, WIDE, POLYGON = 110.0, 64.0, 84.0  # mm: along the shaft; across the end view; across the largest polygon
 
 
 def polygon_view(rotor: Rotor) -> View:

@@ -124,7 +124,7 @@ def _from_its_end(bench: Bench, rotor: Rotor) -> None:
     board.plot(END_VIEW, reach + AXIS + 0j, "x", Dot.NONE)
     board.plot(END_VIEW, 0j, "O", Dot.JOINT)
     seen = [(name, mass) for name, mass in rotor.masses.items() if "at" not in mass.unknown]
-    for i, (name, mass) in enumerate(seen):
+    for i, (name, mass) in enumerate(sorted(seen, key=lambda one: reach if one[1].r is None else one[1].r.si)):
         away = reach if mass.r is None else mass.r.si / mm
         _mass_seen(bench, name, mass, away, FIRST + STEP * i if len(seen) <= FEW else 0.0)
 

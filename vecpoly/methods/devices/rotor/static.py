@@ -6,9 +6,8 @@ from collections.abc import Mapping
 from math import degrees
 
 from ....algebra.quantity import Quantity
-from ....devices.balancing.asked import CLOSES, bearing, correction, product_of
+from ....devices.balancing.asked import bearing, correction, product_of
 from ....devices.balancing.rotor import Rotor
-from ....plane import nominal
 from ....words import Words
 from ..bench import Bench
 from .correct import corrected
@@ -37,8 +36,7 @@ def in_one_plane(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> N
     laid = [laid_whole(rotor, name, size) for name, size in sizes.items()]
     closing = correction("", unit)
     polygon = chain(bench, place, laid, closing)
-    least = CLOSES * sum(float(nominal(board.to_paper(place, size.value))) for size in sizes.values())
-    found = read_closing(bench, polygon, balance, bearing(""), least)
+    found = read_closing(bench, polygon, balance, bearing(""))
     circles = permitted_circles(bench, rotor, {"": polygon}) if rotor.tolerance is not None else {}
     corrected(bench, rotor, "", polygon, found, circles.get(""))
 

@@ -6,9 +6,8 @@ from collections.abc import Mapping
 from math import degrees
 
 from ....algebra.quantity import Quantity, magnitude
-from ....devices.balancing.asked import CLOSES, bearing, correction, product_of, static_unbalance
+from ....devices.balancing.asked import bearing, correction, product_of, static_unbalance
 from ....devices.balancing.rotor import Rotor
-from ....plane import nominal
 from ....words import Words
 from ..bench import Bench
 from .about import about_a_third_plane
@@ -24,13 +23,12 @@ def in_two_planes(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> 
     """The static sum, the shares, two polygons; which kind of unbalance; what is added, and the check."""
     whole = _sum(bench, rotor, sizes)
     shares = _shares(bench, rotor, sizes)
-    least = CLOSES * sum(abs(float(nominal(bench.board.to_paper(whole.place, size.value)))) for size in sizes.values())
     polygons: dict[str, Polygon] = {}
     found: dict[str, Quantity] = {}
     bench.board.section(Words("两校正平面的质径积多边形", "The polygons of the two planes"))
     for end, laid in shares.items():
         polygons[end], found[end] = _plane(bench, rotor, end, laid)
-    told_kind(bench, rotor, whole, polygons, least)
+    told_kind(bench, rotor, whole, polygons)
     circles = permitted_circles(bench, rotor, polygons) if rotor.tolerance is not None else {}
     for end, polygon in polygons.items():
         corrected(bench, rotor, end, polygon, found[end], circles.get(end))
@@ -75,11 +73,11 @@ def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[s
     laid: dict[str, list[Laid]] = {one: [], other: []}
     for name, size in sizes.items():
         arm = magnitude(f"l_{{{name}}}", (rotor.masses[name].place - first.at) * 1e3, "mm")
-        for end, part in ((one, (span - arm) / span), (other, arm / span)):
-            named = product_of(name, unit, end)
-            share = bench.worked(named, size * part)
-            sign = -1.0 if rotor.masses[name].removed else 1.0
-            turn = degrees(rotor.masses[name].at.si)
+        pair = product_of(name, unit, one), product_of(name, unit, other)
+        found = bench.divided(pair, (size * ((span - arm) / span), size * (arm / span)))
+        sign = -1.0 if rotor.masses[name].removed else 1.0
+        turn = degrees(rotor.masses[name].at.si)
+        for end, named, share in zip((one, other), pair, found, strict=True):
             laid[end].append(Laid(named=named, size=sign * share.value, degrees=turn))
     return laid
 
@@ -107,5 +105,4 @@ def _plane(bench: Bench, rotor: Rotor, end: str, laid: list[Laid]) -> tuple[Poly
         place,
     )
     polygon = chain(bench, place, laid, closing)
-    least = CLOSES * sum(abs(float(nominal(board.to_paper(place, one.size)))) for one in laid)
-    return polygon, read_closing(bench, polygon, closing, bearing(end), least)
+    return polygon, read_closing(bench, polygon, closing, bearing(end))

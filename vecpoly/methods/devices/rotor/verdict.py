@@ -25,9 +25,9 @@ BOTH = Words(
 )
 
 
-def told_kind(bench: Bench, rotor: Rotor, whole: Polygon, polygons: Mapping[str, Polygon], least: float) -> None:
+def told_kind(bench: Bench, rotor: Rotor, whole: Polygon, polygons: Mapping[str, Polygon]) -> None:
     """Answer whether it is in static and in dynamic balance, and say which kind of unbalance it has."""
-    board = bench.board
+    board, least = bench.board, whole.least
     board.section(Words("不平衡的类型", "The kind of unbalance"))
     board.step(
         Words(

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from cmath import phase, rect
-from math import floor, tau
+from math import degrees, floor, tau
 
 from ....devices.balancing.plane import RotorPlane
+from ....devices.balancing.refused import parallel_places
 
+ALIKE = 1e-6
 Share = tuple[float, float]  # direction (rad), product (kg·m)
 
 
@@ -15,6 +17,8 @@ def resolved(plane: RotorPlane, needed: complex) -> tuple[Share, Share]:
     one, other = _chosen(plane, needed)
     u, v = rect(1, one), rect(1, other)
     det = (u.conjugate() * v).imag
+    if abs(det) < ALIKE:
+        raise parallel_places((degrees(one) % 360, degrees(other) % 360))
     return (one, (needed.conjugate() * v).imag / det), (other, (u.conjugate() * needed).imag / det)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from ....devices.balancing import asked
 from ....devices.balancing.asked import CLOSES
 from ....devices.balancing.plane import RotorPlane
-from ....devices.balancing.refused import check_signs, too_deep
+from ....devices.balancing.refused import check_signs, nothing_to_share, too_deep
 from ....devices.balancing.rotor import Rotor
 from ..registry import Values, answers
 from .places import resolved, rounded
@@ -79,13 +79,17 @@ def _corrected(device: Rotor, end: str, plane: RotorPlane, balance: complex) -> 
     unit = device.weighing
     whole = sum(abs(mass.vector) * abs(device.shares[end][name]) for name, mass in device.masses.items())
     yield f"W_b{end}", balance * unit.products
-    yield f"theta_b{end}", _turned(balance) if abs(balance) > CLOSES * whole else nan
+    turned = abs(balance) > CLOSES * whole
+    yield f"theta_b{end}", _turned(balance) if turned else nan
     if plane.r is None:
         return
     yield f"m_b{end}", abs(balance) / plane.r.si * unit.masses
     if plane.hole is not None:
+        yield f"theta_h{end}", _turned(-balance) if turned else nan
         yield from _drilled(end, plane, balance)
     if plane.places is not None:
+        if not turned:
+            raise nothing_to_share(end)
         shares = resolved(plane, balance)
         check_signs(plane, balance, shares)
         for which, (at, share) in enumerate(shares, 1):
@@ -103,7 +107,6 @@ def _drilled(end: str, plane: RotorPlane, balance: complex) -> Found:
     assert plane.r is not None and plane.b is not None and plane.density is not None and plane.hole is not None
     mass, density, deep = abs(balance) / plane.r.si, plane.density.si, plane.b.si
     each = mass if plane.spread is None else mass / (2 * cos(plane.spread.si))
-    yield f"theta_h{end}", _turned(-balance)
     if plane.through:
         yield f"d_b{end}", 1e3 * sqrt(4 * each / (pi * deep * density))
         return

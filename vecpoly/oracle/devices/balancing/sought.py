@@ -8,8 +8,9 @@ from math import acos, degrees, sqrt
 
 from ....devices.balancing.mass import RotorMass
 from ....devices.balancing.rotor import Rotor
-from ....devices.balancing.sought import answers_of, no_polygon, reference, unknowns
+from ....devices.balancing.sought import answers_of, no_polygon, parallel_couples, reference, unknowns
 
+ALIKE = 1e-6  # sine between two directions that are one
 Vectors = dict[str, complex]  # product (kg·m) of each mass
 
 
@@ -64,6 +65,8 @@ def _two(rest: complex, masses: list[tuple[RotorMass, float]]) -> list[tuple[com
         return _triangle(rest, one.product * abs(arm), other.product * abs(span))
     if "m" in one.unknown and "m" in other.unknown:
         u, v = rect(1, one.at.si), rect(1, other.at.si)
+        if abs((u.conjugate() * v).imag) < ALIKE:
+            raise parallel_couples(degrees(one.at.si), degrees(other.at.si))
         first = (rest.conjugate() * v).imag / (u.conjugate() * v).imag * u
         return [(first, rest - first)]
     if "m" in one.unknown:
