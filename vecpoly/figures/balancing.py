@@ -1,4 +1,4 @@
-"""质径积多边形、力偶多边形、振动矢量图: the figures of balancing, and the end view of a rotor."""
+"""质径积多边形、力偶多边形、振动矢量图、端迹图: the figures of balancing, and the end view of a rotor."""
 
 from __future__ import annotations
 
@@ -107,5 +107,22 @@ VIBRATION_SPEED = register(
             example="0.1 (mm/s)/mm",
         ),
         ink=SHAKING,
+    )
+)
+HODOGRAPH = register(
+    View(
+        name="hodograph",
+        order=38,
+        title=Words("惯性力端迹图", "Hodograph of the shaking force"),
+        called=Words("惯性力端迹图", "the hodograph of the shaking force"),
+        mu=Mu(
+            symbol="μ_P",
+            unit="N",
+            called=Words("惯性力比例尺", "a scale of inertia forces"),
+            listed=Words("惯性力比例尺", "scale of inertia forces"),
+            example="40 N/mm",
+        ),
+        ink=INK,
+        tint=TINT,
     )
 )

@@ -33,6 +33,8 @@ _OF_DEVICE = {
     "gear-generation": Kind.GEARS,
     "rotor": Kind.BALANCE,
     "field-balancing": Kind.BALANCE,
+    "in-line-engine": Kind.BALANCE,
+    "shaking-force": Kind.BALANCE,
 }
 _FORCES_AND_EFFICIENCY = Words("机构力分析、效率和自锁作业", "Forces, efficiency and self-locking of mechanisms")
 _MIXED = Words("机械原理图解作业", "Graphical exercises in the theory of machines")

@@ -6,6 +6,7 @@ data: {masses: {1: {m: 5 kg, r: 200 mm, at: 60 deg, z: 150 mm}}, correct: {I: {z
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import ClassVar
 
 from pydantic import Field, model_validator
@@ -183,6 +184,15 @@ class Rotor(Device):
         if (grade := self.tolerance) is not None:
             rows += [("G", grade.G), ("m", grade.mass), ("n", grade.n), ("z_S", grade.z)]
         return as_written(rows)
+
+    @property
+    def likely(self) -> Mapping[str, float]:
+        """All products together, and the mass that would balance them."""
+        unit = self.weighing
+        whole = sum(mass.product for mass in self.masses.values() if "m" not in mass.unknown)
+        radii = [*(mass.r for mass in self.masses.values()), *(plane.r for plane in self.correct.values())]
+        heavy = whole / min((radius.si for radius in radii if radius is not None), default=1.0)
+        return {unit.product: whole * unit.products, unit.mass: heavy * unit.masses, "mm": 10.0}
 
     @property
     def size(self) -> float:
