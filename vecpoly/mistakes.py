@@ -55,6 +55,8 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
             yield Slip(Mistake.PER_MINUTE, act.key)
         case Judge(crosses=False):
             yield Slip(Mistake.COUNTED, _name(act, acts))
+        case Compute() if act.instead:
+            yield Slip(Mistake.SWAPPED, _name(act, acts), act.instead)
         case Touch(free=False) if act.key:
             yield Slip(Mistake.OTHER_TANGENT, act.key)
         case _:

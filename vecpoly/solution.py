@@ -28,7 +28,7 @@ from .mechanism.model import Mechanism
 from .methods.centres.compare import comparable
 from .methods.desk import Desk
 from .methods.drawn import Drawn
-from .names import Key
+from .names import Key, is_place
 from .problem.problem import Problem, Scales
 from .task import Task, task_of
 from .words import Words, language
@@ -141,9 +141,10 @@ def _answers(
     task: Task, drawn: Drawn, off: Mapping[str, float], size: Mapping[str, float], *, scatters: bool, judged: bool
 ) -> dict[str, Answer]:
     """What was read beside what is exact; `judged`: by the scatter of repeated hands too."""
-    read, exact, spread = comparable(drawn.construction.readings, task.truth.values, drawn.repeats)
-    ideal, true, _ = comparable(drawn.ideal, task.truth.values, {})
     asked, answers = task.asked, {}
+    places = {key for key, rel in asked.items() if is_place(rel)}
+    read, exact, spread = comparable(drawn.construction.readings, task.truth.values, drawn.repeats, places)
+    ideal, true, _ = comparable(drawn.ideal, task.truth.values, {}, places)
     for key, reading in read.items():
         reached = _expected(spread[key])
         limit = alarm_at(reached, spread[key], scatters=scatters)

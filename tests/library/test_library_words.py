@@ -4,6 +4,7 @@ steps, remarks, titles, notes, tables, facts."""
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
@@ -32,6 +33,9 @@ NAMES = {
     "arctan",
     "sin",
     "cos",
+    "cot",
+    "asin",
+    "log",
     "rad",
     "extends",
 }  # as Chinese textbooks print them; a key of the problem file
@@ -164,14 +168,20 @@ def test_a_sense_of_rotation_is_told_in_both_languages_or_in_none(name: str) -> 
 @pytest.mark.parametrize(("name", "style"), PAGES)
 def test_both_pages_of_a_report_hold_the_same_objects_with_the_same_numbers(name: str, style: str) -> None:
     one, two = marked_up(name, "zh", style)[1].named, marked_up(name, "en", style)[1].named
-    assert list(one) == list(two) and len(one) >= 1
+    assert besides_sheets(one) == besides_sheets(two) and len(one) >= 1
     for key, here in one.items():
+        if key not in two:
+            continue  # a sheet more, where titles of figures are longer in one language
         there = two[key]
         assert type(here) is type(there), key
         if isinstance(here, DataTable) and isinstance(there, DataTable):
             assert decimals_of(here) == decimals_of(there), key
         elif isinstance(here, Drawing) and isinstance(there, Drawing):
             assert (here.width, here.height) == pytest.approx((there.width, there.height), abs=12.0), key
+
+
+def besides_sheets(objects: Mapping[str, object]) -> list[str]:
+    return [key for key in objects if not key.startswith("sheet")]
 
 
 def decimals_of(table: DataTable) -> list[list[set[str]]]:

@@ -27,6 +27,7 @@ from .construction import Reading, Scale
 from .hand import Hand
 from .hand import hand as hand_of
 from .otherwise.amended import AS_DRAWN, Amended, plain_letters
+from .otherwise.slip import Mistake
 from .otherwise.wrongly import FACTOR
 from .place import Place, View
 from .ruler import Ruler
@@ -147,20 +148,38 @@ class Board(Compass):
         """Write down what was found of a quantity (SI), and from what; each: the same by every hand."""
         self.gave(each, done.Answer(head=self.head(*found, key=key), value=value, unit=unit))
 
-    def conclude(self, key: str, value: Reals, unit: str) -> Reals:
+    def conclude(self, key: str, value: Reals, unit: str, *, instead: str = "") -> Reals:
         """A value follows from others (SI): ω of a link, with its sense;
         goes on with somebody's own where there is one."""
         value = self.amended.value(self.here, key, value)
-        return self.gave(value, done.Compute(head=self.head(value, key=key), value=amount(value), unit=unit))
+        act = done.Compute(head=self.head(value, key=key), value=amount(value), unit=unit, instead=instead)
+        return self.gave(value, act)
+
+    def divide(self, symbols: tuple[str, str], parts: tuple[Expr, Expr], unit_text: str) -> tuple[Quantity, Quantity]:
+        """Write the two shares of a quantity into the step; somebody may take each of them for the other."""
+        one, other = (ascii_key(symbol) for symbol in symbols)
+        hands = [hand for hand, slip in self.amended.wrong(self.here, one) if slip.mistake is Mistake.SWAPPED]
+        first, second = (
+            self._computed(symbol, part, unit_text, [(hand, rest.value) for hand in hands], instead)
+            for symbol, part, rest, instead in zip(symbols, parts, parts[::-1], (other, ""), strict=True)
+        )
+        return first, second
 
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result;
         NotAskedError where it is 0/0."""
+        return self._computed(symbol, expr, unit_text, ())
+
+    def _computed(
+        self, symbol: str, expr: Expr, unit_text: str, others: Sequence[tuple[int | None, Reals]], instead: str = ""
+    ) -> Quantity:
+        """The same where some hands go on with another value."""
         key = ascii_key(symbol)
         wrong = [
             (hand, FACTOR[slip.mistake]) for hand, slip in self.amended.wrong(self.here, key) if slip.mistake in FACTOR
         ]
-        value = self.amended.altered(expr.value, [(hand, factor * expr.value) for hand, factor in wrong])
+        factors = [(hand, factor * expr.value) for hand, factor in wrong]
+        value = self.amended.altered(expr.value, [*factors, *others])
         if np.isnan(nominal(value)):
             raise NotAskedError(
                 Words(
@@ -172,7 +191,7 @@ class Board(Compass):
             )
         if wrong:
             self._slipped.add(key)
-        result = magnitude(symbol, self.conclude(key, value, unit_text), unit_text)
+        result = magnitude(symbol, self.conclude(key, value, unit_text, instead=instead), unit_text)
         self.write(worked(result.node, expr, unit_text))
         self.ledger.sizes[key] = result
         return result

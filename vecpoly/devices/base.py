@@ -6,7 +6,7 @@ exact answers); nothing else is edited. Its `kind` is what a problem file writes
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from typing import Annotated, Any, ClassVar, Protocol
 
@@ -119,6 +119,11 @@ class Device(BaseModel):
         """A length typical of its sketch (m), from which a scale is guessed before it is fitted;
         0: a sketch, or a block diagram, to no scale."""
         return 0.0
+
+    @property
+    def likely(self) -> Mapping[str, float]:
+        """Unit → size of such quantities that the data make likely, where an answer may vanish: ΣW of a rotor."""
+        return {}
 
     @property
     def force(self) -> float:

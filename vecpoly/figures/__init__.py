@@ -2,7 +2,19 @@
 
 from __future__ import annotations
 
-from . import acceleration, body, characteristic, displacement, energy, force, mechanism, torque, velocity, wheels
+from . import (
+    acceleration,
+    balancing,
+    body,
+    characteristic,
+    displacement,
+    energy,
+    force,
+    mechanism,
+    torque,
+    velocity,
+    wheels,
+)
 from .kind import View, register, scales, view_named, views
 from .mu import Mu
 
@@ -10,6 +22,7 @@ __all__ = [
     "Mu",
     "View",
     "acceleration",
+    "balancing",
     "body",
     "characteristic",
     "displacement",

@@ -9,6 +9,7 @@ from ..board.construction import Scale
 from ..board.place import views
 from ..errors import FaultError
 from ..figures import scales as kinds
+from ..units.names import plain, unit_of
 from ..units.reading import PerMm, read
 from ..words import Words
 from .key import AnswerKey
@@ -69,6 +70,7 @@ def _scale(mu: str, cell: str | float | None, faults: list[Words]) -> float | No
     try:
         bare = text.replace(".", "").isdigit()
         value = read(f"{text} {unit}" if bare else text, PerMm(kind.called, kind.unit, kind.example)).si
+        value /= unit_of(plain(kind.unit))[0]
     except FaultError as fault:
         faults.append(fault.words)
         return None

@@ -32,6 +32,7 @@ _COMPUTED = {"zh": "计算值", "en": "Computed"}
 _NOTHING = 1e-9  # m: places that all hands find alike, a fixed pivot
 _DRAWN = 3  # column of the value in _READINGS
 MOST_COLUMNS = 15  # of a table of stations, in all its blocks
+FEW = 6  # rows of a table that stays one block
 _SENSE = {"ccw": Words("↺ 逆时针", "↺ ccw"), "cw": Words("↻ 顺时针", "↻ cw"), None: Words.same("—")}
 
 
@@ -47,7 +48,7 @@ def readings_table(solution: Solution, lang: Lang) -> DataTable:
 def listed(listing: Listing, lang: Lang) -> DataTable:
     """What a step reads at many places: in as many blocks beside each other as a page has room for."""
     blocks = max(1, min(listing.blocks, MOST_COLUMNS // len(listing.head)))
-    wide = listing.abreast(blocks) if len(listing.rows) > blocks else listing
+    wide = listing.abreast(blocks) if len(listing.rows) > max(blocks, FEW) else listing
     return DataTable([head.of(lang) for head in wide.head], wide.rows, None, "c" * len(wide.head), lang=lang)
 
 

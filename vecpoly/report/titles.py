@@ -23,6 +23,7 @@ class Kind(Enum):
     CAMS = Words("凸轮机构设计作业", "Design of cam mechanisms")
     GEARS = Words("齿轮机构与轮系作业", "Gears and gear trains")
     MOTION = Words("机械的运转及其速度波动作业", "Motion of machines and its fluctuation")
+    BALANCE = Words("转子与机械的平衡作业", "Balance of rotors and machines")
     EFFICIENCY = Words("机械的效率和自锁作业", "Efficiency and self-locking of machines")
 
 
@@ -34,6 +35,10 @@ _OF_DEVICE = {
     "flywheel": Kind.MOTION,
     "reduced-train": Kind.MOTION,
     "run-up": Kind.MOTION,
+    "rotor": Kind.BALANCE,
+    "field-balancing": Kind.BALANCE,
+    "in-line-engine": Kind.BALANCE,
+    "shaking-force": Kind.BALANCE,
 }
 _FORCES_AND_EFFICIENCY = Words("机构力分析、效率和自锁作业", "Forces, efficiency and self-locking of mechanisms")
 _MIXED = Words("机械原理图解作业", "Graphical exercises in the theory of machines")

@@ -70,7 +70,7 @@ _AFTER_WHAT_IS_NO_TERM = {None, Kind.RELATION, Kind.BINARY, Kind.SIGN, Kind.OPEN
 _AFTER_WHAT_IS_NO_TERM |= {Kind.TIGHT, Kind.DOT, Kind.PREFIX}
 _LETTER_LIKE = {Kind.SYMBOL, Kind.NUMBER, Kind.WORD, Kind.CLOSE}
 _UNITS = frozenset(("m", "mm", "cm", "km", "rad", "s", "ms", "min", "h", "r", "N", "kN", "kg", "g", "t"))
-_UNITS |= {"Hz", "W", "kW", "J", "Pa", "MPa"}
+_UNITS |= {"Hz", "W", "kW", "J", "Pa", "MPa", "μm"}
 THIN, MEDIUM, THICK, UNIT, WORD_SPACE = 3 / 18, 4 / 18, 5 / 18, 0.2, 0.25
 
 

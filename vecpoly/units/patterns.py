@@ -6,7 +6,7 @@ from .reading import Dim
 
 NUMBER = r"[-+−]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?"
 SENSE = r"([cC][wW]|[aAcC]?[cC][wW]|([cC]ounter-?|[aA]nti-?)?[cC]lockwise|(逆时针|顺时针)(方向)?)"
-_LENGTH = r"(mm|cm|dm|m|km|in|inch|metre|meter|毫米|厘米|分米|米|千米|英寸)"
+_LENGTH = r"(mm|cm|dm|m|km|um|µm|μm|mil|in|inch|metre|meter|毫米|厘米|分米|米|千米|微米|英寸)"
 _ANGLE = r"(deg|degree|°|度|rad|radian|弧度|r|rev|turn|转)"
 _TIME = r"(s|min|h|second|minute|hour|秒|分|分钟|小时)"
 _MASS = r"(kg|g|千克|克)"
@@ -60,6 +60,8 @@ def _of_forces(dim: Dim) -> str:
             return rf"{_FORCE}{_TIMES}{_LENGTH}"
         case Dim.MASS:
             return _MASS
+        case Dim.PRODUCT:
+            return rf"{_MASS}{_TIMES}{_LENGTH}"
         case Dim.INERTIA:
             return rf"{_MASS}{_TIMES}{_LENGTH}{_SQUARE}"
         case Dim.DENSITY:

@@ -29,6 +29,7 @@ class Dim(Enum):
     FORCE = (Words("力", "a force"), "length 1 mass 1 time -2", "1000 N")
     MOMENT = (Words("力矩", "a moment"), "length 2 mass 1 time -2", "20 N*m ccw")
     MASS = (Words("质量", "a mass"), "mass 1", "3 kg")
+    PRODUCT = (Words("质径积", "a product of mass and radius"), "length 1 mass 1", "0.2 kg*m")
     INERTIA = (Words("转动惯量", "a moment of inertia"), "length 2 mass 1", "0.02 kg*m^2")
     DENSITY = (Words("密度", "a density"), "length -3 mass 1", "7800 kg/m^3")
     AREA = (Words("面积", "an area"), "length 2", "400 mm^2")

@@ -152,11 +152,12 @@ class Gauge(Done):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Compute(Done):
-    """Symbol = formula = numbers = result."""
+    """Symbol = formula = numbers = result; instead: of two shares, the key of the one for which this may be taken."""
 
     verb: ClassVar[Words | None] = Words("计算", "compute")
     value: float
     unit: str
+    instead: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

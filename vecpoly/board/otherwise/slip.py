@@ -23,6 +23,7 @@ class Mistake(StrEnum):
     OTHER_TANGENT = "other tangent"  # on the wrong side of the friction circle
     COMPLEMENT = "complement"  # θ set out for 90° − θ, or the other way round
     OTHER_SIDE = "other side"  # an angle set out on the wrong side
+    SWAPPED = "swapped"  # of two shares each taken for the other
     FORWARDS = "forwards"  # a figure carried on with the motion, not turned back
     DEGREES = "degrees"  # an area under M over φ taken with degrees for radians
     PER_MINUTE = "per minute"  # n (r/min) taken for ω
@@ -47,6 +48,7 @@ _WORDS = {
     Mistake.OTHER_TANGENT: "切于摩擦圆的另一侧",
     Mistake.COMPLEMENT: "取了余角",
     Mistake.OTHER_SIDE: "角作在另一侧",
+    Mistake.SWAPPED: "两分量互换",
     Mistake.FORWARDS: "反转方向取反",
     Mistake.DEGREES: "转角未化为弧度",
     Mistake.PER_MINUTE: "把转速 n 当作角速度",

@@ -22,9 +22,13 @@ class DeviceTruth:
     """The oracle's opinion of a device."""
 
     problem: Problem
-    likely: Mapping[str, float] = FrozenMap({})
     lines: Mapping[str, ActsAt] = FrozenMap({})
     nearby: tuple[Values, ...] = ()
+
+    @property
+    def likely(self) -> Mapping[str, float]:
+        """What the data alone make likely."""
+        return self.problem.device.likely
 
     @cached_property
     def values(self) -> Values:

@@ -22,6 +22,7 @@ _SAID = {
     Mistake.OTHER_TANGENT: Words("切于摩擦圆的另一侧", "on the wrong side of the friction circle"),
     Mistake.COMPLEMENT: Words("取了余角（如以 θ 代 90° − θ）", "at the complementary angle (θ for 90° − θ, say)"),
     Mistake.OTHER_SIDE: Words("角作在了另一侧", "at the angle on the other side"),
+    Mistake.SWAPPED: Words("与另一平面的分量互换了", "taken for the share of the other plane"),
     Mistake.FORWARDS: Words("反转的方向取反了", "carried on with the motion instead of turned back"),
     Mistake.DEGREES: Words("转角比例尺以度代弧度", "taken with degrees in place of radians"),
     Mistake.PER_MINUTE: Words("把转速 n（r/min）当作角速度", "the speed n in r/min, taken for rad/s"),

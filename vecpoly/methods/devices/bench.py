@@ -72,7 +72,15 @@ class Bench:
 
     def worked(self, named: Named, expr: Expr) -> Quantity:
         """Compute a quantity from others; written into the step as symbol = formula = numbers = result."""
-        result = self.board.compute(named.symbol, expr, named.unit)
+        return self._computed(named, expr, self.board.compute(named.symbol, expr, named.unit))
+
+    def divided(self, named: tuple[Named, Named], parts: tuple[Expr, Expr]) -> tuple[Quantity, Quantity]:
+        """Compute the two shares of a quantity; a reader may take each for the other."""
+        (one, other), (first, second) = named, parts
+        shares = self.board.divide((one.symbol, other.symbol), parts, one.unit)
+        return self._computed(one, first, shares[0]), self._computed(other, second, shares[1])
+
+    def _computed(self, named: Named, expr: Expr, result: Quantity) -> Quantity:
         self._keep(
             Reading(
                 key=named.key,

@@ -7,6 +7,7 @@ from ...figures import Mu, scales
 from ...figures.mu import LENGTH
 from ...limits import PAPER
 from ...mechanism.model import Mechanism
+from ...units.names import plain, unit_of
 from ...units.reading import PerMm, read
 from ...words import Words
 from ..problem import Scales
@@ -21,7 +22,7 @@ def read_scales(spec: ScalesSpec) -> Scales:
 
 def _scale(mu: Mu, text: str) -> float:
     try:
-        value = read(text, PerMm(mu.called, mu.unit, mu.example)).si
+        value = read(text, PerMm(mu.called, mu.unit, mu.example)).si / unit_of(plain(mu.unit))[0]
     except FaultError as fault:
         raise fault.under(mu.key) from None
     if value <= 0:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...words import Words
+from .balancing_words import BALANCING
 from .moving_words import MOVING
 
 _F, _Q = Words("摩擦系数", "coefficient of friction"), Words("载荷", "the load")
@@ -61,6 +62,7 @@ _GEARS = {
 }
 
 DATA = {
+    **BALANCING,
     **MOVING,
     **_CAM,
     **_GEARS,

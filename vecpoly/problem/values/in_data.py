@@ -17,16 +17,33 @@ _BRACKETED = re.compile(rf"[(（]\s*({_NUMBER})\s*[,，]\s*({_NUMBER})\s*[)）]\
 _ALONE = re.compile(rf"(?<![\w.])({_NUMBER})\s*{_UNIT}")  # 30 mm, in a phrase
 
 
-def in_data(path: Path, data: Value, stem: str = "") -> Iterator[Slot]:
-    """Every quantity; stem: the name of the entry in which these stand, with its number."""
+def in_data(path: Path, data: Value, stem: str = "", which: str = "") -> Iterator[Slot]:
+    """Every quantity; stem: the name of the entry in which these stand, with its number.
+
+    which: of the entry of a table, one of several alike: m_1 is the m of mass 1, at_2 the angle of the second run.
+    """
     if isinstance(data, list):
         yield from _listed(path, data, stem)
         return
     for key, item in data.items() if isinstance(data, dict) else ():
-        if isinstance(item, dict | list):
-            yield from in_data((*path, key), item, key)
+        name = f"{key}_{which}" if which else key
+        if isinstance(item, dict) and _alike(list(item.values())):
+            for entry, inner in item.items():
+                yield from in_data((*path, key, entry), inner, key, entry)
+        elif isinstance(item, dict | list):
+            yield from in_data((*path, key), item, name)
         elif item is not None:
-            yield from _told((*path, key), str(item), key)
+            yield from _told((*path, key), str(item), name)
+
+
+def _alike(entries: list[Value]) -> bool:
+    """Whether all are tables of data: masses, planes."""
+    return bool(entries) and all(isinstance(entry, dict) for entry in entries)
+
+
+def _runs(entries: list[Value]) -> bool:
+    """Whether the entries of a list are several tables with the same keys."""
+    return len(entries) > 1 and _alike(entries) and len({frozenset(entry) for entry in entries if entry}) == 1
 
 
 def _listed(path: Path, data: list[Value], stem: str) -> Iterator[Slot]:
@@ -35,7 +52,7 @@ def _listed(path: Path, data: list[Value], stem: str) -> Iterator[Slot]:
     for i, item in enumerate(data):
         name = f"{'xy'[i]}_{stem}" if point else f"{stem}_{i + 1}"
         if isinstance(item, dict | list):
-            yield from in_data((*path, i), item, name)
+            yield from in_data((*path, i), item, name, str(i + 1) if _runs(data) else "")
         elif item is not None:
             yield from _told((*path, i), str(item), name)
 

@@ -1,0 +1,1 @@
+"""Rotors that are balanced, from their masses or from what a vibrometer shows."""

@@ -1,0 +1,1 @@
+"""Inertia forces and couples of engines."""

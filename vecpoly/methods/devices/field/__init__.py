@@ -1,0 +1,1 @@
+"""Balancing where the rotor runs: influence coefficient, and four runs without phase."""

@@ -1,0 +1,157 @@
+"""Four runs without phase 三圆法: arcs with the readings as radii meet at Q; OQ is the effect of the trial weight."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+from math import degrees
+
+import numpy as np
+
+from ....algebra.quantity import Expr, Quantity, magnitude
+from ....board.paper.marks import Dot, Role
+from ....devices.balancing.field import FieldBalancing, bearing, effect, spread, weight
+from ....devices.balancing.unclear import check_effect, check_spread, no_meeting
+from ....errors import AssemblyError
+from ....plane import Points, nominal
+from ....words import Words
+from ..bench import Bench
+from ..rotor.polygon import heading, stated_bearing
+from .view import rotor_seen, vibrations, weight_seen
+
+HALF = 0.35  # rad: to either side of a meeting that an arc is drawn
+
+
+def by_arcs(bench: Bench, device: FieldBalancing) -> None:
+    """The circle of the first reading, the arcs of the others, Q; of two arcs both answers."""
+    rotor_seen(bench, device)
+    centres = _circle(bench, device)
+    if len(centres) == 2:
+        _both(bench, device, centres)
+        return
+    corners = [_corner(bench, device, centres, i, j) for i, j in combinations(range(3), 2)]
+    _centroid(bench, device, corners)
+
+
+def _circle(bench: Bench, device: FieldBalancing) -> list[Points]:
+    """Points at the angles of the trial weights, on a circle of radius V_0."""
+    board, view = bench.board, vibrations(device)
+    board.section(Words("三圆法", "The four-run method"))
+    board.step(
+        Words(
+            f"以 $O$ 为圆心、$V_0$ 为半径（按 ${view.mu.symbol}$）作圆，在圆上标出各试重的方位点 1、2…；"
+            "再以各点为圆心、以该次读数 $V_1$、$V_2$… 为半径作弧。",
+            f"About $O$ draw a circle of radius $V_0$ (to the scale ${view.mu.symbol}$) and mark on it the angles of "
+            "the "
+            "trial weights, 1, 2 …; about these points swing arcs with the readings $V_1$, $V_2$ … as radii.",
+        ),
+        view,
+    )
+    board.plot(view, 0j, "O", Dot.POLE)
+    radius = board.to_paper(view, device.initial.size)
+    board.circle(view, 0j, radius, Role.CENTRE)
+    centres = []
+    for i, trial in enumerate(device.trials, 1):
+        at = board.locate(view, str(i), board.lay_off(0j, heading(degrees(trial.at.si)), radius, key=f"P_{i}"))
+        board.join(view, 0j, at, Role.CONSTRUCTION)
+        board.plot(view, at, str(i))
+        centres.append(at)
+    return centres
+
+
+def _meetings(bench: Bench, device: FieldBalancing, centres: Sequence[Points], i: int, j: int) -> tuple[Points, Points]:
+    board, view = bench.board, vibrations(device)
+    one, other = (board.to_paper(view, device.trials[k].reading.size) for k in (i, j))
+    try:
+        return board.arcs(centres[i], one, centres[j], other, Words("两次试重的弧", "the arcs of two runs"))
+    except AssemblyError:
+        c = float(nominal(np.abs(centres[i] - centres[j]))) * board.scale_of(view).value
+        a, b = (device.trials[k].reading.size for k in (i, j))
+        raise no_meeting(i + 1, j + 1, max(c - a - b, abs(a - b) - c), device.unit) from None
+
+
+def _corner(bench: Bench, device: FieldBalancing, centres: Sequence[Points], i: int, j: int) -> Points:
+    """Of two meetings the one nearer to the third arc."""
+    (k,) = {0, 1, 2} - {i, j}
+    size = bench.board.to_paper(vibrations(device), device.trials[k].reading.size)
+    pair = _meetings(bench, device, centres, i, j)
+    near = min(pair, key=lambda q: abs(float(nominal(np.abs(q - centres[k]) - size))))
+    _swung(bench, device, centres, (i, j), near)
+    return bench.board.either(near)
+
+
+def _swung(bench: Bench, device: FieldBalancing, centres: Sequence[Points], runs: tuple[int, ...], at: Points) -> None:
+    """The arcs of these runs, a good way to either side of where they meet."""
+    board, view = bench.board, vibrations(device)
+    for k in runs:
+        way = float(np.angle(nominal(at - centres[k])))
+        radius = board.to_paper(view, device.trials[k].reading.size)
+        board.circle(view, centres[k], radius, start=way - HALF, sweep=2 * HALF)
+
+
+def _centroid(bench: Bench, device: FieldBalancing, corners: list[Points]) -> None:
+    """Three arcs rarely concur: the centroid of their small triangle, and how large that is."""
+    board, view = bench.board, vibrations(device)
+    named = spread(device.unit)
+    sides = [(np.abs(a - b), (a, b)) for a, b in combinations(corners, 2)]
+    _, longest = max(sides, key=lambda side: float(nominal(side[0])))
+    board.step(
+        Words(
+            "读数有误差，三弧一般不交于一点，而围成一个小三角形；取其形心为 $Q$。三角形最长的边 $Δ$ 说明读数的可信程"
+            "度：",
+            "Readings err, and the three arcs rarely meet in one point: they leave a small triangle, whose centroid is "
+            "$Q$. Its longest side $Δ$ tells how far the readings can be trusted:",
+        ),
+        view,
+    )
+    board.tint(view, tuple(corners))
+    bench.measured(named, view, *longest, "Δ")
+    q = board.locate(view, "Q", (corners[0] + corners[1] + corners[2]) / 3)
+    size = float(nominal(np.abs(q))) * board.scale_of(view).value
+    check_spread(device, float(nominal(np.abs(longest[0] - longest[1]))) * board.scale_of(view).value, size)
+    _answer(bench, device, q, "Q", "")
+
+
+def _both(bench: Bench, device: FieldBalancing, centres: Sequence[Points]) -> None:
+    """Two arcs leave two answers; a third run would decide."""
+    board, view = bench.board, vibrations(device)
+    pair = _meetings(bench, device, centres, 0, 1)
+    board.step(
+        Words(
+            "只有两次试重：两弧交于 $Q_1$、$Q_2$，两个解都符合读数，须再试一次才能取舍。",
+            "Only two trial runs: the arcs meet at $Q_1$ and $Q_2$, and both fit the readings. A third run decides.",
+        ),
+        view,
+    )
+    ordered = sorted(pair, key=lambda q: float(np.degrees(np.angle(nominal(q)))) % 360.0)
+    for which, at in enumerate(ordered, 1):
+        _swung(bench, device, centres, (0, 1), at)
+        _answer(bench, device, board.locate(view, f"Q_{which}", at), f"Q_{which}", f"_{which}")
+
+
+def _answer(bench: Bench, device: FieldBalancing, q: Points, letter: str, way: str) -> None:
+    """m_b = m_t V_0/OQ r_t/r_b, on the rotor in the direction of Q."""
+    board, view, named = bench.board, vibrations(device), effect(device.unit, way)
+    board.plot(view, q, letter)
+    board.step(
+        Words(
+            f"$O{letter}$ 为试重的效应，校正质量装在 ${letter}$ 的方向上：",
+            f"$O{letter}$ is the effect of the trial weight; the correction sits in the direction of ${letter}$:",
+        ),
+        view,
+    )
+    board.arrow(view, 0j, q, Role.RESULT, key=named.key, label=named.symbol)
+    moved = bench.measured(named, view, 0j * q, q, f"O {letter}")
+    check_effect(device, float(nominal(np.abs(q))) * board.scale_of(view).value)
+    bench.worked(weight(way), _weight(device, moved))
+    stated_bearing(bench, bearing(way), q, 0.0)
+    turn = float(nominal(bench.board.found[bearing(way).key]))
+    weight_seen(bench, device, turn, weight(way).symbol)
+
+
+def _weight(device: FieldBalancing, moved: Quantity) -> Expr:
+    trial = device.trials[0]
+    whole = magnitude("m_t", trial.m.si * 1e3, "g") * (magnitude("V_0", device.initial.size, device.unit) / moved)
+    if trial.r.si == device.correct.r.si:
+        return whole
+    return whole * (magnitude("r_t", trial.r.si * 1e3, "mm") / magnitude("r_b", device.correct.r.si * 1e3, "mm"))

@@ -1,0 +1,136 @@
+"""A polygon of products: laid off head to tail from the pole O, closed by the one that balances them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ....algebra.formula import sym
+from ....algebra.quantity import Quantity, number
+from ....board.board import NO_LENGTH
+from ....board.construction import Pane
+from ....board.paper.marks import Dot, Role
+from ....devices.balancing.asked import CLOSES
+from ....foundation.slotted import dataclass
+from ....names import Named
+from ....plane import Points, Reals, nominal
+from ....vector.close import close
+from ....vector.equation import KNOWN, UNKNOWN, Equation, Term
+from ....words import Words
+from ..bench import Bench
+from ..inclined import row_of
+
+LETTERS = "abcdefghijklmnqrstuvw"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Laid:
+    """A product to be laid off: its key, its size (in the unit of the figure; negative: the other way), its direction
+    (deg)."""
+
+    named: Named
+    size: Reals
+    degrees: Reals
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Polygon:
+    """A polygon as drawn: its figure, the end of the chain and its letter; the pole is O, at the origin.
+
+    least: the length (mm) up to which its closing side counts as none.
+    """
+
+    place: Pane
+    tip: Points
+    letter: str
+    least: float
+
+
+def heading(degrees: Reals) -> Points:
+    """The unit vector in a direction."""
+    along: Points = np.exp(1j * np.radians(degrees))
+    return along
+
+
+def chain(bench: Bench, place: Pane, laid: Sequence[Laid], closing: Named) -> Polygon:
+    """Draw the products that have a length, and the closing side from the last tip back to the pole."""
+    board = bench.board
+    drawn = [one for one in laid if abs(float(nominal(board.to_paper(place, one.size)))) > NO_LENGTH]
+    terms = [_term(bench, place, one, LETTERS[i]) for i, one in enumerate(drawn)]
+    last = Term(rel=closing, symbol=closing.symbol, direction=UNKNOWN, magnitude="?")
+    equation = Equation(left=(*terms, last))
+    board.equate(equation.table())
+    board.plot(place, 0j, "O", Dot.POLE)
+    start, _ = close(board, place, 0j, equation).ends[closing.key]
+    letter = LETTERS[len(drawn) - 1] if drawn else "O"
+    return Polygon(place=place, tip=start, letter=letter, least=_least(bench, place, laid))
+
+
+def _least(bench: Bench, place: Pane, laid: Sequence[Laid]) -> float:
+    return CLOSES * sum(abs(float(nominal(bench.board.to_paper(place, one.size)))) for one in laid)
+
+
+def summed(bench: Bench, place: Pane, laid: Sequence[Laid], total: Named | None, *, known: bool = True) -> Polygon:
+    """Draw the products head to tail and their sum `total`, from the pole to the last tip; known: somebody may err."""
+    board = bench.board
+    board.plot(place, 0j, "O", Dot.POLE)
+    tip: Points = 0j
+    letter = "O"
+    for one in laid:
+        if abs(float(nominal(board.to_paper(place, one.size)))) <= NO_LENGTH:
+            continue
+        term = _term(bench, place, one, "")
+        assert term.along is not None and term.mm is not None
+        letter = LETTERS[(LETTERS.index(letter) + 1) if letter in LETTERS else 0]
+        end = board.locate(place, letter, board.lay_off(tip, term.along, term.mm, key=one.named.key if known else ""))
+        board.arrow(place, tip, end, Role.GIVEN, key=one.named.key, label=one.named.symbol)
+        board.plot(place, end, letter)
+        tip = end
+    if total is not None:
+        board.arrow(place, 0j, tip, Role.RESULT, key=total.key, label=total.symbol)
+    return Polygon(place=place, tip=tip, letter=letter, least=_least(bench, place, laid))
+
+
+def _term(bench: Bench, place: Pane, one: Laid, tip: str) -> Term:
+    sign = -1.0 if float(nominal(one.size)) < 0 else 1.0
+    turn = (one.degrees + (0.0 if sign > 0 else 180.0)) % 360.0
+    return Term(
+        rel=one.named,
+        symbol=one.named.symbol,
+        direction=Words.same(f"{number(float(nominal(turn)), 5)}°"),
+        magnitude=KNOWN.zh,
+        along=heading(turn),
+        mm=bench.board.to_paper(place, sign * one.size),
+        tip=tip,
+    )
+
+
+def read_closing(bench: Bench, polygon: Polygon, closing: Named, turned: Named) -> Quantity:
+    """Measure the closing side, and its direction where it is longer than what counts as none."""
+    found = bench.measured(closing, polygon.place, polygon.tip, 0j * polygon.tip, f"{polygon.letter} O")
+    stated_bearing(bench, turned, -polygon.tip, polygon.least)
+    return found
+
+
+def stated_bearing(bench: Bench, named: Named, vector: Points, least: float) -> None:
+    """The direction of a vector by protractor, 0 to 360°; none where the vector is not longer than `least` (mm)."""
+    size = float(nominal(np.abs(vector)))
+    if size <= max(least, NO_LENGTH):
+        bench.board.remark(
+            Words(
+                f"（${named.symbol}$ 无意义：封闭边为零。）",
+                f" (The closing side vanishes, ${named.symbol}$ has no meaning.)",
+            )
+        )
+        bench.stated(named, np.nan * np.abs(vector), row_of(sym(named.symbol), " —"))
+        return
+    turn = np.degrees(bench.board.gauge(0j * vector, vector)) % 360.0
+    bench.stated(named, turn, row_of(sym(named.symbol), f" = {number(float(nominal(turn)), 5)}°"))
+
+
+def in_plane(end: str, words: Words) -> Words:
+    """A sentence about one of two planes: “Plane I: ...”; of a single plane as it stands."""
+    if not end:
+        return words
+    return Words(f"平面 {end}：{words.zh}", f"Plane {end}: {words.en[:1].lower()}{words.en[1:]}")

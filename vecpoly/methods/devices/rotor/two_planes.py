@@ -1,0 +1,108 @@
+"""Dynamic balance 动平衡 in two planes: every product shared by the lever, and one polygon for each plane."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import degrees
+
+from ....algebra.quantity import Quantity, magnitude
+from ....devices.balancing.asked import bearing, correction, product_of, static_unbalance
+from ....devices.balancing.rotor import Rotor
+from ....words import Words
+from ..bench import Bench
+from .about import about_a_third_plane
+from .correct import corrected
+from .grade import permitted_circles
+from .polygon import Laid, Polygon, chain, read_closing, summed
+from .scales import polygon_view
+from .static import laid_whole
+from .verdict import told_kind
+
+
+def in_two_planes(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> None:
+    """The static sum, the shares, two polygons; which kind of unbalance; what is added, and the check."""
+    whole = _sum(bench, rotor, sizes)
+    shares = _shares(bench, rotor, sizes)
+    polygons: dict[str, Polygon] = {}
+    found: dict[str, Quantity] = {}
+    bench.board.section(Words("两校正平面的质径积多边形", "The polygons of the two planes"))
+    for end, laid in shares.items():
+        polygons[end], found[end] = _plane(bench, rotor, end, laid)
+    told_kind(bench, rotor, whole, polygons)
+    circles = permitted_circles(bench, rotor, polygons) if rotor.tolerance is not None else {}
+    for end, polygon in polygons.items():
+        corrected(bench, rotor, end, polygon, found[end], circles.get(end))
+    about_a_third_plane(bench, rotor, sizes, polygons, found)
+
+
+def _sum(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> Polygon:
+    """ΣW: whether the rotor is in static balance."""
+    board, unit, view = bench.board, rotor.weighing, polygon_view(rotor)
+    board.section(Words("静不平衡", "Static unbalance"))
+    place = board.open_pane(view, "S", Words("静不平衡：各质径积之和", "Static: the sum of all products"))
+    board.step(
+        Words(
+            f"先看静平衡：按 ${view.mu.symbol}$ 把各质径积首尾相接，其和 $W_S$ 由极点 $O$ 指向末端。量得：",
+            f"First static balance: to the scale ${view.mu.symbol}$ lay all products off head to tail. Their sum $W_S$ "
+            "leads from the pole $O$ to the last tip. It is read as:",
+        ),
+        place,
+    )
+    named = static_unbalance(unit)
+    polygon = summed(bench, place, [laid_whole(rotor, name, size) for name, size in sizes.items()], named)
+    bench.measured(named, place, 0j * polygon.tip, polygon.tip, f"O {polygon.letter}")
+    return polygon
+
+
+def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[str, list[Laid]]:
+    """W_iI = W_i (L − l_i)/L and W_iII = W_i l_i/L; overhung: one of them is negative."""
+    board, unit = bench.board, rotor.weighing
+    (one, first), (other, second) = rotor.correct.items()
+    board.section(Words("向两校正平面分解", "Shares of the two planes"))
+    over = [name for name in rotor.masses if min(share[name] for share in rotor.shares.values()) < -1e-12]
+    board.step(
+        Words(
+            f"把每个质径积按杠杆关系分解到平面 {one} 和 {other}：$l_i$ 为质量 $i$ 到平面 {one} 的距离，$L$ 为两平面的"
+            "距离。",
+            f"Share every product between the planes {one} and {other} by the lever: $l_i$ is the distance of mass $i$ "
+            f"from plane {one}, $L$ that of the two planes.",
+        )
+        + _overhung(over)
+    )
+    span = magnitude("L", (second.at - first.at) * 1e3, "mm")
+    laid: dict[str, list[Laid]] = {one: [], other: []}
+    for name, size in sizes.items():
+        arm = magnitude(f"l_{{{name}}}", (rotor.masses[name].place - first.at) * 1e3, "mm")
+        pair = product_of(name, unit, one), product_of(name, unit, other)
+        found = bench.divided(pair, (size * ((span - arm) / span), size * (arm / span)))
+        sign = -1.0 if rotor.masses[name].removed else 1.0
+        turn = degrees(rotor.masses[name].at.si)
+        for end, named, share in zip((one, other), pair, found, strict=True):
+            laid[end].append(Laid(named=named, size=sign * share.value, degrees=turn))
+    return laid
+
+
+def _overhung(names: list[str]) -> Words:
+    if not names:
+        return Words.same("")
+    listed = "、".join(names)
+    return Words(
+        f"质量 {listed} 在两平面之外（悬臂），它在较远平面内的分量为负，即与 $W$ 反向。",
+        f" Mass {listed.replace('、', ', ')} lies outside the planes (overhung): its share in the farther plane is "
+        "negative, it points against $W$.",
+    )
+
+
+def _plane(bench: Bench, rotor: Rotor, end: str, laid: list[Laid]) -> tuple[Polygon, Quantity]:
+    board, view = bench.board, polygon_view(rotor)
+    closing = correction(end, rotor.weighing)
+    place = board.open_pane(view, end, Words(f"平面 {end} 的质径积多边形", f"Polygon of plane {end}"))
+    board.step(
+        Words(
+            f"平面 {end}：把各分量首尾相接，封闭边即 ${closing.symbol}$。量得：",
+            f"Plane {end}: lay its shares off head to tail; the closing side is ${closing.symbol}$. It is read as:",
+        ),
+        place,
+    )
+    polygon = chain(bench, place, laid, closing)
+    return polygon, read_closing(bench, polygon, closing, bearing(end))
