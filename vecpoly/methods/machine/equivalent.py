@@ -142,7 +142,7 @@ def _table(moved: Motion, rows: list[_Row]) -> Listing:
         Words.same(f"$m$ ($v_S/{moved.symbol}$)²"),
         Words.same(f"$J_S$ ($ω_i/{moved.symbol}$)²"),
     )
-    return Listing(head=head, rows=tuple(rows))
+    return Listing(head=head, rows=tuple(rows), blocks=1)
 
 
 def _load(st: Statics, to: Equivalent, moved: Motion) -> None:

@@ -161,7 +161,7 @@ def _table(lobes: Lobes, works: list[Reals]) -> Listing:
         (f"{a}–{b}", number(shown(lobe.area.value)), number(shown(work)))
         for (a, b), lobe, work in zip(pairwise(lobes.letters), lobes.lobes, works, strict=True)
     ]
-    return Listing(head=head, rows=tuple(rows))
+    return Listing(head=head, rows=tuple(rows), blocks=1)
 
 
 def _bar(period: Period, sizes: Sizes, works: tuple[Reals, ...], letters: tuple[str, ...]) -> Quantity:
