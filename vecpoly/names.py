@@ -129,6 +129,7 @@ class Sort(StrEnum):
     LIMIT = "limit"  # an angle of the crank at which a led point stands still
     SPOT = "spot"  # a point found from curvatures: the inflection pole, the centre of curvature of a path
     CURVED = "curved"  # a radius, a diameter, an angle found likewise
+    PRESSURE = "pressure"  # a pressure angle, or a transmission angle, in one position
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,12 +149,17 @@ class Named:
     @property
     def is_central(self) -> bool:
         """Whether it is found from instant centres."""
-        return not (self.sort is Sort.PLAIN or self.is_curved)
+        return not (self.sort is Sort.PLAIN or self.is_curved or self.is_pressure)
 
     @property
     def is_curved(self) -> bool:
         """Whether it is found from the curvatures of paths."""
         return self.sort in (Sort.SPOT, Sort.CURVED)
+
+    @property
+    def is_pressure(self) -> bool:
+        """Whether it is a pressure angle, or a transmission angle."""
+        return self.sort is Sort.PRESSURE
 
     def __str__(self) -> str:
         return self.key
@@ -201,7 +207,7 @@ def ascii_key(symbol: str) -> str:
     return symbol.translate(_ASCII)
 
 
-_ASCII = str.maketrans({"^": None, "{": None, "}": None, "ω": "omega", "α": "alpha", "′": "'"})
+_ASCII = str.maketrans({"^": None, "{": None, "}": None, "ω": "omega", "α": "alpha", "γ": "gamma", "′": "'"})
 
 
 def parse_rel(text: str) -> Rel:

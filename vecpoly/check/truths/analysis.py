@@ -12,6 +12,7 @@ import numpy as np
 from ... import oracle
 from ...errors import VecpolyError
 from ...mechanism.asked.forces import given_value, pairs, press_named
+from ...mechanism.asked.pressure import driven_links
 from ...mechanism.groups.assur import hinges
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism, Prismatic
@@ -58,7 +59,26 @@ class Exact:
 
         Raises NotAskedError for what else has no value with these data.
         """
-        return finite(_kinematic(self.problem, self.motion) | self._central() | self._curved() | self._static())
+        return finite(_kinematic(self.problem, self.motion) | self._geometric() | self._static())
+
+    def _geometric(self) -> Values:
+        """What follows from the position alone."""
+        return self._central() | self._curved() | self._pressures()
+
+    def _pressures(self) -> Values:
+        """Pressure and transmission angles, from the constraints of the joints."""
+        keys = {ask.rel.key for ask in self.problem.asks if isinstance(ask, AskNamed) and ask.rel.is_pressure}
+        if not keys:
+            return {}
+        from ...oracle.pressure import Pressures
+
+        known = Pressures(self.problem.mechanism)
+        return {
+            named.key: value(driven)
+            for driven in driven_links(self.problem.mechanism)
+            for named, value in ((driven.alpha, known.alpha), (driven.gamma, known.gamma))
+            if named.key in keys
+        }
 
     def _curved(self) -> Values:
         """What the rates of a link tell of the curvatures of its paths."""
@@ -90,7 +110,7 @@ class Exact:
         asked = [
             ask.rel
             for ask in self.problem.asks
-            if isinstance(ask, AskNamed) and not (ask.rel.is_central or ask.rel.is_curved)
+            if isinstance(ask, AskNamed) and not (ask.rel.is_central or ask.rel.is_curved or ask.rel.is_pressure)
         ]
         if self.problem.loads is None or not asked:
             return {}

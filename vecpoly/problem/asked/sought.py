@@ -18,6 +18,7 @@ from ..schema.models import FindSpec, ProblemSpec
 from .asks import Ask, AskNamed
 from .curved import centrode_asks, curvature_of, curved_quantities, is_curved, known_quantities, read_centrodes
 from .drawn_to import plottable, read_scales
+from .pressed import pressed_quantities
 from .printed import read_printed
 from .unasked import default_asks
 from .wanted import CENTRAL, read_find, read_point
@@ -31,6 +32,7 @@ def read_wanted(
     """What is asked for, of which curvatures, what was printed, and the scales;
     every fault is noted at its place."""
     forces = _geometric(spec, mechanism, faults) | (quantities(mechanism, loads) if loads else {})
+    forces |= pressed_quantities(spec, mechanism, faults)
     centrodes = _centrodes(spec, mechanism, faults)
     forces = known_quantities(forces, centrodes, mechanism)
     named: list[At] = []

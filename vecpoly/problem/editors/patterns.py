@@ -15,7 +15,8 @@ from ..joints.slides import FORMS as JOINTS
 
 Schema = dict[str, Any]
 _SYMBOL = (
-    r"^((p|v|a|an|at|ak|ar|a[ⁿᵗᵏʳᶜ]|l)_[A-Z][A-Za-z0-9'′]*|(omega|alpha|ω|α)_\w+[a-z']?|centres|P_\w+"
+    r"^((p|v|a|an|at|ak|ar|a[ⁿᵗᵏʳᶜ]|l)_[A-Z][A-Za-z0-9'′]*|(omega|alpha|gamma|ω|α|γ)_\w+[a-z']?"
+    r"|alpha|gamma|α|γ|centres|P_\w+"
     r"|phi_[A-Z]\w*_(extended|overlapped)|(delta|lambda|rho)_\w+|eta|η|[A-Z][A-Za-z]?\w*|[hmJ](_\w+)?)$"
 )
 
