@@ -9,15 +9,16 @@ from vecpoly.methods.curvature import doors as curvature
 from vecpoly.methods.devices.registry import device_methods
 from vecpoly.methods.forces import doors as forces
 from vecpoly.methods.kinematics import doors as kinematics
+from vecpoly.methods.pressure import doors as pressure
 from vecpoly.methods.registry import Door, Stage, _signature, methods
 
-ROOMS = (centres, curvature, forces, kinematics)
+ROOMS = (centres, curvature, forces, kinematics, pressure)
 DOORS = tuple(door for where in ROOMS for door in vars(where).values() if isinstance(door, Door))
 
 
 def test_every_method_fits_one_door_and_every_door_has_methods() -> None:
     signatures = [_signature(door.like) for door in DOORS]
-    assert len(DOORS) == 16 == len(set(signatures)) and {method.signature for method in methods()} == set(signatures)
+    assert len(DOORS) == 17 == len(set(signatures)) and {method.signature for method in methods()} == set(signatures)
 
 
 @pytest.mark.parametrize("stage", [Stage.POSITION, Stage.VELOCITY, Stage.ACCELERATION])
