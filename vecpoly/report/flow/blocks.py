@@ -148,11 +148,12 @@ class Drawing(Block):
 
     def draw(self) -> None:
         """Call back, then set the caption."""
-        width, height = (self._factor * side for side in self.size)
+        factor = self._factor
+        width, height = (factor * side for side in self.size)
         self.canv.saveState()
-        self.canv.translate((self.width - width) / 2, self.height - height)
-        self.canv.scale(self._factor, self._factor)
-        self._draw(self.canv, 0.0, 0.0)
+        if factor != 1.0:
+            self.canv.scale(factor, factor)
+        self._draw(self.canv, (self.width - width) / 2 / factor, (self.height - height) / factor)
         self.canv.restoreState()
         if self._caption is not None:
             ink = Ink(self.canv)
