@@ -81,11 +81,10 @@ def limits_found(solution: Solution) -> str:
 @family("design-rocker-limits", also=limits_found)
 def rocker_limits(rng: np.random.Generator) -> str:
     """Limit positions of any four bars with a crank, now and then of four without."""
-    a, b, c = (int(x) for x in rng.integers(20, 140, 3))
-    d = int(rng.integers(20, 160))
-    bars = sorted((a, b, c, d)) if rng.random() < 0.8 else [a, b, c, d]
-    rest = rng.permutation(bars[1:])
-    data = {"AB": f"{bars[0]} mm"} | {key: f"{x} mm" for key, x in zip(("BC", "CD", "AD"), rest, strict=True)}
+    shortest, middle, more = int(rng.integers(15, 60)), int(rng.integers(60, 120)), int(rng.integers(60, 120))
+    longest = middle + more - shortest - (int(rng.integers(1, 40)) if rng.random() < 0.85 else -5)
+    rest = rng.permutation([middle, more, longest])
+    data = {"AB": f"{shortest} mm"} | {key: f"{x} mm" for key, x in zip(("BC", "CD", "AD"), rest, strict=True)}
     return task("crank-rocker-limits", data, "theta, K, psi, gamma_min")
 
 
