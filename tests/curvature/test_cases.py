@@ -63,7 +63,7 @@ def test_a_circle_off_the_sheet_is_refused_with_the_positions_that_would_do() ->
     case = next(one for one in LINKS if one["id"] == "B-sc-offpaper")
     with pytest.raises(NotAskedError, match=r"off the sheet.*φ (from|=) .*° would do") as refused:
         case_problem(case).solve()
-    low, high = (refused.value.numbers[end] for end in ("from", "to"))
+    low, high = (float(refused.value.numbers[end]) for end in ("from", "to"))
     for phi in (low, (low + high) / 2, high):
         there = case_problem({**case, "phi": phi}).solve(by="exact").answers["delta_2"]
         assert abs(there.drawn - there.exact) < 1e-11

@@ -80,6 +80,10 @@ def _draw_stage(desk: Desk, problem: Problem, stage: Stage, groups: tuple[Group,
         desk.forces = tuple(key for key in desk.board.readings if key not in before)
     else:
         _pass(desk, problem, stage, groups)
+        if stage is Stage.POSITION and problem.target is not None:
+            from .kinematics.diagram.target import draw_target
+
+            draw_target(desk, groups, problem.target)
 
 
 def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -> None:

@@ -15,6 +15,7 @@ from ..units.reading import Dim, read
 from ..words import Words
 from .asked.sought import read_wanted
 from .asked.tables import read_tables
+from .asked.target import read_target
 from .gate import read_gate
 from .joints.branches import read_branches
 from .joints.contacts import is_contact, read_contact
@@ -53,11 +54,10 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     bodies = _bodies(spec, faults)
     masses, weights = read_masses(spec, bodies, faults)
     mechanism, motion = _mechanism(spec, bodies, faults)
-    loads = read_loads(spec, bodies, masses, faults)
-    loads, acting = _acting(spec, mechanism, loads, weights, faults)
+    loads, acting = _acting(spec, mechanism, read_loads(spec, bodies, masses, faults), weights, faults)
     asks, curvature, printed, scales = read_wanted(spec, bodies, mechanism, loads, faults)
     ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
-    tables = read_tables(spec, tree, faults)
+    tables, target = read_tables(spec, tree, faults), read_target(spec, mechanism, faults)
     _settle(mechanism, tree, faults)
     return Problem(
         id=spec.id,
@@ -79,6 +79,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         text=tree.text,
         read=tree.files,
         ranges=ranges,
+        target=target,
         gate=gate,
         warnings=warnings_of(tree),
         written=written_of(tree),

@@ -22,6 +22,7 @@ from .models import (
     RodSpec,
     ScalesSpec,
     SheetSpec,
+    TargetSpec,
 )
 
 Model = TypeVar("Model", bound=BaseModel)
@@ -36,6 +37,7 @@ _MODELS: dict[str, type[BaseModel]] = {
     "friction": FrictionSpec,
     "masses": MassSpec,
     "gate": GateSpec,
+    "target": TargetSpec,
     "rules": RulesSpec,
     "rubric": RubricSpec,
 }
