@@ -27,7 +27,8 @@ def draw_target(desk: Desk, groups: Sequence[Group], target: Target) -> None:
     name, mark = target.point, "T" if "T" not in desk.at else "T′"
     board.step(
         Words(
-            f"取原动件的一系列位置，描出 ${name}$ 点的轨迹（细实线），与给定曲线（虚线）比较；最大偏差在 ${mark}$ 点，为：",
+            f"取原动件的一系列位置，描出 ${name}$ 点的轨迹（细实线），与给定曲线（虚线）比较；"
+            f"最大偏差在 ${mark}$ 点，为：",
             f"Trace the path of ${name}$ (thin) through a turn of the driving link, beside the curve that is given "
             f"(dashed). The greatest deviation, at ${mark}$, is:",
         ),
