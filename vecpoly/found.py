@@ -29,7 +29,7 @@ def verification(problem: Problem, candidates: Sequence[Candidate]) -> tuple[Ver
         return ()
     from .check.found import verified  # late: a whole cycle, which other problems need not
 
-    found = (verified(problem.design, one.number, one.values, one.spread) for one in _valid(candidates))
+    found = (verified(problem.design, one.number, one.values, one.spread, one.lost) for one in _valid(candidates))
     return tuple(one for one in found if one is not None)
 
 
@@ -62,7 +62,7 @@ def objection(problem: Problem, candidates: Sequence[Candidate]) -> Words | None
         return None
     from .check.candidates import objection as told  # late: other problems need none of it
 
-    return told(problem, [one.verdict for one in candidates])
+    return told(problem, {one.number: one.verdict for one in candidates})
 
 
 def _valid(candidates: Sequence[Candidate]) -> list[Candidate]:

@@ -130,6 +130,7 @@ class Sort(StrEnum):
     SPOT = "spot"  # a point found from curvatures: the inflection pole, the centre of curvature of a path
     CURVED = "curved"  # a radius, a diameter, an angle found likewise
     REDUCED = "reduced"  # of the equivalent link that stands for a whole machine, of its flywheel, of its motion
+    PRESSURE = "pressure"  # a pressure angle, or a transmission angle, in one position
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,7 +150,7 @@ class Named:
     @property
     def is_central(self) -> bool:
         """Whether it is found from instant centres."""
-        return not (self.sort is Sort.PLAIN or self.is_curved or self.is_reduced)
+        return not (self.sort is Sort.PLAIN or self.is_curved or self.is_reduced or self.is_pressure)
 
     @property
     def is_curved(self) -> bool:
@@ -160,6 +161,11 @@ class Named:
     def is_reduced(self) -> bool:
         """Whether it is found from the mechanism as a machine: its equivalent link, its flywheel, its motion."""
         return self.sort is Sort.REDUCED
+
+    @property
+    def is_pressure(self) -> bool:
+        """Whether it is a pressure angle, or a transmission angle."""
+        return self.sort is Sort.PRESSURE
 
     def __str__(self) -> str:
         return self.key
@@ -207,7 +213,9 @@ def ascii_key(symbol: str) -> str:
     return symbol.translate(_ASCII)
 
 
-_ASCII = str.maketrans({"^": None, "{": None, "}": None, "ω": "omega", "α": "alpha", "Δ": "d", "μ": "mu", "′": "'"})
+_ASCII = str.maketrans(
+    {"^": None, "{": None, "}": None, "ω": "omega", "α": "alpha", "γ": "gamma", "Δ": "d", "μ": "mu", "′": "'"}
+)
 
 
 def parse_rel(text: str) -> Rel:

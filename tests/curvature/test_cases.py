@@ -59,13 +59,15 @@ def test_a_drafting_hand_keeps_within_what_is_expected_of_it(case: dict[str, Any
     assert solution.answers and not any(answer.suspect for answer in solution.answers.values())
 
 
-def test_a_circle_off_the_sheet_is_refused_with_a_position_that_would_do() -> None:
+def test_a_circle_off_the_sheet_is_refused_with_the_positions_that_would_do() -> None:
     case = next(one for one in LINKS if one["id"] == "B-sc-offpaper")
-    with pytest.raises(NotAskedError, match=r"off the sheet.*φ = \d+° would do") as refused:
+    with pytest.raises(NotAskedError, match=r"off the sheet.*φ (from|=) .*° would do") as refused:
         case_problem(case).solve()
-    other = float(refused.value.words.en.rsplit("φ = ", 1)[1].split("°")[0])
-    there = case_problem({**case, "phi": other}).solve(by="exact").answers["delta_2"]
-    assert abs(there.drawn - there.exact) < 1e-11
+    low, high = (float(refused.value.numbers[end]) for end in ("from", "to"))
+    for phi in (low, (low + high) / 2, high):
+        there = case_problem({**case, "phi": phi}).solve(by="exact").answers["delta_2"]
+        assert abs(there.drawn - there.exact) < 1e-11
+    assert not low <= case["phi"] <= high
 
 
 @pytest.mark.parametrize("case", LINKS, ids=lambda case: case["id"])

@@ -10,8 +10,11 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from vecpoly import loads
+from vecpoly.designs.base import Design
+from vecpoly.designs.verdict import Verdict as Use
 from vecpoly.errors import VecpolyError
 from vecpoly.mechanism.model import Mechanism
+from vecpoly.oracle.synthesis.registry import linkages
 from vecpoly.solution import Answer, Solution, solve
 
 from .differences import against_differences
@@ -52,9 +55,19 @@ def judge(text: str, also: Check = content) -> Verdict:
     try:
         return _judged(text, also)
     except VecpolyError as error:
-        return Verdict(kind=Kind.REFUSED, why=f"{type(error).__name__}: {error}")
+        why = f"{type(error).__name__}: {error}"
+        return Verdict(kind=Kind.WRONG if _is_solved(text) else Kind.REFUSED, why=why)
     except Exception as error:  # whatever escapes is what is sought
         return Verdict(kind=Kind.BROKEN, why=f"{type(error).__name__}: {error}")
+
+
+def _is_solved(text: str) -> bool:
+    """Whether a task of synthesis that was refused has solutions in closed form: then it was refused wrongly."""
+    try:
+        subject = loads(text).subject
+        return isinstance(subject, Design) and any(one.verdict is Use.VALID for one in linkages(subject))
+    except VecpolyError:
+        return False
 
 
 def _judged(text: str, also: Check) -> Verdict:

@@ -10,9 +10,10 @@ from vecpoly.methods.devices.registry import device_methods
 from vecpoly.methods.forces import doors as forces
 from vecpoly.methods.kinematics import doors as kinematics
 from vecpoly.methods.machine import doors as machine
+from vecpoly.methods.pressure import doors as pressure
 from vecpoly.methods.registry import Door, Stage, _signature, methods
 
-ROOMS = (centres, curvature, forces, kinematics, machine)
+ROOMS = (centres, curvature, forces, kinematics, machine, pressure)
 DOORS = tuple(door for where in ROOMS for door in vars(where).values() if isinstance(door, Door))
 
 

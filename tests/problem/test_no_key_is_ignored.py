@@ -31,6 +31,7 @@ from vecpoly.problem.schema.models import (
     ScalesSpec,
     SheetSpec,
     TableSpec,
+    TargetSpec,
 )
 from vecpoly.solution import solve
 
@@ -59,6 +60,8 @@ printed: [{symbol: v_C, value: 20 mm, scale: 0.01 (m/s)/mm, direction: 150 deg, 
 errata: [a misprint]
 sheet: {orientation: landscape}
 """
+TARGET = "target: {point: E, through: [[20 mm, 60 mm], [35 mm, 62 mm], [5 mm, 30 mm]], closed: yes}\n"
+TRACED = BASE.replace("find:", f"{TARGET}find:")
 SLIDE = (
     BASE.replace("  3: {CD: 80 mm}", "  3: {block: C}")
     .replace(", D: [120 mm, 0 mm]", "")
@@ -194,6 +197,10 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
             "alike": "no",
         }.items()
     },
+    "target": (BASE, "find:", f"{TARGET}find:"),
+    "target.point": (TRACED, "point: E", "point: C"),
+    "target.through": (TRACED, "[20 mm, 60 mm]", "[20 mm, 80 mm]"),
+    "target.closed": (TRACED, "closed: yes", "closed: no"),
     "sheet.orientation": (BASE, "orientation: landscape", "orientation: portrait"),
 }
 SPECS: dict[str, type[BaseModel]] = {
@@ -209,6 +216,7 @@ SPECS: dict[str, type[BaseModel]] = {
     "printed": PrintedSpec,
     "sheet": SheetSpec,
     "gate": GateSpec,
+    "target": TargetSpec,
 }
 
 
@@ -259,7 +267,7 @@ def test_every_key_of_the_schema_is_tried() -> None:
     assert keys == set(CHANGES)
 
 
-@pytest.mark.parametrize("text", [BASE, SLIDE, DRIVEN, CENTRES, CURVED, CYLINDER, MOTOR, EVERY])
+@pytest.mark.parametrize("text", [BASE, SLIDE, DRIVEN, CENTRES, CURVED, CYLINDER, MOTOR, EVERY, TRACED])
 def test_the_files_that_are_changed_are_good(text: str) -> None:
     assert len(effect(text)) == 5, effect(text)
 

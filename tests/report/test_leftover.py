@@ -6,12 +6,15 @@ from io import BytesIO
 
 import pytest
 from pypdf import PdfReader
+from reportlab.platypus.flowables import PageBreak
 
 import vecpoly
 from vecpoly.report.document import report_bytes
-from vecpoly.report.flow.blocks import Callout
-from vecpoly.report.flow.contents import tightened
+from vecpoly.report.flow.blocks import Callout, Drawing
 from vecpoly.report.flow.doc import Metadata, ReportDoc
+from vecpoly.report.flow.table import DataTable
+from vecpoly.report.flow.tight import DEGREES, saved, tightened
+from vecpoly.words import Lang
 
 
 def story(count: int) -> list[Callout]:
@@ -22,7 +25,7 @@ def story(count: int) -> list[Callout]:
 def pages(count: int) -> tuple[int, bool]:
     """How many pages so many boxes fill, and whether the last of them is a leftover."""
     doc = ReportDoc(story(count), Metadata(title="t", subject="t", keywords=(), lang="en"))
-    return doc.made()[1], doc.leftover
+    return doc.made()[1], bool(doc.leftover)
 
 
 def test_a_box_that_is_alone_on_its_page_is_told_and_fits_with_less_white() -> None:
@@ -33,7 +36,45 @@ def test_a_box_that_is_alone_on_its_page_is_told_and_fits_with_less_white() -> N
     assert doc.made()[1] == 1
 
 
-@pytest.mark.parametrize(("name", "count"), [("8-9", 2), ("8-12", 2), ("four-positions", 3)])
-def test_reports_of_chapter_8_end_with_no_lonely_box(name: str, count: int) -> None:
-    data = report_bytes([vecpoly.load(name).solve()], lang="zh")
+@pytest.mark.parametrize(
+    ("name", "lang", "count"),
+    [
+        ("8-9", "zh", 2),
+        ("8-12", "zh", 2),
+        ("four-positions", "zh", 3),
+        ("8-1", "en", 2),
+        ("8-2a", "en", 2),
+        ("cam-moves-arm", "en", 3),
+        ("cam-roller-offset", "en", 4),
+    ],
+)
+def test_no_report_turns_a_page_for_its_last_table(name: str, lang: Lang, count: int) -> None:
+    data = report_bytes([vecpoly.load(name).solve()], lang=lang)
     assert len(PdfReader(BytesIO(data)).pages) == count
+
+
+META = Metadata(title="t", subject="t", keywords=(), lang="en")
+
+
+def test_a_sketch_is_made_smaller_and_a_figure_of_true_size_is_not() -> None:
+    for sketch in (True, False):
+        figure = Drawing(60.0, 40.0, lambda canvas, x, y: None, sketch=sketch)
+        (small,) = tightened([figure], DEGREES[-1])
+        whole, less = figure.wrap(400.0, 600.0)[1], small.wrap(400.0, 600.0)[1]
+        assert less == pytest.approx(whole * (DEGREES[-1].figures if sketch else 1.0))
+
+
+def test_only_the_part_that_saves_a_page_is_tightened_and_nothing_is_spoilt() -> None:
+    most = next(count for count in range(5, 99) if pages(count)[0] == 2)
+    boxes = [*story(most), PageBreak(), *story(3)]
+    before = [box.spaceBefore for box in boxes if isinstance(box, Callout)]
+    assert len(PdfReader(BytesIO(saved(lambda: list(boxes), META))).pages) == 2
+    assert [box.spaceBefore for box in boxes if isinstance(box, Callout)] == before
+
+
+def test_a_table_that_was_put_off_to_the_next_page_is_set_again() -> None:
+    most = next(count for count in range(5, 99) if pages(count)[0] == 2)
+    table = DataTable(("a",), [("1",)] * 3, lang="en")
+    boxes = [*story(most - 2), table, *story(2)]
+    for _ in range(2):
+        assert len(PdfReader(BytesIO(saved(lambda: list(boxes), META))).pages) in (1, 2)

@@ -47,3 +47,36 @@ def test_an_answer_that_follows_from_it_is_told_so_and_costs_once() -> None:
     told = str(vecpoly.check_answers(problem, [f"AB={wrong['AB']:.1f} mm", f"BC={wrong['BC']:.1f} mm"]))
     assert "turned back" in told
     assert "not penalised again" in told
+
+
+@pytest.mark.parametrize(("name", "key", "answer"), [("8-16", "nn", "alpha_max"), ("8-3b", "nn", "alpha_max")])
+def test_a_pressure_angle_from_the_wrong_normal_is_its_complement(name: str, key: str, answer: str) -> None:
+    problem = vecpoly.load(name)
+    wrong = _drawn(problem, Slip(Mistake.TURNED, key))
+    assert wrong[answer] == pytest.approx(90.0 - _drawn(problem)[answer], abs=0.2)
+
+
+@pytest.mark.parametrize("name", ["cam-roller-offset", "cam-rocker", "cam-heart"])
+def test_of_a_cam_too_and_of_the_normal_of_the_rise_alone(name: str) -> None:
+    problem = vecpoly.load(name)
+    slip = next(one for one in vecpoly.slips(problem) if one.key == "mechanism alpha_rise:nn")
+    right, wrong = _drawn(problem), _drawn(problem, slip)
+    assert wrong["alpha_rise"] == pytest.approx(90.0 - right["alpha_rise"], abs=0.2)
+    assert wrong["alpha_return"] == right["alpha_return"]
+
+
+@pytest.mark.parametrize("name", ["cam-flat-arm", "cam-flat-face", "cam-heart", "cam-rocker", "cam-roller-offset"])
+def test_a_cam_inverted_the_wrong_way_is_its_own_mirror_image(name: str) -> None:
+    problem = vecpoly.load(name)
+    assert Slip(Mistake.FORWARDS, "inversion") in vecpoly.slips(problem)
+    right, wrong = (_drawn(problem, slip) for slip in (None, Slip(Mistake.FORWARDS, "inversion")))
+    assert wrong == pytest.approx(right)  # the same sizes, on a cam that must turn the other way
+
+
+@pytest.mark.parametrize("name", ["curv-2", "curv-4"])
+def test_a_centre_of_curvature_may_be_laid_off_to_the_wrong_side(name: str) -> None:
+    problem = vecpoly.load(name)
+    slip = next(one for one in vecpoly.slips(problem) if one.key.startswith("EO") and one.mistake is Mistake.REVERSED)
+    right, wrong = _drawn(problem), _drawn(problem, slip)
+    assert abs(wrong["p_OE"] - right["p_OE"]) > 1e-3
+    assert wrong["W_2"] == right["W_2"]

@@ -14,7 +14,8 @@ class Candidate:
     """Its number, its pins (mm on paper, every position's), what was read of it, and why it is rejected.
 
     verdict: the name of the reason, VALID where there is none; values: by the key of a quantity without a number,
-    lengths in mm, angles in deg; spread: the expected drawing error of each, 3σ of the repeated hands.
+    lengths in mm, angles in deg; spread: the expected drawing error of each, 3σ of the repeated hands; lost: the
+    share of those that do not find it.
     """
 
     number: int
@@ -23,6 +24,7 @@ class Candidate:
     reason: Words | None = None
     values: Mapping[str, float] = field(default_factory=lambda: FrozenMap({}))
     spread: Mapping[str, float] = field(default_factory=lambda: FrozenMap({}))
+    lost: float = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "pins", FrozenMap(dict(self.pins)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import degrees, nan
 from typing import Any
 
@@ -19,13 +19,16 @@ from .grashof import grashof
 
 LOOSE = 0.02  # of a length: an expected drawing error above which the construction is called ill-conditioned
 
+RARE = 0.02  # of the repeated hands: so many may miss a grazing meeting without a word
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Verified:
     """One solution as it moves. kind, margin (mm): of a four-bar. stroke: of the last link, in `unit` (° or mm).
 
     gamma, gamma_at: least transmission angle and the crank's angle there (deg). loose: key of each length of which the
-    drawing tells less than 2 %, with what it may be off by. broken: why it does not move.
+    drawing tells less than 2 %, with what it may be off by. lost: the share of repeated hands that do not find it,
+    where they are more than a few. broken: why it does not move.
     """
 
     number: int
@@ -39,6 +42,7 @@ class Verified:
     gamma: float = nan
     gamma_at: float = nan
     loose: Mapping[str, float]
+    lost: float = 0.0
     broken: Words | None = None
 
     def as_json(self) -> dict[str, Any]:
@@ -53,7 +57,8 @@ class Verified:
         stroke = {"swing_deg" if self.unit == "°" else "stroke_mm": self.stroke}
         ill = {"ill_conditioned": dict(self.loose)} if self.loose else {}
         moved = {"broken": self.broken.en} if self.broken else {"turns_fully": self.full, **kind, **told, **stroke}
-        return {"solution": self.number, **moved, **ill}
+        lost = {"not_found_share": self.lost} if self.lost else {}
+        return {"solution": self.number, **moved, **ill, **lost}
 
 
 def linkage(design: Design, values: Mapping[str, float], name: str) -> Problem | None:
@@ -62,18 +67,23 @@ def linkage(design: Design, values: Mapping[str, float], name: str) -> Problem |
     return None if data is None else made({"id": name, "title": name, **data})
 
 
-def verified(design: Design, number: int, values: Mapping[str, float], spread: Mapping[str, float]) -> Verified | None:
-    """What the linkage with the values that were read does; spread: what the hand may be off by in each of them."""
+def verified(
+    design: Design, number: int, values: Mapping[str, float], spread: Mapping[str, float], lost: float = 0.0
+) -> Verified | None:
+    """What the linkage with the values that were read does; spread: what the hand may be off by in each of them; lost:
+    the share of repeated hands that do not find it."""
     loose = {
         key: spread[key] / abs(values[key])
         for key in spread
         if design.is_length(key) and spread[key] > LOOSE * abs(values[key]) > 0
     }
+    lost = lost if lost > RARE else 0.0
     try:
         found = linkage(design, values, f"solution-{number}")
-        return None if found is None else _moved(number, values, loose, cycle(found.mechanism, 181))
+        moved = None if found is None else _moved(number, values, loose, cycle(found.mechanism, 181))
+        return None if moved is None else replace(moved, lost=lost)
     except VecpolyError as error:
-        return Verified(number=number, loose=loose, broken=error.words)
+        return Verified(number=number, loose=loose, lost=lost, broken=error.words)
 
 
 def _moved(number: int, values: Mapping[str, float], loose: Mapping[str, float], turn: Cycle) -> Verified:

@@ -45,6 +45,23 @@ def _parts(one: Verified) -> list[Words]:
 
 def ill_conditioned(one: Verified) -> Words | None:
     """That some lengths hardly follow from the drawing; None where all do."""
+    loose, lost = _loose(one), _lost(one)
+    return loose + lost if loose and lost else loose or lost
+
+
+def _lost(one: Verified) -> Words | None:
+    """That some hands do not find the solution at all."""
+    if not one.lost:
+        return None
+    return Words(
+        f"（解 {one.number} 在 {100 * one.lost:.0f} % 的重复作图中消失：所给数据的微小误差即令其不存在。）",
+        f" (Solution {one.number} is lost in {100 * one.lost:.0f} % of the repeated drawings: a small error in what is "
+        "given makes it vanish.)",
+    )
+
+
+def _loose(one: Verified) -> Words | None:
+    """That lengths hardly follow from the drawing."""
     if not one.loose:
         return None
     parts = ", ".join(f"$l_{{{key}}}$ ±{100 * off:.1f} %" for key, off in one.loose.items())

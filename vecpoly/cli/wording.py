@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from ..solution import Answer
 
 _SENSE = {"ccw": {"zh": "逆时针", "en": "↺ ccw"}, "cw": {"zh": "顺时针", "en": "↻ cw"}}
-_GREEK = {"omega": "ω", "alpha": "α", "eta": "η", "phi": "φ", "rho": "ρ", "delta": "δ", "lambda": "λ"}
+_GREEK = {"omega": "ω", "alpha": "α", "eta": "η", "phi": "φ", "rho": "ρ", "delta": "δ", "lambda": "λ", "gamma": "γ"}
 _YES_NO = {True: {"zh": "是", "en": "yes"}, False: {"zh": "否", "en": "no"}}
 _UNDEFINED = {"zh": "无意义", "en": "undefined"}
 YES_NO = "yes/no"  # unit of an answer that is 1 or 0

@@ -27,6 +27,7 @@ SECTIONS = {
     Stage.POSITION: Words("作机构位置图", "Position diagram"),
     Stage.CENTRES: Words("瞬心法", "Instant centres"),
     Stage.CURVATURE: Words("轨迹的曲率", "Curvature of paths"),
+    Stage.PRESSURE: Words("压力角和传动角", "Pressure and transmission angles"),
     Stage.VELOCITY: Words("速度分析", "Velocity analysis"),
     Stage.ACCELERATION: Words("加速度分析", "Acceleration analysis"),
     Stage.FORCE: Words("力分析", "Force analysis"),
@@ -56,27 +57,40 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
         desk.board.section(SECTIONS[stage])
         if stage in said:
             desk.board.step(said[stage], stage.view)
-        if stage is Stage.CENTRES:
-            from .centres.plan import centre_pass
-
-            centre_pass(desk, problem, groups)
-        elif stage is Stage.CURVATURE:
-            from .curvature.plan import curvature_pass
-
-            curvature_pass(desk, problem, groups)
-        elif stage is Stage.FORCE:
-            from .forces.plan import force_pass
-
-            before = set(desk.board.readings)
-            force_pass(desk, problem)
-            desk.forces = tuple(key for key in desk.board.readings if key not in before)
-        elif stage is Stage.MACHINE:
-            from .machine.plan import machine_pass
-
-            machine_pass(desk, problem, groups)
-        else:
-            _pass(desk, problem, stage, groups)
+        _draw_stage(desk, problem, stage, groups)
     return desk
+
+
+def _draw_stage(desk: Desk, problem: Problem, stage: Stage, groups: tuple[Group, ...]) -> None:
+    """One pass, by the planner of its own where it has one."""
+    if stage is Stage.CENTRES:
+        from .centres.plan import centre_pass
+
+        centre_pass(desk, problem, groups)
+    elif stage is Stage.CURVATURE:
+        from .curvature.plan import curvature_pass
+
+        curvature_pass(desk, problem, groups)
+    elif stage is Stage.PRESSURE:
+        from .pressure.plan import pressure_pass
+
+        pressure_pass(desk, problem, groups)
+    elif stage is Stage.FORCE:
+        from .forces.plan import force_pass
+
+        before = set(desk.board.readings)
+        force_pass(desk, problem)
+        desk.forces = tuple(key for key in desk.board.readings if key not in before)
+    elif stage is Stage.MACHINE:
+        from .machine.plan import machine_pass
+
+        machine_pass(desk, problem, groups)
+    else:
+        _pass(desk, problem, stage, groups)
+        if stage is Stage.POSITION and problem.target is not None:
+            from .kinematics.diagram.target import draw_target
+
+            draw_target(desk, groups, problem.target)
 
 
 def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -> None:

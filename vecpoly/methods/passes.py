@@ -22,12 +22,14 @@ def stages(problem: Problem) -> tuple[Stage, ...]:
     )
     last = (*((Stage.FORCE,) if loads is not None else ()), *((Stage.MACHINE,) if problem.machine is not None else ()))
     central, curved = needs_centres(problem), problem.curvature is not None
+    pressed = any(isinstance(a, AskNamed) and a.rel.is_pressure for a in problem.asks)
     moving = needs_polygons(problem) or bool(last)
     return (
         Stage.POSITION,
         *((Stage.CENTRES,) if central else ()),
         *((Stage.CURVATURE,) if curved else ()),
-        *((Stage.VELOCITY,) if moving or not (central or curved) else ()),
+        *((Stage.PRESSURE,) if pressed else ()),
+        *((Stage.VELOCITY,) if moving or not (central or curved or pressed) else ()),
         *((Stage.ACCELERATION,) if accelerated else ()),
         *last,
     )

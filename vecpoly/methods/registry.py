@@ -20,6 +20,7 @@ class Stage(StrEnum):
     POSITION = "position"
     CENTRES = "centres"
     CURVATURE = "curvature"
+    PRESSURE = "pressure"
     VELOCITY = "velocity"
     ACCELERATION = "acceleration"
     FORCE = "force"
@@ -39,8 +40,8 @@ class Stage(StrEnum):
     @property
     def folder(self) -> str:
         """The package whose files draw this stage."""
-        own = {Stage.CENTRES: "centres", Stage.CURVATURE: "curvature", Stage.FORCE: "forces", Stage.MACHINE: "machine"}
-        inside = own.get(self, "kinematics")
+        own = (Stage.CENTRES, Stage.CURVATURE, Stage.PRESSURE, Stage.MACHINE)
+        inside = "forces" if self is Stage.FORCE else self.value if self in own else "kinematics"
         return f"vecpoly.methods.{inside}"
 
 
@@ -48,6 +49,7 @@ _STAGES = {
     Stage.POSITION: "位置",
     Stage.CENTRES: "瞬心",
     Stage.CURVATURE: "曲率",
+    Stage.PRESSURE: "压力角",
     Stage.VELOCITY: "速度",
     Stage.ACCELERATION: "加速度",
     Stage.FORCE: "反力",

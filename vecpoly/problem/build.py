@@ -15,6 +15,7 @@ from ..units.reading import Dim, read
 from ..words import Words
 from .asked.sought import read_wanted
 from .asked.tables import read_tables
+from .asked.target import read_target
 from .gate import read_gate
 from .joints.branches import read_branches
 from .joints.contacts import is_contact, read_contact
@@ -60,7 +61,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     loads, machine, acting = _acting(spec, mechanism, loads, weights, faults)
     asks, curvature, printed, scales = read_wanted(spec, bodies, mechanism, loads, machine, faults)
     ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
-    tables = read_tables(spec, tree, faults)
+    tables, target = read_tables(spec, tree, faults), read_target(spec, mechanism, faults)
     settle(mechanism, tree, faults)
     return Problem(
         id=spec.id,
@@ -83,6 +84,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         text=tree.text,
         read=tree.files,
         ranges=ranges,
+        target=target,
         gate=gate,
         warnings=warnings_of(tree),
         written=written_of(tree),

@@ -17,6 +17,7 @@ from ..mechanism.model import Mechanism
 from ..names import Key
 from ..words import Words
 from .asked.asks import Ask
+from .asked.target import Target
 from .gate import Gate
 from .ranges import Range
 from .subject import Subject
@@ -94,6 +95,7 @@ class Problem:
     text: str = ""  # the file as written, and the files it extends
     read: tuple[Path, ...] = ()  # these files
     ranges: tuple[Range, ...] = ()  # what may differ from student to student
+    target: Target | None = None  # a curve beside which the path of a point is drawn
     gate: Gate = field(default_factory=Gate)  # what the drawing of every variant must be like
     warnings: tuple[Words, ...] = ()  # what is accepted but hardly meant
     written: Written | None = field(default=None, repr=False, compare=False)  # the values it was built from

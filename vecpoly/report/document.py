@@ -24,9 +24,9 @@ from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Drawing
-from .flow.contents import tightened
 from .flow.doc import Metadata, ReportDoc, SheetPage, Stamp
 from .flow.table import DataTable
+from .flow.tight import saved
 from .flow.xml import to_flowables
 from .lines import lines_table
 from .picture import diagram, frames, picture
@@ -97,12 +97,7 @@ def report_bytes(
     meta = Metadata(
         title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang
     )
-    made = ReportDoc(story(), meta, stamp)
-    data, pages, _ = made.made()
-    if stamp is None and made.leftover:
-        again, fewer, _ = ReportDoc(tightened(story()), meta).made()
-        return again if fewer < pages else data
-    return data
+    return saved(story, meta) if stamp is None else ReportDoc(story(), meta, stamp).made()[0]
 
 
 def alarms(solutions: Sequence[Solution], lang: Lang) -> list[Callout]:
@@ -167,7 +162,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     common = {
         **statement(solution, lang),
         "repeats": REPEATS,
-        "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else "",
+        "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",
     }
     if style == "question":
         return common | {
@@ -213,8 +208,8 @@ def _pages(construction: Construction, solution: Solution, lang: Lang, objects: 
     return [objects.add("sheet", _page(sheet, solution, lang)) for sheet in made]
 
 
-def sketch_of(figure: Any, solution: Solution, lang: Lang) -> Drawing:
-    """A figure as a block of the text."""
+def sketch_of(figure: Any, solution: Solution, lang: Lang, *, sketch: bool = False) -> Drawing:
+    """A figure as a block of the text; sketch: one that is not to scale."""
     scene = draw_figure(figure, lang=lang, caption=False)
     e = scene.extents
     alt = Words(f"题 {solution.problem.id} 简图", f"Sketch for problem {solution.problem.id}").of(lang)
@@ -224,6 +219,7 @@ def sketch_of(figure: Any, solution: Solution, lang: Lang) -> Drawing:
         lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM),
         alt,
         figure.title.of(lang),
+        sketch=sketch,
     )
 
 

@@ -107,6 +107,7 @@ class PathSearch:
         start = 60.0 if self.closed else float(np.degrees(x[6] + x[7] / 2 + np.angle(alpha)) % 360)
         return made.four_bar() | {
             "input": {"link": "1", "phi": f"{start:.1f} deg", "omega": "1 rad/s ccw"},
+            "target": {"point": "E", "through": [_written(at) for at in self.points], "closed": self.closed},
             "find": ["v_E", "a_E", "omega_3"],
         }
 
@@ -118,6 +119,11 @@ class PathSearch:
             Measure(name=Words("均方根误差", "RMS error"), value=1e3 * float(np.sqrt(np.mean(off**2))), unit="mm"),
             Measure(name=Words("最大误差", "worst error"), value=1e3 * float(off.max()), unit="mm"),
         )
+
+
+def _written(at: complex) -> list[str]:
+    """A place as a problem file has it."""
+    return [f"{1e3 * at.real:.6g} mm", f"{1e3 * at.imag:.6g} mm"]
 
 
 def distance(path: Points, z: complex) -> float:

@@ -12,6 +12,7 @@ import numpy as np
 from ... import oracle
 from ...errors import VecpolyError
 from ...mechanism.asked.forces import given_value, pairs, press_named
+from ...mechanism.asked.pressure import driven_links
 from ...mechanism.groups.assur import hinges
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism, Prismatic
@@ -58,9 +59,8 @@ class Exact:
 
         Raises NotAskedError for what else has no value with these data.
         """
-        return finite(
-            _kinematic(self.problem, self.motion) | self._central() | self._curved() | self._static() | self._reduced()
-        )
+        known = _kinematic(self.problem, self.motion) | self._geometric() | self._static() | self._reduced()
+        return finite(known)
 
     def _reduced(self) -> Values:
         """What is asked of the mechanism as a machine."""
@@ -70,6 +70,25 @@ class Exact:
         from ...oracle.machine import machine_values
 
         return dict(machine_values(self.problem.mechanism, machine, asked))
+
+    def _geometric(self) -> Values:
+        """What follows from the position alone."""
+        return self._central() | self._curved() | self._pressures()
+
+    def _pressures(self) -> Values:
+        """Pressure and transmission angles, from the constraints of the joints."""
+        keys = {ask.rel.key for ask in self.problem.asks if isinstance(ask, AskNamed) and ask.rel.is_pressure}
+        if not keys:
+            return {}
+        from ...oracle.pressure import Pressures
+
+        known = Pressures(self.problem.mechanism)
+        return {
+            named.key: value(driven)
+            for driven in driven_links(self.problem.mechanism)
+            for named, value in ((driven.alpha, known.alpha), (driven.gamma, known.gamma))
+            if named.key in keys
+        }
 
     def _curved(self) -> Values:
         """What the rates of a link tell of the curvatures of its paths."""
@@ -101,7 +120,8 @@ class Exact:
         asked = [
             ask.rel
             for ask in self.problem.asks
-            if isinstance(ask, AskNamed) and not (ask.rel.is_central or ask.rel.is_curved or ask.rel.is_reduced)
+            if isinstance(ask, AskNamed)
+            and not (ask.rel.is_central or ask.rel.is_curved or ask.rel.is_reduced or ask.rel.is_pressure)
         ]
         if self.problem.loads is None or not asked:
             return {}

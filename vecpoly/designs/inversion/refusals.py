@@ -91,8 +91,10 @@ def no_limit(stage: Limits, met: int) -> AssemblyError:
     )
 
 
-def no_centre_point(stage: CentrePoints, found: int) -> AssemblyError:
-    """The centre-point curve does not meet the lines in pins for two bars."""
+def no_centre_point(stage: CentrePoints, found: int, valid: int = 0) -> AssemblyError:
+    """The centre-point curve does not meet the lines in pins for two bars; valid: with how many an ideal hand does."""
+    if valid:
+        return _lost(found, valid)
     pins = f"{stage.one[0]}, {stage.two[0]}"
     return AssemblyError(
         Words(
@@ -102,4 +104,18 @@ def no_centre_point(stage: CentrePoints, found: int) -> AssemblyError:
         ),
         code="no-centre-point",
         numbers={"found": found},
+    )
+
+
+def _lost(found: int, valid: int) -> AssemblyError:
+    """A hand that scatters does not find what is there."""
+    return AssemblyError(
+        Words(
+            f"病态作图：按此手法作图只得到 {found} 个圆心点，而准确作图有 {valid} 个解；"
+            "请用 --hand drafting 或改变所给位置",
+            f"ill-conditioned: this hand finds only {found} centre points, where an exact drawing has {valid} "
+            "solutions; use --hand drafting, or other positions",
+        ),
+        code="lost-by-hand",
+        numbers={"found": found, "solutions": valid},
     )

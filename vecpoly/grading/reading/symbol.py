@@ -20,6 +20,7 @@ _GREEK = {
     "ρ": "rho",
     "δ": "delta",
     "λ": "lambda",
+    "γ": "gamma",
     "ϖ": "omega",
 }  # ε: α in many a course
 

@@ -21,7 +21,8 @@ from .state import CurvatureFigure
 NAME = "curvature"
 TITLE = Words("曲率作图", "Curvatures")
 STEPS = (5, -5, 10, -10, 15, -15, 20, -20, 30, -30, 40, -40, 50, -50, 60, -60, 80, -80, 100, -100, 120, -120, 150, 180)
-LEAST = 28.0  # mm that the mechanism must measure on the figure, for its links to be told apart
+FINE, MOST = 5.0, 36  # deg, how many of them: the steps by which a range is followed
+LEAST = 22.0  # mm that the mechanism must measure on the figure, for its links to be told apart
 SCALES = tuple(sorted((*SERIES, HALF)))  # 1 : 1.5 and its like among them
 Box = tuple[complex, complex]
 Draw = Callable[[CurvatureFigure], None]
@@ -34,8 +35,35 @@ def paper_for(desk: Desk, groups: Sequence[Group], link: str, draw: Draw) -> Pap
     """
     found = fitted(desk, _box(desk, link, draw))
     if found is None:
-        raise NotAskedError(_off_the_sheet(_other_position(desk, groups, link, draw)), code="off-the-sheet")
+        raise _refused(desk, groups, link, draw)
     return found
+
+
+def _refused(desk: Desk, groups: Sequence[Group], link: str, draw: Draw) -> NotAskedError:
+    """With the range of the drive, about the nearest position of those tried, in which all fits."""
+
+    def fits(phi: float) -> bool:
+        try:
+            return fitted(desk, _box(placed(desk, groups, radians(phi)), link, draw)) is not None
+        except VecpolyError:
+            return False
+
+    here = degrees(desk.mech.drive.position)
+    steps = () if desk.mech.drive.slide else STEPS
+    other = next((round(here + step, 6) for step in steps if fits(here + step)), None)
+    if other is None:
+        return NotAskedError(_off_the_sheet(None), code="off-the-sheet")
+    low, high = (_end(fits, other, sense * FINE) for sense in (-1, 1))
+    return NotAskedError(_off_the_sheet((low, high)), code="off-the-sheet", numbers={"from": low, "to": high})
+
+
+def _end(fits: Callable[[float], bool], phi: float, step: float) -> float:
+    """How far one may go on by these steps."""
+    for _ in range(MOST):
+        if not fits(phi + step):
+            break
+        phi += step
+    return phi
 
 
 def _box(desk: Desk, link: str, draw: Draw) -> Box:
@@ -60,25 +88,17 @@ def fitted(desk: Desk, box: Box) -> Paper | None:
     return Paper(scale=scale, factor=factor, corners=corners, far=frozenset())
 
 
-def _other_position(desk: Desk, groups: Sequence[Group], link: str, draw: Draw) -> float | None:
-    """The nearest position of the drive (deg), of those tried, in which all fits."""
-    drive = desk.mech.drive
-    for step in STEPS if not drive.slide else ():
-        try:
-            there = placed(desk, groups, drive.position + radians(step))
-            if fitted(desk, _box(there, link, draw)) is not None:
-                return round(degrees(drive.position) + step, 6) % 360.0
-        except VecpolyError:
-            continue
-    return None
-
-
-def _off_the_sheet(other: float | None) -> Words:
+def _off_the_sheet(fitting: tuple[float, float] | None) -> Words:
     words = Words(
         "瞬心、拐点圆或曲率中心远在图纸之外，机构将小到无法作图",
         "the pole, the inflection circle or a centre of curvature lies far off the sheet; the mechanism would be too "
         "small to be drawn",
     )
-    if other is None:
+    if fitting is None:
         return words + Words("；请另取原动件位置", "; choose another input position")
-    return words + Words(f"；可取 φ = {other:g}°", f"; φ = {other:g}° would do")
+    low, high = fitting
+    if high - low < FINE:
+        return words + Words(f"；可取 φ = {low % 360:g}°", f"; φ = {low % 360:g}° would do")
+    return words + Words(
+        f"；可取 φ = {low % 360:g}° 至 {high % 360:g}°", f"; φ from {low % 360:g}° to {high % 360:g}° would do"
+    )

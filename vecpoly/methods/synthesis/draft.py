@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import nan
 
@@ -17,6 +17,7 @@ from ...designs.verdict import Verdict
 from ...foundation.frozen import FrozenMap
 from ...names import Named, subscripted
 from ...plane import Points, Reals, nominal
+from ...plane.traced import bare
 from ..devices.bench import Bench
 
 ONE, TWO = Quantity(Txt("1"), 1.0, ""), Quantity(Txt("2"), 2.0, "")
@@ -41,10 +42,12 @@ class Draft(Bench):
     """The state of one synthesis.
 
     numbers: the number of each candidate in the order in which they are found, as a first sketch tells it, and how many
-    of them are valid. asked: the keys that are to be read. take: the number of the solution that is taken.
+    of them are valid. sketched: the candidates of that sketch, at the scale of this sheet. asked: the keys that are to
+    be read. take: the number of the solution that is taken.
     """
 
     numbers: tuple[int, ...] = ()
+    sketched: tuple[Found, ...] = ()
     valid: int = 0
     take: int = 1
     asked: frozenset[str] = frozenset()
@@ -77,6 +80,19 @@ class Draft(Bench):
         """A candidate is finished; the next has another number."""
         by = tuple(float(nominal(value)) for value in order)
         self.found.append(Found(number=self.number, pins=pins, verdict=verdict, order=by))
+
+    def paired(self, found: Sequence[Mapping[str, Points]]) -> None:
+        """What is about to be found, by its pins, where a hand finds more or fewer than the sketch: each has the number
+        of the sketch's candidate that it is nearest to; what the sketch has not comes last."""
+        if not self.sketched or len(found) == len(self.sketched):
+            return
+        left = {one.number: one.pins for one in self.sketched}
+        numbers: list[int] = []
+        for pins in found:
+            number = min(left, key=lambda n: _gap(pins, left[n]), default=len(self.sketched) + len(numbers) + 1)
+            left.pop(number, None)
+            numbers.append(number)
+        self.numbers = tuple(numbers)
 
     # -- reading --------------------------------------------------------------------------------------------
 
@@ -128,6 +144,8 @@ class Draft(Bench):
         valid = sorted(one.number for one in self.found if one.verdict is Verdict.VALID)
         valid = valid or sorted(one.number for one in self.found)
         taken = valid[design.take - 1] if design.take <= len(valid) else 0
+        if self.sketched and design.take not in {one.number for one in self.found}:
+            taken = 0  # this hand has lost it
         for named in design.quantities():
             for key, number in ((named, taken), *((numbered(named, n), n) for n in range(1, MOST + 1))):
                 if key.key in self.asked and key.key not in self.board.readings:
@@ -156,7 +174,19 @@ class Draft(Bench):
             reason=None if valid else one.verdict.value,
             values=FrozenMap({key: read[name].scalar for key, name in kept.items() if valid}),
             spread=FrozenMap({key: _spread(found[name]) for key, name in kept.items() if valid}),
+            lost=max(map(_lost, one.pins.values()), default=0.0),
         )
+
+
+def _lost(at: Points) -> float:
+    """The share of the repeated hands that do not find a pin."""
+    repeated = np.ravel(bare(at))[1:]
+    return float(np.mean(~np.isfinite(repeated))) if repeated.size else 0.0
+
+
+def _gap(pins: Mapping[str, Points], of: Mapping[str, Points]) -> float:
+    """How far pins lie beside those of another candidate."""
+    return sum(abs(complex(nominal(at)) - complex(nominal(of[letter]))) for letter, at in pins.items())
 
 
 def _spread(values: Reals) -> float:

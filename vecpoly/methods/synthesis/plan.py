@@ -30,7 +30,7 @@ def construct_design(problem: Problem, by: Hand, paper: Paper, amended: Amended 
         sketch = _draw(problem, hand("exact"), _guess(problem), None)
         scale = _scale(problem, sketch, paper)
         ideal = _draw(problem, hand("exact"), scale, sketch)
-        draft = _draw(problem, by, scale, sketch, amended)
+        draft = _draw(problem, by, scale, ideal, amended)
     board, keys = draft.board, [ask.rel.key for ask in problem.asks]
     construction = Construction(
         problem=problem.id,
@@ -60,6 +60,7 @@ def _draw(problem: Problem, by: Hand, scale: float, sketch: Draft | None, amende
     draft = Draft(
         Board(by, {SHEET: Scale.of(SHEET, scale)}, amended),
         numbers=() if sketch is None else _numbers(sketch),
+        sketched=() if sketch is None else tuple(sketch.found),
         valid=0 if sketch is None else sum(one.verdict is Verdict.VALID for one in sketch.found),
         take=design.take,
         asked=frozenset(ask.rel.key for ask in problem.asks),

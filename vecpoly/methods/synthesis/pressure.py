@@ -7,7 +7,7 @@ import numpy as np
 from ...algebra.quantity import Quantity
 from ...board.construction import View
 from ...board.paper.marks import Dot, Role
-from ...plane import Reals
+from ...plane import Reals, unit
 from ...words import Words
 from .draft import Draft
 
@@ -37,4 +37,5 @@ def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: 
         board.join(place, one, other, Role.LINK)
     for letter, at in (("A", a), ("B′", b), ("C′", c)):
         board.plot(place, at, letter, Dot.JOINT)
-    return np.degrees(np.abs(board.gauge(0j, (b - c) / (n - c))))
+    along = board.parallel(c, unit(n - c), key="nn").along
+    return 90.0 - np.abs(90.0 - np.degrees(np.abs(board.gauge(0j, (b - c) / along))))

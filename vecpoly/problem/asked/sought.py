@@ -20,6 +20,7 @@ from ..schema.models import FindSpec, ProblemSpec
 from .asks import Ask, AskNamed
 from .curved import centrode_asks, curvature_of, curved_quantities, is_curved, known_quantities, read_centrodes
 from .drawn_to import plottable, read_scales
+from .pressed import pressed_quantities
 from .printed import read_printed
 from .unasked import default_asks
 from .wanted import CENTRAL, read_find, read_point
@@ -38,6 +39,7 @@ def read_wanted(
     """What is asked for, of which curvatures, what was printed, and the scales;
     every fault is noted at its place."""
     forces = _geometric(spec, mechanism, faults) | _acting(mechanism, loads, machine)
+    forces |= pressed_quantities(spec, mechanism, faults)
     centrodes = _centrodes(spec, mechanism, faults)
     forces = known_quantities(forces, centrodes, mechanism)
     named, asks, printed = list[At](), list[Ask](), list[Printed]()

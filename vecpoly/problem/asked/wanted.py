@@ -121,8 +121,8 @@ def _vector(value: tuple[str, str] | str | None, dim: Dim) -> complex | None:
 
 def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str, Named]) -> Key:
     """A key of motion (v_E) or of forces (R_12); raises FaultError."""
-    if text in forces:
-        return forces[text]
+    if plain(text) in forces:
+        return forces[plain(text)]
     if CENTRAL.match(text) and text[0] != "v":
         raise FaultError(
             Words(
@@ -141,7 +141,7 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
             code="unknown-name",
         )
     _refuse_running(text, forces)
-    loads = [key for key, named in forces.items() if not (named.is_central or named.is_curved)]
+    loads = [key for key, named in forces.items() if not (named.is_central or named.is_curved or named.is_pressure)]
     if _FORCES.fullmatch(text) and (loads or intended(text) is None):
         raise FaultError(
             Words(f"“{text}”不是这些载荷下可求的量", f"'{text}' is no quantity of these loads") + meant(text, loads)

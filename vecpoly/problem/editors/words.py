@@ -95,6 +95,10 @@ KEYS = {
         "各学生的题目中不同的量及其范围：{AB: 80 mm .. 120 mm by 5 mm}",
         "what differs from student to student: {AB: 80 mm .. 120 mm by 5 mm}",
     ),
+    "Problem.target": Words("给定曲线，与一点的轨迹一同画出", "a curve beside which the path of a point is drawn"),
+    "TargetSpec.point": Words("画出其轨迹的点", "the point whose path is drawn"),
+    "TargetSpec.through": Words("给定曲线上的点", "points of the curve"),
+    "TargetSpec.closed": Words("曲线是否封闭（yes/no，默认 no）", "does the curve close (no, where nothing is said)"),
     "Problem.gate": Words("对每个学生的题目作图的要求", "what the drawing of every variant must be like"),
     "GateSpec.vectors": Words("所评矢量的最小图上长度：15 mm", "how long a graded vector is on paper at least: 15 mm"),
     "GateSpec.meetings": Words(

@@ -159,6 +159,14 @@ class SheetSpec(Spec):
     orientation: Literal["portrait", "landscape"]
 
 
+class TargetSpec(Spec):
+    """A curve beside which the path of a point is drawn."""
+
+    point: str
+    through: list[Pair] = Field(min_length=3)
+    closed: YesNo = False
+
+
 class GateSpec(Spec):
     """What the drawing of every variant must be like."""
 
@@ -204,6 +212,7 @@ class ProblemSpec(Spec):
     weight: YesNo = False
     inertia: YesNo = True
     machine: MachineSpec | None = None
+    target: TargetSpec | None = None
     vary: dict[str, Number] = {}
     gate: GateSpec = GateSpec()
 

@@ -23,6 +23,7 @@ from .models import (
     ScalesSpec,
     SheetSpec,
     TableSpec,
+    TargetSpec,
 )
 
 Model = TypeVar("Model", bound=BaseModel)
@@ -37,6 +38,7 @@ _MODELS: dict[str, type[BaseModel]] = {
     "friction": FrictionSpec,
     "masses": MassSpec,
     "gate": GateSpec,
+    "target": TargetSpec,
     "rules": RulesSpec,
     "rubric": RubricSpec,
 }

@@ -27,9 +27,12 @@ _PART_BEHIND = re.compile(r"(?P<kind>a)_?(?P<at>[A-Z][A-Za-z\d']*?)_?\^(?P<part>
 _RATE = {"o": "omega", "w": "omega", "a": "alpha", "e": "alpha"}
 
 
+_GREEK = str.maketrans({"ω": "omega", "α": "alpha", "γ": "gamma"})
+
+
 def plain(text: str) -> str:
     """The key behind a symbol in the letters of a textbook: ω_3 → omega_3, aⁿ_CB → an_CB."""
-    return re.sub(r"^a([ⁿᵗᵏʳᶜ])", lambda m: f"a{RAISED[m[1]]}", text).replace("ω", "omega").replace("α", "alpha")
+    return re.sub(r"^a([ⁿᵗᵏʳᶜ])", lambda m: f"a{RAISED[m[1]]}", text).translate(_GREEK)
 
 
 def intended(text: str) -> str | None:

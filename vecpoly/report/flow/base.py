@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 from reportlab.platypus.flowables import Flowable
 
 from .style import Colour
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tightness:
+    """How tightly a part is set: its share of the white between paragraphs, of the leading, of the size of sketches."""
+
+    white: float
+    lines: float = 1.0
+    figures: float = 1.0
 
 
 class Block(Flowable):  # type: ignore[misc]
@@ -29,6 +39,10 @@ class Block(Flowable):  # type: ignore[misc]
     def getSpaceAfter(self) -> float:
         """Space below."""
         return self.spaceAfter
+
+    def tighten(self, degree: Tightness) -> None:
+        """Set with less white around it."""
+        self.spaceBefore, self.spaceAfter = degree.white * self.spaceBefore, degree.white * self.spaceAfter
 
     def colour(self, rgb: Colour) -> None:
         """Set fill and stroke."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from copy import copy
 from typing import Any
 
 from ...algebra.formula import plain, row, split_words
@@ -10,7 +11,7 @@ from ...typeset.box import MM, Box, scaled
 from ...typeset.canvas import Ink
 from ...typeset.words import layout_words
 from ...words import Lang
-from .base import Block
+from .base import Block, Tightness
 from .cells import cells, joined
 from .para import Para
 from .style import BODY, CAPTION, GREY, HEADINGS, Colour, Style
@@ -104,6 +105,12 @@ class Callout(Block):
 
     _PAD = 7.0
 
+    def tighten(self, degree: Tightness) -> None:
+        """The lines in it closer too."""
+        super().tighten(degree)
+        self._para = copy(self._para)
+        self._para.tighten(degree)
+
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column."""
         self.width = width
@@ -122,31 +129,41 @@ class Callout(Block):
 
 
 class Drawing(Block):
-    """A figure of true size, drawn by a callback at its lower left corner, centred, captioned below."""
+    """A figure of true size, or a sketch, drawn by a callback at its lower left corner, centred, captioned below."""
 
-    def __init__(self, width_mm: float, height_mm: float, draw: Draw, alt: str = "", caption: str = "") -> None:
+    def __init__(
+        self, width_mm: float, height_mm: float, draw: Draw, alt: str = "", caption: str = "", *, sketch: bool = False
+    ) -> None:
         super().__init__(6.0, 6.0)
         self.size = (width_mm * MM, height_mm * MM)
-        self.alt, self._draw = alt, draw
+        self.alt, self._draw, self._sketch, self._factor = alt, draw, sketch, 1.0
         chinese = any(char >= "\u2e80" for char in caption)
         self._caption = joined(cells(caption, CAPTION.em, chinese), CAPTION.em) if caption else None
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
-        """Size in a column; a figure is never scaled."""
+        """Size in a column; only a sketch is ever made smaller."""
         self.width = max(width, self.size[0])
-        self.height = self.size[1] + (CAPTION.leading + 2.0 if self._caption else 0.0)
+        self.height = self._factor * self.size[1] + (CAPTION.leading + 2.0 if self._caption else 0.0)
         return width, self.height
 
     def draw(self) -> None:
         """Call back, then set the caption."""
-        left = (self.width - self.size[0]) / 2
+        factor = self._factor
+        width, height = (factor * side for side in self.size)
         self.canv.saveState()
-        self._draw(self.canv, left, self.height - self.size[1])
+        if factor != 1.0:
+            self.canv.scale(factor, factor)
+        self._draw(self.canv, (self.width - width) / 2 / factor, (self.height - height) / factor)
         self.canv.restoreState()
         if self._caption is not None:
             ink = Ink(self.canv)
             ink.box(self._caption, (self.width - self._caption.width * MM) / 2, CAPTION.size * 0.35)
             ink.flush()
+
+    def tighten(self, degree: Tightness) -> None:
+        """A sketch, which is not to scale, is drawn smaller too."""
+        super().tighten(degree)
+        self._factor = degree.figures if self._sketch else 1.0
 
     def draw_bare(self, canvas: Any, x: float, y: float) -> None:
         """Draw the figure alone with its lower left corner at (x, y) points."""

@@ -1,6 +1,6 @@
 """The table of contents: its page numbers are forms that the document fills in when the pages are known.
 
-Also what is done to a whole story before it is set: its contents told, its white made less.
+Also what is done to a whole story before it is set: its contents told.
 """
 
 from __future__ import annotations
@@ -21,7 +21,6 @@ _STEP = {2: 19.0, 3: 15.5}  # pt from an entry's top to the next
 _INDENT = {2: 0.0, 3: 16.0}  # pt
 _GAP = 3.0  # pt between the dots of a leader
 _ROOM = 22.0  # pt kept for the page number
-TIGHT = 0.5  # of the white between parts, where that saves a page
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,14 +87,6 @@ class Contents(Block):
         self.canv.doForm(page_form(entry.key))
         self.canv.restoreState()
         self.canv.linkRect("", entry.key, (0.0, y - 3.0, self.width, y + 10.0), relative=1, thickness=0)
-
-
-def tightened(story: Sequence[Any]) -> Sequence[Any]:
-    """The story with less white between its parts, as one sets it to save a page."""
-    for item in story:
-        if isinstance(item, Block):
-            item.spaceBefore, item.spaceAfter = TIGHT * item.spaceBefore, TIGHT * item.spaceAfter
-    return story
 
 
 def tell_contents(story: Sequence[Any]) -> None:

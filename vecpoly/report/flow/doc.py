@@ -29,7 +29,7 @@ from .style import BODY, GREY
 MARGIN = 20 * MM
 _SMALL = 8.5 / MM
 _TOTAL = "vecpoly-total"
-LEFTOVER = 0.12  # of a page of text: less is a box that was left over
+LEFTOVER = 0.45  # of a page of text: less is what was left over, and may be saved
 Stamp = Callable[[Any, bool], None]  # draws on the canvas of every page; whether that is a sheet
 
 
@@ -109,7 +109,8 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
     def __init__(self, story: Sequence[Any], metadata: Metadata, stamp: Stamp | None = None) -> None:
         self.story, self.metadata, self._stamp = list(story), metadata, stamp
         self._entries, self._level = 0, -1
-        self._filled: list[float] = []  # of each page of text, which share stands on it
+        self._pages, self._filled = 0, list[tuple[int, float]]()  # of each part: its pages, how full the last one is
+        self._turned = False  # whether the story itself asks for the turn of this page
         lang = "zh-CN" if metadata.lang == "zh" else "en-GB"
         super().__init__(
             "", pagesize=A4, leftMargin=MARGIN, rightMargin=MARGIN, topMargin=MARGIN, bottomMargin=MARGIN,
@@ -159,7 +160,10 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
 
     def _stamp_text(self, canvas: Any, _: Any) -> None:
         """Over all else of a page of text."""
-        self._filled.append(1 - (self.frame._y - self.frame._y1p) / self.frame._aH)
+        self._pages += 1
+        if self._turned:
+            self._filled.append((self._pages, 1 - (self.frame._y - self.frame._y1p) / self.frame._aH))
+            self._pages = 0
         if self._stamp is not None:
             self._stamp(canvas, False)
 
@@ -186,15 +190,21 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         data, pages, lost_characters = self.made()
         return Written(write_whole(Path(path), data), pages, lost_characters)
 
+    def handle_pageBreak(self, slow: Any = None) -> None:
+        """Here, and at the end, the story asks for the turn; elsewhere a page is full."""
+        self._turned = True
+        super().handle_pageBreak(slow)
+        self._turned = False
+
     @property
-    def leftover(self) -> bool:
-        """Whether a page of text was turned for a few lines, or a single box."""
-        return min(self._filled, default=1.0) < LEFTOVER
+    def leftover(self) -> dict[int, int]:
+        """The parts whose last page was turned for a few lines, or a table, and how many pages they have."""
+        return {part: pages for part, (pages, full) in enumerate(self._filled) if pages > 1 and full < LEFTOVER}
 
     def made(self) -> tuple[bytes, int, tuple[str, ...]]:
         """The document as bytes, how many pages it has, and the characters that no font has."""
         target = BytesIO()
-        self._entries, self._level, self._filled = 0, -1, []
+        self._entries, self._level, self._pages, self._filled = 0, -1, 0, []
         tell_contents(self.story)
         self._firstPageTemplateIndex = _first(self.story)
         self.build(_expanded(self.story), filename=target, canvasmaker=_Canvas)

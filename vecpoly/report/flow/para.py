@@ -7,7 +7,7 @@ from dataclasses import replace
 from ...typeset.box import MM
 from ...typeset.canvas import Ink
 from ...words import Lang
-from .base import Block
+from .base import Block, Tightness
 from .cells import Cell, cells, chopped, joined
 from .lines import Line, break_lines, draw_line
 from .style import Style, body
@@ -26,6 +26,11 @@ class Para(Block):
         self._label = cells(label, self.style.em, lang == "zh", True) if label else []
         self._lines: list[Line] = []
         self._broken: float | None = None
+
+    def tighten(self, degree: Tightness) -> None:
+        """Its lines closer too."""
+        super().tighten(degree)
+        self.style = replace(self.style, leading=degree.lines * self.style.leading)
 
     def _measure(self, width: float) -> float:
         return width / MM - self.style.left * self.style.em

@@ -15,8 +15,9 @@ from ..content import Objects
 from ..course.document import cover
 from ..course.numbering import Press
 from ..document import FIELDS, alarms
-from ..flow.doc import Metadata, ReportDoc
+from ..flow.doc import Metadata
 from ..flow.listing import Listing
+from ..flow.tight import saved
 from ..flow.xml import to_flowables
 from ..templates import filled
 from . import device, forces, linkage, motion, summary, task
@@ -42,9 +43,8 @@ def project_bytes(
     context = _context(project, lang, fields or {}, objects)
     document = filled(f"project.{lang}.xml.j2", folders, context)
     solutions = [position.solution for part in project.parts for position in _solved(part)]
-    story = [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]
     meta = Metadata(title=project.title.of(lang), subject=KIND.of(lang), keywords=(project.id,), lang=lang)
-    return ReportDoc(story, meta).made()[0]
+    return saved(lambda: [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)], meta)
 
 
 def _solved(part: Part) -> tuple[Any, ...]:

@@ -31,7 +31,8 @@ def inflection_by_triangles(fig: CurvatureFigure, ray: Ray) -> tuple[Points, str
         ),
         fig.pane,
     )
-    j = fig.letter(name, _third(fig, ray.x, ray.o, ray.line, aux))
+    found = _third(fig, ray.x, ray.o, ray.line, aux)
+    j = fig.letter(name, fig.board.follow(fig.pane, ray.x, found - ray.x, f"{ray.moving}{name}"))
     fig.thin(ray.line, fig.pole, j)
     return j, name
 
@@ -57,7 +58,8 @@ def centre_by_triangles(fig: CurvatureFigure, letter: str) -> None:
     drop = fig.normal(mine, fig.opposite)
     j = fig.letter(name, fig.meet(drop, mine, "垂足", "the foot of the perpendicular"))
     fig.thin(drop, fig.opposite, j)
-    centre = fig.letter(o, _third(fig, e, j, mine, aux))
+    found = _third(fig, e, j, mine, aux)
+    centre = fig.letter(o, fig.board.follow(fig.pane, e, found - e, f"{letter}{o}"))
     fig.centres[letter] = centre
     fig.thin(mine, fig.pole, e, centre, j)
 

@@ -60,10 +60,16 @@ def pose(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pose:
     return _swung(board, place, cam, phi, lift) if cam.arm else _guided(board, place, cam, phi, lift)
 
 
+def _back(board: Board, cam: Cam, phi: Reals) -> Points:
+    """The direction of the x axis turned back by φ, against the cam; forwards by somebody who inverts the wrong way."""
+    turned = np.exp(-1j * cam.sense * phi)
+    return board.inverted(turned, lambda: np.conj(turned), key="inversion")
+
+
 def _guided(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pose:
     assert cam.r0
     mm, sense = board.scale_of(place).value, cam.sense
-    across = np.exp(-1j * sense * phi)
+    across = _back(board, cam, phi)
     e = cam.follower.e / mm
     start = board.lay_off(0j, across if e > 0 else -across, abs(e), key="e") if e else 0j * across
     guide = board.parallel(start, 1j * across)
@@ -88,7 +94,7 @@ def _swung(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pose
     """P parts OA as ψ′ to 1: by two parallels that bear these lengths."""
     assert cam.r0 and cam.arm
     mm, sense, side = board.scale_of(place).value, cam.sense, cam.side
-    oa, towards = cam.arm[0], side * np.exp(-1j * sense * phi)
+    oa, towards = cam.arm[0], side * _back(board, cam, phi)
     pivot = board.lay_off(0j, towards, oa / mm)
     base, b, facing = _face(board, cam, pivot, lift.s, mm) if cam.follower.flat else _tip(board, cam, pivot, lift.s, mm)
     one = board.lay_off(0j, 1j * towards, side * lift.slope * oa / mm)

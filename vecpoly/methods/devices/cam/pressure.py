@@ -72,7 +72,7 @@ def _greatest(bench: Bench, cam: Cam, cuts: Sequence[Cut], way: int, named: Name
     along = it.way if float(nominal((np.conj(outward) * it.way).real)) > 0 else -it.way
     board.join(place, it.b, it.b + along * (ARC + 6), Role.CONSTRUCTION)
     between(bench, place, it.b, along, outward, ARC, "α")
-    value = acute(bench, it.way, it.normal)
+    value = acute(bench, it.way, board.parallel(it.b, it.normal, key="nn").along)
     bench.stated(named, value)
     return value
 

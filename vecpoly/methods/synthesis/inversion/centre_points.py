@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from math import inf
 
 import numpy as np
 
@@ -12,17 +12,15 @@ from ....board.paper.marks import Role
 from ....designs.inversion.plan import CentrePoints, On
 from ....designs.inversion.refusals import no_centre_point
 from ....foundation.frozen import FrozenMap
-from ....plane import Line, Points, nominal
+from ....plane import Line, Points, Reals, lines_meet, nominal
 from ....words import Words
-from ...roots import Curve, halved
 from ..draft import SHEET
 from ..linkage import pin, pivot
 from .curve import centre_point_curve
-from .sheet import Places, Sheet, Stands, placed
+from .sheet import Places, Sheet, placed
+from .trial import centre_places
 
-TRIALS = 2000  # over the whole line, denser where the figure is
-REFINED = 80  # halvings
-FAR = 1e6  # mm: a pin beyond serves no drawing
+SHORT, FLAT = 1e-6, 1e-9  # mm, sine: no chord, no meeting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,7 +39,8 @@ def centre_points(sheet: Sheet, stage: CentrePoints) -> Iterator[Sheet]:
     second = first if same else _bars(sheet, stage, stage.lies[1], len(first))
     pairs = [(a, d) for a in first for d in second if (a.number < d.number if same else _apart(a, d))]
     if not pairs:
-        raise no_centre_point(stage, len(first) + (0 if same else len(second)))
+        raise no_centre_point(stage, len(first) + (0 if same else len(second)), sheet.draft.valid)
+    sheet.draft.paired([{stage.one[0]: a.fixed, stage.two[0]: d.fixed} for a, d in pairs])
     bars = {bar.number: bar for bar in (*first, *second)}
     centre_point_curve(sheet, stage.on, {f"M^{{({number})}}": bar.fixed for number, bar in bars.items()})
     for a, d in pairs:
@@ -78,8 +77,7 @@ def _bars(sheet: Sheet, stage: CentrePoints, on: On, before: int) -> list[Bar]:
         SHEET,
     )
     line = _line(sheet, on)
-    spots = [Stands(start=nominal(at.start), end=nominal(at.end)) for at in sheet.bodies[stage.on]]
-    found = [t for t in _zeros(lambda t: _off(spots, complex(nominal(line.at + t * line.along)))) if abs(t) < FAR]
+    found = centre_places(line, sheet.bodies[stage.on])
     return [_bar(sheet, stage, line, t, before + n) for n, t in enumerate(found, 1)]
 
 
@@ -88,31 +86,7 @@ def _line(sheet: Sheet, on: On) -> Line:
     return sheet.draft.board.parallel(placed(sheet.draft, at), np.complex128(on.along))
 
 
-def _off(spots: Sequence[Stands], m: complex) -> float:
-    """The power of M₄′ to the circle through the other three, times the area of their triangle, on scratch paper."""
-    first = spots[0]
-    seen = [first.start + (m - at.start) / (at.end - at.start) * (first.end - first.start) for at in spots]
-    u, v, w = (complex(place - seen[0]) for place in seen[1:])
-    centre = 1j * (u * abs(v) ** 2 - v * abs(u) ** 2)
-    area = 2 * (u.conjugate() * v).imag
-    return float(area * abs(w) ** 2 - 2 * (w.conjugate() * centre).real)
-
-
-def _zeros(of: Curve) -> list[float]:
-    """Every place along the line where the deviation changes its sign; u → t = 100 tan u covers the whole line."""
-
-    def at(u: float) -> float:
-        return 100 * float(np.tan(u))
-
-    def off(u: float) -> float:
-        return of(at(u))
-
-    places = [float(u) for u in np.linspace(-np.pi / 2, np.pi / 2, TRIALS + 2)[1:-1]]
-    tried = [(u, off(u)) for u in places]
-    return [at(halved(off, low, high, REFINED)) for (low, a), (high, b) in pairwise(tried) if a * b < 0]
-
-
-def _bar(sheet: Sheet, stage: CentrePoints, line: Line, t: float, number: int) -> Bar:
+def _bar(sheet: Sheet, stage: CentrePoints, line: Line, t: Reals, number: int) -> Bar:
     """One centre point, its inverted places, and the circle point where their bisectors meet, in all positions."""
     draft, board = sheet.draft, sheet.draft.board
     here, label = f"M^{{({number})}}", f"N^{{({number})}}"
@@ -142,15 +116,23 @@ def _between(sheet: Sheet, one: Points, two: Points) -> Line:
 
 
 def _chosen(seen: list[Points]) -> list[tuple[Points, Points]]:
-    """The two chords of the four places whose bisectors cross best."""
+    """The two chords of the four places whose bisectors tell the centre best."""
     spots = [complex(nominal(at)) for at in seen]
-    pairs = [(i, j) for i in range(4) for j in range(i + 1, 4) if abs(spots[j] - spots[i]) > 1e-6]
-    best = max(
+    pairs = [(i, j) for i in range(4) for j in range(i + 1, 4) if abs(spots[j] - spots[i]) > SHORT]
+    best = min(
         ((one, two) for one in pairs for two in pairs if one < two),
-        key=lambda both: _sine(*(spots[j] - spots[i] for i, j in both)),
+        key=lambda both: _doubt(*((spots[i], spots[j]) for i, j in both)),
     )
     return [(seen[i], seen[j]) for i, j in best]
 
 
-def _sine(u: complex, v: complex) -> float:
-    return abs((u.conjugate() * v).imag) / (abs(u) * abs(v))
+def _doubt(one: tuple[complex, complex], two: tuple[complex, complex]) -> float:
+    """How far off their meeting may be, in errors of one place: a bisector turns about the middle of its chord, the
+    more the shorter that is, and flat meetings run away."""
+    u, v = one[1] - one[0], two[1] - two[0]
+    sine = abs((u.conjugate() * v).imag) / (abs(u) * abs(v))
+    if sine < FLAT:
+        return inf
+    middle, other = sum(one) / 2, sum(two) / 2
+    centre = complex(lines_meet(Line(middle, 1j * u), Line(other, 1j * v)))
+    return (2 + 2 * abs(centre - middle) / abs(u) + 2 * abs(centre - other) / abs(v)) / sine

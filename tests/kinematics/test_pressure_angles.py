@@ -1,0 +1,128 @@
+"""Pressure and transmission angles marked in a given mechanism: seven cases of exercise 8-2, slips, refusals."""
+
+from __future__ import annotations
+
+from math import acos, degrees
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import vecpoly
+from vecpoly.board.acts import Angle, Corner
+from vecpoly.board.otherwise.slip import Mistake, Slip
+from vecpoly.errors import ProblemFileError, VecpolyError
+
+CASES = {"8-2a": 20.92483, "8-2b": 26.88183, "8-2d": 0.0, "8-2g": 0.0}
+RETOLD = {"8-2c": 3.11817, "8-2e": 40.89339, "8-2f": 50.06288}  # the drive's place is written in five digits
+FOUR_BAR = """
+id: t
+title: t
+frame: {A: [0 mm, 0 mm], D: [80 mm, 0 mm]}
+links: {1: {AB: 30 mm}, 2: {BC: 70 mm}, 3: {DC: 50 mm}}
+input: {link: 1, phi: 60 deg, omega: ccw}
+branch: [C above AD]
+"""
+SIX_BAR = """
+id: t
+title: t
+frame: {A: [0 mm, 0 mm], C: [0 mm, -60 mm]}
+links:
+  1: {AB: 30 mm}
+  2: {block: B}
+  3: {slot: C, D: {along: C, at: 120 mm}}
+  4: {DE: 60 mm}
+  5: {block: E}
+joints: [2 slides in 3, 5 slides on y = 65 mm]
+input: {link: 1, phi: 20 deg, omega: ccw}
+branch: [E left of D]
+"""
+
+
+@pytest.mark.parametrize(("name", "alpha"), list((CASES | RETOLD).items()))
+def test_the_seven_mechanisms_have_the_angles_of_the_triangle_formulas(name: str, alpha: float) -> None:
+    found = vecpoly.load(name).solve(by="exact").answers
+    slack = 1e-5 if name in CASES else 1e-3
+    assert found["alpha"].drawn == pytest.approx(alpha, abs=slack)
+    assert found["gamma"].drawn == pytest.approx(90.0 - alpha, abs=slack)
+    assert found["alpha"].exact == pytest.approx(found["alpha"].drawn, abs=1e-9)
+    assert found["gamma"].exact == pytest.approx(found["gamma"].drawn, abs=1e-9)
+
+
+def test_both_angles_have_their_arcs_and_a_right_one_its_square() -> None:
+    marked = [act.label for act in vecpoly.load("8-2a").solve().construction.acts if isinstance(act, Angle)]
+    assert {"α", "γ"} <= set(marked)
+    square = vecpoly.load("8-2d").solve().construction.acts
+    assert any(isinstance(act, Corner) for act in square)
+    assert not {"α", "γ"} & {act.label for act in square if isinstance(act, Angle)}
+
+
+def test_several_driven_links_are_told_apart_by_their_points() -> None:
+    found = vecpoly.loads(SIX_BAR + "find: [alpha_B, gamma_B, alpha_E, gamma_E]").solve(by="exact").answers
+    assert found["alpha_B"].drawn == pytest.approx(0.0, abs=1e-9)
+    assert 0 < found["alpha_E"].drawn < 90
+    assert found["alpha_E"].drawn == pytest.approx(found["alpha_E"].exact, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("text", "find", "said"),
+    [
+        (SIX_BAR, "alpha", "say at which point: alpha_B, gamma_B, alpha_E, gamma_E"),
+        (FOUR_BAR, "alpha_B", "did you mean 'alpha'"),
+        (
+            FOUR_BAR.replace("AB: 30 mm", "AB: 30 mm, E: {along: AB, at: 60 mm}"),
+            "gamma_E",
+            "no pressure or transmission angle",
+        ),
+    ],
+)
+def test_an_angle_that_does_not_exist_is_refused_with_those_that_do(text: str, find: str, said: str) -> None:
+    with pytest.raises(ProblemFileError) as refused:
+        vecpoly.loads(text + f"find: [{find}]")
+    assert said in refused.value.words.en
+
+
+def test_a_mechanism_of_teeth_has_no_such_angle() -> None:
+    text = vecpoly.load("rack-lift").path
+    assert text is not None
+    lines = [line for line in text.read_text(encoding="utf-8").splitlines() if not line.startswith("find")]
+    with pytest.raises(ProblemFileError, match="two forces"):
+        vecpoly.loads("\n".join([*lines, "find: [alpha]"]))
+
+
+@pytest.mark.parametrize("name", ["8-2a", "8-2b", "8-2c", "8-2e", "8-2f"])
+def test_who_takes_the_direction_along_the_link_gets_gamma_for_alpha(name: str) -> None:
+    problem = vecpoly.load(name)
+    right = problem.solve(by="exact").answers
+    turned = [slip for slip in vecpoly.slips(problem) if slip.mistake is Mistake.TURNED and slip.key.startswith("v_")]
+    assert len(turned) == 1
+    wrong = vecpoly.solve(problem, by="exact", slip=turned[0]).answers
+    assert wrong["alpha"].drawn == pytest.approx(right["gamma"].drawn)
+    assert wrong["gamma"].drawn == pytest.approx(right["alpha"].drawn)
+
+
+def test_who_takes_the_guide_for_its_normal_is_offered_as_a_slip() -> None:
+    problem = vecpoly.load("8-2e")
+    assert Slip(Mistake.TURNED, "F") in vecpoly.slips(problem)
+    wrong = vecpoly.solve(problem, by="exact", slip=Slip(Mistake.TURNED, "F")).answers["alpha"]
+    assert wrong.drawn == pytest.approx(49.10661, abs=1e-3)
+
+
+@given(
+    bars=st.tuples(st.integers(20, 40), st.integers(60, 90), st.integers(45, 70), st.integers(70, 95)),
+    phi=st.integers(0, 359),
+)
+def test_gamma_of_a_four_bar_is_the_acute_angle_of_coupler_and_rocker(bars: tuple[int, ...], phi: int) -> None:
+    ab, bc, cd, ad = bars
+    text = FOUR_BAR.replace("80 mm", f"{ad} mm").replace("AB: 30", f"AB: {ab}").replace("BC: 70", f"BC: {bc}")
+    text = text.replace("DC: 50", f"DC: {cd}").replace("60 deg", f"{phi} deg").replace("above AD", "left of BD")
+    try:
+        found = vecpoly.loads(text + "find: [alpha, gamma]").solve(by="exact").answers
+    except VecpolyError:
+        return
+    corner = vecpoly.loads(text + "find: [p_B]").solve(by="exact").answers["p_B"].exact_vector
+    assert corner is not None
+    diagonal = abs(corner - ad * 1e-3) * 1e3
+    mu = degrees(acos((bc**2 + cd**2 - diagonal**2) / (2 * bc * cd)))
+    assert found["gamma"].drawn == pytest.approx(min(mu, 180 - mu), abs=1e-6)
+    assert found["alpha"].drawn + found["gamma"].drawn == pytest.approx(90.0, abs=1e-9)

@@ -1,0 +1,70 @@
+"""The path of a point beside the curve that it should run along, and where it is farthest off."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from math import tau
+
+import numpy as np
+
+from ....board.construction import View
+from ....board.paper.marks import Dot, Role
+from ....errors import VecpolyError
+from ....mechanism.groups.assur import Group
+from ....plane import nominal
+from ....problem.asked.target import Target
+from ....words import Words
+from ...desk import Desk
+from ...placed import placed
+
+PLACES = 120  # of the drive, over a turn
+
+
+def draw_target(desk: Desk, groups: Sequence[Group], target: Target) -> None:
+    """The curve dashed, the path thin under the links, the greatest distance of a given point from the path."""
+    board, view = desk.board, View.MECHANISM
+    name, mark = target.point, "T" if "T" not in desk.at else "T′"
+    board.step(
+        Words(
+            f"取原动件的一系列位置，描出 ${name}$ 点的轨迹（细实线），与给定曲线（虚线）比较；"
+            f"最大偏差在 ${mark}$ 点，为：",
+            f"Trace the path of ${name}$ (thin) through a turn of the driving link, beside the curve that is given "
+            f"(dashed). The greatest deviation, at ${mark}$, is:",
+        ),
+        view,
+    )
+    arcs = list(_arcs(desk, groups, name))
+    for arc in arcs:
+        board.curve(view, [np.complex128(at) for at in arc], Role.CONSTRUCTION)
+    given = [desk.mm(1.0) * at for at in target.through]
+    board.curve(view, [np.complex128(at) for at in (*given, *given[: target.closed])], Role.HIDDEN)
+    at, foot = max(((spot, _foot(arcs, spot)) for spot in given), key=lambda pair: abs(pair[1] - pair[0]))
+    on_paper = board.measure(np.complex128(at), np.complex128(foot), f"{mark} {mark}_0")
+    board.compute("δ_{max}", board.mu(view) * on_paper, "m")
+    board.join(view, np.complex128(at), np.complex128(foot), Role.RESULT)
+    board.plot(view, np.complex128(at), mark, Dot.POINT)
+
+
+def _arcs(desk: Desk, groups: Sequence[Group], point: str) -> list[list[complex]]:
+    """The path, in pieces where the mechanism does not close in between; one closed piece where it always does."""
+    arcs: list[list[complex]] = [[]]
+    for step in range(PLACES + 1):
+        try:
+            there = placed(desk, groups, desk.mech.drive.position + tau * step / PLACES)
+            arcs[-1].append(complex(nominal(there.at[point])))
+        except VecpolyError:
+            arcs.append([])
+    return [arc for arc in arcs if len(arc) > 1]
+
+
+def _foot(arcs: Sequence[Sequence[complex]], spot: complex) -> complex:
+    """The place of the path that is nearest to a point."""
+    feet = (_on_chord(one, two, spot) for arc in arcs for one, two in pairwise(arc))
+    return min(feet, key=lambda foot: abs(foot - spot))
+
+
+def _on_chord(one: complex, two: complex, spot: complex) -> complex:
+    along = two - one
+    share = ((spot - one) / along).real if along else 0.0
+    return one + min(1.0, max(0.0, share)) * along

@@ -1,0 +1,1 @@
+"""Pressure and transmission angles marked in a given mechanism."""

@@ -1,0 +1,145 @@
+"""Pressure and transmission angles of the driven links, marked in the kinematic diagram and read by protractor."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import assert_never
+
+import numpy as np
+
+from ...algebra.formula import Row, Txt, row
+from ...board.construction import Reading, View
+from ...board.paper.marks import Role
+from ...board.strokes import amount
+from ...errors import VecpolyError
+from ...mechanism.asked.pressure import Driven, driven_links
+from ...mechanism.groups.assur import Group
+from ...mechanism.model import Prismatic, Revolute
+from ...names import Named
+from ...plane import Points, Reals, nominal
+from ...problem.asked.asks import AskNamed
+from ...problem.problem import Problem
+from ...words import Words
+from ..desk import Desk
+from ..placed import placed
+from ..registry import Stage
+from .doors import LINES
+from .told import bodily, force_key, moved_point, velocity_key
+
+FORCE, SPEED = 26.0, 34.0  # mm: the arrows tell directions alone
+OF_ALPHA, OF_GAMMA = 19.0, 12.0  # mm: radii of the angles' marks
+SMALL = np.radians(3.0)  # an angle that cannot be marked
+NUDGE = 1e-4  # rad, or of the mechanism's size: how far the drive goes to show which way the driven link moves
+STILL = 1e-6  # mm: less is no motion
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Marked:
+    """Directions on paper at the point on which a force acts: of the force, of the velocity, across the velocity.
+
+    They are turned so that each makes an acute angle with the force.
+    """
+
+    at: Points
+    force: Points
+    way: Points
+    across: Points
+
+
+def pressure_pass(desk: Desk, problem: Problem, groups: Sequence[Group]) -> None:
+    """Every driven link of which an angle is asked."""
+    keys = {ask.rel.key for ask in problem.asks if isinstance(ask, AskNamed)}
+    for driven in driven_links(problem.mechanism):
+        if keys & {driven.alpha.key, driven.gamma.key}:
+            marked = _directions(desk, driven, groups)
+            _draw(desk, driven, marked)
+            _read(desk, driven, marked, keys)
+
+
+def _directions(desk: Desk, driven: Driven, groups: Sequence[Group]) -> Marked:
+    """The line of the force, that of the velocity, and which way both point."""
+    board, at = desk.board, desk.at[driven.at]
+    force = LINES.find(Stage.PRESSURE, driven.kind).draw(desk, driven)
+    way = board.parallel(at, _way(desk, driven), key=velocity_key(driven)).along
+    across = board.turn(1j * way)
+    way = way * _sign(complex(nominal(way)), _shift(desk, driven, groups))
+    force = force * _sign(complex(nominal(force)), complex(nominal(way)))
+    return Marked(at=at, force=force, way=way, across=across * _sign(nominal(across), complex(nominal(force))))
+
+
+def _way(desk: Desk, driven: Driven) -> Points:
+    """The direction in which the point can go: across the line to the pivot, or along the guide."""
+    point, on = moved_point(driven), bodily(desk, driven.link)
+    match driven.seat:
+        case Revolute(point=pivot):
+            arm, along = f"${pivot}{driven.at}$", 1j * desk.towards(pivot, driven.at)
+            zh = f"绕 ${pivot}$ 转动，${point}$ 点的速度垂直于 {arm}"
+            en = f"turns about ${pivot}$: the velocity of ${point}$ is square to {arm}"
+        case Prismatic() as guide:
+            along = desk.guide_line(guide).along
+            zh, en = f"沿导路移动，${point}$ 点的速度沿导路", f"slides: the velocity of ${point}$ is along its guide"
+        case _:
+            assert_never(driven.seat)
+    desk.board.remark(Words(f"从动件（{on.zh}）{zh}。", f" The driven {on.en} {en}."))
+    return along
+
+
+def _sign(one: complex, other: complex) -> int:
+    """−1 where two directions make an obtuse angle."""
+    return -1 if (one.conjugate() * other).real < 0 else 1
+
+
+def _shift(desk: Desk, driven: Driven, groups: Sequence[Group]) -> complex:
+    """How the point of the driven link moves while the drive goes on a little, on scratch paper; 0 where it cannot."""
+    drive, at = desk.mech.drive, complex(nominal(desk.at[driven.at]))
+    step = NUDGE * (desk.mech.scale if drive.slide else 1.0) * (-1.0 if drive.rate < 0 else 1.0)
+    pose = desk.pose[driven.link]
+    origin, along = complex(nominal(pose.origin)), complex(nominal(pose.along))
+    local = (at - origin) / along
+    try:
+        moved = placed(desk, groups, drive.position + step).pose[driven.link]
+    except VecpolyError:
+        return 0j
+    shift = complex(nominal(moved.origin)) + complex(nominal(moved.along)) * local - at
+    return shift if abs(shift) > STILL else 0j
+
+
+def _draw(desk: Desk, driven: Driven, marked: Marked) -> None:
+    """Both directions as arrows, the line across the velocity, and both angles with their letters."""
+    board, at, view = desk.board, marked.at, View.MECHANISM
+    speed, force = f"v_{{{driven.at}{driven.link if driven.thought else ''}}}", f"F{driven.symbol}"
+    board.arrow(view, at, at + SPEED * marked.way, Role.GIVEN, key=velocity_key(driven), label=speed)
+    board.arrow(view, at, at + FORCE * marked.force, Role.RESULT, key=force_key(driven), label=force)
+    board.join(view, at, at + FORCE * marked.across, Role.CONSTRUCTION)
+    alpha, gamma = (np.angle(marked.force / base) for base in (marked.way, marked.across))
+    if abs(amount(alpha)) > SMALL:
+        board.angle(view, at, marked.way, alpha, OF_ALPHA, driven.alpha.symbol)
+    if abs(amount(gamma)) > SMALL and abs(amount(alpha)) > SMALL:
+        board.angle(view, at, marked.across, gamma, OF_GAMMA, driven.gamma.symbol)
+    elif abs(amount(gamma)) > SMALL:
+        board.right_angle(view, at, marked.across, marked.way)
+
+
+def _read(desk: Desk, driven: Driven, marked: Marked, keys: set[str]) -> None:
+    """The acute angles by protractor (deg)."""
+    alpha, gamma = driven.alpha, driven.gamma
+    desk.board.remark(
+        Words(
+            f"力与速度方向所夹的锐角为压力角 ${alpha.symbol}$，其余角（力与速度垂线的夹角）为传动角 "
+            f"${gamma.symbol}$。量得：",
+            f" The acute angle of force and velocity is the pressure angle ${alpha.symbol}$; its complement, the angle "
+            f"of the force to the normal of the velocity, is the transmission angle ${gamma.symbol}$. By protractor:",
+        )
+    )
+    for named, base in ((alpha, marked.way), (gamma, marked.across)):
+        if named.key in keys:
+            _keep(desk, named, np.degrees(desk.board.gauge(0j, marked.force * np.conj(base))))
+
+
+def _keep(desk: Desk, named: Named, turned: Reals) -> None:
+    value = 90.0 - np.abs(np.abs(turned) - 90.0)
+    degrees = float(nominal(value))
+    text = Row((*row(named.symbol).items, Txt(f" = {degrees:.4g}°")))
+    desk.board.write(text)
+    desk.board.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=degrees, formula=text), value)

@@ -1,0 +1,82 @@
+"""Centre points by trial, by every hand on its own sheet: where on a line the four inverted places of a pin lie on one
+circle. A sheet that is a little off has other places, and may have fewer of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import permutations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....plane import Line, Reals, unit
+from ....plane.traced import bare
+from .sheet import Stands
+
+TRIALS = 2000  # over the whole line, denser where the figure is
+REFINED = 80  # halvings
+FAR = 1e6  # mm: a pin beyond serves no drawing
+UNIT = 100.0  # mm: u → UNIT tan u covers the whole line
+
+Several = NDArray[np.complex128]
+
+
+def centre_places(line: Line, stands: Sequence[Stands]) -> list[Reals]:
+    """Every centre point of the nominal sheet by its distance along the line (mm), of the others likewise; NaN where a
+    sheet has none there."""
+    every = [bare(spot) for at in stands for spot in (at.start, at.end)]
+    at, along, *spots = np.broadcast_arrays(bare(line.at), bare(line.along), *every)
+    hands = max(1, np.ravel(at).size)
+    poses = [np.ravel(spot) for spot in spots]
+    found = _zeros(np.ravel(at), np.ravel(along), poses, hands)
+    first = found[0]
+    columns = np.array([_alike(first, other) for other in found]).T
+    kept = [column for column in UNIT * np.tan(columns) if abs(column[0]) < FAR]
+    return [column if hands > 1 else np.float64(column[0]) for column in kept]
+
+
+def _zeros(at: Several, along: Several, poses: Sequence[Several], hands: int) -> list[list[float]]:
+    """For every hand the places u where the deviation changes its sign, in order."""
+
+    def off(u: NDArray[np.float64], hand: NDArray[np.intp] | slice) -> NDArray[np.float64]:
+        return deviation([spot[hand] for spot in poses], at[hand] + UNIT * np.tan(u) * along[hand])
+
+    tried = np.linspace(-np.pi / 2, np.pi / 2, TRIALS + 2)[1:-1]
+    values = off(tried[:, None], slice(None))
+    row, hand = np.nonzero(values[:-1] * values[1:] < 0)
+    low, high, above = tried[row], tried[row + 1], values[row, hand] > 0
+    for _ in range(REFINED):
+        middle = (low + high) / 2
+        same = (off(middle, hand) > 0) == above
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    return [sorted(((low + high) / 2)[hand == h].tolist()) for h in range(hands)]
+
+
+def deviation(poses: Sequence[Several], m: Several) -> NDArray[np.float64]:
+    """The power of M₄′ to the circle through the other three, times the area of their triangle, on scratch paper.
+
+    poses: origin and end of the body's line in each position.
+    """
+    # the body is rigid, however its line was stepped off
+    turns = [np.asarray(unit(poses[i + 1] - poses[i])) for i in range(0, 8, 2)]
+    seen = [poses[0] + (m - poses[2 * i]) * turns[0] * turn.conj() for i, turn in enumerate(turns)]
+    u, v, w = (place - seen[0] for place in seen[1:])
+    centre = 1j * (u * np.abs(v) ** 2 - v * np.abs(u) ** 2)
+    area = 2 * (u.conj() * v).imag
+    found: NDArray[np.float64] = area * np.abs(w) ** 2 - 2 * (w.conj() * centre).real
+    return found
+
+
+def _alike(first: Sequence[float], other: Sequence[float]) -> list[float]:
+    """To each place of the nominal sheet that of another one; NaN where it has none."""
+    if len(other) == len(first):
+        return list(other)
+    padded = [*other, *[np.nan] * len(first)]
+    tried = permutations(range(len(padded)), len(first))
+    return min(([padded[i] for i in order] for order in tried), key=lambda one: _apart(first, one))
+
+
+def _apart(first: Sequence[float], other: Sequence[float]) -> tuple[int, float]:
+    """How many are missing, then how far the others are."""
+    gaps = [abs(one - two) for one, two in zip(first, other, strict=True) if np.isfinite(two)]
+    return len(first) - len(gaps), sum(gaps)
