@@ -1,6 +1,7 @@
 """One random problem judged: drawn by the exact hand = oracle = central differences of the oracle's positions.
 
-right: all agree. refused: the program declines, with its reason. wrong: two of the three disagree. broken: a traceback.
+right: all agree. refused: the program declines, with its reason. wrong: two of the three disagree, or what is called
+locked moves by the exact equilibrium. broken: a traceback.
 """
 
 from __future__ import annotations
@@ -10,8 +11,9 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from vecpoly import loads
-from vecpoly.errors import VecpolyError
+from vecpoly.errors import LockedError, VecpolyError
 from vecpoly.mechanism.model import Mechanism
+from vecpoly.oracle.forces import forces
 from vecpoly.solution import Answer, Solution, solve
 
 from .differences import against_differences
@@ -51,10 +53,25 @@ def judge(text: str, also: Check = content) -> Verdict:
     """Load, draw, and compare; never raises."""
     try:
         return _judged(text, also)
+    except LockedError as error:
+        kind = Kind.WRONG if moves(text) else Kind.REFUSED
+        return Verdict(kind=kind, why=f"{type(error).__name__}: {error}")
     except VecpolyError as error:
         return Verdict(kind=Kind.REFUSED, why=f"{type(error).__name__}: {error}")
     except Exception as error:  # whatever escapes is what is sought
         return Verdict(kind=Kind.BROKEN, why=f"{type(error).__name__}: {error}")
+
+
+def moves(text: str) -> bool:
+    """Whether the file is accepted and the exact equilibrium of its loads exists."""
+    try:
+        problem = loads(text)
+        if problem.loads is None:
+            return False
+        forces(problem.mechanism, problem.loads)
+    except VecpolyError:
+        return False
+    return True
 
 
 def _judged(text: str, also: Check) -> Verdict:

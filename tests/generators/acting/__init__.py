@@ -4,5 +4,6 @@ friction, masses, pins that a link carries, cams, thrusts."""
 from __future__ import annotations
 
 from . import cams as cams
+from . import locking as locking
 from . import thrusts as thrusts
 from . import written as written
