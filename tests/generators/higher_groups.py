@@ -60,10 +60,8 @@ def by_special_points(rng: np.random.Generator) -> str:
     return balanced(rng, on_crank(rng))
 
 
-@family("forces-special-points-friction", also=told, often=2)
-def by_special_points_with_friction(rng: np.random.Generator) -> str:
-    """The same with friction in pins and slides."""
-    bare = on_crank(rng)
+def rubbed(rng: np.random.Generator, bare: str) -> str:
+    """Friction in some pins and slides, the balancing moment on the crank."""
     mech = loads(bare).mechanism
     sliding = {pin.point for pin in mech.slot_pins.values()}  # these turn in no bearing
     pins = [p for p in hinges(mech) if p not in sliding and rng.random() < 0.7]
@@ -76,3 +74,29 @@ def by_special_points_with_friction(rng: np.random.Generator) -> str:
     )
     free = '  X_b: {on: 1, size: "?"}\n'
     return re.sub(r"\n+$", "\n", loaded(rng, bare, free, find="")) + (f"friction:\n{rubbing}" if rubbing else "")
+
+
+@family("forces-special-points-friction", also=told, often=2)
+def by_special_points_with_friction(rng: np.random.Generator) -> str:
+    """The same with friction in pins and slides."""
+    return rubbed(rng, on_crank(rng))
+
+
+def with_two_slides(rng: np.random.Generator) -> str:
+    """A leg with two slides, two others of any kind: no link on the frame makes class II of it."""
+    lay = Layout(rng)
+    kinds = ["parallel", *(str(kind) for kind in rng.choice(LEGS, 2))]
+    rng.shuffle(kinds)
+    return made(lay, crank(lay), "", ["frame", "1", "1"], kinds)
+
+
+@family("forces-two-slides", also=in_equilibrium, often=3)
+def on_two_slides(rng: np.random.Generator) -> str:
+    """A central link one leg of which has two slides, loads on any link, balanced on any."""
+    return balanced(rng, with_two_slides(rng))
+
+
+@family("forces-two-slides-friction", also=in_equilibrium, often=2)
+def on_two_slides_with_friction(rng: np.random.Generator) -> str:
+    """The same with friction in pins and slides."""
+    return rubbed(rng, with_two_slides(rng))

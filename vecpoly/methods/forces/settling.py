@@ -110,7 +110,7 @@ def _fixed(
     start: Statics, rubbed: Further, walk: Walk, couples: Couples, rounds: int
 ) -> tuple[Statics, dict[tuple[str, str], Reals]]:
     """The fixed point at one share of the friction."""
-    guide, slope, last = start.ideal, None, np.inf
+    guide, slope, last, near = start.ideal, None, np.inf, NEAR
     assert guide is not None
     for _ in range(rounds):
         st = _pass(start, guide, couples, walk)
@@ -123,8 +123,8 @@ def _fixed(
         same, gap = _same_senses(st, guide), _gap(couples, after)
         if same and gap < SETTLED:
             return st, after
-        if not same and gap < NEAR:  # settled with these senses: now those that came out otherwise change sides
-            guide, slope, last = st, None, np.inf
+        if not same and gap < near:  # settled with these senses: now those that came out otherwise change sides
+            guide, slope, last, near = st, None, np.inf, max(gap / 10, SETTLED)  # the next time nearer to it
             continue
         if slope is None or gap > last / 10:  # the first secant, or one that has grown old
             slope = _slope(start, guide, rubbed, walk, couples, after) if couples else np.zeros((0, 0))

@@ -8,7 +8,7 @@ from dataclasses import replace
 from ...errors import MobilityError
 from ...mechanism.asked.forces import pairs, press_named
 from ...mechanism.groups.assur import decompose, ends
-from ...mechanism.groups.stars import has_three_axes
+from ...mechanism.groups.stars import has_plate
 from ...mechanism.loads import Loads
 from ...mechanism.model import FRAME, Drive, Mechanism, Prismatic, Revolute
 from ...names import Named
@@ -50,6 +50,6 @@ def _is_drawn(mech: Mechanism, drive: Drive) -> bool:
     except MobilityError:
         return drive is mech.drive  # what is wrong with it is told elsewhere
     return all(
-        group.dyad is not None or group.ram is not None or group.kind in ("gear", "rack") or has_three_axes(group)
+        group.dyad is not None or group.ram is not None or group.kind in ("gear", "rack") or has_plate(group)
         for group in groups
     )
