@@ -33,6 +33,8 @@ SHARE = 0.25  # of the friction at a time
 ONCE = 1  # with all of it at once: where every reaction keeps the side on which it presses without friction
 FINEST = 0.01
 NEAR = 1e-3  # the same, where what side every reaction takes is told
+FAR = 0.25  # of the largest reaction: what one changes by from one share of the friction to the next
+NUDGE = 1e-7  # of the largest couple: by how much one is changed to see what the others do
 SETTLED = 1e-12  # change of the couples between two rounds, of the largest couple
 
 
@@ -75,17 +77,34 @@ def _raised(
     stride = SHARE if ideal.by_moments or ideal.hubs or ideal.balanced else 1.0
     while (done := path[-1][0]) < 1.0:
         share = min(done + stride, 1.0)
-        begun = replace(start, ideal=guide, share=share)
         try:
-            guide, couples = _fixed(begun, rubbed, walk, _foreseen(path, share), ROUNDS if stride <= SHARE else ONCE)
-            path.append((share, couples))
+            begun = replace(start, ideal=guide, share=share)
+            found, couples = _fixed(begun, rubbed, walk, _foreseen(path, share), ROUNDS if stride <= SHARE else ONCE)
         except NoSlipSenseError:
             raise
         except EquilibriumError:
             if stride < FINEST:
                 raise
             stride = min(stride / 2, SHARE)
+            continue
+        if FINEST <= stride <= SHARE and _is_far(found, guide):
+            stride /= 2  # too far to be sure that it is the same equilibrium, grown
+            continue
+        guide, stride = found, min(2 * stride, SHARE) if stride < SHARE else stride
+        path.append((share, couples))
     return guide, couples
+
+
+def _is_far(found: Statics, guide: Statics) -> bool:
+    """Whether a reaction changed by much of the largest one."""
+    sizes = [abs(complex(nominal(force.vector))) for force in found.acting.values()]
+    before = {key: guide.push(*key) for key in found.acting}
+    changes = [
+        abs(complex(nominal(force.vector - old.vector)))
+        for key, force in found.acting.items()
+        if (old := before[key]) is not None
+    ]
+    return max(changes, default=0.0) > FAR * max(sizes, default=0.0)
 
 
 def _foreseen(path: list[tuple[float, dict[tuple[str, str], Reals]]], share: float) -> Couples:
@@ -193,9 +212,9 @@ def _opposed(st: Statics, key: tuple[str, str], found: Acting) -> bool:
 
 
 def _gap(before: Couples, after: Couples) -> float:
-    """Largest change by any hand that finds an equilibrium at all."""
+    """Largest change by the nominal hand, of the largest couple."""
     largest = max((abs(float(nominal(c))) for c in after.values()), default=0.0)
-    changes = [abs(float(nominal(after[k] - before[k]))) for k in after]
+    changes = [abs(float(nominal(c - before.get(k, 0.0)))) for k, c in after.items()]
     return max(changes, default=0.0) / largest if largest else 0.0
 
 
@@ -209,9 +228,9 @@ def _slope(start: Statics, guide: Statics, rubbed: Further, walk: Walk, couples:
     columns = []
     for key in couples:
         moved = rubbed(
-            _pass(start, guide, {k: c + (stride * 1e-3 if k == key else 0.0) for k, c in couples.items()}, walk)
+            _pass(start, guide, {k: c + (stride * NUDGE if k == key else 0.0) for k, c in couples.items()}, walk)
         )
-        columns.append([(float(nominal(moved.get(k, c))) - c) / (stride * 1e-3) for k, c in base.items()])
+        columns.append([(float(nominal(moved.get(k, c))) - c) / (stride * NUDGE) for k, c in base.items()])
     return np.array(columns).T
 
 
