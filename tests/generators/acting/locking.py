@@ -15,10 +15,11 @@ import numpy as np
 from ..equilibrium import in_equilibrium
 from ..family import Check, Make, family
 from ..forces import with_friction as of_any_groups
-from ..higher_groups import by_special_points_with_friction, told
+from ..higher_groups import by_special_points_with_friction
 from ..higher_groups import with_friction as of_class_iii
 from ..judge import moves
 from ..owners import rubbing as of_owners
+from ..powers import every_reaction
 from ..slots import rubbing as of_slots
 from ..toothed import teeth_press
 from ..toothed import with_friction as of_gears
@@ -60,5 +61,5 @@ _registered("groups", of_any_groups)
 _registered("owners", of_owners)
 _registered("slots", of_slots)
 _registered("gears", of_gears, teeth_press)
-_registered("class-iii", of_class_iii, told)
-_registered("special-points", by_special_points_with_friction, told)
+_registered("class-iii", of_class_iii, every_reaction)
+_registered("special-points", by_special_points_with_friction, every_reaction)
