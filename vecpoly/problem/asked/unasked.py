@@ -9,7 +9,7 @@ from ...errors import MobilityError
 from ...mechanism.asked.forces import pairs, press_named
 from ...mechanism.groups.assur import decompose, ends
 from ...mechanism.groups.stars import has_plate
-from ...mechanism.loads import Loads
+from ...mechanism.loads import Force, Loads
 from ...mechanism.model import FRAME, Drive, Mechanism, Prismatic, Revolute
 from ...names import Named
 from .asks import AskNamed
@@ -35,17 +35,18 @@ def _comes_apart(mech: Mechanism, loads: Loads) -> bool:
     """Whether from the driving link, or from another on the frame, there are dyads, cylinders, single gears and racks,
     central links on three legs alone: of these the reactions are drawn.
 
-    A cylinder that drives between two moving links gives way to the load that is sought: to its own thrust, or to the
-    one on a link of the frame.
+    A cylinder whose links carry more than its thrust is no two-force member, and none is drawn. One that drives
+    between two moving links gives way to its own thrust where that is sought.
     """
     unknown = loads.unknown
-    if not mech.drive.between:
-        drives = (mech.drive, *(_turned(name) for name in mech.numbered if _on_frame(mech, name)))
-        return any(_is_drawn(mech, drive) for drive in drives)
-    if unknown.link in mech.drive.pair:
+    pushed = any(force.against for force in loads.forces)
+    if any(force.against and loads.burdens(force) for force in loads.forces):
+        return False
+    if mech.drive.between and isinstance(unknown, Force) and unknown.against:
         rest = _without(mech, mech.drive.pair)
-        return any(_is_drawn(rest, _turned(name)) for name in rest.bodies if _on_frame(rest, name))
-    return _is_drawn(mech, mech.drive) or (_on_frame(mech, unknown.link) and _is_drawn(mech, _turned(unknown.link)))
+        return any(_is_drawn(rest, _turned(name), pushed) for name in rest.bodies if _on_frame(rest, name))
+    drives = (mech.drive, *(_turned(name) for name in mech.numbered if _on_frame(mech, name)))
+    return any(_is_drawn(mech, drive, pushed) for drive in drives)
 
 
 def _turned(link: str) -> Drive:
@@ -66,12 +67,15 @@ def _on_frame(mech: Mechanism, link: str) -> bool:
     return any({link, FRAME} == set(ends(j)) for j in mech.joints if isinstance(j, Revolute | Prismatic))
 
 
-def _is_drawn(mech: Mechanism, drive: Drive) -> bool:
+def _is_drawn(mech: Mechanism, drive: Drive, pushed: bool) -> bool:
     try:
         groups = decompose(replace(mech, drives=(drive,)))
     except MobilityError:
         return drive in mech.drives  # what is wrong with it is told elsewhere
     return all(
-        group.dyad is not None or group.ram is not None or group.kind in ("gear", "rack") or has_plate(group)
+        group.dyad is not None
+        or (pushed and group.ram is not None)
+        or group.kind in ("gear", "rack")
+        or has_plate(group)
         for group in groups
     )
