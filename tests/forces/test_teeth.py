@@ -99,7 +99,8 @@ def test_loads_through_the_bearing_leave_the_teeth_alone() -> None:
 
 
 @pytest.mark.parametrize(
-    "problem", ["winch-gears", "rack-lift", "planetary-reactions", "plate-reactions", "plate-on-crank"]
+    "problem",
+    ["winch-gears", "rack-lift", "planetary-reactions", "plate-reactions", "plate-on-crank", "plate-two-slides"],
 )
 def test_drawn_forces_of_gears_and_plates_are_those_of_the_oracle(problem: str) -> None:
     for answer in of_library(problem).answers.values():

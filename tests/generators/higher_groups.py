@@ -9,18 +9,10 @@ import numpy as np
 from vecpoly import loads
 from vecpoly.mechanism.groups.assur import hinges
 from vecpoly.mechanism.model import Prismatic
-from vecpoly.solution import Solution
 
 from .class_iii import LEGS, Layout, class_iii, crank, made
-from .equilibrium import in_equilibrium
 from .family import family
-from .powers import loaded, no_power_is_left
-
-
-def told(solution: Solution) -> str:
-    """Equilibrium of every body; of the powers alone where two legs on one moving link leave no reaction drawn."""
-    drawn = any(key.startswith("R_") for key in solution.as_json()["forces"])
-    return in_equilibrium(solution) if drawn else no_power_is_left(solution)
+from .powers import every_reaction, loaded
 
 
 def balanced(rng: np.random.Generator, text: str) -> str:
@@ -33,13 +25,13 @@ def balanced(rng: np.random.Generator, text: str) -> str:
     return loaded(rng, text, f'  X_b: {{on: {link}{way if force else ""}, size: "?"}}\n', find="")
 
 
-@family("forces-class-iii", also=told)
+@family("forces-class-iii", also=every_reaction)
 def of_class_iii(rng: np.random.Generator) -> str:
     """A central link on three legs."""
     return balanced(rng, class_iii(rng))
 
 
-@family("forces-class-iii-friction", also=told, often=4)
+@family("forces-class-iii-friction", also=every_reaction, often=4)
 def with_friction(rng: np.random.Generator) -> str:
     """The same with friction circles of some pins."""
     bare = class_iii(rng)
@@ -54,16 +46,14 @@ def on_crank(rng: np.random.Generator) -> str:
     return made(lay, crank(lay), "", ["frame", "1", "1"], [str(kind) for kind in rng.choice(LEGS, 3)])
 
 
-@family("forces-special-points", also=told)
+@family("forces-special-points", also=every_reaction)
 def by_special_points(rng: np.random.Generator) -> str:
     """A central link with legs of any kind on the crank, loads on each of them."""
     return balanced(rng, on_crank(rng))
 
 
-@family("forces-special-points-friction", also=told, often=2)
-def by_special_points_with_friction(rng: np.random.Generator) -> str:
-    """The same with friction in pins and slides."""
-    bare = on_crank(rng)
+def rubbed(rng: np.random.Generator, bare: str) -> str:
+    """Friction in some pins and slides, the balancing moment on the crank."""
     mech = loads(bare).mechanism
     sliding = {pin.point for pin in mech.slot_pins.values()}  # these turn in no bearing
     pins = [p for p in hinges(mech) if p not in sliding and rng.random() < 0.7]
@@ -76,3 +66,29 @@ def by_special_points_with_friction(rng: np.random.Generator) -> str:
     )
     free = '  X_b: {on: 1, size: "?"}\n'
     return re.sub(r"\n+$", "\n", loaded(rng, bare, free, find="")) + (f"friction:\n{rubbing}" if rubbing else "")
+
+
+@family("forces-special-points-friction", also=every_reaction, often=2)
+def by_special_points_with_friction(rng: np.random.Generator) -> str:
+    """The same with friction in pins and slides."""
+    return rubbed(rng, on_crank(rng))
+
+
+def with_two_slides(rng: np.random.Generator) -> str:
+    """A leg with two slides, two others of any kind: no link on the frame makes class II of it."""
+    lay = Layout(rng)
+    kinds = ["parallel", *(str(kind) for kind in rng.choice(LEGS, 2))]
+    rng.shuffle(kinds)
+    return made(lay, crank(lay), "", ["frame", "1", "1"], kinds)
+
+
+@family("forces-two-slides", also=every_reaction, often=3)
+def on_two_slides(rng: np.random.Generator) -> str:
+    """A central link one leg of which has two slides, loads on any link, balanced on any."""
+    return balanced(rng, with_two_slides(rng))
+
+
+@family("forces-two-slides-friction", also=every_reaction, often=2)
+def on_two_slides_with_friction(rng: np.random.Generator) -> str:
+    """The same with friction in pins and slides."""
+    return rubbed(rng, with_two_slides(rng))

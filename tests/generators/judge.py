@@ -1,6 +1,7 @@
 """One random problem judged: drawn by the exact hand = oracle = central differences of the oracle's positions.
 
-right: all agree. refused: the program declines, with its reason. wrong: two of the three disagree. broken: a traceback.
+right: all agree. refused: the program declines, with its reason. wrong: two of the three disagree, or what is called
+locked moves by the exact equilibrium. broken: a traceback.
 """
 
 from __future__ import annotations
@@ -12,8 +13,9 @@ from enum import StrEnum
 from vecpoly import loads
 from vecpoly.designs.base import Design
 from vecpoly.designs.verdict import Verdict as Use
-from vecpoly.errors import VecpolyError
+from vecpoly.errors import LockedError, VecpolyError
 from vecpoly.mechanism.model import Mechanism
+from vecpoly.oracle.forces import forces
 from vecpoly.oracle.synthesis.registry import linkages
 from vecpoly.solution import Answer, Solution, solve
 
@@ -54,6 +56,9 @@ def judge(text: str, also: Check = content) -> Verdict:
     """Load, draw, and compare; never raises."""
     try:
         return _judged(text, also)
+    except LockedError as error:
+        kind = Kind.WRONG if moves(text) else Kind.REFUSED
+        return Verdict(kind=kind, why=f"{type(error).__name__}: {error}")
     except VecpolyError as error:
         why = f"{type(error).__name__}: {error}"
         return Verdict(kind=Kind.WRONG if _is_solved(text) else Kind.REFUSED, why=why)
@@ -68,6 +73,18 @@ def _is_solved(text: str) -> bool:
         return isinstance(subject, Design) and any(one.verdict is Use.VALID for one in linkages(subject))
     except VecpolyError:
         return False
+
+
+def moves(text: str) -> bool:
+    """Whether the file is accepted and the exact equilibrium of its loads exists."""
+    try:
+        problem = loads(text)
+        if problem.loads is None:
+            return False
+        forces(problem.mechanism, problem.loads)
+    except VecpolyError:
+        return False
+    return True
 
 
 def _judged(text: str, also: Check) -> Verdict:

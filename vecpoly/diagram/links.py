@@ -123,7 +123,8 @@ def _drawn(posed: Posed, links: tuple[str, ...], paper: list[Mark]) -> Iterator[
 def _is_late(posed: Posed, joint: Prismatic, links: tuple[str, ...]) -> bool:
     """Whether it guides, on a link drawn before, a block that is only now located."""
     outside = joint.guide not in links and joint.guide != FRAME
-    return joint.block in links and outside and not contact_replaced(posed.mech, joint.block)
+    before = outside and posed.is_located(joint.guide)
+    return joint.block in links and before and not contact_replaced(posed.mech, joint.block)
 
 
 def _late_guide(posed: Posed, joint: Prismatic) -> Iterator[Mark]:

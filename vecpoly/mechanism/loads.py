@@ -174,6 +174,11 @@ class Loads:
         """The link's mass, if it has one."""
         return next((m for m in self.masses if m.link == link), None)
 
+    def burdens(self, thrust: Force) -> bool:
+        """Whether more than its thrust acts on the links of a cylinder: then it is no two-force member."""
+        pair = (thrust.link, thrust.against)
+        return any(self.mass(link) or any(load != thrust for load in self.on(link)) for link in pair)
+
     def without_roles(self) -> Loads:
         """The loads, none called driving or resisting: over a cycle a load may be both in turn."""
         return replace(

@@ -5,5 +5,6 @@ from __future__ import annotations
 
 from . import cams as cams
 from . import laws as laws
+from . import locking as locking
 from . import thrusts as thrusts
 from . import written as written

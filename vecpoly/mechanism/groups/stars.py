@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from ..model import Prismatic
 from .assur import ends
 from .group import Group
 
@@ -18,10 +17,6 @@ def plate_of(group: Group) -> str | None:
     return plates[0] if len(plates) == 1 and single and legs == set(group.links) - set(plates) else None
 
 
-def has_three_axes(group: Group) -> bool:
-    """Whether each leg presses on the central link along an axis of its own: none has two slides."""
-    if plate_of(group) is None:
-        return False
-    slides = (joint for joint in (*group.inner, *(out.joint for out in group.outer)) if isinstance(joint, Prismatic))
-    on_legs = [name for joint in slides for name in ends(joint) if name in {out.link for out in group.outer}]
-    return len(on_legs) == len(set(on_legs))
+def has_plate(group: Group) -> bool:
+    """Whether the group is a central link on three legs: the reactions of such a one are drawn."""
+    return plate_of(group) is not None

@@ -54,7 +54,8 @@ def exchanged(mech: Mechanism, stages: tuple[Stage, ...]) -> Exchange:
     Raises NoMethodError, AssemblyError, DeadPointError.
     """
     mech, profiles = osculated(mech)
-    group = next((g for g in decompose(mech) if g.kind == "driven"), None)
+    by_centres = Stage.CENTRES in stages  # centres lead on from a link whose motion against the frame is known
+    group = next((g for g in decompose(mech) if g.kind == "driven" or (by_centres and _driven_in(mech, g))), None)
     if group is None:
         return Exchange(mech, {} if profiles is None else {Stage.POSITION: profiles})
     drive = next(one for one in mech.drives if one.between and one.pair <= set(group.links))
@@ -62,9 +63,14 @@ def exchanged(mech: Mechanism, stages: tuple[Stage, ...]) -> Exchange:
     mech = replace(mech, branches=(*mech.branches, *bend(mech, drive)))  # what the angle says of the assembly
     trial = trial_of(mech, drive, other)
     placed = replace(other, position=_position(trial))
-    moving = Stage.VELOCITY in stages or Stage.ACCELERATION in stages
+    moving = bool({Stage.VELOCITY, Stage.ACCELERATION, Stage.CENTRES} & set(stages))
     rated = _rated(trial, placed, Stage.ACCELERATION in stages) if moving else placed
     return Exchange(driven_by(mech, drive, rated), said(trial, rated))
+
+
+def _driven_in(mech: Mechanism, group: Group) -> bool:
+    """Whether a drive between two moving links acts within the group."""
+    return any(drive.between and drive.pair <= set(group.links) for drive in mech.drives)
 
 
 def _other(mech: Mechanism, group: Group, drive: Drive) -> Drive:

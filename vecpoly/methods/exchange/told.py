@@ -18,6 +18,7 @@ def said(trial: Trial, rated: Drive) -> dict[Stage, Words]:
     return {
         Stage.POSITION: _placed(trial, rated),
         Stage.VELOCITY: _rated(trial.drive, rated),
+        Stage.CENTRES: _rated(trial.drive, rated),
         Stage.ACCELERATION: _accelerated(trial.drive, rated),
     }
 

@@ -55,7 +55,7 @@ def _known_before(mech: Mechanism) -> Order:
     own = _apart(mech, drive)
     joint = fixed_joint(own.mech, drive.link)
     first = replace(own, held=None if joint is None else Held(link=drive.link, parent=FRAME, joint=joint), known=True)
-    if is_plain(own.groups) or drive.between:
+    if is_plain(own.groups):
         return first
     for link in (one for one in mech.numbered if one != drive.link):
         moved = Drive(link=link, position=0.0, rate=1.0)

@@ -3,7 +3,8 @@ the sense of every reaction, and the friction couples of pins that enter moment 
 
 A group solved by moments needs the friction couple ρR of each pin before R is known. Passes over the whole mechanism
 give couples from couples; between two changes of sense that is a linear relation, so its secant hits the fixed point.
-Friction is raised in a few shares, so that the reactions change sides, where they do, one after the other.
+Where reactions change sides friction is raised in a few shares, so that they do so one after the other: near
+self-locking two sets of senses may each agree with themselves, and the one that a smaller friction leads to is meant.
 """
 
 from __future__ import annotations
@@ -14,12 +15,13 @@ from dataclasses import replace
 import numpy as np
 
 from ...board.board import NO_LENGTH
-from ...errors import LockedError
-from ...mechanism.groups.assur import Group
-from ...mechanism.model import Revolute
-from ...plane import Reals, dot, nominal
+from ...errors import EquilibriumError, LockedError, NoSlipSenseError
+from ...mechanism.groups.assur import Group, ends
+from ...mechanism.model import Prismatic, Revolute
+from ...plane import Reals, cross, dot, nominal
 from ...words import Words
 from .acting import Acting
+from .senses import velocity_of
 from .state import Statics
 from .trial import on_trial, tried
 
@@ -28,7 +30,11 @@ Walk = Callable[[Statics], None]
 Further = Callable[[Statics], dict[tuple[str, str], Reals]]
 ROUNDS = 30  # for each share of the friction
 SHARE = 0.25  # of the friction at a time
+ONCE = 1  # with all of it at once: where every reaction keeps the side on which it presses without friction
 FINEST = 0.01
+NEAR = 1e-3  # the same, where what side every reaction takes is told
+FAR = 0.25  # of the largest reaction: what one changes by from one share of the friction to the next
+NUDGE = 1e-7  # of the largest couple: by how much one is changed to see what the others do
 SETTLED = 1e-12  # change of the couples between two rounds, of the largest couple
 
 
@@ -54,33 +60,79 @@ def settled(
         pulls=ideal.pulls,
         balanced=ideal.balanced,
     )
-    guide: Statics = ideal
 
     def rubbed(st: Statics) -> dict[tuple[str, str], Reals]:
         return pin_couples(st, groups) | further(st) | on_trial(st)
 
     couples: dict[tuple[str, str], Reals] = dict.fromkeys(pin_couples(ideal, groups), 0.0)
     couples |= further(ideal) | on_trial(ideal)  # from the first, so that moments solve the groups of hubs
-    done, stride = 0.0, SHARE if ideal.by_moments or ideal.hubs or ideal.balanced else 1.0
-    while done < 1.0:
+    return _raised(start, ideal, rubbed, walk, couples)
+
+
+def _raised(
+    start: Statics, ideal: Statics, rubbed: Further, walk: Walk, couples: dict[tuple[str, str], Reals]
+) -> tuple[Statics, dict[tuple[str, str], Reals]]:
+    """All of the friction at once where nothing changes sides; else share by share, smaller ones where a share binds
+    that may not with the senses and couples of a little less."""
+    guide, path = ideal, [(0.0, couples)]
+    stride = SHARE if ideal.by_moments or ideal.hubs or ideal.balanced else 1.0
+    while (done := path[-1][0]) < 1.0:
         share = min(done + stride, 1.0)
         try:
-            guide, couples = _fixed(replace(start, ideal=guide, share=share), rubbed, walk, couples)
-            done = share
-        except LockedError:
-            if not ideal.balanced or stride < FINEST:
+            begun = replace(start, ideal=guide, share=share)
+            found, couples = _fixed(begun, rubbed, walk, _foreseen(path, share), ROUNDS if stride <= SHARE else ONCE)
+        except NoSlipSenseError:
+            raise
+        except EquilibriumError:
+            if stride < FINEST:
                 raise
-            stride /= 2  # a size on trial may bind where the right one does not: less friction more at a time
+            stride = min(stride / 2, SHARE)
+            continue
+        if FINEST <= stride <= SHARE and _is_far(found, guide):
+            stride /= 2  # too far to be sure that it is the same equilibrium, grown
+            continue
+        guide, stride = found, min(2 * stride, SHARE) if stride < SHARE else stride
+        path.append((share, couples))
     return guide, couples
 
 
+def _is_far(found: Statics, guide: Statics) -> bool:
+    """Whether a reaction changed by much of the largest one."""
+    sizes = [abs(complex(nominal(force.vector))) for force in found.acting.values()]
+    before = {key: guide.push(*key) for key in found.acting}
+    changes = [
+        abs(complex(nominal(force.vector - old.vector)))
+        for key, force in found.acting.items()
+        if (old := before[key]) is not None
+    ]
+    return max(changes, default=0.0) > FAR * max(sizes, default=0.0)
+
+
+def _foreseen(path: list[tuple[float, dict[tuple[str, str], Reals]]], share: float) -> Couples:
+    """The couples at a further share, from those of the last two: as 1/(c − share), for so they run off, and die away
+    without ever changing sides; to first order in line."""
+    last, couples = path[-1]
+    if len(path) < 2 or path[-2][1].keys() != couples.keys():
+        return couples
+    far, before = path[-2]
+    onward = (share - last) / (last - far)
+    return {key: _produced(c, (c - before[key]) * onward) for key, c in couples.items()}
+
+
+def _produced(size: Reals, rise: Reals) -> Reals:
+    """size² / (size − rise); in line where that would run off."""
+    bent = rise * np.sign(size) < 0.5 * np.abs(size)
+    found: Reals = np.where(bent, np.square(size) / np.where(bent, size - rise, 1.0), size + rise)[()]
+    return found
+
+
 def _fixed(
-    start: Statics, rubbed: Further, walk: Walk, couples: Couples
+    start: Statics, rubbed: Further, walk: Walk, couples: Couples, rounds: int
 ) -> tuple[Statics, dict[tuple[str, str], Reals]]:
     """The fixed point at one share of the friction."""
-    guide, slope, last = start.ideal, None, np.inf
+    guide, slope, last, near = start.ideal, None, np.inf, NEAR
     assert guide is not None
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         st = _pass(start, guide, couples, walk)
         after = rubbed(st)
         if (
@@ -91,9 +143,12 @@ def _fixed(
         same, gap = _same_senses(st, guide), _gap(couples, after)
         if same and gap < SETTLED:
             return st, after
-        if slope is None or not same or gap > last / 10:  # another linear piece than the one the secant belongs to
-            slope = _slope(start, st, rubbed, walk, couples) if couples else np.zeros((0, 0))
-        guide, last = st, gap
+        if not same and gap < near:  # settled with these senses: now those that came out otherwise change sides
+            guide, slope, last, near = st, None, np.inf, max(gap / 10, SETTLED)  # the next time nearer to it
+            continue
+        if slope is None or gap > last / 10:  # the first secant, or one that has grown old
+            slope = _slope(start, guide, rubbed, walk, couples, after) if couples else np.zeros((0, 0))
+        last = gap
         couples = _secant(couples, after, slope)
     raise LockedError(
         Words(
@@ -130,8 +185,9 @@ def pin_couples(st: Statics, groups: tuple[Group, ...]) -> dict[tuple[str, str],
 
 
 def _same_senses(st: Statics, guide: Statics) -> bool:
-    """Whether every reaction has the sense that the guide foretold; of one that was zero there it foretold none."""
-    return all(_kept(guide.push(*key), found) for key, found in st.acting.items())
+    """Whether every reaction has the sense that the guide foretold, and its friction opposes the motion as assumed;
+    of one that was zero there it foretold none."""
+    return all(_kept(guide.push(*key), found) and _opposed(st, key, found) for key, found in st.acting.items())
 
 
 def _kept(before: Acting | None, found: Acting) -> bool:
@@ -140,23 +196,42 @@ def _kept(before: Acting | None, found: Acting) -> bool:
     return float(nominal(dot(found.vector, before.vector))) >= 0
 
 
+def _opposed(st: Statics, key: tuple[str, str], found: Acting) -> bool:
+    """Whether a reaction turns about its pin, and leans in its slide, against the motion: steep as it may lean, its
+    direction alone does not tell on which side it presses."""
+    by, on = key
+    if abs(float(nominal(np.abs(found.vector)))) < NO_LENGTH:
+        return True
+    for joint in (one for one in st.mech.joints if set(ends(one)) == {by, on}):
+        if isinstance(joint, Prismatic) and st.phi(joint):
+            at = st.desk.at[joint.pin]
+            slip = velocity_of(st, on, at) - velocity_of(st, by, at)
+            return float(nominal(dot(found.vector, slip))) <= 0
+        if isinstance(joint, Revolute) and found.tangent and st.rho(joint.point):
+            return float(nominal(cross(found.at - st.desk.at[joint.point], found.vector))) * found.tangent >= 0
+    return True
+
+
 def _gap(before: Couples, after: Couples) -> float:
-    """Largest change by any hand that finds an equilibrium at all."""
+    """Largest change by the nominal hand, of the largest couple."""
     largest = max((abs(float(nominal(c))) for c in after.values()), default=0.0)
-    changes = [abs(float(nominal(after[k] - before[k]))) for k in after]
+    changes = [abs(float(nominal(c - before.get(k, 0.0)))) for k, c in after.items()]
     return max(changes, default=0.0) / largest if largest else 0.0
 
 
-def _slope(start: Statics, st: Statics, rubbed: Further, walk: Walk, couples: Couples) -> np.ndarray:
-    """How the couples that come out change with those put in: one further pass for each, nominal hand."""
-    base = {key: float(nominal(c)) for key, c in rubbed(st).items()}
+def _slope(start: Statics, guide: Statics, rubbed: Further, walk: Walk, couples: Couples, after: Couples) -> np.ndarray:
+    """How the couples that come out change with those put in: one further pass for each, nominal hand.
+
+    after: those that come out of `couples`; all with the senses of the guide, for the secant belongs to these.
+    """
+    base = {key: float(nominal(c)) for key, c in after.items()}
     stride = max([abs(c) for c in base.values()]) or 1.0
     columns = []
     for key in couples:
         moved = rubbed(
-            _pass(start, st, {k: c + (stride * 1e-3 if k == key else 0.0) for k, c in couples.items()}, walk)
+            _pass(start, guide, {k: c + (stride * NUDGE if k == key else 0.0) for k, c in couples.items()}, walk)
         )
-        columns.append([(float(nominal(moved.get(k, c))) - c) / (stride * 1e-3) for k, c in base.items()])
+        columns.append([(float(nominal(moved.get(k, c))) - c) / (stride * NUDGE) for k, c in base.items()])
     return np.array(columns).T
 
 

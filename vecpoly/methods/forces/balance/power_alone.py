@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from ....errors import NoMethodError
 from ....mechanism.groups.assur import Group
-from ....mechanism.groups.stars import has_three_axes
+from ....mechanism.groups.stars import has_plate
 from ....mechanism.loads import Loads
 from ....problem.problem import Problem
 from ....words import Words
@@ -31,7 +31,7 @@ def is_plain(groups: Iterable[Group]) -> bool:
 
 def is_drawn(groups: Iterable[Group]) -> bool:
     """Whether the reactions of all these groups are drawn: those of plain ones, and of a central link on three legs."""
-    return all(is_plain((group,)) or has_three_axes(group) for group in groups)
+    return all(is_plain((group,)) or has_plate(group) for group in groups)
 
 
 def power_first(st: Statics, loads: Loads | None = None) -> None:

@@ -84,11 +84,12 @@ def _beside(mech: Mechanism, force: Force, pin: str) -> list[str]:
 
 def _hindered(mech: Mechanism, loads: Loads, force: Force) -> Words | None:
     """Why the thrust is not that of a two-force member between two links; None where it is."""
-    pair = {force.link, force.against}
-    if any((loads.on(link) and tuple(loads.on(link)) != (force,)) or loads.mass(link) for link in pair):
+    if loads.burdens(force):
         return Words("油缸的构件上另有载荷或质量", "other loads or masses act on its links")
     if _rubs(loads, force):
-        return Words("油缸的运动副中有摩擦", "there is friction in its joints")
+        i, j = sorted((mech.number(force.link), mech.number(force.against)))
+        where = f"{force.foot}, {force.point}, {i}-{j}"
+        return Words(f"油缸的运动副中有摩擦（{where} 之一）", f"there is friction in one of its joints, {where}")
     if is_floating(mech, force) and force.size is None and loads.friction:
         return Words(
             "油缸不与机架相连，而机构中有摩擦（虚功率法不计摩擦）",
@@ -101,7 +102,7 @@ def _hindered(mech: Mechanism, loads: Loads, force: Force) -> Words | None:
 def _outer(desk: Desk, loads: Loads, force: Force) -> tuple[Force, ...]:
     mech = desk.mech
     if (why := _hindered(mech, loads, force)) is not None:
-        raise _no_method(force, why)
+        raise _no_method(loads, force, why)
     (moved,), (base,) = (_beside(mech, force, pin) for pin in (force.point, force.foot))
     along = float(np.angle(complex(nominal(desk.towards(force.foot, force.point)))))
     below, above = (
@@ -146,12 +147,27 @@ def _rubs(loads: Loads, force: Force) -> bool:
     )
 
 
-def _no_method(force: Force, why: Words) -> NoMethodError:
+def _no_method(loads: Loads, force: Force, why: Words) -> NoMethodError:
+    """Why, and what is drawn instead: without friction the balancing load alone, else without that of the cylinder."""
+    name = loads.unknown.name
+    if _rubs(loads, force):
+        remedy = Words(
+            "可去掉油缸处的摩擦（其余运动副的摩擦可保留）", "leave out that of the cylinder, the others' may stay"
+        )
+    elif loads.friction:
+        remedy = Words("可去掉这些载荷或摩擦", "leave out those loads, or the friction")
+    else:
+        remedy = Words(
+            f"可只求平衡载荷：find: [{name}]（虚功率法）",
+            f"ask the balancing load alone, find: [{name}] (virtual power)",
+        )
     return NoMethodError(
         Words(
-            f"油缸推力 {force.name}：{why.zh}，已有的图解法不能求解；vecpoly exact 给出解析解",
-            f"the thrust {force.name}: {why.en}, and no graphical method on file covers that; 'vecpoly exact' gives it",
-        ),
+            f"油缸推力 {force.name}：{why.zh}，已有的图解法不能求解；",
+            f"the thrust {force.name}: {why.en}, and no graphical method on file covers that; ",
+        )
+        + remedy
+        + Words("；vecpoly exact 给出解析解", "; 'vecpoly exact' gives it"),
         code="thrust",
     )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ....errors import NoMethodError
 from ....mechanism.groups.assur import Group, joint_letter
-from ....mechanism.groups.stars import has_three_axes
+from ....mechanism.groups.stars import has_plate
 from ....mechanism.model import Joint, Prismatic, Revolute
 from ....plane import Line, cross, nominal, unit
 from ....words import Words
@@ -21,7 +21,7 @@ from ..teeth.mesh import mesh_of, pinned
 
 def solve_group(st: Statics, group: Group) -> None:
     """Find the reactions in the joints of a group; raises NoMethodError for groups above class II."""
-    if (group.dyad is None and mesh_of(group) is not None) or has_three_axes(group):
+    if (group.dyad is None and mesh_of(group) is not None) or has_plate(group):
         WHOLE.find(Stage.FORCE, group.kind).draw(st, group)
         return
     if group.dyad is None:

@@ -14,7 +14,7 @@ from ....board.paper.marks import Role
 from ....errors import EquilibriumError, LockedError, NoMethodError
 from ....mechanism.model import Prismatic, Revolute
 from ....names import Named
-from ....plane import Line, Points, Reals, cross, foot, lines_meet, nominal, unit
+from ....plane import Line, Points, Reals, cross, dot, foot, lines_meet, nominal, unit
 from ....words import Words
 from ..acting import Acting
 from ..bodies.link_polygon import closing_side, pane_of
@@ -157,14 +157,19 @@ def _about(st: Statics, held: Held, pin: str, sense: int) -> Words:
 
 def _touching(st: Statics, held: Held, load: Resultant, line: Line, sense: int) -> Points:
     """The pin's centre, or the point of its friction circle that the parent's force touches:
-    tried until force and point agree."""
+    tried until force and point agree.
+
+    Where both sides of the circle would do, the force keeps the side on which it pressed before.
+    """
     assert isinstance(held.joint, Revolute)
     pin, u = held.joint.point, line.along
     centre = st.desk.at[pin]
-    through = float(np.abs(nominal(load.vector + u * _needed(st, load, line, centre))))
-    if not sense or through < NOTHING * float(np.abs(nominal(_needed(st, load, line, centre)))):
+    through = -(load.vector + u * _needed(st, load, line, centre))
+    if not sense or abs(complex(nominal(through))) < NOTHING * abs(float(nominal(_needed(st, load, line, centre)))):
         return centre  # without friction, or where the pin bears nothing that could touch its circle
-    for way in (1, -1):
+    before = st.pushed_before(held.parent, held.link)
+    first = 1 if float(nominal(dot(through if before is None else before, u))) >= 0 else -1
+    for way in (first, -first):
         touch = st.touch(pin, u * way, sense)
         for _ in range(ROUNDS):
             rest = -(load.vector + u * _needed(st, load, line, touch))

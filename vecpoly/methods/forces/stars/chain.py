@@ -6,6 +6,7 @@ reaction of the third leg, the forces and R^t of the second; the two parts still
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from ....board.construction import Pane
@@ -39,38 +40,44 @@ def draw_chain(
     """ΣF = 0 of the whole group. legs: the two whose parts are sought, and the third, of which that part is known."""
     one, two, last = legs
     chain = _Chain(st=st, terms=[])
-    chain.add_part(one, "t")
-    after_one = chain.reached()
-    chain.add(forces_in_chain(st, one))
-    start = chain.reached()
-    chain.add(acting_on(st, plate))
+    chain.add_first(one, plate)
     third_in = chain.reached()
     chain.add(forces_in_chain(st, last))
     third_out = chain.reached()
     chain.add_part(last, "t")
     chain.add_part(last, "n", third)
-    second_in = chain.reached()
-    chain.add(forces_in_chain(st, two))
-    second_out = chain.reached()
-    chain.add_part(two, "t")
-    pane = _begin(st, links)
-    eq = Equation(left=(*chain.terms, two.reaction.sought(st), one.reaction.sought(st)))
-    vertices, x = closed(st, pane, eq, chain.terms)
-    corner = (LETTERS[len(chain.terms) + 1], x)
-    at = [(LETTERS[i], vertex) for i, vertex in enumerate(vertices)]
-    return (
-        Sides(outer=_side(pane, corner, at[after_one]), inner=_side(pane, corner, at[start])),
-        Sides(outer=_side(pane, at[second_out], corner), inner=_side(pane, at[second_in], corner)),
-        Sides(outer=_side(pane, at[third_out], at[second_in]), inner=_side(pane, at[third_in], at[second_in])),
-    )
+    ended = chain.reached()
+    first, second, side = chain.closed(links, one, two)
+    return first, second, Sides(outer=side(third_out, ended), inner=side(third_in, ended))
+
+
+def draw_chain_of_two(
+    st: Statics, links: tuple[str, ...], plate: str, legs: tuple[Pressed, Pressed], pushed: list[Acting]
+) -> tuple[Sides, Sides]:
+    """ΣF = 0 of the central link with two legs. pushed: what the third leg, known already, presses on it with."""
+    chain = _Chain(st=st, terms=[])
+    chain.add_first(legs[0], plate)
+    chain.add(pushed)
+    first, second, _ = chain.closed(links, *legs)
+    return first, second
 
 
 @dataclass(slots=True, kw_only=True)
 class _Chain:
-    """The known terms, head to tail."""
+    """The known terms, head to tail; where R^t of the first leg ends, and where its forces do."""
 
     st: Statics
     terms: list[Term]
+    after_t: int = 0
+    start: int = 0
+
+    def add_first(self, one: Pressed, plate: str) -> None:
+        """R^t and the forces of the first leg, the forces of the central link."""
+        self.add_part(one, "t")
+        self.after_t = self.reached()
+        self.add(forces_in_chain(self.st, one))
+        self.start = self.reached()
+        self.add(acting_on(self.st, plate))
 
     def reached(self) -> int:
         """The corner that the chain has reached."""
@@ -94,14 +101,33 @@ class _Chain:
             Term(rel=named, symbol=named.symbol, direction=reaction.direction, magnitude="✓", vector=vector, tip=tip)
         )
 
+    def closed(
+        self, links: tuple[str, ...], one: Pressed, two: Pressed
+    ) -> tuple[Sides, Sides, Callable[[int, int], Drawn]]:
+        """The forces and R^t of the second leg; the two parts still sought close the polygon. Gives the reactions of
+        both, and what is a side from corner to corner."""
+        second_in = self.reached()
+        self.add(forces_in_chain(self.st, two))
+        second_out = self.reached()
+        self.add_part(two, "t")
+        pane = _begin(self.st, links)
+        eq = Equation(left=(*self.terms, two.reaction.sought(self.st), one.reaction.sought(self.st)))
+        vertices, x = closed(self.st, pane, eq, self.terms)
+        corner = (LETTERS[len(self.terms) + 1], x)
+        at = [(LETTERS[i], vertex) for i, vertex in enumerate(vertices)]
+        first = Sides(outer=_side(pane, corner, at[self.after_t]), inner=_side(pane, corner, at[self.start]))
+        second = Sides(outer=_side(pane, at[second_out], corner), inner=_side(pane, at[second_in], corner))
+        return first, second, lambda start, end: _side(pane, at[start], at[end])
+
 
 def _begin(st: Statics, links: tuple[str, ...]) -> Pane:
     pane = st.polygon("-".join(map(st.mech.number, links)), polygon_title(st, *links))
     numbers = list(map(st.mech.number, links))
+    whole = Words("整个杆组", "the whole group") if len(links) > 3 else Words("其余构件", "the rest of the group")
     st.board.step(
         Words(
-            f"列整个杆组（构件 {'、'.join(numbers)}）的力平衡方程，按 $μ_F$ 作力多边形，各力首尾相接。",
-            f"Write the equilibrium of the whole group, links {', '.join(numbers)}, and draw the polygon to $μ_F$, the "
+            f"列{whole.zh}（构件 {'、'.join(numbers)}）的力平衡方程，按 $μ_F$ 作力多边形，各力首尾相接。",
+            f"Write the equilibrium of {whole.en}, links {', '.join(numbers)}, and draw the polygon to $μ_F$, the "
             "forces head to tail.",
         ),
         pane,

@@ -7,8 +7,6 @@ presses along its axis; the force polygon of the group gives the other two.
 
 from __future__ import annotations
 
-from typing import assert_never
-
 import numpy as np
 
 from ....board.construction import Pane, View
@@ -18,21 +16,18 @@ from ....mechanism.model import Prismatic
 from ....plane import Points, cross, foot, nominal
 from ....words import Words
 from ...kinematics.class_iii.special import special_of
-from ...kinematics.class_iii.star import Guided, Hinged, Slotted, Star, star_of
+from ...kinematics.class_iii.star import Star, star_of
 from ...registry import Stage, method
-from ..acting import Drawn
 from ..bodies.arrows import REACH
-from ..bodies.link_polygon import closing_side
-from ..groups.body import SHORT, draw_forces, group_pane
+from ..groups.body import SHORT, group_pane
 from ..groups.corners import part_named
-from ..groups.polygon import name_side, say_measured
-from ..groups.reactions import settle_pin, settle_slide
-from ..lines.arms import Turning, acting_on, joined, moments_at
+from ..lines.arms import Turning, joined, moments_at
 from ..lines.letters import arm_about_point
-from ..lines.resultant import Resultant
 from ..state import Statics
-from .chain import Sides, draw_chain
+from .chain import draw_chain
 from .legs import Pressed, known_moment, pressed
+from .settling_legs import draw_group_body, name_legs, settle_leg
+from .two_slides import forces_two_slides
 
 _SOURCE = "机械原理, class III groups by special points (Assur points): forces"
 
@@ -51,6 +46,9 @@ def forces_class_iii(st: Statics, group: Group) -> None:
         _unloaded(st, group)
         return
     st.by_moments.add(group.links)
+    if star.parallel is not None:
+        forces_two_slides(st, group, star, star.parallel)
+        return
     links = group.links
     special = special_of(st.desk, star)
     one, two, third = (pressed(st, star, leg, links) for leg in (*special.pair, special.third))
@@ -60,10 +58,10 @@ def forces_class_iii(st: Statics, group: Group) -> None:
     turning = joined(*parts, *(known_moment(st, leg, about, links) for leg in legs))
     known = _along_axis(st, third, about, turning, links)
     sides = draw_chain(st, links, star.plate, legs, known)
-    _name(st, star, legs, sides)
+    name_legs(st, star, legs, sides)
     for leg, found in zip(legs, sides, strict=True):
-        _settle(st, star, leg, found, links)
-    _draw_body(st, star, legs, links)
+        settle_leg(st, star, leg, found, links)
+    draw_group_body(st, star, legs, links)
 
 
 def _meeting(st: Statics, star: Star, pair: tuple[Pressed, Pressed], letter: str, links: tuple[str, ...]) -> Points:
@@ -115,65 +113,7 @@ def _draw_arm(st: Statics, pane: Pane, place: Points, end: Points, symbol: str) 
         st.board.plot(pane, (place + end) / 2, symbol, Dot.NONE)
 
 
-def _name(st: Statics, star: Star, legs: tuple[Pressed, ...], sides: tuple[Sides, ...]) -> None:
-    """Every reaction that is a side or a diagonal, measured and named."""
-    found: list[tuple[str, str, Drawn]] = []
-    for one, both in zip(legs, sides, strict=True):
-        if not isinstance(one.leg, Slotted):
-            found.append((one.leg.parent, one.leg.link, both.outer))
-        found.append((one.leg.link, star.plate, both.inner))
-    say_measured(st, tuple((st.named(by, on).symbol, drawn) for by, on, drawn in found))
-    for by, on, drawn in found:
-        name_side(st, drawn, by, on)
-
-
-def _settle(st: Statics, star: Star, one: Pressed, both: Sides, links: tuple[str, ...]) -> None:
-    """Where each reaction of the leg acts."""
-    match one.leg:
-        case Hinged(link=link, parent=parent, outer=o, inner=b):
-            settle_pin(st, parent, link, o, both.outer)
-            settle_pin(st, link, star.plate, b, both.inner)
-        case Guided(link=link, parent=parent, inner=b):
-            assert one.placed is not None
-            settle_slide(st, links, parent, link, both.outer, one.placed)
-            settle_pin(st, link, star.plate, b, both.inner)
-        case Slotted(link=link, parent=parent, outer=q):
-            assert one.placed is not None
-            outer = both.inner if not acting_on(st, link) else None
-            settle_slide(st, links, star.plate, link, both.inner.reversed(), one.placed)
-            settle_pin(st, parent, link, q, outer or _closing(st, parent, link))
-        case _:
-            assert_never(one.leg)
-
-
-def _closing(st: Statics, parent: str, link: str) -> Drawn:
-    """The force of a pin on a leg whose other forces are all known, by a polygon of its own."""
-    named, number = st.named(parent, link), st.mech.number(link)
-    st.board.step(
-        Words(
-            f"列构件 {number} 的力平衡方程，作其力多边形，得 ${named.symbol}$。",
-            f"Write the equilibrium of link {number} and draw its polygon, which gives ${named.symbol}$.",
-        )
-    )
-    rest = Resultant(forces=tuple(acting_on(st, link)), vector=0j, at=0j)
-    return closing_side(st, parent, link, rest)
-
-
 def _unloaded(st: Statics, group: Group) -> None:
     """No load on the whole group: no force in its joints."""
     for joint in (*group.inner, *(out.joint for out in group.outer)):
         st.settle(*ends(joint), 0j, st.desk.at[joint.pin if isinstance(joint, Prismatic) else joint.point])
-
-
-def _draw_body(st: Statics, star: Star, legs: tuple[Pressed, ...], links: tuple[str, ...]) -> None:
-    """All forces on the group at their lines of action; what its links do to each other stays inside."""
-    own = {st.named(leg.link, star.plate).key for leg in star.axial} | {
-        st.named(star.plate, leg.link).key for leg in star.axial
-    }
-    own |= {st.named(leg.parent, leg.link).key for leg in star.axial}
-    forces = [force for link in links for force in st.known(link) if force.named.key not in own]
-    for one in legs:
-        whole = st.push(one.leg.parent, one.leg.link)
-        outer = one.reaction.parts(st) if not isinstance(one.leg, Slotted) else [] if whole is None else [whole]
-        forces += outer
-    draw_forces(st, group_pane(st, *links), links, forces)
