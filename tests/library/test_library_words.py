@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.drawn_library import IDS, drawn, sentences
+from tests.each import each
 from tests.laws import often
 from tests.studies import solved
 from vecpoly.cycle.facts.found import facts
@@ -58,14 +59,14 @@ def test_a_foreign_word_is_seen(words: Words, found: list[str]) -> None:
     assert foreign(words) == found
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_no_sentence_of_a_construction_has_a_word_of_the_other_language(name: str) -> None:
     said = list(sentences(drawn(name).construction))
     assert len(said) >= 2 * len(drawn(name).construction.steps) > 0
     assert {words: foreign(words) for words in said if foreign(words)} == {}
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_every_step_says_something_in_both_languages(name: str) -> None:
     steps = drawn(name).construction.steps
     assert steps and [step.number for step in steps] == list(range(1, len(steps) + 1))
@@ -146,7 +147,7 @@ def numbers(text: str) -> set[str]:
     return set(NUMBER.findall(SYMBOL.sub("", text)))
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_letters_symbols_and_numbers_of_a_sentence_are_the_same_in_both_languages(name: str) -> None:
     for words in set(sentences(drawn(name).construction)):
         zh, en = atoms(words.zh), atoms(words.en)
@@ -154,7 +155,7 @@ def test_letters_symbols_and_numbers_of_a_sentence_are_the_same_in_both_language
         assert IMAGE.search(words.zh) or numbers(words.zh) == numbers(words.en), words
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_sense_of_rotation_is_told_in_both_languages_or_in_none(name: str) -> None:
     for words in set(sentences(drawn(name).construction)):
         for zh, en in SENSES.items():
