@@ -12,12 +12,15 @@ import pytest
 from tests.drawn_library import IDS, drawn, sentences
 from tests.each import each
 from tests.laws import often
-from tests.studies import solved
+from tests.studies import solved, studied
+from vecpoly.check.table.whole import TableCheck, check_table
 from vecpoly.cycle.facts.found import facts
 from vecpoly.cycle.facts.sentences import sentences as facts_told
 from vecpoly.cycle.whole_cycle import cycle
 from vecpoly.problem.load import load
+from vecpoly.report import printed_tables
 from vecpoly.report.content import Objects
+from vecpoly.report.course import document
 from vecpoly.report.document import markup
 from vecpoly.report.flow.blocks import Drawing
 from vecpoly.report.flow.table import DataTable
@@ -83,8 +86,17 @@ def test_no_fact_of_a_cycle_has_a_word_of_the_other_language(name: str) -> None:
 
 
 @cache
+def checked(name: str, file: Path) -> TableCheck:
+    return check_table(solved(name).problem, file)
+
+
+@cache
 def marked_up(name: str, lang: Lang, style: str) -> tuple[str, Objects]:
-    return markup([solved(name)], lang, style, {}, None, None)
+    """A report in both languages is about one study, and its tables are checked once."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(document, "study", lambda one: studied(one.problem.id))
+        patch.setattr(printed_tables, "check_table", lambda problem, file: checked(problem.id, file))
+        return markup([solved(name)], lang, style, {}, None, None)
 
 
 def printed(name: str, lang: Lang, style: str) -> str:

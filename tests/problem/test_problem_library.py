@@ -6,6 +6,7 @@ import cmath
 import math
 import subprocess
 import sys
+from functools import cache
 
 import pytest
 
@@ -38,9 +39,14 @@ def test_every_exercise_of_chapter_3_is_there() -> None:
     assert [i for i in IDS if i.startswith("3-")] == sorted((i for i in IDS if i.startswith("3-")), key=natural)
 
 
+@cache
+def problem_of(name: str) -> Problem:
+    return load(name)
+
+
 @each(IDS)
 def test_every_file_loads_with_both_languages_and_something_to_find(name: str) -> None:
-    problem = load(name)
+    problem = problem_of(name)
     assert problem.id == name and problem.asks and problem.path is not None
     assert problem.title.zh and problem.title.en and problem.statement.zh and problem.statement.en
     assert problem.statement.zh != problem.statement.en
@@ -49,7 +55,7 @@ def test_every_file_loads_with_both_languages_and_something_to_find(name: str) -
 
 @each(IDS)
 def test_the_cheap_head_tells_the_title_of_the_file(name: str) -> None:
-    assert next(entry.title for entry in library() if entry.id == name) == load(name).title
+    assert next(entry.title for entry in library() if entry.id == name) == problem_of(name).title
 
 
 def test_the_six_bar_of_problem_27_takes_fifteen_lines() -> None:
