@@ -23,6 +23,7 @@ from vecpoly.batch.run.runners import Here
 from vecpoly.errors import VecpolyError
 
 CLASS, COUNT = FIVE, 2
+ALIKE = TEXT[: TEXT.index("    vary:")]  # everybody the same numbers: no pilot is drawn by three programs
 
 
 def order_of(out: Path) -> Order:
@@ -132,7 +133,7 @@ def test_a_broken_manifest_is_named(copies: tuple[Path, ...], tmp_path: Path) ->
 def test_the_make_example_of_the_manual_makes_the_class(tmp_path: Path) -> None:
     text = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")
     (tmp_path / "Makefile").write_text(text.partition("```make\n")[2].partition("```")[0], encoding="utf-8")
-    (tmp_path / "hw3.yaml").write_text(TEXT, encoding="utf-8")
+    (tmp_path / "hw3.yaml").write_text(ALIKE, encoding="utf-8")
     book = Workbook()
     page = book.active
     assert page is not None

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.each import Later, each
 from tests.generators.family import families, member
 from vecpoly import oracle
 from vecpoly.analytic.build import model
@@ -21,9 +22,15 @@ from vecpoly.names import At
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load, loads
 
-MECHANISMS = {entry.id: one for entry in library() if isinstance(one := load(entry.id).subject, Mechanism)}
-IDS = tuple(name for name, one in MECHANISMS.items() if not one.cams)
-PROFILES = tuple(name for name, one in MECHANISMS.items() if one.cams)
+
+@cache
+def mechanisms() -> dict[str, Mechanism]:
+    """Those of the library."""
+    return {entry.id: one for entry in library() if isinstance(one := load(entry.id).subject, Mechanism)}
+
+
+IDS = Later(lambda: (name for name, one in mechanisms().items() if not one.cams))
+PROFILES = Later(lambda: (name for name, one in mechanisms().items() if one.cams))
 GEARED = {
     "crank-rack-pinion",
     "pinion-drives-rack",
@@ -107,13 +114,13 @@ def held(text: str) -> dict[str, float]:
     return off(mech, modelled(mech))
 
 
-@pytest.mark.parametrize("name", PROFILES)
+@each(PROFILES)
 def test_a_cam_with_a_profile_has_no_model_in_formulas(name: str) -> None:
     with pytest.raises(NoMethodError, match="profile of cam 1"):
-        modelled(MECHANISMS[name])
+        modelled(mechanisms()[name])
 
 
-@pytest.mark.parametrize("name", [name for name in IDS if name not in GEARED])
+@each(Later(lambda: (name for name in IDS if name not in GEARED)))
 def test_the_model_of_every_mechanism_moves_as_the_oracle_does(name: str) -> None:
     mech = from_pivots(load(name).mechanism)
     assert off(mech, modelled(mech)) == {}
@@ -127,7 +134,7 @@ def test_gears_that_have_no_formulas_are_refused_in_words(name: str) -> None:
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_the_model_of_random_mechanisms_moves_as_the_oracle_does(name: str) -> None:
-    one, told = next(each for each in families() if each.name == name), 0
+    one, told = next(family for family in families() if family.name == name), 0
     for number in range(12 if name.startswith("linkage") else 4):
         try:
             wrong = held(member(one, 0, number))

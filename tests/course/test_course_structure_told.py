@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from tests.drawn_library import drawn, ids
+from tests.each import Later, each
 from tests.studies import studied
 from vecpoly.board.construction import View
 from vecpoly.findings.study.study import Study, study
@@ -49,7 +50,7 @@ def several(name: str) -> dict[str, int]:
     return {point: len(links) - 1 for point, links in hinged.items() if len(links) > 2}
 
 
-@pytest.mark.parametrize("name", ids())
+@each(Later(ids))
 def test_compound_hinges_are_told_with_the_number_of_their_revolutes(name: str) -> None:
     zh, en = told(name)
     assert {p: int(n) for p, n in re.findall(r"\$(\w+)\$ \((\d+) revolutes\)", en)} == several(name)
@@ -57,7 +58,7 @@ def test_compound_hinges_are_told_with_the_number_of_their_revolutes(name: str) 
     assert ("no multiple joint" in en) == ("无复合铰链" in zh) == (not several(name))
 
 
-@pytest.mark.parametrize("name", ids())
+@each(Later(ids))
 def test_slots_rolling_and_higher_pairs_are_told_where_they_are_and_nowhere_else(name: str) -> None:
     (zh, en), mech = told(name), found(name).mech
     pins = [j.pin for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot]
@@ -76,7 +77,7 @@ def test_slots_rolling_and_higher_pairs_are_told_where_they_are_and_nowhere_else
     assert ("滚子绕自身轴线的转动为局部自由度" in zh) == bool(mech.welded)
 
 
-@pytest.mark.parametrize("name", ids())
+@each(Later(ids))
 def test_the_conclusion_names_every_group_with_its_links_and_the_highest_class(name: str) -> None:
     it = found(name)
     groups, words = decompose(it.mech), concluded(it)

@@ -11,6 +11,7 @@ import pytest
 import shapely
 
 from tests.drawn_library import IDS, drafted
+from tests.each import each
 from tests.label_faults import astray, faults
 from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.paper.marks import Dot, LinkNumber, Point, Role, Segment, Vector
@@ -105,16 +106,16 @@ def test_placing_is_deterministic() -> None:
     assert drawing(polygon(11)).label_boxes == drawing(polygon(11)).label_boxes
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_no_label_of_the_library_stands_on_a_line_an_arrowhead_or_another_label(name: str) -> None:
-    for each in _drawn(name):
-        assert faults(each) == []
+    for one in _drawn(name):
+        assert faults(one) == []
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_no_label_of_the_library_stands_nearer_to_another_point_link_or_vector_than_to_its_own(name: str) -> None:
-    for each in _drawn(name):
-        assert astray(each) == []
+    for one in _drawn(name):
+        assert astray(one) == []
 
 
 @cache

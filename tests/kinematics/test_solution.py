@@ -11,6 +11,7 @@ import pytest
 
 from tests.drawn_library import IDS, drafted
 from tests.drawn_library import drawn as by_exact_hand
+from tests.each import each
 from vecpoly import load, loads
 from vecpoly.errors import AssemblyError, DeadPointError
 from vecpoly.mechanism.model import Mechanism
@@ -41,7 +42,7 @@ def four_bar(
     return FOUR_BAR.format(ab=ab, bc=bc, cd=cd, ad=ad, phi=phi, branch=branch)
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_the_exact_hand_agrees_with_the_oracle(name: str) -> None:
     for key, a in by_exact_hand(name).solution.answers.items():
         drawn = a.drawn_vector if a.drawn_vector is not None else a.drawn
@@ -49,7 +50,7 @@ def test_the_exact_hand_agrees_with_the_oracle(name: str) -> None:
         assert abs(drawn - exact) <= 1e-9 * max(abs(exact), 1e-4), key
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_drafting_readings_lie_within_their_expected_error(name: str) -> None:
     solution = drafted(name)
     assert solution is not None

@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import re
 
-import pytest
-
 from tests.drawn_library import desk_of, drawn, ids
+from tests.each import Later, each
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Block, Ground, Point, Segment, Vector
@@ -16,8 +15,10 @@ from vecpoly.methods.centres.direct import direct_centres
 from vecpoly.methods.centres.state import NAME
 from vecpoly.oracle.centres import Centres
 
-IDS = tuple(
-    name for name in ids() if any(step.section.en == "Instant centres" for step in drawn(name).construction.steps)
+IDS = Later(
+    lambda: (
+        name for name in ids() if any(step.section.en == "Instant centres" for step in drawn(name).construction.steps)
+    )
 )
 SEEN = 1e-4  # mm
 
@@ -32,14 +33,14 @@ def steps(name: str) -> list[str]:
     return [step.words.zh for step in drawn(name).construction.steps if step.section.en == "Instant centres"]
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_the_number_of_centres_is_counted_first(name: str) -> None:
     k = len(real_links(drawn(name).problem.mechanism))
     assert f"$K$ = {k} 个构件" in steps(name)[0] and count(drawn(name).problem.mechanism) == k * (k - 1) // 2
     assert "重画机构图" in steps(name)[1] and steps(name)[2].startswith("直接相连的构件，其瞬心由观察得到：")
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_every_centre_that_is_sought_has_one_step_that_names_the_lines_on_which_it_lies(name: str) -> None:
     mech = drawn(name).problem.mechanism
     sought = [words for words in steps(name) if words.startswith("求 $P_")]
@@ -65,7 +66,7 @@ def shown(name: str) -> dict[str, complex]:
     return places
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_centre_is_lettered_where_the_oracle_has_it(name: str) -> None:
     mech = drawn(name).problem.mechanism
     truth, on_paper = Centres(mech), 0
@@ -78,7 +79,7 @@ def test_a_centre_is_lettered_where_the_oracle_has_it(name: str) -> None:
     assert on_paper >= 2
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_the_lines_on_which_a_centre_lies_are_drawn(name: str) -> None:
     lines = [mark for mark in figure(name).marks if isinstance(mark, Segment)]
     sought = [step.number for step in drawn(name).construction.steps if step.words.zh.startswith("求 $P_")]
@@ -89,7 +90,7 @@ def test_the_lines_on_which_a_centre_lies_are_drawn(name: str) -> None:
     assert sum(mark.step in sought for mark in lines) >= len(sought)
 
 
-@pytest.mark.parametrize("name", [name for name in IDS if any(isinstance(m, Vector) for m in figure(name).marks)])
+@each(Later(lambda: [name for name in IDS if any(isinstance(m, Vector) for m in figure(name).marks)]))
 def test_velocities_on_the_figure_stand_square_to_the_rays_from_their_centres(name: str) -> None:
     mech = drawn(name).problem.mechanism
     motion = oracle.solve(mech)
@@ -106,7 +107,7 @@ def test_velocities_on_the_figure_stand_square_to_the_rays_from_their_centres(na
     assert arrows or name == "D-2" or all("标出各速度的方向" not in words for words in steps(name))
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_the_mechanism_stands_once_more_under_its_centres_drawn_to_their_scale(name: str) -> None:
     whole = next(f for f in drawn(name).figures(View.MECHANISM) if not f.name)
     size = whole.scale.value / figure(name).scale.value

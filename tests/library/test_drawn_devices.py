@@ -6,10 +6,10 @@ from __future__ import annotations
 import cmath
 from itertools import combinations
 
-import pytest
 import shapely
 
 from tests.drawn_library import drawn, ids
+from tests.each import Later, each
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import AngleMark, Disc, Outline, Role, Segment, Vector
 
@@ -50,9 +50,13 @@ def apart(name: str) -> list[Figure]:
     ]
 
 
-IDS = tuple(name for name in ids(mechanisms=False, view=View.BODY) if apart(name))
-SKETCHED = tuple(
-    name for name in IDS if any(isinstance(m, Outline) for f in drawn(name).figures(View.MECHANISM) for m in f.marks)
+IDS = Later(lambda: (name for name in ids(mechanisms=False, view=View.BODY) if apart(name)))
+SKETCHED = Later(
+    lambda: (
+        name
+        for name in IDS
+        if any(isinstance(m, Outline) for f in drawn(name).figures(View.MECHANISM) for m in f.marks)
+    )
 )
 
 
@@ -61,7 +65,7 @@ def test_wedges_planes_clamps_rings_and_screws_are_drawn_apart() -> None:
     assert [sum(len(reactions(f)) for f in apart(name)) for name in ("4-2", "5-2", "5-4")] == [4, 2, 4]
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_reaction_presses_on_the_face_of_its_body_from_outside(name: str) -> None:
     for figure in apart(name):
         (body,) = bodies(figure)
@@ -76,7 +80,7 @@ def test_a_reaction_presses_on_the_face_of_its_body_from_outside(name: str) -> N
             )
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_reaction_lies_inside_the_cone_of_friction_about_the_normal_of_its_face(name: str) -> None:
     coned = 0
     for figure in apart(name):
@@ -105,7 +109,7 @@ def normal(body: shapely.Polygon, at: complex, mark: AngleMark) -> float:
     return cmath.phase(inward)
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_the_normal_of_a_face_is_drawn_where_the_friction_angle_starts(name: str) -> None:
     for figure in apart(name):
         for mark in (m for m in figure.marks if isinstance(m, AngleMark) and "φ" in m.label):
@@ -120,7 +124,7 @@ def test_the_normal_of_a_face_is_drawn_where_the_friction_angle_starts(name: str
             ), figure.name
 
 
-@pytest.mark.parametrize("name", SKETCHED)
+@each(SKETCHED)
 def test_bodies_touch_each_other_and_never_lie_in_one_another(name: str) -> None:
     for figure in (f for f in drawn(name).figures(View.MECHANISM) if bodies(f)):
         moving, everything = bodies(figure), bodies(figure) + bodies(figure, fixed=True)
@@ -130,7 +134,7 @@ def test_bodies_touch_each_other_and_never_lie_in_one_another(name: str) -> None
             assert any(one.distance(other) < 0.3 for other in everything if other is not one), figure.name
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_the_speed_of_sliding_makes_an_obtuse_angle_with_the_reaction(name: str) -> None:
     for figure in apart(name):
         for arrow in (m for m in figure.marks if isinstance(m, Vector) and m.label.startswith("v")):

@@ -10,6 +10,7 @@ from math import pi
 import pytest
 
 from tests.drawn_library import drawn, ids
+from tests.each import Later, each
 from vecpoly.algebra.formula import plain
 from vecpoly.board.construction import EquationTable, Figure, Reading, Step, View
 from vecpoly.board.paper.marks import AngleMark, Dot, FrictionCircle, Point, Role, Segment, TurnArrow, Vector
@@ -17,8 +18,8 @@ from vecpoly.mechanism.loads import Force, Moment
 from vecpoly.mechanism.model import FRAME, Prismatic
 from vecpoly.names import reaction
 
-IDS = ids(view=View.FORCE)
-DEVICES = ids(mechanisms=False, view=View.FORCE)
+IDS = Later(lambda: ids(view=View.FORCE))
+DEVICES = Later(lambda: ids(mechanisms=False, view=View.FORCE))
 NEAR = 1e-6  # mm
 
 
@@ -47,7 +48,7 @@ def balances(name: str) -> list[tuple[Step, EquationTable, Figure]]:
 # -- polygons -------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", [*IDS, *DEVICES])
+@each(Later(lambda: [*IDS, *DEVICES]))
 def test_the_forces_of_an_equation_are_drawn_head_to_tail_and_close(name: str) -> None:
     assert balances(name)
     for step, table, figure in balances(name):
@@ -64,7 +65,7 @@ def test_the_forces_of_an_equation_are_drawn_head_to_tail_and_close(name: str) -
             )
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_every_reaction_of_a_polygon_has_the_size_and_the_sense_that_was_read(name: str) -> None:
     read, seen = by_symbol(name), 0
     for figure in drawn(name).figures(View.FORCE):
@@ -78,7 +79,7 @@ def test_every_reaction_of_a_polygon_has_the_size_and_the_sense_that_was_read(na
     assert seen >= 1
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_every_given_load_of_a_polygon_has_its_size_and_direction(name: str) -> None:
     loads = drawn(name).problem.loads
     given = {load.name: load for load in loads.all if isinstance(load, Force) and load.size} if loads else {}
@@ -96,7 +97,7 @@ def test_given_loads_stand_in_the_polygons() -> None:
     assert {"F", "Q", "F_{r}", "F_{i1}"} <= labels
 
 
-@pytest.mark.parametrize("name", [*IDS, *DEVICES])
+@each(Later(lambda: [*IDS, *DEVICES]))
 def test_the_forces_that_a_step_measures_are_written_in_the_order_in_which_they_are_named(name: str) -> None:
     for step in drawn(name).construction.steps:
         if found := re.search(r"由图量得 ([^。；]*)。", step.words.zh):
@@ -126,7 +127,7 @@ def beside(mark: Vector, point: complex) -> float:
     return abs(((point - mark.a) * along.conjugate()).imag)
 
 
-@pytest.mark.parametrize("name", [name for name in IDS if bodies(name)])
+@each(Later(lambda: [name for name in IDS if bodies(name)]))
 def test_an_arrow_on_a_free_body_has_the_sense_that_was_read_and_stands_on_its_line_of_action(name: str) -> None:
     read, seen = by_symbol(name), 0
     for figure in bodies(name):
@@ -140,7 +141,7 @@ def test_an_arrow_on_a_free_body_has_the_sense_that_was_read_and_stands_on_its_l
     assert seen >= 2
 
 
-@pytest.mark.parametrize("name", [name for name in IDS if bodies(name)])
+@each(Later(lambda: [name for name in IDS if bodies(name)]))
 def test_every_force_on_a_link_stands_on_its_free_body(name: str) -> None:
     read = by_symbol(name)
     far = " ".join(step.words.en for step in drawn(name).construction.steps if "is not drawn" in step.words.en)
@@ -155,7 +156,7 @@ def test_every_force_on_a_link_stands_on_its_free_body(name: str) -> None:
         assert len(shown) == len(set(shown))
 
 
-@pytest.mark.parametrize("name", [name for name in IDS if bodies(name)])
+@each(Later(lambda: [name for name in IDS if bodies(name)]))
 def test_a_moment_on_a_free_body_turns_as_it_was_given_or_found(name: str) -> None:
     problem = drawn(name).problem
     for load in (load for load in problem.loads.all if isinstance(load, Moment)) if problem.loads else ():
@@ -170,9 +171,7 @@ def test_a_moment_on_a_free_body_turns_as_it_was_given_or_found(name: str) -> No
         assert not bodies(name) or not size or (size > 0) in turned, load.name
 
 
-@pytest.mark.parametrize(
-    "name", [name for name in IDS if any(isinstance(m, AngleMark) for f in bodies(name) for m in f.marks)]
-)
+@each(Later(lambda: [name for name in IDS if any(isinstance(m, AngleMark) for f in bodies(name) for m in f.marks)]))
 def test_a_reaction_leans_by_the_friction_angle_from_a_normal_that_is_drawn(name: str) -> None:
     loads = drawn(name).problem.loads
     assert loads is not None
@@ -198,7 +197,7 @@ def test_a_reaction_leans_by_the_friction_angle_from_a_normal_that_is_drawn(name
             assert leaning and round(abs(mark.sweep), 9) in angles, (figure.name, mark)
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_no_reaction_of_a_guide_leaves_its_friction_cone(name: str) -> None:
     problem, forces = drawn(name).problem, drawn(name).construction.forces
     mech, loads = problem.mechanism, problem.loads
@@ -219,8 +218,8 @@ def test_no_reaction_of_a_guide_leaves_its_friction_cone(name: str) -> None:
             assert lean <= most + 1e-9, (by, on)
 
 
-@pytest.mark.parametrize(
-    "name", [name for name in IDS if any(isinstance(m, FrictionCircle) for f in bodies(name) for m in f.marks)]
+@each(
+    Later(lambda: [name for name in IDS if any(isinstance(m, FrictionCircle) for f in bodies(name) for m in f.marks)])
 )
 def test_a_reaction_at_a_pin_with_friction_touches_its_circle_on_the_side_that_was_read(name: str) -> None:
     read, touched = by_symbol(name), 0
@@ -244,7 +243,7 @@ def test_a_reaction_at_a_pin_with_friction_touches_its_circle_on_the_side_that_w
     assert touched >= min(2, len(rubbing))
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_reaction_named_on_the_diagram_stands_on_a_line_that_is_its_line_of_action(name: str) -> None:
     read = by_symbol(name)
     (diagram,) = (f for f in drawn(name).figures(View.MECHANISM) if not f.name)

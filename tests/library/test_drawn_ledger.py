@@ -9,6 +9,7 @@ import pytest
 
 import vecpoly
 from tests.drawn_library import desk_of, ids
+from tests.each import Later, each
 from vecpoly.board.acts import Act, Arrow, Compute, LayOff, Locate
 from vecpoly.board.board import Scratch
 from vecpoly.board.construction import Scale, View
@@ -19,7 +20,7 @@ from vecpoly.plane import nominal
 from vecpoly.words import Words
 
 METHODS = Path(vecpoly.__file__).parent / "methods"
-IDS = tuple(name for name in ids() if not isinstance(desk_of(name).board, Scratch))
+IDS = Later(lambda: (name for name in ids() if not isinstance(desk_of(name).board, Scratch)))
 LAST = 1e-9  # mm
 
 
@@ -28,7 +29,7 @@ def by_place(acts: list[Act], kind: type[Act]) -> dict[tuple[object, str], Act]:
     return {(act.head.place, act.key): act for act in acts if isinstance(act, kind) and act.key}
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_letter_stands_where_its_last_act_put_it(name: str) -> None:
     board = desk_of(name).board
     last = by_place(board.acts, Locate)
@@ -38,7 +39,7 @@ def test_a_letter_stands_where_its_last_act_put_it(name: str) -> None:
         assert isinstance(act, Locate) and abs(act.at - complex(nominal(at))) < LAST
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_vector_stands_where_it_was_drawn(name: str) -> None:
     board = desk_of(name).board
     arrows = by_place(board.acts, Arrow)
@@ -50,7 +51,7 @@ def test_a_vector_stands_where_it_was_drawn(name: str) -> None:
         assert abs(act.b - act.a - (end - start)) < LAST
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_what_is_not_read_again_was_computed_or_given_and_laid_off(name: str) -> None:
     board = desk_of(name).board
     sizes = {act.key: act.value for act in board.acts if isinstance(act, Compute)}

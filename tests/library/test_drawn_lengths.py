@@ -9,13 +9,14 @@ from collections.abc import Iterator
 import pytest
 
 from tests.drawn_library import desk_of, drawn, ids, standing
+from tests.each import Later, each
 from vecpoly import oracle
 from vecpoly.algebra.formula import plain
 from vecpoly.board.construction import Step, View
 from vecpoly.mechanism.model import Prismatic
 from vecpoly.names import At, Kind, parse_rel
 
-IDS = ids(view=View.ACCELERATION)
+IDS = Later(lambda: ids(view=View.ACCELERATION))
 
 
 def computed(name: str) -> Iterator[tuple[Step, str]]:
@@ -35,14 +36,14 @@ def worked_out(step: Step, symbol: str) -> tuple[list[str], list[str]]:
     ]
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_computed_acceleration_is_worked_out_and_converted_into_a_length_once(name: str) -> None:
     for step, symbol in computed(name):
         sizes, lengths = worked_out(step, symbol)
         assert len(sizes) == len(lengths) == 1, (step.number, symbol, sizes, lengths)
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_computed_acceleration_is_as_long_on_paper_as_its_step_says(name: str) -> None:
     desk = desk_of(name)
     drawn_as = {_plain(key): abs(b - a) for key, (view, a, b) in standing(desk).items() if view is View.ACCELERATION}
@@ -52,7 +53,7 @@ def test_a_computed_acceleration_is_as_long_on_paper_as_its_step_says(name: str)
             assert length == pytest.approx(drawn_as[symbol], rel=2e-3), (step.number, symbol)
 
 
-@pytest.mark.parametrize("name", ids(view=View.VELOCITY))
+@each(Later(lambda: ids(view=View.VELOCITY)))
 def test_every_point_of_a_link_has_the_oracle_s_vector_on_every_polygon(name: str) -> None:
     desk = desk_of(name)
     motion = oracle.solve(desk.mech)
@@ -70,7 +71,7 @@ GUIDES = [
 ]
 
 
-@pytest.mark.parametrize("name", ids())
+@each(Later(ids))
 def test_a_guide_is_joined_where_it_passes_through_both_pins_and_else_a_tangent(name: str) -> None:
     desk = desk_of(name)
     for step in drawn(name).construction.steps:

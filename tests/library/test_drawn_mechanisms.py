@@ -9,9 +9,8 @@ from functools import cache
 from math import pi
 from typing import TypeVar
 
-import pytest
-
 from tests.drawn_library import desk_of, drawn, ids
+from tests.each import Later, each
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import (
@@ -36,7 +35,7 @@ from vecpoly.names import At, Kind, Rel, subscripted
 from vecpoly.oracle import Motion
 from vecpoly.report.structure import structure
 
-IDS = ids(view=View.MECHANISM)
+IDS = Later(lambda: ids(view=View.MECHANISM))
 M = TypeVar("M", bound=Mark)
 NEAR = 1e-6  # mm
 
@@ -73,7 +72,7 @@ def letters(mech: Mechanism) -> set[str]:
     return {*mech.frame, *(point for link in mech.links for point in link.points)}
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_every_lettered_point_stands_where_the_oracle_has_it(name: str) -> None:
     seen, known = 0, {subscripted(point): point for point in letters(drawn(name).problem.mechanism)}
     for mark in marks(name, Point):
@@ -83,7 +82,7 @@ def test_every_lettered_point_stands_where_the_oracle_has_it(name: str) -> None:
     assert seen >= len(drawn(name).problem.mechanism.frame)
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_every_pin_is_an_open_circle_and_every_fixed_pin_stands_on_the_ground(name: str) -> None:
     mech = drawn(name).problem.mechanism
     real = [
@@ -100,14 +99,14 @@ def test_every_pin_is_an_open_circle_and_every_fixed_pin_stands_on_the_ground(na
     assert all(mark.down == -1j for mark in marks(name, Ground))
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_the_links_that_are_counted_are_those_that_have_numbers(name: str) -> None:
     problem = drawn(name).problem
     told = re.search(r"has (\d+) moving links", structure(problem).en)
     assert told is not None and int(told[1]) == len(problem.mechanism.numbered)
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_every_moving_link_has_its_number_beside_it(name: str) -> None:
     mech = drawn(name).problem.mechanism
     names = [link.name for link in mech.links if link.name[0].isdigit()]
@@ -126,7 +125,7 @@ def _from_rims(name: str, mark: LinkNumber) -> list[float]:
     ] or [99.0]
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_block_lies_on_its_guide_and_along_it(name: str) -> None:
     mech, mm = drawn(name).problem.mechanism, 1 / diagram(name).scale.value
     lines: list[tuple[complex, complex]] = []
@@ -144,7 +143,7 @@ def test_a_block_lies_on_its_guide_and_along_it(name: str) -> None:
         assert any(abs((along / line).imag) < 1e-9 for _, line in lines) or isinstance(guide, FixedGuide)
 
 
-@pytest.mark.parametrize("name", [name for name in IDS if any(isinstance(m, FixedGuide) for m in diagram(name).marks)])
+@each(Later(lambda: [name for name in IDS if any(isinstance(m, FixedGuide) for m in diagram(name).marks)]))
 def test_what_slides_on_a_fixed_guide_lies_on_its_unhatched_side(name: str) -> None:
     for guide in marks(name, FixedGuide):
         across = 1j * (guide.b - guide.a) / abs(guide.b - guide.a)
@@ -156,7 +155,7 @@ def test_what_slides_on_a_fixed_guide_lies_on_its_unhatched_side(name: str) -> N
         assert all(((b.at - guide.a) * across.conjugate()).real > 0 for b in blocks), guide
 
 
-@pytest.mark.parametrize("name", [name for name in IDS if any(isinstance(m, GearMark) for m in diagram(name).marks)])
+@each(Later(lambda: [name for name in IDS if any(isinstance(m, GearMark) for m in diagram(name).marks)]))
 def test_gears_have_their_radii_and_touch_each_other(name: str) -> None:
     mech, mm = drawn(name).problem.mechanism, 1 / diagram(name).scale.value
     gears = marks(name, GearMark)
@@ -167,7 +166,7 @@ def test_gears_have_their_radii_and_touch_each_other(name: str) -> None:
         assert abs(abs(contact - centre) - joint.gear.radius * mm) < NEAR
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_the_arrow_of_the_drive_turns_as_the_drive_does(name: str) -> None:
     drive = drawn(name).problem.mechanism.drives[0]
     arrows = [mark for mark in marks(name, TurnArrow) if mark.label == f"ω_{drive.link}"]
@@ -189,7 +188,7 @@ def bars(name: str) -> list[list[complex]]:
     return [[place(name, point) for point in link.points] for link in plain]
 
 
-@pytest.mark.parametrize("name", [name for name in IDS if bars(name)])
+@each(Later(lambda: [name for name in IDS if bars(name)]))
 def test_the_points_of_a_bar_are_joined(name: str) -> None:
     ends = [(m.a, m.b) for m in marks(name, Segment) if m.role is Role.LINK] + [
         (a, b) for m in marks(name, Plate) for a in m.points for b in m.points
@@ -213,10 +212,12 @@ def test_angles_of_the_drive_are_marked_from_where_they_are_counted() -> None:
     assert abs(mark.start) < 1e-12 and abs((mark.sweep - desk.mech.drive.position + pi) % (2 * pi) - pi) < 1e-9
 
 
-CAMS = tuple(name for name in IDS if drawn(name).problem.mechanism.contacts and drawn(name).problem.loads is None)
+CAMS = Later(
+    lambda: (name for name in IDS if drawn(name).problem.mechanism.contacts and drawn(name).problem.loads is None)
+)
 
 
-@pytest.mark.parametrize("name", CAMS)
+@each(CAMS)
 def test_the_pressure_angle_lies_between_the_common_normal_and_the_way_of_the_follower(name: str) -> None:
     mech = drawn(name).problem.mechanism
     for mark in (m for m in marks(name, AngleMark) if m.label == "α"):

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import pytest
-
 from tests.drawn_library import IDS, drawn, ids
+from tests.each import Later, each
 from vecpoly.board.paper.ink import marks
 from vecpoly.board.paper.marks import (
     AngleMark,
@@ -34,7 +33,7 @@ def is_body(mark: Mark) -> bool:
     return line or isinstance(mark, Plate | Block | Slot | Disc | GearMark | RackMark)
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_the_figures_are_what_the_acts_left_and_each_mark_knows_its_act(name: str) -> None:
     construction = drawn(name).construction
     left = {called(place).strip(): own for place, own in marks(construction.acts).items()}
@@ -43,14 +42,14 @@ def test_the_figures_are_what_the_acts_left_and_each_mark_knows_its_act(name: st
         assert all(construction.acts[mark.act].head.step == mark.step for mark in figure.marks)
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_every_mark_has_an_owner_and_what_is_fixed_is_the_frames(name: str) -> None:
     for figure in drawn(name).construction.figures:
         assert all(mark.owner for mark in figure.marks)
         assert {mark.owner for mark in figure.marks if isinstance(mark, Ground | FixedGuide)} <= {"frame"}
 
 
-@pytest.mark.parametrize("name", ids())
+@each(Later(ids))
 def test_the_lines_of_links_belong_to_links_of_the_mechanism(name: str) -> None:
     it = drawn(name)
     assert isinstance(it.problem.subject, Mechanism)
@@ -59,7 +58,7 @@ def test_the_lines_of_links_belong_to_links_of_the_mechanism(name: str) -> None:
     assert bodies and {mark.owner for mark in bodies} <= known
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_what_carries_a_symbol_carries_the_key_of_its_quantity(name: str) -> None:
     marked = [mark for figure in drawn(name).construction.figures for mark in figure.marks]
     named = [mark for mark in marked if isinstance(mark, Vector | TurnArrow | AngleMark) and mark.label]

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from tests.drawn_library import desk_of, drawn, ids, standing, tips
+from tests.each import Later, each
 from vecpoly.board.construction import EquationTable, Step, View
 from vecpoly.board.paper.marks import Dot, ImageOf, Point, RightAngle, Segment, Vector
 from vecpoly.errors import UnknownNameError
@@ -24,7 +25,7 @@ POLYGONS = {"Velocity analysis": View.VELOCITY, "Acceleration analysis": View.AC
 KNOWN: dict[str, list[int]] = json.loads(
     (Path(__file__).resolve().parents[1] / "data" / "equations.json").read_text(encoding="utf-8")
 )
-IDS = tuple(sorted({*ids(view=View.VELOCITY), *ids(view=View.ACCELERATION)}))
+IDS = Later(lambda: sorted({*ids(view=View.VELOCITY), *ids(view=View.ACCELERATION)}))
 TURNING = {"planetary-reactions", "rack-lift", "winch-gears"}  # gears alone: their velocities need no equation
 SEEN = 0.01  # mm: what is shorter is drawn as nothing
 
@@ -41,20 +42,20 @@ def tables(name: str, view: View | None = None) -> list[tuple[Step, EquationTabl
 # -- every step that has an equation has its table -----------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", KNOWN)
+@each(KNOWN)
 def test_the_number_of_tables_of_a_problem_is_known(name: str) -> None:
     velocity, acceleration = len(tables(name, View.VELOCITY)), len(tables(name, View.ACCELERATION))
     assert [velocity, acceleration, len(tables(name)) - velocity - acceleration] == KNOWN[name]
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_every_group_with_a_polygon_has_its_table(name: str) -> None:
     dyads = sum(group.dyad is not None for group in decompose(drawn(name).problem.mechanism))
     for view in (view for view in POLYGONS.values() if drawn(name).figures(view)):
         assert len(tables(name, view)) >= dyads, view
 
 
-@pytest.mark.parametrize("name", [*IDS, *ids(view=View.FORCE), *ids(mechanisms=False, view=View.FORCE)])
+@each(Later(lambda: [*IDS, *ids(view=View.FORCE), *ids(mechanisms=False, view=View.FORCE)]))
 def test_a_step_that_announces_an_equation_has_its_table(name: str) -> None:
     announced = [
         step
@@ -66,7 +67,7 @@ def test_a_step_that_announces_an_equation_has_its_table(name: str) -> None:
     assert all("equation" in step.words.en or "equilibrium" in step.words.en for step in announced)
 
 
-@pytest.mark.parametrize("name", [name for name, counts in KNOWN.items() if sum(counts)])
+@each(Later(lambda: [name for name, counts in KNOWN.items() if sum(counts)]))
 def test_a_table_has_as_many_columns_in_each_row_and_two_unknowns(name: str) -> None:
     for step, table in tables(name):
         n = len(table.symbols)
@@ -76,7 +77,7 @@ def test_a_table_has_as_many_columns_in_each_row_and_two_unknowns(name: str) -> 
         assert unknown in (2, 4), step.number  # 4 where the sum itself is written in front
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_one_side_of_every_table_is_the_whole_vector_that_is_sought_and_nothing_is_said_twice(name: str) -> None:
     told = [table for view in POLYGONS.values() for _, table in tables(name, view)]
     assert told or name in TURNING
@@ -123,7 +124,7 @@ def told_directions(name: str) -> Iterator[tuple[complex, complex, bool]]:
                 yield ends[2] - ends[1], *told
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_direction_told_in_a_table_is_that_of_the_vector_drawn(name: str) -> None:
     told = list(told_directions(name))
     assert len(told) >= len(tables(name, View.VELOCITY)) or name in {"3-7b", "3-7d", "D-3", "3-14"}
@@ -132,7 +133,7 @@ def test_a_direction_told_in_a_table_is_that_of_the_vector_drawn(name: str) -> N
         assert abs(turn.imag) < 1e-7 and (turn.real > 0 or not sensed), (vector, line)
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_magnitude_told_in_a_table_is_that_of_the_vector_drawn(name: str) -> None:
     desk, seen = desk_of(name), 0
     by_symbol = vectors(desk)
@@ -164,7 +165,7 @@ def radial(desk: Desk, told: str) -> float:
     return float(desk.turns[omega(found[0])].value) ** 2 * radii[found[1]]
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_coriolis_vector_is_the_sliding_velocity_turned_in_the_sense_of_the_guide(name: str) -> None:
     desk = desk_of(name)
     ends = {key: (a, b) for key, (_, a, b) in standing(desk).items()}
@@ -188,7 +189,7 @@ def test_a_coriolis_vector_is_the_sliding_velocity_turned_in_the_sense_of_the_gu
 # -- arrows, letters, right angles, images ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_every_vector_of_an_equation_is_drawn_once_from_its_tail_to_its_head(name: str) -> None:
     desk = desk_of(name)
     shown = {
@@ -207,7 +208,7 @@ def test_every_vector_of_an_equation_is_drawn_once_from_its_tail_to_its_head(nam
             assert there and (meant or not back), key
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_every_tip_has_its_letter_and_the_pole_is_an_open_circle(name: str) -> None:
     desk = desk_of(name)
     for view in POLYGONS.values():
@@ -235,9 +236,7 @@ def test_every_tip_has_its_letter_and_the_pole_is_an_open_circle(name: str) -> N
             assert all(abs(m.at - tip) < 1e-6 for m in same), at
 
 
-@pytest.mark.parametrize(
-    "name", [name for name in IDS if name != "parallelogram-locomotive"]
-)  # its polygons are one vector each
+@each(Later(lambda: [name for name in IDS if name != "parallelogram-locomotive"]))  # its polygons are one vector each
 def test_a_right_angle_stands_between_two_lines_that_are_there(name: str) -> None:
     for figure in drawn(name).construction.figures:
         lines = [m for m in figure.marks if isinstance(m, Segment | Vector)]
@@ -258,7 +257,7 @@ def test_accelerations_carry_their_right_angles() -> None:
     )
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_the_image_of_a_link_is_similar_to_it_with_its_letters_in_the_same_order(name: str) -> None:
     desk = desk_of(name)
     for view in POLYGONS.values():

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tests.drawn_library import desk_of, drawn, ids
+from tests.each import Later, each
 from vecpoly import oracle
 from vecpoly.board.construction import EquationTable, Step, View
 from vecpoly.board.paper.marks import AngleMark, Arc, Dot, Point, Role, Segment, Vector
@@ -22,7 +23,7 @@ from vecpoly.names import At, Kind, Rel
 from vecpoly.problem.load import load, loads
 from vecpoly.solution import solve
 
-DIAGRAMS = ids(view=View.MECHANISM)
+DIAGRAMS = Later(lambda: ids(view=View.MECHANISM))
 NEAR = 1e-6  # mm
 FOLLOWER = """
 id: f
@@ -73,7 +74,7 @@ def told_arcs(name: str) -> list[str]:
     ]
 
 
-@pytest.mark.parametrize("name", [name for name in DIAGRAMS if told_arcs(name)])
+@each(Later(lambda: [name for name in DIAGRAMS if told_arcs(name)]))
 def test_as_many_arcs_are_drawn_about_a_point_as_are_told(name: str) -> None:
     figure, at = next(f for f in drawn(name).figures(View.MECHANISM) if not f.name), desk_of(name).at
     arcs = [mark for mark in figure.marks if isinstance(mark, Arc) and mark.role is not Role.CENTRE]
@@ -84,9 +85,12 @@ def test_as_many_arcs_are_drawn_about_a_point_as_are_told(name: str) -> None:
             )
 
 
-@pytest.mark.parametrize(
-    "name",
-    [name for name in ids(mechanisms=False) if any(f.name == "limits" for f in drawn(name).construction.figures)],
+@each(
+    Later(
+        lambda: [
+            name for name in ids(mechanisms=False) if any(f.name == "limits" for f in drawn(name).construction.figures)
+        ]
+    )
 )
 def test_every_normal_of_the_limits_of_self_locking_is_drawn_and_lettered(name: str) -> None:
     marks = next(f for f in drawn(name).construction.figures if f.name == "limits").marks
@@ -101,7 +105,7 @@ def equations(name: str) -> list[tuple[Step, EquationTable]]:
     return [(step, step.equation) for step in drawn(name).construction.steps if step.equation is not None]
 
 
-@pytest.mark.parametrize("name", [name for name in ids() if equations(name)])
+@each(Later(lambda: [name for name in ids() if equations(name)]))
 def test_every_equation_of_velocities_stands_under_a_step_that_names_its_point(name: str) -> None:
     """Two equations never share a step: each is announced."""
     for step, table in equations(name):
@@ -114,13 +118,14 @@ def test_every_equation_of_velocities_stands_under_a_step_that_names_its_point(n
     assert len(numbers) == len(set(numbers))
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        name
-        for name in ids(view=View.BODY)
-        if any(isinstance(m, AngleMark) and m.label == "φ" for f in drawn(name).figures(View.BODY) for m in f.marks)
-    ],
+@each(
+    Later(
+        lambda: [
+            name
+            for name in ids(view=View.BODY)
+            if any(isinstance(m, AngleMark) and m.label == "φ" for f in drawn(name).figures(View.BODY) for m in f.marks)
+        ]
+    )
 )
 def test_the_angle_of_friction_opens_on_the_side_on_which_the_arrow_stands(name: str) -> None:
     for figure in drawn(name).figures(View.BODY):

@@ -11,13 +11,17 @@ from pathlib import Path
 import pytest
 
 from tests.drawn_library import IDS, drawn, sentences
+from tests.each import each
 from tests.laws import often
-from tests.studies import solved
+from tests.studies import solved, studied
+from vecpoly.check.table.whole import TableCheck, check_table
 from vecpoly.cycle.facts.found import facts
 from vecpoly.cycle.facts.sentences import sentences as facts_told
 from vecpoly.cycle.whole_cycle import cycle
 from vecpoly.problem.load import load
+from vecpoly.report import printed_tables
 from vecpoly.report.content import Objects
+from vecpoly.report.course import document
 from vecpoly.report.document import markup
 from vecpoly.report.flow.blocks import Drawing
 from vecpoly.report.flow.table import DataTable
@@ -62,14 +66,14 @@ def test_a_foreign_word_is_seen(words: Words, found: list[str]) -> None:
     assert foreign(words) == found
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_no_sentence_of_a_construction_has_a_word_of_the_other_language(name: str) -> None:
     said = list(sentences(drawn(name).construction))
     assert len(said) >= 2 * len(drawn(name).construction.steps) > 0
     assert {words: foreign(words) for words in said if foreign(words)} == {}
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_every_step_says_something_in_both_languages(name: str) -> None:
     steps = drawn(name).construction.steps
     assert steps and [step.number for step in steps] == list(range(1, len(steps) + 1))
@@ -86,8 +90,17 @@ def test_no_fact_of_a_cycle_has_a_word_of_the_other_language(name: str) -> None:
 
 
 @cache
+def checked(name: str, file: Path) -> TableCheck:
+    return check_table(solved(name).problem, file)
+
+
+@cache
 def marked_up(name: str, lang: Lang, style: str) -> tuple[str, Objects]:
-    return markup([solved(name)], lang, style, {}, None, None)
+    """A report in both languages is about one study, and its tables are checked once."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(document, "study", lambda one: studied(one.problem.id))
+        patch.setattr(printed_tables, "check_table", lambda problem, file: checked(problem.id, file))
+        return markup([solved(name)], lang, style, {}, None, None)
 
 
 def printed(name: str, lang: Lang, style: str) -> str:
@@ -150,7 +163,7 @@ def numbers(text: str) -> set[str]:
     return set(NUMBER.findall(SYMBOL.sub("", text)))
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_letters_symbols_and_numbers_of_a_sentence_are_the_same_in_both_languages(name: str) -> None:
     for words in set(sentences(drawn(name).construction)):
         zh, en = atoms(words.zh), atoms(words.en)
@@ -158,7 +171,7 @@ def test_letters_symbols_and_numbers_of_a_sentence_are_the_same_in_both_language
         assert IMAGE.search(words.zh) or numbers(words.zh) == numbers(words.en), words
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_a_sense_of_rotation_is_told_in_both_languages_or_in_none(name: str) -> None:
     for words in set(sentences(drawn(name).construction)):
         for zh, en in SENSES.items():

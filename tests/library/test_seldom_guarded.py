@@ -12,6 +12,7 @@ import pytest
 import shapely
 
 from tests.drawn_library import IDS, drawn, ids
+from tests.each import Later, each
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.paper.marks import Arc, Dot, ImageOf, Point, Role, Segment, Vector
@@ -104,7 +105,7 @@ def test_a_block_in_a_slot_turns_with_it_and_is_said_to() -> None:
     assert sum("组成移动副" in step.words.zh and "form a sliding pair" in step.words.en for step in steps) == 2
 
 
-@pytest.mark.parametrize("name", ids())
+@each(Later(ids))
 def test_a_step_tells_turns_of_links_that_are_there_only(name: str) -> None:
     mech = drawn(name).problem.mechanism
     there = {link.name for link in mech.links if link.name[0].isdigit()} | {"x", "y"}

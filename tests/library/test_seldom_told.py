@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from tests.drawn_library import drawn, ids
+from tests.each import Later, each
 from tests.texts import CRANK
 from vecpoly.diagram.bars import WELD, weld
 from vecpoly.errors import VecpolyError
@@ -63,7 +64,7 @@ def test_a_misspelt_key_of_a_link_is_told_with_the_one_that_is_meant(written: st
     )
 
 
-@pytest.mark.parametrize("name", ids(mechanisms=False))
+@each(Later(lambda: ids(mechanisms=False)))
 def test_what_is_read_off_a_device_in_millimetres_tells_its_line_and_its_scale(name: str) -> None:
     construction = drawn(name).construction
     scales = {one.symbol for figure in construction.figures for one in (figure.scale, figure.scale.right)}

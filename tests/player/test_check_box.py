@@ -13,9 +13,9 @@ from pathlib import Path
 import pytest
 
 from tests.chromium import Page, browser, chromium
-from vecpoly.grading.compare.outcome import Outcome
-from vecpoly.grading.derive.keyed import answer_key
-from vecpoly.grading.key import AnswerKey, Graded, Kind
+from tests.grading.cases import key_of, marked
+from vecpoly.grading.compare.outcome import Finding, Outcome
+from vecpoly.grading.key import Graded, Kind
 from vecpoly.grading.student import check_answers
 from vecpoly.player.page import player_html
 from vecpoly.player.questions import KINDS
@@ -29,9 +29,9 @@ SENSES = {"": 0, "ccw": 1, "cw": -1}
 FACTORS = (1.0, 1.3, 0.5, 2.0, 10.0)
 
 
-@cache
-def key_of(name: str) -> AnswerKey:
-    return answer_key(load(name))
+def judged(name: str, key: str, text: str) -> Finding:
+    """What `check_answers` tells of one answer, by a key and mutants that are drawn once."""
+    return marked(name, {key: text})[key]
 
 
 @cache
@@ -78,7 +78,7 @@ def test_the_box_says_what_the_program_says(name: str, page: Page) -> None:
         factor = printed_unit(one.unit)[0]
         for text, way in tried(one):
             own = f"{float(text) * factor:.10g}"
-            (mine,) = check_answers(load(name), {one.key: f"{text} {way}".strip()}).answers
+            mine = judged(name, one.key, f"{text} {way}".strip())
             theirs = json.loads(page.value(f"JSON.stringify(check.judge({index}, '{own}', {SENSES[way]}))"))
             expected = "right" if mine.outcome in (Outcome.RIGHT, Outcome.UNSAID) else mine.outcome.value
             expected = "wrong" if expected == "sense" else expected
@@ -87,12 +87,18 @@ def test_the_box_says_what_the_program_says(name: str, page: Page) -> None:
     assert count > 60
 
 
+@pytest.mark.parametrize(("name", "key"), [("3-9", "ak_C2C3"), ("4-3a", "M")])
+def test_what_is_judged_here_is_what_the_program_says(name: str, key: str) -> None:
+    written = f"{abs(key_of(name)[key].exact) * 1.3:.4g}"
+    assert check_answers(load(name), {key: written}).answers == (judged(name, key, written),)
+
+
 def test_reasons_are_those_of_the_program(page: Page) -> None:
     at(page, "3-9", "en")
     index = [one.key for one in asked("3-9")].index("ak_C2C3")
     exact = key_of("3-9")["ak_C2C3"].exact
     for factor in (0.5, 10.0, 1.6, 0.01, 100.0):
-        mine = check_answers(load("3-9"), {"ak_C2C3": f"{exact * factor:.4g}"}).answers[0]
+        mine = judged("3-9", "ak_C2C3", f"{exact * factor:.4g}")
         ids = {one.id.value for one in mine.messages}
         names = json.loads(page.value(f"JSON.stringify(check.judge({index}, '{exact * factor:.4g}').said)"))
         assert ("two_slips" in names) is ("two_slips" in ids) and ("sense" in names) is ("sense" in ids)

@@ -6,9 +6,11 @@ import cmath
 import math
 import subprocess
 import sys
+from functools import cache
 
 import pytest
 
+from tests.each import each
 from vecpoly.foundation.data import data_dir
 from vecpoly.mechanism.model import FRAME, Circle, Mechanism, Prismatic, Rack, Rolling, Side, SideOf
 from vecpoly.problem.asked.asks import AskCoriolis, AskPoint, AskRel
@@ -37,18 +39,23 @@ def test_every_exercise_of_chapter_3_is_there() -> None:
     assert [i for i in IDS if i.startswith("3-")] == sorted((i for i in IDS if i.startswith("3-")), key=natural)
 
 
-@pytest.mark.parametrize("name", IDS)
+@cache
+def problem_of(name: str) -> Problem:
+    return load(name)
+
+
+@each(IDS)
 def test_every_file_loads_with_both_languages_and_something_to_find(name: str) -> None:
-    problem = load(name)
+    problem = problem_of(name)
     assert problem.id == name and problem.asks and problem.path is not None
     assert problem.title.zh and problem.title.en and problem.statement.zh and problem.statement.en
     assert problem.statement.zh != problem.statement.en
     assert not isinstance(problem.subject, Mechanism) or len(problem.mechanism.drives) == 1
 
 
-@pytest.mark.parametrize("name", IDS)
+@each(IDS)
 def test_the_cheap_head_tells_the_title_of_the_file(name: str) -> None:
-    assert next(entry.title for entry in library() if entry.id == name) == load(name).title
+    assert next(entry.title for entry in library() if entry.id == name) == problem_of(name).title
 
 
 def test_the_six_bar_of_problem_27_takes_fifteen_lines() -> None:

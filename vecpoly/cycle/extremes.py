@@ -127,7 +127,7 @@ def _sharper(curve: Curve, at: Reals, sign: Reals, low: Reals, high: Reals) -> R
     the differences smear it), that bend."""
     if not at.size:
         return at
-    bend = highest(lambda q: np.append(sign, sign) * curve.value(q), low, high)
+    bend = highest(lambda q: np.repeat(sign, q.size // sign.size) * curve.value(q), low, high)
     smooth, sharp = (sign * curve.value(place) for place in (np.where(np.isfinite(at), at, bend), bend))
     better = sharp - smooth > 1e-12 * (np.abs(smooth) + curve.size)
     return np.where(better | ~np.isfinite(at), bend, at)

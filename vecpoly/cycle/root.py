@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 Reals = NDArray[np.float64]
 ROUNDS = 60
-GOLDEN = 45  # cuts of a bracket to 4e-10 of its width
+PARTS, CUTS = 16, 11  # a bracket into so many parts, so often: to 1e-10 of its width with few calls of the function
 ENOUGH = 1e-13  # of the values at the bracket's ends: then the root is known to this part of the bracket
 
 
@@ -55,11 +55,12 @@ def _halved(f: Callable[[Reals], Reals], a: Reals, b: Reals, fa: Reals, fb: Real
 
 
 def highest(f: Callable[[Reals], Reals], a: Reals, b: Reals) -> Reals:
-    """The place of the greatest value in each bracket a..b with one top, smooth or sharp, by the golden section."""
-    share = (np.sqrt(5.0) - 1) / 2
-    for _ in range(GOLDEN):
-        c, d = b - share * (b - a), a + share * (b - a)
-        fc, fd = np.split(f(np.append(c, d)), 2)
-        left = fc >= fd
-        a, b = np.where(left, a, c), np.where(left, d, b)
+    """The place of the greatest value in each bracket a..b with one top, smooth or sharp: the two parts beside the
+    highest of the places between are the next bracket."""
+    for _ in range(CUTS):
+        part = (b - a) / PARTS
+        places = a[:, None] + part[:, None] * np.arange(1, PARTS)
+        values = f(places.ravel()).reshape(places.shape)
+        top = np.argmax(np.where(np.isnan(values), -np.inf, values), axis=1)
+        a, b = a + part * top, a + part * (top + 2)
     return np.asarray((a + b) / 2)

@@ -116,10 +116,11 @@ def reader(mech: Mechanism, loads: Loads | None, key: str) -> Reader:
     return lambda s: s.motion.value(rel)
 
 
-def sample(mech: Mechanism, loads: Loads | None, phi: ArrayLike) -> Sample:
-    """The mechanism at these positions; NaN where it cannot be assembled or stands at a dead point."""
+def sample(mech: Mechanism, loads: Loads | None, phi: ArrayLike, order: int = 2) -> Sample:
+    """The mechanism at these positions; NaN where it cannot be assembled or stands at a dead point. order: 0 for
+    positions alone."""
     at = np.asarray(phi, dtype=np.float64)
-    return Sample(mech, loads, at, oracle.solve(mech, at, strict=False))
+    return Sample(mech, loads, at, oracle.solve(mech, at, order=order, strict=False))
 
 
 def _part(value: Points | Reals, part: str) -> Reals:

@@ -75,7 +75,7 @@ def _moved(mech: Mechanism, step: float) -> _Moved:
     return _Moved(mech, oracle.solve(mech, mech.drive.position + np.array([-1.0, 0.0, 1.0]) * step, order=0), step)
 
 
-@family("asked-centres", also=one_velocity_at_each_centre)
+@family("asked-centres", also=one_velocity_at_each_centre, often=4)
 def centres(rng: np.random.Generator) -> str:
     """All instant centres of a mechanism, and its velocities by them."""
     while True:

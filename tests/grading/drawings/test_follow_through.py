@@ -7,11 +7,13 @@ from dataclasses import replace
 import pytest
 
 from tests.grading.drawings.made import by_pencil, drawn, key_of, marked, put
+from tests.laws import often
 from vecpoly.grading.allowance import STUDENT
 from vecpoly.grading.drawings.judging.mark import Basis, DrawingMark, Verdict
 from vecpoly.grading.drawings.segment import Drawing, Label
 
 FORCES = ("4-3a", "4-5", "4-4")
+EVERY = max(1, 2 // often(1))  # mistake is drawn; in the soak all are
 
 
 def costs(mark: DrawingMark) -> list[str]:
@@ -21,7 +23,7 @@ def costs(mark: DrawingMark) -> list[str]:
 @pytest.mark.parametrize(("problem", "share"), [("3-9", 0.9), ("4-3a", 0.9), ("A-27", 0.9)])
 def test_nine_of_ten_mistakes_cost_one_vector(problem: str, share: float) -> None:
     key = key_of(problem)
-    found = [costs(marked(key, drawn(world), declared=True)) for _, world in key.worlds]
+    found = [costs(marked(key, drawn(world), declared=True)) for _, world in key.worlds[::EVERY]]
     assert len(found) >= 10 and sum(len(one) <= 1 for one in found) >= share * len(found)
 
 

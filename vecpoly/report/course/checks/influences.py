@@ -129,7 +129,7 @@ def lost_range(study: Study, one: Dimension, change: float) -> Span | None:
 
 
 def _stands(mech: Mechanism, phi: Reals) -> NDArray[np.bool_]:
-    motion = sample(mech, None, phi).motion
+    motion = sample(mech, None, phi, order=0).motion
     return np.asarray(np.logical_and.reduce([np.isfinite(motion.angle(name)) for name in mech.bodies]))
 
 
