@@ -150,17 +150,17 @@ def _rubs(loads: Loads, force: Force) -> bool:
 def _no_method(loads: Loads, force: Force, why: Words) -> NoMethodError:
     """Why, and what is drawn instead: without friction the balancing load alone, else without that of the cylinder."""
     name = loads.unknown.name
-    if _rubs(loads, force):
+    alone = Words(
+        f"只求平衡载荷：find: [{name}]（虚功率法）", f"ask the balancing load alone, find: [{name}] (virtual power)"
+    )
+    if not loads.friction:
+        remedy = Words("可", "") + alone
+    elif _rubs(loads, force) and not loads.burdens(force):
         remedy = Words(
             "可去掉油缸处的摩擦（其余运动副的摩擦可保留）", "leave out that of the cylinder, the others' may stay"
         )
-    elif loads.friction:
-        remedy = Words("可去掉这些载荷或摩擦", "leave out those loads, or the friction")
     else:
-        remedy = Words(
-            f"可只求平衡载荷：find: [{name}]（虚功率法）",
-            f"ask the balancing load alone, find: [{name}] (virtual power)",
-        )
+        remedy = Words("可去掉摩擦，", "leave out the friction and ") + alone
     return NoMethodError(
         Words(
             f"油缸推力 {force.name}：{why.zh}，已有的图解法不能求解；",

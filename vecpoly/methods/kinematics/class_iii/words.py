@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import assert_never
 
+from ....mechanism.model import FRAME
 from ....words import Words
 from .star import Axial, Guided, Hinged, Slotted, Star
 
@@ -30,11 +31,13 @@ def led_words(star: Star, legs: tuple[Axial, ...]) -> Words:
     leg = star.parallel
     assert leg is not None
     one, two = (keeps(star, other) for other in legs)
+    of_frame = leg.parent == FRAME
+    base = Words("机架", "the frame") if of_frame else Words(f"构件 {leg.parent}", f"link {leg.parent}")
     return (
         Words(
-            f"构件 {leg.link} 与构件 {leg.parent}、{star.plate} 都组成移动副，故中心构件 {star.plate} "
+            f"构件 {leg.link} 与{base.zh}、构件 {star.plate} 都组成移动副，故中心构件 {star.plate} "
             f"的方位已定：平移构件 {star.plate}，使",
-            f"Link {leg.link} forms sliding pairs both with its guide and with link {star.plate}, which "
+            f"Link {leg.link} forms sliding pairs both with {base.en} and with link {star.plate}, which "
             f"fixes the orientation of the central link {star.plate}: shift it so that ",
         )
         + one
