@@ -56,27 +56,32 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
         desk.board.section(SECTIONS[stage])
         if stage in said:
             desk.board.step(said[stage], stage.view)
-        if stage is Stage.CENTRES:
-            from .centres.plan import centre_pass
-
-            centre_pass(desk, problem, groups)
-        elif stage is Stage.CURVATURE:
-            from .curvature.plan import curvature_pass
-
-            curvature_pass(desk, problem, groups)
-        elif stage is Stage.FORCE:
-            from .forces.plan import force_pass
-
-            before = set(desk.board.readings)
-            force_pass(desk, problem)
-            desk.forces = tuple(key for key in desk.board.readings if key not in before)
-        elif stage is Stage.MACHINE:
-            from .machine.plan import machine_pass
-
-            machine_pass(desk, problem, groups)
-        else:
-            _pass(desk, problem, stage, groups)
+        _stage(desk, problem, stage, groups)
     return desk
+
+
+def _stage(desk: Desk, problem: Problem, stage: Stage, groups: tuple[Group, ...]) -> None:
+    """One of them, by what belongs to it."""
+    if stage is Stage.CENTRES:
+        from .centres.plan import centre_pass
+
+        centre_pass(desk, problem, groups)
+    elif stage is Stage.CURVATURE:
+        from .curvature.plan import curvature_pass
+
+        curvature_pass(desk, problem, groups)
+    elif stage is Stage.FORCE:
+        from .forces.plan import force_pass
+
+        before = set(desk.board.readings)
+        force_pass(desk, problem)
+        desk.forces = tuple(key for key in desk.board.readings if key not in before)
+    elif stage is Stage.MACHINE:
+        from .machine.plan import machine_pass
+
+        machine_pass(desk, problem, groups)
+    else:
+        _pass(desk, problem, stage, groups)
 
 
 def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -> None:
