@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -76,6 +77,15 @@ def test_a_full_disk_behind_the_output_is_told_in_a_line(words: str) -> None:
     assert done.returncode == 2 and done.stderr == b"vecpoly: No space left on device\n"
 
 
+@pytest.fixture
+def heard() -> Iterator[None]:
+    """Ctrl-C is heard by children, also where the tests run in the background of a shell that has it ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("heard")
 @pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to send")
 def test_ctrl_c_leaves_with_130_and_nothing_half_written(tmp_path: Path) -> None:
     many = ["3-9", "3-5", "3-8", "3-10", "3-11", "3-12", "3-14", "A-16", "A-26", "A-27", "A-30", "B-24"]
@@ -90,6 +100,7 @@ def test_ctrl_c_leaves_with_130_and_nothing_half_written(tmp_path: Path) -> None
     assert not [p for p in tmp_path.iterdir() if p.suffix != ".pdf"]
 
 
+@pytest.mark.usefixtures("heard")
 @pytest.mark.skipif(sys.platform == "win32", reason="no signal that ends a process")
 def test_ctrl_c_leaves_with_130_wherever_it_was_met(tmp_path: Path) -> None:
     assert interrupted(tmp_path, "exec('signal.raise_signal(signal.SIGINT)')") == (130, b"")  # as dataclasses are made

@@ -28,6 +28,7 @@ def sentences(found: Verdicts, why: Causes, one: Graded, rules: Rules) -> tuple[
         *_outcome(found, why, one),
         *_unit(found, one, rules),
         *_digits(found, one, text.digits, rules),
+        *_demoted(found, one),
         *_read(found, one),
     )
 
@@ -104,6 +105,12 @@ def source_of(found: Verdicts, one: Graded) -> str:
     """The own value that a step was continued from: of several the one that is farthest off."""
     sources = found.followed[one.key].sources
     return max(sources, key=lambda name: abs(_gap(found, found.key[name])) / max(found.key[name].allowed, 1e-300))
+
+
+def _demoted(found: Verdicts, one: Graded) -> Iterator[Message]:
+    """What “right” is worth where a drawing can hardly tell it from another value."""
+    if one.demoted and found.outcome[one.key].is_right and found.basis.get(one.key, Basis.EXACT) is Basis.EXACT:
+        yield message(Told.DEMOTED, t=_amount(one, one.allowed, 2), share=f"{100 * one.allowed / abs(one.exact):.0f}")
 
 
 def _unit(found: Verdicts, one: Graded, rules: Rules) -> Iterator[Message]:

@@ -150,8 +150,8 @@ SENTENCES: Mapping[Told, Words] = {
         "有效数字太多（{n} 位），图解法宜取 3 位", "Too many significant digits ({n}); 3 suit a drawing"
     ),
     Told.DEMOTED: Words(
-        "此量作图误差大，只按你前面的结果核对",
-        "So sensitive to drawing errors that it is held against your own earlier results only",
+        "此处作图对误差极敏感：手工作图本身就散布 ±{t}（{share}%），不能判得更细；此量宜计算求得",
+        "Drawings scatter by ±{t} ({share} %) here: it can be judged no more finely, and is better computed",
     ),
     Told.BLANK: Words("没有作答", "Not answered"),
     Told.NONE: Words("写作“{raw}”，按没有作答处理", "Written as '{raw}': taken as not answered"),
