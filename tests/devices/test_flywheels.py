@@ -235,10 +235,10 @@ def test_the_motion_simulated_with_the_flywheel_has_the_demanded_delta() -> None
     told = CASES["B14"]["inputs"]
     found = device_answers(two_stroke())
     phi, moment = np.radians([row[0] for row in told["M_d"]]), np.array([row[1] for row in told["M_d"]])
-    inertia = float(found["J_F"]) + told["J_other"]
+    inertia = abs(found["J_F"]) + told["J_other"]
 
     def flow(at: float, omega: Any) -> list[float]:
-        return [(np.interp(at % tau, phi, moment) - float(found["M_r"])) / (inertia * omega[0])]
+        return [(np.interp(at % tau, phi, moment) - abs(found["M_r"])) / (inertia * omega[0])]
 
     start = told["n_rpm"] * pi / 30
     for _ in range(3):  # the mean of the extremes is to be n

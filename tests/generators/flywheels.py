@@ -102,11 +102,12 @@ def reduced_train(rng: np.random.Generator) -> str:
 def of_runge_kutta(solution: Solution) -> str:
     """Time and turns by a thousand steps of the equation of motion between its speeds."""
     run = solution.problem.device
-    assert isinstance(run, RunUp)
+    assert isinstance(run, RunUp) and solution.problem.source is not None
     first, low, b, load, drag, fan = (float(part) for part in str(solution.problem.source.en).split())
     omega = np.linspace(low, solution.answers["omega_s"].exact * run.share, STEPS)
     surplus = first - b * omega - load - drag * omega - fan * omega**2
-    time, turns = np.trapezoid(run.J.si / surplus, omega), np.trapezoid(run.J.si * omega / surplus, omega) / tau
+    time, angle = (float(np.trapezoid(run.J.si * part / surplus, omega)) for part in (omega**0, omega))
+    turns = angle / tau
     off = [abs(value - solution.answers[key].exact) / abs(value) for key, value in (("t", time), ("N", turns))]
     return "" if max(off) < 1e-5 else f"{time} s and {turns} turns by small steps"
 

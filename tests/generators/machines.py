@@ -98,8 +98,10 @@ def the_machine_is_as_even_as_was_asked(solution: Solution) -> str:
     """With the flywheel found: of ω² = 2 (T_0 + E) / (J_F + J_e), with ω_max given, ω_min comes out."""
     problem = solution.problem
     mech, machine = problem.mechanism, problem.machine
-    assert machine is not None and machine.steady is not None and machine.steady.delta is not None
-    run, answers = machine.steady, {key: float(np.real(one.exact)) for key, one in solution.answers.items()}
+    assert machine is not None and machine.steady is not None
+    run, delta = machine.steady, machine.steady.delta
+    assert delta is not None
+    answers = {key: float(np.real(one.exact)) for key, one in solution.answers.items()}
     turn = np.linspace(0.0, 2 * np.pi, FINE + 1)
     motion = solve(mech, turn, order=0)
     inertia, work = np.zeros(FINE), np.zeros(FINE)
@@ -119,11 +121,11 @@ def the_machine_is_as_even_as_was_asked(solution: Solution) -> str:
     whole = answers["J_F"] + inertia
     if answers["J_F"] == 0:
         return ""
-    top = run.speed * (1 + run.delta / 2)
+    top = run.speed * (1 + delta / 2)
     start = float(np.min(top**2 * whole / 2 - energy))
     slowest = float(np.sqrt(np.min(2 * (start + energy) / whole)))
-    wanted = run.speed * (1 - run.delta / 2)
-    wrong = abs(slowest - wanted) > SPREAD * run.speed * run.delta + 1e-6 * run.speed
+    wanted = run.speed * (1 - delta / 2)
+    wrong = abs(slowest - wanted) > SPREAD * run.speed * delta + 1e-6 * run.speed
     return f"with this flywheel ω_min is {slowest}, not {wanted}" if wrong else ""
 
 

@@ -30,6 +30,7 @@ from vecpoly.board.paper.marks import (
     TurnArrow,
 )
 from vecpoly.mechanism.gearing import pitch_circles
+from vecpoly.mechanism.laws.springs import Spring
 from vecpoly.mechanism.model import FRAME, Mechanism, Prismatic, Revolute, Rolling
 from vecpoly.names import At, Kind, Rel, subscripted
 from vecpoly.oracle import Motion
@@ -95,7 +96,10 @@ def test_every_pin_is_an_open_circle_and_every_fixed_pin_stands_on_the_ground(na
     grounds = [mark.at for mark in marks(name, Ground)]
     fixed = {j.point for j in real if FRAME in (j.a, j.b)}
     assert all(any(abs(at - place(name, point)) < NEAR for at in grounds) for point in fixed)
-    assert len(grounds) == len({j.point for j in mech.joints if isinstance(j, Revolute)} & set(mech.frame))
+    loads = drawn(name).problem.loads
+    feet = {spring.foot for spring in loads.springs if isinstance(spring, Spring)} if loads is not None else set[str]()
+    pinned = {j.point for j in mech.joints if isinstance(j, Revolute)} | feet
+    assert len(grounds) == len(pinned & set(mech.frame))
     assert all(mark.down == -1j for mark in marks(name, Ground))
 
 

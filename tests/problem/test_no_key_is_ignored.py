@@ -99,6 +99,13 @@ MOTOR = (
     + "find: [omega_3]\n"
 )
 
+PRESS = (
+    BASE.partition("loads:")[0].replace(", alpha: 3 rad/s^2", "")
+    + "loads: {M_r: {on: 3, size: 9 N*m cw, during: [60 deg, 150 deg]}, M_d: {on: 1, size: constant}}\n"
+    + "masses: {3: {mass: 2 kg, inertia: 0.01 kg*m^2, centre: C}}\n"
+    + "machine: {n: 60 r/min, delta: 0.05}\nfind: [dW_max, J_F]\n"
+)
+
 CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there, what stands there instead
     "id": (BASE, "id: t\n", "id: u\n"),
     "title": (BASE, "title: test", "title: other"),
@@ -114,6 +121,7 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "masses": (BASE, "mass: 3 kg", "mass: 4 kg"),
     "weight": (BASE, "weight: yes", "weight: no"),
     "inertia": (BASE, "inertia: no", "inertia: yes"),
+    "machine": (PRESS, "n: 60 r/min", "n: 90 r/min"),
     "scales": (BASE, "0.002 m/mm", "0.0025 m/mm"),
     "find": (BASE, "[v_C, ", "[v_E, "),
     "printed": (BASE, "value: 20 mm", "value: 40 mm"),
@@ -164,6 +172,7 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "scales.mu_psi": (ROCKER, "device:", "scales: {mu_psi: 0.02 rad/mm}\ndevice:"),
     "scales.mu_omega": (TRAIN, "device:", "scales: {mu_omega: 0.5 (rad/s)/mm}\ndevice:"),
     "scales.mu_M": (ENGINE, "device:", "scales: {mu_M: 4 N*m/mm}\ndevice:"),
+    "scales.mu_J": (PRESS, "machine:", "scales: {mu_J: 0.01 kg*m^2/mm}\nmachine:"),
     "scales.mu_E": (ENGINE, "device:", "scales: {mu_E: 2 J/mm}\ndevice:"),
     "scales.mu_y": (RUN, "device:", "scales: {mu_y: 0.002 (1/(N*m))/mm}\ndevice:"),
     "scales.mu_t": (RUN, "device:", "scales: {mu_t: 0.1 s/mm}\ndevice:"),

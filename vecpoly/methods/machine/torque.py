@@ -127,10 +127,10 @@ def draw_surplus(period: Period, sizes: Sizes, moments: Moments) -> Quantity:
     upper, lower = (moments.loads, moments.other) if moments.drives else (moments.other, moments.loads)
     board.step(
         Words(
-            "驱动力矩大于阻力矩处为盈功，反之为亏功；量出各块面积，乘以 $μ_A$ = $μ_M$ $μ_φ$（$μ_φ$ 以弧度计）得盈亏功"
-            "：",
+            "驱动力矩大于阻力矩处为盈功，反之为亏功；量出各块面积，乘以 $μ_A$ = $μ_M$ $μ_φ$（$μ_φ$ 以弧度计）得"
+            "盈亏功。",
             "Where the driving moment is the greater, work is gained, elsewhere it is lost: measure the areas and "
-            "multiply them by $μ_A$ = $μ_M$ $μ_φ$ ($μ_φ$ in radians):",
+            "multiply them by $μ_A$ = $μ_M$ $μ_φ$ ($μ_φ$ in radians).",
         ),
         pane,
     )

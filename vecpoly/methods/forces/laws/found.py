@@ -147,12 +147,11 @@ def _by_table(at: OffPaper, load: Load, table: Table) -> Quantity:
         place = float(nominal(place_in(table, at)))
         raise EquilibriumError(beyond(load, table, place, at.desk.mech), code="out-of-range")
     value = tabulated(table, at)
-    name = f" {table.name}" if table.name else ""
     size = float(nominal(value))
     at.desk.board.remark(
         Words(
-            f"由数据表{name}查得（直线内插）${named.symbol}$ = {size:.4g} {named.unit}。",
-            f" The table{name} gives, on straight lines, ${named.symbol}$ = {size:.4g} {named.unit}.",
+            f"由数据表查得（直线内插）${named.symbol}$ = {size:.4g} {named.unit}。",
+            f" The table gives, on straight lines, ${named.symbol}$ = {size:.4g} {named.unit}.",
         )
     )
     return magnitude(named.symbol, at.desk.board.conclude(named.key, value, named.unit), named.unit)
