@@ -52,7 +52,7 @@ def omega() -> Schema:
 
 def either(one: Dim, other: Dim) -> Schema:
     """A quantity of one of two kinds."""
-    return quantity(one, pattern(other)[2:-3])
+    return quantity(one, pattern(other)[3:-3])
 
 
 def size() -> Schema:
