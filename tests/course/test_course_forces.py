@@ -144,9 +144,9 @@ def environment(it: Study, made: ForceModel, phi: np.ndarray) -> tuple[dict[str,
         env[equation.left.symbol] = equation.right.value(env)  # type: ignore[attr-defined]
     env[made.unknowns[-1]] = statics.wet.load
     assert it.problem.loads is not None
-    for load in it.problem.loads.all:
-        if load.law is not None:
-            env[load_symbol(load.name)] = statics.value(load.name)
+    for one in it.problem.loads.all:
+        if one.law is not None:
+            env[load_symbol(one.name)] = statics.value(one.name)
     largest = np.abs(np.asarray(statics.wet.load))
     for touch in made.touches:
         index = next(

@@ -103,6 +103,19 @@ def test_the_constant_moment_does_the_work_of_all_others_over_the_period(entries
     assert moment(problem, 1.0, "M_d") == constant_size(problem.mechanism, problem.loads)
 
 
+def test_the_constant_moment_is_the_area_of_the_card_and_springs_leave_none() -> None:
+    """2π M = F · 0.9 H of a constant force; = A ∮ p ds of a card, a polygon; a spring gives back what it took."""
+    stroke, area = 2 * CRANK, np.pi * 0.05**2 / 4
+    s, p = np.array([0, 30, 120, 60, 0]) * 1e-3, np.array([3, 2, 0.4, 0.2, 0.1]) * 1e6
+    loop = float(np.sum((p[1:] + p[:-1]) / 2 * np.diff(s)))
+    bare = SPRING.replace(", c: 50 N*s/m", "")
+    for entry, work in ((CUT, 0.9 * stroke * 3000), (ENGINE, -area * loop), (bare, 0.0)):
+        problem = slider(entry, unknown="M_d: {on: 1, size: constant}", find="M_d")
+        assert problem.loads is not None
+        found = constant_size(problem.mechanism, problem.loads)
+        assert found == pytest.approx(work / (2 * np.pi), rel=1e-8, abs=1e-9)
+
+
 def test_the_corners_are_where_the_windows_open_and_close_and_tables_bend() -> None:
     problem = slider(CUT)
     assert problem.loads is not None

@@ -11,6 +11,7 @@ from itertools import zip_longest
 import pytest
 from pydantic import BaseModel
 
+from tests.lawful import CHANGED, EVERY
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.errors import VecpolyError
@@ -29,6 +30,7 @@ from vecpoly.problem.schema.models import (
     RodSpec,
     ScalesSpec,
     SheetSpec,
+    TableSpec,
 )
 from vecpoly.solution import solve
 
@@ -135,6 +137,7 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "load.at": (BASE, "at: C", "at: D"),
     "load.size": (BASE, "100 N", "200 N"),
     "load.direction": (BASE, "180 deg", "170 deg"),
+    **CHANGED,
     "load.role": (BASE, 'size: "?"', 'size: "?", role: resisting'),
     "friction.rho": (BASE, "rho: 2 mm", "rho: 4 mm"),
     "friction.f": (SLIDE, "f: 0.1", "f: 0.2"),
@@ -196,6 +199,7 @@ SPECS: dict[str, type[BaseModel]] = {
     "": ProblemSpec,
     "input": InputSpec,
     "load": LoadSpec,
+    "table": TableSpec,
     "friction": FrictionSpec,
     "mass": MassSpec,
     "rod": RodSpec,
@@ -254,7 +258,7 @@ def test_every_key_of_the_schema_is_tried() -> None:
     assert keys == set(CHANGES)
 
 
-@pytest.mark.parametrize("text", [BASE, SLIDE, DRIVEN, CENTRES, CURVED, CYLINDER, MOTOR])
+@pytest.mark.parametrize("text", [BASE, SLIDE, DRIVEN, CENTRES, CURVED, CYLINDER, MOTOR, EVERY])
 def test_the_files_that_are_changed_are_good(text: str) -> None:
     assert len(effect(text)) == 5, effect(text)
 

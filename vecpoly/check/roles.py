@@ -43,7 +43,7 @@ def refuse_wrong_roles(loads: Loads, balance: Forces) -> None:
 
 
 def _size(load: Load, balance: Forces) -> float:
-    return float(balance.value(load.name).real) if load.size is None else load.size
+    return float(balance.value(load.name).real) if load.size is None or load.law is not None else load.size
 
 
 def _rate(load: Load, motion: Motion) -> float:

@@ -31,8 +31,8 @@ FINE = 720  # steps a turn within which no link turns half round between two of 
 class Cycle:
     """A mechanism at n positions of its drive.
 
-    phi: the drive's position: rad over one revolution (both ends, 0 and 2π, are there) or over the range in which a
-    rocking input can move; m for a sliding input. whole:
+    phi: the drive's position: rad over one revolution (both ends, 0 and 2π, are there; over two where the loads of a
+    four-stroke engine need them) or over the range in which a rocking input can move; m for a sliding input. whole:
     whether the drive can turn right round. low, high: the ends of its range.
     """
 
@@ -175,6 +175,20 @@ class Cycle:
         as far as the grid has them: for a table every 10°."""
         turns = (self.phi - self.phi[0]) / step
         return np.flatnonzero(np.abs(turns - np.round(turns)) * step < 1e-3 * (self.phi[1] - self.phi[0]))
+
+    @property
+    def period(self) -> float:
+        """After which all is as it was (rad): a whole turn, or as many as the loads need; 0 of a mere range."""
+        return self.high - self.low if self.whole else 0.0
+
+    @cached_property
+    def once(self) -> Cycle:
+        """One turn of the drive, for what the links do, which need no more; the cycle itself where it is one."""
+        if self.period <= 2 * np.pi * 1.5:
+            return self
+        high = self.low + 2 * np.pi
+        own = self.phi[self.phi <= high + 1e-9]
+        return replace(self, phi=own, high=high, _kept={}, _solved={}, _infos={})
 
     @cached_property
     def steady(self) -> Cycle:

@@ -157,7 +157,7 @@ def _ends(curve: Curve, span: float) -> tuple[Spot, ...]:
     none of a whole turn that comes back to the same value."""
     cycle = curve.cycle
     first, last = (float(value) for value in curve.value(np.array([cycle.low, cycle.high])))
-    inside, again = (float(value) for value in curve.value(cycle.low + INSIDE + np.array([0.0, 2 * np.pi])))
+    inside, again = (float(value) for value in curve.value(cycle.low + INSIDE + np.array([0.0, cycle.period])))
     if cycle.whole and not max(abs(last - first), abs(again - inside)) > 1e-6 * span:
         return ()
     room = cycle.high - cycle.low

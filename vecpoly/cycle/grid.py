@@ -33,7 +33,8 @@ def places(mech: Mechanism, low: float, high: float, whole: bool) -> Reals:
     """
     full = high - low
     if whole:
-        return _finer(mech, np.asarray(low + full / STEPS * (0.4142 + np.arange(STEPS + 2)), np.float64))
+        steps = STEPS * round(full / (2 * np.pi))
+        return _finer(mech, np.asarray(low + full / steps * (0.4142 + np.arange(steps + 2)), np.float64))
     part = (1 - np.cos(np.pi / STEPS * np.arange(STEPS + 1))) / 2
     inside = np.asarray(low + full * part[np.minimum(part, 1 - part) > CLOSE], np.float64)
     return np.concatenate([[low], _finer(mech, inside), [high]])

@@ -25,9 +25,10 @@ def cycle(
 ) -> Cycle:
     """The whole cycle of a problem, or of a mechanism.
 
-    n: number of positions, both ends included. loads: instead of the problem's own. points: the letters to be listed in
-    `columns` (all that move). over: positions of the drive of your own (rad, or m), in increasing order, instead of a
-    whole cycle.
+    n: number of positions of one turn, or of the range, both ends included; where loads need two turns to repeat
+    themselves, as those of a four-stroke engine, the cycle has both. loads: instead of the problem's own. points: the
+    letters to be listed in `columns` (all that move). over: positions of the drive of your own (rad, or m), in
+    increasing order, instead of a whole cycle.
     Raises AssemblyError where no position can be assembled; MobilityError for a device, or where nothing is driven.
     """
     of_kind(subject, (Problem, Mechanism), Words("题目或机构", "a problem or a mechanism"))
@@ -39,8 +40,10 @@ def cycle(
             Words(f"{n} 个位置不成一周；至少取 2 个", f"{n} positions make no cycle; ask for at least 2")
         )
     low, high, whole = range_of(mech)
-    phi = np.linspace(low, high, n) if over is None else np.atleast_1d(np.asarray(over, np.float64))
     acting = own if loads is None else loads
+    turns = acting.turns if whole and acting is not None else 1
+    high, n = high + 2 * np.pi * (turns - 1), (n - 1) * turns + 1
+    phi = np.linspace(low, high, n) if over is None else np.atleast_1d(np.asarray(over, np.float64))
     return Cycle(name, mech, acting, phi, low, high, whole, points)
 
 

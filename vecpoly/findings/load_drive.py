@@ -42,7 +42,7 @@ class Driven:
 def driven(study: Study) -> Driven | None:
     """None where the load that drives acts on the driving link itself, or on a link that is not on the frame."""
     loads, mech = study.problem.loads, study.mech
-    turn = 2 * pi if study.whole.whole else 0.0
+    turn = study.whole.period
     here = next((d for d in duties(study.whole) if not d.cause and d.holds(mech.drive.position, turn)), None)
     if loads is None or here is None or len(here.drives) != 1:
         return None

@@ -39,12 +39,14 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
     mech = problem.mechanism
     groups = decompose(mech)
     refuse_higher(mech, groups)
+    constant = problem.loads.constant if problem.loads is not None else None
     desk = Desk(
         board=board,
         mech=mech,
         coincident=coincident_letters(mech, groups),
         shapes=problem.given.shapes,
         loaded=problem.loads is not None,
+        over_period=(constant.name,) if constant is not None else (),
         thought=Stage.VELOCITY in said,  # of a cam's profile, whose link does drive, only the position is told
     )
     for name, at in mech.frame.items():

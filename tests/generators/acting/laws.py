@@ -22,6 +22,7 @@ from ..forces import free, friction, masses, moment, simple, some, written
 from ..loaded import Chain
 
 NEAR = 1e-4  # of the stroke, or of the largest rate: so near to an edge differences cannot tell on which side it is
+NEARER = 2e-4  # rad: the step of the differences for rates alone
 
 
 class Unsure(Exception):
@@ -114,7 +115,8 @@ def _range(mech: Mechanism) -> np.ndarray:
 
 
 def _ends(at: equilibrium.Moving, spring: Elastic) -> list[Load]:
-    """What a spring does to the links at its ends."""
+    """What a spring does to the links at its ends; its rate by differences nearer than those of accelerations."""
+    at = equilibrium.Moving.of(at.mech, NEARER)
     if isinstance(spring, Coil):
         turn = _angle(at, spring.link) - _angle(at, spring.against) - spring.free
         turn = (turn + np.pi) % (2 * np.pi) - np.pi
@@ -143,7 +145,7 @@ def windowed(c: Chain, name: str, link: str, letter: str) -> str:
     """A force on a link that acts in part of the motion, or by a table."""
     rng, way = c.rng, int(c.rng.integers(-179, 180))
     size = f"{rng.integers(50, 900)} N"
-    match int(rng.integers(5)):
+    match int(rng.integers(5 if letter not in c.frame else 3)) + (2 if letter in c.frame else 0):
         case 0:
             when = f"while: {letter} moves {rng.choice(['left', 'right', 'up', 'down'])}"
         case 1:

@@ -26,7 +26,7 @@ def breaks(cycle: Cycle) -> Reals:
     cuts = [one.low for one in duties(cycle)][0 if cycle.whole else 1 :]
     found = _sides(cycle, np.array([*cuts, *(still.phi for still in stills(cycle))], np.float64), unit)
     if cycle.whole:
-        found = np.concatenate([found + 2 * np.pi * k for k in (-1, 0, 1)])
+        found = np.concatenate([found + cycle.period * k for k in (-1, 0, 1)])
     found = found[(found[:, 0] > phi[0]) & (found[:, 1] < phi[-1])]
     return np.asarray(found[np.argsort(found[:, 0])], np.float64)
 

@@ -90,7 +90,7 @@ def stills(cycle: Cycle) -> tuple[Still, ...]:
         letter = letter if len(letter) and letter.isalpha() else ""
         places = ridders(lambda q, k=index: _rate(cycle, k, q), phi[change], phi[change + 1])  # type: ignore[misc]
         found += [Still(_reduced(cycle, float(q)), pair.who, letter, pair.turns) for q in places if np.isfinite(q)]
-    turn = 2 * np.pi if cycle.whole else 0.0
+    turn = cycle.period
     free = (one for one in found if not any(duty.cause and duty.holds(one.phi, turn, _EDGE) for duty in duties(cycle)))
     return tuple(sorted(free, key=lambda still: still.phi))
 
@@ -126,7 +126,7 @@ def _grid(cycle: Cycle) -> Reals:
 
 
 def _reduced(cycle: Cycle, phi: float) -> float:
-    return cycle.low + (phi - cycle.low) % (2 * np.pi) if cycle.whole else phi
+    return cycle.low + (phi - cycle.low) % cycle.period if cycle.whole else phi
 
 
 def _pairs(cycle: Cycle, phi: Reals) -> tuple[Pair, ...]:
@@ -184,7 +184,7 @@ def _stretches(cycle: Cycle, codes: Callable[[Reals], Codes]) -> Iterator[tuple[
             for a, b, k in zip(edges[:-1], edges[1:], [0, *(change + 1)], strict=True)
         )
         return
-    full = 2 * np.pi
+    full = cycle.period
     keep = inner < phi[0] + full  # the grid goes round and a little on
     inner, change = inner[keep], change[keep]
     if not len(inner):

@@ -33,21 +33,21 @@ def force_sentences(cycle: Cycle) -> tuple[Words, ...]:
     if cycle.loads is None:
         return ()
     found = duties(cycle)
-    return (*_parts(cycle, found), *_constant(cycle), *_gaps(cycle, found), *_sides(cycle, stills(cycle)))
+    return (*_parts(cycle, found), *constant_words(cycle), *_gaps(cycle, found), *_sides(cycle, stills(cycle)))
 
 
-def _constant(cycle: Cycle) -> Iterator[Words]:
-    """The moment that is constant over the period."""
-    assert cycle.loads is not None
-    one = cycle.loads.constant
-    if one is None:
+def constant_words(cycle: Cycle) -> Iterator[Words]:
+    """The moment that is constant over the period, where one is sought."""
+    one = cycle.loads.constant if cycle.loads is not None else None
+    if cycle.loads is None or one is None:
         return
     size, turns = constant_size(cycle.mech, cycle.loads), cycle.loads.turns
+    told = f"{size:.6g}".replace("-", "−")
     over = Words("一周", "one turn") if turns == 1 else Words(f"{turns} 周", f"{turns} turns")
     yield Words(
-        f"一个运动周期（{over.zh}）内其余载荷所作的功由常力矩 ${load_symbol(one.name)}$ = {size:.6g} N·m 平衡；"
+        f"一个运动周期（{over.zh}）内其余载荷所作的功由常力矩 ${load_symbol(one.name)}$ = {told} N·m 平衡；"
         f"各位置所需的 ${cycle.loads.unknown.name}$ 与它之差由飞轮吸收或放出。",
-        f"Over the period ({over.en}) the constant moment ${load_symbol(one.name)}$ = {size:.6g} N·m does the work of "
+        f"Over the period ({over.en}) the constant moment ${load_symbol(one.name)}$ = {told} N·m does the work of "
         f"all other loads; what it differs by from ${cycle.loads.unknown.name}$ of each position a flywheel takes, or "
         "gives.",
     )

@@ -90,7 +90,7 @@ class Facts:
 
 def facts(cycle: Cycle) -> Facts:
     """Everything at once, each to full accuracy."""
-    even = cycle.steady
+    even = cycle.once.steady
     outputs = tuple(extremes(even, key) for key in outputs_of(even))
     told = tuple(
         t

@@ -70,7 +70,7 @@ def path(cycle: Cycle, point: str) -> Path:
 
     Length: ∫ |dp/dφ| dφ over the cycle. Raises UnknownNameError.
     """
-    even = cycle.steady
+    even = cycle.once.steady
     cycle.info(f"p_{point}")
     phi = np.linspace(even.low, even.high, STEPS + 1)
     here = sample(even.mech, None, phi)

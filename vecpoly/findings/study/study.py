@@ -230,8 +230,8 @@ class Study:
         return f"${drive.symbol}$ = {text}°".replace("= -", "= −")
 
     def reduced(self, phi: float) -> float:
-        """The position within 0 … 360° where the drive turns right round."""
-        turn = 2 * np.pi
+        """The position within 0 … 360° where the drive turns right round, 0 … 720° where a period takes two turns."""
+        turn = self.whole.period
         return float(phi - turn * np.floor(phi / turn + 1e-9)) if self.whole.whole else phi
 
 

@@ -23,3 +23,24 @@ def beyond(load: Load, table: Table, place: float, mech: Mechanism) -> Words:
         f"the table {table.name} of load {load.name} goes from {low} to {high}, and {over.en} comes to {here}; "
         "complete the table, or say with 'during' or 'between' where the load acts",
     )
+
+
+STILL, ENDLESS = 1e-9, 1e3  # of the mechanism's size: a stroke of less is none, one of more has no end
+
+
+def no_stroke(link: str, point: str, direction: float, stroke: float, scale: float) -> Words | None:
+    """Why a point has no stroke along a direction: it does not move, or runs away; None where it has one (m)."""
+    way = f"{degrees(direction):g}°"
+    if stroke <= STILL * scale:
+        return Words(
+            f"构件 {link} 的点 {point} 沿 {way} 方向不动，行程为 0；请另取点或方向",
+            f"point {point} of link {link} does not move along {way}: its stroke is 0; name another point, or another "
+            "direction",
+        )
+    if stroke <= ENDLESS * scale:
+        return None
+    return Words(
+        f"构件 {link} 的点 {point} 沿 {way} 方向可移到无穷远，没有行程可言；请用 during 限定载荷作用的范围",
+        f"point {point} of link {link} runs away to infinity along {way} and has no stroke; say with 'during' where "
+        "the load acts",
+    )

@@ -61,7 +61,11 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     """
     assert problem.loads is not None
     here, pulls = found_loads(desk, from_the_frame(desk.mech, problem.loads))
-    problem = replace(problem, loads=here)
+    return _of_position(desk, replace(problem, loads=here), pulls)
+
+
+def _of_position(desk: Desk, problem: Problem, pulls: Pulls) -> Statics:
+    """The force analysis with the loads as they are in this position."""
     assert problem.loads is not None
     if not problem.loads.friction and is_alone(problem) and not _are_reactions_drawn(desk, problem.loads):
         return _balance_alone(desk, problem, pulls)

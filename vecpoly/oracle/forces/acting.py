@@ -151,7 +151,8 @@ def _elastic(spring: Elastic, at: Stands) -> Acting:
             other = Acting(name=spring.name, link=spring.against, at=there, force=STILL, couple=-turns)
         return Acting(name=spring.name, link=spring.link, at=place, force=STILL, couple=turns, opposite=other)
     foot, point = at.ends(spring)
-    pull: Points = -pull_here(spring, at) * (point - foot) / np.abs(point - foot)
+    with np.errstate(invalid="ignore", divide="ignore"):  # ends at one place have no direction: NaN
+        pull: Points = -pull_here(spring, at) * (point - foot) / np.abs(point - foot)
     back = Acting(name=spring.name, link=spring.against, at=foot, force=-pull, couple=NONE)
     held = spring.against == FRAME
     return Acting(

@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
-from ..run import Run
 from ..state import Points, Reals
-from .acting import checked, given, sought
 from .answers import couple, line, value
-from .flanks import solved
-from .laws.drives import unit_drive
-from .laws.stands import Stands
-from .pairs import pairs_of
-from .refusal import Judge
+from .balanced import balanced
 from .solved import Equilibrium
-from .system import System
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,30 +51,5 @@ def forces(mech: Mechanism, loads: Loads, position: ArrayLike | None = None, *, 
     (an unknown that does no work, links that part); else such positions give NaN. Also raises the errors of
     `oracle.solve`.
     """
-    from .. import solve
-
-    checked(mech, loads)
-    motion = solve(mech, position, order=2 if loads.dynamic else 1, strict=strict)
-    moving = mech.drive.rate != 0.0
-    rates = motion.bodies if moving else solve(unit_drive(mech), position, order=1, strict=strict).bodies
-    asked = np.atleast_1d(np.asarray(mech.drive.position if position is None else position, dtype=np.float64))
-    stands = Stands(mech, motion.bodies, asked)
-    judge = Judge(Run(asked, strict, "mm" if mech.drive.slide else "deg"))
-    system = System(
-        tuple(name for name in mech.bodies if name not in mech.slot_pins),
-        motion.bodies,
-        pairs_of(mech, motion.bodies, rates, loads.friction),
-        given(mech, loads, motion.bodies, asked),
-        sought(mech, loads, motion.bodies),
-        mech.scale,
-        asked.size,
-    )
-    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        judge.idle(system, rates)
-        skip = judge.lost.copy()
-        judge.senseless(system, rates, moving)
-        dry, wet, reached = solved(system, skip)
-        judge.unsolved(dry)
-        judge.locked(system, (dry, wet), reached, loads.dynamic, rates)
-        judge.parting(system, wet)
-    return Forces(mech, loads, motion, rates, system, dry, wet.without(judge.lost), judge.causes, stands)
+    found = balanced(mech, loads, position, strict=strict)
+    return Forces(**{one.name: getattr(found, one.name) for one in fields(found)})

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ....algebra.quantity import Expr, Sum, magnitude
+from ....algebra.quantity import Expr, Quantity, Sum, magnitude
 from ....board.board import NO_LENGTH
 from ....board.construction import Reading, View
 from ....diagram.single import pivot
@@ -14,8 +14,7 @@ from ....mechanism.asked.forces import spring_named
 from ....mechanism.laws.springs import Coil, Spring
 from ....mechanism.loads import Force, Moment
 from ....mechanism.model import FRAME
-from ....names import Named
-from ....plane import Reals, dot, nominal, unit
+from ....plane import Points, Reals, dot, nominal, unit
 from ....words import Words
 from ..acting import OTHER_END
 from .off_paper import OffPaper
@@ -24,13 +23,35 @@ from .pull import Pull
 
 def pulled(at: OffPaper, spring: Spring) -> tuple[tuple[Force, ...], dict[str, Pull]]:
     """The force of a spring on its link, and the opposite one on the other if that moves."""
-    board, named = at.desk.board, spring_named(spring)
+    _say(at, spring)
+    foot, point = at.ends(spring)
+    size = _size(at, spring)
+    way = np.sign(float(nominal(size)))
+    if not way:
+        at.desk.board.remark(Words("此时不受力。", " It does nothing here."))
+        return (), {}
+    says = Words("受拉", "it is in tension") if way > 0 else Words("受压", "it is compressed")
+    at.desk.board.remark(Words(f"{says.zh}。", f" Here {says.en}."))
+    along = -way * unit(point - foot)
+    force = _force(spring.name, spring.link, spring.point, along, size)
+    found = {force.name: Pull(size=way * size, along=along)}
+    if spring.against == FRAME:
+        return (force,), found
+    back = _force(f"{spring.name}{OTHER_END}", spring.against, spring.foot, -along, size)
+    return (force, back), found | {back.name: Pull(size=way * size, along=-along)}
+
+
+def _force(name: str, link: str, point: str, along: Points, size: Reals) -> Force:
+    way = float(np.angle(complex(nominal(along))))
+    return Force(name=name, link=link, point=point, direction=way, size=abs(float(nominal(size))))
+
+
+def _say(at: OffPaper, spring: Spring) -> None:
+    """The step: the spring is drawn, and what is to be read."""
+    board, ends = at.desk.board, f"{spring.foot}{spring.point}"
     what = Words("弹簧", "spring") if spring.stiffness else Words("阻尼器", "damper")
     rate = Words("，在速度多边形上量其伸长的速度", ", and how fast it grows on the velocity polygon")
     rate = rate if spring.damping else Words("", "")
-    foot, point = at.ends(spring)
-    draw = spring_symbol if spring.stiffness else damper
-    ends = f"{spring.foot}{spring.point}"
     board.step(
         Words(
             f"{what.zh} ${spring.name}$ 连接 ${spring.foot}$、${spring.point}$ 两点，其力沿 ${ends}$："
@@ -40,42 +61,15 @@ def pulled(at: OffPaper, spring: Spring) -> tuple[tuple[Force, ...], dict[str, P
         ),
         View.MECHANISM,
     )
-    board.depict(View.MECHANISM, draw(foot, point))
+    foot, point = at.ends(spring)
+    board.depict(View.MECHANISM, (spring_symbol if spring.stiffness else damper)(foot, point))
     if at.desk.mech.links_at(spring.foot) == (FRAME,):
         board.depict(View.MECHANISM, pivot(foot, spring.foot))
-    size = _size(at, spring, named)
-    way = np.sign(float(nominal(size)))
-    says = Words("受拉", "it is in tension") if way > 0 else Words("受压", "it is compressed")
-    if not way:
-        board.remark(Words("此时不受力。", " It does nothing here."))
-        return (), {}
-    board.remark(Words(f"{says.zh}。", f" Here {says.en}."))
-    along = -way * unit(point - foot)
-    force = Force(
-        name=spring.name,
-        link=spring.link,
-        point=spring.point,
-        direction=float(np.angle(complex(nominal(along)))),
-        size=abs(float(nominal(size))),
-    )
-    if spring.against == FRAME:
-        return (force,), {force.name: Pull(size=way * size, along=along)}
-    back = Force(
-        name=f"{spring.name}{OTHER_END}",
-        link=spring.against,
-        point=spring.foot,
-        direction=float(np.angle(-complex(nominal(along)))),
-        size=force.size,
-    )
-    return (force, back), {
-        force.name: Pull(size=way * size, along=along),
-        back.name: Pull(size=way * size, along=-along),
-    }
 
 
-def _size(at: OffPaper, spring: Spring, named: Named) -> Reals:
+def _size(at: OffPaper, spring: Spring) -> Reals:
     """T = F_0 + k (l - l_0) + c v, positive where it pulls."""
-    board = at.desk.board
+    board, named = at.desk.board, spring_named(spring)
     terms: list[tuple[Expr, int]] = []
     foot, point = at.ends(spring)
     if spring.preload:
@@ -131,10 +125,9 @@ def turned(at: OffPaper, coil: Coil) -> tuple[tuple[Moment, ...], dict[str, Pull
     if coil.preload:
         terms.append((magnitude("M_{0}", abs(coil.preload), "N·m"), -1 if coil.preload > 0 else 1))
     if coil.stiffness:
-        twist = magnitude("Δφ", at.turned(coil), "rad")
-        terms.append((magnitude("k", coil.stiffness, "N·m/rad") * twist, -1))
+        terms.append(_against(magnitude("k", coil.stiffness, "N·m/rad"), "Δφ", at.turned(coil), "rad"))
     if coil.damping:
-        terms.append((magnitude("c", coil.damping, "N·m·s") * magnitude("ω_{r}", at.turning(coil), "rad/s"), -1))
+        terms.append(_against(magnitude("c", coil.damping, "N·m·s"), "ω_{r}", at.turning(coil), "rad/s"))
     size = board.compute(named.symbol, Sum(tuple(x for x, _ in terms), tuple(y for _, y in terms)), "N·m").value
     value = float(nominal(size))
     board.keep(Reading(key=named.key, symbol=named.symbol, unit="N·m", scalar=value), size)
@@ -143,6 +136,12 @@ def turned(at: OffPaper, coil: Coil) -> tuple[tuple[Moment, ...], dict[str, Pull
         return (moment,), {coil.name: Pull(size=size)}
     back = Moment(name=f"{coil.name}{OTHER_END}", link=coil.against, size=-value)
     return (moment, back), {moment.name: Pull(size=size), back.name: Pull(size=-size)}
+
+
+def _against(factor: Quantity, symbol: str, value: Reals, unit_text: str) -> tuple[Expr, int]:
+    """A term that turns against an angle, or a rate: its size, and its sign."""
+    sense = 1 if float(nominal(value)) >= 0 else -1
+    return factor * magnitude(symbol, sense * value, unit_text), -sense
 
 
 def _pin(at: OffPaper, coil: Coil) -> str:

@@ -15,10 +15,10 @@ from ....board.hand import hand
 from ....board.place import views
 from ....errors import EquilibriumError, VecpolyError
 from ....mechanism.groups.assur import decompose
+from ....mechanism.laws.told import no_stroke
 from ....mechanism.model import Mechanism
 from ....names import At
 from ....plane import dot, nominal
-from ....words import Words
 from ...coincident import coincident_letters
 from ...desk import Desk
 from ...exchange.exchange import exchanged
@@ -33,19 +33,12 @@ _STAGES = (Stage.POSITION, Stage.VELOCITY)
 
 
 def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[float, float]:
-    """Least and greatest coordinate of a point along a direction (m); EquilibriumError where it does not move so."""
+    """Least and greatest coordinate of a point along a direction (m); EquilibriumError where it has no stroke."""
     whole, low, high = _stroke(_at_zero(mech), link, point, direction)
     if not whole:
         _, low, high = _stroke(mech, link, point, direction)
-    if high - low <= 1e-9 * mech.scale:
-        raise EquilibriumError(
-            Words(
-                f"构件 {link} 的点 {point} 沿 {np.degrees(direction):g}° 方向不动，行程为 0；请另取点或方向",
-                f"point {point} of link {link} does not move along {np.degrees(direction):g}°: its stroke is 0; name "
-                "another point, or another direction",
-            ),
-            code="contradiction",
-        )
+    if (why := no_stroke(link, point, direction, high - low, mech.scale)) is not None:
+        raise EquilibriumError(why, code="contradiction")
     return low, high
 
 

@@ -58,10 +58,10 @@ def constant_size(mech: Mechanism, loads: Loads) -> float:
 def _balance(mech: Mechanism, loads: Loads, places: Reals) -> Reals:
     """What balances on the driving link at every place (N·m)."""
     from ... import solve
-    from ..equilibrium import forces
+    from ..balanced import balanced
 
     if loads.friction:
-        return np.asarray(forces(mech, loads, places).wet.load, np.float64)
+        return np.asarray(balanced(mech, loads, places, strict=True).wet.load, np.float64)
     bodies = solve(mech, places, order=1).bodies
     powers = (act.power(bodies) for act in given(mech, replace(loads, inertia=False), bodies, places))
     return np.asarray(-sum(powers, np.zeros(places.shape)) / mech.drive.rate, np.float64)

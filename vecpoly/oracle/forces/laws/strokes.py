@@ -8,19 +8,18 @@ from functools import lru_cache
 import numpy as np
 
 from ....errors import EquilibriumError
+from ....mechanism.laws.told import no_stroke
 from ....mechanism.model import Mechanism
-from ....words import Words
 from ...state import Reals
 from .drives import drive_range, unit_drive
 
 STEPS = 1440
 HALVINGS = 60
-NOTHING = 1e-9  # of the mechanism's size: no stroke at all
 
 
 @lru_cache(maxsize=256)
 def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[float, float]:
-    """Least and greatest coordinate of the point along the direction (m); EquilibriumError where it does not move."""
+    """Least and greatest coordinate of the point along the direction (m); EquilibriumError where it has no stroke."""
     low, high, whole = drive_range(mech)
     local, along = mech.link(link).points[point], complex(np.exp(-1j * direction))
     grid = np.linspace(low, high, STEPS + 1)
@@ -28,15 +27,8 @@ def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[fl
     places = np.concatenate([turns, grid if not whole else grid[:1]])
     gone = _coordinate(mech, link, local, along, places)
     least, most = float(np.nanmin(gone)), float(np.nanmax(gone))
-    if most - least <= NOTHING * mech.scale:
-        raise EquilibriumError(
-            Words(
-                f"构件 {link} 的点 {point} 沿 {np.degrees(direction):g}° 方向不动，行程为 0；请另取点或方向",
-                f"point {point} of link {link} does not move along {np.degrees(direction):g}°: its stroke is 0; name "
-                "another point, or another direction",
-            ),
-            code="contradiction",
-        )
+    if (why := no_stroke(link, point, direction, most - least, mech.scale)) is not None:
+        raise EquilibriumError(why, code="contradiction")
     return least, most
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import pi
 
 import numpy as np
 
@@ -34,7 +33,7 @@ def listed(names: Sequence[str]) -> str:
 
 def stretch(study: Study, duty: Duty) -> str:
     """174.26°～357.23°."""
-    drive, full = study.whole.drive, 2 * pi if study.whole.whole else 0.0
+    drive, full = study.whole.drive, study.whole.period
     back = full if full and duty.high > study.whole.high + _EDGE else 0.0  # −2.77°～4.75°, not 357.23°～364.75°
     low, high = (f"{drive.factor * (q - back):.2f}" for q in (duty.low, duty.high))
     low, high = (text.lstrip("-") if float(text) == 0 else text.replace("-", "−") for text in (low, high))
@@ -44,7 +43,7 @@ def stretch(study: Study, duty: Duty) -> str:
 
 def ranges(study: Study, found: Sequence[Duty]) -> Words:
     """Several stretches, those that lie against each other as one."""
-    texts = [stretch(study, duty) for duty in merged(found, 2 * pi if study.whole.whole else 0.0)]
+    texts = [stretch(study, duty) for duty in merged(found, study.whole.period)]
     return Words("、".join(texts), ", ".join(texts).replace("～", "–"))
 
 
@@ -85,7 +84,7 @@ def quotient(study: Study, duty: Duty) -> str:
 
 def best(study: Study, key: str, duty: Duty) -> Spot | None:
     """The greatest magnitude of a column in a stretch; ±∞ where it runs away."""
-    found, turn = study.extremes(key), 2 * pi if study.whole.whole else 0.0
+    found, turn = study.extremes(key), study.whole.period
     spots = [
         s
         for s in (*found.maxima, *found.minima, found.highest, found.lowest)
@@ -154,6 +153,6 @@ def _line(study: Study, duty: Duty, spots: tuple[Spot | None, ...], lang: Lang, 
 
 def _at(study: Study, spot: Spot, lang: Lang) -> str:
     """（285.2°）"""
-    turn = 2 * pi if study.whole.whole else 0.0
+    turn = study.whole.period
     where = study.where(spot.phi % turn if turn else spot.phi).split(" = ")[1]
     return f"（{where}）" if lang == "zh" else f" ({where})"

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from math import pi
 
 import numpy as np
 
 from ....cycle import Spot
 from ....cycle.facts.duties import Cause, Still, duties, stills
+from ....cycle.facts.force_words import constant_words
 from ....findings.shown import shown
 from ....findings.study.study import Study
 from ....mechanism.asked.forces import load_symbol
@@ -32,7 +32,9 @@ def results(study: Study) -> Words:
     loads = study.problem.loads
     if loads is None:
         return Words.same("")
-    return joined([*_steady(loads), *roles(study, loads), *_missing(study), *_equal(study)])
+    return joined(
+        [*_steady(loads), *constant_words(study.whole), *roles(study, loads), *_missing(study), *_equal(study)]
+    )
 
 
 def _steady(loads: Loads) -> Iterator[Words]:
@@ -208,7 +210,7 @@ def role_note(study: Study, phi: float) -> Words:
     loads = study.problem.loads
     if loads is None:
         return Words.same("")
-    turn = 2 * pi if study.whole.whole else 0.0
+    turn = study.whole.period
     here = next((d for d in duties(study.whole) if not d.cause and d.holds(phi, turn)), None)
     if here is None or not any(
         (load.role == "driving" and load.name in here.resists)
@@ -224,7 +226,7 @@ def role_note(study: Study, phi: float) -> Words:
 
 def refusals(study: Study, refused: tuple[float, ...]) -> Words:
     """Positions that cannot be drawn, by reason: 0°、165°（自锁……）; 90°、270°（……）."""
-    turn, groups = 2 * pi if study.whole.whole else 0.0, dict[Words, list[str]]()
+    turn, groups = study.whole.period, dict[Words, list[str]]()
     other = Words(
         "死点、方向线平行或图形超出图纸", "a dead point, parallel lines of action, or a figure larger than the sheet"
     )

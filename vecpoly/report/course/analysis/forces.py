@@ -4,7 +4,7 @@ what was asked for."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import degrees, pi
+from math import degrees
 
 from ....algebra.quantity import number
 from ....cycle.facts.duties import Cause, Duty, duties, idle
@@ -37,7 +37,7 @@ def forces(study: Study) -> Iterator[Words]:
 def _locked(study: Study, loads: Loads) -> Words:
     """The self-locking stretches, how much of the cycle they are, and beside which dead points they lie."""
     locks = [d for d in duties(study.whole) if d.cause in _LOCKS]
-    symbol, turn = study.whole.drive.symbol, 2 * pi if study.whole.whole else 0.0
+    symbol, turn = study.whole.drive.symbol, study.whole.period
     where, share = ranges(study, locks), 100 * sum(d.high - d.low for d in locks) / (study.whole.high - study.whole.low)
     spots = [(load.name, phi) for load in loads.all for phi in idle(study.whole, load.name)]
     beside = [(name, phi) for name, phi in spots if any(d.holds(phi, turn, 1e-6) for d in locks)]
@@ -179,7 +179,7 @@ def _part(study: Study, loads: Loads, duty: Duty) -> Words:
     for key in told(study):
         spot = best(study, key, duty)
         if spot is not None:
-            symbol, turn = study.whole.info(key).symbol, 2 * pi if study.whole.whole else 0.0
+            symbol, turn = study.whole.info(key).symbol, study.whole.period
             at = study.where(spot.phi % turn if turn else spot.phi).split(" = ")[1]
             values.append((f"$|{symbol}|$" if key != "eta" else f"${symbol}$", shown(study, key, abs(spot.value)), at))
     zh = "，".join(f"{s} " + (f"趋于 ∞（{at}）" if v == "∞" else f"最大 {v}（{at}）") for s, v, at in values)

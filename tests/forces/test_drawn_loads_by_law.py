@@ -1,0 +1,80 @@
+"""Claims about loads that depend on place and speed, as they are drawn: read off the sheet, equal to the oracle's."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.lawful import CARD, COIL, CUT, ENGINE, SPRING, slider
+from vecpoly import load
+from vecpoly.errors import EquilibriumError, NoMethodError
+from vecpoly.problem.problem import Problem
+from vecpoly.problem.values.vary import vary
+from vecpoly.solution import Solution, solve
+
+TABLE = "M: {on: 2, size: {columns: [phi (deg), M (N*m)], rows: [[0, 10], [90, -30], [360, 10]]}}"
+FIND = "R_43, R_12, M_1, M_1_lever, M_1_power"
+
+
+def placed(problem: Problem, degrees: float) -> Problem:
+    return vary(problem, {"phi": f"{degrees} deg"})
+
+
+def drawn_exactly(problem: Problem) -> Solution:
+    solution = solve(problem, by="exact", repeats=0)
+    for answer in solution.answers.values():
+        gap = answer.deviation if answer.drawn_vector is None else abs(answer.drawn_vector - answer.exact_vector)  # type: ignore[operator]
+        assert abs(gap) <= 1e-9 * max(1.0, abs(answer.exact)), answer.key
+    return solution
+
+
+@pytest.mark.parametrize("degrees", [15, 70, 170, 200, 290, 352])
+@pytest.mark.parametrize(
+    ("entry", "key"), [(CUT, "F"), (ENGINE, "F"), (SPRING, "F_s"), (COIL, "M_s"), (TABLE, "M")], ids=lambda it: it[:9]
+)
+def test_each_kind_of_load_is_drawn_as_the_oracle_finds_it(entry: str, key: str, degrees: float) -> None:
+    mass = "masses: {3: {mass: 0.9 kg}}\n"
+    problem = placed(slider(entry, find=f"{key}, {FIND}", more=mass), degrees)
+    drawn_exactly(problem)
+
+
+def test_a_load_outside_its_window_is_not_drawn_and_the_step_says_so() -> None:
+    away = drawn_exactly(placed(slider(CUT, "Q: {on: 3, at: C, size: 90 N, direction: 180 deg}", find="F, M_1"), 300))
+    told = " ".join(step.words.en for step in away.construction.steps)
+    assert away.answers["F"].drawn == 0.0 and "So $F$ does not act here" in told
+    assert "F" not in {
+        mark.key for figure in away.construction.figures for mark in figure.marks if hasattr(mark, "key")
+    }
+
+
+def test_the_length_of_a_spring_is_measured_and_its_error_goes_on() -> None:
+    solution = solve(load("return-spring"))
+    measured = {str(act) for act in solution.construction.acts if "HE" in str(act) or "EH" in str(act)}
+    assert measured and solution.answers["F_s"].drawn != solution.answers["F_s"].exact
+    for key in ("F_s", "M_1"):
+        assert 0 < abs(solution.answers[key].deviation) < solution.answers[key].expected_error
+
+
+def test_a_longer_reading_stretches_the_spring() -> None:
+    problem = load("return-spring")
+    before, after = (solve(problem, by="exact", readings=own).answers["F_s"].drawn for own in ({}, {"EH": "50 mm"}))
+    assert after == pytest.approx(30 + 2000 * (50 * 0.004 - 0.09), rel=1e-9) != before
+
+
+def test_the_constant_over_the_period_is_not_drawn_in_one_position() -> None:
+    with pytest.raises(NoMethodError, match="constant over the period, and the drawing of one position does not"):
+        solve(slider(CUT, unknown="M_d: {on: 1, size: constant}", find="M_d"))
+
+
+def test_the_drawing_refuses_a_place_of_which_the_table_says_nothing() -> None:
+    short = slider(ENGINE.replace(CARD, "columns: [s (mm), p (MPa)], rows: [[0, 3], [90, 1]]"))
+    with pytest.raises(EquilibriumError, match="comes to"):
+        solve(placed(short, 170))
+
+
+def test_friction_and_springs_between_moving_links_share_one_efficiency() -> None:
+    between = "F_s: {spring: B1-C3, k: 3 N/mm, l_0: 80 mm, c: 90 N*s/m}"
+    load_ = "Q: {on: 3, at: C, size: 700 N, direction: 0 deg}"
+    rubbing = "friction: {A: {rho: 3 mm}, B: {rho: 2 mm}, C: {rho: 2 mm}, 3-4: {phi: 6 deg}}\n"
+    solution = drawn_exactly(slider(between, load_, more=rubbing, find="F_s, R_12, M_1, eta"))
+    assert 0.5 < solution.answers["eta"].drawn < 1 and np.isfinite(solution.answers["R_12"].drawn)
