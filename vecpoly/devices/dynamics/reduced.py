@@ -119,6 +119,17 @@ class ReducedTrain(Device):
         """How every shaft is reached from it."""
         return ways(self.pairs, self.main, self.shafts)
 
+    def wheel(self, pair: Pair, one: str, other: str) -> str:
+        """The symbol of a wheel: z_1, or z_{12} of the one that meets shaft 2 where shaft 1 has unlike wheels."""
+        sizes = {
+            size
+            for each in self.pairs
+            if each.belt is pair.belt
+            for name, size in zip((each.first, each.second), each.sizes, strict=True)
+            if name == one
+        }
+        return f"{pair.letter}_{{{one if len(sizes) == 1 else both(one, other)}}}"
+
     @property
     def moves(self) -> bool:
         """Whether its motion is asked for."""
@@ -180,7 +191,7 @@ class ReducedTrain(Device):
                 )
             )
         sizes = [
-            (f"{pair.letter}_{{{both(one, two)}}}/{pair.letter}_{{{both(two, one)}}}", pair.text.partition(" by ")[2])
+            (f"{self.wheel(pair, one, two)}/{self.wheel(pair, two, one)}", pair.text.partition(" by ")[2])
             for pair in self.pairs
             for one, two in ((pair.first, pair.second),)
         ]

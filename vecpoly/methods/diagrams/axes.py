@@ -12,7 +12,7 @@ from ...board.paper.marks import Dot, Role
 
 BEYOND, TICK = 9.0, 1.5  # mm: how far the axes run on; half a tick
 STEPS = (1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180, 360)  # deg from tick to tick
-MOST = 13  # ticks
+MOST = 8  # ticks
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

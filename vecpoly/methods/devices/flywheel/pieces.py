@@ -83,7 +83,7 @@ def works_of(
         noted(bench, work(n), value)
         if n < len(sizes):
             noted(bench, level(n), energy)
-        rows.append(_row(f"${names[n - 1]}$–${names[n]}$", size.value, raw, value, energy if n < len(sizes) else 0.0))
+        rows.append(_row(f"{names[n - 1]}–{names[n]}", size.value, raw, value, energy if n < len(sizes) else 0.0))
     kept = [column for column in range(len(HEAD)) if missed or column != CORRECTED]
     told = tuple(tuple(row[column] for column in kept) for row in rows)
     board.tabulate(Listing(head=tuple(HEAD[column] for column in kept), rows=told, blocks=1))

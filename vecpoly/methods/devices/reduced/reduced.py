@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ....algebra.quantity import Expr, Product, Quantity, Quotient, Sum, magnitude, number
 from ....board.construction import Listing, View
-from ....devices.dynamics.reduced import J_E, M_D, M_E, M_R, G, ReducedTrain, alpha_of, both, ratio_of
+from ....devices.dynamics.reduced import J_E, M_D, M_E, M_R, G, ReducedTrain, alpha_of, ratio_of
 from ....devices.dynamics.shafts import Pair
 from ....plane import nominal
 from ....words import Words
@@ -62,16 +62,16 @@ def _ratio(bench: Bench, train: ReducedTrain, name: str) -> Quantity | None:
     way = train.ways[name]
     if not way:
         return None
-    above = [_size(pair, first=forwards) for pair, forwards in way]
-    below = [_size(pair, first=not forwards) for pair, forwards in way]
+    above = [_size(train, pair, first=forwards) for pair, forwards in way]
+    below = [_size(train, pair, first=not forwards) for pair, forwards in way]
     return bench.worked(ratio_of(name, train.main), Quotient(_product(above), _product(below)))
 
 
-def _size(pair: Pair, *, first: bool) -> Quantity:
+def _size(train: ReducedTrain, pair: Pair, *, first: bool) -> Quantity:
     """The teeth, or the diameter, of one of two wheels."""
     one, other = (pair.first, pair.second) if first else (pair.second, pair.first)
     size = pair.sizes[0] if first else pair.sizes[1]
-    return magnitude(f"{pair.letter}_{{{both(one, other)}}}", 1e3 * size if pair.belt else size, "")
+    return magnitude(train.wheel(pair, one, other), 1e3 * size if pair.belt else size, "")
 
 
 def _product(factors: list[Quantity]) -> Expr:
