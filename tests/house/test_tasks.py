@@ -137,8 +137,12 @@ def test_a_sheet_of_the_house_is_in_the_order_of_the_textbook() -> None:
     assert [view.name for view in views()] == [
         *("displacement", "swing", "loop"),
         *("mechanism", "velocity", "acceleration", "body", "force", "radii", "turns", "work"),
+        *("end-view", "couples", "products", "unbalances", "vibration", "vibration-speed", "hodograph"),
     ]
-    assert list(scales()) == ["mu_s", "mu_phi", "mu_psi", "mu_l", "mu_v", "mu_a", "mu_F", "mu_omega", "mu_M"]
+    assert list(scales()) == [
+        *("mu_s", "mu_phi", "mu_psi", "mu_l", "mu_v", "mu_a", "mu_F", "mu_omega", "mu_M"),
+        *("mu_r", "mu_Wl", "mu_W", "mu_U", "mu_A", "mu_V", "mu_P"),
+    ]
 
 
 def test_a_file_that_adds_a_kind_adds_its_scales_to_problem_files() -> None:

@@ -33,6 +33,8 @@ from vecpoly.problem.schema.models import (
 from vecpoly.solution import solve
 
 HEART, ROCKER, TRAIN = (load(name).text for name in ("cam-heart", "cam-rocker", "train-ring"))
+DISC, DALBY, BOLTED = (load(name).text for name in ("6-2", "rotor-dalby", "rotor-bolt-circle"))
+IN_PLACE, TWO_RUNS, SINGLE = (load(name).text for name in ("field-influence", "field-two-runs", "engine-single"))
 BASE = """\
 id: t
 title: test
@@ -156,6 +158,13 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "scales.mu_phi": (HEART, "device:", "scales: {mu_phi: 0.08 rad/mm}\ndevice:"),
     "scales.mu_psi": (ROCKER, "device:", "scales: {mu_psi: 0.02 rad/mm}\ndevice:"),
     "scales.mu_omega": (TRAIN, "device:", "scales: {mu_omega: 0.5 (rad/s)/mm}\ndevice:"),
+    "scales.mu_r": (DISC, "device:", "scales: {mu_r: 0.01 m/mm}\ndevice:"),
+    "scales.mu_W": (DISC, "device:", "scales: {mu_W: 0.05 kg*m/mm}\ndevice:"),
+    "scales.mu_Wl": (DALBY, "device:", "scales: {mu_Wl: 0.05 kg*m^2/mm}\ndevice:"),
+    "scales.mu_U": (BOLTED, "device:", "scales: {mu_U: 25 g*mm/mm}\ndevice:"),
+    "scales.mu_A": (IN_PLACE, "device:", "scales: {mu_A: 0.2 um/mm}\ndevice:"),
+    "scales.mu_V": (TWO_RUNS, "device:", "scales: {mu_V: 0.2 (mm/s)/mm}\ndevice:"),
+    "scales.mu_P": (SINGLE, "device:", "scales: {mu_P: 80 N/mm}\ndevice:"),
     "find.point": (CENTRES, "point: E2", "point: G2"),
     "find.on": (CENTRES, "on: 2", "on: 3"),
     "find.slowest": (CENTRES, "slowest: BC", "slowest: CE"),
