@@ -16,7 +16,9 @@ from tests.rotor_cases import CASES, agree, blind, dalby, grade, holes, lumps, p
 from vecpoly.board.hand import hand
 from vecpoly.methods.devices.plan import construct_device
 from vecpoly.problem.asked.asks import AskNamed
+from vecpoly.problem.load import loads
 from vecpoly.problem.problem import Problem, Scales
+from vecpoly.solution import solve
 from vecpoly.words import Words
 
 NEAR = 3e-9  # the cases are told to nine digits
@@ -193,3 +195,15 @@ def test_dalby_finds_masses_of_known_directions_and_a_mass_beside_an_angle(
 def test_directions_are_told_from_0_to_360() -> None:
     found = agree(device("rotor", masses=lumps((1, 100, 0)), correct={"I": {"r": "1 m"}}))
     assert found["theta_b"] == pytest.approx(280.0) and degrees(phase(found["W_b"])) == pytest.approx(-80.0)
+
+
+@pytest.mark.parametrize("by", ["exact", "drafting", "pencil"])
+def test_a_rotor_in_balance_is_told_so_by_every_hand_and_has_no_directions(by: str) -> None:
+    cranks = [
+        f"    {i + 1}: {{m: 5 kg, r: 100 mm, at: {at} deg, z: {150 * i} mm}}" for i, at in enumerate((0, 180, 180, 0))
+    ]
+    planes_ = "  correct: {I: {z: 0 mm, r: 100 mm}, II: {z: 450 mm, r: 100 mm}}"
+    text = "\n".join(["id: x", "title: x", "device: rotor", "data:", "  masses:", *cranks, planes_])
+    solution = solve(loads(text), by=by, seed=3)
+    assert not solution.suspect and solution.answers["static"].drawn == solution.answers["dynamic"].drawn == 1.0
+    assert solution.answers["theta_bI"].undefined and solution.answers["theta_bII"].undefined

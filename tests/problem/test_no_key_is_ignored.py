@@ -37,6 +37,8 @@ from vecpoly.solution import solve
 
 HEART, ROCKER, TRAIN = (load(name).text for name in ("cam-heart", "cam-rocker", "train-ring"))
 ENGINE, RUN = (load(name).text for name in ("7-5", "motor-run-up"))
+DISC, DALBY, BOLTED = (load(name).text for name in ("6-2", "rotor-dalby", "rotor-bolt-circle"))
+IN_PLACE, TWO_RUNS, SINGLE = (load(name).text for name in ("field-influence", "field-two-runs", "engine-single"))
 BASE = """\
 id: t
 title: test
@@ -176,6 +178,13 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "scales.mu_E": (ENGINE, "device:", "scales: {mu_E: 2 J/mm}\ndevice:"),
     "scales.mu_y": (RUN, "device:", "scales: {mu_y: 0.002 (1/(N*m))/mm}\ndevice:"),
     "scales.mu_t": (RUN, "device:", "scales: {mu_t: 0.1 s/mm}\ndevice:"),
+    "scales.mu_r": (DISC, "device:", "scales: {mu_r: 0.01 m/mm}\ndevice:"),
+    "scales.mu_W": (DISC, "device:", "scales: {mu_W: 0.05 kg*m/mm}\ndevice:"),
+    "scales.mu_Wl": (DALBY, "device:", "scales: {mu_Wl: 0.05 kg*m^2/mm}\ndevice:"),
+    "scales.mu_U": (BOLTED, "device:", "scales: {mu_U: 25 g*mm/mm}\ndevice:"),
+    "scales.mu_A": (IN_PLACE, "device:", "scales: {mu_A: 0.2 um/mm}\ndevice:"),
+    "scales.mu_V": (TWO_RUNS, "device:", "scales: {mu_V: 0.2 (mm/s)/mm}\ndevice:"),
+    "scales.mu_P": (SINGLE, "device:", "scales: {mu_P: 80 N/mm}\ndevice:"),
     "find.point": (CENTRES, "point: E2", "point: G2"),
     "find.on": (CENTRES, "on: 2", "on: 3"),
     "find.slowest": (CENTRES, "slowest: BC", "slowest: CE"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Container, Mapping
 from typing import NamedTuple, Protocol, TypeVar
 
 import numpy as np
@@ -99,10 +99,11 @@ def size_of(value: complex | float) -> float:
     return abs(value) if isinstance(value, complex) else float(value)
 
 
-def finite(found: Values) -> Values:
-    """The values; an efficiency of 0/0 is NaN. Raises NotAskedError for what else has no value."""
+def finite(found: Values, directions: Container[str] = ()) -> Values:
+    """The values; an efficiency of 0/0 is NaN, and so is the direction of what vanishes.
+    Raises NotAskedError for what else has no value."""
     for key, value in found.items():
-        if not np.isfinite(value) and not (np.isnan(value) and key == "eta"):
+        if not np.isfinite(value) and not (np.isnan(value) and (key == "eta" or key in directions)):
             raise NotAskedError(
                 Words(
                     f"由所给数据 {key} 无值；请从 find 中去掉，或检查数据",

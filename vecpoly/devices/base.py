@@ -126,6 +126,11 @@ class Device(BaseModel):
         return {}
 
     @property
+    def directions(self) -> frozenset[str]:
+        """Keys of directions, which have no value where what they are of vanishes."""
+        return frozenset()
+
+    @property
     def force(self) -> float:
         """A force typical of its polygons (N)."""
         return 100.0

@@ -13,7 +13,7 @@ SHAKING = Hue("vibration", (0.45, 0.20, 0.02))
 END_VIEW = register(
     View(
         name="end-view",
-        order=13,
+        order=61,
         title=Words("端视图", "End view"),
         called=Words("端视图", "the end view"),
         mu=Mu(
@@ -29,7 +29,7 @@ END_VIEW = register(
 COUPLES = register(
     View(
         name="couples",
-        order=31,
+        order=62,
         title=Words("力偶多边形", "Couple polygon"),
         called=Words("力偶多边形", "the couple polygon"),
         mu=Mu(
@@ -46,7 +46,7 @@ COUPLES = register(
 PRODUCTS = register(
     View(
         name="products",
-        order=33,
+        order=63,
         title=Words("质径积多边形", "Mass–radius polygon"),
         called=Words("质径积多边形", "the mass–radius polygon"),
         mu=Mu(
@@ -63,7 +63,7 @@ PRODUCTS = register(
 UNBALANCES = register(
     View(
         name="unbalances",
-        order=34,
+        order=64,
         title=Words("不平衡量多边形", "Unbalance polygon"),
         called=Words("不平衡量多边形", "the unbalance polygon"),
         mu=Mu(
@@ -80,7 +80,7 @@ UNBALANCES = register(
 VIBRATION = register(
     View(
         name="vibration",
-        order=36,
+        order=65,
         title=Words("振动矢量图", "Vibration vectors"),
         called=Words("振动矢量图", "the diagram of vibrations"),
         mu=Mu(
@@ -96,7 +96,7 @@ VIBRATION = register(
 VIBRATION_SPEED = register(
     View(
         name="vibration-speed",
-        order=37,
+        order=66,
         title=Words("振动矢量图", "Vibration vectors"),
         called=Words("振动矢量图", "the diagram of vibrations"),
         mu=Mu(
@@ -112,7 +112,7 @@ VIBRATION_SPEED = register(
 HODOGRAPH = register(
     View(
         name="hodograph",
-        order=38,
+        order=67,
         title=Words("惯性力端迹图", "Hodograph of the shaking force"),
         called=Words("惯性力端迹图", "the hodograph of the shaking force"),
         mu=Mu(

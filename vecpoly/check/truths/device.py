@@ -35,7 +35,8 @@ class DeviceTruth:
         """Key → exact value, of all that is asked."""
         with np.errstate(invalid="ignore", divide="ignore"):
             found = device_answers(self.problem.device)
-        return finite({ask.rel.key: found[ask.rel.key] for ask in self.problem.asks})
+        device = self.problem.device
+        return finite({ask.rel.key: found[ask.rel.key] for ask in self.problem.asks}, device.directions)
 
     def known(self, rel: Rel) -> None:
         """Nothing: a device's construction has no motion."""

@@ -101,6 +101,11 @@ class InlineEngine(Device):
         return as_written([*rows, ("a", self.pitch), ("m", self.m), ("r", self.r), ("l", self.l), ("n", self.n)])
 
     @property
+    def directions(self) -> frozenset[str]:
+        """Those of the sums: a polygon that closes has none."""
+        return frozenset(f"theta_{letter}{order}" for letter in ("", "M") for order in ORDERS)
+
+    @property
     def likely(self) -> Mapping[str, float]:
         """All products together: of a balanced engine the sums vanish."""
         whole, far = len(self.cranks) * self.m.si * self.r.si, max(self.pitch.si * len(self.cranks), self.r.si)

@@ -186,6 +186,11 @@ class Rotor(Device):
         return as_written(rows)
 
     @property
+    def directions(self) -> frozenset[str]:
+        """Those of the corrections: of a rotor in balance there are none."""
+        return frozenset(f"theta_{letter}{end}" for letter in "bh" for end in self.planes)
+
+    @property
     def likely(self) -> Mapping[str, float]:
         """All products together, and the mass that would balance them."""
         unit = self.weighing

@@ -13,7 +13,7 @@ from ....plane import Points, Reals
 from ..bench import trial_board
 
 TRIED, FIRST = 21, 181  # places in a row, in the first row
-NARROW = 2e-4  # rad: between places that are looked at no closer
+NARROW = 2e-5  # rad: between places that are looked at no closer
 GOLD, ROUNDS = (sqrt(5) - 1) / 2, 70
 ALIKE = 9  # decimals of mm
 

@@ -53,8 +53,11 @@ def heading(degrees: Reals) -> Points:
     return along
 
 
-def chain(bench: Bench, place: Pane, laid: Sequence[Laid], closing: Named) -> Polygon:
-    """Draw the products that have a length, and the closing side from the last tip back to the pole."""
+def chain(bench: Bench, place: Pane, laid: Sequence[Laid], closing: Named, whole: float | None = None) -> Polygon:
+    """Draw the products that have a length, and the closing side from the last tip back to the pole.
+
+    whole: all products of the rotor together, where only shares of them are laid off here.
+    """
     board = bench.board
     drawn = [one for one in laid if abs(float(nominal(board.to_paper(place, one.size)))) > NO_LENGTH]
     terms = [_term(bench, place, one, LETTERS[i]) for i, one in enumerate(drawn)]
@@ -64,11 +67,14 @@ def chain(bench: Bench, place: Pane, laid: Sequence[Laid], closing: Named) -> Po
     board.plot(place, 0j, "O", Dot.POLE)
     start, _ = close(board, place, 0j, equation).ends[closing.key]
     letter = LETTERS[len(drawn) - 1] if drawn else "O"
-    return Polygon(place=place, tip=start, letter=letter, least=_least(bench, place, laid))
+    return Polygon(place=place, tip=start, letter=letter, least=_least(bench, place, laid, whole))
 
 
-def _least(bench: Bench, place: Pane, laid: Sequence[Laid]) -> float:
-    return CLOSES * sum(abs(float(nominal(bench.board.to_paper(place, one.size)))) for one in laid)
+def _least(bench: Bench, place: Pane, laid: Sequence[Laid], whole: float | None = None) -> float:
+    """A part of all that was laid off; by an unsteady hand what it cannot help."""
+    board = bench.board
+    size = sum(abs(float(nominal(one.size))) for one in laid) if whole is None else whole
+    return max(CLOSES * float(nominal(board.to_paper(place, size))), board.hand.slack)
 
 
 def summed(bench: Bench, place: Pane, laid: Sequence[Laid], total: Named | None, *, known: bool = True) -> Polygon:

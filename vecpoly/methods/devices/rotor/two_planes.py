@@ -8,6 +8,7 @@ from math import degrees
 from ....algebra.quantity import Quantity, magnitude
 from ....devices.balancing.asked import bearing, correction, product_of, static_unbalance
 from ....devices.balancing.rotor import Rotor
+from ....plane import nominal
 from ....words import Words
 from ..bench import Bench
 from .about import about_a_third_plane
@@ -26,8 +27,9 @@ def in_two_planes(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> 
     polygons: dict[str, Polygon] = {}
     found: dict[str, Quantity] = {}
     bench.board.section(Words("两校正平面的质径积多边形", "The polygons of the two planes"))
+    everything = sum(abs(float(nominal(size.value))) for size in sizes.values())
     for end, laid in shares.items():
-        polygons[end], found[end] = _plane(bench, rotor, end, laid)
+        polygons[end], found[end] = _plane(bench, rotor, end, laid, everything)
     told_kind(bench, rotor, whole, polygons)
     circles = permitted_circles(bench, rotor, polygons) if rotor.tolerance is not None else {}
     for end, polygon in polygons.items():
@@ -93,7 +95,7 @@ def _overhung(names: list[str]) -> Words:
     )
 
 
-def _plane(bench: Bench, rotor: Rotor, end: str, laid: list[Laid]) -> tuple[Polygon, Quantity]:
+def _plane(bench: Bench, rotor: Rotor, end: str, laid: list[Laid], whole: float) -> tuple[Polygon, Quantity]:
     board, view = bench.board, polygon_view(rotor)
     closing = correction(end, rotor.weighing)
     place = board.open_pane(view, end, Words(f"平面 {end} 的质径积多边形", f"Polygon of plane {end}"))
@@ -104,5 +106,5 @@ def _plane(bench: Bench, rotor: Rotor, end: str, laid: list[Laid]) -> tuple[Poly
         ),
         place,
     )
-    polygon = chain(bench, place, laid, closing)
+    polygon = chain(bench, place, laid, closing, whole)
     return polygon, read_closing(bench, polygon, closing, bearing(end))

@@ -77,7 +77,7 @@ def _verdicts(device: Rotor) -> Found:
 
 def _corrected(device: Rotor, end: str, plane: RotorPlane, balance: complex) -> Found:
     unit = device.weighing
-    whole = sum(abs(mass.vector) * abs(device.shares[end][name]) for name, mass in device.masses.items())
+    whole = sum(abs(mass.vector) for mass in device.masses.values())
     yield f"W_b{end}", balance * unit.products
     turned = abs(balance) > CLOSES * whole
     yield f"theta_b{end}", _turned(balance) if turned else nan
