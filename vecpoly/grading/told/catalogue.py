@@ -34,6 +34,7 @@ class Told(StrEnum):
     SCALE_UNDECLARED = "scale_undeclared"
     SCALE_ODD = "scale_odd"
     SLIP = "slip"
+    EITHER = "either"
     CORIOLIS = "coriolis"
     CORIOLIS_2 = "coriolis_2"
     TWO_SLIPS = "two_slips"
@@ -114,6 +115,10 @@ SENTENCES: Mapping[Told, Words] = {
         "比例尺 ${mu}$ = {v} 不是推荐值（1、2、2.5、5 × 10ⁿ）", "The scale ${mu}$ = {v} is none of 1, 2, 2.5, 5 × 10ⁿ"
     ),
     Told.SLIP: Words("与“${what}$ {mistake}”的结果一致", "Matches what follows when ${what}$ is {mistake}"),
+    Told.EITHER: Words(
+        "与“{ways}”{more}的结果一致（这几种错误给出同样的数值）",
+        "Matches what follows when {ways}{more} (these give the same numbers)",
+    ),
     Told.CORIOLIS: Words(
         "与漏掉哥氏加速度 2$ω$·$v_r$（${what}$）的结果一致",
         "Matches the result without the Coriolis term 2$ω$·$v_r$ (${what}$)",
@@ -151,7 +156,8 @@ SENTENCES: Mapping[Told, Words] = {
     ),
     Told.DEMOTED: Words(
         "此处作图对误差极敏感：手工作图本身就散布 ±{t}（{share}%），不能判得更细；此量宜计算求得",
-        "Drawings scatter by ±{t} ({share} %) here, so it can be judged no more finely: such a quantity is better computed",
+        "Drawings scatter by ±{t} ({share} %) here, so it can be judged no more finely: such a quantity is better "
+        "computed",
     ),
     Told.BLANK: Words("没有作答", "Not answered"),
     Told.NONE: Words("写作“{raw}”，按没有作答处理", "Written as '{raw}': taken as not answered"),

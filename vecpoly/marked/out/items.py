@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...grading.compare.outcome import Basis, Finding, Outcome
-from ...grading.told.slip import told_of
+from ...grading.told.slip import SLIPS
 from ...words import Lang, Words, bare
 from ..work import Result
 
@@ -50,8 +50,8 @@ def _item(problem: str, key: str, each: Sequence[tuple[Finding, Result]]) -> Ite
     earned = sum(one.earned.total for one, _ in each)
     slips: Counter[Words] = Counter()
     for one, result in each:
-        if (slip := result.marks[problem].slips.get(key)) is not None:
-            slips[told_of(slip).words] += 1
+        if key in result.marks[problem].slips:
+            slips.update([said.words for said in one.messages if said.id in SLIPS])
         elif one.outcome is Outcome.WRONG and one.messages:
             slips.update(
                 [said.words for said in one.messages if said.id in ("pow10", "two_pi", "per_minute", "swapped")][:1]
