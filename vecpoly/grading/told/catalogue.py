@@ -55,6 +55,9 @@ class Told(StrEnum):
     NEARLY = "nearly"
     NOT_RIGHT = "not_right"
     TURNED = "turned"
+    TICK_GIVEN = "tick_given"
+    TICK_UNKNOWN = "tick_unknown"
+    NO_EQUATION = "no_equation"
 
 
 SENTENCES: Mapping[Told, Words] = {
@@ -170,5 +173,15 @@ SENTENCES: Mapping[Told, Words] = {
     Told.RIGHT: Words("正确", "Correct"),
     Told.NEARLY: Words("接近，作图或量取不够准确", "Close; drawing or reading not accurate enough"),
     Told.NOT_RIGHT: Words("不正确", "Not correct"),
+    Told.TICK_GIVEN: Words(
+        "{terms} 的{row}是已知的（已作出，或可由已知量算出）",
+        "The {row} of {terms} is given: drawn already, or found from what is known",
+    ),
+    Told.TICK_UNKNOWN: Words(
+        "{terms} 的{row}是未知的，要由图求出", "The {row} of {terms} is unknown: the drawing finds it"
+    ),
+    Told.NO_EQUATION: Words(
+        "矢量方程没有列对，此值不得准确分", "The vector equation is not right: no accuracy mark for this value"
+    ),
     Told.TURNED: Words("大小正确，但方向不对", "Magnitude right, direction wrong"),
 }

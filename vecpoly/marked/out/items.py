@@ -1,5 +1,5 @@
-"""Item analysis: of each answer, and of each line of the drawings, how many were right and by what basis, and which
-slips were made how often."""
+"""Item analysis: of each answer, each row of the equations, each line of the drawings, how many were right and by
+what basis, and which slips were made how often."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def items(results: Sequence[Result]) -> list[Item]:
     """Of every answer of every problem that somebody gave, or that is worth points; then of every line of the drawings
     that were handed in."""
     found: dict[tuple[str, Words], list[_Entry]] = {}
-    for entries in (_numbers, _lines):
+    for entries in (_numbers, _equations, _lines):
         for result in results:
             for one in entries(result):
                 found.setdefault((one.problem, one.key), []).append(one)
@@ -99,7 +99,11 @@ def _class(one: Finding) -> str:
         return "person"
     if one.basis is not Basis.EXACT and one.is_right:
         return "own"
-    match one.outcome:
+    return _sort(one.outcome)
+
+
+def _sort(outcome: Outcome) -> str:
+    match outcome:
         case Outcome.RIGHT | Outcome.UNSAID:
             return "right"
         case Outcome.CLOSE:
@@ -112,6 +116,17 @@ def _class(one: Finding) -> str:
             return "blank"
         case Outcome.UNREADABLE | Outcome.AMBIGUOUS:
             return "person"
+        case _:
+            assert_never(outcome)
+
+
+def _equations(result: Result) -> Iterator[_Entry]:
+    for problem, marked in result.marks.items():
+        for one in marked.equations:
+            why = tuple(said.words for said in one.messages) if one.outcome in (Outcome.CLOSE, Outcome.WRONG) else ()
+            yield _Entry(
+                problem=problem, key=one.title, sort=_sort(one.outcome), earned=one.earned, worth=one.worth, why=why
+            )
 
 
 # -- lines --------------------------------------------------------------------------------------------------------
