@@ -30,6 +30,10 @@ PROBLEMS = (
     "whitworth-quick-return",
     "tipper",
     "5-2",
+    "8-4",
+    "8-15",
+    "cam-roller-load",
+    "curv-1",
 )
 _SIZE = re.compile(r"(-?[\d.]+) (mm|N|deg)")
 BARS = {

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from tests.grader_proof.students import Cells
 from vecpoly import Problem
 from vecpoly.grading.derive.keyed import answer_key
-from vecpoly.grading.key import AnswerKey
+from vecpoly.grading.key import AnswerKey, Graded
 from vecpoly.grading.marking.marked import Marked
 from vecpoly.grading.marking.marker import mark
 from vecpoly.grading.rules import Rules
@@ -55,4 +55,10 @@ class Trial:
 def apart(mine: AnswerKey, theirs: AnswerKey) -> bool:
     """Whether two keys are further apart than 3 T in two answers, as the gate of a class wants it."""
     both = [(one, other) for one in mine.quantities if one.asked and (other := theirs.find(one.key)) is not None]
-    return sum(abs(abs(one.exact) - abs(other.exact)) > 3 * one.allowed > 0 for one, other in both) >= 2
+    return sum(_between(one, other) > 3 * one.allowed > 0 for one, other in both) >= 2
+
+
+def _between(one: Graded, other: Graded) -> float:
+    if one.at is not None and other.at is not None:
+        return abs(complex(*one.at) - complex(*other.at))
+    return abs(abs(one.exact) - abs(other.exact))

@@ -9,17 +9,16 @@ import numpy as np
 
 from tests.grader_proof.judge import Tally, Trial, apart
 from tests.grader_proof.students import Cells, Class, drawn_class
+from tests.grader_proof.telling import alike, distinct, shows
 from vecpoly import Problem
 from vecpoly.board.otherwise.amended import Amended
 from vecpoly.board.otherwise.slip import Slip
 from vecpoly.errors import VecpolyError
 from vecpoly.grading.compare.outcome import Basis, Outcome
 from vecpoly.grading.derive.keyed import answer_key
-from vecpoly.grading.key import Kind
+from vecpoly.grading.key import Graded, Kind
 from vecpoly.grading.rules import Rules
-from vecpoly.grading.slips.mutants import Mutant, Value
 
-VISIBLE = 2.0  # T: a slip shows where it moves an answer by more
 ALONE = Rules(following=False)
 REACH = Rules().reach
 
@@ -43,13 +42,14 @@ def right_work(trial: Trial, skill: str, count: int, seed: int) -> Iterator[Tall
 def single_slips(trial: Trial, count: int, seed: int) -> Iterator[tuple[Slip, Tally]]:
     """Students who each make one mistake of the catalogue that shows."""
     rng = np.random.default_rng(seed)
-    shown = [one for one in trial.mutants if _shows(trial, one)]
+    shown = [one for one in trial.mutants if shows(trial, one)]
     if not shown:
         return
-    each = max(1, count // len(shown))
-    for mutant in shown:
+    made = [(mutant, slip) for mutant in shown for slip in (mutant.slip, *mutant.also)]
+    each = max(1, count // len(made))
+    for mutant, slip in made:
         try:
-            group = drawn_class(trial.problem, trial.key, "pencil", each, seed, Amended(slip=mutant.slip))
+            group = drawn_class(trial.problem, trial.key, "pencil", each, seed, Amended(slip=slip))
         except VecpolyError:
             continue  # nobody's figure closes: such a sheet has no numbers
         for student in range(each):
@@ -59,11 +59,11 @@ def single_slips(trial: Trial, count: int, seed: int) -> Iterator[tuple[Slip, Ta
             sheet, tally = trial.mark(cells), Tally()
             tally.add("single slips caught", bool(sheet.roots))
             named = list(sheet.slips.values())
-            kind = "single slips" if _distinct(trial, mutant) else "slips that nothing tells apart:"
-            rightly = any(_alike(trial, one, mutant) for one in named)
+            kind = "single slips" if distinct(trial, mutant) else "slips that nothing tells apart:"
+            rightly = any(alike(trial, one, mutant) for one in named)
             tally.add(f"{kind} named rightly", rightly)
             tally.add("single slips named as another", bool(named) and not rightly)
-            yield mutant.slip, tally
+            yield slip, tally
 
 
 def _complete(cells: Cells, trial: Trial) -> bool:
@@ -71,59 +71,10 @@ def _complete(cells: Cells, trial: Trial) -> bool:
     return len(cells) >= 0.8 * sum(one.asked or one.kind is Kind.READING for one in trial.key.quantities)
 
 
-def _shows(trial: Trial, mutant: Mutant) -> bool:
-    """Whether the mistake moves something that is written by more than the tolerance."""
-    for name, value in mutant.values.items():
-        one = trial.key[name]
-        turned = (
-            one.kind is Kind.SIGNED
-            and value.value * one.exact < 0
-            and min(abs(value.value), abs(one.exact)) > one.allowed
-        )
-        far = abs(abs(value.value) - abs(one.exact)) > VISIBLE * one.allowed
-        if (one.asked or one.kind is Kind.READING) and (far or turned):
-            return True
-    return False
-
-
-def _distinct(trial: Trial, mutant: Mutant) -> bool:
-    """Whether it can be told from every other by sizes and senses, and shows in more than one sense."""
-    sizes = [name for name, value in mutant.values.items() if _far(trial, name, value)]
-    senses = [
-        name
-        for name, value in mutant.values.items()
-        if trial.key[name].kind is Kind.SIGNED and trial.key[name].asked and value.value * trial.key[name].exact < 0
-    ]
-    if not sizes and len(senses) < 2:
-        return False
-    return not any(_alike(trial, one.slip, mutant) for one in trial.mutants if one.slip != mutant.slip)
-
-
-def _far(trial: Trial, name: str, value: Value) -> bool:
-    one = trial.key[name]
-    written = one.asked or one.kind is Kind.READING
-    return written and abs(abs(value.value) - abs(one.exact)) > VISIBLE * one.allowed
-
-
-def _alike(trial: Trial, slip: Slip, other: Mutant) -> bool:
-    """Whether a named slip is the one, or gives the same sizes on this sheet."""
-    if slip == other.slip:
-        return True
-    mine = next(one for one in trial.mutants if one.slip == slip)
-    for one in trial.key.quantities:
-        if one.asked or one.kind is Kind.READING:
-            first, second = (
-                abs(each.values[one.key].value) if one.key in each.values else abs(one.exact) for each in (mine, other)
-            )
-            if abs(first - second) > 2 * one.allowed:
-                return False
-    return True
-
-
 def two_slips(trial: Trial, count: int, seed: int) -> Iterator[Tally]:
     """Students who each make two mistakes."""
     rng = np.random.default_rng(seed)
-    shown = [one for one in trial.mutants if _shows(trial, one)]
+    shown = [one for one in trial.mutants if shows(trial, one)]
     if len(shown) < 2:
         return
     for n in range(count):
@@ -141,9 +92,9 @@ def two_slips(trial: Trial, count: int, seed: int) -> Iterator[Tally]:
         tally.add("two slips caught", bool(sheet.roots))
         named = list(sheet.slips.values())
         tally.add(
-            "two slips: one of them named", any(_alike(trial, one, each) for one in named for each in (first, second))
+            "two slips: one of them named", any(alike(trial, one, each) for one in named for each in (first, second))
         )
-        wrong = bool(named) and not any(_alike(trial, one, each) for one in named for each in (first, second))
+        wrong = bool(named) and not any(alike(trial, one, each) for one in named for each in (first, second))
         tally.add("two slips: a third named", wrong)
         yield tally
 
@@ -151,11 +102,7 @@ def two_slips(trial: Trial, count: int, seed: int) -> Iterator[Tally]:
 def uncatalogued(trial: Trial, group: Class, count: int, seed: int) -> Iterator[Tally]:
     """Right work but for one value that is off by no known slip."""
     rng = np.random.default_rng(seed)
-    usable = [
-        one
-        for one in trial.key.quantities
-        if one.asked and one.kind in (Kind.VECTOR, Kind.SIGNED) and one.exact and not one.demoted
-    ]
+    usable = [one for one in trial.key.quantities if _may_be_off(one)]
     for n in range(count if usable else 0):
         cells = group.sheet(n % group.count, rng)
         one = usable[int(rng.integers(len(usable)))]
@@ -172,6 +119,12 @@ def uncatalogued(trial: Trial, group: Class, count: int, seed: int) -> Iterator[
             bool(told & {"pow10", "two_pi", "per_minute", "swapped"}),
         )
         yield tally
+
+
+def _may_be_off(one: Graded) -> bool:
+    """Whether a number can be off by more than its tolerance, and by less than a factor 3."""
+    number = one.kind in (Kind.VECTOR, Kind.SIGNED, Kind.SCALAR) and one.asked and not one.demoted
+    return number and 2 * one.allowed < abs(one.exact)
 
 
 def _times(cell: str, factor: float) -> str:

@@ -11,6 +11,7 @@ from vecpoly.grading.compare.outcome import Basis, Outcome
 from vecpoly.grading.key import Kind
 from vecpoly.grading.marking.marked import Marked
 from vecpoly.grading.rules import Rules
+from vecpoly.grading.slips.whole import mutated
 from vecpoly.grading.told.catalogue import SENTENCES, Told
 from vecpoly.grading.told.slip import told_of
 from vecpoly.words import bare
@@ -31,7 +32,7 @@ def right(name: str, **spoilt: float) -> dict[str, str]:
 
 def by_mistake(name: str, slip: Slip) -> dict[str, str]:
     """The sheet of one who makes this slip and no other error."""
-    mutant = next(one for one in mutants_of(name) if one.slip == slip)
+    mutant = next(one for one in mutants_of(name) if slip in (one.slip, *one.also))
     return right(name, **{key: value.value / (key_of(name)[key].exact or 1.0) for key, value in mutant.values.items()})
 
 
@@ -86,6 +87,32 @@ def test_a_final_answer_alone_tells_of_a_slip_where_only_one_gives_it() -> None:
     sheet = marked("3-9", {"alpha_2": "11.22 cw", "a_D": "2.537", "omega_2": "1.995 cw"})
     assert sheet.slips == {"alpha_2": Slip(Mistake.HALVED, "ak_C2C3")}
     assert sheet["a_D"].basis is Basis.SLIP
+
+
+def test_what_is_right_although_it_rests_on_the_value_exonerates_from_the_slip() -> None:
+    cells = right("3-9")
+    alone = marked("3-9", {**cells, "ak_C2C3": f"{key_of('3-9')['ak_C2C3'].exact / 2:.3g}"})
+    assert not alone["ak_C2C3"].is_right and not alone.slips
+    assert all(one.is_right for one in alone.findings if one.written.raw and one.key != "ak_C2C3")
+
+
+def test_slips_that_give_the_same_numbers_are_told_in_one_sentence() -> None:
+    (one,) = [each for each in mutants_of("3-2") if each.also and each.slip.mistake is Mistake.OTHER_CENTRE
+              and each.slip.key == "P12P14"]  # fmt: skip
+    assert {each.instead for each in (one.slip, *one.also)} == {"P23", "P13"}
+    for slip in (one.slip, *one.also):
+        sheet = marked("3-2", by_mistake("3-2", slip))
+        (root,) = sheet.slips
+        assert sheet.slips[root] == one.slip and "either" in told(sheet, root)
+
+
+def test_a_mistake_by_which_lines_meet_badly_is_allowed_its_own_scatter() -> None:
+    key = key_of("5-2")
+    turned = next(one for one in mutants_of("5-2") if str(one.slip) == "F turned")
+    larger = turned.values["bc"].value / key["bc"].exact
+    assert mutated(key["bc"], turned, key.allowance).allowed > 3 * larger * key["bc"].allowed
+    halved = next(one for one in mutants_of("5-2") if str(one.slip) == "force F:R_23 halved")
+    assert mutated(key["bc"], halved, key.allowance).allowed == pytest.approx(key["bc"].allowed)
 
 
 def test_where_two_slips_would_do_none_is_named() -> None:

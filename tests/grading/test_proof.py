@@ -11,7 +11,7 @@ FEW = ("pencil: whole sheets accepted", "pencil: quantities accepted", "pencil: 
        "another student's sheet accepted", "follow-through lowered a mark")  # fmt: skip
 
 
-@pytest.mark.parametrize("name", ["3-9", "4-3a"])
+@pytest.mark.parametrize("name", ["3-9", "4-3a", "5-2", "3-2"])
 def test_right_work_is_accepted_slips_are_caught_and_no_other_sheet_passes(name: str) -> None:
     total, _ = prove(name, 40)
     for claim in FEW:

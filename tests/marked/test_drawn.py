@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+from collections import Counter
 from io import StringIO
 from pathlib import Path
 
@@ -24,6 +25,7 @@ from vecpoly.grading.scheme import Scheme
 from vecpoly.marked.drawn import grade_drawings
 from vecpoly.marked.graded import Graded
 from vecpoly.marked.intake.returned import Returned
+from vecpoly.marked.out.items import items
 from vecpoly.words import Words
 
 WRONG = Slip(Mistake.HALVED, "v_B")
@@ -151,6 +153,20 @@ def test_grades_feedback_and_record_tell_of_the_lines(folder: Path, file: Path, 
     with pdfplumber.open(tmp_path / "feedback" / f"{NUMBERS[1]}__李四.pdf") as pages:
         text = "".join(page.extract_text() for page in pages.pages)
     assert "据此给图线分" in text and "不重复扣分" in text
+
+
+@pytest.mark.parametrize("rule", ["told", "given"])
+def test_the_item_analysis_counts_every_line_of_the_drawings_by_its_verdict(
+    folder: Path, file: Path, tmp_path: Path, rule: Lines
+) -> None:
+    done = graded(tmp_path, file, drawings=folder, scheme=Scheme(rules=Rules(drawing=rule)))
+    found = {one.key.en: one for one in items(done.results)}
+    assert found["v_B (line)"].counts == Counter(right=1, wrong=1)
+    assert [(bool(words.en), count) for words, count in found["v_B (line)"].slips] == [(True, 1)]
+    assert found["v_C2B (line)"].counts == Counter(right=1, own=1)  # follows from the wrong v_B
+    assert found["a_B (line)"].counts == Counter(blank=2)  # nobody drew the accelerations
+    assert found["v_B"].counts == Counter(right=3)
+    assert (found["v_B (line)"].share > 0) is (rule == "given")
 
 
 def test_a_second_drawing_of_one_problem_is_refused_with_the_name_of_the_first(folder: Path, tmp_path: Path) -> None:

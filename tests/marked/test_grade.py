@@ -22,7 +22,8 @@ from vecpoly.marked.scheme import read_scheme
 
 def halved(key: str, text: str) -> str:
     """Half of the Coriolis term, and what follows from it left out."""
-    return f"{float(text) / 2:.4g}" if key == "ak_C2C3" else text
+    after = ("at_C2B", "ar_C2C3", "a_D", "a_E", "alpha_2", "alpha_3")
+    return f"{float(text) / 2:.4g}" if key == "ak_C2C3" else "" if key in after else text
 
 
 def everybody() -> dict[str, dict[str, str]]:

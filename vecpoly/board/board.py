@@ -132,12 +132,11 @@ class Board(Compass):
         act = done.Measure(head=self.head(at, key=plain_letters(letter)), a=0j, b=spot(at), mm=abs(spot(read)))
         return traced(read, self.log(act))
 
-    def keep(self, reading: Reading, value: Reals) -> None:
-        """Keep an answer, as it is read and by every hand."""
+    def keep(self, reading: Reading, value: Reals, each: Points | None = None) -> None:
+        """Keep an answer, as it is read and by every hand; each: of a place both coordinates by every hand."""
         self.ledger.readings[reading.key], self.ledger.found[reading.key] = reading, value
-        self.answer(
-            reading.key, reading.scalar if reading.vector is None else reading.vector, reading.unit, value, each=value
-        )
+        read = reading.scalar if reading.vector is None else reading.vector
+        self.answer(reading.key, read, reading.unit, value, each=value if each is None else each)
 
     def revise(self, reading: Reading) -> None:
         """Say more of an answer that was kept: a remark, the length on paper, where it acts."""

@@ -15,6 +15,7 @@ from pydantic import TypeAdapter, ValidationError
 from ..errors import UnknownNameError, VecpolyError
 from ..words import Words
 from .allowance import STUDENT, Allowance
+from .equations.row import EquationRow
 
 VERSION = 1
 
@@ -94,13 +95,14 @@ class AnswerKey:
     """The key of one problem, or of one student's variant of it.
 
     scales: ``mu_v`` → SI per mm. stated: points for a scale that is stated with its unit.
-    allowance: the σ's behind the tolerances.
+    equations: the rows in which directions and magnitudes are ticked. allowance: the σ's behind the tolerances.
     """
 
     problem: str
     quantities: tuple[Graded, ...]
     scales: Mapping[str, float] = field(default_factory=dict)
     stated: Mapping[str, float] = field(default_factory=dict)
+    equations: tuple[EquationRow, ...] = ()
     allowance: Allowance = STUDENT
     version: int = VERSION
 

@@ -27,16 +27,17 @@ ByHand = Mapping[
 ]  # key → value by each hand (of a vector x + iy where it is known), without the nominal one
 
 
-def by_hands(problem: Problem, key: AnswerKey, amended: Amended) -> ByHand:
+def by_hands(problem: Problem, key: AnswerKey, amended: Amended, *, unsteady: bool = False) -> ByHand:
     """Every graded quantity by each of the hands that `amended` tells of, at the scales of the key; NaN where none was
     found.
 
-    Raises what drawing the nominal sheet raises.
+    unsteady: they scatter as students' hands do; else they are exact. Raises what drawing the nominal sheet raises.
     """
     many = len(amended.each) + len(amended.own)
+    by = key.allowance.hand(many) if unsteady else steady(many)
     scaled = replace(problem, scales=Scales(dict(key.scales)))
     linkage = isinstance(problem.subject, Mechanism)
-    drawn = drawn_otherwise(scaled, steady(many), amended) if linkage else constructed(scaled, steady(many), amended)
+    drawn = drawn_otherwise(scaled, by, amended) if linkage else constructed(scaled, by, amended)
     found: dict[str, NDArray[Any]] = {}
     for one in key.quantities:
         act = act_of(drawn, one)

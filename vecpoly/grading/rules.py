@@ -18,7 +18,8 @@ class Rules:
     continued from these. first: nothing is continued from others while these are not answered. reach: own values
     farther off than this factor are not continued from. drawing: whether verdicts on a drawing are only told, give the
     points of its lines where one is handed in, or are the only way to these points. open: answers may be handed in
-    again, so that no feedback tells the right values.
+    again, so that no feedback tells the right values. compensatory: whether numbers have their accuracy marks also
+    where the vector equation is not, or wrongly, ticked.
     """
 
     close: float = 0.5
@@ -35,6 +36,7 @@ class Rules:
     following: bool = True
     drawing: Lines = "given"
     open: bool = False
+    compensatory: bool = True
 
 
 USUAL_RULES = Rules()

@@ -11,6 +11,7 @@ from ..problem.schema.faults import Faults, meant
 from ..problem.schema.marking import BlockSpec, MarkingSpec, PointsSpec
 from ..words import Words
 from .derive.rubric import USUAL, Block, Rubric, shared
+from .equations.row import priced
 from .key import AnswerKey, Points
 from .rules import USUAL_RULES, Rules
 
@@ -32,7 +33,8 @@ class Scheme:
         """A key with the points of this scheme, whatever points it had."""
         rubric = Rubric(blocks={**USUAL.blocks, **self.blocks}, own=self.points.get(key.problem, {}))
         quantities, stated = shared(rubric, key.quantities, key.scales)
-        return replace(key, quantities=quantities, stated=stated)
+        equations = priced(key.equations, quantities, rubric.equations)
+        return replace(key, quantities=quantities, stated=stated, equations=equations)
 
     def over(self, said: MarkingSpec) -> Scheme:
         """This scheme, changed in what is said."""

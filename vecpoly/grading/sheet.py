@@ -24,14 +24,15 @@ class Sheet:
     """answers: key → what was written. scales: ``mu_v`` → the student's own (SI per mm); stated: which scales were
     written down.
 
-    drawn: quantity → its vector on the student's own drawing (x + iy, in its unit). faults: what could not be read of
-    the scales, each in words.
+    ticks: row of an equation → the signs in it. drawn: quantity → its vector on the student's own drawing (x + iy, in
+    its unit). faults: what could not be read of the scales, each in words.
     """
 
     answers: Mapping[str, Written]
     scales: Mapping[str, float] = field(default_factory=dict)
     stated: frozenset[str] = frozenset()
     drawn: Mapping[str, complex] = field(default_factory=dict)
+    ticks: Mapping[str, str] = field(default_factory=dict)
     faults: tuple[Words, ...] = ()
 
 
@@ -40,18 +41,23 @@ def sheet_of(key: AnswerKey, cells: Mapping[str, str | float | None], *, printed
 
     printed_scales: the sheet prints the scales of the key, so that they count as stated.
     """
-    names = {one.key for one in key.quantities}
+    names, rows = {one.key for one in key.quantities}, {row.key for row in key.equations}
     answers: dict[str, Written] = {}
     own: dict[str, float] = {}
     faults: list[Words] = []
+    marks: dict[str, str] = {}
     for symbol, cell in cells.items():
         mu = _scale_named(symbol, key)
         if mu is None:
-            answers[symbol if symbol in names else keyed(symbol, names)] = written(cell)
+            meant = symbol if symbol in names else keyed(symbol, names | rows)
+            if meant in rows:
+                marks[meant] = "" if cell is None else str(cell)
+            else:
+                answers[meant] = written(cell)
         elif (value := _scale(mu, cell, faults)) is not None:
             own[mu] = value
     stated = frozenset(key.scales) if printed_scales else frozenset(own)
-    return Sheet(answers=answers, scales=own, stated=stated, faults=tuple(faults))
+    return Sheet(answers=answers, scales=own, stated=stated, ticks=marks, faults=tuple(faults))
 
 
 def _scale_named(symbol: str, key: AnswerKey) -> str | None:

@@ -15,12 +15,14 @@ from ..problem.problem import Problem
 from ..words import Lang, Words, bare, language
 from .compare.outcome import Finding
 from .derive.keyed import answer_key
+from .equations.mark import EquationMark
 from .key import AnswerKey
 from .marking.marked import Marked
 from .marking.marker import mark
 from .reading.symbol import keyed, squeezed
 from .sheet import sheet_of
 from .slips.mutants import mutants
+from .told.message import Message
 
 _STEM = re.compile(r"(omega|alpha|an|at|ak|ar|v|a|p)(?=[A-Z]|\d)(.+)")
 
@@ -40,7 +42,12 @@ class Checked:
     @property
     def right(self) -> bool:
         """Whether all of it is right."""
-        return all(one.is_right for one in self.answers)
+        return all(one.is_right for one in self.answers) and all(one.outcome.is_right for one in self.ticked)
+
+    @property
+    def ticked(self) -> tuple[EquationMark, ...]:
+        """The rows of equations that were filled in."""
+        return tuple(one for one in self.marked.equations if one.raw.strip())
 
     def __str__(self) -> str:
         """One line for each answer: symbol, what was written, verdict, reason."""
@@ -51,7 +58,7 @@ class Checked:
         return [
             (bare(self.marked.key[one.key].symbol), one.written.raw, one.outcome.words.of(lang), _reasons(one, lang))
             for one in self.answers
-        ]
+        ] + [(one.row.key, one.raw, one.outcome.words.of(lang), _said(one.messages, lang)) for one in self.ticked]
 
     def as_json(self) -> dict[str, Any]:
         """Plain data."""
@@ -61,6 +68,7 @@ class Checked:
             "id": self.problem.id,
             "right": self.right,
             "answers": [{name: one[name] for name in kept} for one in told],
+            "equations": [one.as_json() for one in self.ticked],
         }
 
 
@@ -102,7 +110,7 @@ def _split(answers: Mapping[str, str | float] | Iterable[str]) -> dict[str, str 
 def _key_for(problem: Problem, symbols: tuple[str, ...]) -> tuple[AnswerKey, Problem]:
     """The key, and the problem with what else is answered asked for too."""
     key = answer_key(problem)
-    known = [one.key for one in key.quantities] + list(key.scales)
+    known = [one.key for one in key.quantities] + list(key.scales) + [row.key for row in key.equations]
     more = [rel for symbol in symbols if (rel := _unasked(symbol, known)) is not None]
     if not more:
         return key, problem
@@ -126,4 +134,8 @@ def _unasked(symbol: str, known: list[str]) -> Rel | None:
 
 
 def _reasons(one: Finding, lang: Lang) -> str:
-    return ("；" if lang == "zh" else "; ").join(bare(said.words.of(lang)) for said in one.messages)
+    return _said(one.messages, lang)
+
+
+def _said(messages: Iterable[Message], lang: Lang) -> str:
+    return ("；" if lang == "zh" else "; ").join(bare(said.words.of(lang)) for said in messages)

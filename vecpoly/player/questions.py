@@ -97,7 +97,11 @@ class _Row:
         for mutant in self.slips:
             if self.one.key in mutant.values:
                 target = mutated(self.one, mutant, self.key.allowance)
-                yield self._size(target.value), self._size(target.allowed), self._name(told_of(mutant.slip))
+                yield (
+                    self._size(target.value),
+                    self._size(target.allowed),
+                    self._name(told_of(mutant.slip, mutant.also)),
+                )
 
     def _others(self) -> Iterator[tuple[float, float, str]]:
         for other in mistaken_for(self.one, self.key):

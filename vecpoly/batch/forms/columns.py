@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from ...grading.equations.row import EquationRow
 from ...grading.key import Graded, Kind
 from ...names import written_unit
+from ...words import bare
 from ..register import Register
 
 
@@ -18,22 +20,25 @@ class What(StrEnum):
     VALUE = "value"
     DIRECTION = "deg"
     SENSE = "sense"
+    TICKS = "ticks"  # of a row of an equation, a sign a term
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Column:
-    """One column: of which problem and quantity, what; its head and unit as they stand in rows 1 and 2."""
+    """One column: of which problem and quantity, what; its head and unit as they stand in rows 1 and 2; of an
+    equation its terms."""
 
     problem: str
     key: str
     what: What
     unit: str
+    terms: int = 0
 
     @property
     def head(self) -> str:
         """``3-9:v_E``, ``3-9:v_E mm``, ``3-9:omega_3 sense``, ``3-9:mu_v``."""
-        bare = f"{self.problem}:{self.key}"
-        return bare if self.what in (What.VALUE, What.SCALE) else f"{bare} {self.what}"
+        whole = f"{self.problem}:{self.key}"
+        return whole if self.what in (What.VALUE, What.SCALE, What.TICKS) else f"{whole} {self.what}"
 
 
 IDENTITY = (("学号", "number"), ("姓名", "name"), ("班级", "class"), ("卷号", "sheet"))
@@ -41,17 +46,23 @@ _PER_MM = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm", "mu_F": "N/
 
 
 def columns_of(register: Register) -> tuple[Column, ...]:
-    """All columns, problem by problem: the scales, then what is asked in the order of the key."""
+    """All columns, problem by problem: the rows of its equations, the scales, then what is asked in the order of the
+    key."""
     if not register.sheets:
         return ()
     found: list[Column] = []
     for part in register.sheets[0].parts:
+        found += [_of_row(part.problem, row) for row in part.key.equations]
         asked = [one for one in part.key.quantities if one.asked]
         used = sorted({one.mu for one in asked if one.mu and one.mm})
         found += [Column(problem=part.problem, key=mu, what=What.SCALE, unit=_PER_MM.get(mu, "")) for mu in used]
         for one in asked:
             found += [Column(problem=part.problem, key=one.key, what=what, unit=unit) for what, unit in _parts(one)]
     return tuple(found)
+
+
+def _of_row(problem: str, row: EquationRow) -> Column:
+    return Column(problem=problem, key=row.key, what=What.TICKS, unit=f"{bare(row.printed)}: ✓ ?", terms=len(row.known))
 
 
 def _parts(one: Graded) -> list[tuple[What, str]]:

@@ -9,15 +9,17 @@ from typing import Any
 
 import xlsxwriter
 
+from ...grading.equations.ticks import shown
 from ...grading.key import Graded, Kind
 from ...grading.told.scheme import SCHEME, scheme_rows
 from ...names import written_unit
-from ...words import Lang, Words
+from ...words import Lang, Words, bare
 from ..register import Part, Register, Sheet
 from .columns import IDENTITY, Column, What, columns_of
 
 _CREATED = datetime(2000, 1, 1)
 _SENSES = ("顺", "逆", "↻", "↺", "cw", "ccw")
+TICK_LETTERS = 12  # at most, in each cell of an equation that is copied with its words
 _LENGTH, _TURN = 400.0, 360.0  # mm, degrees: nothing on a page is longer, no direction larger
 _ANSWERS, _KEY = Words("答案", "answers"), Words("答案键", "key")
 _WRONG = Words("此处应为", "expected here: ")
@@ -71,6 +73,9 @@ def _validated(page: Any, i: int, column: Column, count: int, lang: str) -> None
             rule |= {"validate": "decimal", "criteria": "between", "minimum": 0, "maximum": _LENGTH}
         case What.DIRECTION:
             rule |= {"validate": "decimal", "criteria": "between", "minimum": -_TURN, "maximum": _TURN}
+        case What.TICKS:
+            longest = TICK_LETTERS * column.terms
+            rule |= {"validate": "length", "criteria": "between", "minimum": column.terms, "maximum": longest}
         case What.VALUE | What.SCALE:
             rule |= {"validate": "decimal", "criteria": "between", "minimum": -1e9, "maximum": 1e9}
     said = (_WRONG.zh if lang == "zh" else _WRONG.en) + f"{column.key} {column.unit}"
@@ -121,7 +126,8 @@ def write_row(page: Any, row: int, cells: Sequence[str | float], look: Any = Non
 
 def _key_heads(part: Part, lang: str) -> tuple[list[str], list[str]]:
     names = [zh if lang == "zh" else en for zh, en in IDENTITY] + [*part.values, *sorted(part.scales)]
-    heads, units = names, [""] * len(names)
+    heads = names + [row.key for row in part.key.equations]
+    units = [""] * len(names) + [bare(row.printed) for row in part.key.equations]
     for one in _asked(part):
         mark = Words("（连带）", " (follow-through)") if one.demoted else Words.same("")
         heads = [*heads, one.key + (mark.zh if lang == "zh" else mark.en), f"{one.key} T"]
@@ -133,6 +139,7 @@ def _key_heads(part: Part, lang: str) -> tuple[list[str], list[str]]:
 
 def _key_row(sheet: Sheet, part: Part) -> list[str | float]:
     row: list[str | float] = [*identity(sheet), *part.values.values(), *(part.scales[mu] for mu in sorted(part.scales))]
+    row += [shown(one.known) for one in part.key.equations]
     for one in _asked(part):
         row += [_round(one.exact), _round(one.allowed)]
         if one.kind is Kind.VECTOR:

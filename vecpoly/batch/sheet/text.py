@@ -44,7 +44,7 @@ def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]
     tables = [step.equation for step in solution.construction.steps if step.equation]
     context = {
         **statement(solution, lang),
-        "blanks": [objects.add("eq", _emptied(table)) for table in tables],
+        "blanks": [objects.add("eq", _emptied(table, n)) for n, table in enumerate(tables, 1)],
         "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else "",
     }
     xml = filled(f"sheet.{lang}.xml.j2", (data_dir("templates"),), {"p": context})
@@ -70,11 +70,14 @@ def _following(blocks: Sequence[Any], i: int) -> float:
     return float(blocks[i + 1].wrap(WIDTH * MM, HEIGHT * MM)[1]) / MM if i + 1 < len(blocks) else 0.0
 
 
-def _emptied(table: EquationTable) -> EquationTable:
-    """The equation with rows to be filled in by hand."""
+def _emptied(table: EquationTable, n: int) -> EquationTable:
+    """The equation under its number, by which its rows are typed in, with rows to be filled in by hand."""
     count = len(table.symbols)
     wide = max(LEAST, min(BLANK, (WIDTH - 20.0) / count - 6.0))
     line = "_" * round(wide / _UNDERSCORE)
     return EquationTable(
-        symbols=table.symbols, signs=table.signs, directions=(Words.same(line),) * count, magnitudes=(line,) * count
+        symbols=table.symbols,
+        signs=(f"({n})", *table.signs[1:]),
+        directions=(Words.same(line),) * count,
+        magnitudes=(line,) * count,
     )

@@ -64,6 +64,8 @@ def check_claims(
 def _print(checked: Checked, lang: Lang) -> None:
     title = f"{checked.problem.id}  {bare(checked.problem.title.of(lang))}"
     made = table(title, [(name, "left") for name in _COLUMNS[lang]])
-    for row, one in zip(checked.rows(lang), checked.answers, strict=True):
-        add(made, row, alarmed=not one.is_right)
+    fine = [one.is_right for one in checked.answers]
+    fine += [one.outcome.is_right for one in checked.ticked]
+    for row, right in zip(checked.rows(lang), fine, strict=True):
+        add(made, row, alarmed=not right)
     show(made)

@@ -36,12 +36,19 @@ def gap(value: float, graded: Graded, target: Target) -> float:
     return value - target.value
 
 
+def distance(given: Measured, graded: Graded, target: Target) -> float:
+    """How far what was written is off, of a place in a straight line."""
+    if given.at is not None and target.at is not None:
+        return hypot(given.at[0] - target.at[0], given.at[1] - target.at[1])
+    return abs(gap(given.value, graded, target))
+
+
 def weigh(given: Measured, graded: Graded, target: Target, rule: Allowance) -> Outcome:
     """The outcome: ≤ T right, ≤ `wrong` T close; a sense or a direction is looked at where the size is right."""
     if graded.kind is Kind.YES_NO:
         return Outcome.RIGHT if given.yes == bool(target.value) else Outcome.WRONG
     if graded.kind is Kind.PLACE and given.at is not None and target.at is not None:
-        return _band(hypot(given.at[0] - target.at[0], given.at[1] - target.at[1]), target.allowed, rule)
+        return _band(distance(given, graded, target), target.allowed, rule)
     off = abs(gap(given.value, graded, target))
     slack = min(given.half, target.allowed)  # nobody writes more digits than he has
     sized = _band(off, target.allowed + slack * 0.5, rule)

@@ -130,10 +130,18 @@ class Follower:
     def _target(self, one: Graded, found: Any) -> Target | None:
         if not np.isfinite(found):
             return None
+        if one.kind is Kind.PLACE:
+            return self._place(one, found)
         size = float(abs(found)) if one.kind in (Kind.VECTOR, Kind.READING) else float(np.real(found))
         direction = bearing(complex(found)) if one.kind is Kind.VECTOR and np.iscomplexobj(found) and found else None
         mm = one.mm * abs(size / one.exact) if one.mm and one.exact else None
         return Target(value=size, allowed=self._allowed(one, size, mm), degrees=direction, mm=mm)
+
+    def _place(self, one: Graded, found: Any) -> Target | None:
+        """A place, within what the lines drawn in this step scatter by."""
+        if not np.iscomplexobj(found):
+            return None
+        return Target(value=float(abs(found)), allowed=one.allowed, at=(float(found.real), float(found.imag)))
 
     def _allowed(self, one: Graded, size: float, mm: float | None) -> float:
         """No error of the construction, but of reading and reckoning; a length, of the lines drawn in this step."""

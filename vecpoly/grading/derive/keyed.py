@@ -19,6 +19,7 @@ from ...problem.problem import Problem
 from ...solution import Solution, constructed, scales_of, solve
 from ...words import Words
 from ..allowance import STUDENT, Allowance
+from ..equations.row import priced, rows_of
 from ..key import AnswerKey, Graded, Kind
 from .blocks import block_of
 from .needs import needs, with_lines
@@ -57,7 +58,10 @@ def answer_key(problem: Problem, allowance: Allowance = STUDENT, rubric: Rubric 
     ]
     graded = with_lines(graded)
     quantities, stated = shared(rubric, scatter.bounded(graded), scales)
-    return AnswerKey(problem=problem.id, quantities=quantities, scales=dict(scales), stated=stated, allowance=allowance)
+    return AnswerKey(
+        problem=problem.id, quantities=quantities, scales=dict(scales), stated=stated, allowance=allowance,
+        equations=priced(rows_of(solution.construction), quantities, rubric.equations),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,20 +11,24 @@ from .blocks import ACCELERATION, DIAGRAM, FORCE, OTHER, VELOCITY
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Block:
-    """Points of one part: for its scale, for its lines as drawn (M), for values read (A), for ω and α (A and sense)."""
+    """Points of one part: for its scale, for its lines as drawn (M), for values read (A), for ω and α (A and sense).
+
+    equation: how many of those for lines go to the direction and magnitude rows, where these were filled in.
+    """
 
     scale: float = 0.0
     drawn: float = 0.0
     values: float = 0.0
     rates: float = 0.0
+    equation: float = 0.0
 
 
 def _blocks() -> dict[str, Block]:
     return {
         DIAGRAM: Block(scale=1, drawn=2, values=2),
-        VELOCITY: Block(scale=1, drawn=5, values=1, rates=1),  # the vector equation counts with the lines
-        ACCELERATION: Block(scale=1, drawn=7, values=2, rates=2),
-        FORCE: Block(scale=1, drawn=7, values=2, rates=2),
+        VELOCITY: Block(scale=1, drawn=5, values=1, rates=1, equation=2),
+        ACCELERATION: Block(scale=1, drawn=7, values=2, rates=2, equation=3),
+        FORCE: Block(scale=1, drawn=7, values=2, rates=2, equation=2),
         OTHER: Block(drawn=3, values=5),
     }
 
@@ -35,6 +39,11 @@ class Rubric:
 
     blocks: Mapping[str, Block] = field(default_factory=_blocks)
     own: Mapping[str, Points] = field(default_factory=dict)
+
+    @property
+    def equations(self) -> dict[str, float]:
+        """Part → points of its equations."""
+        return {name: block.equation for name, block in self.blocks.items()}
 
 
 USUAL = Rubric()

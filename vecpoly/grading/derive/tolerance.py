@@ -28,12 +28,14 @@ class Scatter:
     allowance: Allowance
     scales: Mapping[str, float]
 
-    def sigma(self, act: Act) -> float:
-        """σ of what an act gave (SI, readings in mm); infinite where too many hands find nothing."""
-        repeats: Any = self.drawn.repeats.get(act.key) if isinstance(act, Wrote) else self.drawn.hands.get(act.number)
+    def sigma(self, act: Act, *, place: bool = False) -> float:
+        """σ of what an act gave (SI, readings in mm), of a place of its distance from the nominal one; infinite where
+        too many hands find nothing."""
+        own: Any = self.drawn.hands.get(act.number)
+        repeats = self.drawn.repeats.get(act.key) if isinstance(act, Wrote) and not place else own
         if repeats is None or np.ndim(repeats) == 0:
             return 0.0
-        found = np.asarray(repeats, dtype=float)[1:]
+        found = np.asarray(repeats, dtype=complex if place else float)[1:]
         closed = found[np.isfinite(found)]
         return float(np.std(closed)) if closed.size >= (1 - LOST) * found.size else inf
 
@@ -87,4 +89,4 @@ class Scatter:
 
 def with_tolerance(one: Graded, act: Act, scatter: Scatter) -> Graded:
     """The quantity with the scatter of the act that gave it."""
-    return replace(one, sigma=scatter.sigma(act), turned=scatter.turned(act))
+    return replace(one, sigma=scatter.sigma(act, place=one.kind is Kind.PLACE), turned=scatter.turned(act))

@@ -49,14 +49,15 @@ def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mu
         return
     open_ones = [one.key for one in found.roots() if one.key not in why.said and not found.basis.get(one.key)]
     settled = {name for name in found.given if name in why.said or name in why.source}
-    for pool in (set(found.given) - settled, _near(found, root, open_ones)):
+    for pool in (set(found.given) - settled, _near(found, root)):
         explained = explain(found.key, found.given, pool, mutants)
         if explained.mutant is not None and _of_two(found, root, open_ones):
             why.said[root.key] = message(Told.TWO_SLIPS)
             return
         if explained.mutant is not None:
-            why.said[root.key], why.slips[root.key] = told_of(explained.mutant.slip), explained.mutant.slip
-            _spread(found, why, root.key, open_ones, explained.mutant)
+            made = explained.mutant
+            why.said[root.key], why.slips[root.key] = told_of(made.slip, made.also), made.slip
+            _spread(found, why, root.key, open_ones, made)
             return
         if explained.several:
             why.said[root.key] = message(Told.TWO_SLIPS)
@@ -76,22 +77,10 @@ def _a_single_sense(found: Verdicts, root: Graded) -> bool:
     return found.outcome[root.key] is Outcome.SENSE and len(reversed_ones) < 2
 
 
-def _near(found: Verdicts, root: Graded, open_ones: Collection[str]) -> set[str]:
-    """The root, and all that is right by the exact values and does not rest on it."""
-    right = {name for name, outcome in found.exact.items() if outcome.is_right and name in found.given}
-    return {root.key} | {name for name in right - set(open_ones) if not _rests_on(found, name, root.key)}
-
-
-def _rests_on(found: Verdicts, name: str, root: str) -> bool:
-    todo, seen = [name], set[str]()
-    while todo:
-        one = todo.pop()
-        if one == root:
-            return True
-        if one not in seen:
-            seen.add(one)
-            todo += found.key[one].needs
-    return False
+def _near(found: Verdicts, root: Graded) -> set[str]:
+    """The root, and all that is right by the exact values: also what rests on the root, for it is right by no mistake
+    that would have moved it."""
+    return {root.key} | {name for name, outcome in found.exact.items() if outcome.is_right and name in found.given}
 
 
 def _spread(found: Verdicts, why: Causes, root: str, open_ones: Sequence[str], mutant: Mutant) -> None:

@@ -10,6 +10,7 @@ from typing import Any
 from ...board.otherwise.slip import Slip
 from ...words import Words
 from ..compare.outcome import Finding, Outcome
+from ..equations.mark import EquationMark
 from ..key import AnswerKey
 from ..told.message import Message
 from .lines import LineMark
@@ -19,8 +20,8 @@ from .lines import LineMark
 class Marked:
     """findings: one for each quantity of the key that was answered, or is worth something; stated: points for scales.
 
-    lost: points lost for units, once. lines: what a drawing that was handed in earns. slips: root → the mistake of the
-    catalogue behind it. messages: of the whole sheet.
+    lost: points lost for units, once. lines: what a drawing that was handed in earns; equations: what their ticked rows
+    do. slips: root → the mistake of the catalogue behind it. messages: of the whole sheet.
     """
 
     key: AnswerKey
@@ -28,6 +29,7 @@ class Marked:
     stated: Mapping[str, float] = field(default_factory=dict)
     lost: float = 0.0
     lines: tuple[LineMark, ...] = ()
+    equations: tuple[EquationMark, ...] = ()
     slips: Mapping[str, Slip] = field(default_factory=dict)
     roots: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
@@ -45,18 +47,21 @@ class Marked:
     @property
     def exactly(self) -> float:
         """The points before they are rounded."""
-        drawn = sum(one.earned for one in self.lines)
+        drawn = sum(one.earned for one in self.lines) + sum(one.earned for one in self.equations)
         return sum(one.earned.total for one in self.findings) + drawn + sum(self.stated.values()) - self.lost
 
     @property
     def worth(self) -> float:
         """All points that can be had."""
-        return halves(self.key.worth + sum(one.worth for one in self.lines))
+        beside = sum(one.worth for one in self.lines) + sum(one.worth for one in self.equations)
+        return halves(self.key.worth + beside)
 
     @property
     def doubts(self) -> tuple[tuple[Words, Words], ...]:
-        """Figures of the drawing that a person must look at, each with why."""
-        return tuple(dict.fromkeys((one.figure, one.doubt) for one in self.lines if one.doubt is not None))
+        """Figures of the drawing, and rows of equations, that a person must look at, each with why."""
+        figures = dict.fromkeys((one.figure, one.doubt) for one in self.lines if one.doubt is not None)
+        rows = ((one.title, one.messages[0].words) for one in self.equations if one.outcome.for_a_person)
+        return (*figures, *rows)
 
     @property
     def waiting(self) -> int:
@@ -75,6 +80,7 @@ class Marked:
             "slips": {root: str(slip) for root, slip in self.slips.items()},
             "stated": dict(self.stated), "lost": self.lost, "messages": [one.as_json() for one in self.messages],
             "answers": [_finding(one) for one in self.findings],
+            **({"equations": [one.as_json() for one in self.equations]} if self.equations else {}),
             **({"lines": [one.as_json() for one in self.lines]} if self.lines else {}),
         }  # fmt: skip
 

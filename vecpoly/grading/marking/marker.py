@@ -13,6 +13,7 @@ from ..compare.band import gap, target_of
 from ..compare.measured import UnitFault
 from ..compare.outcome import Basis, Finding, Outcome
 from ..drawings.judging.mark import DrawingMark
+from ..equations.mark import only_with_equation, paid_by_equations
 from ..key import AnswerKey, Graded, Points
 from ..reading.written import State, Written
 from ..rules import USUAL_RULES, Rules
@@ -49,6 +50,7 @@ def mark(
     only where something is wrong. The same sheet has the same marks whatever is marked before it, and never fewer with
     follow-through than without.
     """
+    key, equations = paid_by_equations(key, sheet, rules)
     unpaid, lines = paid_by_lines(key, drawing, rules)
     paid = paid_by_length(unpaid, sheet)
     key = at_own_scales(paid, sheet.scales)
@@ -57,10 +59,12 @@ def mark(
     why = causes(found, mutants_at(paid, mutants(), sheet.scales)) if found.roots() else Causes()
     named = {name for name, said in why.said.items() if said.id is not Told.TWO_SLIPS}
     findings = tuple(_finding(found, why, one, named, rules) for one in key.quantities if _shown(one, sheet))
+    findings = only_with_equation(findings, key, equations, rules)
     stated = {mu: points for mu, points in key.stated.items() if mu in sheet.stated}
     faulty = any(one.fault is UnitFault.DIMENSION or (one.fault and not rules.printed) for one in found.given.values())
     return Marked(
         key=key, findings=findings, stated=stated, lost=rules.unit if faulty else 0.0, lines=lines, slips=why.slips,
+        equations=equations,
         roots=tuple(one.key for one in found.roots()), messages=tuple(_of_scales(key, sheet)), faults=sheet.faults,
     )  # fmt: skip
 

@@ -51,4 +51,4 @@ def _mutant(mutant: Mutant, key: AnswerKey, ratio: Mapping[str, float]) -> Mutan
 
 def _value(value: Value, one: Graded, ratio: Mapping[str, float]) -> Value:
     k = ratio.get(one.mu, 1.0) if one.kind is Kind.READING else 1.0
-    return replace(value, value=value.value / k)
+    return replace(value, value=value.value / k, sigma=value.sigma / k)

@@ -8,7 +8,7 @@ from math import floor, isfinite, log10
 from ...algebra.quantity import number
 from ...names import written_unit
 from ...words import Words, bare
-from ..compare.band import gap, target_of
+from ..compare.band import distance, gap, target_of
 from ..compare.measured import UnitFault
 from ..compare.outcome import Basis, Outcome
 from ..key import Graded, Kind
@@ -147,7 +147,7 @@ def _read(found: Verdicts, one: Graded) -> Iterator[Message]:
 def _gap(found: Verdicts, one: Graded) -> float:
     mine = found.given[one.key]
     if mine.at is not None and one.at is not None:
-        return abs(complex(*mine.at) - complex(*one.at))
+        return distance(mine, one, target_of(one))
     return gap(mine.value, one, target_of(one))
 
 

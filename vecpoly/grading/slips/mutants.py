@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import Any
+from typing import Any, assert_never
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import TypeAdapter
 
 from ...answer import bearing
 from ...board.otherwise.amended import Amended, Own
 from ...board.otherwise.slip import Mistake, Slip
 from ...errors import VecpolyError
+from ...mechanism.model import Mechanism
 from ...mistakes import slips
 from ...problem.problem import Problem
 from ..key import AnswerKey, Graded, Kind
@@ -23,71 +25,157 @@ from ..redraw import ByHand, by_hands
 TURNING = (Mistake.REVERSED, Mistake.DROPPED, Mistake.TURNED, Mistake.OTHER_MEETING)  # by which a motion may turn round
 FAR = 1e3  # times the exact value: no paper is so large
 SAME = 0.25  # of T: two values nearer than this are one
+HANDS = 24  # students who make each mistake, for what its values scatter by
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Value:
-    """A value as it is compared: SI (a reading in mm), of a vector its size; degrees of a vector, where known."""
+    """A value as it is compared: SI (a reading in mm), of a vector its size; degrees of a vector, where known;
+    at: of a place its coordinates.
+
+    sigma: what students' hands that make the mistake scatter by, in the unit of `value`: lines that met well may meet
+    badly where one of them is drawn wrongly.
+    """
 
     value: float
     degrees: float | None = None
+    at: tuple[float, float] | None = None
+    sigma: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Mutant:
-    """The solution of one who makes this slip: the quantities that come out otherwise than they should."""
+    """The solution of one who makes this slip: the quantities that come out otherwise than they should.
+
+    also: the slips that give the same numbers throughout, and by these cannot be told from it.
+    """
 
     slip: Slip
     values: Mapping[str, Value] = field(default_factory=dict)
+    also: tuple[Slip, ...] = ()
 
 
 def mutants(problem: Problem, key: AnswerKey, of: Sequence[Slip] | None = None) -> tuple[Mutant, ...]:
     """Every slip that changes something and leaves a drawing.
 
-    All in one drawing, each made by a hand of its own; but where friction follows the senses of a motion that a slip
-    changes, that slip is drawn by itself.
+    All in one drawing, each made by a hand of its own, and in another by `HANDS` students; but where friction follows
+    the senses of a motion that a slip changes, or where what is chosen depends on what was drawn, as in a design, that
+    slip is drawn by itself.
     """
     made = tuple(slips(problem) if of is None else of)
-    alone = tuple(one for one in made if problem.loads is not None and one.mistake in TURNING)
+    linkage = isinstance(problem.subject, Mechanism)
+    alone = tuple(one for one in made if not linkage or (problem.loads is not None and one.mistake in TURNING))
     together = tuple(one for one in made if one not in alone)
-    found: dict[Slip, dict[str, Value]] = {}
-    if together:
-        by_all = by_hands(problem, key, Amended(each=together))
-        found |= {slip: _changed(key, by_all, i) for i, slip in enumerate(together)}
+    found = _drawn_together(problem, key, together) if together else {}
     for slip in alone:
         with suppress(VecpolyError):  # nothing can be drawn by this mistake
-            found[slip] = _changed(key, by_hands(problem, key, Amended(slip=slip, own=(Own(),))), 0)
-    return tuple(Mutant(slip=slip, values=found[slip]) for slip in made if found.get(slip))
+            by_one = by_hands(problem, key, Amended(slip=slip, own=(Own(),)))
+            by_many = by_hands(problem, key, Amended(slip=slip, own=(Own(),) * HANDS), unsteady=True)
+            found[slip] = _changed(key, by_one, 0), by_many
+    each = [Mutant(slip=slip, values=found[slip][0]) for slip in made if slip in found and found[slip][0]]
+    return tuple(_scattered(key, one, found[one.slip][1]) for one in _grouped(key, each))
+
+
+def _drawn_together(
+    problem: Problem, key: AnswerKey, made: Sequence[Slip]
+) -> dict[Slip, tuple[dict[str, Value], ByHand]]:
+    """Of each slip what comes out otherwise, and what students who make it find."""
+    by_all = by_hands(problem, key, Amended(each=tuple(made)))
+    by_many = by_hands(problem, key, Amended(each=tuple(made) * HANDS), unsteady=True)
+    theirs = [{name: values[i :: len(made)] for name, values in by_many.items()} for i in range(len(made))]
+    return {slip: (_changed(key, by_all, i), theirs[i]) for i, slip in enumerate(made)}
+
+
+def _grouped(key: AnswerKey, each: Sequence[Mutant]) -> tuple[Mutant, ...]:
+    """Slips that give the same numbers are one, under the name of the first."""
+    firsts: list[Mutant] = []
+    for one in each:
+        same = next((n for n, first in enumerate(firsts) if _same(key, first, one)), None)
+        if same is None:
+            firsts.append(one)
+        else:
+            firsts[same] = replace(firsts[same], also=(*firsts[same].also, one.slip))
+    return tuple(firsts)
+
+
+def _same(key: AnswerKey, first: Mutant, second: Mutant) -> bool:
+    """Whether nothing that is graded tells one from the other."""
+    if first.values.keys() != second.values.keys():
+        return False
+    pairs = ((key[name], value, second.values[name]) for name, value in first.values.items())
+    return not any(_apart(one, mine, theirs) for one, mine, theirs in pairs)
+
+
+def _each(found: ByHand, hand: int, count: int) -> ByHand:
+    """What the students who make the same mistake found."""
+    return {name: values[hand::count] for name, values in found.items()}
 
 
 def _changed(key: AnswerKey, found: ByHand, hand: int) -> dict[str, Value]:
-    """What comes out otherwise, without what rests on a figure that does not close."""
+    """What comes out otherwise, without what rests on a figure that does not close; a step that falls away with the
+    mistake, as where two points become one, leaves the others."""
     values: dict[str, Value] = {}
     open_ended = set[str]()
-    for one in key.quantities:
-        value = _value(one, found[one.key][hand]) if one.key in found else None
+    for one in (each for each in key.quantities if each.key in found):
+        value = _value(one, found[one.key][hand])
         if value is None or open_ended.intersection(one.needs):
             open_ended.add(one.key)
-        elif _differs(one, value):
+        elif _apart(one, value, Value(value=one.exact, degrees=one.degrees, at=one.at)):
             values[one.key] = value
     return values
+
+
+def _scattered(key: AnswerKey, mutant: Mutant, students: ByHand) -> Mutant:
+    values = {name: _among(key[name], value, students.get(name)) for name, value in mutant.values.items()}
+    return replace(mutant, values=values)
+
+
+def _among(one: Graded, value: Value, found: NDArray[Any] | None) -> Value:
+    """With the σ of those who close the figure; about their mean, where lines that hardly meet lead all of them to one
+    side of what an exact hand finds."""
+    if found is None:
+        return value
+    closed = _compared(one, found[np.isfinite(found)])
+    if not closed.size:
+        return value
+    mean, sigma = np.mean(closed), float(np.std(closed))
+    aside = one.kind is not Kind.PLACE and abs(mean - value.value) > sigma
+    return replace(value, value=float(np.real(mean)) if aside else value.value, sigma=sigma)
+
+
+def _compared(one: Graded, found: Any) -> Any:
+    """What is held against each other: sizes, signed numbers, places."""
+    match one.kind:
+        case Kind.VECTOR | Kind.READING:
+            return np.abs(found)
+        case Kind.SIGNED | Kind.SCALAR | Kind.YES_NO:
+            return np.real(found)
+        case Kind.PLACE:
+            return found
+        case _:
+            assert_never(one.kind)
 
 
 def _value(one: Graded, found: Any) -> Value | None:
     """What a hand found; None where its figure does not close."""
     if not np.isfinite(found) or abs(found) > FAR * max(abs(one.exact), one.allowed):
         return None
+    if np.iscomplexobj(found) and one.kind is Kind.PLACE:
+        return Value(value=float(abs(found)), at=(float(found.real), float(found.imag)))
     if np.iscomplexobj(found) and one.kind is Kind.VECTOR:
         return Value(value=float(abs(found)), degrees=bearing(complex(found)))
     return Value(value=float(abs(found)) if np.iscomplexobj(found) else float(found))
 
 
-def _differs(one: Graded, value: Value) -> bool:
-    if abs(value.value - one.exact) > SAME * one.allowed:
+def _apart(one: Graded, first: Value, second: Value) -> bool:
+    """Whether two values of a quantity are not the same."""
+    if first.at is not None and second.at is not None:
+        return abs(complex(*first.at) - complex(*second.at)) > SAME * one.allowed
+    if abs(first.value - second.value) > SAME * one.allowed:
         return True
-    if value.degrees is None or one.degrees is None:
+    if first.degrees is None or second.degrees is None:
         return False
-    return abs((value.degrees - one.degrees + 180) % 360 - 180) > 1.0
+    return abs((first.degrees - second.degrees + 180) % 360 - 180) > 1.0
 
 
 @cache

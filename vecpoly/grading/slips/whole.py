@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from math import log
 
 from ..allowance import Allowance
-from ..compare.band import Target, gap, target_of, weigh
+from ..compare.band import Target, distance, target_of, weigh
 from ..compare.measured import Measured
 from ..compare.outcome import Outcome
 from ..key import AnswerKey, Graded
-from .mutants import Mutant
+from .mutants import Mutant, Value
 
 LONE = 0.7  # of T: as near must a value be that alone bears a mistake out
 MARGIN = 6.0  # by how much the sum of squares of the next best mistake must be larger
@@ -47,26 +48,39 @@ def agrees(one: Graded, mine: Measured, mutant: Mutant, rule: Allowance) -> bool
 
 
 def mutated(one: Graded, mutant: Mutant, rule: Allowance) -> Target:
-    """The value by this mistake, with a T as much larger as the value is, but no larger than a share of it."""
+    """The value by this mistake, with the T of whoever makes it: no larger than the value, or than the right one."""
     if (value := mutant.values.get(one.key)) is None:
         return target_of(one)
-    larger = one.allowed * max(1.0, abs(value.value / one.exact)) if one.exact else one.allowed
-    allowed = max(min(larger, rule.share * abs(value.value)), one.allowed)
+    scattered = min(rule.k * value.sigma, max(abs(value.value), abs(one.exact)))
+    allowed = max(_stretched(one, value, rule), scattered)
     mm = one.mm * abs(value.value / one.exact) if one.mm and one.exact else None
-    return Target(value=value.value, allowed=allowed, degrees=value.degrees, mm=mm)
+    return Target(value=value.value, allowed=allowed, degrees=value.degrees, mm=mm, at=value.at)
+
+
+def _thinned(one: Graded, mutant: Mutant, target: Target, rule: Allowance) -> float:
+    """-2 ln of the density: what lies anywhere bears out less."""
+    value = mutant.values.get(one.key)
+    return 0.0 if value is None else 2.0 * log(target.allowed / _stretched(one, value, rule))
+
+
+def _stretched(one: Graded, value: Value, rule: Allowance) -> float:
+    """T as much larger as the value is, but no larger than a share of it."""
+    larger = one.allowed * max(1.0, abs(value.value / one.exact)) if one.exact else one.allowed
+    return max(min(larger, rule.share * abs(value.value)), one.allowed)
 
 
 def _score(key: AnswerKey, given: Mapping[str, Measured], pool: Collection[str], mutant: Mutant) -> float | None:
-    """Sum of squares over σ; None where a value does not agree."""
+    """Sum of squares over σ, of what scatters widely with what its density is thinned by; None where a value does not
+    agree."""
     total, moved = 0.0, [name for name in pool if name in mutant.values]
     for name in pool:
         one, mine = key[name], given[name]
         if not agrees(one, mine, mutant, key.allowance):
             return None
         target = mutated(one, mutant, key.allowance)
-        if target.allowed and mine.at is None and mine.yes is None:
-            off = abs(gap(mine.value, one, target)) / target.allowed
+        if target.allowed and mine.yes is None:
+            off = distance(mine, one, target) / target.allowed
             if moved == [name] and off > LONE:
                 return None
-            total += (key.allowance.k * off) ** 2
+            total += (key.allowance.k * off) ** 2 + _thinned(one, mutant, target, key.allowance)
     return total

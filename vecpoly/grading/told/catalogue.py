@@ -34,6 +34,7 @@ class Told(StrEnum):
     SCALE_UNDECLARED = "scale_undeclared"
     SCALE_ODD = "scale_odd"
     SLIP = "slip"
+    EITHER = "either"
     CORIOLIS = "coriolis"
     CORIOLIS_2 = "coriolis_2"
     TWO_SLIPS = "two_slips"
@@ -54,6 +55,9 @@ class Told(StrEnum):
     NEARLY = "nearly"
     NOT_RIGHT = "not_right"
     TURNED = "turned"
+    TICK_GIVEN = "tick_given"
+    TICK_UNKNOWN = "tick_unknown"
+    NO_EQUATION = "no_equation"
 
 
 SENTENCES: Mapping[Told, Words] = {
@@ -114,6 +118,10 @@ SENTENCES: Mapping[Told, Words] = {
         "比例尺 ${mu}$ = {v} 不是推荐值（1、2、2.5、5 × 10ⁿ）", "The scale ${mu}$ = {v} is none of 1, 2, 2.5, 5 × 10ⁿ"
     ),
     Told.SLIP: Words("与“${what}$ {mistake}”的结果一致", "Matches what follows when ${what}$ is {mistake}"),
+    Told.EITHER: Words(
+        "与“{ways}”{more}的结果一致（这几种错误给出同样的数值）",
+        "Matches what follows when {ways}{more} (these give the same numbers)",
+    ),
     Told.CORIOLIS: Words(
         "与漏掉哥氏加速度 2$ω$·$v_r$（${what}$）的结果一致",
         "Matches the result without the Coriolis term 2$ω$·$v_r$ (${what}$)",
@@ -164,5 +172,15 @@ SENTENCES: Mapping[Told, Words] = {
     Told.RIGHT: Words("正确", "Correct"),
     Told.NEARLY: Words("接近，作图或量取不够准确", "Close; drawing or reading not accurate enough"),
     Told.NOT_RIGHT: Words("不正确", "Not correct"),
+    Told.TICK_GIVEN: Words(
+        "{terms} 的{row}是已知的（已作出，或可由已知量算出）",
+        "The {row} of {terms} is given: drawn already, or found from what is known",
+    ),
+    Told.TICK_UNKNOWN: Words(
+        "{terms} 的{row}是未知的，要由图求出", "The {row} of {terms} is unknown: the drawing finds it"
+    ),
+    Told.NO_EQUATION: Words(
+        "矢量方程没有列对，此值不得准确分", "The vector equation is not right: no accuracy mark for this value"
+    ),
     Told.TURNED: Words("大小正确，但方向不对", "Magnitude right, direction wrong"),
 }

@@ -27,6 +27,7 @@ _PARTS = {
     OTHER: Words("其余", "the rest"),
 }
 SCHEME = Words("分值", "points")
+_OF_LINES = Words("（填了表时，出自图线的方法分）", " (where filled in; from the method marks of its lines)")
 _SCALE, _SUM = Words("比例尺", "scale"), Words("满分", "all")
 _SAID = {
     "close": Words("接近而不够准确的，得准确分的 {v}", "what is close has {v} of its accuracy mark"),
@@ -40,6 +41,9 @@ _SAID = {
     "reach": Words("与正确值相差 {v} 倍以上的不据以连带", "nothing is continued from what is off by {v} times or more"),
     "following": Words("不连带评分", "nothing is followed through"),
     "drawing": Words("图线的分数：{v}", "points of lines by a drawing: {v}"),
+    "compensatory": Words(
+        "矢量方程没有列对的部分，数值不得准确分", "no accuracy marks in a part whose vector equations are not right"
+    ),
     "open": Words("尚可再交，不给出正确值", "answers may be handed in again; no right values are told"),
 }
 _SHARES = ("close", "own", "slip", "turned")
@@ -58,6 +62,8 @@ def _point_rows(keys: Sequence[AnswerKey], lang: Lang) -> list[Row]:
             if one.points.total:
                 worth = (one.points.method, one.points.accuracy, one.points.sense, one.points.total)
                 rows.append([key.problem, one.key, _PARTS[one.block].of(lang), *(round(each, 3) for each in worth)])
+        told = [(row, _PARTS[row.block] + _OF_LINES) for row in key.equations if row.points]
+        rows += [[key.problem, row.key, part.of(lang), "", "", "", round(row.points, 3)] for row, part in told]
         rows += [[key.problem, mu, _SCALE.of(lang), "", "", "", points] for mu, points in key.stated.items()]
         rows.append([key.problem, "", _SUM.of(lang), "", "", "", round(key.worth, 3)])
     return rows

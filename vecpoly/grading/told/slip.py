@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...board.otherwise.slip import Mistake, Slip
 from ...errors import UnknownNameError
 from ...names import parse_rel
@@ -9,6 +11,8 @@ from ...words import Words
 from .catalogue import Told
 from .message import Message, message
 
+SLIPS = (Told.SLIP, Told.EITHER, Told.CORIOLIS, Told.CORIOLIS_2)  # the sentences that tell of one
+MOST = 3  # slips that one sentence tells
 _SAID = {
     Mistake.REVERSED: Words("方向画反", "laid off the wrong way"),
     Mistake.DROPPED: Words("漏画", "left out"),
@@ -30,12 +34,21 @@ _SAID = {
 }
 
 
-def told_of(slip: Slip) -> Message:
-    """The sentence of a slip: with the Coriolis term it has words of its own."""
+def told_of(slip: Slip, also: Sequence[Slip] = ()) -> Message:
+    """The sentence of a slip, or of several that give the same numbers; the Coriolis term has words of its own."""
+    if also:
+        zh, en = zip(*((said.zh, said.en) for said in map(_said, (slip, *also[: MOST - 1]))), strict=True)
+        more = Words("等", ", or the like") if len(also) >= MOST else Words.same("")
+        return message(Told.EITHER, ways=Words("”或“".join(zh), ", or ".join(en)), more=more)
     key = slip.key.rpartition(":")[2]
     if key.startswith("ak_") and slip.mistake in (Mistake.DROPPED, Mistake.HALVED):
         return message(Told.CORIOLIS if slip.mistake is Mistake.DROPPED else Told.CORIOLIS_2, what=symbol_of(key))
     return message(Told.SLIP, what=symbol_of(key), mistake=_SAID[slip.mistake])
+
+
+def _said(slip: Slip) -> Words:
+    what, mistake = symbol_of(slip.key.rpartition(":")[2]), _SAID[slip.mistake]
+    return Words(f"${what}$ {mistake.zh}", f"${what}$ is {mistake.en}")
 
 
 def symbol_of(key: str) -> str:

@@ -13,6 +13,8 @@ _INSTEAD = {
     Told.CLOSE: Told.NEARLY,
     Told.WRONG: Told.NOT_RIGHT,
     Told.DIRECTION: Told.TURNED,
+    Told.TICK_GIVEN: Told.NOT_RIGHT,
+    Told.TICK_UNKNOWN: Told.NOT_RIGHT,
 }
 _LEFT_OUT = (Told.WRONG_FROM, Told.SWAPPED)
 

@@ -57,7 +57,8 @@ def head(cell: str, keys: Mapping[str, AnswerKey], default: str | None = None) -
     if not colon or problem.strip() not in keys:
         problem, symbol = default or _only(keys, text), text
     problem = problem.strip()
-    names = [one.key for one in keys[problem].quantities] + list(keys[problem].scales)
+    key = keys[problem]
+    names = [one.key for one in key.quantities] + list(key.scales) + [row.key for row in key.equations]
     return Head(problem, *_symbol(symbol.strip(), names))
 
 

@@ -44,6 +44,10 @@ _LINES = {
     "zh": ("矢量", "图", "结论", "得分", "满分", "说明"),
     "en": ("Vector", "Figure", "Verdict", "Points", "of", "Why"),
 }
+_ROWS = {
+    "zh": ("方程", "所写", "结论", "得分", "满分", "说明"),
+    "en": ("Equation", "Written", "Verdict", "Points", "of", "Why"),
+}
 _WIDTHS = (28.0, 27.0, 24.0, 12.0, 12.0, 67.0)
 _OWN = Words("由前正确", "right by own values")
 _TITLE = Words("批改反馈", "feedback")
@@ -102,6 +106,7 @@ def _problem(
         "worth": f"{marked.worth:g}", "messages": said, "table": objects.add("tab", table),
         "stated": f"{sum(marked.stated.values()):g}" if marked.stated else "",
         "lost": f"{marked.lost:g}" if marked.lost else "",
+        "equations": objects.add("tab", _equations(marked, lang, open_)) if marked.equations else "",
         "lines": objects.add("tab", _lines(marked, lang, open_)) if marked.lines else "",
         "drawn": [] if open_ else [objects.add("pic", _block(scene)) for scene in drawn if _fits(scene)],
         "figures": [] if open_ or drawn else _figures(register, part, marked, lang, objects),
@@ -117,6 +122,17 @@ def _row(one: Finding, marked: Marked, lang: Lang, open_: bool) -> tuple[str, ..
     unit = f" /({unit})" if set(unit) & set("/·") else f" /{unit}" if unit else ""
     points = (f"{one.earned.total:.2g}", f"{graded.points.total:.2g}") if graded.points.total else ("", "")
     return (f"${graded.symbol}${unit}", one.written.raw or "—", verdict.of(lang), *points, why)
+
+
+def _equations(marked: Marked, lang: Lang, open_: bool) -> DataTable:
+    """The rows of the vector equations."""
+    rows = []
+    for one in marked.equations:
+        said = veiled(one.messages) if open_ else one.messages
+        why = ("；" if lang == "zh" else "; ").join(dict.fromkeys(each.words.of(lang) for each in said))
+        points = (f"{one.earned:.2g}", f"{one.worth:.2g}")
+        rows.append((one.title.of(lang), one.raw.strip() or "—", one.outcome.words.of(lang), *points, why))
+    return DataTable(_ROWS[lang], rows, _WIDTHS, "lllrrl", lang=lang)
 
 
 def _lines(marked: Marked, lang: Lang, open_: bool) -> DataTable:

@@ -64,17 +64,26 @@ def differences(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[lis
 
 
 def _points(data: Mapping[str, Any]) -> dict[tuple[str, str, str], tuple[float, str, str]]:
-    return {
-        (student["number"], problem, one["key"]): (round(one["points"], 6), one["outcome"], one["written"])
-        for student in data["students"]
-        for problem, marked in student["problems"].items()
-        for one in marked["answers"]
-    } | {
-        (student["number"], problem, f"{one['key']} (line)"): (round(one["points"], 6), one["verdict"], "")
-        for student in data["students"]
-        for problem, marked in student["problems"].items()
-        for one in marked.get("lines", ())
-    }
+    return (
+        {
+            (student["number"], problem, one["key"]): (round(one["points"], 6), one["outcome"], one["written"])
+            for student in data["students"]
+            for problem, marked in student["problems"].items()
+            for one in marked["answers"]
+        }
+        | {
+            (student["number"], problem, f"{one['key']} (line)"): (round(one["points"], 6), one["verdict"], "")
+            for student in data["students"]
+            for problem, marked in student["problems"].items()
+            for one in marked.get("lines", ())
+        }
+        | {
+            (student["number"], problem, one["key"]): (round(one["points"], 6), one["outcome"], one["written"])
+            for student in data["students"]
+            for problem, marked in student["problems"].items()
+            for one in marked.get("equations", ())
+        }
+    )
 
 
 def _told(one: tuple[float, str, str] | None) -> list[str | float]:

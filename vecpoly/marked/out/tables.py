@@ -28,6 +28,7 @@ _TAIL = (
     Words("备注", "remarks"),
 )
 _LINES = Words("图线", "lines")
+_EQUATIONS = Words("方程", "equations")
 _NOTHING = Words("没有交", "nothing returned")
 _PAGES = (Words("成绩", "grades"), Words("逐题分析", "items"), Words("待人工批改", "queue"), SCHEME)
 
@@ -37,8 +38,10 @@ def grade_rows(results: Sequence[Result], lang: Lang) -> Rows:
     problems = [problem for problem, _ in _first(results)]
     columns, drawn = _columns(results), [name for name in problems if any(one.marks[name].lines for one in results)]
     head = [*(word.of(lang) for word in _HEAD), *problems, *(f"{problem}:{key}" for problem, key in columns)]
+    ticked = [name for name in problems if any(one.marks[name].equations for one in results)]
     head += [f"{problem}:{_LINES.of(lang)}" for problem in drawn]
-    rows = [_row(one, problems, columns, drawn, lang) for one in results]
+    head += [f"{problem}:{_EQUATIONS.of(lang)}" for problem in ticked]
+    rows = [_row(one, problems, columns, (drawn, ticked), lang) for one in results]
     return [[*head, *(word.of(lang) for word in _TAIL)], *rows]
 
 
@@ -60,12 +63,19 @@ def _columns(results: Sequence[Result]) -> list[tuple[str, str]]:
 
 
 def _row(
-    result: Result, problems: Sequence[str], columns: Sequence[tuple[str, str]], drawn: Sequence[str], lang: Lang
+    result: Result,
+    problems: Sequence[str],
+    columns: Sequence[tuple[str, str]],
+    beside: tuple[Sequence[str], Sequence[str]],
+    lang: Lang,
 ) -> list[Cell]:
+    """beside: the problems that somebody drew, and those whose equations somebody ticked."""
     points = {
         (problem, one.key): one.earned.total for problem, marked in result.marks.items() for one in marked.findings
     }
+    drawn, ticked = beside
     lines = [round(sum(one.earned for one in result.marks[problem].lines), 3) for problem in drawn]
+    lines += [round(sum(one.earned for one in result.marks[problem].equations), 3) for problem in ticked]
     waiting = sum(marked.waiting for marked in result.marks.values())
     slips = [
         f"{problem}:{root} {slip}" for problem, marked in result.marks.items() for root, slip in marked.slips.items()

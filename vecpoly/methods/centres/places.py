@@ -9,12 +9,14 @@ from ...board.construction import Reading, Scale
 from ...plane import Points, Reals, nominal
 
 
-def place_read(key: str, symbol: str, mm: Points, scale: Scale) -> tuple[Reading, Reals]:
-    """The answer (m) from what was read in mm from the origin, and its distance from there by every hand."""
+def place_read(key: str, symbol: str, mm: Points, scale: Scale) -> tuple[Reading, Reals, Points]:
+    """The answer (m) from what was read in mm from the origin, and its distance from there and both coordinates by
+    every hand."""
     metres = mm * scale.value
     vector = complex(nominal(metres))
     text = Row((*row(symbol).items, Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
     return (
         Reading(key=key, symbol=symbol, unit="m", scalar=abs(vector), vector=vector, scale=scale.symbol, formula=text),
         np.abs(metres),
+        metres,
     )

@@ -67,10 +67,10 @@ def read_collineation(fig: CurvatureFigure) -> None:
 def _place(fig: CurvatureFigure, named: Named, at: Points) -> None:
     """Both coordinates read off the rule (m on the diagram's axes)."""
     mm, scale = fig.board.coordinates(at, named.symbol), fig.board.scale_of(fig.pane)
-    reading, distance = place_read(named.key, named.symbol, mm, scale)
+    reading, distance, each = place_read(named.key, named.symbol, mm, scale)
     assert reading.formula is not None
     fig.board.write(reading.formula)
-    fig.board.keep(reading, distance)
+    fig.board.keep(reading, distance, each)
 
 
 def _length(fig: CurvatureFigure, named: Named, a: Points, b: Points, letters: str) -> None:

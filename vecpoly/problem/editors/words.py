@@ -35,8 +35,15 @@ _MARKING = {
     "RubricSpec.acceleration": Words("加速度分析", "accelerations"),
     "RubricSpec.force": Words("力分析", "forces"),
     "RubricSpec.other": Words("其余", "the rest"),
+    "RulesSpec.compensatory": Words(
+        "没有列出方程表的，数值仍得准确分", "numbers have their accuracy marks without a ticked vector equation too"
+    ),
     "BlockSpec.scale": Words("写出比例尺及其单位", "the scale, stated with its unit"),
     "BlockSpec.drawn": Words("图线", "the lines as drawn"),
+    "BlockSpec.equation": Words(
+        "图线分中划给方程的方向、大小表的分数（填了表时）",
+        "of those for lines, what goes to the rows of the equations where filled in",
+    ),
     "BlockSpec.values": Words("读数与比例尺相乘之值", "values read off"),
     "BlockSpec.rates": Words("ω、α 的大小和转向", "ω and α, size and sense"),
     "PointsSpec.method": Words("方法分", "for the way"),

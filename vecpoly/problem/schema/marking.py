@@ -29,6 +29,7 @@ class RulesSpec(_Said):
     following: bool | None = None
     drawing: Literal["told", "given", "required"] | None = None
     open: bool | None = None
+    compensatory: bool | None = None
 
 
 class BlockSpec(_Said):
@@ -38,6 +39,7 @@ class BlockSpec(_Said):
     drawn: Worth = 0.0
     values: Worth = 0.0
     rates: Worth = 0.0
+    equation: Worth = 0.0
 
 
 class RubricSpec(_Said):

@@ -16,6 +16,7 @@ from ....mechanism.asked.centres import Pair, centre_speed, real_links
 from ....mechanism.model import FRAME
 from ....names import At, Rel, ascii_key
 from ....plane import Points, nominal, unit
+from ....plane.traced import bare
 from ....words import Words
 from ...registry import Stage, method
 from ..state import CentreFigure
@@ -117,7 +118,9 @@ def _turning(motions: Motions, link: str, spot: Spot, blank: Reading) -> tuple[R
         )
     if apart(own, spot) < CLOSE:
         return reading, 0j
-    way = 1j * unit(spot.at - own.at) * np.sign(nominal(motions.turns[link]))
+    from_centre = spot.at - own.at
+    at_rest = np.abs(bare(from_centre)) == 0.0  # whoever errs may be led to the centre itself
+    way = 1j * unit(from_centre + at_rest if np.any(at_rest) else from_centre) * np.sign(nominal(motions.turns[link]))
     return reading, expr.value * np.exp(1j * board.gauge(0j, way))
 
 

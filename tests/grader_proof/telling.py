@@ -1,0 +1,69 @@
+"""Which slips show in what is written, and which can be told from each other by it."""
+
+from __future__ import annotations
+
+from tests.grader_proof.judge import Trial
+from vecpoly.board.otherwise.slip import Slip
+from vecpoly.grading.key import Graded, Kind
+from vecpoly.grading.slips.mutants import Mutant, Value
+
+VISIBLE = 2.0  # T: a slip shows where it moves an answer by more
+
+
+def shows(trial: Trial, mutant: Mutant) -> bool:
+    """Whether the mistake moves something that is written by more than the tolerance."""
+    for name, value in mutant.values.items():
+        one = trial.key[name]
+        turned = (
+            one.kind is Kind.SIGNED
+            and value.value * one.exact < 0
+            and min(abs(value.value), abs(one.exact)) > one.allowed
+        )
+        if turned and (one.asked or one.kind is Kind.READING):
+            return True
+        if _far(trial, name, value):
+            return True
+    return False
+
+
+def distinct(trial: Trial, mutant: Mutant) -> bool:
+    """Whether it can be told from every other by sizes and senses, and shows in more than one sense."""
+    sizes = [name for name, value in mutant.values.items() if _far(trial, name, value)]
+    senses = [
+        name
+        for name, value in mutant.values.items()
+        if trial.key[name].kind is Kind.SIGNED and trial.key[name].asked and value.value * trial.key[name].exact < 0
+    ]
+    if not sizes and len(senses) < 2:
+        return False
+    return not any(alike(trial, one.slip, mutant) for one in trial.mutants if one.slip != mutant.slip)
+
+
+def _far(trial: Trial, name: str, value: Value) -> bool:
+    one = trial.key[name]
+    written = one.asked or one.kind is Kind.READING
+    return written and _between(one, value, _right(one)) > VISIBLE * one.allowed
+
+
+def _right(one: Graded) -> Value:
+    return Value(value=one.exact, at=one.at)
+
+
+def _between(one: Graded, first: Value, second: Value) -> float:
+    """How far two values are apart: by size, of places in a straight line."""
+    if first.at is not None and second.at is not None:
+        return abs(complex(*first.at) - complex(*second.at))
+    return abs(abs(first.value) - abs(second.value))
+
+
+def alike(trial: Trial, slip: Slip, other: Mutant) -> bool:
+    """Whether a named slip is the one, or gives the same sizes on this sheet."""
+    if slip == other.slip:
+        return True
+    mine = next(one for one in trial.mutants if one.slip == slip)
+    for one in trial.key.quantities:
+        if one.asked or one.kind is Kind.READING:
+            first, second = (each.values.get(one.key, _right(one)) for each in (mine, other))
+            if _between(one, first, second) > 2 * one.allowed:
+                return False
+    return True
