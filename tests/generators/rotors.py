@@ -72,9 +72,7 @@ def _added(rotor: Rotor, solution: Solution) -> Iterable[Placed]:
                 size = found[f"m_b{end}_{i}"] / unit.masses * plane.r.si
                 yield rect(size, radians(found[f"theta_b{end}_{i}"])), plane.at
         else:
-            size = found[f"W_b{end}"] / unit.products
-            turn = found[f"theta_b{end}"]
-            yield (0j if np.isnan(turn) else rect(size, radians(turn))), plane.at
+            yield (solution.answers[f"W_b{end}"].drawn_vector or 0j) / unit.products, plane.at
 
 
 def silenced(solution: Solution) -> str:
