@@ -22,8 +22,8 @@ from ..roots import halved
 from .turn import jumps, station
 
 Array = NDArray[np.float64]
-LOOKED, PIECE = np.radians(7.5), np.radians(30.0)  # where corners are looked for; no piece is longer
-NODES = 9
+LOOKED, PIECE = np.radians(7.5), np.radians(20.0)  # where corners are looked for; no piece is longer
+NODES = 10
 SAMPLES, HALVINGS = 41, 60
 _AT, _WEIGHTS = legendre.leggauss(NODES)
 _FITTED = legendre.legvander(_AT, NODES - 1).T * _WEIGHTS * (np.arange(NODES) + 0.5)[:, None]

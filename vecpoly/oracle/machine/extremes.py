@@ -12,7 +12,7 @@ from ..state import Reals
 from .course import Course
 
 SAMPLES = 33  # places in each piece between which at most one turning point lies
-ROUNDS = 90  # halvings: to the last digit
+ROUNDS = 52  # halvings: to the last digit
 Made = Callable[[Reals, Reals], Reals]  # of E and J_e
 Slope = Callable[[Reals, Reals, Reals, Reals], Reals]  # of E, J_e, M, dJ_e/dψ: its sign is that of the derivative
 

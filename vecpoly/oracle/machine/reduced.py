@@ -15,6 +15,7 @@ from ..forces.acting import given
 from ..motion import Motion
 from ..state import Body, Points, Reals, dot
 
+ROUNDING = 1e-14  # of the powers that the forces could have: none at all
 NOTHING = 1e-9  # of the greatest v / ω_1, or ω_i / ω_1, that the mechanism can have at all: rounding
 
 
@@ -51,7 +52,11 @@ class Reduced:
     def power(self) -> Reals:
         """Σ F · v + Σ M ω, over ω_1; of springs and weights too."""
         acting = given(self.motion.mech, replace(self.loads, inertia=False), self.motion.bodies, self.at)
-        return self._sum([one.power(self.motion.bodies) for one in acting]) / self.pace
+        powers = [one.power(self.motion.bodies) for one in acting]
+        whole, largest = self._sum(powers), self._sum([np.abs(power) for power in powers])
+        pace = abs(self.pace) * (1.0 if self.mech.drive.slide else self.mech.scale)
+        forces = sum((np.abs(one.force) + np.abs(one.couple) / self.mech.scale for one in acting), np.zeros(1))
+        return np.where(np.abs(whole) <= ROUNDING * (largest + forces * pace), 0.0, whole) / self.pace
 
     def inertia(self, to: Equivalent) -> Reals:
         """J_e = Σ m (v_S / ω)² + Σ J (ω_i / ω)² of a link; m_e with v in the place of ω; NaN where that rests."""

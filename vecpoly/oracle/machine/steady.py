@@ -21,7 +21,7 @@ from ..state import Reals
 from .course import Course, course
 from .extremes import Top, highest, lowest
 
-ROUNDS = 60
+ROUNDS, CLOSE = 60, 1e-13  # of the mean speed
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -105,17 +105,22 @@ def with_flywheel(of: Course, speed: float, wheel: float) -> Evenness:
     far = start + scale
     while middle(far) < 0:
         far = least + 2 * (far - least)
-    energy = _halved(middle, start, far)
+    energy = _root(middle, start, far, CLOSE * speed)
     fast, slow = _speeds(of, energy, wheel)
     return Evenness(fastest=fast, slowest=slow, delta=(fast.value - slow.value) / speed, flywheel=wheel)
 
 
-def _halved(miss: Callable[[float], float], low: float, high: float) -> float:
-    """The root of a rising function, to the last digit."""
+def _root(miss: Callable[[float], float], low: float, high: float, close: float) -> float:
+    """The root of a rising function by false position, the stale end halved; close: a miss that is rounding."""
+    (a, fa), (b, fb) = (low, miss(low)), (high, miss(high))
     for _ in range(ROUNDS):
-        middle = (low + high) / 2
-        low, high = (middle, high) if miss(middle) < 0 else (low, middle)
-    return (low + high) / 2
+        if abs(fb) <= close or fa == fb:
+            break
+        x = (a * fb - b * fa) / (fb - fa)
+        y = miss(x)
+        a, fa = (b, fb) if y * fb < 0 else (a, fa / 2)
+        b, fb = x, y
+    return b
 
 
 def _speeds(of: Course, energy: float, wheel: float) -> tuple[Top, Top]:
