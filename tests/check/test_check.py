@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import pi
 
 import pytest
@@ -32,6 +33,16 @@ def verdicts(name: str) -> dict[str, Verdict]:
 )
 def test_a_calculated_value_is_judged_by_its_last_printed_digit(text: str, exact: float, verdict: Verdict) -> None:
     assert check_printed(printed(text, 3.14), exact).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("figures", "verdict"),
+    [(None, Verdict.WRONG), (3, Verdict.REPRODUCED), (4, Verdict.REPRODUCED), (5, Verdict.WRONG)],
+)
+def test_a_book_is_held_to_no_more_figures_than_it_reckoned_with(figures: int | None, verdict: Verdict) -> None:
+    """The balancing product of exercise 6-1: 10.904 kg·cm, where 10.9087 is exact."""
+    told = replace(printed("10.904 kg*cm", 0.10904), figures=figures)
+    assert check_printed(told, 0.1090874).verdict is verdict
 
 
 @pytest.mark.parametrize(

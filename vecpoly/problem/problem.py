@@ -54,7 +54,7 @@ class Printed:
     """One printed answer: value in SI (signed where the print has a sign), as written, and its remarks.
 
     `paper_mm` and `scale` (SI per mm) are set where the print gives a length on paper. `rel` is None for
-    the length of a link (`l_BC`).
+    the length of a link (`l_BC`). figures: to so many the book reckoned on the way.
     """
 
     symbol: str
@@ -65,6 +65,7 @@ class Printed:
     paper_mm: float | None = None
     scale: float | None = None
     direction: float | None = None  # rad
+    figures: int | None = None
     note: Words | None = None
 
 

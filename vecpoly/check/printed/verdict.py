@@ -1,6 +1,7 @@
 """Printed answers weighed against exact ones: the verdict, and the usual slip that reproduces a wrong one.
 
-reproduced: a calculated value within half a unit of its last printed digit, a value read off a drawing within 3 %.
+reproduced: a calculated value within half a unit of its last printed digit, or of the last figure that the book
+carried through its working, a value read off a drawing within 3 %.
 rounding: off by one unit of the last digit, or by two and no more than 10 %. outlier: 3 to 10 %, a drawing slip; not of
 a synthesis, where a mechanism built with such a length fails its task. wrong: anything else.
 """
@@ -10,7 +11,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from enum import StrEnum
-from math import isclose, log10, pi
+from math import floor, isclose, log10, pi
 
 from ...names import Kind, Rel
 from ...problem.problem import Printed
@@ -19,6 +20,7 @@ from ...words import Words
 GRAPHICAL = 0.03  # relative deviation that a careful drawing may have
 ZERO = 1e-9  # of the printed value: rounding of an exact zero
 SLIP = 0.10  # beyond it, no drawing slip explains the number
+_NUMBER = re.compile(r"[-+−]?(\d+)(?:\.(\d+))?(?:[eE]([-+]?\d+))?")
 
 
 class Verdict(StrEnum):
@@ -71,7 +73,7 @@ def _signed(printed: Printed) -> bool:
 
 
 def _verdict(printed: Printed, value: float, truth: float, deviation: float, slip: float) -> Verdict:
-    unit = last_digit(printed.text, value)
+    unit = max(last_digit(printed.text, value), _carried(printed, value))
     if printed.kind == "graphical":
         if abs(deviation) <= GRAPHICAL or abs(value - truth) <= unit / 2:
             return Verdict.REPRODUCED
@@ -84,12 +86,21 @@ def _verdict(printed: Printed, value: float, truth: float, deviation: float, sli
 
 def last_digit(text: str, value: float) -> float:
     """One unit of the last printed digit, in SI: from the number as written."""
-    m = re.search(r"[-+−]?(\d+)(?:\.(\d+))?(?:[eE]([-+]?\d+))?", text)
+    m = _NUMBER.search(text)
     if m is None:
         return 0.0
     written = float(m[0].replace("−", "-"))
     unit = 10.0 ** (int(m[3] or 0) - len(m[2] or ""))
     return unit * abs(value / written) if written else unit
+
+
+def _carried(printed: Printed, value: float) -> float:
+    """One unit of the last figure that was carried through the book's working, in SI; 0 where it is not said."""
+    m = _NUMBER.search(printed.text)
+    if printed.figures is None or m is None or not value:
+        return 0.0
+    written = float(m[0].replace("−", "-"))
+    return float(10.0 ** (floor(log10(abs(written))) + 1 - printed.figures)) * abs(value / written)
 
 
 UNITS: tuple[tuple[float, Words], ...] = (  # one number alone may bear these out

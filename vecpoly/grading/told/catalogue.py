@@ -159,8 +159,7 @@ SENTENCES: Mapping[Told, Words] = {
     ),
     Told.DEMOTED: Words(
         "此处作图对误差极敏感：手工作图本身就散布 ±{t}（{share}%），不能判得更细；此量宜计算求得",
-        "Drawings scatter by ±{t} ({share} %) here, so it can be judged no more finely: such a quantity is better "
-        "computed",
+        "Drawings scatter by ±{t} ({share} %) here: it can be judged no more finely, and is better computed",
     ),
     Told.BLANK: Words("没有作答", "Not answered"),
     Told.NONE: Words("写作“{raw}”，按没有作答处理", "Written as '{raw}': taken as not answered"),

@@ -62,6 +62,7 @@ def as_given(spec: PrintedSpec, rel: Key | None) -> Printed:
         paper_mm=paper,
         scale=scale,
         direction=direction,
+        figures=spec.figures,
         note=spec.note,
     )
 

@@ -207,6 +207,10 @@ KEYS = {
     "PrintedSpec.scale": Words("值为图上长度时的比例尺", "where the value is a length on paper: its scale"),
     "PrintedSpec.direction": Words("书中的方向：180 deg", "the printed direction: 180 deg"),
     "PrintedSpec.kind": Words("计算（calculated）或图解（graphical）", "calculated, or read off a drawing (graphical)"),
+    "PrintedSpec.figures": Words(
+        "书中演算所取的有效数字位数，结果只按此校核",
+        "to how many figures the book reckoned on the way; it is held to no more",
+    ),
     "PrintedSpec.note": Words("附注", "a note"),
     "SheetSpec.orientation": Words("竖放（portrait）或横放（landscape）", "portrait or landscape"),
     "Link.block": Words("滑块，写其铰链字母", "a block, by its one pin"),

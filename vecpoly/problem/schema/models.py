@@ -114,6 +114,9 @@ class PrintedSpec(Spec):
     scale: Number | None = Field(None, description="where value is a length on paper: its scale, 0.006 (m/s)/mm")
     direction: Number | None = None
     kind: Literal["calculated", "graphical"] = "calculated"
+    figures: int | None = Field(
+        None, ge=2, le=9, description="to how many figures the book reckoned on the way; it is held to no more"
+    )
     note: Text | None = None
 
 

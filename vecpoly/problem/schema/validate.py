@@ -50,6 +50,7 @@ _SAID = {
     "too_short": Words("此处至少要有一项", "at least one entry is needed here"),
     "too_long": _PAIR,
     "float_parsing": Words("此处应为数", "a number is expected here"),
+    "int_parsing": Words("此处应为整数", "a whole number is expected here"),
     "bool_parsing": Words("此处应为 true 或 false", "true or false is expected here"),
 }
 _SENTENCES = ("branch", "joints")
