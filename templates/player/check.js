@@ -1,37 +1,60 @@
-// The box for one's own answers: the same verdicts and reasons as `vecpoly check`, of each answer by itself.
+// The box for one's own answers: the same verdicts and reasons as `vecpoly check`, and what follows from own answers is right.
 const check = {
   rule: JSON.parse(atob(one("#answers").textContent)),
   TENS: 7, NEAR: 0.05, // powers of ten, and how near a factor is one
 
-  // What was typed: its value, whether a sign was written, half a unit of its last digit; null for what is no number.
+  // What was typed: its value, whether a sign was written, half a unit of its last digit, a direction behind ∠ or @; null for what is no number.
   read(text) {
-    const plain = text.normalize("NFKC").trim().replace(/[−–]/g, "-").replace(/\s*[×x*]\s*10\^?\s*([-+]?\d+)$/, "e$1").replace(/^([-+]?\d+),(\d+)$/, "$1.$2");
+    const turned = /[,;]?\s*(?:∠|@|方向(?:角)?\s*[:=]?|at)\s*([+-]?\d+(?:\.\d+)?)\s*(?:°|deg|度)?\s*$/i;
+    const whole = text.normalize("NFKC").trim().replace(/[−–]/g, "-"), behind = turned.exec(whole);
+    const plain = whole.replace(turned, "").replace(/°$/, "").trim().replace(/\s*[×x*]\s*10\^?\s*([-+]?\d+)$/, "e$1").replace(/^([-+]?\d+),(\d+)$/, "$1.$2");
     const found = /^([-+]?)(\d*)(?:\.(\d*))?(?:e([-+]?\d+))?$/i.exec(plain);
     if (!found || !(found[2] || found[3])) return null;
-    return { value: Number(plain), signed: found[1] !== "", half: 0.5 * 10 ** ((+found[4] || 0) - (found[3] || "").length) };
+    const half = 0.5 * 10 ** ((+found[4] || 0) - (found[3] || "").length);
+    return { value: Number(plain), signed: found[1] !== "", half, direction: behind ? Number(behind[1]) : null };
   },
 
-  // right, close, sense, unsaid, wrong; as grading/compare/band.py has it.
-  weigh(row, mine, x, t, wrong = check.rule.wrong) {
+  // right, close, sense, direction, unsaid, wrong; as grading/compare/band.py has it. target: x, t, deg, mm.
+  weigh(row, mine, target) {
+    const { x, t } = target, wrong = check.rule.wrong;
     const off = Math.abs(row.kind === "sc" ? mine.value - x : Math.abs(mine.value) - Math.abs(x));
-    const reach = t + 0.5 * Math.min(mine.half, t);
-    if (off > wrong * reach) return row.kind === "sc" && Math.abs(Math.abs(mine.value) - Math.abs(x)) <= wrong * t ? "sense" : "wrong";
-    if (row.kind === "si" && Math.abs(x) > t) {
-      if (!mine.sense) return "unsaid";
-      if (mine.sense > 0 !== x > 0) return "sense";
-    }
-    return off <= reach * (1 + 1e-9) ? "right" : "close";
+    const room = t + 0.5 * Math.min(mine.half, t);
+    if (off > wrong * room) return row.kind === "sc" && Math.abs(Math.abs(mine.value) - Math.abs(x)) <= wrong * t ? "sense" : "wrong";
+    return check.turned(row, mine, target) || (off <= room * (1 + 1e-9) ? "right" : "close");
   },
 
-  judge(index, text, sense = 0) {
-    const row = check.rule.rows[index], mine = check.read(text);
-    if (!mine) return { verdict: "", said: ["unread"] };
+  turned(row, mine, { x, t, deg, mm }) {
+    if (Math.abs(x) <= t) return "";
+    if (row.kind === "si") return !mine.sense ? "unsaid" : mine.sense > 0 !== x > 0 ? "sense" : "";
+    if (row.kind !== "ve" || mine.direction === null || deg === null || mm !== null && mm < check.rule.short) return "";
+    const reach = Math.max(check.rule.turned, check.rule.wrong * check.rule.k * row.scatter, t / Math.abs(x) * 180 / Math.PI);
+    const off = check.apart(mine.direction, deg);
+    return off <= reach ? "" : Math.abs(off - 180) <= reach ? "sense" : "direction";
+  },
+
+  apart(one, other) {
+    return Math.abs(((one - other + 180) % 360 + 360) % 360 - 180);
+  },
+
+  // What was typed, with a sense or a direction beside it; null for what is no number.
+  given(index, text, sense = 0, aim = "") {
+    const mine = check.read(text), along = check.read(aim);
+    if (!mine) return null;
     mine.sense = sense || (mine.signed ? Math.sign(mine.value) || 1 : 0);
-    const verdict = check.weigh(row, mine, row.x, row.t);
+    if (along) mine.direction = along.value;
+    return mine;
+  },
+
+  judge(index, text, sense = 0, aim = "", source = null) {
+    const row = check.rule.rows[index], mine = check.given(index, text, sense, aim);
+    if (!mine) return { verdict: "", said: ["unread"] };
+    if (source !== null) return { verdict: "right", said: [`ok_own:${source}`] };
+    const verdict = check.weigh(row, mine, row);
     if (verdict === "right") return { verdict, said: ["right"] };
     if (verdict === "close") return { verdict, said: ["nearly"] };
     if (verdict === "unsaid") return { verdict: "right", said: ["right", "sense_missing"] };
-    if (verdict === "sense") return { verdict: "wrong", said: [row.kind === "si" ? "sense" : "sign"] };
+    if (verdict === "sense") return { verdict: "wrong", said: [{ si: "sense", ve: "reversed", sc: "sign" }[row.kind]] };
+    if (verdict === "direction") return { verdict: "wrong", said: [`dir:${check.apart(mine.direction, row.deg).toFixed(0)}`] };
     return { verdict, said: ["not_right", ...check.why(row, mine)] };
   },
 
@@ -40,7 +63,7 @@ const check = {
     const found = [];
     for (const [x, t, name] of row.slips) {
       const off = Math.abs(row.kind === "sc" ? mine.value - x : Math.abs(mine.value) - Math.abs(x)) / t;
-      if (["right", "close", "unsaid"].includes(check.weigh(row, mine, x, t)) && off <= check.rule.lone) found.push([(check.rule.k * off) ** 2, name]);
+      if (["right", "close", "unsaid"].includes(check.weigh(row, mine, { x, t, deg: null, mm: null })) && off <= check.rule.lone) found.push([(check.rule.k * off) ** 2, name]);
     }
     found.sort((a, b) => a[0] - b[0]);
     const other = check.itself(row, mine);
@@ -66,16 +89,36 @@ const check = {
   },
 
   sentence(name) {
-    const [id, n] = name.split(":"), node = all("#sentences > span").find((span) => span.dataset.name === (id === "pow10" ? id : name));
-    return node.innerHTML.replaceAll("{n}", (n || "").replace("-", "−"));
+    const [id, n = ""] = name.split(":"), known = ["pow10", "dir", "ok_own"].includes(id) ? id : name;
+    const node = all("#sentences > span").find((span) => span.dataset.name === known);
+    const said = node.innerHTML.replaceAll("{n}", n.replace("-", "−")).replaceAll("{d}", n);
+    if (id !== "ok_own") return said;
+    const asked = all("#check .asked")[+n], part = (name) => one(name, asked).innerHTML;
+    const typed = document.createElement("span"); // what somebody typed is a text, and no markup
+    typed.textContent = one("input", asked).value.trim();
+    return said.replaceAll("{src}", part(".symbol")).replaceAll("{v}", `${typed.innerHTML} ${part(".unit")}`);
+  },
+
+  // All answers as they are typed: text, sense, direction.
+  typed() {
+    return all("#check .asked").map((node) => {
+      const sense = one("select", node), aim = one(".aim", node);
+      return [one("input", node).value, sense ? +sense.value : 0, aim ? aim.value : ""];
+    });
+  },
+
+  verdicts(typed) {
+    const own = continued.right(typed.map(([text, sense, aim], index) => text.trim() ? check.given(index, text, sense, aim) : null));
+    return typed.map(([text, sense, aim], index) => {
+      return text.trim() ? check.judge(index, text, sense, aim, own.has(index) ? own.get(index) : null) : { verdict: "", said: [] };
+    });
   },
 
   show() {
+    const found = check.verdicts(check.typed());
     all("#check .asked").forEach((node, index) => {
-      const text = one("input", node).value, sense = one("select", node);
-      const { verdict, said } = text.trim() ? check.judge(index, text, sense ? +sense.value : 0) : { verdict: "", said: [] };
-      node.dataset.verdict = verdict;
-      one(".said", node).innerHTML = said.map(check.sentence).join(`<span class="zh">；</span><span class="en">; </span>`);
+      node.dataset.verdict = found[index].verdict;
+      one(".said", node).innerHTML = found[index].said.map(check.sentence).join(`<span class="zh">；</span><span class="en">; </span>`);
     });
   },
 

@@ -11,7 +11,7 @@ from ..problem.schema.faults import Faults, meant
 from ..problem.schema.marking import BlockSpec, MarkingSpec, PointsSpec
 from ..words import Words
 from .derive.rubric import USUAL, Block, Rubric, shared
-from .equations.row import priced
+from .equations.priced import priced
 from .key import AnswerKey, Points
 from .rules import USUAL_RULES, Rules
 

@@ -15,6 +15,7 @@ from ..algebra.quantity import number
 from ..grading.compare.band import target_of
 from ..grading.derive.keyed import answer_key
 from ..grading.key import AnswerKey, Graded, Kind
+from ..grading.rules import USUAL_RULES
 from ..grading.slips.mutants import Mutant, mutants
 from ..grading.slips.single import mistaken_for
 from ..grading.slips.whole import LONE, MARGIN, mutated
@@ -25,25 +26,30 @@ from ..names import written_unit
 from ..problem.problem import Problem
 from ..report.values import printed_unit
 from ..words import Words
+from .figures import LANGS
+from .following import Following, followings
 from .steps import html
 from .type import Faces, words_html
 
 KINDS = (Kind.VECTOR, Kind.SIGNED, Kind.SCALAR)
 ALWAYS = (
     Told.RIGHT, Told.NEARLY, Told.NOT_RIGHT, Told.SENSE, Told.SENSE_MISSING, Told.SIGN, Told.POW10, Told.TURNS,
-    Told.PER_MINUTE, Told.DEGREES, Told.TWO_SLIPS, Told.ZERO,
+    Told.PER_MINUTE, Told.DEGREES, Told.TWO_SLIPS, Told.ZERO, Told.REVERSED, Told.DIRECTION,
 )  # fmt: skip
 UNREAD = Words("请写一个数", "write a number")
+OWN = Words(*(SENTENCES[Told.OK_OWN].of(lang).replace("${src}$", "{src}") for lang in LANGS))  # the script has symbols
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Question:
-    """One quantity that may be answered: its symbol and unit as they are printed; turns: it has a sense."""
+    """One quantity that may be answered: its symbol and unit as they are printed; turns: it has a sense; points: a
+    direction."""
 
     key: str
     symbol: str
     unit: str
     turns: bool
+    points: bool
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,8 +67,14 @@ def box(problem: Problem, faces: Faces) -> Box:
     asked = [one for one in key.quantities if one.asked and one.kind in KINDS]
     slips = mutants(problem, key)
     said = {name.value: html(SENTENCES[name], faces) for name in ALWAYS} | {"unread": html(UNREAD, faces)}
-    rows = [_Row(one, key, slips, said, faces).data() for one in asked]
-    rule = {"lone": LONE, "margin": MARGIN, "k": key.allowance.k, "wrong": key.allowance.wrong, "rows": rows}
+    said |= {Told.OK_OWN.value: html(OWN, faces)}
+    follows = followings(problem, key, asked)
+    rows = [_Row(one, key, slips, said, faces).data(its) for one, its in zip(asked, follows, strict=True)]
+    allowance = key.allowance
+    rule = {
+        "lone": LONE, "margin": MARGIN, "k": allowance.k, "wrong": allowance.wrong, "turned": allowance.direction,
+        "short": allowance.short, "reach": USUAL_RULES.reach, "rows": rows,
+    }  # fmt: skip
     data = b64encode(json.dumps(rule, separators=(",", ":")).encode()).decode()
     return Box(questions=tuple(_question(one, faces) for one in asked), sentences=tuple(said.items()), data=data)
 
@@ -71,8 +83,15 @@ def _question(one: Graded, faces: Faces) -> Question:
     unit = written_unit(printed_unit(one.unit)[1])
     return Question(
         key=one.key, symbol=words_html(f"${one.symbol}$", faces), unit=words_html(unit, faces),
-        turns=one.kind is Kind.SIGNED,
+        turns=one.kind is Kind.SIGNED, points=one.degrees is not None,
     )  # fmt: skip
+
+
+def _following(one: Following | None) -> dict[str, Any] | None:
+    if one is None:
+        return None
+    factors = [[float(f"{part:.6g}") for part in (each.real, each.imag)] for each in one.factors]
+    return {"from": one.sources, "terms": one.terms, "factors": factors, "share": one.share, "sizes": one.sizes}
 
 
 class _Row:
@@ -84,11 +103,12 @@ class _Row:
         self.one, self.key, self.slips, self.said, self.faces = one, key, slips, said, faces
         self.times = printed_unit(one.unit)[0]
 
-    def data(self) -> dict[str, Any]:
+    def data(self, follows: Following | None) -> dict[str, Any]:
         one = self.one
         return {
             "kind": one.kind.name[:2].lower(), "x": self._size(one.exact), "t": self._size(one.allowed),
             "near": one.allowed / abs(one.exact) if one.exact else 1.0, "unit": one.unit,
+            "deg": one.degrees, "mm": one.mm, "scatter": one.turned, "follows": _following(follows),
             "slips": list(self._slips()), "others": list(self._others()),
             "shown": f"{number(self.times * one.exact, 4)} ± {number(self.times * one.allowed, 2)}",
         }  # fmt: skip

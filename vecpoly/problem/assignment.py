@@ -16,8 +16,8 @@ from .load import opened
 from .marking import NOTHING_SAID, Marking, marking_in
 from .problem import Problem
 from .reach import Reach, Resolver
+from .schema.assignment import AssignmentSpec
 from .schema.faults import Faults, meant
-from .schema.models import AssignmentSpec
 from .schema.validate import validate
 from .text.overlay import overlay
 from .text.source import Tree, decoded, parse, read

@@ -50,10 +50,9 @@ from .values.written import written_of
 
 def build(tree: Tree, path: Path | None = None) -> Problem:
     """The problem in this tree; raises ProblemFileError with everything that is wrong with it."""
-    faults = Faults(tree.name, tree.places)
     if {"device", "synthesis", "data"} & tree.data.keys() and (by_data := _by_data(tree, path)) is not None:
         return by_data
-    spec = validate(ProblemSpec, {k: v for k, v in tree.data.items() if v is not None}, faults)
+    spec, faults = _spec(tree)
     bodies = _bodies(spec, faults)
     masses, weights = read_masses(spec, bodies, faults)
     mechanism, motion = _mechanism(spec, bodies, faults)
@@ -89,6 +88,12 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         warnings=warnings_of(tree),
         written=written_of(tree),
     )
+
+
+def _spec(tree: Tree) -> tuple[ProblemSpec, Faults]:
+    """What stands in the file, and a list for what is wrong with it."""
+    faults = Faults(tree.name, tree.places)
+    return validate(ProblemSpec, {key: value for key, value in tree.data.items() if value is not None}, faults), faults
 
 
 def _by_data(tree: Tree, path: Path | None) -> Problem | None:

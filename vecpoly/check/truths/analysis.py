@@ -16,14 +16,15 @@ from ...mechanism.asked.pressure import driven_links
 from ...mechanism.groups.assur import hinges
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism, Prismatic
-from ...names import Kind, Rel
-from ...problem.asked.asks import Ask, AskNamed, AskPoint
+from ...names import Rel
+from ...problem.asked.asks import Ask, AskNamed
 from ...problem.problem import Printed, Problem
 from ..likely import natural
 from ..nudged import nudged
 from ..printed.behind import behind, way
 from ..roles import refuse_wrong_roles
 from ..truth import ActsAt, Values, finite, knows
+from .motion import kinematic
 
 if TYPE_CHECKING:
     from ...oracle.forces import Forces
@@ -59,7 +60,7 @@ class Exact:
 
         Raises NotAskedError for what else has no value with these data.
         """
-        known = _kinematic(self.problem, self.motion) | self._geometric() | self._static() | self._reduced()
+        known = kinematic(self.problem, self.motion) | self._geometric() | self._static() | self._reduced()
         return finite(known)
 
     def _reduced(self) -> Values:
@@ -225,38 +226,3 @@ def _tangent(arm: complex, force: complex) -> str:
     if abs(moment) <= 1e-9 * abs(force):
         return ""
     return "ccw" if moment > 0 else "cw"
-
-
-def _kinematic(problem: Problem, motion: oracle.Motion) -> Values:
-    found = {ask.at: (ask.link, _place(motion, ask)) for ask in problem.asks if isinstance(ask, AskPoint)}
-    values: Values = {}
-    for ask in problem.asks:
-        if isinstance(ask, AskNamed):
-            continue
-        if isinstance(ask, AskPoint):
-            values[ask.rel.key] = found[ask.at][1]
-        elif ask.rel.to in found and ask.rel.kind in (Kind.V, Kind.A) and ask.rel.ref is None:
-            link, place = found[ask.rel.to]
-            values[ask.rel.key] = _vector(motion, link, place, ask.rel)
-        else:
-            value = motion.value(ask.rel)
-            values[ask.rel.key] = complex(value) if ask.rel.is_vector else float(value.real)
-    return values
-
-
-def _place(motion: oracle.Motion, ask: AskPoint) -> complex:
-    if ask.slowest is not None:
-        from ...oracle.centres import slowest
-
-        return slowest(motion.mech, ask.link, *ask.slowest)
-    if ask.velocity is not None:
-        return complex(motion.point_with(ask.link, velocity=ask.velocity))
-    assert ask.acceleration is not None
-    return complex(motion.point_with(ask.link, acceleration=ask.acceleration))
-
-
-def _vector(motion: oracle.Motion, link: str, place: complex, rel: Rel) -> complex:
-    """v or a of the point of this link that is at this place."""
-    if rel.kind is Kind.V:
-        return complex(motion.moving(link).velocity_at(np.array([place]))[0])
-    return complex(motion.moving(link, 2).acceleration_at(np.array([place]))[0])

@@ -32,7 +32,7 @@ class Followed:
 
 
 @dataclass(slots=True)
-class _Inputs:
+class Inputs:
     """The own values that one step goes on with."""
 
     readings: dict[str, float] = field(default_factory=dict)
@@ -52,11 +52,11 @@ class Follower:
 
     def follow(self, steps: Sequence[Graded]) -> dict[str, Followed]:
         """For each step that rests on an own value that can be used: what follows from it; all in one drawing."""
-        near = {one.key: self._inputs(one, deep=False) for one in steps}
+        near = {one.key: self.inputs(one, deep=False) for one in steps}
         chosen = [one for one in steps if near[one.key].sources]
         if not chosen or not self.rules.following or any(first not in self.given for first in self.rules.first):
             return {}
-        hands = [near[one.key] for one in chosen] + [self._inputs(one, deep=True) for one in chosen]
+        hands = [near[one.key] for one in chosen] + [self.inputs(one, deep=True) for one in chosen]
         own = tuple(Own(readings=FrozenMap(one.readings), values=FrozenMap(one.values)) for one in hands)
         try:
             found = by_hands(self.problem, self.key, Amended(own=own))
@@ -87,12 +87,13 @@ class Follower:
         """The own values below a step that are there and may not be continued from."""
         return tuple(name for name in one.needs if name in self.given and not self.usable(self.key[name]))
 
-    def _inputs(self, step: Graded, *, deep: bool) -> _Inputs:
-        found = _Inputs()
+    def inputs(self, step: Graded, *, deep: bool = False) -> Inputs:
+        """The own values that a step goes on with: the nearest, or all below it."""
+        found = Inputs()
         self._collect(step.needs, found, {step.key}, deep)
         return found
 
-    def _collect(self, needs: Sequence[str], found: _Inputs, seen: set[str], deep: bool) -> None:
+    def _collect(self, needs: Sequence[str], found: Inputs, seen: set[str], deep: bool) -> None:
         """Own values of the needs; of those that were not written, or of all where `deep`, the own values below
         them."""
         for name in needs:
@@ -119,7 +120,7 @@ class Follower:
         ]
         return found[0] if found and found[0].key not in seen else None
 
-    def _take(self, one: Graded, mine: Measured, found: _Inputs) -> None:
+    def _take(self, one: Graded, mine: Measured, found: Inputs) -> None:
         if one.kind is Kind.READING:
             found.readings[one.letters] = abs(mine.value)
         else:
@@ -135,7 +136,7 @@ class Follower:
         size = float(abs(found)) if one.kind in (Kind.VECTOR, Kind.READING) else float(np.real(found))
         direction = bearing(complex(found)) if one.kind is Kind.VECTOR and np.iscomplexobj(found) and found else None
         mm = one.mm * abs(size / one.exact) if one.mm and one.exact else None
-        return Target(value=size, allowed=self._allowed(one, size, mm), degrees=direction, mm=mm)
+        return Target(value=size, allowed=self.allowed(one, size), degrees=direction, mm=mm)
 
     def _place(self, one: Graded, found: Any) -> Target | None:
         """A place, within what the lines drawn in this step scatter by."""
@@ -143,7 +144,7 @@ class Follower:
             return None
         return Target(value=float(abs(found)), allowed=one.allowed, at=(float(found.real), float(found.imag)))
 
-    def _allowed(self, one: Graded, size: float, mm: float | None) -> float:
+    def allowed(self, one: Graded, size: float) -> float:
         """No error of the construction, but of reading and reckoning; a length, of the lines drawn in this step."""
         rule, short = self.key.allowance, self._shortest(one)
         if one.kind is Kind.READING:

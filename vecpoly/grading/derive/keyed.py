@@ -19,7 +19,8 @@ from ...problem.problem import Problem
 from ...solution import Solution, constructed, scales_of, solve
 from ...words import Words
 from ..allowance import STUDENT, Allowance
-from ..equations.row import priced, rows_of
+from ..equations.priced import priced
+from ..equations.row import rows_of
 from ..key import AnswerKey, Graded, Kind
 from .blocks import block_of
 from .needs import needs, with_lines

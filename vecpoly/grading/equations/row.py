@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import dataclass
 from enum import StrEnum
-from typing import TYPE_CHECKING, assert_never
+from typing import assert_never
 
 from ...board.construction import Construction, EquationTable, Step
 from ...board.place import View
 from ...words import Words
 from ..derive.blocks import block_of
-
-if TYPE_CHECKING:
-    from ..key import Graded
 
 UNKNOWN = "?"
 
@@ -76,18 +73,3 @@ def _block(step: Step) -> str:
 def _printed(table: EquationTable) -> str:
     parts = (f"{sign} {symbol}".strip() for sign, symbol in zip(table.signs, table.symbols, strict=True))
     return " ".join(parts)
-
-
-def priced(
-    rows: Sequence[EquationRow], graded: Sequence[Graded], equation: Mapping[str, float]
-) -> tuple[EquationRow, ...]:
-    """The rows with their points: of each part so many, and no more than there are for its lines.
-
-    equation: part → points.
-    """
-    found = []
-    for row in rows:
-        lines = sum(one.points.method for one in graded if one.block == row.block)
-        beside = sum(other.block == row.block for other in rows)
-        found.append(replace(row, points=min(equation.get(row.block, 0.0), lines) / beside))
-    return tuple(found)

@@ -14,8 +14,9 @@ from ...figures import scales
 from ...units.patterns import NUMBER
 from ...units.reading import Dim, PerMm
 from ..read_ranges import SPAN, STEP
+from ..schema.assignment import AssignmentSpec
 from ..schema.marking import KEYS as MARKING
-from ..schema.models import AssignmentSpec, ProblemSpec
+from ..schema.models import ProblemSpec
 from . import patterns
 from .design_words import DESIGNS
 from .device_words import DATA

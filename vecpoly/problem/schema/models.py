@@ -12,7 +12,6 @@ from pydantic import BaseModel, ConfigDict, Field, create_model
 from ...figures import scales
 from ...words import Words
 from .fields import ID, Centre, Link, Name, Number, Pair, Text, YesNo
-from .marking import MarkingSpec
 from .running import MachineSpec
 
 
@@ -245,15 +244,3 @@ class DesignSpec(DataSpec):
     """A problem file about a mechanism that is to be found."""
 
     synthesis: str
-
-
-class AssignmentSpec(MarkingSpec):
-    """An assignment file: title, title block, problems, and how they are marked."""
-
-    title: Text
-    id: str | None = Field(
-        None, pattern=ID, description="of the assignment in codes and seeds; the file's name where nothing is said"
-    )
-    salt: str = Field("", description="another text gives everybody other numbers")
-    title_block: dict[str, str] = Field({})
-    problems: list[str | dict[str, Any]] = Field(min_length=1)
