@@ -113,7 +113,9 @@ def _each(found: ByHand, hand: int, count: int) -> ByHand:
 
 def _changed(key: AnswerKey, found: ByHand, hand: int) -> dict[str, Value]:
     """What comes out otherwise, without what rests on a figure that does not close; a step that falls away with the
-    mistake, as where two points become one, leaves the others."""
+    mistake, as where two points become one, leaves the others. Nothing, where no paper holds the figure."""
+    if any(_off_the_paper(one, found[one.key][hand]) for one in key.quantities if one.key in found):
+        return {}
     values: dict[str, Value] = {}
     open_ended = set[str]()
     for one in (each for each in key.quantities if each.key in found):
@@ -154,6 +156,10 @@ def _compared(one: Graded, found: Any) -> Any:
             return found
         case _:
             assert_never(one.kind)
+
+
+def _off_the_paper(one: Graded, found: Any) -> bool:
+    return one.kind is Kind.READING and bool(abs(found) > FAR * max(abs(one.exact), one.allowed))
 
 
 def _value(one: Graded, found: Any) -> Value | None:
