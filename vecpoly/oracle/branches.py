@@ -95,10 +95,10 @@ def _check_dead_point(mech: Mechanism, step: Step, after: Sequence[Places], wher
 
 def _neither(step: Step, told: Sequence[Statement], where: str) -> Words:
     """No assembly is as the statements say."""
-    statement = " and ".join(f"'{s}'" for s in told)
+    said = [f"'{s}'" for s in told]
     return Words(
-        f"原动件位于 {where} 时，构件 {step.group.told.zh} 的两种装配方式都不满足 {statement}",
-        f"links {step.group.told.en}: neither assembly fulfils {statement} where the drive stands at {where}",
+        f"原动件位于 {where} 时，构件 {step.group.told.zh} 的两种装配方式都不满足 {'、'.join(said)}",
+        f"links {step.group.told.en}: neither assembly fulfils {' and '.join(said)} where the drive stands at {where}",
     )
 
 
