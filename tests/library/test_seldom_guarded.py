@@ -107,8 +107,9 @@ def test_a_block_in_a_slot_turns_with_it_and_is_said_to() -> None:
 
 @each(Later(ids))
 def test_a_step_tells_turns_of_links_that_are_there_only(name: str) -> None:
-    mech = drawn(name).problem.mechanism
-    there = {link.name for link in mech.links if link.name[0].isdigit()} | {"x", "y"}
+    problem = drawn(name).problem
+    there = {link.name for link in problem.mechanism.links if link.name[0].isdigit()} | {"x", "y"}
+    there |= {"m"} if problem.machine is not None else set()  # the mean
     for step in drawn(name).construction.steps:
         told = {part for part in turns_told(step.words.zh) | turns_told(step.words.en) if len(part) == 1}
         summed = {"i"} if "Σ" in step.words.en and "Σ" in step.words.zh else set[str]()  # over all links
