@@ -138,7 +138,7 @@ def test_what_just_reaches_is_refused_however_its_sum_is_rounded(crank: int, mor
         posed("crank-rocker-limits", AB=ab, BC=both, CD=both, AD=f"{crank + 2 * more} mm"),
     ):
         with pytest.raises(AssemblyError, match="AB is no crank"):
-            linkages(task.subject)
+            linkages(task.design)
 
 
 @pytest.mark.parametrize("kind", CASES)
