@@ -97,8 +97,17 @@ def test_the_circle_point_goes_round_its_centre_point_in_all_four_positions() ->
         assert _spread(point) < 1e-9
 
 
-def _spread(point: CentrePoint) -> float:
-    return float(np.ptp([abs(pose.place(FOUR[0].trace(point.moving)) - point.fixed) for pose in FOUR]))
+def test_a_centre_point_far_out_on_its_line_is_found_as_well_as_a_near_one() -> None:
+    """In metres, lines of the frame beside each other: most of their third centre points lie far from the body."""
+    turned = ((0j, 0), (0.007 - 0.022j, 13), (0.055 - 0.029j, 25), (0.083 - 0.010j, 72))
+    four = tuple(Pose.turned(at, np.radians(deg)) for at, deg in turned)
+    found = [point for x in range(-80, 80) for point in centre_points(four, x * 1e-3 + 0j, 1j)]
+    assert max(_spread(point, four) / point.radius for point in found) < 1e-9
+    assert max(abs(point.fixed) for point in found) > 0.5
+
+
+def _spread(point: CentrePoint, poses: tuple[Pose, ...] = FOUR) -> float:
+    return float(np.ptp([abs(pose.place(poses[0].trace(point.moving)) - point.fixed) for pose in poses]))
 
 
 def test_circle_points_on_a_line_of_the_body_are_found_by_the_same_cubic_in_the_body() -> None:

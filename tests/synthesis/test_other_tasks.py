@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import vecpoly
 from vecpoly.errors import AssemblyError, ProblemFileError
+from vecpoly.oracle.synthesis.registry import linkages
 
 CASES = {
     "shaper": (
@@ -123,6 +126,19 @@ def test_a_ratio_below_one_is_refused_with_the_one_that_may_be_meant(kind: str, 
 def test_what_cannot_be_found_is_refused_with_the_numbers(kind: str, change: dict[str, str], told: str) -> None:
     with pytest.raises(AssemblyError, match=told):
         posed(kind, **(CASES[kind][0] | change)).solve()
+
+
+@given(st.integers(10, 90), st.integers(1, 60), st.sampled_from(["mm", "cm", "m"]))
+def test_what_just_reaches_is_refused_however_its_sum_is_rounded(crank: int, more: int, unit: str) -> None:
+    """AB + e = BC, AB + e = AC, AB + AD = BC + CD: 44 mm + 26 mm is 70 mm, in metres too."""
+    ab, e, both = f"{crank} mm", f"{more} mm", f"{(crank + more) / {'mm': 1, 'cm': 10, 'm': 1000}[unit]!r} {unit}"
+    for task in (
+        posed("slider-crank-limits", AB=ab, BC=both, e=e),
+        posed("guide-bar-limits", AB=ab, AC=both, e=e),
+        posed("crank-rocker-limits", AB=ab, BC=both, CD=both, AD=f"{crank + 2 * more} mm"),
+    ):
+        with pytest.raises(AssemblyError, match="AB is no crank"):
+            linkages(task.design)
 
 
 @pytest.mark.parametrize("kind", CASES)

@@ -97,6 +97,8 @@ def _real(t: Terms, op: str, args: list[Term]) -> Term:
             return t.of("if", t.of("<=", one, other), one, other)
         case ("radians", [one]):
             return t.of("*", one, t.number(math.pi / 180))
+        case ("degrees", [one]):
+            return t.of("*", one, t.number(180 / math.pi))
         case _ if op in _REAL:
             return t.of(_REAL[op], *args)
     raise _unknown(op)

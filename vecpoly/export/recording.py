@@ -126,7 +126,10 @@ class _Proof:
         self.problem, self.scales, self.name, self.acts = problem, scales, name, acts
         spots, answers = _spots(acts), _answers(acts)
         self.spots, self.answers = tuple(spots), tuple(answers)
-        self.roots: list[Term] = [part for value in (*spots.values(), *answers.values()) for part in terms.parts(value)]
+        self.arrows = tuple(act for act in acts if isinstance(act, done.Arrow))
+        ways = (act.b - act.a for act in self.arrows)
+        every = (*spots.values(), *answers.values(), *ways)
+        self.roots: list[Term] = [part for value in every for part in terms.parts(value)]
         self.fails: set[str] = set()
         self.stale: set[int] = {act.number for act in acts if isinstance(act, done.Locate) and _is_aside(act)}
 
@@ -165,9 +168,20 @@ class _Proof:
         spots, answers = _spots(acts), _answers(acts)
         if spots.keys() != set(self.spots) or not _same(mine, [spots[key] for key in self.spots]):
             return False
-        self.stale |= set(stale(self.acts, acts))
-        self.fails |= set(self._unlike(mine[len(self.spots) :], answers))
+        first, last = len(self.spots), len(self.spots) + len(self.answers)
+        self.stale |= {*stale(self.acts, acts), *self._turned_back(mine[last:], acts)}
+        self.fails |= set(self._unlike(mine[first:last], answers))
         return True
+
+    def _turned_back(self, mine: Sequence[complex], there: Sequence[done.Act]) -> Iterator[int]:
+        """The arrows that point the other way when drawn anew, such as that of a velocity on the way back."""
+        anew = [act.b - act.a for act in there if isinstance(act, done.Arrow)]
+        if len(anew) == len(mine):
+            yield from (
+                act.number
+                for act, a, b in zip(self.arrows, mine, anew, strict=True)
+                if (a.conjugate() * b).real < -CLOSE * abs(b) ** 2
+            )
 
     def _unlike(self, mine: Sequence[complex], there: dict[tuple[str, str], complex]) -> Iterator[str]:
         for key, value in zip(self.answers, mine, strict=True):

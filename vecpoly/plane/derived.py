@@ -42,6 +42,7 @@ _UFUNCS: Mapping[Any, str] = {
     np.maximum: "max",
     np.minimum: "min",
     np.radians: "radians",
+    np.degrees: "degrees",
 }
 
 

@@ -145,7 +145,7 @@ class _Writer:
 
     def _answer(self, act: done.Answer) -> None:
         """A quantity that is asked: a number with its sign, or both components of a vector (SI)."""
-        if act.unit in ("rad/s", "rad/s^2") or (not moves(act.value) and not isinstance(act.value, complex)):
+        if act.unit in ("rad/s", "rad/s^2", "deg") or (not moves(act.value) and not isinstance(act.value, complex)):
             if act.key not in self.written_down:
                 self._quantity(act.key, act.value)
         else:

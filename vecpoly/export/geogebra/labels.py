@@ -9,7 +9,7 @@ from ...names import subscripted
 
 # a polygon's letters are told from each other by its kind
 INDEX = {View.MECHANISM: "", View.VELOCITY: "v", View.ACCELERATION: "a"}
-_GREEK = {"omega": "ω", "alpha": "α", "phi": "φ", "mu": "μ"}
+_GREEK = {"omega": "ω", "alpha": "α", "gamma": "γ", "phi": "φ", "mu": "μ"}
 
 
 class Labels:

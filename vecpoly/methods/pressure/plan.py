@@ -139,7 +139,7 @@ def _read(desk: Desk, driven: Driven, marked: Marked, keys: set[str]) -> None:
 
 def _keep(desk: Desk, named: Named, turned: Reals) -> None:
     value = 90.0 - np.abs(np.abs(turned) - 90.0)
-    degrees = float(nominal(value))
-    text = Row((*row(named.symbol).items, Txt(f" = {degrees:.4g}°")))
+    degrees = amount(value)
+    text = Row((*row(named.symbol).items, Txt(f" = {float(degrees):.4g}°")))
     desk.board.write(text)
     desk.board.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=degrees, formula=text), value)

@@ -10,6 +10,7 @@ from math import cos, isclose, nan, sin, sqrt, tan
 
 from ...designs.crank_rocker import CrankRocker
 from ...designs.verdict import Verdict
+from ...foundation.bounds import below
 from .chord import SIDES, Chord
 from .four_bar import extreme_angles, found
 from .reach import out_of_reach
@@ -29,7 +30,7 @@ def crank_rockers(design: CrankRocker) -> list[Linkage]:
 def _by_swing(design: CrankRocker, chord: Chord) -> Iterator[Linkage]:
     if design.AB is not None:
         a = design.AB.si
-        if chord.theta > 0 and a < chord.s / 2:
+        if chord.theta > 0 and below(a, chord.s / 2):
             yield from (chord.of_crank(a, side) for side in SIDES)
     elif design.BC is not None:
         yield from _by_coupler(chord, design.BC.si)
@@ -41,7 +42,7 @@ def _by_swing(design: CrankRocker, chord: Chord) -> Iterator[Linkage]:
 
 def _by_coupler(chord: Chord, b: float) -> Iterator[Linkage]:
     square = (chord.s**2 - 2 * b * b * (1 - cos(chord.theta))) / (2 * (1 + cos(chord.theta)))
-    if square > 0 and b > chord.s / 2:
+    if square > 0 and below(chord.s / 2, b):
         sides = SIDES if chord.theta > 0 else SIDES[:1]
         yield from (chord.at(chord.pivot(sqrt(square), b, side)) for side in sides)
 

@@ -8,6 +8,7 @@ from math import acos, asin, degrees, pi, sqrt
 from ...designs.limits_found import CrankRockerLimits, GuideBarLimits, SliderCrankLimits
 from ...designs.verdict import Verdict
 from ...errors import AssemblyError
+from ...foundation.bounds import below
 from ...words import Words
 from .four_bar import found
 from .registry import Linkage, synthesizes
@@ -18,7 +19,7 @@ def crank_rocker(design: CrankRockerLimits) -> list[Linkage]:
     """C₁, C₂ at the distances BC ∓ AB from A, above AD."""
     a, b, c, d = (one.si for one in (design.AB, design.BC, design.CD, design.AD))
     longest = max(b, c, d)
-    if not (a <= min(b, c, d) and a + longest < b + c + d - longest):
+    if below(min(b, c, d), a) or not below(a + longest, b + c + d - longest):
         raise _no_crank(
             f"AB + l_max = {1e3 * (a + longest):.4g} mm",
             f"{1e3 * (b + c + d - longest):.4g} mm",
@@ -35,7 +36,7 @@ def crank_rocker(design: CrankRockerLimits) -> list[Linkage]:
 def slider_crank(design: SliderCrankLimits) -> list[Linkage]:
     """C₁, C₂ on the guide at the distances BC ∓ AB from A: θ = acos(e/(b + a)) − acos(e/(b − a))."""
     a, b, e = design.AB.si, design.BC.si, design.offset
-    if not a + e < b:
+    if not below(a + e, b):
         raise _no_crank(
             f"AB + e = {1e3 * (a + e):.4g} mm",
             f"BC = {1e3 * b:.4g} mm",
@@ -62,7 +63,7 @@ def slider_crank(design: SliderCrankLimits) -> list[Linkage]:
 def guide_bar(design: GuideBarLimits) -> list[Linkage]:
     """The bar's line touches the circle of B on either side: ψ = asin((a + e)/d) + asin((a − e)/d) = θ."""
     a, d, e = design.AB.si, design.AC.si, design.offset
-    if not a + e < d:
+    if not below(a + e, d):
         raise _no_crank(
             f"AB + e = {1e3 * (a + e):.4g} mm",
             f"AC = {1e3 * d:.4g} mm",

@@ -7,6 +7,7 @@ from math import asin, cos, degrees, pi, sin
 from ...designs.quick_return import Shaper, Whitworth
 from ...designs.verdict import Verdict
 from ...errors import AssemblyError
+from ...foundation.bounds import below
 from ...words import Words
 from .registry import Linkage, synthesizes
 
@@ -20,10 +21,10 @@ def shapers(design: Shaper) -> list[Linkage]:
     ab, height = ac * sin(half), cd * (1 + cos(half)) / 2
     values = {"AB": 1e3 * ab, "AC": 1e3 * ac, "CD": 1e3 * cd, "h": 1e3 * height}
     if design.DE is not None:
-        rise = (cd - height) / design.DE.si
-        if rise >= 1:
-            raise _short_rod(design.DE.text, cd - height)
-        values["alpha_max"] = degrees(asin(rise))
+        rise = cd - height
+        if not below(rise, design.DE.si):
+            raise _short_rod(design.DE.text, rise)
+        values["alpha_max"] = degrees(asin(rise / design.DE.si))
     pins = {"A": complex(0, ac), "C": 0j}
     return [_only(values, design.theta, pins, (ab, cd, ac, 0.0))]
 

@@ -5,11 +5,12 @@
 
 from __future__ import annotations
 
-from math import asin, cos, degrees, isclose, pi, sin, sqrt, tan
+from math import asin, cos, degrees, pi, sin, sqrt, tan
 
 from ...designs.slider_crank import SliderCrank
 from ...designs.verdict import Verdict
 from ...errors import AssemblyError
+from ...foundation.bounds import below
 from ...words import Words
 from .registry import Linkage, synthesizes
 
@@ -20,20 +21,20 @@ def slider_cranks(design: SliderCrank) -> list[Linkage]:
     h, theta = design.H.si, design.theta
     if design.e is not None:
         most = h / 2 / tan(theta / 2)
-        if design.e.si >= most or isclose(design.e.si, most, rel_tol=1e-9):
+        if not below(design.e.si, most):
             raise _refused("e", design.e.text, 0.0, most)
         product = design.e.si * h / sin(theta)  # b² − a², and a² + b² − (b² − a²) cos θ = H²/2
         a = sqrt((h * h / 2 - product * (1 - cos(theta))) / 2)
         b = sqrt(a * a + product)
     elif design.AB is not None:
         a = design.AB.si
-        if not a < h / 2:
+        if not below(a, h / 2):
             raise _refused("AB", design.AB.text, 0.0, h / 2)
         b = sqrt((h * h - 2 * a * a * (1 + cos(theta))) / (2 * (1 - cos(theta))))
     else:
         assert design.BC is not None
         b = design.BC.si
-        if not h / 2 < b < h / 2 / sin(theta / 2):
+        if not (below(h / 2, b) and below(b, h / 2 / sin(theta / 2))):
             raise _refused("BC", design.BC.text, h / 2, h / 2 / sin(theta / 2))
         a = sqrt((h * h - 2 * b * b * (1 - cos(theta))) / (2 * (1 + cos(theta))))
     return [_linkage(design, a, b)]

@@ -8,6 +8,7 @@ from math import pi
 from ...designs.two_positions import DeadCentre, DragLink
 from ...designs.verdict import Verdict
 from ...errors import AssemblyError
+from ...foundation.bounds import below
 from ...words import Words
 from .four_bar import least_angle
 from .registry import Linkage, synthesizes
@@ -37,7 +38,7 @@ def drag_link(design: DragLink) -> list[Linkage]:
     one = _linkage(design, (b1, b2, c1, 2 * d - c1), Verdict.VALID)
     a, b, c, frame = (one.values[key] for key in ("AB", "BC", "CD", "AD"))
     others = sorted((a, b, c))
-    double = frame < others[0] and frame + others[2] < others[0] + others[1]
+    double = below(frame, others[0]) and below(frame + others[2], others[0] + others[1])
     return [one if double else _linkage(design, (b1, b2, c1, 2 * d - c1), Verdict.NO_DOUBLE_CRANK)]
 
 

@@ -11,6 +11,7 @@ from ....designs.quantities import AB, AD, BC, CD
 from ....designs.quantities import K as ADVANCE
 from ....designs.two_positions import DragLink
 from ....designs.verdict import Verdict
+from ....foundation.bounds import below
 from ....plane import Points, nominal
 from ....words import Words
 from ..draft import ONE, SHEET, WHOLE_TURN, Draft
@@ -94,7 +95,7 @@ def _solution(
     lengths = [np.abs(b - a), np.abs(c - b), np.abs(c - d)]
     others = sorted(float(nominal(one)) for one in lengths)
     short = float(nominal(np.abs(d - a)))
-    double = short < others[0] and short + others[2] < others[0] + others[1]
+    double = below(short, others[0]) and below(short + others[2], others[0] + others[1])
     verdict = Verdict.VALID if double else Verdict.NO_DOUBLE_CRANK
     drawn(draft, (a, b, c, d), (a, *second, d), verdict=verdict)
     rejected(draft, verdict)

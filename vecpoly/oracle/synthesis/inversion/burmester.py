@@ -6,7 +6,7 @@ is the *circle point* B of the body. The determinant |z|², x, y, 1 of the four 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -59,19 +59,19 @@ def _roots(poses: Sequence[Pose], through: complex, along: complex, size: float)
     cubic = np.polynomial.Polynomial(np.polynomial.polynomial.polyfit(_NODES, values, 3))
     roots = [complex(root) for root in cubic.trim(1e-13 * max(map(abs, values))).roots()]
     near = sorted(root.real for root in roots if abs(root.imag) < _REAL * max(1.0, abs(root)))
-    return [_polished(small, through, along, root) for root in near]
+    slope = cubic.deriv()
+    return [_polished(lambda t: determinant(small, through + t * along), slope, root) for root in near]
 
 
-def _polished(poses: Sequence[Pose], through: complex, along: complex, root: float) -> float:
-    """A root by a few secant steps on the determinant itself."""
-    here, there = root, root + 1e-6
-    value, other = (determinant(poses, through + t * along) for t in (here, there))
-    for _ in range(6):
-        if value == other:
+def _polished(of: Callable[[float], float], slope: Callable[[float], float], root: float) -> float:
+    """A root by Newton's steps on the determinant itself, while they lessen it: then only rounding is left."""
+    value = of(root)
+    while value and (rise := float(slope(root))):
+        there = root - value / rise
+        if abs(of(there)) >= abs(value):
             break
-        here, there = here - value * (there - here) / (other - value), here
-        value, other = determinant(poses, through + here * along), value
-    return here
+        root, value = there, of(there)
+    return root
 
 
 def _centre_point(poses: Sequence[Pose], at: complex) -> CentrePoint | None:
