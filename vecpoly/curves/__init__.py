@@ -10,10 +10,11 @@ Import this part inside a function: it brings matplotlib along.
 
 from __future__ import annotations
 
+from .given import given_values
 from .hodograph import hodograph
 from .over import curves
 from .plot import Plot
 from .poses import poses
 from .trace import trace
 
-__all__ = ["Plot", "curves", "hodograph", "poses", "trace"]
+__all__ = ["Plot", "curves", "given_values", "hodograph", "poses", "trace"]

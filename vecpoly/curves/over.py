@@ -54,13 +54,13 @@ def curves(
         style.text(at, 1.0, top + (0.0 if beside else _LINE), label)
         drive = cycle.drive
         style.text(
-            at, left + (width - left - style.RIGHT) / 2, foot - style.FOOT + 2.0, _drive_label(drive, lang), ha="center"
+            at, left + (width - left - style.RIGHT) / 2, foot - style.FOOT + 2.0, drive_label(drive, lang), ha="center"
         )
         _legend(at, width - style.RIGHT, top, group)
     return Plot(figure, _title(cycle, groups), lang)
 
 
-def _drive_label(drive: Column, lang: Lang) -> str:
+def drive_label(drive: Column, lang: Lang) -> str:
     words, symbol = drive.words.of(lang), style.axis_label(drive.symbol, drive.shown_unit)
     return f"{words} {symbol}" if lang == "zh" else f"{words[0].upper()}{words[1:]}, {symbol}"
 

@@ -5,7 +5,7 @@ of block 4
 along link 5, its speed and relative acceleration (links by printed numbers); ``gamma_23`` transmission angle of the
 dyad of links 2
 and 3; ``d_45`` distance of the outer pins of an RPR dyad. A vector's parts: ``v_E.x``, ``v_E.y``, ``v_E.abs``,
-``v_E.arg``.
+``v_E.arg``. Of masses ``shaking_F``, ``shaking_M``: what their inertia does to the frame.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ from ..names import Kind, Named, Rel, parse_rel, subscripted
 from ..problem.text.spelling import did_you_mean
 from ..words import Words
 from .column import Column, of_loads, of_reduced
+from .shaking import SHAKING
 
 PARTS = ("x", "y", "abs", "arg")
 
@@ -94,6 +95,8 @@ def column_of(mech: Mechanism, loads: Loads | None, key: str) -> Column:
             unit="m",
             words=Words(f"杆组 {rest} 两外副的距离", f"distance of the outer pins of dyad {rest}"),
         )
+    if loads is not None and loads.masses and key in SHAKING:
+        return SHAKING[key]
     if loads is not None and (named := loaded_quantities(mech, loads).get(key)) is not None:
         return of_reduced(named) if named.is_reduced else of_loads(named)
     if (loads is None or not loads.balancing) and re.fullmatch(r"(R|M|F|h|eta|Q)(_\w+)?", key):

@@ -46,7 +46,7 @@ class Cycle:
     points: tuple[str, ...] | None = None
     machine: Loads | None = None  # what acts where nothing balances it
     _kept: dict[str, Points | Reals] = field(default_factory=dict, repr=False)
-    _solved: dict[bytes, Sample] = field(default_factory=dict, repr=False)
+    _solved: dict[tuple[tuple[int, ...], bytes], Sample] = field(default_factory=dict, repr=False)
     _infos: dict[str, Column] = field(default_factory=dict, repr=False)
 
     @cached_property
@@ -148,7 +148,7 @@ class Cycle:
         with loads the last few are kept, for all columns break off at the same ones."""
         if self.acting is None or places.size > FEW:
             return sample(self.mech, self.acting, places)
-        mark = places.tobytes()
+        mark = (places.shape, places.tobytes())  # one place, and an array of one place, are two
         if mark not in self._solved:
             if len(self._solved) >= FEW:
                 self._solved.pop(next(iter(self._solved)))

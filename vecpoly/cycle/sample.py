@@ -22,6 +22,7 @@ from ..oracle.machine import Reduced, reduce
 from ..words import Words
 from .columns import dyads, slides
 from .facts.transmission import angle_of, arm_of
+from .shaking import SHAKING, shaken
 
 Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]
@@ -107,6 +108,8 @@ def reader(mech: Mechanism, loads: Loads | None, key: str) -> Reader:
     if stem in ("gamma", "d") and (dyad := dyads(mech).get(rest)):
         read = angle_of if stem == "gamma" else arm_of
         return lambda s: _full(s, read(s.motion, dyad))
+    if loads is not None and loads.masses and key in SHAKING:
+        return lambda s: _full(s, shaken(s, key))
     if loads is not None and key in reduced_quantities(mech):
         to, read_inertia = equivalent_of(mech, key), key[0] in "Jm"
         return lambda s: s.reduced.inertia(to) if read_inertia else s.reduced.load(to)
@@ -135,6 +138,6 @@ def _part(value: Points | Reals, part: str) -> Reals:
             return np.angle(value)
 
 
-def _full(sample: Sample, values: Reals) -> Reals:
+def _full(sample: Sample, values: Points | Reals) -> Points | Reals:
     """One element for every position, where the quantity does not change."""
     return values if values.shape == sample.phi.shape else np.full(sample.phi.shape, values.ravel()[0])

@@ -113,7 +113,7 @@ class Study:
     @property
     def dense(self) -> bool:
         """Whether there is so much to tell that curves stand beside each other and short equations in one line."""
-        return len(self.model.groups) - 1 + 2 * (self.problem.loads is not None) >= 3
+        return len(self.model.groups) - 1 + 2 * (self.problem.acting is not None) >= 3
 
     @cached_property
     def here(self) -> Sample:

@@ -24,7 +24,12 @@ class Flow:
 
 def power_flow(mech: Mechanism, loads: Loads, phi: float, omega: float, flywheel: float = 0.0) -> Flow:
     """Σ (F · v + M ω) = Σ (m v · a + J ω α) with the acceleration that the drive has (rad, rad/s, kg·m²)."""
-    accel = Mover(mech, loads, flywheel).acceleration(phi, omega)
+    return flow_with(mech, loads, (phi, omega, Mover(mech, loads, flywheel).acceleration(phi, omega)), flywheel)
+
+
+def flow_with(mech: Mechanism, loads: Loads, state: tuple[float, float, float], flywheel: float = 0.0) -> Flow:
+    """The same where φ, ω, α of the drive are known (rad, rad/s, rad/s²)."""
+    phi, omega, accel = state
     moving = replace(mech, drives=(replace(mech.drive, rate=omega, accel=accel), *mech.drives[1:]))
     bodies = solve(moving, np.array([phi])).bodies
     powers = {

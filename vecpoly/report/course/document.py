@@ -15,6 +15,7 @@ from . import appendix, statement
 from .analysis import chapter as analysis
 from .checks import book, comparison
 from .checks import chapter as checking
+from .machine import chapters as machine
 from .modelling import axes, example
 from .modelling import formulas as modelling
 from .numbering import Press, drawn
@@ -43,16 +44,16 @@ class _Same:
 
 
 @lru_cache(maxsize=2)
-def _studied(key: _Same) -> tuple[Study, comparison.Compared]:
+def _studied(key: _Same) -> tuple[Study, comparison.Compared, machine.Machine]:
     """What is found before it is told: the same in both languages."""
     subject = study(key.solution)
-    return subject, comparison.compared(subject)
+    return subject, comparison.compared(subject), machine.found(subject)
 
 
 def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     """The chapters of one problem's course report. Raises NotAskedError for a device, NoMethodError for a group without
     a closed form."""
-    subject, stations = _studied(_Same(solution))
+    subject, stations, running = _studied(_Same(solution))
     press = Press(lang, objects)
     return {
         "id": subject.problem.id,
@@ -74,7 +75,8 @@ def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "checking": checking.chapter(subject, press),
         "book": book.chapter(subject, press),  # within chapter 7
         "tables": (tables := printed_tables(subject.problem, lang, press.table)),  # within chapter 7
-        "analysis": analysis.chapter(subject, press, stations, tables),
+        "analysis": analysis.chapter(subject, press, stations, tables, found=machine.conclusion(subject, running)),
+        "machine": machine.chapters(subject, press, running),
         "appendix": appendix.chapter(subject, press),
     }
 

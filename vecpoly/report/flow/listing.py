@@ -39,7 +39,8 @@ class Listing(Block):
     def split(self, width: float, height: float) -> list[Block]:
         """Whole lines to each page."""
         self.wrap(width, height)
-        count = min(int((height - 4.0) / _LEADING), len(self._lines) - _LEAST)
+        room = height - self.getSpaceBefore()  # the frame may leave that out here and ask for it of the part
+        count = min(int((room - 4.0) / _LEADING), len(self._lines) - _LEAST)
         if count < _LEAST:
             return []
         return [Listing(lines=self._lines[:count]), Listing(lines=self._lines[count:])]

@@ -16,6 +16,7 @@ from ....mechanism.model import FRAME, Mechanism
 from ....words import Words
 from ...run import wrapped
 from ...state import Bodies, Body, Points, Reals, at_rest, dot
+from .drives import unit_drive
 from .strokes import stroke
 
 ROUNDING = 1e-9  # of the mechanism's scale of rates: below it nothing moves
@@ -35,7 +36,7 @@ class Stands:
 
     def travelled(self, link: str, point: str, direction: float) -> tuple[Reals, float]:
         """How far the point is from where its stroke along the direction begins, and how long the stroke is (m)."""
-        low, high = stroke(self.mech, link, point, direction)
+        low, high = stroke(unit_drive(self.mech), link, point, direction)
         return self._along(self._place(link, point), direction) - low, high - low
 
     def speed(self, link: str, point: str, direction: float) -> Reals:

@@ -25,9 +25,11 @@ _HEADER = {
 }
 
 
-def chapter(study: Study, press: Press, drawn: Compared, tables: Sequence[dict[str, Any]] = ()) -> dict[str, Any]:
+def chapter(
+    study: Study, press: Press, drawn: Compared, tables: Sequence[dict[str, Any]] = (), found: Sequence[Words] = ()
+) -> dict[str, Any]:
     """Sentences and tables: how it moves, the peaks with their causes, conditioning of the groups; and the conclusion.
-    tables: the printed tables as checked."""
+    tables: the printed tables as checked; found: what the chapters on the machine conclude."""
     press.chapter = "8"
     groups = conditioning(study)
     told = causes(study, groups)
@@ -41,7 +43,7 @@ def chapter(study: Study, press: Press, drawn: Compared, tables: Sequence[dict[s
         "forces": [w.of(press.lang) for w in force_analysis.forces(study)],
         "conclusion": [
             w.of(press.lang)
-            for w in conclusion(study, groups, drawn, tables, ("8.3" if told else "8.2") if mending else "")
+            for w in (*conclusion(study, groups, drawn, tables, ("8.3" if told else "8.2") if mending else ""), *found)
         ],
     }
 

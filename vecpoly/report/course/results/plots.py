@@ -5,9 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from numpy.typing import ArrayLike
+
+from ....cycle import Cycle
 from ....drawing.scene import Scene
 from ....findings.study.study import Study
-from ....words import Words
+from ....words import Lang, Words
 
 LINES = 4  # in one panel
 _WIDE, _NARROW = (150.0, 60.0), (83.0, 57.0)  # mm
@@ -15,12 +18,31 @@ _FLAT, _LOW = 80.0, 57.0  # mm, height of a plane; of a long report
 Plotted = tuple[Scene, Words]
 
 
-def curve(study: Study, lang: str, keys: Sequence[str]) -> Plotted:
-    """These columns in one pair of axes (one for each unit)."""
+def curve(study: Study, lang: str, keys: Sequence[str], turn: Cycle | None = None) -> Plotted:
+    """These columns in one pair of axes (one for each unit). turn: another cycle than the study's own."""
     from ....curves import curves
 
     width, panel = _NARROW if study.dense else _WIDE
-    plot = curves(study.turn, tuple(keys), "en" if lang == "en" else "zh", width=width, panel=panel)
+    plot = curves(turn or study.turn, tuple(keys), "en" if lang == "en" else "zh", width=width, panel=panel)
+    return plot.scene, plot.title
+
+
+def given(
+    study: Study,
+    lang: str,
+    line: tuple[ArrayLike, ArrayLike],
+    label: tuple[str, str],
+    title: Words,
+    *,
+    marks: tuple[tuple[float, float], ...] = (),
+    level: float | None = None,
+) -> Plotted:
+    """Values that are no columns over the drive's angle (degrees). label: symbol, unit; marks: dots; level: dashed."""
+    from ....curves import given_values
+
+    width, panel = _NARROW if study.dense else _WIDE
+    which: Lang = "en" if lang == "en" else "zh"
+    plot = given_values(study.turn, *line, label, title, which, marks=marks, level=level, width=width, panel=panel)
     return plot.scene, plot.title
 
 
@@ -47,11 +69,11 @@ def posed(study: Study, lang: str, letter: str, *, small: bool) -> Plotted:
     return plot.scene, plot.title
 
 
-def swept(study: Study, lang: str, key: str) -> Plotted:
-    """The hodograph of a vector."""
+def swept(study: Study, lang: str, key: str, turn: Cycle | None = None) -> Plotted:
+    """The hodograph of a vector. turn: another cycle than the study's own."""
     from ....curves import hodograph
 
     plot = hodograph(
-        study.turn, key, "en" if lang == "en" else "zh", width=_NARROW[0], height=_LOW if study.dense else _FLAT
+        turn or study.turn, key, "en" if lang == "en" else "zh", width=_NARROW[0], height=_LOW if study.dense else _FLAT
     )
     return plot.scene, plot.title

@@ -9,6 +9,7 @@ from ....cycle.pose import posed
 from ....errors import AssemblyError
 from ....figures.mu import LENGTH
 from ....findings.study.study import Study
+from ....mechanism.asked.machine import machine_quantities, reduced_quantities
 from ....problem.problem import Problem, Scales
 from ....words import Words
 
@@ -25,6 +26,13 @@ def at_position(study: Study, phi: float, *, same_scale: bool = True) -> Problem
     return replace(
         there,
         loads=there.loads and there.loads.without_roles(),
+        asks=tuple(ask for ask in there.asks if ask.rel.key not in _of_period(there)),
         printed=(),
         scales=Scales({LENGTH.key: figure.scale.value} if figure and same_scale else {}),
     )
+
+
+def _of_period(problem: Problem) -> set[str]:
+    """What is the same wherever the drive stands: the flywheel, the constant moment, the greatest surplus."""
+    mech, machine = problem.mechanism, problem.machine
+    return set() if machine is None else {*machine_quantities(mech, machine)} - {*reduced_quantities(mech)}

@@ -1,0 +1,159 @@
+"""The chapter on balancing: shaking force and moment over the cycle, and what counterweights leave of them."""
+
+from __future__ import annotations
+
+from math import degrees
+from typing import Any
+
+from ....algebra.quantity import number
+from ....cycle import Extremes, table
+from ....cycle.shaking import FORCE, MOMENT, about
+from ....findings.machine.shaking import Best, Shaking
+from ....findings.study.study import Study
+from ....words import Words
+from ..numbering import Press
+from ..results.plots import curve, swept
+from ..results.tabled import laid_out
+
+_EXTREMES = {"zh": ["量", "最大值", "位置", "最小值", "位置"], "en": ["Quantity", "Greatest", "At", "Least", "At"]}
+_WEIGHTS = {"zh": ["构件", "支点", "$m_c r_c$ /(kg·m)", "方位"], "en": ["Link", "Pivot", "$m_c r_c$ /(kg·m)", "Where"]}
+
+
+def sections(study: Study, press: Press, found: Shaking) -> list[dict[str, Any]]:
+    """What acts on the frame; what counterweights leave."""
+    parts = [_acting(study, press, found)]
+    if found.weights or found.best is not None:
+        parts.append(_counterweights(study, press, found))
+    return parts
+
+
+def _acting(study: Study, press: Press, found: Shaking) -> dict[str, Any]:
+    """Over one turn: what the masses do repeats itself whatever the period of the loads is."""
+    turn, turns = study.turn.once, study.varies(MOMENT.key)
+    plots = [swept(study, press.lang, FORCE.key, turn), curve(study, press.lang, [FORCE.key], turn)]
+    plots += [curve(study, press.lang, [MOMENT.key], turn)] if turns else []
+    title = Words("惯性力和惯性力矩", "Shaking force and shaking moment")
+    parts = (*FORCE.parts, *([MOMENT.key] if turns else []))
+    rows = study.rows[study.rows < len(turn.phi)]
+    return {
+        "title": Words("机构对机架的惯性力和惯性力矩", "Shaking force and shaking moment on the frame").of(press.lang),
+        "words": [_told(study).of(press.lang)],
+        "tables": [_extremes(study, press, found), laid_out(table(turn, parts, rows), press, title)],
+        "figures": press.figures(plots),
+    }
+
+
+def _told(study: Study) -> Words:
+    pivot = about(study.mech)
+    return Words(
+        f"原动件按题设匀速运动时，运动构件的惯性力系向固定点 ${pivot}$ 简化，得主矢 $F_I$ = −Σ$m_i a_{{Si}}$ 和主矩 "
+        "$M_I$ = "
+        f"−Σ[$r_{{Si}}$ × $m_i a_{{Si}}$ + $J_{{Si}} α_i$]（逆时针为正），由机架承受；载荷和重力不计在内。$F_I$ 的端迹"
+        "图上，"
+        "由极点到曲线的矢量即该位置的惯性力。",
+        "With the drive moving evenly as given, the inertia forces of all moving links, reduced to the fixed point "
+        f"${pivot}$, are the force $F_I$ = −Σ$m_i a_{{Si}}$ and the moment $M_I$ = −Σ[$r_{{Si}}$ × $m_i a_{{Si}}$ + "
+        f"$J_{{Si}} α_i$] "
+        "(counter-clockwise positive), which the frame has to bear; loads and weights are not among them. In the "
+        "hodograph the vector "
+        "from the pole to the curve is the force at that position.",
+    )
+
+
+def _extremes(study: Study, press: Press, found: Shaking) -> str:
+    rows = []
+    for column, one in ((FORCE, found.force), (MOMENT, found.moment)):
+        if one.highest is not None and one.lowest is not None and not one.is_constant:
+            unit = f"({column.unit})" if "·" in column.unit else column.unit
+            symbol = f"$|{column.symbol}|$" if column.is_vector else f"${column.symbol}$"
+            rows.append((f"{symbol} /{unit}", *_spots(study, one)))
+    title = Words("惯性力、惯性力矩的极值", "Extremes of the shaking force and the shaking moment")
+    return press.table(title, _EXTREMES[press.lang], rows, "lrrrr")
+
+
+def _spots(study: Study, one: Extremes) -> tuple[str, ...]:
+    assert one.highest is not None and one.lowest is not None
+    return tuple(
+        text
+        for spot in (one.highest, one.lowest)
+        for text in (number(spot.value, 5).replace("-", "−"), study.where(spot.phi).split(" = ")[1])
+    )
+
+
+def _counterweights(study: Study, press: Press, found: Shaking) -> dict[str, Any]:
+    words = [*([_static(found)] if found.weights else []), *([_crank(study, found.best)] if found.best else [])]
+    return {
+        "title": Words("配重的作用", "What counterweights leave").of(press.lang),
+        "words": [w.of(press.lang) for w in words],
+        "tables": [_weights(study, press, found)] if found.weights else [],
+        "figures": [],
+    }
+
+
+def _static(found: Shaking) -> Words:
+    top = found.force.highest.value if found.force.highest is not None else 0.0
+    left, share = number(found.left, 4), 100 * (found.left / top - 1) if top else 0.0
+    change = (f"{abs(share):.1f} %", Words("减小", "less") if share < 0 else Words("增大", "more"))
+    return Words(
+        "若在绕固定支点转动（摆动）的构件上各加配重，使其质心移到支点（静平衡），所需质径积如下表；此时惯性力的最大值"
+        f"为 {left} N，"
+        f"比原来{change[1].zh} {change[0]}，由作平面运动和移动的构件引起。",
+        "With a counterweight on each link that turns about a fixed pivot, which brings its centre of mass to the "
+        "pivot (static "
+        f"balance), the products of mass and radius are those below; the greatest force is then {left} N, {change[0]} "
+        f"{change[1].en} "
+        "than without, and comes from the links that slide or move in general.",
+    )
+
+
+def _crank(study: Study, best: Best) -> Words:
+    link, angle = study.mech.number(study.mech.drive.link), degrees(best.angle) % 360.0
+    product, told = number(best.product, 4), f"{angle:.1f}".removesuffix(".0") + "°"
+    sizes = tuple(number(one, 4) for one in (best.before, best.after, best.mean_before, best.mean_after))
+    return Words(
+        f"若只在原动件 {link} 上加一个配重，则使惯性力均方值最小的质径积为 {product} kg·m，其方位由构件 {link} 的轴线"
+        "逆时针量起 "
+        f"{told}：它消去惯性力中随曲柄转动的分量，最大值由 {sizes[0]} N 变为 {sizes[1]} N，均方根值由 {sizes[2]} N 减"
+        f"至 {sizes[3]} N。",
+        f"With one counterweight only, on the driving link {link}, the mean square of the force is least for a "
+        f"product of {product} "
+        f"kg·m at {told} counter-clockwise from the link's own axis: it takes away that part of the force which turns "
+        "with the "
+        f"crank. The greatest force goes from {sizes[0]} N to {sizes[1]} N, its root mean square from {sizes[2]} N to "
+        f"{sizes[3]} N.",
+    )
+
+
+def _weights(study: Study, press: Press, found: Shaking) -> str:
+    side = Words("与质心相对的一侧", "opposite the centre of mass").of(press.lang)
+    rows = [(study.mech.number(one.link), f"${one.pivot}$", number(one.product, 4), side) for one in found.weights]
+    return press.table(
+        Words("各构件静平衡的配重", "Counterweights for static balance"), _WEIGHTS[press.lang], rows, "ccrl"
+    )
+
+
+def conclusion(study: Study, found: Shaking) -> list[Words]:
+    """The greatest shaking force, and what the crank's counterweight leaves."""
+    top, best = found.force.highest, found.best
+    if top is None:
+        return []
+    size, place = number(top.value, 4), study.where(top.phi)
+    less = (
+        Words(
+            f"；原动件上加质径积 {number(best.product, 4)} kg·m 的配重后，其均方根值减小 {_saved(best)}",
+            f"; a counterweight of {number(best.product, 4)} kg·m on the driving link lowers its root mean square by "
+            f"{_saved(best)}",
+        )
+        if best is not None
+        else Words.same("")
+    )
+    return [
+        Words(
+            f"机架所受惯性力最大为 {size} N（{place}）{less.zh}。",
+            f"The greatest shaking force is {size} N ({place}){less.en}.",
+        )
+    ]
+
+
+def _saved(best: Best) -> str:
+    return f"{100 * (1 - best.mean_after / best.mean_before):.1f} %"

@@ -1,0 +1,66 @@
+"""The chapters on the machine that the data allow, and a sentence for each that they do not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from ....findings.machine.running import Running, running
+from ....findings.machine.shaking import Shaking, shaking
+from ....findings.study.study import Study
+from ....words import Words
+from ..numbering import Press
+from . import balance, motion
+
+FIRST = 9  # the number of the first of them
+_MOTION = Words("机械的运转与飞轮", "Motion of the machine, flywheel")
+_BALANCE = Words("平衡", "Balancing")
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Machine:
+    """What is found of the machine, or why nothing is; None of a mechanism that is none."""
+
+    motion: Running | Words | None
+    balance: Shaking | Words | None
+
+
+def found(study: Study) -> Machine:
+    """The same in both languages."""
+    return Machine(motion=running(study.problem), balance=shaking(study))
+
+
+def chapters(study: Study, press: Press, machine: Machine) -> dict[str, Any]:
+    """`told`: number, title and sections of each; `left_out`: why one is not there; `next`: the number that follows."""
+    made: list[tuple[Words, Callable[[], list[dict[str, Any]]]]] = []
+    left_out: list[Words] = []
+    match machine.motion:
+        case Running() as run:
+            made.append((_MOTION, lambda: motion.sections(study, press, run)))
+        case Words() as why:
+            left_out.append(_without(_MOTION, why))
+    match machine.balance:
+        case Shaking() as shaken:
+            made.append((_BALANCE, lambda: balance.sections(study, press, shaken)))
+        case Words() as why:
+            left_out.append(_without(_BALANCE, why))
+    told = []
+    for n, (title, sections) in enumerate(made, FIRST):
+        press.chapter = str(n)
+        told.append({"n": n, "title": title.of(press.lang), "sections": sections()})
+    return {"told": told, "left_out": [w.of(press.lang) for w in left_out], "next": FIRST + len(made)}
+
+
+def conclusion(study: Study, machine: Machine) -> list[Words]:
+    """The flywheel, and the greatest shaking force, in a sentence each."""
+    said = []
+    if isinstance(machine.motion, Running):
+        said += motion.conclusion(study, machine.motion)
+    if isinstance(machine.balance, Shaking):
+        said += balance.conclusion(study, machine.balance)
+    return said
+
+
+def _without(title: Words, why: Words) -> Words:
+    return Words(f"本报告不含“{title.zh}”一章：{why.zh}。", f"There is no chapter “{title.en}”: {why.en}.")

@@ -1,0 +1,122 @@
+"""The section on the flywheel: by areas, exact by the two tangents, and tried out by the true motion."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ....algebra.quantity import number
+from ....findings.machine.running import Confirmed, Evenness, Running, Tangents
+from ....findings.study.study import Study
+from ....words import Words
+from ..numbering import Press
+from ..results.plots import Plotted, given
+from .work import where
+
+_HEADER = {
+    "zh": ["方法", "算式", "$J_F$ /(kg·m²)", "与精确值之差"],
+    "en": ["Method", "Formula", "$J_F$ /(kg·m²)", "Off by"],
+}
+
+
+def flywheel(study: Study, press: Press, run: Running) -> dict[str, Any]:
+    """Words, the two flywheels side by side, the speed of the true motion."""
+    assert run.found is not None and run.steady is not None
+    needed = run.cuts is not None and run.found.flywheel > 0
+    told = [_needed(study, run, run.cuts) if needed and run.cuts is not None else _given(study, run)]
+    told += [_tried(run, run.trial, run.found)] if run.trial is not None else []
+    return {
+        "title": Words("飞轮的转动惯量", "The flywheel").of(press.lang),
+        "words": [w.of(press.lang) for w in told],
+        "tables": [_table(press, run, run.cuts)] if needed and run.cuts is not None else [],
+        "figures": press.figures([speed(study, press.lang, run, run.trial)]) if run.trial is not None else [],
+    }
+
+
+def _needed(study: Study, run: Running, cuts: Tangents) -> Words:
+    steady = run.steady
+    assert steady is not None and steady.delta is not None
+    upper, lower = (where(study, run, top.psi) for top in (cuts.upper, cuts.lower))
+    opening = (number(steady.speed, 5), number(steady.delta, 4))
+    return Words(
+        f"平均角速度 $ω_m$ = {opening[0]} rad/s，许用不均匀系数 [$δ$] = {opening[1]}。略去 $J_e$ 的变化时 $J_F$ = "
+        f"$ΔW_{{max}}$/($ω_m^2$[$δ$])；计及 $J_e$ 的变化时，在能量–质量图上作斜率为 $ω_{{max}}^2$/2 = "
+        f"{number(cuts.steep, 5)} 和 $ω_{{min}}^2$/2 = {number(cuts.flat, 5)} 的两条切线，切点在 {upper} 和 {lower}，"
+        f"两切线在 $E$ 轴上的截距之差除以 $ω_m^2$[$δ$] 即为 $J_F$ 的精确值。",
+        f"The mean speed is $ω_m$ = {opening[0]} rad/s, the unevenness allowed [$δ$] = {opening[1]}. With the changes "
+        "of $J_e$ left "
+        f"out $J_F$ = $ΔW_{{max}}$/($ω_m^2$[$δ$]). With them, two tangents are laid on the loop of $E$ over $J_e$, "
+        "with the slopes "
+        f"$ω_{{max}}^2$/2 = {number(cuts.steep, 5)} and $ω_{{min}}^2$/2 = {number(cuts.flat, 5)}; they touch it at "
+        f"{upper} and {lower}, "
+        "and what they cut off the $E$ axis, divided by $ω_m^2$[$δ$], is $J_F$ exactly (Wittenbauer).",
+    )
+
+
+def _given(study: Study, run: Running) -> Words:
+    """A flywheel that is there, or none needed."""
+    found = run.found
+    assert found is not None
+    fast, slow = (where(study, run, top.psi) for top in (found.fastest, found.slowest))
+    wheel, delta = number(found.flywheel, 4), number(found.delta, 4)
+    speeds = tuple(number(top.value, 5) for top in (found.fastest, found.slowest))
+    opening = (
+        Words("不加飞轮即已满足要求。", "No flywheel is needed. ")
+        if run.steady is not None and run.steady.delta is not None
+        else Words(f"已有飞轮 $J_F$ = {wheel} kg·m²。", f"The flywheel that is there has $J_F$ = {wheel} kg·m². ")
+    )
+    return opening + Words(
+        f"$ω_{{max}}$ = {speeds[0]} rad/s（{fast}），$ω_{{min}}$ = {speeds[1]} rad/s（{slow}），不均匀系数 $δ$ = "
+        f"{delta}。",
+        f"$ω_{{max}}$ = {speeds[0]} rad/s ({fast}), $ω_{{min}}$ = {speeds[1]} rad/s ({slow}): the unevenness is $δ$ = "
+        f"{delta}.",
+    )
+
+
+def _tried(run: Running, trial: Confirmed, found: Evenness) -> Words:
+    off = number(abs(trial.delta - found.delta), 2)
+    missed = number(abs(trial.missed), 2)
+    return Words(
+        f"校核：装上此飞轮，由最快位置以 $ω_{{max}}$ 开始，数值积分运动方程 $J$ d$ω$/d$t$ + ½$ω^2$ d$J$/d$φ$ = $M$ 一"
+        "个周期，"
+        f"得 $δ$ = {number(trial.delta, 6)}，与上面由能量求得的相差 {off}；周期末的角速度与开始时相差 $ω_m$ 的 "
+        f"{missed}。",
+        "Tried out: with this flywheel the equation of motion $J$ d$ω$/d$t$ + ½$ω^2$ d$J$/d$φ$ = $M$ is integrated "
+        "over a period from "
+        f"the fastest place on. It gives $δ$ = {number(trial.delta, 6)}, which is {off} off what follows from the "
+        "energies above; "
+        f"the speed at the end of the period is off that at its beginning by {missed} of $ω_m$.",
+    )
+
+
+def _table(press: Press, run: Running, cuts: Tangents) -> str:
+    assert run.found is not None and run.steady is not None and run.by_areas is not None
+    exact, steady = run.found.flywheel, run.steady
+    below = f"({number(steady.speed, 5)}² × {number(steady.delta or 0.0, 4)})"
+    rows = [
+        (
+            Words("按最大盈亏功（近似）", "by areas (approximate)").of(press.lang),
+            f"{number(run.surplus, 5)} / {below}",
+            number(run.by_areas, 5),
+            f"{100 * (run.by_areas / exact - 1):+.2f} %".replace("-", "−"),
+        ),
+        (
+            Words("按能量–质量图（精确）", "by Wittenbauer's tangents (exact)").of(press.lang),
+            f"{number(cuts.cut, 5)} / {below}",
+            number(exact, 5),
+            "—",
+        ),
+    ]
+    return press.table(Words("飞轮的转动惯量", "Moment of inertia of the flywheel"), _HEADER[press.lang], rows, "lcrr")
+
+
+def speed(study: Study, lang: str, run: Running, trial: Confirmed) -> Plotted:
+    """The speed over the drive's angle, from 0° on."""
+    assert run.steady is not None
+    x = np.degrees(trial.phi) % np.degrees(run.of.period)
+    order = np.argsort(x, kind="stable")
+    link = run.mech.number(run.mech.drive.link)
+    title = Words(f"装飞轮后的 $ω_{link}$（虚线为平均值）", f"$ω_{link}$ with the flywheel (dashed: mean)")
+    line = (x[order], np.abs(trial.omega)[order])
+    return given(study, lang, line, (f"ω_{{{link}}}", "rad/s"), title, level=run.steady.speed)

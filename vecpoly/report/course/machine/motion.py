@@ -1,0 +1,93 @@
+"""The chapter on the machine's motion: equivalents, work over the period, the flywheel, the powers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ....algebra.quantity import number
+from ....findings.machine.running import Running
+from ....findings.study.study import Study
+from ....mechanism.asked.forces import load_symbol
+from ....mechanism.asked.machine import Equivalent, equivalents
+from ....words import Words
+from ..numbering import Press
+from ..results.plots import curve
+from ..results.tabled import tabled
+from .flywheel import flywheel
+from .powers import powers
+from .work import work
+
+
+def sections(study: Study, press: Press, run: Running) -> list[dict[str, Any]]:
+    """Each with its words, tables and figures."""
+    parts = [_equivalent(study, press, run), work(study, press, run)]
+    if run.found is not None:
+        parts.append(flywheel(study, press, run))
+    if run.trial is not None:
+        parts.append(powers(study, press, run))
+    return parts
+
+
+def _equivalent(study: Study, press: Press, run: Running) -> dict[str, Any]:
+    """J_e and M_e of the given loads, in a table and two curves."""
+    to = equivalents(study.mech)[0]
+    keys = [key for key in (to.inertia.key, to.load.key) if study.varies(key)]
+    two = run.of.period > 2 * np.pi * 1.5
+    title = Words("等效转动惯量和等效力矩", "Equivalent inertia and moment")
+    plots = [curve(study, press.lang, [key]) for key in keys]
+    return {
+        "title": title.of(press.lang),
+        "words": [_formulas(run, to).of(press.lang), *([_range(study, to).of(press.lang)] if keys else [])],
+        "tables": [tabled(study, press, keys, title, every=2 if two else 1)] if keys else [],
+        "figures": press.figures(plots),
+    }
+
+
+def _formulas(run: Running, to: Equivalent) -> Words:
+    link = run.mech.number(to.link)
+    less = (
+        Words(f"；${load_symbol(run.name)}$ 不计在内", f", without ${load_symbol(run.name)}$")
+        if run.name
+        else Words.same("")
+    )
+    return Words(
+        f"取构件 {link} 为等效构件。由动能相等、功率相等，$J_e$ = Σ[$m_i$($v_{{Si}}$/$ω_{link}$)² + "
+        f"$J_{{Si}}$($ω_i$/$ω_{link}$)²]，"
+        f"$M_e$ = Σ[$F_i$($v_i$/$ω_{link}$)$cos α_i$ + $M_i$($ω_i$/$ω_{link}$)]；只含速度比，与 $ω_{link}$ 的大小无关。"
+        f"$M_e$ 以逆时针为正{less.zh}。",
+        f"Link {link} is the equivalent link. With the same energy and the same power $J_e$ = "
+        f"Σ[$m_i$($v_{{Si}}$/$ω_{link}$)² + "
+        f"$J_{{Si}}$($ω_i$/$ω_{link}$)²] and $M_e$ = Σ[$F_i$($v_i$/$ω_{link}$)$cos α_i$ + $M_i$($ω_i$/$ω_{link}$)]; "
+        "only ratios of "
+        f"velocities enter, whatever $ω_{link}$ is. $M_e$ is positive counter-clockwise{less.en}.",
+    )
+
+
+def _range(study: Study, to: Equivalent) -> Words:
+    """Between what values J_e lies, and where."""
+    found = study.extremes(to.inertia.key)
+    if found.highest is None or found.lowest is None:
+        return Words.same("")
+    (a, p), (b, q) = ((number(s.value, 4), study.where(s.phi)) for s in (found.lowest, found.highest))
+    return Words(
+        f"$J_e$ 在 {a} kg·m²（{p}）与 {b} kg·m²（{q}）之间变化。",
+        f"$J_e$ lies between {a} kg·m² ({p}) and {b} kg·m² ({q}).",
+    )
+
+
+def conclusion(study: Study, run: Running) -> list[Words]:
+    """ΔW_max, and the flywheel."""
+    work_ = number(run.surplus, 4)
+    if run.found is None or run.steady is None or run.steady.delta is None or run.by_areas is None:
+        return [Words(f"最大盈亏功 $ΔW_{{max}}$ = {work_} J。", f"The greatest surplus of work is {work_} J.")]
+    a, b, delta = number(run.by_areas, 4), number(run.found.flywheel, 4), number(run.steady.delta, 4)
+    return [
+        Words(
+            f"最大盈亏功 $ΔW_{{max}}$ = {work_} J；要使 $δ$ ≤ {delta}，飞轮的转动惯量按最大盈亏功近似为 {a} kg·m²，"
+            f"精确值为 {b} kg·m²。",
+            f"The greatest surplus of work is {work_} J; $δ$ ≤ {delta} needs a flywheel of {b} kg·m² ({a} kg·m² by "
+            "areas alone).",
+        )
+    ]
