@@ -11,7 +11,7 @@ from .signs import CLOSING, FILES, OPENING, PAIRS, QUOTES, ROUND, TEXTS, narrow,
 Signs = list[tuple[str, int]]
 _NEXT_KEY = re.compile(r"[ \u3000]*(zh|en|note)[ \u3000]*[:：]")
 _NEXT_FIELD = re.compile(r"[ \u3000]*\w{1,8}[ \u3000]*[:：]")
-_WORD = re.compile(r"[\w.'′＿．－-]+")
+_WORD = re.compile(r"[\w.'′＿．－/／-]+")
 
 
 @dataclass(slots=True)

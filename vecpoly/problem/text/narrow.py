@@ -15,7 +15,7 @@ from ...words import Words
 from .flow import Flow
 from .signs import FILES, OPENING, PAIRS, QUOTES, ROUND, TEXTS, WIDE, narrow, remedy, squared
 
-_KEY = re.compile(r"([\w.'′＿．－-]+)[ \u3000]*(:(?=[ \u3000]|$)|：)[ \u3000]*")
+_KEY = re.compile(r"([\w.'′＿．－/／-]+)[ \u3000]*(:(?=[ \u3000]|$)|：)[ \u3000]*")
 _DASH = re.compile(r"-(?= |$) *")
 
 
