@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from ...errors import FaultError
 from ...mechanism.asked.centres import centre_quantities
+from ...mechanism.asked.counterweights import counterweight_quantities
 from ...mechanism.asked.curvature import Centrodes, Curvature
 from ...mechanism.asked.forces import quantities
 from ...mechanism.asked.machine import machine_quantities
+from ...mechanism.counterweights import Counterweights
 from ...mechanism.loads import Loads
 from ...mechanism.machine import Machine
 from ...mechanism.model import Mechanism
@@ -34,11 +36,13 @@ def read_wanted(
     mechanism: Mechanism,
     loads: Loads | None,
     machine: Machine | None,
+    weighed: Counterweights | None,
     faults: Faults,
 ) -> tuple[tuple[Ask, ...], Curvature | None, tuple[Printed, ...], Scales]:
     """What is asked for, of which curvatures, what was printed, and the scales;
     every fault is noted at its place."""
     forces = _geometric(spec, mechanism, faults) | _acting(mechanism, loads, machine)
+    forces |= counterweight_quantities(mechanism, weighed) if weighed else {}
     forces |= pressed_quantities(spec, mechanism, faults)
     centrodes = _centrodes(spec, mechanism, faults)
     forces = known_quantities(forces, centrodes, mechanism)

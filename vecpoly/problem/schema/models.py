@@ -13,7 +13,7 @@ from ...figures import scales
 from ...words import Words
 from .fields import ID, Centre, Link, Name, Number, Pair, Text, YesNo
 from .marking import MarkingSpec
-from .running import MachineSpec
+from .running import CounterweightSpec, MachineSpec
 
 
 class Spec(BaseModel):
@@ -212,6 +212,7 @@ class ProblemSpec(Spec):
     weight: YesNo = False
     inertia: YesNo = True
     machine: MachineSpec | None = None
+    counterweights: dict[str, CounterweightSpec] = {}
     target: TargetSpec | None = None
     vary: dict[str, Number] = {}
     gate: GateSpec = GateSpec()
