@@ -131,6 +131,7 @@ class Sort(StrEnum):
     CURVED = "curved"  # a radius, a diameter, an angle found likewise
     REDUCED = "reduced"  # of the equivalent link that stands for a whole machine, of its flywheel, of its motion
     PRESSURE = "pressure"  # a pressure angle, or a transmission angle, in one position
+    BALANCE = "balance"  # of counterweights that balance the forces of a linkage
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,7 +151,7 @@ class Named:
     @property
     def is_central(self) -> bool:
         """Whether it is found from instant centres."""
-        return not (self.sort is Sort.PLAIN or self.is_curved or self.is_reduced or self.is_pressure)
+        return self.sort in (Sort.CENTRE, Sort.CENTRE_SPEED, Sort.RATIO, Sort.LIMIT)
 
     @property
     def is_curved(self) -> bool:

@@ -53,6 +53,7 @@ _MODULES = (
     "mechanism.laws.springs",
     "mechanism.loads",
     "mechanism.machine",
+    "mechanism.counterweights",
     "mechanism.asked.curvature",
     "problem.values.given",
     "problem.asked.asks",

@@ -32,6 +32,7 @@ SECTIONS = {
     Stage.ACCELERATION: Words("加速度分析", "Acceleration analysis"),
     Stage.FORCE: Words("力分析", "Force analysis"),
     Stage.MACHINE: Words("等效动力学模型", "Equivalent model"),
+    Stage.BALANCE: Words("惯性力的完全平衡", "Full balance of the inertia forces"),
 }
 NOTHING: Mapping[Stage, Words] = {}
 
@@ -85,6 +86,10 @@ def _draw_stage(desk: Desk, problem: Problem, stage: Stage, groups: tuple[Group,
         from .machine.plan import machine_pass
 
         machine_pass(desk, problem, groups)
+    elif stage is Stage.BALANCE:
+        from .balance.plan import balance_pass
+
+        balance_pass(desk, problem)
     else:
         _pass(desk, problem, stage, groups)
         if stage is Stage.POSITION and problem.target is not None:

@@ -21,6 +21,7 @@ def stages(problem: Problem) -> tuple[Stage, ...]:
         or any(isinstance(a, AskPoint) and a.acceleration is not None for a in problem.asks)
     )
     last = (*((Stage.FORCE,) if loads is not None else ()), *((Stage.MACHINE,) if problem.machine is not None else ()))
+    weighed = problem.counterweights is not None
     central, curved = needs_centres(problem), problem.curvature is not None
     pressed = any(isinstance(a, AskNamed) and a.rel.is_pressure for a in problem.asks)
     moving = needs_polygons(problem) or bool(last)
@@ -29,9 +30,10 @@ def stages(problem: Problem) -> tuple[Stage, ...]:
         *((Stage.CENTRES,) if central else ()),
         *((Stage.CURVATURE,) if curved else ()),
         *((Stage.PRESSURE,) if pressed else ()),
-        *((Stage.VELOCITY,) if moving or not (central or curved or pressed) else ()),
+        *((Stage.VELOCITY,) if moving or not (central or curved or pressed or weighed) else ()),
         *((Stage.ACCELERATION,) if accelerated else ()),
         *last,
+        *((Stage.BALANCE,) if weighed else ()),
     )
 
 

@@ -25,6 +25,7 @@ class Stage(StrEnum):
     ACCELERATION = "acceleration"
     FORCE = "force"
     MACHINE = "machine"
+    BALANCE = "balance"
 
     @property
     def words(self) -> Words:
@@ -40,7 +41,7 @@ class Stage(StrEnum):
     @property
     def folder(self) -> str:
         """The package whose files draw this stage."""
-        own = (Stage.CENTRES, Stage.CURVATURE, Stage.PRESSURE, Stage.MACHINE)
+        own = (Stage.CENTRES, Stage.CURVATURE, Stage.PRESSURE, Stage.MACHINE, Stage.BALANCE)
         inside = "forces" if self is Stage.FORCE else self.value if self in own else "kinematics"
         return f"vecpoly.methods.{inside}"
 
@@ -54,6 +55,7 @@ _STAGES = {
     Stage.ACCELERATION: "加速度",
     Stage.FORCE: "反力",
     Stage.MACHINE: "等效量",
+    Stage.BALANCE: "平衡",
 }
 
 State = TypeVar("State", contravariant=True)

@@ -25,6 +25,7 @@ from .joints.pins import read_pins
 from .joints.profiles import read_profiles
 from .joints.rolling import is_rolling, read_rolling
 from .links.bodies import Bodies
+from .links.counterweights import read_counterweights
 from .links.draft import LETTER, refuse_frame
 from .links.links import read_link
 from .links.masses import read_masses
@@ -57,8 +58,9 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     masses, weights = read_masses(spec, bodies, faults)
     mechanism, motion = _mechanism(spec, bodies, faults)
     loads = read_loads(spec, bodies, masses, driven_by(mechanism, motion, not sense_only(spec)), faults)
-    loads, machine, acting = _acting(spec, mechanism, loads, weights, faults)
-    asks, curvature, printed, scales = read_wanted(spec, bodies, mechanism, loads, machine, faults)
+    weighed, hung = read_counterweights(spec, mechanism, loads, faults, rate=not sense_only(spec))
+    loads, machine, acting = _acting(spec, mechanism, loads, (*weights, *hung), faults)
+    asks, curvature, printed, scales = read_wanted(spec, bodies, mechanism, loads, machine, weighed, faults)
     ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
     tables, target = read_tables(spec, tree, faults), read_target(spec, mechanism, faults)
     settle(mechanism, tree, faults)
@@ -70,6 +72,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         subject=mechanism,
         loads=loads,
         machine=machine,
+        counterweights=weighed,
         by_centres=spec.method == "centres",
         curvature=curvature,
         asks=asks,
@@ -235,7 +238,7 @@ def _acting(
     machine, running = read_machine(spec, mechanism, loads, faults)
     faults.settle()
     told = (*data_of_loads(spec, loads), *rubbing, *weights, *running)
-    balanced = loads.balancing and (machine is None or needs_balance(spec))
+    balanced = loads.balancing and ((machine is None and not spec.counterweights) or needs_balance(spec))
     return loads if balanced else None, machine, told
 
 

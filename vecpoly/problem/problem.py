@@ -11,6 +11,7 @@ from ..figures import Mu
 from ..foundation.frozen import FrozenMap
 from ..foundation.slotted import dataclass
 from ..mechanism.asked.curvature import Curvature
+from ..mechanism.counterweights import Counterweights
 from ..mechanism.loads import Loads
 from ..mechanism.machine import Machine
 from ..mechanism.model import Mechanism
@@ -83,6 +84,7 @@ class Problem:
     statement: Words = field(default_factory=lambda: Words.same(""))
     loads: Loads | None = None
     machine: Machine | None = None  # what acts on it as a machine, where anything is asked of that
+    counterweights: Counterweights | None = None  # the masses that balance its inertia forces
     by_centres: bool = False  # velocities by instant centres instead of polygons
     curvature: Curvature | None = None  # that curvatures of paths are asked, and by which construction
     scales: Scales = field(default_factory=Scales)
@@ -116,7 +118,11 @@ class Problem:
     @property
     def acting(self) -> Loads | None:
         """What acts, whether anything balances it or not."""
-        return self.loads if self.loads is not None or self.machine is None else self.machine.loads
+        if self.loads is not None:
+            return self.loads
+        if self.machine is not None:
+            return self.machine.loads
+        return None if self.counterweights is None else self.counterweights.loads
 
     @property
     def mechanism(self) -> Mechanism:

@@ -11,6 +11,7 @@ from typing import Any
 from ..algebra.quantity import number
 from ..board.construction import EquationTable, Step
 from ..check.found_words import ill_conditioned, told
+from ..check.shaking import shaking_of
 from ..check.structure import dependence
 from ..mechanism.asked.centres import count
 from ..mechanism.model import Mechanism
@@ -80,7 +81,9 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
         solution.answers[ask.rel.key].reading.remark for ask in solution.problem.asks if isinstance(ask, AskNamed)
     )
     moved = [told(one).of(lang) for one in solution.verification if one.broken is not None]  # others: in a table
-    return list(dict.fromkeys(coriolis + [_told(remark).of(lang) for remark in remarks if remark is not None])) + moved
+    shaken = shaking_of(solution.problem, {key: one.drawn for key, one in solution.answers.items()})
+    told_so = dict.fromkeys(coriolis + [_told(remark).of(lang) for remark in remarks if remark is not None])
+    return [*told_so, *moved, *([shaken.of(lang)] if shaken is not None else [])]
 
 
 def cautions(solution: Solution, lang: Lang) -> list[str]:

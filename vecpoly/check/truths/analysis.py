@@ -16,7 +16,7 @@ from ...mechanism.asked.pressure import driven_links
 from ...mechanism.groups.assur import hinges
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism, Prismatic
-from ...names import Rel
+from ...names import Rel, Sort
 from ...problem.asked.asks import Ask, AskNamed
 from ...problem.problem import Printed, Problem
 from ..likely import natural
@@ -25,6 +25,7 @@ from ..printed.behind import behind, way
 from ..roles import refuse_wrong_roles
 from ..truth import ActsAt, Values, finite, knows
 from .motion import kinematic
+from .weighed import weighed_values
 
 if TYPE_CHECKING:
     from ...oracle.forces import Forces
@@ -60,7 +61,8 @@ class Exact:
 
         Raises NotAskedError for what else has no value with these data.
         """
-        known = kinematic(self.problem, self.motion) | self._geometric() | self._static() | self._reduced()
+        moving = kinematic(self.problem, self.motion) | self._geometric()
+        known = moving | self._static() | self._reduced() | weighed_values(self.problem)
         return finite(known)
 
     def _reduced(self) -> Values:
@@ -123,6 +125,7 @@ class Exact:
             for ask in self.problem.asks
             if isinstance(ask, AskNamed)
             and not (ask.rel.is_central or ask.rel.is_curved or ask.rel.is_reduced or ask.rel.is_pressure)
+            and ask.rel.sort is not Sort.BALANCE
         ]
         if self.problem.loads is None or not asked:
             return {}

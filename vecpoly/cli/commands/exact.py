@@ -100,6 +100,10 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
 
     if (told := ending_of(problem)) is not None:
         say(f"{problem.id}: {told.of(lang)}")
+    from ...check.shaking import shaking_of
+
+    if (shaken := shaking_of(problem, {})) is not None:
+        say(f"{problem.id}: {shaken.of(lang)}")
     if not problem.asks:
         from ...problem.asked.hints import nothing_asked
 

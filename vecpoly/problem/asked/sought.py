@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from ...errors import FaultError
 from ...mechanism.asked.centres import centre_quantities
+from ...mechanism.asked.counterweights import counterweight_quantities
 from ...mechanism.asked.curvature import Centrodes, Curvature
 from ...mechanism.asked.forces import quantities
 from ...mechanism.asked.machine import machine_quantities
+from ...mechanism.counterweights import Counterweights
 from ...mechanism.loads import Loads
 from ...mechanism.machine import Machine
 from ...mechanism.model import Mechanism
@@ -34,14 +36,14 @@ def read_wanted(
     mechanism: Mechanism,
     loads: Loads | None,
     machine: Machine | None,
+    weighed: Counterweights | None,
     faults: Faults,
 ) -> tuple[tuple[Ask, ...], Curvature | None, tuple[Printed, ...], Scales]:
     """What is asked for, of which curvatures, what was printed, and the scales;
     every fault is noted at its place."""
     forces = _geometric(spec, mechanism, faults) | _acting(mechanism, loads, machine)
-    forces |= pressed_quantities(spec, mechanism, faults)
-    centrodes = _centrodes(spec, mechanism, faults)
-    forces = known_quantities(forces, centrodes, mechanism)
+    forces |= _hung(mechanism, weighed) | pressed_quantities(spec, mechanism, faults)
+    forces = known_quantities(forces, centrodes := _centrodes(spec, mechanism, faults), mechanism)
     named, asks, printed = list[At](), list[Ask](), list[Printed]()
     for i, item in enumerate(spec.find):
         if isinstance(item, FindSpec) and item.point:
@@ -68,6 +70,10 @@ def read_wanted(
     clean = not faults.found
     curvature = curvature_of(spec, mechanism, tuple(asks), centrodes, faults) if clean else None
     return tuple(asks), curvature, tuple(printed), scales
+
+
+def _hung(mechanism: Mechanism, weighed: Counterweights | None) -> dict[str, Named]:
+    return counterweight_quantities(mechanism, weighed) if weighed else {}
 
 
 def _acting(mechanism: Mechanism, loads: Loads | None, machine: Machine | None) -> dict[str, Named]:

@@ -18,4 +18,9 @@ MACHINE = {
     ),
     "StartSpec.phi": Words("原动件的初始位置", "where the driving link starts"),
     "StartSpec.omega": Words("原动件的初始角速度", "how fast it turns there"),
+    "Problem.counterweights": Words(
+        "平衡惯性力的配重：构件号与到其转动中心的距离，{1: {r: 60 mm}, 3: {r: 100 mm}}",
+        "counterweights that balance the inertia forces: link and distance from its pivot, {1: {r: 60 mm}}",
+    ),
+    "CounterweightSpec.r": Words("配重到该构件转动中心的距离：60 mm", "its distance from the pivot of its link: 60 mm"),
 }

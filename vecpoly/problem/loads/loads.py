@@ -43,7 +43,7 @@ def read_loads(
     if not acts(spec) or faults.found:
         return None
     balances = any(isinstance(load, Force | Moment) and load.size is None for load in found)
-    if spec.masses and spec.inertia and sense_only(spec) and (balances or not reduces(spec)):
+    if spec.masses and spec.inertia and sense_only(spec) and (balances or not (reduces(spec) or spec.counterweights)):
         with faults.at("input"):
             raise FaultError(
                 Words(
@@ -75,7 +75,7 @@ def _gathered(
     constant = [one for one in found if isinstance(one, Constant)]
     motors = [one.link for one in known if one.law is not None and isinstance(one.law.size, Motor)]
     unknown = [one.name for one in known if one.size is None]
-    if not unknown and reduces(spec) and not needs_balance(spec):
+    if not unknown and (reduces(spec) or spec.counterweights) and not needs_balance(spec):
         unknown = [MACHINE]
     elif (constant or motors) and not unknown:
         if BALANCING in spec.loads:

@@ -12,6 +12,7 @@ from math import pi
 from typing import TypeVar
 
 from ...errors import FaultError
+from ...mechanism.asked.counterweights import HUNG
 from ...mechanism.asked.machine import REDUCED, RUN_KEYS
 from ...mechanism.loads import Loads
 from ...mechanism.machine import Machine, Run, Started, Steady, known_of
@@ -40,7 +41,8 @@ def needs_balance(spec: ProblemSpec) -> bool:
     """Whether the file asks for what an equilibrium gives as well: reactions, a balancing load, an efficiency."""
     constant = {name for name, load in spec.loads.items() if load.size in CONSTANT}
     asked = {one for one in spec.find if isinstance(one, str)} - constant
-    return any(FORCES.fullmatch(key) and not REDUCED.fullmatch(key) and not RUN_KEYS.fullmatch(key) for key in asked)
+    others = (REDUCED, RUN_KEYS, HUNG)
+    return any(FORCES.fullmatch(key) and not any(other.fullmatch(key) for other in others) for key in asked)
 
 
 def read_machine(

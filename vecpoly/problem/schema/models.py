@@ -12,7 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field, create_model
 from ...figures import scales
 from ...words import Words
 from .fields import ID, Centre, Link, Name, Number, Pair, Text, YesNo
-from .running import MachineSpec
+from .running import CounterweightSpec, MachineSpec
 
 
 class Spec(BaseModel):
@@ -211,6 +211,7 @@ class ProblemSpec(Spec):
     weight: YesNo = False
     inertia: YesNo = True
     machine: MachineSpec | None = None
+    counterweights: dict[str, CounterweightSpec] = {}
     target: TargetSpec | None = None
     vary: dict[str, Number] = {}
     gate: GateSpec = GateSpec()

@@ -27,3 +27,9 @@ class MachineSpec(_Said):
     start: StartSpec | None = Field(None, description="{phi: 30 deg, omega: 0 rad/s}")
     until: Number | None = Field(None, description="how far the driving link is followed, 360 deg; or: steady")
     at: list[Number] = Field([], description="how far from the start its speed is asked for, [90 deg, 180 deg]")
+
+
+class CounterweightSpec(_Said):
+    """A counterweight on a link: how far it sits from the link's pivot."""
+
+    r: Number = Field(description="distance from the pivot by which the link hangs on the frame, 60 mm")
