@@ -54,3 +54,35 @@ def test_as_friction_grows_the_balancing_load_on_trial_is_found(factor: float) -
 def test_driven_by_that_load_the_crank_is_locked() -> None:
     with pytest.raises(LockedError):
         exact_hand(SHORT_ARM.replace("omega: -12", "omega: 12"))
+
+
+# What the load and the friction couples leave for link 5 turns round as X_b grows: for a while the resultant of link 2
+# all but touches the circle at G, and no tangent from where it meets the line of link 5 is to be relied on.
+THROUGH_THE_CIRCLE = """
+id: x
+title: a resultant through a friction circle
+frame: {A: [0 mm, 0 mm], H: [61.786 mm, 95.237 mm], J: [118.636 mm, 157.438 mm]}
+links:
+  1: {AB: 23.86 mm, F: {along: AB, at: -154.029 mm, left: -83.88 mm}}
+  2: {CD: 84.534 mm, E: {along: CD, at: 69.055 mm, left: -54.054 mm},
+      G: {along: CD, at: -2.812 mm, left: -82.807 mm}, I: {along: CD, at: 20.965 mm, left: -46.377 mm}}
+  3: {FE: 56.465 mm}
+  4: {HG: 59.969 mm}
+  5: {JI: 60.468 mm}
+input: {link: 1, phi: 186 deg, omega: -8 rad/s}
+guesses: {C: [77.692 mm, 191.687 mm], D: [137.387 mm, 131.833 mm], E: [88.183 mm, 104.622 mm],
+          G: [17.074 mm, 135.202 mm], I: [59.659 mm, 144.093 mm]}
+loads:
+  F_q0: {on: 3, at: E, size: 284 N, direction: -69 deg}
+  F_q1: {on: 2, at: I, size: 290 N, direction: 42 deg}
+  F_q2: {on: 2, at: G, size: 680 N, direction: -179 deg}
+  X_b: {on: 1, size: "?"}
+friction: {A: {rho: 9.56 mm}, F: {rho: 11.53 mm}, E: {rho: 2.8 mm}, G: {rho: 1.53 mm}}
+find: [X_b, X_b_0, R_13, R_23, R_42, R_52]
+"""
+
+
+def test_a_resultant_that_passes_through_a_friction_circle_on_trial_is_no_lock() -> None:
+    solution = exact_hand(THROUGH_THE_CIRCLE)
+    assert agreeing(solution) == 6
+    assert solution.answers["X_b"].drawn / solution.answers["X_b_0"].drawn > 50

@@ -408,8 +408,10 @@ def planet_rod(g: Growing) -> None:
     gear_on_link(g)
 
 
-def train(g: Growing) -> None:
-    """An arm with one or two planets between a known sun on a fixed pivot and a fixed ring (or a fixed sun)."""
+def train(g: Growing, more: float = 0.4) -> None:
+    """An arm with one or two planets between a known sun on a fixed pivot and a fixed ring (or a fixed sun).
+
+    more: how often there are two."""
     known = [c for c in g.circles if c.centre in g.frame]
     if not known:
         return
@@ -421,7 +423,7 @@ def train(g: Growing) -> None:
     g.joints.append(f"{planet} rolls on {sun.link} at {g.letter()}")
     arm, carried = [g.length(a, b)], [a, b]
     last, centre, at = planet, r, b
-    if g.random.random() < 0.4:
+    if g.random.random() < more:
         c, s = g.letter(), g.between(8, 30)
         g.at[c] = g.at[b] + cmath.rect(r + s, phi + g.between(-1.2, 1.2))
         last, centre, at = pinned(g, c, s), s, c

@@ -25,7 +25,7 @@ def teeth_press(solution: Solution) -> str:
     problem, forces = solution.problem, solution.as_json()["forces"]
     assert problem.loads is not None
     mech = problem.mechanism
-    if not any(key.startswith("R_") for key in forces):  # several trains on one sun: by the powers alone
+    if not any(key.startswith("R_") for key in forces):  # planets in a row beside another train: by the powers alone
         return no_power_is_left(solution)
     wrong = in_equilibrium(solution)
     largest = max(abs(one["drawn"]) for one in forces.values() if one["unit"] == "N")

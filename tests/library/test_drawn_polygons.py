@@ -26,7 +26,7 @@ KNOWN: dict[str, list[int]] = json.loads(
     (Path(__file__).resolve().parents[1] / "data" / "equations.json").read_text(encoding="utf-8")
 )
 IDS = Later(lambda: sorted({*ids(view=View.VELOCITY), *ids(view=View.ACCELERATION)}))
-TURNING = {"planetary-reactions", "rack-lift", "winch-gears"}  # gears alone: their velocities need no equation
+TURNING = {"planetary-reactions", "rack-lift", "two-trains-one-sun", "winch-gears"}  # gears alone: no equation
 SEEN = 0.01  # mm: what is shorter is drawn as nothing
 
 

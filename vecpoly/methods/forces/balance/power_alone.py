@@ -15,6 +15,7 @@ from ....words import Words
 from ...registry import Stage
 from ..doors import BALANCING
 from ..state import Statics
+from ..teeth.carried import carried_of
 from ..teeth.mesh import mesh_of
 
 
@@ -30,8 +31,9 @@ def is_plain(groups: Iterable[Group]) -> bool:
 
 
 def is_drawn(groups: Iterable[Group]) -> bool:
-    """Whether the reactions of all these groups are drawn: those of plain ones, and of a central link on three legs."""
-    return all(is_plain((group,)) or has_plate(group) for group in groups)
+    """Whether the reactions of all these groups are drawn: those of plain ones, of a central link on three legs, and of
+    a planet on its arm."""
+    return all(is_plain((group,)) or has_plate(group) or carried_of(group) is not None for group in groups)
 
 
 def power_first(st: Statics, loads: Loads | None = None) -> None:

@@ -6,7 +6,7 @@ from ....errors import NoMethodError
 from ....mechanism.groups.assur import Group, joint_letter
 from ....mechanism.groups.stars import has_plate
 from ....mechanism.model import Joint, Prismatic, Revolute
-from ....plane import Line, cross, nominal, unit
+from ....plane import Line, cross, lines_meet, nominal, unit
 from ....words import Words
 from ...registry import Stage
 from ..doors import COUPLES, LINES, MOMENTS, WHOLE
@@ -16,12 +16,16 @@ from ..lines.parallel_forces import PARALLEL
 from ..lines.resultant import Resultant, resultant
 from ..lines.three_forces import balance
 from ..state import Statics
+from ..teeth.carried import carried_of
 from ..teeth.mesh import mesh_of, pinned
+
+NEAR_CIRCLE = 1.25  # radii of a friction circle: a tangent from nearer by is no line to rely on
 
 
 def solve_group(st: Statics, group: Group) -> None:
     """Find the reactions in the joints of a group; raises NoMethodError for groups above class II."""
-    if (group.dyad is None and mesh_of(group) is not None) or has_plate(group):
+    whole = has_plate(group) or carried_of(group) is not None
+    if whole or (group.dyad is None and mesh_of(group) is not None):
         WHOLE.find(Stage.FORCE, group.kind).draw(st, group)
         return
     if group.dyad is None:
@@ -52,6 +56,8 @@ def _direct(st: Statics, two: TwoForce, held: Held) -> bool:
     if not _is_met(st, two, held, load):
         return False
     line = line_of(st, two)
+    if _is_in_circle(st, two, held, load, line):
+        return False
     by = two.by if two.contact else two.link
     if load.is_couple and isinstance(held.joint, Prismatic):
         couple_on_guide(st, held, load, line, by)
@@ -72,6 +78,18 @@ def _is_met(st: Statics, two: TwoForce, held: Held, load: Resultant) -> bool:
     slotted = two.link in st.mech.slot_pins  # no block: nothing can be taken apart from the loaded link
     rubbed = any(on == held.link for _, on in st.couples)  # a friction couple may turn round the force that balances it
     return slotted or not (load.forces or rubbed or not isinstance(held.joint, Revolute))
+
+
+def _is_in_circle(st: Statics, two: TwoForce, held: Held, load: Resultant, line: Line) -> bool:
+    """Whether the three forces would meet in the friction circle of the pin, or all but: the load alone may pass there,
+    and while the friction couples are on trial it may pass too near. Moments need no tangent."""
+    joint = held.joint
+    if load.is_couple or two.contact is not None or not isinstance(joint, Revolute) or not st.rho(joint.point):
+        return False
+    if abs(float(nominal(cross(load.line.along, line.along)))) < PARALLEL:
+        return False
+    away = abs(complex(nominal(lines_meet(load.line, line) - st.desk.at[joint.point])))
+    return away < NEAR_CIRCLE * float(nominal(st.rho(joint.point)))
 
 
 def _pass_on(st: Statics, two: TwoForce, line: Line) -> None:

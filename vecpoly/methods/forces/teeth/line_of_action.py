@@ -33,7 +33,7 @@ def line_of_teeth(st: Statics, mesh: Mesh, load: Resultant) -> Line:
     st.board.step(_told(st, mesh), View.MECHANISM)
     along = st.board.turn(along)
     if not st.preliminary:
-        _draw(st, mesh, h, along, 1j * out)
+        draw_line_of_action(st, mesh, h, along, 1j * out)
     return Line(h, along)
 
 
@@ -89,7 +89,7 @@ def _pin(mesh: Mesh) -> str:
     return mesh.held.joint.point if isinstance(mesh.held.joint, Revolute) else ""
 
 
-def _draw(st: Statics, mesh: Mesh, h: Points, along: Points, tangent: Points) -> None:
+def draw_line_of_action(st: Statics, mesh: Mesh, h: Points, along: Points, tangent: Points) -> None:
     """The common tangent, the line of action, and α between the two."""
     board = st.board
     toward = tangent if float(nominal(dot(tangent, along))) > 0 else -tangent

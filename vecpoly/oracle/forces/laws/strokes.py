@@ -23,7 +23,8 @@ def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[fl
     low, high, whole = drive_range(mech)
     local, along = mech.link(link).points[point], complex(np.exp(-1j * direction))
     grid = np.linspace(low, high, STEPS + 1)
-    turns = zeros(lambda q: _rate(mech, link, local, along, q), grid)
+    even = unit_drive(mech)  # once: a plan is kept for as long as its mechanism is the same object
+    turns = zeros(lambda q: _rate(even, link, local, along, q), grid)
     places = np.concatenate([turns, grid if not whole else grid[:1]])
     gone = _coordinate(mech, link, local, along, places)
     least, most = float(np.nanmin(gone)), float(np.nanmax(gone))
@@ -34,8 +35,8 @@ def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[fl
 
 def zeros(f: Callable[[Reals], Reals], grid: Reals) -> Reals:
     """Where a function changes its sign on this grid, by halving; a value that is 0 counts with those above."""
-    values = f(grid) >= 0
-    known = np.isfinite(f(grid))
+    found = f(grid)
+    values, known = found >= 0, np.isfinite(found)
     at = np.flatnonzero((values[:-1] != values[1:]) & known[:-1] & known[1:])
     left, right, first = grid[at], grid[at + 1], values[at]
     for _ in range(HALVINGS if len(at) else 0):
@@ -55,5 +56,5 @@ def _coordinate(mech: Mechanism, link: str, local: complex, along: complex, q: R
 def _rate(mech: Mechanism, link: str, local: complex, along: complex, q: Reals) -> Reals:
     from ... import solve
 
-    velocity = solve(unit_drive(mech), q, order=1, strict=False).body(link).velocity_of(local)
+    velocity = solve(mech, q, order=1, strict=False).body(link).velocity_of(local)
     return np.broadcast_to(np.real(velocity * along), q.shape)
