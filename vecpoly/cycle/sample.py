@@ -109,7 +109,8 @@ def reader(mech: Mechanism, loads: Loads | None, key: str) -> Reader:
         read = angle_of if stem == "gamma" else arm_of
         return lambda s: _full(s, read(s.motion, dyad))
     if loads is not None and loads.masses and key in SHAKING:
-        return lambda s: _full(s, shaken(s, key))
+        acting = loads
+        return lambda s: _full(s, shaken(s.motion, acting, key))
     if loads is not None and key in reduced_quantities(mech):
         to, read_inertia = equivalent_of(mech, key), key[0] in "Jm"
         return lambda s: s.reduced.inertia(to) if read_inertia else s.reduced.load(to)

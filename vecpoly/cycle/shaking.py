@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import numpy as np
+from numpy.typing import NDArray
 
 from ..mechanism.groups.assur import pivot_of
+from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
+from ..oracle import Motion
 from ..oracle.machine.shaking import shaking_force, shaking_moment
 from ..words import Words
 from .column import Column
-
-if TYPE_CHECKING:
-    from .sample import Points, Reals, Sample
 
 FORCE = Column(key="shaking_F", symbol="F_I", unit="N", words=Words("机构的惯性力", "shaking force"), is_vector=True)
 MOMENT = Column(key="shaking_M", symbol="M_I", unit="N·m", words=Words("机构的惯性力矩", "shaking moment"))
@@ -23,9 +23,8 @@ def about(mech: Mechanism) -> str:
     return pivot_of(mech, mech.drive.link) or next(iter(mech.frame))
 
 
-def shaken(sample: Sample, key: str) -> Points | Reals:
+def shaken(motion: Motion, loads: Loads, key: str) -> NDArray[np.complex128] | NDArray[np.float64]:
     """−Σ m a_S (N), or −Σ [(r_S − r_O) × m a_S + J α] (N·m)."""
-    assert sample.loads is not None
     if key == FORCE.key:
-        return shaking_force(sample.motion, sample.loads.masses)
-    return shaking_moment(sample.motion, sample.loads.masses, sample.mech.frame[about(sample.mech)])
+        return shaking_force(motion, loads.masses)
+    return shaking_moment(motion, loads.masses, motion.mech.frame[about(motion.mech)])
