@@ -32,6 +32,7 @@ from .carried import Carried, carried_of
 from .line_of_action import draw_line_of_action
 from .mesh import Mesh
 
+HALF = 8.0  # mm of the line of R^t to either side of the planet's pin
 _SOURCE = "机械原理, forces in epicyclic gear trains: equilibrium of arm, planet and central gears"
 
 
@@ -93,6 +94,8 @@ def _known(st: Statics, one: Carried, across: Reaction, letter: str, place: Poin
     pane, named = group_pane(st, *one.links), part_named(st.named(one.arm, one.planet), "t")
     assert across.across is not None
     force = [Acting(named=named, vector=-across.across, at=st.desk.at[one.pin])] if across.part else []
+    for part in force:  # it is no force on the group, but its arm stands square to its line
+        st.board.join(pane, part.at - part.line.along * HALF, part.at + part.line.along * HALF, Role.DIRECTION)
     own = moments_at(st, pane, (one.planet,), place, letter)
     return joined(own, moments_of(st, pane, force, place, letter))
 
