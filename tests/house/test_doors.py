@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from vecpoly.methods.balance import doors as balance
 from vecpoly.methods.centres import doors as centres
 from vecpoly.methods.curvature import doors as curvature
 from vecpoly.methods.devices.registry import device_methods
@@ -13,13 +14,13 @@ from vecpoly.methods.machine import doors as machine
 from vecpoly.methods.pressure import doors as pressure
 from vecpoly.methods.registry import Door, Stage, _signature, methods
 
-ROOMS = (centres, curvature, forces, kinematics, machine, pressure)
+ROOMS = (balance, centres, curvature, forces, kinematics, machine, pressure)
 DOORS = tuple(door for where in ROOMS for door in vars(where).values() if isinstance(door, Door))
 
 
 def test_every_method_fits_one_door_and_every_door_has_methods() -> None:
     signatures = [_signature(door.like) for door in DOORS]
-    assert len(DOORS) == 18 == len(set(signatures)) and {method.signature for method in methods()} == set(signatures)
+    assert len(DOORS) == 19 == len(set(signatures)) and {method.signature for method in methods()} == set(signatures)
 
 
 @pytest.mark.parametrize("stage", [Stage.POSITION, Stage.VELOCITY, Stage.ACCELERATION])

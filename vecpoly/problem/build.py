@@ -7,8 +7,6 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..errors import FaultError
-from ..mechanism.loads import Loads
-from ..mechanism.machine import Machine
 from ..mechanism.model import Drive, Joint, Mechanism
 from ..mechanism.seats import seated
 from ..units.reading import Dim, read
@@ -20,12 +18,11 @@ from .gate import read_gate
 from .joints.branches import read_branches
 from .joints.contacts import is_contact, read_contact
 from .joints.joints import read_joint, revolutes
-from .joints.motion import read_input, sense_only
+from .joints.motion import read_input
 from .joints.pins import read_pins
 from .joints.profiles import read_profiles
 from .joints.rolling import is_rolling, read_rolling
 from .links.bodies import Bodies
-from .links.counterweights import read_counterweights
 from .links.draft import LETTER, refuse_frame
 from .links.links import read_link
 from .links.masses import read_masses
@@ -33,11 +30,7 @@ from .links.profiles import letter_centres
 from .links.rollers import weld_rollers
 from .links.standing import geared
 from .links.starts import say_travels
-from .loads.driven import driven_by
-from .loads.friction import read_friction
-from .loads.load_data import data_of_loads
-from .loads.loads import acts, read_loads
-from .loads.machine import needs_balance, read_machine
+from .loads.acting import read_acting
 from .moves import settle
 from .problem import Datum, Given, Problem
 from .read_ranges import read_ranges
@@ -55,11 +48,9 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         return by_data
     spec, faults = _spec(tree)
     bodies = _bodies(spec, faults)
-    masses, weights = read_masses(spec, bodies, faults)
+    masses = read_masses(spec, bodies, faults)
     mechanism, motion = _mechanism(spec, bodies, faults)
-    loads = read_loads(spec, bodies, masses, driven_by(mechanism, motion, not sense_only(spec)), faults)
-    weighed, hung = read_counterweights(spec, mechanism, loads, faults, rate=not sense_only(spec))
-    loads, machine, acting = _acting(spec, mechanism, loads, (*weights, *hung), faults)
+    loads, machine, weighed, acting = read_acting(spec, bodies, (mechanism, motion), masses, faults)
     asks, curvature, printed, scales = read_wanted(spec, bodies, mechanism, loads, machine, weighed, faults)
     ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
     tables, target = read_tables(spec, tree, faults), read_target(spec, mechanism, faults)
@@ -221,25 +212,6 @@ def _inputs(
             drives.append(drive)
             motion.extend(data)
     return tuple(drives), tuple(motion)
-
-
-def _acting(
-    spec: ProblemSpec, mechanism: Mechanism, loads: Loads | None, weights: tuple[Datum, ...], faults: Faults
-) -> tuple[Loads | None, Machine | None, tuple[Datum, ...]]:
-    """The loads with friction (none where nothing balances them), the machine, what is printed of them after 已知."""
-    if not acts(spec):
-        read_machine(spec, mechanism, None, faults)  # refused, where one is asked for
-        return None, None, ()
-    faults.settle()  # which quantities may be asked for is known only where the mechanism and its loads are right
-    assert loads is not None
-    friction, rubbing = read_friction(spec.friction, mechanism, faults)
-    faults.settle()
-    loads = replace(loads, friction=friction)
-    machine, running = read_machine(spec, mechanism, loads, faults)
-    faults.settle()
-    told = (*data_of_loads(spec, loads), *rubbing, *weights, *running)
-    balanced = loads.balancing and ((machine is None and not spec.counterweights) or needs_balance(spec))
-    return loads if balanced else None, machine, told
 
 
 def _given(bodies: Bodies, motion: tuple[Datum, ...], acting: tuple[Datum, ...]) -> Given:
