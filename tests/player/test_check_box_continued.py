@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 
 from tests.chromium import Page, browser, chromium
-from tests.player.test_check_box import asked, html_of, key_of
+from tests.grading.cases import key_of
+from tests.player.test_check_box import asked, html_of
 from vecpoly.board.otherwise.amended import Amended, Own
 from vecpoly.grading.compare.outcome import Basis, Finding
 from vecpoly.grading.key import Graded, Kind

@@ -37,7 +37,9 @@ def carried_of(group: Group) -> Carried | None:
     if len(group.links) != 2 or len(group.inner) != 1 or (len(teeth), len(hinges)) != (2, 1):
         return None
     inner, hinge, planet = group.inner[0], hinges[0], teeth[0].link
-    if not isinstance(inner, Revolute) or teeth[1].link != planet or hinge.link == planet:
+    if not isinstance(inner, Revolute) or not isinstance(hinge.joint, Revolute):
+        return None
+    if teeth[1].link != planet or hinge.link == planet:
         return None
     pivot = hinge.joint.point
     if not all(_between(one.joint, planet, inner.point, pivot) for one in teeth):
