@@ -40,6 +40,7 @@ GEARED = {
     "rack-lift",
     "stepped-planet",
     "travel-doubler",
+    "two-trains-one-sun",
 }
 FAMILIES = (
     "linkage-cam",

@@ -33,10 +33,11 @@ from vecpoly.problem.schema.models import (
     TableSpec,
     TargetSpec,
 )
+from vecpoly.problem.schema.running import CounterweightSpec
 from vecpoly.solution import solve
 
 HEART, ROCKER, TRAIN = (load(name).text for name in ("cam-heart", "cam-rocker", "train-ring"))
-ENGINE, RUN = (load(name).text for name in ("7-5", "motor-run-up"))
+ENGINE, RUN, WEIGHED = (load(name).text for name in ("7-5", "motor-run-up", "balance-four-bar"))
 DISC, DALBY, BOLTED = (load(name).text for name in ("6-2", "rotor-dalby", "rotor-bolt-circle"))
 IN_PLACE, TWO_RUNS, SINGLE = (load(name).text for name in ("field-influence", "field-two-runs", "engine-single"))
 BASE = """\
@@ -123,6 +124,8 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "masses": (BASE, "mass: 3 kg", "mass: 4 kg"),
     "weight": (BASE, "weight: yes", "weight: no"),
     "inertia": (BASE, "inertia: no", "inertia: yes"),
+    "counterweights": (WEIGHED, "1: {r: 60 mm}", "1: {r: 70 mm}"),
+    "counterweight.r": (WEIGHED, "3: {r: 100 mm}", "3: {r: 80 mm}"),
     "machine": (PRESS, "n: 60 r/min", "n: 90 r/min"),
     "scales": (BASE, "0.002 m/mm", "0.0025 m/mm"),
     "find": (BASE, "[v_C, ", "[v_E, "),
@@ -235,6 +238,7 @@ SPECS: dict[str, type[BaseModel]] = {
     "sheet": SheetSpec,
     "gate": GateSpec,
     "target": TargetSpec,
+    "counterweight": CounterweightSpec,
 }
 
 

@@ -121,5 +121,5 @@ def _mark(here: Weighing, of: Passing, pivot: Points, way: Reals) -> None:
     )
     end = pivot + here.desk.mm(_radius(of)) * np.exp(1j * way)
     board.join(view, pivot, end, Role.HIDDEN)
-    board.depict(view, disc(f"counterweight {no}", complex(nominal(end)), SIZE))
+    board.depict(view, disc(f"link {no}", complex(nominal(end)), SIZE))
     board.plot(view, end, f"m_{{c{no}}}", Dot.NONE)

@@ -19,7 +19,7 @@ _SYMBOL = (
     r"^((p|v|a|an|at|ak|ar|a[ⁿᵗᵏʳᶜ]|l)_[A-Z][A-Za-z0-9'′]*|(omega|alpha|gamma|ω|α|γ)_\w+[a-z']?"
     r"|alpha|gamma|α|γ|centres|P_\w+|phi_[A-Z]\w*_(extended|overlapped)|(delta|lambda|rho)_\w+|eta|η|m_e\d*|dW_max"
     r"|delta|dT_\w+|power_\w+|t_(end|at_\S+)|phi_(max|min|end)|omega_at_\S+"
-    r"|[A-Z][A-Za-z]?\w*|[hmJ](_\w+)?)$"
+    r"|theta_c\w+|ratio_c|[A-Z][A-Za-z]?\w*|[hmJ](_\w+)?)$"
 )
 
 

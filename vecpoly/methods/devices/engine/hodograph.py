@@ -47,7 +47,8 @@ def farthest(board: Board, orders: Orders, c: float) -> tuple[float, float]:
     tops = np.flatnonzero((size >= beside[:-2]) & (size >= beside[2:]))  # each of them may be the highest
     ends = [(max(int(top) - 1, 0), min(int(top) + 1, FIRST - 1)) for top in tops]
     found = [_closer(board, orders, c, float(tried[one]), float(tried[other])) for one, other in ends]
-    return max(found, key=lambda one: round(one[1], ALIKE))
+    at, _ = max(found, key=lambda one: round(one[1], ALIKE))
+    return at, max(size for _, size in found)
 
 
 def _closer(board: Board, orders: Orders, c: float, low: float, high: float) -> tuple[float, float]:

@@ -7,7 +7,7 @@ from typing import assert_never
 from ....words import Words
 from ...kinematics.class_iii.star import Guided, Hinged, Slotted, Star
 from ..acting import Drawn
-from ..bodies.link_polygon import closing_side
+from ..bodies.link_polygon import closing_side, pane_of
 from ..groups.body import draw_forces, group_pane
 from ..groups.polygon import name_side, say_measured
 from ..groups.reactions import settle_pin, settle_slide
@@ -56,7 +56,8 @@ def _closing(st: Statics, parent: str, link: str) -> Drawn:
         Words(
             f"列构件 {number} 的力平衡方程，作其力多边形，得 ${named.symbol}$。",
             f"Write the equilibrium of link {number} and draw its polygon, which gives ${named.symbol}$.",
-        )
+        ),
+        pane_of(st, link),
     )
     rest = Resultant(forces=tuple(acting_on(st, link)), vector=0j, at=0j)
     return closing_side(st, parent, link, rest)

@@ -18,7 +18,7 @@ from ....plane import Line, Points, foot, nominal, unit
 from ....words import Words
 from ...registry import Stage, method
 from ..acting import Acting
-from ..bodies.link_polygon import closing_side
+from ..bodies.link_polygon import closing_side, pane_of
 from ..groups.body import SHORT, draw_forces, group_pane
 from ..groups.corners import Reaction, part_named
 from ..groups.reactions import settle_pin
@@ -140,7 +140,8 @@ def _bearing(st: Statics, by: str, on: str, pin: str) -> None:
         Words(
             f"列构件 {number} 的力平衡方程，作其力多边形，封闭边即 ${named.symbol}$。",
             f"Write the equilibrium of link {number} and draw its polygon: the closing side is ${named.symbol}$.",
-        )
+        ),
+        pane_of(st, on),
     )
     rest = Resultant(forces=tuple(acting_on(st, on)), vector=0j, at=0j)
     drawn = closing_side(st, by, on, rest)

@@ -47,7 +47,7 @@ def _largest(c: float, ratio: float) -> tuple[float, float]:
     turns = [root.real for root in roots if abs(root.imag) < 1e-9 and abs(root.real) < 1]
     places = [1.0, *sorted(turns, reverse=True), -1.0]
     at = max(places, key=lambda place: round(float(square(place)), 12))
-    return sqrt(float(square(at))), acos(at)
+    return sqrt(max(float(square(place)) for place in places)), acos(at)
 
 
 def _best(ratio: float) -> float:
