@@ -37,12 +37,13 @@ def _at(places: dict[int, complex], n: int) -> complex:
     return places.get(n, places.get(0, 0j))
 
 
-def _poses(rng: np.random.Generator, count: int) -> str:
+def _poses(rng: np.random.Generator, count: int, turn: int = 50) -> str:
+    """turn: less than so many degrees from one to the next."""
     x, y, phi = 0, 0, 0
     found = []
     for _ in range(count):
         found.append(f'"({x}, {y}) mm at {phi} deg"')
-        x, y, phi = x + int(rng.integers(5, 50)), y + int(rng.integers(-30, 40)), phi + int(rng.integers(8, 50))
+        x, y, phi = x + int(rng.integers(5, 50)), y + int(rng.integers(-30, 40)), phi + int(rng.integers(8, turn))
     return f"[{', '.join(found)}]"
 
 
@@ -71,11 +72,11 @@ def three_positions(rng: np.random.Generator) -> str:
     return task("positions", data, "AB, BC, CD, AD")
 
 
-@family("design-four-positions", also=keeps_its_lengths, often=2)
+@family("design-four-positions", also=keeps_its_lengths, often=7)
 def four_positions(rng: np.random.Generator) -> str:
-    """The fixed pins on one line, or on two."""
+    """The fixed pins on one line, or on two; of four positions far apart hardly any linkage is of use."""
     line = _line(rng)
-    data = {"poses": _poses(rng, 4), "A": line, "D": line if rng.random() < 0.5 else _line(rng)}
+    data = {"poses": _poses(rng, 4, turn=24), "A": line, "D": line if rng.random() < 0.5 else _line(rng)}
     return task("positions", data, "AB, BC, CD, AD")
 
 

@@ -23,7 +23,8 @@ def costs(mark: DrawingMark) -> list[str]:
 @pytest.mark.parametrize(("problem", "share"), [("3-9", 0.9), ("4-3a", 0.9), ("A-27", 0.9)])
 def test_nine_of_ten_mistakes_cost_one_vector(problem: str, share: float) -> None:
     key = key_of(problem)
-    found = [costs(marked(key, drawn(world), declared=True)) for _, world in key.worlds[::EVERY]]
+    some = key.worlds[:: EVERY if len(key.worlds) >= 10 * EVERY else 1]
+    found = [costs(marked(key, drawn(world), declared=True)) for _, world in some]
     assert len(found) >= 10 and sum(len(one) <= 1 for one in found) >= share * len(found)
 
 
