@@ -14,9 +14,9 @@ from tests.drawn_library import IDS, drafted
 from tests.each import each
 from tests.label_faults import astray, faults
 from vecpoly.board.construction import Figure, Scale, View
-from vecpoly.board.paper.marks import Dot, LinkNumber, Point, Role, Segment, Vector
+from vecpoly.board.paper.marks import Dot, Hatched, LinkNumber, Point, Role, Segment, Vector
 from vecpoly.drawing.figure import Drawing, drawing
-from vecpoly.drawing.scene import Rect
+from vecpoly.drawing.scene import Item, Rect, Stroke
 from vecpoly.words import Words
 
 SCALE = Scale(symbol="μ_v", value=0.006, unit="m/s")
@@ -100,6 +100,21 @@ def test_letters_stay_within_a_frame_where_one_is_given() -> None:
     frame = Rect(-75.0, -75.0, 75.0, 75.0)
     for rect in drawing(polygon(3), frame=frame).label_boxes:
         assert rect.x0 >= frame.x0 - 1e-6 and rect.y1 <= frame.y1 + 1e-6
+
+
+def test_hatching_is_left_out_about_a_letter_that_stands_on_it_and_nowhere_else() -> None:
+    area = Hatched(points=(0j, 40 + 0j, 40 + 40j, 40j), rising=True)
+    bare, lettered = drawing(figure(area)), drawing(figure(area, Point(at=20 + 20j, label="A_1", dot=Dot.NONE)))
+    (letter,) = lettered.label_boxes
+    grown = shapely.box(letter.x0 - 0.45, letter.y0 - 0.45, letter.x1 + 0.45, letter.y1 + 0.45)
+    hatch, left = (shapely.union_all([_line(item) for item in each.obstacles]) for each in (bare, lettered))
+    assert hatch.intersects(grown) and faults(lettered) == []
+    assert hatch.difference(grown).length - left.length < 1.0 and not left.crosses(grown)
+
+
+def _line(item: Item) -> shapely.LineString:
+    assert isinstance(item, Stroke)
+    return shapely.LineString([(z.real, z.imag) for z in item.points])
 
 
 def test_placing_is_deterministic() -> None:

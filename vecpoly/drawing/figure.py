@@ -9,6 +9,7 @@ from ..algebra.formula import Node, Power, Row, Txt, row
 from ..board.construction import Figure, Scale
 from ..typeset import Box, layout
 from ..words import Lang
+from .labels.ground import broken
 from .labels.notes import LEADING, folded, lines
 from .labels.obstacles import Obstacles
 from .labels.placing import Placed, place
@@ -24,7 +25,7 @@ TITLE_WIDTH = 70.0  # a title wider than this and than its figure takes two line
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """A drawn figure with what its lettering was placed against."""
+    """A drawn figure with what its lettering stands among: the hatching is broken off about it."""
 
     scene: Scene
     labels: tuple[Placed, ...]
@@ -63,6 +64,7 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
     items = unique(tuple(item for mark in figure.marks for item in draw(mark, around)))
     bare = Scene.of(items)
     placed = place(wants(figure.view, figure.marks, lang), Obstacles.of(items), bare.extents, frame)
+    items = broken(items, [label.rect for label in placed])
     lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))
     scene = lettered + Scene.of(caption_items(figure, lettered.extents, lang)) if caption else lettered
     return Drawing(scene, placed, items, lettered.extents)

@@ -16,6 +16,7 @@ from .scene import Rect
 from .standing import Trial
 
 OUTSIDE, BEYOND_FRAME = 0.25, 60.0  # a mm beyond the drawn lines, beyond the allowed frame
+IN_CROWD = 0.4  # so much of its price has what a leader crosses in a crowd: better that than a letter on a line
 FREE = 6.0  # dearer than the cheapest place by less than this is free to choose
 
 
@@ -159,7 +160,7 @@ def _crossed(obstacles: Obstacles, led: Sequence[Places]) -> list[Floats]:
     own, groups = _repeated([part.want.own for part in led], counts), _groups(counts)
     foot, end = (np.concatenate(ends) for ends in zip(*(part.leaders for part in led), strict=True))
     cost = obstacles.crossings(foot, end, (own[:, 0], own[:, 1]), groups)
-    return [cost[some] for some in groups]
+    return [cost[some] * (IN_CROWD if part.want.farther else 1.0) for part, some in zip(led, groups, strict=True)]
 
 
 def _repeated(pairs: Sequence[tuple[complex, complex]], counts: Sequence[int]) -> Complexes:

@@ -13,6 +13,7 @@ from ..figure import unique
 from ..prices import priced
 from ..scene import Item, Rect, Scene
 from ..symbols.marks import Surroundings, draw
+from .ground import broken
 from .obstacles import Floats, Obstacles
 from .placing import BAD, Placed, place
 from .spots import spot, spots
@@ -40,7 +41,8 @@ class Follower:
         drawn, obstacles = Scene.of(items).extents, Obstacles.of(items)
         named = _named(tuple(smaller(want, self.size) for want in wants(figure.view, figure.marks, self.lang)))
         placed = self._follow(named, obstacles, drawn) if self.choice else self._first(named, obstacles, drawn)
-        return items + tuple(item for label in placed for item in label.items())
+        ground = broken(items, [label.rect for label in placed])
+        return ground + tuple(item for label in placed for item in label.items())
 
     def _first(self, named: list[tuple[Name, Want]], obstacles: Obstacles, drawn: Rect) -> list[Placed]:
         """Placed all together, as on paper."""

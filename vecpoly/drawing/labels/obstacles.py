@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from ..scene import Fill, Item, Layer, Stroke, TextBox
 from ..style import THIN
+from .ground import is_ground
 
 Complexes = NDArray[np.complex128]
 Floats = NDArray[np.float64]
@@ -93,7 +94,7 @@ class Obstacles:
     @classmethod
     def of(cls, items: tuple[Item, ...]) -> Obstacles:
         """Gathered from the primitives of a figure."""
-        strokes = [item for item in items if isinstance(item, Stroke) and not _is_ground(item)]
+        strokes = [item for item in items if isinstance(item, Stroke) and not is_ground(item)]
         areas = [item for item in items if not isinstance(item, Stroke)]
         pieces = [
             piece for stroke, points in zip(strokes, _coarse(strokes), strict=True) for piece in _pieces(stroke, points)
@@ -168,11 +169,6 @@ def _coarse(strokes: Sequence[Stroke]) -> list[tuple[complex, ...]]:
 def _pieces(stroke: Stroke, points: tuple[complex, ...]) -> list[tuple[complex, complex, float, float]]:
     weight = 1.0 if stroke.width <= THIN else 1.6
     return [(a, b, stroke.width / 2, weight) for a, b in itertools.pairwise(points)]
-
-
-def _is_ground(stroke: Stroke) -> bool:
-    """Whether letters may stand on it: hatching of an area."""
-    return stroke.hue.is_tint and stroke.layer is Layer.TINT
 
 
 def _is_solid(item: Fill | TextBox) -> bool:

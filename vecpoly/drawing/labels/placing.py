@@ -1,9 +1,9 @@
-"""Lettering finds its places: each label moves about what it names until it stands on nothing, and shrinks if it
-must."""
+"""Lettering finds its places: each label moves about what it names until it stands on nothing; if it must
+it shrinks, and goes farther off."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import inf, isnan
 
@@ -17,7 +17,7 @@ from .obstacles import Obstacles
 from .wants import Piece, Want, smaller
 
 BAD = 38.0  # a label that costs more than this by where it stands is on something
-SHRINK = (0.85, 0.72)
+EASES = ((0.85, False), (0.72, False), (1.0, True), (0.72, True))  # size of type, whether on longer leaders
 PASSES = 8
 
 
@@ -59,12 +59,16 @@ def _nearest(point: complex, rect: Rect) -> complex:
 def place(wanted: tuple[Want, ...], obstacles: Obstacles, drawn: Rect, frame: Rect | None = None) -> tuple[Placed, ...]:
     """A place for each label; the same input always gives the same places."""
     table = _Table.of(Around(obstacles, wanted, drawn, frame))
-    for factor in SHRINK:
+    for scale, farther in EASES:
         crowded = {i for i, trouble in enumerate(table.troubles) if trouble > BAD}
         if not crowded:
             break
-        table = table.smaller(crowded, factor)
+        table = table.eased(crowded, scale, farther)
     return tuple(table.placed(i) for i in range(len(wanted)))
+
+
+def _eased(want: Want, scale: float, farther: bool) -> Want:
+    return replace(smaller(want, scale / want.scale), farther=farther)
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,9 +84,9 @@ class _Table:
         """The places of every label."""
         return cls(around, tuple(Row.of(want, around) for want in around.wanted))
 
-    def smaller(self, crowded: set[int], factor: float) -> _Table:
-        """With some of the labels in smaller type; what the places of the others cost is known."""
-        wanted = tuple(smaller(w, factor / w.scale) if i in crowded else w for i, w in enumerate(self.around.wanted))
+    def eased(self, crowded: set[int], scale: float, farther: bool) -> _Table:
+        """With some of the labels in smaller type or on longer leaders; what the places of the others cost is known."""
+        wanted = tuple(_eased(w, scale, farther) if i in crowded else w for i, w in enumerate(self.around.wanted))
         around = Around(self.around.obstacles, wanted, self.around.drawn, self.around.frame)
         kept = zip(wanted, self.rows, strict=True)
         return _Table(around, tuple(row if want is row.near.want else Row.of(want, around) for want, row in kept))

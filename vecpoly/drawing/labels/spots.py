@@ -14,6 +14,8 @@ from .wants import Want
 DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)
 GAPS = (0.55, 1.1, 1.9, 3.0, 4.4)
 FAR = (6.5, 9.5, 13.0, 18.0)
+# In a crowd; the usual ones come first, so that each place keeps its number.
+FARTHER = (*FAR, 8.0, 11.0, 12.0, 14.2, 15.5, 16.8, 20.0, 22.0, 24.5, 27.0, 30.0)
 LEADER = 22.0  # what resorting to a leader line costs
 PER_DISTANCE, PER_FRACTION = 1.2, 6.0
 
@@ -41,7 +43,7 @@ def spots(want: Want, middle: complex) -> Spots:
     away, reach = feet - middle, np.abs(feet - middle)
     away = np.where(reach > 1, away / np.maximum(reach, 1.0), 0j)
     base = PER_FRACTION * number + 1.0 * (1 - (sides * away.conjugate()).real)
-    gap, far = np.array(GAPS)[:, None], np.array(FAR)[:, None]
+    gap, far = np.array(GAPS)[:, None], np.array(FARTHER if want.farther else FAR)[:, None]
     near = feet[..., None] + _offset(sides[:, None], want.radius + gap, half, all_round)
     led = want.feet[0] + _offset(DIRECTIONS, want.radius + far, half, True)
     at = np.broadcast_to(want.feet[0] + DIRECTIONS * (want.radius if all_round else 0.0), led.shape)
@@ -69,10 +71,10 @@ def spot(want: Want, index: int) -> tuple[complex, complex | None] | None:
         u = complex(DIRECTIONS[side]) if all_round else want.normals[number] * (1 - 2 * side)
         return want.feet[number] + complex(_offset(u, want.radius + GAPS[gap], half, all_round)), None
     far, way = divmod(index - len(want.feet) * len(GAPS) * sides, len(DIRECTIONS))
-    if far >= len(FAR):
+    if far >= len(FARTHER):
         return None
     u = complex(DIRECTIONS[way])
-    return want.feet[0] + complex(_offset(u, want.radius + FAR[far], half, True)), want.feet[0] + u * (
+    return want.feet[0] + complex(_offset(u, want.radius + FARTHER[far], half, True)), want.feet[0] + u * (
         want.radius if all_round else 0.0
     )
 

@@ -65,6 +65,7 @@ class Want:
     one_sided: bool = False
     scale: float = 1.0
     thing: Thing = Thing.OTHER
+    farther: bool = False  # whether its leader may be longer than is usual: a crowd leaves it no other place
 
     width: float = field(init=False)  # of the whole label, mm
     ascent: float = field(init=False)  # over the baseline, mm
