@@ -54,7 +54,20 @@ def main() -> int:
             print(text, judge(text, one.also), sep="\n")
         return 0
     cases = [(one.name, asked.seed, number) for one in chosen for number in range(asked.count)]
-    return _told(cases, list(track(_all(cases, asked.jobs), total=len(cases), description="judging")))
+    found: list[tuple[Case, Verdict]] = []
+    try:
+        for pair in track(_all(cases, asked.jobs), total=len(cases), description="judging"):
+            found.append(pair)
+            _say_bad(*pair)
+    except KeyboardInterrupt:  # what was judged is told all the same
+        print(f"stopped after {len(found)} of {len(cases)}")
+    return _told(cases, found)
+
+
+def _say_bad(case: Case, verdict: Verdict) -> None:
+    """What is wrong is said at once: a soak takes hours, and may be stopped."""
+    if verdict.kind in (Kind.WRONG, Kind.BROKEN):
+        print(f"{case[0]} --seed {case[1]} --only {case[2]}: {verdict.kind}: {verdict.why}", flush=True)
 
 
 def _told(cases: list[Case], found: list[tuple[Case, Verdict]]) -> int:
