@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from ..forces.laws.drives import drive_range
 from ..motion import Motion
 from ..state import Points, Reals
 from .balance import Hung
+from .shaking import Placed, inertia_force, placed
 
 STATIONS = 720  # of a turn
 
@@ -40,24 +42,22 @@ class Shaking:
 
 def shaking(mech: Mechanism, asked: Counterweights, hung: Sequence[Hung] = ()) -> Shaking:
     """Over a turn, or in the mechanism's own position alone where the drive makes none; hung: what is added."""
+    at, motion = _turned(mech)
+    masses = [*(placed(mech, one) for one in asked.loads.masses), *(_beyond_pivot(mech, one) for one in hung)]
+    moments = (mass * motion.bodies[link].point(local) for link, mass, local in masses)
+    moment: Points = sum(moments, np.zeros(at.shape, np.complex128))
+    total = asked.own + sum(one.mass for one in hung)
+    return Shaking(at=at, force=inertia_force(motion, masses), centre=moment / total)
+
+
+@lru_cache(maxsize=8)
+def _turned(mech: Mechanism) -> tuple[Reals, Motion]:
+    """The positions and the motion: the same with any counterweights."""
     whole = drive_range(mech)[2]
     at = np.linspace(0, 2 * np.pi, STATIONS, endpoint=False) if whole else np.atleast_1d(mech.drive.position)
-    motion = solve(mech, at)
-    force = np.zeros(at.shape, np.complex128)
-    moment = np.zeros(at.shape, np.complex128)
-    for mass in asked.loads.masses:
-        add = _weighed(motion, mass.link, mass.mass, mech.link(mass.link).points[mass.centre])
-        force, moment = force - add[1], moment + add[0]
-    for one in hung:
-        local = mech.link(one.of.link).points[one.of.outlets[0].point]
-        place = local + (one.w / one.mass if one.mass else 0.0)
-        add = _weighed(motion, one.of.link, one.mass, place)
-        force, moment = force - add[1], moment + add[0]
-    total = asked.own + sum(one.mass for one in hung)
-    return Shaking(at=at, force=force, centre=moment / total)
+    return at, solve(mech, at)
 
 
-def _weighed(motion: Motion, link: str, mass: float, local: complex) -> tuple[Points, Points]:
-    """m r and m a of a point of a link."""
-    body = motion.moving(link, 2)
-    return mass * body.point(local), mass * body.acceleration_of(local)
+def _beyond_pivot(mech: Mechanism, one: Hung) -> Placed:
+    pivot = mech.link(one.of.link).points[one.of.outlets[0].point]
+    return one.of.link, one.mass, pivot + (one.w / one.mass if one.mass else 0.0)

@@ -5,19 +5,33 @@ F_I = −Σ m a_S (N), M_I = −Σ [(r_S − r_O) × m a_S + J α] (N·m, counte
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from ...mechanism.loads import Mass
+from ...mechanism.model import Mechanism
 from ..motion import Motion
 from ..state import Points, Reals
+
+Placed = tuple[str, float, complex]  # a link, a mass on it (kg), and where on the link that is (m)
+
+
+def placed(mech: Mechanism, mass: Mass) -> Placed:
+    """A mass at the centre of mass of its link."""
+    return mass.link, mass.mass, mech.link(mass.link).points[mass.centre]
+
+
+def inertia_force(motion: Motion, masses: Iterable[Placed]) -> Points:
+    """−Σ m a of masses anywhere on their links, at every position (N)."""
+    pulls = (-mass * motion.bodies[link].acceleration_of(at) for link, mass, at in masses)
+    total: Points = sum(pulls, np.zeros(motion.shape, np.complex128))
+    return total
 
 
 def shaking_force(motion: Motion, masses: Sequence[Mass]) -> Points:
     """−Σ m a_S at every position (N)."""
-    total: Points = sum((-one.mass * _pull(motion, one) for one in masses), np.zeros(motion.shape, np.complex128))
-    return total
+    return inertia_force(motion, [placed(motion.mech, one) for one in masses])
 
 
 def shaking_moment(motion: Motion, masses: Sequence[Mass], about: complex) -> Reals:
@@ -26,16 +40,8 @@ def shaking_moment(motion: Motion, masses: Sequence[Mass], about: complex) -> Re
     return total
 
 
-def _pull(motion: Motion, mass: Mass) -> Points:
-    return motion.bodies[mass.link].acceleration_of(_centre(motion, mass))
-
-
 def _turn(motion: Motion, mass: Mass, about: complex) -> Reals:
-    body = motion.bodies[mass.link]
-    arm = body.point(_centre(motion, mass)) - about
-    turning: Reals = mass.mass * (arm.conjugate() * _pull(motion, mass)).imag + mass.inertia * body.alpha
+    body, (_, size, centre) = motion.bodies[mass.link], placed(motion.mech, mass)
+    arm = body.point(centre) - about
+    turning: Reals = size * (arm.conjugate() * body.acceleration_of(centre)).imag + mass.inertia * body.alpha
     return turning
-
-
-def _centre(motion: Motion, mass: Mass) -> complex:
-    return motion.mech.link(mass.link).points[mass.centre]
