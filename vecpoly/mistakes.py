@@ -49,14 +49,10 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
             yield Slip(Mistake.FORWARDS, act.key)
         case Locate() if any(isinstance(met := acts[n], Meet) and met.other is not None for n in act.inputs):
             yield Slip(Mistake.OTHER_MEETING, _name(act, acts))
-        case Compute(unit="J/mm^2"):
-            yield Slip(Mistake.DEGREES, act.key)
-        case Compute() if act.key == "omega_m":
-            yield Slip(Mistake.PER_MINUTE, act.key)
+        case Compute(mistake=Mistake() as mistake):
+            yield Slip(mistake, _name(act, acts), act.instead)
         case Judge(crosses=False):
             yield Slip(Mistake.COUNTED, _name(act, acts))
-        case Compute() if act.instead:
-            yield Slip(Mistake.SWAPPED, _name(act, acts), act.instead)
         case Touch(free=False) if act.key:
             yield Slip(Mistake.OTHER_TANGENT, act.key)
         case _:

@@ -147,32 +147,39 @@ class Board(Compass):
         """Write down what was found of a quantity (SI), and from what; each: the same by every hand."""
         self.gave(each, done.Answer(head=self.head(*found, key=key), value=value, unit=unit))
 
-    def conclude(self, key: str, value: Reals, unit: str, *, instead: str = "") -> Reals:
+    def conclude(
+        self, key: str, value: Reals, unit: str, *, mistake: Mistake | None = None, instead: str = ""
+    ) -> Reals:
         """A value follows from others (SI): ω of a link, with its sense;
         goes on with somebody's own where there is one."""
         value = self.amended.value(self.here, key, value)
-        act = done.Compute(head=self.head(value, key=key), value=amount(value), unit=unit, instead=instead)
+        head = self.head(value, key=key)
+        act = done.Compute(head=head, value=amount(value), unit=unit, mistake=mistake, instead=instead)
         return self.gave(value, act)
 
     def divide(self, symbols: tuple[str, str], parts: tuple[Expr, Expr], unit_text: str) -> tuple[Quantity, Quantity]:
         """Write the two shares of a quantity into the step; somebody may take each of them for the other."""
         one, other = (ascii_key(symbol) for symbol in symbols)
         hands = [hand for hand, slip in self.amended.wrong(self.here, one) if slip.mistake is Mistake.SWAPPED]
-        first, second = (
-            self._computed(symbol, part, unit_text, [(hand, rest.value) for hand in hands], instead)
-            for symbol, part, rest, instead in zip(symbols, parts, parts[::-1], (other, ""), strict=True)
-        )
-        return first, second
+        swapped = [[(hand, rest.value) for hand in hands] for rest in reversed(parts)]
+        first = self.compute(symbols[0], parts[0], unit_text, swapped[0], mistake=Mistake.SWAPPED, instead=other)
+        return first, self.compute(symbols[1], parts[1], unit_text, swapped[1])
 
-    def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
-        """Write symbol = formula = numbers = result into the step and go on with the result;
-        NotAskedError where it is 0/0."""
-        return self._computed(symbol, expr, unit_text, ())
-
-    def _computed(
-        self, symbol: str, expr: Expr, unit_text: str, others: Sequence[tuple[int | None, Reals]], instead: str = ""
+    def compute(
+        self,
+        symbol: str,
+        expr: Expr,
+        unit_text: str,
+        others: Sequence[tuple[int | None, Reals]] = (),
+        *,
+        mistake: Mistake | None = None,
+        instead: str = "",
     ) -> Quantity:
-        """The same where some hands go on with another value."""
+        """Write symbol = formula = numbers = result into the step and go on with the result;
+        NotAskedError where it is 0/0.
+
+        others: the hands that go on with another value; mistake, instead: what may be done wrongly with it.
+        """
         key = ascii_key(symbol)
         wrong = [
             (hand, FACTOR[slip.mistake]) for hand, slip in self.amended.wrong(self.here, key) if slip.mistake in FACTOR
@@ -190,7 +197,7 @@ class Board(Compass):
             )
         if wrong:
             self._slipped.add(key)
-        result = magnitude(symbol, self.conclude(key, value, unit_text, instead=instead), unit_text)
+        result = magnitude(symbol, self.conclude(key, value, unit_text, mistake=mistake, instead=instead), unit_text)
         self.write(worked(result.node, expr, unit_text))
         self.ledger.sizes[key] = result
         return result

@@ -7,6 +7,7 @@ from typing import ClassVar
 
 from ...foundation.slotted import dataclass
 from ...words import Words
+from ..otherwise.slip import Mistake
 from .base import Done
 
 
@@ -152,11 +153,15 @@ class Gauge(Done):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Compute(Done):
-    """Symbol = formula = numbers = result; instead: of two shares, the key of the one for which this may be taken."""
+    """Symbol = formula = numbers = result.
+
+    mistake: what may be done wrongly with it; instead: of two shares, the key of the one for which this may be taken.
+    """
 
     verb: ClassVar[Words | None] = Words("计算", "compute")
     value: float
     unit: str
+    mistake: Mistake | None = None
     instead: str = ""
 
 

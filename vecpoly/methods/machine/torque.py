@@ -7,18 +7,19 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...algebra.quantity import Expr, Quantity, Sum, number
+from ...algebra.quantity import Quantity, number
 from ...board.acts import Way
 from ...board.construction import Listing, Pane
 from ...board.paper.marks import Role
 from ...mechanism.asked.machine import DW
 from ...names import Named
-from ...plane import Points, Reals, nominal
+from ...plane import Points, Reals
 from ...words import Words
 from ..diagrams.axes import Axes, angle_ticks, draw_axes
 from ..diagrams.graph import Graph, axis, level, trace
 from ..diagrams.indicator import indicator, shared_out
 from ..diagrams.lobes import Lobes, lobes_between
+from ..diagrams.works import equal_height, work_scale
 from .period import Period, kept, shown
 from .scales import INDICATOR, TORQUE, Sizes
 
@@ -110,12 +111,8 @@ def _constant(period: Period, pane: Pane, loads: Graph, named: Named, *, drives:
         ),
         pane,
     )
-    under = lobes_between(board, pane, loads, axis(loads), (), Way.SQUARES, "S")
-    signs = tuple(1 if float(nominal(lobe.sign)) > 0 else -1 for lobe in under.lobes)
-    areas: Expr = Sum(tuple(lobe.area for lobe in under.lobes), signs) if len(signs) > 1 else under.lobes[0].area
-    long = board.measure(under.ends[0], under.ends[-1], "O T")
-    expr = board.mu(pane) * areas / long
-    size = kept(board, named, expr, period.curve.sense * (-1 if drives else 1))
+    sense = period.curve.sense * (-1 if drives else 1)
+    size = kept(board, named, equal_height(board, pane, loads, Way.SQUARES), sense)
     line = level(board, loads.xs[-1], board.lay_off(0j, 1j, board.to_paper(pane, size.value)))
     trace(board, pane, line, Role.RESULT)
     return line
@@ -134,7 +131,7 @@ def draw_surplus(period: Period, sizes: Sizes, moments: Moments) -> Quantity:
         ),
         pane,
     )
-    scale = board.compute("μ_A", board.mu(pane) * board.mu_across(pane), "J/mm^2")
+    scale = work_scale(board, pane)
     lobes = lobes_between(board, pane, upper, lower, _letters(upper, lower, period), Way.SQUARES)
     works = [lobe.sign * lobe.area.value * scale.value for lobe in lobes.lobes]
     left, even = shared_out(works)

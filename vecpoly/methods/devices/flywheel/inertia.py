@@ -8,6 +8,7 @@ import numpy as np
 
 from ....algebra.formula import Txt
 from ....algebra.quantity import Quantity, magnitude
+from ....board.otherwise.slip import Mistake
 from ....devices.dynamics import asked
 from ....devices.dynamics.flywheel import GRAVITY, Flywheel
 from ....plane import nominal
@@ -24,7 +25,7 @@ def mean_speed(bench: Bench, wheel: Flywheel) -> Quantity:
     bench.board.section(SPEED_SECTION)
     bench.board.step(SPEED)
     n = magnitude("n", wheel.speed * 30 / pi, "r/min")
-    return bench.board.compute("ω_m", PI * n / THIRTY, "rad/s")
+    return bench.board.compute("ω_m", PI * n / THIRTY, "rad/s", mistake=Mistake.PER_MINUTE)
 
 
 def moment_of_inertia(bench: Bench, wheel: Flywheel, swing: Quantity, omega: Quantity) -> Quantity | None:

@@ -7,16 +7,17 @@ from collections.abc import Sequence
 import numpy as np
 
 from ....algebra.formula import Txt
-from ....algebra.quantity import Expr, Quantity, Sum, magnitude
+from ....algebra.quantity import Quantity, magnitude
 from ....board.acts import Way
 from ....board.paper.marks import Dot
 from ....devices.dynamics.asked import M_D, M_R, POWER, place
 from ....devices.dynamics.flywheel import Flywheel
 from ....devices.dynamics.given import Torques
-from ....plane import Reals, nominal
+from ....plane import Reals
 from ...diagrams.axes import Axes, angle_ticks, draw_axes
-from ...diagrams.graph import Graph, axis, level, plotted, trace
-from ...diagrams.lobes import Lobe, Lobes, lobes_between
+from ...diagrams.graph import Graph, level, plotted, trace
+from ...diagrams.lobes import Lobes, lobes_between
+from ...diagrams.works import equal_height, work_scale
 from ..bench import Bench
 from ..cam.read.readings import noted
 from .pieces import Pieces, letters_of, works_of
@@ -40,7 +41,7 @@ def measured_areas(bench: Bench, wheel: Flywheel, load: Torques, omega: Quantity
         drawn[load.sought] = _equal_area(bench, wheel, load, other, omega)
     board.step(AREAS, TORQUE)
     lobes = lobes_between(board, TORQUE, drawn["d"], drawn["r"], letters_of(load.count), Way(wheel.measured))
-    scale = board.compute("μ_A", board.mu(TORQUE) * board.mu_across(TORQUE), "J/mm^2")
+    scale = work_scale(board, TORQUE)
     _places(bench, lobes)
     sizes = [lobe.area for lobe in lobes.lobes]
     works = works_of(bench, sizes, [lobe.sign for lobe in lobes.lobes], scale, lobes.letters)
@@ -82,21 +83,12 @@ def _equal_area(bench: Bench, wheel: Flywheel, load: Torques, graph: Graph, omeg
     """The constant moment: the height of a rectangle over the period whose area is that under the other curve."""
     board, named = bench.board, M_D if load.sought == "d" else M_R
     board.step(constant(load), TORQUE)
-    under = lobes_between(board, TORQUE, graph, axis(graph), (), Way(wheel.measured), "S")
-    long = board.measure(under.ends[0], under.ends[-1], "O T")
-    size = bench.worked(named, board.mu(TORQUE) * _whole(under.lobes) / long)
+    size = bench.worked(named, equal_height(board, TORQUE, graph, Way(wheel.measured)))
     bench.worked(POWER, size * omega / THOUSAND)
     line = level(board, graph.xs[-1], board.lay_off(0j, 1j, board.to_paper(TORQUE, size.value)))
     trace(board, TORQUE, line)
     board.plot(TORQUE, line.corners[1], named.symbol, Dot.NONE)
     return line
-
-
-def _whole(lobes: tuple[Lobe, ...]) -> Expr:
-    """What lies above the axis less what lies below it."""
-    if len(lobes) == 1 and nominal(lobes[0].sign) > 0:
-        return lobes[0].area
-    return Sum(tuple(lobe.area for lobe in lobes), tuple(1 if nominal(lobe.sign) > 0 else -1 for lobe in lobes))
 
 
 def _places(bench: Bench, lobes: Lobes) -> None:

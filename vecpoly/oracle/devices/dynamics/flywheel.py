@@ -12,6 +12,7 @@ from ....devices.dynamics.curve import Curve
 from ....devices.dynamics.flywheel import GRAVITY, Flywheel
 from ....devices.dynamics.given import Areas, Torques
 from ....devices.dynamics.rim import Rim
+from ....mechanism.machine import flywheel_of
 from ..registry import Values, answers
 
 Reals = npt.NDArray[np.float64]
@@ -43,7 +44,7 @@ def _inertia(wheel: Flywheel, swing: float) -> dict[str, complex | float]:
     found: dict[str, complex | float] = {}
     whole = has
     if wheel.delta is not None:
-        need = swing / (wheel.delta.si * wheel.speed**2)
+        need = flywheel_of(swing, wheel.speed, wheel.delta.si)
         flywheel = max(need - has, 0.0)
         whole = has + flywheel
         found |= {asked.J_NEED.key: need, asked.J_F.key: flywheel, asked.GD2.key: 4 * GRAVITY * flywheel}
