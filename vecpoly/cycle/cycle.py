@@ -60,6 +60,11 @@ class Cycle:
         """What acts, balanced or not."""
         return self.machine if self.loads is None else self.loads
 
+    def under(self, acting: Loads) -> Cycle:
+        """The same turn under other loads, balanced or not as its own are; nothing that was found is kept."""
+        loads, machine = (None, acting) if self.loads is None else (acting, self.machine)
+        return replace(self, loads=loads, machine=machine, _kept={}, _solved={}, _infos={})
+
     @cached_property
     def samples(self) -> tuple[Sample, ...]:
         """All solved positions, in blocks that fit into the processor's cache; kept, for columns to come."""

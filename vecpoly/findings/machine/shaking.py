@@ -89,12 +89,7 @@ def _left(whole: Cycle, loads: Loads, balanced: set[str]) -> float:
     rest = replace(loads, masses=tuple(mass for mass in loads.masses if mass.link not in balanced))
     if not rest.masses or not balanced:
         return 0.0
-    turn = (
-        replace(whole, machine=rest, _kept={}, _solved={}, _infos={})
-        if whole.loads is None
-        else replace(whole, loads=rest, _kept={}, _solved={}, _infos={})
-    )
-    spot = extremes(turn, FORCE.key).highest
+    spot = extremes(whole.under(rest), FORCE.key).highest
     return spot.value if spot is not None else 0.0
 
 
