@@ -157,11 +157,6 @@ class Loads:
         return max((round(table.period / (2 * pi)) for table in tables), default=1) or 1
 
     @property
-    def varying(self) -> bool:
-        """Whether a load depends on place or speed."""
-        return bool(self.springs) or any(load.law is not None for load in self.all)
-
-    @property
     def dynamic(self) -> bool:
         """Whether accelerations are needed."""
         return self.inertia and bool(self.masses)

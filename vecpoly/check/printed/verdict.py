@@ -87,11 +87,7 @@ def _verdict(printed: Printed, value: float, truth: float, deviation: float, sli
 def last_digit(text: str, value: float) -> float:
     """One unit of the last printed digit, in SI: from the number as written."""
     m = _NUMBER.search(text)
-    if m is None:
-        return 0.0
-    written = float(m[0].replace("−", "-"))
-    unit = 10.0 ** (int(m[3] or 0) - len(m[2] or ""))
-    return unit * abs(value / written) if written else unit
+    return 0.0 if m is None else _power(m, int(m[3] or 0) - len(m[2] or ""), value)
 
 
 def _carried(printed: Printed, value: float) -> float:
@@ -99,8 +95,17 @@ def _carried(printed: Printed, value: float) -> float:
     m = _NUMBER.search(printed.text)
     if printed.figures is None or m is None or not value:
         return 0.0
-    written = float(m[0].replace("−", "-"))
-    return float(10.0 ** (floor(log10(abs(written))) + 1 - printed.figures)) * abs(value / written)
+    return _power(m, floor(log10(abs(_written(m)))) + 1 - printed.figures, value)
+
+
+def _power(m: re.Match[str], power: int, value: float) -> float:
+    """So large a power of ten of the number as written, in SI."""
+    written, unit = _written(m), 10.0**power
+    return unit * abs(value / written) if written else unit
+
+
+def _written(m: re.Match[str]) -> float:
+    return float(m[0].replace("−", "-"))
 
 
 UNITS: tuple[tuple[float, Words], ...] = (  # one number alone may bear these out

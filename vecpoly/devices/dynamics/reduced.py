@@ -20,7 +20,6 @@ from ..base import Device, Duration, Omega, as_written
 from .shafts import Meshing, Pair, Shaft, ways
 
 G = 9.81  # m/s²
-REST = 1e-12
 J_E, M_E = Named("J_e", "J_e", "kg·m^2"), Named("M_e", "M_e", "N·m")
 M_D, M_R = Named("M_d", "M_{ed}", "N·m"), Named("M_r", "M_{er}", "N·m")
 TIME, TURNS = Named("t", "t", "s"), Named("N", "N", "r")

@@ -106,11 +106,6 @@ def _same(key: AnswerKey, first: Mutant, second: Mutant) -> bool:
     return not any(_apart(one, mine, theirs) for one, mine, theirs in pairs)
 
 
-def _each(found: ByHand, hand: int, count: int) -> ByHand:
-    """What the students who make the same mistake found."""
-    return {name: values[hand::count] for name, values in found.items()}
-
-
 def _changed(key: AnswerKey, found: ByHand, hand: int) -> dict[str, Value]:
     """What comes out otherwise, without what rests on a figure that does not close; a step that falls away with the
     mistake, as where two points become one, leaves the others. Nothing, where no paper holds the figure."""

@@ -15,7 +15,6 @@ from ..bench import Bench
 from .inertia import FOUR, PI
 
 HALF = Quantity(Txt("0.5"), 0.5, "")
-BILLION = Quantity(Txt("10^{9}"), 1e9, "")
 
 
 def rim_of(bench: Bench, rim: Rim, inertia: Quantity, omega: Quantity) -> None:
