@@ -20,6 +20,8 @@ def is_ground(stroke: Stroke) -> bool:
 
 def broken(items: tuple[Item, ...], letters: Sequence[Rect]) -> tuple[Item, ...]:
     """The items of a figure, their hatching left out where letters stand."""
+    if not any(isinstance(item, Stroke) and is_ground(item) for item in items):
+        return items
     holes = shapely.union_all([_hole(rect) for rect in letters])
     return tuple(piece for item in items for piece in _left(item, holes))
 
