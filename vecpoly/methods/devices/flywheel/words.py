@@ -9,14 +9,14 @@ from ....words import Words
 SECTION = Words("力矩线图", "Diagram of moments")
 GIVEN_SECTION = Words("各段盈亏功", "Surpluses and deficits")
 GIVEN = Words(
-    "各块面积乘以 $μ_A$ 即为该段的盈亏功，盈功为正，亏功为负：",
-    "Each area times $μ_A$ is the work gained, negative where it is lost:",
+    "各块面积乘以 $μ_A$ 即为该段的盈亏功，盈功为正，亏功为负。",
+    "Each area times $μ_A$ is the work gained, negative where it is lost.",
 )
 AREAS = Words(
     "$M_d$ 与 $M_r$ 的交点顺次标以字母。$M_d > M_r$ 处为盈功（斜线右上），$M_d < M_r$ 处为亏功（斜线右下）。"
-    "量出各块面积，乘以 $μ_A$（$μ_{φ}$ 须以弧度计）：",
+    "量出各块面积，乘以 $μ_A$（$μ_{φ}$ 须以弧度计）。",
     "Letter the points where $M_d$ and $M_r$ meet. Where $M_d > M_r$ work is gained (hatched upwards to the right), "
-    "where $M_d < M_r$ it is lost. Measure the areas and multiply by $μ_A$ ($μ_{φ}$ in radians):",
+    "where $M_d < M_r$ it is lost. Measure the areas and multiply by $μ_A$ ($μ_{φ}$ in radians).",
 )
 
 
