@@ -68,7 +68,7 @@ def test_only_the_part_that_saves_a_page_is_tightened_and_nothing_is_spoilt() ->
     most = next(count for count in range(5, 99) if pages(count)[0] == 2)
     boxes = [*story(most), PageBreak(), *story(3)]
     before = [box.spaceBefore for box in boxes if isinstance(box, Callout)]
-    assert len(PdfReader(BytesIO(saved(lambda: list(boxes), META))).pages) == 2
+    assert len(PdfReader(BytesIO(saved(boxes, META))).pages) == 2
     assert [box.spaceBefore for box in boxes if isinstance(box, Callout)] == before
 
 
@@ -77,4 +77,4 @@ def test_a_table_that_was_put_off_to_the_next_page_is_set_again() -> None:
     table = DataTable(("a",), [("1",)] * 3, lang="en")
     boxes = [*story(most - 2), table, *story(2)]
     for _ in range(2):
-        assert len(PdfReader(BytesIO(saved(lambda: list(boxes), META))).pages) in (1, 2)
+        assert len(PdfReader(BytesIO(saved(boxes, META))).pages) in (1, 2)

@@ -23,8 +23,8 @@ from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
-from .flow.blocks import Callout, Drawing
-from .flow.doc import Metadata, ReportDoc, SheetPage, Stamp
+from .flow.blocks import Callout, Drawing, SheetPage
+from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.table import DataTable
 from .flow.tight import saved
 from .flow.xml import to_flowables
@@ -90,14 +90,11 @@ def report_bytes(
         )
     document, objects = markup(solutions, lang, style, fields or {}, title, templates)
     head = (title or _title(solutions)).of(lang)
-
-    def story() -> list[Any]:
-        return [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]
-
+    story = [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]
     meta = Metadata(
         title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang
     )
-    return saved(story, meta) if stamp is None else ReportDoc(story(), meta, stamp).made()[0]
+    return saved(story, meta) if stamp is None else ReportDoc(story, meta, stamp).made()[0]
 
 
 def alarms(solutions: Sequence[Solution], lang: Lang) -> list[Callout]:

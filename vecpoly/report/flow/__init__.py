@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from .blocks import TITLE_FIELDS, Callout, Divider, Drawing, Heading, TitleBlock
-from .doc import Metadata, ReportDoc, SheetPage, Written
+from .blocks import TITLE_FIELDS, Callout, Divider, Drawing, Heading, SheetPage, TitleBlock
+from .doc import Metadata, ReportDoc, Written
 from .equation import EquationFlow
 from .formula import Formula
 from .para import Para, numbered

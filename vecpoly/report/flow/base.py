@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
 from reportlab.platypus.flowables import Flowable
 
@@ -44,7 +45,17 @@ class Block(Flowable):  # type: ignore[misc]
         """Set with less white around it."""
         self.spaceBefore, self.spaceAfter = degree.white * self.spaceBefore, degree.white * self.spaceAfter
 
+    def undrawn(self) -> Self:
+        """A copy that takes its room and leaves no ink."""
+        own = copy(self)
+        own.draw = _nothing
+        return own
+
     def colour(self, rgb: Colour) -> None:
         """Set fill and stroke."""
         self.canv.setFillColorRGB(*rgb)
         self.canv.setStrokeColorRGB(*rgb)
+
+
+def _nothing() -> None:
+    """No ink."""

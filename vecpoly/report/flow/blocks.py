@@ -185,3 +185,21 @@ class Divider(Block):
         """Draw the rule."""
         self.colour(GREY)
         self.canv.rect(0.0, 0.0, self.width, 0.4, stroke=0, fill=1)
+
+
+class SheetPage(Block):
+    """A whole A4 page drawn by a callback at the paper's lower left corner, in true millimetres."""
+
+    def __init__(self, draw: Draw, *, wide: bool = False, title: str = "", alt: str = "") -> None:
+        super().__init__()
+        self._draw, self.wide, self.outline, self.alt = draw, wide, title, alt
+        self.level = 2
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """The whole page."""
+        self.width, self.height = width, height
+        return width, height
+
+    def draw(self) -> None:
+        """Call back."""
+        self._draw(self.canv, 0.0, 0.0)

@@ -7,8 +7,7 @@ from collections.abc import Sequence
 from ...typeset.box import MM, Box
 from ...typeset.canvas import Ink
 from ...typeset.words import layout_words
-from .blocks import Drawing
-from .doc import SheetPage
+from .blocks import Drawing, SheetPage
 
 _PAGE = (210.0, 297.0)  # mm
 _LABEL, _BLANK, _ROW = 30.0, 62.0, 11.0  # mm

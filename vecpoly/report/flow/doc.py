@@ -22,7 +22,7 @@ from ...typeset.fonts import Face, load
 from ...typeset.words import layout_words
 from ...words import Lang
 from .base import Block
-from .blocks import Draw
+from .blocks import SheetPage
 from .contents import page_form, tell_contents
 from .style import BODY, GREY
 
@@ -54,24 +54,6 @@ class Written:
     missing: tuple[str, ...]
 
 
-class SheetPage(Block):
-    """A whole A4 page drawn by a callback at the paper's lower left corner, in true millimetres."""
-
-    def __init__(self, draw: Draw, *, wide: bool = False, title: str = "", alt: str = "") -> None:
-        super().__init__()
-        self._draw, self.wide, self.outline, self.alt = draw, wide, title, alt
-        self.level = 2
-
-    def wrap(self, width: float, height: float) -> tuple[float, float]:
-        """The whole page."""
-        self.width, self.height = width, height
-        return width, height
-
-    def draw(self) -> None:
-        """Call back."""
-        self._draw(self.canv, 0.0, 0.0)
-
-
 class _Canvas(Canvas):  # type: ignore[misc]
     """PDF 1.7 in our own face; the number of pages is a form filled in at the end."""
 
@@ -101,6 +83,13 @@ class _Canvas(Canvas):  # type: ignore[misc]
         ink.box(box, -box.width * MM, 0.0)
         ink.flush()
         self.endForm()
+
+
+class _Uninked(_Canvas):
+    """For pages that are only counted."""
+
+    def save(self) -> None:
+        """Nothing is written."""
 
 
 class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
@@ -204,11 +193,20 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
     def made(self) -> tuple[bytes, int, tuple[str, ...]]:
         """The document as bytes, how many pages it has, and the characters that no font has."""
         target = BytesIO()
+        self._set(_expanded(self.story), target, _Canvas)
+        return target.getvalue(), self.page, tuple(lost(self.canv))
+
+    def counted(self) -> int:
+        """How many pages it has: every block finds its place, and none is drawn."""
+        story = [item.undrawn() if isinstance(item, Block) else item for item in _expanded(self.story)]
+        self._set(story, BytesIO(), _Uninked)
+        return int(self.page)
+
+    def _set(self, story: list[Any], target: BytesIO, canvas: type[_Canvas]) -> None:
         self._entries, self._level, self._pages, self._filled = 0, -1, 0, []
         tell_contents(self.story)
         self._firstPageTemplateIndex = _first(self.story)
-        self.build(_expanded(self.story), filename=target, canvasmaker=_Canvas)
-        return target.getvalue(), self.page, tuple(lost(self.canv))
+        self.build(story, filename=target, canvasmaker=canvas)
 
 
 def _expanded(story: Sequence[Any]) -> list[Any]:

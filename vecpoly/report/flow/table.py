@@ -46,13 +46,16 @@ class DataTable(Block):
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
         self.align = (align + "c" * len(self.header))[: len(self.header)]
+        self._measured: float | None = None
         self._set_widths: tuple[float, ...] = ()
         self._head: _Row = ()
         self._body: tuple[_Row, ...] = ()
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
-        """Size in a column."""
-        self.width = width
+        """Size in a column; for the same width it was found before."""
+        if self._measured == width:
+            return width, self.height
+        self._measured = self.width = width
         self._set_widths = self._columns(width / MM)
         self._head = self._break(self.header, True)
         self._body = tuple(self._break(row, False) for row in self.rows)

@@ -7,14 +7,15 @@ left as it was.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from copy import copy
 from typing import Any
 
 from reportlab.platypus.flowables import PageBreak
 
 from .base import Block, Tightness
-from .doc import Metadata, ReportDoc, SheetPage
+from .blocks import SheetPage
+from .doc import Metadata, ReportDoc
 
 DEGREES = (
     Tightness(white=0.8),
@@ -23,16 +24,15 @@ DEGREES = (
     Tightness(white=0.4, lines=0.92, figures=0.7),
 )
 SHORT = 3  # pages of a part of which the lines are set closer too; in a longer one this would catch the eye
-Story = Callable[[], Sequence[Any]]
 
 
-def saved(story: Story, meta: Metadata) -> bytes:
+def saved(story: Sequence[Any], meta: Metadata) -> bytes:
     """The document, each part of it on as few pages as a tighter setting gives it."""
-    plain = ReportDoc(_set(story(), {}), meta)
+    plain = ReportDoc(_set(story, {}), meta)
     data = plain.made()[0]
     tried = {part: _degree(story, part, pages, meta) for part, pages in plain.leftover.items()}
     chosen = {part: degree for part, degree in tried.items() if degree is not None}
-    return ReportDoc(_set(story(), chosen), meta).made()[0] if chosen else data
+    return ReportDoc(_set(story, chosen), meta).made()[0] if chosen else data
 
 
 def tightened(story: Sequence[Any], degree: Tightness = DEGREES[1]) -> list[Any]:
@@ -51,11 +51,11 @@ def _tight(item: Any, degree: Tightness | None) -> Any:
     return own
 
 
-def _degree(story: Story, part: int, pages: int, meta: Metadata) -> Tightness | None:
+def _degree(story: Sequence[Any], part: int, pages: int, meta: Metadata) -> Tightness | None:
     """The least tightness with which a part of so many pages needs fewer."""
-    items = _parts(story())[part]
+    items = _parts(story)[part]
     degrees = DEGREES if pages <= SHORT else [one for one in DEGREES if one.lines == 1.0]
-    return next((one for one in degrees if ReportDoc(tightened(items, one), meta).made()[1] < pages), None)
+    return next((one for one in degrees if ReportDoc(tightened(items, one), meta).counted() < pages), None)
 
 
 def _parts(story: Sequence[Any]) -> list[list[Any]]:

@@ -14,10 +14,9 @@ from ...board.construction import EquationTable
 from ...errors import VecpolyError
 from ...words import Lang, Words
 from .base import Block
-from .blocks import KINDS, Callout, Divider, Drawing, Heading, TitleBlock
+from .blocks import KINDS, Callout, Divider, Drawing, Heading, SheetPage, TitleBlock
 from .contents import Contents
 from .cover import Cover
-from .doc import SheetPage
 from .equation import EquationFlow
 from .formula import Formula
 from .para import Para, numbered

@@ -14,8 +14,7 @@ from ...units.reckoning import Amount
 from ...words import Lang, Words
 from ..course.numbering import Press
 from ..course.results.drawings import page
-from ..flow.blocks import spoken
-from ..flow.doc import SheetPage
+from ..flow.blocks import SheetPage, spoken
 
 APPENDIX = "A"  # where the sheets are bound
 

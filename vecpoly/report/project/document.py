@@ -44,7 +44,7 @@ def project_bytes(
     document = filled(f"project.{lang}.xml.j2", folders, context)
     solutions = [position.solution for part in project.parts for position in _solved(part)]
     meta = Metadata(title=project.title.of(lang), subject=KIND.of(lang), keywords=(project.id,), lang=lang)
-    return saved(lambda: [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)], meta)
+    return saved([*alarms(solutions, lang), *to_flowables(document, objects.named, lang)], meta)
 
 
 def _solved(part: Part) -> tuple[Any, ...]:

@@ -15,8 +15,7 @@ from ....findings.study.study import Study
 from ....solution import Solution, solve
 from ....words import Lang, Words
 from ...content import scales, sections
-from ...flow.blocks import spoken
-from ...flow.doc import SheetPage
+from ...flow.blocks import SheetPage, spoken
 from ...flow.table import DataTable
 from ...tables import readings_table
 from ..analysis.force_words import role_note
