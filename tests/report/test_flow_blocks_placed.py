@@ -81,11 +81,9 @@ def test_a_cell_of_two_lines_makes_its_row_higher_and_its_neighbours_stand_in_th
 
 def test_narrow_columns_keep_their_width_and_wide_ones_share_what_is_left() -> None:
     wide = DataTable(("a", "b", "c"), [("x", "word " * 60, "word " * 30)], lang="en")
-    wide.wrap(100 * MM, 1000)
     alone = DataTable(("a",), [("x",)], lang="en")
-    alone.wrap(100 * MM, 1000)
-    narrow, long, half = wide._set_widths
-    assert narrow == pytest.approx(alone._set_widths[0])
+    narrow, long, half = wide.set_in(100 * MM).widths
+    assert narrow == pytest.approx(alone.set_in(100 * MM).widths[0])
     assert narrow + long + half == pytest.approx(100.0)
     assert long / half == pytest.approx(2.0, rel=0.05)
 
@@ -197,11 +195,9 @@ def test_the_rows_of_an_equation_stand_under_each_other_with_their_captions_befo
 def test_an_equation_that_is_too_wide_is_set_smaller_before_it_is_broken() -> None:
     sizes, groups = [], []
     for width in (160, 120, 100, 60, 40):
-        flow = EquationFlow(equation(5))
-        flow.wrap(width * MM, 1000)
-        assert flow._grid is not None
-        sizes.append(flow._grid.em * MM)
-        groups.append(len(flow._grid.groups))
+        grid = EquationFlow(equation(5)).set_in(width * MM)
+        sizes.append(grid.em * MM)
+        groups.append(len(grid.groups))
     assert sizes[0] == 10.5 and sizes == sorted(sizes, reverse=True) and min(sizes) >= 0.75 * 10.5 * 0.9
     assert groups[0] == 1 and groups == sorted(groups) and groups[-1] > 1
     assert all(size < 0.8 * 10.5 for size, count in zip(sizes, groups, strict=True) if count > 1)

@@ -88,18 +88,14 @@ def test_a_wide_formula_breaks_before_equality_signs() -> None:
 
 def test_a_wide_equation_stays_inside_the_column() -> None:
     for terms in (3, 8, 14):
-        flow = EquationFlow(equation(terms))
-        flow.wrap(160 * MM, 1000)
-        grid = flow._grid
-        assert grid is not None
+        grid = EquationFlow(equation(terms)).set_in(160 * MM)
         for group in grid.groups:
             assert grid.margin + sum(c.sign.width + c.width for c in group) <= 160.0
 
 
 def test_a_wide_table_fits_the_column() -> None:
     table = DataTable(("a", "b"), [("x", "很长的文字" * 60)])
-    table.wrap(400, 1000)
-    assert sum(table._set_widths) <= 400 / MM + 1e-6
+    assert sum(table.set_in(400).widths) <= 400 / MM + 1e-6
 
 
 def test_the_exponent_of_a_unit_is_raised_in_running_text() -> None:

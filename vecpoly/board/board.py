@@ -23,7 +23,7 @@ from ..words import Words
 from . import acts as done
 from .acts import Way
 from .compass import Compass
-from .construction import Reading, Scale
+from .construction import EquationTable, Listing, Reading, Scale
 from .hand import Hand
 from .hand import hand as hand_of
 from .otherwise.amended import AS_DRAWN, Amended, plain_letters
@@ -198,7 +198,7 @@ class Board(Compass):
         if wrong:
             self._slipped.add(key)
         result = magnitude(symbol, self.conclude(key, value, unit_text, mistake=mistake, instead=instead), unit_text)
-        self.write(worked(result.node, expr, unit_text))
+        self.write_worked(result.node, expr, unit_text)
         self.ledger.sizes[key] = result
         return result
 
@@ -209,15 +209,34 @@ class Board(Compass):
 
     def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
         """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm."""
-        self.write(worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm"))
+        self.write_worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm")
+
+    def write_worked(self, node: Node, expr: Expr, unit_text: str) -> None:
+        """Write symbol = formula = numbers = result into the step."""
+        self.write(worked(node, expr, unit_text))
 
 
 class Scratch(Board):
-    """Paper that is thrown away: sketches, trials. Only what stands on it counts."""
+    """Paper that is thrown away: sketches, trials. Only what stands on it counts; nobody reads its text."""
 
     def log(self, act: done.Act) -> Acts:
         self.ink(act)
         return frozenset(act.inputs)
+
+    def remark(self, words: Words) -> None:
+        """Left out."""
+
+    def equate(self, table: EquationTable) -> None:
+        """Left out."""
+
+    def write(self, *formulas: Node) -> None:
+        """Left out."""
+
+    def write_worked(self, node: Node, expr: Expr, unit_text: str) -> None:
+        """Left out, and not composed."""
+
+    def tabulate(self, listing: Listing) -> None:
+        """Left out."""
 
 
 def letters_node(letters: str) -> Node:

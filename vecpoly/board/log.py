@@ -3,6 +3,7 @@ What stands on a figure follows from the acts."""
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Mapping
 from typing import Any, TypeVar
 
@@ -14,10 +15,11 @@ from ..foundation.slotted import replace
 from ..plane import Points, Reals
 from ..plane.traced import Acts, acts_of, bare, traced
 from ..words import Words
-from .acts import Act, Depict, Head
+from .acts import Act, Arrow, Depict, Head
 from .construction import EquationTable, Figure, Listing, Scale, Step
 from .ledger import Ledger
-from .paper.ink import marks_of
+from .paper.ends import Ends
+from .paper.ink import ends_of, leaves_ink, marks_of
 from .paper.marks import Mark
 from .paper.symbols import Symbol
 from .place import Pane, Place, View, view_of, views
@@ -34,7 +36,9 @@ class Log:
         self.acts: list[Act] = []
         self.ledger = Ledger()
         self.hands: dict[int, Any] = {}  # number of an act → the point, length or value that it gave, by every hand
-        self._marks: dict[Place, list[Mark]] = {view: [] for view in views()}
+        self._marks: dict[Place, list[Mark]] = {view: [] for view in views()}  # of acts up to when they were looked at
+        self._left = defaultdict[Place, list[Act]](list)  # acts since then that leave marks
+        self._ends = defaultdict[Place, Ends](Ends)  # of the vectors there
         self._titles: dict[Pane, Words] = {}
         self._section = Words.same("")
 
@@ -99,10 +103,12 @@ class Log:
 
     def ink(self, act: Act) -> None:
         """Leave the marks of an act on its figure."""
-        left = marks_of(act)
-        if left:
+        if leaves_ink(act):
             assert act.head.place is not None
-            self._marks[act.head.place] += left
+            self._left[act.head.place].append(act)
+            if isinstance(act, Arrow | Depict):
+                for ends in ends_of(act):
+                    self._ends[act.head.place].add(*ends)
 
     def depict(self, view: Place, *symbols: Symbol) -> None:
         """Draw symbols of links, joints, bodies; how one looks is told by `diagram`, not here."""
@@ -127,10 +133,10 @@ class Log:
 
         titles: of those that are not called as their kind is.
         """
-        return tuple(self._figure(p, titles) for p in sorted((p for p in self._marks if self._marks[p]), key=view_of))
+        return tuple(self._figure(p, titles) for p in sorted((p for p in self._marks if self._on(p)), key=view_of))
 
     def _figure(self, place: Place, titles: Mapping[View, Words]) -> Figure:
-        marks, scale = tuple(self._marks[place]), self.scale_of(place)
+        marks, scale = self.marks(place), self.scale_of(place)
         if isinstance(place, Pane):
             title = self._titles[place]
             return Figure(view=place.view, title=title, name=place.name, scale=scale, marks=marks, aside=place.aside)
@@ -138,7 +144,15 @@ class Log:
 
     def marks(self, view: Place) -> tuple[Mark, ...]:
         """What stands on a figure so far."""
-        return tuple(self._marks[view])
+        return tuple(self._on(view))
+
+    def _on(self, place: Place) -> list[Mark]:
+        """The same; the marks follow from the acts when they are looked at, which on scratch paper they seldom are."""
+        marks, left = self._marks[place], self._left[place]
+        for act in left:
+            marks += marks_of(act)
+        left.clear()
+        return marks
 
     # -- scales -----------------------------------------------------------------------------------------------
 

@@ -14,7 +14,7 @@ from ..words import Words
 from . import acts as done
 from .ledger import Stood
 from .log import Log
-from .paper.marks import Dot, Role, Vector
+from .paper.marks import Dot, Role
 from .place import Place
 
 OVERRUN = 6.0  # mm a ruled line runs past its meeting point
@@ -53,8 +53,12 @@ class Strokes(Log):
     def arrow_once(self, view: Place, a: Points, b: Points, *, key: str = "") -> None:
         """Draw the result vector from a to b unless a vector stands there already."""
         start, end = spot(a), spot(b)
-        there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < NO_ARROW for m in self._marks[view])
-        self._arrow(view, a, b, Role.RESULT, key, "", not there and bool(abs(end - start) > NO_ARROW))
+        shown = bool(abs(end - start) > NO_ARROW) and not self.stands(view, start, end)
+        self._arrow(view, a, b, Role.RESULT, key, "", shown)
+
+    def stands(self, view: Place, start: complex, end: complex) -> bool:
+        """Whether a vector stands there already."""
+        return self._ends[view].has(start, end)
 
     def _arrow(self, view: Place, a: Points, b: Points, role: Role, key: str, label: str, shown: bool) -> None:
         head = self.head(a, b, on=view, key=key)

@@ -44,7 +44,7 @@ def marks_of(act: Act) -> tuple[Mark, ...]:
 
     What belongs to no link and no joint is its figure's own: the polygon's.
     """
-    if not _leaves_ink(act):
+    if not leaves_ink(act):
         return ()
     h = act.head
     owner = h.owner or (called(h.place) if h.place is not None else "")
@@ -54,7 +54,13 @@ def marks_of(act: Act) -> tuple[Mark, ...]:
     )
 
 
-def _leaves_ink(act: Act) -> TypeGuard[Leaving]:
+def ends_of(act: done.Arrow | done.Depict) -> list[tuple[complex, complex]]:
+    """Tail and head of the vectors that an act leaves."""
+    return [(mark.a, mark.b) for mark in _left(act) if isinstance(mark, Vector)]
+
+
+def leaves_ink(act: Act) -> TypeGuard[Leaving]:
+    """Whether it may leave marks."""
     return type(act) in _LEAVING
 
 

@@ -44,7 +44,7 @@ def keep_measured(st: Statics, named: Named, drawn: Drawn, sign: int = 1) -> Rea
     """A scalar force read off a polygon, written into the step."""
     on_paper = st.board.measure(drawn.start, drawn.end, drawn.letters)
     expr = st.board.mu(drawn.place) * on_paper
-    st.board.write(worked(sym(named.symbol), expr, named.unit))
+    st.board.write_worked(sym(named.symbol), expr, named.unit)
     value = sign * expr.value
     st.keep(
         Reading(
@@ -66,7 +66,7 @@ def write_sizes(st: Statics, *forces: Acting) -> None:
     """R = μ_F × length on the polygon, written into the step."""
     for force in forces:
         if force.drawn is not None:
-            st.board.write(worked(sym(force.named.symbol), measured(st, force.drawn), "N"))
+            st.board.write_worked(sym(force.named.symbol), measured(st, force.drawn), "N")
 
 
 def read_reactions(st: Statics, mech: Mechanism) -> None:

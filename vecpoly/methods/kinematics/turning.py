@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...algebra.quantity import magnitude, worked
+from ...algebra.quantity import magnitude
 from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...names import alpha, omega
@@ -65,7 +65,7 @@ def _rate(
     length = desk.length(about, point)
     expr = board.mu(view) * on_paper / length
     if not none:
-        board.write(worked(magnitude(name, 0, unit).node, expr, unit))
+        board.write_worked(magnitude(name, 0, unit).node, expr, unit)
     way = np.sign(cross(desk.towards(about, point), ends[1] - ends[0]))
     return np.where(np.abs(ends[1] - ends[0]) < NO_LENGTH, 0.0, expr.value * way)[()]
 

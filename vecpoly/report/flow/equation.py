@@ -54,21 +54,25 @@ class EquationFlow(Block):
     def __init__(self, table: EquationTable, lang: Lang = "zh", size: float = BODY.size) -> None:
         super().__init__(6.0, 8.0)
         self.table, self.lang, self._size = table, lang, size
-        self._grid: _Grid | None = None
+        self._grids: dict[float, _Grid] = {}  # by width; one for the table and all its copies
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column."""
         self.width = width
-        self._grid = _fit(self.table, self.lang, self._size / MM, width / MM)
-        groups = self._grid.groups
-        self.height = sum(_height(self._grid, group) for group in groups) * MM
-        self.height += (len(groups) - 1) * 2 * _ROW_SKIP * MM
+        grid = self.set_in(width)
+        self.height = sum(_height(grid, group) for group in grid.groups) * MM
+        self.height += (len(grid.groups) - 1) * 2 * _ROW_SKIP * MM
         return width, self.height
+
+    def set_in(self, width: float) -> _Grid:
+        """Its columns where the measure is so many points wide."""
+        if width not in self._grids:
+            self._grids[width] = _fit(self.table, self.lang, self._size / MM, width / MM)
+        return self._grids[width]
 
     def draw(self) -> None:
         """Draw every group of columns under the other."""
-        assert self._grid is not None
-        grid, ink = self._grid, Ink(self.canv)
+        grid, ink = self.set_in(self.width), Ink(self.canv)
         widest = max(_width(grid, group) for group in grid.groups)
         left = max(0.0, (self.width / MM - widest) / 2)
         y = self.height / MM

@@ -24,12 +24,15 @@ class Formula(Block):
         self._em = size / MM
         self._number = layout_words(number, self._em) if number else None
         self._lines: tuple[tuple[float, Box], ...] = ()
+        self._broken: dict[float, tuple[tuple[float, Box], ...]] = {}  # by room; for all copies
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column."""
         self.width = width
         room = width / MM - (2 * self._number.width + self._em if self._number else 0.0)
-        self._lines = lines(self.node, self._em, room)
+        if room not in self._broken:
+            self._broken[room] = lines(self.node, self._em, room)
+        self._lines = self._broken[room]
         boxes = [box for _, box in self._lines]
         self.height = (sum(box.height for box in boxes) + _SKIP * (len(boxes) - 1)) * MM
         return width, self.height

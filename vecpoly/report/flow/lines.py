@@ -17,7 +17,8 @@ _LEAST_GAP = 0.75  # how far blanks may shrink before a line is broken earlier
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """One line: its cells, the gaps between them, its indent and natural width without outer blanks (mm)."""
+    """One line: its cells, the gaps between them, its indent and natural width without outer blanks, how far its ink
+    stands above and below its baseline (mm)."""
 
     cells: tuple[Cell, ...]
     gaps: tuple[Gap, ...]
@@ -25,16 +26,8 @@ class Line:
     width: float
     em: float
     last: bool
-
-    @property
-    def ascent(self) -> float:
-        """The highest ink, mm."""
-        return max((cell.box.ascent for cell in self.cells), default=0.0)
-
-    @property
-    def descent(self) -> float:
-        """The deepest ink, mm."""
-        return max((cell.box.descent for cell in self.cells), default=0.0)
+    ascent: float
+    descent: float
 
 
 def break_lines(cells: Sequence[Cell], width: float, em: float, first: float = 0.0) -> list[Line]:
@@ -70,10 +63,11 @@ def _fill(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, width: float) 
 
 
 def _line(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, end: int, indent: float, em: float) -> Line:
-    inner = tuple(gaps[start : end - 1])
-    width = sum(c.box.width for c in cells[start:end]) + sum(g.width for g in inner)
+    inner, boxes = tuple(gaps[start : end - 1]), [cell.box for cell in cells[start:end]]
+    width = sum([box.width for box in boxes]) + sum([g.width for g in inner])
     width -= cells[start].lead + cells[end - 1].trail
-    return Line(tuple(cells[start:end]), inner, indent, width, em, end == len(cells))
+    ascent, descent = max([box.ascent for box in boxes]), max([box.descent for box in boxes])
+    return Line(tuple(cells[start:end]), inner, indent, width, em, end == len(cells), ascent, descent)
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,8 +24,7 @@ class Para(Block):
         self.lang = lang
         self.text = text
         self._label = cells(label, self.style.em, lang == "zh", True) if label else []
-        self._lines: list[Line] = []
-        self._broken: float | None = None
+        self._broken: dict[float, list[Line]] = {}  # by width; one for the paragraph and all its copies
 
     def tighten(self, degree: Tightness) -> None:
         """Its lines closer too."""
@@ -37,14 +36,13 @@ class Para(Block):
 
     def lines(self, width: float) -> list[Line]:
         """The lines for a column of the given width (pt)."""
-        if self._broken != width:
+        if width not in self._broken:
             style, measure = self.style, self._measure(width)
             parts: list[Cell] = []
             for cell in cells(self.text, style.em, self.lang == "zh", style.bold):
                 parts.extend(chopped(cell, measure, style.em, style.bold))
-            self._lines = break_lines(parts, measure, style.em, style.first * style.em)
-            self._broken = width
-        return self._lines
+            self._broken[width] = break_lines(parts, measure, style.em, style.first * style.em)
+        return self._broken[width]
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column."""
@@ -76,7 +74,7 @@ class Para(Block):
 
     def _part(self, lines: list[Line], width: float, head: bool) -> Para:
         part = Para("", self.style, self.lang)
-        part._lines, part._broken = lines, width
+        part._broken = {width: lines}
         if head:
             part._label = self._label
         part.spaceBefore, part.spaceAfter = (self.spaceBefore, 0.0) if head else (0.0, self.spaceAfter)
@@ -88,7 +86,7 @@ class Para(Block):
         left = style.left * style.em * MM
         measure = self._measure(self.width)
         y = self.height
-        for i, line in enumerate(self._lines):
+        for i, line in enumerate(self.lines(self.width)):
             advance = self._advance(line)
             over = max(0.0, line.ascent * MM - self._rise() - 1.0)
             baseline = y - over - self._rise()

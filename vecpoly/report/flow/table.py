@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from reportlab.platypus.doctemplate import FrameBreak
 from reportlab.platypus.flowables import Flowable
@@ -11,7 +12,7 @@ from ...typeset.box import MM
 from ...typeset.canvas import Ink
 from ...words import Lang
 from .base import Block
-from .cells import cells, joined
+from .cells import Cell, cells, joined
 from .lines import Line, break_lines, draw_line
 from .style import CAPTION, CELL, Style
 
@@ -24,6 +25,18 @@ _Row = tuple[tuple[Line, ...], ...]
 
 _MANY_ROWS = 10
 _LEAST_ROWS = 4  # rows that a page break leaves together, before and after it
+
+
+@dataclass(frozen=True, slots=True)
+class _Set:
+    """The table in a column: widths of its own columns (mm), header and rows in lines; in pt, from the top to the
+    first row, and the height of each."""
+
+    widths: tuple[float, ...]
+    head: _Row
+    body: tuple[_Row, ...]
+    top: float
+    heights: tuple[float, ...]
 
 
 class DataTable(Block):
@@ -46,33 +59,35 @@ class DataTable(Block):
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
         self.align = (align + "c" * len(self.header))[: len(self.header)]
-        self._measured: float | None = None
-        self._set_widths: tuple[float, ...] = ()
-        self._head: _Row = ()
-        self._body: tuple[_Row, ...] = ()
+        self._found: dict[float, _Set] = {}  # by width of the column; one for the table and all its copies
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; for the same width it was found before."""
-        if self._measured == width:
-            return width, self.height
-        self._measured = self.width = width
-        self._set_widths = self._columns(width / MM)
-        self._head = self._break(self.header, True)
-        self._body = tuple(self._break(row, False) for row in self.rows)
-        self.height = self._top() + sum(map(self._height, self._body)) + _HEAVY
+        found = self.set_in(width)
+        self.width, self.height = width, found.top + sum(found.heights) + _HEAVY
         return width, self.height
 
-    def _top(self) -> float:
-        caption = CAPTION.leading + 2.0 if self.caption else 0.0
-        return caption + _HEAVY + self._height(self._head) + _FINE
+    def set_in(self, width: float) -> _Set:
+        """The lines of its cells in a column of so many points."""
+        if width not in self._found:
+            self._found[width] = self._broken(width)
+        return self._found[width]
 
-    def _natural(self, column: int) -> float:
-        texts = [(self.header[column], True), *((row[column], False) for row in self.rows)]
+    def _broken(self, width: float) -> _Set:
         em, chinese = self.style.em, self.lang == "zh"
-        return max(joined(cells(text, em, chinese, bold), em).width for text, bold in texts) + 2 * _PAD
+        header = [cells(text, em, chinese, True) for text in self.header]
+        rows = [[cells(text, em, chinese, False) for text in row] for row in self.rows]
+        widths = self._columns(width / MM, (header, *rows))
+        head, body = self._lines(header, widths), tuple(self._lines(row, widths) for row in rows)
+        caption = CAPTION.leading + 2.0 if self.caption else 0.0
+        top = caption + _HEAVY + self._height(head) + _FINE
+        return _Set(widths, head, body, top, tuple(map(self._height, body)))
 
-    def _columns(self, width: float) -> tuple[float, ...]:
-        wanted = self.widths or tuple(self._natural(i) for i in range(len(self.header)))
+    def _columns(self, width: float, rows: Sequence[Sequence[list[Cell]]]) -> tuple[float, ...]:
+        em = self.style.em
+        wanted = self.widths or tuple(
+            max(joined(row[i], em).width for row in rows) + 2 * _PAD for i in range(len(self.header))
+        )
         total = sum(wanted)
         if total <= width:
             return tuple(wanted)
@@ -81,11 +96,9 @@ class DataTable(Block):
         share = (width - narrow) / sum(w for w in wanted if w > fair)
         return tuple(w if w <= fair else w * share for w in wanted)
 
-    def _break(self, row: Sequence[str], bold: bool) -> _Row:
-        em, chinese = self.style.em, self.lang == "zh"
-        parts = (cells(text, em, chinese, bold) for text in row)
-        rooms = (width - 2 * _PAD + 1e-3 for width in self._set_widths)
-        return tuple(tuple(break_lines(p, room, em)) for p, room in zip(parts, rooms, strict=True))
+    def _lines(self, row: Sequence[list[Cell]], widths: Sequence[float]) -> _Row:
+        rooms = (width - 2 * _PAD + 1e-3 for width in widths)
+        return tuple(tuple(break_lines(p, room, self.style.em)) for p, room in zip(row, rooms, strict=True))
 
     def _height(self, row: _Row) -> float:
         tallest = max((sum(map(self._advance, cell)) for cell in row), default=0.0)
@@ -96,30 +109,29 @@ class DataTable(Block):
 
     def split(self, width: float, height: float) -> list[Flowable]:
         """Whole rows to each page, the header on both."""
-        self.wrap(width, height)
-        used, count = self._top() + _HEAVY, 0
-        while count < len(self.rows) and used + self._height(self._body[count]) <= height:
-            used += self._height(self._body[count])
+        found = self.set_in(width)
+        used, count = found.top + _HEAVY, 0
+        while count < len(self.rows) and used + found.heights[count] <= height:
+            used += found.heights[count]
             count += 1
         least = _MANY_ROWS if self.whole else _LEAST_ROWS
         count = min(count, len(self.rows) - least)
         if count < min(least, len(self.rows)):
             return []
-        head, tail = self._part(0, count), self._part(count, len(self.rows))
+        head, tail = (self._part(*ends, found.widths) for ends in ((0, count), (count, len(self.rows))))
         head.spaceBefore, head.spaceAfter = self.spaceBefore, 0.0
         tail.spaceBefore, tail.spaceAfter = 0.0, self.spaceAfter
         return [head, FrameBreak(), tail]  # the rest is not split once more on this page
 
-    def _part(self, start: int, end: int) -> DataTable:
+    def _part(self, start: int, end: int, widths: Sequence[float]) -> DataTable:
         caption = self.caption if start == 0 else ""
         rows = self.rows[start:end]
-        widths = self._set_widths
         return DataTable(self.header, rows, widths, self.align, lang=self.lang, caption=caption, style=self.style)
 
     def draw(self) -> None:
         """Draw caption, header, rows and rules, centred in the column."""
-        ink = Ink(self.canv)
-        width = sum(self._set_widths) * MM
+        ink, found = Ink(self.canv), self.set_in(self.width)
+        width = sum(found.widths) * MM
         left, y = (self.width - width) / 2, self.height
         if self.caption:
             em = CAPTION.em
@@ -127,10 +139,10 @@ class DataTable(Block):
             ink.box(title, (self.width - title.width * MM) / 2, y - CAPTION.size)
             y -= CAPTION.leading + 2.0
         y = self._rule(ink, left, y, width, _HEAVY)
-        y = self._row(ink, self._head, left, y, "c" * len(self.header))
+        y = self._row(ink, found.head, found.widths, left, y, "c" * len(self.header))
         y = self._rule(ink, left, y, width, _FINE)
-        for row in self._body:
-            y = self._row(ink, row, left, y, self.align)
+        for row in found.body:
+            y = self._row(ink, row, found.widths, left, y, self.align)
         self._rule(ink, left, y, width, _HEAVY)
         ink.flush()
 
@@ -138,10 +150,10 @@ class DataTable(Block):
         ink.rule(x, y - weight, width, weight)
         return y - weight
 
-    def _row(self, ink: Ink, row: _Row, left: float, top: float, align: str) -> float:
+    def _row(self, ink: Ink, row: _Row, widths: Sequence[float], left: float, top: float, align: str) -> float:
         height = self._height(row)
         x = left
-        for cell, width, side in zip(row, self._set_widths, align, strict=True):
+        for cell, width, side in zip(row, widths, align, strict=True):
             y = top - (height - sum(map(self._advance, cell))) / 2
             for line in cell:
                 advance = self._advance(line)

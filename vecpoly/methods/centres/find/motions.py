@@ -189,7 +189,7 @@ class Motions:
         self.turns[link] = value
         self.sizes[link] = magnitude(f"ω_{link}", np.abs(value), "rad/s")
         if not isinstance(expr, Quantity):
-            self.fig.board.write(worked(sym(f"ω_{link}"), expr, "rad/s"))
+            self.fig.board.write_worked(sym(f"ω_{link}"), expr, "rad/s")
         self._read(link, value, expr)
 
     def _read(self, link: str, value: Reals, expr: Expr | None) -> None:

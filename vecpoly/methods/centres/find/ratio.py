@@ -30,7 +30,7 @@ def read_ratio(motions: Motions, pair: Pair) -> None:
     found = _alike if fig.known.of(*pair).endless else _measured
     value, expr = found(fig, pair, name)
     node = as_symbol(name.symbol)
-    fig.board.write(worked(node, expr, ""))
+    fig.board.write_worked(node, expr, "")
     fig.board.keep(
         Reading(
             key=name.key, symbol=name.symbol, unit="", scalar=float(nominal(value)), formula=worked(node, expr, "")

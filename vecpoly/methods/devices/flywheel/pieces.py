@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ....algebra.quantity import Expr, Quantity, Sum, magnitude, number, worked
+from ....algebra.quantity import Expr, Quantity, Sum, magnitude, number
 from ....board.construction import Listing
 from ....devices.dynamics.asked import letter, level, work
 from ....devices.dynamics.given import Areas
@@ -70,7 +70,7 @@ def works_of(
     """The works as read, what they miss zero by, the works without it, and a table of all that."""
     board = bench.board
     read = [sign * size.value * scale.value for sign, size in zip(signs, sizes, strict=True)]
-    board.write(worked(magnitude("W_1", read[0], "J").node, _signed(sizes[0] * scale, signs[0]), "J"))
+    board.write_worked(magnitude("W_1", read[0], "J").node, _signed(sizes[0] * scale, signs[0]), "J")
     left, works = shared_out(read)
     missed = abs(float(nominal(left))) > NOTHING * sum(abs(float(nominal(one))) for one in read)
     if missed:

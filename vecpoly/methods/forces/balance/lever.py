@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....algebra.formula import sym
-from ....algebra.quantity import Expr, Quantity, Sum, magnitude, worked
+from ....algebra.quantity import Expr, Quantity, Sum, magnitude
 from ....board.board import NO_LENGTH
 from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
@@ -204,7 +204,7 @@ def _balance(st: Statics, pane: Pane, tips: Tips, load: Load, moments: list[Sum]
 
 
 def _result(st: Statics, named: Named, expr: Expr) -> None:
-    st.board.write(worked(sym(named.symbol), expr, named.unit))
+    st.board.write_worked(sym(named.symbol), expr, named.unit)
     keep_value(st, named, expr.value, expr)
 
 

@@ -4,7 +4,7 @@ no reaction appears."""
 from __future__ import annotations
 
 from ....algebra.formula import sym
-from ....algebra.quantity import Quantity, Sum, magnitude, worked
+from ....algebra.quantity import Quantity, Sum, magnitude
 from ....board.construction import View
 from ....mechanism.asked.forces import quantities
 from ....mechanism.loads import Load
@@ -56,7 +56,7 @@ def balancing_by_power(st: Statics, load: Load | None) -> None:
         keep_nothing(st, named)
         return
     expr = Sum(tuple(moving), (-rate.way,) * len(moving)) / rate.expr
-    st.board.write(worked(sym(named.symbol), expr, named.unit))
+    st.board.write_worked(sym(named.symbol), expr, named.unit)
     total = sum(part.value for part in parts)
     keep_value(st, named, -total / (rate.sign * rate.expr.value), expr)
 
@@ -68,7 +68,7 @@ def written_power(st: Statics, work: Work) -> Quantity:
     draw_rate(st, work.rate)
     way = int(nominal(work.sign))
     if way:
-        st.board.write(worked(quantity.node, Sum((work.expr,), (way,)), "W"))
+        st.board.write_worked(quantity.node, Sum((work.expr,), (way,)), "W")
     else:
         st.board.remark(Words(f" ${work.named.symbol}$ 不作功。", f" ${work.named.symbol}$ does no work."))
     return quantity

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ....algebra.formula import sym
-from ....algebra.quantity import Quantity, magnitude, worked
+from ....algebra.quantity import Quantity, magnitude
 from ....board.board import NO_LENGTH
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
@@ -136,7 +136,7 @@ def _size(st: Statics, load: Resultant, held: Held, drawn: Drawn | None) -> Quan
         return magnitude(named.symbol, np.abs(load.vector) * st.scale.value, "N")
     expr = measured(st, drawn)
     if len(load.forces) > 1:
-        st.board.write(worked(sym(named.symbol), expr, "N"))
+        st.board.write_worked(sym(named.symbol), expr, "N")
     return magnitude(named.symbol, expr.value, "N")
 
 

@@ -9,9 +9,8 @@ Then R_pj joins X to the end of its R^t, R_kj joins J to X, and R_qk is the rest
 from __future__ import annotations
 
 from ....algebra.formula import sym
-from ....algebra.quantity import worked
 from ....board.construction import Pane
-from ....board.paper.marks import Dot, Role, Vector
+from ....board.paper.marks import Dot, Role
 from ....mechanism.groups.assur import Dyad
 from ....plane import Points, nominal
 from ....vector.close import close
@@ -148,10 +147,9 @@ def name_side(st: Statics, drawn: Drawn, by: str, on: str) -> None:
     start, end = complex(nominal(drawn.start)), complex(nominal(drawn.end))
     if abs(end - start) < SAME:
         return
-    there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < SAME for m in st.board.marks(drawn.place))
-    if not there:
+    if not st.board.stands(drawn.place, start, end):
         st.board.arrow(drawn.place, drawn.start, drawn.end, Role.RESULT, key=named.key, label=named.symbol)
-    st.board.write(worked(sym(named.symbol), measured(st, drawn), "N"))
+    st.board.write_worked(sym(named.symbol), measured(st, drawn), "N")
 
 
 def _begin(st: Statics, d: Dyad, *alone: str) -> Pane:

@@ -47,17 +47,15 @@ def _free_side(desk: Desk, pivot: complex, phi: float, radius: float) -> float:
     """The direction from the pivot in which the arrow stands farthest from all lines, the angle mark and the ground."""
     ground = pivot + np.array([-3 - 4j, -4j, 3 - 4j])  # within GROUND
     mark = pivot + radius * np.exp(1j * np.linspace(0.0, swept(phi), 18))
-    lines = [
-        m.a + (m.b - m.a) * np.linspace(0.0, 1.0, 60)
-        for m in desk.board.marks(View.MECHANISM)
-        if isinstance(m, Segment | FixedGuide | Slot)
-    ]
-    taken = np.concatenate([ground, mark, *lines])
+    marks = [m for m in desk.board.marks(View.MECHANISM) if isinstance(m, Segment | FixedGuide | Slot)]
+    a, b = np.array([m.a for m in marks])[:, None], np.array([m.b for m in marks])[:, None]
+    lines = a + (b - a) * np.linspace(0.0, 1.0, 60)
+    taken = np.concatenate([ground, mark, lines.ravel()])
     taken = taken[
         np.abs(np.abs(taken - pivot) - radius) < radius + GROUND
     ]  # what lies beyond is farther than the ground
     middles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
-    arcs = pivot + radius * np.exp(1j * (middles[:, None] + np.linspace(-1.0, 1.0, 9)))
-    apart = arcs[:, :, None] - taken
-    clear = (apart.real**2 + apart.imag**2).min(axis=(1, 2))
+    arcs = pivot + radius * np.exp(1j * (middles[:, None] + np.linspace(-1.0, 1.0, 9)).ravel())
+    right, up = arcs.real[:, None] - taken.real, arcs.imag[:, None] - taken.imag
+    clear = (right**2 + up**2).min(axis=1).reshape(len(middles), -1).min(axis=1)
     return float(middles[int(np.argmax(clear))])
