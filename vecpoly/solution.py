@@ -122,7 +122,7 @@ def solve(
     task = task_of(problem)
     values = task.truth.values  # first: its refusals know the range of the input that does assemble
     size = sizes(problem, task.truth)
-    off = noise(task.truth, size) if precise else dict.fromkeys(values, 0.0)
+    off = noise(problem, task.truth, size) if precise else dict.fromkeys(values, 0.0)
     amended = amend(readings, points, slip)
     drawn = task.draw(hand(by, seed=seed, repeats=repeats), amended, sketch)
     found_all(amended, drawn.construction.acts, readings)

@@ -7,6 +7,7 @@ import pytest
 
 from tests.lawful import CARD, COIL, CUT, ENGINE, SPRING, slider
 from vecpoly import load
+from vecpoly.board.place import view_named
 from vecpoly.errors import EquilibriumError, NoMethodError
 from vecpoly.problem.problem import Problem
 from vecpoly.problem.values.vary import vary
@@ -61,9 +62,18 @@ def test_a_longer_reading_stretches_the_spring() -> None:
     assert after == pytest.approx(30 + 2000 * (50 * 0.004 - 0.09), rel=1e-9) != before
 
 
-def test_the_constant_over_the_period_is_not_drawn_in_one_position() -> None:
-    with pytest.raises(NoMethodError, match="constant over the period, and the drawing of one position does not"):
-        solve(slider(CUT, unknown="M_d: {on: 1, size: constant}", find="M_d"))
+def test_the_constant_over_the_period_is_the_rectangle_under_the_moments_of_twelve_positions() -> None:
+    solution = drawn_exactly(slider(CUT, unknown="M_d: {on: 1, size: constant}", find="M_d, M_b"))
+    torque = solution.construction.figure(view_named("torque"))
+    assert torque is not None and torque.scale.across is not None
+    assert any("make it a rectangle" in step.words.en for step in solution.construction.steps)
+    assert solution.answers["M_d"].drawn != pytest.approx(solution.answers["M_b"].drawn, rel=0.1)
+
+
+def test_with_friction_the_constant_is_left_to_the_exact_answers() -> None:
+    rubbing = "friction: {A: {rho: 3 mm}}\n"
+    with pytest.raises(NoMethodError, match="constant over the period and there is friction"):
+        solve(slider(CUT, unknown="M_d: {on: 1, size: constant}", more=rubbing, find="M_d"))
 
 
 def test_the_drawing_refuses_a_place_of_which_the_table_says_nothing() -> None:

@@ -86,3 +86,67 @@ def test_a_resultant_that_passes_through_a_friction_circle_on_trial_is_no_lock()
     solution = exact_hand(THROUGH_THE_CIRCLE)
     assert agreeing(solution) == 6
     assert solution.answers["X_b"].drawn / solution.answers["X_b_0"].drawn > 50
+
+
+# The resultant of the plate passes through the circle at G at first, and moments must solve the group; with the couples
+# that moments leave it would pass beside it, where lines of action need no couples: they took turns for ever.
+TAKING_TURNS = """
+id: x
+title: lines of action and moments by turns
+frame: {A: [0 mm, 0 mm], F: [151.685 mm, -3.44 mm], G: [92.712 mm, 62.807 mm]}
+links:
+  1: {AB: 48.954 mm, J: {along: AB, at: 89.133 mm, left: 123.095 mm}}
+  2: {CD: 37.633 mm, E: {along: CD, at: -18.236 mm, left: 63.562 mm}, H: {along: CD, at: 39.217 mm, left: 104.675 mm},
+      I: {along: CD, at: -54.458 mm, left: -54.894 mm}, K: {along: CD, at: -125.604 mm, left: -45.961 mm},
+      L: {along: CD, at: 40.945 mm, left: 116.597 mm}}
+  3: {FE: 117.379 mm}
+  4: {block: G}
+  5: {block: J}
+joints: ["4 slides on HI with G 17.337 mm left", "5 slides on KL"]
+input: {link: 1, phi: 17 deg, omega: 10 rad/s}
+guesses: {C: [49.9 mm, 76.3 mm], D: [56.8 mm, 39.3 mm], E: [109 mm, 105.9 mm], H: [160 mm, 57 mm],
+          I: [-14.1 mm, 119.7 mm], K: [-18.4 mm, 191.3 mm], L: [172 mm, 57.5 mm]}
+loads:
+  F_q0: {on: 2, at: H, size: 512 N, direction: -28 deg}
+  M_q1: {on: 2, size: -22 N*m}
+  X_b: {on: 5, at: J, direction: -138 deg, size: "?"}
+friction: {G: {rho: 1 mm}, E: {rho: 1.67 mm}}
+find: [X_b, X_b_0, R_23, R_24, R_25, R_15]
+"""
+
+
+def test_a_group_that_moments_had_to_solve_stays_with_them() -> None:
+    assert agreeing(exact_hand(TAKING_TURNS)) == 6
+
+
+# Where the force of link 3 dies away as the friction grows, a second equilibrium agrees with itself: F on link 4 is
+# 7.4 N there, and 8.2 N in the one that grew from none.
+ANOTHER_EQUILIBRIUM = """
+id: x
+title: two equilibria with all of the friction
+frame: {A: [0 mm, 0 mm], E: [121.814751966 mm, 186.934687994 mm], K: [66.983769373 mm, 96.669426925 mm]}
+links:
+  1: {AB: 30.969535280 mm, G: {along: AB, at: 267.872719130 mm, left: 37.838531488 mm}}
+  2: {CD: 38.557980413 mm, F: {along: CD, at: -40.169667780 mm, left: -100.714984755 mm},
+      H: {along: CD, at: 32.091560649 mm, left: -8.636058725 mm},
+      I: {along: CD, at: -133.501665309 mm, left: 8.200332578 mm},
+      J: {along: CD, at: -58.775201701 mm, left: 0.235810025 mm}}
+  3: {slot: E}
+  4: {KJ: 143.520498884 mm}
+joints: ["F of 2 slides in 3 turned 101.048226607 deg", "G runs in HI of 2"]
+input: {link: 1, phi: 52 deg, omega: 10 rad/s}
+guesses: {C: [138.8 mm, 164.7 mm], D: [141.8 mm, 126.3 mm], F: [35.3 mm, 196.9 mm], H: [132.7 mm, 132 mm],
+          I: [136.6 mm, 298.4 mm], J: [134.5 mm, 223.3 mm]}
+loads:
+  F_q0: {on: 4, at: J, size: 73 N, direction: 2 deg}
+  F_q1: {on: 1, at: A, size: 421 N, direction: -115 deg}
+  X_b: {on: 1, size: "?"}
+friction: {A: {rho: 14.87034 mm}, E: {rho: 14.2238 mm}, K: {rho: 16.16341 mm}, J: {rho: 10.99112 mm}}
+find: [X_b, X_b_0, R_54, R_24]
+"""
+
+
+def test_of_two_equilibria_that_is_drawn_which_grew_from_none() -> None:
+    solution = exact_hand(ANOTHER_EQUILIBRIUM)
+    assert agreeing(solution) == 4
+    assert abs(solution.answers["R_54"].drawn) == pytest.approx(8.2068, rel=1e-4)

@@ -21,7 +21,7 @@ def drawn(request: pytest.FixtureRequest) -> Solution:
 
 def test_an_exact_hand_draws_the_flywheel_that_the_oracle_integrates(drawn: Solution) -> None:
     for key, answer in drawn.answers.items():
-        assert answer.drawn == pytest.approx(answer.exact, rel=2e-8, abs=1e-7), key
+        assert answer.drawn == pytest.approx(answer.exact, rel=1e-9, abs=1e-9), key
         assert not answer.suspect
 
 

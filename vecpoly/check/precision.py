@@ -8,7 +8,7 @@ no one can tell these data from the given ones. What its answers then scatter by
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import floor, isnan, log10
+from math import floor, inf, isnan, log10
 
 from ..errors import DeadPointError
 from ..problem.problem import Problem
@@ -17,6 +17,7 @@ from .truth import Truth, Values
 
 FEWEST = 3  # digits with which a value is still an answer
 PLENTY = 7  # digits of which nothing need be said
+WHOLE = 360.0  # deg
 
 
 def sizes(problem: Problem, truth: Truth) -> dict[str, float]:
@@ -31,12 +32,16 @@ def sizes(problem: Problem, truth: Truth) -> dict[str, float]:
     return {key: largest.get(units[key]) or 1.0 for key in values}
 
 
-def noise(truth: Truth, size: Mapping[str, float]) -> dict[str, float]:
-    """Key → what the exact value may be off by.
+def noise(problem: Problem, truth: Truth, size: Mapping[str, float]) -> dict[str, float]:
+    """Key → what the exact value may be off by; 359.9° and 0.1° are neighbours.
 
     Raises DeadPointError where a value keeps fewer than FEWEST digits.
     """
-    found = {key: _scatter(key, value, truth.nearby) for key, value in truth.values.items()}
+    turns = {ask.rel.key for ask in problem.asks if ask.rel.unit == "deg"}
+    found = {
+        key: 0.0 if isnan(abs(value)) else _scatter(key, value, truth.nearby, WHOLE if key in turns else inf)
+        for key, value in truth.values.items()
+    }
     for key, off in found.items():
         if off > size[key] * 10.0**-FEWEST:
             raise _lost(key, off, size[key])
@@ -48,11 +53,10 @@ def digits(noise: float, size: float) -> int:
     return 15 if noise == 0 else max(0, min(15, floor(-log10(noise / size))))
 
 
-def _scatter(key: str, value: complex | float, near: tuple[Values, ...]) -> float:
-    """The farthest from the exact value that the nudged data bring it; nothing where it is 0/0."""
-    return (
-        0.0 if isnan(abs(value)) else max((abs(values[key] - value) for values in near if key in values), default=0.0)
-    )
+def _scatter(key: str, value: complex | float, near: tuple[Values, ...], whole: float) -> float:
+    """The farthest from the exact value that the nudged data bring it; whole: after which it comes round."""
+    gaps = [abs(values[key] - value) for values in near if key in values]
+    return max((min(gap, abs(whole - gap)) for gap in gaps), default=0.0)
 
 
 def _lost(key: str, off: float, size: float) -> DeadPointError:

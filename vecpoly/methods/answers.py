@@ -36,16 +36,6 @@ def answer(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
 def named_answer(desk: Desk, named: Key) -> tuple[Reading, Reals]:
     """What the force analysis or the instant centres gave: a load, a reaction, a centre;
     raises NoMethodError where it was not found."""
-    if named.key in desk.over_period:
-        raise NoMethodError(
-            Words(
-                f"{named.key} 是一个周期内的常数，由一个位置的图求不出；请在此位置求 M_b，"
-                "或用 vecpoly exact、vecpoly cycle",
-                f"{named.key} is constant over the period, and the drawing of one position does not give it; ask for "
-                "M_b here, or take 'vecpoly exact' or 'vecpoly cycle'",
-            ),
-            code="over-a-period",
-        )
     if named.key not in desk.board.readings:
         raise NoMethodError(
             Words(

@@ -45,7 +45,6 @@ class Desk(Diagram):
     lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
     forces: tuple[str, ...] = ()  # keys of what a force analysis found
-    over_period: tuple[str, ...] = ()  # keys of what follows from a whole period only
     # whether the driving link is only thought to drive, the input acting between two moving links
     thought: bool = False
     # links of a sliding pair → the vector along the guide that was drawn, of the first against the second

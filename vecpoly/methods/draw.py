@@ -42,14 +42,12 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
     mech = problem.mechanism
     groups = decompose(mech)
     refuse_higher(mech, groups)
-    constant = problem.loads.constant if problem.loads is not None else None
     desk = Desk(
         board=board,
         mech=mech,
         coincident=coincident_letters(mech, groups),
         shapes=problem.given.shapes,
         loaded=problem.loads is not None,
-        over_period=(constant.name,) if constant is not None else (),
         thought=Stage.VELOCITY in said,  # of a cam's profile, whose link does drive, only the position is told
     )
     for name, at in mech.frame.items():
@@ -78,9 +76,11 @@ def _draw_stage(desk: Desk, problem: Problem, stage: Stage, groups: tuple[Group,
         pressure_pass(desk, problem, groups)
     elif stage is Stage.FORCE:
         from .forces.plan import force_pass
+        from .machine.constant import draw_constant
 
         before = set(desk.board.readings)
         force_pass(desk, problem)
+        draw_constant(desk, problem)
         desk.forces = tuple(key for key in desk.board.readings if key not in before)
     elif stage is Stage.MACHINE:
         from .machine.plan import machine_pass

@@ -8,7 +8,7 @@ from dataclasses import replace
 from ..mechanism.groups.assur import Group
 from .desk import Desk
 from .kinematics.diagram.cam import letter_contacts
-from .kinematics.doors import draw_drive, draw_group
+from .kinematics.doors import draw_drives, draw_group
 from .registry import Stage
 
 
@@ -26,8 +26,7 @@ def placed(desk: Desk, groups: Sequence[Group], position: float) -> Desk:
     )
     for name, at in scratch.mech.frame.items():
         scratch.letter(name, at * scratch.mm(1.0))
-    for one in scratch.mech.drives:
-        draw_drive(scratch, Stage.POSITION, one)
+    draw_drives(scratch, Stage.POSITION)
     for group in groups:
         draw_group(scratch, Stage.POSITION, group)
         letter_contacts(scratch, group.links)

@@ -38,7 +38,7 @@ def exact(
         with tally.job(), about(problem.id):
             warn(problem.id, problem.warnings, lang)
             truth = truth_of(problem)
-            noise(truth, sizes(problem, truth))  # refuses what has lost its digits
+            noise(problem, truth, sizes(problem, truth))  # refuses what has lost its digits
             values, lines, rels = truth.values, truth.lines, {ask.rel.key: ask.rel for ask in problem.asks}
             data.append(
                 {

@@ -86,6 +86,20 @@ def tabulated(table: Table, at: Standing) -> Reals:
     return goes * there + (1 - goes) * broken_line(*table.back, place)
 
 
+def stretch(table: Table, at: Standing) -> tuple[Reals, ...]:
+    """On which straight part of a table of a travel the mechanism is: corners left behind, and whether on the way back.
+
+    Nothing of a table of the drive, whose corners need no mechanism.
+    """
+    if table.over is None:
+        return ()
+    place, back = place_in(table, at), table.back[0]
+    passed: Reals = sum(place >= one for one in sorted({*table.places[1:-1], *back[1:-1]}))
+    if not back:
+        return (passed,)
+    return (passed, at.speed(table.over.link, table.over.point, table.over.direction) > 0)
+
+
 def broken_line(places: tuple[float, ...], sizes: tuple[float, ...], x: Reals) -> Reals:
     """The broken line through these points at x, level beyond its ends."""
     found: Reals = (x < places[0]) * sizes[0] + (x >= places[-1]) * sizes[-1]

@@ -21,7 +21,7 @@ from ...names import At, alpha, omega
 from ...plane import nominal
 from ..coincident import coincident_letters
 from ..desk import Desk
-from ..kinematics.doors import draw_drive, draw_group
+from ..kinematics.doors import draw_drives, draw_group
 from ..kinematics.image import found_tip
 from ..registry import Stage
 
@@ -62,8 +62,7 @@ class Trial:
         desk = Desk(board=Scratch(hand("exact"), unit), mech=mech, coincident=coincident_letters(mech, self.groups))
         desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
         for stage in stages:
-            for drive in (one for one in mech.drives if not one.between):
-                draw_drive(desk, stage, drive)
+            draw_drives(desk, stage)
             for group in self.groups:
                 draw_group(desk, stage, group)
         return desk

@@ -168,6 +168,7 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: D
         inertia=ideal.inertia,
         inertia_couples=ideal.inertia_couples,
         couples=couples,
+        by_moments=set(guide.by_moments),
         hubs=ideal.hubs,
         own=ideal.own,
         pulls=ideal.pulls,

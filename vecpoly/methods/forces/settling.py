@@ -80,7 +80,8 @@ def _raised(
         share = min(done + stride, 1.0)
         try:
             begun = replace(start, ideal=guide, share=share)
-            found, couples = _fixed(begun, rubbed, walk, _foreseen(path, share), ROUNDS if stride <= SHARE else ONCE)
+            rounds = ROUNDS if stride <= SHARE else ONCE
+            found, couples, answer = _fixed(begun, rubbed, walk, _foreseen(path, share), rounds)
         except NoSlipSenseError:
             raise
         except EquilibriumError:
@@ -88,9 +89,11 @@ def _raised(
                 raise
             stride = min(stride / 2, SHARE)
             continue
-        if FINEST <= stride <= SHARE and _is_far(found, guide):
+        if FINEST <= stride <= SHARE and (_is_far(found, guide) or _is_turned(answer)):
             stride /= 2  # too far to be sure that it is the same equilibrium, grown
             continue
+        if _is_turned(answer):
+            raise _locked(start)
         guide, stride = found, min(2 * stride, SHARE) if stride < SHARE else stride
         path.append((share, couples))
     return guide, couples
@@ -106,6 +109,12 @@ def _is_far(found: Statics, guide: Statics) -> bool:
         if (old := before[key]) is not None
     ]
     return max(changes, default=0.0) > FAR * max(sizes, default=0.0)
+
+
+def _is_turned(answer: np.ndarray) -> bool:
+    """Whether it is another equilibrium than the one that grew from none: with no friction the couples that come out do
+    not answer those put in, det(1 − G) = 1, and along one branch it never passes 0."""
+    return bool(np.linalg.det(np.eye(len(answer)) - answer) <= 0)
 
 
 def _foreseen(path: list[tuple[float, dict[tuple[str, str], Reals]]], share: float) -> Couples:
@@ -128,12 +137,17 @@ def _produced(size: Reals, rise: Reals) -> Reals:
 
 def _fixed(
     start: Statics, rubbed: Further, walk: Walk, couples: Couples, rounds: int
-) -> tuple[Statics, dict[tuple[str, str], Reals]]:
-    """The fixed point at one share of the friction."""
+) -> tuple[Statics, dict[tuple[str, str], Reals], np.ndarray]:
+    """The fixed point at one share of the friction, and how the couples that come out answer those put in.
+
+    A group that moments had to solve once stays with them: else lines of action, which need no couples, and moments
+    would take turns.
+    """
     guide, slope, last, near = start.ideal, None, np.inf, NEAR
     assert guide is not None
     for _ in range(rounds):
         st = _pass(start, guide, couples, walk)
+        start = replace(start, by_moments=start.by_moments | st.by_moments)
         after = rubbed(st)
         if (
             after.keys() != couples.keys()
@@ -142,7 +156,7 @@ def _fixed(
             continue
         same, gap = _same_senses(st, guide), _gap(couples, after)
         if same and gap < SETTLED:
-            return st, after
+            return st, after, np.zeros((0, 0)) if slope is None else slope
         if not same and gap < near:  # settled with these senses: now those that came out otherwise change sides
             guide, slope, last, near = st, None, np.inf, max(gap / 10, SETTLED)  # the next time nearer to it
             continue
@@ -150,7 +164,11 @@ def _fixed(
             slope = _slope(start, guide, rubbed, walk, couples, after) if couples else np.zeros((0, 0))
         last = gap
         couples = _secant(couples, after, slope)
-    raise LockedError(
+    raise _locked(start)
+
+
+def _locked(start: Statics) -> LockedError:
+    return LockedError(
         Words(
             f"考虑摩擦时各反力不断换侧，平衡不能确定：机构在此位置对 {start.unknown.name} 自锁；请减小 f 或 ρ",
             "with friction no equilibrium settles, the reactions keep changing sides: the mechanism is locked "
@@ -160,7 +178,7 @@ def _fixed(
 
 
 def _pass(start: Statics, guide: Statics, couples: Couples, walk: Walk) -> Statics:
-    st = replace(start, ideal=guide, couples=dict(couples), acting={}, by_moments=set())
+    st = replace(start, ideal=guide, couples=dict(couples), acting={}, by_moments=set(start.by_moments))
     st.balance = tried(st, couples)
     walk(st)
     return st

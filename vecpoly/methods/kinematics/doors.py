@@ -31,6 +31,13 @@ def draw_drive(desk: Desk, stage: Stage, drive: Drive) -> None:
     DRIVES.find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
 
 
+def draw_drives(desk: Desk, stage: Stage) -> None:
+    """Draw a stage of every driver on the frame; a drive between two moving links is drawn with its group."""
+    for drive in desk.mech.drives:
+        if not drive.between:
+            draw_drive(desk, stage, drive)
+
+
 def draw_group(desk: Desk, stage: Stage, group: Group) -> None:
     """Draw a stage of a group, by the method for its kind."""
     match group.subject:

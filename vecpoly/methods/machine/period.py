@@ -24,13 +24,14 @@ Factors = tuple[Reals, ...]
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Period:
-    """read: the stations as this hand drew them, in the order of ψ from 0 on, the last at the end of the period.
+    """run: None where only the constant moment is sought. read: the stations as this hand drew them, in the order of ψ
+    from 0 on, the last at the end of the period.
 
     moments, inertias: what this hand read there over what an exact hand reads; between them in proportion.
     """
 
     board: Board
-    run: Steady
+    run: Steady | None
     curve: French
     read: tuple[Station, ...]
     moments: Factors
@@ -60,7 +61,7 @@ class Period:
         return factors[number] * (1 - share) + factors[number + 1] * share
 
 
-def period_of(desk: Desk, run: Steady, curve: French, loads: Loads) -> Period:
+def period_of(desk: Desk, run: Steady | None, curve: French, loads: Loads) -> Period:
     """Draw the twelve positions by this hand."""
 
     count = round(curve.period / STEP)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import pairwise
 
 import numpy as np
@@ -14,6 +14,8 @@ from ...board.construction import Scale, View
 from ...board.hand import Hand, hand
 from ...board.place import views
 from ...mechanism.groups.assur import decompose
+from ...mechanism.laws.acting import stretch
+from ...mechanism.laws.sizes import Table
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ...names import At, omega
@@ -22,25 +24,31 @@ from ..coincident import coincident_letters
 from ..desk import Desk
 from ..forces.balance.power_terms import works
 from ..forces.laws.found import found_loads
+from ..forces.laws.off_paper import OffPaper
 from ..forces.state import Statics
 from ..kinematics.diagram.cam import letter_contacts
-from ..kinematics.doors import draw_drive, draw_group
+from ..kinematics.doors import draw_drives, draw_group
 from ..kinematics.image import found_tip
 from ..registry import Stage
 
 SIZE = 100.0  # mm: how large mechanism and first vector are drawn on scratch paper
-JUMP = 1e-10  # rad: how closely the place is found at which a load begins or ends
+JUMP = 1e-12  # rad: how closely the place is found at which a load begins or ends
+MOST = 8  # changes between two places that are looked at
 Names = tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Station:
-    """One position of the drive: J_e (kg·m²), M_e of the given loads (N·m), by every hand; which loads act."""
+    """One position of the drive: J_e (kg·m²), M_e of the given loads (N·m), by every hand.
+
+    acting: which loads act. stretches: on which straight parts of their tables they are.
+    """
 
     phi: float
     inertia: Reals
     moment: Reals
     acting: Names
+    stretches: tuple[Reals, ...] = ()
 
 
 def station(mech: Mechanism, loads: Loads, phi: float) -> Station:
@@ -62,7 +70,12 @@ def drawn(mech: Mechanism, loads: Loads, phi: float, by: Hand) -> Station:
     power: Reals = sum((work.value for work in works(st)), 0.0)
     energy: Reals = sum((_energy(st, link) for link in range(len(loads.masses))), 0.0)
     acting = tuple(load.name for load in here.all if load.size)
-    return Station(phi, energy / rate**2, power / rate, acting)
+    return Station(phi, energy / rate**2, power / rate, acting, _stretches(desk, loads))
+
+
+def _stretches(desk: Desk, loads: Loads) -> tuple[Reals, ...]:
+    at, tables = OffPaper(desk), [load.law.size for load in loads.all if load.law is not None]
+    return tuple(one for table in tables if isinstance(table, Table) for one in stretch(table, at))
 
 
 def _desk(mech: Mechanism, by: Hand) -> Desk:
@@ -75,8 +88,7 @@ def _desk(mech: Mechanism, by: Hand) -> Desk:
     for name, at in mech.frame.items():
         desk.letter(name, at * desk.mm(1.0))
     for stage in (Stage.POSITION, Stage.VELOCITY):
-        for drive in mech.drives:
-            draw_drive(desk, stage, drive)
+        draw_drives(desk, stage)
         for group in groups:
             draw_group(desk, stage, group)
             if stage is Stage.POSITION:
@@ -95,18 +107,34 @@ def _energy(st: Statics, number: int) -> Reals:
     return found
 
 
-def jumps(mech: Mechanism, loads: Loads, first: float, last: float, places: Sequence[float]) -> tuple[float, ...]:
+def jumps(mech: Mechanism, loads: Loads, places: Sequence[float]) -> tuple[float, ...]:
     """Where a load begins or ends to act between these places: tried on scratch paper, each trial halving the way."""
+    return _changes(partial(station, mech, loads), lambda one: one.acting, places)
+
+
+def bends(mech: Mechanism, loads: Loads, places: Sequence[float]) -> tuple[float, ...]:
+    """Where the table of a load over a travel turns a corner, likewise."""
+    return _changes(partial(station, mech, loads), lambda one: one.stretches, places)
+
+
+def _changes(
+    drawn_at: Callable[[float], Station], what: Callable[[Station], object], places: Sequence[float]
+) -> tuple[float, ...]:
+    """Where something changes between the first and the last of these places."""
     found = []
     for low, high in pairwise(places):
-        a, b = station(mech, loads, low), station(mech, loads, high)
-        if a.acting != b.acting:
-            found.append(_halved(mech, loads, a, b))
-    return tuple(one for one in found if first < one < last)
+        here, end = drawn_at(low), drawn_at(high)
+        for _ in range(MOST):  # of several changes one at a time
+            if what(here) == what(end):
+                break
+            here = _halved(drawn_at, what, here, end)
+            found.append(here.phi)
+    return tuple(one for one in found if places[0] < one < places[-1])
 
 
-def _halved(mech: Mechanism, loads: Loads, a: Station, b: Station) -> float:
+def _halved(drawn_at: Callable[[float], Station], what: Callable[[Station], object], a: Station, b: Station) -> Station:
+    """The first station behind a change."""
     while b.phi - a.phi > JUMP:
-        middle = station(mech, loads, (a.phi + b.phi) / 2)
-        a, b = (middle, b) if middle.acting == a.acting else (a, middle)
-    return b.phi
+        middle = drawn_at((a.phi + b.phi) / 2)
+        a, b = (middle, b) if what(middle) == what(a) else (a, middle)
+    return b

@@ -33,7 +33,7 @@ class Contact:
 def contacts_of(period: Period) -> tuple[Contact, Contact]:
     """The set square is slid along until it touches: ω_max from above, ω_min from below."""
     run, curve = period.run, period.curve
-    assert run.delta is not None
+    assert run is not None and run.delta is not None
     fast, slow = (run.speed * (1 + sign * run.delta / 2) for sign in (1, -1))
     return (
         Contact(speed=fast, psi=curve.highest(fast**2 / 2, curve.mean, 1.0)),
@@ -82,7 +82,7 @@ def _ink(period: Period, pane: Pane, energies: Energies, points: list[Points]) -
 def _speeds(period: Period, pane: Pane) -> None:
     """ω_max and ω_min = ω_m (1 ± δ / 2)."""
     board, run = period.board, period.run
-    assert run.delta is not None
+    assert run is not None and run.delta is not None
     board.step(
         Words(
             "由 $ω_m$ 和 $δ$ 得最大、最小角速度，作斜率为 $½ω²$ $μ_J/μ_E$ 的两条切线（上切、下切），与 $J_e$ = 0 的"
@@ -114,7 +114,7 @@ def _tangent(period: Period, pane: Pane, sizes: Sizes, one: Contact, energies: E
 
 def _flywheel(period: Period, pane: Pane, a: Points, b: Points) -> None:
     board, run = period.board, period.run
-    assert run.delta is not None
+    assert run is not None and run.delta is not None
     board.step(
         Words(
             "飞轮转动惯量由纵轴上的截距 $ab$ 精确求得（计入 $J_e$ 的变化）：",
@@ -144,7 +144,7 @@ def _none_needed(period: Period) -> None:
 def keep_areas(period: Period, surplus: Quantity) -> None:
     """J_F = ΔW_max / (δ ω_m²), as if J_e were constant."""
     run = period.run
-    assert run.delta is not None
+    assert run is not None and run.delta is not None
     period.board.step(
         Words(
             "若略去 $J_e$ 的变化，由最大盈亏功近似求飞轮转动惯量：",

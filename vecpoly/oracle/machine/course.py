@@ -15,15 +15,13 @@ from ...mechanism.model import Mechanism
 from ...words import Words
 from ..forces.laws.corners import corners
 from ..forces.laws.drives import drive_range
+from ..pieces import followed
 from ..state import Reals
 from .reduced import reduce
 
 PIECE = np.radians(10.0)  # no piece of the period is longer
-NODES = 14  # Gauss's, in each piece
 SAME = 1e-11  # rad: cuts nearer than this are one
 LITTLE = 1e-9  # of the work done and taken over a period: what is left of it is rounding
-_AT, _WEIGHTS = legendre.leggauss(NODES)
-_FITTED = legendre.legvander(_AT, NODES - 1).T * _WEIGHTS * (np.arange(NODES) + 0.5)[:, None]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -87,12 +85,14 @@ def course(mech: Mechanism, loads: Loads) -> Course:
     work over a period is not nothing.
     """
     sense = float(np.sign(mech.drive.rate)) or 1.0
-    cuts = _cuts(mech, loads, sense)
-    left, half = cuts[:-1, None], np.diff(cuts)[:, None] / 2
-    psi = (left + half * (1 + _AT)).ravel()
     unit = replace(mech, drives=(replace(mech.drive, rate=sense, accel=0.0), *mech.drives[1:]))
-    found = reduce(unit, loads, sense * psi)
-    moments, inertias = (values.reshape(-1, NODES) @ _FITTED.T for values in (sense * found.power, found.energy))
+
+    def curves(psi: Reals) -> tuple[Reals, Reals]:
+        found = reduce(unit, loads, sense * psi)
+        return sense * found.power, found.energy
+
+    cuts, (moments, inertias) = followed(curves, _cuts(mech, loads, sense))
+    half = np.diff(cuts)[:, None] / 2
     done = 2 * (half[:, 0] * moments[:, 0])
     constant = -float(done.sum() / (cuts[-1] - cuts[0])) if loads.constant is not None else 0.0
     _refuse_change(float(done.sum()), float(np.abs(done).sum()), has_constant=loads.constant is not None)

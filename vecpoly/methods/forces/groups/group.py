@@ -40,7 +40,7 @@ def solve_group(st: Statics, group: Group) -> None:
     found = pieces(st, dyad)
     if found is not None and not st.loaded(found[1].link):
         _unloaded(st, *found)
-    elif found is not None and _direct(st, *found):
+    elif found is not None and group.links not in st.by_moments and _direct(st, *found):
         return
     else:
         st.by_moments.add(group.links)

@@ -22,7 +22,7 @@ from ....plane import dot, nominal
 from ...coincident import coincident_letters
 from ...desk import Desk
 from ...exchange.exchange import exchanged
-from ...kinematics.doors import draw_drive, draw_group
+from ...kinematics.doors import draw_drives, draw_group
 from ...kinematics.image import found_tip
 from ...registry import Stage
 from ...roots import halved
@@ -83,8 +83,7 @@ def _drawn(mech: Mechanism, at: float, link: str, point: str, direction: float) 
         desk = Desk(board=Scratch(hand("exact"), scales), mech=moved, coincident=coincident_letters(moved, groups))
         desk.at = {name: place * desk.mm(1.0) for name, place in moved.frame.items()}
         for stage in _STAGES:
-            for one in moved.drives:
-                draw_drive(desk, stage, one)
+            draw_drives(desk, stage)
             for group in groups:
                 draw_group(desk, stage, group)
         along = complex(np.exp(1j * direction))

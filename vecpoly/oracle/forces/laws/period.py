@@ -11,18 +11,17 @@ from ....errors import EquilibriumError
 from ....mechanism.loads import Loads
 from ....mechanism.model import Mechanism
 from ....words import Words
+from ...pieces import followed
 from ...state import Reals
 from ..acting import given
 from .corners import corners
 from .drives import drive_range
 
 PIECE = np.radians(10.0)  # no piece of the period is longer
-NODES = 12  # Gauss's, in each piece
-_AT, _WEIGHTS = np.polynomial.legendre.leggauss(NODES)
 
 
-def nodes(mech: Mechanism, loads: Loads) -> tuple[Reals, Reals]:
-    """Places of the drive over the period and their weights (rad): Gauss's, in pieces between the loads' corners.
+def cuts_of(mech: Mechanism, loads: Loads) -> Reals:
+    """Ends of pieces of the period between the loads' corners (rad).
 
     Raises EquilibriumError where the drive has no period: it slides, or does not turn right round.
     """
@@ -31,10 +30,7 @@ def nodes(mech: Mechanism, loads: Loads) -> tuple[Reals, Reals]:
         raise EquilibriumError(_aperiodic(mech, loads, low, high), code="no-period")
     high = low + 2 * np.pi * loads.turns
     even = np.linspace(low, high, round((high - low) / PIECE) + 1)
-    cuts = np.unique(np.concatenate([even, corners(mech, loads)]))
-    left, half = cuts[:-1], np.diff(cuts) / 2
-    places = left[:, None] + half[:, None] * (1 + _AT)
-    return places.ravel(), (half[:, None] * _WEIGHTS).ravel()
+    return np.unique(np.concatenate([even, corners(mech, loads)]))
 
 
 @lru_cache(maxsize=64)
@@ -46,10 +42,9 @@ def constant_size(mech: Mechanism, loads: Loads) -> float:
     """
     assert loads.constant is not None
     even = replace(mech, drives=(replace(mech.drive, accel=0.0), *mech.drives[1:]))
-    places, weights = nodes(even, loads)
-    balance = _balance(even, loads, places)
-    size = float(weights @ balance / weights.sum())
-    scale = float(np.abs(balance).max())
+    cuts, (balance,) = followed(lambda places: (_balance(even, loads, places),), cuts_of(even, loads))
+    size = float(np.diff(cuts) @ balance[:, 0] / (cuts[-1] - cuts[0]))
+    scale = float(np.abs(balance).sum(axis=1).max())
     size = 0.0 if abs(size) <= 1e-12 * scale else size
     _refuse_role(mech, loads, size)
     return size

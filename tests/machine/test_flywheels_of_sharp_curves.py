@@ -1,0 +1,76 @@
+"""Flywheels where J_e or M bends sharply: near a change point, at the corners of a card, where loads begin to act."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import vecpoly
+from tests.laws import often
+from vecpoly.solution import Solution, solve
+
+ROCKER = """
+id: x
+title: near a change point
+frame: {{A: [0 mm, 0 mm], D: [{base:.4f} mm, 0 mm]}}
+links: {{1: {{AB: 77 mm}}, 2: {{BC: 213 mm}}, 3: {{CD: 269 mm}}}}
+input: {{link: 1, phi: 151 deg, omega: 120 r/min ccw}}
+branch: [C left of BD]
+loads:
+  M_q: {{on: 3, size: 306 N*m cw, during: [{first} deg, {last} deg]}}
+  M_c: {{on: 1, size: constant}}
+masses:
+  2: {{mass: 7 kg, inertia: 0.017 kg*m^2, centre: {{along: BC, at: 106 mm}}}}
+  3: {{mass: 5 kg, inertia: 0.051 kg*m^2, centre: {{along: DC, at: 134 mm}}}}
+machine: {{n: 145 r/min, delta: 0.0669}}
+find: [M_c, dW_max, J_F, J_F_areas]
+"""
+PISTON = """
+id: x
+title: a piston with a card
+frame: {A: [0 mm, 0 mm]}
+links: {1: {AB: 60 mm}, 2: {BC: 210 mm}, 3: {block: C}}
+joints: [3 slides on y = 0 mm]
+input: {link: 1, phi: 50 deg, omega: 100 r/min ccw}
+branch: [C right of B]
+loads:
+  F: {on: 3, at: C, direction: 180 deg, LAW}
+  M_d: {on: 1, size: constant}
+masses: {3: {mass: 5 kg}}
+machine: {n: 100 r/min, delta: 0.05}
+find: [M_d, dW_max, J_F, J_F_areas, phi_max, phi_min]
+"""
+CARD = "size: {columns: [s (mm), F (N)], rows: [[0, 100], [40, 900], [80, 300], [121, 200]%s]}"
+LAWS = {
+    "a spring": CARD % "",
+    "a card with two branches": CARD % ", [80, 100], [30, 50], [0, 100]",
+    "part of a stroke": "size: 300 N, while: C moves left, between: [20 %, 70 %]",
+}
+
+
+def _agree(solution: Solution) -> None:
+    for key, one in solution.answers.items():
+        unit = one.reading.unit
+        size = max(abs(two.exact) for two in solution.answers.values() if two.reading.unit == unit)
+        miss = abs(one.deviation)
+        assert min(miss, abs(360 - miss) if unit == "deg" else np.inf) <= 1e-9 * max(size, 1.0), key
+
+
+@settings(max_examples=often(4), deadline=None)
+@given(slack=st.floats(0.05, 20), first=st.integers(0, 359), long=st.integers(20, 200))
+def test_near_a_change_point_drawing_and_oracle_have_the_same_flywheel(slack: float, first: int, long: int) -> None:
+    text = ROCKER.format(base=269 + 77 - 213 + slack, first=first, last=(first + long) % 360)
+    _agree(solve(vecpoly.loads(text), by="exact", repeats=0, precise=False))
+
+
+@pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
+def test_the_corners_of_a_table_over_the_stroke_are_found_on_paper(law: str) -> None:
+    _agree(solve(vecpoly.loads(PISTON.replace("LAW", law)), by="exact", repeats=0))
+
+
+def test_a_machine_that_is_slowest_at_0_degrees_has_lost_no_digits() -> None:
+    found = solve(vecpoly.loads(PISTON.replace("LAW", LAWS["a spring"])), by="exact", repeats=0)
+    assert min(found.answers["phi_min"].exact, 360 - found.answers["phi_min"].exact) < 1e-6
+    assert found.answers["phi_min"].digits > 7 and found.answers["phi_min"].suspect is None
