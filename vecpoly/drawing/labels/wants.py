@@ -20,19 +20,40 @@ from ...board.paper.marks import (
     LinkNumber,
     Mark,
     Note,
+    Passing,
     Point,
     TurnArrow,
     Vector,
 )
 from ...typeset import Box, layout
 from ...words import Lang
-from ..style import DOT_RADIUS, JOINT_RADIUS, LETTER, LINK, NOTE, POLE_RADIUS, RESULT, THIN, Hue, kind_hue
+from ..style import (
+    DOT_RADIUS,
+    JOINT_RADIUS,
+    LETTER,
+    LINK,
+    MASS_RADIUS,
+    MULTIPLE_RADIUS,
+    NOTE,
+    POLE_RADIUS,
+    RESULT,
+    THIN,
+    Hue,
+    kind_hue,
+)
 from ..symbols.angles import TAIL, TURN, narrow
 from ..symbols.shapes import NEAR
 from .notes import lines
 
 FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
-_RADIUS = {Dot.JOINT: JOINT_RADIUS, Dot.POLE: POLE_RADIUS, Dot.POINT: DOT_RADIUS, Dot.NONE: 0.0}
+_RADIUS = {
+    Dot.JOINT: JOINT_RADIUS,
+    Dot.MULTIPLE: MULTIPLE_RADIUS,
+    Dot.MASS: MASS_RADIUS,
+    Dot.POLE: POLE_RADIUS,
+    Dot.POINT: DOT_RADIUS,
+    Dot.NONE: 0.0,
+}
 Taken = tuple[complex, float]  # a place, and the radius of what is drawn there
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
@@ -145,6 +166,8 @@ def _taken(marks: tuple[Mark, ...]) -> list[Taken]:
         match mark:
             case Point(at=here, dot=dot):
                 found.append((here, _RADIUS[dot]))
+            case Passing(at=here):
+                found.append((here, JOINT_RADIUS + LINK))
             case Ground(at=here) | Block(at=here):
                 found.append((here, JOINT_RADIUS))
             case FrictionCircle(centre=here, radius=r) if r < ROOMY:
