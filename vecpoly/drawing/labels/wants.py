@@ -22,9 +22,12 @@ from ...board.paper.marks import (
     Note,
     Passing,
     Point,
+    Role,
+    Segment,
     TurnArrow,
     Vector,
 )
+from ...board.strokes import OVERRUN
 from ...typeset import Box, layout
 from ...words import Lang
 from ..style import (
@@ -71,7 +74,7 @@ class Piece:
 class Thing(Enum):
     """What a label can be taken to name when it stands beside it."""
 
-    OTHER, POINT, LINK, VECTOR = range(4)
+    OTHER, POINT, LINK, VECTOR, END, DIRECTION = range(6)
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,6 +142,7 @@ def _lettered(text: str) -> Box:
 
 def _points(marks: tuple[Mark, ...], taken: list[Taken]) -> Iterable[Want]:
     groups: list[tuple[complex, list[Point]]] = []
+    ruled = {mark.b: mark for mark in marks if isinstance(mark, Segment) and mark.role is Role.DIRECTION}
     for mark in marks:
         if isinstance(mark, Point) and mark.label:
             home = next((g for at, g in groups if abs(at - mark.at) < NEAR), None)
@@ -155,8 +159,22 @@ def _points(marks: tuple[Mark, ...], taken: list[Taken]) -> Iterable[Want]:
                 pieces.append(comma)
                 x += comma.box.width + 0.3 * LETTER
             pieces.append(_piece(mark.label, Hue.BLACK, mark.step, x))
-        thing = Thing.POINT if any(mark.dot is not Dot.NONE for mark in group) else Thing.OTHER
-        yield Want(tuple(pieces), (at,), (0j,), _keep(at, taken), (at, at), thing=thing)
+        if any(mark.dot is not Dot.NONE for mark in group):
+            yield Want(tuple(pieces), (at,), (0j,), _keep(at, taken), (at, at), thing=Thing.POINT)
+        else:
+            yield _end(tuple(pieces), at, _keep(at, taken), ruled.get(at))
+
+
+def _end(pieces: tuple[Piece, ...], at: complex, radius: float, line: Segment | None) -> Want:
+    """A name at the end of a line; a direction's stands beyond its line, or beside what of it runs on past the point
+    that it found."""
+    if line is None or abs(line.b - line.a) < NEAR:
+        return Want(pieces, (at,), (0j,), radius, (at, at), thing=Thing.END)
+    u = (at - line.a) / abs(at - line.a)
+    foot = at - min(OVERRUN, abs(at - line.a)) * u
+    feet = tuple(at + (foot - at) * share for share in (0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5))
+    ways = (u, *(u * side for _ in range(3) for side in (1j, -1j)))
+    return Want(pieces, feet, ways, THIN / 2, (foot, at), one_sided=True, thing=Thing.DIRECTION)
 
 
 def _taken(marks: tuple[Mark, ...]) -> list[Taken]:
