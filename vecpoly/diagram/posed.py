@@ -8,7 +8,7 @@ from dataclasses import field
 from ..board.paper.roles import Dot
 from ..foundation.slotted import dataclass
 from ..mechanism.groups.assur import hinges
-from ..mechanism.model import FRAME, Contact, Link, Mechanism, Prismatic, Rack, Revolute, Rolling
+from ..mechanism.model import FRAME, Circle, Contact, Link, Mechanism, Prismatic, Rack, Revolute, Rolling
 from ..plane import Line
 from ..problem.problem import Shape
 from .lines import contact_of, face_line, guide_line, line_on, normal_of
@@ -142,7 +142,15 @@ class Posed:
         """How a letter's place is drawn: a pin, a compound hinge, a centre of mass, a point of a link."""
         if letter in self.hinged():
             return Dot.MULTIPLE if len(self.pinned(letter)) > 2 else Dot.JOINT
+        if letter in self.rollers():
+            return Dot.JOINT
         return Dot.MASS if letter in self.centres else Dot.POINT
+
+    def rollers(self) -> set[str]:
+        """The centres of rollers: pinned to their links, though for the motion they count as parts of them."""
+        hosts = set(dict(self.mech.welded).values())
+        discs = (end for contact in self.mech.contacts for end in (contact.disc, contact.on) if isinstance(end, Circle))
+        return {disc.centre for disc in discs if disc.link in hosts}
 
     def hinged(self) -> set[str]:
         """Letters of the pins that exist, without those of a contact's substitute."""

@@ -14,10 +14,11 @@ from ..scene import Item, Layer, Rect, Stroke, TextBox
 from ..standing import Meeting, Standing
 from ..style import THIN, Hue
 from .obstacles import Obstacles
-from .wants import Piece, Want
+from .want import Piece, Want
 
 BAD = 38.0  # a label that costs more than this by where it stands is on something
 PASSES = 8
+CROWDS = (0.0, 12.0, 25.0)  # mm about a label in trouble within which labels may go farther off, if need be
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,8 +59,11 @@ def _nearest(point: complex, rect: Rect) -> complex:
 def place(wanted: tuple[Want, ...], obstacles: Obstacles, drawn: Rect, frame: Rect | None = None) -> tuple[Placed, ...]:
     """A place for each label; the same input always gives the same places."""
     table = _Table.of(Around(obstacles, wanted, drawn, frame))
-    crowded = {i for i, trouble in enumerate(table.troubles) if trouble > BAD}
-    table = table.eased(crowded) if crowded else table
+    for around in CROWDS:
+        crowded = [i for i, trouble in enumerate(table.troubles) if trouble > BAD]
+        if not crowded:
+            break
+        table = table.eased({i for i in range(len(wanted)) if any(table.near(i, k) <= around for k in crowded)})
     return tuple(table.placed(i) for i in range(len(wanted)))
 
 
@@ -82,6 +86,10 @@ class _Table:
         around = Around(self.around.obstacles, wanted, self.around.drawn, self.around.frame)
         kept = zip(wanted, self.rows, strict=True)
         return _Table(around, tuple(row if want is row.near.want else Row.of(want, around) for want, row in kept))
+
+    def near(self, i: int, k: int) -> float:
+        """How far apart the middles of two labels stand."""
+        return float(abs(self.standing.centre[i] - self.standing.centre[k]))
 
     def _meeting(self, i: int, k: int) -> Meeting:
         """Of label i with the others: at its places beside what it names (0), or on a leader (1)."""
