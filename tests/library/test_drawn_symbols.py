@@ -67,6 +67,14 @@ def test_a_bar_that_runs_on_past_a_pin_goes_round_it_and_no_other_does(name: str
                 assert runs_on == drawn_so, (label, owner)
 
 
+@each(Later(lambda: ids(view=View.BODY)))
+def test_a_link_by_itself_goes_round_pins_alone(name: str) -> None:
+    for figure in drawn(name).figures(View.BODY):
+        at = [m.at for m in figure.marks if isinstance(m, Point) and m.dot in (Dot.JOINT, Dot.MULTIPLE)]
+        for half in (mark for mark in figure.marks if isinstance(mark, Passing)):
+            assert any(abs(half.at - spot) < NEAR for spot in at)
+
+
 def test_there_are_bars_that_run_on_in_exercises_3_5_and_2_9() -> None:
     for name, letter in (("3-5", "E"), ("2-9", "G"), ("C-conveyor", "C")):
         figure = next(diagrams(name))

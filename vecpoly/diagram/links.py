@@ -20,7 +20,7 @@ from .owners import owned
 from .pins import lines_of, passing, welds
 from .posed import Posed
 
-_ALONE = {Dot.MULTIPLE: Dot.JOINT}  # a link by itself has one half of each pin
+ALONE = {Dot.MULTIPLE: Dot.JOINT}  # a link by itself has one half of each pin
 _NO_BAR = (Shape.GEAR, Shape.PIN, Shape.CYLINDER, Shape.PISTON)
 
 
@@ -58,11 +58,12 @@ def _alone(posed: Posed, name: str) -> Iterator[Mark]:
     thought = contact_replaced(posed.mech, name)
     if thought is not None and isinstance(thought.on, Rack):
         yield from thought_guide(posed, thought)
+    hinged = posed.hinged()
     for letter in posed.body(name).points:
         if letter in posed.at and not letter.endswith("'"):
             dot = posed.dot(letter)
-            yield from _joining(posed, letter, name)
-            yield Point(at=posed.at[letter], label=subscripted(letter), dot=_ALONE.get(dot, dot))
+            yield from _joining(posed, letter, name) if letter in hinged else ()
+            yield Point(at=posed.at[letter], label=subscripted(letter), dot=ALONE.get(dot, dot))
 
 
 def _teeth(posed: Posed, name: str) -> Iterator[Mark]:
