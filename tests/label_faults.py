@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
 from vecpoly.drawing.figure import Drawing
 from vecpoly.drawing.labels.placing import Placed
-from vecpoly.drawing.labels.wants import Thing
+from vecpoly.drawing.labels.want import Thing
 from vecpoly.drawing.scene import Fill, Item, Rect, Stroke, TextBox
 from vecpoly.typeset import Glyphs
+
+LEVEL = 0.3  # mm by which two labels overlap in height, or in width, to be in one line, or over each other
+BESIDE, OVER = 1.5, 0.8  # mm between two labels in one line, and over each other, that keep them two
 
 
 def faults(drawn: Drawing) -> list[str]:
@@ -63,6 +68,22 @@ def astray(drawn: Drawing) -> list[str]:
                     f"than to its own ({own:.1f} mm)"
                 )
     return found
+
+
+def crammed(drawn: Drawing) -> list[str]:
+    """Every two labels that are read as one: side by side (C 3), or one over the other (2 over B)."""
+    found: list[str] = []
+    for label, other in combinations(drawn.labels, 2):
+        r, q = label.rect, other.rect
+        dx, dy = max(r.x0, q.x0) - min(r.x1, q.x1), max(r.y0, q.y0) - min(r.y1, q.y1)
+        if (dy < -LEVEL and dx < BESIDE) or (dx < -LEVEL and dy < OVER):
+            found.append(f"{_text(label)} and {_text(other)} stand {max(dx, dy):.1f} mm apart")
+    return found
+
+
+def leaders(drawn: Drawing) -> list[Stroke]:
+    """The lines that lead from labels to what they name."""
+    return [item for label in drawn.labels for item in label.items() if isinstance(item, Stroke)]
 
 
 def _apart(box: shapely.Polygon, label: Placed) -> float:

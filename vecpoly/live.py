@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from .board.construction import Construction, Figure
 from .board.hand import hand
 from .drawing.figure import caption_items
-from .drawing.labels.following import Choice, Follower
+from .drawing.labels.following import Follower
 from .drawing.labels.following import Name as Label
 from .drawing.scene import Scene
 from .foundation.frozen import FrozenMap
@@ -33,7 +33,7 @@ class Redrawn:
     problem: Problem
     construction: Construction
     scenes: tuple[Scene, ...]
-    letters: Mapping[Name, Mapping[Label, Choice]]
+    letters: Mapping[Name, Mapping[Label, int]]
     lang: Lang
 
     def check(self) -> Solution:
@@ -54,7 +54,7 @@ def redraw(last: Solution | Redrawn, problem: Problem, *, lang: Lang = "zh") -> 
         last.letters if isinstance(last, Redrawn) and last.lang == lang else _placed(last.construction.figures, lang)
     )
     scenes: list[Scene] = []
-    letters: dict[Name, Mapping[Label, Choice]] = {}
+    letters: dict[Name, Mapping[Label, int]] = {}
     for figure in construction.figures:
         name = (figure.view.name, figure.name)
         follower = Follower(lang, choice=dict(before.get(name, {})))
@@ -72,9 +72,9 @@ def _constructed(last: Construction, problem: Problem) -> Construction:
     return drawn_alone(replace(problem, scales=scales_of(last)), hand(last.hand, repeats=0))
 
 
-def _placed(figures: tuple[Figure, ...], lang: Lang) -> dict[Name, Mapping[Label, Choice]]:
+def _placed(figures: tuple[Figure, ...], lang: Lang) -> dict[Name, Mapping[Label, int]]:
     """Where letters stand that were placed all together, as on paper."""
-    found: dict[Name, Mapping[Label, Choice]] = {}
+    found: dict[Name, Mapping[Label, int]] = {}
     for figure in figures:
         follower = Follower(lang)
         follower.lettered(figure)

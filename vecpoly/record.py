@@ -35,6 +35,8 @@ _MODULES = (
     "algebra.formula",
     "board.place",
     "board.paper.roles",
+    "board.paper.known",
+    "board.paper.bodies",
     "board.paper.marks",
     "board.acts.base",
     "board.acts.leaving",

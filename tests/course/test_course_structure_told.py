@@ -19,6 +19,7 @@ from vecpoly.mechanism.groups.assur import decompose
 from vecpoly.mechanism.model import Prismatic, Revolute, Rolling
 from vecpoly.report.content import Objects
 from vecpoly.report.course.numbering import Press
+from vecpoly.report.course.structure.chapter import _pairs, _pins
 from vecpoly.report.course.structure.special_joints import concluded, special
 from vecpoly.report.course.symbols import symbols
 from vecpoly.report.flow.table import DataTable
@@ -158,3 +159,10 @@ def test_loads_add_the_balancing_load_a_reaction_efficiency_and_friction_circles
     (by, on) = re.findall(r"\d", symbol)
     assert words == f"force of link {by} on link {on}"
     assert not {"$ρ$", "$η$"} & {row[0] for row in listed("A-27")}
+
+
+@each(Later(ids))
+def test_no_two_joints_have_one_letter(name: str) -> None:
+    mech = drawn(name).problem.mechanism
+    letters = Counter(letter for letter, _, _ in (*_pins(mech), *_pairs(mech)))
+    assert letters and max(letters.values()) == 1, letters

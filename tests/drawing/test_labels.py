@@ -12,13 +12,16 @@ import shapely
 
 from tests.drawn_library import IDS, drafted
 from tests.each import each
-from tests.label_faults import astray, faults
+from tests.label_faults import astray, crammed, faults, leaders
 from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.paper.marks import Dot, Hatched, LinkNumber, Point, Role, Segment, Vector
 from vecpoly.drawing.figure import Drawing, drawing
-from vecpoly.drawing.scene import Item, Rect, Stroke
+from vecpoly.drawing.labels.want import Thing
+from vecpoly.drawing.scene import Fill, Item, Rect, Stroke
+from vecpoly.drawing.style import THIN, Hue
 from vecpoly.words import Words
 
+LONGEST = 31.0  # mm
 SCALE = Scale(symbol="μ_v", value=0.006, unit="m/s")
 
 
@@ -131,6 +134,44 @@ def test_no_label_of_the_library_stands_on_a_line_an_arrowhead_or_another_label(
 def test_no_label_of_the_library_stands_nearer_to_another_point_link_or_vector_than_to_its_own(name: str) -> None:
     for one in _drawn(name):
         assert astray(one) == []
+
+
+@each(IDS)
+def test_no_two_labels_of_the_library_are_read_as_one(name: str) -> None:
+    for one in _drawn(name):
+        assert crammed(one) == []
+
+
+@each(IDS)
+def test_the_letters_of_a_figure_have_one_size(name: str) -> None:
+    for one in _drawn(name):
+        assert {label.want.scale for label in one.labels} <= {1.0}
+
+
+@each(IDS)
+def test_a_leader_is_a_thin_grey_line_without_a_head_and_no_longer_than_a_crowd_asks(name: str) -> None:
+    for one in _drawn(name):
+        for line in leaders(one):
+            a, b = line.points
+            assert line.width == THIN and line.hue is Hue.GREY and abs(b - a) < LONGEST
+        heads = [item for label in one.labels for item in label.items() if isinstance(item, Fill)]
+        assert heads == []
+
+
+def test_leaders_are_few_and_short() -> None:
+    labels = sum(len(one.labels) for name in IDS for one in _drawn(name))
+    long = [abs(line.points[1] - line.points[0]) for name in IDS for one in _drawn(name) for line in leaders(one)]
+    assert len(long) < 0.08 * labels and sum(length > 14 for length in long) < 0.012 * labels
+
+
+@each(IDS)
+def test_a_direction_is_lettered_where_its_line_runs_on_past_the_point_that_it_found(name: str) -> None:
+    for one in _drawn(name):
+        for label in one.labels:
+            if label.want.thing is Thing.DIRECTION and label.foot is None:
+                start, end = label.want.own
+                past = (end - start) / abs(end - start)
+                assert ((label.centre - start) * past.conjugate()).real > 0, label
 
 
 @cache

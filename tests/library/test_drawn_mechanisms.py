@@ -39,6 +39,8 @@ from vecpoly.report.structure import structure
 IDS = Later(lambda: ids(view=View.MECHANISM))
 M = TypeVar("M", bound=Mark)
 NEAR = 1e-6  # mm
+PINS = (Dot.JOINT, Dot.MULTIPLE)
+LETTERED = (*PINS, Dot.MASS, Dot.POINT)
 
 
 @cache
@@ -77,7 +79,7 @@ def letters(mech: Mechanism) -> set[str]:
 def test_every_lettered_point_stands_where_the_oracle_has_it(name: str) -> None:
     seen, known = 0, {subscripted(point): point for point in letters(drawn(name).problem.mechanism)}
     for mark in marks(name, Point):
-        if mark.label in known and mark.dot in (Dot.JOINT, Dot.POINT):
+        if mark.label in known and mark.dot in LETTERED:
             assert abs(mark.at - place(name, known[mark.label])) < NEAR, mark.label
             seen += 1
     assert seen >= len(drawn(name).problem.mechanism.frame)
@@ -91,7 +93,7 @@ def test_every_pin_is_an_open_circle_and_every_fixed_pin_stands_on_the_ground(na
         for j in mech.joints
         if isinstance(j, Revolute) and all(end == FRAME or end[0].isdigit() for end in (j.a, j.b))
     ]
-    circles = {mark.label for mark in marks(name, Point) if mark.dot is Dot.JOINT}
+    circles = {mark.label for mark in marks(name, Point) if mark.dot in PINS}
     assert {subscripted(j.point) for j in real if "'" not in j.point} <= circles
     grounds = [mark.at for mark in marks(name, Ground)]
     fixed = {j.point for j in real if FRAME in (j.a, j.b)}

@@ -10,7 +10,10 @@ import pytest
 from tests.drawn_library import drawn, ids
 from tests.each import Later, each
 from tests.texts import CRANK
-from vecpoly.diagram.bars import WELD, weld
+from vecpoly.diagram.bars import weld
+from vecpoly.drawing.scene import Fill
+from vecpoly.drawing.symbols.bodies import WELD
+from vecpoly.drawing.symbols.bodies import weld as filled
 from vecpoly.errors import VecpolyError
 from vecpoly.foundation.data import data_dir
 from vecpoly.problem.load import load, loads
@@ -29,8 +32,10 @@ def test_nobody_changes_what_is_given() -> None:
 
 
 def test_a_weld_is_a_small_triangle_between_its_two_bars() -> None:
-    assert weld(1 + 1j, 30 + 0j, 70j).points == pytest.approx((1 + 1j, 1 + WELD + 1j, 1 + 1j + WELD * 1j))
-    assert weld(0j, -3 + 0j, 2 - 2j).points[1:] == pytest.approx((-WELD, WELD * (1 - 1j) / 2**0.5))
+    (corner,) = filled(weld(1 + 1j, 30 + 0j, 70j))
+    assert isinstance(corner, Fill) and corner.points == pytest.approx((1 + 1j, 1 + WELD + 1j, 1 + 1j + WELD * 1j))
+    (other,) = filled(weld(0j, -3 + 0j, 2 - 2j))
+    assert isinstance(other, Fill) and other.points[1:] == pytest.approx((-WELD, WELD * (1 - 1j) / 2**0.5))
 
 
 @pytest.mark.parametrize(

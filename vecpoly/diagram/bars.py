@@ -6,9 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from ..board.paper.marks import Mark, Plate, Role, Segment
-
-WELD = 3.0  # mm, sides of the mark of a rigid corner
+from ..board.paper.marks import Mark, Plate, Role, Segment, Weld
 
 
 def bar(spots: Sequence[complex]) -> Iterator[Mark]:
@@ -38,6 +36,6 @@ def _lower(row: Sequence[complex]) -> list[complex]:
     return kept[:-1]
 
 
-def weld(corner: complex, u: complex, v: complex) -> Plate:
-    """The small triangle that shows two bars to be one rigid link."""
-    return Plate(points=(corner, corner + WELD * u / abs(u), corner + WELD * v / abs(v)))
+def weld(corner: complex, u: complex, v: complex) -> Weld:
+    """The small filled triangle that shows two bars to be one rigid link."""
+    return Weld(at=corner, u=u / abs(u), v=v / abs(v))

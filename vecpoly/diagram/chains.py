@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from ..board.paper.marks import Block, Dot, Ground, LinkNumber, Mark, Plate, Point, Role, Segment
+from ..board.paper.marks import Block, Dot, Ground, LinkNumber, Mark, Point, Role, Segment, Weld
 from ..board.paper.symbols import Symbol
 from ..mechanism.joints import FRAME
 from ..names import subscripted
@@ -18,12 +18,13 @@ from .bars import bar, hull
 from .guides import bush, rail_under, through
 from .owners import FIXED, joint
 from .owners import link as owner
+from .pins import lines_of, passing, welds
 from .posed import Way
 from .profiles import FACE, Touching, is_hollow, profile, round_of
 
 NEAR = 0.3  # mm: places closer than this are one
 BEYOND, HALF_GUIDE = 13.0, 11.0  # mm: a rod goes on past its block; half a fixed guide
-Rod = Segment | Plate  # a rod, the arms beside it, and the marks of their rigid corners
+Rod = Segment | Weld  # a rod, the arms beside it, and the marks of their rigid corners
 DOWNS = (-1j, 1j, 1 + 0j, -1 + 0j)
 
 
@@ -56,10 +57,11 @@ class Chained(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Sketched:
-    """A chain on paper (mm), and the numbers of its links as printed."""
+    """A chain on paper (mm), and the numbers of its links as printed; ringed: whether compound hinges are marked."""
 
     chain: Chained
     number: Callable[[str], str]
+    ringed: bool = False
 
     def drawn(self, links: tuple[str, ...], *, frame: bool) -> Iterator[Symbol]:
         """These links with their joints, and with the frame where they stand on it."""
@@ -68,6 +70,7 @@ class Sketched:
         for pair in self.chain.pairs:
             if set(pair.links) & set(links):
                 yield from self._joint(pair, frame)
+                yield from self._rigid(pair, links, frame)
 
     def down(self, pair: Joined) -> complex:
         """The side of a pivot on which fewest links lie; below where it does not matter."""
@@ -93,7 +96,9 @@ class Sketched:
 
     def _numbered(self, link: str, points: list[complex], rods: list[Rod], profiles: list[Joined]) -> LinkNumber:
         """Its number beside its longest line; within its profile or beside its block where it has no line."""
-        number = self.number(link)
+        number, block = self.number(link), self._pinned_block(link)
+        if block is not None:
+            return LinkNumber(a=block, b=block, number=number)
         lines = [(rod.a, rod.b) for rod in rods if isinstance(rod, Segment)]
         if not lines and len(points) > 1:
             corners = hull(points) if len(points) > 2 else tuple(points)
@@ -107,6 +112,12 @@ class Sketched:
             return LinkNumber(a=at, b=at, number=number)
         return LinkNumber(a=points[0], b=points[0], number=number)
 
+    def _pinned_block(self, link: str) -> complex | None:
+        """Where another link is pinned in a block of the link: there the number is needed, not along the bar."""
+        pairs = self.chain.at(link)
+        blocks = [pair.at for pair in pairs if pair.slides and pair.links[0] == link]
+        return next((at for at in blocks if any(p.hinged and abs(p.at - at) < NEAR for p in pairs)), None)
+
     # -- joints -------------------------------------------------------------------------------------------------
 
     def _joint(self, pair: Joined, frame: bool) -> Iterator[Symbol]:
@@ -119,7 +130,7 @@ class Sketched:
         if frame and FRAME in pair.links:
             ground = (Ground(at=pair.at, down=self.down(pair)),)
             yield Symbol.of(FIXED, ground if pair.hinged else profile(pair, FRAME))
-        dot = Dot.JOINT if pair.hinged else Dot.POINT
+        dot = (Dot.MULTIPLE if self.ringed and len(pair.links) > 2 else Dot.JOINT) if pair.hinged else Dot.POINT
         yield Symbol.of(own, (Point(at=pair.at, label=subscripted(pair.letter), dot=dot),))
 
     def _slide(self, pair: Joined, frame: bool) -> Iterator[Symbol]:
@@ -131,7 +142,22 @@ class Sketched:
         if guide == FRAME:
             along = -pair.along if frame and self._leans_right(pair) else pair.along
             yield Symbol.of(FIXED, (rail_under(pair.at, along, HALF_GUIDE) if frame else _way(pair),))
-        yield Symbol.of(owner(block), (Block(at=pair.at, along=pair.along, on_rod=guide != FRAME),))
+        yield Symbol.of(owner(block), (_block(pair),))
+
+    # -- what is one link ---------------------------------------------------------------------------------------
+
+    def _rigid(self, pair: Joined, links: tuple[str, ...], frame: bool) -> Iterator[Symbol]:
+        """Where a link of these runs on past the pin; where its bars leave its block."""
+        seen = [link for link in pair.links if link in links or (frame and link == FRAME)]
+        for link in (link for link in seen if link != FRAME and (pair.hinged or pair.slides)):
+            lines = tuple(lines_of(self._body(link)))
+            if pair.hinged:
+                others = [other for other in seen if other != link]
+                ways = [p.at - pair.at for other in others if other != FRAME for p in self.chain.at(other)]
+                ways += [self.down(pair)] * (FRAME in others)
+                yield Symbol.of(owner(link), passing(pair.at, lines, ways))
+            elif link == pair.links[0]:
+                yield Symbol.of(owner(link), welds((_block(pair),), lines))
 
     def _leans_right(self, pair: Joined) -> bool:
         """Whether what hangs on the block lies to the right of its guide, where the hatching would be."""
@@ -148,6 +174,10 @@ class Sketched:
         ]
         away = ((z - pair.at) / max(abs(z - pair.at), 1.0) for z in beside)
         return sum((pair.along.conjugate() * z).imag for z in away) < 0
+
+
+def _block(pair: Joined) -> Block:
+    return Block(at=pair.at, along=pair.along, on_rod=pair.links[1] != FRAME)
 
 
 def _way(pair: Joined) -> Segment:

@@ -54,7 +54,7 @@ def rack_marks(posed: Posed, joint: Rolling, rack: Rack) -> Iterator[Mark]:
         middle = foot + along * float((along.conjugate() * (posed.at[slide.pin] - foot)).real)
         under = -1j * (b - a) / abs(b - a)
         ahead = (b - a) / abs(b - a) * HALF_HATCH
-        yield FixedGuide(a=middle - ahead + DEEP * under, b=middle + ahead + DEEP * under)
+        yield FixedGuide(a=middle - ahead + DEEP * under, b=middle + ahead + DEEP * under, about=middle)
     for pin, travel in zip(pins, travels, strict=True):
         if abs(pin - foot - along * travel) > BESIDE:
             yield Segment(a=foot + along * travel, b=pin, role=Role.LINK)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from ..board.paper.marks import Block, FixedGuide, LinkNumber, Mark, Plate, Role, Segment, Slot
+from ..board.paper.marks import Block, FixedGuide, LinkNumber, Mark, Role, Segment, Slot, Weld
 from ..mechanism.model import FRAME, Prismatic
 from ..problem.problem import Shape
 from .bars import weld
@@ -66,7 +66,7 @@ def sliding_pair(posed: Posed, joint: Prismatic) -> Iterator[Mark]:
 def rail_under(middle: complex, along: complex, half: float) -> FixedGuide:
     """The fixed guide of a block, half of it to either side; the block lies to its left."""
     under = middle - 1j * along * HALF_BLOCK
-    return FixedGuide(a=under - along * half, b=under + along * half)
+    return FixedGuide(a=under - along * half, b=under + along * half, about=middle)
 
 
 def bush(middle: complex, along: complex) -> Iterator[FixedGuide]:
@@ -106,7 +106,7 @@ def _slot(posed: Posed, joint: Prismatic, own: list[complex], pin: complex) -> I
             yield weld(near, spot - near, pin - near)
 
 
-def through(line: Way, pin: complex, half: float, own: Sequence[complex]) -> Iterator[Segment | Plate]:
+def through(line: Way, pin: complex, half: float, own: Sequence[complex]) -> Iterator[Segment | Weld]:
     """A rod, or a flat face, past what slides or presses on it, on to the link's own places;
     one beside it is joined to it at right angles."""
     t, feet = line.travel(pin), [line.travel(spot) for spot in own]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ..board.paper.marks import Block, Dot, FixedGuide, LinkNumber, Mark, Point, Role, Segment
 from ..board.paper.symbols import Symbol
@@ -17,8 +17,10 @@ from .gears import gear_marks, guided_rack, rack_marks
 from .guides import block_marks, guide_body, is_slot, link_number, reaching, sliding_pair
 from .owners import link as owner
 from .owners import owned
+from .pins import lines_of, passing, welds
 from .posed import Posed
 
+ALONE = {Dot.MULTIPLE: Dot.JOINT}  # a link by itself has one half of each pin
 _NO_BAR = (Shape.GEAR, Shape.PIN, Shape.CYLINDER, Shape.PISTON)
 
 
@@ -36,7 +38,8 @@ def link_alone(posed: Posed, name: str, *, lettered: bool = True, pressed: tuple
 
     pressed: where the reactions of its guides act, past which its blocks reach.
     """
-    marks = (reaching(mark, pressed) if isinstance(mark, Block) else mark for mark in _alone(posed, name))
+    marks = [reaching(mark, pressed) if isinstance(mark, Block) else mark for mark in _alone(posed, name)]
+    marks += _rigid(marks)
     return Symbol.of(owner(name), (mark for mark in marks if lettered or not isinstance(mark, Point)))
 
 
@@ -58,8 +61,9 @@ def _alone(posed: Posed, name: str) -> Iterator[Mark]:
     hinged = posed.hinged()
     for letter in posed.body(name).points:
         if letter in posed.at and not letter.endswith("'"):
-            dot = Dot.JOINT if letter in hinged else Dot.POINT
-            yield Point(at=posed.at[letter], label=subscripted(letter), dot=dot)
+            dot = posed.dot(letter)
+            yield from _joining(posed, letter, name) if letter in hinged else ()
+            yield Point(at=posed.at[letter], label=subscripted(letter), dot=ALONE.get(dot, dot))
 
 
 def _teeth(posed: Posed, name: str) -> Iterator[Mark]:
@@ -111,6 +115,7 @@ def _drawn(posed: Posed, links: tuple[str, ...], paper: list[Mark]) -> Iterator[
             yield from ((part, cylinder_part(posed, part, joint)) for part in (joint.guide, joint.block))
         elif _has_block(posed, joint):
             yield joint.block, sliding_pair(posed, joint)
+            yield joint.block, _rigid([*body(posed, joint.block), *sliding_pair(posed, joint)])
     for rolling in (joint for joint in posed.mech.joints if isinstance(joint, Rolling)):
         for circle in (rolling.gear, rolling.on):
             if isinstance(circle, Circle) and _turns_up(circle, rolling, links):
@@ -118,6 +123,23 @@ def _drawn(posed: Posed, links: tuple[str, ...], paper: list[Mark]) -> Iterator[
         both = {rolling.gear.link, rolling.on.link}
         if isinstance(rolling.on, Rack) and both & set(links) and posed.is_located(*both):
             yield rolling.on.link, rack_marks(posed, rolling, rolling.on)
+    for letter in posed.hinged():
+        at = posed.pinned(letter)
+        if set(at) & set(links) and posed.is_located(*at):
+            yield from ((name, _joining(posed, letter, name)) for name in at if name != FRAME)
+
+
+def _rigid(marks: Sequence[Mark]) -> Iterator[Mark]:
+    """Where the bars of a link leave its blocks."""
+    return welds((mark for mark in marks if isinstance(mark, Block)), tuple(lines_of(marks)))
+
+
+def _joining(posed: Posed, letter: str, name: str) -> Iterator[Mark]:
+    """Where the link runs on past a pin: its joining half, away from the other links there and from the ground."""
+    at, others = posed.at[letter], [link for link in posed.pinned(letter) if link != name]
+    ways = [spot - at for link in others if link != FRAME for spot in posed.spots(link)]
+    lines = tuple(lines_of(body(posed, name)))
+    return passing(at, lines, ways + [-1j] * (FRAME in others))
 
 
 def _is_late(posed: Posed, joint: Prismatic, links: tuple[str, ...]) -> bool:

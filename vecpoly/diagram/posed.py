@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import field
 
+from ..board.paper.roles import Dot
 from ..foundation.slotted import dataclass
-from ..mechanism.model import FRAME, Contact, Link, Mechanism, Prismatic, Rack, Revolute, Rolling
+from ..mechanism.groups.assur import hinges
+from ..mechanism.model import FRAME, Circle, Contact, Link, Mechanism, Prismatic, Rack, Revolute, Rolling
 from ..plane import Line
 from ..problem.problem import Shape
 from .lines import contact_of, face_line, guide_line, line_on, normal_of
@@ -46,7 +48,7 @@ class Posed:
 
     per_metre: mm of paper for one metre; at: the letters found so far (mm); located: of every link found so far the
     place of its origin (mm) and the direction of its x axis, a unit vector; loaded: whether forces follow, so that no
-    pressure angle is marked.
+    pressure angle is marked; centres: the letters of centres of mass.
     """
 
     mech: Mechanism
@@ -55,6 +57,7 @@ class Posed:
     at: Mapping[str, complex]
     located: Mapping[str, tuple[complex, complex]]
     loaded: bool = False
+    centres: frozenset[str] = frozenset()
     names: Mapping[str, str] = field(default_factory=dict)  # of links that are not told by their own
 
     def shape(self, link: str, else_: Shape = Shape.BAR) -> Shape:
@@ -129,6 +132,25 @@ class Posed:
     def fixed_guide(self, link: str) -> Prismatic | None:
         """The fixed guide of a translating link, if it has one."""
         return next((joint for joint in self.slides() if joint.guide == FRAME and joint.block == link), None)
+
+    def pinned(self, letter: str) -> tuple[str, ...]:
+        """The links that are seen to be hinged at a letter."""
+        thought = {*self.mech.substitutes, *self.mech.slot_pins}
+        return tuple(name for name in hinges(self.mech).get(letter, ()) if name not in thought)
+
+    def dot(self, letter: str) -> Dot:
+        """How a letter's place is drawn: a pin, a compound hinge, a centre of mass, a point of a link."""
+        if letter in self.hinged():
+            return Dot.MULTIPLE if len(self.pinned(letter)) > 2 else Dot.JOINT
+        if letter in self.rollers():
+            return Dot.JOINT
+        return Dot.MASS if letter in self.centres else Dot.POINT
+
+    def rollers(self) -> set[str]:
+        """The centres of rollers: pinned to their links, though for the motion they count as parts of them."""
+        hosts = set(dict(self.mech.welded).values())
+        discs = (end for contact in self.mech.contacts for end in (contact.disc, contact.on) if isinstance(end, Circle))
+        return {disc.centre for disc in discs if disc.link in hosts}
 
     def hinged(self) -> set[str]:
         """Letters of the pins that exist, without those of a contact's substitute."""

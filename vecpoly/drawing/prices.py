@@ -11,7 +11,7 @@ import numpy as np
 from .labels.obstacles import Complexes, Floats, Obstacles
 from .labels.rivals import misled
 from .labels.spots import Spots, spots
-from .labels.wants import Want
+from .labels.want import Want
 from .scene import Rect
 from .standing import Trial
 

@@ -10,7 +10,9 @@ from .labels.obstacles import Complexes, Floats, Indices, clip
 from .scene import Rect
 
 APART = 0.7  # mm between two labels
-AS_ONE, MISREAD = 1.8, 9.0  # mm side by side below which two labels are read as one, and what that costs
+AS_ONE, MISREAD = 1.8, 39.0  # mm side by side below which two labels are read as one, and what that costs
+STACK, STACKED = 1.3, 12.0  # mm one over the other below which they look like a fraction, and what that costs
+TIGHT = 0.9  # mm one over the other below which they are taken for one
 OVERLAP, PER_AREA = 120.0, 8.0
 LEADER_ON_LABEL = 60.0
 NOWHERE = complex(np.nan, np.nan)
@@ -77,6 +79,8 @@ class Standing:
         level = dy > 0
         cost: Floats = np.where((dx > 0) & level, OVERLAP + PER_AREA * dx * dy, 0.0)
         cost += np.where((dx <= 0) & (dx > APART - AS_ONE) & level, MISREAD, 0.0)
+        over = (dy <= 0) & (dx > APART)
+        cost += np.where(over & (dy > APART - STACK), np.where(dy > APART - TIGHT, MISREAD, STACKED), 0.0)
         if trial.foot is not None:
             cost += LEADER_ON_LABEL * _struck(trial.foot[:, None], mine, c, size)
         theirs = np.flatnonzero(~np.isnan(led.real))

@@ -13,6 +13,7 @@ from ..figures.hue import Hue as Hue  # an ink is a part of how a line looks
 LINK, RESULT, GIVEN, THIN = 0.7, 0.5, 0.35, 0.18
 SYMBOL = 0.35  # outline of joints, grounds, guides
 JOINT_RADIUS, POLE_RADIUS, DOT_RADIUS = 1.25, 0.6, 0.55
+MULTIPLE_RADIUS, INNER_RADIUS, MASS_RADIUS = 1.7, 0.8, 1.3  # both circles of a compound hinge; a centre of mass
 HEAD_LENGTH, HEAD_WIDTH = 3.0, 1.0
 LETTER, TITLE, NOTE = 4.4, 4.6, 3.2  # em; capitals are two thirds of it high
 

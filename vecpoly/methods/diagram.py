@@ -32,6 +32,7 @@ class Diagram:
     mech: Mechanism
     shapes: Mapping[str, Shape] = field(default_factory=dict)
     loaded: bool = False  # whether forces follow: then friction angles are meant, and no pressure angle is marked
+    mass_centres: frozenset[str] = frozenset()
     at: dict[str, Points] = field(default_factory=dict)
     pose: dict[str, Pose] = field(default_factory=dict)
 
@@ -67,6 +68,7 @@ class Diagram:
                 link: (complex(nominal(pose.origin)), complex(nominal(pose.along))) for link, pose in self.pose.items()
             },
             loaded=self.loaded,
+            centres=self.mass_centres,
         )
 
     def axis(self, link: str) -> Points:

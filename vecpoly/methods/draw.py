@@ -48,6 +48,9 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
         coincident=coincident_letters(mech, groups),
         shapes=problem.given.shapes,
         loaded=problem.loads is not None,
+        mass_centres=frozenset(mass.centre for mass in problem.loads.masses)
+        if problem.loads is not None
+        else frozenset(),
         thought=Stage.VELOCITY in said,  # of a cam's profile, whose link does drive, only the position is told
     )
     for name, at in mech.frame.items():
@@ -58,6 +61,10 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
             desk.board.step(said[stage], stage.view)
         _draw_stage(desk, problem, stage, groups)
     return desk
+
+
+def _mass_centres(problem: Problem) -> frozenset[str]:
+    return frozenset(mass.centre for mass in problem.loads.masses) if problem.loads is not None else frozenset()
 
 
 def _draw_stage(desk: Desk, problem: Problem, stage: Stage, groups: tuple[Group, ...]) -> None:

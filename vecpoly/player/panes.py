@@ -17,11 +17,13 @@ from ..board.paper.marks import (
     GearMark,
     Ground,
     LinkNumber,
+    Passing,
     Plate,
     RackMark,
     Role,
     Segment,
     Slot,
+    Weld,
 )
 from ..drawing.scene import Rect
 from ..drawing.style import LETTER
@@ -30,7 +32,7 @@ from .fitting import SIDE
 Places = Sequence[Figure | None]
 AROUND = 12.0  # mm that lettering and title take round a figure
 LEGIBLE = 0.022  # letters that are this part of the sheet's width can be read
-BODIES = (Block, FrictionCircle, GearMark, Ground, LinkNumber, Plate, RackMark, Slot)
+BODIES = (Block, FrictionCircle, GearMark, Ground, LinkNumber, Passing, Plate, RackMark, Slot, Weld)
 BESIDE = 22.0  # mm beside the links, for letters, arrows, angles and guides
 FAR = 0.45  # of a mechanism's size: what its construction may take beyond it
 AWAY = 1.5  # of a mechanism's size: links that go farther, towards a dead point, are let out of the pane

@@ -89,8 +89,12 @@ def reduced(figure: Figure, marks: Sequence[Mark], width: float, height: float) 
 
 
 def scaled(mark: Mark, factor: float) -> Any:
-    """The mark with all its places multiplied by the factor; radii of arrows and angle marks stay."""
+    """The mark with all its places multiplied by the factor; radii of arrows and angle marks stay, and so does the way
+    from a block to its guide."""
     changed: dict[str, Any] = {}
+    if isinstance(mark, FixedGuide) and mark.about is not None:
+        by = mark.about * (factor - 1.0)
+        return replace(mark, a=mark.a + by, b=mark.b + by, about=mark.about + by)
     for f in fields(mark):
         value = getattr(mark, f.name)
         if isinstance(value, complex) and f.name in ("a", "b", "at", "centre"):

@@ -25,6 +25,7 @@ from .marks import (
     Mark,
     Note,
     Outline,
+    Passing,
     Plate,
     Point,
     RackMark,
@@ -34,6 +35,7 @@ from .marks import (
     Slot,
     TurnArrow,
     Vector,
+    Weld,
 )
 
 
@@ -81,6 +83,8 @@ def corners(mark: Mark) -> Iterator[complex]:
             yield from (at + complex(x * w, y * h) / 2 for x in (-1, 1) for y in (-1, 1))
         case Segment() | Vector() | FixedGuide() | Slot() | RackMark() | LinkNumber():
             yield from (mark.a, mark.b)
+        case Passing() | Weld():
+            yield mark.at
         case Point() | Ground() | Block() | Note() | TurnArrow() | AngleMark() | RightAngle():
             yield mark.at
         case _:

@@ -8,19 +8,19 @@ from __future__ import annotations
 
 from ...foundation.slotted import dataclass
 from ...words import Words
+from .bodies import Block as Block
+from .bodies import Body as Body
+from .bodies import FixedGuide as FixedGuide
+from .bodies import GearMark as GearMark
+from .bodies import Ground as Ground
+from .bodies import Passing as Passing
+from .bodies import Plate as Plate
+from .bodies import RackMark as RackMark
+from .bodies import Slot as Slot
+from .bodies import Weld as Weld
+from .known import Ink as Ink
 from .roles import Dot as Dot
 from .roles import Role as Role
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Ink:
-    """What every mark knows: the step and the act that drew it;
-    what it stands for, where it stands for a quantity; whose it is."""
-
-    step: int = 0
-    act: int = -1
-    key: str = ""
-    owner: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,67 +84,6 @@ class ImageOf(Ink):
     """The image of a link in a polygon, lightly tinted."""
 
     points: tuple[complex, ...]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Plate(Ink):
-    """A rigid link with three or more points, drawn as one body (GB/T 4460)."""
-
-    points: tuple[complex, ...]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Ground(Ink):
-    """A fixed pivot: triangle on hatched ground, the hatching on the side `down` (unit complex number)."""
-
-    at: complex
-    down: complex
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class FixedGuide(Ink):
-    """A hatched fixed guide line from a to b; the hatching lies to the right of a -> b."""
-
-    a: complex
-    b: complex
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Block(Ink):
-    """A slider block (rectangle) centred at `at`, its long side along `along` (unit complex number).
-
-    `on_rod` True: a sleeve through which a rod passes; False: a block in a slot or on a guide. `length` in mm.
-    """
-
-    at: complex
-    along: complex
-    on_rod: bool = False
-    length: float = 9.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Slot(Ink):
-    """A slot in a link: two parallel lines with round ends along a -> b."""
-
-    a: complex
-    b: complex
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class GearMark(Ink):
-    """A gear: pitch circle (dash-dot) and its centre."""
-
-    centre: complex
-    radius: float
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class RackMark(Ink):
-    """A rack's pitch line from a to b with its body (hatched where fixed) to the right of a -> b."""
-
-    a: complex
-    b: complex
-    fixed: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -231,6 +170,5 @@ class Note(Ink):
 
 
 Trace = Segment | Vector | Arc | Curve
-Body = Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark
 Solid = FrictionCircle | Disc | Outline | Hatched | Cell
 Mark = Trace | Point | RightAngle | ImageOf | Body | TurnArrow | AngleMark | LinkNumber | Solid | Note

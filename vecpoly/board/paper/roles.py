@@ -23,4 +23,6 @@ class Dot(StrEnum):
     POLE = "pole"  # small open circle
     POINT = "point"  # small filled dot (tip of a vector, point of a link)
     JOINT = "joint"  # open circle 2.5 mm across
+    MULTIPLE = "multiple"  # two circles, one in the other: a compound hinge of three links or more
+    MASS = "mass"  # a circle of which two opposite quarters are filled: a centre of mass
     NONE = "none"  # only its letter

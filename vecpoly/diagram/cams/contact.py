@@ -105,12 +105,9 @@ def _discs(posed: Posed, link: str) -> dict[str, float]:
 
 
 def _roller(posed: Posed, body: Link, discs: Mapping[str, float]) -> Iterator[Mark]:
-    """The number of a roller that is taken as part of its link, inside its disc and off the link's line."""
+    """The number of a roller that is taken as part of its link, beside its rim."""
     for roller, _ in (pair for pair in posed.mech.welded if pair[1] == body.name):
-        centre, radius = next(iter(discs.items()))
-        other = next((p for p in body.points if p != centre), centre)
-        arm = posed.at[centre] - posed.at[other]
-        spot = posed.at[centre] + (0.5 * posed.mm(radius) * arm / abs(arm) if arm else 0)
+        spot = posed.at[next(iter(discs))]
         yield LinkNumber(a=spot, b=spot, number=roller)
 
 

@@ -17,13 +17,13 @@ from .ground import broken
 from .obstacles import Floats, Obstacles
 from .placing import BAD, Placed, place
 from .spots import spot, spots
-from .wants import Want, smaller, wants
+from .want import Want, resized
+from .wants import wants
 
 APART = 0.7  # mm between two labels
 CLASH = 200.0  # what standing on another label costs
 
 Name = tuple[object, ...]
-Choice = tuple[int, float]  # which of its places a label has, and its size
 
 
 @dataclass(slots=True)
@@ -32,14 +32,14 @@ class Follower:
 
     lang: Lang
     size: float = 1.0  # of the letters, beside that on paper
-    choice: dict[Name, Choice] = field(default_factory=dict)  # which of its places each label has, and its size
+    choice: dict[Name, int] = field(default_factory=dict)  # which of its places each label has
 
     def lettered(self, figure: Figure) -> tuple[Item, ...]:
         """All items of the figure with its letters in place, without its title."""
         around = Surroundings.of(figure.view, figure.marks, self.lang)
         items = unique(tuple(item for mark in figure.marks for item in draw(mark, around)))
         drawn, obstacles = Scene.of(items).extents, Obstacles.of(items)
-        named = _named(tuple(smaller(want, self.size) for want in wants(figure.view, figure.marks, self.lang)))
+        named = _named(tuple(resized(want, self.size) for want in wants(figure.view, figure.marks, self.lang)))
         placed = self._follow(named, obstacles, drawn) if self.choice else self._first(named, obstacles, drawn)
         ground = broken(items, [label.rect for label in placed])
         return ground + tuple(item for label in placed for item in label.items())
@@ -49,16 +49,14 @@ class Follower:
         placed = place(tuple(want for _, want in named), obstacles, drawn)
         for (name, _), label in zip(named, placed, strict=True):
             where = np.abs(spots(label.want, drawn.centre).centre - label.centre)
-            self.choice[name] = int(np.argmin(where)), label.want.scale
+            self.choice[name] = int(np.argmin(where))
         return list(placed)
 
     def _follow(self, named: list[tuple[Name, Want]], obstacles: Obstacles, drawn: Rect) -> list[Placed]:
         """Those that may stay first, then the others round them."""
         kept: dict[Name, Placed] = {}
         stayed = [
-            (name, label)
-            for name, want in named
-            if name in self.choice and (label := _at(_sized(want, self.choice[name][1]), self.choice[name][0]))
+            (name, label) for name, want in named if name in self.choice and (label := _at(want, self.choice[name]))
         ]
         for (name, label), cost in zip(stayed, _costs([label for _, label in stayed], obstacles), strict=True):
             if cost < BAD and not any(_touch(label, other) for other in kept.values()):
@@ -70,7 +68,6 @@ class Follower:
 
     def _moved(self, name: Name, want: Want, obstacles: Obstacles, drawn: Rect, others: list[Placed]) -> Placed:
         """The cheapest place among lines and the letters that stand already."""
-        want = _sized(want, self.choice[name][1] if name in self.choice else 1.0)
         found = spots(want, drawn.centre)
         cost = priced(obstacles, [(want, found.centre)])[0] + found.cost
         for other in others:
@@ -78,7 +75,7 @@ class Follower:
             w, h = (want.width + other.want.width) / 2 + APART, (want.height + other.want.height) / 2 + APART
             cost = cost + np.where((np.abs(gap.real) < w) & (np.abs(gap.imag) < h), CLASH, 0.0)
         best = int(np.argmin(cost))
-        self.choice[name] = best, want.scale
+        self.choice[name] = best
         label = _at(want, best)
         assert label is not None
         return label
@@ -93,10 +90,6 @@ def _named(wanted: tuple[Want, ...]) -> list[tuple[Name, Want]]:
         seen[text] = seen.get(text, 0) + 1
         out.append(((*text, seen[text]), want))
     return out
-
-
-def _sized(want: Want, scale: float) -> Want:
-    return want if scale == want.scale else smaller(want, scale / want.scale)
 
 
 def _at(want: Want, index: int) -> Placed | None:

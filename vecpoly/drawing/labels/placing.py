@@ -1,5 +1,5 @@
 """Lettering finds its places: each label moves about what it names until it stands on nothing; if it must
-it shrinks, and goes farther off."""
+it goes farther off, on a leader. It never shrinks: one figure has one size of type."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from ..scene import Item, Layer, Rect, Stroke, TextBox
 from ..standing import Meeting, Standing
 from ..style import THIN, Hue
 from .obstacles import Obstacles
-from .wants import Piece, Want, smaller
+from .want import Piece, Want
 
 BAD = 38.0  # a label that costs more than this by where it stands is on something
-EASES = ((0.85, False), (0.72, False), (1.0, True), (0.72, True))  # size of type, whether on longer leaders
 PASSES = 8
+CROWDS = (0.0, 12.0, 25.0)  # mm about a label in trouble within which labels may go farther off, if need be
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +45,7 @@ class Placed:
             return text
         step = min(piece.step for piece in self.want.pieces)
         end = _nearest(self.foot, rect.grown(0.4))
-        return (Stroke(points=(self.foot, end), width=THIN, hue=Hue.BLACK, layer=Layer.TEXT, step=step), *text)
+        return (Stroke(points=(self.foot, end), width=THIN, hue=Hue.GREY, layer=Layer.TEXT, step=step), *text)
 
 
 def _text(piece: Piece, x: float, y: float) -> TextBox:
@@ -59,16 +59,12 @@ def _nearest(point: complex, rect: Rect) -> complex:
 def place(wanted: tuple[Want, ...], obstacles: Obstacles, drawn: Rect, frame: Rect | None = None) -> tuple[Placed, ...]:
     """A place for each label; the same input always gives the same places."""
     table = _Table.of(Around(obstacles, wanted, drawn, frame))
-    for scale, farther in EASES:
-        crowded = {i for i, trouble in enumerate(table.troubles) if trouble > BAD}
+    for around in CROWDS:
+        crowded = [i for i, trouble in enumerate(table.troubles) if trouble > BAD]
         if not crowded:
             break
-        table = table.eased(crowded, scale, farther)
+        table = table.eased({i for i in range(len(wanted)) if any(table.near(i, k) <= around for k in crowded)})
     return tuple(table.placed(i) for i in range(len(wanted)))
-
-
-def _eased(want: Want, scale: float, farther: bool) -> Want:
-    return replace(smaller(want, scale / want.scale), farther=farther)
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,12 +80,16 @@ class _Table:
         """The places of every label."""
         return cls(around, tuple(Row.of(want, around) for want in around.wanted))
 
-    def eased(self, crowded: set[int], scale: float, farther: bool) -> _Table:
-        """With some of the labels in smaller type or on longer leaders; what the places of the others cost is known."""
-        wanted = tuple(_eased(w, scale, farther) if i in crowded else w for i, w in enumerate(self.around.wanted))
+    def eased(self, crowded: set[int]) -> _Table:
+        """With some of the labels on longer leaders; what the places of the others cost is known."""
+        wanted = tuple(replace(w, farther=True) if i in crowded else w for i, w in enumerate(self.around.wanted))
         around = Around(self.around.obstacles, wanted, self.around.drawn, self.around.frame)
         kept = zip(wanted, self.rows, strict=True)
         return _Table(around, tuple(row if want is row.near.want else Row.of(want, around) for want, row in kept))
+
+    def near(self, i: int, k: int) -> float:
+        """How far apart the middles of two labels stand."""
+        return float(abs(self.standing.centre[i] - self.standing.centre[k]))
 
     def _meeting(self, i: int, k: int) -> Meeting:
         """Of label i with the others: at its places beside what it names (0), or on a leader (1)."""

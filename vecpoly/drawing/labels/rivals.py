@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from .obstacles import Complexes, Floats, clip
-from .wants import Thing, Want
+from .want import Thing, Want
 
 WRONG = 55.0  # nearer to another than to its own, with no leader to tell
 DOUBTFUL = 0.6  # mm: nearly as near

@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 
 from .obstacles import Complexes, Floats
-from .wants import Want
+from .want import Want
 
 DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)
 GAPS = (0.55, 1.1, 1.9, 3.0, 4.4)
-FAR = (6.5, 9.5, 13.0, 18.0)
+FAR = (5.5, 6.5, 8.0, 9.5, 11.0, 13.0)
 # In a crowd; the usual ones come first, so that each place keeps its number.
-FARTHER = (*FAR, 8.0, 11.0, 12.0, 14.2, 15.5, 16.8, 20.0, 22.0, 24.5, 27.0, 30.0)
+FARTHER = (*FAR, 12.0, 14.2, 15.5, 16.8, 18.0, 20.0, 22.0, 24.5, 27.0, 30.0)
 LEADER = 22.0  # what resorting to a leader line costs
 PER_DISTANCE, PER_FRACTION = 1.2, 6.0
 

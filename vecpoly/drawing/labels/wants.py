@@ -5,8 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
-from enum import Enum
 from functools import lru_cache
 
 from ...algebra.formula import Txt, row
@@ -14,68 +12,53 @@ from ...board.construction import View
 from ...board.paper.marks import (
     AngleMark,
     Block,
+    Disc,
     Dot,
     FrictionCircle,
     Ground,
     LinkNumber,
     Mark,
     Note,
+    Passing,
     Point,
+    Role,
+    Segment,
     TurnArrow,
     Vector,
 )
+from ...board.strokes import OVERRUN
 from ...typeset import Box, layout
 from ...words import Lang
-from ..style import DOT_RADIUS, JOINT_RADIUS, LETTER, LINK, NOTE, POLE_RADIUS, RESULT, THIN, Hue, kind_hue
+from ..style import (
+    DOT_RADIUS,
+    JOINT_RADIUS,
+    LETTER,
+    LINK,
+    MASS_RADIUS,
+    MULTIPLE_RADIUS,
+    NOTE,
+    POLE_RADIUS,
+    RESULT,
+    THIN,
+    Hue,
+    kind_hue,
+)
 from ..symbols.angles import TAIL, TURN, narrow
 from ..symbols.shapes import NEAR
 from .notes import lines
+from .want import Piece, Thing, Want
 
 FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
-_RADIUS = {Dot.JOINT: JOINT_RADIUS, Dot.POLE: POLE_RADIUS, Dot.POINT: DOT_RADIUS, Dot.NONE: 0.0}
+_RADIUS = {
+    Dot.JOINT: JOINT_RADIUS,
+    Dot.MULTIPLE: MULTIPLE_RADIUS,
+    Dot.MASS: MASS_RADIUS,
+    Dot.POLE: POLE_RADIUS,
+    Dot.POINT: DOT_RADIUS,
+    Dot.NONE: 0.0,
+}
 Taken = tuple[complex, float]  # a place, and the radius of what is drawn there
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
-
-
-@dataclass(frozen=True, slots=True)
-class Piece:
-    """Type that belongs to one step, at an offset from the left of its label."""
-
-    box: Box
-    dx: float
-    hue: Hue
-    step: int
-
-
-class Thing(Enum):
-    """What a label can be taken to name when it stands beside it."""
-
-    OTHER, POINT, LINK, VECTOR = range(4)
-
-
-@dataclass(frozen=True, slots=True)
-class Want:
-    """A label to be placed beside points of a curve: each with a normal (0: all directions) and a radius to keep."""
-
-    pieces: tuple[Piece, ...]
-    feet: tuple[complex, ...]
-    normals: tuple[complex, ...]  # unit vectors to one side; 0j where every direction will do
-    radius: float
-    own: tuple[complex, complex]
-    one_sided: bool = False
-    scale: float = 1.0
-    thing: Thing = Thing.OTHER
-    farther: bool = False  # whether its leader may be longer than is usual: a crowd leaves it no other place
-
-    width: float = field(init=False)  # of the whole label, mm
-    ascent: float = field(init=False)  # over the baseline, mm
-    height: float = field(init=False)  # of the whole label, mm
-
-    def __post_init__(self) -> None:
-        ascent = max(p.box.ascent for p in self.pieces)
-        object.__setattr__(self, "width", max(p.dx + p.box.width for p in self.pieces))
-        object.__setattr__(self, "ascent", ascent)
-        object.__setattr__(self, "height", ascent + max(p.box.descent for p in self.pieces))
 
 
 def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> tuple[Want, ...]:
@@ -87,7 +70,7 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> tuple[Want,
             case Vector(label=label) if label:
                 found.append(_vector(mark, kind_hue(view, label)))
             case LinkNumber(a=a, b=b, number=number):
-                keep = LINK / 2 if abs(b - a) > NEAR else _keep(a, taken)
+                keep = LINK / 2 if abs(b - a) > NEAR else max(_keep(a, taken), _disc(a, marks))
                 found.append(_line_want(a, b, keep, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
             case TurnArrow(at=at, radius=radius, start=start, ccw=ccw, label=label) if label:
                 found.append(
@@ -118,6 +101,7 @@ def _lettered(text: str) -> Box:
 
 def _points(marks: tuple[Mark, ...], taken: list[Taken]) -> Iterable[Want]:
     groups: list[tuple[complex, list[Point]]] = []
+    ruled = {mark.b: mark for mark in marks if isinstance(mark, Segment) and mark.role is Role.DIRECTION}
     for mark in marks:
         if isinstance(mark, Point) and mark.label:
             home = next((g for at, g in groups if abs(at - mark.at) < NEAR), None)
@@ -134,8 +118,22 @@ def _points(marks: tuple[Mark, ...], taken: list[Taken]) -> Iterable[Want]:
                 pieces.append(comma)
                 x += comma.box.width + 0.3 * LETTER
             pieces.append(_piece(mark.label, Hue.BLACK, mark.step, x))
-        thing = Thing.POINT if any(mark.dot is not Dot.NONE for mark in group) else Thing.OTHER
-        yield Want(tuple(pieces), (at,), (0j,), _keep(at, taken), (at, at), thing=thing)
+        if any(mark.dot is not Dot.NONE for mark in group):
+            yield Want(tuple(pieces), (at,), (0j,), _keep(at, taken), (at, at), thing=Thing.POINT)
+        else:
+            yield _end(tuple(pieces), at, _keep(at, taken), ruled.get(at))
+
+
+def _end(pieces: tuple[Piece, ...], at: complex, radius: float, line: Segment | None) -> Want:
+    """A name at the end of a line; a direction's stands beyond its line, or beside what of it runs on past the point
+    that it found."""
+    if line is None or abs(line.b - line.a) < NEAR:
+        return Want(pieces, (at,), (0j,), radius, (at, at), thing=Thing.END)
+    u = (at - line.a) / abs(at - line.a)
+    foot = at - min(OVERRUN, abs(at - line.a)) * u
+    feet = tuple(at + (foot - at) * share for share in (0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5))
+    ways = (u, *(u * side for _ in range(3) for side in (1j, -1j)))
+    return Want(pieces, feet, ways, THIN / 2, (foot, at), one_sided=True, thing=Thing.DIRECTION)
 
 
 def _taken(marks: tuple[Mark, ...]) -> list[Taken]:
@@ -145,6 +143,8 @@ def _taken(marks: tuple[Mark, ...]) -> list[Taken]:
         match mark:
             case Point(at=here, dot=dot):
                 found.append((here, _RADIUS[dot]))
+            case Passing(at=here):
+                found.append((here, JOINT_RADIUS + LINK))
             case Ground(at=here) | Block(at=here):
                 found.append((here, JOINT_RADIUS))
             case FrictionCircle(centre=here, radius=r) if r < ROOMY:
@@ -157,6 +157,11 @@ def _taken(marks: tuple[Mark, ...]) -> list[Taken]:
 def _keep(at: complex, taken: list[Taken]) -> float:
     """The radius of whatever is drawn at a point."""
     return max((radius for here, radius in taken if abs(here - at) < NEAR), default=0.0)
+
+
+def _disc(at: complex, marks: tuple[Mark, ...]) -> float:
+    """The radius of a roller about a place: the number of a roller stands beside its rim."""
+    return max((m.radius for m in marks if isinstance(m, Disc) and abs(m.centre - at) < NEAR), default=0.0)
 
 
 def _vector(mark: Vector, hue: Hue) -> Want:
@@ -194,24 +199,3 @@ def _circle(mark: FrictionCircle) -> Want:
         x = pieces[0].box.width + 0.3 * LETTER if pieces else 0.0
         pieces += (Piece(layout(Txt(f"×{mark.enlarged:g}"), NOTE), x, Hue.BLACK, mark.step),)
     return Want(pieces, (mark.centre,), (0j,), mark.radius + THIN, (mark.centre, mark.centre))
-
-
-def smaller(want: Want, factor: float) -> Want:
-    """The label in smaller type: the last resort."""
-    if factor == 1.0:
-        return want
-    pieces = tuple(replace(p, box=_scaled(p.box, factor), dx=p.dx * factor) for p in want.pieces)
-    return replace(want, pieces=pieces, scale=want.scale * factor)
-
-
-def _scaled(box: Box, k: float) -> Box:
-    from ...typeset import Glyphs, Rule
-
-    items: list[Glyphs | Rule] = []
-    for item in box.items:
-        match item:
-            case Glyphs(font, size, x, y, text):
-                items.append(Glyphs(font, size * k, x * k, y * k, text))
-            case Rule(x, y, width, height):
-                items.append(Rule(x * k, y * k, width * k, height * k))
-    return Box(box.width * k, box.ascent * k, box.descent * k, tuple(items))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from ...typeset import Box, layout_words
 from ...words import Lang, Words, label
+from ..labels.notes import folded, lines
 from ..scene import Item, Layer, Rect, Stroke, TextBox
 from ..style import GIVEN, NOTE, RESULT, THIN
 from .space import FRAME, STRIP
@@ -21,7 +22,7 @@ LABELS = {
     "number": Words("学号", "No."),
     "group": Words("班级", "Class"),
     "date": Words("日期", "Date"),
-    "bar": Words("打印后此线应为 50 mm", "This bar measures 50 mm when printed true to scale"),
+    "bar": Words("打印后此线应为 50 mm", "50 mm when printed true to scale"),
 }
 HANDS = {
     "exact": Words("精确", "exactly"),
@@ -49,7 +50,7 @@ def furniture(page: Rect, strip: Strip, lang: Lang) -> tuple[Item, ...]:
     x_bar, x_name = x1 - BAR_CELL, frame.x0 + 0.44 * (x1 - frame.x0)
     mid = frame.y0 + STRIP / 2
     x_half = (x_name + x_bar) / 2
-    lines = [
+    ruled = [
         _line(complex(frame.x0, y), complex(x1, y), GIVEN),
         *(_line(complex(x, frame.y0), complex(x, y), GIVEN) for x in (x_name, x_bar)),
         _line(complex(x_half, frame.y0), complex(x_half, y), THIN),
@@ -59,7 +60,7 @@ def furniture(page: Rect, strip: Strip, lang: Lang) -> tuple[Item, ...]:
     border = Stroke(points=corners, width=RESULT, closed=True)
     return (
         border,
-        *lines,
+        *ruled,
         *_titles(frame, x_name, strip, lang),
         *_blanks(frame, x_name, x_half, lang),
         *check_bar(complex((x_bar + x1 - BAR) / 2, frame.y0 + 4.2), lang),
@@ -105,6 +106,6 @@ def _text(box: Box, x: float, middle: float) -> TextBox:
 
 
 def _fitted(text: str, em: float, room: float) -> Box:
-    """A line of type, made smaller only where it would not fit its cell."""
+    """A line of type; two lines in the size of notes where one would not fit its cell: no size between."""
     box = layout_words(text, em)
-    return box if box.width <= room else layout_words(text, em * room / box.width)
+    return box if box.width <= room else lines(folded(text, NOTE, room), NOTE)

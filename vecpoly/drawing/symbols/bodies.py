@@ -4,14 +4,27 @@ from __future__ import annotations
 
 import cmath
 
-from ...board.paper.marks import Block, FixedGuide, GearMark, Ground, Plate, RackMark, Slot
+from ...board.paper.marks import Block, FixedGuide, GearMark, Ground, Passing, Plate, RackMark, Slot, Weld
 from ..scene import Fill, Item, Layer, Stroke
-from ..style import GIVEN, JOINT_RADIUS, LINK, RESULT, SYMBOL, THIN, Dash, Hue
-from .shapes import circle, hatching, rectangle
+from ..style import (
+    GIVEN,
+    INNER_RADIUS,
+    JOINT_RADIUS,
+    LINK,
+    MASS_RADIUS,
+    MULTIPLE_RADIUS,
+    RESULT,
+    SYMBOL,
+    THIN,
+    Dash,
+    Hue,
+)
+from .shapes import arc, circle, hatching, rectangle
 
 BLOCK_LENGTH, BLOCK_HEIGHT = 9.0, 5.0
 FOOT_HEIGHT, FOOT_HALF, GROUND_HALF = 5.0, 2.6, 4.6
 TOOTH = 2.2  # rack: pitch line to body line
+WELD = 2.4  # legs of the filled corner of a rigid connection
 
 
 def joint(at: complex, step: int, radius: float = JOINT_RADIUS) -> tuple[Item, ...]:
@@ -21,6 +34,40 @@ def joint(at: complex, step: int, radius: float = JOINT_RADIUS) -> tuple[Item, .
         Fill(points=ring, hue=Hue.WHITE, layer=Layer.JOINT, step=step),
         Stroke(points=ring, width=SYMBOL, closed=True, layer=Layer.JOINT, step=step),
     )
+
+
+def multiple(at: complex, step: int, radius: float = JOINT_RADIUS) -> tuple[Item, ...]:
+    """A compound hinge: a circle within a circle."""
+    share = radius / JOINT_RADIUS  # smaller within a friction circle, as every pin
+    inner = circle(at, INNER_RADIUS * share)
+    return (
+        *joint(at, step, MULTIPLE_RADIUS * share),
+        Stroke(points=inner, width=SYMBOL, closed=True, layer=Layer.JOINT, step=step),
+    )
+
+
+def mass(at: complex, step: int) -> tuple[Item, ...]:
+    """A centre of mass: a circle of which two opposite quarters are filled."""
+    ring = circle(at, MASS_RADIUS)
+    quarters = tuple((at, *arc(at, MASS_RADIUS, start, cmath.pi / 2)) for start in (0.0, cmath.pi))
+    return (
+        Fill(points=ring, hue=Hue.WHITE, layer=Layer.JOINT, step=step),
+        *(Fill(points=quarter, layer=Layer.JOINT, step=step) for quarter in quarters),
+        Stroke(points=ring, width=THIN, closed=True, layer=Layer.JOINT, step=step),
+    )
+
+
+def passing(mark: Passing, pin: float) -> tuple[Item, ...]:
+    """Half a ring about a pin, as thick as the bar that runs on past it."""
+    start = cmath.phase(mark.along)
+    outer, inner = arc(mark.at, pin + LINK, start, cmath.pi), arc(mark.at, pin, start + cmath.pi, -cmath.pi)
+    return (Fill(points=outer + inner, layer=Layer.OVER, step=mark.step),)
+
+
+def weld(mark: Weld) -> tuple[Item, ...]:
+    """The filled corner of a rigid connection."""
+    at, u, v = mark.at + mark.off, mark.u / abs(mark.u), mark.v / abs(mark.v)
+    return (Fill(points=(at, at + WELD * u, at + WELD * v), layer=Layer.OVER, step=mark.step),)
 
 
 def hatched(a: complex, b: complex, step: int, width: float = RESULT) -> tuple[Item, ...]:

@@ -27,6 +27,7 @@ from ...board.paper.marks import (
     Mark,
     Note,
     Outline,
+    Passing,
     Plate,
     Point,
     RackMark,
@@ -38,7 +39,9 @@ from ...board.paper.marks import (
     Trace,
     TurnArrow,
     Vector,
+    Weld,
 )
+from ...board.paper.walls import holds, leaves
 from ...words import Lang
 from ..scene import Fill, Item, Layer, Stroke
 from ..style import DOT_RADIUS, JOINT_RADIUS, POLE_RADIUS, THIN, Hue, kind_hue, pen, tint
@@ -76,10 +79,23 @@ class Surroundings:
         tight = any(abs(c.centre - at) < NEAR and c.radius < JOINT_RADIUS + 0.8 for c in self.circles)
         return POLE_RADIUS if tight else JOINT_RADIUS
 
-    def link_layer(self, *points: complex) -> Layer:
-        """Where a link through these points lies: over a block whose pin it carries, unless it runs along the block."""
+    def link_layer(self, owner: str, *points: complex) -> Layer:
+        """Where a link through these points lies: over a block of another link whose pin it carries, unless it runs
+        along the block; a bar ends at the walls of a block that is one with it."""
+        others = [block for block in self.blocks if not owner or block.owner != owner]
         pairs = tuple(pairwise(points))
-        return Layer.OVER if any(_carries(a, b, block) for a, b in pairs for block in self.blocks) else Layer.LINE
+        return Layer.OVER if any(_carries(a, b, block) for a, b in pairs for block in others) else Layer.LINE
+
+    def outside(self, bar: Segment) -> tuple[complex, complex]:
+        """The ends of a line: a bar that starts in a block of its own link starts at the block's wall."""
+        a, b = bar.a, bar.b
+        own = [block for block in self.blocks if bar.owner and block.owner == bar.owner and bar.role is Role.LINK]
+        for block in own:
+            a, b = (
+                (leaves(block, z, other) or z) if holds(block, z) and abs(other - z) > NEAR else z
+                for z, other in ((a, b), (b, a))
+            )
+        return a, b
 
     def tipped(self, at: complex) -> bool:
         """Whether an arrowhead already shows the place."""
@@ -123,7 +139,7 @@ def _carries(a: complex, b: complex, block: Block) -> bool:
 def _body(mark: Body, around: Surroundings) -> tuple[Item, ...]:
     match mark:
         case Plate():
-            return bodies.plate(mark, around.link_layer(*mark.points, mark.points[0]))
+            return bodies.plate(mark, around.link_layer(mark.owner, *mark.points, mark.points[0]))
         case Ground():
             return bodies.ground(mark, around.pin_radius(mark.at))
         case FixedGuide():
@@ -136,6 +152,10 @@ def _body(mark: Body, around: Surroundings) -> tuple[Item, ...]:
             return bodies.gear(mark)
         case RackMark():
             return bodies.rack(mark)
+        case Passing():
+            return bodies.passing(mark, around.pin_radius(mark.at))
+        case Weld():
+            return bodies.weld(mark)
     assert_never(mark)
 
 
@@ -156,9 +176,10 @@ def _solid(mark: Solid, around: Surroundings) -> tuple[Item, ...]:
 
 def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
     match mark:
-        case Segment(a=a, b=b, role=role):
+        case Segment(role=role):
+            a, b = around.outside(mark)
             p = pen(role, around.view.ink if around.view.images else Hue.BLACK)
-            layer = Layer.THIN if p.width == THIN else around.link_layer(a, b)
+            layer = Layer.THIN if p.width == THIN else around.link_layer(mark.owner, a, b)
             return (Stroke(points=(a, b), width=p.width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),)
         case Arc(centre=centre, radius=radius, start=start, sweep=sweep, role=role):
             p = pen(role, Hue.BLACK)
@@ -199,6 +220,10 @@ def _point(mark: Point, around: Surroundings) -> tuple[Item, ...]:
     match mark.dot:
         case Dot.JOINT:
             return bodies.joint(mark.at, mark.step, around.pin_radius(mark.at))
+        case Dot.MULTIPLE:
+            return bodies.multiple(mark.at, mark.step, around.pin_radius(mark.at))
+        case Dot.MASS:
+            return bodies.mass(mark.at, mark.step)
         case Dot.POLE:
             ring = shapes.circle(mark.at, POLE_RADIUS)
             return (

@@ -50,7 +50,7 @@ class Paper:
             ):
                 self._round(mark, layer, ring, by)
                 self._items([one for one in items if one is not ring], layer, by)
-            case Point(at=at, dot=Dot.JOINT | Dot.POLE) if isinstance(outline := items[-1], Stroke):
+            case Point(at=at, dot=Dot.JOINT | Dot.MULTIPLE | Dot.POLE) if isinstance(outline := items[-1], Stroke):
                 self._items(items[:-1], layer, by)
                 self.space.add_circle(_xy(at + by), abs(outline.points[0] - at), self._look(layer, outline))
             case _:

@@ -20,6 +20,7 @@ from ...board.paper.marks import (
     Mark,
     Note,
     Outline,
+    Passing,
     Plate,
     Point,
     RackMark,
@@ -28,6 +29,7 @@ from ...board.paper.marks import (
     Slot,
     Trace,
     TurnArrow,
+    Weld,
 )
 from ...drawing.style import GIVEN, THIN, Dash, Hue, Pen, pen
 
@@ -88,7 +90,7 @@ def layer_of(mark: Mark) -> str:
     if isinstance(mark, Trace):
         return mark.role.value
     match mark:
-        case Plate() | Block() | Slot() | Disc() | Outline() | Cell():
+        case Plate() | Block() | Slot() | Passing() | Weld() | Disc() | Outline() | Cell():
             return Role.LINK.value
         case GearMark() | RackMark():
             return Role.CENTRE.value

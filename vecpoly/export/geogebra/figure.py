@@ -20,7 +20,14 @@ from .labels import caption
 from .page import DOTTED, RING, Page
 from .spelling import Spelling
 
-_DOTS = {Dot.JOINT: (RING, "4"), Dot.POLE: (RING, "3"), Dot.POINT: (DOTTED, "3"), Dot.NONE: (DOTTED, "1")}
+_DOTS = {
+    Dot.JOINT: (RING, "4"),
+    Dot.MULTIPLE: (RING, "5"),
+    Dot.MASS: (RING, "3"),
+    Dot.POLE: (RING, "3"),
+    Dot.POINT: (DOTTED, "3"),
+    Dot.NONE: (DOTTED, "1"),
+}
 
 
 class Figure:

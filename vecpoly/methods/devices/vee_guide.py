@@ -9,7 +9,7 @@ import numpy as np
 
 from ...algebra.quantity import Of, Quantity, Times, magnitude
 from ...board.construction import Pane, View
-from ...board.paper.marks import Role
+from ...board.paper.marks import Dot, Role
 from ...devices.vee_guide import F_VEE, F_WHOLE, FLANK, FRICTION, FRICTION_FLAT, FRICTION_V, ON_FLAT, ON_V, VeeGuide
 from ...diagram.single import number as number_of
 from ...names import Named
@@ -117,7 +117,7 @@ def _section(bench: Bench, device: VeeGuide) -> None:
         board.join(place, complex(x, -deep), complex(x, top), Role.CENTRE)
         board.depict(place, number_of(guide, complex(x, -deep - 9), owner=f"guide {guide}"))
         dimension(bench, place, complex(0, top - 2), complex(x, top - 2), symbol)
-    board.plot(place, PLATE / 2 * 1j, "S")
+    board.plot(place, PLATE / 2 * 1j, "S", Dot.MASS)
     pull(bench, place, complex(0, PLATE), -1j, "G")
 
 

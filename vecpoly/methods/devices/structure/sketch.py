@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from ....board.board import Board
 from ....board.construction import Pane, View
-from ....board.paper.marks import Role
+from ....board.paper.marks import Dot, Role
 from ....devices.structure import Structure
 from ....devices.structure_pairs import FRAME, Chain, Pair
 from ....diagram.chains import Sketched
@@ -24,16 +24,23 @@ def pane(board: Board, view: View, name: str, title: Words) -> Pane:
     return board.open_pane(view, name, title, replace(board.scale_of(view), symbol=""))
 
 
-def draw_chain(board: Board, place: Pane, device: Structure, chain: Chain, drivers: tuple[str, ...] = ()) -> None:
-    """All links and the frame, and the arrows of the drivers."""
+def draw_chain(
+    board: Board, place: Pane, device: Structure, chain: Chain, drivers: tuple[str, ...] = (), *, ringed: bool = True
+) -> None:
+    """All links and the frame, and the arrows of the drivers; ringed: whether compound hinges are marked."""
     scaled = _on_paper(board, place, chain)
-    it = Sketched(scaled, device.number)
+    it = Sketched(scaled, device.number, ringed)
     board.depict(place, *it.drawn(chain.links, frame=True))
     for link in drivers:
         _draw_driver(board, place, scaled.at(link))
     pivot = next((p for p in scaled.pairs if p.hinged and FRAME in p.links), None)
     if device.frame != FRAME and pivot is not None:
         board.depict(place, number(device.frame, pivot.at + FOOT * it.down(pivot), owner="frame"))
+
+
+def ring_compound(board: Board, place: Pane, pair: Pair) -> None:
+    """The sign of a compound hinge: a circle within a circle."""
+    board.plot(place, float(board.to_paper(place, 1.0)) * pair.at, "", Dot.MULTIPLE)
 
 
 def draw_apart(

@@ -4,7 +4,7 @@ replacement of high pairs, Assur groups, class."""
 from __future__ import annotations
 
 from ....algebra.quantity import Expr, Quantity, Times, magnitude
-from ....board.construction import View
+from ....board.construction import Pane, View
 from ....devices.structure import DETERMINED, F_LOCAL, P_H, P_L, P_REDUNDANT, F, N, Structure
 from ....devices.structure_pairs import Form, Pair
 from ....names import subscripted
@@ -17,7 +17,7 @@ from .low_pairs import draw_replacement
 from .remedy import remedies
 from .repeated import brings
 from .replacement import replaced
-from .sketch import draw_chain, pane
+from .sketch import draw_chain, pane, ring_compound
 
 _NAMES = {
     Form.R: Words("转动副", "hinges"),
@@ -37,8 +37,8 @@ def draw_structure(bench: Bench, device: Structure) -> None:
     """F = 3n − 2p_L − p_H − F′ + p′; then the high pairs replaced, and the Assur groups taken off for every driver."""
     drivers = tuple(dict.fromkeys(link for together in device.drive_sets for link in together))
     found = count(device.chain, drivers)
-    _diagram(bench, device)
-    _freedom(bench, device, found)
+    place = _diagram(bench, device)
+    _freedom(bench, device, found, place)
     if device.drivers:
         _motion(bench, device, found)
     low = replaced(found.reduced, device)
@@ -53,8 +53,8 @@ def draw_structure(bench: Bench, device: Structure) -> None:
         remedies(bench, device, found)
 
 
-def _diagram(bench: Bench, device: Structure) -> None:
-    """All links and pairs, as given."""
+def _diagram(bench: Bench, device: Structure) -> Pane:
+    """All links and pairs, as given; compound hinges are found later."""
     board = bench.board
     board.section(Words("机构运动简图", "The kinematic diagram"))
     place = pane(board, View.MECHANISM, "diagram", Words("机构运动简图", "Kinematic diagram"))
@@ -70,18 +70,19 @@ def _diagram(bench: Bench, device: Structure) -> None:
         ),
         place,
     )
-    draw_chain(board, place, device, device.chain, device.drive_sets[0] if device.drivers else ())
+    draw_chain(board, place, device, device.chain, device.drive_sets[0] if device.drivers else (), ringed=False)
+    return place
 
 
 def _letters(pairs: list[Pair]) -> list[str]:
     return [f"${subscripted(pair.letter)}$" for pair in pairs]
 
 
-def _freedom(bench: Bench, device: Structure, found: Count) -> None:
+def _freedom(bench: Bench, device: Structure, found: Count, place: Pane) -> None:
     """n, p_L, p_H; F′ and p′ with their reasons; F, and the same F from the reduced chain."""
     board, chain = bench.board, found.given
     board.section(Words("自由度", "Degree of freedom"))
-    _compound(bench, device, found)
+    _compound(bench, device, found, place)
     board.step(
         Words(
             "活动构件数、低副数（转动副与移动副，复合铰链按上述计）和高副数为：",
@@ -101,8 +102,8 @@ def _freedom(bench: Bench, device: Structure, found: Count) -> None:
         _check(bench, found)
 
 
-def _compound(bench: Bench, device: Structure, found: Count) -> None:
-    """The hinges of more than two links."""
+def _compound(bench: Bench, device: Structure, found: Count, place: Pane) -> None:
+    """The hinges of more than two links, each marked by a second circle."""
     for pair in found.compound:
         told = [device.number(link) for link in pair.links]
         bench.board.step(
@@ -112,8 +113,10 @@ def _compound(bench: Bench, device: Structure, found: Count) -> None:
                 f"At ${subscripted(pair.letter)}$ {len(told)} links ({', '.join(told)}) are pinned "
                 f"on one axis: a multiple joint, which counts as {len(told)} − 1 = {pair.count} "
                 "hinges.",
-            )
+            ),
+            place,
         )
+        ring_compound(bench.board, place, pair)
 
 
 def _check(bench: Bench, found: Count) -> None:

@@ -5,8 +5,7 @@ from __future__ import annotations
 
 from ....board.construction import Pane, Place, View
 from ....board.paper.marks import Dot, Point, Role, Vector
-from ....diagram.links import link_alone
-from ....mechanism.groups.assur import hinges
+from ....diagram.links import ALONE, link_alone
 from ....names import At
 from ....plane import Points, nominal, unit
 from ....words import Words
@@ -73,10 +72,11 @@ def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Ac
 def _draw_link(st: Statics, pane: Pane, link: str) -> None:
     """The link as it is drawn alone, its letters once."""
     desk, board = st.desk, st.board
-    board.depict(pane, link_alone(desk.posed(), link, lettered=False))
-    pins = hinges(st.mech)
+    posed = desk.posed()
+    board.depict(pane, link_alone(posed, link, lettered=False))
     lettered = {m.label for m in board.marks(pane) if isinstance(m, Point)}
     for letter in (letter for letter in desk.mech.link(link).points if letter in desk.at):
         if desk.name(At(letter)) not in lettered:
             place = complex(nominal(desk.at[letter]))
-            board.plot(pane, place, desk.name(At(letter)), Dot.JOINT if letter in pins else Dot.POINT)
+            dot = posed.dot(letter)
+            board.plot(pane, place, desk.name(At(letter)), ALONE.get(dot, dot))

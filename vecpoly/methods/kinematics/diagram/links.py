@@ -14,11 +14,11 @@ from ...desk import Desk
 
 def draw_frame(desk: Desk) -> None:
     """What is there before anything moves: fixed pivots, and points of the frame from which guides are set out."""
-    pinned = {j.point for j in desk.mech.joints if isinstance(j, Revolute)}
+    pinned, posed = {j.point for j in desk.mech.joints if isinstance(j, Revolute)}, desk.posed()
     for name, at in desk.mech.frame.items():
         if name in pinned:
             desk.board.depict(View.MECHANISM, pivot(at * desk.mm(1.0)))
-        desk.board.plot(View.MECHANISM, at * desk.mm(1.0), name, Dot.JOINT if name in pinned else Dot.POINT)
+        desk.board.plot(View.MECHANISM, at * desk.mm(1.0), name, posed.dot(name) if name in pinned else Dot.POINT)
 
 
 def draw_links(desk: Desk, links: tuple[str, ...]) -> None:
@@ -31,9 +31,7 @@ def draw_links(desk: Desk, links: tuple[str, ...]) -> None:
             desk.board.depict(View.MECHANISM, *contact_drawn(posed, contact))
             desk.board.plot(View.MECHANISM, desk.at[contact.point], contact.point, Dot.POINT)
             done.add(contact.point)
-    hinged = posed.hinged()
     for name in (letter for link in links for letter in desk.letters(link)):
         if subscripted(name) not in done and name in desk.at and not name.endswith("'"):
-            dot = Dot.JOINT if name in hinged else Dot.POINT
-            desk.board.plot(View.MECHANISM, desk.at[name], subscripted(name), dot)
+            desk.board.plot(View.MECHANISM, desk.at[name], subscripted(name), posed.dot(name))
             done.add(subscripted(name))

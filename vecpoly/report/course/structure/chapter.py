@@ -95,7 +95,7 @@ def _pairs(mech: Mechanism) -> Iterator[Told]:
         elif isinstance(joint, Prismatic) and not {joint.block, joint.guide} & thought:
             slot = slots.get(joint.block)
             kind = Words("移动副", "prismatic") if slot is None else _SLOT
-            yield joint.pin, kind, (joint.block if slot is None else slot.carrier, joint.guide)
+            yield slide_letter(mech, joint), kind, (joint.block if slot is None else slot.carrier, joint.guide)
     for contact in mech.contacts:
         yield contact.point, Words("高副", "higher pair"), contact.links
 
@@ -109,8 +109,8 @@ def _groups(study: Study, press: Press) -> str:
     comma = "、" if press.lang == "zh" else ", "
     rows = [_drive(study, press)]
     for i, group in enumerate(decompose(study.mech), 1):
-        outer = comma.join(_joint(out.joint) for out in group.outer)
-        inner = comma.join(_joint(joint) for joint in group.inner)
+        outer = comma.join(_joint(study.mech, out.joint) for out in group.outer)
+        inner = comma.join(_joint(study.mech, joint) for joint in group.inner)
         kind = (
             kind_of(group).of(press.lang)
             if group.dyad or group.ram
@@ -138,9 +138,20 @@ def _drive(study: Study, press: Press) -> tuple[str, ...]:
     return ("0", study.name(drive.link), Words("原动件", "driving link").of(press.lang), first, pair, "—")
 
 
-def _joint(joint: Joint) -> str:
+def slide_letter(mech: Mechanism, joint: Prismatic) -> str:
+    """The letter of a prismatic joint: C′ where C is a revolute joint, for two joints need two letters; C″ of a second
+    one at this place."""
+    thought = mech.substitutes
+    same = [
+        j for j in mech.joints if isinstance(j, Prismatic) and j.pin == joint.pin and not {j.block, j.guide} & thought
+    ]
+    taken = any(point == joint.pin for point, _, _ in _pins(mech))
+    return joint.pin + "′" * (taken + (same.index(joint) if joint in same else 0))
+
+
+def _joint(mech: Mechanism, joint: Joint) -> str:
     letter = joint_letter(joint)
-    point = joint.pin if isinstance(joint, Prismatic) else joint.point
+    point = slide_letter(mech, joint) if isinstance(joint, Prismatic) else joint.point
     return f"{letter} (${point}$)"
 
 

@@ -69,7 +69,8 @@ def sketched(
 ) -> tuple[Mark, ...]:
     """These links with these hinges as marks: places of letters (m), angles of links (rad), mm for a metre."""
     posed = _posed(problem, mech or problem.mechanism, at, turned, per_m)
-    bodies = (mark for link in links for mark in link_alone(posed, link, lettered=False).marks)
+    alone = (link_alone(posed, link, lettered=False) for link in links)
+    bodies = (replace(mark, owner=symbol.owner) for symbol in alone for mark in symbol.marks)
     return (*bodies, *_joints(posed, links, pins))
 
 

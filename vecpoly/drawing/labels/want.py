@@ -1,0 +1,71 @@
+"""A label before it has a place: its type, what it names, and beside what it may stand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from enum import Enum
+
+from ...typeset import Box
+from ..style import Hue
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """Type that belongs to one step, at an offset from the left of its label."""
+
+    box: Box
+    dx: float
+    hue: Hue
+    step: int
+
+
+class Thing(Enum):
+    """What a label can be taken to name when it stands beside it."""
+
+    OTHER, POINT, LINK, VECTOR, END, DIRECTION = range(6)
+
+
+@dataclass(frozen=True, slots=True)
+class Want:
+    """A label to be placed beside points of a curve: each with a normal (0: all directions) and a radius to keep."""
+
+    pieces: tuple[Piece, ...]
+    feet: tuple[complex, ...]
+    normals: tuple[complex, ...]  # unit vectors to one side; 0j where every direction will do
+    radius: float
+    own: tuple[complex, complex]
+    one_sided: bool = False
+    scale: float = 1.0
+    thing: Thing = Thing.OTHER
+    farther: bool = False  # whether its leader may be longer than is usual: a crowd leaves it no other place
+
+    width: float = field(init=False)  # of the whole label, mm
+    ascent: float = field(init=False)  # over the baseline, mm
+    height: float = field(init=False)  # of the whole label, mm
+
+    def __post_init__(self) -> None:
+        ascent = max(p.box.ascent for p in self.pieces)
+        object.__setattr__(self, "width", max(p.dx + p.box.width for p in self.pieces))
+        object.__setattr__(self, "ascent", ascent)
+        object.__setattr__(self, "height", ascent + max(p.box.descent for p in self.pieces))
+
+
+def resized(want: Want, factor: float) -> Want:
+    """The label in type of another size, as a screen may want it."""
+    if factor == 1.0:
+        return want
+    pieces = tuple(replace(p, box=_scaled(p.box, factor), dx=p.dx * factor) for p in want.pieces)
+    return replace(want, pieces=pieces, scale=want.scale * factor)
+
+
+def _scaled(box: Box, k: float) -> Box:
+    from ...typeset import Glyphs, Rule
+
+    items: list[Glyphs | Rule] = []
+    for item in box.items:
+        match item:
+            case Glyphs(font, size, x, y, text):
+                items.append(Glyphs(font, size * k, x * k, y * k, text))
+            case Rule(x, y, width, height):
+                items.append(Rule(x * k, y * k, width * k, height * k))
+    return Box(box.width * k, box.ascent * k, box.descent * k, tuple(items))
