@@ -77,6 +77,8 @@ def pen(role: Role, hue: Hue) -> Pen:
             return Pen(width=THIN, hue=Hue.GREY)
         case Role.CENTRE:
             return Pen(width=THIN, dash=Dash.DASH_DOT, hue=Hue.GREY)
+        case Role.IDEAL:
+            return Pen(width=THIN, dash=Dash.DASHED, hue=Hue.GREY)
         case Role.HIDDEN:
             return Pen(width=THIN, dash=Dash.DASHED)
     assert_never(role)

@@ -188,7 +188,7 @@ def _vector(mark: Vector, around: Surroundings) -> tuple[Item, ...]:
     # the shaft ends inside the head, where the head is wider than the shaft, so that the tip stays sharp
     end = mark.b - u * shapes.head_length(length) * 0.75
     solid = Layer.OVER if around.view.bodies else Layer.LINE  # a force is seen over the block on which it acts
-    layer = Layer.THIN if mark.role in (Role.DIRECTION, Role.CONSTRUCTION) else solid
+    layer = Layer.THIN if mark.role in (Role.DIRECTION, Role.CONSTRUCTION, Role.IDEAL) else solid
     return (
         Stroke(points=(mark.a, end), width=width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),
         Fill(points=tip, hue=p.hue, layer=Layer.HEAD, step=mark.step),

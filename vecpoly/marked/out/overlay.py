@@ -21,7 +21,7 @@ from ...words import Lang
 
 _CORNERS = 36
 _HEAD, _HALF = 3.0, radians(9.5)  # mm, half the angle of an arrowhead
-_LEFT_OUT = (Role.DIRECTION, Role.CONSTRUCTION)
+_LEFT_OUT = (Role.DIRECTION, Role.CONSTRUCTION, Role.IDEAL)
 POLYGONS = (View.VELOCITY, View.ACCELERATION, View.FORCE)
 
 

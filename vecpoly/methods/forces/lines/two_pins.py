@@ -6,7 +6,8 @@ from ....board.board import NO_LENGTH
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....mechanism.model import Revolute
-from ....plane import Line, Points, dot, nominal, unit
+from ....names import Named
+from ....plane import Line, Points, dot, foot, nominal, unit
 from ....words import Words
 from ...registry import Stage, method
 from ..senses import pin_words
@@ -43,12 +44,13 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
             ),
             View.MECHANISM,
         )
-        return Line(at_p, unit(at_p - at_q))
+        line = Line(at_p, unit(at_p - at_q))
+        if st.preliminary:
+            _draw(st, line, (at_p, at_q), st.named(two.on, two.link))
+        return line
     on = _exerted(st.ideal, two)
     compressed = float(nominal(dot(on, at_p - at_q))) > 0
     board.step(_pressed(st, two, compressed, (p, q)), View.MECHANISM)
-    board.remark(pin_words(st, q, two.by, two.link))
-    board.remark(pin_words(st, p, two.on, two.link))
     line = board.tangent_to_both(
         at_p,
         st.rho(p),
@@ -59,8 +61,10 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
         1 if compressed else -1,
         key=st.named(two.on, two.link).key,
     )
+    board.remark(pin_words(st, q, two.by, two.link, foot(line, at_q)))
+    board.remark(pin_words(st, p, two.on, two.link, line.at))
     board.remark(_tangent(st, (p, st.moment_sense(p, two.on, two.link)), (q, st.moment_sense(q, two.by, two.link))))
-    _draw(st, line, (at_p, at_q), st.named(two.on, two.link).symbol)
+    _draw(st, line, (at_p, at_q), st.named(two.on, two.link))
     return Line(line.at, -line.along)
 
 
@@ -118,9 +122,9 @@ def _tangent(st: Statics, one: tuple[str, int], two: tuple[str, int]) -> Words:
     )
 
 
-def _draw(st: Statics, line: Line, pins: tuple[Points, Points], symbol: str) -> None:
+def _draw(st: Statics, line: Line, pins: tuple[Points, Points], named: Named) -> None:
     """The tangent on the diagram, a little longer than the link."""
     ends = [line.at + line.along * dot(line.along, pin - line.at) for pin in pins]
     over = unit(ends[1] - ends[0]) * 12.0
-    st.board.join(View.MECHANISM, ends[0] - over, ends[1] + over, Role.DIRECTION)
-    st.board.plot(View.MECHANISM, ends[1] + over, symbol, Dot.NONE)
+    st.board.join(View.MECHANISM, ends[0] - over, ends[1] + over, st.ruled(Role.DIRECTION), key=named.key)
+    st.board.plot(View.MECHANISM, ends[1] + over, named.symbol, Dot.NONE, key=named.key)
