@@ -16,7 +16,7 @@ from ..mechanism.model import Mechanism, Rolling
 from ..solution import Answer, Solution
 from ..words import Lang, Words
 from .flow.table import DataTable
-from .tables import trimmed
+from .tables import inks_of, trimmed
 from .values import called
 
 _HEADER = {
@@ -38,7 +38,7 @@ def lines_table(solution: Solution, lang: Lang) -> DataTable | None:
     if not acting:
         return None
     rows = [_row(answer, acts, lies(solution, answer.key, acts), lang) for answer, acts in acting]
-    return trimmed(_HEADER[lang], rows, (), "lclr")
+    return trimmed(_HEADER[lang], rows, (), "lclr", inks_of(solution, (answer.key for answer, _ in acting)))
 
 
 def _row(answer: Answer, acts: LineOfAction, how: Words, lang: Lang) -> tuple[str, ...]:

@@ -26,7 +26,8 @@ from ...board.paper.marks import (
 )
 from ...typeset import Box, layout
 from ...words import Lang
-from ..style import DOT_RADIUS, JOINT_RADIUS, LETTER, LINK, NOTE, POLE_RADIUS, RESULT, THIN, Hue, kind_hue
+from ..hues import Tones, line_hue, mark_hue
+from ..style import DOT_RADIUS, JOINT_RADIUS, LETTER, LINK, NOTE, POLE_RADIUS, RESULT, THIN, Hue
 from ..symbols.angles import TAIL, TURN, narrow
 from ..symbols.shapes import NEAR
 from .notes import lines
@@ -78,21 +79,20 @@ class Want:
         object.__setattr__(self, "height", ascent + max(p.box.descent for p in self.pieces))
 
 
-def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> tuple[Want, ...]:
-    """All that is to be lettered; points at the same place share one label."""
+def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones = None) -> tuple[Want, ...]:
+    """All that is to be lettered; points at the same place share one label. tones: by which vectors are told apart."""
     taken = _taken(marks)
-    found = list(_points(marks, taken))
+    found = list(_points(marks, taken, tones))
     for mark in marks:
         match mark:
             case Vector(label=label) if label:
-                found.append(_vector(mark, kind_hue(view, label)))
+                found.append(_vector(mark, mark_hue(mark, view, label, tones)))
             case LinkNumber(a=a, b=b, number=number):
                 keep = LINK / 2 if abs(b - a) > NEAR else _keep(a, taken)
                 found.append(_line_want(a, b, keep, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
             case TurnArrow(at=at, radius=radius, start=start, ccw=ccw, label=label) if label:
-                found.append(
-                    _bow(at, radius, start, TURN if ccw else -TURN, _piece(label, kind_hue(view, label), mark.step))
-                )
+                hue = mark_hue(mark, view, label, tones)
+                found.append(_bow(at, radius, start, TURN if ccw else -TURN, _piece(label, hue, mark.step)))
             case AngleMark(at=at, radius=radius, start=start, sweep=sweep, label=label) if label:
                 piece = _piece(label, Hue.BLACK, mark.step)
                 found.append(_outside(mark, piece) if narrow(mark) else _bow(at, radius, start, sweep, piece))
@@ -116,7 +116,7 @@ def _lettered(text: str) -> Box:
     return layout(row(text), LETTER)
 
 
-def _points(marks: tuple[Mark, ...], taken: list[Taken]) -> Iterable[Want]:
+def _points(marks: tuple[Mark, ...], taken: list[Taken], tones: Tones) -> Iterable[Want]:
     groups: list[tuple[complex, list[Point]]] = []
     for mark in marks:
         if isinstance(mark, Point) and mark.label:
@@ -133,7 +133,7 @@ def _points(marks: tuple[Mark, ...], taken: list[Taken]) -> Iterable[Want]:
                 comma = Piece(layout(Txt(","), LETTER), x, Hue.BLACK, mark.step)
                 pieces.append(comma)
                 x += comma.box.width + 0.3 * LETTER
-            pieces.append(_piece(mark.label, Hue.BLACK, mark.step, x))
+            pieces.append(_piece(mark.label, line_hue(mark.key, tones, Hue.BLACK), mark.step, x))
         thing = Thing.POINT if any(mark.dot is not Dot.NONE for mark in group) else Thing.OTHER
         yield Want(tuple(pieces), (at,), (0j,), _keep(at, taken), (at, at), thing=thing)
 

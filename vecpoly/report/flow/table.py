@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from reportlab.platypus.doctemplate import FrameBreak
 from reportlab.platypus.flowables import Flowable
 
-from ...typeset.box import MM
+from ...typeset.box import MM, Rgb, inked
 from ...typeset.canvas import Ink
 from ...words import Lang
 from .base import Block
@@ -27,7 +28,8 @@ _LEAST_ROWS = 4  # rows that a page break leaves together, before and after it
 
 
 class DataTable(Block):
-    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r each."""
+    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r each; inks: of what
+    stands in the first column of the rows."""
 
     def __init__(
         self,
@@ -39,10 +41,12 @@ class DataTable(Block):
         lang: Lang = "zh",
         caption: str = "",
         style: Style = CELL,
+        inks: Sequence[Rgb | None] = (),
     ) -> None:
         super().__init__(6.0, 8.0)
         self.header, self.rows = tuple(header), tuple(tuple(row) for row in rows)
         self.lang, self.caption, self.style = lang, caption, style
+        self.inks = tuple(inks) or (None,) * len(self.rows)
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
         self.align = (align + "c" * len(self.header))[: len(self.header)]
@@ -58,7 +62,7 @@ class DataTable(Block):
         self._measured = self.width = width
         self._set_widths = self._columns(width / MM)
         self._head = self._break(self.header, True)
-        self._body = tuple(self._break(row, False) for row in self.rows)
+        self._body = tuple(self._break(row, False, rgb) for row, rgb in zip(self.rows, self.inks, strict=True))
         self.height = self._top() + sum(map(self._height, self._body)) + _HEAVY
         return width, self.height
 
@@ -81,9 +85,11 @@ class DataTable(Block):
         share = (width - narrow) / sum(w for w in wanted if w > fair)
         return tuple(w if w <= fair else w * share for w in wanted)
 
-    def _break(self, row: Sequence[str], bold: bool) -> _Row:
+    def _break(self, row: Sequence[str], bold: bool, rgb: Rgb | None = None) -> _Row:
         em, chinese = self.style.em, self.lang == "zh"
-        parts = (cells(text, em, chinese, bold) for text in row)
+        parts = [cells(text, em, chinese, bold) for text in row]
+        if rgb is not None:
+            parts[0] = [replace(cell, box=inked(cell.box, rgb)) for cell in parts[0]]
         rooms = (width - 2 * _PAD + 1e-3 for width in self._set_widths)
         return tuple(tuple(break_lines(p, room, em)) for p, room in zip(parts, rooms, strict=True))
 
@@ -112,9 +118,9 @@ class DataTable(Block):
 
     def _part(self, start: int, end: int) -> DataTable:
         caption = self.caption if start == 0 else ""
-        rows = self.rows[start:end]
-        widths = self._set_widths
-        return DataTable(self.header, rows, widths, self.align, lang=self.lang, caption=caption, style=self.style)
+        rows, inks = self.rows[start:end], self.inks[start:end]
+        widths, lang = self._set_widths, self.lang
+        return DataTable(self.header, rows, widths, self.align, lang=lang, caption=caption, style=self.style, inks=inks)
 
     def draw(self) -> None:
         """Draw caption, header, rows and rules, centred in the column."""

@@ -113,8 +113,7 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
         )
     )
     value = st.board.compute(named.symbol, size * arm, "N·m")
-    known = load.forces[0].named.key if len(load.forces) == 1 else ""
-    _leave(st, line, (at, across), (known, st.named(FRAME, held.link)))
+    _leave(st, line, (at, across), st.named(FRAME, held.link))
     signed = -np.sign(couple) * value.value
     keep_value(st, named, signed, size * arm)
     if not st.preliminary:
@@ -142,12 +141,12 @@ def _size(st: Statics, load: Resultant, held: Held, drawn: Drawn | None) -> Quan
     return magnitude(named.symbol, expr.value, "N")
 
 
-def _leave(st: Statics, line: Line, arm: tuple[Points, Points], forces: tuple[str, Named]) -> None:
+def _leave(st: Statics, line: Line, arm: tuple[Points, Points], frame: Named) -> None:
     """The two parallel lines and the arm on the diagram; the arm without friction stands beside that with it."""
-    board, u, role, (at, across), (known, frame) = st.board, line.along, st.ruled(Role.DIRECTION), arm, forces
+    board, u, role, (at, across) = st.board, line.along, st.ruled(Role.DIRECTION), arm
     reach, aside = u * dot(u, line.at - across), clear_of(st, at, across, u) if st.preliminary else 0.0
     here, there, along = at + u * aside, across + u * aside, np.sign(aside) or -1.0
-    board.join(View.MECHANISM, across + reach + u * 4.0, there + u * along * 10.0, role, key=known)
+    board.join(View.MECHANISM, across + reach + u * 4.0, there + u * along * 10.0, role)
     board.join(View.MECHANISM, at - u * along * 16.0, here + u * along * (10.0 if aside else 16.0), role, key=frame.key)
     board.plot(View.MECHANISM, at - u * along * 16.0, frame.symbol, Dot.NONE, key=frame.key)
     if abs(nominal(across - at)) > 1.0:

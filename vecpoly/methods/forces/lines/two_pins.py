@@ -35,19 +35,7 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
     at_p, at_q = st.desk.at[p], st.desk.at[q]
     board = st.board
     if st.ideal is None:
-        number = st.mech.number(two.link)
-        board.step(
-            Words(
-                f"构件 {number} 不受外力，为二力杆，两端反力等值、反向，沿 ${st.desk.bar(two.link, p, q)}$。",
-                f"No load acts on link {number}: it is a two-force link, and the equal and "
-                f"opposite forces at its pins act along ${st.desk.bar(two.link, p, q)}$.",
-            ),
-            View.MECHANISM,
-        )
-        line = Line(at_p, unit(at_p - at_q))
-        if st.preliminary:
-            _draw(st, line, (at_p, at_q), st.named(two.on, two.link))
-        return line
+        return _without_friction(st, two, (p, q))
     on = _exerted(st.ideal, two)
     compressed = float(nominal(dot(on, at_p - at_q))) > 0
     board.step(_pressed(st, two, compressed, (p, q)), View.MECHANISM)
@@ -66,6 +54,24 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
     board.remark(_tangent(st, (p, st.moment_sense(p, two.on, two.link)), (q, st.moment_sense(q, two.by, two.link))))
     _draw(st, line, (at_p, at_q), st.named(two.on, two.link))
     return Line(line.at, -line.along)
+
+
+def _without_friction(st: Statics, two: TwoForce, pins: tuple[str, str]) -> Line:
+    """The line through both pins; on the diagram where that with friction will stand beside it."""
+    at_p, at_q = (st.desk.at[pin] for pin in pins)
+    number, bar = st.mech.number(two.link), st.desk.bar(two.link, *pins)
+    st.board.step(
+        Words(
+            f"构件 {number} 不受外力，为二力杆，两端反力等值、反向，沿 ${bar}$。",
+            f"No load acts on link {number}: it is a two-force link, and the equal and "
+            f"opposite forces at its pins act along ${bar}$.",
+        ),
+        View.MECHANISM,
+    )
+    line = Line(at_p, unit(at_p - at_q))
+    if st.preliminary:
+        _draw(st, line, (at_p, at_q), st.named(two.on, two.link))
+    return line
 
 
 def _exerted(st: Statics, two: TwoForce) -> Points:
