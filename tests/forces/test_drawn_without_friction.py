@@ -82,3 +82,12 @@ def test_no_step_leaves_the_side_to_the_reader() -> None:
     for name in ("4-3a", "4-6", "4-7", "winch-gears"):
         for step in drawn(name).construction.steps:
             assert "哪一侧" not in step.words.zh and "determines the side" not in step.words.en
+
+
+def test_the_clamp_shows_beside_each_reaction_that_without_friction() -> None:
+    """R_21,0 along the normal at K, R_31,0 through the pin A; both sides of the tangent are named in the steps."""
+    lines = {line.key: line for figure in drawn("5-3").figures(View.BODY) for line in _dashed(figure.marks)}
+    assert lines.keys() == {"R_21_0", "R_31_0"}
+    normal, through = lines["R_21_0"].b - lines["R_21_0"].a, lines["R_31_0"]
+    assert abs(normal.real) < 1e-9 * abs(normal) and abs(through.a) < 1e-9
+    assert any("切于 $A$ 处摩擦圆右侧" in step.words.zh for step in drawn("5-3").construction.steps)
