@@ -123,11 +123,11 @@ class Solution(inside.Solution):
     problem: Problem
     construction: Construction
 
-    def report(self, path: str | Path, *, lang: Lang = "zh", style: str = "solution") -> Path:
-        """Write the report of this problem as a PDF."""
+    def report(self, path: str | Path, *, lang: Lang = "zh", style: str = "solution", plain: bool = False) -> Path:
+        """Write the report of this problem as a PDF; plain: in black alone."""
         from .report.document import write_report
 
-        return write_report([self], path, lang=lang, style=style)
+        return write_report([self], path, lang=lang, style=style, plain=plain)
 
     def __eq__(self, other: object) -> bool:
         return _same(self, other, inside.Solution)

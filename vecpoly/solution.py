@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf, nan
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Self, cast
 
 import numpy as np
 
@@ -52,6 +52,10 @@ class Solution:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "answers", FrozenMap(self.answers))
+
+    def toned(self, tones: Mapping[str, int]) -> Self:
+        """The same with its vectors told apart by these tones; with none ({}) it is in black, as an examination is."""
+        return replace(self, construction=self.construction.toned(tones))
 
     @property
     def suspect(self) -> bool:

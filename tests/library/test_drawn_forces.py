@@ -260,15 +260,16 @@ def test_a_reaction_named_on_the_diagram_stands_on_a_line_that_is_its_line_of_ac
     read = by_symbol(name)
     (diagram,) = (f for f in drawn(name).figures(View.MECHANISM) if not f.name)
     opposite = {symbol: f"R_{{{symbol[4]}{symbol[3]}{symbol[5:]}" for symbol in read if re.match(r"R_\{\d\d", symbol)}
-    lines = [(m.a, m.b) for m in diagram.marks if isinstance(m, Segment) and m.role is Role.DIRECTION]
+    ruled = [m for m in diagram.marks if isinstance(m, Segment)]
     for mark in (m for m in diagram.marks if isinstance(m, Point) and m.label in opposite):
+        role = Role.IDEAL if mark.label.endswith(",0}") else Role.DIRECTION  # dashed without friction
         force = read[mark.label]
         assert force.vector and force.acts is not None
         along = force.vector / abs(force.vector)
         assert abs(((mark.at - force.acts.point / diagram.scale.value) * along.conjugate()).imag) < 1e-6, mark.label
         assert any(
             min(abs(mark.at - a), abs(mark.at - b)) < 1e-6 and abs(((b - a) * along.conjugate()).imag) < 1e-6
-            for a, b in lines
+            for a, b in ((line.a, line.b) for line in ruled if line.role is role)
         ), mark.label
 
 

@@ -5,15 +5,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field, replace
+from typing import Self
 
 from ..algebra.formula import Node
 from ..foundation.frozen import FrozenMap
 from ..foundation.slotted import dataclass
+from ..names import ascii_key
 from ..words import Words, language
 from .acts import Act
 from .candidates import Candidate
 from .chain import following, keys_of, needed, numbers
 from .paper.marks import Mark
+from .paper.tones import tones, whose
 from .place import Pane, Place, View, view_of
 from .told import told
 
@@ -67,7 +70,8 @@ class Scale:
 class Figure:
     """One drawing: its marks in mm, its scale, its title; `name` tells it from others of its view.
 
-    aside: as its pane.
+    aside: as its pane. tones: by which its vectors are told apart, by what they belong to (`paper/tones.py`); {}: by
+    none, in black; None: by the kind of figure alone.
     """
 
     view: View
@@ -76,6 +80,7 @@ class Figure:
     marks: tuple[Mark, ...]
     name: str = ""
     aside: bool = False
+    tones: Mapping[str, int] | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -83,13 +88,15 @@ class EquationTable:
     """A vector equation with its direction and magnitude rows, ready to be typeset.
 
     symbols: one per term; signs: "" for the first term, "=", "+" before the others; directions and magnitudes: one
-    entry a term, in words (``⊥$BC$``, ``$B→A$``, ``?``, ``✓``, ``$ω_1 l_{AB}$``).
+    entry a term, in words (``⊥$BC$``, ``$B→A$``, ``?``, ``✓``, ``$ω_1 l_{AB}$``). tones: of the symbols, 0 for black;
+    empty: all black.
     """
 
     symbols: tuple[str, ...]
     signs: tuple[str, ...]
     directions: tuple[Words, ...]
     magnitudes: tuple[str, ...]
+    tones: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -123,6 +130,14 @@ class Step:
     formulas: tuple[Node, ...] = ()
     view: Place | None = None
     listing: Listing | None = None
+
+
+def _toned(step: Step, found: Mapping[str, int]) -> Step:
+    """The step with the tones of the symbols of its equation."""
+    if step.equation is None:
+        return step
+    of = tuple(found.get(whose(ascii_key(symbol)), 0) for symbol in step.equation.symbols)
+    return replace(step, equation=replace(step.equation, tones=of if any(of) else ()))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -184,6 +199,27 @@ class Construction:
     def __post_init__(self) -> None:
         for name in ("readings", "forces"):
             object.__setattr__(self, name, FrozenMap(getattr(self, name)))
+        if self.figures and all(figure.tones is None for figure in self.figures):
+            written = [step.equation.symbols for step in self.steps if step.equation is not None]
+            drawn = [figure.marks for figure in self.figures if figure.view.across is None]  # else it has axes
+            if found := tones(drawn, written):
+                self._tone(found)
+
+    def _tone(self, found: Mapping[str, int]) -> None:
+        """Give its vectors these tones, wherever they appear."""
+        object.__setattr__(self, "figures", tuple(replace(figure, tones=found) for figure in self.figures))
+        object.__setattr__(self, "steps", tuple(_toned(step, found) for step in self.steps))
+
+    @property
+    def tones(self) -> Mapping[str, int]:
+        """The tones of its vectors, by what they belong to."""
+        return next((figure.tones for figure in self.figures if figure.tones is not None), {})
+
+    def toned(self, found: Mapping[str, int]) -> Self:
+        """The same with these tones; with none, in black: for examinations, and for printers without colours."""
+        same = replace(self)
+        same._tone(FrozenMap(found))
+        return same
 
     def __str__(self) -> str:
         """The steps, and under each its acts with what they gave and what they needed."""

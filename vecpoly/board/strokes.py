@@ -37,13 +37,13 @@ def amount(value: Reals) -> float:
 class Strokes(Log):
     """The pen."""
 
-    def plot(self, view: Place, at: Points, label: str, dot: Dot = Dot.POINT) -> None:
-        """Letter a point."""
-        self.log(done.Plot(head=self.head(at, on=view), at=spot(at), label=label, dot=dot))
+    def plot(self, view: Place, at: Points, label: str, dot: Dot = Dot.POINT, *, key: str = "") -> None:
+        """Letter a point; key: where the letter is that of a quantity."""
+        self.log(done.Plot(head=self.head(at, on=view, key=key), at=spot(at), label=label, dot=dot))
 
-    def join(self, view: Place, a: Points, b: Points, role: Role) -> None:
-        """Rule a line from a to b."""
-        self.log(done.Join(head=self.head(a, b, on=view), a=spot(a), b=spot(b), role=role))
+    def join(self, view: Place, a: Points, b: Points, role: Role, *, key: str = "") -> None:
+        """Rule a line from a to b; key: of the quantity that acts along it."""
+        self.log(done.Join(head=self.head(a, b, on=view, key=key), a=spot(a), b=spot(b), role=role))
 
     def arrow(self, view: Place, a: Points, b: Points, role: Role, *, key: str = "", label: str = "") -> None:
         """Draw the vector `key` (by default that of its label) from a to b; one without length leaves no ink."""

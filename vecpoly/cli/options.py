@@ -96,6 +96,9 @@ StyleOption = Annotated[
         help="The solution; the question with blank frames to draw in; or the course report over the whole cycle.",
     ),
 ]
+PlainOption = Annotated[
+    bool, typer.Option("--plain", help="In black alone: for examinations, and for printers without colours.")
+]
 OutOption = Annotated[
     Path | None,
     typer.Option(

@@ -60,7 +60,9 @@ def detailed(figure: Figure) -> tuple[Figure, ...]:
     scale = replace(figure.scale, value=figure.scale.value / knot.factor)
     return (
         replace(figure, marks=(*marks, *around)),
-        Figure(view=figure.view, title=title, scale=scale, marks=(*inner, ring), name=f"{figure.name} detail".strip()),
+        replace(
+            figure, title=title, scale=scale, marks=(*inner, ring), name=f"{figure.name} detail".strip(), aside=False
+        ),
     )
 
 
@@ -176,5 +178,5 @@ def _clipped(mark: Segment | Vector, a: complex, b: complex, knot: Knot) -> Mark
         return None
     p, q = knot.moved(a + low * d), knot.moved(a + high * d)
     if isinstance(mark, Vector) and high < 1.0:
-        return Segment(a=p, b=q, role=mark.role, step=mark.step)
+        return Segment(a=p, b=q, role=mark.role, step=mark.step, key=mark.key)
     return replace(mark, a=p, b=q)

@@ -60,10 +60,10 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
 
     What was drawn last is kept: question, solution, course report and player of one problem draw a figure once.
     """
-    around = Surroundings.of(figure.view, figure.marks, lang)
+    around = Surroundings.of(figure.view, figure.marks, lang, figure.tones)
     items = unique(tuple(item for mark in figure.marks for item in draw(mark, around)))
     bare = Scene.of(items)
-    placed = place(wants(figure.view, figure.marks, lang), Obstacles.of(items), bare.extents, frame)
+    placed = place(wants(figure.view, figure.marks, lang, figure.tones), Obstacles.of(items), bare.extents, frame)
     items = broken(items, [label.rect for label in placed])
     lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))
     scene = lettered + Scene.of(caption_items(figure, lettered.extents, lang)) if caption else lettered

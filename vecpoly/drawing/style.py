@@ -60,11 +60,6 @@ def kind_hue(view: View, label: str = "") -> Hue:
     return _MOTION.get(label[:1], View.FORCE.ink if label[:1].isupper() and view.bodies else view.ink)
 
 
-def tint(view: View) -> Hue:
-    """The light background of an image in this view."""
-    return view.tint
-
-
 def pen(role: Role, hue: Hue) -> Pen:
     """The pen for a role; `hue` serves the vectors."""
     match role:
@@ -78,6 +73,8 @@ def pen(role: Role, hue: Hue) -> Pen:
             return Pen(width=THIN, hue=Hue.GREY)
         case Role.CENTRE:
             return Pen(width=THIN, dash=Dash.DASH_DOT, hue=Hue.GREY)
+        case Role.IDEAL:
+            return Pen(width=THIN, dash=Dash.DASHED, hue=Hue.GREY)
         case Role.HIDDEN:
             return Pen(width=THIN, dash=Dash.DASHED)
     assert_never(role)

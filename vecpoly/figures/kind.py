@@ -9,7 +9,7 @@ from typing import ClassVar
 from ..errors import UnknownNameError
 from ..foundation.plugins import load_modules
 from ..words import Words
-from .hue import PLAIN, Hue
+from .hue import PLAIN, TONES, Hue
 from .mu import Mu
 
 
@@ -94,5 +94,5 @@ def scales() -> dict[str, Mu]:
 
 
 def hues() -> tuple[Hue, ...]:
-    """Every ink: those of no kind, then those of the kinds."""
-    return tuple(dict.fromkeys((*PLAIN, *(hue for view in views() for hue in (view.ink, view.tint)))))
+    """Every ink: those of no kind, the tones of vectors, then those of the kinds."""
+    return tuple(dict.fromkeys((*PLAIN, *TONES, *(hue for view in views() for hue in (view.ink, view.tint)))))

@@ -15,7 +15,7 @@ from ..board.board import Board, Scratch
 from ..board.construction import Construction, Figure, Reading, Scale, View
 from ..board.hand import Hand, hand
 from ..board.otherwise.amended import AS_DRAWN, Amended
-from ..board.paper.extent import extent, figured
+from ..board.paper.extent import extent, figured, lasting
 from ..board.paper.marks import Mark, Vector
 from ..board.paper.scales import Sketched, enlarged, round_scale
 from ..board.place import views
@@ -164,7 +164,9 @@ def _fitted(
     and the sketch."""
     sketch = _sketch(problem, {v: Scale.of(v, value) for v, value in guess.items()})
     given = {view: problem.scales.of(view.mu) for view in guess}
-    figures = [f for f in sketch.board.figures() if f.view is not View.FORCE or _acts(f)]
+    figures = [
+        replace(f, marks=lasting(f.marks)) for f in sketch.board.figures() if f.view is not View.FORCE or _acts(f)
+    ]
     chosen = {}
     for view, value in guess.items():
         of_kind = [f.marks for f in figures if f.view is view and not f.aside]

@@ -86,6 +86,11 @@ def _styled() -> str:
     return (data_dir("templates") / "player" / "style.css").read_text(encoding="utf-8")
 
 
+def inked(html: str, hue: Hue) -> str:
+    """A piece of a sentence or a table in the ink of its vector; black is that of its surroundings."""
+    return html if hue == Hue.BLACK else f'<span style="color:var(--{_variable(hue.name)})">{html}</span>'
+
+
 def _variable(hue: str) -> str:
     return hue.replace("_", "-")
 

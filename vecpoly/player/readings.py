@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..algebra.quantity import number
+from ..drawing.hues import ink_of
 from ..report.tables import way
 from ..report.values import called, printed_unit, value
 from ..solution import YES_NO, Answer, Solution
 from ..words import Words
 from .figures import LANGS
+from .ink import inked
 from .inverted import Turned
 from .steps import html
 from .type import Faces, words_html
@@ -19,10 +21,18 @@ Cells = tuple[str, str, str, str, str]  # value zh, value en, direction zh, dire
 
 def names(solution: Solution, faces: Faces) -> tuple[tuple[str, Words], ...]:
     """Key and symbol of each quantity asked."""
+    tones = solution.construction.tones
     return tuple(
-        (key, html(Words(*(called(a.reading.symbol, key, lang) for lang in LANGS)), faces))
-        for key, a in solution.answers.items()
+        (key, Words(*(inked(one, ink_of(key, tones)) for one in (said.zh, said.en))))
+        for key, said in _symbols(solution, faces).items()
     )
+
+
+def _symbols(solution: Solution, faces: Faces) -> dict[str, Words]:
+    return {
+        key: html(Words(*(called(a.reading.symbol, key, lang) for lang in LANGS)), faces)
+        for key, a in solution.answers.items()
+    }
 
 
 def readings(turns: Sequence[Turned], faces: Faces) -> list[list[Cells]]:

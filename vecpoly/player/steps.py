@@ -9,8 +9,11 @@ from itertools import groupby
 
 from ..algebra.formula import Node, Vec, plain, row, sym
 from ..board.construction import EquationTable, Listing, Step
+from ..drawing.hues import hue_of
+from ..figures.hue import Hue
 from ..typeset import layout, layout_words
 from ..words import Lang, Words
+from .ink import inked
 from .type import Faces, formula_html, spoken, symbol_html, words_html
 
 WIDEST, CELL, SIGN = 18.2, 0.35, 1.1  # em: a phone's column less white, white in a cell, a sign with its white
@@ -104,8 +107,12 @@ class Term:
 
 def _table(table: EquationTable, lang: Lang, faces: Faces) -> str:
     """The equation over its rows of directions and magnitudes, cut where it would be wider than a phone."""
-    rows = zip(table.symbols, table.signs, table.directions, table.magnitudes, strict=True)
-    terms = [_term(symbol, sign, direction.of(lang), magnitude, faces) for symbol, sign, direction, magnitude in rows]
+    tones = table.tones or (0,) * len(table.symbols)
+    rows = zip(table.symbols, table.signs, table.directions, table.magnitudes, tones, strict=True)
+    terms = [
+        _term((symbol, hue_of(tone)), sign, direction.of(lang), magnitude, faces)
+        for symbol, sign, direction, magnitude, tone in rows
+    ]
     groups: list[list[Term]] = [[]]
     room = WIDEST - layout_words(CAPTIONS[1].of(lang), CAPTION).width
     for term in terms:
@@ -116,9 +123,11 @@ def _table(table: EquationTable, lang: Lang, faces: Faces) -> str:
     return f'<div class="scroll" role="group"{name}>{"".join(_group(group, lang) for group in groups)}</div>'
 
 
-def _term(symbol: str, sign: str, direction: str, magnitude: str, faces: Faces) -> Term:
+def _term(toned: tuple[str, Hue], sign: str, direction: str, magnitude: str, faces: Faces) -> Term:
+    symbol, hue = toned
     boxes = (layout(vector(symbol), 1.0), layout_words(direction, 1.0), layout_words(magnitude, 1.0))
-    cells = (symbol_html(vector(symbol), faces), words_html(direction, faces), words_html(magnitude, faces))
+    head = inked(symbol_html(vector(symbol), faces), hue)
+    cells = (head, words_html(direction, faces), words_html(magnitude, faces))
     return Term(sign.replace("-", "−"), cells, max(box.width for box in boxes) + CELL + (SIGN if sign else 0.0))
 
 

@@ -45,7 +45,7 @@ def cycle(solution: Solution, count: int, *, seed: int = 0) -> Cycle:
     problem = solution.problem
     if not isinstance(problem.subject, Mechanism) or count < 2:
         return Cycle(()) if count < 2 else Cycle(inverted(solution), 0, True, True, inverts=True)
-    mech, hand = problem.subject, solution.construction.hand
+    mech, hand, tones = problem.subject, solution.construction.hand, solution.construction.tones
     fixed = replace(problem, scales=scales_of(solution.construction))
     places = _places(mech, count)
     sketches: dict[int, _Sketched] = {}
@@ -59,7 +59,7 @@ def cycle(solution: Solution, count: int, *, seed: int = 0) -> Cycle:
     order, _ = (sorted(sketches), False) if mech.drive.slide else in_order(sorted(sketches), count)
     fits = fitted([sketches[number].construction for number in order], _given(order, places, mech.drive.position))
     found = {
-        number: Turned(_shown(problem, float(places[number]) - mech.drive.position), drawn)
+        number: Turned(_shown(problem, float(places[number]) - mech.drive.position), drawn.toned(tones))
         for number, scales in zip(order, fits, strict=True)
         if (drawn := _drawn(sketches[number], scales, hand, seed)) is not None
     }

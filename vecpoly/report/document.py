@@ -57,15 +57,18 @@ def write_report(
     fields: Mapping[str, str] | None = None,
     title: Words | None = None,
     templates: Path | None = None,
+    plain: bool = False,
 ) -> Path:
     """Write one PDF of these solutions; the file appears whole or not at all.
 
-    fields: values of the title block by their label; templates: a folder whose templates come before the built-in ones.
+    fields: values of the title block by their label; templates: a folder whose templates come before the built-in ones;
+    plain: in black alone, as a question always is.
     Raises UnknownNameError for a style without a template.
     """
     of_kind(path, (str, Path), Words("文件名", "the name of a file"))
     return write_whole(
-        Path(path), report_bytes(solutions, lang=lang, style=style, fields=fields, title=title, templates=templates)
+        Path(path),
+        report_bytes(solutions, lang=lang, style=style, fields=fields, title=title, templates=templates, plain=plain),
     )
 
 
@@ -78,6 +81,7 @@ def report_bytes(
     title: Words | None = None,
     templates: Path | None = None,
     stamp: Stamp | None = None,
+    plain: bool = False,
 ) -> bytes:
     """The PDF that `write_report` writes; stamp: draws on every page."""
     known_language(lang)
@@ -90,6 +94,8 @@ def report_bytes(
             Words("没有可写的解答：列表是空的", "there is nothing to report: the list of solutions is empty"),
             code="empty",
         )
+    if plain or style == "question":
+        solutions = [one.toned({}) for one in solutions]
     document, objects = markup(solutions, lang, style, fields or {}, title, templates)
     head = (title or _title(solutions)).of(lang)
     story = [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]

@@ -7,6 +7,7 @@ from math import degrees
 
 from ..algebra.quantity import number
 from ..board.construction import LineOfAction
+from ..board.sides import side_of
 from ..check.truths.analysis import pin_of
 from ..mechanism.asked.forces import pairs, press_named
 from ..mechanism.groups.assur import ends, is_held
@@ -15,7 +16,7 @@ from ..mechanism.model import Mechanism, Rolling
 from ..solution import Answer, Solution
 from ..words import Lang, Words
 from .flow.table import DataTable
-from .tables import trimmed
+from .tables import inks_of, trimmed
 from .values import called
 
 _HEADER = {
@@ -37,7 +38,7 @@ def lines_table(solution: Solution, lang: Lang) -> DataTable | None:
     if not acting:
         return None
     rows = [_row(answer, acts, lies(solution, answer.key, acts), lang) for answer, acts in acting]
-    return trimmed(_HEADER[lang], rows, (), "lclr")
+    return trimmed(_HEADER[lang], rows, (), "lclr", inks_of(solution, (answer.key for answer, _ in acting)))
 
 
 def _row(answer: Answer, acts: LineOfAction, how: Words, lang: Lang) -> tuple[str, ...]:
@@ -64,10 +65,10 @@ def lies(solution: Solution, key: str, acts: LineOfAction) -> Words:
     mech, loads = solution.problem.subject, solution.problem.loads
     links = _links(mech, key) if isinstance(mech, Mechanism) else None
     if not isinstance(mech, Mechanism) or links is None:
-        return _tangent(acts, "") if acts.tangent else _displaced(loads, key)
+        return _tangent(solution, key, acts, "") if acts.tangent else _displaced(loads, key)
     pin = pin_of(mech, *links)
     if acts.tangent:
-        return _tangent(acts, pin)
+        return _tangent(solution, key, acts, pin)
     return (
         Words(f"过铰链 ${pin}$ 的中心", f"through the centre of ${pin}$")
         if pin
@@ -75,13 +76,20 @@ def lies(solution: Solution, key: str, acts: LineOfAction) -> Words:
     )
 
 
-def _tangent(acts: LineOfAction, pin: str) -> Words:
-    sense = _SENSE[acts.tangent]
+def _tangent(solution: Solution, key: str, acts: LineOfAction, pin: str) -> Words:
+    sense, side = _SENSE[acts.tangent], _side(solution, key, acts)
     at = Words(f" ${pin}$ 的", f" of ${pin}$") if pin else Words.same("")
+    on = Words(f"{side.zh}侧", f" ({side.en} side)") if side is not None else Words.same("")
     return Words(
-        f"切于{at.zh}摩擦圆，对其中心之矩{sense.zh}",
-        f"tangent to the friction circle{at.en}, moment about its centre {sense.en}",
+        f"切于{at.zh}摩擦圆{on.zh}，对其中心之矩{sense.zh}",
+        f"tangent to the friction circle{at.en}{on.en}, moment {sense.en}",
     )
+
+
+def _side(solution: Solution, key: str, acts: LineOfAction) -> Words | None:
+    """To which side of the centre a force lies that has this moment about it."""
+    vector = solution.answers[key].drawn_vector if key in solution.answers else None
+    return side_of(vector * (-1j if acts.tangent == "ccw" else 1j)) if vector else None
 
 
 def _displaced(loads: Loads | None, key: str) -> Words:

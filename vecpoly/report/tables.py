@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from math import degrees
 
 from ..algebra.quantity import number
 from ..board.construction import Listing
 from ..check.printed.verdict import Checked
+from ..drawing.hues import ink_of
+from ..figures.hue import Hue
 from ..names import is_place
 from ..problem.problem import Problem, as_printed
 from ..solution import YES_NO, Answer, Solution
+from ..typeset.box import Rgb
 from ..words import Lang, Words
 from .flow.table import DataTable
 from .values import called, direction_of_load, printed_unit, rough, value
@@ -38,7 +41,14 @@ def readings_table(solution: Solution, lang: Lang) -> DataTable:
     header = list(_READINGS[lang])
     if all(answer.computed for answer in solution.answers.values()):
         header[_DRAWN] = _COMPUTED[lang]
-    return trimmed(header, rows, (), "lccrccrr")
+    return trimmed(header, rows, (), "lccrccrr", inks_of(solution, solution.answers))
+
+
+def inks_of(solution: Solution, keys: Iterable[str]) -> tuple[Rgb | None, ...]:
+    """The ink in which each of these vectors is drawn; none for what is black."""
+    tones = solution.construction.tones
+    found = (ink_of(key, tones) for key in keys)
+    return tuple(None if hue == Hue.BLACK else hue.value for hue in found)
 
 
 def listed(listing: Listing, lang: Lang) -> DataTable:
@@ -48,7 +58,13 @@ def listed(listing: Listing, lang: Lang) -> DataTable:
     return DataTable([head.of(lang) for head in wide.head], wide.rows, None, "c" * len(wide.head), lang=lang)
 
 
-def trimmed(header: Sequence[str], rows: Sequence[Sequence[str]], widths: Sequence[float], align: str) -> DataTable:
+def trimmed(
+    header: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    widths: Sequence[float],
+    align: str,
+    inks: Sequence[Rgb | None] = (),
+) -> DataTable:
     """The table without columns in which nothing stands."""
     kept = [i for i in range(len(header)) if not rows or any(row[i] != _NONE for row in rows)]
     return DataTable(
@@ -56,6 +72,7 @@ def trimmed(header: Sequence[str], rows: Sequence[Sequence[str]], widths: Sequen
         [[row[i] for i in kept] for row in rows],
         [widths[i] for i in kept] if widths else None,
         "".join(align[i] for i in kept),
+        inks=inks,
     )
 
 

@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 MM = 72 / 25.4  # points in a millimetre
+Rgb = tuple[float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
 class Glyphs:
-    """A run of text in one face: font (registered name), size in pt, left end of its baseline in mm."""
+    """A run of text in one face: font (registered name), size in pt, left end of its baseline in mm; rgb: its own ink,
+    from 0 to 1, where it has not that of its surroundings."""
 
     font: str
     size: float
     x: float
     y: float
     text: str
+    rgb: Rgb | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,8 +53,8 @@ class Box:
         """The items with the origin put at (dx, dy)."""
         for item in self.items:
             match item:
-                case Glyphs(font, size, x, y, text):
-                    yield Glyphs(font, size, x + dx, y + dy, text)
+                case Glyphs(font, size, x, y, text, rgb):
+                    yield Glyphs(font, size, x + dx, y + dy, text, rgb)
                 case Rule(x, y, width, height):
                     yield Rule(x + dx, y + dy, width, height)
 
@@ -75,11 +78,16 @@ def scaled(box: Box, factor: float) -> Box:
     items: list[Item] = []
     for item in box.items:
         match item:
-            case Glyphs(font, size, x, y, text):
-                items.append(Glyphs(font, size * factor, x * factor, y * factor, text))
+            case Glyphs(font, size, x, y, text, rgb):
+                items.append(Glyphs(font, size * factor, x * factor, y * factor, text, rgb))
             case Rule(x, y, width, height):
                 items.append(Rule(x * factor, y * factor, width * factor, height * factor))
     return Box(box.width * factor, box.ascent * factor, box.descent * factor, tuple(items))
+
+
+def inked(box: Box, rgb: Rgb) -> Box:
+    """The box with its letters in an ink of their own."""
+    return replace(box, items=tuple(replace(one, rgb=rgb) if isinstance(one, Glyphs) else one for one in box.items))
 
 
 def beside(boxes: Iterable[Box]) -> Box:

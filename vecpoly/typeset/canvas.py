@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from .box import MM, Box, Glyphs, Rule
+from .box import MM, Box, Glyphs, Rgb, Rule
 from .fonts import MISSING, Face, load, missing_text
+
+BLACK = (0.0, 0.0, 0.0)  # to which type returns after letters in an ink of their own
 
 
 class Ink:
     """Collects operators for one canvas; all lengths in points. Nothing is drawn before `flush`."""
 
-    __slots__ = ("_canvas", "_font", "_rules", "_spacing", "_text")
+    __slots__ = ("_canvas", "_font", "_inked", "_rgb", "_rules", "_spacing", "_text")
 
     def __init__(self, canvas: Any) -> None:
         self._canvas = canvas
@@ -19,6 +21,8 @@ class Ink:
         self._rules: list[str] = []
         self._font: tuple[str, float] | None = None
         self._spacing = (0.0, 0.0)
+        self._rgb: Rgb | None = None
+        self._inked = False
 
     def rule(self, x: float, y: float, width: float, height: float) -> None:
         """A filled rectangle."""
@@ -28,6 +32,9 @@ class Ink:
         """A run at (x, y), its own place left out of account; chars, blanks: space added to each."""
         out = self._text
         out.append(f"1 0 0 1 {x:.4f} {y:.4f} Tm")
+        if run.rgb != self._rgb:
+            out.append("{:.3g} {:.3g} {:.3g} rg".format(*(run.rgb or BLACK)))
+            self._rgb, self._inked = run.rgb, True
         if (chars, blanks) != self._spacing:
             out.append(f"{chars:.4f} Tc {blanks:.4f} Tw")
             self._spacing = (chars, blanks)
@@ -59,7 +66,8 @@ class Ink:
         if self._text:
             if self._spacing != (0.0, 0.0):
                 self._text.append("0 Tc 0 Tw")
-            code.append(f"BT {' '.join(self._text)} ET")
+            text = f"BT {' '.join(self._text)} ET"
+            code.append(f"q {text} Q" if self._inked else text)
         self.__init__(self._canvas)  # type: ignore[misc]
 
 

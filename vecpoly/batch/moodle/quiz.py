@@ -105,7 +105,7 @@ def _asked(register: Register, sheet: Sheet, part: Part, lang: Lang) -> _Asked:
     problem = register.variant(part)
     solution = solve(problem, precise=False)
     asked = tuple(one for one in part.key.quantities if one.asked and not one.demoted and one.exact)
-    drawn = picture(problem, solution.construction, *PICTURE)
+    drawn = picture(problem, solution.construction.toned({}), *PICTURE)  # a question is in black
     svg = to_svg(draw_figure(drawn, lang=lang, caption=False)).encode() if drawn else b""
     right = "；".join(
         f"{one.key} = {one.exact:.4g} {written_unit(one.unit)}（{_SCALE.of(lang)} {one.allowed:.2g}）" for one in asked

@@ -41,7 +41,7 @@ class Placed:
 
 def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]:
     """The text of a problem, page after page."""
-    objects = Objects()
+    objects, solution = Objects(), solution.toned({})  # a question is in black
     drawn = picture(solution.problem, solution.construction, *PICTURE)
     tables = [step.equation for step in solution.construction.steps if step.equation]
     context = {

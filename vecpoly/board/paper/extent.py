@@ -67,6 +67,16 @@ def figured(marks: Iterable[Mark]) -> tuple[Mark, ...]:
     )
 
 
+def lasting(marks: Iterable[Mark]) -> tuple[Mark, ...]:
+    """The marks for which a scale is chosen:
+    without the dashed construction, and its letters, that take what room there is."""
+    return tuple(
+        m
+        for m in marks
+        if not (isinstance(m, Segment) and m.role is Role.IDEAL) and not (isinstance(m, Point) and m.key.endswith("_0"))
+    )
+
+
 def corners(mark: Mark) -> Iterator[complex]:
     """Points that span the mark."""
     match mark:

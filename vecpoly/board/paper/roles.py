@@ -14,6 +14,7 @@ class Role(StrEnum):
     DIRECTION = "direction"  # 0.18 mm: direction lines of a polygon, run a little past their meeting point
     CONSTRUCTION = "construction"  # 0.18 mm: arcs, helping lines in the kinematic diagram
     CENTRE = "centre"  # 0.18 mm dash-dot: centre lines, pitch circles
+    IDEAL = "ideal"  # 0.18 mm dashed grey: the construction without friction, beside that with it
     HIDDEN = "hidden"  # 0.18 mm dashed: the expanded link (扩大构件), what is only thought
 
 

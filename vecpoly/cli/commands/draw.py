@@ -14,7 +14,7 @@ from ..errors import Tally, about
 from ..files import STDOUT, put, spared
 from ..jobs import each, problems
 from ..letters import warn_of_letters
-from ..options import HandOption, Lang, LangOption, OutOption, OutsideOption, SeedOption
+from ..options import HandOption, Lang, LangOption, OutOption, OutsideOption, PlainOption, SeedOption
 from ..terminal import warn
 
 if TYPE_CHECKING:
@@ -59,6 +59,7 @@ def draw(
     seed: SeedOption = 0,
     dpi: Dpi = 150.0,
     step: StepOption = None,
+    plain: PlainOption = False,
     allow_outside: OutsideOption = False,
 ) -> None:
     """Draw a figure or the sheet as SVG, PNG, PDF or DXF.
@@ -75,6 +76,7 @@ def draw(
     for problem in found:
         with tally.job(), about(problem.id):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
+            solution = solution.toned({}) if plain else solution
             warn_of_letters([problem], lang)
             upto = None if step is None else known_step(solution.construction, step)
             for target, data in _files(solution, figure, lang, each(path, problem.id, len(found)), dpi, upto):

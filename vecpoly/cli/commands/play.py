@@ -11,7 +11,7 @@ from ...foundation.files import is_special
 from ..errors import Tally, about
 from ..files import STDOUT, put, spared
 from ..jobs import each, problems
-from ..options import HandOption, LangOption, OutOption, OutsideOption, SeedOption
+from ..options import HandOption, LangOption, OutOption, OutsideOption, PlainOption, SeedOption
 from ..terminal import warn
 from .draw import Id
 
@@ -33,6 +33,7 @@ def play(
     seed: SeedOption = 0,
     places: Places = 72,
     check: Check = False,
+    plain: PlainOption = False,
     allow_outside: OutsideOption = False,
 ) -> None:
     """Write a step player: one HTML file for class, phone or desktop, in both languages.
@@ -50,6 +51,7 @@ def play(
         spared(path, ENDINGS, found)
         with tally.job(), about(problem.id):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
+            solution = solution.toned({}) if plain else solution
             page = player(solution, lang=lang, places=places, seed=seed, check=check)
             put(path, page.html.encode())
             warn(problem.id, solution.warnings, lang)

@@ -25,6 +25,7 @@ from ..options import (
     LangOption,
     OutOption,
     OutsideOption,
+    PlainOption,
     SeedOption,
     Style,
     StyleOption,
@@ -47,6 +48,7 @@ def report(
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
     processes: JobsOption = 1,
+    plain: PlainOption = False,
     allow_outside: OutsideOption = False,
 ) -> None:
     """Write reports as PDF.
@@ -56,7 +58,7 @@ def report(
     """
     tally = Tally()
     plan = _plan(jobs(names, tally, allow_outside), output, lang, style)
-    orders = [_Order(job, lang, style, hand, seed, alone=len(plan) == 1) for job, _ in plan]
+    orders = [_Order(job, lang, style, hand, seed, plain, alone=len(plan) == 1) for job, _ in plan]
     waiting = spread(_drawn_up, orders, processes or os.cpu_count() or 1)
     for (_, path), made in zip(progress(plan, Words("写入", "writing")), waiting, strict=True):
         with tally.job():
@@ -77,6 +79,7 @@ class _Order:
     style: Style
     hand: Hand
     seed: int
+    plain: bool
     alone: bool
 
 
@@ -93,7 +96,7 @@ def _drawn_up(order: _Order) -> _DrawnUp:
     job = order.job
     inner = progress(job.problems, Words("作图", "drawing")) if order.alone else iter(job.problems)
     solutions = draw(inner, order.hand, order.seed, order.style)
-    pdf = document(job, solutions, order.lang, order.style)
+    pdf = document(job, solutions, order.lang, order.style, order.plain)
     notes = ((one.problem.id, tuple(one.warnings), one.construction.warning) for one in solutions)
     return _DrawnUp(pdf, tuple(notes))
 
@@ -116,13 +119,13 @@ def draw(problems: Iterable[Problem], hand: Hand, seed: int, style: Style = "sol
     return solutions
 
 
-def document(job: Job, solutions: Sequence[Solution], lang: Lang, style: Style) -> bytes:
+def document(job: Job, solutions: Sequence[Solution], lang: Lang, style: Style, plain: bool = False) -> bytes:
     """The document of a job as a PDF."""
     from ...report.document import report_bytes
 
     block = labelled(job.fields or {}, lang)
     warn_of_letters(job.problems, lang, (*block.values(), job.title.of(lang) if job.title else ""))
-    return report_bytes(solutions, lang=lang, style=style, fields=block, title=job.title)
+    return report_bytes(solutions, lang=lang, style=style, fields=block, title=job.title, plain=plain)
 
 
 def labelled(block: Mapping[str, str], lang: Lang) -> dict[str, str]:

@@ -29,6 +29,7 @@ from ...board.paper.marks import (
 from ...board.strokes import OVERRUN
 from ...typeset import Box, layout
 from ...words import Lang
+from ..hues import Tones, line_hue, mark_hue
 from ..style import (
     DOT_RADIUS,
     JOINT_RADIUS,
@@ -41,7 +42,6 @@ from ..style import (
     RESULT,
     THIN,
     Hue,
-    kind_hue,
 )
 from ..symbols.angles import TAIL, TURN, narrow
 from ..symbols.shapes import NEAR
@@ -61,21 +61,20 @@ Taken = tuple[complex, float]  # a place, and the radius of what is drawn there
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
 
-def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> tuple[Want, ...]:
-    """All that is to be lettered; points at the same place share one label."""
+def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones = None) -> tuple[Want, ...]:
+    """All that is to be lettered; points at the same place share one label. tones: by which vectors are told apart."""
     taken = _taken(marks)
-    found = list(_points(marks, taken))
+    found = list(_points(marks, taken, tones))
     for mark in marks:
         match mark:
             case Vector(label=label) if label:
-                found.append(_vector(mark, kind_hue(view, label)))
+                found.append(_vector(mark, mark_hue(mark, view, label, tones)))
             case LinkNumber(a=a, b=b, number=number):
                 keep = LINK / 2 if abs(b - a) > NEAR else max(_keep(a, taken), _disc(a, marks))
                 found.append(_line_want(a, b, keep, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
             case TurnArrow(at=at, radius=radius, start=start, ccw=ccw, label=label) if label:
-                found.append(
-                    _bow(at, radius, start, TURN if ccw else -TURN, _piece(label, kind_hue(view, label), mark.step))
-                )
+                hue = mark_hue(mark, view, label, tones)
+                found.append(_bow(at, radius, start, TURN if ccw else -TURN, _piece(label, hue, mark.step)))
             case AngleMark(at=at, radius=radius, start=start, sweep=sweep, label=label) if label:
                 piece = _piece(label, Hue.BLACK, mark.step)
                 found.append(_outside(mark, piece) if narrow(mark) else _bow(at, radius, start, sweep, piece))
@@ -99,7 +98,7 @@ def _lettered(text: str) -> Box:
     return layout(row(text), LETTER)
 
 
-def _points(marks: tuple[Mark, ...], taken: list[Taken]) -> Iterable[Want]:
+def _points(marks: tuple[Mark, ...], taken: list[Taken], tones: Tones) -> Iterable[Want]:
     groups: list[tuple[complex, list[Point]]] = []
     ruled = {mark.b: mark for mark in marks if isinstance(mark, Segment) and mark.role is Role.DIRECTION}
     for mark in marks:
@@ -117,7 +116,7 @@ def _points(marks: tuple[Mark, ...], taken: list[Taken]) -> Iterable[Want]:
                 comma = Piece(layout(Txt(","), LETTER), x, Hue.BLACK, mark.step)
                 pieces.append(comma)
                 x += comma.box.width + 0.3 * LETTER
-            pieces.append(_piece(mark.label, Hue.BLACK, mark.step, x))
+            pieces.append(_piece(mark.label, line_hue(mark.key, tones, Hue.BLACK), mark.step, x))
         if any(mark.dot is not Dot.NONE for mark in group):
             yield Want(tuple(pieces), (at,), (0j,), _keep(at, taken), (at, at), thing=Thing.POINT)
         else:

@@ -42,9 +42,11 @@ from ...board.paper.marks import (
     Weld,
 )
 from ...board.paper.walls import holds, leaves
+from ...board.paper.tones import key_of
 from ...words import Lang
+from ..hues import Tones, dash_of, image_hue, line_hue, mark_hue, tint_of
 from ..scene import Fill, Item, Layer, Stroke
-from ..style import DOT_RADIUS, JOINT_RADIUS, POLE_RADIUS, THIN, Hue, kind_hue, pen, tint
+from ..style import DOT_RADIUS, JOINT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
 from . import bodies, shapes, solids
 from .angles import draw_angle, draw_turn
 from .shapes import NEAR
@@ -55,21 +57,24 @@ SQUARE = 2.5  # side of a right-angle square
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Surroundings:
     """What a symbol must know of its figure:
-    the view, the blocks, the tips of its vectors, its friction circles, the language."""
+    the view, the blocks, the tips of its vectors, its friction circles, the language, by which tones vectors are told
+    apart."""
 
     view: View
     blocks: tuple[Block, ...] = ()
     tips: tuple[complex, ...] = ()
     circles: tuple[FrictionCircle, ...] = ()
     lang: Lang = "zh"
+    tones: Tones = None
 
     @classmethod
-    def of(cls, view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> Surroundings:
+    def of(cls, view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones = None) -> Surroundings:
         """Gathered from the figure's marks."""
         return cls(
             view=view,
             blocks=tuple(m for m in marks if isinstance(m, Block)),
             lang=lang,
+            tones=tones,
             circles=tuple(m for m in marks if isinstance(m, FrictionCircle)),
             tips=tuple(m.b for m in marks if isinstance(m, Vector) and abs(m.b - m.a) > 0.5),
         )
@@ -116,9 +121,13 @@ def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
         case RightAngle():
             return _square(mark)
         case ImageOf(points=points, step=step):
-            return (Fill(points=points, hue=tint(around.view), layer=Layer.TINT, step=step),) if len(points) > 2 else ()
+            return (
+                (Fill(points=points, hue=tint_of(around.view, around.tones), layer=Layer.TINT, step=step),)
+                if len(points) > 2
+                else ()
+            )
         case TurnArrow():
-            return draw_turn(mark, kind_hue(around.view, mark.label))
+            return draw_turn(mark, mark_hue(mark, around.view, mark.label, around.tones))
         case AngleMark():
             return draw_angle(mark)
         case LinkNumber() | Note():
@@ -178,9 +187,10 @@ def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
     match mark:
         case Segment(role=role):
             a, b = around.outside(mark)
-            p = pen(role, around.view.ink if around.view.images else Hue.BLACK)
+            p = pen(role, image_hue(around.view, around.tones))
             layer = Layer.THIN if p.width == THIN else around.link_layer(mark.owner, a, b)
-            return (Stroke(points=(a, b), width=p.width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),)
+            hue = line_hue(mark.key, around.tones, p.hue)
+            return (Stroke(points=(a, b), width=p.width, dash=p.dash, hue=hue, layer=layer, step=mark.step),)
         case Arc(centre=centre, radius=radius, start=start, sweep=sweep, role=role):
             p = pen(role, Hue.BLACK)
             full = abs(abs(sweep) - 2 * math.pi) < 1e-9
@@ -203,15 +213,15 @@ def _vector(mark: Vector, around: Surroundings) -> tuple[Item, ...]:
     if length < NEAR:
         return ()
     u = (mark.b - mark.a) / length
-    p = pen(mark.role, kind_hue(around.view, mark.label))
-    width = shapes.shaft_width(length, p.width)
+    p = pen(mark.role, mark_hue(mark, around.view, mark.label, around.tones))
+    width, dash = shapes.shaft_width(length, p.width), p.dash if p.dash is not Dash.FULL else dash_of(key_of(mark))
     tip = shapes.head(mark.b, u, shapes.head_length(length), shapes.head_width(length, width))
     # the shaft ends inside the head, where the head is wider than the shaft, so that the tip stays sharp
     end = mark.b - u * shapes.head_length(length) * 0.75
     solid = Layer.OVER if around.view.bodies else Layer.LINE  # a force is seen over the block on which it acts
-    layer = Layer.THIN if mark.role in (Role.DIRECTION, Role.CONSTRUCTION) else solid
+    layer = Layer.THIN if mark.role in (Role.DIRECTION, Role.CONSTRUCTION, Role.IDEAL) else solid
     return (
-        Stroke(points=(mark.a, end), width=width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),
+        Stroke(points=(mark.a, end), width=width, dash=dash, hue=p.hue, layer=layer, step=mark.step),
         Fill(points=tip, hue=p.hue, layer=Layer.HEAD, step=mark.step),
     )
 

@@ -53,6 +53,7 @@ _ACI = {
     Role.DIRECTION.value: 8,
     Role.CONSTRUCTION.value: 9,
     Role.CENTRE.value: 4,
+    Role.IDEAL.value: 8,
     Role.HIDDEN.value: 2,
     DIMENSION: 6,
     FRAME: 7,

@@ -21,7 +21,7 @@ from ...words import Lang
 
 _CORNERS = 36
 _HEAD, _HALF = 3.0, radians(9.5)  # mm, half the angle of an arrowhead
-_LEFT_OUT = (Role.DIRECTION, Role.CONSTRUCTION)
+_LEFT_OUT = (Role.DIRECTION, Role.CONSTRUCTION, Role.IDEAL)
 POLYGONS = (View.VELOCITY, View.ACCELERATION, View.FORCE)
 
 
@@ -34,7 +34,7 @@ def overlays(construction: Construction, marked: Marked, lang: Lang) -> Iterator
         own = [one for one in marked.findings if _drawable(one, marked.key) and one.key in arrows]
         if own:
             items = tuple(item for one in own for item in _items(one, marked.key[one.key], arrows[one.key]))
-            yield figure, draw_figure(_cleared(figure), lang=lang) + Scene.of(items)
+            yield figure, draw_figure(replace(_cleared(figure), tones=None), lang=lang) + Scene.of(items)
 
 
 def _drawable(one: Finding, key: AnswerKey) -> bool:

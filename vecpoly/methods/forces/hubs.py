@@ -129,7 +129,7 @@ def _keep(own: Statics, hub: Hub, link: str, vector: Points, drawn: Drawn | None
     sense = own.moment_sense(hub.point, hub.carrier, link)
     at = own.touch(hub.point, vector / np.abs(vector), sense)
     if sense and not own.preliminary:
-        own.board.remark(pin_words(own, hub.point, hub.carrier, link))
+        own.board.remark(pin_words(own, hub.point, hub.carrier, link, at))
     own.settle(hub.carrier, link, vector, at, drawn, sense, computed=computed)
 
 

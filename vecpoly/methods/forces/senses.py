@@ -7,6 +7,7 @@ import numpy as np
 
 from ...algebra.quantity import number
 from ...board.construction import View
+from ...board.sides import side_of
 from ...errors import NoSlipSenseError, bilingual
 from ...mechanism.model import FRAME, Prismatic
 from ...names import omega
@@ -19,19 +20,20 @@ from .state import Statics
 TURN = {1: Words("逆时针", "counter-clockwise"), -1: Words("顺时针", "clockwise")}
 
 
-def pin_words(st: Statics, point: str, by: str, on: str) -> Words:
-    """Why the reaction touches the friction circle on its side:
-    ω of the one link against the other, and the moment against it."""
+def pin_words(st: Statics, point: str, by: str, on: str, touch: Points) -> Words:
+    """Why the reaction touches the friction circle on its side, and which side that is:
+    ω of the one link against the other, and the moment against it; touch: where the line touches the circle."""
     sense = st.moment_sense(point, by, on)
     if not sense:
         return Words.same("")
     symbol, way, against = st.named(by, on).symbol, TURN[-sense], TURN[sense]
+    side = side_of(complex(nominal(touch - st.desk.at[point])))
     rate, turns = relative_omega(st, by, on)
     return Words(
         f"{rate}，为{way.zh}；${symbol}$ 对 ${point}$ 之矩与 ${turns}$ 转向相反，为{against.zh}，"
-        f"由此确定 ${symbol}$ 切于 ${point}$ 处摩擦圆的哪一侧。",
+        f"故 ${symbol}$ 切于 ${point}$ 处摩擦圆{side.zh}侧。",
         f" {rate}, {way.en}; the moment of ${symbol}$ about ${point}$ opposes ${turns}$ and is "
-        f"{against.en}, which determines the side on which ${symbol}$ touches the friction circle.",
+        f"{against.en}, so ${symbol}$ is tangent to the friction circle at ${point}$ on its {side.en} side.",
     )
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from ...board.board import Board
 from ...board.construction import Pane, Reading, Scale, View
+from ...board.paper.marks import Role
 from ...mechanism.asked.forces import load_named, press_named, without_friction
 from ...mechanism.loads import Force, Load, Moment
 from ...mechanism.model import Joint, Mechanism, Prismatic, Revolute
@@ -66,8 +67,12 @@ class Statics(Rubbing):
     @property
     def preliminary(self) -> bool:
         """Whether this is the pass without friction that precedes one with friction:
-        it leaves little on the diagram."""
+        on the diagram it is dashed, and its letters have a 0."""
         return bool(self.loads.friction) and not self.rubbing
+
+    def ruled(self, role: Role) -> Role:
+        """How a thin line is ruled: dashed in the preliminary pass, which stands beside the one that counts."""
+        return Role.IDEAL if self.preliminary else role
 
     @property
     def without_friction(self) -> Statics:

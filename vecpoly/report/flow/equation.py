@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 from ...algebra.formula import Node, Row, Txt, Vec, row, sym
 from ...board.construction import EquationTable
-from ...typeset.box import MM, Box
+from ...drawing.hues import hue_of
+from ...typeset.box import MM, Box, inked
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
 from ...typeset.layout import layout
@@ -84,10 +85,12 @@ class EquationFlow(Block):
 
 def _columns(table: EquationTable, lang: Lang, em: float) -> list[_Column]:
     columns: list[_Column] = []
-    rows = zip(table.symbols, table.signs, table.directions, table.magnitudes, strict=True)
-    for symbol, sign, direction, magnitude in rows:
+    tones = table.tones or (0,) * len(table.symbols)
+    rows = zip(table.symbols, table.signs, table.directions, table.magnitudes, tones, strict=True)
+    for symbol, sign, direction, magnitude, tone in rows:
         below = (_words(direction.of(lang), em), _words(magnitude, em))
-        cells = (layout(vector(symbol), em), *below)
+        head = layout(vector(symbol), em)
+        cells = (inked(head, hue_of(tone).value) if tone else head, *below)
         columns.append(_Column(_sign(sign, em), cells, max(cell.width for cell in cells) + 0.3 * em))
     return columns
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from reportlab.platypus.doctemplate import FrameBreak
 from reportlab.platypus.flowables import Flowable
 
-from ...typeset.box import MM
+from ...typeset.box import MM, Rgb, inked
 from ...typeset.canvas import Ink
 from ...words import Lang
 from .base import Block
@@ -40,7 +40,8 @@ class _Set:
 
 
 class DataTable(Block):
-    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r each."""
+    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r each; inks: of what
+    stands in the first column of the rows."""
 
     def __init__(
         self,
@@ -52,10 +53,12 @@ class DataTable(Block):
         lang: Lang = "zh",
         caption: str = "",
         style: Style = CELL,
+        inks: Sequence[Rgb | None] = (),
     ) -> None:
         super().__init__(6.0, 8.0)
         self.header, self.rows = tuple(header), tuple(tuple(row) for row in rows)
         self.lang, self.caption, self.style = lang, caption, style
+        self.inks = tuple(inks) or (None,) * len(self.rows)
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
         self.align = (align + "c" * len(self.header))[: len(self.header)]
@@ -77,6 +80,8 @@ class DataTable(Block):
         em, chinese = self.style.em, self.lang == "zh"
         header = [cells(text, em, chinese, True) for text in self.header]
         rows = [[cells(text, em, chinese, False) for text in row] for row in self.rows]
+        for row, rgb in zip(rows, self.inks, strict=True):
+            row[0] = row[0] if rgb is None else [replace(cell, box=inked(cell.box, rgb)) for cell in row[0]]
         widths = self._columns(width / MM, (header, *rows))
         head, body = self._lines(header, widths), tuple(self._lines(row, widths) for row in rows)
         caption = CAPTION.leading + 2.0 if self.caption else 0.0
@@ -125,8 +130,9 @@ class DataTable(Block):
 
     def _part(self, start: int, end: int, widths: Sequence[float]) -> DataTable:
         caption = self.caption if start == 0 else ""
-        rows = self.rows[start:end]
-        return DataTable(self.header, rows, widths, self.align, lang=self.lang, caption=caption, style=self.style)
+        rows, inks = self.rows[start:end], self.inks[start:end]
+        lang, style = self.lang, self.style
+        return DataTable(self.header, rows, widths, self.align, lang=lang, caption=caption, style=style, inks=inks)
 
     def draw(self) -> None:
         """Draw caption, header, rows and rules, centred in the column."""

@@ -5,17 +5,19 @@ from __future__ import annotations
 
 from ....algebra.quantity import Of, Quantity, magnitude
 from ....board.construction import LineOfAction, View
+from ....board.sides import side_of
 from ....devices.eccentric_clamp import ETA, FORCE, IDEAL, PHI, R21, R31, EccentricClamp
-from ....plane import nominal
+from ....plane import Points, nominal
 from ....words import Words
 from ..bench import Bench
 from ..equilibrium import frictionless, letter
 from ..inclined import friction_angle, leaned
 from ..registry import device_method
-from ..sketches.eccentric_clamp import Clamp, free_body, sketch
+from ..sketches.eccentric_clamp import Clamp, free_body, sketch, without_friction
 from .released import judge_released
 from .three_forces import balance_three
 
+APART = Words("圆盘 1 受力图（夹紧）", "Free body of disc 1, clamping")
 _SENSES = (Words("逆时针", "counter-clockwise"), Words("顺时针", "clockwise"))
 _SOURCE = "机械原理, eccentric clamp: friction circle and friction angle"
 
@@ -54,28 +56,15 @@ def _contact(bench: Bench, device: EccentricClamp, clamp: Clamp) -> float:
 def _closing(bench: Bench, device: EccentricClamp, clamp: Clamp, size: float) -> Quantity:
     """F + R_21 + R_31 = 0 with friction: F and R_31 measured."""
     board, turn = bench.board, device.turn
-    apart = board.open_pane(View.BODY, "disc", Words("圆盘 1 受力图（夹紧）", "Free body of disc 1, clamping"))
+    apart = board.open_pane(View.BODY, "disc", APART)
     plan = board.open_pane(View.FORCE, "disc", Words("力多边形（夹紧）", "Force polygon, clamping"))
-    turning, against = _SENSES if turn > 0 else _SENSES[::-1]
-    board.step(
-        Words(
-            "圆盘 1 受三力平衡，三力汇交于 $F$ 与 $R_{21}$ 作用线的交点 $X$，故 $R_{31}$ 过 $X$ 且切于 $A$ "
-            f"处的摩擦圆；构件 1 相对机架 3 {turning.zh}转动，$R_{{31}}$ 对 $A$ 之矩与之相反，为{against.zh}，"
-            "由此定出是哪一条切线。按 $μ_F$ 作力多边形：$ab$ 代表 $R_{21}$，过 $b$ 作 $F$ 的方向线，"
-            "过 $a$ 作 $R_{31}$ 的方向线，交于 $c$。",
-            "The three forces on disc 1 meet in one point: $X$, where the lines of $F$ and "
-            "$R_{21}$ cross. So $R_{31}$ passes through $X$ and touches the friction circle "
-            f"at $A$; link 1 turns {turning.en} in the frame 3, the moment of $R_{{31}}$ about $A$ "
-            f"opposes that and is {against.en}: this tells which tangent it is. Draw the force "
-            "polygon to the scale $μ_F$: $ab$ stands for $R_{21}$; the direction of $F$ through "
-            "$b$ and that of $R_{31}$ through $a$ meet at $c$.",
-        ),
-        plan,
-    )
+    board.step(_concurrent(turn), plan)
     up = leaned(1j, complex(turn), clamp.phi)
     meet, u31, closed = balance_three(bench, plan, clamp, size, up, clamp.rho, -turn, (R21, FORCE, R31))
     touch = -1j * u31 * -turn * clamp.rho
     free_body(bench, apart, clamp, meet, up, u31, touch)
+    if device.radius:
+        board.remark(_side(touch))
     per_mm = board.scale_of(apart).value
     acts = (
         LineOfAction(
@@ -90,6 +79,32 @@ def _closing(bench: Bench, device: EccentricClamp, clamp: Clamp, size: float) ->
     force = bench.measured(FORCE, plan, *ends[FORCE.key], "b c")
     bench.measured(R31, plan, *ends[R31.key], "c a", acts=acts[1])
     return force
+
+
+def _concurrent(turn: float) -> Words:
+    """Through which point the pin's reaction passes, and which way it turns."""
+    turning, against = _SENSES if turn > 0 else _SENSES[::-1]
+    return Words(
+        "圆盘 1 受三力平衡，三力汇交于 $F$ 与 $R_{21}$ 作用线的交点 $X$，故 $R_{31}$ 过 $X$ 且切于 $A$ "
+        f"处的摩擦圆；构件 1 相对机架 3 {turning.zh}转动，$R_{{31}}$ 对 $A$ 之矩与之相反，为{against.zh}。"
+        "按 $μ_F$ 作力多边形：$ab$ 代表 $R_{21}$，过 $b$ 作 $F$ 的方向线，"
+        "过 $a$ 作 $R_{31}$ 的方向线，交于 $c$。",
+        "The three forces on disc 1 meet in one point: $X$, where the lines of $F$ and "
+        "$R_{21}$ cross. So $R_{31}$ passes through $X$ and touches the friction circle "
+        f"at $A$; link 1 turns {turning.en} in the frame 3, the moment of $R_{{31}}$ about $A$ "
+        f"opposes that and is {against.en}. Draw the force "
+        "polygon to the scale $μ_F$: $ab$ stands for $R_{21}$; the direction of $F$ through "
+        "$b$ and that of $R_{31}$ through $a$ meet at $c$.",
+    )
+
+
+def _side(touch: Points) -> Words:
+    """On which side of the friction circle the pin's reaction touches it."""
+    side = side_of(complex(nominal(touch)))
+    return Words(
+        f"$R_{{31}}$ 切于 $A$ 处摩擦圆{side.zh}侧。",
+        f" $R_{{31}}$ is tangent to the friction circle at $A$ on its {side.en} side.",
+    )
 
 
 def against_sense(device: EccentricClamp) -> str:
@@ -112,7 +127,8 @@ def _frictionless(bench: Bench, device: EccentricClamp, clamp: Clamp) -> Quantit
         plan,
     )
     names = (frictionless(R21), IDEAL, frictionless(R31))
-    _, _, closed = balance_three(bench, plan, clamp, device.Q.si, 1j, 0.0, 0.0, names)
+    meet, _, closed = balance_three(bench, plan, clamp, device.Q.si, 1j, 0.0, 0.0, names)
+    without_friction(bench, board.open_pane(View.BODY, "disc", APART), clamp, meet, (names[0], names[2]))
     ends = closed.ends[IDEAL.key]
     letter(bench, plan, {"a'": closed.ends[names[0].key][0], "b'": ends[0], "c'": ends[1]})
     return bench.measured(IDEAL, plan, *ends, "b' c'")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +12,7 @@ from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
 from ....devices.eccentric_clamp import FORCE, R21, R31, EccentricClamp
 from ....diagram.single import disc, friction_circle, number, outline, pivot, rim, rod
+from ....names import Named
 from ....plane import Points, Reals, nominal
 from ....words import Words
 from ..bench import Bench
@@ -95,27 +97,40 @@ def free_body(bench: Bench, place: Pane, clamp: Clamp, meet: Points, up: Points,
     draw_disc(bench, place, clamp)
     handle(bench, place, clamp, FORCE.symbol)
     press(bench, place, Press(symbol=R21.symbol, at=clamp.k, normal=1j, along=up))
-    x, u, foot31 = (complex(nominal(z)) for z in (meet, u31, touch))
+    u, foot31 = (complex(nominal(z)) for z in (u31, touch))
     foot31 *= seen(clamp)
-    h, k = complex(nominal(clamp.h)), complex(nominal(clamp.k))
-    board = bench.board
-    board.arrow(place, foot31 - 1.6 * ARROW * u, foot31, Role.RESULT, label=R31.symbol)
-    near = abs(x) < FAR
-    way = x / abs(x)
-    top = max((z * way.conjugate()).real for z in (h, k, foot31)) + 1.5 * ARROW
-    for start in (k, h, foot31):
+    bench.board.arrow(place, foot31 - 1.6 * ARROW * u, foot31, Role.RESULT, label=R31.symbol)
+    starts = {R21.key: clamp.k, FORCE.key: clamp.h, R31.key: foot31}
+    ends = carried_on(bench, place, starts, meet, Role.DIRECTION)
+    if abs(complex(nominal(meet))) < FAR:
+        bench.board.plot(place, meet, "X")
+    else:
+        told = Words("三线交于图外的 $X$", "the three lines meet in $X$,\noff the sheet")
+        bench.board.note(place, ends[R31.key], told)
+
+
+def carried_on(
+    bench: Bench, place: Pane, starts: Mapping[str, Points], meet: Points, role: Role
+) -> Mapping[str, complex]:
+    """The lines of the forces, carried on to the point where they meet, or a little way towards it; where they end."""
+    x = complex(nominal(meet))
+    way, begun = x / abs(x), {key: complex(nominal(at)) for key, at in starts.items()}
+    top = max((z * way.conjugate()).real for z in begun.values()) + 1.5 * ARROW
+    ends: dict[str, complex] = {}
+    for key, start in begun.items():
         towards = (x - start) / abs(x - start)
-        length = (
-            abs(x - start)
-            if near
-            else max(ARROW, (top - (start * way.conjugate()).real) / (towards * way.conjugate()).real)
-        )
-        board.join(place, start, start + towards * length, Role.HIDDEN)
-        if not near and start == foot31:
-            told = Words("三线交于图外的 $X$", "the three lines meet in $X$,\noff the sheet")
-            board.note(place, start + towards * length, told)
-    if near:
-        board.plot(place, x, "X")
+        short = max(ARROW, (top - (start * way.conjugate()).real) / (towards * way.conjugate()).real)
+        ends[key] = start + towards * (abs(x - start) if abs(x) < FAR else short)
+        bench.board.join(place, start, ends[key], role, key=key)
+    return ends
+
+
+def without_friction(bench: Bench, place: Pane, clamp: Clamp, meet: Points, names: tuple[Named, Named]) -> None:
+    """Beside the lines with friction, dashed, those without it: the normal at K, and the line through the pin A."""
+    press_on, hold = names
+    ends = carried_on(bench, place, {press_on.key: clamp.k, hold.key: 0j}, meet, Role.IDEAL)
+    for named in names:
+        bench.board.plot(place, ends[named.key], named.symbol, Dot.NONE, key=named.key)
 
 
 def draw_released(bench: Bench, place: Pane, clamp: Clamp, back: Points, near: Points) -> None:

@@ -42,13 +42,13 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
     link, pin = held.link, held.joint.point
     load = resultant(st, link)
     st.board.step(_taken(st, held, load, by), View.MECHANISM)
-    st.board.remark(pin_words(st, pin, held.parent, link))
     moment, centre = load.couple, st.desk.at[pin]
     sense = st.moment_sense(pin, held.parent, link)
     u = line.along
     if st.ideal is None:  # the sense follows from the couple
         u = u * np.where(moment * (np.conj(line.at - centre) * u).imag > 0, -1, 1)
     at = st.touch(pin, -u, sense)
+    st.board.remark(pin_words(st, pin, held.parent, link, at))
     across = foot(Line(line.at, u), at)
     turning = (np.conj(across - at) * u).imag  # of the couple that u at `across` and −u at `at` form, per mm of force
     _check(st, held, by, turning, moment)
@@ -107,8 +107,7 @@ def _close(st: Statics, who: tuple[Held, str], where: tuple[Line, Points, Points
     arm = board.compute(letter, board.mu(View.MECHANISM) * board.measure(at, across, letter), "m")
     size = board.compute(named.symbol, magnitude("M", np.abs(moment), "N·m") / arm, "N")
     vector = line.along * st.mm(size.value)
-    if not st.preliminary:
-        board.join(View.MECHANISM, at, across, Role.CONSTRUCTION)
-        board.join(View.MECHANISM, at - line.along * 16.0, at + line.along * 16.0, Role.DIRECTION)
+    board.join(View.MECHANISM, at, across, st.ruled(Role.CONSTRUCTION))
+    board.join(View.MECHANISM, at - line.along * 16.0, at + line.along * 16.0, st.ruled(Role.DIRECTION))
     st.settle(by, link, vector, line.at, computed=size.value)
     st.settle(held.parent, link, -vector, at, None, sense, computed=size.value)

@@ -72,7 +72,7 @@ def _by_meeting(st: Statics, held: Held, load: Resultant, line: Line) -> None:
     x = st.board.meet(load.line, line, f"link {number}: load and balancing force")
     u, sense = direction_through(st, held.joint, FRAME, held.link, x)
     touch = st.at_joint(held.joint, Line(x, u))
-    draw_meeting(st, x, (load.at, line.at), (u, touch), (letter, frame.symbol))
+    draw_meeting(st, x, (load.at, line.at), (u, touch), (letter, frame))
     close_polygon(st, held, load, line, (u, touch, sense))
 
 

@@ -18,6 +18,7 @@ from ...registry import Stage, method
 from ..acting import Drawn
 from ..bodies.link_polygon import answered
 from ..lines.arms import moments_at
+from ..lines.beside import clear_of
 from ..lines.links_of_group import Held
 from ..lines.resultant import Resultant, resultant
 from ..readings import keep_nothing, keep_value, measured
@@ -66,7 +67,7 @@ def moment_on_crank(st: Statics, held: Held) -> None:
         )
     )
     st.board.remark(
-        pin_words(st, pin, FRAME, held.link)
+        pin_words(st, pin, FRAME, held.link, at)
         if sense
         else Words(
             f"不计 ${pin}$ 处摩擦，${frame}$ 过 ${pin}$。", f" Without friction at ${pin}$ it passes through ${pin}$."
@@ -112,7 +113,7 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
         )
     )
     value = st.board.compute(named.symbol, size * arm, "N·m")
-    _leave(st, line, at, across, st.named(FRAME, held.link).symbol)
+    _leave(st, line, (at, across), st.named(FRAME, held.link))
     signed = -np.sign(couple) * value.value
     keep_value(st, named, signed, size * arm)
     if not st.preliminary:
@@ -140,20 +141,19 @@ def _size(st: Statics, load: Resultant, held: Held, drawn: Drawn | None) -> Quan
     return magnitude(named.symbol, expr.value, "N")
 
 
-def _leave(st: Statics, line: Line, at: Points, across: Points, symbol: str) -> None:
-    """The two parallel lines and the arm on the diagram, in the pass that counts."""
-    if st.preliminary:
-        return
-    board, u = st.board, line.along
-    reach = u * dot(u, line.at - across)
-    board.join(View.MECHANISM, across - u * 10.0, across + reach + u * 4.0, Role.DIRECTION)
-    board.join(View.MECHANISM, at - u * 16.0, at + u * 16.0, Role.DIRECTION)
-    board.plot(View.MECHANISM, at - u * 16.0, symbol, Dot.NONE)
+def _leave(st: Statics, line: Line, arm: tuple[Points, Points], frame: Named) -> None:
+    """The two parallel lines and the arm on the diagram; the arm without friction stands beside that with it."""
+    board, u, role, (at, across) = st.board, line.along, st.ruled(Role.DIRECTION), arm
+    reach, aside = u * dot(u, line.at - across), clear_of(st, at, across, u) if st.preliminary else 0.0
+    here, there, along = at + u * aside, across + u * aside, np.sign(aside) or -1.0
+    board.join(View.MECHANISM, across + reach + u * 4.0, there + u * along * 10.0, role)
+    board.join(View.MECHANISM, at - u * along * 16.0, here + u * along * (10.0 if aside else 16.0), role, key=frame.key)
+    board.plot(View.MECHANISM, at - u * along * 16.0, frame.symbol, Dot.NONE, key=frame.key)
     if abs(nominal(across - at)) > 1.0:
-        board.join(View.MECHANISM, at, across, Role.CONSTRUCTION)
-        board.plot(View.MECHANISM, at + 0.65 * (across - at), "h", Dot.NONE)
-    if abs(nominal(across - at)) > ROOM:
-        board.right_angle(View.MECHANISM, across, unit(at - across), u)
+        board.join(View.MECHANISM, here, there, st.ruled(Role.CONSTRUCTION))
+        board.plot(View.MECHANISM, here + 0.65 * (there - here), _letter(st), Dot.NONE, key=_letter(st))
+    if abs(nominal(across - at)) > ROOM and not st.preliminary:
+        board.right_angle(View.MECHANISM, there, unit(here - there), u)
 
 
 def _pure_couple(st: Statics, held: Held, load: Resultant) -> None:

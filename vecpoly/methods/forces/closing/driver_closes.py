@@ -39,8 +39,8 @@ def crank_closes(st: Statics, held: Held) -> None:
         frame_free(st, held)
         return
     drawn, sense = _closing_side(st, held, load), st.moment_sense(pin, FRAME, held.link)
-    st.board.remark(pin_words(st, pin, FRAME, held.link))
     at = st.touch(pin, -load.line.along, sense)
+    st.board.remark(pin_words(st, pin, FRAME, held.link, at))
     st.rest = st.newton_metres(cross(load.at - at, load.vector)) * pace
     st.settle(FRAME, held.link, -load.vector, at, drawn, sense)
 

@@ -32,8 +32,9 @@ def settle_pin(st: Statics, by: str, on: str, point: str, drawn: Drawn) -> None:
         st.settle(by, on, 0j, st.desk.at[point])
         return
     sense = st.moment_sense(point, by, on)
-    st.board.remark(pin_words(st, point, by, on))
-    st.settle(by, on, vector, st.touch(point, _along(vector), sense), drawn, sense)
+    at = st.touch(point, _along(vector), sense)
+    st.board.remark(pin_words(st, point, by, on, at))
+    st.settle(by, on, vector, at, drawn, sense)
 
 
 def settle_slide(

@@ -51,9 +51,9 @@ def line_of_contact(st: Statics, two: TwoForce) -> Line:
             View.MECHANISM,
         )
     u = st.board.turn(u)
-    if not st.preliminary:
-        st.board.join(View.MECHANISM, k - u * 22.0, k + u * 22.0, Role.DIRECTION)
-        st.board.plot(View.MECHANISM, k + u * 22.0, st.named(two.by, two.on).symbol, Dot.NONE)
+    named = st.named(two.by, two.on)
+    st.board.join(View.MECHANISM, k - u * 22.0, k + u * 22.0, st.ruled(Role.DIRECTION), key=named.key)
+    st.board.plot(View.MECHANISM, k + u * 22.0, named.symbol, Dot.NONE, key=named.key)
     return Line(k, u)
 
 

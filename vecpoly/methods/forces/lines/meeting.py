@@ -4,7 +4,9 @@ their lines of action and the resultant of several known forces on the diagram, 
 from __future__ import annotations
 
 from ....board.construction import View
+from ....board.paper.extent import bounds, lasting
 from ....board.paper.marks import Dot, Point, Role
+from ....names import Named
 from ....plane import Points, dot, nominal, unit
 from ....words import Words
 from ..state import OFF_SHEET, Statics
@@ -14,36 +16,61 @@ RESULTANT = "P"  # symbol of several known forces joined into one
 LETTERS = "KOTXYZNU"
 PAST = 12.0  # mm that a line of action is drawn past its ends
 LONGEST = 260.0  # mm: a line of action longer than this is drawn at its pin only
+STUB = 22.0  # mm that it then has to both sides
+BEYOND = 30.0  # mm that a meeting point without friction may lie outside the figure
 
 
 def meeting_letter(st: Statics, x: Points, pin: Points) -> str:
-    """A letter for a meeting point that nothing else on the diagram bears;
-    none off the sheet and in the pass without friction."""
-    if st.preliminary or abs(complex(nominal(x - pin))) > OFF_SHEET:
+    """A letter for a meeting point that nothing else on the diagram bears; none off the sheet.
+
+    Without friction it is K_0, where friction is to bring it to K.
+    """
+    if not _fits(st, x, pin):
         return ""
     taken = {mark.label for mark in st.board.marks(View.MECHANISM) if isinstance(mark, Point)} | set(st.desk.at)
-    return next((letter for letter in LETTERS if letter not in taken), "")
+    zero = "_0" if st.preliminary else ""
+    return next((letter + zero for letter in LETTERS if not {letter, letter + zero} & taken), "")
+
+
+def _fits(st: Statics, x: Points, pin: Points) -> bool:
+    """Whether a meeting point is on the sheet; one without friction is not to make the figure much larger."""
+    at = complex(nominal(x))
+    if abs(at - complex(nominal(pin))) > OFF_SHEET:
+        return False
+    low, high = bounds(lasting(st.board.marks(View.MECHANISM)))
+    return not st.preliminary or (
+        low.real - BEYOND < at.real < high.real + BEYOND and low.imag - BEYOND < at.imag < high.imag + BEYOND
+    )
 
 
 def draw_meeting(
-    st: Statics, x: Points, others: tuple[Points, Points], third: tuple[Points, Points], labels: tuple[str, str]
+    st: Statics, x: Points, others: tuple[Points, Points], third: tuple[Points, Points], labels: tuple[str, Named]
 ) -> None:
     """The meeting point, and the lines that pass through it, on the diagram:
     the reaction's from the meeting point to its pin.
 
-    labels: the meeting point's letter, and the reaction's symbol.
+    labels: the meeting point's letter, and the reaction.
     """
-    if st.preliminary or abs(complex(nominal(x - third[1]))) > OFF_SHEET:
+    board, (u, touch), (letter, named) = st.board, third, labels
+    if not _fits(st, x, touch):
+        if st.preliminary:
+            _draw_stub(st, touch, u, named)
         return
-    board, (u, touch), (letter, symbol) = st.board, third, labels
     reach = float(nominal(dot(u, touch - x)))
-    low, high = (min(0.0, reach) - PAST, max(0.0, reach) + PAST) if abs(reach) < LONGEST else (-22.0, 22.0)
-    board.join(View.MECHANISM, x + u * low, x + u * high, Role.DIRECTION)
-    board.plot(View.MECHANISM, x, letter, Dot.POINT)
-    board.plot(View.MECHANISM, x + u * (low if abs(low) > abs(high) else high), symbol, Dot.NONE)
+    low, high = (min(0.0, reach) - PAST, max(0.0, reach) + PAST) if abs(reach) < LONGEST else (-STUB, STUB)
+    role = st.ruled(Role.DIRECTION)
+    board.join(View.MECHANISM, x + u * low, x + u * high, role, key=named.key)
+    board.plot(View.MECHANISM, x, letter, Dot.POINT, key=letter if st.preliminary else "")
+    board.plot(View.MECHANISM, x + u * (low if abs(low) > abs(high) else high), named.symbol, Dot.NONE, key=named.key)
     for at in others:
         if 1.0 < abs(nominal(at - x)) < LONGEST:
-            board.join(View.MECHANISM, at, x + unit(x - at) * 6.0, Role.DIRECTION)
+            board.join(View.MECHANISM, at, x + unit(x - at) * 6.0, role)
+
+
+def _draw_stub(st: Statics, touch: Points, u: Points, named: Named) -> None:
+    """The reaction's line about its pin alone."""
+    st.board.join(View.MECHANISM, touch - u * STUB, touch + u * STUB, Role.IDEAL, key=named.key)
+    st.board.plot(View.MECHANISM, touch + u * STUB, named.symbol, Dot.NONE, key=named.key)
 
 
 def draw_resultant(st: Statics, load: Resultant) -> None:

@@ -135,7 +135,7 @@ def about_pin(st: Statics, held: Held, load: Resultant, line: Line, named: Named
             code="no-arm",
             numbers={"link": number, "pin": pin},
         )
-    st.board.remark(pin_words(st, pin, held.parent, held.link))
+    st.board.remark(pin_words(st, pin, held.parent, held.link, touch))
     st.board.remark(_about(st, held, pin, sense))
     size = np.sign(_needed(st, load, line, touch)) * _written(st, load, (line, touch), named)
     return Balanced(size=size, rest=-(load.vector + u * st.mm(size)), touch=touch, sense=sense)
@@ -229,9 +229,9 @@ def _written(st: Statics, load: Resultant, where: tuple[Line, Points], named: Na
 
 
 def _arm(st: Statics, line: Line, touch: Points, letter: str) -> Quantity:
-    """The distance of a line from the touching point; on the diagram in the pass that counts."""
+    """The distance of a line from the touching point, on the diagram."""
     end = foot(line, touch)
-    if not st.preliminary and 1.0 < abs(nominal(end - touch)) < OFF_SHEET:
-        st.board.join(View.MECHANISM, touch, end, Role.CONSTRUCTION)
-        st.board.join(View.MECHANISM, end - line.along * 16.0, end + line.along * 16.0, Role.DIRECTION)
+    if 1.0 < abs(nominal(end - touch)) < OFF_SHEET:
+        st.board.join(View.MECHANISM, touch, end, st.ruled(Role.CONSTRUCTION))
+        st.board.join(View.MECHANISM, end - line.along * 16.0, end + line.along * 16.0, st.ruled(Role.DIRECTION))
     return st.board.measure(touch, end, letter)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....mechanism.model import Prismatic, Revolute
+from ....names import Named
 from ....plane import Line
 from ....words import Words
 from ...registry import Stage, method
@@ -12,6 +13,7 @@ from ..senses import inclined, pin_words, slide_words
 from ..state import Statics
 from .links_of_group import TwoForce
 
+HALF = 22.0  # mm that a line of action is ruled to each side of its block
 _SOURCE = "机械原理, friction in sliding and turning pairs"
 
 
@@ -40,16 +42,25 @@ def line_of_block(st: Statics, two: TwoForce) -> Line:
                 f" Without friction the line passes through ${pin.point}$, normal to the {guide.en}.",
             )
         )
-        return Line(st.desk.at[pin.point], 1j * st.desk.guide_line(slide).along)
+        line = Line(st.desk.at[pin.point], 1j * st.desk.guide_line(slide).along)
+        if st.preliminary:
+            _draw(st, line, st.named(slid, two.link))
+        return line
     st.board.remark(slide_words(st, slide, slid, two.link))
-    st.board.remark(pin_words(st, pin.point, pinned, two.link))
     u = st.board.turn(inclined(st, slide, slid, two.link))  # force of the guide's link on the block
     sense = st.moment_sense(pin.point, pinned, two.link)  # 0 where the pin itself runs in the slot
     at = st.touch(pin.point, -u, sense)  # the pin's force on the block is along −u
-    st.board.join(View.MECHANISM, at - u * 22.0, at + u * 22.0, Role.DIRECTION)
-    st.board.plot(View.MECHANISM, at + u * 22.0, st.named(slid, two.link).symbol, Dot.NONE)
+    st.board.remark(pin_words(st, pin.point, pinned, two.link, at))
+    _draw(st, Line(at, u), st.named(slid, two.link))
     on_loaded = u if pinned == two.on else -u
     return Line(at, on_loaded)
+
+
+def _draw(st: Statics, line: Line, named: Named) -> None:
+    """The line of action on the diagram, to both sides of the block."""
+    over = line.along * HALF
+    st.board.join(View.MECHANISM, line.at - over, line.at + over, st.ruled(Role.DIRECTION), key=named.key)
+    st.board.plot(View.MECHANISM, line.at + over, named.symbol, Dot.NONE, key=named.key)
 
 
 def _isolated(st: Statics, block: str) -> Words:

@@ -9,7 +9,7 @@ from ....board.board import NO_LENGTH
 from ....board.construction import View
 from ....errors import NoMethodError
 from ....mechanism.model import Joint, Prismatic, Revolute
-from ....plane import Line, Points, cross, lines_meet, nominal
+from ....plane import Line, Points, cross, foot, lines_meet, nominal
 from ....vector.equation import Term
 from ....words import Words
 from ..bodies.link_polygon import draw_polygon, pane_of
@@ -43,11 +43,7 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
     u, sense = direction_through(st, held.joint, held.parent, link, x)
     lettered = letter if not _pin(st, held, load, line) else ""
     draw_meeting(
-        st,
-        x,
-        (load.at, line.at),
-        (u, st.at_joint(held.joint, Line(x, u))),
-        (lettered, st.named(held.parent, link).symbol),
+        st, x, (load.at, line.at), (u, st.at_joint(held.joint, Line(x, u))), (lettered, st.named(held.parent, link))
     )
     polygon(st, held, load, (by, line.along, line.at), (u, x, sense))
 
@@ -104,13 +100,14 @@ def direction_through(st: Statics, joint: Joint, by: str, on: str, x: Points) ->
                 "'vecpoly exact' still answers",
             )
         )
-    st.board.remark(pin_words(st, joint.point, by, on))
     centre = st.desk.at[joint.point]
     sense = st.moment_sense(joint.point, by, on)
     before = st.pushed_before(by, on)
-    return st.board.tangent_from(
+    u = st.board.tangent_from(
         x, centre, st.rho(joint.point), sense, centre - x if before is None else before, key=st.named(by, on).key
-    ), sense
+    )
+    st.board.remark(pin_words(st, joint.point, by, on, foot(Line(x, u), centre)))
+    return u, sense
 
 
 def polygon(

@@ -6,7 +6,8 @@ from ....board.board import NO_LENGTH
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....mechanism.model import Revolute
-from ....plane import Line, Points, dot, nominal, unit
+from ....names import Named
+from ....plane import Line, Points, dot, foot, nominal, unit
 from ....words import Words
 from ...registry import Stage, method
 from ..senses import pin_words
@@ -34,21 +35,10 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
     at_p, at_q = st.desk.at[p], st.desk.at[q]
     board = st.board
     if st.ideal is None:
-        number = st.mech.number(two.link)
-        board.step(
-            Words(
-                f"构件 {number} 不受外力，为二力杆，两端反力等值、反向，沿 ${st.desk.bar(two.link, p, q)}$。",
-                f"No load acts on link {number}: it is a two-force link, and the equal and "
-                f"opposite forces at its pins act along ${st.desk.bar(two.link, p, q)}$.",
-            ),
-            View.MECHANISM,
-        )
-        return Line(at_p, unit(at_p - at_q))
+        return _without_friction(st, two, (p, q))
     on = _exerted(st.ideal, two)
     compressed = float(nominal(dot(on, at_p - at_q))) > 0
     board.step(_pressed(st, two, compressed, (p, q)), View.MECHANISM)
-    board.remark(pin_words(st, q, two.by, two.link))
-    board.remark(pin_words(st, p, two.on, two.link))
     line = board.tangent_to_both(
         at_p,
         st.rho(p),
@@ -59,9 +49,29 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
         1 if compressed else -1,
         key=st.named(two.on, two.link).key,
     )
+    board.remark(pin_words(st, q, two.by, two.link, foot(line, at_q)))
+    board.remark(pin_words(st, p, two.on, two.link, line.at))
     board.remark(_tangent(st, (p, st.moment_sense(p, two.on, two.link)), (q, st.moment_sense(q, two.by, two.link))))
-    _draw(st, line, (at_p, at_q), st.named(two.on, two.link).symbol)
+    _draw(st, line, (at_p, at_q), st.named(two.on, two.link))
     return Line(line.at, -line.along)
+
+
+def _without_friction(st: Statics, two: TwoForce, pins: tuple[str, str]) -> Line:
+    """The line through both pins; on the diagram where that with friction will stand beside it."""
+    at_p, at_q = (st.desk.at[pin] for pin in pins)
+    number, bar = st.mech.number(two.link), st.desk.bar(two.link, *pins)
+    st.board.step(
+        Words(
+            f"构件 {number} 不受外力，为二力杆，两端反力等值、反向，沿 ${bar}$。",
+            f"No load acts on link {number}: it is a two-force link, and the equal and "
+            f"opposite forces at its pins act along ${bar}$.",
+        ),
+        View.MECHANISM,
+    )
+    line = Line(at_p, unit(at_p - at_q))
+    if st.preliminary:
+        _draw(st, line, (at_p, at_q), st.named(two.on, two.link))
+    return line
 
 
 def _exerted(st: Statics, two: TwoForce) -> Points:
@@ -118,9 +128,9 @@ def _tangent(st: Statics, one: tuple[str, int], two: tuple[str, int]) -> Words:
     )
 
 
-def _draw(st: Statics, line: Line, pins: tuple[Points, Points], symbol: str) -> None:
+def _draw(st: Statics, line: Line, pins: tuple[Points, Points], named: Named) -> None:
     """The tangent on the diagram, a little longer than the link."""
     ends = [line.at + line.along * dot(line.along, pin - line.at) for pin in pins]
     over = unit(ends[1] - ends[0]) * 12.0
-    st.board.join(View.MECHANISM, ends[0] - over, ends[1] + over, Role.DIRECTION)
-    st.board.plot(View.MECHANISM, ends[1] + over, symbol, Dot.NONE)
+    st.board.join(View.MECHANISM, ends[0] - over, ends[1] + over, st.ruled(Role.DIRECTION), key=named.key)
+    st.board.plot(View.MECHANISM, ends[1] + over, named.symbol, Dot.NONE, key=named.key)

@@ -32,7 +32,7 @@ def line_of_teeth(st: Statics, mesh: Mesh, load: Resultant) -> Line:
     along = lean if mesh.teeth.gear.link == mesh.held.link else -lean
     st.board.step(_told(st, mesh), View.MECHANISM)
     along = st.board.turn(along)
-    if not st.preliminary:
+    if not st.preliminary:  # teeth have no friction: the line is the same in both passes
         draw_line_of_action(st, mesh, h, along, 1j * out)
     return Line(h, along)
 

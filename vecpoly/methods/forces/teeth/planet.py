@@ -80,7 +80,7 @@ def _teeth(st: Statics, one: Carried, across: Reaction, pair: tuple[Mesh, Mesh])
         st.settle(mesh.by, one.planet, 0j, h)
         return
     along = st.board.turn(_pressing(st, mesh, h, -turning.way * 1j * unit(h - k)))
-    if not st.preliminary:
+    if not st.preliminary:  # teeth have no friction: the line is the same in both passes
         draw_line_of_action(st, mesh, h, along, 1j * unit(h - k))
     end, symbol = foot(Line(h, along), k), arm_about_point(named.symbol, other.teeth.point)
     arm = st.board.mu(View.MECHANISM) * st.board.measure(k, end, symbol)

@@ -1,0 +1,209 @@
+"""One hue for one vector wherever it appears; in grey it is known by its letters; and all can be black."""
+
+from __future__ import annotations
+
+from io import BytesIO
+from itertools import combinations
+
+import numpy as np
+import pdfplumber
+import pytest
+
+from tests.drawn_library import IDS, drawn
+from tests.each import each
+from vecpoly.board.construction import Construction, Figure
+from vecpoly.board.paper.marks import Point, Segment, TurnArrow, Vector
+from vecpoly.board.paper.tones import MANY, key_of, whose
+from vecpoly.drawing.figure import draw_figure
+from vecpoly.drawing.hues import dash_of, hue_of, ink_of
+from vecpoly.drawing.scene import Scene, Stroke, TextBox
+from vecpoly.figures.hue import TONES, Hue
+from vecpoly.names import ascii_key
+from vecpoly.player.page import player_html
+from vecpoly.report.document import report_bytes
+from vecpoly.report.flow.equation import EquationFlow, _columns
+from vecpoly.report.tables import readings_table
+from vecpoly.typeset import Glyphs
+
+FOUR = ("3-9", "3-12", "4-3a", "A-27")  # a block, a slotted link, friction, a six-bar linkage
+SPECK = 0.05  # mm: a shorter vector is no more than its arrowhead
+
+
+def _vectors(figure: Figure) -> list[Vector]:
+    return [mark for mark in figure.marks if isinstance(mark, Vector) and key_of(mark) and abs(mark.b - mark.a) > SPECK]
+
+
+def _inks(construction: Construction, figure: Figure) -> dict[str, set[str]]:
+    """The hues in which the shafts of a figure's vectors are drawn, by their keys."""
+    found: dict[str, set[str]] = {}
+    strokes = [item for item in draw_figure(figure).items if isinstance(item, Stroke)]
+    for mark in _vectors(figure):
+        of = {one.hue.name for one in strokes if abs(one.points[0] - mark.a) < 1e-9 and _along(one, mark)}
+        found.setdefault(key_of(mark), set()).update(of)
+    return found
+
+
+def _along(stroke: Stroke, mark: Vector) -> bool:
+    """Whether it is the shaft, which ends within the head."""
+    return stroke.width > 0.2 and abs(stroke.points[-1] - mark.b) < min(3.0, 0.9 * abs(mark.b - mark.a))
+
+
+@each(FOUR)
+def test_a_vector_has_one_hue_in_equations_polygons_free_bodies_and_tables(name: str) -> None:
+    """In each of its equations, on each figure, in the table of readings: that of its tone, and never another."""
+    one = drawn(name)
+    seen: dict[str, set[str]] = {}
+    for figure in one.construction.figures:
+        for key, inks in _inks(one.construction, figure).items():
+            seen.setdefault(key, set()).update(inks)
+    for step in one.construction.steps:
+        for column, symbol in (
+            zip(_columns(step.equation, "zh", 4.0), step.equation.symbols, strict=True) if step.equation else ()
+        ):
+            rgb = {item.rgb for item in column.cells[0].items if isinstance(item, Glyphs)}
+            seen.setdefault(ascii_key(symbol), set()).update(_named(rgb))
+    table = readings_table(one.solution, "zh")
+    for key, ink in zip(one.solution.answers, table.inks, strict=True):
+        seen.setdefault(key, set()).update(_named({ink}))
+    tones = one.construction.tones
+    assert {key: {ink_of(key, tones).name} for key in seen} == seen
+    assert len({ink for inks in seen.values() for ink in inks} - {"black"}) >= 4
+
+
+def _named(rgbs: set[tuple[float, float, float] | None]) -> set[str]:
+    by_value = {hue.value: hue.name for hue in TONES}
+    return {"black" if rgb is None else by_value[rgb] for rgb in rgbs}
+
+
+@each(FOUR)
+def test_the_player_has_a_vector_in_the_same_hue_in_its_equations_and_figures(name: str) -> None:
+    one = drawn(name)
+    page = player_html(one.solution, places=0)
+    for step in one.construction.steps:
+        for tone in step.equation.tones if step.equation else ():
+            assert not tone or f'<span style="color:var(--tone-{tone})">' in page
+    used = {tone for step in one.construction.steps if step.equation for tone in step.equation.tones if tone}
+    assert used and all(f"stroke:var(--tone-{tone})" in page and f"fill:var(--tone-{tone})" in page for tone in used)
+
+
+def test_a_force_is_known_by_its_hue_on_the_diagram_too() -> None:
+    """Its line of action, the letter of that, the load itself, the force in the polygon and on both free bodies."""
+    construction = drawn("4-6").construction
+    by_view = {figure.view.name: draw_figure(figure) for figure in construction.figures}
+    hue = ink_of("R_41", construction.tones)
+    assert hue in TONES and ink_of("R_14_0", construction.tones) == hue
+    thin = {item.hue for item in by_view["mechanism"].items if isinstance(item, Stroke) and item.width < 0.2}
+    assert hue in thin and Hue.GREY in thin
+    for view in ("mechanism", "force"):
+        assert hue in {item.hue for item in by_view[view].items if isinstance(item, TextBox)}
+
+
+@each(IDS)
+def test_vectors_of_one_figure_or_equation_that_are_not_one_have_different_tones(name: str) -> None:
+    """Where more are drawn than there are tones, those that are left are black."""
+    construction = drawn(name).construction
+    tones = construction.tones
+    together = [{whose(key_of(mark)) for mark in _vectors(figure)} for figure in construction.figures]
+    together += [set(map(whose, map(ascii_key, s.equation.symbols))) for s in construction.steps if s.equation]
+    for group in together:
+        toned = [tones[one] for one in group if one in tones]
+        assert len(toned) == len(set(toned)) and set(toned) <= set(range(1, MANY + 1))
+
+
+@each(IDS)
+def test_in_grey_two_vectors_of_one_figure_differ_in_letters_or_in_dashes(name: str) -> None:
+    """The symbol beside it, the letters at its ends, or its pattern."""
+    for figure in drawn(name).construction.figures:
+        lettered = [mark for mark in figure.marks if isinstance(mark, Point) and mark.label]
+        seen: dict[tuple[object, ...], Vector] = {}
+        for mark in _vectors(figure):
+            ends = tuple(frozenset(p.label for p in lettered if abs(p.at - z) < SPECK) for z in (mark.a, mark.b))
+            look = (mark.label, ends, dash_of(key_of(mark)))
+            other = seen.setdefault(look, mark)  # one that coincides with it is the same line on paper
+            assert abs(other.a - mark.a) + abs(other.b - mark.b) < SPECK or mark.label, (figure.name, look)
+
+
+def test_a_component_is_the_motion_that_it_is_part_of_and_a_reaction_that_of_its_joint() -> None:
+    assert len({whose(key) for key in ("v_CB", "v_BC", "an_CB", "at_CB", "a_CB")}) == 1
+    assert len({whose(key) for key in ("R_12", "R_21", "R_12_0", "R_21,0", "R_12_n", "R_12_t")}) == 1
+    assert len({whose(key) for key in ("v_C2B", "v_C2C3", "v_C2", "R_12", "R_23", "R'_12", "F", "F_I2", "M_1")}) == 9
+    assert whose("F'_0") == whose("F'") != whose("F")
+
+
+def test_every_tone_can_be_read_and_told_from_the_others_by_eyes_that_confuse_hues() -> None:
+    """Contrast at least 4.5 to 1 on white (WCAG); CIE76 at least 20, to deutan and protan eyes too (Machado 2009)."""
+    linear = np.array([_linear(hue.value) for hue in (*TONES, Hue.BLACK)])
+    luminance = linear @ _XYZ[1]
+    assert all(1.05 / (light + 0.05) >= 4.5 for light in luminance[:-1])
+    for eyes in (np.eye(3), _DEUTAN, _PROTAN):
+        seen = [_lab(rgb) for rgb in linear @ eyes.T]
+        assert min(float(np.linalg.norm(a - b)) for a, b in combinations(seen, 2)) > 20
+
+
+_XYZ = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
+_DEUTAN = np.array([[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]])
+_PROTAN = np.array([[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]])
+
+
+def _linear(rgb: tuple[float, float, float]) -> list[float]:
+    return [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in rgb]
+
+
+def _lab(linear: np.ndarray) -> np.ndarray:
+    white = np.array([0.9505, 1.0, 1.089])
+    x, y, z = (np.cbrt(t) if t > 0.008856 else 7.787 * t + 16 / 116 for t in _XYZ @ np.clip(linear, 0, 1) / white)
+    return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
+
+
+@pytest.mark.parametrize(("style", "plain"), [("solution", True), ("question", False)])
+def test_an_examination_is_printed_in_black_and_so_is_every_question(style: str, plain: bool) -> None:
+    page = report_bytes([drawn("4-3a").solution], style=style, plain=plain)
+    coloured = report_bytes([drawn("4-3a").solution])
+    assert _hues_of_lines(page) == set() and len(_hues_of_lines(coloured)) >= 4
+
+
+def _hues_of_lines(pdf: bytes) -> set[tuple[float, ...]]:
+    """The inks of lines and letters that are neither black nor grey; boxes of remarks have their own."""
+    with pdfplumber.open(BytesIO(pdf)) as pages:
+        inks = {
+            tuple(ink)
+            for page in pages.pages
+            for one in (*page.lines, *page.curves, *page.chars)
+            for ink in (one["stroking_color"], one["non_stroking_color"])
+            if isinstance(ink, tuple) and len(ink) == 3
+        }
+    return {ink for ink in inks if max(ink) - min(ink) > 0.02}
+
+
+def test_what_stands_after_a_coloured_symbol_is_black_again() -> None:
+    """In one line of type as in the next."""
+    equation = next(step.equation for step in drawn("3-9").construction.steps if step.equation)
+    assert any(equation.tones) and isinstance(EquationFlow(equation), EquationFlow)
+    with pdfplumber.open(BytesIO(report_bytes([drawn("3-9").solution]))) as pages:
+        signs = [char for page in pages.pages for char in page.chars if char["text"] in "=+?"]
+    assert signs and all(_grey(sign["non_stroking_color"]) for sign in signs)
+
+
+def _grey(ink: float | tuple[float, ...]) -> bool:
+    return not isinstance(ink, tuple) or max(ink) - min(ink) < 0.02
+
+
+def test_a_scene_in_black_keeps_every_line_of_the_coloured_one() -> None:
+    """Only inks differ: no line, no letter moves."""
+    figure = drawn("3-9").construction.figures[1]
+    black = drawn("3-9").construction.toned({}).figures[1]
+    assert _shapes(draw_figure(figure)) == _shapes(draw_figure(black))
+    assert {item.hue for item in draw_figure(black).items} <= {Hue.BLACK, Hue.GREY, Hue.WHITE, Hue.PLATE}
+    assert {hue_of(0)} == {Hue.BLACK}
+
+
+def _shapes(scene: Scene) -> list[object]:
+    return [item.points if not isinstance(item, TextBox) else (item.x, item.y, item.box) for item in scene.items]
+
+
+def test_couples_and_lines_have_the_hue_of_their_force_or_none() -> None:
+    marks = [mark for figure in drawn("4-3a").construction.figures for mark in figure.marks]
+    assert any(
+        isinstance(mark, TurnArrow) and whose(key_of(mark)) in drawn("4-3a").construction.tones for mark in marks
+    )
+    assert all(isinstance(mark, Segment | Point | Vector) for mark in marks if mark.key.startswith("R_"))

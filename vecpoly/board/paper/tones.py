@@ -1,0 +1,70 @@
+"""Which vectors of a problem are told apart, and by which tone: a number that the drawing turns into a hue.
+
+One and the same motion, or force, has one tone wherever it appears: in its equation, in the polygons, on the diagram,
+on free bodies. v_CB, a^n_CB and a^t_CB are the motion of C about B; R_12 and R_21 are the force in one joint, with
+friction or without. What stands in one figure or in one equation has different tones; where these run out, it has none.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
+from itertools import chain
+
+from ...figures.hue import TONES
+from ...foundation.frozen import FrozenMap
+from ...names import ascii_key
+from .marks import Mark, TurnArrow, Vector
+
+MANY = len(TONES)
+_MOTION = re.compile(r"\b[va][nktr]?_")
+_POINTS = re.compile(r"([A-Z]'?\d*)([A-Z]'?\d*)")
+_JOINT = re.compile(r"R('*)_([A-Z]?\d)([A-Z]?\d)\b")
+_PART = re.compile(r"([_,](0|[nt]))+$")
+
+
+@lru_cache(maxsize=4096)
+def whose(key: str) -> str:
+    """What a key is a part of: ``motion CB`` of v_CB and at_CB, ``joint 12`` of R_21 and R_12_0, else the key."""
+    bare = _PART.sub("", key)
+    if _MOTION.match(bare.removeprefix("(")):
+        points = _MOTION.sub("", bare)
+        pair = _POINTS.fullmatch(points)
+        return f"motion {''.join(sorted(pair.groups())) if pair else points}"
+    joint = _JOINT.match(bare)
+    return f"joint{joint[1]} {'-'.join(sorted(joint.groups()[1:]))}" if joint else bare
+
+
+def key_of(mark: Mark) -> str:
+    """The key of a mark; of an arrow that only has a symbol, that of the symbol."""
+    return mark.key or (ascii_key(mark.label) if isinstance(mark, Vector | TurnArrow) else "")
+
+
+def tones(figures: Iterable[tuple[Mark, ...]], equations: Iterable[tuple[str, ...]]) -> Mapping[str, int]:
+    """The tones by what has them (`whose`): first of what is written as an equation of symbols, then as it is drawn."""
+    drawn = [tuple(dict.fromkeys(_vectors(marks))) for marks in figures]
+    known = set(chain.from_iterable(drawn))
+    written = [tuple(w for w in map(whose, map(ascii_key, symbols)) if w in known) for symbols in equations]
+    beside: dict[str, set[str]] = {}
+    for together in (*written, *drawn):
+        for one in together:
+            beside.setdefault(one, set()).update(together)
+    found: dict[str, int] = {}
+    for one in dict.fromkeys(chain.from_iterable((*written, *drawn))):
+        taken = {found[other] for other in beside[one] if other in found}
+        if free := [tone for tone in range(1, MANY + 1) if tone not in taken]:
+            used = Counter(found.values())
+            found[one] = min(free, key=lambda tone: (used[tone], tone))
+    return FrozenMap(found)
+
+
+def _vectors(marks: tuple[Mark, ...]) -> Iterator[str]:
+    """What the vectors and the lines of action of a figure belong to; then its couples."""
+    for mark in marks:
+        if (isinstance(mark, Vector) and key_of(mark)) or mark.key.startswith("R"):
+            yield whose(key_of(mark))
+    for mark in marks:
+        if isinstance(mark, TurnArrow) and mark.label[:1] == "M":
+            yield whose(key_of(mark))

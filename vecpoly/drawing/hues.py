@@ -1,0 +1,54 @@
+"""The ink of a vector: one hue wherever it appears, in equations, tables, polygons, diagrams, free bodies, the player.
+
+Which vectors are one is known to the construction (`board/paper/tones.py`). What has no tone is black; what is printed
+in grey, or seen by eyes that tell few hues apart, is known by its letters, and without friction by its dashes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ..board.construction import View
+from ..board.paper.marks import Mark
+from ..board.paper.tones import key_of, whose
+from ..figures.hue import TONES, Hue
+from .style import Dash, kind_hue
+
+Tones = Mapping[str, int] | None
+
+
+def hue_of(tone: int) -> Hue:
+    """The ink of a tone; of none, black."""
+    return TONES[tone - 1] if tone else Hue.BLACK
+
+
+def ink_of(key: str, tones: Tones) -> Hue:
+    """The ink of what has this key."""
+    return hue_of(tones.get(whose(key), 0)) if tones else Hue.BLACK
+
+
+def mark_hue(mark: Mark, view: View, label: str, tones: Tones) -> Hue:
+    """The ink of an arrow and of its symbol; of an axis, or of a figure without vectors, that of its kind."""
+    return (
+        kind_hue(view, label) if tones is None or (tones and view.across is not None) else ink_of(key_of(mark), tones)
+    )
+
+
+def line_hue(key: str, tones: Tones, else_: Hue) -> Hue:
+    """The ink of a thin line along which a force acts, and of its letter: the force's, where that has one."""
+    return hue_of(tone) if key and tones and (tone := tones.get(whose(key), 0)) else else_
+
+
+def image_hue(view: View, tones: Tones) -> Hue:
+    """The ink of the sides of an image: that of its kind of figure, black beside vectors that are told apart."""
+    return view.ink if view.images and tones is None else Hue.BLACK
+
+
+def tint_of(view: View, tones: Tones) -> Hue:
+    """The light background of an image; grey where all is black."""
+    return view.tint if tones is None or tones else Hue.PLATE
+
+
+def dash_of(key: str) -> Dash:
+    """The pattern of a vector: without friction, beside that with it, it is dashed."""
+    return Dash.DASHED if key.endswith(("_0", ",0")) else Dash.FULL
