@@ -7,12 +7,16 @@ from collections.abc import Sequence
 from reportlab.platypus.doctemplate import FrameBreak
 from reportlab.platypus.flowables import Flowable
 
+from ...tagging.tag import Role, Tag
+from ...tagging.tag import cell as cell_tag
+from ...tagging.tree import tree_of
 from ...typeset.box import MM
 from ...typeset.canvas import Ink
 from ...words import Lang
 from .base import Block
 from .cells import cells, joined
 from .lines import Line, break_lines, draw_line
+from .marks import Marks
 from .style import CAPTION, CELL, Style
 
 _PAD = 1.5  # mm at either side of a cell
@@ -28,6 +32,9 @@ _LEAST_ROWS = 4  # rows that a page break leaves together, before and after it
 
 class DataTable(Block):
     """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r each."""
+
+    role = Role.TABLE
+    pieces = True
 
     def __init__(
         self,
@@ -50,6 +57,7 @@ class DataTable(Block):
         self._set_widths: tuple[float, ...] = ()
         self._head: _Row = ()
         self._body: tuple[_Row, ...] = ()
+        self._continued = False  # from the page before: its heading has been read
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; for the same width it was found before."""
@@ -114,7 +122,9 @@ class DataTable(Block):
         caption = self.caption if start == 0 else ""
         rows = self.rows[start:end]
         widths = self._set_widths
-        return DataTable(self.header, rows, widths, self.align, lang=self.lang, caption=caption, style=self.style)
+        part = DataTable(self.header, rows, widths, self.align, lang=self.lang, caption=caption, style=self.style)
+        part.tag, part._continued = self.tag, self._continued or start > 0
+        return part
 
     def draw(self) -> None:
         """Draw caption, header, rows and rules, centred in the column."""
@@ -124,10 +134,11 @@ class DataTable(Block):
         if self.caption:
             em = CAPTION.em
             title = joined(cells(self.caption, em, self.lang == "zh", True), em)
+            ink.under(tree_of(self.canv).opener(Tag(Role.CAPTION, self.tag)))
             ink.box(title, (self.width - title.width * MM) / 2, y - CAPTION.size)
             y -= CAPTION.leading + 2.0
         y = self._rule(ink, left, y, width, _HEAVY)
-        y = self._row(ink, self._head, left, y, "c" * len(self.header))
+        y = self._row(ink, self._head, left, y, "c" * len(self.header), header=True)
         y = self._rule(ink, left, y, width, _FINE)
         for row in self._body:
             y = self._row(ink, row, left, y, self.align)
@@ -138,16 +149,25 @@ class DataTable(Block):
         ink.rule(x, y - weight, width, weight)
         return y - weight
 
-    def _row(self, ink: Ink, row: _Row, left: float, top: float, align: str) -> float:
-        height = self._height(row)
+    def _row(self, ink: Ink, row: _Row, left: float, top: float, align: str, header: bool = False) -> float:
+        height, tag = self._height(row), Tag(Role.ROW, self.tag)
         x = left
         for cell, width, side in zip(row, self._set_widths, align, strict=True):
+            marks = self._marks(tag, header)
             y = top - (height - sum(map(self._advance, cell))) / 2
             for line in cell:
                 advance = self._advance(line)
                 rise = (advance - self.style.size) / 2 + 0.86 * self.style.size
                 rise = max(rise, line.ascent * MM + 1.0)
-                draw_line(ink, line, x + _PAD * MM, y - rise, width - 2 * _PAD, _ALIGN[side])
+                draw_line(ink, line, x + _PAD * MM, y - rise, width - 2 * _PAD, _ALIGN[side], marks)
                 y -= advance
             x += width * MM
         return top - height
+
+    def _marks(self, row: Tag, header: bool) -> Marks:
+        """The element of a cell; a header that is repeated has been read."""
+        if header and self._continued:
+            return Marks(self.canv, None, self.lang)
+        tag = cell_tag(row, header)
+        tree_of(self.canv).element(tag)  # an empty cell is one too
+        return Marks(self.canv, tag, self.lang)

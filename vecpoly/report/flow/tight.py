@@ -29,10 +29,10 @@ SHORT = 3  # pages of a part of which the lines are set closer too; in a longer 
 def saved(story: Sequence[Any], meta: Metadata) -> bytes:
     """The document, each part of it on as few pages as a tighter setting gives it."""
     plain = ReportDoc(_set(story, {}), meta)
-    data = plain.made()[0]
+    plain.drawn()
     tried = {part: _degree(story, part, pages, meta) for part, pages in plain.leftover.items()}
     chosen = {part: degree for part, degree in tried.items() if degree is not None}
-    return ReportDoc(_set(story, chosen), meta).made()[0] if chosen else data
+    return ReportDoc(_set(story, chosen), meta).made()[0] if chosen else plain.finished()
 
 
 def tightened(story: Sequence[Any], degree: Tightness = DEGREES[1]) -> list[Any]:
