@@ -33,18 +33,23 @@ class Piece:
         return (self.x + self.right) / 2
 
 
-@dataclass(slots=True)
+@dataclass
 class Paper:
     """Stands for a canvas: texts, ruled lines (x, y, width, height) and every other call with its arguments."""
 
     texts: list[Piece] = field(default_factory=list)
     rules: list[tuple[float, float, float, float]] = field(default_factory=list)
     calls: list[tuple[str, tuple[Any, ...]]] = field(default_factory=list)
+    _code: list[str] = field(default_factory=list)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
         return lambda *args, **_: self.calls.append((name, args))
+
+    def absolutePosition(self, x: float, y: float) -> tuple[float, float]:
+        """The block stands at the corner of the page."""
+        return x, y
 
     def called(self, name: str) -> list[tuple[Any, ...]]:
         """The arguments of every such call."""

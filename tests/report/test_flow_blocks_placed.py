@@ -244,10 +244,10 @@ def test_the_lines_of_the_contents_lead_to_their_pages() -> None:
     for (x0, y0, x1, y1), text in zip(paper.called("line"), (one, part, two), strict=True):
         assert text.right < x0 <= text.right + 5 + 3 and x1 == 400 - 22 and y0 == y1 and 0 < y0 - text.y < 3
         assert (x1 - x0) % 3 == pytest.approx(0, abs=1e-6) or (x1 - x0) % 3 == pytest.approx(3, abs=1e-6)
-    for (_, key, (x0, y0, x1, y1)), text, entry in zip(
-        paper.called("linkRect"), (one, part, two), entries, strict=True
+    for (key, (x0, y0, x1, y1), said, _), text, entry in zip(
+        paper.called("link"), (one, part, two), entries, strict=True
     ):
-        assert key == entry.key and (x0, x1) == (0.0, 400) and y0 < text.y < y1 and y1 - y0 < 15.5
+        assert (key, said) == (entry.key, entry.text) and (x0, x1) == (0.0, 400) and y0 < text.y < y1 and y1 - y0 < 15.5
 
 
 def test_a_heading_as_wide_as_the_column_has_no_leader() -> None:
@@ -401,8 +401,9 @@ def test_a_verdict_has_the_colour_of_its_kind_and_its_text_within() -> None:
     for kind in ("pass", "warn", "fail", "note"):
         block = Callout("word " * 40, kind, "en")
         drawn = list[tuple[float, float]]()
-        block._para.drawOn = lambda _, x, y, drawn=drawn: drawn.append((x, y))
-        paper = paper_of(block, 300)
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(block._para, "drawOn", lambda _, x, y, drawn=drawn: drawn.append((x, y)))
+            paper = paper_of(block, 300)
         ground, bar = paper.called("setFillColorRGB")
         grounds[kind] = bar
         assert all(0.92 < part <= 1.0 for part in ground) and min(ground) < 1.0

@@ -80,7 +80,7 @@ def grade_drawings(register: Register, returned: Returned, folder: Path, out: Pa
             works[whose] = one = _work(register, returned, sheet, part, path, lang)
             if one.scenes:
                 name = f"{sheet.student.number}_{part.problem}.pdf"
-                files.append(write_whole(out / "drawings" / name, to_pdf(*one.scenes)))
+                files.append(write_whole(out / "drawings" / name, to_pdf(*one.scenes, title=name, lang=lang)))
         except ProblemFileError as error:
             faults += error.faults
         except VecpolyError as error:

@@ -100,7 +100,11 @@ def report_bytes(
     head = (title or _title(solutions)).of(lang)
     story = [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]
     meta = Metadata(
-        title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang
+        title=head,
+        author=(fields or {}).get(FIELDS[lang][1], ""),
+        subject=subject(solutions).of(lang),
+        keywords=tuple(s.problem.id for s in solutions),
+        lang=lang,
     )
     return saved(story, meta) if stamp is None else ReportDoc(story, meta, stamp).made()[0]
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from ..algebra.formula import Node, Row, Sym, Txt
+from ..algebra.formula import Node, Row, Sym, Txt, plain
 
 
 class Kind(Enum):
@@ -157,6 +157,15 @@ def _unit(row: list[Atom], start: int) -> list[Atom]:
             break
     words = {atom.body for atom in out if atom.kind is Kind.WORD}
     return out if words and words <= _UNITS else []
+
+
+def written(row: Iterable[Atom]) -> str:
+    """The atoms as plain text."""
+    out = ""
+    for atom in row:
+        body = atom.body if isinstance(atom.body, str) else plain(atom.body)
+        out += (" " if atom.spaced and out else "") + body + (f"^{atom.exponent}" if atom.exponent else "")
+    return out
 
 
 def space(left: Atom, right: Atom) -> float:

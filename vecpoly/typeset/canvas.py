@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from .box import MM, Box, Glyphs, Rgb, Rule
@@ -13,16 +14,26 @@ BLACK = (0.0, 0.0, 0.0)  # to which type returns after letters in an ink of thei
 class Ink:
     """Collects operators for one canvas; all lengths in points. Nothing is drawn before `flush`."""
 
-    __slots__ = ("_canvas", "_font", "_inked", "_rgb", "_rules", "_spacing", "_text")
+    __slots__ = (
+        "_canvas", "_font", "_inked", "_open", "_rgb", "_rules", "_spacing", "_tagged", "_text", "_under"
+    )  # fmt: skip
 
     def __init__(self, canvas: Any) -> None:
         self._canvas = canvas
+        self._under: Callable[[], str] | None = None
+        self._open: Callable[[], str] | None = None
+        self._tagged = False
         self._text: list[str] = []
         self._rules: list[str] = []
         self._font: tuple[str, float] | None = None
         self._spacing = (0.0, 0.0)
         self._rgb: Rgb | None = None
         self._inked = False
+
+    def under(self, begin: Callable[[], str] | None) -> None:
+        """What text follows is marked content, which `begin` opens as soon as there is some; rules are artifacts."""
+        self._under = begin
+        self._tagged = True
 
     def rule(self, x: float, y: float, width: float, height: float) -> None:
         """A filled rectangle."""
@@ -31,6 +42,8 @@ class Ink:
     def text(self, run: Glyphs, x: float, y: float, chars: float = 0.0, blanks: float = 0.0) -> None:
         """A run at (x, y), its own place left out of account; chars, blanks: space added to each."""
         out = self._text
+        if self._under is not self._open:
+            self._turn(out)
         out.append(f"1 0 0 1 {x:.4f} {y:.4f} Tm")
         if run.rgb != self._rgb:
             out.append("{:.3g} {:.3g} {:.3g} rg".format(*(run.rgb or BLACK)))
@@ -50,6 +63,14 @@ class Ink:
                 self._font = (inner, size)
             out.append(f"({self._canvas._escape(codes)}) Tj")
 
+    def _turn(self, out: list[str]) -> None:
+        """Close what marked content is open, and open what is wanted."""
+        if self._open is not None:
+            out.append("EMC")
+        if self._under is not None:
+            out.append(self._under())
+        self._open = self._under
+
     def box(self, box: Box, x: float, y: float) -> None:
         """A box with its origin at (x, y)."""
         for item in box.items:
@@ -62,8 +83,12 @@ class Ink:
     def flush(self) -> None:
         """Hand everything to the canvas, in its fill colour."""
         code = self._canvas._code
+        if self._rules and self._tagged:
+            self._rules = ["/Artifact BMC", *self._rules, "EMC"]
         code.extend(self._rules)
         if self._text:
+            if self._open is not None:
+                self._text.append("EMC")
             if self._spacing != (0.0, 0.0):
                 self._text.append("0 Tc 0 Tw")
             text = f"BT {' '.join(self._text)} ET"

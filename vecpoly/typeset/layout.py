@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import assert_never
 
 from ..algebra.formula import Frac, Node, Over, Power, Root, Row, Sym, Txt, Vec
-from .atoms import Atom, Kind, atoms, space
+from .atoms import Atom, Kind, atoms, space, written
 from .box import EMPTY, MM, Box, Glyphs, Rule, place, scaled
 from .fonts import Face, glyph
 from .runs import SCRIPT, SHOWN, SUB, SUB_BOTH, SUP, letters, roman_or_italic, run
@@ -124,10 +124,19 @@ def _tall(bracket: Box, height: float, em: float) -> Box:
 
 def segments(node: Node, em: float, bold: bool = False, *, before: bool, at: Kind = Kind.RELATION) -> tuple[Box, ...]:
     """The formula cut before (or after) its relations: lines of a display, pieces of running text."""
+    return tuple(_set(part, em, bold) for part in _cut(node, before, at))
+
+
+def pieces(node: Node) -> tuple[str, ...]:
+    """What the pieces of running text, cut after the relations, say: plain text in the order of reading."""
+    return tuple(written(part) for part in _cut(node, False, Kind.RELATION))
+
+
+def _cut(node: Node, before: bool, at: Kind) -> list[list[Atom]]:
     row = atoms((node,))
     cuts = [i if before else i + 1 for i, atom in enumerate(row) if atom.kind is at]
     edges = [0, *(cut for cut in cuts if 0 < cut < len(row)), len(row)]
-    return tuple(_set(row[a:b], em, bold) for a, b in pairwise(edges) if b > a)
+    return [row[a:b] for a, b in pairwise(edges) if b > a]
 
 
 def _atom(atom: Atom, em: float, bold: bool) -> Box:

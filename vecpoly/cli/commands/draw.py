@@ -168,7 +168,7 @@ def encoded(pages: tuple[Scene, ...], path: Path, dpi: float) -> list[tuple[Path
     if path.suffix.lower() == ".pdf":
         from ...drawing.backends.pdf import to_pdf
 
-        return [(path, to_pdf(*pages))]
+        return [(path, to_pdf(*pages, title=path.stem))]
     if path == STDOUT and len(pages) > 1:
         raise VecpolyError(
             Words(

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from io import BytesIO
-from pathlib import Path
 from typing import Any
 
+from ...tagging.tag import Role, Tag, boxed
+from ...tagging.tree import marked
 from ...typeset import canvas as type_canvas
 from ...typeset.box import MM
+from ...words import Lang
 from ..scene import Fill, Item, Scene, Stroke, TextBox
 from ..style import Dash, Hue
 
@@ -54,47 +56,32 @@ def _path(points: tuple[complex, ...], x: float, y: float) -> str:
     return f"{places[0]} m " + " ".join(f"{place} l" for place in places[1:])
 
 
-def new_canvas(target: Any, width: float, height: float) -> Any:
-    """A canvas of a page in mm whose only fonts are our own, the same bytes every time."""
-    from reportlab.pdfgen.canvas import Canvas
-
+def new_canvas(target: Any, width: float, height: float, lang: Lang = "en") -> Any:
+    """A canvas of a page in mm whose only fonts are our own, the same bytes every time; its structure is kept."""
+    from ...tagging.canvas import TaggedCanvas
     from ...typeset.fonts import Face, load
 
     load(Face.SONG)
-    canvas = Canvas(
-        target,
-        pagesize=(width * MM, height * MM),
-        invariant=1,
-        initialFontName=Face.SONG.value,
-        pageCompression=0,
-        pdfVersion=(1, 7),
+    canvas = TaggedCanvas(
+        target, font=Face.SONG.value, pagesize=(width * MM, height * MM), lang="zh-CN" if lang == "zh" else "en-GB"
     )
-    compress(canvas)
+    canvas.setAuthor("")
+    canvas.setSubject("")
+    canvas.setCreator("vecpoly")
+    canvas.setProducer("vecpoly")
     return canvas
 
 
-def compress(canvas: Any) -> None:
-    """Compress every stream of this canvas, without Base 85 around it:
-    as reportlab's global switch does, but for one document."""
-    from reportlab.pdfbase.pdfdoc import PDFZCompress
-
-    canvas._doc.defaultStreamFilters = [PDFZCompress]
-
-
-def pages_to_pdf(pages: tuple[Scene, ...], target: Any) -> None:
-    """A PDF of scenes, each a page of its own extents; `target`: a path or a binary file."""
-    first = pages[0].extents
-    canvas = new_canvas(str(target) if isinstance(target, Path) else target, first.width, first.height)
+def to_pdf(*pages: Scene, title: str = "vecpoly", lang: Lang = "en") -> bytes:
+    """The PDF of these scenes, each a page of its own extents and a figure with this title."""
+    target, first = BytesIO(), pages[0].extents
+    canvas = new_canvas(target, first.width, first.height, lang)
+    canvas.setTitle(title)
     for page in pages:
         e = page.extents
         canvas.setPageSize((e.width * MM, e.height * MM))
-        draw_pdf(page, canvas, -e.x0 * MM, -e.y0 * MM)
+        with marked(canvas, boxed(Tag(Role.FIGURE, alt=title), 0.0, 0.0, e.width * MM, e.height * MM)):
+            draw_pdf(page, canvas, -e.x0 * MM, -e.y0 * MM)
         canvas.showPage()
     canvas.save()
-
-
-def to_pdf(*pages: Scene) -> bytes:
-    """The PDF of these pages in memory."""
-    target = BytesIO()
-    pages_to_pdf(pages, target)
     return target.getvalue()

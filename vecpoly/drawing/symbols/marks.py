@@ -41,8 +41,8 @@ from ...board.paper.marks import (
     Vector,
     Weld,
 )
-from ...board.paper.walls import holds, leaves
 from ...board.paper.tones import key_of
+from ...board.paper.walls import holds, leaves
 from ...words import Lang
 from ..hues import Tones, dash_of, image_hue, line_hue, mark_hue, tint_of
 from ..scene import Fill, Item, Layer, Stroke

@@ -49,6 +49,7 @@ _ROWS = {
     "en": ("Equation", "Written", "Verdict", "Points", "of", "Why"),
 }
 _WIDTHS = (28.0, 27.0, 24.0, 12.0, 12.0, 67.0)
+_HANDED = Words("所交的图与准确的多边形", "The drawing handed in, over the exact polygons")
 _OWN = Words("由前正确", "right by own values")
 _TITLE = Words("批改反馈", "feedback")
 _WIDE, _HIGH = 168.0, 150.0  # mm that a figure may take
@@ -108,7 +109,7 @@ def _problem(
         "lost": f"{marked.lost:g}" if marked.lost else "",
         "equations": objects.add("tab", _equations(marked, lang, open_)) if marked.equations else "",
         "lines": objects.add("tab", _lines(marked, lang, open_)) if marked.lines else "",
-        "drawn": [] if open_ else [objects.add("pic", _block(scene)) for scene in drawn if _fits(scene)],
+        "drawn": [] if open_ else [objects.add("pic", _block(one, _HANDED.of(lang))) for one in drawn if _fits(one)],
         "figures": [] if open_ or drawn else _figures(register, part, marked, lang, objects),
     }  # fmt: skip
 
@@ -154,16 +155,17 @@ def _figures(register: Register, part: Part, marked: Marked, lang: Lang, objects
         construction = constructed(problem, hand("exact"), AS_DRAWN).construction
     except VecpolyError:
         return []  # at a scale of the student's own that no paper holds
-    return [objects.add("pic", _block(scene)) for _, scene in overlays(construction, marked, lang) if _fits(scene)]
+    drawn = overlays(construction, marked, lang)
+    return [objects.add("pic", _block(scene, figure.title.of(lang))) for figure, scene in drawn if _fits(scene)]
 
 
 def _fits(scene: Scene) -> bool:
     return scene.extents.width <= _WIDE and scene.extents.height <= _HIGH
 
 
-def _block(scene: Scene) -> Drawing:
+def _block(scene: Scene, said: str) -> Drawing:
     e = scene.extents
-    return Drawing(e.width, e.height, lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM))
+    return Drawing(e.width, e.height, lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM), said)
 
 
 def _file(result: Result) -> str:

@@ -86,4 +86,8 @@ def cover(solution: Solution, lang: Lang, objects: Objects) -> str:
     from ...drawing.figure import draw_figure
 
     figure = picture(solution.problem, solution.construction, *_COVER)
-    return objects.add("cover", drawn(draw_figure(figure, lang=lang, caption=False), "")) if figure else ""
+    return (
+        objects.add("cover", drawn(draw_figure(figure, lang=lang, caption=False), "", figure.title.of(lang)))
+        if figure
+        else ""
+    )

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Self
 
 from reportlab.platypus.flowables import Flowable
 
+from ...tagging.tag import Role, Tag
+from ...tagging.tree import marked
 from .style import Colour
 
 
@@ -21,8 +23,13 @@ class Tightness:
 
 
 class Block(Flowable):  # type: ignore[misc]
-    """A flowable of ours; lengths in points."""
+    """A flowable of ours; lengths in points. `tag`: what it is in the structure of the document.
 
+    All its ink is that element's, unless it says itself which piece belongs to what (`pieces`).
+    """
+
+    role = Role.P
+    pieces = False
     canv: Any
     width: float
     height: float
@@ -32,6 +39,19 @@ class Block(Flowable):  # type: ignore[misc]
         super().__init__()
         self.spaceBefore = before
         self.spaceAfter = after
+        self.tag = Tag(self.role)
+
+    def put_within(self, outer: Tag) -> None:
+        """It is a part of this element."""
+        self.tag = replace(self.tag, within=outer)
+
+    def drawOn(self, canvas: Any, x: float, y: float, _sW: float = 0) -> None:
+        """As reportlab draws it, as marked content."""
+        if self.pieces:
+            super().drawOn(canvas, x, y, _sW)
+            return
+        with marked(canvas, self.tag):
+            super().drawOn(canvas, x, y, _sW)
 
     def getSpaceBefore(self) -> float:
         """Space above, given up at the head of a page."""

@@ -7,6 +7,8 @@ from copy import copy
 from typing import Any
 
 from ...algebra.formula import plain, row, split_words
+from ...tagging.tag import Role, Tag, boxed, heading_of_row
+from ...tagging.tree import artifact, marked, tree_of
 from ...typeset.box import MM, Box, scaled
 from ...typeset.canvas import Ink
 from ...typeset.words import layout_words
@@ -28,7 +30,7 @@ KINDS: dict[str, Colour] = {
 
 
 def spoken(text: str) -> str:
-    """A text without its marks, for bookmarks and alternative texts."""
+    """A text without its marks, for bookmarks."""
     parts = (plain(row(piece)) if formula else piece for formula, piece in split_words(text))
     return "".join(parts).replace("**", "")
 
@@ -42,6 +44,7 @@ class Heading(Para):
         super().__init__(text, HEADINGS[level - 1], lang)
         self.level = level
         self.outline = spoken(text)
+        self.tag = Tag(Role(f"H{level}"))
 
     def split(self, width: float, height: float) -> list[Block]:
         """A heading stays whole."""
@@ -50,6 +53,9 @@ class Heading(Para):
 
 class TitleBlock(Block):
     """A ruled box of labelled blanks, filled where a value is known."""
+
+    role = Role.TABLE
+    pieces = True
 
     def __init__(self, fields: Sequence[tuple[str, str]], columns: int = 3) -> None:
         super().__init__(2.0, 8.0)
@@ -64,28 +70,40 @@ class TitleBlock(Block):
         return width, self.height
 
     def draw(self) -> None:
-        """Draw the frame, then labels and values."""
+        """Draw the frame, then labels and values row by row."""
         canv, step = self.canv, self.width / self.columns
-        rows = -(-len(self.fields) // self.columns)
+        labels = [layout_words(label, BODY.em) for label, _ in self.fields]
+        room = [max((box.width for box in labels[i :: self.columns]), default=0.0) + 4.0 for i in range(self.columns)]
+        with artifact(canv):
+            self._ruled(step, room)
+        ink, row = Ink(canv), Tag(Role.ROW, self.tag)
+        for i, (box, (_, value)) in enumerate(zip(labels, self.fields, strict=True)):
+            down, column = divmod(i, self.columns)
+            row = row if column else Tag(Role.ROW, self.tag)
+            y = self.height - (down + 0.5) * self._ROW - 0.36 * BODY.size
+            left, edge = column * step, column * step + room[column] * MM
+            self._under(ink, heading_of_row(row))
+            ink.box(box, left + (edge - left - box.width * MM) / 2, y)
+            self._under(ink, Tag(Role.CELL, row))
+            ink.box(_within(layout_words(value, BODY.em), left + step - edge - 3.0 * MM), edge + 2.0 * MM, y)
+        ink.flush()
+
+    def _under(self, ink: Ink, tag: Tag) -> None:
+        tree_of(self.canv).element(tag)  # an empty blank is one too
+        ink.under(tree_of(self.canv).opener(tag))
+
+    def _ruled(self, step: float, room: Sequence[float]) -> None:
+        """Rules between rows and columns, and a heavy one around."""
+        canv = self.canv
         canv.setLineWidth(0.4)
-        for i in range(1, rows):
+        for i in range(1, -(-len(self.fields) // self.columns)):
             canv.line(0.0, i * self._ROW, self.width, i * self._ROW)
-        ink = Ink(canv)
-        for column in range(self.columns):
-            labels = [layout_words(label, BODY.em) for label, _ in self.fields[column :: self.columns]]
-            values = [layout_words(value, BODY.em) for _, value in self.fields[column :: self.columns]]
-            left = column * step
-            edge = left + (max(label.width for label in labels) + 4.0) * MM if labels else left
-            for x in (left, edge):
+        for column, wide in enumerate(room):
+            for x in (column * step, column * step + wide * MM):
                 if x:
                     canv.line(x, 0.0, x, self.height)
-            for i, (label, value) in enumerate(zip(labels, values, strict=True)):
-                y = self.height - (i + 0.5) * self._ROW - 0.36 * BODY.size
-                ink.box(label, left + (edge - left - label.width * MM) / 2, y)
-                ink.box(_within(value, left + step - edge - 3.0 * MM), edge + 2.0 * MM, y)
         canv.setLineWidth(0.9)
         canv.rect(0.0, 0.0, self.width, self.height)
-        ink.flush()
 
 
 def _within(box: Box, width: float) -> Box:
@@ -96,6 +114,9 @@ def _within(box: Box, width: float) -> Box:
 
 class Callout(Block):
     """A verdict or remark on a tinted ground with a coloured bar; kind: pass, warn, fail, note."""
+
+    role = Role.DIV
+    pieces = True
 
     def __init__(self, text: str, kind: str = "note", lang: Lang = "zh") -> None:
         super().__init__(5.0, 7.0)
@@ -121,15 +142,20 @@ class Callout(Block):
     def draw(self) -> None:
         """Draw ground, bar and text."""
         canv = self.canv
-        canv.setFillColorRGB(*(1.0 - 0.07 * (1.0 - part) for part in self._tint))
-        canv.rect(0.0, 0.0, self.width, self.height, stroke=0, fill=1)
-        canv.setFillColorRGB(*self._tint)
-        canv.rect(0.0, 0.0, 2.4, self.height, stroke=0, fill=1)
+        with artifact(canv):
+            canv.setFillColorRGB(*(1.0 - 0.07 * (1.0 - part) for part in self._tint))
+            canv.rect(0.0, 0.0, self.width, self.height, stroke=0, fill=1)
+            canv.setFillColorRGB(*self._tint)
+            canv.rect(0.0, 0.0, 2.4, self.height, stroke=0, fill=1)
+        self._para.put_within(self.tag)
         self._para.drawOn(canv, self._PAD + 4.0, self._PAD / 2)
 
 
 class Drawing(Block):
     """A figure of true size, or a sketch, drawn by a callback at its lower left corner, centred, captioned below."""
+
+    role = Role.FIGURE
+    pieces = True
 
     def __init__(
         self, width_mm: float, height_mm: float, draw: Draw, alt: str = "", caption: str = "", *, sketch: bool = False
@@ -139,6 +165,7 @@ class Drawing(Block):
         self.alt, self._draw, self._sketch, self._factor = alt, draw, sketch, 1.0
         chinese = any(char >= "\u2e80" for char in caption)
         self._caption = joined(cells(caption, CAPTION.em, chinese), CAPTION.em) if caption else None
+        self.tag = Tag(Role.FIGURE, alt=alt or spoken(caption))
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; only a sketch is ever made smaller."""
@@ -150,13 +177,18 @@ class Drawing(Block):
         """Call back, then set the caption."""
         factor = self._factor
         width, height = (factor * side for side in self.size)
-        self.canv.saveState()
-        if factor != 1.0:
-            self.canv.scale(factor, factor)
-        self._draw(self.canv, (self.width - width) / 2 / factor, (self.height - height) / factor)
-        self.canv.restoreState()
+        left, low = (self.width - width) / 2, self.height - height
+        x, y = self.canv.absolutePosition(left, low)
+        tag = boxed(self.tag, x, y, x + width, y + height)
+        with marked(self.canv, tag):
+            self.canv.saveState()
+            if factor != 1.0:
+                self.canv.scale(factor, factor)
+            self._draw(self.canv, left / factor, low / factor)
+            self.canv.restoreState()
         if self._caption is not None:
             ink = Ink(self.canv)
+            ink.under(tree_of(self.canv).opener(Tag(Role.CAPTION, tag)))
             ink.box(self._caption, (self.width - self._caption.width * MM) / 2, CAPTION.size * 0.35)
             ink.flush()
 
@@ -167,11 +199,14 @@ class Drawing(Block):
 
     def draw_bare(self, canvas: Any, x: float, y: float) -> None:
         """Draw the figure alone with its lower left corner at (x, y) points."""
-        self._draw(canvas, x, y)
+        with marked(canvas, boxed(self.tag, x, y, x + self.size[0], y + self.size[1])):
+            self._draw(canvas, x, y)
 
 
 class Divider(Block):
     """A fine rule across the column."""
+
+    pieces = True
 
     def __init__(self) -> None:
         super().__init__(4.0, 6.0)
@@ -183,17 +218,22 @@ class Divider(Block):
 
     def draw(self) -> None:
         """Draw the rule."""
-        self.colour(GREY)
-        self.canv.rect(0.0, 0.0, self.width, 0.4, stroke=0, fill=1)
+        with artifact(self.canv):
+            self.colour(GREY)
+            self.canv.rect(0.0, 0.0, self.width, 0.4, stroke=0, fill=1)
 
 
 class SheetPage(Block):
     """A whole A4 page drawn by a callback at the paper's lower left corner, in true millimetres."""
 
+    role = Role.FIGURE
+    pieces = True
+
     def __init__(self, draw: Draw, *, wide: bool = False, title: str = "", alt: str = "") -> None:
         super().__init__()
         self._draw, self.wide, self.outline, self.alt = draw, wide, title, alt
         self.level = 2
+        self.tag = Tag(Role.FIGURE, alt=alt or title)
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """The whole page."""
@@ -202,4 +242,5 @@ class SheetPage(Block):
 
     def draw(self) -> None:
         """Call back."""
-        self._draw(self.canv, 0.0, 0.0)
+        with marked(self.canv, boxed(self.tag, 0.0, 0.0, self.width, self.height)):
+            self._draw(self.canv, 0.0, 0.0)

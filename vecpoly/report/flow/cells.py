@@ -12,7 +12,7 @@ from ...algebra.formula import row, split_words
 from ...typeset.atoms import THICK
 from ...typeset.box import Box, beside
 from ...typeset.fonts import Face, glyph
-from ...typeset.layout import segments
+from ...typeset.layout import pieces, segments
 from ...typeset.runs import latin, run
 from ...typeset.words import is_han
 
@@ -38,6 +38,14 @@ class Kind(Enum):
 
 
 @dataclass(frozen=True, slots=True)
+class Source:
+    """A formula as it was written, and the piece of it that a cell holds; to copy the cell is to copy the piece."""
+
+    text: str
+    piece: str
+
+
+@dataclass(frozen=True, slots=True)
 class Cell:
     """One cell, in mm; spaced: a blank stood before it; lead, trail: blank at its ends that may go."""
 
@@ -48,6 +56,7 @@ class Cell:
     joined: bool = False  # continues the formula before it
     lead: float = 0.0
     trail: float = 0.0
+    source: Source | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,8 +91,16 @@ def _emphasis(text: str) -> Iterator[tuple[bool, str]]:
 
 
 def _formula(text: str, em: float, bold: bool, spaced: bool) -> list[Cell]:
-    boxes = _segments(text, em, bold)
-    return [Cell(Kind.FORMULA, box, "$", spaced and i == 0, i > 0) for i, box in enumerate(boxes)]
+    boxes, sources = _segments(text, em, bold), _sources(text)
+    return [
+        Cell(Kind.FORMULA, box, "$", spaced and i == 0, i > 0, source=source)
+        for i, (box, source) in enumerate(zip(boxes, sources, strict=True))
+    ]
+
+
+@lru_cache(maxsize=4096)
+def _sources(text: str) -> tuple[Source, ...]:
+    return tuple(Source(text, piece) for piece in pieces(row(text)))
 
 
 @lru_cache(maxsize=4096)

@@ -9,12 +9,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from ...tagging.tag import Role, Tag
+from ...tagging.tree import artifact, marked, tree_of
 from ...typeset.box import MM
 from ...typeset.canvas import Ink
 from ...typeset.words import layout_words
 from ...words import Lang
 from .base import Block
-from .blocks import Heading
+from .blocks import Heading, spoken
 from .style import BODY
 
 _STEP = {2: 19.0, 3: 15.5}  # pt from an entry's top to the next
@@ -40,6 +42,9 @@ def page_form(key: str) -> str:
 class Contents(Block):
     """Headings with dotted leaders to their page numbers; every line is a link. `entries` is set by the document."""
 
+    role = Role.CONTENTS
+    pieces = True
+
     def __init__(self, lang: Lang = "zh", entries: Sequence[Entry] = ()) -> None:
         super().__init__(4.0, 6.0)
         self.lang, self.entries = lang, tuple(entries)
@@ -57,7 +62,10 @@ class Contents(Block):
             count += 1
         if not 0 < count < len(self.entries):
             return []
-        return [Contents(self.lang, self.entries[:count]), Contents(self.lang, self.entries[count:])]
+        parts = [Contents(self.lang, self.entries[:count]), Contents(self.lang, self.entries[count:])]
+        for part in parts:
+            part.tag = self.tag
+        return list(parts)
 
     def draw(self) -> None:
         """Draw every entry."""
@@ -71,22 +79,30 @@ class Contents(Block):
         chapter = entry.level == 2
         style = replace(BODY, size=10.5 if chapter else 10.0)
         text = layout_words(entry.text, style.em, chapter)
+        said = spoken(entry.text)
+        link = Tag(Role.LINK, Tag(Role.ENTRY, self.tag), said)
+        ink.under(tree_of(self.canv).opener(link))
         ink.box(text, left, y)
         ink.flush()
         start, end = left + text.width * MM + 5.0, self.width - _ROOM
         if end > start:
-            self.canv.saveState()
-            self.canv.setLineWidth(0.6)
-            self.canv.setLineCap(1)
-            self.canv.setDash([0.1, _GAP])
-            first = start + (end - start) % _GAP  # the dots of all lines stand under each other
-            self.canv.line(first, y + 1.2, end, y + 1.2)
-            self.canv.restoreState()
+            self._leader(start, end, y + 1.2)
         self.canv.saveState()
         self.canv.translate(self.width, y)
-        self.canv.doForm(page_form(entry.key))
+        with marked(self.canv, link):
+            self.canv.doForm(page_form(entry.key))
         self.canv.restoreState()
-        self.canv.linkRect("", entry.key, (0.0, y - 3.0, self.width, y + 10.0), relative=1, thickness=0)
+        self.canv.link(entry.key, (0.0, y - 3.0, self.width, y + 10.0), said, link)
+
+    def _leader(self, start: float, end: float, y: float) -> None:
+        self.canv.saveState()
+        self.canv.setLineWidth(0.6)
+        self.canv.setLineCap(1)
+        self.canv.setDash([0.1, _GAP])
+        first = start + (end - start) % _GAP  # the dots of all lines stand under each other
+        with artifact(self.canv):
+            self.canv.line(first, y, end, y)
+        self.canv.restoreState()
 
 
 def tell_contents(story: Sequence[Any]) -> None:

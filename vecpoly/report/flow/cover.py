@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...tagging.tag import Role, Tag
+from ...tagging.tree import Tree, tree_of
 from ...typeset.box import MM, Box
 from ...typeset.canvas import Ink
 from ...typeset.words import layout_words
@@ -24,24 +26,33 @@ class Cover(SheetPage):
         self.kind, self.title, self.subtitle = kind, title, subtitle
         self.fields, self.figure = tuple(fields), figure
 
+    def draw(self) -> None:
+        """Every line of it is an element, the title the heading of the document."""
+        self._page(self.canv, 0.0, 0.0)
+
     def _page(self, canvas: object, x: float, y: float) -> None:
-        ink = Ink(canvas)
-        _centred(ink, self.kind, 6.2, 247.0)
-        _centred(ink, self.title, 8.6, 226.0)
-        _centred(ink, self.subtitle, 4.4, 213.0, bold=False)
+        ink, tree = Ink(canvas), tree_of(canvas)
+        for text, em, at, role in (
+            (self.kind, 6.2, 247.0, Role.P),
+            (self.title, 8.6, 226.0, Role.H1),
+            (self.subtitle, 4.4, 213.0, Role.P),
+        ):
+            ink.under(tree.opener(Tag(role)))
+            _centred(ink, text, em, at, bold=at > 220.0)
         ink.rule(35 * MM, 237.5 * MM, 140 * MM, 0.9)
         ink.rule(35 * MM, 206.0 * MM, 140 * MM, 0.45)
-        self._fields(ink)
-        ink.flush()
         if self.figure is not None:
             self.figure.wrap(_PAGE[0] * MM, 0.0)
             width, height = self.figure.size
             self.figure.draw_bare(canvas, (_PAGE[0] * MM - width) / 2, (147.0 * MM) - height / 2)
+        self._fields(ink, tree)
+        ink.flush()
 
-    def _fields(self, ink: Ink) -> None:
+    def _fields(self, ink: Ink, tree: Tree) -> None:
         left, top = (_PAGE[0] - _LABEL - _BLANK) / 2, 34.0 + _ROW * (len(self.fields) - 1)
         for i, (label, value) in enumerate(self.fields):
             y = top - i * _ROW
+            ink.under(tree.opener(Tag(Role.P)))
             box = layout_words(label, 4.4)
             ink.box(box, (left + _LABEL - 6.0 - box.width) * MM, y * MM)
             ink.rule((left + _LABEL) * MM, (y - 1.6) * MM, _BLANK * MM, 0.45)

@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from reportlab.lib.pagesizes import A4, landscape
-from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus.doctemplate import BaseDocTemplate, NextPageTemplate, PageTemplate
 from reportlab.platypus.flowables import PageBreak
 from reportlab.platypus.frames import Frame
 
-from ...drawing.backends.pdf import compress
 from ...foundation.files import write_whole
+from ...tagging.canvas import TaggedCanvas
+from ...tagging.tree import artifact
 from ...typeset.box import MM
 from ...typeset.canvas import Ink, lost
 from ...typeset.fonts import Face, load
@@ -54,14 +54,12 @@ class Written:
     missing: tuple[str, ...]
 
 
-class _Canvas(Canvas):  # type: ignore[misc]
-    """PDF 1.7 in our own face; the number of pages is a form filled in at the end."""
+class _Canvas(TaggedCanvas):
+    """In our own face; the number of pages is a form filled in at the end."""
 
     def __init__(self, filename: str, **options: Any) -> None:
         load(Face.SONG)
-        options |= {"initialFontName": Face.SONG.value, "pdfVersion": (1, 7), "invariant": 1, "pageCompression": 0}
-        super().__init__(filename, **options)
-        compress(self)
+        super().__init__(filename, font=Face.SONG.value, **options)
 
     def save(self) -> None:
         """Fill in the number of pages and those of the headings, then write."""
@@ -85,13 +83,6 @@ class _Canvas(Canvas):  # type: ignore[misc]
         self.endForm()
 
 
-class _Uninked(_Canvas):
-    """For pages that are only counted."""
-
-    def save(self) -> None:
-        """Nothing is written."""
-
-
 class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
     """A report built from flowables; `write` makes the file in one move, or not at all."""
 
@@ -103,7 +94,7 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         lang = "zh-CN" if metadata.lang == "zh" else "en-GB"
         super().__init__(
             "", pagesize=A4, leftMargin=MARGIN, rightMargin=MARGIN, topMargin=MARGIN, bottomMargin=MARGIN,
-            title=metadata.title, author=metadata.author or None, subject=metadata.subject or metadata.title,
+            title=metadata.title, author=metadata.author, subject=metadata.subject or metadata.title,
             creator=metadata.creator, producer="vecpoly", keywords=list(metadata.keywords), lang=lang,
             invariant=1, pageCompression=1, displayDocTitle=True, pageTemplates=self._templates(),
         )  # fmt: skip
@@ -128,7 +119,8 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         ink, title = Ink(canvas), layout_words(self.metadata.title, _SMALL)
         ink.box(title, width - MARGIN - title.width * MM, height - MARGIN + 4 * MM)
         ink.rule(MARGIN, height - MARGIN + 2.4 * MM, width - 2 * MARGIN, 0.4)
-        ink.flush()
+        with artifact(canvas):
+            ink.flush()
         canvas.restoreState()
         self._number(canvas, width, 11 * MM)
 
@@ -142,9 +134,10 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         canvas.setFillColorRGB(*GREY)
         ink, number = Ink(canvas), layout_words(f"{canvas.getPageNumber()} / ", _SMALL)
         ink.box(number, width / 2 - number.width * MM, y)
-        ink.flush()
-        canvas.translate(width / 2, y)
-        canvas.doForm(_TOTAL)
+        with artifact(canvas):
+            ink.flush()
+            canvas.translate(width / 2, y)
+            canvas.doForm(_TOTAL)
         canvas.restoreState()
 
     def _stamp_text(self, canvas: Any, _: Any) -> None:
@@ -153,13 +146,16 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         if self._turned:
             self._filled.append((self._pages, 1 - (self.frame._y - self.frame._y1p) / self.frame._aH))
             self._pages = 0
-        if self._stamp is not None:
-            self._stamp(canvas, False)
+        self._stamped(canvas, False)
 
     def _stamp_sheet(self, canvas: Any, _: Any) -> None:
         """Over all else of a drawing sheet."""
+        self._stamped(canvas, True)
+
+    def _stamped(self, canvas: Any, sheet: bool) -> None:
         if self._stamp is not None:
-            self._stamp(canvas, True)
+            with artifact(canvas):
+                self._stamp(canvas, sheet)
 
     def afterFlowable(self, flowable: Any) -> None:
         """Bookmark headings and sheets."""
@@ -192,21 +188,30 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
 
     def made(self) -> tuple[bytes, int, tuple[str, ...]]:
         """The document as bytes, how many pages it has, and the characters that no font has."""
-        target = BytesIO()
-        self._set(_expanded(self.story), target, _Canvas)
-        return target.getvalue(), self.page, tuple(lost(self.canv))
+        self.drawn()
+        return self.finished(), self.page, tuple(lost(self.canv))
+
+    def drawn(self) -> None:
+        """Every page is drawn, and not yet written: it may be that others are written in their place."""
+        self._set(_expanded(self.story))
+
+    def finished(self) -> bytes:
+        """What was drawn, as the bytes of a file."""
+        self.canv.save()
+        return bytes(self.canv._filename.getvalue())
 
     def counted(self) -> int:
         """How many pages it has: every block finds its place, and none is drawn."""
         story = [item.undrawn() if isinstance(item, Block) else item for item in _expanded(self.story)]
-        self._set(story, BytesIO(), _Uninked)
+        self._set(story)
         return int(self.page)
 
-    def _set(self, story: list[Any], target: BytesIO, canvas: type[_Canvas]) -> None:
+    def _set(self, story: list[Any]) -> None:
         self._entries, self._level, self._pages, self._filled = 0, -1, 0, []
         tell_contents(self.story)
         self._firstPageTemplateIndex = _first(self.story)
-        self.build(story, filename=target, canvasmaker=canvas)
+        self._doSave = 0
+        self.build(story, filename=BytesIO(), canvasmaker=_Canvas)
 
 
 def _expanded(story: Sequence[Any]) -> list[Any]:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...algebra.formula import Node, Row, Txt, Vec, row, sym
+from ...algebra.formula import Node, Vec, row, sym
 from ...board.construction import EquationTable
 from ...drawing.hues import hue_of
+from ...tagging.speech import equation_said
+from ...tagging.tag import Role, Tag
+from ...tagging.tree import tree_of
 from ...typeset.box import MM, Box, inked
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
@@ -52,6 +55,9 @@ def vector(symbol: str) -> Node:
 class EquationFlow(Block):
     """An equation table; too wide, it is set smaller, then broken between two terms."""
 
+    role = Role.FORMULA
+    pieces = True
+
     def __init__(self, table: EquationTable, lang: Lang = "zh", size: float = BODY.size) -> None:
         super().__init__(6.0, 8.0)
         self.table, self.lang, self._size = table, lang, size
@@ -77,6 +83,8 @@ class EquationFlow(Block):
         widest = max(_width(grid, group) for group in grid.groups)
         left = max(0.0, (self.width / MM - widest) / 2)
         y = self.height / MM
+        tag = Tag(Role.FORMULA, self.tag.within, _said(self.table, self.lang))
+        ink.under(tree_of(self.canv).opener(tag))
         for group in grid.groups:
             _draw(ink, grid, group, left, y)
             y -= _height(grid, group) + 2 * _ROW_SKIP
@@ -161,9 +169,7 @@ def _draw(ink: Ink, grid: _Grid, group: tuple[_Column, ...], left: float, y: flo
         y -= descent + _ROW_SKIP
 
 
-def spoken(table: EquationTable) -> Row:
-    """The equation alone as a formula row, for alternative text."""
-    items: list[Node] = []
-    for sign, symbol in zip(table.signs, table.symbols, strict=True):
-        items += [Txt(f" {sign} "), row(symbol)] if sign else [row(symbol)]
-    return Row(tuple(items))
+def _said(table: EquationTable, lang: Lang) -> str:
+    """The equation and its rows, as they are read out."""
+    rows = (tuple(direction.of(lang) for direction in table.directions), table.magnitudes)
+    return equation_said(table.symbols, table.signs, rows, lang)

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from ...algebra.formula import Node
+from ...algebra.formula import Node, plain
+from ...tagging.speech import said
+from ...tagging.tag import Role, Tag
+from ...tagging.tree import tree_of
 from ...typeset.atoms import Kind
 from ...typeset.box import MM, Box, beside
 from ...typeset.canvas import Ink
 from ...typeset.layout import layout, segments
 from ...typeset.words import layout_words
+from ...words import Lang
 from .base import Block
 from .style import BODY
 
@@ -18,9 +22,12 @@ _LEAST = 0.7  # how far a piece without equality sign may be made smaller
 class Formula(Block):
     """One display formula, with an optional number at the right margin."""
 
-    def __init__(self, node: Node, number: str = "", size: float = BODY.size) -> None:
+    role = Role.FORMULA
+    pieces = True
+
+    def __init__(self, node: Node, number: str = "", size: float = BODY.size, lang: Lang = "zh") -> None:
         super().__init__(5.0, 6.0)
-        self.node = node
+        self.node, self.lang = node, lang
         self._em = size / MM
         self._number = layout_words(number, self._em) if number else None
         self._lines: tuple[tuple[float, Box], ...] = ()
@@ -39,7 +46,8 @@ class Formula(Block):
 
     def draw(self) -> None:
         """Draw the lines as one centred group."""
-        ink = Ink(self.canv)
+        ink, tag = Ink(self.canv), Tag(Role.FORMULA, self.tag.within, said(self.node, self.lang))
+        ink.under(tree_of(self.canv).opener(tag, plain(self.node)))
         group = max(x + box.width for x, box in self._lines)
         left = max(0.0, (self.width - group * MM) / 2)
         y = self.height
@@ -48,6 +56,7 @@ class Formula(Block):
             ink.box(box, left + x * MM, base)
             y -= (box.height + _SKIP) * MM
         if self._number is not None:
+            ink.under(tree_of(self.canv).opener(Tag(Role.P, self.tag.within)))
             ink.box(self._number, self.width - self._number.width * MM, base)
         ink.flush()
 

@@ -10,6 +10,7 @@ from ...typeset.box import MM, Glyphs
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
 from .cells import BLANK, Cell, Gap, Kind, gap
+from .marks import Marks
 
 _LOOSEST = 0.5  # em added to a gap beyond which a line is rather left ragged
 _LEAST_GAP = 0.75  # how far blanks may shrink before a line is broken earlier
@@ -109,8 +110,8 @@ class _Run:
     kind: Kind = Kind.HAN
 
 
-def draw_line(ink: Ink, line: Line, x: float, y: float, width: float, align: str) -> None:
-    """Draw the line with the left end of its measure at (x, y) in pt; width in mm."""
+def draw_line(ink: Ink, line: Line, x: float, y: float, width: float, align: str, marks: Marks) -> None:
+    """Draw the line with the left end of its measure at (x, y) in pt; width in mm; marks: whose its pieces are."""
     setting = fit(line, width, align)
     at = x + setting.x * MM
     current: _Run | None = None
@@ -128,7 +129,9 @@ def draw_line(ink: Ink, line: Line, x: float, y: float, width: float, align: str
                 current.text += " "
         if current is not None:
             _show(ink, current, y)
+        ink.under(marks.formula(cell) if cell.kind is Kind.FORMULA else marks.words)
         current = _begin(ink, cell, at, y)
+        ink.under(marks.words)
         at += cell.box.width * MM
     if current is not None:
         _show(ink, current, y)

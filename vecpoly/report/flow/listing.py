@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from ...tagging.tag import Role
+from ...tagging.tree import artifact, tree_of
 from ...typeset.box import MM, Box
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
@@ -18,6 +20,9 @@ _LEAST = 3  # lines that a page break leaves together
 
 class Listing(Block):
     """Lines of a text file; (number, text) pairs, the number empty on the folded rest of a line."""
+
+    role = Role.CODE
+    pieces = True
 
     def __init__(self, text: str = "", lines: tuple[tuple[str, str], ...] = ()) -> None:
         super().__init__(4.0, 8.0)
@@ -43,7 +48,10 @@ class Listing(Block):
         count = min(int((room - 4.0) / _LEADING), len(self._lines) - _LEAST)
         if count < _LEAST:
             return []
-        return [Listing(lines=self._lines[:count]), Listing(lines=self._lines[count:])]
+        parts = [Listing(lines=self._lines[:count]), Listing(lines=self._lines[count:])]
+        for part in parts:
+            part.tag = self.tag
+        return list(parts)
 
     def draw(self) -> None:
         """Draw numbers, a fine rule, and the lines."""
@@ -55,8 +63,10 @@ class Listing(Block):
         for i, (number, _) in enumerate(self._lines, 1):
             box = _set(number, 0.8)
             ink.box(box, _MARGIN - 9.0 - box.width * MM, y - i * _LEADING + 3.0)
-        ink.flush()
+        with artifact(canv):
+            ink.flush()
         canv.restoreState()
+        ink.under(tree_of(canv).opener(self.tag))
         for i, (_, text) in enumerate(self._lines, 1):
             ink.box(_set(text), _MARGIN, y - i * _LEADING + 3.0)
         ink.flush()

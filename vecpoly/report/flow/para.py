@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from ...tagging.tag import Role, Tag
+from ...tagging.tree import tree_of
 from ...typeset.box import MM
 from ...typeset.canvas import Ink
 from ...words import Lang
 from .base import Block, Tightness
 from .cells import Cell, cells, chopped, joined
 from .lines import Line, break_lines, draw_line
+from .marks import Marks
 from .style import Style, body
 
 _WIDOWS = 2
@@ -18,6 +21,8 @@ _WIDOWS = 2
 class Para(Block):
     """Text in one style; a label hangs in the indent; splits between lines, never leaving one line alone."""
 
+    pieces = True
+
     def __init__(self, text: str, style: Style | None = None, lang: Lang = "zh", label: str = "") -> None:
         self.style = style or body(lang)
         super().__init__(self.style.before, self.style.after)
@@ -25,6 +30,12 @@ class Para(Block):
         self.text = text
         self._label = cells(label, self.style.em, lang == "zh", True) if label else []
         self._broken: dict[float, list[Line]] = {}  # by width; one for the paragraph and all its copies
+        self._item: Tag | None = None
+
+    def put_in_list(self, item: Tag, body: Tag) -> None:
+        """It opens an item of a list, whose label is its own."""
+        self.put_within(body)
+        self._item = Tag(Role.LABEL, item)
 
     def tighten(self, degree: Tightness) -> None:
         """Its lines closer too."""
@@ -74,15 +85,15 @@ class Para(Block):
 
     def _part(self, lines: list[Line], width: float, head: bool) -> Para:
         part = Para("", self.style, self.lang)
-        part._broken = {width: lines}
+        part._broken, part.tag = {width: lines}, self.tag
         if head:
-            part._label = self._label
+            part._label, part._item = self._label, self._item
         part.spaceBefore, part.spaceAfter = (self.spaceBefore, 0.0) if head else (0.0, self.spaceAfter)
         return part
 
     def draw(self) -> None:
         """Draw all lines."""
-        style, ink = self.style, Ink(self.canv)
+        style, ink, marks = self.style, Ink(self.canv), Marks(self.canv, self.tag, self.lang)
         left = style.left * style.em * MM
         measure = self._measure(self.width)
         y = self.height
@@ -92,8 +103,9 @@ class Para(Block):
             baseline = y - over - self._rise()
             if i == 0 and self._label:
                 label = joined(self._label, style.em)
+                ink.under(marks.words if self._item is None else tree_of(self.canv).opener(self._item))
                 ink.box(label, max(0.0, left - (label.width + 0.5 * style.em) * MM), baseline)
-            draw_line(ink, line, left, baseline, measure, style.align)
+            draw_line(ink, line, left, baseline, measure, style.align, marks)
             y -= advance
         self.colour(style.colour)
         ink.flush()

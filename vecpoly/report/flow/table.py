@@ -8,12 +8,16 @@ from dataclasses import dataclass, replace
 from reportlab.platypus.doctemplate import FrameBreak
 from reportlab.platypus.flowables import Flowable
 
+from ...tagging.tag import Role, Tag
+from ...tagging.tag import cell as cell_tag
+from ...tagging.tree import tree_of
 from ...typeset.box import MM, Rgb, inked
 from ...typeset.canvas import Ink
 from ...words import Lang
 from .base import Block
 from .cells import Cell, cells, joined
 from .lines import Line, break_lines, draw_line
+from .marks import Marks
 from .style import CAPTION, CELL, Style
 
 _PAD = 1.5  # mm at either side of a cell
@@ -43,6 +47,9 @@ class DataTable(Block):
     """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r each; inks: of what
     stands in the first column of the rows."""
 
+    role = Role.TABLE
+    pieces = True
+
     def __init__(
         self,
         header: Sequence[str],
@@ -63,6 +70,7 @@ class DataTable(Block):
         self.whole = False  # rather goes to the next page than leaves only a few rows here
         self.align = (align + "c" * len(self.header))[: len(self.header)]
         self._found: dict[float, _Set] = {}  # by width of the column; one for the table and all its copies
+        self._continued = False  # from the page before: its heading has been read
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; for the same width it was found before."""
@@ -132,7 +140,9 @@ class DataTable(Block):
         caption = self.caption if start == 0 else ""
         rows, inks = self.rows[start:end], self.inks[start:end]
         lang, style = self.lang, self.style
-        return DataTable(self.header, rows, widths, self.align, lang=lang, caption=caption, style=style, inks=inks)
+        part = DataTable(self.header, rows, widths, self.align, lang=lang, caption=caption, style=style, inks=inks)
+        part.tag, part._continued = self.tag, self._continued or start > 0
+        return part
 
     def draw(self) -> None:
         """Draw caption, header, rows and rules, centred in the column."""
@@ -142,10 +152,11 @@ class DataTable(Block):
         if self.caption:
             em = CAPTION.em
             title = joined(cells(self.caption, em, self.lang == "zh", True), em)
+            ink.under(tree_of(self.canv).opener(Tag(Role.CAPTION, self.tag)))
             ink.box(title, (self.width - title.width * MM) / 2, y - CAPTION.size)
             y -= CAPTION.leading + 2.0
         y = self._rule(ink, left, y, width, _HEAVY)
-        y = self._row(ink, found.head, found.widths, left, y, "c" * len(self.header))
+        y = self._row(ink, found.head, found.widths, left, y, "c" * len(self.header), header=True)
         y = self._rule(ink, left, y, width, _FINE)
         for row in found.body:
             y = self._row(ink, row, found.widths, left, y, self.align)
@@ -156,16 +167,27 @@ class DataTable(Block):
         ink.rule(x, y - weight, width, weight)
         return y - weight
 
-    def _row(self, ink: Ink, row: _Row, widths: Sequence[float], left: float, top: float, align: str) -> float:
-        height = self._height(row)
+    def _row(
+        self, ink: Ink, row: _Row, widths: Sequence[float], left: float, top: float, align: str, header: bool = False
+    ) -> float:
+        height, tag = self._height(row), Tag(Role.ROW, self.tag)
         x = left
         for cell, width, side in zip(row, widths, align, strict=True):
+            marks = self._marks(tag, header)
             y = top - (height - sum(map(self._advance, cell))) / 2
             for line in cell:
                 advance = self._advance(line)
                 rise = (advance - self.style.size) / 2 + 0.86 * self.style.size
                 rise = max(rise, line.ascent * MM + 1.0)
-                draw_line(ink, line, x + _PAD * MM, y - rise, width - 2 * _PAD, _ALIGN[side])
+                draw_line(ink, line, x + _PAD * MM, y - rise, width - 2 * _PAD, _ALIGN[side], marks)
                 y -= advance
             x += width * MM
         return top - height
+
+    def _marks(self, row: Tag, header: bool) -> Marks:
+        """The element of a cell; a header that is repeated has been read."""
+        if header and self._continued:
+            return Marks(self.canv, None, self.lang)
+        tag = cell_tag(row, header)
+        tree_of(self.canv).element(tag)  # an empty cell is one too
+        return Marks(self.canv, tag, self.lang)

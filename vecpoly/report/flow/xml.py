@@ -12,6 +12,7 @@ from reportlab.platypus.flowables import PageBreak
 
 from ...board.construction import EquationTable
 from ...errors import VecpolyError
+from ...tagging.tag import Role, Tag
 from ...words import Lang, Words
 from .base import Block
 from .blocks import KINDS, Callout, Divider, Drawing, Heading, SheetPage, TitleBlock
@@ -99,6 +100,7 @@ class _Reader:
 
     def __init__(self, objects: Mapping[str, object], lang: Lang) -> None:
         self._objects, self._lang = objects, lang
+        self._list: Tag | None = None  # the list that goes on where steps follow steps
         self._readers: dict[str, Callable[[Element], list[Any]]] = {
             "h1": self._heading, "h2": self._heading, "h3": self._heading,
             "p": self._paragraph,
@@ -123,6 +125,7 @@ class _Reader:
                 ),
             )
         for child in parent.children:
+            self._list = self._list if child.tag == "steps" else None
             reader = self._readers.get(child.tag)
             if reader is None:
                 _fail(
@@ -162,7 +165,7 @@ class _Reader:
     def _formula(self, element: Element) -> list[Any]:
         found = self._lookup(element, object, "a formula")
         number = element.attributes.get("number", "")
-        return [found if isinstance(found, Block) else Formula(found, number)]
+        return [found if isinstance(found, Block) else Formula(found, number, lang=self._lang)]
 
     def _equation(self, element: Element) -> list[Any]:
         found = self._lookup(element, (EquationTable, Block), "an equation table")
@@ -198,14 +201,21 @@ class _Reader:
 
     def _steps(self, element: Element) -> list[Any]:
         out: list[Any] = []
+        steps = self._list or Tag(Role.LIST, attributes="/A<</O/List/ListNumbering/Decimal>>")
         for i, child in enumerate(element.children, 1):
             if child.tag != "step":
                 _fail(child, Words("<steps> 由 <step n=> 组成", "steps hold <step n=>"))
             number = child.attributes.get("n", str(i))
             sentence = numbered(f"{number}.", _plain(child), self._lang)
             sentence.keepWithNext = int(bool(child.children))
+            item = Tag(Role.ITEM, steps)
+            body = Tag(Role.BODY, item)
+            sentence.put_in_list(item, body)
             out.append(sentence)
-            out.extend(self.read(Element("step", {}, child.line, "", child.children)))
+            for block in self.read(Element("step", {}, child.line, "", child.children)):
+                block.put_within(body)
+                out.append(block)
+        self._list = steps
         return out
 
     def _callout(self, element: Element) -> list[Any]:

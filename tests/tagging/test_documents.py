@@ -1,0 +1,157 @@
+"""Claims about every kind of document that is printed: it can be read aloud, from the first word to the last."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import cache
+from pathlib import Path
+
+import pikepdf
+import pytest
+from pdfua import validate
+
+from tests.batch.test_sheet import pdf as class_sheet
+from tests.each import each
+from tests.marked.classes import NUMBERS, answers, graded, wide
+from tests.projects import printed as project
+from tests.studies import course_report
+from tests.tagging.document_read import ARTIFACT, Read
+from vecpoly.drawing.backends.pdf import to_pdf
+from vecpoly.drawing.sheets.sheet import sheets
+from vecpoly.problem.load import load
+from vecpoly.report.document import report_bytes
+from vecpoly.solution import Solution, solve
+
+
+@cache
+def solved(name: str) -> Solution:
+    return solve(load(name), repeats=0)
+
+
+def drawn() -> bytes:
+    made = sheets(solved("3-9").construction, lang="en")
+    return to_pdf(*(one.scene for one in made), title="3-9")
+
+
+@cache
+def feedback() -> bytes:
+    folder = Path(MADE.mktemp("feedback"))
+    rows = {number: answers(number) for number in NUMBERS[:2]}
+    graded(folder / "out", wide(folder / "a.csv", rows), feedback=True)
+    return next((folder / "out" / "feedback").iterdir()).read_bytes()
+
+
+MADE: pytest.TempPathFactory
+KINDS: dict[str, Callable[[], bytes]] = {
+    "solution 3-9": lambda: report_bytes([solved("3-9")], lang="zh"),
+    "solution 4-3a": lambda: report_bytes([solved("4-3a")], lang="en", fields={"Name": "Chen Zhe"}),
+    "solutions": lambda: report_bytes([solved("5-5"), solved("2-6"), solved("8-5")], lang="en"),
+    "question": lambda: report_bytes([solved("3-5"), solved("7-3"), solved("6-3a")], lang="zh", style="question"),
+    "course": lambda: course_report("A-27", "zh"),
+    "project": lambda: project("design-shaper", "en"),
+    "class sheet": class_sheet,
+    "feedback": feedback,
+    "drawing": drawn,
+}
+
+
+@cache
+def data(kind: str) -> bytes:
+    return KINDS[kind]()
+
+
+@cache
+def read(kind: str) -> Read:
+    return Read(data(kind))
+
+
+@pytest.fixture(scope="module", autouse=True)
+def made(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    global MADE
+    MADE = tmp_path_factory
+    yield
+
+
+@each(KINDS)
+def test_nothing_is_on_a_page_that_is_neither_told_nor_an_artifact(kind: str) -> None:
+    it = read(kind)
+    for page in range(len(it.pdf.pages)):
+        assert "nothing" not in it.painted(page), f"page {page + 1}"
+
+
+@each(KINDS)
+def test_what_is_drawn_first_is_read_first_and_everything_once(kind: str) -> None:
+    it = read(kind)
+    told = it.told
+    for page in range(len(it.pdf.pages)):
+        marked = list(dict.fromkeys(where for where in it.painted(page) if where != ARTIFACT))
+        numbers = [piece.number for piece in told if piece.page == page]
+        assert numbers == sorted(set(numbers)) and set(marked) <= set(numbers), f"page {page + 1}"
+    assert len(told) == len(set(told)) and list(told) == sorted(told, key=lambda piece: piece.page)
+
+
+@each(KINDS)
+def test_marked_content_leads_back_to_the_element_that_holds_it(kind: str) -> None:
+    it = read(kind)
+    parents = it.parents()
+    held = {}
+    for element in it.elements:
+        for piece in it.own(element):
+            page = it.pdf.pages[piece.page]
+            held[piece] = parents[int(page.obj.StructParents)][piece.number].objgen == element.objgen
+    pages = [value for value in parents.values() if isinstance(value, pikepdf.Array)]
+    assert all(held.values()) and len(held) == sum(map(len, pages))
+
+
+@each(KINDS)
+def test_every_figure_and_formula_has_words_in_its_place(kind: str) -> None:
+    it = read(kind)
+    wordless = [
+        one for role in ("Figure", "Formula") for one in it.of(role) if len(str(one.get("/Alt", "")).strip()) < 1
+    ]
+    assert not wordless and (it.of("Figure") or it.of("Formula"))
+    assert all("$" not in str(one.get("/Alt", "")) for one in it.elements)
+
+
+@each(KINDS)
+def test_headings_go_down_one_level_at_a_time(kind: str) -> None:
+    levels = [int(str(one.S)[2:]) for one in read(kind).elements if str(one.S) in ("/H1", "/H2", "/H3")]
+    assert all(b <= a + 1 for a, b in zip([0, *levels], levels, strict=False))
+    assert levels or kind == "drawing"
+
+
+@each(KINDS)
+def test_rows_of_a_table_have_as_many_cells_as_its_heading(kind: str) -> None:
+    for table in read(kind).of("Table"):
+        rows = [row for row in table.K if row.S == "/TR"]
+        wide = {len(row.get("/K", [])) for row in rows}
+        assert len(wide) == 1 or kind == "title block of the last row"
+        assert all("/A" in cell for row in rows for cell in row.K if cell.S == "/TH")
+
+
+@each(KINDS)
+def test_links_say_where_they_lead_and_belong_to_an_element(kind: str) -> None:
+    it = read(kind)
+    parents = it.parents()
+    notes = [note for page in it.pdf.pages for note in page.get("/Annots", [])]
+    for note in notes:
+        assert str(note.Contents) and parents[int(note.StructParent)].S == "/Link"
+        assert note.Dest[0].objgen in it.numbers
+    assert notes or kind not in ("course", "project")
+
+
+@each(KINDS)
+def test_the_file_says_what_it_is_and_prints_at_its_true_size(kind: str) -> None:
+    root = read(kind).pdf.Root
+    assert root.MarkInfo.Marked and root.ViewerPreferences.DisplayDocTitle
+    assert root.ViewerPreferences.PrintScaling == "/None" and str(root.Lang) in ("zh-CN", "en-GB")
+    xmp = read(kind).pdf.open_metadata()
+    assert xmp["pdfuaid:part"] == "1" and xmp["dc:title"] == str(read(kind).pdf.docinfo["/Title"]) != ""
+    assert all(page.obj.Tabs == "/S" for page in read(kind).pdf.pages)
+
+
+@each(KINDS)
+def test_a_checker_of_pdf_ua_finds_nothing_and_qpdf_no_fault(kind: str, tmp_path: Path) -> None:
+    (file := tmp_path / "a.pdf").write_bytes(data(kind))
+    assert [(one.rule_id, one.message) for one in validate(str(file)).findings] == []
+    assert read(kind).pdf.check_pdf_syntax() == []
