@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..algebra.quantity import number
-from ..report.tables import way
+from ..report.answers.tables import way
 from ..report.values import called, printed_unit, value
 from ..solution import YES_NO, Answer, Solution
 from ..words import Words

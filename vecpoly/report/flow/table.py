@@ -10,15 +10,16 @@ from reportlab.platypus.flowables import Flowable
 from ...typeset.box import MM
 from ...typeset.canvas import Ink
 from ...words import Lang
-from .base import Block
+from .base import Block, Tightness
 from .cells import cells, joined
 from .lines import Line, break_lines, draw_line
+from .results.decimal import Aligned, aligned
 from .style import CAPTION, CELL, Style
 
 _PAD = 1.5  # mm at either side of a cell
 _VERTICAL = 1.6  # pt above and below a row
 _HEAVY, _FINE = 0.9, 0.45  # pt
-_ALIGN = {"l": "left", "c": "centre", "r": "right"}
+_ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre"}
 
 _Row = tuple[tuple[Line, ...], ...]
 
@@ -27,7 +28,10 @@ _LEAST_ROWS = 4  # rows that a page break leaves together, before and after it
 
 
 class DataTable(Block):
-    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r each."""
+    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r, d each.
+
+    d: numbers under each other by their decimal points, the column in the middle; what is no number is centred.
+    """
 
     def __init__(
         self,
@@ -46,10 +50,17 @@ class DataTable(Block):
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
         self.align = (align + "c" * len(self.header))[: len(self.header)]
+        self._vertical = _VERTICAL
         self._measured: float | None = None
         self._set_widths: tuple[float, ...] = ()
         self._head: _Row = ()
         self._body: tuple[_Row, ...] = ()
+        self._points: tuple[Aligned | None, ...] = ()
+
+    def tighten(self, degree: Tightness) -> None:
+        """Its rows closer too."""
+        super().tighten(degree)
+        self._vertical, self._measured = degree.white * _VERTICAL, None
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; for the same width it was found before."""
@@ -59,6 +70,7 @@ class DataTable(Block):
         self._set_widths = self._columns(width / MM)
         self._head = self._break(self.header, True)
         self._body = tuple(self._break(row, False) for row in self.rows)
+        self._points = tuple(self._aligned(i) for i in range(len(self.header)))
         self.height = self._top() + sum(map(self._height, self._body)) + _HEAVY
         return width, self.height
 
@@ -69,7 +81,15 @@ class DataTable(Block):
     def _natural(self, column: int) -> float:
         texts = [(self.header[column], True), *((row[column], False) for row in self.rows)]
         em, chinese = self.style.em, self.lang == "zh"
-        return max(joined(cells(text, em, chinese, bold), em).width for text, bold in texts) + 2 * _PAD
+        widest = max(joined(cells(text, em, chinese, bold), em).width for text, bold in texts)
+        aligned = self._aligned(column)
+        return max(widest, aligned.width if aligned is not None else 0.0) + 2 * _PAD
+
+    def _aligned(self, column: int) -> Aligned | None:
+        """How the numbers of a column stand under each other."""
+        if self.align[column] != "d":
+            return None
+        return aligned((row[column] for row in self.rows), self.style.em, self.lang == "zh")
 
     def _columns(self, width: float) -> tuple[float, ...]:
         wanted = self.widths or tuple(self._natural(i) for i in range(len(self.header)))
@@ -89,7 +109,7 @@ class DataTable(Block):
 
     def _height(self, row: _Row) -> float:
         tallest = max((sum(map(self._advance, cell)) for cell in row), default=0.0)
-        return max(tallest, self.style.leading) + 2 * _VERTICAL
+        return max(tallest, self.style.leading) + 2 * self._vertical
 
     def _advance(self, line: Line) -> float:
         return max(self.style.leading, line.ascent * MM + line.descent * MM + 2.0)
@@ -114,7 +134,9 @@ class DataTable(Block):
         caption = self.caption if start == 0 else ""
         rows = self.rows[start:end]
         widths = self._set_widths
-        return DataTable(self.header, rows, widths, self.align, lang=self.lang, caption=caption, style=self.style)
+        part = DataTable(self.header, rows, widths, self.align, lang=self.lang, caption=caption, style=self.style)
+        part._vertical = self._vertical
+        return part
 
     def draw(self) -> None:
         """Draw caption, header, rows and rules, centred in the column."""
@@ -129,8 +151,8 @@ class DataTable(Block):
         y = self._rule(ink, left, y, width, _HEAVY)
         y = self._row(ink, self._head, left, y, "c" * len(self.header))
         y = self._rule(ink, left, y, width, _FINE)
-        for row in self._body:
-            y = self._row(ink, row, left, y, self.align)
+        for texts, row in zip(self.rows, self._body, strict=True):
+            y = self._row(ink, row, left, y, self.align, texts)
         self._rule(ink, left, y, width, _HEAVY)
         ink.flush()
 
@@ -138,16 +160,20 @@ class DataTable(Block):
         ink.rule(x, y - weight, width, weight)
         return y - weight
 
-    def _row(self, ink: Ink, row: _Row, left: float, top: float, align: str) -> float:
+    def _row(self, ink: Ink, row: _Row, left: float, top: float, align: str, texts: Sequence[str] = ()) -> float:
         height = self._height(row)
         x = left
-        for cell, width, side in zip(row, self._set_widths, align, strict=True):
+        for i, (cell, width, side) in enumerate(zip(row, self._set_widths, align, strict=True)):
+            shift, point = None, self._points[i]
+            if texts and point is not None and len(cell) == 1:
+                shift = point.indent(texts[i], width - 2 * _PAD)
             y = top - (height - sum(map(self._advance, cell))) / 2
             for line in cell:
                 advance = self._advance(line)
                 rise = (advance - self.style.size) / 2 + 0.86 * self.style.size
                 rise = max(rise, line.ascent * MM + 1.0)
-                draw_line(ink, line, x + _PAD * MM, y - rise, width - 2 * _PAD, _ALIGN[side])
+                begin = x + (_PAD + (shift or 0.0)) * MM
+                draw_line(ink, line, begin, y - rise, width - 2 * _PAD, _ALIGN[side] if shift is None else "left")
                 y -= advance
             x += width * MM
         return top - height
