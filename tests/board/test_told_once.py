@@ -81,4 +81,4 @@ def test_a_slider_at_constant_speed_leaves_its_letter_at_the_pole() -> None:
 def test_the_gate_says_whether_there_is_a_coriolis_term() -> None:
     from vecpoly.report.content import conclusions
 
-    assert any("Coriolis term exists" in told for told in conclusions(_solved("lift-gate"), "en"))
+    assert any("Coriolis acceleration" in told and "exists" in told for told in conclusions(_solved("lift-gate"), "en"))

@@ -22,6 +22,7 @@ from vecpoly.cycle import cycle
 from vecpoly.findings.given_lengths import Dimension, given_dimensions
 from vecpoly.findings.study.study import Study, study
 from vecpoly.problem.load import load
+from vecpoly.report.answers.tables import readings_tables
 from vecpoly.report.content import Objects
 from vecpoly.report.course.checks import book, comparison
 from vecpoly.report.course.checks.influences import CHANGE, influences, lost_range, targets
@@ -29,7 +30,6 @@ from vecpoly.report.course.checks.tolerances import judged, largest, section
 from vecpoly.report.course.modelling import order
 from vecpoly.report.course.modelling.example import by_group, told
 from vecpoly.report.course.numbering import Press
-from vecpoly.report.tables import readings_table
 from vecpoly.solution import solve
 
 _NUMBER = re.compile(r"(\d+(?:\.\d+)?)(?:×10\^\{(−?\d+)\})?(°?)")
@@ -242,8 +242,9 @@ def test_the_hand_s_expected_error_stands_beside_the_deviations() -> None:
     )
 
 
-def test_a_rate_that_vanishes_has_no_sense_and_its_deviation_a_unit() -> None:
+def test_a_rate_that_vanishes_has_no_sense_and_no_deviation_in_per_cent() -> None:
     it = solve(load("3-9"), repeats=0)
     answers = {"alpha_3": replace(it.answers["alpha_3"], exact=1e-15, expected_error=0.1)}
-    (line,) = readings_table(replace(it, answers=answers), "en").rows
-    assert line[-2].endswith("rad/s^2") and not any("cw" in cell for cell in line)
+    (table,) = readings_tables(replace(it, answers=answers), "en")
+    assert table.header[-1] == "Expected error /(rad/s^2)" and "Deviation /%" not in table.header
+    assert not any("cw" in cell for cell in table.rows[0]) and table.rows[0][-2] == "0"

@@ -234,6 +234,12 @@ def stated(quantity: Quantity) -> Row:
     return Row((quantity.node, Txt(f" = {_with_unit(quantity.value, quantity.unit)}")))
 
 
+def spot_in_mm(at: complex) -> str:
+    """The coordinates of a point (m) as they are printed, in mm: (96.3, 238.2) mm."""
+    x, y = (number(round(1e3 * part, 9), 5) for part in (at.real, at.imag))
+    return f"({x}, {y}) mm"
+
+
 def _with_unit(value: Reals, unit: str) -> str:
     text = number(float(nominal(value)))
     return f"{text}°" if unit == "deg" else f"{text} {unit}".rstrip()

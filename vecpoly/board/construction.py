@@ -109,6 +109,8 @@ class Listing:
 
     def abreast(self, blocks: int) -> Listing:
         """The same in several blocks of columns beside each other, so that a long table is a short one."""
+        if blocks == 1:
+            return self
         high = -(-len(self.rows) // blocks)
         blank = ("",) * len(self.head)
         at = [[*self.rows[k * high : (k + 1) * high]] for k in range(blocks)]

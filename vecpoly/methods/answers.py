@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..algebra.formula import Row, Txt, sym
-from ..algebra.quantity import magnitude, paper, stated, worked
+from ..algebra.formula import Node, Row, Txt, sym
+from ..algebra.quantity import magnitude, paper, spot_in_mm, stated, worked
 from ..board.board import NO_LENGTH, letters_node
 from ..board.construction import Reading, View
 from ..board.strokes import amount, spot
@@ -59,14 +59,21 @@ def _turn(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     remark = Words("该构件作平动", "the link only translates") if turn.never else None
     value = float(nominal(turn.value))
     desk.board.answer(rel.key, amount(turn.value), rel.kind.unit, turn.value, each=turn.value)
+    size = stated(magnitude(name, abs(value), rel.kind.unit)).items[1:]
     return Reading(
         key=rel.key,
         symbol=name,
         unit=rel.kind.unit,
         scalar=value,
         remark=remark,
-        formula=stated(magnitude(name, value, rel.kind.unit)),
+        formula=Row((sym(name), *_turn_of_another(desk, rel), *size)),
     ), turn.value
+
+
+def _turn_of_another(desk: Desk, rel: Rel) -> tuple[Node, ...]:
+    """Links that turn alike have one turn, which was found of the first: ω_3 = ω_2."""
+    first = next(one for one, turn in desk.turns.items() if turn is desk.turns[rel])
+    return () if first == rel or desk.turns[rel].never else (Txt(" = "), sym(f"{first.kind.stem}_{first.to.link}"))
 
 
 def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
@@ -76,9 +83,7 @@ def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     metres = desk.board.coordinates(place, name) * scale.value
     vector = complex(nominal(metres))
     desk.board.answer(rel.key, spot(metres), "m", metres, each=metres)
-    text = Row(
-        (sym(name[0] + (f"_{name[1:]}" if name[1:] else "")), Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)"))
-    )
+    text = Row((sym(name[0] + (f"_{name[1:]}" if name[1:] else "")), Txt(f" = {spot_in_mm(vector)}")))
     return (
         Reading(
             key=rel.key,

@@ -19,6 +19,7 @@ from ..board.paper.extent import extent, figured, lasting
 from ..board.paper.marks import Mark, Vector
 from ..board.paper.scales import Sketched, enlarged, round_scale
 from ..board.place import views
+from ..board.yielded import evaluated
 from ..problem.asked.asks import AskNamed
 from ..problem.problem import Problem
 from ..words import Words
@@ -99,13 +100,14 @@ def _driven(problem: Problem) -> tuple[Problem, Mapping[Stage, Words]]:
 
 
 def _finished(problem: Problem, by: Hand, desk: Desk, readings: Mapping[str, Reading]) -> Construction:
+    steps, told = evaluated(desk.board.steps, desk.board.acts, readings)
     return Construction(
         problem=problem.id,
         hand=by.name,
         figures=desk.board.figures(),
-        steps=tuple(desk.board.steps),
+        steps=steps,
         acts=tuple(desk.board.acts),
-        readings=readings,
+        readings=told,
         forces={key: desk.board.readings[key] for key in desk.forces},
     )
 

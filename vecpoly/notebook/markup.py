@@ -13,7 +13,7 @@ from ..words import Lang, Words
 
 EM = 4.0  # mm: size in which a formula is laid out; on the page it follows the size of the text
 PAD = 0.06 * EM  # slanted letters lean out of their widths
-_SIDES = {"l": "left", "c": "center", "r": "right"}
+_SIDES = {"l": "left", "c": "center", "r": "right", "d": "right"}
 _ROWS = (Words("方向", "direction"), Words("大小", "magnitude"))
 
 
@@ -47,7 +47,7 @@ def paragraph(text: str) -> str:
 
 
 def table(header: Sequence[str], rows: Iterable[Sequence[str]], align: str) -> str:
-    """A table; align: l, c, r for each column."""
+    """A table; align: l, c, r, d (numbers) for each column."""
     head = "".join(_cell("th", text, side) for text, side in zip(header, align, strict=True))
     body = "".join(
         f"<tr>{''.join(_cell('td', text, side) for text, side in zip(line, align, strict=True))}</tr>" for line in rows

@@ -12,9 +12,10 @@ from ..drawing.figure import draw_figure
 from ..drawing.scene import Scene
 from ..drawing.sheets.sheet import sheets
 from ..problem.problem import Problem
+from ..report.answers.line import answer_line
+from ..report.answers.tables import readings_tables
 from ..report.content import cautions, statement
 from ..report.picture import picture
-from ..report.tables import readings_table
 from ..solution import Solution, solve
 from ..words import Lang, Words, label
 from .markup import equation, formula, paragraph, sentence, table
@@ -49,12 +50,14 @@ def problem_html(problem: Problem, lang: Lang) -> str:
 
 def solution_html(solution: Solution, lang: Lang) -> str:
     """The answers as drawn and exact, what is to be said of them, and the sheets."""
-    read = readings_table(solution, lang)
+    lines = (answer_line(one, solution.problem, lang) for one in solution.answers.values())
+    ended = "".join(f"<div>{sentence(one.before)} {formula(one.node)} {sentence(one.after)}</div>" for one in lines)
+    read = "".join(table(one.header, one.rows, one.align) for one in readings_tables(solution, lang))
     warning = solution.construction.warning
     red = f'<p style="color:#b00020"><b>{sentence(warning.of(lang))}</b></p>' if warning else ""
     said = "".join(paragraph(text) for text in cautions(solution, lang))
     papers = "".join(map(_paper, _sheets(solution, lang)))
-    return f"{_title(solution.problem, lang)}{red}{table(read.header, read.rows, read.align)}{said}{papers}"
+    return f"{_title(solution.problem, lang)}{red}{ended}{read}{said}{papers}"
 
 
 def construction_html(construction: Construction, lang: Lang) -> str:

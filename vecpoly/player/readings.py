@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from ..algebra.quantity import number
 from ..drawing.hues import ink_of
-from ..report.tables import way
+from ..report.answers.tables import way
 from ..report.values import called, printed_unit, value
 from ..solution import YES_NO, Answer, Solution
 from ..words import Words

@@ -24,7 +24,7 @@ from .structure import numbering, structure
 from .tables import listed
 from .values import asked_load, called, curved
 
-_MOST, _SHORT = 4, 30.0  # formulas of a step in one line, and how long each may be (mm)
+_MOST, _SHORT = 4, 62.0  # formulas of a step in one line, and how long each may be (mm)
 
 
 @dataclass(slots=True)
@@ -71,19 +71,15 @@ def pivots(mech: Mechanism) -> Words:
 
 
 def conclusions(solution: Solution, lang: Lang) -> list[str]:
-    """One sentence for each question that is not answered by a number alone."""
+    """What is concluded beside the quantities asked: that a term exists, what a linkage does, what is shaken."""
     coriolis = [
         _coriolis(solution.answers[ask.rel.key]).of(lang)
         for ask in solution.problem.asks
-        if isinstance(ask, AskCoriolis)
+        if isinstance(ask, AskCoriolis) and solution.answers[ask.rel.key].direction is not None
     ]
-    remarks = (
-        solution.answers[ask.rel.key].reading.remark for ask in solution.problem.asks if isinstance(ask, AskNamed)
-    )
     moved = [told(one).of(lang) for one in solution.verification if one.broken is not None]  # others: in a table
     shaken = shaking_of(solution.problem, {key: one.drawn for key, one in solution.answers.items()})
-    told_so = dict.fromkeys(coriolis + [_told(remark).of(lang) for remark in remarks if remark is not None])
-    return [*told_so, *moved, *([shaken.of(lang)] if shaken is not None else [])]
+    return [*dict.fromkeys(coriolis), *moved, *([shaken.of(lang)] if shaken is not None else [])]
 
 
 def cautions(solution: Solution, lang: Lang) -> list[str]:
@@ -122,21 +118,9 @@ def _disagreed(wrong: list[Answer]) -> Words:
     )
 
 
-def _told(remark: Words) -> Words:
-    """A method's own conclusion, as a sentence."""
-    return Words(f"结论：{remark.zh.strip().rstrip('。')}。", f"Answer: {remark.en.strip().rstrip('.')}.")
-
-
 def _coriolis(answer: Answer) -> Words:
     symbol = f"${answer.reading.symbol}$"
-    if answer.direction is None:
-        why = answer.reading.remark or Words("相对速度或角速度为零", "ω or the relative velocity is zero")
-        return Words(f"结论：{why.zh}，{symbol} = 0。", f"Answer: {why.en}, so {symbol} = 0.")
-    size, way = number(answer.drawn), number(answer.direction)
-    return Words(
-        f"结论：存在哥氏加速度，{symbol} = {size} m/s^2，方向与 $x$ 轴成 {way}°。",
-        f"Answer: a Coriolis term exists, {symbol} = {size} m/s^2 at {way}° to the $x$ axis.",
-    )
+    return Words(f"存在哥氏加速度 {symbol}。", f"A Coriolis acceleration {symbol} exists.")
 
 
 def asked(solution: Solution, lang: Lang) -> Iterator[str]:

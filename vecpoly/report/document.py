@@ -22,6 +22,8 @@ from ..foundation.files import write_whole
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
+from .answers.box import answer_box
+from .answers.tables import readings_tables
 from .content import Objects, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Drawing, SheetPage
 from .flow.doc import Metadata, ReportDoc, Stamp
@@ -33,7 +35,7 @@ from .picture import diagram, picture
 from .printed_tables import printed_tables
 from .question.content import question
 from .question.frames import frames
-from .tables import printed_table, readings_table
+from .tables import printed_table
 from .templates import filled
 from .titles import subject
 from .verdicts import verdicts
@@ -184,7 +186,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     """What a template may say of a problem's solution."""
     checked, lines = check_problem(solution.problem), lines_table(solution, lang)
     blocks = diagram(solution.construction)
-    verified = verification_table(solution, lang)
+    verified, printed = verification_table(solution, lang), printed_table(checked.answers, lang)
     return {
         "verified": objects.add("tab", verified) if verified else "",
         "lines": objects.add("tab", lines) if lines else "",
@@ -194,14 +196,14 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
             lambda _, header, rows, align: objects.add("tab", DataTable(header, rows, None, align, lang=lang)),
         ),
         "sections": sections(solution, lang, objects),
-        "table": objects.add("tab", readings_table(solution, lang)),
+        "results": [objects.add("tab", made) for made in readings_tables(solution, lang)],
         "graphical": any(
             c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers
         ),
         "design": isinstance(solution.problem.subject, Design),
-        "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",
+        "printed": objects.add("tab", printed) if printed is not None else "",
         "verdicts": verdicts(solution, checked, lang),
-        "conclusions": conclusions(solution, lang),
+        "answer": objects.add("ans", answer_box(solution, lang, conclusions(solution, lang))),
         "cautions": cautions(solution, lang),
         "diagram": objects.add("pic", sketch_of(blocks, solution, lang)) if blocks else "",
         "sheets": [] if blocks else _pages(solution.construction, solution, lang, objects),

@@ -38,7 +38,7 @@ def lines_table(solution: Solution, lang: Lang) -> DataTable | None:
     if not acting:
         return None
     rows = [_row(answer, acts, lies(solution, answer.key, acts), lang) for answer, acts in acting]
-    return trimmed(_HEADER[lang], rows, (), "lclr", inks_of(solution, (answer.key for answer, _ in acting)))
+    return trimmed(_HEADER[lang], rows, (), "lclr", lang, inks_of(solution, (answer.key for answer, _ in acting)))
 
 
 def _row(answer: Answer, acts: LineOfAction, how: Words, lang: Lang) -> tuple[str, ...]:

@@ -2,46 +2,31 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
-from math import degrees
 
 from ..algebra.quantity import number
 from ..board.construction import Listing
 from ..check.printed.verdict import Checked
 from ..drawing.hues import ink_of
 from ..figures.hue import Hue
+from ..foundation.slotted import replace
 from ..names import is_place
-from ..problem.problem import Problem, as_printed
-from ..solution import YES_NO, Answer, Solution
+from ..problem.problem import as_printed
+from ..solution import YES_NO, Solution
 from ..typeset.box import Rgb
-from ..words import Lang, Words
+from ..words import Lang
 from .flow.table import DataTable
-from .values import called, direction_of_load, printed_unit, rough, value
+from .values import value
 
-_READINGS = {
-    "zh": ("量", "图上长度 /mm", "比例尺", "量得值", "方向", "精确值", "偏差", "预期误差"),
-    "en": ("Quantity", "On paper, mm", "Scale", "Drawn", "Direction", "Exact", "Deviation", "Exp. error"),
-}
 _PRINTED = {
-    "zh": ("量", "原书", "精确值", "偏差", "结论"),
-    "en": ("Quantity", "Printed", "Exact", "Deviation", "Verdict"),
+    "zh": ("量", "原书", "精确值", "偏差 /%", "结论"),
+    "en": ("Quantity", "Textbook", "Exact", "Deviation /%", "Verdict"),
 }
 _NONE = "—"
-_COMPUTED = {"zh": "计算值", "en": "Computed"}
-_NOTHING = 1e-9  # m: places that all hands find alike, a fixed pivot
-_DRAWN = 3  # column of the value in _READINGS
 MOST_COLUMNS = 15  # of a table of stations, in all its blocks
+_DECIMAL, _PADDED = re.compile(r"[+−]?\d+(?:\.(\d+))?"), 2
 FEW = 6  # rows of a table that stays one block
-_SENSE = {"ccw": Words("↺ 逆时针", "↺ ccw"), "cw": Words("↻ 顺时针", "↻ cw"), None: Words.same("—")}
-
-
-def readings_table(solution: Solution, lang: Lang) -> DataTable:
-    """One line an answer: symbol, mm, scale, value, direction or sense, exact, deviation, expected error."""
-    rows = [_row(answer, solution.problem, lang) for answer in solution.answers.values()]
-    header = list(_READINGS[lang])
-    if all(answer.computed for answer in solution.answers.values()):
-        header[_DRAWN] = _COMPUTED[lang]
-    return trimmed(header, rows, (), "lccrccrr", inks_of(solution, solution.answers))
 
 
 def inks_of(solution: Solution, keys: Iterable[str]) -> tuple[Rgb | None, ...]:
@@ -54,8 +39,32 @@ def inks_of(solution: Solution, keys: Iterable[str]) -> tuple[Rgb | None, ...]:
 def listed(listing: Listing, lang: Lang) -> DataTable:
     """What a step reads at many places: in as many blocks beside each other as a page has room for."""
     blocks = max(1, min(listing.blocks, MOST_COLUMNS // len(listing.head)))
-    wide = listing.abreast(blocks) if len(listing.rows) > max(blocks, FEW) else listing
-    return DataTable([head.of(lang) for head in wide.head], wide.rows, None, "c" * len(wide.head), lang=lang)
+    blocks = blocks if len(listing.rows) > max(blocks, FEW) else 1
+    wide = replace(listing, rows=padded(listing.rows)).abreast(blocks)
+    heads, align = [head.of(lang) for head in wide.head], "d" * len(wide.head)
+    gaps = range(len(heads) - len(listing.head), 0, -len(listing.head))  # a blank column between two blocks
+    for at in gaps:
+        heads, align = [*heads[:at], "", *heads[at:]], align[:at] + "l" + align[at:]
+    rows = [list(row) for row in wide.rows]
+    for at in gaps:
+        rows = [[*row[:at], "", *row[at:]] for row in rows]
+    return DataTable(heads, rows, None, align, lang=lang)
+
+
+def padded(rows: Sequence[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
+    """The rows with the zeros that were read: each column of numbers has one count of decimals, two at most."""
+    return tuple(zip(*map(_padded, zip(*rows, strict=True)), strict=True))
+
+
+def _padded(column: tuple[str, ...]) -> tuple[str, ...]:
+    found = [_DECIMAL.fullmatch(text) for text in column]
+    most = max((len(one[1] or "") for one in found if one is not None), default=0)
+    if not 0 < most <= _PADDED:
+        return column
+    return tuple(
+        text if one is None else f"{text}{'' if one[1] else '.'}{'0' * (most - len(one[1] or ''))}"
+        for text, one in zip(column, found, strict=True)
+    )
 
 
 def trimmed(
@@ -63,101 +72,38 @@ def trimmed(
     rows: Sequence[Sequence[str]],
     widths: Sequence[float],
     align: str,
+    lang: Lang = "zh",
     inks: Sequence[Rgb | None] = (),
 ) -> DataTable:
     """The table without columns in which nothing stands."""
-    kept = [i for i in range(len(header)) if not rows or any(row[i] != _NONE for row in rows)]
+    kept = [i for i in range(len(header)) if not rows or any(row[i] not in (_NONE, "") for row in rows)]
     return DataTable(
         [header[i] for i in kept],
         [[row[i] for i in kept] for row in rows],
         [widths[i] for i in kept] if widths else None,
         "".join(align[i] for i in kept),
+        lang=lang,
         inks=inks,
     )
 
 
-def _row(answer: Answer, problem: Problem, lang: Lang) -> tuple[str, ...]:
-    r = answer.reading
-    mm = "—" if r.mm is None else f"{r.mm:.1f}"
-    if answer.is_place and answer.drawn_vector is not None and answer.exact_vector is not None:
-        return _place(answer, mm, answer.drawn_vector, answer.exact_vector)
-    if answer.is_place:  # at infinity
-        gap, reach = number(answer.deviation, 2) + "°", _NONE if answer.computed else rough(answer.expected_error) + "°"
-        return (f"${r.symbol}$", mm, "—", "∞", _angle(answer.drawn), _angle(answer.exact), gap, reach)
-    factor = printed_unit(r.unit)[0]
-    clean = _clean(answer.exact, answer.expected_error)
-    exact = value(clean, YES_NO, lang) if r.unit == YES_NO or answer.undefined else number(factor * clean, 5)
-    return (
-        called(r.symbol, r.key, lang),
-        mm,
-        f"${r.scale}$" if r.scale else "—",
-        value(answer.drawn, r.unit, lang, r.key),
-        way(answer, problem, lang),
-        exact,
-        _deviation(answer, factor),
-        _NONE if answer.computed else rough(factor * answer.expected_error),
-    )
+def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable | None:
+    """Printed answers, the exact values, and what is to be said of them; None where all are counts that agree."""
+    rows = [_printed_row(c, lang) for c in checked if not agreed(c)]
+    return DataTable(_PRINTED[lang], rows, None, "ldddl", lang=lang) if rows else None
 
 
-def _place(answer: Answer, mm: str, drawn: complex, exact: complex) -> tuple[str, ...]:
-    """The row of a point (m)."""
-    here, there = (f"({_fixed(v.real)}, {_fixed(v.imag)})" for v in (drawn, exact))
-    off = abs(drawn - exact)
-    gap = f"{number(1e3 * off if off > _NOTHING else 0.0, 2)} mm"
-    reach = number(1e3 * answer.expected_error, 2) if answer.expected_error > _NOTHING else _NONE
-    return (f"${answer.reading.symbol}$", mm, f"${answer.reading.scale}$", f"{here} mm", "—", there, gap, reach)
+def agreed(c: Checked) -> bool:
+    """Whether the answer is a count, or yes or no, and right: a sentence says so."""
+    counts = c.printed.rel is not None and c.printed.rel.unit in ("", YES_NO) and float(c.exact).is_integer()
+    return counts and not c.deviation and c.slip is None
 
 
-def _fixed(place: float) -> str:
-    """A coordinate in mm to a hundredth, the last zeros and the sign of zero left out."""
-    text = f"{1e3 * place:.2f}".rstrip("0").rstrip(".")
-    return "0" if text == "-0" else text.replace("-", "−")
-
-
-def _clean(exact: float, error: float) -> float:
-    """Zero where only rounding noise is left."""
-    return 0.0 if abs(exact) < 1e-9 * max(1.0, abs(error)) else exact
-
-
-def _deviation(answer: Answer, factor: float) -> str:
-    """In per cent; nothing where a formula gave the exact value, or where yes is right."""
-    if answer.computed:
-        return "—"
-    if not _clean(answer.exact, answer.expected_error):
-        return f"{number(factor * answer.drawn, 2)} {printed_unit(answer.reading.unit)[1]}".rstrip()
-    return percent(answer.relative_deviation, 2)
-
-
-def way(answer: Answer, problem: Problem, lang: Lang) -> str:
-    """Direction in degrees, the sense of turning, or the line along which a force is counted."""
-    if answer.drawn_vector is not None:
-        return "—" if answer.direction is None else _angle(answer.direction)
-    fixed = direction_of_load(problem, answer.key)
-    if fixed is not None:
-        return Words(f"沿 {_angle(degrees(fixed))}", f"along {_angle(degrees(fixed))}").of(lang)
-    return _SENSE[answer.sense if _clean(answer.exact, answer.expected_error) else None].of(lang)
-
-
-def _angle(turn: float) -> str:
-    return f"{turn:.1f}°".replace("-", "−")
-
-
-def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable:
-    """Printed answers, the exact values, and what is to be said of them."""
-    rows = []
-    for c in checked:
-        verdict = c.verdict.words.of(lang)
-        slip = f"：{c.slip.zh}" if c.slip and lang == "zh" else (f": {c.slip.en}" if c.slip else "")
-        rows.append(
-            (
-                f"${symbol_of(c)}$",
-                _as_given(c, lang),
-                _exact_like(c, lang),
-                percent(c.deviation, 1 if c.printed.kind == "graphical" else 2),
-                verdict + slip,
-            )
-        )
-    return DataTable(_PRINTED[lang], rows, None, "lrrrl")
+def _printed_row(c: Checked, lang: Lang) -> tuple[str, ...]:
+    verdict = c.verdict.words.of(lang)
+    slip = f"：{c.slip.zh}" if c.slip and lang == "zh" else (f": {c.slip.en}" if c.slip else "")
+    off = percent(c.deviation, 1 if c.printed.kind == "graphical" else 2).removesuffix(" %")
+    return f"${symbol_of(c)}$", _as_given(c, lang), _exact_like(c, lang), off, verdict + slip
 
 
 def _as_given(checked: Checked, lang: Lang) -> str:
@@ -166,7 +112,7 @@ def _as_given(checked: Checked, lang: Lang) -> str:
     text = as_printed(printed.text, lang)
     if printed.scale:
         unit = printed.rel.unit if printed.rel else "m"
-        text += f" = {number(abs(printed.value))} {unit}"
+        text += f" ≙ {number(abs(printed.value))} {unit}"
     return text
 
 

@@ -56,6 +56,21 @@ def value(size: float, unit: str, lang: Lang, key: str = "", digits: int = 4) ->
     return f"{text} {name}".rstrip()
 
 
+def unit_after(name: str) -> str:
+    """A unit as it follows its number: 12.5°, 5 mm; none of a pure number."""
+    return "°" if name == "deg" else f" {name}".rstrip()
+
+
+def place_parts(at: complex, places: int) -> tuple[str, str]:
+    """Both coordinates of a point (m) in mm, with so many decimals; no sign on zero."""
+    x, y = (f"{1e3 * part:.{places}f}" for part in (at.real, at.imag))
+    return _signed(x), _signed(y)
+
+
+def _signed(text: str) -> str:
+    return text.lstrip("-") if float(text) == 0 else text.replace("-", "−")
+
+
 def rough(size: float) -> str:
     """Two significant digits, with no power of ten for hundreds: 190, 0.012."""
     return number(float(f"{size:.2g}"), 6) if 100 <= abs(size) < 1e6 else number(size, 2)

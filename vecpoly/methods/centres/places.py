@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...algebra.formula import Row, Txt, row
+from ...algebra.quantity import spot_in_mm
 from ...board.construction import Reading, Scale
 from ...plane import Points, Reals, nominal
 
@@ -14,7 +15,7 @@ def place_read(key: str, symbol: str, mm: Points, scale: Scale) -> tuple[Reading
     every hand."""
     metres = mm * scale.value
     vector = complex(nominal(metres))
-    text = Row((*row(symbol).items, Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
+    text = Row((*row(symbol).items, Txt(f" = {spot_in_mm(vector)}")))
     return (
         Reading(key=key, symbol=symbol, unit="m", scalar=abs(vector), vector=vector, scale=scale.symbol, formula=text),
         np.abs(metres),

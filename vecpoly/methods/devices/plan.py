@@ -12,6 +12,7 @@ from ...board.hand import Hand, hand
 from ...board.otherwise.amended import AS_DRAWN, Amended
 from ...board.paper.extent import extent
 from ...board.paper.scales import round_scale
+from ...board.yielded import evaluated
 from ...devices.base import Device
 from ...problem.problem import Problem
 from ...words import Words
@@ -33,13 +34,14 @@ def construct_device(
         bench = _draw(device, by, scales, amended)
     called = find_device(device).called
     keys = [ask.rel.key for ask in problem.asks]
+    steps, told = evaluated(bench.board.steps, bench.board.acts, {key: bench.board.readings[key] for key in keys})
     construction = Construction(
         problem=problem.id,
         hand=by.name,
         figures=bench.board.figures(TITLES if called is None else TITLES | {View.MECHANISM: called}),
-        steps=tuple(bench.board.steps),
+        steps=steps,
         acts=tuple(bench.board.acts),
-        readings={key: bench.board.readings[key] for key in keys},
+        readings=told,
     )
     return Drawn(
         construction,

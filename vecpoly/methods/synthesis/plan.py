@@ -12,6 +12,7 @@ from ...board.hand import Hand, hand
 from ...board.otherwise.amended import AS_DRAWN, Amended
 from ...board.paper.extent import extent
 from ...board.paper.scales import round_scale, round_up
+from ...board.yielded import evaluated
 from ...designs.base import Design
 from ...designs.verdict import Verdict
 from ...problem.problem import Problem
@@ -32,13 +33,14 @@ def construct_design(problem: Problem, by: Hand, paper: Paper, amended: Amended 
         ideal = _draw(problem, hand("exact"), scale, sketch)
         draft = _draw(problem, by, scale, ideal, amended)
     board, keys = draft.board, [ask.rel.key for ask in problem.asks]
+    steps, told = evaluated(board.steps, board.acts, {key: board.readings[key] for key in keys})
     construction = Construction(
         problem=problem.id,
         hand=by.name,
         figures=board.figures({SHEET: find_design(_design(problem)).sheet}),
-        steps=tuple(board.steps),
+        steps=steps,
         acts=tuple(board.acts),
-        readings={key: board.readings[key] for key in keys},
+        readings=told,
         candidates=draft.candidates(_design(problem)),
     )
     return Drawn(

@@ -64,6 +64,10 @@ class Press:
         made = DataTable(header, rows, None, align, lang=self.lang, caption=caption, style=style)
         return self.objects.add("tab", made)
 
+    def tabled(self, title: Words, made: DataTable, style: Style = CELL) -> str:
+        """The same of a table that is made already."""
+        return self.table(title, made.header, made.rows, made.align, style=style)
+
     def _caption(self, what: Words, kind: str, title: Words) -> str:
         gap = "　" if self.lang == "zh" else ". "
         return f"{what.of(self.lang)} {self.number(kind)}{gap}{title.of(self.lang)}"

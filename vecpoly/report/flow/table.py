@@ -14,16 +14,17 @@ from ...tagging.tree import tree_of
 from ...typeset.box import MM, Rgb, inked
 from ...typeset.canvas import Ink
 from ...words import Lang
-from .base import Block
+from .base import Block, Tightness
 from .cells import Cell, cells, joined
 from .lines import Line, break_lines, draw_line
 from .marks import Marks
+from .results.decimal import Aligned, aligned
 from .style import CAPTION, CELL, Style
 
 _PAD = 1.5  # mm at either side of a cell
 _VERTICAL = 1.6  # pt above and below a row
 _HEAVY, _FINE = 0.9, 0.45  # pt
-_ALIGN = {"l": "left", "c": "centre", "r": "right"}
+_ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre"}
 
 _Row = tuple[tuple[Line, ...], ...]
 
@@ -39,13 +40,17 @@ class _Set:
     widths: tuple[float, ...]
     head: _Row
     body: tuple[_Row, ...]
+    points: tuple[Aligned | None, ...]
     top: float
     heights: tuple[float, ...]
 
 
 class DataTable(Block):
-    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r each; inks: of what
-    stands in the first column of the rows."""
+    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r, d each; inks: of what
+    stands in the first column of the rows.
+
+    d: numbers under each other by their decimal points, the column in the middle; what is no number is centred.
+    """
 
     role = Role.TABLE
     pieces = True
@@ -69,8 +74,14 @@ class DataTable(Block):
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
         self.align = (align + "c" * len(self.header))[: len(self.header)]
+        self._vertical = _VERTICAL
         self._found: dict[float, _Set] = {}  # by width of the column; one for the table and all its copies
         self._continued = False  # from the page before: its heading has been read
+
+    def tighten(self, degree: Tightness) -> None:
+        """Its rows closer too."""
+        super().tighten(degree)
+        self._vertical, self._found = degree.white * _VERTICAL, {}
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; for the same width it was found before."""
@@ -90,16 +101,26 @@ class DataTable(Block):
         rows = [[cells(text, em, chinese, False) for text in row] for row in self.rows]
         for row, rgb in zip(rows, self.inks, strict=True):
             row[0] = row[0] if rgb is None else [replace(cell, box=inked(cell.box, rgb)) for cell in row[0]]
-        widths = self._columns(width / MM, (header, *rows))
+        points = tuple(self._aligned(i) for i in range(len(self.header)))
+        widths = self._columns(width / MM, (header, *rows), points)
         head, body = self._lines(header, widths), tuple(self._lines(row, widths) for row in rows)
         caption = CAPTION.leading + 2.0 if self.caption else 0.0
         top = caption + _HEAVY + self._height(head) + _FINE
-        return _Set(widths, head, body, top, tuple(map(self._height, body)))
+        return _Set(widths, head, body, points, top, tuple(map(self._height, body)))
 
-    def _columns(self, width: float, rows: Sequence[Sequence[list[Cell]]]) -> tuple[float, ...]:
+    def _aligned(self, column: int) -> Aligned | None:
+        """How the numbers of a column stand under each other."""
+        if self.align[column] != "d":
+            return None
+        return aligned((row[column] for row in self.rows), self.style.em, self.lang == "zh")
+
+    def _columns(
+        self, width: float, rows: Sequence[Sequence[list[Cell]]], points: Sequence[Aligned | None]
+    ) -> tuple[float, ...]:
         em = self.style.em
         wanted = self.widths or tuple(
-            max(joined(row[i], em).width for row in rows) + 2 * _PAD for i in range(len(self.header))
+            max(point.width if point is not None else 0.0, *(joined(row[i], em).width for row in rows)) + 2 * _PAD
+            for i, point in enumerate(points)
         )
         total = sum(wanted)
         if total <= width:
@@ -115,7 +136,7 @@ class DataTable(Block):
 
     def _height(self, row: _Row) -> float:
         tallest = max((sum(map(self._advance, cell)) for cell in row), default=0.0)
-        return max(tallest, self.style.leading) + 2 * _VERTICAL
+        return max(tallest, self.style.leading) + 2 * self._vertical
 
     def _advance(self, line: Line) -> float:
         return max(self.style.leading, line.ascent * MM + line.descent * MM + 2.0)
@@ -141,7 +162,7 @@ class DataTable(Block):
         rows, inks = self.rows[start:end], self.inks[start:end]
         lang, style = self.lang, self.style
         part = DataTable(self.header, rows, widths, self.align, lang=lang, caption=caption, style=style, inks=inks)
-        part.tag, part._continued = self.tag, self._continued or start > 0
+        part.tag, part._continued, part._vertical = self.tag, self._continued or start > 0, self._vertical
         return part
 
     def draw(self) -> None:
@@ -158,8 +179,12 @@ class DataTable(Block):
         y = self._rule(ink, left, y, width, _HEAVY)
         y = self._row(ink, found.head, found.widths, left, y, "c" * len(self.header), header=True)
         y = self._rule(ink, left, y, width, _FINE)
-        for row in found.body:
-            y = self._row(ink, row, found.widths, left, y, self.align)
+        for row, texts in zip(found.body, self.rows, strict=True):
+            shifts = [
+                point.indent(text, width - 2 * _PAD) if point is not None and len(cell) == 1 else None
+                for cell, text, width, point in zip(row, texts, found.widths, found.points, strict=True)
+            ]
+            y = self._row(ink, row, found.widths, left, y, self.align, shifts)
         self._rule(ink, left, y, width, _HEAVY)
         ink.flush()
 
@@ -168,18 +193,20 @@ class DataTable(Block):
         return y - weight
 
     def _row(
-        self, ink: Ink, row: _Row, widths: Sequence[float], left: float, top: float, align: str, header: bool = False
-    ) -> float:
+        self, ink: Ink, row: _Row, widths: Sequence[float], left: float, top: float, align: str,
+        shifts: Sequence[float | None] = (), header: bool = False,
+    ) -> float:  # fmt: skip
         height, tag = self._height(row), Tag(Role.ROW, self.tag)
         x = left
-        for cell, width, side in zip(row, widths, align, strict=True):
+        for cell, width, side, shift in zip(row, widths, align, shifts or (None,) * len(row), strict=True):
             marks = self._marks(tag, header)
             y = top - (height - sum(map(self._advance, cell))) / 2
             for line in cell:
                 advance = self._advance(line)
                 rise = (advance - self.style.size) / 2 + 0.86 * self.style.size
                 rise = max(rise, line.ascent * MM + 1.0)
-                draw_line(ink, line, x + _PAD * MM, y - rise, width - 2 * _PAD, _ALIGN[side], marks)
+                begin, way = x + (_PAD + (shift or 0.0)) * MM, _ALIGN[side] if shift is None else "left"
+                draw_line(ink, line, begin, y - rise, width - 2 * _PAD, way, marks)
                 y -= advance
             x += width * MM
         return top - height

@@ -107,7 +107,7 @@ class _Reader:
             "note": lambda e: [Para(_text(e), NOTE, lang)],
             "caption": lambda e: [Para(_text(e), CAPTION, lang)],
             "formula": self._formula, "equation": self._equation,
-            "figure": self._block, "table": self._block, "sheet": self._sheet,
+            "figure": self._block, "table": self._block, "answer": self._block, "sheet": self._sheet,
             "titleblock": self._titleblock, "steps": self._steps, "callout": self._callout,
             "cover": self._cover, "contents": lambda e: [Contents(lang)],
             "pagebreak": lambda e: [PageBreak()], "rule": lambda e: [Divider()],

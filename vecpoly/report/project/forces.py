@@ -33,7 +33,7 @@ def chapter(part: Part, binder: Binder) -> dict[str, Any]:
         "where": drawn[0].where,
         "works": _works(part).of(binder.lang),
         "sections": sections(pressing(part.solution), binder.lang, press.objects),
-        "table": readings(binder, drawn, False, title),
+        "results": readings(binder, drawn, False, title),
         "moment": _moment(part, turn, binder) if part.balance else "",
         "reactions": [_reaction_curves(turn, reactions, binder)] if reactions else [],
         "cycle": laid_out(

@@ -7,9 +7,10 @@ from typing import Any
 from ...found import taken
 from ...project.part import Part
 from ...words import Words
+from ..answers.box import answer_box
+from ..answers.tables import readings_tables
 from ..content import cautions, conclusions, sections, statement
 from ..course.numbering import SMALL
-from ..tables import readings_table
 from .binder import Binder
 
 _TAKEN = {"zh": ["尺寸", "量得 /mm", "取用 /mm"], "en": ["Length", "Read, mm", "Taken, mm"]}
@@ -23,13 +24,12 @@ def chapter(part: Part, binder: Binder) -> dict[str, Any]:
 def told(part: Part, binder: Binder) -> dict[str, Any]:
     """What a linkage that is found and a device have in common: given, asked, steps, results."""
     press, lang, solution = binder.press, binder.lang, part.solution
-    made = readings_table(solution, lang)
     title = Words("量取结果与精确值", "Readings and exact values")
     return {
         **statement(solution, lang),
         "sections": sections(solution, lang, press.objects),
-        "table": press.table(title, made.header, made.rows, made.align, style=SMALL),
-        "conclusions": conclusions(solution, lang),
+        "answer": press.objects.add("ans", answer_box(solution, lang, conclusions(solution, lang))),
+        "results": [press.tabled(title, made, SMALL) for made in readings_tables(solution, lang)],
         "cautions": cautions(solution, lang),
     }
 

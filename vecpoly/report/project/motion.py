@@ -8,16 +8,15 @@ from typing import Any
 from ...board.construction import Pane, Step, View
 from ...names import Rel
 from ...project.part import Part
-from ...solution import Solution
+from ...solution import Answer, Solution
 from ...words import Words
+from ..answers.tables import readings_at
 from ..content import scales, sections
 from ..course.modelling.dimensions import dimensions
 from ..course.numbering import SMALL
 from ..course.results.chapter import sections as over_the_cycle
 from ..course.results.drawn_views import drawn_views
 from ..course.results.extreme_values import extremes
-from ..flow.table import DataTable
-from ..tables import readings_table
 from .binder import Binder, Drawn
 from .task import scene, sketch
 
@@ -37,7 +36,7 @@ def chapter(part: Part, binder: Binder) -> dict[str, Any]:
         "views": drawn_views(part.solution.construction).of(binder.lang),
         "where": where,
         "sections": sections(moving(part.solution), binder.lang, press.objects),
-        "table": _readings(binder, drawn),
+        "results": _readings(binder, drawn),
         "extremes": extremes(study, press),
         "cycle": over_the_cycle(study, press),
         "base": part.base.problem.title.of(binder.lang) if part.base else "",
@@ -54,27 +53,20 @@ def _positions(binder: Binder, drawn: tuple[Drawn, ...]) -> str:
     )
 
 
-def _readings(binder: Binder, drawn: tuple[Drawn, ...]) -> str:
+def _readings(binder: Binder, drawn: tuple[Drawn, ...]) -> list[str]:
     title = Words("图解值与精确值：速度和加速度", "Drawn and exact values: velocities and accelerations")
     return readings(binder, drawn, True, title)
 
 
-def readings(binder: Binder, drawn: tuple[Drawn, ...], motion: bool, title: Words) -> str:
-    """The readings of all positions, of motion or of forces, in one table; without expected errors."""
-    made = [(one.where.split(" = ")[1], _of(one.solution, motion, binder)) for one in drawn]
-    header = list(dict.fromkeys(name for _, table in made for name in table.header))[:-1]
-    rows = []
-    for where, table in made:
-        for n, row in enumerate(table.rows):
-            cells = dict(zip(table.header, row, strict=True))
-            rows.append(("" if n else where, *(cells.get(name, "—") for name in header)))
-    drive = drawn[0].where.split(" = ")[0]
-    return binder.press.table(title, [drive, *header], rows, "ll" + "c" * (len(header) - 3) + "rr", style=SMALL)
+def readings(binder: Binder, drawn: tuple[Drawn, ...], motion: bool, title: Words) -> list[str]:
+    """The readings of all positions, of motion or of forces; without expected errors."""
+    told = [(one.where.split(" = ")[1], one.solution, _of(one.solution, motion)) for one in drawn]
+    tables = readings_at(told, drawn[0].where.split(" = ")[0], binder.lang)
+    return [binder.press.tabled(title, made, SMALL) for made in tables]
 
 
-def _of(solution: Solution, motion: bool, binder: Binder) -> DataTable:
-    answers = {key: one for key, one in solution.answers.items() if isinstance(one.rel, Rel) == motion}
-    return readings_table(replace(solution, answers=answers), binder.lang)
+def _of(solution: Solution, motion: bool) -> list[Answer]:
+    return [one for one in solution.answers.values() if isinstance(one.rel, Rel) == motion]
 
 
 def moving(solution: Solution) -> Solution:

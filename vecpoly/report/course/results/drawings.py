@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,12 +12,12 @@ from ....drawing.backends.pdf import draw_pdf
 from ....drawing.sheets.sheet import Sheet, bound, sheets
 from ....errors import VecpolyError
 from ....findings.study.study import Study
-from ....solution import Solution, solve
+from ....solution import Answer, Solution, solve
 from ....words import Lang, Words
+from ...answers.box import answer_box
+from ...answers.tables import readings_at, readings_tables
 from ...content import scales, sections
 from ...flow.blocks import SheetPage, spoken
-from ...flow.table import DataTable
-from ...tables import readings_table
 from ..analysis.force_words import role_note
 from ..numbering import SMALL, Press
 from .drawn_views import drawn_views
@@ -137,6 +137,7 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
         "views": drawn_views(study.solution.construction).of(press.lang),
         "sections": sections(study.solution, press.lang, press.objects),
         "scales": scales(study.solution, press.lang),
+        "answer": press.objects.add("ans", answer_box(study.solution, press.lang)),
         "readings": _given(study, press),
         "others": _others(study, press, drawn[1:]),
         "sheets": [
@@ -146,11 +147,10 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
     }
 
 
-def _given(study: Study, press: Press) -> str:
+def _given(study: Study, press: Press) -> list[str]:
     """The readings at the given position beside the exact values."""
-    made = readings_table(study.solution, press.lang)
     title = Words("题设位置的图解值与精确值", "Drawn and exact values at the given position")
-    return press.table(title, made.header, made.rows, made.align, style=SMALL)
+    return [press.tabled(title, made, SMALL) for made in readings_tables(study.solution, press.lang)]
 
 
 def _why(study: Study, one: Drawn) -> Words:
@@ -160,27 +160,18 @@ def _why(study: Study, one: Drawn) -> Words:
 
 
 def _others(study: Study, press: Press, drawn: list[Drawn]) -> list[str]:
-    """The readings at the other positions, in one table where all have the same columns;
-    without the expected errors of the given one."""
-    made = [(study.where(one.phi), _readings(study, one, press)) for one in drawn]
-    rows: dict[tuple[str, ...], list[tuple[str, ...]]] = {}
-    for where, table in made:
-        lines = rows.setdefault(table.header[:-1], [])
-        lines += [(where.split(" = ")[1] if not i else "", *row[:-1]) for i, row in enumerate(table.rows)]
+    """The readings at the other positions, without the expected errors of the given one."""
+    told = [(study.where(one.phi).split(" = ")[1], one.solution, _told(study, one)) for one in drawn]
     title = Words("其余位置的图解值与精确值", "Drawn and exact values at the other positions")
-    return [
-        press.table(
-            title, [f"${study.turn.drive.symbol}$", *header], lines, "ll" + "c" * (len(header) - 3) + "rr", style=SMALL
-        )
-        for header, lines in rows.items()
-    ]
+    tables = readings_at(told, f"${study.turn.drive.symbol}$", press.lang)
+    return [press.tabled(title, made, SMALL) for made in tables]
 
 
-def _readings(study: Study, one: Drawn, press: Press) -> DataTable:
+def _told(study: Study, one: Drawn) -> list[Answer]:
     """The readings of the output link and point, and of the balancing load."""
     told = {*study.main, *(f"p_{letter}" for letter in study.points)}
-    answers = {key: answer for key, answer in one.solution.answers.items() if key in told} or one.solution.answers
-    return readings_table(replace(one.solution, answers=answers), press.lang)
+    answers = one.solution.answers
+    return [answer for key, answer in answers.items() if key in told] or list(answers.values())
 
 
 def _sheets(study: Study, phi: float, solution: Solution, lang: Lang) -> tuple[Sheet, ...]:

@@ -1,0 +1,82 @@
+"""Every asked quantity is evaluated in the step that yields it, once: symbol = formula = numbers = result."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from ..algebra.formula import Node, Row, Txt, plain, row
+from ..algebra.quantity import number
+from ..foundation.slotted import replace
+from .acts import Act, Answer, Gauge, Measure
+from .construction import Reading, Step
+
+_WORKED = 3  # parts of a line at least that tells how its result was found
+
+
+def evaluated(
+    steps: Sequence[Step], acts: Sequence[Act], readings: Mapping[str, Reading]
+) -> tuple[tuple[Step, ...], dict[str, Reading]]:
+    """The steps with the evaluation of each asked quantity, and the readings with the line that their step has."""
+    told, found = list(steps), dict(readings)
+    answers = {act.key: act for act in acts if isinstance(act, Answer)}
+    lines = [_Line(at, line) for at, step in enumerate(steps) for line in step.formulas]
+    for key, reading in readings.items():
+        written = _written(lines, reading)
+        if written is not None:
+            line = in_mm(written.node, reading)
+            all_lines = tuple(line if one is written.node else one for one in told[written.step].formulas)
+            told[written.step] = replace(told[written.step], formulas=all_lines)
+        elif reading.formula is not None and key in answers:
+            step, line = yields(acts, answers[key]) - 1, in_mm(_as_another(lines, reading.formula), reading)
+            told[step] = replace(told[step], formulas=(*told[step].formulas, line))
+        else:
+            continue
+        found[key] = replace(reading, formula=line)
+    return tuple(told), found
+
+
+def yields(acts: Sequence[Act], answer: Answer) -> int:
+    """The step in which all that an answer rests on stands drawn; reading it off is no step of its own."""
+    return max((acts[one].head.step for one in _rests_on(acts, answer)), default=answer.head.step)
+
+
+def _rests_on(acts: Sequence[Act], act: Act) -> Iterator[int]:
+    for one in act.inputs:
+        if isinstance(acts[one], Measure | Gauge):
+            yield from _rests_on(acts, acts[one])
+        else:
+            yield one
+
+
+def in_mm(line: Node, reading: Reading) -> Node:
+    """The line of an asked length ends with mm, as tables give it: h = 0.0008 × 2.4 = 0.00192 m = 1.92 mm."""
+    if not (isinstance(line, Row) and isinstance(end := line.items[-1], Txt) and end.text.endswith(" m")):
+        return line
+    mm = number(1e3 * reading.scalar)
+    return Row((*line.items[:-1], Txt(f" = {mm} mm" if len(line.items) < _WORKED else f"{end.text} = {mm} mm")))
+
+
+class _Line:
+    """A line of a step, with what it evaluates and the number that it ends with."""
+
+    def __init__(self, step: int, node: Node) -> None:
+        text = plain(node)
+        self.step, self.node = step, node
+        self.name = text.split(" = ")[0].strip()
+        self.result = text.rsplit(" = ", 1)[-1].split(" ")[0].rstrip("°").lstrip("−")  # senses are told in words
+
+
+def _written(lines: Sequence[_Line], reading: Reading) -> _Line | None:
+    """The line that evaluates a quantity in a step already, the last one."""
+    name, size = plain(row(reading.symbol)), number(abs(reading.scalar))
+    back = reversed(lines)
+    return next((one for one in back if one.node == reading.formula or (one.name, one.result) == (name, size)), None)
+
+
+def _as_another(lines: Sequence[_Line], node: Node) -> Node:
+    """The line; of what another symbol was found as, R_32 = R_23 = 1004 N, the way to it is not told twice."""
+    if not isinstance(node, Row) or len(node.items) <= _WORKED:
+        return node
+    alike = (one.node for one in lines if isinstance(one.node, Row) and one.node.items[1:] == node.items[1:])
+    other = next(alike, None)
+    return node if not isinstance(other, Row) else Row((node.items[0], Txt(" = "), other.items[0], node.items[-1]))

@@ -1,0 +1,126 @@
+"""One line of the box of answers, made from the reading in the ledger: v_F = μ_v pf = 0.01 × 31.9 = 0.319 m/s (←)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import degrees, isinf, isnan
+
+from ...algebra.formula import Node, Row, Txt, row
+from ...problem.problem import Problem
+from ...solution import YES_NO, Answer
+from ...words import Lang, Words
+from ..values import called, direction_of_load, is_efficiency, place_parts, printed_unit, unit_after, value
+from .rounded import coarse, coordinates, drawn_number
+
+SQUARE = {"0.0": "→", "90.0": "↑", "180.0": "←", "-180.0": "←", "-90.0": "↓", "-0.0": "→"}
+_TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AnswerLine:
+    """What is said of one asked quantity: the line itself; before it, what it is called; after it, what is to be said.
+
+    result: the number with its unit, as the line ends.
+    """
+
+    key: str
+    node: Node
+    before: str = ""
+    after: str = ""
+    result: str = ""
+
+
+def answer_line(answer: Answer, problem: Problem, lang: Lang) -> AnswerLine:
+    """The line of one answer."""
+    before, name, way = _named(answer, lang)
+    result = result_of(answer, lang)
+    return AnswerLine(
+        key=answer.key,
+        node=Row((*_led(answer, name), Txt(result + _bracket(answer, problem, way, lang)))),
+        before=before,
+        after=_after(answer, lang),
+        result=result,
+    )
+
+
+def result_of(answer: Answer, lang: Lang) -> str:
+    """The number with its unit: as in the table."""
+    reading = answer.reading
+    if answer.undefined or reading.unit == YES_NO:
+        return value(answer.drawn, reading.unit, lang)
+    if answer.is_place:
+        at = answer.drawn_vector
+        return (
+            f"∞ ({_angle(answer.drawn)})" if at is None else f"({', '.join(place_parts(at, coordinates(answer)))}) mm"
+        )
+    text = drawn_number(answer) + unit_after(printed_unit(reading.unit)[1])
+    return (
+        f"{text} ({100 * answer.drawn:.1f} %)" if is_efficiency(answer.key, reading.unit) and answer.drawn > 0 else text
+    )
+
+
+def _named(answer: Answer, lang: Lang) -> tuple[str, Node, str]:
+    """What stands before the line, its symbol, and by which way the quantity was found."""
+    symbol = answer.reading.symbol
+    before, _, way = called(symbol, answer.key, lang).partition(f"${symbol}$")
+    if answer.reading.unit == YES_NO:
+        return f"{called(symbol, answer.key, lang)}{'：' if lang == 'zh' else ':'}", row(symbol), ""
+    return before.strip(), row(symbol), way.strip("（） ()")
+
+
+def _led(answer: Answer, name: Node) -> tuple[Node, ...]:
+    """All that stands before the result: symbol = formula = numbers =."""
+    line = answer.reading.formula
+    stated = (name, Txt(" = "))
+    if answer.reading.unit == YES_NO:
+        return ()
+    if answer.is_place or not isinstance(line, Row) or len(line.items) < 2:
+        return stated
+    end = line.items[-1]
+    if not isinstance(end, Txt) or not end.text.startswith(" = "):
+        return stated
+    metres = end.text.rsplit(" = ", 1)[0]  # " = 0.00192 m" of a length that goes on in mm; else nothing
+    return (*line.items[:-1], Txt(f"{metres} = "))
+
+
+def _bracket(answer: Answer, problem: Problem, way: str, lang: Lang) -> str:
+    """Direction or sense, in brackets."""
+    said = [one for one in (_direction(answer, problem, lang), way) if one]
+    if not said:
+        return ""
+    return f"（{'，'.join(said)}）" if lang == "zh" else f" ({', '.join(said)})"
+
+
+def _direction(answer: Answer, problem: Problem, lang: Lang) -> str:
+    """An arrow along an axis, else the angle from the x axis; of turning, the sense; of a force along a line, that."""
+    if answer.is_place:
+        return ""
+    if answer.drawn_vector is not None:
+        return "" if answer.direction is None else _pointing(answer.direction)
+    if (fixed := direction_of_load(problem, answer.key)) is not None and answer.drawn:
+        return _pointing(degrees(fixed))
+    return _TURNS[answer.sense].of(lang) if answer.sense else ""
+
+
+def _pointing(turn: float) -> str:
+    turn = (turn + 180.0) % 360.0 - 180.0
+    return SQUARE.get(f"{turn:.1f}") or f"∠{_angle(turn)}"
+
+
+def _angle(turn: float) -> str:
+    return f"{turn:.1f}°".replace("-", "−")
+
+
+def _after(answer: Answer, lang: Lang) -> str:
+    """The conclusion that the construction came to, and how coarse the reading is."""
+    said = [answer.reading.remark.of(lang).strip().rstrip("。.")] if answer.reading.remark is not None else []
+    share = coarse(answer)
+    if share is not None:
+        said.append(_coarse(share).of(lang))
+    return ("；" if lang == "zh" else "; ").join(said)
+
+
+def _coarse(share: float) -> Words:
+    if share >= 1.0 or isinf(share) or isnan(share):
+        return Words("读数误差与此值同级", "the reading error is as large as the value")
+    return Words(f"读数误差可达 ±{100 * share:.0f} %", f"reading error up to ±{100 * share:.0f} %")

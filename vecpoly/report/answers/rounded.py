@@ -1,0 +1,92 @@
+"""How many decimals an answer has: as many as its reading allows, in the box of answers and in the table alike."""
+
+from __future__ import annotations
+
+from math import floor, isfinite, log10
+
+from ...algebra.quantity import number
+from ...solution import YES_NO, Answer
+from ..values import printed_unit
+
+TENTH = 0.1  # mm: what a rule is read to
+SHARE, SHARE_OF_COARSE = 0.1, 0.25  # of the expected error: what is smaller says nothing
+MOST = 4  # significant digits of an answer; an exact value has one more
+LEAST = 1e-4  # smaller numbers are told by powers of ten
+_SAME = 1e-9  # share by which a number read to a tenth may differ from itself
+_FINEST = 2  # decimals of a place, at most
+COARSE = 0.15  # an expected error of this share of an answer is told beside it
+
+
+def drawn_number(answer: Answer) -> str:
+    """The answer as it is printed, in printed units: with the zeros that were read; turning is told by its sense."""
+    return rounded(_towards(answer) * answer.drawn, decimals(answer), MOST)
+
+
+def exact_number(answer: Answer, exact: float) -> str:
+    """The exact value (SI) beside it: one decimal more."""
+    places = decimals(answer)
+    return rounded(_towards(answer) * exact, None if places is None else places + 1, MOST + 1)
+
+
+def _towards(answer: Answer) -> float:
+    """To the printed unit; what turns clockwise is counted that way, for its sense stands beside it."""
+    return printed_unit(answer.reading.unit)[0] * (-1.0 if answer.sense == "cw" else 1.0)
+
+
+def rounded(value: float, places: int | None, most: int) -> str:
+    """A number with so many decimals, and no more than so many significant digits."""
+    if not value or not isfinite(value) or places is None or abs(value) < LEAST:
+        return number(value, most)
+    fit = most - 1 - floor(log10(abs(value)))
+    text = f"{value:.{max(0, min(places, fit))}f}".replace("-", "−")
+    return "0" if not text.strip("−0.") else text
+
+
+def decimals(answer: Answer) -> int | None:
+    """So many that the last one is worth what was read; None of what is computed or counted."""
+    step = printed_unit(answer.reading.unit)[0] * max(_read_to(answer), _known_to(answer))
+    if answer.reading.unit == YES_NO or not step:
+        return None
+    places = max(0, -floor(log10(step) + 1e-9))
+    if answer.reading.mm is not None:
+        return places
+    drawn = printed_unit(answer.reading.unit)[0] * answer.drawn
+    return next((n for n in range(places) if abs(drawn - round(drawn, n)) < _SAME * abs(drawn)), places)
+
+
+def _read_to(answer: Answer) -> float:
+    """What a tenth of a millimetre is worth; nothing where the hand reads finer."""
+    mm = answer.reading.mm
+    if not mm or abs(mm / TENTH - round(mm / TENTH)) > 1e-6:
+        return 0.0
+    return TENTH * abs(answer.drawn) / mm
+
+
+def _known_to(answer: Answer) -> float:
+    if answer.computed or not isfinite(answer.expected_error):
+        return 0.0
+    return (SHARE if coarse(answer) is None else SHARE_OF_COARSE) * answer.expected_error
+
+
+def coordinates(answer: Answer) -> int:
+    """The decimals of a place in mm: as many as were read, one at least where the reading is that good."""
+    at = answer.drawn_vector or 0j
+    least = 1 if answer.expected_error < 1e-3 else 0
+    return next(
+        (n for n in range(least, _FINEST) if all(_falls_on(1e3 * part, n) for part in (at.real, at.imag))), _FINEST
+    )
+
+
+def _falls_on(mm: float, places: int) -> bool:
+    return abs(mm - round(mm, places)) < 1e-6
+
+
+def coarse(answer: Answer) -> float | None:
+    """The share that the expected error is of the answer, where it is so large that it must be told; inf of zero."""
+    if answer.computed or answer.is_place or answer.reading.unit == YES_NO:
+        return None
+    error = answer.expected_error
+    if not isfinite(error) or not error or abs(answer.drawn) < 1e-9 * error:
+        return None
+    share = error / abs(answer.drawn)
+    return share if share >= COARSE else None

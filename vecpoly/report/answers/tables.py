@@ -1,0 +1,176 @@
+"""Drawn beside exact: a table of the quantities, and one of the places; no column in which nothing stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import degrees, isfinite
+
+from ...problem.problem import Problem
+from ...solution import YES_NO, Answer, Solution
+from ...words import Lang, Words
+from ..flow.table import DataTable
+from ..tables import inks_of, trimmed
+from ..values import called, direction_of_load, place_parts, printed_unit, rough, value
+from .rounded import coordinates, drawn_number, exact_number
+
+NOTHING = "—"
+_HEADS = (
+    Words("量", "Quantity"),
+    Words("单位", "Unit"),
+    Words("图上长度 /mm", "On paper /mm"),
+    Words("比例尺", "Scale"),
+    Words("量得值", "Drawn"),
+    Words("方向", "Direction"),
+    Words("精确值", "Exact"),
+    Words("偏差 /%", "Deviation /%"),
+    Words("预期误差", "Expected error"),
+)
+_VALUE, _WITH_UNIT, _ALIGN = 4, (4, 6, 8), "lcdcdcddd"
+_COMPUTED = Words("计算值", "Computed")
+_PLACES = (
+    Words("点", "Point"),
+    Words("量得 $x$ /mm", "Drawn $x$ /mm"),
+    Words.same("$y$ /mm"),
+    Words("精确 $x$ /mm", "Exact $x$ /mm"),
+    Words.same("$y$ /mm"),
+    Words("距离 /mm", "Distance /mm"),
+    Words("预期误差 /mm", "Expected error /mm"),
+)
+_ALIGN_PLACES = "ldddddd"
+_SENSE = {"ccw": Words("↺ 逆时针", "↺ ccw"), "cw": Words("↻ 顺时针", "↻ cw")}
+_APART = 1e-9  # m: places that all hands find alike, a fixed pivot
+
+
+def readings_tables(solution: Solution, lang: Lang) -> tuple[DataTable, ...]:
+    """The answers that were read or computed beside the exact ones; none where all of them are only counted."""
+    answers = tuple(solution.answers.values())
+    if all(map(counted, answers)):
+        return ()
+    places, others = _sorted(answers)
+    found = [_values(others, solution, lang)] if others else []
+    return (*found, *([_places(places, solution, lang)] if places else []))
+
+
+def readings_at(
+    positions: Iterable[tuple[str, Solution, Iterable[Answer]]], drive: str, lang: Lang
+) -> tuple[DataTable, ...]:
+    """The same at several positions, each told in the first column; without the expected errors."""
+    values: list[tuple[str, ...]] = []
+    places: list[tuple[str, ...]] = []
+    for where, solution, answers in positions:
+        spots, others = _sorted(answers)
+        values += _at(where, [_row(one, solution.problem, lang, _unit(one)) for one in others])
+        places += _at(where, [_place_row(one) for one in spots])
+    tables = ((values, _HEADS, _ALIGN), (places, _PLACES, _ALIGN_PLACES))
+    return tuple(
+        trimmed([drive, *(head.of(lang) for head in heads[:-1])], rows, (), f"l{align[:-1]}", lang)
+        for rows, heads, align in tables
+        if rows
+    )
+
+
+def _at(where: str, rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
+    return [("" if n else where, *row[:-1]) for n, row in enumerate(rows)]
+
+
+def _sorted(answers: Iterable[Answer]) -> tuple[list[Answer], list[Answer]]:
+    """The places, and all that is none; a place at infinity is a direction."""
+    every = list(answers)
+    places = [one for one in every if one.is_place and one.drawn_vector is not None and one.exact_vector is not None]
+    return places, [one for one in every if one not in places]
+
+
+def counted(answer: Answer) -> bool:
+    """Whether the answer is a number of things, or yes or no, and the same by the independent count."""
+    whole = not answer.reading.unit and float(answer.drawn).is_integer() and answer.reading.mm is None
+    return (whole or answer.reading.unit == YES_NO) and answer.drawn == answer.exact
+
+
+def _values(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
+    units = {_unit(one) for one in answers if one.reading.unit != YES_NO}
+    one_unit = units.pop() if len(units) == 1 else ""
+    header = [head.of(lang) for head in _HEADS]
+    if all(one.computed for one in answers):
+        header[_VALUE] = _COMPUTED.of(lang)
+    if one_unit not in ("", NOTHING):
+        header = [f"{head} /{_braced(one_unit)}" if n in _WITH_UNIT else head for n, head in enumerate(header)]
+    rows = [_row(one, solution.problem, lang, "" if one_unit else _unit(one)) for one in answers]
+    return trimmed(header, rows, (), _ALIGN, lang, inks_of(solution, (one.key for one in answers)))
+
+
+def _braced(unit: str) -> str:
+    return f"({unit})" if "/" in unit or "·" in unit else unit
+
+
+def _unit(answer: Answer) -> str:
+    """The unit as it stands in the table; of a pure number nothing."""
+    unit = printed_unit(answer.reading.unit)[1]
+    return {"deg": "°", "": NOTHING, YES_NO: NOTHING}.get(unit, unit)
+
+
+def _row(answer: Answer, problem: Problem, lang: Lang, unit: str) -> tuple[str, ...]:
+    r = answer.reading
+    factor = printed_unit(r.unit)[0]
+    exact = _clean(answer)
+    return (
+        called(r.symbol, r.key, lang),
+        unit or NOTHING,
+        NOTHING if r.mm is None else f"{r.mm:.1f}",
+        f"${r.scale}$" if r.scale else NOTHING,
+        _plain(answer, answer.drawn, lang) or drawn_number(answer),
+        way(answer, problem, lang),
+        _plain(answer, exact, lang) or exact_number(answer, exact),
+        _deviation(answer),
+        NOTHING if answer.computed else rough(factor * answer.expected_error),
+    )
+
+
+def _plain(answer: Answer, size: float, lang: Lang) -> str:
+    """What is no number: yes, no, undefined; the direction of a place at infinity."""
+    if answer.reading.unit == YES_NO or answer.undefined:
+        return value(size, YES_NO, lang)
+    return f"∞, {angle(size)}" if answer.is_place else ""
+
+
+def _clean(answer: Answer) -> float:
+    """The exact value; zero where only rounding noise is left."""
+    return 0.0 if abs(answer.exact) < 1e-9 * max(1.0, abs(answer.expected_error)) else answer.exact
+
+
+def _deviation(answer: Answer) -> str:
+    """In per cent; nothing where a formula gave the exact value, and of an exact value of zero."""
+    if answer.computed or answer.is_place or not _clean(answer) or not isfinite(answer.relative_deviation):
+        return NOTHING
+    text = f"{100 * answer.relative_deviation:+.2f}"
+    return text.lstrip("+-") if float(text) == 0 else text.replace("-", "−")
+
+
+def way(answer: Answer, problem: Problem, lang: Lang) -> str:
+    """Direction in degrees, the sense of turning, or the line along which a force is counted."""
+    if answer.drawn_vector is not None:
+        return NOTHING if answer.direction is None else angle(answer.direction)
+    fixed = direction_of_load(problem, answer.key)
+    if fixed is not None:
+        return Words(f"沿 {angle(degrees(fixed))}", f"along {angle(degrees(fixed))}").of(lang)
+    return _SENSE[answer.sense].of(lang) if answer.sense and _clean(answer) else NOTHING
+
+
+def angle(turn: float) -> str:
+    """An angle to a tenth of a degree: −76.1°."""
+    return f"{turn:.1f}°".replace("-", "−")
+
+
+def _places(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
+    rows, inks = [_place_row(one) for one in answers], inks_of(solution, (one.key for one in answers))
+    return trimmed([head.of(lang) for head in _PLACES], rows, (), _ALIGN_PLACES, lang, inks)
+
+
+def _place_row(answer: Answer) -> tuple[str, ...]:
+    """A point (m): both coordinates as drawn and exact, how far they are apart."""
+    drawn, exact = answer.drawn_vector, answer.exact_vector
+    assert drawn is not None and exact is not None
+    places, off = coordinates(answer), abs(drawn - exact)
+    reach = NOTHING if answer.expected_error <= _APART else rough(1e3 * answer.expected_error)
+    gap = "0" if off <= _APART else rough(1e3 * off)
+    here, there = place_parts(drawn, places), place_parts(exact, places + 1)
+    return (f"${answer.reading.symbol}$", *here, *there, gap, reach)

@@ -1,0 +1,1 @@
+"""How results are set: the box of answers, numbers under each other by their decimal points."""

@@ -1,0 +1,148 @@
+"""The box that ends a problem: a framed list of what was asked, side by side as far as there is room."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import ceil
+
+from ....typeset.box import MM, Box, beside
+from ....typeset.canvas import Ink
+from ....typeset.words import layout_words
+from ....words import Lang, Words
+from ...answers.line import AnswerLine
+from ..base import Block, Tightness
+from ..cells import cells, joined
+from ..formula import lines as broken
+from ..lines import break_lines
+from ..style import CELL
+
+TITLE = Words("答", "Answer")
+_PAD, _SKIP, _GAP = 2.6, 1.7, 2.5  # mm: inside the frame, between rows, beside a line
+_BLANK = 1.5  # mm: between a line and what is said after it
+_STOPS = 4  # where a line may begin, in equal steps
+_LEAST = 3  # rows that a page break leaves together
+_FRAME = 0.6  # pt
+
+_Row = tuple[tuple[float, Box], ...]  # boxes on one base line, with their left ends (mm)
+
+
+class AnswerBox(Block):
+    """lines: one a quantity; said: sentences that are answers of their own."""
+
+    def __init__(self, lines: Sequence[AnswerLine], said: Sequence[str] = (), lang: Lang = "zh") -> None:
+        super().__init__(7.0, 8.0)
+        self.lines, self.said, self.lang = tuple(lines), tuple(said), lang
+        self._em, self._skip = CELL.em, _SKIP
+        self._title = layout_words(TITLE.of(lang), self._em, True)
+        self._rows: tuple[_Row, ...] = ()
+        self._set = False  # a part of a box keeps the rows that it was given
+
+    def tighten(self, degree: Tightness) -> None:
+        """Rows closer too."""
+        super().tighten(degree)
+        self._skip = degree.white * _SKIP
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Size in a column."""
+        self.width = width
+        if not self._set:
+            room = width / MM - 2 * _PAD - self._margin
+            self._rows = (*_grid(list(_items(self.lines, self._em, room)), room), *self._sentences(room))
+        self.height = (sum(map(_height, self._rows)) + self._skip * (len(self._rows) - 1) + 2 * _PAD) * MM
+        return width, self.height
+
+    @property
+    def _margin(self) -> float:
+        """The column of the title."""
+        return self._title.width + 3.0
+
+    def _sentences(self, room: float) -> Iterator[_Row]:
+        for text in self.said:
+            for line in break_lines(cells(text, self._em, self.lang == "zh"), room, self._em):
+                yield ((0.0, joined(list(line.cells), self._em)),)
+
+    def split(self, width: float, height: float) -> list[Block]:
+        """Whole rows to each page."""
+        self.wrap(width, height)
+        used, count = 2 * _PAD, 0
+        while count < len(self._rows) and used + _height(self._rows[count]) <= height / MM:
+            used += _height(self._rows[count]) + self._skip
+            count += 1
+        count = min(count, len(self._rows) - _LEAST)
+        if count < _LEAST:
+            return []
+        return [self._part(self._rows[:count], True), self._part(self._rows[count:], False)]
+
+    def _part(self, rows: tuple[_Row, ...], first: bool) -> AnswerBox:
+        part = AnswerBox((), (), self.lang)
+        part._rows, part._skip, part._set = rows, self._skip, True
+        if not first:
+            part._title = replace(self._title, items=())
+        return part
+
+    def draw(self) -> None:
+        """Draw the frame, the title in its margin, and the rows."""
+        self.canv.setLineWidth(_FRAME)
+        self.canv.rect(0.0, 0.0, self.width, self.height)
+        ink, y = Ink(self.canv), self.height / MM - _PAD
+        for number, row in enumerate(self._rows):
+            base = y - max(box.ascent for _, box in row)
+            if not number:
+                ink.box(self._title, _PAD * MM, base * MM)
+            for x, box in row:
+                ink.box(box, (_PAD + self._margin + x) * MM, base * MM)
+            y -= _height(row) + self._skip
+        ink.flush()
+
+
+def _items(answers: Sequence[AnswerLine], em: float, room: float) -> Iterator[tuple[Box, ...]]:
+    """Each answer as the boxes of its lines."""
+    for one in answers:
+        before = (layout_words(f"{one.before} ", em), Box(_BLANK, 0.0, 0.0)) if one.before else ()
+        after = layout_words(one.after, em * 0.92) if one.after else None
+        parts = [
+            Box(x + box.width, box.ascent, box.descent, tuple(box.moved(x, 0.0))) for x, box in _broken(one, em, room)
+        ]
+        parts[0] = beside((*before, parts[0]))
+        if after is None:
+            yield tuple(parts)
+        elif parts[-1].width + 2 * _BLANK + after.width <= room:
+            yield (*parts[:-1], beside((parts[-1], Box(2 * _BLANK, 0.0, 0.0), after)))
+        else:
+            yield (*parts, *_folded(one.after, em * 0.92, room))
+
+
+def _broken(one: AnswerLine, em: float, room: float) -> tuple[tuple[float, Box], ...]:
+    taken = layout_words(f"{one.before} ", em).width + _BLANK if one.before else 0.0
+    return broken(one.node, em, room - taken)
+
+
+def _folded(text: str, em: float, room: float) -> Iterator[Box]:
+    """What is said after a line, under it and a little in."""
+    chinese = any(char >= "\u2e80" for char in text)
+    for line in break_lines(cells(text, em, chinese), room - 2 * em, em):
+        yield beside((Box(2 * em, 0.0, 0.0), joined(list(line.cells), em)))
+
+
+def _grid(items: Sequence[tuple[Box, ...]], room: float) -> Iterator[_Row]:
+    """The items in reading order, each at a quarter of the width, side by side as far as there is room."""
+    pitch = room / _STOPS
+    row: list[tuple[float, Box]] = []
+    stop = 0
+    for boxes in items:
+        takes = _STOPS if len(boxes) > 1 else min(_STOPS, ceil((boxes[0].width + _GAP) / pitch))
+        if row and stop + takes > _STOPS:
+            yield tuple(row)
+            row, stop = [], 0
+        row.append((stop * pitch, boxes[0]))
+        stop += takes
+        for box in boxes[1:]:
+            yield tuple(row)
+            row = [(0.0, box)]
+    if row:
+        yield tuple(row)
+
+
+def _height(row: _Row) -> float:
+    return max(box.ascent for _, box in row) + max(box.descent for _, box in row)

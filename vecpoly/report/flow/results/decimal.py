@@ -1,0 +1,47 @@
+"""Numbers of a column under each other by their decimal points."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ..cells import cells, joined
+
+_NUMBER = re.compile(r"\s*[+−-]?\d+")  # up to the point, or to the end of a whole number
+
+
+@dataclass(frozen=True, slots=True)
+class Aligned:
+    """before, after: the widest parts of the column's numbers on each side of the point (mm)."""
+
+    before: float
+    after: float
+    em: float
+    chinese: bool
+
+    @property
+    def width(self) -> float:
+        """What the numbers take together."""
+        return self.before + self.after
+
+    def indent(self, text: str, room: float) -> float | None:
+        """Where a cell begins in a column of this width, its numbers in the middle; None of what is no number."""
+        parts = _parts(text, self.em, self.chinese)
+        return None if parts is None else (room - self.width) / 2 + self.before - parts[0]
+
+
+def aligned(texts: Iterable[str], em: float, chinese: bool) -> Aligned:
+    """The column of these texts."""
+    parts = [part for text in texts if (part := _parts(text, em, chinese)) is not None]
+    before, after = max((a for a, _ in parts), default=0.0), max((b for _, b in parts), default=0.0)
+    return Aligned(before, after, em, chinese)
+
+
+def _parts(text: str, em: float, chinese: bool) -> tuple[float, float] | None:
+    """The widths of a number before its point and from there on."""
+    found = _NUMBER.match(text)
+    if found is None:
+        return None
+    whole, before = (joined(cells(part, em, chinese), em).width for part in (text, found[0]))
+    return before, whole - before
