@@ -1,21 +1,38 @@
-"""Which figures share a page: as few pages as will do, a free body with its polygon,
+"""Which figures share a page: as few pages as will do, all turned one way, a free body with its polygon,
 no small drawing alone on one of several."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Generic, Literal, Protocol, TypeVar
 
 from ...board.construction import Figure, View
 from ..scene import Scene
-from .packing import Layout, pack
+from .packing import Layout, pack, packed, slicings
+from .slicing import Pair, Size
 from .space import room_inside
 
 SPARSE = 0.25  # share of a page below which figures look lost on it
-UPRIGHT = 4.0  # mm of white by which a landscape page must be better than a portrait one
+UPRIGHT = 0.04  # of a page's area by which figures must spread wider over one that lies across
 CROWDED = 6.5  # mm of white below which a page is full to the brim
 LONGEST = 12  # figures on a page
+
+
+class Sized(Protocol):
+    """A figure, as far as its place on a page goes."""
+
+    @property
+    def view(self) -> View: ...
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def size(self) -> Size: ...
+
+
+F = TypeVar("F", bound=Sized)
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,14 +44,15 @@ class Drawn:
     scene: Scene
 
     @property
-    def size(self) -> tuple[float, float]:
+    def size(self) -> Size:
         """Width and height with lettering and title, mm."""
         return self.scene.extents.width, self.scene.extents.height
 
 
 Way = Literal["portrait", "landscape"] | None
-Page = tuple[tuple[Drawn, ...], Layout]
+Page = tuple[tuple[F, ...], Layout]
 Cost = tuple[int, int, int, int, int]
+NOTHING: Cost = (0, 0, 0, 0, 0)
 
 
 def reading_order(figures: Sequence[Figure]) -> tuple[Figure, ...]:
@@ -47,49 +65,88 @@ def reading_order(figures: Sequence[Figure]) -> tuple[Figure, ...]:
     return tuple(ordered)
 
 
-def paged(drawn: tuple[Drawn, ...], way: Way = None) -> list[Page] | None:
-    """The figures in order on the best pages, all of them turned this way where one is wished;
+def paged(drawn: Sequence[F], way: Way = None) -> list[Page[F]] | None:
+    """The figures in order on the best pages, all of them turned alike, this way where one is wished;
     None where one fits no page."""
-    best: list[tuple[Cost, list[Page]] | None] = [((0, 0, 0, 0, 0), [])]
-    for end in range(1, len(drawn) + 1):
-        options: list[tuple[Cost, list[Page]]] = []
+    ways = [found for across in ways_of(way) if (found := Paging(drawn, across).best()) is not None]
+    return min(ways, key=_rank, default=(NOTHING, None))[1]
+
+
+def ways_of(way: Way) -> tuple[bool, ...]:
+    """Whether pages may lie across: upright first."""
+    return (False, True) if way is None else (way == "landscape",)
+
+
+def _rank(found: tuple[Cost, list[Page[F]]]) -> tuple[Cost, float]:
+    """The dearer, the later; of equal costs the one over whose pages the figures spread widest."""
+    cost, pages = found
+    across = pages[0][1].page == room_inside(True)
+    return cost, -min(covered(figures, layout) for figures, layout in pages) + (UPRIGHT if across else 0.0)
+
+
+def covered(figures: Sequence[Sized], layout: Layout) -> float:
+    """What the box about all figures takes of the page's area."""
+    lefts, feet = [c.real for c in layout.corners], [c.imag for c in layout.corners]
+    wide = max(x + one.size[0] for x, one in zip(lefts, figures, strict=True)) - min(lefts)
+    high = max(y + one.size[1] for y, one in zip(feet, figures, strict=True)) - min(feet)
+    return wide * high / (layout.page[0] * layout.page[1])
+
+
+class Paging(Generic[F]):
+    """The figures on pages turned one way; `tied` pairs stand together wherever they fit so."""
+
+    def __init__(self, drawn: Sequence[F], across: bool) -> None:
+        self.drawn, self.page = tuple(drawn), room_inside(across)
+        self.sizes = [one.size for one in self.drawn]
+        self.pairs = pairs_of(self.drawn)
+        self._slicings = slicings(self.sizes, self.page, self.pairs)
+
+    def best(self) -> tuple[Cost, list[Page[F]]] | None:
+        """The pages of least cost, of equal costs the fullest first; None where a figure fits no page."""
+        best: list[tuple[Cost, list[Page[F]]] | None] = [(NOTHING, [])]
+        for end in range(1, len(self.drawn) + 1):
+            options = self._options(best, end)
+            best.append(min(options, key=lambda o: (o[0], [-len(page) for page, _ in o[1]]), default=None))
+        return best[-1]
+
+    def _options(
+        self, best: Sequence[tuple[Cost, list[Page[F]]] | None], end: int
+    ) -> Iterator[tuple[Cost, list[Page[F]]]]:
         for start in range(max(0, end - LONGEST), end):
-            before = best[start]
-            layout = arranged(drawn[start:end], way) if before is not None else None
-            if before is not None and layout is not None:
-                cost = tuple(a + b for a, b in zip(before[0], _cost(drawn, start, end, layout), strict=True))
-                options.append((cost, [*before[1], (drawn[start:end], layout)]))  # type: ignore[arg-type]
-        # of equal costs the fullest first pages
-        best.append(min(options, key=lambda o: (o[0], [-len(page) for page, _ in o[1]]), default=None))
-    last = best[-1]
-    return last[1] if last is not None else None
+            if (before := best[start]) is None or (layout := self.arranged(start, end)) is None:
+                continue
+            cost = tuple(a + b for a, b in zip(before[0], self._cost(start, end, layout), strict=True))
+            yield cost, [*before[1], (self.drawn[start:end], layout)]  # type: ignore[misc]
+
+    def arranged(self, start: int, end: int) -> Layout | None:
+        """These figures on one page."""
+        if sum(w * h for w, h in self.sizes[start:end]) > self.page[0] * self.page[1]:
+            return None
+        made = (packed(slicing, start, end, self.sizes, self.page) for slicing in self._slicings)
+        return next((layout for layout in made if layout is not None), None)
+
+    def _cost(self, start: int, end: int, layout: Layout) -> Cost:
+        """Of a page: itself with each pair that is torn, those pairs,
+        sparse among several, an unnatural break before it, and crowding."""
+        torn = sum(start <= j < end for _, j in self.pairs) - layout.together
+        area = sum(w * h for w, h in self.sizes[start:end])
+        sparse = (start > 0 or end < len(self.drawn)) and area < SPARSE * layout.page[0] * layout.page[1]
+        natural = start == 0 or (self.drawn[start].view.paired and not self.drawn[start - 1].view.paired)
+        return 1 + torn, torn, int(sparse), int(not natural), int(layout.white < CROWDED)
 
 
-def arranged(drawn: tuple[Drawn, ...], way: Way = None) -> Layout | None:
-    """Portrait or landscape, as wished or whichever leaves the more even white; portrait where they are alike."""
-    sizes, pairs = (
-        [one.size for one in drawn],
-        [(i, i + 1) for i in range(len(drawn) - 1) if _paired(drawn[i], drawn[i + 1])],
-    )
-    upright, wide = (
-        None if way and landscape != (way == "landscape") else pack(sizes, room_inside(landscape), pairs)
-        for landscape in (False, True)
-    )
-    if upright is None or wide is None:
-        return upright or wide
-    return wide if (wide.together, wide.white) > (upright.together, upright.white + UPRIGHT) else upright
+def arranged(drawn: Sequence[Sized], way: Way = None) -> Layout | None:
+    """All figures on one page, upright or across, as wished or whichever they spread over more widely."""
+    sizes, pairs = [one.size for one in drawn], pairs_of(drawn)
+    made = [layout for across in ways_of(way) if (layout := pack(sizes, room_inside(across), tuple(pairs))) is not None]
+    return max(made, key=lambda one: (one.together, covered(drawn, one)), default=None)
 
 
-def _paired(a: Drawn, b: Drawn) -> bool:
+def pairs_of(drawn: Sequence[Sized]) -> frozenset[Pair]:
+    """Neighbours of which the second is the polygon of the first."""
+    return frozenset((i, i + 1) for i in range(len(drawn) - 1) if paired(drawn[i], drawn[i + 1]))
+
+
+def paired(a: Sized, b: Sized) -> bool:
+    """Whether the second is the polygon of the first."""
     return b.view.beside is a.view and a.name == b.name
-
-
-def _cost(drawn: tuple[Drawn, ...], start: int, end: int, layout: Layout) -> Cost:
-    """Of a page: itself with each pair that is torn, those pairs,
-    sparse among several, an unnatural break before it, and crowding."""
-    pairs = sum(_paired(drawn[i - 1], drawn[i]) for i in range(max(start, 1), end))
-    torn = pairs - layout.together
-    area = sum(w * h for w, h in (one.size for one in drawn[start:end]))
-    sparse = (start > 0 or end < len(drawn)) and area < SPARSE * layout.page[0] * layout.page[1]
-    natural = start == 0 or (drawn[start].view.paired and not drawn[start - 1].view.paired)
-    return 1 + torn, torn, int(sparse), int(not natural), int(layout.white < CROWDED)

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...board.construction import View
-from .packing import Size, fits_sheet
+from .packing import fits_sheet
+from .slicing import Size
 from .space import room, slots
 
 

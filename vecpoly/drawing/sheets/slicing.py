@@ -1,0 +1,111 @@
+"""A page cut by straight lines, across and down, until each piece holds one figure: which boxes the cuts can make.
+
+Figures keep their order of reading: each stands to the right of the one before it, or below it. Of all ways to cut only
+those are kept that no other betters in width and in height at once (Stockmeyer's shape curves); with them every row of
+figures is found by joining two curves, not by trying all cuts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+Size = tuple[float, float]
+Pair = tuple[int, int]
+TOUCH = 1e-6  # mm: figures that touch do not overlap
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """Pieces side by side, or one below the other; a piece is a figure's number, or cut again."""
+
+    down: bool
+    pieces: tuple[Piece, ...]
+
+
+Piece = int | Cut
+Shape = tuple[float, float, Piece]
+Curve = tuple[Shape, ...]  # from the narrowest and tallest to the widest and lowest
+
+
+@dataclass(slots=True)
+class Slicing:
+    """The shapes of figures in order, on pages no wider and no higher than `room`.
+
+    tied: pairs of neighbours that no cut may part from each other; an interval that holds only one of a pair has no
+    shape unless it is that one alone. abreast: the pairs stand side by side, not one below the other.
+    """
+
+    sizes: Sequence[Size]
+    room: Size
+    tied: frozenset[Pair] = frozenset()
+    abreast: bool = False
+    _curves: dict[Pair, Curve] = field(default_factory=dict)
+
+    def shapes(self, start: int, end: int) -> Curve:
+        """Every box that figures start, ..., end − 1 can fill and none betters; none where the page is too small."""
+        if (start, end) not in self._curves:
+            self._curves[start, end] = self._found(start, end)
+        return self._curves[start, end]
+
+    def _found(self, start: int, end: int) -> Curve:
+        if end - start == 1:
+            return self._within([(*self.sizes[start], start)])
+        if not self._whole(start, end):
+            return ()
+        found: list[Shape] = []
+        for middle in range(start + 1, end):
+            before, after = self.shapes(start, middle), self.shapes(middle, end)
+            if before and after:
+                found += _side_by_side(before, after)
+                found += () if self.abreast and (start, end - 1) in self.tied else _stacked(before, after)
+        return self._within(found)
+
+    def _whole(self, start: int, end: int) -> bool:
+        """Whether no pair is torn by the ends."""
+        return (start - 1, start) not in self.tied and (end - 1, end) not in self.tied
+
+    def _within(self, shapes: list[Shape]) -> Curve:
+        """Those that fit the page and that none betters."""
+        width, height = self.room[0] + TOUCH, self.room[1] + TOUCH
+        kept: list[Shape] = []
+        for shape in sorted((one for one in shapes if one[0] <= width and one[1] <= height), key=lambda s: s[:2]):
+            if not kept or shape[1] < kept[-1][1] - TOUCH:
+                kept.append(shape)
+        return tuple(kept)
+
+
+def _side_by_side(left: Curve, right: Curve) -> list[Shape]:
+    """Widths add up, the taller one tells the height."""
+    found: list[Shape] = []
+    i = j = 0
+    while i < len(left) and j < len(right):
+        (w, h, a), (v, g, b) = left[i], right[j]
+        found.append((w + v, max(h, g), _cut(False, a, b)))
+        i, j = (i + 1 if h >= g else i), (j + 1 if g >= h else j)
+    return found
+
+
+def _stacked(upper: Curve, lower: Curve) -> list[Shape]:
+    """Heights add up, the wider one tells the width."""
+    found: list[Shape] = []
+    i, j = len(upper) - 1, len(lower) - 1
+    while i >= 0 and j >= 0:
+        (w, h, a), (v, g, b) = upper[i], lower[j]
+        found.append((max(w, v), h + g, _cut(True, a, b)))
+        i, j = (i - 1 if w >= v else i), (j - 1 if v >= w else j)
+    return found
+
+
+def _cut(down: bool, a: Piece, b: Piece) -> Cut:
+    """Two pieces cut apart; a row beside a piece is a longer row."""
+    return Cut(down, (*_pieces(down, a), *_pieces(down, b)))
+
+
+def depth(piece: Piece) -> int:
+    """How often a piece is cut within a piece: 1 for a row, 2 for a column of rows."""
+    return 1 + max(depth(one) for one in piece.pieces) if isinstance(piece, Cut) else 0
+
+
+def _pieces(down: bool, piece: Piece) -> tuple[Piece, ...]:
+    return piece.pieces if isinstance(piece, Cut) and piece.down is down else (piece,)

@@ -1,0 +1,95 @@
+"""Figures of a page that is cut into pieces spread over it: its white goes evenly to the figures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from .slicing import TOUCH, Cut, Piece, Size
+
+Box = tuple[float, float, float, float]  # left, top (downwards from the upper edge), width, height
+
+
+def spread(piece: Piece, sizes: Sequence[Size], page: Size) -> list[complex]:
+    """Where the lower left corner of each figure stands on a page of this size, whose lower left corner is 0."""
+    corners = [0j] * len(sizes)
+    _spread(piece, (0.0, 0.0, *page), sizes, corners)
+    return [complex(at.real, page[1] - at.imag) for at in corners]
+
+
+def least(piece: Piece, sizes: Sequence[Size]) -> Size:
+    """Width and height without any white."""
+    if not isinstance(piece, Cut):
+        return sizes[piece]
+    parts = [least(one, sizes) for one in piece.pieces]
+    wide, high = [w for w, _ in parts], [h for _, h in parts]
+    return (max(wide), sum(high)) if piece.down else (sum(wide), max(high))
+
+
+def _spread(piece: Piece, box: Box, sizes: Sequence[Size], corners: list[complex]) -> None:
+    """Corners as complex(left, lower edge from above)."""
+    left, top, width, height = box
+    if not isinstance(piece, Cut):
+        w, h = sizes[piece]
+        corners[piece] = complex(left + (width - w) / 2, top + (height + h) / 2)
+        return
+    cells = _cells(piece, (width, height), sizes)
+    table = _columns(piece, width, sizes)
+    at = top if piece.down else left
+    for part, cell in zip(piece.pieces, cells, strict=True):
+        if not piece.down:
+            _spread(part, (at, top, cell, height), sizes, corners)
+        elif table:
+            _in_columns(part, table, (left, at, width, cell), sizes, corners)
+        else:
+            _spread(part, (left, at, width, cell), sizes, corners)
+        at += cell
+    if not piece.down:
+        _on_one_line(piece, sizes, corners)
+
+
+def _cells(cut: Cut, room: Size, sizes: Sequence[Size]) -> list[float]:
+    """How long each piece is along the cut: what it needs, and its share of the white by its figures in a row."""
+    along = 1 if cut.down else 0
+    needs = [least(part, sizes)[along] for part in cut.pieces]
+    shares = [_deep(part, cut.down) for part in cut.pieces]
+    free = room[along] - sum(needs)
+    return [need + free * share / sum(shares) for need, share in zip(needs, shares, strict=True)]
+
+
+def _deep(piece: Piece, down: bool) -> int:
+    """How many figures stand one behind the other in this direction."""
+    if not isinstance(piece, Cut):
+        return 1
+    parts = [_deep(one, down) for one in piece.pieces]
+    return sum(parts) if piece.down is down else max(parts)
+
+
+def _columns(cut: Cut, width: float, sizes: Sequence[Size]) -> list[float]:
+    """The columns of a table that rows of as many figures make where they fit; none else."""
+    rows = [part.pieces for part in cut.pieces if isinstance(part, Cut) and not part.down]
+    if not cut.down or len(rows) < len(cut.pieces) or len({len(row) for row in rows}) > 1:
+        return []
+    if any(isinstance(one, Cut) for row in rows for one in row):
+        return []
+    columns = [max(sizes[one][0] for one in column) for column in zip(*rows, strict=True)]
+    free = (width - sum(columns)) / len(columns)
+    return [column + free for column in columns] if free >= -TOUCH else []
+
+
+def _in_columns(row: Piece, table: Sequence[float], box: Box, sizes: Sequence[Size], corners: list[complex]) -> None:
+    """A row of figures, each in its column."""
+    assert isinstance(row, Cut)
+    left, top, _, height = box
+    for part, wide in zip(row.pieces, table, strict=True):
+        _spread(part, (left, top, wide, height), sizes, corners)
+        left += wide
+    _on_one_line(row, sizes, corners)
+
+
+def _on_one_line(row: Cut, sizes: Sequence[Size], corners: list[complex]) -> None:
+    """The figures of a row stand on the line of the tallest, so that their titles do."""
+    alone = [one for one in row.pieces if not isinstance(one, Cut)]
+    if alone:
+        line = max(corners[one].imag for one in alone)
+        for one in alone:
+            corners[one] = complex(corners[one].real, line)
