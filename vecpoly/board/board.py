@@ -12,7 +12,7 @@ from typing import cast
 
 import numpy as np
 
-from ..algebra.formula import Node, Row, row
+from ..algebra.formula import Node, Row, plain, row
 from ..algebra.quantity import Expr, Quantity, magnitude, paper, worked
 from ..errors import NotAskedError
 from ..names import ascii_key
@@ -208,8 +208,11 @@ class Board(Compass):
         return size
 
     def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
-        """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm."""
-        self.write(worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm"))
+        """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm; it was needed when it was laid off."""
+        key = ascii_key(plain(quantity.symbol()))
+        self.write(
+            worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm"), when=self.laid_off(key)
+        )
 
 
 class Scratch(Board):
