@@ -31,7 +31,7 @@ one("#zoom-out").onclick = () => stage.zoom(1 / 1.3);
 one("#zoom-fit").onclick = () => player.fit();
 one("#language").onclick = () => player.setLang(player.lang() === "zh" ? "en" : "zh");
 for (const chip of all("#views button")) chip.onclick = () => player.look(chip.dataset.view);
-for (const node of steps) one(".number", node).onclick = () => { player.stop(); player.go(+node.dataset.step); };
+for (const node of steps) one(".number", node).onclick = () => { player.stop(); player.go(+node.dataset.last); };
 if (one("#mode-turn")) {
   one("#mode-steps").onclick = () => player.setMode("steps");
   one("#mode-turn").onclick = () => player.setMode("turn");
@@ -42,10 +42,10 @@ document.addEventListener("keydown", (event) => {
   const on = event.target instanceof Element ? event.target : document.body;
   if (on.closest("#check input, #check select")) return; // somebody writes
   if (on === slider && !" PageUp PageDown + - = 0 f".includes(event.key)) return; // the slider has keys of its own; a presenter's remote sends PageDown
-  if (event.key === " " && on.closest("button, summary")) return;
-  const act = { ArrowRight: () => player.next(1), ArrowLeft: () => player.next(-1), PageDown: () => player.next(1), PageUp: () => player.next(-1),
+  if (" Enter".includes(event.key) && on.closest("button, summary, a")) return;
+  const act = { ArrowRight: () => player.next(1), ArrowLeft: () => player.next(-1), ArrowDown: () => player.leap(1), ArrowUp: () => player.leap(-1), PageDown: () => player.next(1), PageUp: () => player.next(-1),
     Home: () => one("#first").onclick(), End: () => one("#last").onclick(), " ": () => player.play(),
-    "+": () => stage.zoom(1.25), "=": () => stage.zoom(1.25), "-": () => stage.zoom(0.8), 0: () => player.fit(), f: () => one("#present").onclick() }[event.key];
+    "+": () => stage.zoom(1.25), "=": () => stage.zoom(1.25), "-": () => stage.zoom(0.8), 0: () => player.fit(), f: () => one("#present").onclick(), g: () => guess.toggle(), Enter: () => guess.reveal() }[event.key];
   if (!act) return;
   event.preventDefault();
   act();
@@ -54,13 +54,13 @@ document.addEventListener("keydown", (event) => {
 // On paper: every step, and the finished figures.
 let before = null;
 addEventListener("beforeprint", () => {
-  before = { step: player.step, open: one("#problem").open };
+  before = { beat: player.beat, open: one("#problem").open };
   one("#problem").open = true;
-  if (!player.turning()) { player.go(COUNT, false); for (const { group } of figures.flatMap((figure) => figure.groups)) group.setAttribute("class", ""); }
-  for (const node of all("#steps .off")) node.classList.remove("off");
+  if (!player.turning()) { player.go(cut.length, false); for (const { group } of figures.flatMap((figure) => figure.groups)) group.setAttribute("class", ""); }
+  for (const node of all("#steps .off, #steps .later")) node.classList.remove("off", "later");
   stage.show([], true);
 });
-addEventListener("afterprint", () => { one("#problem").open = before.open; player.go(player.turning() ? player.place : before.step, false); player.frame(true); });
+addEventListener("afterprint", () => { one("#problem").open = before.open; player.go(player.turning() ? player.place : before.beat, false); player.frame(true); });
 
 new ResizeObserver(() => player.arrange()).observe(paper);
 new ResizeObserver(() => player.turning() || player.reveal(steps[player.step - 1])).observe(one("#panel"));
@@ -69,7 +69,7 @@ let wish = new URLSearchParams(location.hash.slice(1)); // play.html#step=7, #tu
 function follow() {
   if (wish.has("lang")) root.dataset.lang = root.lang = wish.get("lang") === "en" ? "en" : "zh";
   if (wish.has("turn") && one("#motion")) { turn.load(); player.place = turn.start + (+wish.get("turn") || 0); player.setMode("turn"); }
-  else { player.step = +wish.get("step") || player.step; player.setMode("steps"); }
+  else { player.beat = beat.named(wish.get("step")) || player.beat; player.setMode("steps"); }
 }
 follow();
 addEventListener("hashchange", (event) => { wish = new URLSearchParams(new URL(event.newURL).hash.slice(1)); follow(); });

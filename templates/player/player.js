@@ -11,22 +11,25 @@ const KEYS = { ArrowLeft: "←", ArrowRight: "→" };
 const SPEEDS = [1, 2, 0.25, 0.5], FAST = ["1×", "2×", "¼×", "½×"], SIZES = [100, 125, 150, 200]; // times the pace; % of the usual text
 
 const player = {
-  mode: "steps", step: 1, place: 0, view: "auto", timer: null, way: 1, ready: false, rest: null, speed: 1, laid: "",
+  mode: "steps", beat: 1, place: 0, view: "auto", timer: null, way: 1, ready: false, rest: null, speed: 1, laid: "",
 
   lang: () => root.dataset.lang,
   word: (zh, en) => (player.lang() === "zh" ? zh : en),
   turning: () => player.mode === "turn",
-  at: () => (player.turning() ? player.place : player.step),
+  get step() { return beat.of(player.beat).step; },
+  at: () => (player.turning() ? player.place : player.beat),
   low: () => (player.turning() ? 0 : 1),
-  high: () => (player.turning() ? turn.data.shown.length - 1 : COUNT),
+  high: () => (player.turning() ? turn.data.shown.length - 1 : cut.length),
+  counted: (to) => (player.turning() ? turn.shown(to) : `${beat.name(to)} / ${COUNT}`),
 
   go(to, speak = true) {
-    to = Math.min(Math.max(Math.round(to), player.low()), player.high());
+    to = Math.min(Math.max(player.turning() ? to : Math.round(to) || 1, player.low()), player.high());
+    player.jumped = Math.abs(to - player.beat) > 1;
     if (player.turning()) player.showPlace(to);
-    else player.showStep(to);
+    else player.showBeat(to);
     slider.value = to;
-    one("#counter").textContent = player.turning() ? turn.data.shown[to] : `${to} / ${COUNT}`;
-    slider.setAttribute("aria-valuetext", player.turning() ? turn.data.shown[to] : player.word(`第 ${to} 步，共 ${COUNT} 步`, `step ${to} of ${COUNT}`));
+    one("#counter").textContent = player.counted(to);
+    slider.setAttribute("aria-valuetext", player.turning() ? turn.shown(to) : player.word(`第 ${beat.name(to)} 步，共 ${COUNT} 步`, `step ${beat.name(to)} of ${COUNT}`));
     const ends = player.turning() && turn.data.round;
     for (const id of ["first", "back"]) one(`#${id}`).setAttribute("aria-disabled", !ends && to === player.low());
     for (const id of ["last", "next"]) one(`#${id}`).setAttribute("aria-disabled", !ends && to === player.high());
@@ -37,7 +40,7 @@ const player = {
   // The address leads back here: play.html#step=7, #turn=10 places beyond the given one. Safari allows few such notes in a short time.
   note() {
     clearTimeout(player.noted);
-    const here = player.turning() ? `#turn=${player.place - turn.start}` : `#step=${player.step}`;
+    const here = player.turning() ? `#turn=${+(player.place - turn.start).toFixed(2)}` : `#step=${beat.name(player.beat)}`;
     if (player.ready) player.noted = setTimeout(() => { try { history.replaceState(null, "", `${here}&lang=${player.lang()}`); } catch { /* no address to change */ } }, 500);
   },
 
@@ -50,34 +53,26 @@ const player = {
 
   said(to) {
     if (player.turning()) return turn.said(to);
-    return player.word(`第 ${to} 步，共 ${COUNT} 步。`, `Step ${to} of ${COUNT}. `) + steps[to - 1].dataset[player.lang() === "zh" ? "sayZh" : "sayEn"];
+    return beat.said(to);
   },
 
-  showStep(to) {
-    player.step = to;
-    for (const figure of figures) {
-      figure.halo.textContent = "";
-      for (const { group, step } of figure.groups) {
-        group.setAttribute("class", step > to ? "off" : step === to ? "now" : "");
-        if (step !== to) continue;
-        const glow = group.cloneNode(true);
-        glow.removeAttribute("class");
-        glow.removeAttribute("data-step");
-        figure.halo.append(glow);
-      }
-    }
+  showBeat(to) {
+    const forward = to === player.beat + 1;
+    if (to !== player.beat) { player.beat = to; guess.enter(to, forward); }
+    beat.draw(to, guess.veiled);
     steps.forEach((node, i) => {
-      node.classList.toggle("cur", i + 1 === to);
-      node.classList.toggle("off", i + 1 > to);
-      if (i + 1 === to) node.setAttribute("aria-current", "step");
+      node.classList.toggle("cur", i + 1 === player.step);
+      node.classList.toggle("off", i + 1 > player.step);
+      if (i + 1 === player.step) node.setAttribute("aria-current", "step");
       else node.removeAttribute("aria-current");
     });
+    beat.tell(steps[player.step - 1], to, guess.veiled);
     for (const part of all("#steps .part")) {
       const inside = all("li", part);
       part.classList.toggle("cur", inside.some((node) => node.classList.contains("cur")));
       part.classList.toggle("off", inside.every((node) => node.classList.contains("off")));
     }
-    player.reveal(steps[to - 1]);
+    player.reveal(steps[player.step - 1]);
     const drawn = figures.filter((figure) => figure.steps.includes(to));
     if (player.view === "free" && drawn.length && !drawn.some((figure) => stage.seen(figure.key))) player.look("auto");
     else if (player.view === "auto") player.frame();
@@ -86,7 +81,9 @@ const player = {
   // Scroll to a step: where it stands alone, with its heading; in the list, with steps before it.
   reveal(node) {
     const panel = one("#panel"), top = node.offsetTop, low = top + node.offsetHeight, room = panel.clientHeight;
-    const alone = stage.narrow() || root.dataset.panel === "off";
+    const alone = stage.narrow() || root.dataset.panel === "off", line = alone && one(".display.now", node);
+    if (line && line.getBoundingClientRect().bottom > panel.getBoundingClientRect().bottom) return line.scrollIntoView({ block: "end" });
+    if (line && line.getBoundingClientRect().top > panel.getBoundingClientRect().top) return;
     if (!alone && low <= panel.scrollTop + room && top >= panel.scrollTop) return;
     const target = Math.max(0, alone ? Math.min(top - 40, low + 8 - room) : top - Math.max(24, room - node.offsetHeight - 40));
     panel.scrollTo({ top: target, behavior: alone || !player.ready || calm.matches || Math.abs(target - panel.scrollTop) > 2 * room ? "instant" : "smooth" });
@@ -111,8 +108,8 @@ const player = {
     };
     if (player.view !== "auto") return show(["all", "free"].includes(player.view) ? [] : [player.view]);
     if (player.turning()) return show([]);
-    const crowd = figures.length > FEW || stage.narrow(), begun = figures.filter((figure) => figure.steps[0] <= player.step);
-    const latest = Math.max(...begun.flatMap((figure) => figure.steps.filter((step) => step <= player.step)));
+    const crowd = figures.length > FEW || stage.narrow(), begun = figures.filter((figure) => figure.steps[0] <= player.beat);
+    const latest = Math.max(...begun.flatMap((figure) => figure.steps.filter((step) => step <= player.beat)));
     show(begun.filter((figure) => !crowd || figure.steps.includes(latest)).map((figure) => figure.key));
   },
 
@@ -188,14 +185,15 @@ const player = {
 
   play() {
     if (player.timer) return player.stop();
-    if (!player.turning() && player.step === COUNT) player.go(1);
+    if (!player.turning() && player.beat === cut.length) player.go(1);
     root.toggleAttribute("data-playing", true);
     player.wait();
     player.relabel();
   },
-  // A step stays until it can have been read.
+  // A step stays until it can have been read; a vector or a line of it, until it can have been seen.
   wait() {
-    const reading = player.turning() ? PACE.turn : Math.max(PACE.step, PACE[player.lang()] * steps[player.step - 1].innerText.length);
+    const begins = !player.turning() && player.beat === beat.first(player.step);
+    const reading = player.turning() ? PACE.turn : Math.max(PACE.step, begins ? PACE[player.lang()] * one(".words", steps[player.step - 1]).innerText.length : 0);
     player.timer = setTimeout(() => { player.tick(); if (player.timer) player.wait(); }, reading / player.speed);
   },
   stop() {
@@ -207,9 +205,10 @@ const player = {
   // Steps end with the last; a drive that goes round goes on, one that cannot turns back.
   tick() {
     if (!player.turning()) {
-      player.go(player.step + 1);
-      live.textContent = player.said(player.step);
-      if (player.step === COUNT) player.stop();
+      if (guess.veiled) return guess.reveal();
+      player.go(player.beat + 1);
+      live.textContent = player.said(player.beat);
+      if (player.beat === cut.length) player.stop();
     } else if (turn.data.round) player.go((player.place + 1) % turn.data.shown.length);
     else {
       if (player.place + player.way > player.high() || player.place + player.way < 0) player.way = -player.way;
@@ -217,8 +216,17 @@ const player = {
     }
   },
 
+  // Whole steps: to the end of this one, or of the one before.
+  leap(by) {
+    player.stop();
+    if (player.turning()) return player.next(by);
+    const whole = player.beat === beat.last(player.step), to = player.step + (by > 0 ? (whole ? 1 : 0) : -1);
+    player.go(beat.last(Math.min(Math.max(to, 1), COUNT)));
+  },
+
   next(by) {
     player.stop();
+    if (!player.turning() && by > 0 && guess.veiled) return guess.reveal();
     const many = player.high() + 1;
     player.go(player.turning() && turn.data.round ? (player.place + by + many) % many : player.at() + by);
   },

@@ -5,11 +5,11 @@ if (wish.has("selftest")) requestAnimationFrame(() => setTimeout(() => {
   const shows = (node) => getComputedStyle(node).display !== "none";
   for (const lang of ["zh", "en"]) {
     player.setLang(lang);
-    for (let step = 1; step <= COUNT; step++) {
+    for (let step = 1; step <= cut.length; step++) {
       player.go(step);
       const groups = figures.flatMap((figure) => figure.groups);
       found.steps.push({
-        lang, step, slider: +slider.value, said: live.textContent.length, text: steps[step - 1].innerText.length,
+        lang, step, slider: +slider.value, said: live.textContent.length, text: steps[player.step - 1].innerText.length, whole: player.step,
         shown: groups.filter(({ group }) => shows(group)).every((g) => g.step <= step) && groups.filter((g) => g.step <= step).every(({ group }) => shows(group)),
         now: groups.filter((g) => g.step === step).length, marked: all("#drawn .now").length, current: all("#steps li.cur").length,
       });
@@ -24,8 +24,8 @@ if (wish.has("selftest")) requestAnimationFrame(() => setTimeout(() => {
     one("#mode-steps").click();
   }
   document.dispatchEvent(new KeyboardEvent("keydown", { key: "Home" }));
-  const keys = [player.step];
-  for (const key of ["ArrowRight", "ArrowRight", "ArrowLeft", "End", "Home"]) { document.dispatchEvent(new KeyboardEvent("keydown", { key })); keys.push(player.step); }
+  const keys = [player.beat];
+  for (const key of ["ArrowRight", "ArrowRight", "ArrowLeft", "End", "Home"]) { document.dispatchEvent(new KeyboardEvent("keydown", { key })); keys.push(player.beat); }
   found.keys = keys;
   const width = stage.camera.w;
   one("#zoom-in").click();

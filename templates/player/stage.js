@@ -71,6 +71,12 @@ const stage = {
     player.free();
   },
 
+  // A place in the window as a place on a figure.
+  on(figure, x, y) {
+    const spot = new DOMPoint(x, y).matrixTransform(figure.node.getScreenCTM().inverse());
+    return [Math.round(spot.x), Math.round(spot.y)];
+  },
+
   // Whether a figure can be seen at all.
   seen(key) {
     const b = stage.spots.get(key), c = stage.camera;
@@ -147,7 +153,10 @@ paper.addEventListener("pointermove", (event) => {
   if (after.x !== before.x || after.y !== before.y) stage.pan((after.x - before.x) / w, (after.y - before.y) / h);
   if (pointers.size > 1 && before.d > 0) stage.zoom(after.d / before.d, (after.x - frame.left) / w, (after.y - frame.top) / h);
 });
-for (const end of ["pointerup", "pointercancel"]) paper.addEventListener(end, (event) => pointers.delete(event.pointerId));
+for (const end of ["pointerup", "pointercancel"]) paper.addEventListener(end, (event) => {
+  if (end === "pointerup" && pointers.size === 1 && pointers.get(event.pointerId)?.still) guess.press(event.clientX, event.clientY);
+  pointers.delete(event.pointerId);
+});
 paper.addEventListener("wheel", (event) => {
   event.preventDefault();
   const frame = paper.getBoundingClientRect(), lines = event.deltaMode === 1 ? 16 : 1;

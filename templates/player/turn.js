@@ -51,6 +51,8 @@ const turn = {
     });
   },
 
+  shown: (index) => turn.data.shown[Math.round(index)],
+
   // Words for a screen reader: the angle and every reading.
   said(index) {
     const rows = all("#turn tbody tr").map((row) => [one(`th .${root.dataset.lang}`, row), ...[...row.cells].slice(1, 3)].map((cell) => cell.textContent.trim()).join(" "));

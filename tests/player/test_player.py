@@ -28,6 +28,7 @@ from vecpoly.drawing.scene import Rect
 from vecpoly.foundation.data import data_dir
 from vecpoly.mechanism.assembly.branch import margin
 from vecpoly.mechanism.model import SideOf
+from vecpoly.player.beats import beats, stepped
 from vecpoly.player.figures import key_of, shown_figures
 from vecpoly.player.fitting import AMPLE, MOST, SIDE, coarsened
 from vecpoly.player.ink import Ink, path
@@ -164,10 +165,12 @@ def letters(text: str) -> str:
 
 
 @pytest.mark.parametrize("name", [KINEMATICS, FORCES, DEVICE, LARGE])
-def test_each_step_that_draws_has_its_lines_in_a_group(name: str) -> None:
-    drawn = {str(mark.step) for figure in solved(name).construction.figures for mark in figure.marks if mark.step}
+def test_each_beat_that_draws_has_its_lines_in_a_group(name: str) -> None:
+    drawn = {
+        str(mark.step) for figure in stepped(solved(name).construction).figures for mark in figure.marks if mark.step
+    }
     groups = read(page_of(name)).steps
-    assert groups <= {str(step.number) for step in solved(name).construction.steps}
+    assert groups <= {str(beat.number) for beat in beats(solved(name).construction)}
     assert groups == drawn
 
 

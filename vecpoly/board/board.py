@@ -12,7 +12,7 @@ from typing import cast
 
 import numpy as np
 
-from ..algebra.formula import Node, Row, row
+from ..algebra.formula import Node, Row, plain, row
 from ..algebra.quantity import Expr, Quantity, magnitude, paper, worked
 from ..errors import NotAskedError
 from ..names import ascii_key
@@ -208,12 +208,14 @@ class Board(Compass):
         return size
 
     def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
-        """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm."""
-        self.write_worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm")
+        """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm; it was needed when it was laid off."""
+        node, expr = paper(letters_node(letters), 0.0).node, quantity / self.mu(view)
+        self.write_worked(node, expr, "mm", of=quantity)
 
-    def write_worked(self, node: Node, expr: Expr, unit_text: str) -> None:
-        """Write symbol = formula = numbers = result into the step."""
-        self.write(worked(node, expr, unit_text))
+    def write_worked(self, node: Node, expr: Expr, unit_text: str, of: Quantity | None = None) -> None:
+        """Write symbol = formula = numbers = result into the step; of: what was laid off by it, if anything."""
+        when = None if of is None else self.laid_off(ascii_key(plain(of.symbol())))
+        self.write(worked(node, expr, unit_text), when=when)
 
 
 class Scratch(Board):
@@ -229,10 +231,10 @@ class Scratch(Board):
     def equate(self, table: EquationTable) -> None:
         """Left out."""
 
-    def write(self, *formulas: Node) -> None:
+    def write(self, *formulas: Node, when: int | None = None) -> None:
         """Left out."""
 
-    def write_worked(self, node: Node, expr: Expr, unit_text: str) -> None:
+    def write_worked(self, node: Node, expr: Expr, unit_text: str, of: Quantity | None = None) -> None:
         """Left out, and not composed."""
 
     def tabulate(self, listing: Listing) -> None:

@@ -123,7 +123,10 @@ class Listing:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Step:
     """One numbered step: a sentence, and what belongs to it:
-    an equation table, formulas, the figure it was drawn in, what is read at many places."""
+    an equation table, formulas, the figure it was drawn in, what is read at many places.
+
+    written: of each formula, how many acts had been done on the sheet when it was written.
+    """
 
     number: int
     section: Words  # heading under which the step stands: position diagram, velocity analysis ...
@@ -132,6 +135,7 @@ class Step:
     formulas: tuple[Node, ...] = ()
     view: Place | None = None
     listing: Listing | None = None
+    written: tuple[int, ...] = ()
 
 
 def _toned(step: Step, found: Mapping[str, int]) -> Step:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping
+from itertools import takewhile
 from typing import Any, TypeVar
 
 import numpy as np
@@ -15,7 +16,7 @@ from ..foundation.slotted import replace
 from ..plane import Points, Reals
 from ..plane.traced import Acts, acts_of, bare, traced
 from ..words import Words
-from .acts import Act, Arrow, Depict, Head
+from .acts import Act, Arrow, Depict, Head, LayOff
 from .construction import EquationTable, Figure, Listing, Scale, Step
 from .ledger import Ledger
 from .paper.ends import Ends
@@ -61,10 +62,16 @@ class Log:
         """Write a vector equation with its two rows into the step."""
         self.steps[-1] = replace(self.steps[-1], equation=table)
 
-    def write(self, *formulas: Node) -> None:
-        """Write formulas into the step."""
+    def write(self, *formulas: Node, when: int | None = None) -> None:
+        """Write formulas into the step. when: how many acts were done when they were needed, if not all."""
         last = self.steps[-1]
-        self.steps[-1] = replace(last, formulas=(*last.formulas, *formulas))
+        done = (len(self.acts) if when is None else when,) * len(formulas)
+        self.steps[-1] = replace(last, formulas=(*last.formulas, *formulas), written=(*last.written, *done))
+
+    def laid_off(self, key: str) -> int | None:
+        """The number of the act of this step that laid off a quantity."""
+        inside = takewhile(lambda act: act.head.step == len(self.steps), reversed(self.acts))
+        return next((act.number for act in inside if isinstance(act, LayOff) and act.key == key), None)
 
     def tabulate(self, listing: Listing) -> None:
         """Write a table into the step."""

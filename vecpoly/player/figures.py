@@ -12,6 +12,7 @@ from ..board.construction import Construction, Figure
 from ..drawing.figure import caption_items, drawing
 from ..drawing.scene import Item, Rect, Scene
 from ..drawing.sheets.paging import reading_order
+from ..names import written_unit
 from ..words import Lang, Words
 from .ink import UNIT, Ink
 
@@ -21,14 +22,15 @@ MARGIN = 2.0  # mm round each figure
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """A figure on the page: its key, title, box in units (x, y, width, height),
-    markup, and the steps that draw in it."""
+    """A figure on the page: its key, title, box in units (x, y, width, height), markup, the steps that draw in it, and
+    what a millimetre stands for: 0.006 m/s."""
 
     key: str
     title: Words
     box: tuple[int, int, int, int]
     svg: str
     steps: tuple[int, ...]
+    mu: str = ""
 
 
 def key_of(figure: Figure) -> str:
@@ -52,7 +54,8 @@ def _shown(figure: Figure, ink: Ink) -> Shown:
     ]
     extents = scenes["zh"].extents | scenes["en"].extents
     steps = tuple(sorted({one.step for one in (*items["zh"], *items["en"])}))
-    return Shown(key_of(figure), figure.title, box(extents.grown(MARGIN)), "".join(_groups(parts, ink)), steps)
+    mu = f"{figure.scale.value:g} {written_unit(figure.scale.unit)}" if figure.scale.symbol else ""
+    return Shown(key_of(figure), figure.title, box(extents.grown(MARGIN)), "".join(_groups(parts, ink)), steps, mu)
 
 
 def box(rect: Rect) -> tuple[int, int, int, int]:

@@ -14,10 +14,12 @@ from ..solution import Solution
 from ..typeset.fonts import Face
 from ..typeset.words import is_han
 from ..words import Lang, Words, label
+from .beats import beats, stepped
 from .faces import font_css
 from .figures import LANGS, Shown, shown_figures
 from .ink import Ink
 from .motion import moving
+from .pointing import pointed
 from .readings import names, readings
 from .steps import html, sections
 from .turned import Cycle, cycle
@@ -52,7 +54,7 @@ def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed:
     """
     known_language(lang)
     of_kind(solution, Solution, Words("解答（solve 的结果）", "a solution, as solve gives it,"))
-    ink = Ink()
+    ink, cut = Ink(), beats(solution.construction)
     through = cycle(solution, places, seed=seed)
     turning = len(through.turns) > 1
     warning = _warning(solution, through)
@@ -61,9 +63,10 @@ def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed:
         "title": _title(solution),
         "warning": html(warning, ink.faces) if warning else None,
         "problem": _problem(solution, ink),
-        "sections": sections(solution.construction.steps, ink.faces),
-        "count": len(solution.construction.steps),
-        "figures": _stacked(shown_figures(solution.construction, ink)),
+        "sections": sections(solution.construction.steps, cut, ink.faces),
+        "count": len(cut),
+        "beats": _json(pointed(solution.construction, cut)),
+        "figures": _stacked(shown_figures(stepped(solution.construction), ink)),
         "turning": turning,
         "slides": turning and not through.inverts and solution.problem.mechanism.drive.slide,
         "inverts": through.inverts,

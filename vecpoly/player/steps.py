@@ -3,16 +3,20 @@ in both languages, and as it is read aloud."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from itertools import groupby
 
 from ..algebra.formula import Node, Vec, plain, row, sym
+from ..board.acts import Arrow
 from ..board.construction import EquationTable, Listing, Step
 from ..drawing.hues import hue_of
 from ..figures.hue import Hue
+from ..names import ascii_key
 from ..typeset import layout, layout_words
 from ..words import Lang, Words
+from .beats import Beat
 from .ink import inked
 from .type import Faces, formula_html, spoken, symbol_html, words_html
 
@@ -23,13 +27,18 @@ CAPTIONS = (Words("方向", "Direction"), Words("大小", "Magnitude"))
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """One step on the page: sentence, equation and formulas as HTML; the whole as spoken."""
+    """One step on the page: sentence, equation and formulas as HTML; the whole as spoken.
+
+    formulas: each with the beat in which it is written; first and last: the beats of the step.
+    """
 
     number: int
     words: Words
     equation: Words | None
-    formulas: tuple[str, ...]
+    formulas: tuple[tuple[int, str], ...]
     said: Words
+    first: int
+    last: int
     listing: Words | None = None
 
 
@@ -41,10 +50,11 @@ class Section:
     steps: tuple[Told, ...]
 
 
-def sections(steps: tuple[Step, ...], faces: Faces) -> tuple[Section, ...]:
-    """All steps under their headings."""
+def sections(steps: tuple[Step, ...], cut: Sequence[Beat], faces: Faces) -> tuple[Section, ...]:
+    """All steps under their headings, each line with its beat."""
+    of = {number: list(inside) for number, inside in groupby(cut, key=lambda beat: beat.step)}
     return tuple(
-        Section(html(title, faces), tuple(_told(step, faces) for step in inside))
+        Section(html(title, faces), tuple(_told(step, of[step.number], faces) for step in inside))
         for title, inside in groupby(steps, key=lambda s: s.section)
     )
 
@@ -54,16 +64,21 @@ def html(words: Words, faces: Faces) -> Words:
     return Words(words_html(words.zh, faces), words_html(words.en, faces))
 
 
-def _told(step: Step, faces: Faces) -> Told:
-    table = (
-        None if step.equation is None else Words(_table(step.equation, "zh", faces), _table(step.equation, "en", faces))
-    )
+def _told(step: Step, own: Sequence[Beat], faces: Faces) -> Told:
+    when = {n: beat.number for beat in own for n in beat.formulas}
+    drawn = {act.key: beat.number for beat in own for act in beat.acts if isinstance(act, Arrow)}
+    table = None
+    if step.equation is not None:
+        table = Words(*(_table(step.equation, lang, faces, drawn) for lang in ("zh", "en")))
+    lines = [(when.get(n, own[-1].number), formula_html(node, faces)) for n, node in enumerate(step.formulas)]
     return Told(
         step.number,
         html(step.words, faces),
         table,
-        tuple(formula_html(node, faces) for node in step.formulas),
+        tuple(sorted(lines, key=lambda line: line[0])),
         said(step),
+        own[0].number,
+        own[-1].number,
         None if step.listing is None else Words(*(_listed(step.listing, lang, faces) for lang in ("zh", "en"))),
     )
 
@@ -103,14 +118,15 @@ class Term:
     sign: str
     cells: tuple[str, str, str]
     width: float
+    beat: int = 0  # in which it is drawn
 
 
-def _table(table: EquationTable, lang: Lang, faces: Faces) -> str:
+def _table(table: EquationTable, lang: Lang, faces: Faces, drawn: Mapping[str, int]) -> str:
     """The equation over its rows of directions and magnitudes, cut where it would be wider than a phone."""
     tones = table.tones or (0,) * len(table.symbols)
     rows = zip(table.symbols, table.signs, table.directions, table.magnitudes, tones, strict=True)
     terms = [
-        _term((symbol, hue_of(tone)), sign, direction.of(lang), magnitude, faces)
+        _term((symbol, hue_of(tone)), sign, direction.of(lang), magnitude, faces, drawn)
         for symbol, sign, direction, magnitude, tone in rows
     ]
     groups: list[list[Term]] = [[]]
@@ -123,12 +139,15 @@ def _table(table: EquationTable, lang: Lang, faces: Faces) -> str:
     return f'<div class="scroll" role="group"{name}>{"".join(_group(group, lang) for group in groups)}</div>'
 
 
-def _term(toned: tuple[str, Hue], sign: str, direction: str, magnitude: str, faces: Faces) -> Term:
+def _term(
+    toned: tuple[str, Hue], sign: str, direction: str, magnitude: str, faces: Faces, drawn: Mapping[str, int]
+) -> Term:
     symbol, hue = toned
     boxes = (layout(vector(symbol), 1.0), layout_words(direction, 1.0), layout_words(magnitude, 1.0))
     head = inked(symbol_html(vector(symbol), faces), hue)
     cells = (head, words_html(direction, faces), words_html(magnitude, faces))
-    return Term(sign.replace("-", "−"), cells, max(box.width for box in boxes) + CELL + (SIGN if sign else 0.0))
+    wide = max(box.width for box in boxes) + CELL + (SIGN if sign else 0.0)
+    return Term(sign.replace("-", "−"), cells, wide, drawn.get(ascii_key(symbol), 0))
 
 
 def _group(terms: list[Term], lang: Lang) -> str:
@@ -137,9 +156,13 @@ def _group(terms: list[Term], lang: Lang) -> str:
     rows = (
         head
         + "".join(
-            (f'<td class="sign">{"" if i else term.sign}</td>' if term.sign else "") + f"<td>{term.cells[i]}</td>"
-            for term in terms
+            (f'<td class="sign">{"" if i else term.sign}</td>' if term.sign else "") + _cell(term, i) for term in terms
         )
         for i, head in enumerate(heads)
     )
     return f'<table class="equation">{"".join(f"<tr>{row}</tr>" for row in rows)}</table>'
+
+
+def _cell(term: Term, row: int) -> str:
+    """One cell of a term, which is pointed at in the beat that draws its vector."""
+    return f'<td data-beat="{term.beat}">{term.cells[row]}</td>' if term.beat else f"<td>{term.cells[row]}</td>"

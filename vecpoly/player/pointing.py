@@ -1,0 +1,116 @@
+"""What a beat points at: the vector that is drawn, the lengths that are measured, the vectors that a formula takes, and
+the relative velocity that is turned by 90° for a Coriolis term. As data for the script."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping, Sequence
+from itertools import islice
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..board.acts import Act, Arrow, Compute, Measure
+from ..board.construction import Construction, Figure, Pane, Place
+from ..board.paper.marks import Point, Segment, Vector
+from ..errors import UnknownNameError
+from ..foundation.slotted import replace
+from ..names import Kind, parse_rel
+from .beats import Beat
+from .figures import key_of
+from .ink import UNIT
+
+Data = dict[str, object]
+Points = NDArray[np.complex128]
+SAME = 0.01  # mm: nearer, two ends are one
+NOTHING = 1e-6  # mm: a shorter vector has no direction
+
+
+def place_key(place: Place) -> str:
+    """The name of the figure at a place, as `key_of` gives it: velocity, force:3."""
+    return f"{place.view.name}:{place.name}" if isinstance(place, Pane) else place.name
+
+
+def pointed(construction: Construction, cut: Sequence[Beat]) -> list[Data]:
+    """Of each beat its step, and what of this applies to it:
+
+    at: figure and place of the one point that is sought; marks: figure and ends of each measured length; glow: the
+    earlier beats that drew what a formula takes; turn: figure, tail, direction, length and sweep of the relative
+    velocity that turns into a Coriolis term, and the beat that drew it; say: the vector's key as it is read aloud.
+    """
+    arrows = {act.key: (act, beat) for beat in cut for act in beat.acts if isinstance(act, Arrow) and act.shown}
+    ends = {key_of(figure): _ends(figure) for figure in construction.figures}
+    return [_data(beat, construction.acts, arrows, ends) for beat in cut]
+
+
+def _data(
+    beat: Beat, acts: Sequence[Act], arrows: Mapping[str, tuple[Arrow, Beat]], ends: Mapping[str, Points]
+) -> Data:
+    arrow, read = beat.arrow, _measured(beat, acts)
+    found: Data = {"step": beat.step}
+    if sought := beat.sought:
+        found["at"] = [place_key(sought[0]), *_units(sought[1])]
+    if marks := [[key, *_units(one.a), *_units(one.b)] for one in read for key in _where(one, ends)]:
+        found["marks"] = marks
+    if arrow is not None:
+        found["say"] = arrow.key.replace("_", " ")
+        if turn := _turned(arrow, beat, arrows):
+            found["turn"] = turn
+    elif not read and (glow := _taken(beat, acts, arrows)):
+        found["glow"] = glow
+    return found
+
+
+def _ends(figure: Figure) -> Points:
+    """Where lines end and points lie on a figure (mm)."""
+    kinds = (Segment, Vector)
+    found = [z for mark in figure.marks if isinstance(mark, kinds) for z in (mark.a, mark.b)]
+    return np.array(found + [mark.at for mark in figure.marks if isinstance(mark, Point)], dtype=complex)
+
+
+def _where(read: Measure, ends: Mapping[str, Points]) -> list[str]:
+    """The figure that has an end of the length: where the step is drawn, or, if it is measured elsewhere, another."""
+    own = [] if read.head.place is None else [place_key(read.head.place)]
+    there = (key for key in (*own, *ends) if _has(ends.get(key), (read.a, read.b)))
+    return list(islice(there, 1))
+
+
+def _has(ends: Points | None, sought: tuple[complex, complex]) -> bool:
+    return ends is not None and any(np.any(np.abs(ends - z) < SAME) for z in sought)
+
+
+def _measured(beat: Beat, acts: Sequence[Act]) -> list[Measure]:
+    """The lengths that are read for a formula of now."""
+    if not beat.formulas:
+        return []
+    numbers = {n for act in beat.acts if isinstance(act, Compute) for n in act.inputs}
+    numbers |= {act.number for act in beat.acts if isinstance(act, Measure)}
+    return [act for act in acts if act.number in numbers and isinstance(act, Measure)]
+
+
+def _taken(beat: Beat, acts: Sequence[Act], arrows: Mapping[str, tuple[Arrow, Beat]]) -> list[int]:
+    """The beats that drew the vectors that a formula of now takes."""
+    keys = {acts[n].key for act in beat.acts if isinstance(act, Compute) for n in act.inputs}
+    return sorted({drawn.number for key, (_, drawn) in arrows.items() if key in keys and drawn.number < beat.number})
+
+
+def _turned(arrow: Arrow, beat: Beat, arrows: Mapping[str, tuple[Arrow, Beat]]) -> list[object]:
+    """The way of v_r into the Coriolis term; nothing where there is no such vector."""
+    try:
+        rel = parse_rel(arrow.key)
+    except UnknownNameError:
+        return []
+    if rel.kind is not Kind.AK or arrow.head.place is None:
+        return []
+    velocity = arrows.get(replace(rel, kind=Kind.V).key)
+    if velocity is None or abs(velocity[0].b - velocity[0].a) < NOTHING or abs(arrow.b - arrow.a) < NOTHING:
+        return []
+    along, to = velocity[0].b - velocity[0].a, arrow.b - arrow.a
+    degrees = [round(math.degrees(one), 1) for one in (-cmath.phase(along), -cmath.phase(to / along))]
+    key, size = place_key(arrow.head.place), round(UNIT * abs(to))
+    return [key, *_units(arrow.a), degrees[0], size, degrees[1], velocity[1].number]
+
+
+def _units(at: complex) -> tuple[int, int]:
+    return round(UNIT * at.real), round(-UNIT * at.imag)
