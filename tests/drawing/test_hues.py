@@ -20,9 +20,9 @@ from vecpoly.drawing.scene import Scene, Stroke, TextBox
 from vecpoly.figures.hue import TONES, Hue
 from vecpoly.names import ascii_key
 from vecpoly.player.page import player_html
+from vecpoly.report.answers.tables import readings_tables
 from vecpoly.report.document import report_bytes
 from vecpoly.report.flow.equation import EquationFlow, _columns
-from vecpoly.report.tables import readings_table
 from vecpoly.typeset import Glyphs
 
 FOUR = ("3-9", "3-12", "4-3a", "A-27")  # a block, a slotted link, friction, a six-bar linkage
@@ -62,7 +62,7 @@ def test_a_vector_has_one_hue_in_equations_polygons_free_bodies_and_tables(name:
         ):
             rgb = {item.rgb for item in column.cells[0].items if isinstance(item, Glyphs)}
             seen.setdefault(ascii_key(symbol), set()).update(_named(rgb))
-    table = readings_table(one.solution, "zh")
+    table = readings_tables(one.solution, "zh")[0]
     for key, ink in zip(one.solution.answers, table.inks, strict=True):
         seen.setdefault(key, set()).update(_named({ink}))
     tones = one.construction.tones

@@ -28,7 +28,9 @@ def evaluated(
             told[written.step] = replace(told[written.step], formulas=all_lines)
         elif reading.formula is not None and key in answers:
             step, line = yields(acts, answers[key]) - 1, in_mm(_as_another(lines, reading.formula), reading)
-            told[step] = replace(told[step], formulas=(*told[step].formulas, line))
+            before = told[step]
+            written_at = (*before.written, answers[key].number)
+            told[step] = replace(before, formulas=(*before.formulas, line), written=written_at)
         else:
             continue
         found[key] = replace(reading, formula=line)

@@ -17,7 +17,7 @@ SQUARE = 5.0 * MM
 LEAST_ROOM = 35.0 * MM  # of squares under a heading; less is no room
 _TALLEST = 150.0 * MM  # of what stands at the foot
 _GAP = 3.0 * MM
-_PALE: Colour = (0.78, 0.84, 0.88)
+_PALE: Colour = (0.80, 0.80, 0.80)
 
 
 class Squares(Block):
