@@ -4,3 +4,4 @@ from __future__ import annotations
 
 from . import equivalents as equivalents
 from . import flywheels as flywheels
+from . import questions as questions
