@@ -21,7 +21,7 @@ from vecpoly.solution import Answer, Solution, solve
 
 from .differences import against_differences
 from .family import Check, content
-from .nearby import natural, slack
+from .nearby import natural, over_a_period, slack
 
 AGREE = 1e-9  # of the largest quantity of the kind
 
@@ -103,6 +103,7 @@ def _disagreeing(solution: Solution) -> str:
     answers = [one for one in solution.answers.values() if not one.undefined]
     near = slack(solution)
     floor = natural(solution.problem.subject) if isinstance(solution.problem.subject, Mechanism) else {}
+    floor |= over_a_period(solution.problem)
     for one in answers:
         unit = one.reading.unit
         size = max(floor.get(unit, 0.0), *(abs(other.exact) for other in answers if other.reading.unit == unit))

@@ -6,7 +6,9 @@ from dataclasses import replace
 
 from vecpoly.check.truth import exact_values
 from vecpoly.errors import VecpolyError
+from vecpoly.mechanism.laws.sizes import Table
 from vecpoly.mechanism.model import Mechanism
+from vecpoly.problem.problem import Problem
 from vecpoly.solution import Solution
 
 HAIR = 1e-12  # rad, or m: a few units in the last place of a position
@@ -43,3 +45,17 @@ def natural(mech: Mechanism) -> dict[str, float]:
     turning = abs(drive.rate) / (size if drive.slide else 1.0)
     bending = abs(drive.accel) / (size if drive.slide else 1.0) + turning**2
     return {"rad/s": turning, "rad/s^2": bending, "m/s": turning * size, "m/s^2": bending * size, "m": size}
+
+
+def over_a_period(problem: Problem) -> dict[str, float]:
+    """Unit → what a moment that is the mean of others, and may be nothing, is small against: the greatest of them."""
+    acting = problem.machine.loads if problem.machine is not None else problem.loads
+    if acting is None or acting.constant is None:
+        return {}
+    sizes = [abs(one.size or 0.0) for one in acting.moments] + [
+        abs(one.law.size.greatest) for one in acting.all if one.law is not None and isinstance(one.law.size, Table)
+    ]
+    scale = problem.mechanism.scale
+    forces = [scale * abs(one.size or 0.0) for one in acting.forces]
+    springs = [scale**2 * one.stiffness for one in acting.springs]  # of coils less, which is no harm
+    return {"N·m": max([*sizes, *forces, *springs], default=0.0)}

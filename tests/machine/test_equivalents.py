@@ -101,3 +101,35 @@ def test_the_equivalent_link_has_the_energy_of_all_and_its_rate_is_the_differenc
 def test_what_no_machine_can_answer_is_refused_in_words(find: list[str], more: str, told: str) -> None:
     with pytest.raises(ProblemFileError, match=told):
         engine(find, loads=LOADS, more=more + "\n")
+
+
+BESIDE = """
+id: x
+title: equivalents beside an equilibrium
+frame: {A: [0 mm, 0 mm], D: [257 mm, 0 mm]}
+links: {1: {AB: 85 mm}, 2: {BC: 213 mm}, 3: {CD: 297 mm}}
+branch: [C left of BD]
+input: {link: 1, phi: 297 deg, omega: 88 r/min ccw}
+loads: {M_q: {on: 3, size: 636 N*m cw}, X: {on: 1, size: "?"}}
+masses:
+  2: {mass: 3 kg, inertia: 0.05 kg*m^2, centre: {along: BC, at: 100 mm}}
+  3: {mass: 6.8 kg, inertia: 0.0144 kg*m^2, centre: C}
+weight: yes
+"""
+
+
+@pytest.mark.parametrize("inertia", ["yes", "no"])
+def test_weights_count_in_m_e_beside_an_equilibrium_and_inertia_couples_do_not(inertia: str) -> None:
+    answers = vecpoly.loads(f"{BESIDE}inertia: {inertia}\nfind: [J_e, M_e, X]\n").solve(by="exact").answers
+    assert answers["M_e"].drawn == pytest.approx(answers["M_e"].exact, rel=1e-9)
+    if inertia == "no":
+        assert answers["X"].drawn == pytest.approx(-answers["M_e"].drawn, rel=1e-9)
+
+
+def test_weights_count_in_the_diagram_of_moments_over_a_period() -> None:
+    text = BESIDE.replace('X: {on: 1, size: "?"}', "M_c: {on: 1, size: constant}").replace(
+        "size: 636 N*m cw}", ("size: 636 N*m cw, during: [249 deg, 61 deg]}")
+    )
+    run = "machine: {n: 176 r/min, delta: 0.11}\nfind: [M_c, dW_max, J_F]\n"
+    for key, one in vecpoly.loads(text + run).solve(by="exact").answers.items():
+        assert one.drawn == pytest.approx(one.exact, rel=1e-9), key

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, WithJsonSchema, model_validator
 
 from ..errors import FaultError
 from ..units.reading import Quantity
@@ -14,6 +15,21 @@ from .base import Efficiency, ForceSize, Power, Speed
 KINDS = ("belt", "chain", "gear", "worm", "bearing", "coupling", "screw", "conveyor", "winch", "pump", "machine")
 
 Train = tuple["Part", ...]
+
+
+def _end(text: str) -> str:
+    if text and not (len(text) == 1 and "A" <= text <= "Z"):
+        raise FaultError(
+            Words(
+                f"“{text}”不能作支路末端的名称：用一个大写字母；如写 name: A",
+                f"'{text}' is no name of a branch's end: it is one capital letter; write e.g. name: A",
+            ),
+            code="spelling",
+        )
+    return text
+
+
+End = Annotated[str, AfterValidator(_end), WithJsonSchema({"type": "string", "pattern": "^[A-Z]?$"})]
 
 
 class Part(BaseModel):
@@ -36,7 +52,7 @@ class Part(BaseModel):
     pump: Efficiency | None = None
     machine: Efficiency | None = None
     parallel: tuple[tuple[Part, ...], ...] | None = None
-    name: str = Field(default="", pattern="^[A-Z]?$")
+    name: End = ""
     P: Power | None = None
     F: ForceSize | None = None
     v: Speed | None = None

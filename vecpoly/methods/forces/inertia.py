@@ -211,8 +211,21 @@ def weight_force(st: Statics, mass: Mass) -> None:
     size = st.board.compute(
         named.symbol, magnitude(f"m_{mass.link}", mass.mass, "kg") * magnitude("g", GRAVITY, "m/s^2"), "N"
     )
+    _hang(st, mass, size.value)
+
+
+def weights(st: Statics) -> None:
+    """The weights as `weight_force` keeps them, without a word: where they were told already, or on scratch paper."""
+    for mass in st.loads.masses if st.loads.weight else ():
+        _hang(st, mass, mass.mass * GRAVITY)
+
+
+def _hang(st: Statics, mass: Mass, size: Reals) -> None:
     acting = Acting(
-        named=named, vector=-1j * st.mm(size.value), at=st.desk.where(At(mass.centre)), size=f"$m_{mass.link} g$"
+        named=weight_named(mass),
+        vector=-1j * st.mm(size),
+        at=st.desk.where(At(mass.centre, mass.link)),
+        size=f"$m_{mass.link} g$",
     )
     st.inertia.setdefault(mass.link, []).append(acting)
 

@@ -13,7 +13,7 @@ from ...problem.problem import Problem
 from ...words import Words
 from ..desk import Desk
 from ..forces.bodies.given_loads import draw_given_loads
-from ..forces.inertia import weight_force
+from ..forces.inertia import weight_force, weights
 from ..forces.laws.found import found_loads
 from ..forces.masses import masses
 from ..forces.state import Statics
@@ -45,6 +45,8 @@ def _equivalents(desk: Desk, problem: Problem, wanted: Sequence[Equivalent]) -> 
     st = Statics(desk=desk, loads=here, pulls=pulls)
     if problem.loads is None:
         _acting(st)
+    else:
+        weights(st)  # told with the forces
     for to in wanted:
         EQUIVALENTS.find(Stage.MACHINE, "slider" if to.slide else "turning link").draw(st, to)
 

@@ -23,6 +23,7 @@ from ...plane import Reals
 from ..coincident import coincident_letters
 from ..desk import Desk
 from ..forces.balance.power_terms import works
+from ..forces.inertia import weights
 from ..forces.laws.found import found_loads
 from ..forces.laws.off_paper import OffPaper
 from ..forces.state import Statics
@@ -67,6 +68,7 @@ def drawn(mech: Mechanism, loads: Loads, phi: float, by: Hand) -> Station:
     rate = mech.drive.rate
     here, pulls = found_loads(desk, replace(loads, inertia=False))
     st = Statics(desk=desk, loads=here, pulls=pulls)
+    weights(st)
     power: Reals = sum((work.value for work in works(st)), 0.0)
     energy: Reals = sum((_energy(st, link) for link in range(len(loads.masses))), 0.0)
     acting = tuple(load.name for load in here.all if load.size)

@@ -108,6 +108,7 @@ def _without_echo(items: list[Any]) -> list[Any]:
 
 def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> FaultError:
     written, reason = item["input"], (item.get("ctx") or {}).get("error")
+    path = tuple(part for part in path if part != "[key]")  # the key itself is the place
     match item["type"]:
         case "value_error" if isinstance(reason, FaultError):
             return reason.under(*path)

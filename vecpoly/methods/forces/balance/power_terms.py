@@ -179,7 +179,7 @@ def _mass_works(st: Statics, link: str, centre: str) -> Iterator[Work]:
             rate=rate,
             inertia=acting.named.key == f"F_I{link}",
         )
-    couple = st.board.found.get(f"M_I{link}", 0.0)
+    couple = st.board.found.get(f"M_I{link}", 0.0) if st.loads.inertia else 0.0  # the sheet may know it all the same
     if nominal(couple):
         rate, named = turning(st, link), Named(f"M_I{link}", f"M_{{I{link}}}", "N·m")
         yield Work(
