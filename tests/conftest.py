@@ -15,6 +15,10 @@ import pytest
 from _pytest.assertion import util
 from hypothesis import settings
 
+# one thread of linear algebra, here and in every process that a test starts: matrices here are small, and threads that
+# wait for each other in a busy loop take a tenth of the processors
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 Report = TypeVar("Report", pytest.TestReport, pytest.CollectReport)
 settings.register_profile("house", deadline=None, max_examples=25)  # tests/laws.py
 settings.register_profile("soak", deadline=None, max_examples=1000)
@@ -33,6 +37,16 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         arrange(items)
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection(session: pytest.Session) -> None:
+    """Two workers that meet no compiled test compile half of them each: the second begins at the end."""
+    worker = getattr(session.config, "workerinput", {}).get("workerid")
+    if worker == "gw1" and session.config.args == session.config.getini("testpaths"):
+        from tests.sharing import read_from_the_end
+
+        read_from_the_end(session.config.rootpath / "tests")
+
+
 @pytest.hookimpl(optionalhook=True)  # of xdist
 def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> object:
     """Where several workers run groups of tests, those that share what they make are run by one."""
@@ -48,7 +62,7 @@ def pytest_collection_finish() -> None:
     rubbish at every turn would take a third of the time."""
     gc.collect()
     gc.freeze()
-    gc.set_threshold(20_000, 20, 50)
+    gc.set_threshold(100_000, 20, 50)
 
 
 @pytest.hookimpl(wrapper=True)

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
+from _pytest.pathlib import import_path
 from xdist.scheduler import LoadScopeScheduling
 
 # who imports from one of these wants what it has made already
@@ -52,6 +54,13 @@ def arrange(items: list[pytest.Item]) -> None:
 def _longest_first(met: Sequence[str]) -> list[str]:
     known = [name for name in LONGEST if name in met]
     return [*known, *(name for name in met if name not in known)]
+
+
+def read_from_the_end(tests: Path) -> None:
+    """Import the files of tests, the last one first; what is wrong with one is told when it is collected."""
+    for file in sorted(tests.rglob("test_*.py"), reverse=True):
+        with suppress(Exception):
+            import_path(file, root=tests.parent, consider_namespace_packages=False)
 
 
 def scheduler(config: pytest.Config, log: object) -> Any:

@@ -15,6 +15,7 @@ def main() -> None:
     """Run the command line."""
     gc.set_threshold(_OBJECTS)
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # else it reads what every package here says of itself
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # for small matrices threads do nothing but wait for each other
     try:
         from .cli import main as run
 

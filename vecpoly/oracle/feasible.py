@@ -17,16 +17,17 @@ Ranges = tuple[str, ...]
 Spans = tuple[tuple[float, float], ...]
 Closes = Callable[[Reals], NDArray[np.bool_]]
 SAMPLES, HALVINGS = 1440, 40
+TOLD = 20  # halvings for ends that are told with two decimals
 BESIDE = 1e-6  # rad, or m: just before and after a position
 SEARCHED = 4.0  # scales to either side of a sliding drive's own position
 
 
 def scan(closes: Closes, drive: Drive, scale: float) -> Ranges:
     """Ranges of the drive that close, as text: degrees within 0..360, or mm along the guide."""
-    return tuple(_text(a, b, drive.slide) for a, b in spans(closes, drive, scale))
+    return tuple(_text(a, b, drive.slide) for a, b in spans(closes, drive, scale, TOLD))
 
 
-def spans(closes: Closes, drive: Drive, scale: float) -> Spans:
+def spans(closes: Closes, drive: Drive, scale: float, halvings: int = HALVINGS) -> Spans:
     """Ranges of the drive (rad, or m along the guide) that close.
 
     Sampled every quarter of a degree (or 1/180 of the scale within ±4 scales), ends refined by bisection.
@@ -43,7 +44,7 @@ def spans(closes: Closes, drive: Drive, scale: float) -> Spans:
     change = np.flatnonzero(good[1:] != good[:-1])
     inside = np.where(good[change], q[change], q[change + 1])
     outside = np.where(good[change], q[change + 1], q[change])
-    for _ in range(HALVINGS if len(change) else 0):
+    for _ in range(halvings if len(change) else 0):
         middle = (inside + outside) / 2
         fits = closes(middle)
         inside, outside = np.where(fits, middle, inside), np.where(fits, outside, middle)

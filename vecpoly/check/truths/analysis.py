@@ -15,7 +15,7 @@ from ...mechanism.asked.forces import given_value, pairs, press_named
 from ...mechanism.asked.pressure import driven_links
 from ...mechanism.groups.assur import hinges
 from ...mechanism.loads import Loads
-from ...mechanism.model import Mechanism, Prismatic
+from ...mechanism.model import Mechanism, Prismatic, Rolling
 from ...names import Rel, Sort
 from ...problem.asked.asks import Ask, AskNamed
 from ...problem.problem import Printed, Problem
@@ -199,8 +199,19 @@ def _is_reduced(ask: Ask) -> bool:
 def _nearby(problem: Problem) -> tuple[Values, ...]:
     """The exact values with nudged data: the same whatever hand draws the problem, so they are found once."""
     rng = np.random.default_rng(0)
-    nudges = [replace(problem, subject=nudged(problem.mechanism, rng)) for _ in range(TRIALS)]
+    mech = _placed(problem.mechanism)
+    nudges = [replace(problem, subject=nudged(mech, rng)) for _ in range(TRIALS)]
     return tuple(values for one in nudges if (values := _values(one)) is not None)
+
+
+def _placed(mech: Mechanism) -> Mechanism:
+    """The mechanism with the places of its points as guesses, where a group is solved by iteration: with nudged data
+    its assembly is then not sought among all others once more."""
+    if not oracle.is_iterated(mech) or any(isinstance(joint, Rolling) for joint in mech.joints):
+        return mech
+    motion = oracle.solve(mech, order=0)
+    letters = {letter for link in mech.links for letter in link.points}
+    return replace(mech, guesses={letter: complex(motion.position(letter)) for letter in sorted(letters)})
 
 
 def _values(problem: Problem) -> Values | None:

@@ -75,27 +75,28 @@ class French:
     def highest(self, weight: float, constant: float, sign: float) -> float:
         """Where sign · (E − weight · J_e) is greatest: at a turning point, or at a corner."""
 
-        def slope(piece: int, x: float) -> float:
+        rises = legendre.legder(self.inertias, axis=1)
+
+        def slope(piece: int, x: Array) -> Array:
             half = (self.cuts[piece + 1] - self.cuts[piece]) / 2
-            rise = float(legendre.legval(x, legendre.legder(self.inertias[piece]))) / half
-            return float(sign * (legendre.legval(x, self.moments[piece]) + constant - weight * rise))
+            rise = legendre.legval(x, rises[piece]) / half
+            return np.asarray(sign * (legendre.legval(x, self.moments[piece]) + constant - weight * rise))
 
         places = [*map(float, self.cuts), *self._roots(slope)]
         return max(places, key=lambda psi: sign * (self.work(psi, constant) - weight * self.inertia(psi)))
 
     def crossings(self, level: float) -> tuple[float, ...]:
         """Where M runs through this level, without a jump."""
-        found = [*self._roots(lambda piece, x: float(legendre.legval(x, self.moments[piece])) - level)]
+        found = [*self._roots(lambda piece, x: np.asarray(legendre.legval(x, self.moments[piece])) - level)]
         return tuple(sorted(found))
 
-    def _roots(self, f: Callable[[int, float], float]) -> Iterator[float]:
+    def _roots(self, f: Callable[[int, Array], Array]) -> Iterator[float]:
+        grid = np.linspace(-1.0, 1.0, SAMPLES)
         for piece, (a, b) in enumerate(pairwise(self.cuts)):
-            grid = np.linspace(-1.0, 1.0, SAMPLES)
-            values = [f(piece, x) for x in grid]
-            for i in range(SAMPLES - 1):
-                if values[i] * values[i + 1] < 0:
-                    x = halved(partial(f, piece), float(grid[i]), float(grid[i + 1]), HALVINGS)
-                    yield float(a + (b - a) / 2 * (1 + x))
+            values = f(piece, grid)
+            for i in np.flatnonzero(values[:-1] * values[1:] < 0):
+                x = halved(partial(_alone, f, piece), float(grid[i]), float(grid[i + 1]), HALVINGS)
+                yield float(a + (b - a) / 2 * (1 + x))
 
     def _at(self, rows: Array, psi: float, before: bool) -> float:
         piece = self._piece(psi, before=before)
@@ -108,6 +109,10 @@ class French:
     def _within(self, piece: int, psi: float) -> float:
         a, b = self.cuts[piece], self.cuts[piece + 1]
         return float(2 * (psi - a) / (b - a) - 1)
+
+
+def _alone(f: Callable[[int, Array], Array], piece: int, x: float) -> float:
+    return float(f(piece, np.float64(x)))
 
 
 @lru_cache(maxsize=16)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..state import Reals
 from .course import Course
@@ -28,12 +27,13 @@ class Top:
 def highest(course: Course, made: Made, slope: Slope) -> Top:
     """The greatest value of `made`, to full accuracy: its turning points are bracketed and halved."""
     places, at = course.sampled(SAMPLES)
-    rise = _slope(course, slope, at)
+    rows = (course.works, course.inertias, course.moments, course.slopes)
+    rise = slope(*(course.of_pieces(row, at) for row in rows))
     piece, k = np.nonzero((rise[:, :-1] > 0) & (rise[:, 1:] <= 0))
-    low, high = at[k], at[k + 1]
+    low, high, mine = at[k], at[k + 1], [row[piece] for row in rows]
     for _ in range(ROUNDS):
         middle = (low + high) / 2
-        up = _slope_at(course, slope, piece, middle) > 0
+        up = slope(*_values_at(mine, middle)) > 0
         low, high = np.where(up, middle, low), np.where(up, high, middle)
     cuts, found = course.cuts, (low + high) / 2
     turning = cuts[piece] + (cuts[piece + 1] - cuts[piece]) / 2 * (1 + found)
@@ -49,16 +49,7 @@ def lowest(course: Course, made: Made, slope: Slope) -> Top:
     return Top(top.psi, -top.value)
 
 
-def _slope(course: Course, slope: Slope, at: Reals) -> Reals:
-    rows = (course.works, course.inertias, course.moments, course.slopes)
-    return slope(*(course.of_pieces(row, at) for row in rows))
-
-
-def _slope_at(course: Course, slope: Slope, piece: NDArray[np.intp], x: Reals) -> Reals:
-    """The same at one place of each of these pieces."""
-    rows = (course.works, course.inertias, course.moments, course.slopes)
-    found = []
-    for row in rows:
-        powers = np.polynomial.legendre.legvander(x, row.shape[1] - 1)
-        found.append((powers * row[piece]).sum(axis=1))
-    return slope(*found)
+def _values_at(rows: Sequence[Reals], x: Reals) -> Iterator[Reals]:
+    """What the coefficients of these pieces, of each quantity, make at one place of each piece."""
+    powers = np.polynomial.legendre.legvander(x, max(row.shape[1] for row in rows) - 1)
+    return ((powers[:, : row.shape[1]] * row).sum(axis=1) for row in rows)

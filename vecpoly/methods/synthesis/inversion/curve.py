@@ -15,7 +15,7 @@ import numpy as np
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....board.place import Pane
-from ....plane import Points, circles_meet, nominal, unit
+from ....plane import Points, Reals, circles_meet, nominal, unit
 from ....words import Words
 from ..draft import Draft
 from .sheet import Sheet, Stands
@@ -87,7 +87,7 @@ def _both(poles: Sequence[complex]) -> tuple[tuple[complex, ...], ...]:
 
 def _branches(poles: Sequence[complex]) -> Iterator[tuple[complex, ...]]:
     """The first meetings for every angle γ, and the second ones; NaN where there are none."""
-    return zip(*(meetings(poles, np.pi * (n + 0.5) / ANGLES) for n in range(ANGLES)), strict=True)
+    return (tuple(branch.tolist()) for branch in meetings(poles, np.pi * (np.arange(ANGLES) + 0.5) / ANGLES))
 
 
 def _spaced(spots: Iterable[complex]) -> Iterator[complex]:
@@ -99,10 +99,9 @@ def _spaced(spots: Iterable[complex]) -> Iterator[complex]:
             yield at
 
 
-def meetings(poles: Sequence[complex], gamma: float) -> tuple[complex, complex]:
-    """Where the circles over two opposite sides with the inscribed angle γ meet; NaN where they do not."""
+def meetings(poles: Sequence[complex], gamma: Reals) -> tuple[Points, Points]:
+    """Where the circles over two opposite sides with the inscribed angles γ meet; NaN where they do not."""
     turn = np.exp(2j * gamma)
     a, b, c, d = poles
     one, two = (b - a * turn) / (1 - turn), (d - c * turn) / (1 - turn)
-    first, second = circles_meet(one, abs(a - one), two, abs(c - two))
-    return complex(first), complex(second)
+    return circles_meet(one, np.abs(a - one), two, np.abs(c - two))
