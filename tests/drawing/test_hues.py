@@ -163,7 +163,7 @@ def test_an_examination_is_printed_in_black_and_so_is_every_question(style: str,
 
 
 def _hues_of_lines(pdf: bytes) -> set[tuple[float, ...]]:
-    """The inks of lines and letters that are neither black nor grey; boxes of remarks have their own."""
+    """The inks of lines and letters that are neither black nor grey, nor the pale squares to work on."""
     with pdfplumber.open(BytesIO(pdf)) as pages:
         inks = {
             tuple(ink)
@@ -172,7 +172,7 @@ def _hues_of_lines(pdf: bytes) -> set[tuple[float, ...]]:
             for ink in (one["stroking_color"], one["non_stroking_color"])
             if isinstance(ink, tuple) and len(ink) == 3
         }
-    return {ink for ink in inks if max(ink) - min(ink) > 0.02}
+    return {ink for ink in inks if max(ink) - min(ink) > 0.02 and min(ink) < 0.7}
 
 
 def test_what_stands_after_a_coloured_symbol_is_black_again() -> None:
