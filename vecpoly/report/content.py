@@ -10,6 +10,7 @@ from typing import Any
 
 from ..algebra.quantity import number
 from ..board.construction import Step
+from ..board.paper.roles import Role
 from ..check.found_words import ill_conditioned, told
 from ..check.shaking import shaking_of
 from ..check.structure import dependence
@@ -59,6 +60,10 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
         "structure": structure(problem).of(lang),
         "numbering": numbering(problem).of(lang),
         "scales": scales(solution, lang),
+        "hued": bool(solution.construction.tones),
+        "dashed": any(
+            getattr(mark, "role", None) is Role.IDEAL for one in solution.construction.figures for mark in one.marks
+        ),
     }
 
 
