@@ -127,7 +127,7 @@ def test_in_grey_two_vectors_of_one_figure_differ_in_letters_or_in_dashes(name: 
 
 def test_a_component_is_the_motion_that_it_is_part_of_and_a_reaction_that_of_its_joint() -> None:
     assert len({whose(key) for key in ("v_CB", "v_BC", "an_CB", "at_CB", "a_CB")}) == 1
-    assert len({whose(key) for key in ("R_12", "R_21", "R_12_0", "R_21,0", "R_12_n", "R_12_t")}) == 1
+    assert len({whose(key) for key in ("R_12", "R_21", "R_12_0", "R_21,0", "R_12_n", "R_12_t", "Rt_12")}) == 1
     assert len({whose(key) for key in ("v_C2B", "v_C2C3", "v_C2", "R_12", "R_23", "R'_12", "F", "F_I2", "M_1")}) == 9
     assert whose("F'_0") == whose("F'") != whose("F")
 
@@ -165,7 +165,7 @@ def test_an_examination_is_printed_in_black_and_so_is_every_question(style: str,
 
 
 def _hues_of_lines(pdf: bytes) -> set[tuple[float, ...]]:
-    """The inks of lines and letters that are neither black nor grey; boxes of remarks have their own."""
+    """The inks of lines and letters that are neither black nor grey, nor the pale squares to work on."""
     with pdfplumber.open(BytesIO(pdf)) as pages:
         inks = {
             tuple(ink)
@@ -174,7 +174,7 @@ def _hues_of_lines(pdf: bytes) -> set[tuple[float, ...]]:
             for ink in (one["stroking_color"], one["non_stroking_color"])
             if isinstance(ink, tuple) and len(ink) == 3
         }
-    return {ink for ink in inks if max(ink) - min(ink) > 0.02}
+    return {ink for ink in inks if max(ink) - min(ink) > 0.02 and min(ink) < 0.7}
 
 
 def test_what_stands_after_a_coloured_symbol_is_black_again() -> None:

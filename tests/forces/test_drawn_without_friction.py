@@ -30,8 +30,8 @@ def _dashed(marks: tuple[Mark, ...]) -> list[Segment]:
 
 @each(RUBBED)
 def test_with_friction_the_diagram_also_has_the_lines_without_it(name: str) -> None:
-    """Each dashed line of a force bears the force's own name, which ends in 0."""
-    of_forces = {line.key for line in _dashed(_diagram(name).marks) if line.key}
+    """Each dashed line of a reaction bears its own name, which ends in 0; a load is the same with friction."""
+    of_forces = {line.key for line in _dashed(_diagram(name).marks) if line.key.startswith("R")}
     lettered = {mark.key for mark in _diagram(name).marks if isinstance(mark, Point) and mark.dot is Dot.NONE}
     assert of_forces and all(key.endswith("_0") for key in of_forces)
     assert of_forces & lettered

@@ -10,6 +10,7 @@ from typing import Any
 
 from ..algebra.quantity import number
 from ..board.construction import Step
+from ..board.paper.marks import Role, Segment
 from ..check.found_words import ill_conditioned, told
 from ..check.shaking import shaking_of
 from ..check.structure import dependence
@@ -59,7 +60,15 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
         "structure": structure(problem).of(lang),
         "numbering": numbering(problem).of(lang),
         "scales": scales(solution, lang),
+        "hued": "hued" if solution.construction.tones else "",
+        "dashed": "dashed" if _has_dashes(solution) else "",
     }
+
+
+def _has_dashes(solution: Solution) -> bool:
+    """Whether the construction without friction stands beside that with it."""
+    marks = (mark for figure in solution.construction.figures for mark in figure.marks)
+    return any(isinstance(mark, Segment) and mark.role is Role.IDEAL for mark in marks)
 
 
 def pivots(mech: Mechanism) -> Words:

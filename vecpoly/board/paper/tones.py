@@ -21,18 +21,18 @@ from .marks import Mark, TurnArrow, Vector
 MANY = len(TONES)
 _MOTION = re.compile(r"\b[va][nktr]?_")
 _POINTS = re.compile(r"([A-Z]'?\d*)([A-Z]'?\d*)")
-_JOINT = re.compile(r"R('*)_([A-Z]?\d)([A-Z]?\d)\b")
+_JOINT = re.compile(r"R[nt]?('*)_([A-Z]?\d)([A-Z]?\d)\b")
 _PART = re.compile(r"([_,](0|[nt]))+$")
 
 
 @lru_cache(maxsize=4096)
 def whose(key: str) -> str:
-    """What a key is a part of: ``motion CB`` of v_CB and at_CB, ``joint 12`` of R_21 and R_12_0, else the key."""
-    bare = _PART.sub("", key)
-    if _MOTION.match(bare.removeprefix("(")):
+    """What a key is a part of: ``motion B-C`` of v_CB and at_CB, ``joint 1-2`` of R_21 and R_12_0, else the key."""
+    bare = _PART.sub("", key).strip("()")
+    if _MOTION.match(bare):
         points = _MOTION.sub("", bare)
         pair = _POINTS.fullmatch(points)
-        return f"motion {''.join(sorted(pair.groups())) if pair else points}"
+        return f"motion {'-'.join(sorted(pair.groups())).strip('-') if pair else points}"
     joint = _JOINT.match(bare)
     return f"joint{joint[1]} {'-'.join(sorted(joint.groups()[1:]))}" if joint else bare
 

@@ -12,7 +12,15 @@ from ....plane import Line, cross, lines_meet, nominal
 from ....words import Words
 from ...registry import Stage, method
 from ..lines.links_of_group import Held
-from ..lines.meeting import RESULTANT, draw_meeting, draw_resultant, in_point, known_forces, meeting_letter
+from ..lines.meeting import (
+    RESULTANT,
+    draw_meeting,
+    draw_resultant,
+    in_point,
+    known_forces,
+    line_of_load,
+    meeting_letter,
+)
 from ..lines.parallel_forces import PARALLEL, about_pin, keep_pin, off_sheet
 from ..lines.resultant import Resultant, resultant
 from ..lines.three_forces import direction_through
@@ -72,7 +80,7 @@ def _by_meeting(st: Statics, held: Held, load: Resultant, line: Line) -> None:
     x = st.board.meet(load.line, line, f"link {number}: load and balancing force")
     u, sense = direction_through(st, held.joint, FRAME, held.link, x)
     touch = st.at_joint(held.joint, Line(x, u))
-    draw_meeting(st, x, (load.at, line.at), (u, touch), (letter, frame))
+    draw_meeting(st, x, (line_of_load(load), (st.unknown_named.key, line.at)), (u, touch), (letter, frame))
     close_polygon(st, held, load, line, (u, touch, sense))
 
 

@@ -17,6 +17,7 @@ LETTERS = "KOTXYZNU"
 PAST = 12.0  # mm that a line of action is drawn past its ends
 LONGEST = 260.0  # mm: a line of action longer than this is drawn at its pin only
 STUB = 22.0  # mm that it then has to both sides
+Other = tuple[str, Points]  # the key of a force, and a point of its line
 BEYOND = 30.0  # mm that a meeting point without friction may lie outside the figure
 
 
@@ -44,12 +45,12 @@ def _fits(st: Statics, x: Points, pin: Points) -> bool:
 
 
 def draw_meeting(
-    st: Statics, x: Points, others: tuple[Points, Points], third: tuple[Points, Points], labels: tuple[str, Named]
+    st: Statics, x: Points, others: tuple[Other, Other], third: tuple[Points, Points], labels: tuple[str, Named]
 ) -> None:
     """The meeting point, and the lines that pass through it, on the diagram:
     the reaction's from the meeting point to its pin.
 
-    labels: the meeting point's letter, and the reaction.
+    others: the lines that are known, each with a point. labels: the meeting point's letter, and the reaction.
     """
     board, (u, touch), (letter, named) = st.board, third, labels
     if not _fits(st, x, touch):
@@ -62,9 +63,9 @@ def draw_meeting(
     board.join(View.MECHANISM, x + u * low, x + u * high, role, key=named.key)
     board.plot(View.MECHANISM, x, letter, Dot.POINT, key=letter if st.preliminary else "")
     board.plot(View.MECHANISM, x + u * (low if abs(low) > abs(high) else high), named.symbol, Dot.NONE, key=named.key)
-    for at in others:
+    for key, at in others:
         if 1.0 < abs(nominal(at - x)) < LONGEST:
-            board.join(View.MECHANISM, at, x + unit(x - at) * 6.0, role)
+            board.join(View.MECHANISM, at, x + unit(x - at) * 6.0, role, key=key)
 
 
 def _draw_stub(st: Statics, touch: Points, u: Points, named: Named) -> None:
@@ -85,6 +86,11 @@ def draw_resultant(st: Statics, load: Resultant) -> None:
     along = load.line.along
     board.join(View.MECHANISM, load.at - along * PAST, load.at + along * PAST, Role.DIRECTION)
     board.plot(View.MECHANISM, load.at - along * PAST, RESULTANT, Dot.NONE)
+
+
+def line_of_load(load: Resultant) -> Other:
+    """The line of the known load; the resultant of several is no force of its own."""
+    return load.forces[0].named.key if len(load.forces) == 1 else "", load.at
 
 
 def known_forces(load: Resultant) -> Words:

@@ -17,7 +17,7 @@ from ..readings import write_sizes
 from ..senses import inclined, pin_words, slide_words
 from ..state import Statics
 from .links_of_group import Held
-from .meeting import RESULTANT, draw_meeting, draw_resultant, known_forces, meeting_letter
+from .meeting import RESULTANT, draw_meeting, draw_resultant, known_forces, line_of_load, meeting_letter
 from .parallel_forces import PARALLEL, balance_parallel, off_sheet
 from .resultant import Resultant
 
@@ -43,7 +43,11 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
     u, sense = direction_through(st, held.joint, held.parent, link, x)
     lettered = letter if not _pin(st, held, load, line) else ""
     draw_meeting(
-        st, x, (load.at, line.at), (u, st.at_joint(held.joint, Line(x, u))), (lettered, st.named(held.parent, link))
+        st,
+        x,
+        (line_of_load(load), (st.named(by, link).key, line.at)),
+        (u, st.at_joint(held.joint, Line(x, u))),
+        (lettered, st.named(held.parent, link)),
     )
     polygon(st, held, load, (by, line.along, line.at), (u, x, sense))
 

@@ -94,7 +94,8 @@ def draw_line_of_action(st: Statics, mesh: Mesh, h: Points, along: Points, tange
     board = st.board
     toward = tangent if float(nominal(dot(tangent, along))) > 0 else -tangent
     board.join(View.MECHANISM, h - toward * HALF, h + toward * HALF, Role.CENTRE)
-    board.join(View.MECHANISM, h - along * HALF, h + along * HALF, Role.DIRECTION)
-    board.plot(View.MECHANISM, h + along * HALF, st.named(mesh.by, mesh.held.link).symbol, Dot.NONE)
+    named = st.named(mesh.by, mesh.held.link)
+    board.join(View.MECHANISM, h - along * HALF, h + along * HALF, Role.DIRECTION, key=named.key)
+    board.plot(View.MECHANISM, h + along * HALF, named.symbol, Dot.NONE, key=named.key)
     if mesh.teeth.alpha:
         board.angle(View.MECHANISM, h, -toward, np.angle(along / toward), ARC, "α")
