@@ -49,9 +49,7 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
         coincident=coincident_letters(mech, groups),
         shapes=problem.given.shapes,
         loaded=problem.loads is not None,
-        mass_centres=frozenset(mass.centre for mass in problem.loads.masses)
-        if problem.loads is not None
-        else frozenset(),
+        mass_centres=_mass_centres(problem),
         over_period=(constant.name,) if constant is not None else (),
         thought=Stage.VELOCITY in said,  # of a cam's profile, whose link does drive, only the position is told
     )
@@ -66,7 +64,9 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
 
 
 def _mass_centres(problem: Problem) -> frozenset[str]:
-    return frozenset(mass.centre for mass in problem.loads.masses) if problem.loads is not None else frozenset()
+    """The letters of the centres of mass that are given, for forces, a machine or its balance."""
+    given = (problem.acting, problem.counterweights)
+    return frozenset(mass.centre for source in given if source is not None for mass in source.masses)
 
 
 def _draw_stage(desk: Desk, problem: Problem, stage: Stage, groups: tuple[Group, ...]) -> None:
