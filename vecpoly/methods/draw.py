@@ -65,8 +65,7 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
 
 def _mass_centres(problem: Problem) -> frozenset[str]:
     """The letters of the centres of mass that are given, for forces, a machine or its balance."""
-    given = (problem.acting, problem.counterweights)
-    return frozenset(mass.centre for source in given if source is not None for mass in source.masses)
+    return frozenset(mass.centre for mass in problem.acting.masses) if problem.acting is not None else frozenset()
 
 
 def _draw_stage(desk: Desk, problem: Problem, stage: Stage, groups: tuple[Group, ...]) -> None:
