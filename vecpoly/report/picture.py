@@ -8,7 +8,7 @@ from typing import Any
 
 from ..board.construction import Construction, Figure, View
 from ..board.paper.extent import extent
-from ..board.paper.marks import AngleMark, Cell, Dot, Mark, Note, Point, Role, Vector
+from ..board.paper.marks import AngleMark, Cell, Dot, FixedGuide, Mark, Note, Point, Role, Vector
 from ..designs.base import Design
 from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
