@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 import random
+from dataclasses import astuple
 from functools import cache
 
 import pytest
@@ -17,6 +18,7 @@ from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.paper.marks import Dot, Hatched, LinkNumber, Point, Role, Segment, Vector
 from vecpoly.drawing.figure import Drawing, drawing
 from vecpoly.drawing.labels.want import Thing
+from vecpoly.drawing.labels.wants import unnamed
 from vecpoly.drawing.scene import Fill, Item, Rect, Stroke
 from vecpoly.drawing.style import THIN, Hue
 from vecpoly.words import Words
@@ -134,6 +136,18 @@ def test_no_label_of_the_library_stands_on_a_line_an_arrowhead_or_another_label(
 def test_no_label_of_the_library_stands_nearer_to_another_point_link_or_vector_than_to_its_own(name: str) -> None:
     for one in _drawn(name):
         assert astray(one) == []
+
+
+@each(IDS)
+def test_no_letter_of_the_library_stands_nearer_to_a_point_without_a_letter_than_to_its_own(name: str) -> None:
+    solution = drafted(name)
+    for figure, one in zip(solution.construction.figures if solution else (), _drawn(name), strict=True):
+        points = [(shapely.Point(at.real, at.imag), radius) for at, radius in unnamed(figure.marks)]
+        for label in one.labels:
+            if label.foot is None and label.want.thing is Thing.POINT:
+                box, own = shapely.box(*astuple(label.rect)), label.want.own[0]
+                apart = box.distance(shapely.Point(own.real, own.imag)) - label.want.radius
+                assert all(box.distance(point) - radius > apart - 1e-6 for point, radius in points)
 
 
 @each(IDS)

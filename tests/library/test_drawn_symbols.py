@@ -8,11 +8,12 @@ from itertools import pairwise
 from tests.drawn_library import IDS, drawn, ids
 from tests.each import Later, each
 from vecpoly.board.construction import Figure, View
-from vecpoly.board.paper.bodies import Block, Passing, Plate, Weld
+from vecpoly.board.paper.bodies import Block, FixedGuide, Passing, Plate, Weld
 from vecpoly.board.paper.marks import Dot, Mark, Point, Role, Segment
 from vecpoly.mechanism.groups.assur import hinges
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.names import subscripted
+from vecpoly.report.picture import scaled
 
 DIAGRAMS = Later(lambda: ids(view=View.MECHANISM))
 NEAR, END = 0.05, 2.5  # mm: places that are one; nearer to the end of a bar a pin is pinned there
@@ -107,12 +108,11 @@ def test_a_compound_hinge_that_is_to_be_found_is_ringed_by_the_step_that_finds_i
 
 @each(DIAGRAMS)
 def test_a_centre_of_mass_that_is_no_pin_is_a_quartered_circle(name: str) -> None:
-    loads = drawn(name).problem.loads
-    figure = next(diagrams(name), None)
-    if loads is None or figure is None:
+    problem, figure = drawn(name).problem, next(diagrams(name), None)
+    if problem.acting is None or figure is None:
         return
     pinned = {subscripted(point) for point in hinges(drawn(name).problem.mechanism)}
-    centres = {subscripted(mass.centre) for mass in loads.masses} - pinned
+    centres = {subscripted(mass.centre) for mass in problem.acting.masses} - pinned
     dots = {m.label: m.dot for m in figure.marks if isinstance(m, Point) and m.dot is not Dot.NONE}
     assert {label for label, dot in dots.items() if dot is Dot.MASS} == centres & set(dots)
 
@@ -135,3 +135,12 @@ def test_where_a_bar_leaves_a_block_of_its_own_link_the_corner_is_filled(name: s
 def _within(block: Block, at: complex) -> bool:
     foot = (at - block.at) / block.along
     return abs(foot.real) < block.length / 2 - NEAR and abs(foot.imag) < 2.5 - NEAR
+
+
+@each(DIAGRAMS)
+def test_in_a_reduced_picture_each_block_still_stands_on_its_guide(name: str) -> None:
+    for figure in diagrams(name):
+        for guide in (mark for mark in figure.marks if isinstance(mark, FixedGuide) and mark.about is not None):
+            small = scaled(guide, 0.4)
+            assert small.about is not None and guide.about is not None
+            assert abs(small.about - 0.4 * guide.about) + abs((small.a - small.about) - (guide.a - guide.about)) < NEAR

@@ -47,7 +47,7 @@ def _alone(posed: Posed, name: str) -> Iterator[Mark]:
     ram = cylinder_joint(posed, name)
     yield from body(posed, name) if ram is None else cylinder_part(posed, name, ram)
     if posed.shapes.get(name) not in (Shape.ROD, Shape.PISTON):
-        for joint in (j for j in posed.slides() if j.block == name and not guided_follower(posed, j)):
+        for joint in (j for j in posed.slides() if j.block == name and not _own_body(posed, j)):
             yield from block_marks(posed, joint)
     for contact in contacts_of(posed.mech, name):
         if isinstance(contact.on, Rack) and contact.on.link == name:
@@ -161,7 +161,13 @@ def _has_block(posed: Posed, joint: Prismatic) -> bool:
     """Whether a sliding pair has its block drawn: followers, racks and pins in slots have symbols of their own."""
     if not posed.is_located(joint.guide, joint.block) or posed.shapes.get(joint.block) is Shape.PIN:
         return False
-    return not guided_follower(posed, joint) and (joint.guide != FRAME or guided_rack(posed, joint.block) is None)
+    return not _own_body(posed, joint)
+
+
+def _own_body(posed: Posed, joint: Prismatic) -> bool:
+    """Whether what slides is drawn as a follower, or as the rack that it is, and not as a block."""
+    rack = joint.guide == FRAME and guided_rack(posed, joint.block) is not None
+    return rack or guided_follower(posed, joint)
 
 
 def _turns_up(circle: Circle, joint: Rolling, links: tuple[str, ...]) -> bool:

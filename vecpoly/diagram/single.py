@@ -12,6 +12,7 @@ from ..board.paper.marks import (
     Dot,
     FixedGuide,
     FrictionCircle,
+    GearMark,
     Ground,
     LinkNumber,
     Outline,
@@ -35,6 +36,11 @@ def outline(owner: str, *points: Points, fixed: bool = False) -> Symbol:
 def disc(owner: str, centre: Points, radius: Reals) -> Symbol:
     """A round body."""
     return Symbol.of(owner, (Disc(centre=spot(centre), radius=amount(radius)),))
+
+
+def gear(owner: str, centre: Points, radius: Reals) -> Symbol:
+    """A gear: its pitch circle."""
+    return Symbol.of(owner, (GearMark(centre=spot(centre), radius=amount(radius)),))
 
 
 def rod(owner: str, a: Points, b: Points) -> Symbol:

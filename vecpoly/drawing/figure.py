@@ -13,7 +13,7 @@ from .labels.ground import broken
 from .labels.notes import LEADING, folded, lines
 from .labels.obstacles import Obstacles
 from .labels.placing import Placed, place
-from .labels.wants import wants
+from .labels.wants import unnamed, wants
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
 from .symbols.marks import Surroundings, draw
@@ -63,7 +63,8 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
     around = Surroundings.of(figure.view, figure.marks, lang, figure.tones)
     items = unique(tuple(item for mark in figure.marks for item in draw(mark, around)))
     bare = Scene.of(items)
-    placed = place(wants(figure.view, figure.marks, lang, figure.tones), Obstacles.of(items), bare.extents, frame)
+    sought = wants(figure.view, figure.marks, lang, figure.tones)
+    placed = place(sought, Obstacles.of(items), bare.extents, frame, unnamed(figure.marks))
     items = broken(items, [label.rect for label in placed])
     lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))
     scene = lettered + Scene.of(caption_items(figure, lettered.extents, lang)) if caption else lettered

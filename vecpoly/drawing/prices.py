@@ -11,7 +11,7 @@ import numpy as np
 from .labels.obstacles import Complexes, Floats, Obstacles
 from .labels.rivals import misled
 from .labels.spots import Spots, spots
-from .labels.want import Want
+from .labels.want import Spot, Want
 from .scene import Rect
 from .standing import Trial
 
@@ -28,6 +28,7 @@ class Around:
     wanted: tuple[Want, ...]
     drawn: Rect
     frame: Rect | None
+    unnamed: tuple[Spot, ...] = ()  # points without a letter
 
 
 @dataclass(eq=False)
@@ -135,7 +136,7 @@ def price(places: Sequence[Places]) -> None:
     led = [part for part in places if part.led]
     crossed = dict(zip(map(id, led), _crossed(around.obstacles, led), strict=True))
     for part, cost in zip(places, costs, strict=True):
-        cost += crossed[id(part)] if part.led else misled(part.want, around.wanted, part.spots.centre)
+        cost += crossed[id(part)] if part.led else misled(part.want, around.wanted, around.unnamed, part.spots.centre)
         if around.frame is not None:
             cost += BEYOND_FRAME * beyond(part.want, part.spots.centre, around.frame)
         part._hard = cost

@@ -48,9 +48,7 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
         coincident=coincident_letters(mech, groups),
         shapes=problem.given.shapes,
         loaded=problem.loads is not None,
-        mass_centres=frozenset(mass.centre for mass in problem.loads.masses)
-        if problem.loads is not None
-        else frozenset(),
+        mass_centres=_mass_centres(problem),
         thought=Stage.VELOCITY in said,  # of a cam's profile, whose link does drive, only the position is told
     )
     for name, at in mech.frame.items():
@@ -64,7 +62,8 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
 
 
 def _mass_centres(problem: Problem) -> frozenset[str]:
-    return frozenset(mass.centre for mass in problem.loads.masses) if problem.loads is not None else frozenset()
+    """The letters of the centres of mass that are given, for forces, a machine or its balance."""
+    return frozenset(mass.centre for mass in problem.acting.masses) if problem.acting is not None else frozenset()
 
 
 def _draw_stage(desk: Desk, problem: Problem, stage: Stage, groups: tuple[Group, ...]) -> None:

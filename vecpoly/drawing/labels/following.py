@@ -20,7 +20,7 @@ from .spots import spot, spots
 from .want import Want, resized
 from .wants import wants
 
-APART = 0.7  # mm between two labels
+APART, BESIDE = 0.9, 1.5  # mm between two labels one over the other, and side by side
 CLASH = 200.0  # what standing on another label costs
 
 Name = tuple[object, ...]
@@ -72,7 +72,7 @@ class Follower:
         cost = priced(obstacles, [(want, found.centre)])[0] + found.cost
         for other in others:
             gap = found.centre - other.centre
-            w, h = (want.width + other.want.width) / 2 + APART, (want.height + other.want.height) / 2 + APART
+            w, h = (want.width + other.want.width) / 2 + BESIDE, (want.height + other.want.height) / 2 + APART
             cost = cost + np.where((np.abs(gap.real) < w) & (np.abs(gap.imag) < h), CLASH, 0.0)
         best = int(np.argmin(cost))
         self.choice[name] = best
@@ -108,4 +108,4 @@ def _costs(labels: list[Placed], obstacles: Obstacles) -> Floats:
 
 def _touch(a: Placed, b: Placed) -> bool:
     gap, w, h = a.centre - b.centre, a.want.width + b.want.width, a.want.height + b.want.height
-    return abs(gap.real) < w / 2 + APART and abs(gap.imag) < h / 2 + APART
+    return abs(gap.real) < w / 2 + BESIDE and abs(gap.imag) < h / 2 + APART

@@ -14,7 +14,7 @@ from ..scene import Item, Layer, Rect, Stroke, TextBox
 from ..standing import Meeting, Standing
 from ..style import THIN, Hue
 from .obstacles import Obstacles
-from .want import Piece, Want
+from .want import Piece, Spot, Want
 
 BAD = 38.0  # a label that costs more than this by where it stands is on something
 PASSES = 8
@@ -56,9 +56,15 @@ def _nearest(point: complex, rect: Rect) -> complex:
     return complex(min(max(point.real, rect.x0), rect.x1), min(max(point.imag, rect.y0), rect.y1))
 
 
-def place(wanted: tuple[Want, ...], obstacles: Obstacles, drawn: Rect, frame: Rect | None = None) -> tuple[Placed, ...]:
+def place(
+    wanted: tuple[Want, ...],
+    obstacles: Obstacles,
+    drawn: Rect,
+    frame: Rect | None = None,
+    unnamed: tuple[Spot, ...] = (),
+) -> tuple[Placed, ...]:
     """A place for each label; the same input always gives the same places."""
-    table = _Table.of(Around(obstacles, wanted, drawn, frame))
+    table = _Table.of(Around(obstacles, wanted, drawn, frame, unnamed))
     for around in CROWDS:
         crowded = [i for i, trouble in enumerate(table.troubles) if trouble > BAD]
         if not crowded:
@@ -83,7 +89,7 @@ class _Table:
     def eased(self, crowded: set[int]) -> _Table:
         """With some of the labels on longer leaders; what the places of the others cost is known."""
         wanted = tuple(replace(w, farther=True) if i in crowded else w for i, w in enumerate(self.around.wanted))
-        around = Around(self.around.obstacles, wanted, self.around.drawn, self.around.frame)
+        around = replace(self.around, wanted=wanted)
         kept = zip(wanted, self.rows, strict=True)
         return _Table(around, tuple(row if want is row.near.want else Row.of(want, around) for want, row in kept))
 

@@ -7,27 +7,31 @@ from collections.abc import Sequence
 import numpy as np
 
 from .obstacles import Complexes, Floats, clip
-from .want import Thing, Want
+from .want import Spot, Thing, Want
 
 WRONG = 55.0  # nearer to another than to its own, with no leader to tell
 DOUBTFUL = 0.6  # mm: nearly as near
 REACH = 20.0  # mm from what it names within which a label without a leader stands
 
 
-def rivals(want: Want, others: Sequence[Want]) -> tuple[Complexes, Complexes, Floats]:
-    """The lines a -> b and half the widths of all other things of the same kind for which its label could be taken."""
+def rivals(want: Want, others: Sequence[Want], unnamed: Sequence[Spot]) -> tuple[Complexes, Complexes, Floats]:
+    """The lines a -> b and half the widths of all other things of the same kind for which its label could be taken,
+    points without a name among them."""
     found = [w for w in others if w.thing is want.thing and w.own != want.own] if want.thing is not Thing.OTHER else []
-    a, b = np.array([w.own[0] for w in found], dtype=complex), np.array([w.own[1] for w in found], dtype=complex)
-    radius = np.array([w.radius for w in found])
+    places = [(*w.own, w.radius) for w in found]
+    if want.thing is Thing.POINT:
+        places += [(at, at, radius) for at, radius in unnamed]
+    a, b = np.array([p[0] for p in places], dtype=complex), np.array([p[1] for p in places], dtype=complex)
+    radius = np.array([p[2] for p in places], dtype=float)
     reach = REACH + abs(want.own[1] - want.own[0]) / 2
     middle = (want.own[0] + want.own[1]) / 2
     near = np.abs(middle - _on(np.full(len(a), middle), a, b)) < reach
     return a[near], b[near], radius[near]
 
 
-def misled(want: Want, others: Sequence[Want], centre: Complexes) -> Floats:
+def misled(want: Want, others: Sequence[Want], unnamed: Sequence[Spot], centre: Complexes) -> Floats:
     """What each place of a label without a leader costs for the other things that it could be taken to name."""
-    a, b, radius = rivals(want, others)
+    a, b, radius = rivals(want, others, unnamed)
     if not len(a):
         return np.zeros(len(centre))
     half = complex(want.width / 2, want.height / 2)

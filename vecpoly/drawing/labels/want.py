@@ -8,6 +8,8 @@ from enum import Enum
 from ...typeset import Box
 from ..style import Hue
 
+Spot = tuple[complex, float]  # a place, and the radius of what is drawn there
+
 
 @dataclass(frozen=True, slots=True)
 class Piece:

@@ -46,7 +46,7 @@ from ..style import (
 from ..symbols.angles import TAIL, TURN, narrow
 from ..symbols.shapes import NEAR
 from .notes import lines
-from .want import Piece, Thing, Want
+from .want import Piece, Spot, Thing, Want
 
 FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 _RADIUS = {
@@ -57,7 +57,6 @@ _RADIUS = {
     Dot.POINT: DOT_RADIUS,
     Dot.NONE: 0.0,
 }
-Taken = tuple[complex, float]  # a place, and the radius of what is drawn there
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
 
@@ -88,6 +87,14 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
     return tuple(found)
 
 
+def unnamed(marks: tuple[Mark, ...]) -> tuple[Spot, ...]:
+    """The points without a letter."""
+    points = [mark for mark in marks if isinstance(mark, Point) and mark.dot is not Dot.NONE]
+    named = {mark.at for mark in points if mark.label}
+    silent = {mark.at: _RADIUS[mark.dot] for mark in points if mark.at not in named}
+    return tuple((at, radius) for at, radius in silent.items() if all(abs(at - other) > NEAR for other in named))
+
+
 def _piece(text: str, hue: Hue, step: int, dx: float = 0.0) -> Piece:
     return Piece(_lettered(text), dx, hue, step)
 
@@ -98,7 +105,7 @@ def _lettered(text: str) -> Box:
     return layout(row(text), LETTER)
 
 
-def _points(marks: tuple[Mark, ...], taken: list[Taken], tones: Tones) -> Iterable[Want]:
+def _points(marks: tuple[Mark, ...], taken: list[Spot], tones: Tones) -> Iterable[Want]:
     groups: list[tuple[complex, list[Point]]] = []
     ruled = {mark.b: mark for mark in marks if isinstance(mark, Segment) and mark.role is Role.DIRECTION}
     for mark in marks:
@@ -135,9 +142,9 @@ def _end(pieces: tuple[Piece, ...], at: complex, radius: float, line: Segment | 
     return Want(pieces, feet, ways, THIN / 2, (foot, at), one_sided=True, thing=Thing.DIRECTION)
 
 
-def _taken(marks: tuple[Mark, ...]) -> list[Taken]:
+def _taken(marks: tuple[Mark, ...]) -> list[Spot]:
     """Each place at which something is drawn, and the radius of that."""
-    found: list[Taken] = []
+    found: list[Spot] = []
     for mark in marks:
         match mark:
             case Point(at=here, dot=dot):
@@ -153,7 +160,7 @@ def _taken(marks: tuple[Mark, ...]) -> list[Taken]:
     return found
 
 
-def _keep(at: complex, taken: list[Taken]) -> float:
+def _keep(at: complex, taken: list[Spot]) -> float:
     """The radius of whatever is drawn at a point."""
     return max((radius for here, radius in taken if abs(here - at) < NEAR), default=0.0)
 

@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
+import cmath
 from typing import Any
 
 import numpy as np
 
 from ...board import acts as done
-from ...board.paper.marks import Arc, Disc, FixedGuide, FrictionCircle, GearMark, Ground, LinkNumber, Mark, Slot
+from ...board.paper.marks import (
+    Arc,
+    Disc,
+    FixedGuide,
+    FrictionCircle,
+    GearMark,
+    Ground,
+    LinkNumber,
+    Mark,
+    Passing,
+    Slot,
+    Weld,
+)
 from ...board.place import View
 from ...drawing.scene import Stroke
-from ...drawing.style import LINK, THIN, Dash, Hue, Pen
+from ...drawing.style import JOINT_RADIUS, LINK, THIN, Dash, Hue, Pen
+from ...drawing.symbols.bodies import WELD
 from ...drawing.symbols.marks import Surroundings, draw
 from ...mechanism.model import Drive
 from ...methods.desk import Desk
@@ -22,6 +36,7 @@ from .figure import Figure
 PLAIN = Surroundings(view=View.MECHANISM)
 FINEST = 9  # decimals of a mm: ink need be no finer
 FINE = 12  # points; a stroke through more is a ring or a rounded end
+HALF_RING = JOINT_RADIUS + LINK / 2  # mm: of a bar that runs on past a pin
 CIRCLES = Pen(width=THIN, dash=Dash.DASH_DOT, hue=Hue.GREY)
 
 
@@ -52,12 +67,19 @@ class Bodies:
                 off = 2.5j * (b - a) / abs(b - a)
                 for side in (off, -off):
                     self.figure.segment(_carried(a + side, pose), _carried(b + side, pose), Pen(width=0.5))
+            case Passing(at=at, along=along):
+                half = [at + HALF_RING * along * cmath.rect(1.0, cmath.pi * i / 6) for i in range(7)]
+                self.figure.lines([_carried(spot, pose) for spot in half], Pen(width=LINK))
+            case Weld(at=at, u=u, v=v, off=off):
+                corner = at + off
+                three = (corner, corner + WELD * u, corner + WELD * v, corner)
+                self.figure.lines([_carried(spot, pose) for spot in three], Pen(width=LINK))
             case Arc() | LinkNumber():
                 return
             case _:
-                for stroke in draw(mark, PLAIN):
-                    if isinstance(stroke, Stroke) and len(stroke.points) <= FINE:
-                        self._stroke(stroke, pose)
+                for item in draw(mark, PLAIN):
+                    if isinstance(item, Stroke) and len(item.points) <= FINE:
+                        self._stroke(item, pose)
 
     def _stroke(self, stroke: Stroke, pose: Pose | None) -> None:
         look = Pen(width=stroke.width, dash=stroke.dash, hue=stroke.hue)

@@ -9,20 +9,22 @@ from ....board.board import Board
 from ....board.construction import Place
 from ....board.paper.marks import Dot, Role
 from ....devices.dynamics.reduced import ReducedTrain
-from ....diagram.single import disc, pivot
+from ....diagram.single import disc, gear, pivot
 
 WIDE, LEAST = 120.0, 5.0  # mm: from the first centre to the last; a wheel is not drawn smaller
 APART = 1.35  # of the sum of its radii: how far the pulleys of a belt stand from each other
 WAYS = (1 + 0j, 1j, -1j, -1 + 0j)  # the first wheel that a shaft drives stands on its right, the next above it ...
 
+Wheel = tuple[str, float, bool]  # its shaft, its radius, whether a belt runs on it
+
 
 def draw_shafts(board: Board, place: Place, train: ReducedTrain) -> None:
-    """Discs on their pivots; larger ones below."""
+    """Pulleys and the pitch circles of gears on their pivots; larger ones below."""
     at, wheels = _placed(train)
     span = max((abs(one - other) for one in at.values() for other in at.values()), default=1.0)
     mm = WIDE / span
-    for name, size in sorted(wheels, key=lambda wheel: -wheel[1]):
-        board.depict(place, disc(f"link {name}", at[name] * mm, max(size * mm, LEAST)))
+    for name, size, belt in sorted(wheels, key=lambda wheel: -wheel[1]):
+        board.depict(place, (disc if belt else gear)(f"link {name}", at[name] * mm, max(size * mm, LEAST)))
     for pair in train.pairs:
         if pair.belt:
             _belt(board, place, at[pair.first] * mm, at[pair.second] * mm, pair.sizes[0] / pair.sizes[1])
@@ -31,11 +33,11 @@ def draw_shafts(board: Board, place: Place, train: ReducedTrain) -> None:
         board.plot(place, centre * mm, name, Dot.JOINT)
 
 
-def _placed(train: ReducedTrain) -> tuple[dict[str, complex], list[tuple[str, float]]]:
+def _placed(train: ReducedTrain) -> tuple[dict[str, complex], list[Wheel]]:
     """The centres, and every wheel with the shaft on which it sits: diameters of belts as so many teeth."""
     at: dict[str, complex] = {train.main: 0j}
     used: dict[str, int] = {}
-    wheels: list[tuple[str, float]] = []
+    wheels: list[Wheel] = []
     teeth = [sum(pair.sizes) for pair in train.pairs if not pair.belt]
     for name, way in sorted(train.ways.items(), key=lambda item: len(item[1])):
         if not way:
@@ -47,7 +49,7 @@ def _placed(train: ReducedTrain) -> tuple[dict[str, complex], list[tuple[str, fl
         way_to = WAYS[min(used.get(here, 0), len(WAYS) - 1)]
         used[here] = used.get(here, 0) + 1
         at[name] = at[here] + way_to * sum(sizes) / 2 * (APART if pair.belt else 1.0)
-        wheels += [(here, sizes[0] / 2), (name, sizes[1] / 2)]
+        wheels += [(here, sizes[0] / 2, pair.belt), (name, sizes[1] / 2, pair.belt)]
     return at, wheels
 
 
