@@ -6,13 +6,12 @@ from __future__ import annotations
 import json
 import re
 from base64 import b64decode
-from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
 import pytest
 
-from tests.chromium import Page, browser, chromium
+from tests.chromium import Page
 from tests.grading.cases import key_of, marked
 from vecpoly.grading.compare.outcome import Finding, Outcome
 from vecpoly.grading.key import Graded, Kind
@@ -23,7 +22,6 @@ from vecpoly.problem.load import load
 from vecpoly.report.values import printed_unit
 from vecpoly.solution import solve
 
-pytestmark = pytest.mark.skipif(browser() is None, reason="no chromium or chrome on this machine")
 NAMES = ("3-9", "4-3a")
 SENSES = {"": 0, "ccw": 1, "cw": -1}
 FACTORS = (1.0, 1.3, 0.5, 2.0, 10.0)
@@ -40,13 +38,12 @@ def html_of(name: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+def page(chrome: Page, tmp_path_factory: pytest.TempPathFactory) -> Page:
     folder = tmp_path_factory.mktemp("box")
     for name in NAMES:
         (folder / f"{name}.html").write_text(html_of(name), encoding="utf-8")
-    with chromium() as opened:
-        opened.folder = folder  # type: ignore[attr-defined]
-        yield opened
+    chrome.folder = folder  # type: ignore[attr-defined]
+    return chrome
 
 
 def at(page: Page, name: str, lang: str = "zh") -> None:

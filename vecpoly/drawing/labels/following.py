@@ -47,10 +47,12 @@ class Follower:
     def _first(self, named: list[tuple[Name, Want]], obstacles: Obstacles, drawn: Rect) -> list[Placed]:
         """Placed all together, as on paper."""
         placed = place(tuple(want for _, want in named), obstacles, drawn)
-        for (name, _), label in zip(named, placed, strict=True):
-            where = np.abs(spots(label.want, drawn.centre).centre - label.centre)
-            self.choice[name] = int(np.argmin(where)), label.want.scale
-        return list(placed)
+        found: list[Placed] = []
+        for (name, want), label in zip(named, placed, strict=True):
+            at = int(np.argmin(np.abs(spots(label.want, drawn.centre).centre - label.centre)))
+            self.choice[name] = at, want.scale  # one size for all: on a screen a crowd is zoomed in
+            found.append(_at(want, at) or label)
+        return found
 
     def _follow(self, named: list[tuple[Name, Want]], obstacles: Obstacles, drawn: Rect) -> list[Placed]:
         """Those that may stay first, then the others round them."""
