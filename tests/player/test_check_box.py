@@ -118,6 +118,26 @@ def test_nothing_is_told_before_it_is_asked(page: Page) -> None:
     assert told == shown
 
 
+@pytest.mark.parametrize(
+    ("factor", "told"),
+    [(1.004, r"off by \+0\.4 % \(allowed ±"), (1.5, "about 50 % too large"), (0.4, "about 60 % too small"),
+     (4.0, "about 4 times what it should be"), (1.0, "^Correct$")],
+)  # fmt: skip
+def test_an_answer_is_told_by_how_much_it_is_off_and_a_wrong_one_only_about(
+    factor: float, told: str, page: Page
+) -> None:
+    at(page, "3-9", "en")
+    value = f"{factor * abs(key_of('3-9')['v_E'].exact):.5g}"
+    index = [one.key for one in asked("3-9")].index("v_E")
+    page.value(
+        f"one('#check').open = true, one('#own-{index + 1}').value = '{value}', one('#check form').requestSubmit()"
+    )
+    said = page.value(f"all('#check .said')[{index}].innerText")
+    assert re.search(told, said), said
+    if factor == 1.0:
+        assert "%" not in said
+
+
 def rows(name: str) -> list[dict[str, str]]:
     (data,) = re.findall(r'id="answers">([^<]+)<', html_of(name))
     found: list[dict[str, str]] = json.loads(b64decode(data))["rows"]

@@ -135,6 +135,19 @@ def test_a_guess_is_asked_for_before_the_point_is_shown(chrome: Page, folder: Pa
     assert page.value("player.beat") == before + 1 and page.value("one('#told-guess').textContent") == ""
 
 
+def test_an_own_reading_is_answered_with_its_deviation(chrome: Page, folder: Path) -> None:
+    page = show(chrome, folder, f"{KINEMATICS}#step=4&lang=en")
+    page.press("g", "g")
+    page.press("ArrowRight")  # l_BC: the length BC is to be measured
+    length = page.value("guess.length(cut[player.beat - 1])")
+    assert page.value("!one('#ask-read').hidden && all('#steps li.cur .display:not(.later)').length === 0")
+    page.value(f"one('#own-reading').value = '{length + 0.9:.2f}'; one('#unveil').click(); 0")
+    assert page.value("one('#told-guess').textContent") == (
+        f"It is {length:.1f} mm long; your reading is off by +0.9 mm (+{90 / length:.2g} %)."
+    )
+    assert length == pytest.approx(abs(-100 - 30 * (1 + 1j) / 2**0.5) / 2, abs=0.2), "BC, at 0.002 m/mm"
+
+
 @pytest.mark.parametrize("calm", [False, True])
 def test_the_relative_velocity_turns_into_the_coriolis_term(calm: bool, chrome: Page, folder: Path) -> None:
     page = show(chrome, folder, f"{KINEMATICS}#step=9.4")
