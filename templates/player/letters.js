@@ -1,7 +1,7 @@
 // Letters that can be read: where the sheet is seen from afar they are drawn larger, each about its own middle; never under 11 pixels.
 const letters = {
-  LEAST: 11.5, MOST: 2.6, LETTER: 350, // pixels; times; units of a letter's size on paper
-  NEXT: 150, // units: pieces of type that stand so near on one line are one label
+  LEAST: 11.5, WIDE: 13, MOST: 2.6, LETTER: 350, // pixels, and on a wide screen; times; units of a letter's size on paper
+  NEXT: 260, // units: pieces of type that stand so near on one line are one label
   size: new Map(), // type → its width and height
 
   of(type) {
@@ -13,7 +13,7 @@ const letters = {
   },
 
   // How much larger letters of a size must be where a unit is so many pixels; where a figure is magnified they stay nearly as they were.
-  times: (f, { px, base }) => Math.min(Math.max(letters.LEAST, f * base) / (f * px), letters.MOST),
+  times: (f, { px, base }) => Math.min(Math.max(stage.narrow() ? letters.LEAST : letters.WIDE, f * base) / (f * px), letters.MOST),
 
   // Pieces of type (type, x, y) with how each is moved and grown, the label that it belongs to about the middle of that.
   grown(list, seen) {
@@ -41,7 +41,7 @@ const letters = {
       figure.seen = { px, base: scale * Math.sqrt(figure.zoom || 1) };
       figure.node.classList.toggle("big", letters.big(figure.seen));
       anew = true;
-      if (player.turning()) { for (const still of all(".still", figure.node)) letters.set(all("use", still), figure.seen); for (const title of all(".caption", figure.node)) letters.set(all("use", title), figure.seen); }
+      if (player.turning()) for (const title of all(".caption", figure.node)) letters.set(all("use", title), figure.seen);
       else letters.set(all("use", figure.node), figure.seen);
     }
     return anew;

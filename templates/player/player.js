@@ -110,7 +110,8 @@ const player = {
     if (player.turning()) return show([]);
     const crowd = figures.length > FEW || stage.narrow(), begun = figures.filter((figure) => figure.steps[0] <= player.beat);
     const latest = Math.max(...begun.flatMap((figure) => figure.steps.filter((step) => step <= player.beat)));
-    show(begun.filter((figure) => !crowd || figure.steps.includes(latest)).map((figure) => figure.key));
+    const read = (beat.of(player.beat).marks || []).map(([key]) => key), looked = latest < player.beat && read.length; // where there is something to be measured, there one looks
+    show(begun.filter(({ key, steps }) => !crowd || (looked ? read.includes(key) : steps.includes(latest))).map(({ key }) => key));
   },
 
   look(view) {

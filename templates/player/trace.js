@@ -76,7 +76,7 @@ const trace = {
     for (const figure of turn.figures.filter(({ node, key }) => node.style.display !== "none" && key.startsWith("mechanism"))) {
       for (const letter of figure.off) found.set(letter, figure.points.find((point) => point.letter === letter).type);
       for (const set of figure.sets) {
-        const types = pieces((set.moving[near] || {})[8]).filter(({ name }) => name[0] === "t").map(({ name }) => name.split(".")[0]), texts = types.map((type) => document.getElementById(type).textContent);
+        const types = pieces((set.moving[near] || {})[TEXT]).filter(({ name }) => name[0] === "t").map(({ name }) => name.split(".")[0]), texts = types.map((type) => document.getElementById(type).textContent);
         texts.forEach((text, i) => { if (/^P\d/.test(text) && texts.indexOf(text) !== i) found.set(text, types[i]); });
       }
     }

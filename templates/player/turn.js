@@ -1,5 +1,5 @@
 // The finished figures for every place of the drive; read from the page when they are first wanted. Between two places they are blended.
-const SVG = "http://www.w3.org/2000/svg";
+const SVG = "http://www.w3.org/2000/svg", TEXT = "8"; // the layer of letters
 const turn = {
   data: null,
   figures: [],
@@ -28,7 +28,7 @@ const turn = {
       for (const layers_at of set.moving) for (const layer in layers_at || {}) used.add(layer);
       for (const layer of [...used].sort((a, b) => a - b)) {
         const still = shape("g", { class: "still" }), moving = shape("g", {});
-        still.innerHTML = drawn(pieces(set.still[layer]));
+        if (layer !== TEXT) still.innerHTML = drawn(pieces(set.still[layer])); // letters change with the view
         group.append(still, moving);
         layers.set(layer, moving);
       }
@@ -64,7 +64,10 @@ const turn = {
         const here = set.moving[near], at = (i) => (i === null ? null : set.moving[i]);
         figure.inside.style.display = here ? "" : "none";
         const ends = t && at(from) && at(to) ? [at(before), at(from), at(to), at(after)] : null;
-        if (here) for (const [layer, node] of set.layers) node.innerHTML = drawn(ends ? blended(ends.map((one) => one && pieces(one[layer])), t) : pieces(here[layer]), size);
+        if (here) for (const [layer, node] of set.layers) {
+          const moving = ends ? blended(ends.map((one) => one && pieces(one[layer])), t) : pieces(here[layer]);
+          node.innerHTML = drawn(layer === TEXT ? [...pieces(set.still[TEXT]), ...moving] : moving, size);
+        }
       }
       trace.draw(figure, index);
     }
@@ -90,9 +93,7 @@ const turn = {
     }
     figure.lens.setAttribute("transform", at);
     figure.lens.style.setProperty("--bold", (figure.node.style.getPropertyValue("--bold") || 1) / Math.sqrt(figure.near));
-    const own = { px: seen.px * figure.near, base: seen.base * Math.min(figure.near ** 0.2, figure.near) };
-    if (figure.cell) for (const still of all(".still", figure.lens)) letters.set(all("use", still), own);
-    return own;
+    return { px: seen.px * figure.near, base: seen.base * Math.min(figure.near ** 0.2, figure.near) };
   },
   MARGIN: 500, NEAREST: 2.5, // units round what is followed; times
 
@@ -101,7 +102,7 @@ const turn = {
     figure.boxes = figure.boxes || new Map();
     if (!figure.boxes.has(index)) {
       const xs = [], ys = [];
-      for (const set of figure.sets) for (const text of [set.still[8], (set.moving[index] || {})[8]]) for (const { name, numbers: [x, y] } of pieces(text)) if (name[0] === "t") { const { w, h } = letters.of(name.split(".")[0]); xs.push(x, x + w); ys.push(y - h, y + h / 4); }
+      for (const set of figure.sets) for (const text of [set.still[TEXT], (set.moving[index] || {})[TEXT]]) for (const { name, numbers: [x, y] } of pieces(text)) if (name[0] === "t") { const { w, h } = letters.of(name.split(".")[0]); xs.push(x, x + w); ys.push(y - h, y + h / 4); }
       for (const set of figure.sets) for (const layer of [2, 4, 6]) for (const { numbers: [x, y] } of pieces((set.moving[index] || {})[layer])) { xs.push(x); ys.push(y); }
       for (const { at } of figure.points) if (at[index]) { xs.push(at[index][0]); ys.push(at[index][1]); }
       figure.boxes.set(index, xs.length ? [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)] : null);

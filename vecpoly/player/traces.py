@@ -11,6 +11,7 @@ from ..board.construction import Figure, View
 from ..board.paper.marks import Point
 from ..drawing.style import LETTER
 from ..mechanism.model import Mechanism
+from ..names import written_unit
 from ..report.values import printed_unit
 from ..solution import YES_NO
 from ..typeset import layout
@@ -69,7 +70,7 @@ def curves(turns: Sequence[Turned]) -> list[Data]:
         plain = not answer.is_place and answer.reading.unit != YES_NO
         out.append(
             {
-                "unit": unit,
+                "unit": written_unit(unit),
                 "drawn": [_short(factor * one.drawn) for one in found] if plain else [],
                 "exact": [_short(factor * one.exact) for one in found] if plain else [],
                 "signed": any(one.exact < 0 for one in found),
