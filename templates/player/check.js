@@ -88,6 +88,19 @@ const check = {
     return found;
   },
 
+  // By how much: of what is right or close to two digits, with what is allowed; of what is wrong only about, which gives nothing away.
+  by(index, [text, sense, aim], { verdict, said }) {
+    const row = check.rule.rows[index], mine = check.given(index, text, sense, aim);
+    if (!mine || !row.x || !verdict || said.some((name) => name.startsWith("ok_own"))) return "";
+    const off = 100 * (row.kind === "sc" ? (mine.value - row.x) / Math.abs(row.x) : Math.abs(mine.value / row.x) - 1), size = Math.abs(off), sign = off < 0 ? "−" : "+";
+    const both = (zh, en) => ` <span class="by"><span class="zh">${zh}</span><span class="en">${en}</span></span>`;
+    if (size < 0.005) return "";
+    if (verdict !== "wrong") { const shown = `${sign}${size < 0.1 ? size.toFixed(2) : +size.toPrecision(2)} %`, most = +(100 * row.near).toPrecision(2); return both(`偏差 ${shown}（允许 ±${most} %）`, `off by ${shown} (allowed ±${most} %)`); }
+    if (["sense", "sign", "reversed", "zero"].includes(said[0]) || said[0].startsWith("dir:")) return "";
+    if (size > 150) return both(`约为应有值的 ${+(1 + off / 100).toPrecision(1)} 倍`.replace("-", "−"), `about ${+(1 + off / 100).toPrecision(1)} times what it should be`.replace("-", "−"));
+    return both(`约偏${off < 0 ? "小" : "大"} ${+size.toPrecision(1)} %`, `about ${+size.toPrecision(1)} % too ${off < 0 ? "small" : "large"}`);
+  },
+
   sentence(name) {
     const [id, n = ""] = name.split(":"), known = ["pow10", "dir", "ok_own"].includes(id) ? id : name;
     const node = all("#sentences > span").find((span) => span.dataset.name === known);
@@ -115,10 +128,10 @@ const check = {
   },
 
   show() {
-    const found = check.verdicts(check.typed());
+    const typed = check.typed(), found = check.verdicts(typed);
     all("#check .asked").forEach((node, index) => {
       node.dataset.verdict = found[index].verdict;
-      one(".said", node).innerHTML = found[index].said.map(check.sentence).join(`<span class="zh">；</span><span class="en">; </span>`);
+      one(".said", node).innerHTML = found[index].said.map(check.sentence).join(`<span class="zh">；</span><span class="en">; </span>`) + check.by(index, typed[index], found[index]);
     });
   },
 

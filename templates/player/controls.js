@@ -30,6 +30,7 @@ one("#zoom-in").onclick = () => stage.zoom(1.3);
 one("#zoom-out").onclick = () => stage.zoom(1 / 1.3);
 one("#zoom-fit").onclick = () => player.fit();
 one("#language").onclick = () => player.setLang(player.lang() === "zh" ? "en" : "zh");
+one("#view").onchange = () => player.look(one("#view").value);
 for (const chip of all("#views button")) chip.onclick = () => player.look(chip.dataset.view);
 for (const node of steps) one(".number", node).onclick = () => { player.stop(); player.go(+node.dataset.last); };
 if (one("#mode-turn")) {
@@ -40,7 +41,7 @@ if (one("#mode-turn")) {
 document.addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey || (event.shiftKey && event.key !== "+")) return;
   const on = event.target instanceof Element ? event.target : document.body;
-  if (on.closest("#check input, #check select")) return; // somebody writes
+  if (on.closest("#check input, #own-reading, select")) return; // somebody writes
   if (on === slider && !" PageUp PageDown + - = 0 f".includes(event.key)) return; // the slider has keys of its own; a presenter's remote sends PageDown
   if (" Enter".includes(event.key) && on.closest("button, summary, a")) return;
   const act = { ArrowRight: () => player.next(1), ArrowLeft: () => player.next(-1), ArrowDown: () => player.leap(1), ArrowUp: () => player.leap(-1), PageDown: () => player.next(1), PageUp: () => player.next(-1),

@@ -22,13 +22,18 @@ const guess = {
   },
 
   ask() {
-    const at = guess.veiled && beat.of(guess.at()).at;
+    const here = beat.of(player.beat), point = Boolean(here.at), read = !point && guess.length(here) !== null;
     one("#ask").hidden = !guess.veiled;
-    one("#ask-point").hidden = !at;
-    one("#ask-line").hidden = Boolean(at);
-    one("#told-guess").textContent = "";
+    one("#ask-point").hidden = !point;
+    one("#ask-read").hidden = !read;
+    one("#ask-line").hidden = point || read;
+    one("#own-reading").value = one("#told-guess").textContent = "";
   },
-  at: () => player.beat,
+
+  // The one length that is read in a beat (mm on paper).
+  length({ marks }) {
+    return marks && marks.length === 1 ? Math.hypot(marks[0][3] - marks[0][1], marks[0][4] - marks[0][2]) / 100 : null;
+  },
 
   clear() {
     for (const node of all("#drawn .guessed")) node.remove();
@@ -51,18 +56,29 @@ const guess = {
   reveal() {
     if (!guess.veiled) return;
     guess.veiled = false;
-    const spot = guess.spot, at = beat.of(player.beat).at;
+    const spot = guess.spot, here = beat.of(player.beat), at = here.at, own = parseFloat(one("#own-reading").value.normalize("NFKC").replace(",", "."));
     player.showBeat(player.beat);
     one("#ask").hidden = true;
+    if (!at && own > 0 && guess.length(here) !== null) return guess.read(own, guess.length(here));
     if (!spot || !at) return;
     const off = Math.hypot(spot.x - at[1], spot.y - at[2]) / 100, [mu, unit] = (spot.figure.node.dataset.mu || "").split(" ");
     spot.figure.node.append(shape("path", { class: "guessed gap", d: `M${spot.x} ${spot.y}L${at[1]} ${at[2]}` }));
     const worth = mu ? ` ≙ ${(+mu * off).toPrecision(2).replace(/e([+-]\d+)/, "×10^$1")} ${unit}` : "";
-    one("#told-guess").textContent = player.word(`你的点离应有的位置 ${off.toFixed(1)} mm${worth}。`, `Your point is ${off.toFixed(1)} mm from where it lies${worth}.`);
-    live.textContent = one("#told-guess").textContent;
+    guess.tell(`你的点离应有的位置 ${off.toFixed(1)} mm${worth}。`, `Your point is ${off.toFixed(1)} mm from where it lies${worth}.`);
+  },
+
+  // An own reading beside the length that lies there.
+  read(own, length) {
+    const off = own - length, shown = `${off < 0 ? "−" : "+"}${Math.abs(off).toFixed(1)} mm`, share = `${off < 0 ? "−" : "+"}${Math.abs(100 * off / length).toPrecision(2)} %`;
+    guess.tell(`图上为 ${length.toFixed(1)} mm，你的读数差 ${shown}（${share}）。`, `It is ${length.toFixed(1)} mm long; your reading is off by ${shown} (${share}).`);
+  },
+
+  tell(zh, en) {
+    one("#told-guess").textContent = live.textContent = player.word(zh, en);
   },
 };
 if (one("#guess")) {
   one("#guess").onclick = () => guess.toggle();
   one("#unveil").onclick = () => guess.reveal();
+  one("#own-reading").onkeydown = (event) => { if (event.key === "Enter") guess.reveal(); };
 }

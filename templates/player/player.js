@@ -6,7 +6,7 @@ const figures = all("#drawn .figure").map((node) => ({
 }));
 const steps = all("#steps li"), COUNT = steps.length;
 const FEW = 4; // figures that are shown together on a wide screen
-const PACE = { step: 2600, zh: 110, en: 45, turn: 90 }; // ms: at least for a step, for a character to be read, for a place
+const PACE = { step: 2600, zh: 110, en: 45, turn: 180, frame: 30 }; // ms: at least for a step, for a character to be read, for a place, between two pictures
 const KEYS = { ArrowLeft: "←", ArrowRight: "→" };
 const SPEEDS = [1, 2, 0.25, 0.5], FAST = ["1×", "2×", "¼×", "½×"], SIZES = [100, 125, 150, 200]; // times the pace; % of the usual text
 
@@ -23,11 +23,11 @@ const player = {
   counted: (to) => (player.turning() ? turn.shown(to) : `${beat.name(to)} / ${COUNT}`),
 
   go(to, speak = true) {
-    to = Math.min(Math.max(player.turning() ? to : Math.round(to) || 1, player.low()), player.high());
+    to = player.turning() ? turn.wrap(to) : Math.min(Math.max(Math.round(to) || 1, 1), cut.length);
     player.jumped = Math.abs(to - player.beat) > 1;
     if (player.turning()) player.showPlace(to);
     else player.showBeat(to);
-    slider.value = to;
+    slider.value = Math.min(to, player.high());
     one("#counter").textContent = player.counted(to);
     slider.setAttribute("aria-valuetext", player.turning() ? turn.shown(to) : player.word(`第 ${beat.name(to)} 步，共 ${COUNT} 步`, `step ${beat.name(to)} of ${COUNT}`));
     const ends = player.turning() && turn.data.round;
@@ -110,12 +110,14 @@ const player = {
     if (player.turning()) return show([]);
     const crowd = figures.length > FEW || stage.narrow(), begun = figures.filter((figure) => figure.steps[0] <= player.beat);
     const latest = Math.max(...begun.flatMap((figure) => figure.steps.filter((step) => step <= player.beat)));
-    show(begun.filter((figure) => !crowd || figure.steps.includes(latest)).map((figure) => figure.key));
+    const read = (beat.of(player.beat).marks || []).map(([key]) => key), looked = latest < player.beat && read.length; // where there is something to be measured, there one looks
+    show(begun.filter(({ key, steps }) => !crowd || (looked ? read.includes(key) : steps.includes(latest))).map(({ key }) => key));
   },
 
   look(view) {
-    const anew = player.turning() && stage.narrow() && view !== "free" && player.view !== view;
+    const anew = player.turning() && view !== "free" && player.view !== view;
     player.view = view;
+    if (view !== "free") one("#view").value = view;
     for (const chip of all("#views button")) chip.setAttribute("aria-pressed", String(chip.dataset.view === view));
     if (anew) player.arrange();
     else player.frame();
@@ -131,7 +133,7 @@ const player = {
     player.stop();
     player.mode = mode;
     root.dataset.mode = mode;
-    if (player.turning()) turn.load();
+    if (player.turning()) { turn.load(); player.place = turn.wrap(player.place); }
     const turning = player.turning();
     one("#steps").hidden = turning;
     if (one("#turn")) {
@@ -146,22 +148,29 @@ const player = {
     one("#turned").style.display = turning ? "" : "none";
     slider.min = player.low();
     slider.max = player.high();
+    slider.step = turning ? 0.1 : 1;
     if (player.view === "free") player.look("auto");
     player.relabel();
     player.arrange();
     player.go(player.at());
   },
 
-  // On a phone the first two figures that move turn alone unless another is asked for: all together would be too small.
   arrange() {
-    const everything = player.turning() ? turn.figures : figures;
-    const shown = player.turning() && player.view === "auto" && stage.narrow() ? player.first() : everything;
+    const everything = player.turning() ? turn.figures : figures, only = everything.filter((figure) => figure.key === player.view);
+    const shown = !player.turning() ? everything : only.length ? only : player.view === "auto" ? player.first() : everything;
     for (const figure of everything) figure.node.style.display = shown.includes(figure) ? "" : "none";
     stage.arrange(shown);
     player.laid = "";
     player.frame(true);
+    if (player.turning()) turn.draw(player.place);
   },
-  first: () => turn.figures.filter((figure) => figure.moves).slice(0, 2),
+  // Of many figures that move: the mechanism, and where the quantity stands that is followed, then others as far as there is room.
+  first() {
+    const most = stage.narrow() ? 3 : FEW, on = (turn.data.curves[Math.max(curve.chosen, 0)] || { on: [] }).on;
+    const rank = (figure) => (figure === turn.figures[0] ? 0 : on.includes(figure.key) ? 1 : figure.moves ? 2 : 3);
+    const chosen = turn.figures.map((figure, i) => ({ figure, by: 100 * rank(figure) + i })).sort((a, b) => a.by - b.by).slice(0, most).map(({ figure }) => figure);
+    return turn.figures.filter((figure) => chosen.includes(figure));
+  },
 
   setLang(lang) {
     root.dataset.lang = root.lang = lang;
@@ -175,6 +184,7 @@ const player = {
       first: ["起始位置", "First place"], back: ["退一个位置", "Back"], next: ["进一个位置", "Next"], last: ["最后位置", "Last place"], slider: [slider.dataset.turnZh, slider.dataset.turnEn] };
     const folded = root.dataset.panel === "off", full = Boolean(document.fullscreenElement);
     const states = { play: player.timer && ["暂停", "Pause"], "panel-off": folded && ["展开说明", "Unfold the explanation"], present: full && ["退出全屏", "Leave full screen"] };
+    for (const node of all("[data-tell-zh]")) node.textContent = player.word(node.dataset.tellZh, node.dataset.tellEn);
     for (const node of all("[data-zh]")) {
       const [zh, en] = states[node.id] || (names && names[node.id]) || [node.dataset.zh, node.dataset.en];
       const text = player.word(zh, en) + (node.id === "speed" ? ` ${node.textContent}` : "");
@@ -192,8 +202,9 @@ const player = {
   },
   // A step stays until it can have been read; a vector or a line of it, until it can have been seen.
   wait() {
-    const begins = !player.turning() && player.beat === beat.first(player.step);
-    const reading = player.turning() ? PACE.turn : Math.max(PACE.step, begins ? PACE[player.lang()] * one(".words", steps[player.step - 1]).innerText.length : 0);
+    if (player.turning()) return (player.timer = setTimeout(() => { player.tick(); if (player.timer) player.wait(); }, (calm.matches ? PACE.turn : PACE.frame) / Math.min(player.speed, 1)));
+    const begins = player.beat === beat.first(player.step);
+    const reading = Math.max(PACE.step, begins ? PACE[player.lang()] * one(".words", steps[player.step - 1]).innerText.length : 0);
     player.timer = setTimeout(() => { player.tick(); if (player.timer) player.wait(); }, reading / player.speed);
   },
   stop() {
@@ -209,11 +220,11 @@ const player = {
       player.go(player.beat + 1);
       live.textContent = player.said(player.beat);
       if (player.beat === cut.length) player.stop();
-    } else if (turn.data.round) player.go((player.place + 1) % turn.data.shown.length);
-    else {
-      if (player.place + player.way > player.high() || player.place + player.way < 0) player.way = -player.way;
-      player.go(player.place + player.way);
+      return;
     }
+    const by = calm.matches ? 1 : PACE.frame / PACE.turn * Math.max(player.speed, 1);
+    if (!turn.data.round && (player.place + player.way * by > player.high() || player.place + player.way * by < 0)) player.way = -player.way;
+    player.go(player.place + (turn.data.round ? 1 : player.way) * by);
   },
 
   // Whole steps: to the end of this one, or of the one before.
@@ -227,7 +238,7 @@ const player = {
   next(by) {
     player.stop();
     if (!player.turning() && by > 0 && guess.veiled) return guess.reveal();
-    const many = player.high() + 1;
-    player.go(player.turning() && turn.data.round ? (player.place + by + many) % many : player.at() + by);
+    if (player.turning()) return player.go((by > 0 ? Math.floor(player.place + 1e-6) : Math.ceil(player.place - 1e-6)) + by);
+    player.go(player.beat + by);
   },
 };

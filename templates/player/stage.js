@@ -4,6 +4,7 @@ const all = (selector, root = document) => [...root.querySelectorAll(selector)];
 const paper = one("#paper"), board = one("#board");
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 const GAP = 700; // units of 0.01 mm between figures
+const ZOOM = 1.6; // a small figure is shown so much larger beside a large one
 const LARGEST = 0.065; // pixels a unit: larger, no figure is shown unasked
 
 const stage = {
@@ -18,23 +19,49 @@ const stage = {
 
   narrow: () => matchMedia("(max-width: 47.5em), (max-aspect-ratio: 1/1)").matches,
 
-  // Rows or columns of figures, in order: whichever shows them largest in this window.
+  // Rows or columns of figures, in order: whichever fills most of this window; what is followed has whatever frame does so best.
   arrange(figures) {
+    const cells = figures.some(({ polygon }) => polygon) && player.turning() && player.view === "auto" ? stage.cells(figures) : [null];
+    let best = null;
+    for (const cell of cells) {
+      stage.sized(figures, cell);
+      const found = stage.shelved(figures, cell);
+      if (!best || found.filled > best.filled * 1.001) best = found;
+    }
+    stage.sized(figures, best.cell);
+    stage.spots = new Map();
+    for (const { figure, x, y } of best.places) {
+      figure.node.setAttribute("transform", `translate(${Math.round(x - figure.zoom * figure.box[0])} ${Math.round(y - figure.zoom * figure.box[1])}) scale(${figure.zoom.toFixed(4)})`);
+      figure.node.style.setProperty("--bold", ((player.turning() ? Math.sqrt(turn.data.figures[0].size) : 1) / Math.sqrt(figure.zoom)).toFixed(3));
+      stage.spots.set(figure.key, { x, y, w: figure.zoom * figure.box[2], h: figure.zoom * figure.box[3] });
+    }
+    stage.whole = { x: -GAP / 2, y: -GAP / 2, w: best.w + GAP, h: best.h + GAP };
+  },
+
+  // Frames for what is followed, beside a mechanism of this size.
+  cells(figures) {
+    const side = Math.max(...figures.filter(({ polygon }) => !polygon).map(({ box }) => Math.sqrt(box[2] * box[3])), 6000);
+    return [0.6, 0.8, 1, 1.25].flatMap((k) => [0.7, 1, 1.4, 2].map((flat) => ({ w: k * side * Math.sqrt(flat), h: k * side / Math.sqrt(flat) })));
+  },
+
+  sized(figures, cell) {
+    if (player.turning()) for (const figure of figures) turn.fitted(figure, figure.polygon ? cell : null);
+    const side = ({ box }) => Math.sqrt(box[2] * box[3]), most = Math.max(...figures.map(side));
+    for (const figure of figures) figure.zoom = cell || figure.moves === false ? 1 : Math.min(most / side(figure), ZOOM);
+  },
+
+  // The shelves that show them largest; how much of the window they fill, a mechanism counting double.
+  shelved(figures, cell) {
     const { w, h } = stage.size();
     let best = null;
     for (const across of [true, false]) {
       for (const cut of cuts(figures.length)) {
-        const sheet = shelves(figures, cut, across);
-        const scale = Math.min(w / sheet.w, h / sheet.h);
-        if (!best || scale > best.scale * 1.001) best = { ...sheet, scale };
+        const sheet = shelves(figures, cut, across), scale = Math.min(w / sheet.w, h / sheet.h);
+        if (!best || scale > best.scale * 1.001) best = { ...sheet, scale, cell };
       }
     }
-    stage.spots = new Map();
-    for (const { figure, x, y } of best.places) {
-      figure.node.setAttribute("transform", `translate(${Math.round(x - figure.box[0])} ${Math.round(y - figure.box[1])})`);
-      stage.spots.set(figure.key, { x, y, w: figure.box[2], h: figure.box[3] });
-    }
-    stage.whole = { x: -GAP / 2, y: -GAP / 2, w: best.w + GAP, h: best.h + GAP };
+    const filled = figures.reduce((sum, { box, zoom, polygon }) => sum + (polygon ? 1 : 2) * zoom * zoom * box[2] * box[3], 0);
+    return { ...best, filled: filled * best.scale ** 2 };
   },
 
   // Show these figures, or all, as large as the window allows.
@@ -48,6 +75,7 @@ const stage = {
     const scale = Math.min((w - right) / box.w, (h - low) / box.h, LARGEST); // pixels a unit
     const to = { x: box.x - ((w - right) / scale - box.w) / 2, y: box.y - ((h - low) / scale - box.h) / 2, w: w / scale, h: h / scale };
     cancelAnimationFrame(stage.aim);
+    stage.legible(scale);
     if (at_once || calm.matches) return stage.look(to);
     const from = { ...stage.camera }, start = performance.now();
     const move = (now) => {
@@ -56,6 +84,11 @@ const stage = {
       if (t < 1) stage.aim = requestAnimationFrame(move);
     };
     stage.aim = requestAnimationFrame(move);
+  },
+
+  // Letters as large as they must be at so many pixels a unit.
+  legible(scale) {
+    if (letters.fit(scale) && player.turning()) turn.draw(player.place);
   },
 
   look(camera) {
@@ -68,6 +101,7 @@ const stage = {
     cancelAnimationFrame(stage.aim);
     const c = stage.camera, w = Math.min(Math.max(c.w / factor, 600), stage.whole.w * 6), k = w / c.w;
     stage.look({ x: c.x + (1 - k) * u * c.w, y: c.y + (1 - k) * v * c.h, w, h: c.h * k });
+    stage.legible(stage.size().w / w);
     player.free();
   },
 
@@ -111,7 +145,7 @@ function cuts(n) {
 }
 
 function shelves(figures, cut, across) {
-  const long = (f) => (across ? f.box[2] : f.box[3]), deep = (f) => (across ? f.box[3] : f.box[2]);
+  const long = (f) => f.zoom * (across ? f.box[2] : f.box[3]), deep = (f) => f.zoom * (across ? f.box[3] : f.box[2]);
   const groups = [];
   let i = 0, length = 0, depth = 0;
   for (const count of cut) {
@@ -142,9 +176,11 @@ const spread = () => {
 paper.addEventListener("pointerdown", (event) => {
   paper.setPointerCapture(event.pointerId);
   pointers.set(event.pointerId, { x: event.clientX, y: event.clientY, still: pointers.size === 0 });
+  if (pointers.size === 1) trace.grab(event.clientX, event.clientY, event.pointerType === "mouse" ? 14 : 30);
 });
 paper.addEventListener("pointermove", (event) => {
   const own = pointers.get(event.pointerId);
+  if (own && trace.held) return trace.pull(event.clientX, event.clientY);
   if (!own || (own.still && pointers.size === 1 && Math.hypot(event.clientX - own.x, event.clientY - own.y) < STILL)) return;
   const { w, h } = stage.size(), frame = paper.getBoundingClientRect();
   const before = pointers.size > 1 ? spread() : pointers.get(event.pointerId);
@@ -154,7 +190,8 @@ paper.addEventListener("pointermove", (event) => {
   if (pointers.size > 1 && before.d > 0) stage.zoom(after.d / before.d, (after.x - frame.left) / w, (after.y - frame.top) / h);
 });
 for (const end of ["pointerup", "pointercancel"]) paper.addEventListener(end, (event) => {
-  if (end === "pointerup" && pointers.size === 1 && pointers.get(event.pointerId)?.still) guess.press(event.clientX, event.clientY);
+  if (trace.held) trace.drop();
+  else if (end === "pointerup" && pointers.size === 1 && pointers.get(event.pointerId)?.still) guess.press(event.clientX, event.clientY);
   pointers.delete(event.pointerId);
 });
 paper.addEventListener("wheel", (event) => {

@@ -6,13 +6,12 @@ from __future__ import annotations
 import json
 import re
 from base64 import b64decode
-from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
 import pytest
 
-from tests.chromium import Page, browser, chromium
+from tests.chromium import Page
 from tests.grading.cases import key_of, marked
 from vecpoly.grading.compare.outcome import Finding, Outcome
 from vecpoly.grading.key import Graded, Kind
@@ -23,7 +22,6 @@ from vecpoly.problem.load import load
 from vecpoly.report.values import printed_unit
 from vecpoly.solution import solve
 
-pytestmark = pytest.mark.skipif(browser() is None, reason="no chromium or chrome on this machine")
 NAMES = ("3-9", "4-3a")
 SENSES = {"": 0, "ccw": 1, "cw": -1}
 FACTORS = (1.0, 1.3, 0.5, 2.0, 10.0)
@@ -40,13 +38,12 @@ def html_of(name: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+def page(chrome: Page, tmp_path_factory: pytest.TempPathFactory) -> Page:
     folder = tmp_path_factory.mktemp("box")
     for name in NAMES:
         (folder / f"{name}.html").write_text(html_of(name), encoding="utf-8")
-    with chromium() as opened:
-        opened.folder = folder  # type: ignore[attr-defined]
-        yield opened
+    chrome.folder = folder  # type: ignore[attr-defined]
+    return chrome
 
 
 def at(page: Page, name: str, lang: str = "zh") -> None:
@@ -119,6 +116,26 @@ def test_nothing_is_told_before_it_is_asked(page: Page) -> None:
     page.value("one('#reveal').click()")
     told = json.loads(page.value("JSON.stringify(all('#check .said').map((node) => node.textContent))"))
     assert told == shown
+
+
+@pytest.mark.parametrize(
+    ("factor", "told"),
+    [(1.004, r"off by \+0\.4 % \(allowed ±"), (1.5, "about 50 % too large"), (0.4, "about 60 % too small"),
+     (4.0, "about 4 times what it should be"), (1.0, "^Correct$")],
+)  # fmt: skip
+def test_an_answer_is_told_by_how_much_it_is_off_and_a_wrong_one_only_about(
+    factor: float, told: str, page: Page
+) -> None:
+    at(page, "3-9", "en")
+    value = f"{factor * abs(key_of('3-9')['v_E'].exact):.5g}"
+    index = [one.key for one in asked("3-9")].index("v_E")
+    page.value(
+        f"one('#check').open = true, one('#own-{index + 1}').value = '{value}', one('#check form').requestSubmit()"
+    )
+    said = page.value(f"all('#check .said')[{index}].innerText")
+    assert re.search(told, said), said
+    if factor == 1.0:
+        assert "%" not in said
 
 
 def rows(name: str) -> list[dict[str, str]]:

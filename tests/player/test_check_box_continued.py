@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests.chromium import Page, browser, chromium
+from tests.chromium import Page
 from tests.grading.cases import key_of
 from tests.player.test_check_box import asked, html_of
 from vecpoly.board.otherwise.amended import Amended, Own
@@ -20,7 +20,6 @@ from vecpoly.grading.student import check_answers
 from vecpoly.problem.load import load
 from vecpoly.report.values import printed_unit
 
-pytestmark = pytest.mark.skipif(browser() is None, reason="no chromium or chrome on this machine")
 NAMES = ("3-9", "3-12")
 OTHERWISE = [
     ("3-9", "omega_2", 1.3), ("3-9", "an_C2B", 0.6), ("3-9", "v_C2C3", 1.4), ("3-9", "ak_C2C3", 2.5),
@@ -30,13 +29,12 @@ OTHERWISE = [
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+def page(chrome: Page, tmp_path_factory: pytest.TempPathFactory) -> Page:
     folder = tmp_path_factory.mktemp("continued")
     for name in NAMES:
         (folder / f"{name}.html").write_text(html_of(name), encoding="utf-8")
-    with chromium() as opened:
-        opened.folder = folder  # type: ignore[attr-defined]
-        yield opened
+    chrome.folder = folder  # type: ignore[attr-defined]
+    return chrome
 
 
 def at(page: Page, name: str) -> None:

@@ -15,7 +15,7 @@ from vecpoly.drawing.style import LETTER
 from vecpoly.player.figures import LANGS, box, caption, key_of
 from vecpoly.player.fitting import SIDE, coarsened, fitted
 from vecpoly.player.ink import Ink, path
-from vecpoly.player.panes import AROUND, BESIDE, magnified, pane
+from vecpoly.player.panes import AROUND, BESIDE, FAR, magnified, pane
 from vecpoly.player.turned import Cycle, cycle
 from vecpoly.problem.load import load
 from vecpoly.problem.load import loads as load_text
@@ -94,19 +94,21 @@ def test_the_pane_of_a_mechanism_holds_its_links_at_every_place_and_room_beside_
     seen = [taken(one).grown(AROUND) for one in places]
     assert pane(taken(places[0]), seen, places) == Rect(-40 - AROUND, -50 - AROUND, 100 + AROUND, 60 + AROUND)
     wide = [taken(one).grown(3 * BESIDE) for one in places]
-    assert pane(taken(places[0]), wide, places) == Rect(-40 - BESIDE, -50 - BESIDE, 100 + 45, 60 + 45)
+    room, links = pane(taken(places[0]), wide, places), Rect(-40, -50, 100, 60)
+    assert room | links.grown(BESIDE) == room, "letters, arrows and guides have room beside the links"
+    assert room | links.grown(BESIDE + FAR * 140) == links.grown(BESIDE + FAR * 140), "and constructions little more"
 
 
 def test_a_line_that_runs_far_at_a_few_places_only_leaves_the_pane_of_a_mechanism() -> None:
     near, far = figure(), figure(lines=(0j, 900 + 0j))
     seldom = pane(taken(near), [taken(near)] * 19 + [taken(far)], [near] * 19 + [far])
     often = pane(taken(near), [taken(near)] * 10 + [taken(far)] * 10, [near] * 10 + [far] * 10)
-    assert seldom == Rect(0, 0, 100 + BESIDE, 60) and often == Rect(0, 0, 145, 60)
+    assert seldom == Rect(0, 0, 100 + BESIDE, 60) and often == Rect(0, 0, 100 + BESIDE + FAR * 100, 60)
 
 
 def test_links_that_run_away_towards_a_dead_point_are_let_out_of_the_pane() -> None:
     near, away = figure(), figure(links=(0j, 900 + 0j))
-    assert pane(taken(near), [taken(near)] * 19 + [taken(away)], [near] * 19 + [away]) == Rect(0, 0, 100, 60)
+    assert pane(taken(near), [taken(near)] * 19 + [taken(away)], [near] * 19 + [away]) == Rect(0, 0, 100 + BESIDE, 60)
 
 
 def test_letters_grow_with_the_room_of_all_figures_but_neither_shrink_nor_grow_without_end() -> None:

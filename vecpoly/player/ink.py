@@ -65,7 +65,11 @@ class Ink:
 
     def definitions(self) -> str:
         """Each piece of type once, for the defs of the page."""
-        return "".join(f'<g id="{name}">{set_box(box, self.faces, UNIT)}</g>' for box, name in self.boxes.items())
+        return "".join(
+            f'<g id="{name}" data-w="{_whole(box.width)}" data-h="{_whole(box.ascent)}">'
+            f"{set_box(box, self.faces, UNIT)}</g>"
+            for box, name in self.boxes.items()
+        )
 
     def css(self) -> str:
         """The rules of all looks: as drawn, and strengthened where they belong to the newest step."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from functools import reduce
 from itertools import groupby
 
-from ..board.construction import Construction, Figure
+from ..board.construction import Construction, Figure, View
 from ..board.paper.marks import Cell, Note
 from ..drawing.labels.following import Follower
 from ..drawing.scene import Item, Layer, Rect, Scene, TextBox
@@ -18,6 +18,7 @@ from ..words import Lang
 from .figures import LANGS, MARGIN, box, caption, key_of
 from .ink import Ink
 from .panes import magnified, pane
+from .traces import traces
 from .turned import Cycle
 
 Data = dict[str, object]
@@ -40,7 +41,11 @@ def moving(cycle: Cycle, given: Construction, ink: Ink) -> list[Data]:
     order = [figure for figure in reading_order(given.figures) if key_of(figure) in by_key[cycle.start]]
     places = [[found.get(key_of(figure)) for found in by_key] for figure in order]
     size = magnified(places, cycle.start)
-    return [_figure(figure, there, cycle.start, size, ink) for figure, there in zip(order, places, strict=True)]
+    return [
+        _figure(figure, there, cycle.start, size, ink)
+        | {"points": traces(cycle.turns, key_of(figure), cycle.start, size, ink)}
+        for figure, there in zip(order, places, strict=True)
+    ]
 
 
 def _figure(figure: Figure, places: Sequence[Figure | None], start: int, size: float, ink: Ink) -> Data:
@@ -57,6 +62,7 @@ def _figure(figure: Figure, places: Sequence[Figure | None], start: int, size: f
         "captions": captions,
         "scale": which,
         "size": round(size, 2),
+        "polygon": figure.view is not View.MECHANISM,
         "cut": any((room | one) != room for one in seen),
         "sets": [
             {

@@ -22,11 +22,12 @@ from .motion import moving
 from .pointing import pointed
 from .readings import names, readings
 from .steps import html, sections
+from .traces import curves
 from .turned import Cycle, cycle
 from .type import words_html
 
-PLACES = 72  # of the drive, over the cycle
-LIMIT = 1_000_000  # bytes: a page that would be larger has half as many places
+PLACES = 36  # of the drive, over the cycle; the script draws what lies between them
+LIMIT = 1_000_000  # bytes: a page that would be larger has every second place only
 GAP = 800  # units between figures one under the other
 _HEADINGS = re.compile(r"<(h1|h2|button|summary|thead|output)\b.*?</\1>", re.S)  # what is set in Hei
 
@@ -50,12 +51,19 @@ def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed:
     """The player of a solved problem: its steps, and its figures at `places` places of the drive; check: with a box in
     which one's own answers are checked.
 
-    A page that would be larger than a megabyte has half as many places.
+    A page that would be larger than a megabyte has every second place only.
     """
     known_language(lang)
     of_kind(solution, Solution, Words("解答（solve 的结果）", "a solution, as solve gives it,"))
-    ink, cut = Ink(), beats(solution.construction)
     through = cycle(solution, places, seed=seed)
+    while len((page := _page(solution, through, lang, check)).html.encode()) > LIMIT and len(through.turns) > 1:
+        through = through.thinned()
+    return page
+
+
+def _page(solution: Solution, through: Cycle, lang: Lang, check: bool) -> Page:
+    """The page with these places of the drive."""
+    ink, cut = Ink(), beats(solution.construction)
     turning = len(through.turns) > 1
     warning = _warning(solution, through)
     context: dict[str, Any] = {
@@ -79,12 +87,7 @@ def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed:
         from .questions import box  # late: all of the grading, which few pages need
 
         context["box"] = box(solution.problem, ink.faces)
-    page = _rendered(context | {"definitions": ink.definitions(), "looks": ink.css()}, ink)
-    return (
-        Page(page, warning)
-        if len(page.encode()) <= LIMIT or not turning
-        else player(solution, lang=lang, places=places // 2, seed=seed, check=check)
-    )
+    return Page(_rendered(context | {"definitions": ink.definitions(), "looks": ink.css()}, ink), warning)
 
 
 def _rendered(context: dict[str, Any], ink: Ink) -> str:
@@ -106,6 +109,7 @@ def _motion(through: Cycle, solution: Solution, ink: Ink) -> str:
             "all": through.whole,
             "round": through.round,
             "readings": readings(through.turns, ink.faces),
+            "curves": curves(through.turns),
             "figures": moving(through, through.turns[0].solution.construction if through.inverts else drawn, ink),
         }
     )

@@ -34,24 +34,28 @@ AROUND = 12.0  # mm that lettering and title take round a figure
 LEGIBLE = 0.022  # letters that are this part of the sheet's width can be read
 BODIES = (Block, FrictionCircle, GearMark, Ground, LinkNumber, Passing, Plate, RackMark, Slot, Weld)
 BESIDE = 22.0  # mm beside the links, for letters, arrows, angles and guides
-FAR = 0.45  # of a mechanism's size: what its construction may take beyond it
+FAR = 0.1  # of a mechanism's size: what its construction may take beyond it
 AWAY = 1.5  # of a mechanism's size: links that go farther, towards a dead point, are let out of the pane
 OFTEN = 10  # per cent of the places whose construction may leave the pane on a side
 
 
 def pane(given: Rect, seen: Sequence[Rect], figures: Places) -> Rect:
     """The pane of a figure that takes `given` at the given place, and `seen` at all."""
-    whole, size = reduce(Rect.__or__, seen, given), max(given.width, given.height)
-    drawn = [figure for figure in figures if figure is not None]
+    whole, drawn = reduce(Rect.__or__, seen, given), [figure for figure in figures if figure is not None]
     if drawn[0].view is not View.MECHANISM:
         return _within(whole, given.grown(2 * SIDE))
-    links = reduce(Rect.__or__, (_box(figure, links=True) for figure in drawn), given).grown(BESIDE)
+    own = [_box(figure, links=True) for figure in drawn]
+    usual = _often(own)
+    size = max(usual.width, usual.height)
+    links = reduce(Rect.__or__, own)
+    links = (links if _within(links, usual.grown(AWAY * size)) == links else usual).grown(BESIDE)
+    return _within(whole, links | _within(_often(seen), links.grown(FAR * size)))
+
+
+def _often(boxes: Sequence[Rect]) -> Rect:
+    """What most of them take on each side."""
     sides = zip(("x0", "y0", "x1", "y1"), (OFTEN, OFTEN, 100 - OFTEN, 100 - OFTEN), strict=True)
-    often = _within(
-        Rect(*(float(np.percentile([getattr(one, side) for one in seen], share)) for side, share in sides)),
-        given.grown(FAR * size),
-    )
-    return _within(whole, often | given | (links if _within(links, given.grown(AWAY * size)) == links else given))
+    return Rect(*(float(np.percentile([getattr(one, side) for one in boxes], share)) for side, share in sides))
 
 
 def magnified(places: Sequence[Places], start: int) -> float:

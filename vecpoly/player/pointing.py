@@ -81,12 +81,12 @@ def _has(ends: Points | None, sought: tuple[complex, complex]) -> bool:
 
 
 def _measured(beat: Beat, acts: Sequence[Act]) -> list[Measure]:
-    """The lengths that are read for a formula of now."""
+    """The lengths that a formula of now takes; of one that takes none, what is read with it."""
     if not beat.formulas:
         return []
-    numbers = {n for act in beat.acts if isinstance(act, Compute) for n in act.inputs}
-    numbers |= {act.number for act in beat.acts if isinstance(act, Measure)}
-    return [act for act in acts if act.number in numbers and isinstance(act, Measure)]
+    taken = {n for act in beat.acts if isinstance(act, Compute) for n in act.inputs}
+    found = [act for act in acts if act.number in taken and isinstance(act, Measure)]
+    return found or [act for act in beat.acts if isinstance(act, Measure)]
 
 
 def _taken(beat: Beat, acts: Sequence[Act], arrows: Mapping[str, tuple[Arrow, Beat]]) -> list[int]:

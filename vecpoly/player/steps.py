@@ -66,7 +66,7 @@ def html(words: Words, faces: Faces) -> Words:
 
 def _told(step: Step, own: Sequence[Beat], faces: Faces) -> Told:
     when = {n: beat.number for beat in own for n in beat.formulas}
-    drawn = {act.key: beat.number for beat in own for act in beat.acts if isinstance(act, Arrow)}
+    drawn = {act.key: beat.number for beat in own for act in beat.acts if isinstance(act, Arrow) and act.shown}
     table = None
     if step.equation is not None:
         table = Words(*(_table(step.equation, lang, faces, drawn) for lang in ("zh", "en")))

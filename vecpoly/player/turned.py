@@ -38,6 +38,11 @@ class Cycle:
     round: bool = False
     inverts: bool = False
 
+    def thinned(self) -> Cycle:
+        """Every second place, the given one among them; one place alone is no cycle."""
+        kept = self.turns[self.start % 2 :: 2]
+        return replace(self, turns=kept if len(kept) > 1 else (), start=self.start // 2)
+
 
 def cycle(solution: Solution, count: int, *, seed: int = 0) -> Cycle:
     """The solution at `count` places of the drive over a full turn (or its travel); of a cam that is designed the

@@ -31,7 +31,7 @@ def play(
     lang: LangOption = "zh",
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
-    places: Places = 72,
+    places: Places = 36,
     check: Check = False,
     plain: PlainOption = False,
     allow_outside: OutsideOption = False,

@@ -36,10 +36,11 @@ class Follower:
 
     def lettered(self, figure: Figure) -> tuple[Item, ...]:
         """All items of the figure with its letters in place, without its title."""
-        around = Surroundings.of(figure.view, figure.marks, self.lang)
+        around = Surroundings.of(figure.view, figure.marks, self.lang, figure.tones)
         items = unique(tuple(item for mark in figure.marks for item in draw(mark, around)))
         drawn, obstacles = Scene.of(items).extents, Obstacles.of(items)
-        named = _named(tuple(resized(want, self.size) for want in wants(figure.view, figure.marks, self.lang)))
+        sought = wants(figure.view, figure.marks, self.lang, figure.tones)
+        named = _named(tuple(resized(want, self.size) for want in sought))
         placed = self._follow(named, obstacles, drawn) if self.choice else self._first(named, obstacles, drawn)
         ground = broken(items, [label.rect for label in placed])
         return ground + tuple(item for label in placed for item in label.items())
@@ -47,10 +48,11 @@ class Follower:
     def _first(self, named: list[tuple[Name, Want]], obstacles: Obstacles, drawn: Rect) -> list[Placed]:
         """Placed all together, as on paper."""
         placed = place(tuple(want for _, want in named), obstacles, drawn)
-        for (name, _), label in zip(named, placed, strict=True):
-            where = np.abs(spots(label.want, drawn.centre).centre - label.centre)
-            self.choice[name] = int(np.argmin(where))
-        return list(placed)
+        found: list[Placed] = []
+        for (name, want), label in zip(named, placed, strict=True):
+            at = self.choice[name] = int(np.argmin(np.abs(spots(label.want, drawn.centre).centre - label.centre)))
+            found.append(_at(want, at) or label)
+        return found
 
     def _follow(self, named: list[tuple[Name, Want]], obstacles: Obstacles, drawn: Rect) -> list[Placed]:
         """Those that may stay first, then the others round them."""
