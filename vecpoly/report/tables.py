@@ -11,20 +11,16 @@ from ..check.printed.verdict import Checked
 from ..foundation.slotted import replace
 from ..names import is_place
 from ..problem.problem import as_printed
-from ..solution import YES_NO, Answer, Solution
+from ..solution import YES_NO
 from ..words import Lang
 from .flow.table import DataTable
-from .values import called, value
+from .values import value
 
 _PRINTED = {
     "zh": ("量", "原书", "精确值", "偏差 /%", "结论"),
     "en": ("Quantity", "Textbook", "Exact", "Deviation /%", "Verdict"),
 }
-_EMPTY = {
-    "zh": ("量", "图上长度 /mm", "比例尺", "数值与单位", "方向（转向）"),
-    "en": ("Quantity", "mm on paper", "Scale", "Value with unit", "Direction, sense"),
-}
-_BLANK, _NONE = "＿＿＿＿＿", "—"
+_NONE = "—"
 MOST_COLUMNS = 15  # of a table of stations, in all its blocks
 _DECIMAL, _PADDED = re.compile(r"[+−]?\d+(?:\.(\d+))?"), 2
 FEW = 6  # rows of a table that stays one block
@@ -72,24 +68,6 @@ def trimmed(
         [widths[i] for i in kept] if widths else None,
         "".join(align[i] for i in kept),
         lang=lang,
-    )
-
-
-def empty_table(solution: Solution, lang: Lang) -> DataTable:
-    """The answer table to be filled in by hand."""
-    rows = [_empty_row(answer, lang) for answer in solution.answers.values()]
-    return trimmed(_EMPTY[lang], rows, (40.0, 30.0, 24.0, 40.0, 36.0), "lcccc", lang)
-
-
-def _empty_row(answer: Answer, lang: Lang) -> tuple[str, ...]:
-    r = answer.reading
-    directed = answer.drawn_vector is not None or answer.turns
-    return (
-        called(r.symbol, r.key, lang),
-        _BLANK if r.mm is not None else "—",
-        f"${r.scale}$" if r.scale else "—",
-        _BLANK,
-        _BLANK if directed else "—",
     )
 
 

@@ -41,7 +41,7 @@ def _contact(bench: Bench, device: EccentricClamp, clamp: Clamp) -> float:
         Words(
             f"圆盘 1 {turning.zh}转动，在 $K$ 点相对工件 2 向{side.zh}滑动，故 $R_{{21}}$ 过 $K$ 点，"
             "自法线 $n$ 逆滑动方向偏转 $φ$；其法向分力等于 $Q$：",
-            f"Disc 1 turns {turning.en} and slides at $K$ to the {side.en} on the work 2, so "
+            f"Disc 1 turns {turning.en} and slides at $K$ to the {side.en} on workpiece 2, so "
             "$R_{21}$ passes through $K$, turned from the normal $n$ by $φ$ against the "
             "sliding; its normal component is $Q$:",
         )

@@ -37,7 +37,7 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
         number = st.mech.number(two.link)
         board.step(
             Words(
-                f"构件 {number} 不受外力，为二力杆，两端反力等值、反向，沿 ${st.desk.bar(two.link, p, q)}$。",
+                f"构件 {number} 不受外力，为二力杆，两端反力等值、反向、共线，沿 ${st.desk.bar(two.link, p, q)}$。",
                 f"No load acts on link {number}: it is a two-force link, and the equal and "
                 f"opposite forces at its pins act along ${st.desk.bar(two.link, p, q)}$.",
             ),
