@@ -12,7 +12,7 @@ from typing import cast
 
 import numpy as np
 
-from ..algebra.formula import Node, Row, row
+from ..algebra.formula import Node, Row, Txt, row
 from ..algebra.quantity import Expr, Quantity, magnitude, paper, worked
 from ..errors import NotAskedError
 from ..names import ascii_key
@@ -34,6 +34,9 @@ from .ruler import Ruler
 from .strokes import NO_ARROW, NO_LENGTH, amount, spot
 
 __all__ = ["NO_ARROW", "NO_LENGTH", "Board", "Scratch", "letters_node", "spot"]
+
+
+LAID = 0.05  # mm: the least length that can be laid off with a rule
 
 
 class Board(Compass):
@@ -209,7 +212,9 @@ class Board(Compass):
 
     def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
         """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm."""
-        self.write(worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm"))
+        line = worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm")
+        mm = float(nominal(self.to_paper(view, quantity.value)))
+        self.write(Row((*line.items[:-1], Txt(f" = {mm:.1f} mm"))) if abs(mm) >= LAID else line)
 
 
 class Scratch(Board):

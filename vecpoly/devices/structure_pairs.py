@@ -1,6 +1,6 @@
 """The kinematic pairs of a structural problem, and how one is written.
 
-    A: R(0, 1) at (0, 0)                                       a hinge; R(2, 3, 4): a compound hinge of three links
+    A: R(0, 1) at (0, 0)                                       a hinge; R(2, 3, 4): a multiple joint of three links
     D: P(3, 0) at (110, 0) along (0, 1)                        block 3 slides on the guide of link 0; or: along 90 deg
     K: H(1 about (9, 14), 2 about B) at (32.16, 25.81)         a higher pair: its centres of curvature, a place
     or a letter
@@ -114,7 +114,7 @@ class Chain:
 
     @property
     def lower(self) -> int:
-        """p_L, compound hinges of k links counted k − 1 times."""
+        """p_L, multiple joints of k links counted k − 1 times."""
         return sum(pair.count for pair in self.pairs if pair.form.is_lower)
 
     @property

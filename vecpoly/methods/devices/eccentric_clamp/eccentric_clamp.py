@@ -63,7 +63,7 @@ def _closing(bench: Bench, device: EccentricClamp, clamp: Clamp, size: float) ->
             f"处的摩擦圆；构件 1 相对机架 3 {turning.zh}转动，$R_{{31}}$ 对 $A$ 之矩与之相反，为{against.zh}，"
             "由此定出是哪一条切线。按 $μ_F$ 作力多边形：$ab$ 代表 $R_{21}$，过 $b$ 作 $F$ 的方向线，"
             "过 $a$ 作 $R_{31}$ 的方向线，交于 $c$。",
-            "The three forces on disc 1 meet in one point: $X$, where the lines of $F$ and "
+            "The three forces on disc 1 are concurrent at $X$, where the lines of $F$ and "
             "$R_{21}$ cross. So $R_{31}$ passes through $X$ and touches the friction circle "
             f"at $A$; link 1 turns {turning.en} in the frame 3, the moment of $R_{{31}}$ about $A$ "
             f"opposes that and is {against.en}: this tells which tangent it is. Draw the force "

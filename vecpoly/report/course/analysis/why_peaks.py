@@ -102,7 +102,7 @@ def flat(study: Study, groups: list[Conditioning]) -> Iterator[Words]:
 
 def tops(study: Study, found: Extremes) -> list[Spot]:
     """The greatest absolute value, and other peaks of nearly half of it, of either sign;
-    in order of the drive's position."""
+    in order of the input link's position."""
     every = [
         s
         for s in (*(s for s in found.maxima if s.value > 0), *(s for s in found.minima if s.value < 0))
