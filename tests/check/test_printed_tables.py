@@ -262,7 +262,7 @@ def test_a_true_table_is_reproduced_with_any_number_of_digits(
     problem, headers = case
     check = against(problem, true(problem, headers), decimals)
     assert {column.verdict for column in check.columns} == {Level.REPRODUCED}
-    assert [words.en for words in check.whole] == ["All columns are reproduced."]
+    assert [words.en for words in check.whole] == ["All columns agree."]
 
 
 @FEW

@@ -77,9 +77,9 @@ def spoilt(rows: dict[int, float], of: Reals = TRUE) -> Reals:
 
 def test_a_right_column_is_reproduced_in_all_its_rows() -> None:
     of_one, whole = said(column(TRUE))
-    assert of_one.en == "$ω_{3}$: reproduced, all 12 rows within half a unit of the last digit."
+    assert of_one.en == "$ω_{3}$: in agreement, all 12 rows within half a unit of the last digit."
     assert of_one.zh == "$ω_{3}$：正确，12 行全部在末位半个单位以内。"
-    assert whole == Words("全部各列正确。", "All columns are reproduced.")
+    assert whole == Words("全部各列正确。", "All columns agree.")
 
 
 def test_of_a_partly_wrong_table_the_right_columns_are_told_to_be_reproduced() -> None:
@@ -89,15 +89,15 @@ def test_of_a_partly_wrong_table_the_right_columns_are_told_to_be_reproduced() -
         column(TRUE + 0.0031 * np.cos(3 * np.radians(DEG)), "omega5", decimals=5),
     )
     *_, first, second, third = said(right, wrong, low)
-    assert first == Words("$ω_{3}$：正确。", "$ω_{3}$: reproduced.")
-    assert second == Words("$ω_{5}$：正确但精度低。", "$ω_{5}$: reproduced with low accuracy.")
+    assert first == Words("$ω_{3}$：正确。", "$ω_{3}$: correct.")
+    assert second == Words("$ω_{5}$：正确但精度低。", "$ω_{5}$: correct, with low accuracy.")
     assert (
         third.en.startswith("$α_{3}$: wrong in")
         and "no usual slip explains it" in third.en
         and "常见错误均不能解释" in third.zh
     )
     *_, both, rest = said(right, column(TRUE, "omega5"), wrong)
-    assert both == Words("$ω_{3}$、$ω_{5}$：正确。", "$ω_{3}$, $ω_{5}$: reproduced.") and rest.en.startswith(
+    assert both == Words("$ω_{3}$、$ω_{5}$：正确。", "$ω_{3}$, $ω_{5}$: correct.") and rest.en.startswith(
         "$α_{3}$: wrong"
     )
 
@@ -196,14 +196,14 @@ def test_a_column_printed_with_the_last_digit_unsure_or_with_low_accuracy_says_s
     unsure = said(column(TRUE + 0.002))[0]
     assert weighed(column(TRUE + 0.002)).level is Level.LAST_DIGIT
     assert (
-        "reproduced: 0 of 12 rows within half a unit of the last digit, the others but for the last digit (at "
+        "in agreement: 0 of 12 rows within half a unit of the last digit, the others but for the last digit (at "
         "most 0.002" in unsure.en
     )
     worst = spoilt({7: 0.004}) + 0.001 * np.cos(np.radians(DEG))
     low = said(column(worst, decimals=6))[0]
     assert (
         weighed(column(worst, decimals=6)).level is Level.LOW
-        and "reproduced with low accuracy" in low.en
+        and "in agreement with low accuracy" in low.en
         and "(at 210°)" in low.en
         and "正确但精度低" in low.zh
     )
@@ -235,7 +235,7 @@ def test_an_explained_column_names_its_cause_and_how_right_it_is_then() -> None:
     of_one, *whole = said(column(2 * TRUE), told=[(slip,)])
     assert (
         of_one.en
-        == "$ω_{3}$: wrong in all 12 rows, by up to 15 rad/s. Explained: twice. Then it is reproduced, all 12 "
+        == "$ω_{3}$: wrong in all 12 rows, by up to 15 rad/s. Explained: twice. Then it is in agreement, all 12 "
         "rows within half a unit of the last digit."
     )
     assert (

@@ -103,7 +103,7 @@ def test_check_tells_an_impossible_solution(run: Run) -> None:
 
 def test_check_tells_a_drawing_slip_of_4_7_per_cent(run: Run) -> None:
     line = next(row for row in run("check", "3-9").stdout.splitlines() if "α_2" in row)
-    assert "−4.74 %" in line and "drawing slip" in line
+    assert "−4.74 %" in line and "drafting error" in line
 
 
 def test_check_json_gives_every_verdict(run: Run) -> None:

@@ -1,4 +1,4 @@
-"""High pairs with a flat face, replaced by a link that slides along the face."""
+"""Higher pairs with a flat face, replaced by a link that slides along the face."""
 
 from __future__ import annotations
 

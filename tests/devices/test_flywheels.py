@@ -1,4 +1,4 @@
-"""Flywheels by areas: drawn, exact, worked out elsewhere; what cannot run steadily is refused with its numbers."""
+"""Flywheels by areas: drawn, exact, worked out elsewhere; what cannot run uniformly is refused with its numbers."""
 
 from __future__ import annotations
 

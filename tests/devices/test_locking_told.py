@@ -15,7 +15,7 @@ PLAIN = re.sub(r"(?ms)^printed:.*", "", load("4-2").text)
     ("angle", "locked", "en", "zh"),
     [
         (60, False, "neither way is self-locking", "正、反行程都不自锁"),
-        (83, True, "self-locking: the way back", "反行程自锁"),
+        (83, True, "self-locking: the return stroke", "反行程自锁"),
     ],
 )
 def test_a_way_locks_where_the_friction_angle_is_beyond_its_limit(angle: int, locked: bool, en: str, zh: str) -> None:

@@ -1,4 +1,4 @@
-"""Profiles of high pairs on the frame: a hatched strip that the other link touches from outside."""
+"""Profiles of higher pairs on the frame: a hatched strip that the other link touches from outside."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""At a compound hinge one link carries the pin, whatever the numbers of the links;
+"""At a multiple joint one link carries the pin, whatever the numbers of the links;
 every other link presses on that one."""
 
 from __future__ import annotations
@@ -125,9 +125,9 @@ def test_with_friction_it_matters_who_carries_the_pin() -> None:
 @pytest.mark.parametrize(
     ("pins", "said", "gesagt"),
     [
-        ("{E: 4}", "no compound hinge", "不是复合铰链"),
+        ("{E: 4}", "no multiple joint", "不是复合铰链"),
         ("{C: 5}", "is not at hinge C", "不在铰链"),
-        ("{Z: 1}", "no compound hinge", "不是复合铰链"),
+        ("{Z: 1}", "no multiple joint", "不是复合铰链"),
     ],
 )
 def test_a_pin_given_to_the_wrong_link_is_refused_in_both_languages(pins: str, said: str, gesagt: str) -> None:

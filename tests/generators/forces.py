@@ -151,7 +151,7 @@ def couples(rng: np.random.Generator) -> str:
 
 @family("forces-friction", also=in_equilibrium, often=4)
 def with_friction(rng: np.random.Generator) -> str:
-    """Loads against friction everywhere; bars with many compound hinges, or any groups;
+    """Loads against friction everywhere; bars with many multiple joints, or any groups;
     inertia, or none; balanced on the crank, or elsewhere."""
     c = simple(rng, (rrr, rrp) if rng.random() < 0.4 else None)
     link = "L0" if rng.random() < 0.7 else str(rng.choice(list(c.links)))

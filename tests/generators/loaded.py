@@ -2,7 +2,7 @@
 places of pins first, lengths from them, so that every one can be assembled.
 
 A crank and one to three class II groups of any kind, hung on pins that are there already,
-so that compound hinges arise.
+so that multiple joints arise.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Compound hinges with the pin in any of their links, without friction and with it: the owner of a pin changes no
+"""Multiple joints with the pin in any of their links, without friction and with it: the owner of a pin changes no
 group, and no load is refused for it."""
 
 from __future__ import annotations

@@ -262,7 +262,7 @@ MACHINES: dict[str, tuple[Joints, str, tuple[int, int, int, int, int, int], int,
         0,
         "",
     ),
-    "compound hinge of four": (
+    "multiple joint of four": (
         {
             "A": "R(0, 1) at (0, 0)",
             "B": "R(1, 2) at (20, 40)",

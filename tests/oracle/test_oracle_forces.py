@@ -132,7 +132,7 @@ def test_every_quantity_that_may_be_asked_for_has_a_value() -> None:
 
 
 OTHERS: dict[str, Callable[[], Mechanism]] = {
-    "compound hinges": lambda: peaucellier(0.05, 0.07, 0.15, 0.062, 0.14, 0.078, 0.066, -0.085 - 0.01j, 62.0),
+    "multiple joints": lambda: peaucellier(0.05, 0.07, 0.15, 0.062, 0.14, 0.078, 0.066, -0.085 - 0.01j, 62.0),
     "hay press": lambda: hay_press(0.4),
     "gears on a rack": geared,
     "gear held by an arm": lambda: make(

@@ -73,7 +73,7 @@ def test_a_word_wider_than_the_line_is_cut() -> None:
 
 
 def test_a_long_inline_formula_breaks_after_its_equality_sign() -> None:
-    kinds = [c.kind for c in cells("$v_C = μ_v pc = 3$", EM, True)]
+    kinds = [c.kind for c in cells("$v_C = μ_v pc = 0.01 × 31.9$", EM, True)]
     assert kinds == [Kind.FORMULA] * 3
 
 

@@ -86,6 +86,10 @@ _SYMBOL = re.compile(
 _PIECE = re.compile(rf"(?<![A-Za-z])(?P<function>arctan|sin|cos|tan|cot)(?![A-Za-z])|{_SYMBOL.pattern}")
 
 
+_RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"  # exponents written as characters of their own: ω², 10⁻¹⁴
+_EXPONENT, _LOWERED = re.compile(f"[{_RAISED}]+"), str.maketrans(_RAISED, "0123456789−+")
+
+
 def _bare(group: str | None) -> str:
     return (group or "").strip("{}")
 
@@ -103,6 +107,7 @@ def row(text: str) -> Row:
     whatever is no symbol stays upright."""
     items: list[Node] = []
     end = 0
+    text = _EXPONENT.sub(lambda found: f"^{{{found[0].translate(_LOWERED)}}}", text)
     for m in _PIECE.finditer(text):
         if m.start() > end:
             items.append(Txt(text[end : m.start()]))

@@ -166,7 +166,7 @@ def _hangs(scope: Scope, joint: Joint, parent: str) -> Words:
         else Words(f"构件 {scope.name(parent)}", f"link {scope.name(parent)}")
     )
     how = _called(joint)
-    return Words(f"以外副（{how.zh}）与{on.zh}相连", f"is connected to {on.en} by {how.en}")
+    return Words(f"以外接副（{how.zh}）与{on.zh}相连", f"is connected to {on.en} by {how.en}")
 
 
 def _called(joint: Joint) -> Words:

@@ -35,7 +35,7 @@ class Scope:
     # -- symbols ----------------------------------------------------------------------------------------------
 
     def name(self, link: str) -> str:
-        """A link's subscript: its number; that of what stands for a high pair,
+        """A link's subscript: its number; that of what stands for a higher pair,
         or for a pin in a slot, is the letter there."""
         pin = self.mech.slot_pins.get(link)
         return next((c.point for c in self.mech.contacts if c.substitute == link), link if pin is None else pin.point)
@@ -59,7 +59,7 @@ class Scope:
         return ZERO if link in self.still else Var(f"ω_{{{self.name(link)}}}")
 
     def alpha(self, link: str) -> Expr:
-        """α, nothing where the link cannot turn or turns steadily."""
+        """α, nothing where the link cannot turn or rotates uniformly."""
         drive, link = self.mech.drive, self._turning(link)
         steady = link == drive.link and not drive.between and not drive.accel
         return ZERO if link in self.still or steady else Var(f"α_{{{self.name(link)}}}")

@@ -12,7 +12,7 @@ from typing import cast
 
 import numpy as np
 
-from ..algebra.formula import Node, Row, plain, row
+from ..algebra.formula import Node, Row, Txt, plain, row
 from ..algebra.quantity import Expr, Quantity, magnitude, paper, worked
 from ..errors import NotAskedError
 from ..names import ascii_key
@@ -34,6 +34,9 @@ from .ruler import Ruler
 from .strokes import NO_ARROW, NO_LENGTH, amount, spot
 
 __all__ = ["NO_ARROW", "NO_LENGTH", "Board", "Scratch", "letters_node", "spot"]
+
+
+LAID = 0.05  # mm: the least length that can be laid off with a rule
 
 
 class Board(Compass):
@@ -209,13 +212,14 @@ class Board(Compass):
 
     def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
         """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm; it was needed when it was laid off."""
-        node, expr = paper(letters_node(letters), 0.0).node, quantity / self.mu(view)
-        self.write_worked(node, expr, "mm", of=quantity)
+        line = worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm")
+        mm = float(nominal(self.to_paper(view, quantity.value)))
+        shown = Row((*line.items[:-1], Txt(f" = {mm:.1f} mm"))) if abs(mm) >= LAID else line
+        self.write(shown, when=self.laid_off(ascii_key(plain(quantity.symbol()))))
 
-    def write_worked(self, node: Node, expr: Expr, unit_text: str, of: Quantity | None = None) -> None:
-        """Write symbol = formula = numbers = result into the step; of: what was laid off by it, if anything."""
-        when = None if of is None else self.laid_off(ascii_key(plain(of.symbol())))
-        self.write(worked(node, expr, unit_text), when=when)
+    def write_worked(self, node: Node, expr: Expr, unit_text: str) -> None:
+        """Write symbol = formula = numbers = result into the step."""
+        self.write(worked(node, expr, unit_text))
 
 
 class Scratch(Board):
@@ -234,7 +238,10 @@ class Scratch(Board):
     def write(self, *formulas: Node, when: int | None = None) -> None:
         """Left out."""
 
-    def write_worked(self, node: Node, expr: Expr, unit_text: str, of: Quantity | None = None) -> None:
+    def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
+        """Left out, and not composed."""
+
+    def write_worked(self, node: Node, expr: Expr, unit_text: str) -> None:
         """Left out, and not composed."""
 
     def tabulate(self, listing: Listing) -> None:

@@ -93,7 +93,7 @@ def column_of(mech: Mechanism, loads: Loads | None, key: str) -> Column:
             key=key,
             symbol=f"d_{{{rest}}}",
             unit="m",
-            words=Words(f"杆组 {rest} 两外副的距离", f"distance of the outer pins of dyad {rest}"),
+            words=Words(f"杆组 {rest} 两外接副的距离", f"distance of the outer pins of dyad {rest}"),
         )
     if loads is not None and loads.masses and key in SHAKING:
         return SHAKING[key]

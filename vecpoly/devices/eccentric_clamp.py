@@ -20,7 +20,7 @@ class EccentricClamp(Device):
 
     All angles from the x axis. F acts at the handle's end in the direction `F`, Q is the clamping force normal to the
     face;
-    f: coefficient of friction on the work, rho: radius of the friction circle at A, closing: sense in which the clamp
+    f: coefficient of friction on the workpiece, rho: radius of the friction circle at A, closing: sense in which it
     closes.
     """
 

@@ -77,7 +77,7 @@ def _check_faces(form: Form, about: tuple[complex | str | None, ...]) -> None:
         raise FaultError(
             Words(
                 f"{'齿轮要有中心' if form is Form.G else '两平面不成高副'}；如写 {_EXAMPLE[form]}",
-                f"{'a gear has a centre' if form is Form.G else 'two flat faces do not make a high pair'}; "
+                f"{'a gear has a centre' if form is Form.G else 'two flat faces do not make a higher pair'}; "
                 f"write e.g. {_EXAMPLE[form]}",
             ),
             code="spelling",
@@ -100,7 +100,7 @@ def _member(text: str, form: Form) -> tuple[str, complex | str | None]:
             raise FaultError(
                 Words(
                     f"“{text}”：只有高副的轮廓才有曲率中心；如写 {_EXAMPLE[form]}",
-                    f"'{text}': only the profiles of a high pair have centres; write e.g. {_EXAMPLE[form]}",
+                    f"'{text}': only the profiles of a higher pair have centres; write e.g. {_EXAMPLE[form]}",
                 ),
                 code="spelling",
             )

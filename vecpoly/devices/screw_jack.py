@@ -138,7 +138,7 @@ class ScrewJack(Device):
         return self.Q.si if self.Q else 1000.0
 
     def quantities(self) -> tuple[Named, ...]:
-        """Angles; moments over Q; efficiencies; F or Q; moments; the way back."""
+        """Angles; moments over Q; efficiencies; F or Q; moments; the return stroke."""
         sought = LOAD if self.Q is None else DRIVE
         return (
             PHI_V if self.beta else PHI,

@@ -136,18 +136,18 @@ class Structure(Device):
         return (self.frame if link == FRAME else link).replace("'", "′")
 
     def free_number(self, index: int) -> str:
-        """The number of the index-th link that replaces a high pair: the next one that no link and no frame has."""
+        """The number of the index-th link that replaces a higher pair: the next one that no link and no frame has."""
         used = [natural(link)[0] for link in (*self.chain.links, self.frame)]
         return str(max((number for number in used if number < 10**6), default=0) + 1 + index)
 
     @property
     def touching(self) -> bool:
-        """Whether it has high pairs."""
+        """Whether it has higher pairs."""
         return any(not joint.form.is_lower for joint in self.joints.values())
 
     def quantities(self) -> tuple[Named, ...]:
         """The counts, F, whether the motion is determined;
-        after replacement of the high pairs; class and groups for each driver."""
+        after replacement of the higher pairs; class and groups for each driver."""
         low = (N_LOW, P_LOW, F_LOW) if self.touching else ()
         classes = tuple(named for together in self.drive_sets for named in (groups(together), class_(together)))
         return (N, P_L, P_H, F_LOCAL, P_REDUNDANT, F, *((DETERMINED,) if self.drivers else ()), *low, *classes)
@@ -209,7 +209,7 @@ def _check_contact(pair: Pair) -> None:
             Words(
                 f"运动副 {pair.letter}：两轮廓的曲率中心重合，处处接触，不是高副",
                 f"joint {pair.letter}: both profiles have the same centre; they touch everywhere, and that is "
-                "no high pair",
+                "no higher pair",
             ),
             code="spelling",
         )

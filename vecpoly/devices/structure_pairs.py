@@ -1,8 +1,8 @@
 """The kinematic pairs of a structural problem, and how one is written.
 
-    A: R(0, 1) at (0, 0)                                       a hinge; R(2, 3, 4): a compound hinge of three links
+    A: R(0, 1) at (0, 0)                                       a hinge; R(2, 3, 4): a multiple joint of three links
     D: P(3, 0) at (110, 0) along (0, 1)                        block 3 slides on the guide of link 0; or: along 90 deg
-    K: H(1 about (9, 14), 2 about B) at (32.16, 25.81)         a high pair: its profiles' centres of curvature, a place
+    K: H(1 about (9, 14), 2 about B) at (32.16, 25.81)         a higher pair: its centres of curvature, a place
     or a letter
     K: H(1 about (9, 14), 2 flat) at (9, 40)                   a profile on a flat face
     M: G(1 about A, 2 about B) at (40, 0)                      two gears about A and B; at: the pitch point
@@ -24,7 +24,7 @@ FRAME = "0"
 
 
 class Form(StrEnum):
-    """Hinge, slide, high pair, gears in mesh."""
+    """Hinge, slide, higher pair, gears in mesh."""
 
     R = "R"
     P = "P"
@@ -33,7 +33,7 @@ class Form(StrEnum):
 
     @property
     def is_lower(self) -> bool:
-        """Whether it is a lower pair, which takes two freedoms; a high pair takes one."""
+        """Whether it is a lower pair, which takes two freedoms; a higher pair takes one."""
         return self in (Form.R, Form.P)
 
 
@@ -114,7 +114,7 @@ class Chain:
 
     @property
     def lower(self) -> int:
-        """p_L, compound hinges of k links counted k − 1 times."""
+        """p_L, multiple joints of k links counted k − 1 times."""
         return sum(pair.count for pair in self.pairs if pair.form.is_lower)
 
     @property

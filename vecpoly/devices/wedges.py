@@ -76,7 +76,7 @@ class Wedges(Device):
 
     def quantities(self) -> tuple[Named, ...]:
         """φ, F measured and by the sine rule, F without friction, η, reactions;
-        F' that holds, η' of the way back; limits of φ."""
+        F' that holds, η' of the return stroke; limits of φ."""
         angles = dict.fromkeys(self.angle(face) for face in FACES)
         return (*angles, DRIVE, BY_SINES, IDEAL, ETA, *REACTIONS, HOLD, ETA_BACK, LOCK_DIRECT, LOCK_REVERSE)
 

@@ -1,4 +1,4 @@
-"""The profiles of a high pair: a gear's pitch circle, a disc, a hollow arc, a flat face; of the frame hatched."""
+"""The profiles of a higher pair: a gear's pitch circle, a disc, a hollow arc, a flat face; of the frame hatched."""
 
 from __future__ import annotations
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 PROJECT = {
     "id": "编号 / the name of the project on its sheets",
     "title": "题目 / title",
-    "statement": "设计任务 / the task in words",
+    "statement": "题目与要求 / the task in words",
     "source": "出处 / source",
     "title_block": "标题栏 / entries of the title block",
     "schemes": "供选择的方案：name、merits、faults、chosen / schemes to choose from: name, merits, faults, chosen",

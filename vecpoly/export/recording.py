@@ -174,7 +174,7 @@ class _Proof:
         return True
 
     def _turned_back(self, mine: Sequence[complex], there: Sequence[done.Act]) -> Iterator[int]:
-        """The arrows that point the other way when drawn anew, such as that of a velocity on the way back."""
+        """The arrows that point the other way when drawn anew, such as that of a velocity on the return stroke."""
         anew = [act.b - act.a for act in there if isinstance(act, done.Arrow)]
         if len(anew) == len(mine):
             yield from (

@@ -141,7 +141,7 @@ def _rod(study: Study, one: Conditioning, d: Dyad) -> Words:
         f"加速度的影响更大。要使 $γ$ ≥ 40°，须 {line} ≥ {line}·$cos γ_{{min}}$/$cos 40°$ = {_mm(needed)} "
         f"mm（现为 {_mm(length)} mm）。",
         f"{one.group.title.en}: ${symbol}$ is least, {degrees(gamma):.1f}°, at {at.en}, where the "
-        f"coupler ${p}{c}$ leans most; errors of lengths and readings are magnified 1/$sin γ$ = "
+        f"coupler ${p}{c}$ is inclined most; errors of lengths and readings are magnified 1/$sin γ$ = "
         f"{1 / one.measure:.1f} times in the position, and more in the velocities and "
         f"accelerations. $γ$ ≥ 40° needs {line} ≥ {line}·$cos γ_{{min}}$/$cos 40°$ = {_mm(needed)} "
         f"mm (now {_mm(length)} mm). ",

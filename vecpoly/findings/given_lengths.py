@@ -46,7 +46,7 @@ class Dimension:
 
 
 def given_dimensions(mech: Mechanism, written: frozenset[str] = frozenset()) -> Iterator[Dimension]:
-    """All dimensions of a mechanism as its file gives them; the frame is told from the drive's pivot.
+    """All dimensions of a mechanism as its file gives them; the frame is told from the input link's pivot.
 
     written: symbols of lengths as the problem writes them, l_CD.
     """

@@ -23,7 +23,7 @@ def shown(study: Study, key: str, value: float, digits: int = 4) -> str:
 
 
 def places(study: Study, found: Extremes, spot: Spot) -> Words:
-    """All the positions of the drive in which a turning point is as high (or low) as this one."""
+    """All the positions of the input link in which a turning point is as high (or low) as this one."""
     near = _ALIKE * max(
         abs(s.value) for s in (found.highest, found.lowest, spot) if s is not None and np.isfinite(s.value)
     )

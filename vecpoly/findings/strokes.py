@@ -35,7 +35,7 @@ def limits_and_ratio(study: Study, stroke: Stroke) -> Words:
     if stroke.ratio < _EVEN:
         return Words(
             zh + "往返所用原动件转角相等，$K$ = 1，无急回特性。",
-            en + "both strokes take the same angle of the drive, $K$ = 1: no quick return.",
+            en + "both strokes take the same angle of the input link, $K$ = 1: no quick return.",
         )
     up = Words("增大", "forward") if forth > back else Words("减小", "backward")
     slow, quick = max(forth, back), min(forth, back)
@@ -43,7 +43,7 @@ def limits_and_ratio(study: Study, stroke: Stroke) -> Words:
     return Words(
         zh + f"${info.symbol}$ {up.zh}的慢行程对应原动件转角 {slow:.1f}°，回程 {quick:.1f}°，行程速比系数 $K$ = "
         f"{slow:.1f}°/{quick:.1f}° = {stroke.ratio:.3f}，极位夹角 $θ$ = {degrees(stroke.theta):.2f}°{weak.zh}。",
-        en + f"the slow {up.en} stroke takes {slow:.1f}° of the drive, the return {quick:.1f}°: $K$ = "
+        en + f"the slow {up.en} stroke takes {slow:.1f}° of the input link, the return {quick:.1f}°: $K$ = "
         f"{slow:.1f}°/{quick:.1f}° = {stroke.ratio:.3f}, $θ$ = "
         f"{degrees(stroke.theta):.2f}°{weak.en}.",
     )
@@ -59,7 +59,7 @@ def _placed(study: Study, key: str, spot: Spot) -> Words:
 
 def repeated_strokes(study: Study) -> Iterator[Words]:
     """Links that go to and fro more than once a cycle:
-    all their limits, how far each stroke goes and what it takes of the drive."""
+    all their limits, how far each stroke goes and what it takes of the input link."""
     for swing in (s for s in study.facts.swings if is_repeated(study, s)):
         assert swing.highest is not None and swing.lowest is not None
         info, drive, count = study.whole.info(swing.key), study.whole.drive, len(swing.maxima)
@@ -90,7 +90,7 @@ def repeated_strokes(study: Study) -> Iterator[Words]:
 
 
 def _taken(sizes: list[float], at: list[float], unit: str) -> Words:
-    """How far each stroke goes, and the angle of the drive (deg) that it takes."""
+    """How far each stroke goes, and the angle of the input link (deg) that it takes."""
     gaps = [(two - one) % 360 for one, two in pairwise((*at, at[0]))]
     told = [
         f"{abs(two - one):.2f}{unit} / {g:.2f}°"
@@ -98,7 +98,7 @@ def _taken(sizes: list[float], at: list[float], unit: str) -> Words:
     ]
     return Words(
         f"依次各行程的大小和所用的原动件转角为 {'、'.join(told)}，各行程长短不一，故不以单一的 $K$ 表示急回。",
-        f" The strokes, and the angles of the drive that they take, are {', '.join(told)}: no single "
+        f" The strokes, and the angles of the input link that they take, are {', '.join(told)}: no single "
         "$K$ describes them.",
     )
 
@@ -125,7 +125,7 @@ def _dwell(study: Study, swing: Extremes, spots: list[Spot]) -> Words:
     start, stop = (study.where(run[i].phi).split(" = ")[1] for i in (0, -1))
     return Words(
         f"其中 ${study.whole.drive.symbol}$ 由 {start} 至 {stop} 时 ${info.symbol}$ 只变化约 {drift}，近似停歇。",
-        f" From {start} to {stop} of the drive ${info.symbol}$ changes by about {drift} only: nearly a dwell.",
+        f" From {start} to {stop} of the input link ${info.symbol}$ changes by about {drift} only: nearly a dwell.",
     )
 
 

@@ -13,7 +13,7 @@ STANDARD = radians(20.0)  # the pressure angle of standard teeth (GB/T 1356)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Revolute:
-    """Links pinned at a point. A compound hinge of k links appears as k - 1 of these, with one letter."""
+    """Links pinned at a point. A multiple joint of k links appears as k - 1 of these, with one letter."""
 
     point: str
     a: str

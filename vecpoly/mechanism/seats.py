@@ -1,4 +1,4 @@
-"""Which link carries the pin of a compound hinge, and so which links press on each other there.
+"""Which link carries the pin of a multiple joint, and so which links press on each other there.
 
 A pin is fixed in one link; every other link turns on it, and presses on that link alone. It is the frame, if the frame
 is there; else the driving link; else the link that is placed first when the mechanism is put together group by group
@@ -19,7 +19,7 @@ Rank = tuple[int, int, int, tuple[str, ...], int]
 
 
 def seated(mech: Mechanism, chosen: Mapping[str, str] | None = None) -> Mechanism:
-    """The mechanism with the joints of its compound hinges as they press:
+    """The mechanism with the joints of its multiple joints as they press:
     the link that carries the pin with each of the others.
 
     chosen: letter → link, where the problem itself says which link carries the pin.
@@ -42,7 +42,7 @@ def seated(mech: Mechanism, chosen: Mapping[str, str] | None = None) -> Mechanis
 
 
 def seat(mech: Mechanism, point: str) -> str | None:
-    """The link that carries the pin of a compound hinge, as its joints say;
+    """The link that carries the pin of a multiple joint, as its joints say;
     None at a pin of two links that runs in no slot."""
     pins = [
         {joint.a, joint.b}

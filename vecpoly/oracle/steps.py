@@ -78,7 +78,7 @@ def _one_place(link: str, one: str, other: str) -> AssemblyError:
         Words(
             f"构件 {link} 的铰链 {one} 与 {other} 重合，其方向不定；请给出两者的距离，或将两铰链合为一个复合铰链",
             f"the hinges {one} and {other} of link {link} lie in one place, so that its direction is not determined; "
-            "give their distance, or make one compound hinge of them",
+            "give their distance, or make one multiple joint of them",
         ),
         code="coincident",
     )

@@ -3,6 +3,7 @@ plain words, and names of the objects (tables, equations, drawings) to be set.""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import groupby
@@ -46,7 +47,7 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
     problem = solution.problem
     data = [*problem.given.lengths, *problem.given.motion, *problem.given.loads]
     comma = "，" if lang == "zh" else ", "
-    given = [d.of(lang) for d in data]
+    given = [shortened(d.of(lang)) for d in data]
     if isinstance(problem.subject, Mechanism):
         given.insert(0, pivots(problem.subject).of(lang))
     return {
@@ -69,6 +70,20 @@ def _has_dashes(solution: Solution) -> bool:
     """Whether the construction without friction stands beside that with it."""
     marks = (mark for figure in solution.construction.figures for mark in figure.marks)
     return any(isinstance(mark, Segment) and mark.role is Role.IDEAL for mark in marks)
+
+
+_LONG = re.compile(r"(?<![\w.])(\d+\.\d+)(?= (mm)|[^\d.]|$)")
+_FIGURES = {"mm": 4}  # of a length; of other data one more
+
+
+def shortened(text: str) -> str:
+    """Given numbers to as many figures as can be drawn: 207.6 mm of 207.647 mm."""
+    return _LONG.sub(lambda found: _to_figures(found[1], _FIGURES.get(found[2] or "", 5)), text)
+
+
+def _to_figures(text: str, most: int) -> str:
+    digits = len(text.replace(".", "").lstrip("0"))
+    return text if digits <= most else number(float(text), most)
 
 
 def pivots(mech: Mechanism) -> Words:

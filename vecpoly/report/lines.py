@@ -17,13 +17,12 @@ from ..solution import Answer, Solution
 from ..words import Lang, Words
 from .flow.table import DataTable
 from .tables import inks_of, trimmed
-from .values import called
+from .values import called, place_parts
 
 _HEADER = {
-    "zh": ("力", "过点 ($x$, $y$) /mm", "作用线的位置", "距精确作用线 /mm"),
-    "en": ("Force", "Through ($x$, $y$) /mm", "How the line lies", "Off the exact line, mm"),
+    "zh": ("力", "过点 $x$ /mm", "$y$ /mm", "作用线的位置", "距精确作用线 /mm"),
+    "en": ("Force", "Through $x$ /mm", "$y$ /mm", "Position of the line of action", "Off the exact line /mm"),
 }
-NOTHING = 1e-9  # m: smaller coordinates are zero
 _WAY = {True: Words("（逆时针）", ", ccw"), False: Words("（顺时针）", ", cw")}
 _SENSE = {"ccw": Words("逆时针", "ccw"), "cw": Words("顺时针", "cw")}
 
@@ -38,15 +37,16 @@ def lines_table(solution: Solution, lang: Lang) -> DataTable | None:
     if not acting:
         return None
     rows = [_row(answer, acts, lies(solution, answer.key, acts), lang) for answer, acts in acting]
-    return trimmed(_HEADER[lang], rows, (), "lclr", lang, inks_of(solution, (answer.key for answer, _ in acting)))
+    if all(row[-1] in ("0", "—") for row in rows):  # every line lies where it must
+        rows = [(*row[:-1], "—") for row in rows]
+    return trimmed(_HEADER[lang], rows, (), "lddld", lang, inks_of(solution, (answer.key for answer, _ in acting)))
 
 
 def _row(answer: Answer, acts: LineOfAction, how: Words, lang: Lang) -> tuple[str, ...]:
     if acts.couple is not None:
-        return called(answer.reading.symbol, answer.key, lang), "∞", how.of(lang), "—"
-    x, y = (0.0 if abs(z) < NOTHING else 1e3 * z for z in (acts.point.real, acts.point.imag))
-    point = f"({number(x)}, {number(y)})"
-    return called(answer.reading.symbol, answer.key, lang), point, how.of(lang), _off(answer, acts)
+        return called(answer.reading.symbol, answer.key, lang), "∞", "∞", how.of(lang), "—"
+    x, y = place_parts(acts.point, 1)
+    return called(answer.reading.symbol, answer.key, lang), x, y, how.of(lang), _off(answer, acts)
 
 
 def lies(solution: Solution, key: str, acts: LineOfAction) -> Words:

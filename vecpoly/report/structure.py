@@ -53,7 +53,7 @@ def numbering(problem: Problem) -> Words:
 
 
 def carried_pins(mech: Mechanism) -> Words:
-    """At each compound hinge: which link carries the pin, so that the others press on it alone;
+    """At each multiple joint: which link carries the pin, so that the others press on it alone;
     nothing where there is none."""
     found = {point: carrier for point in hinges(mech) if (carrier := seat(mech, point)) is not None}
     if not found:
@@ -140,7 +140,8 @@ def _rolling(higher: bool) -> Words:
             "（轮心距由构件保持的齿轮副，按高副计）", " (gears whose centres links hold apart count as a higher pair)"
         )
     return Words(
-        "（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)"
+        "（纯滚动副限制两个自由度，按低副计）",
+        " (pure rolling removes two degrees of freedom and counts as a lower pair)",
     )
 
 

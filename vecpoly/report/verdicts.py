@@ -13,7 +13,7 @@ from .tables import percent, symbol_of
 _HEADINGS = {
     "fail": Words("总评：", "On the whole: "),
     "warn": Words("逐项说明：", "Item by item: "),
-    "note": Words("关于原书：", "On the printed solution: "),
+    "note": Words("关于原书：", "On the textbook solution: "),
     "pass": Words.same(""),
 }
 
@@ -31,21 +31,15 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
             )
         elif c.verdict is Verdict.OUTLIER and checked.fit is None:
             off = percent(c.deviation, 1)
-            said.append(
-                (
-                    "warn",
-                    Words(f"${symbol}$ 偏差 {off}：作图不够准确。", f"${symbol}$ is off by {off}: a drawing slip.").of(
-                        lang
-                    ),
-                )
-            )
+            told = Words(f"${symbol}$ 偏差 {off}：作图不够准确。", f"${symbol}$ is off by {off}: a drafting error.")
+            said.append(("warn", told.of(lang)))
     if (
         checked.answers
         and not said
         and all(c.verdict in (Verdict.REPRODUCED, Verdict.ROUNDING) for c in checked.answers)
     ):
         said.append(
-            ("pass", Words("原书答案与精确值相符。", "The printed answers agree with the exact values.").of(lang))
+            ("pass", Words("原书答案与精确值相符。", "The textbook answers agree with the exact values.").of(lang))
         )
     said += [("note", e.of(lang)) for e in solution.problem.errata]
     return [

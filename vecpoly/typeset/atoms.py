@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import Enum, auto
 
 from ..algebra.formula import Node, Row, Sym, Txt, plain
+from .runs import RAISED, lowered
 
 
 class Kind(Enum):
@@ -52,7 +53,7 @@ _TOKEN = re.compile(
     r"|(?P<comma>[,;，、；:])"
     r"|(?P<han>.)"
 )
-_EXPONENT = re.compile(r"\^\{?([-−+]?\w+)\}?|([²³])")
+_EXPONENT = re.compile(rf"\^\{{?([-−+]?\w+)\}}?|([{RAISED}]+)")
 _KINDS = {
     "number": Kind.NUMBER,
     "word": Kind.WORD,
@@ -70,8 +71,17 @@ _AFTER_WHAT_IS_NO_TERM = {None, Kind.RELATION, Kind.BINARY, Kind.SIGN, Kind.OPEN
 _AFTER_WHAT_IS_NO_TERM |= {Kind.TIGHT, Kind.DOT, Kind.PREFIX}
 _LETTER_LIKE = {Kind.SYMBOL, Kind.NUMBER, Kind.WORD, Kind.CLOSE}
 _UNITS = frozenset(("m", "mm", "cm", "km", "rad", "s", "ms", "min", "h", "r", "N", "kN", "kg", "g", "t"))
-_UNITS |= {"Hz", "W", "kW", "J", "Pa", "MPa", "μm"}
+_UNITS |= {"Hz", "W", "kW", "J", "kJ", "Pa", "kPa", "MPa", "μm"}
+_PARTS = re.compile(r"[·⋅/()^{}²³\d−-]+")
 THIN, MEDIUM, THICK, UNIT, WORD_SPACE = 3 / 18, 4 / 18, 5 / 18, 0.2, 0.25
+
+
+def is_unit(text: str) -> bool:
+    """Whether a word is the unit of the number before it: mm, N·m, (m/s)/mm, %, °."""
+    if text in ("%", "°", "deg", "mm^2", "‰"):
+        return True
+    words = [part for part in _PARTS.split(text) if part]
+    return bool(words) and set(words) <= _UNITS
 
 
 def _text(text: str, spaced: bool) -> Iterator[Atom]:
@@ -87,7 +97,7 @@ def _text(text: str, spaced: bool) -> Iterator[Atom]:
         sup = ""
         if exponent is not None:
             end = exponent.end()
-            sup = exponent[1] or str("²³".index(exponent[2]) + 2)
+            sup = exponent[1] or lowered(exponent[2])
         yield Atom(_KINDS[match.lastgroup], match[0], sup, spaced)
         spaced = False
     if spaced:

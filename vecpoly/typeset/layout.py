@@ -41,6 +41,9 @@ def layout(node: Node, em_mm: float, bold: bool = False) -> Box:
 
 @lru_cache(maxsize=8192)
 def _sym(node: Sym, em: float, bold: bool, arrow: bool = False) -> Box:
+    bare = node.base.rstrip("′'")
+    if bare != node.base and node.sub and not node.sup and not arrow:  # R′_21: index under the prime
+        return _sym(Sym(bare, node.sub, node.base[len(bare) :]), em, bold)
     base = letters(node.base, em, bold)
     slope = _overhang(node.base, em, bold)
     if arrow:

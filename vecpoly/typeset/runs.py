@@ -33,19 +33,27 @@ def run(text: str, face: Face, em: float) -> Box:
     return Box(x, top * em, -bottom * em, tuple(items))
 
 
-_RAISED = re.compile(r"\^\{?([-−]?\d+)\}?")
+RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"  # exponents written as characters of their own, which not every face has
+_LOWERED = str.maketrans(RAISED, "0123456789−+")
+_RAISED = re.compile(rf"\^\{{?([-−]?\d+)\}}?|([{RAISED}]+)")
+
+
+def lowered(text: str) -> str:
+    """The digits of an exponent that was written with raised characters."""
+    return text.translate(_LOWERED)
 
 
 def latin(text: str, em: float, bold: bool) -> Box:
     """A word of running text; the exponent of a unit (``m/s^2``) is raised."""
-    if "^" not in text:
-        return run(text, roman_or_italic(False, bold), em)
+    face = roman_or_italic(False, bold)
     parts: list[Box] = []
-    for i, piece in enumerate(_RAISED.split(text)):
-        shown = piece.translate(SHOWN) if i % 2 else piece
-        box = run(shown, roman_or_italic(False, bold), em * (SCRIPT if i % 2 else 1.0))
-        parts.append(place([(0.0, SUP * em, box)], box.width) if i % 2 else box)
-    return beside(parts)
+    end = 0
+    for found in _RAISED.finditer(text):
+        parts.append(run(text[end : found.start()], face, em))
+        box = run((found[1] or lowered(found[2])).translate(SHOWN), face, em * SCRIPT)
+        parts.append(place([(0.0, SUP * em, box)], box.width))
+        end = found.end()
+    return beside((*parts, run(text[end:], face, em))) if parts else run(text, face, em)
 
 
 def letters(text: str, em: float, bold: bool) -> Box:

@@ -106,7 +106,7 @@ def _slide(c: Chain) -> str:
 
 
 def carriers(c: Chain, always: bool = False) -> str:
-    """Some link carries the pin of a compound hinge between moving links."""
+    """Some link carries the pin of a multiple joint between moving links."""
     compound = {p: names for p, names in hinges(c).items() if len(names) > 2 and p not in c.frame}
     said = ", ".join(f"{p}: @{c.rng.choice(names)}" for p, names in compound.items() if always or c.rng.random() < 0.5)
     return f"pins: {{{said}}}\n" if said else ""
@@ -130,7 +130,7 @@ def as_written(rng: np.random.Generator) -> str:
 
 @family("forces-pins", also=in_equilibrium)
 def carried(rng: np.random.Generator) -> str:
-    """Bars and sliders with compound hinges, whose pins any link may carry, with friction or without."""
+    """Bars and sliders with multiple joints, whose pins any link may carry, with friction or without."""
     c = simple(rng, (rrr, rrp))
     while not carriers(c, always=True):
         c = simple(rng, (rrr, rrp))

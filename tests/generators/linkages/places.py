@@ -6,7 +6,7 @@ from .sketch import FRAME, NEAR, Body, Sketch, deg, mm, turned
 
 
 def pin(sketch: Sketch, body: Body, *away: complex) -> str:
-    """A letter of this body away from these places: one that is there (then a compound hinge, maybe), or a new one."""
+    """A letter of this body away from these places: one that is there (then a multiple joint, maybe), or a new one."""
     there = [p for p, at in body.at.items() if all(abs(at - other) > 2 * NEAR for other in away)]
     if there and sketch.chance(0.5):
         return sketch.one(there)

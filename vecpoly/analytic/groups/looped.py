@@ -79,8 +79,8 @@ def _named(group: Group, names: list[str]) -> tuple[Words, Words]:
         return (
             Words(f"含驱动副的杆组（构件 {listed}）", f"The group with the driven pair (links {listed_en})"),
             Words(
-                f"驱动副在构件 {listed} 组成的杆组之内，其相对运动已知；该杆组有 {len(group.outer)} 个外副和"
-                f" {len(group.inner)} 个内副，位置方程联立求解。",
+                f"驱动副在构件 {listed} 组成的杆组之内，其相对运动已知；该杆组有 {len(group.outer)} 个外接副和"
+                f" {len(group.inner)} 个内接副，位置方程联立求解。",
                 "The driven pair, whose relative motion is known, is inside the group of links "
                 f"{listed_en} {joints}; the position equations are solved together.",
             ),
@@ -90,7 +90,7 @@ def _named(group: Group, names: list[str]) -> tuple[Words, Words]:
     return (
         Words(f"{zh} 级杆组（构件 {listed}）", f"Class {roman} group (links {listed_en})"),
         Words(
-            f"{zh} 级杆组由构件 {listed} 组成，有 {len(group.outer)} 个外副和 {len(group.inner)} 个内副，"
+            f"{zh} 级杆组由构件 {listed} 组成，有 {len(group.outer)} 个外接副和 {len(group.inner)} 个内接副，"
             "不能拆成 Ⅱ 级杆组，位置方程没有封闭解，只能联立求解。",
             f"The class {roman} group consists of links {listed_en} {joints}. It cannot be taken "
             "apart into dyads: its position equations have no closed solution and are solved "
@@ -126,7 +126,7 @@ def _reached(loops: Loops, chains: Chains) -> Part:
     listed = [f"${q}$" for q in loops.unknowns]
     return Part(
         Words(
-            f"取 {'、'.join(listed)} 为未知量。由外副和已知点出发，沿各构件有",
+            f"取 {'、'.join(listed)} 为未知量。由外接副和已知点出发，沿各构件有",
             f"The unknowns are {', '.join(listed)}. Along the links, from the known points,",
         ),
         tuple(chains.places),

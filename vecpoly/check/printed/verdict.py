@@ -35,9 +35,9 @@ class Verdict(StrEnum):
     def words(self) -> Words:
         """The verdict in words."""
         return {
-            Verdict.REPRODUCED: Words("正确", "reproduced"),
-            Verdict.ROUNDING: Words("末位舍入", "last digit"),
-            Verdict.OUTLIER: Words("作图误差偏大", "drawing slip"),
+            Verdict.REPRODUCED: Words("正确", "agrees"),
+            Verdict.ROUNDING: Words("末位舍入", "rounding"),
+            Verdict.OUTLIER: Words("作图误差偏大", "drafting error"),
             Verdict.WRONG: Words("错误", "wrong"),
         }[self]
 

@@ -84,7 +84,7 @@ def _divisors(
 
 def _name(dyad: Dyad, links: Sequence[tuple[str, str]]) -> tuple[str, str]:
     if isinstance(dyad.inner, Prismatic):
-        return "两外副沿导路的距离", "the distance of the dyad's hinges along the guide"
+        return "两外接副沿导路的距离", "the distance of the dyad's outer joints along the guide"
     assert isinstance(dyad.inner, Revolute)
     bars = [
         f"l_{{{joint.point}{dyad.inner.point}}}"

@@ -50,9 +50,9 @@ class Level(IntEnum):
     def words(self) -> Words:
         """The verdict in words."""
         return {
-            Level.REPRODUCED: Words("正确", "reproduced"),
-            Level.LAST_DIGIT: Words("正确，末位欠准", "reproduced, last digit unsure"),
-            Level.LOW: Words("正确，但精度低", "reproduced with low accuracy"),
+            Level.REPRODUCED: Words("正确", "agrees"),
+            Level.LAST_DIGIT: Words("正确，末位欠准", "agrees but for the last digit"),
+            Level.LOW: Words("正确，但精度低", "agrees, with low accuracy"),
             Level.ROWS: Words("个别行错误", "wrong in certain rows"),
             Level.WRONG: Words("错误", "wrong"),
         }[self]

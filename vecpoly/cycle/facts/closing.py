@@ -16,7 +16,7 @@ MOST = 100  # teeth: parts of a turn that a gear can be away
 
 
 def turns_of(cycle: Cycle) -> dict[str, float] | None:
-    """Net turns of every link in one turn of the drive, an int where it is a whole number;
+    """Net turns of every link in one turn of the input link, an int where it is a whole number;
     None where the drive cannot turn right round."""
     if not cycle.whole:
         return None
@@ -32,7 +32,7 @@ def _counted(turns: float) -> float:
 
 
 def laps_of(cycle: Cycle) -> int | None:
-    """After how many turns of the drive every link stands as it did:
+    """After how many turns of the input link every link stands as it did:
     1 as a rule, more where gears have ratios that are no whole numbers.
 
     None where this is unknown: a drive that cannot turn right round,

@@ -20,7 +20,7 @@ _SHAPES = {
 }
 
 
-_ENDLESS = Words("，在原动件行程的端部伸向无穷远。", ", and runs off to infinity towards an end of the drive's range.")
+_ENDLESS = Words("，在原动件行程的端部伸向无穷远。", ", and runs off to infinity towards an end of the input's range.")
 
 
 def path_sentences(cycle: Cycle, found: Path) -> tuple[Words, ...]:
@@ -90,7 +90,7 @@ def _circle(cycle: Cycle, found: Path) -> Words:
 
 
 def _place(cycle: Cycle, position: float) -> str:
-    """A position of the drive: degrees to one decimal."""
+    """A position of the input link: degrees to one decimal."""
     info = cycle.drive
     return (
         f"{info.factor * position:.1f}°".replace("-", "−")

@@ -65,7 +65,7 @@ def _range(cycle: Cycle, found: Facts) -> Iterator[Words]:
 
 
 def _dead(cycle: Cycle, dead: tuple[Spot, ...]) -> Words:
-    """The dead points of the drive: the ends of its range."""
+    """The dead points of the input link: the ends of its range."""
     at = Words("在这两个极限位置", "At these two limits")
     if len(dead) != 2:
         here = where(cycle, dead[0])
@@ -87,7 +87,8 @@ def _turns(cycle: Cycle, found: Facts) -> Iterator[Words]:
             f"link {name} {number(count)} {'turn' if abs(count) == 1 else 'turns'}" for name, count in turning.items()
         )
         yield Words(
-            f"原动件每转一周：{zh}（逆时针为正）。", f"In one turn of the drive: {en} (counter-clockwise positive)."
+            f"原动件每转一周：{zh}（逆时针为正）。",
+            f"In one turn of the input link: {en} (counter-clockwise positive).",
         )
     if rocking:
         yield Words(
@@ -108,7 +109,7 @@ def _laps(cycle: Cycle, found: Facts) -> Iterator[Words]:
     yield Words(
         f"原动件转一周后，机构并未回到原来的位置{after.zh}；以下只是其中一周（${cycle.drive.symbol}$ 由 "
         f"{first}）的情况。",
-        f"After one turn of the drive the mechanism is not back where it began{after.en}. What "
+        f"After one turn of the input link the mechanism is not back where it began{after.en}. What "
         f"follows is told of one turn only (${cycle.drive.symbol}$ = {first}).",
     )
 

@@ -56,7 +56,7 @@ class Study:
 
     @property
     def sense_only(self) -> bool:
-        """Whether of the drive's speed only the sense is given: 1 rad/s is taken."""
+        """Whether of the input link's speed only the sense is given: 1 rad/s is taken."""
         start = f"$ω_{self.mech.drive.link}$"
         return not self.mech.drive.slide and any(
             d.words is not None and d.words.zh.startswith(start) for d in self.problem.given.motion

@@ -46,7 +46,7 @@ def without_friction(named: Named) -> Named:
 def pairs(mech: Mechanism) -> tuple[tuple[str, str], ...]:
     """Links that press on each other in a joint or a contact, as names; each pair once.
 
-    At a compound hinge these are the link that carries the pin and each of the others (`seats`). A pin in a slot is
+    At a multiple joint these are the link that carries the pin and each of the others (`seats`). A pin in a slot is
     told by the slot's link and the block that is thought about the pin,
     for two pins of one link may press on another; `press_named` has the true links.
     """
@@ -94,7 +94,7 @@ def slide_named(mech: Mechanism, joint: Prismatic) -> str:
 
 
 def apart(mech: Mechanism) -> tuple[tuple[str, str], ...]:
-    """Links that share a compound hinge without pressing on each other, since a third one carries the pin: R_ij = 0."""
+    """Links that share a multiple joint without pressing on each other, since a third one carries the pin: R_ij = 0."""
     press = {frozenset(pair) for pair in pairs(mech)}
     thought = {*mech.substitutes, *mech.slot_pins}
     found = [pair for names in hinges(mech).values() for pair in combinations(names, 2)]

@@ -39,7 +39,7 @@ __all__ = [
 def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
     """The Assur groups for the mechanism's own drives, in order of solution.
 
-    pressing: at a compound hinge only those links are joined that press on each other, as the mechanism's joints say.
+    pressing: at a multiple joint only those links are joined that press on each other, as the mechanism's joints say.
 
     Raises MobilityError where links remain that no known link determines.
     """

@@ -20,7 +20,7 @@ class Table:
     """Sizes (N, or N·m) at places in increasing order, straight lines between them.
 
     over: the travel (m) that the places are of; None: the drive's own coordinate (rad, or m). back: places and sizes
-    on the way back, of a card that is a loop; empty where they are those of the way there. period: rad after which
+    on the return stroke, of a card that is a loop; empty where they are those of the way there. period: rad after which
     the table begins again, 0 where it does not. name: of its file.
     """
 

@@ -83,7 +83,7 @@ def _slides(fig: CentreFigure, found: tuple[Direct, ...]) -> Words | None:
         if not there
         else Words(
             f"移动副的瞬心 {names.zh} 在垂直于导路的无穷远处",
-            f"of slides at infinity, perpendicular to the guide: {names.en}",
+            f"of prismatic joints at infinity, perpendicular to the guide: {names.en}",
         )
     )
 

@@ -1,4 +1,4 @@
-"""ΣF = 0 of a body: its forces with friction, without, and on the way back; its polygon, lettered and measured."""
+"""ΣF = 0 of a body: its forces with friction, without, and on the return stroke; its polygon, lettered and measured."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def frictionless(named: Named) -> Named:
 
 
 def reversed_way(named: Named) -> Named:
-    """The same force on the way back: R'_{21}."""
+    """The same force on the return stroke: R'_{21}."""
     return _marked(named, "_r", lambda symbol: symbol.replace("_", "'_", 1) if "_" in symbol else f"{symbol}'")
 
 

@@ -43,7 +43,7 @@ class _Way:
 
 @device_method(
     PowerTrain,
-    title=Words("机器的串联、并联与混联", "Machines in series, in parallel and mixed"),
+    title=Words("机器的串联、并联与混联", "Machines in series, in parallel and in series–parallel"),
     source="机械原理, efficiency of trains of machines",
     example="5-7",
 )

@@ -1,4 +1,4 @@
-"""The three force polygons of a pair of wedges: driven, without friction, on the way back;
+"""The three force polygons of a pair of wedges: driven, without friction, on the return stroke;
 each joined from two at their common side."""
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ STILL = 1e-9  # of the driver's rate: links that turn or slide slower than this 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Hub:
-    """A compound hinge whose pin belongs to `carrier`, though the groups hang at it on `hung`;
+    """A multiple joint whose pin belongs to `carrier`, though the groups hang at it on `hung`;
     `links` are all that meet there.
 
     blocks: those that are thought about the pin, in the slots in which it runs.

@@ -1,4 +1,4 @@
-"""Compound hinges whose pin belongs to another link than the one on which the groups hang: the pin counts by itself,
+"""Multiple joints whose pin belongs to another link than the one on which the groups hang: the pin counts by itself,
 and is given to its link last.
 
 Which link carries a pin changes no group. While the groups are solved, R_Ci is the force of the pin at C on link i,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...algebra.formula import sym
-from ...algebra.quantity import Expr, Product, number, worked
+from ...algebra.quantity import Expr, Product, Quantity, number, worked
 from ...board.board import NO_LENGTH
 from ...board.construction import LineOfAction, Reading, View
 from ...mechanism.asked.forces import apart, pairs
@@ -27,6 +27,24 @@ def keep_value(st: Statics, named: Named, value: Reals, expr: Expr) -> None:
     st.keep(
         Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=formula),
         value,
+    )
+
+
+def keep_arm(st: Statics, named: Named, arm: Quantity) -> None:
+    """A length that was read on the diagram, with what was read."""
+    mu = st.board.mu(View.MECHANISM)
+    st.keep(
+        Reading(
+            key=named.key,
+            symbol=named.symbol,
+            unit=named.unit,
+            scalar=float(nominal(arm.value)),
+            mm=float(nominal(arm.value / mu.value)),
+            line=named.symbol,
+            scale=st.board.scale_of(View.MECHANISM).symbol,
+            formula=worked(sym(named.symbol), arm, named.unit),
+        ),
+        arm.value,
     )
 
 
@@ -72,7 +90,7 @@ def write_sizes(st: Statics, *forces: Acting) -> None:
 def read_reactions(st: Statics, mech: Mechanism) -> None:
     """Every reaction both ways: size off its polygon, direction by protractor, a point of its line, its tangent side.
 
-    Links at a compound hinge that only meet in the pin of a third have none.
+    Links at a multiple joint that only meet in the pin of a third have none.
     """
     for a, b in pairs(mech):
         action, reaction = st.push(a, b), st.push(b, a)

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from ...algebra.quantity import number
 from ...board.board import NO_LENGTH
 from ...board.construction import Reading, View
 from ...mechanism.groups.assur import Group
@@ -39,17 +40,17 @@ def tried(st: Statics, couples: Mapping[tuple[str, str], Reals]) -> Reals:
 
 def say_trial(st: Statics, groups: tuple[Group, ...], held: Held) -> None:
     """How the balancing load is found where friction counts; keeps it."""
-    named, number = st.unknown_named, st.mech.number(held.link)
+    named, link = st.unknown_named, st.mech.number(held.link)
     value = float(nominal(st.balance))
     st.board.step(
         Words(
             f"计入摩擦时不能先由功率求出 ${named.symbol}$，用试算法：假设 ${named.symbol}$ 的大小，逐组求反力，看构件 "
-            f"{number} 能否平衡；余下的力（矩）与 ${named.symbol}$ 成线性关系，由两次试算定出使构件 {number} "
-            f"恰好平衡的 ${named.symbol}$ = {value:.4g} {named.unit}。以下为最后一次试算。",
+            f"{link} 能否平衡；余下的力（矩）与 ${named.symbol}$ 成线性关系，由两次试算定出使构件 {link} "
+            f"恰好平衡的 ${named.symbol}$ = {number(value)} {named.unit}。以下为最后一次试算。",
             f"With friction ${named.symbol}$ does not follow from the powers, so it is found by trial: with a size "
-            f"assumed for it the groups are solved one by one; what is then missing on link {number} changes linearly "
-            f"with ${named.symbol}$, and two trials give the size that leaves link {number} in equilibrium: "
-            f"${named.symbol}$ = {value:.4g} {named.unit}. The last trial follows.",
+            f"assumed for it the groups are solved one by one; what is then missing on link {link} changes linearly "
+            f"with ${named.symbol}$, and two trials give the size that leaves link {link} in equilibrium: "
+            f"${named.symbol}$ = {number(value)} {named.unit}. The last trial follows.",
         ),
         View.MECHANISM,
     )

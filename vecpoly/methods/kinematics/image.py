@@ -71,11 +71,12 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     kind, kind_en = QUANTITY[view].zh, QUANTITY[view].en
     a, b, c = letters
     if _in_line(desk, p_at, q_at, at):
+        three = (p_at, q_at, at)
+        one, two = _between(desk, three, f"{p}{q}", f"{q}{p}"), _between(desk, three, f"{a}{b}", f"{b}{a}")
         words = Words(
-            f"${x}$ 在直线 ${p}{q}$ 上，用{kind}影像：按 ${a}{c} : {a}{b} = {p}{x} : {p}{q}$ 在 ${a}{b}$ 上定出 "
-            f"${c}$。",
-            f"{kind_en.capitalize()} image: ${x}$ lies on the line ${p}{q}$, so ${c}$ lies on "
-            f"${a}{b}$ with ${a}{c} : {a}{b} = {p}{x} : {p}{q}$.",
+            f"${x}$ 在{one.zh}上，用{kind}影像：按 ${a}{c} : {a}{b} = {p}{x} : {p}{q}$ 在{two.zh}上定出 ${c}$。",
+            f"{kind_en.capitalize()} image: ${x}$ lies on {one.en}, so ${c}$ lies on {two.en} "
+            f"with ${a}{c} : {a}{b} = {p}{x} : {p}{q}$.",
         )
     else:
         words = Words(
@@ -95,6 +96,16 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     board.tint(view, (*tips, corner))
     board.plot(view, corner, letters[2])
     board.arrow(view, 0j, corner, Role.RESULT, key=desk.key(Rel(VECTOR[view], at)))
+
+
+def _between(desk: Desk, at: tuple[At, At, At], line: str, back: str) -> Words:
+    """The line from the first point to the second; produced, where the third lies beyond one of them."""
+    p, q, x = (complex(nominal(desk.where(one))) for one in at)
+    part = ((x - p) / (q - p)).real
+    if 0.0 <= part <= 1.0:
+        return Words(f" ${line}$ ", f"${line}$")
+    beyond = line if part > 1.0 else back
+    return Words(f" ${beyond}$ 的延长线", f"${beyond}$ produced")
 
 
 def letter_at_pole(desk: Desk, view: View, *points: At) -> None:

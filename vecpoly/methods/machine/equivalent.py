@@ -153,9 +153,9 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
         return
     st.board.step(
         Words(
-            f"功率等效：${to.load.symbol}$ 等于各力（矩）的功率 $F v$ cos α、$M ω$ 之和除以 ${moved.symbol}$；"
+            f"功率等效：${to.load.symbol}$ 等于各力（矩）的功率 $F v cos α$、$M ω$ 之和除以 ${moved.symbol}$；"
             "作用点的速度沿力方向的分量由速度多边形量得。",
-            f"It has the power of all: ${to.load.symbol}$ is the sum of the powers $F v$ cos α and $M ω$, over "
+            f"It has the power of all: ${to.load.symbol}$ is the sum of the powers $F v cos α$ and $M ω$, over "
             f"${moved.symbol}$; the component of each velocity along its force is measured on the polygon.",
         ),
         View.VELOCITY,

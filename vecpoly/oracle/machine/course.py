@@ -141,7 +141,7 @@ def _refuse_change(left: float, moved: float, *, has_constant: bool) -> None:
             Words(
                 f"一个周期内各力（矩）所作的功之和为 {left:.6g} J，不为零，机器不能稳定运转（每周期动能变化 "
                 f"{left:.6g} J）；请改正载荷，或写一个 size: constant 的力矩",
-                f"the loads do {left:.6g} J of work over a period, not 0: the machine cannot run steadily, its energy "
+                f"the loads do {left:.6g} J of work over a period, not 0: the machine cannot run uniformly, its energy "
                 f"changes by {left:.6g} J in every period; correct the loads, or write a moment of size: constant",
             ),
             code="work-left",

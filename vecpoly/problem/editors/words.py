@@ -44,7 +44,7 @@ KEYS = {
     "Problem.sheet": Words("图纸", "the drawing sheet"),
     "Problem.guesses": Words("点的大致位置，用于Ⅲ级杆组", "rough positions of points, for groups of class III"),
     "Problem.pins": Words(
-        "复合铰链的销轴固定在哪个构件上：{C: 3}", "which link carries the pin of a compound hinge: {C: 3}"
+        "复合铰链的销轴固定在哪个构件上：{C: 3}", "which link carries the pin of a multiple joint: {C: 3}"
     ),
     "Problem.loads": Words(
         "作用于机构的力和力矩；其中一个待求", "forces and moments on the mechanism; one of them is unknown"

@@ -18,7 +18,7 @@ EXAMPLES = Words(f"{_FORMS} 或 '1 touches 2 at K'", f"{_FORMS} or '1 touches 2 
 
 
 def revolutes(bodies: Bodies) -> tuple[Revolute, ...]:
-    """A letter on two bodies is a pin; on k bodies a compound hinge of k - 1 pins. The frame comes last."""
+    """A letter on two bodies is a pin; on k bodies a multiple joint of k - 1 pins. The frame comes last."""
     pins = []
     for letter in bodies.letters():
         names = [name for name, draft in bodies.drafts.items() if letter in draft.points]

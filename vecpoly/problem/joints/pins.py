@@ -1,4 +1,4 @@
-"""`pins`: which link carries the pin of a compound hinge, where the problem says it."""
+"""`pins`: which link carries the pin of a multiple joint, where the problem says it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..schema.faults import Faults
 
 def read_pins(spec: Mapping[str, str], mech: Mechanism, faults: Faults) -> dict[str, str]:
     """Letter → link; the frame by its printed number.
-    Notes a fault where the letter is no compound hinge, or the link is not there."""
+    Notes a fault where the letter is no multiple joint, or the link is not there."""
     found: dict[str, str] = {}
     for letter, number in spec.items():
         with faults.at("pins", letter):
@@ -29,7 +29,7 @@ def _carrier(letter: str, number: str, mech: Mechanism) -> str:
             Words(
                 f"{letter} 不是复合铰链（铰接于此的构件：{_numbers(mech, names) or '无'}），"
                 "其销轴属于哪个构件没有区别；删去此项",
-                f"{letter} is no compound hinge (links pinned there: "
+                f"{letter} is no multiple joint (links pinned there: "
                 f"{_numbers(mech, names) or 'none'}), where it makes no difference which "
                 "link carries the pin; leave the entry out",
             )

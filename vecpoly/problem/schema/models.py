@@ -204,7 +204,7 @@ class ProblemSpec(Spec):
     tables: list[str] = Field([], description="printed tables (CSV or XLSX) to be checked, as paths beside this file")
     sheet: SheetSpec | None = None
     guesses: dict[str, Pair] = {}
-    pins: dict[str, str] = Field({}, description="which link carries the pin of a compound hinge: {C: 3}")
+    pins: dict[str, str] = Field({}, description="which link carries the pin of a multiple joint: {C: 3}")
     loads: dict[str, LoadSpec] = {}
     friction: dict[str, FrictionSpec] = {}
     masses: dict[str, MassSpec] = {}

@@ -12,6 +12,7 @@ TENTH = 0.1  # mm: what a rule is read to
 SHARE, SHARE_OF_COARSE = 0.1, 0.25  # of the expected error: what is smaller says nothing
 MOST = 4  # significant digits of an answer; an exact value has one more
 LEAST = 1e-4  # smaller numbers are told by powers of ten
+_TWO = 2.0  # a step that begins with a one has one more digit
 _SAME = 1e-9  # share by which a number read to a tenth may differ from itself
 _FINEST = 2  # decimals of a place, at most
 COARSE = 0.15  # an expected error of this share of an answer is told beside it
@@ -48,10 +49,15 @@ def decimals(answer: Answer) -> int | None:
     if answer.reading.unit == YES_NO or not step:
         return None
     places = max(0, -floor(log10(step) + 1e-9))
-    if answer.reading.mm is not None:
-        return places
     drawn = printed_unit(answer.reading.unit)[0] * answer.drawn
-    return next((n for n in range(places) if abs(drawn - round(drawn, n)) < _SAME * abs(drawn)), places)
+    if answer.reading.mm is None:
+        return next((n for n in range(places) if _is_on(drawn, n)), places)
+    finer = step < _TWO * 10**-places and not _is_on(drawn, places)  # 37.1 mm at 1.5 to 1 are 55.65 mm
+    return places + finer
+
+
+def _is_on(value: float, places: int) -> bool:
+    return abs(value - round(value, places)) < _SAME * abs(value)
 
 
 def _read_to(answer: Answer) -> float:

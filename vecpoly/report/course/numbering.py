@@ -64,9 +64,13 @@ class Press:
         made = DataTable(header, rows, None, align, lang=self.lang, caption=caption, style=style)
         return self.objects.add("tab", made)
 
-    def tabled(self, title: Words, made: DataTable, style: Style = CELL) -> str:
-        """The same of a table that is made already."""
-        return self.table(title, made.header, made.rows, made.align, style=style)
+    def tabled(self, title: Words, made: Sequence[DataTable], style: Style = CELL) -> list[str]:
+        """The same of tables that are made already; where there are two, the second is one of places."""
+        titles = (title, title + Words("：点的位置", ": places of points")) if len(made) > 1 else (title,)
+        return [
+            self.table(one, each.header, each.rows, each.align, style=style)
+            for one, each in zip(titles, made, strict=True)
+        ]
 
     def _caption(self, what: Words, kind: str, title: Words) -> str:
         gap = "　" if self.lang == "zh" else ". "

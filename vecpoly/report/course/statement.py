@@ -55,7 +55,7 @@ def _more(study: Study) -> list[str]:
 
 
 def assumed(study: Study) -> Words:
-    """Where only the sense of the drive's ω is given: what is taken, and how everything scales with it."""
+    """Where only the sense of the input link's ω is given: what is taken, and how everything scales with it."""
     if not study.sense_only:
         return Words.same("")
     symbol = f"$ω_{{{study.mech.drive.link}}}$"

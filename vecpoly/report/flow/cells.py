@@ -12,9 +12,10 @@ from ...algebra.formula import row, split_words
 from ...typeset.atoms import THICK
 from ...typeset.box import Box, beside
 from ...typeset.fonts import Face, glyph
-from ...typeset.layout import pieces, segments
+from ...typeset.layout import layout, pieces, segments
 from ...typeset.runs import latin, run
 from ...typeset.words import is_han
+from .text.held import held
 
 NO_START = frozenset("，。、；：？！）〕］｝》〉」』】”’…—·～℃％")
 NO_END = frozenset("（〔［｛《〈「『【“‘￥№")
@@ -24,6 +25,7 @@ _AMBIGUOUS = frozenset("“”‘’—…·")  # full width in Chinese text, na
 _BOLD = re.compile(r"\*\*(.+?)\*\*", re.DOTALL)
 AUTO = 0.2  # space between Chinese and Latin, em
 _ADDRESS = 30  # letters
+SHORT = 8.0  # em: a formula in running text that is no longer is not broken
 BLANK = 0.25  # a blank between words, em
 
 
@@ -105,14 +107,15 @@ def _sources(text: str) -> tuple[Source, ...]:
 
 @lru_cache(maxsize=4096)
 def _segments(text: str, em: float, bold: bool) -> tuple[Box, ...]:
-    return segments(row(text), em, bold, before=False)
+    whole = layout(row(text), em, bold)
+    return (whole,) if whole.width <= SHORT * em else segments(row(text), em, bold, before=False)
 
 
 def _words(text: str, em: float, chinese: bool, bold: bool, spaced: bool) -> tuple[list[Cell], bool]:
     out: list[Cell] = []
     word = ""
-    for char in text:
-        full = is_han(char) or (chinese and char in _AMBIGUOUS)
+    for i, char in enumerate(text):
+        full = is_han(char) or (chinese and char in _AMBIGUOUS and not _within_unit(text, i))
         if not full and not char.isspace():
             word += char
             continue
@@ -126,6 +129,12 @@ def _words(text: str, em: float, chinese: bool, bold: bool, spaced: bool) -> tup
         out.append(_word(word, em, bold, spaced))
         spaced = False
     return out, spaced
+
+
+def _within_unit(text: str, at: int) -> bool:
+    """Whether a dot stands between two letters, as in N·m: it is as narrow in Chinese text."""
+    around = text[at - 1 : at] + text[at + 1 : at + 2]
+    return text[at] == "·" and len(around) == 2 and around.isascii() and around.isalpha()
 
 
 @lru_cache(maxsize=16384)
@@ -159,6 +168,11 @@ def chopped(cell: Cell, width: float, em: float, bold: bool) -> list[Cell]:
 
 def gap(a: Cell, b: Cell, em: float) -> Gap:
     """The space between two neighbouring cells."""
+    found = _gap(a, b, em)
+    return replace(found, breakable=False) if found.breakable and held(a.text, b.text) else found
+
+
+def _gap(a: Cell, b: Cell, em: float) -> Gap:
     latin_a, latin_b = a.kind in (Kind.WORD, Kind.FORMULA), b.kind in (Kind.WORD, Kind.FORMULA)
     if latin_a and latin_b:
         if b.joined:

@@ -29,7 +29,7 @@ def told(part: Part, binder: Binder) -> dict[str, Any]:
         **statement(solution, lang),
         "sections": sections(solution, lang, press.objects),
         "answer": press.objects.add("ans", answer_box(solution, lang, conclusions(solution, lang))),
-        "results": [press.tabled(title, made, SMALL) for made in readings_tables(solution, lang)],
+        "results": press.tabled(title, readings_tables(solution, lang), SMALL),
         "cautions": cautions(solution, lang),
     }
 

@@ -61,8 +61,7 @@ def _readings(binder: Binder, drawn: tuple[Drawn, ...]) -> list[str]:
 def readings(binder: Binder, drawn: tuple[Drawn, ...], motion: bool, title: Words) -> list[str]:
     """The readings of all positions, of motion or of forces; without expected errors."""
     told = [(one.where.split(" = ")[1], one.solution, _of(one.solution, motion)) for one in drawn]
-    tables = readings_at(told, drawn[0].where.split(" = ")[0], binder.lang)
-    return [binder.press.tabled(title, made, SMALL) for made in tables]
+    return binder.press.tabled(title, readings_at(told, drawn[0].where.split(" = ")[0], binder.lang), SMALL)
 
 
 def _of(solution: Solution, motion: bool) -> list[Answer]:

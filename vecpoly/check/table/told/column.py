@@ -106,16 +106,16 @@ def _state(table: Table, i: int, one: Weighing, weighed: Sequence[Weighing], tol
     most = amount(column, one.largest)
     match one.level:
         case Level.REPRODUCED:
-            return Words(f"正确，{zh}{_short(column, one).zh}。", f"reproduced, {en}{_short(column, one).en}.")
+            return Words(f"正确，{zh}{_short(column, one).zh}。", f"in agreement, {en}{_short(column, one).en}.")
         case Level.LAST_DIGIT:
             return Words(
                 f"正确，{zh}，其余行只差末位（最大 {most}）。",
-                f"reproduced: {en}, the others but for the last digit (at most {most}).",
+                f"in agreement: {en}, the others but for the last digit (at most {most}).",
             )
         case Level.LOW:
             return Words(
                 f"正确但精度低：{zh}，最大偏差 {most}（{_worst(table, one)}）。",
-                f"reproduced with low accuracy: {en}, at most {most} off (at {_worst(table, one)}).",
+                f"in agreement with low accuracy: {en}, at most {most} off (at {_worst(table, one)}).",
             )
     rows = which(one.outliers)
     at, count = rows_at(table, rows), len(rows)

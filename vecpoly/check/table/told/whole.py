@@ -22,7 +22,7 @@ def of_whole(table: Table, weighed: Sequence[Weighing], told: Told) -> tuple[Wor
     right = [i for i, one in enumerate(weighed) if one.level < Level.LOW and not told[i]]
     low = [i for i, one in enumerate(weighed) if one.level is Level.LOW and not told[i]]
     if len(right) == len(columns):
-        return (Words("全部各列正确。", "All columns are reproduced."),)
+        return (Words("全部各列正确。", "All columns agree."),)
     groups: dict[tuple[str, str], list[int]] = {}
     for i, slips in enumerate(told):
         if slips:
@@ -30,8 +30,8 @@ def of_whole(table: Table, weighed: Sequence[Weighing], told: Told) -> tuple[Wor
             groups.setdefault((words.zh, words.en), []).append(i)
     lost = [i for i, one in enumerate(weighed) if one.level is Level.WRONG and not told[i]]
     return (
-        *([_listed(columns, right, "正确", "reproduced")] if right else []),
-        *([_listed(columns, low, "正确但精度低", "reproduced with low accuracy")] if low else []),
+        *([_listed(columns, right, "正确", "correct")] if right else []),
+        *([_listed(columns, low, "正确但精度低", "correct, with low accuracy")] if low else []),
         *(_listed(columns, which, zh, en) for (zh, en), which in groups.items()),
         *_rows(table, weighed, told),
         *(_lost(table, i, weighed[i]) for i in lost),

@@ -14,7 +14,7 @@ from ....words import Words
 from ...desk import Desk
 
 NAME = "centre polygon"
-TITLE = Words("瞬心多边形", "Polygon of the centres")
+TITLE = Words("瞬心多边形", "Circle diagram")
 NO_SCALE = Scale(symbol="", value=0.0, unit="")
 SIZES = {3: 16.0, 4: 18.0, 5: 22.0}  # mm, radius of the circle by the number of links
 LARGE = 26.0

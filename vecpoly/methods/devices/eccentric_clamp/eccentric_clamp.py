@@ -43,7 +43,7 @@ def _contact(bench: Bench, device: EccentricClamp, clamp: Clamp) -> float:
         Words(
             f"圆盘 1 {turning.zh}转动，在 $K$ 点相对工件 2 向{side.zh}滑动，故 $R_{{21}}$ 过 $K$ 点，"
             "自法线 $n$ 逆滑动方向偏转 $φ$；其法向分力等于 $Q$：",
-            f"Disc 1 turns {turning.en} and slides at $K$ to the {side.en} on the work 2, so "
+            f"Disc 1 turns {turning.en} and slides at $K$ to the {side.en} on workpiece 2, so "
             "$R_{21}$ passes through $K$, turned from the normal $n$ by $φ$ against the "
             "sliding; its normal component is $Q$:",
         )
@@ -89,7 +89,7 @@ def _concurrent(turn: float) -> Words:
         f"处的摩擦圆；构件 1 相对机架 3 {turning.zh}转动，$R_{{31}}$ 对 $A$ 之矩与之相反，为{against.zh}。"
         "按 $μ_F$ 作力多边形：$ab$ 代表 $R_{21}$，过 $b$ 作 $F$ 的方向线，"
         "过 $a$ 作 $R_{31}$ 的方向线，交于 $c$。",
-        "The three forces on disc 1 meet in one point: $X$, where the lines of $F$ and "
+        "The three forces on disc 1 are concurrent at $X$, where the lines of $F$ and "
         "$R_{21}$ cross. So $R_{31}$ passes through $X$ and touches the friction circle "
         f"at $A$; link 1 turns {turning.en} in the frame 3, the moment of $R_{{31}}$ about $A$ "
         f"opposes that and is {against.en}. Draw the force "

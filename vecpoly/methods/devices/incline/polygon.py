@@ -103,14 +103,14 @@ def _ideal(bench: Bench, device: Incline, place: Pane, it: Slope, b: Points, dri
 
 
 def _back(bench: Bench, device: Incline, place: Pane, it: Slope, b: Points, ideal: Quantity) -> None:
-    """The same on the way back, with the friction angle on either side, and η' = F' / F_0."""
+    """The same on the return stroke, with the friction angle on either side, and η' = F' / F_0."""
     bench.board.step(
         Words(
             "反行程：$Q$ 为驱动力，滑块下滑，$R'_21$ 偏到法线的另一侧，过 $a$ 作其方向线，交 $F$ 的方向线于 $c'$；"
             "$F'$ 为使滑块匀速下滑所需的阻力。反行程效率等于实际阻力与理想阻力之比。",
-            "The way back: $Q$ drives and $R'_21$ is turned to the other side of the normal; its "
+            "Return stroke: $Q$ drives and $R'_21$ is turned to the other side of the normal; its "
             "direction through $a$ meets the line of $F$ at $c'$. $F'$ is the resistance with "
-            "which the block slides down steadily; the efficiency is the ratio of the actual to "
+            "which the block slides down uniformly; the efficiency is the ratio of the actual to "
             "the ideal resistance.",
         ),
         place,
@@ -170,7 +170,7 @@ def _eta_by_formula(bench: Bench, device: Incline, it: Slope) -> None:
 
 
 def _told_back(bench: Bench, device: Incline, hold: float) -> None:
-    """Whether the way back is self-locking, from the sign of F'."""
+    """Whether the return stroke is self-locking, from the sign of F'."""
     nothing = 1e-9 * device.Q.si
     if abs(hold) <= nothing:
         bench.board.remark(
@@ -180,7 +180,7 @@ def _told_back(bench: Bench, device: Incline, hold: float) -> None:
         bench.board.remark(
             Words(
                 "本题 $F'$ < 0，$η'$ < 0：反行程自锁，须反向施力才能使滑块下滑，与 $α < φ$ 一致。",
-                " Here $F'$ < 0 and $η'$ < 0: the way back is self-locking, the block "
+                " Here $F'$ < 0 and $η'$ < 0: the return stroke is self-locking, the block "
                 "must be pulled down, as $α < φ$ says.",
             )
         )
@@ -188,6 +188,6 @@ def _told_back(bench: Bench, device: Incline, hold: float) -> None:
         bench.board.remark(
             Words(
                 "本题 $F'$ > 0，$η'$ > 0：反行程不自锁，与 $α > φ$ 一致。",
-                " Here $F'$ > 0 and $η'$ > 0: the way back is not self-locking, as $α > φ$ says.",
+                " Here $F'$ > 0 and $η'$ > 0: the return stroke is not self-locking, as $α > φ$ says.",
             )
         )

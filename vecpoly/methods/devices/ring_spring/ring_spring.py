@@ -107,8 +107,8 @@ def _wedges_apart(bench: Bench, it: Faces, r12: Points, r42: Points) -> None:
             "Take wedge 2 first: $Q$ is known, and of $R_12$ and $R_42$ only the magnitudes are "
             "unknown, whereas on wedge 1 the magnitudes of all three forces are. Wedge 2 slides "
             "outward and up on 1 ($v_21$), outward and down on 4 ($v_24$), so $R_12$ and $R_42$ "
-            "are turned from the normals $n$ by $φ$ against the sliding; the three forces meet in "
-            "one point.",
+            "are turned from the normals $n$ by $φ$ against the sliding; the three forces are "
+            "concurrent.",
         ),
         two,
     )

@@ -46,7 +46,7 @@ def sketch(bench: Bench, device: EccentricClamp) -> Clamp:
         Words(
             "按 $μ_l$ 作机构简图：圆盘 1 绕机架 3 上的销轴 $A$ 转动，在 $K$ 点压紧工件 2；作 $A$ 处的摩擦圆。",
             "Draw to the scale $μ_l$: disc 1 turns about the pin $A$ of the frame 3 and presses "
-            "on the work 2 at $K$; the friction circle at $A$.",
+            "on workpiece 2 at $K$; the friction circle at $A$.",
         ),
         place,
     )

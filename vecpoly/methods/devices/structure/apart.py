@@ -39,12 +39,12 @@ def draw_groups(bench: Bench, device: Structure, low: Replaced, drivers: tuple[s
             board,
             View.MECHANISM,
             f"left {'+'.join(drivers)}",
-            Words(f"原动件 {told} 与机架", f"Driver {', '.join(drivers)} and frame"),
+            Words(f"原动件 {told} 与机架", f"{_drivers(drivers)} with the frame"),
         )
         board.step(
             Words(
                 f"剩下原动件 {told} 与机架，拆分正确。",
-                f"What is left is the driver {', '.join(drivers)} with the frame: all groups are taken off.",
+                f"{_drivers(drivers)} and the frame remain: all groups are detached.",
             ),
             place,
         )
@@ -63,8 +63,8 @@ def no_groups(bench: Bench, drivers: tuple[str, ...]) -> None:
                 scalar=0.0,
                 remark=Words(
                     f"以构件 {'、'.join(drivers)} 为原动件时，原动件数与自由度不等，不能拆分杆组",
-                    f"with link{'s' * (len(drivers) > 1)} {', '.join(drivers)} driving, drivers and freedoms differ "
-                    "in number: there are no groups to be taken off",
+                    f"with link{'s' * (len(drivers) > 1)} {', '.join(drivers)} driving, the number of inputs differs "
+                    "from the mobility: no groups can be detached",
                 ),
             ),
             0.0,
@@ -74,7 +74,7 @@ def no_groups(bench: Bench, drivers: tuple[str, ...]) -> None:
 def _title(group: Group, drivers: tuple[str, ...], several: bool) -> Words:
     """Class, links, letters; the driver where there are several possibilities."""
     kind = Words(f"（{group.kind}）", f" ({group.kind})") if group.kind else Words.same("")
-    when = Words(f"原动件 {'、'.join(drivers)}：", f"Driver {', '.join(drivers)}: ") if several else Words.same("")
+    when = Words(f"原动件 {'、'.join(drivers)}：", f"{_drivers(drivers)}: ") if several else Words.same("")
     return (
         when
         + Words(
@@ -101,7 +101,7 @@ def _told(group: Group, index: int, chain: Chain) -> Words:
     lead = Words(
         f"{'从远离原动件处开始：' if first else ''}拆下构件 {zh}，内接副 {'、'.join(inner)}，"
         f"外接副 {'、'.join(outer)}，",
-        f"{'Begin far from the driver: take' if first else 'Take'} off links {en}, with the inner "
+        f"{'Start farthest from the input: detach' if first else 'Detach'} links {en}, with the inner "
         f"pair{'s' * (len(inner) > 1)} {', '.join(inner)} and the outer pairs {', '.join(outer)}: ",
     )
     if group.rank == 2:
@@ -110,11 +110,25 @@ def _told(group: Group, index: int, chain: Chain) -> Words:
         "（拆Ⅱ级杆组不可能，只能取四个构件、六个低副；其中一个构件有三个内接副）"
         if group.rank == 3 and len(group.links) == 4
         else "（不能再分为更低级的杆组）",
-        " (no two links come off by themselves; one link of it has three inner pairs)"
+        " (no two links can be detached by themselves; one link of it has three inner pairs)"
         if group.rank == 3 and len(group.links) == 4
-        else " (nothing smaller comes off)",
+        else " (no smaller group can be detached)",
     )
     return lead + Words(f"为 {group.roman} 级杆组", f"a class {_latin(group.rank)} group") + why + Words("。", ".")
+
+
+def _grouped(taken: Taken) -> Words:
+    """How many groups of which class: 4 个 Ⅱ 级杆组."""
+    ranks = sorted({group.rank for group in taken.groups})
+    counts = [(sum(group.rank == rank for group in taken.groups), rank) for rank in ranks]
+    zh = "、".join(f"{count} 个 {ROMAN.get(rank, str(rank))} 级杆组" for count, rank in counts)
+    en = " and ".join(f"{count} class {_latin(rank)} group{'s' * (count > 1)}" for count, rank in counts)
+    return Words(f"含 {zh}" if counts else "不含杆组", en or "no groups")
+
+
+def _drivers(drivers: tuple[str, ...]) -> str:
+    """Driver 1; Drivers 1 and 3."""
+    return f"Driver{'s' * (len(drivers) > 1)} {' and '.join(drivers)}"
 
 
 def _class(bench: Bench, taken: Taken, drivers: tuple[str, ...]) -> None:
@@ -122,8 +136,8 @@ def _class(bench: Bench, taken: Taken, drivers: tuple[str, ...]) -> None:
     board = bench.board
     board.step(
         Words(
-            "杆组数和机构的级别（等于所含杆组的最高级别）为：",
-            "The number of groups, and the class of the mechanism, which is that of its highest group:",
+            f"机构{_grouped(taken).zh}，机构的级别等于所含杆组的最高级别：",
+            f"The mechanism has {_grouped(taken).en}; its class is that of its highest group:",
         )
     )
     bench.stated(groups(drivers), float(len(taken.groups)))

@@ -1,4 +1,4 @@
-"""Counting, as a lecturer counts: links, pairs, compound hinges,
+"""Counting, as a lecturer counts: links, pairs, multiple joints,
 rollers that turn idly, parts that repeat a constraint."""
 
 from __future__ import annotations

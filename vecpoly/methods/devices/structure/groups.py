@@ -115,7 +115,7 @@ def _outside(chain: Chain, links: tuple[str, ...]) -> tuple[Pair, ...]:
 
 
 def _edges(inner: tuple[Pair, ...]) -> list[tuple[str, str]]:
-    """The joined links two by two; a compound hinge in a row."""
+    """The joined links two by two; a multiple joint in a row."""
     return [edge for pair in inner for edge in pairwise(pair.links)]
 
 
@@ -129,7 +129,7 @@ def _hang_together(links: tuple[str, ...], inner: tuple[Pair, ...]) -> bool:
 def _kind(inner: tuple[Pair, ...], outer: tuple[Pair, ...]) -> str:
     """Outer, inner, outer pair; R before P."""
     ends = sorted((pair.form.value for pair in outer), reverse=True)
-    if len(ends) == 1:  # one compound hinge carries both links outside
+    if len(ends) == 1:  # one multiple joint carries both links outside
         ends *= 2
     return f"{ends[0]}{inner[0].form.value}{ends[1]}" if inner and len(ends) == 2 else ""
 

@@ -1,4 +1,4 @@
-"""高副低代 as it is drawn and told: every high pair replaced by a link with two lower pairs."""
+"""高副低代 as it is drawn and told: every higher pair replaced by a link with two lower pairs."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from .sketch import draw_chain, draw_replaced, pane
 
 
 def draw_replacement(bench: Bench, device: Structure, low: Replaced) -> None:
-    """高副低代: every high pair by a link with two lower pairs."""
+    """高副低代: every higher pair by a link with two lower pairs."""
     board = bench.board
-    board.section(Words("高副低代", "High pairs replaced by lower pairs"))
-    place = pane(board, View.MECHANISM, "low", Words("高副低代后的机构", "The mechanism with lower pairs only"))
+    board.section(Words("高副低代", "Higher pairs replaced by lower pairs"))
+    place = pane(board, View.MECHANISM, "low", Words("高副低代后的机构", "Equivalent lower-pair linkage"))
     for sub in low.substitutes:
         board.step(_replaced_by(device, sub.of, sub.link, sub.pairs), place)
         draw_replaced(board, place, device, sub.of)
@@ -52,7 +52,7 @@ def _replaced_by(device: Structure, pair: Pair, link: str, pairs: tuple[Pair, Pa
         return Words(
             f"高副 ${subscripted(pair.letter)}$ 有一平直轮廓：用构件 {link} 代替，"
             f"它在曲率中心 ${subscripted(pin.letter)}$ 铰接，并沿平直轮廓移动。",
-            f"High pair ${subscripted(pair.letter)}$ has a flat face: link {link} replaces it, "
+            f"Higher pair ${subscripted(pair.letter)}$ has a flat face: link {link} replaces it, "
             f"pinned at the centre of curvature ${subscripted(pin.letter)}$ and sliding along the "
             "face.",
         )
@@ -60,7 +60,7 @@ def _replaced_by(device: Structure, pair: Pair, link: str, pairs: tuple[Pair, Pa
     return Words(
         f"高副 ${subscripted(pair.letter)}$：用构件 {link} 代替，它在两轮廓的曲率中心 "
         f"${subscripted(one.letter)}$、${subscripted(two.letter)}$ 处分别与构件 {a}、{b} 铰接。",
-        f"High pair ${subscripted(pair.letter)}$: link {link} replaces it, pinned to links {a} and "
+        f"Higher pair ${subscripted(pair.letter)}$: link {link} replaces it, pinned to links {a} and "
         f"{b} at the centres of curvature ${subscripted(one.letter)}$ and "
         f"${subscripted(two.letter)}$.",
     )

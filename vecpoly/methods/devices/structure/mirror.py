@@ -39,7 +39,7 @@ def _why(links: tuple[str, ...], others: tuple[str, ...], slide: Pair) -> Words:
         f"构件 {'、'.join(links)} 与构件 {'、'.join(others)} 关于移动副 ${axis}$ 的导路中线对称布置，尺寸相同，"
         "为受力均衡而重复设置，对运动不起独立的约束作用",
         f"link{s} {', '.join(links)} {'are' if s else 'is'} the mirror image of link{s} "
-        f"{', '.join(others)} in the line of slide ${axis}$, with the same sizes: there to balance "
+        f"{', '.join(others)} in the line of prismatic joint ${axis}$, with the same sizes: there to balance "
         "the forces, adding nothing to the motion",
     )
 

@@ -42,7 +42,7 @@ def remedies(bench: Bench, device: Structure, found: Count) -> None:
             "或用一个高副代替一个低副（少 2 − 1 = 1 个约束）。",
             f"For the mechanism to move as it should it needs {missing} "
             f"freedom{'s' * (missing > 1)} more: add a link with one lower pair (3 − 2 = 1 more), "
-            "or put a high pair in place of a lower one (2 − 1 = 1 constraint less).",
+            "or put a higher pair in place of a lower one (2 − 1 = 1 constraint less).",
         )
     )
     for number, remedy in enumerate(_working(device, drivers) if missing == 1 else (), start=1):
@@ -100,7 +100,7 @@ def _changes(device: Structure, pair: Pair) -> Iterator[Remedy]:
         chain=_linked(chain, pair, lever, other, new),
         words=Words(
             f"在构件 {lever} 与 {other} 之间增加构件 {new} 和一个转动副",
-            f"between links {lever} and {other} add link {new} and a hinge",
+            f"between links {lever} and {other} add link {new} and a revolute joint",
         ),
     )
     yield Remedy(
@@ -112,12 +112,12 @@ def _changes(device: Structure, pair: Pair) -> Iterator[Remedy]:
         ),
     )
     yield Remedy(
-        name=Words("用滚子高副代替转动副", "a roller instead of the hinge"),
+        name=Words("用滚子高副代替转动副", "a roller instead of the revolute joint"),
         chain=_rolling(chain, pair, lever, other, new),
         words=Words(
             f"把转动副 ${subscripted(pair.letter)}$ 改为高副：构件 {other} 上装滚子 {new}，与构件 {lever} 的平面接触",
-            f"make a high pair of the hinge ${subscripted(pair.letter)}$: link {other} carries a roller {new}, "
-            f"which touches a flat face of link {lever}",
+            f"make a higher pair of the revolute joint ${subscripted(pair.letter)}$: link {other} carries a "
+            f"roller {new}, which touches a flat face of link {lever}",
         ),
     )
 

@@ -87,7 +87,7 @@ def _twice(chain: Chain, near: float) -> Iterator[tuple[Pair, Words]]:
                 two,
                 Words(
                     f"移动副 ${a}$、${b}$ 连接同样两个构件且导路平行，只有一个起独立约束作用",
-                    f"slides ${a}$ and ${b}$ join the same two links, and their guides are "
+                    f"prismatic joints ${a}$ and ${b}$ join the same two links, and their guides are "
                     "parallel: only one of them constrains",
                 ),
             )
@@ -96,7 +96,7 @@ def _twice(chain: Chain, near: float) -> Iterator[tuple[Pair, Words]]:
                 two,
                 Words(
                     f"转动副 ${a}$、${b}$ 连接同样两个构件且轴线重合，只有一个起独立约束作用",
-                    f"hinges ${a}$ and ${b}$ join the same two links on one axis: only one of them constrains",
+                    f"revolute joints ${a}$ and ${b}$ join the same two links on one axis: only one of them constrains",
                 ),
             )
         if one.form is Form.H and _level(one.normal, two.normal) and _same_profiles(one, two, near):
@@ -104,7 +104,7 @@ def _twice(chain: Chain, near: float) -> Iterator[tuple[Pair, Words]]:
                 two,
                 Words(
                     f"高副 ${a}$、${b}$ 连接同样两个构件且公法线重合，只有一个起独立约束作用",
-                    f"high pairs ${a}$ and ${b}$ join the same two links with one common normal: "
+                    f"higher pairs ${a}$ and ${b}$ join the same two links with one common normal: "
                     "only one of them constrains",
                 ),
             )
@@ -152,7 +152,7 @@ def _common(chain: Chain, near: float, drivers: tuple[str, ...]) -> Repeated | N
     why = Words(
         f"移动副 ${d}$ 与其他移动副组成只含移动副的封闭形，各构件的转动已被其他移动副限制，"
         "它对转动的限制是重复的（公共约束）",
-        f"slide ${d}$ closes a ring of slides alone: the others keep its links from turning "
+        f"prismatic joint ${d}$ closes a loop of prismatic joints alone: the others keep its links from turning "
         "already, and it need only keep them on the line",
     )
     return Repeated(
@@ -165,7 +165,7 @@ def _common(chain: Chain, near: float, drivers: tuple[str, ...]) -> Repeated | N
 
 
 def _copies(chain: Chain, near: float, drivers: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Words]]:
-    """A link with high pairs that does what another does: a second planet between the same wheels."""
+    """A link with higher pairs that does what another does: a second planet between the same wheels."""
     for one, two in combinations(chain.links, 2):
         mine, its = chain.at(one), chain.at(two)
         spare = sum(pair.count for pair in its) == len(its)  # nothing else is pinned where it is pinned
@@ -221,11 +221,11 @@ def _level(u: complex, v: complex) -> bool:
 
 
 def brings(part: Repeated) -> Words:
-    """What the part consists of; a slide that is eased counts as a high pair afterwards."""
+    """What the part consists of; a slide that is eased counts as a higher pair afterwards."""
     if part.higher < 0:
         return Words(
             "。它只须起一个高副的作用，虚约束数为：",
-            ". It need do no more than a high pair; its redundant constraints number:",
+            ". It need do no more than a higher pair; its redundant constraints number:",
         )
     one = Words("，是虚约束。", ": redundant. ")
     if not part.links:
@@ -233,5 +233,5 @@ def brings(part: Repeated) -> Words:
     return one + Words(
         f"这部分有 {len(part.links)} 个构件、{part.lower} 个低副、{part.higher} 个高副，虚约束数为：",
         f"It has {len(part.links)} link{'s' * (len(part.links) != 1)}, {part.lower} lower "
-        f"and {part.higher} high pairs; its redundant constraints number:",
+        f"and {part.higher} higher pairs; its redundant constraints number:",
     )

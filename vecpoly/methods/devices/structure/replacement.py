@@ -1,4 +1,4 @@
-"""Replacement of high pairs by links (高副低代):
+"""Replacement of higher pairs by links (高副低代):
 a link between the two centres of curvature, pinned there; on a flat face it slides."""
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ PRESSURE = math.radians(20)  # between the line of action of two gears and the c
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Substitute:
-    """The link that stands for a high pair, with its two pairs."""
+    """The link that stands for a higher pair, with its two pairs."""
 
     link: str
     of: Pair
@@ -32,7 +32,7 @@ class Replaced:
 
 
 def replaced(chain: Chain, device: Structure) -> Replaced:
-    """Replace every high pair."""
+    """Replace every higher pair."""
     high = [pair for pair in chain.pairs if not pair.form.is_lower]
     letters = _letters({pair.letter for pair in chain.pairs})
     made = tuple(_substitute(pair, device.free_number(i), letters) for i, pair in enumerate(high))

@@ -1,5 +1,5 @@
 """The structure of a mechanism: kinematic diagram, degree of freedom,
-replacement of high pairs, Assur groups, class."""
+replacement of higher pairs, Assur groups, class."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from .replacement import replaced
 from .sketch import draw_chain, pane, ring_compound
 
 _NAMES = {
-    Form.R: Words("转动副", "hinges"),
-    Form.P: Words("移动副", "slides"),
-    Form.H: Words("高副", "high pairs"),
+    Form.R: Words("转动副", "revolute joints"),
+    Form.P: Words("移动副", "prismatic joints"),
+    Form.H: Words("高副", "higher pairs"),
     Form.G: Words("齿轮高副", "gear pairs"),
 }
 
@@ -34,7 +34,7 @@ _NAMES = {
     example="2-6",
 )
 def draw_structure(bench: Bench, device: Structure) -> None:
-    """F = 3n − 2p_L − p_H − F′ + p′; then the high pairs replaced, and the Assur groups taken off for every driver."""
+    """F = 3n − 2p_L − p_H − F′ + p′; the higher pairs replaced, and the Assur groups detached for every driver."""
     drivers = tuple(dict.fromkeys(link for together in device.drive_sets for link in together))
     found = count(device.chain, drivers)
     place = _diagram(bench, device)
@@ -86,8 +86,8 @@ def _freedom(bench: Bench, device: Structure, found: Count, place: Pane) -> None
     board.step(
         Words(
             "活动构件数、低副数（转动副与移动副，复合铰链按上述计）和高副数为：",
-            "The numbers of moving links, of lower pairs (hinges and slides, multiple joints "
-            "counted as above) and of high pairs:",
+            "The numbers of moving links, of lower pairs (revolute and prismatic joints, multiple "
+            "joints counted as above) and of higher pairs:",
         )
     )
     n, low, high = (
@@ -112,7 +112,7 @@ def _compound(bench: Bench, device: Structure, found: Count, place: Pane) -> Non
                 f"是复合铰链，按 {len(told)} − 1 = {pair.count} 个转动副计。",
                 f"At ${subscripted(pair.letter)}$ {len(told)} links ({', '.join(told)}) are pinned "
                 f"on one axis: a multiple joint, which counts as {len(told)} − 1 = {pair.count} "
-                "hinges.",
+                "revolute joints.",
             ),
             place,
         )
@@ -131,7 +131,7 @@ def _check(bench: Bench, found: Count) -> None:
             f"校核：{zh}后，剩下 {len(rest.links)} 个活动构件、{rest.lower} 个低副、{rest.higher} 个高副，"
             "不再有局部自由度和虚约束，自由度为：",
             f"Check: with {en} there remain {len(rest.links)} moving links, {rest.lower} lower "
-            f"and {rest.higher} high pairs, without passive degrees of freedom and redundant "
+            f"and {rest.higher} higher pairs, without passive degrees of freedom and redundant "
             "constraints:",
         )
     )
@@ -207,8 +207,8 @@ def _motion(bench: Bench, device: Structure, found: Count) -> None:
     board.step(
         Words(
             f"机构具有确定运动的条件：$F$ > 0，且原动件数等于 $F$。此处原动件为构件 {told}，共 {len(drive)} 个；",
-            "The motion is determined if $F$ > 0 and as many links drive. Here "
-            f"link{'s' * (len(drive) > 1)} {', '.join(drive)} drive{'s' * (len(drive) == 1)}; ",
+            "The motion is determined if $F$ > 0 and the number of inputs equals $F$. Here the "
+            f"input link{'s are' if len(drive) > 1 else ' is'} {' and '.join(drive)}; ",
         )
     )
     if f < 1:
@@ -221,18 +221,18 @@ def _motion(bench: Bench, device: Structure, found: Count) -> None:
     elif f == len(drive):
         verdict = Words(
             f"原动件数等于自由度 $F$ = {f}，机构的运动确定",
-            f"as many links drive as there are freedoms, $F$ = {f}: the motion is determined",
+            f"the number of inputs equals the mobility, $F$ = {f}: the motion is determined",
         )
     elif f > len(drive):
         verdict = Words(
             f"原动件数少于自由度 $F$ = {f}，运动不确定，应再增加 {f - len(drive)} 个原动件，或增加约束",
-            f"fewer links drive than there are freedoms, $F$ = {f}: the motion is not determined; drive "
+            f"there are fewer inputs than the mobility $F$ = {f}: the motion is not determined; drive "
             f"{f - len(drive)} more, or add constraints",
         )
     else:
         verdict = Words(
             f"原动件数多于自由度 $F$ = {f}，各原动件的运动互相矛盾，只能有 {f} 个原动件",
-            f"more links drive than there are freedoms, $F$ = {f}: they contradict each other; only {f} may drive",
+            f"there are more inputs than the mobility $F$ = {f}: they contradict each other; only {f} may drive",
         )
     bench.judged(DETERMINED, float(f > 0 and f == len(drive)), verdict)
     board.remark(Words("。", "."))

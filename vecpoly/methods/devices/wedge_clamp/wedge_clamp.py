@@ -32,7 +32,7 @@ def draw_clamp(bench: Bench, device: WedgeClamp) -> None:
         Words(
             "画出简图（长度不按比例）：楔块 3 在力 $F$ 作用下楔入工件 1 与构件 2 之间，夹紧后去掉 $F$，"
             "楔块可能向左退出。",
-            "Sketch, lengths not to scale: $F$ drives wedge 3 in between the work 1 and body 2. "
+            "Sketch, lengths not to scale: $F$ drives wedge 3 in between workpiece 1 and body 2. "
             "After clamping $F$ is removed, and the wedge may slip out to the left.",
         ),
         View.MECHANISM,

@@ -50,7 +50,7 @@ def _wedge_two(bench: Bench, it: Shapes, lines: Lines, sign: Mapping[str, str]) 
             "unknown, whereas on wedge 1 the magnitudes of all three forces are. Wedge 2 slides "
             f"up the face of 1 ($v_21$), so $R_12$ is turned from the normal $n$ by ${sign['12']}$ "
             "against that sliding; it slides up along 3 ($v_23$), so $R_32$ is turned down by "
-            f"${sign['23']}$; the three forces meet in one point.",
+            f"${sign['23']}$; the three forces are concurrent.",
         ),
         place,
     )

@@ -24,7 +24,7 @@ RAY, LINE = 34.0, 46.0  # mm: normals, lines of the two reactions
 
 def limits(bench: Bench, it: Shapes, phi: Mapping[str, float]) -> None:
     """With the same φ on all faces:
-    half the angle between n_12 and −n_32 locks the drive, half of that between n_12 and n_31 the way back."""
+    half the angle between n_12 and −n_32 locks the drive, half of that between n_12 and n_31 the return stroke."""
     board = bench.board
     board.section(Words("自锁条件", "Self-locking"))
     place = board.open_pane(View.BODY, "limits", Words("自锁极限", "Limits of self-locking"))
@@ -47,8 +47,8 @@ def limits(bench: Bench, it: Shapes, phi: Mapping[str, float]) -> None:
         Words(
             "反行程：$R_21$ 与 $R_31$ 各偏转 $φ$ 后若反向共线，则楔块 1 为二力平衡，不需 $F'$，反行程自锁。"
             "故极限摩擦角为 $n_12$ 与 $n_31$ 夹角之半，即 $(180° − α − β)/2$。",
-            "The way back: if $R_21$ and $R_31$, each turned by $φ$, become collinear and "
-            "opposite, wedge 1 rests without $F'$: the way back is self-locking. So the limit is "
+            "Return stroke: if $R_21$ and $R_31$, each turned by $φ$, become collinear and "
+            "opposite, wedge 1 rests without $F'$: the return stroke is self-locking. So the limit is "
             "half the angle between $n_12$ and $n_31$, that is $(180° − α − β)/2$.",
         ),
         place,
@@ -83,7 +83,7 @@ def _verdict(bench: Bench, phi: float, direct: float, back: float) -> None:
     """Which way is self-locking with this friction angle (deg)."""
     locked = [
         words
-        for words, limit in ((Words("正行程", "lifting"), direct), (Words("反行程", "the way back"), back))
+        for words, limit in ((Words("正行程", "lifting"), direct), (Words("反行程", "the return stroke"), back))
         if phi >= limit
     ]
     names = Words("、".join(words.zh for words in locked), " and ".join(words.en for words in locked))

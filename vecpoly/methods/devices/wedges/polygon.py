@@ -21,7 +21,7 @@ from ..strokes import Corners, Stroke, strokes
 
 R12, R32, R31 = REACTIONS
 LOAD, R21 = Named("Q", "Q", "N"), reaction("2", "1")
-LIFT, SMOOTH, BACK = strokes(DRIVE, IDEAL, HOLD, Words("正行程", "lifting"), Words("反行程", "way back"))
+LIFT, SMOOTH, BACK = strokes(DRIVE, IDEAL, HOLD, Words("正行程", "lifting"), Words("反行程", "return stroke"))
 ALONG_GUIDE = Words("∥导路", "∥ guide")
 Angles = Mapping[str, Quantity]  # friction angles in degrees, by face
 

@@ -26,7 +26,7 @@ from .polygon import BACK, SMOOTH, Angles, lines_of, over, polygon
     example="4-2",
 )
 def draw_wedges(bench: Bench, device: Wedges) -> None:
-    """Sketch, friction angles, wedge 2, wedge 1, sine rule; no friction, the way back, the limits."""
+    """Sketch, friction angles, wedge 2, wedge 1, sine rule; no friction, the return stroke, the limits."""
     phi, it = _prepared(bench, device)
     drive = lift(bench, device, it, phi)
     _by_sines(bench, device, it, phi)
@@ -123,18 +123,19 @@ def _ideal(bench: Bench, device: Wedges, it: Shapes, drive: Quantity) -> Quantit
 
 
 def _back(bench: Bench, device: Wedges, it: Shapes, phi: Angles, ideal: Quantity) -> None:
-    """The way back: Q drives, F' holds; every reaction leans to the other side."""
+    """Return stroke: Q drives, F' holds; every reaction leans to the other side."""
     board = bench.board
-    board.section(Words("反行程：$Q$ 为驱动力", "The way back: $Q$ drives"))
+    board.section(Words("反行程：$Q$ 为驱动力", "Return stroke: $Q$ drives"))
     lead = Words(
         "反行程各相对滑动反向，三个总反力都偏到法线的另一侧。",
-        "On the way back all sliding is reversed: the three reactions are turned to the other side of their normals. ",
+        "On the return stroke all sliding is reversed: the three reactions are turned to the other side of their "
+        "normals. ",
     )
     ends = polygon(bench, device, it, lines_of(it, phi, -1), BACK, lead)
     board.step(
         Words(
             "量得 $F'$，即使楔块 2 匀速下降所需的阻力。反行程效率等于实际阻力与理想阻力之比。",
-            "Measure $F'$, the resistance with which wedge 2 sinks steadily. The efficiency is "
+            "Measure $F'$, the resistance with which wedge 2 sinks uniformly. The efficiency is "
             "the ratio of the actual to the ideal resistance.",
         ),
         ends.place,
@@ -145,7 +146,7 @@ def _back(bench: Bench, device: Wedges, it: Shapes, phi: Angles, ideal: Quantity
         board.remark(
             Words(
                 "$F' ≤ 0$，$η' ≤ 0$：去掉 $F$ 后楔块 2 不会下滑，反行程自锁；要退回须反向拉动楔块 1。",
-                " $F' ≤ 0$ and $η' ≤ 0$: without $F$ wedge 2 does not sink, the way back is "
+                " $F' ≤ 0$ and $η' ≤ 0$: without $F$ wedge 2 does not sink, the return stroke is "
                 "self-locking; wedge 1 must be pulled out.",
             )
         )

@@ -97,14 +97,13 @@ def _of_loads(st: Statics, without: Statics, *, drives: bool) -> None:
     kind, kind_en = ("力矩", "moment") if real.unit == "N·m" else ("力", "force")
     st.board.step(
         Words(
-            f"机械效率：克服同样的阻力，不计摩擦所需的驱动{kind}与实际所需的驱动{kind}之比。",
-            f"Efficiency: against the same resistance, the driving {kind_en} without friction over the real one.",
+            f"机械效率：阻力（矩）相同时，理想驱动{kind}与实际驱动{kind}之比。",
+            f"Efficiency: with the same resisting load, the ideal driving {kind_en} over the actual one.",
         )
         if drives
         else Words(
-            f"机械效率：在同样的驱动下，实际能克服的阻{kind}与不计摩擦时的阻{kind}之比。",
-            f"Efficiency: under the same drive, the resisting {kind_en} that is overcome over the one "
-            "without friction.",
+            f"机械效率：驱动力（矩）相同时，实际阻{kind}与理想阻{kind}之比。",
+            f"Efficiency: with the same driving load, the actual resisting {kind_en} over the ideal one.",
         )
     )
     _keep(st, zero / actual if drives else actual / zero)

@@ -64,7 +64,7 @@ def balancing_by_lever(st: Statics, load: Load | None) -> None:
     """
     load = load or st.unknown
     pane = st.board.open_pane(
-        View.VELOCITY, "lever", Words("速度多边形杠杆", "The velocity polygon as a lever"), aside=True
+        View.VELOCITY, "lever", Words("速度多边形杠杆", "Zhukovsky lever (rotated velocity polygon)"), aside=True
     )
     st.board.step(
         Words(

@@ -13,6 +13,7 @@ from ..acting import Drawn
 from ..bodies.link_polygon import draw_polygon, pane_of
 from ..lines.links_of_group import Held
 from ..lines.resultant import Resultant
+from ..lines.three_forces import KNOWN
 from ..readings import keep_measured, keep_nothing
 from ..state import Statics
 
@@ -44,13 +45,7 @@ def draw_balance(st: Statics, held: Held, load: Resultant, line: Line, u: Points
         link,
         load,
         (
-            Term(
-                rel=force,
-                symbol=force.symbol,
-                direction=Words("作用线已知", "line known"),
-                magnitude="?",
-                along=line.along,
-            ),
+            Term(rel=force, symbol=force.symbol, direction=KNOWN, magnitude="?", along=line.along),
             Term(
                 rel=frame, symbol=frame.symbol, direction=Words("方向已定", "direction found"), magnitude="?", along=u
             ),

@@ -21,7 +21,7 @@ from ..lines.arms import moments_at
 from ..lines.beside import clear_of
 from ..lines.links_of_group import Held
 from ..lines.resultant import Resultant, resultant
-from ..readings import keep_nothing, keep_value, measured
+from ..readings import keep_arm, keep_nothing, keep_value, measured
 from ..senses import TURN, pin_words
 from ..state import OFF_SHEET, Statics
 from .balancing_force import nothing_acts
@@ -117,7 +117,7 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
     signed = -np.sign(couple) * value.value
     keep_value(st, named, signed, size * arm)
     if not st.preliminary:
-        keep_value(st, Named("h", "h", "m"), arm.value, arm)
+        keep_arm(st, Named("h", "h", "m"), arm)
     st.balance = signed
 
 

@@ -13,7 +13,7 @@ from .body import group_pane
 from .polygon import draw_group, reactions
 from .reactions import draw_body, lean, settle_pin, settle_slide
 
-_SOURCE = "机械原理, dynamic-static analysis of Assur groups"
+_SOURCE = "机械原理, kinetostatic analysis of Assur groups"
 
 
 @method(

@@ -15,7 +15,7 @@ from .corners import Reaction
 from .polygon import draw_link_k, reactions
 from .reactions import draw_body, lean, settle_pin, settle_slide
 
-_SOURCE = "机械原理, dynamic-static analysis of Assur groups"
+_SOURCE = "机械原理, kinetostatic analysis of Assur groups"
 
 
 @method(

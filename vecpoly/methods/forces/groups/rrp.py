@@ -14,7 +14,7 @@ from .polygon import draw_group, reactions
 from .reactions import draw_body, lean, settle_pin, settle_slide
 from .rrr import split
 
-_SOURCE = "机械原理, dynamic-static analysis of Assur groups"
+_SOURCE = "机械原理, kinetostatic analysis of Assur groups"
 
 
 @method(

@@ -15,7 +15,7 @@ from .corners import Reaction, tangential
 from .polygon import draw_group, reactions
 from .reactions import draw_body, settle_pin
 
-_SOURCE = "机械原理, dynamic-static analysis of Assur groups"
+_SOURCE = "机械原理, kinetostatic analysis of Assur groups"
 
 
 @method(

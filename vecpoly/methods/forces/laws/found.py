@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ....algebra.quantity import Quantity, magnitude
+from ....algebra.quantity import Quantity, magnitude, number
 from ....board.construction import Reading
 from ....errors import EquilibriumError
 from ....foundation.slotted import replace
@@ -150,8 +150,8 @@ def _by_table(at: OffPaper, load: Load, table: Table) -> Quantity:
     size = float(nominal(value))
     at.desk.board.remark(
         Words(
-            f"由数据表查得（直线内插）${named.symbol}$ = {size:.4g} {named.unit}。",
-            f" The table gives, on straight lines, ${named.symbol}$ = {size:.4g} {named.unit}.",
+            f"由数据表查得（直线内插）${named.symbol}$ = {number(size)} {named.unit}。",
+            f" The table gives, on straight lines, ${named.symbol}$ = {number(size)} {named.unit}.",
         )
     )
     return magnitude(named.symbol, at.desk.board.conclude(named.key, value, named.unit), named.unit)

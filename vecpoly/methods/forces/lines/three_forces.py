@@ -21,6 +21,8 @@ from .meeting import RESULTANT, draw_meeting, draw_resultant, known_forces, line
 from .parallel_forces import PARALLEL, balance_parallel, off_sheet
 from .resultant import Resultant
 
+KNOWN = Words("作用线已知", "line of action known")
+
 
 def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> None:
     """Find the reaction of `by` (on its line) and of the parent on the held link."""
@@ -49,7 +51,7 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
         (u, st.at_joint(held.joint, Line(x, u))),
         (lettered, st.named(held.parent, link)),
     )
-    polygon(st, held, load, (by, line.along, line.at), (u, x, sense))
+    polygon(st, held, load, (by, line.along, line.at), (u, x, sense), _pin(st, held, load, line) or letter)
 
 
 def _taken(st: Statics, held: Held, load: Resultant, line: Line, by: str, letter: str) -> Words:
@@ -120,8 +122,9 @@ def polygon(
     load: Resultant,
     known_line: tuple[str, Points, Points],
     through: tuple[Points, Points, int],
+    meets: str = "",
 ) -> None:
-    """ΣF = 0 with two unknown magnitudes; keeps both reactions."""
+    """ΣF = 0 with two unknown magnitudes; keeps both reactions. meets: the letter of the point of concurrency."""
     (by, along, at), (u, x, sense) = known_line, through
     link, number = held.link, st.mech.number(held.link)
     one, two = st.named(by, link), st.named(held.parent, link)
@@ -137,8 +140,8 @@ def polygon(
         link,
         load,
         (
-            Term(rel=one, symbol=one.symbol, direction=Words("作用线已知", "line known"), magnitude="?", along=along),
-            Term(rel=two, symbol=two.symbol, direction=_lies(st, held), magnitude="?", along=u),
+            Term(rel=one, symbol=one.symbol, direction=KNOWN, magnitude="?", along=along),
+            Term(rel=two, symbol=two.symbol, direction=_lies(st, held, meets), magnitude="?", along=u),
         ),
     )
     side, last = drawn[one.key], drawn[two.key]
@@ -148,10 +151,11 @@ def polygon(
     write_sizes(st, first, other)
 
 
-def _lies(st: Statics, held: Held) -> Words:
+def _lies(st: Statics, held: Held, meets: str) -> Words:
     """What is known of the line of the parent's reaction."""
+    through = Words(f"过 ${meets}$" if meets else "过交点", f"through ${meets}$" if meets else "through the meeting")
     if isinstance(held.joint, Prismatic):
         return Words("与法线成$φ$", "$φ$ off the normal") if st.phi(held.joint) else Words("⊥导路", "⊥guide")
     if isinstance(held.joint, Revolute) and st.rho(held.joint.point):
-        return Words("过交点，切于摩擦圆", "through the point, tangent")
-    return Words("过交点", "through the point")
+        return through + Words("，切于摩擦圆", ", tangent to the circle")
+    return through

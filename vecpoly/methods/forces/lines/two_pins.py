@@ -62,7 +62,7 @@ def _without_friction(st: Statics, two: TwoForce, pins: tuple[str, str]) -> Line
     number, bar = st.mech.number(two.link), st.desk.bar(two.link, *pins)
     st.board.step(
         Words(
-            f"构件 {number} 不受外力，为二力杆，两端反力等值、反向，沿 ${bar}$。",
+            f"构件 {number} 不受外力，为二力杆，两端反力等值、反向、共线，沿 ${bar}$。",
             f"No load acts on link {number}: it is a two-force link, and the equal and "
             f"opposite forces at its pins act along ${bar}$.",
         ),

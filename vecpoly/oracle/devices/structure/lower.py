@@ -6,7 +6,7 @@ from ....devices.structure_pairs import Chain, Form, Pair
 
 
 def without_high_pairs(chain: Chain) -> Chain:
-    """Every high pair as a link with two lower pairs, at the centres of curvature;
+    """Every higher pair as a link with two lower pairs, at the centres of curvature;
     of gears on the line of action at 20°."""
     links, pairs = list(chain.links), []
     for i, pair in enumerate(chain.pairs):

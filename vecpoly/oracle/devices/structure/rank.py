@@ -155,7 +155,7 @@ def dependent(chain: Chain) -> tuple[str, ...]:
 
 
 def _idle(chain: Chain, jacobians: list[Floats]) -> tuple[str, ...]:
-    """Links with a high pair that may turn while all else stands still, in every position: rollers."""
+    """Links with a higher pair that may turn while all else stands still, in every position: rollers."""
     return tuple(
         link
         for i, link in enumerate(chain.links)

@@ -214,14 +214,15 @@ def _conditioned(study: Study, groups: list[Conditioning], mending: str) -> Iter
         yield Words(
             f"{'原动件的行程有限' if study.mech.drive.slide else '原动件不能整周转动'}，"
             "接近行程端部的死点时各速度、加速度急剧增大，机构不宜在其附近工作。",
-            f"The drive {'has a limited stroke' if study.mech.drive.slide else 'cannot make full revolutions'}, "
+            f"The input link {'has a limited stroke' if study.mech.drive.slide else 'cannot make full revolutions'}, "
             "and towards the dead points at the ends of its stroke the rates run away: the mechanism should "
             "not work near them.",
         )
     elif poor and (study.whole.whole or not all(study.facts.unlimited)):
         told = [_wanting(one) for one in poor]
         yield Words(
-            f"杆组的性态：{'；'.join(w.zh for w in told)}{f'；改进的办法见 {mending}' if mending else ''}。",
+            f"杆组方程组的病态（奇异）性：{'；'.join(w.zh for w in told)}"
+            f"{f'；改进的办法见 {mending}' if mending else ''}。",
             f"Conditioning of the groups: {'; '.join(w.en for w in told)}."
             f"{f' Remedies: see {mending}.' if mending else ''}",
         )
@@ -229,7 +230,7 @@ def _conditioned(study: Study, groups: list[Conditioning], mending: str) -> Iter
         link, angles = study.mech.drive.link, any(one.gamma for one in groups)
         zh_, en_ = (f"（以构件 {link} 为原动件）", f" (link {link} being the driver)") if study.forces else ("", "")
         yield Words(
-            f"各杆组在全循环内性态良好{'，传动角均不小于 40°' + zh_ if angles else ''}。",
+            f"各杆组在全循环内均为良态{'，传动角均不小于 40°' + zh_ if angles else ''}。",
             "All groups are well-conditioned "
             f"throughout{', with transmission angles of 40° and more' + en_ if angles else ''}.",
         )

@@ -20,7 +20,7 @@ _CAUSES = {
     Cause.IDLE: Words("平衡载荷不作功", "the balancing load does no work"),
     Cause.SENSELESS: Words("无相对运动，摩擦力指向不定", "no relative motion: friction has no sense"),
     Cause.UNSOLVED: Words("死点", "dead point"),
-    Cause.LOCKED: Words("自锁（驱动力克服不了摩擦）", "self-locking: the drive does not overcome friction"),
+    Cause.LOCKED: Words("自锁（驱动力克服不了摩擦）", "self-locking: the input does not overcome friction"),
     Cause.BOUND: Words("自锁（平衡载荷再大也推不动）", "self-locking: no balancing load, however large, drives"),
     Cause.PARTING: Words("高副脱离接触", "the contact parts"),
 }

@@ -159,7 +159,7 @@ def jumps(study: Study) -> Iterator[Words]:
         side = (
             Words("反力换到摩擦圆的另一侧与之相切", "the reaction passes to the other side of the friction circle")
             if still.turns
-            else Words("反力偏到法线的另一侧", "the reaction leans to the other side of the normal")
+            else Words("反力偏到法线的另一侧", "the reaction is inclined to the other side of the normal")
         )
         zh, en = "；".join(changes), "; ".join(changes).replace("、", ", ")
         yield Words(

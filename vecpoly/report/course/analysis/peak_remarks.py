@@ -15,8 +15,8 @@ from ....findings.study.study import Study
 from ....words import Words
 from .why_peaks import Cause
 
-_NEAR = 20.0  # degrees of the drive from the least determinant
-_SWIFT = 60.0  # degrees of the drive within which α goes from one peak to the opposite one
+_NEAR = 20.0  # degrees of the input link from the least determinant
+_SWIFT = 60.0  # degrees of the input link within which α goes from one peak to the opposite one
 
 
 def remarks(study: Study, told: list[Cause]) -> Iterator[Words]:

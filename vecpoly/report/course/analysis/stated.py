@@ -34,7 +34,7 @@ def stated(study: Study) -> Iterator[Words]:
     how = Words("（图解值/解析值）", " (drawn / exact)") if drawn else Words("（解析值）", " (exact)")
     yield Words(
         f"题设位置（{at}）所求各量{how.zh}：{'；'.join(w.zh for w in told)}。",
-        f"Asked in the given position, {at}{how.en}: {'; '.join(w.en for w in told)}.",
+        f"Required quantities in the given position, {at}{how.en}: {'; '.join(w.en for w in told)}.",
     )
 
 

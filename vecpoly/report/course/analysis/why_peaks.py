@@ -46,9 +46,9 @@ class Cause:
         """Which of the two makes the peak: the product of up and 1/down."""
         numerator, divisor = log(max(round(self.up, 2), 1e-9)), -log(max(round(self.down, 2), 1e-9))  # as printed
         if divisor <= 0 or numerator >= _MAIN * divisor:
-            return Words("分子大", "large numerator")
+            return Words("分子增大引起", "numerator large")
         if numerator <= 0 or divisor >= _MAIN * numerator:
-            return Words("分母小", "small divisor")
+            return Words("分母减小引起", "divisor small")
         return Words("两者兼有", "both")
 
 
@@ -102,7 +102,7 @@ def flat(study: Study, groups: list[Conditioning]) -> Iterator[Words]:
 
 def tops(study: Study, found: Extremes) -> list[Spot]:
     """The greatest absolute value, and other peaks of nearly half of it, of either sign;
-    in order of the drive's position."""
+    in order of the input link's position."""
     every = [
         s
         for s in (*(s for s in found.maxima if s.value > 0), *(s for s in found.minima if s.value < 0))

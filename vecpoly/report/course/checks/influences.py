@@ -21,7 +21,7 @@ CHANGE = (1e-4, radians(0.1))  # m, rad: of a length, of an angle
 REACH = 20  # changes within which the mechanism is tried
 _SOUGHT, _COARSE, _HALVINGS, _FINE, NOTHING = 1440, 180, 8, 40, 1e-9
 Reals = NDArray[np.float64]
-Span = tuple[float, float]  # of the drive
+Span = tuple[float, float]  # of the input link
 
 
 @dataclass(frozen=True, slots=True)

@@ -51,9 +51,9 @@ def _told(study: Study) -> Words:
         f"−Σ[$r_{{Si}}$ × $m_i a_{{Si}}$ + $J_{{Si}} α_i$]（逆时针为正），由机架承受；载荷和重力不计在内。$F_I$ 的端迹"
         "图上，"
         "由极点到曲线的矢量即该位置的惯性力。",
-        "With the drive moving evenly as given, the inertia forces of all moving links, reduced to the fixed point "
-        f"${pivot}$, are the force $F_I$ = −Σ$m_i a_{{Si}}$ and the moment $M_I$ = −Σ[$r_{{Si}}$ × $m_i a_{{Si}}$ + "
-        f"$J_{{Si}} α_i$] "
+        "With the input link moving uniformly as given, the inertia forces of all moving links, reduced to the fixed "
+        f"point ${pivot}$, are the force $F_I$ = −Σ$m_i a_{{Si}}$ and the moment $M_I$ = −Σ[$r_{{Si}}$ × $m_i a_{{Si}}$"
+        f" + $J_{{Si}} α_i$] "
         "(counter-clockwise positive), which the frame has to bear; loads and weights are not among them. In the "
         "hodograph the vector "
         "from the pole to the curve is the force at that position.",

@@ -112,7 +112,7 @@ def _table(press: Press, run: Running, cuts: Tangents) -> str:
 
 
 def speed(study: Study, lang: str, run: Running, trial: Confirmed) -> Plotted:
-    """The speed over the drive's angle, from 0° on."""
+    """The speed over the input link's angle, from 0° on."""
     assert run.steady is not None
     x = np.degrees(trial.phi) % np.degrees(run.of.period)
     order = np.argsort(x, kind="stable")

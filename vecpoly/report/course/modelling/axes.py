@@ -58,7 +58,7 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
 
 
 def _origin(study: Study) -> str:
-    """The fixed letter at the origin, else the drive's pivot."""
+    """The fixed letter at the origin, else the input link's pivot."""
     frame = study.mech.frame
     pinned = next(
         (p for p, names in hinges(study.mech).items() if FRAME in names and study.mech.drive.link in names),

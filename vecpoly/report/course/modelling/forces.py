@@ -149,7 +149,7 @@ def _friction_words(study: Study, loads: Loads) -> Words:
         rules.append(
             Words(
                 f"滑动处的总反力自法线偏转摩擦角 $φ$，即摩擦力 $F_f$ = $f N$（{values}），与相对滑动速度反向",
-                "where there is sliding the reaction leans from the normal by the angle of "
+                "where there is sliding the reaction is inclined to the normal at the angle of "
                 "friction, that is $F_f$ = $f N$ (" + values.replace("，", ", ") + ") against the sliding",
             )
         )

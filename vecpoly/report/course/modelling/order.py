@@ -1,4 +1,4 @@
-"""The order in which the model is solved at every position of the drive:
+"""The order in which the model is solved at every position of the input link:
 what each group takes over, and what it gives."""
 
 from __future__ import annotations

@@ -150,7 +150,7 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
 def _given(study: Study, press: Press) -> list[str]:
     """The readings at the given position beside the exact values."""
     title = Words("题设位置的图解值与精确值", "Drawn and exact values at the given position")
-    return [press.tabled(title, made, SMALL) for made in readings_tables(study.solution, press.lang)]
+    return press.tabled(title, readings_tables(study.solution, press.lang), SMALL)
 
 
 def _why(study: Study, one: Drawn) -> Words:
@@ -163,8 +163,7 @@ def _others(study: Study, press: Press, drawn: list[Drawn]) -> list[str]:
     """The readings at the other positions, without the expected errors of the given one."""
     told = [(study.where(one.phi).split(" = ")[1], one.solution, _told(study, one)) for one in drawn]
     title = Words("其余位置的图解值与精确值", "Drawn and exact values at the other positions")
-    tables = readings_at(told, f"${study.turn.drive.symbol}$", press.lang)
-    return [press.tabled(title, made, SMALL) for made in tables]
+    return press.tabled(title, readings_at(told, f"${study.turn.drive.symbol}$", press.lang), SMALL)
 
 
 def _told(study: Study, one: Drawn) -> list[Answer]:

@@ -17,7 +17,7 @@ from ..numbering import SMALL, TINY, Press
 _HALVED, _LONG = 6, 20  # a table of few columns and many rows is told in two halves beside each other
 _MOST = 6  # decimals
 _SPARED = 2  # of five significant digits, in the smaller columns of a quantity
-COLUMNS, TIGHT = 9, 12  # beside the drive's position, in small and in tiny type
+COLUMNS, TIGHT = 9, 12  # beside the input link's position, in small and in tiny type
 
 
 def tabled(study: Study, press: Press, keys: Sequence[str], title: Words, style: Style = SMALL, every: int = 1) -> str:

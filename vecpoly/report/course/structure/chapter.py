@@ -25,7 +25,7 @@ from .special_joints import concluded, special
 _SLOT = Words("销在槽中（高副，以滑块低代）", "pin in a slot (higher pair, replaced by a block)")
 _JOINTS = {"zh": ["运动副", "类型", "相连的构件"], "en": ["Joint", "Kind", "Links joined"]}
 _GROUPS = {
-    "zh": ["次序", "组成", "类型", "级别", "外副", "内副"],
+    "zh": ["次序", "组成", "类型", "级别", "外接副", "内接副"],
     "en": ["Order", "Links", "Kind", "Class", "Outer joints", "Inner joint"],
 }
 _UNDER = 7.0  # mm from a group to its name

@@ -16,7 +16,7 @@ _ROMAN = {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}
 
 
 def special(study: Study) -> Iterator[Words]:
-    """Compound hinges, pins in slots, rolling and higher pairs; and that nothing else is special."""
+    """Multiple joints, pins in slots, rolling and higher pairs; and that nothing else is special."""
     mech = study.mech
     thought = {contact.substitute for contact in mech.contacts}
     shared = {p: [n for n in names if n not in thought] for p, names in hinges(mech).items()}
@@ -24,7 +24,7 @@ def special(study: Study) -> Iterator[Words]:
     if compound:
         zh = "、".join(f"${p}$（{count} 个转动副）" for p, count in compound.items())
         en = ", ".join(f"${p}$ ({count} revolutes)" for p, count in compound.items())
-        yield Words(f"复合铰链：{zh}。", f"Compound hinges: {en}. ")
+        yield Words(f"复合铰链：{zh}。", f"Multiple joints: {en}. ")
     slots = [j.pin for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot]
     if slots:
         zh, en = "、".join(f"${p}$" for p in slots), ", ".join(f"${p}$" for p in slots)
@@ -35,8 +35,8 @@ def special(study: Study) -> Iterator[Words]:
     if any(isinstance(j, Rolling) for j in mech.joints):
         yield Words(
             "纯滚动副限制两个自由度，按低副计；两轮中心距已由构件保持者，按高副计。",
-            "Pure rolling takes two freedoms and counts as a lower pair, where links hold the centres at their "
-            "distance as a higher pair. ",
+            "Pure rolling removes two degrees of freedom and counts as a lower pair, where links hold the centres at "
+            "their distance as a higher pair. ",
         )
     if mech.contacts:
         zh, en = "、".join(f"${c.point}$" for c in mech.contacts), ", ".join(f"${c.point}$" for c in mech.contacts)

@@ -1,0 +1,64 @@
+"""Words that a textbook does not use are gone from all that is printed: sentences of the code, templates, problems."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+DATA = {"reproduced"}  # names in JSON, which programs read
+
+ENGLISH = (
+    r"hinges and slides", r"\bhigh pairs?\b", r"local freedom", r"compound hinge", r"as many links drive",
+    r"[Tt]ake off links", r"take the Assur groups off", r"[Bb]egin far from",
+    r"mechanism with lower pairs only", r"[Pp]olygon of the centres", r"\b[Tt]ransferred to \$",
+    r"forces[^.]* meet in (?:one|no) point\.", r"\bleans? (?:by|from|to)\b", r"which tells the side",
+    r"^line known$", r"\bthrough the point\b", r"[Dd]ynamic-static", r"velocity polygon as a lever",
+    r"\bway back\b", r"\bthe work [12]\b", r"mixed train", r"parallel and mixed", r"\breproduced\b",
+    r"drawing slip", r"^last digit$", r"turns steadily", r"common tolerances", r"most matters",
+    r"Asked in the given", r"whose logarithm", r"\bPrinted answers\b", r"\bThe printed answers\b",
+    r"turn of the drive\b",
+)  # fmt: skip
+CHINESE = (
+    r"相应一侧", r"在同样的驱动下", r"等值、反向，沿", r"的垂足距", r"性态", r"分子大", r"分母小",
+    r"带随机误差的手", r"以末位数字为准", r"设计任务", r"(?<!接)[内外]副", r"铰接于槽中",
+)  # fmt: skip
+
+
+@cache
+def told() -> tuple[tuple[str, str], ...]:
+    """Every text that can be printed, with its file."""
+    code = sorted((ROOT / "vecpoly").rglob("*.py"))
+    sheets = [*sorted((ROOT / "templates").rglob("*.j2")), *sorted((ROOT / "problems").rglob("*.yaml"))]
+    texts = [(path.name, text) for path in code for text in _strings(path)]
+    return (*texts, *((path.name, line) for path in sheets for line in path.read_text("utf-8").splitlines()))
+
+
+def _strings(path: Path) -> Iterator[str]:
+    """The strings of a module that are no docstrings; of one with blanks, {} stands for what is filled in."""
+    tree = ast.parse(path.read_text("utf-8"))
+    said = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    filled = {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.JoinedStr):
+            yield "".join(part.value if isinstance(part, ast.Constant) else "{}" for part in node.values)  # type: ignore[misc]
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in said | filled:
+            yield node.value
+
+
+@pytest.mark.parametrize("retired", [*ENGLISH, *CHINESE])
+def test_a_retired_word_is_printed_nowhere(retired: str) -> None:
+    word = re.compile(retired)
+    found = [(name, text) for name, text in told() if text not in DATA and word.search(text)]
+    assert not found, found[:5]
+
+
+def test_the_search_reads_what_is_printed() -> None:
+    texts = {text for _, text in told()}
+    assert "速度多边形" in texts and len(texts) > 5000
+    assert any("{}" in text and "μ_F" in text for text in texts), "sentences with blanks are read whole"
