@@ -14,7 +14,7 @@ from ..check.printed.answers import check_problem
 from ..designs.base import Design
 from ..drawing.backends.pdf import draw_pdf
 from ..drawing.figure import draw_figure
-from ..drawing.sheets.sheet import Sheet, sheets
+from ..drawing.sheets.sheet import sheets
 from ..errors import ArgumentError, NotAskedError, UnknownNameError
 from ..foundation.arguments import known_language, of_kind
 from ..foundation.data import data_dir
@@ -23,13 +23,15 @@ from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
-from .flow.blocks import Callout, Drawing, SheetPage
+from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.table import DataTable
 from .flow.tight import saved
 from .flow.xml import to_flowables
 from .lines import lines_table
 from .picture import diagram, frames, picture
+from .plates.page import sheet_page
+from .plates.shown import shown
 from .printed_tables import printed_tables
 from .tables import empty_table, printed_table, readings_table
 from .templates import filled
@@ -206,26 +208,19 @@ def _pages(construction: Construction, solution: Solution, lang: Lang, objects: 
     """The sheets of a construction, each put among the objects of the report."""
     problem = solution.problem
     made = sheets(construction, lang=lang, title=problem.title, way=problem.orientation)
-    return [objects.add("sheet", _page(sheet, solution, lang)) for sheet in made]
+    name = Words(f"图纸：题 {problem.id}", f"Sheet: problem {problem.id}").of(lang)
+    return [objects.add("sheet", sheet_page(sheet, construction, name)) for sheet in made]
 
 
 def sketch_of(figure: Any, solution: Solution, lang: Lang, *, sketch: bool = False) -> Drawing:
     """A figure as a block of the text; sketch: one that is not to scale."""
     scene = draw_figure(figure, lang=lang, caption=False)
     e = scene.extents
-    alt = Words(f"题 {solution.problem.id} 简图", f"Sketch for problem {solution.problem.id}").of(lang)
     return Drawing(
         e.width,
         e.height,
         lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM),
-        alt,
+        shown(figure, lang, scaled=not sketch),
         figure.title.of(lang),
         sketch=sketch,
-    )
-
-
-def _page(sheet: Sheet, solution: Solution, lang: Lang) -> SheetPage:
-    name = Words(f"图纸：题 {solution.problem.id}", f"Sheet: problem {solution.problem.id}").of(lang)
-    return SheetPage(
-        lambda canvas, x, y: draw_pdf(sheet.scene, canvas, x, y), wide=sheet.landscape, title=name, alt=name
     )

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from reportlab.platypus.doctemplate import FrameBreak
 from reportlab.platypus.flowables import Flowable
 
+from ...tagging.pieces import Marks
+from ...tagging.references import goal_of
 from ...tagging.tag import Role, Tag
 from ...tagging.tag import cell as cell_tag
 from ...tagging.tree import tree_of
@@ -16,7 +18,6 @@ from ...words import Lang
 from .base import Block
 from .cells import cells, joined
 from .lines import Line, break_lines, draw_line
-from .marks import Marks
 from .style import CAPTION, CELL, Style
 
 _PAD = 1.5  # mm at either side of a cell
@@ -48,6 +49,7 @@ class DataTable(Block):
         style: Style = CELL,
     ) -> None:
         super().__init__(6.0, 8.0)
+        self.goal = goal_of(caption)
         self.header, self.rows = tuple(header), tuple(tuple(row) for row in rows)
         self.lang, self.caption, self.style = lang, caption, style
         self.widths = tuple(widths) if widths is not None else None
@@ -161,13 +163,14 @@ class DataTable(Block):
                 rise = max(rise, line.ascent * MM + 1.0)
                 draw_line(ink, line, x + _PAD * MM, y - rise, width - 2 * _PAD, _ALIGN[side], marks)
                 y -= advance
+            marks.finish()
             x += width * MM
         return top - height
 
     def _marks(self, row: Tag, header: bool) -> Marks:
         """The element of a cell; a header that is repeated has been read."""
         if header and self._continued:
-            return Marks(self.canv, None, self.lang)
+            return Marks(self.canv, None)
         tag = cell_tag(row, header)
         tree_of(self.canv).element(tag)  # an empty cell is one too
-        return Marks(self.canv, tag, self.lang)
+        return Marks(self.canv, tag)
