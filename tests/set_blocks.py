@@ -51,6 +51,9 @@ class Paper:
         """The block stands at the corner of the page."""
         return x, y
 
+    def mark_place(self, goal: str, x: float, y: float) -> None:
+        """A place to which references lead leaves no ink."""
+
     def called(self, name: str) -> list[tuple[Any, ...]]:
         """The arguments of every such call."""
         return [args for called, args in self.calls if called == name]

@@ -80,8 +80,8 @@ class Read:
         for one in pikepdf.parse_content_stream(self.pdf.pages[page]):
             name, operands = str(one.operator), one.operands
             if name in ("BDC", "BMC"):
-                stack.append(_begun(operands))
-                assert len(stack) < 3 and not (ARTIFACT in stack and len(set(map(str, stack))) > 1), stack
+                stack.append(stack[-1] if str(operands[0]) == "/Span" else _begun(operands))
+                assert ARTIFACT not in stack or set(stack) == {ARTIFACT}, stack
             elif name == "EMC":
                 stack.pop()
             elif name in PAINT:

@@ -25,13 +25,15 @@ from ..words import Lang, Words, label
 from .answers.box import answer_box
 from .answers.tables import readings_tables
 from .content import Objects, cautions, conclusions, sections, statement
-from .flow.blocks import Callout, Drawing, SheetPage
+from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.table import DataTable
 from .flow.tight import saved
 from .flow.xml import to_flowables
 from .lines import lines_table
 from .picture import diagram, picture
+from .plates.page import sheet_page
+from .plates.shown import shown
 from .printed_tables import printed_tables
 from .question.content import question
 from .question.frames import frames
@@ -178,7 +180,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     if style == "question":
         blank, places = frames(solution.construction, solution.problem.orientation)
         made = hung(blank, places, lang=lang, title=solution.problem.title)
-        return common | question(solution, lang, objects) | {"frames": _bound(made, solution, lang, objects)}
+        return common | question(solution, lang, objects) | {"frames": _bound(made, blank, lang, objects)}
     return common | _solved(solution, lang, objects)
 
 
@@ -214,30 +216,25 @@ def _pages(construction: Construction, solution: Solution, lang: Lang, objects: 
     """The sheets of a construction, each put among the objects of the report."""
     problem = solution.problem
     made = sheets(construction, lang=lang, title=problem.title, way=problem.orientation)
-    return _bound(made, solution, lang, objects)
+    return _bound(made, construction, lang, objects)
 
 
-def _bound(made: Sequence[Sheet], solution: Solution, lang: Lang, objects: Objects) -> list[str]:
-    return [objects.add("sheet", _page(sheet, solution, lang)) for sheet in made]
+def _bound(made: Sequence[Sheet], shown: Construction, lang: Lang, objects: Objects) -> list[str]:
+    """These sheets among the objects; shown: of blank ones the blank figures, so that no word gives away the others."""
+    number = shown.problem
+    name = Words(f"图纸：题 {number}", f"Sheet: problem {number}").of(lang)
+    return [objects.add("sheet", sheet_page(sheet, shown, name)) for sheet in made]
 
 
 def sketch_of(figure: Any, solution: Solution, lang: Lang, *, sketch: bool = False) -> Drawing:
     """A figure as a block of the text; sketch: one that is not to scale."""
     scene = draw_figure(figure, lang=lang, caption=False)
     e = scene.extents
-    alt = Words(f"题 {solution.problem.id} 简图", f"Sketch for problem {solution.problem.id}").of(lang)
     return Drawing(
         e.width,
         e.height,
         lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM),
-        alt,
+        shown(figure, lang, scaled=not sketch),
         figure.title.of(lang),
         sketch=sketch,
-    )
-
-
-def _page(sheet: Sheet, solution: Solution, lang: Lang) -> SheetPage:
-    name = Words(f"图纸：题 {solution.problem.id}", f"Sheet: problem {solution.problem.id}").of(lang)
-    return SheetPage(
-        lambda canvas, x, y: draw_pdf(sheet.scene, canvas, x, y), wide=sheet.landscape, title=name, alt=name
     )

@@ -20,6 +20,7 @@ class TaggedCanvas(Canvas):  # type: ignore[misc]
     def __init__(self, filename: Any, *, font: str, **options: Any) -> None:
         options |= {"initialFontName": font, "pdfVersion": (1, 7), "invariant": 1, "pageCompression": 0}
         super().__init__(filename, **options)
+        tree_of(self).lang = "en" if str(options.get("lang") or "").startswith("en") else "zh"
         self._doc.__class__ = PackedDocument  # reportlab makes its document itself, and asks for no class
         self._doc.defaultStreamFilters = [PDFZCompress]  # for this document alone, without Base 85 around it
         self.setViewerPreference("DisplayDocTitle", "true")
@@ -32,6 +33,16 @@ class TaggedCanvas(Canvas):  # type: ignore[misc]
         page = self._doc.Pages.pages[-1]
         page.__NoDefault__ = [*page.__NoDefault__, "StructParents", "Tabs"]
         page.StructParents, page.Tabs = index, "/S"
+
+    def mark_place(self, goal: str, x: float, y: float) -> None:
+        """References to this name lead here, where the block that it names begins on this page."""
+        if goal not in self._placed():
+            self._placed().add(goal)
+            self.bookmarkHorizontal(goal, 0, y)
+
+    def _placed(self) -> set[str]:
+        found: set[str] = self.__dict__.setdefault("_vecpoly_places", set())
+        return found
 
     def link(self, key: str, rect: tuple[float, float, float, float], said: str, tag: Tag) -> None:
         """A link over this rectangle (of the present coordinates) to a bookmark, a part of the tagged element."""

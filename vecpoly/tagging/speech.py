@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from typing import assert_never
 
@@ -27,8 +27,10 @@ _SIGNS = {
     "↻": ("顺时针", "clockwise"), "↺": ("逆时针", "counter-clockwise"), "?": ("未知", "unknown"),
     "？": ("未知", "unknown"), "√": ("已知", "known"), "%": ("百分之一", "per cent"), "∞": ("无穷", "infinity"),
     "∑": ("求和", "the sum of"), "Σ": ("求和", "the sum of"), "′": ("撇", "prime"), "'": ("撇", "prime"),
+    "✓": ("已知", "known"), "✔": ("已知", "known"), "—": ("无", "none"),
     "²": ("的平方", "squared"), "³": ("的立方", "cubed"),
 }  # fmt: skip
+_TOLD = frozenset("⊥⟂∥→✓✔√?？—")
 _UNARY = {"−": ("负", "minus"), "-": ("负", "minus"), "+": ("正", "plus")}
 _POWERS = {"2": ("的平方", "squared"), "3": ("的立方", "cubed")}
 _TOKEN = re.compile(r"\d+(?:\.\d+)?|[A-Za-z]+|\s+|.")
@@ -38,8 +40,15 @@ _DIRECTION, _MAGNITUDE = Words("方向", "Direction"), Words("大小", "Magnitud
 
 @lru_cache(maxsize=4096)
 def spoken(text: str, lang: Lang) -> str:
-    """A formula of running text, as it is read out."""
-    return said(row(text), lang)
+    """A formula of running text, as it is read out: its quantities with their units, and what is between them."""
+    out: list[str] = []
+    end = 0
+    for match in _QUANTITY.finditer(text):
+        unit = unit_said(match[2], lang)
+        if unit is not None:
+            out += [said(row(text[end : match.start()]), lang), match[1], unit]
+            end = match.end()
+    return " ".join(part for part in (*out, said(row(text[end:]), lang)) if part)
 
 
 def said(node: Node, lang: Lang) -> str:
@@ -51,28 +60,37 @@ def equation_said(symbols: Sequence[str], signs: Sequence[str], rows: Sequence[S
     """A vector equation and its rows of directions and magnitudes (words of each term)."""
     terms = (part for sign, one in zip(signs, symbols, strict=True) for part in (sign, one))
     equation = spoken(" ".join(part for part in terms if part), lang)
-    below = (
-        "; ".join(f"{spoken(symbol, lang)}: {_words(cell, lang)}" for symbol, cell in zip(symbols, row, strict=True))
-        for row in rows
-    )
+    below = ("; ".join(_row_said(symbols, cells, lang)) for cells in rows)
     names = (_DIRECTION.of(lang), _MAGNITUDE.of(lang))
     return ". ".join((equation, *(f"{name}: {told}" for name, told in zip(names, below, strict=False))))
 
 
+def _row_said(symbols: Sequence[str], cells: Sequence[str], lang: Lang) -> Iterator[str]:
+    """What is known of each term; nothing of a bare 0."""
+    for symbol, cell in zip(symbols, cells, strict=True):
+        if cell:
+            yield f"{spoken(symbol, lang)}: {_words(cell, lang)}"
+
+
 def _words(text: str, lang: Lang) -> str:
     """A sentence with formulas between dollar signs."""
-    return " ".join(
-        spoken(piece, lang) if formula or piece in _SIGNS else piece for formula, piece in split_words(text)
-    )
+    pieces = (spoken(piece, lang) if formula else _signed(piece, lang) for formula, piece in split_words(text))
+    return re.sub(r"\s+", " ", " ".join(pieces)).strip()
+
+
+def _signed(text: str, lang: Lang) -> str:
+    """Words with their signs told: ∥guide."""
+    return "".join(f" {_named(char, lang)} " if char in _TOLD else char for char in text)
 
 
 def _said(node: Node, lang: Lang) -> list[str]:
     zh = lang == "zh"
     match node:
         case Sym(base, sub, sup):
-            parts = [_letters(base, lang)]
-            parts += [_power(sup, lang)] if sup else []
-            return [*parts, f"{'下标' if zh else 'sub'} {_letters(sub, lang)}"] if sub else parts
+            raised = [_power(sup, lang)] if sup else []
+            lowered = [f"{'下标' if zh else 'sub'} {_letters(sub, lang)}"] if sub else []
+            scripts = (lowered, raised) if sup in _POWERS else (raised, lowered)  # v sub B squared, a super n sub B
+            return [_letters(base, lang), *scripts[0], *scripts[1]]
         case Txt(text):
             return _text(text, lang)
         case Row(items):

@@ -7,11 +7,14 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
 
+from ..words import Lang
 from .strings import pdf_string
 from .tag import Tag
 
 Open = Callable[[], str]  # the operator that begins marked content, made when something is put into it
 ARTIFACT = "/Artifact BMC"
+HEADER = "/Artifact<</Type/Pagination/Subtype/Header>>BDC"
+FOOTER = "/Artifact<</Type/Pagination/Subtype/Footer>>BDC"
 END = "EMC"
 
 
@@ -44,6 +47,8 @@ class Tree:
 
     def __init__(self) -> None:
         self.root = Element(None)
+        self.lang: Lang = "zh"  # of what is said in the place of figures and formulas
+        self.goals: frozenset[str] = frozenset()  # the places that references may lead to
         self.pages: list[list[Element]] = [[]]
         self.links: list[Element] = []
         self._elements: dict[Tag, Element] = {}
@@ -61,8 +66,8 @@ class Tree:
         element, marked = self.element(tag), self.pages[-1]
         element.kids.append(Content(len(self.pages) - 1, len(marked)))
         marked.append(element)
-        text = f"/ActualText{pdf_string(actual)}" if actual else ""
-        return f"/{tag.role.value}<</MCID {len(marked) - 1}{text}>>BDC"
+        inner = f" /Span<</ActualText{pdf_string(actual)}>>BDC" if actual else ""  # poppler reads it of a Span alone
+        return f"/{tag.role.value}<</MCID {len(marked) - 1}>>BDC{inner}"
 
     def opener(self, tag: Tag, actual: str = "") -> Open:
         """`begin`, when it is needed."""
@@ -98,8 +103,8 @@ def marked(canvas: Any, tag: Tag) -> Iterator[None]:
 
 
 @contextmanager
-def artifact(canvas: Any) -> Iterator[None]:
+def artifact(canvas: Any, kind: str = ARTIFACT) -> Iterator[None]:
     """What is drawn meanwhile says nothing to who hears the page: rules, grounds, running heads."""
-    canvas._code.append(ARTIFACT)
+    canvas._code.append(kind)
     yield
     canvas._code.append(END)

@@ -36,7 +36,8 @@ def unit_said(text: str, lang: Lang) -> str | None:
 
 
 def _product(text: str, lang: Lang, over: int) -> str | None:
-    factors = [_factor(part, lang, plural=not over) for part in text.split("·")]
+    parts = text.split("·")
+    factors = [_factor(part, lang, plural=not over and part is parts[-1]) for part in parts]
     if not all(factors):
         return None
     return ("" if lang == "zh" else " ").join(one for one in factors if one)

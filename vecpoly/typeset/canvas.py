@@ -15,13 +15,14 @@ class Ink:
     """Collects operators for one canvas; all lengths in points. Nothing is drawn before `flush`."""
 
     __slots__ = (
-        "_canvas", "_font", "_inked", "_open", "_rgb", "_rules", "_spacing", "_tagged", "_text", "_under"
+        "_canvas", "_ends", "_font", "_inked", "_open", "_rgb", "_rules", "_spacing", "_tagged", "_text", "_under"
     )  # fmt: skip
 
     def __init__(self, canvas: Any) -> None:
         self._canvas = canvas
         self._under: Callable[[], str] | None = None
         self._open: Callable[[], str] | None = None
+        self._ends: list[str] = []
         self._tagged = False
         self._text: list[str] = []
         self._rules: list[str] = []
@@ -65,10 +66,11 @@ class Ink:
 
     def _turn(self, out: list[str]) -> None:
         """Close what marked content is open, and open what is wanted."""
-        if self._open is not None:
-            out.append("EMC")
-        if self._under is not None:
-            out.append(self._under())
+        out.extend(self._ends)
+        begun = self._under() if self._under is not None else ""
+        if begun:
+            out.append(begun)
+        self._ends = ["EMC"] * (begun.count("BDC") or begun.count("BMC"))
         self._open = self._under
 
     def box(self, box: Box, x: float, y: float) -> None:
@@ -87,8 +89,7 @@ class Ink:
             self._rules = ["/Artifact BMC", *self._rules, "EMC"]
         code.extend(self._rules)
         if self._text:
-            if self._open is not None:
-                self._text.append("EMC")
+            self._text.extend(self._ends)
             if self._spacing != (0.0, 0.0):
                 self._text.append("0 Tc 0 Tw")
             text = f"BT {' '.join(self._text)} ET"

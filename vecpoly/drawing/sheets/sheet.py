@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from ...board.construction import Construction, Figure, View
@@ -29,6 +29,7 @@ class Placed:
     origin: complex
     extents: Rect
     name: str = ""
+    count: int = 0  # of the items of the sheet, so many are its own
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,9 +51,29 @@ class Sheet:
     @property
     def scene(self) -> Scene:
         """Frame, title strip and figures; a warning in red over all."""
-        page = Rect(0.0, 0.0, *self.size)
-        alarm = () if self.warning is None else red_box(page, self.warning.of(self.lang))
-        return Scene((*furniture(page, self.strip, self.lang), *self.drawn, *alarm), page)
+        return Scene((*self.furniture.items, *self.drawn, *self.alarm.items), self._page)
+
+    @property
+    def _page(self) -> Rect:
+        return Rect(0.0, 0.0, *self.size)
+
+    @property
+    def furniture(self) -> Scene:
+        """Frame and title strip."""
+        return Scene(tuple(furniture(self._page, self.strip, self.lang)), self._page)
+
+    @property
+    def alarm(self) -> Scene:
+        """A warning in red."""
+        return Scene(() if self.warning is None else red_box(self._page, self.warning.of(self.lang)), self._page)
+
+    @property
+    def parts(self) -> Iterator[tuple[Placed, Scene]]:
+        """Every figure with what is drawn of it."""
+        start = 0
+        for one in self.figures:
+            yield one, Scene(self.drawn[start : start + one.count], one.extents)
+            start += one.count
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,5 +166,5 @@ def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang, w
         by = corner + complex(FRAME, FRAME + STRIP) - complex(one.scene.extents.x0, one.scene.extents.y0)
         shifted = one.scene.moved(by)
         items.extend(shifted.items)
-        placed.append(Placed(one.view, by, shifted.extents, one.name))
+        placed.append(Placed(one.view, by, shifted.extents, one.name, len(shifted.items)))
     return Sheet(tuple(items), tuple(placed), layout.page == room_inside(True), strip, lang, warning)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from .blocks import TITLE_FIELDS, Callout, Divider, Drawing, Heading, SheetPage, TitleBlock
+from .blocks import Callout, Divider, Drawing, Heading, SheetPage
+from .cover import TITLE_FIELDS, TitleBlock
 from .doc import Metadata, ReportDoc, Written
 from .equation import EquationFlow
 from .formula import Formula

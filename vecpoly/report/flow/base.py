@@ -30,6 +30,7 @@ class Block(Flowable):  # type: ignore[misc]
 
     role = Role.P
     pieces = False
+    goal = ""  # the place that it marks, to which references lead
     canv: Any
     width: float
     height: float
@@ -46,7 +47,9 @@ class Block(Flowable):  # type: ignore[misc]
         self.tag = replace(self.tag, within=outer)
 
     def drawOn(self, canvas: Any, x: float, y: float, _sW: float = 0) -> None:
-        """As reportlab draws it, as marked content."""
+        """As reportlab draws it, as marked content; where references lead to it, with a bookmark."""
+        if self.goal:
+            canvas.mark_place(self.goal, x, y + self.height)
         if self.pieces:
             super().drawOn(canvas, x, y, _sW)
             return

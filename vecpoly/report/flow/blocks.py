@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from copy import copy
 from typing import Any
 
 from ...algebra.formula import plain, row, split_words
-from ...tagging.tag import Role, Tag, boxed, heading_of_row
+from ...tagging.references import goal_of
+from ...tagging.tag import Role, Tag, boxed
 from ...tagging.tree import artifact, marked, tree_of
-from ...typeset.box import MM, Box, scaled
+from ...typeset.box import MM
 from ...typeset.canvas import Ink
-from ...typeset.words import layout_words
 from ...words import Lang
 from .base import Block, Tightness
 from .cells import cells, joined
 from .para import Para
-from .style import BODY, CAPTION, GREY, HEADINGS, Colour, Style
+from .style import CAPTION, GREY, HEADINGS, Colour, Style
 
 Draw = Callable[[Any, float, float], None]
 
-TITLE_FIELDS = ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期")
 KINDS: dict[str, Colour] = {
     "pass": (0.10, 0.45, 0.20),
     "warn": (0.70, 0.42, 0.0),
@@ -44,72 +43,11 @@ class Heading(Para):
         super().__init__(text, HEADINGS[level - 1], lang)
         self.level = level
         self.outline = spoken(text)
-        self.tag = Tag(Role(f"H{level}"))
+        self.tag, self.goal = Tag(Role(f"H{level}")), goal_of(self.outline)
 
     def split(self, width: float, height: float) -> list[Block]:
         """A heading stays whole."""
         return []
-
-
-class TitleBlock(Block):
-    """A ruled box of labelled blanks, filled where a value is known."""
-
-    role = Role.TABLE
-    pieces = True
-
-    def __init__(self, fields: Sequence[tuple[str, str]], columns: int = 3) -> None:
-        super().__init__(2.0, 8.0)
-        self.fields, self.columns = tuple(fields), columns
-
-    _ROW = 8.0 * MM
-
-    def wrap(self, width: float, height: float) -> tuple[float, float]:
-        """Size in a column."""
-        self.width = width
-        self.height = self._ROW * -(-len(self.fields) // self.columns)
-        return width, self.height
-
-    def draw(self) -> None:
-        """Draw the frame, then labels and values row by row."""
-        canv, step = self.canv, self.width / self.columns
-        labels = [layout_words(label, BODY.em) for label, _ in self.fields]
-        room = [max((box.width for box in labels[i :: self.columns]), default=0.0) + 4.0 for i in range(self.columns)]
-        with artifact(canv):
-            self._ruled(step, room)
-        ink, row = Ink(canv), Tag(Role.ROW, self.tag)
-        for i, (box, (_, value)) in enumerate(zip(labels, self.fields, strict=True)):
-            down, column = divmod(i, self.columns)
-            row = row if column else Tag(Role.ROW, self.tag)
-            y = self.height - (down + 0.5) * self._ROW - 0.36 * BODY.size
-            left, edge = column * step, column * step + room[column] * MM
-            self._under(ink, heading_of_row(row))
-            ink.box(box, left + (edge - left - box.width * MM) / 2, y)
-            self._under(ink, Tag(Role.CELL, row))
-            ink.box(_within(layout_words(value, BODY.em), left + step - edge - 3.0 * MM), edge + 2.0 * MM, y)
-        ink.flush()
-
-    def _under(self, ink: Ink, tag: Tag) -> None:
-        tree_of(self.canv).element(tag)  # an empty blank is one too
-        ink.under(tree_of(self.canv).opener(tag))
-
-    def _ruled(self, step: float, room: Sequence[float]) -> None:
-        """Rules between rows and columns, and a heavy one around."""
-        canv = self.canv
-        canv.setLineWidth(0.4)
-        for i in range(1, -(-len(self.fields) // self.columns)):
-            canv.line(0.0, i * self._ROW, self.width, i * self._ROW)
-        for column, wide in enumerate(room):
-            for x in (column * step, column * step + wide * MM):
-                if x:
-                    canv.line(x, 0.0, x, self.height)
-        canv.setLineWidth(0.9)
-        canv.rect(0.0, 0.0, self.width, self.height)
-
-
-def _within(box: Box, width: float) -> Box:
-    """The box, made smaller if it is wider than `width` (pt)."""
-    factor = min(1.0, width / MM / box.width) if box.width else 1.0
-    return box if factor == 1.0 else scaled(box, factor)
 
 
 class Callout(Block):
@@ -165,7 +103,7 @@ class Drawing(Block):
         self.alt, self._draw, self._sketch, self._factor = alt, draw, sketch, 1.0
         chinese = any(char >= "\u2e80" for char in caption)
         self._caption = joined(cells(caption, CAPTION.em, chinese), CAPTION.em) if caption else None
-        self.tag = Tag(Role.FIGURE, alt=alt or spoken(caption))
+        self.tag, self.goal = Tag(Role.FIGURE, alt=alt or spoken(caption)), goal_of(caption)
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; only a sketch is ever made smaller."""
@@ -224,16 +162,20 @@ class Divider(Block):
 
 
 class SheetPage(Block):
-    """A whole A4 page drawn by a callback at the paper's lower left corner, in true millimetres."""
+    """A whole A4 page drawn by a callback at the paper's lower left corner, in true millimetres.
+
+    told: the callback says itself what is what on it; else the page is one figure, which `alt` tells of.
+    """
 
     role = Role.FIGURE
     pieces = True
 
-    def __init__(self, draw: Draw, *, wide: bool = False, title: str = "", alt: str = "") -> None:
+    def __init__(self, draw: Draw, *, wide: bool = False, title: str = "", alt: str = "", told: bool = False) -> None:
         super().__init__()
         self._draw, self.wide, self.outline, self.alt = draw, wide, title, alt
+        self._told = told
         self.level = 2
-        self.tag = Tag(Role.FIGURE, alt=alt or title)
+        self.tag, self.goal = Tag(Role.FIGURE, alt=alt or title), goal_of(title)
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """The whole page."""
@@ -242,5 +184,8 @@ class SheetPage(Block):
 
     def draw(self) -> None:
         """Call back."""
+        if self._told:
+            self._draw(self.canv, 0.0, 0.0)
+            return
         with marked(self.canv, boxed(self.tag, 0.0, 0.0, self.width, self.height)):
             self._draw(self.canv, 0.0, 0.0)

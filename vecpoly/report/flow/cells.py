@@ -9,6 +9,8 @@ from enum import Enum, auto
 from functools import lru_cache
 
 from ...algebra.formula import row, split_words
+from ...tagging.pieces import Source
+from ...tagging.references import called
 from ...typeset.atoms import THICK
 from ...typeset.box import Box, beside
 from ...typeset.fonts import Face, glyph
@@ -24,6 +26,7 @@ _LATIN_NO_END = frozenset("([{")
 _AMBIGUOUS = frozenset("“”‘’—…·")  # full width in Chinese text, narrow in English
 _BOLD = re.compile(r"\*\*(.+?)\*\*", re.DOTALL)
 AUTO = 0.2  # space between Chinese and Latin, em
+_RAISED = str.maketrans({"^": None, "{": None, "}": None, "2": "²", "3": "³", "4": "⁴", "-": "⁻", "−": "⁻"})
 _ADDRESS = 30  # letters
 SHORT = 8.0  # em: a formula in running text that is no longer is not broken
 BLANK = 0.25  # a blank between words, em
@@ -40,14 +43,6 @@ class Kind(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Source:
-    """A formula as it was written, and the piece of it that a cell holds; to copy the cell is to copy the piece."""
-
-    text: str
-    piece: str
-
-
-@dataclass(frozen=True, slots=True)
 class Cell:
     """One cell, in mm; spaced: a blank stood before it; lead, trail: blank at its ends that may go."""
 
@@ -59,6 +54,7 @@ class Cell:
     lead: float = 0.0
     trail: float = 0.0
     source: Source | None = None
+    goal: str = ""  # the place that it calls, a part of a reference
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,9 +76,11 @@ def cells(text: str, em: float, chinese: bool, bold: bool = False) -> list[Cell]
             if formula:
                 found = _formula(part, em, heavy, spaced)
                 spaced = False
-            else:
-                found, spaced = _words(part, em, chinese, heavy, spaced)
-            out.extend(found)
+                out.extend(found)
+                continue
+            for goal, bit in called(part):
+                found, spaced = _words(bit, em, chinese, heavy, spaced)
+                out.extend(replace(cell, goal=goal) for cell in found) if goal else out.extend(found)
     return out
 
 
@@ -152,7 +150,8 @@ def _han(char: str, em: float, bold: bool, spaced: bool) -> Cell:
 
 @lru_cache(maxsize=16384)
 def _word(text: str, em: float, bold: bool, spaced: bool) -> Cell:
-    return Cell(Kind.WORD, latin(text, em, bold), text, spaced)
+    source = Source("", text.translate(_RAISED)) if "^" in text else None
+    return Cell(Kind.WORD, latin(text, em, bold), text, spaced, source=source)
 
 
 def chopped(cell: Cell, width: float, em: float, bold: bool) -> list[Cell]:

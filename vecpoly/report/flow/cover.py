@@ -1,16 +1,19 @@
-"""The cover of a report: what it is, what it is about, a drawing, and blanks for names."""
+"""The cover of a report: what it is, what it is about, a drawing, and blanks for names; such blanks over a text."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...tagging.tag import Role, Tag
-from ...tagging.tree import Tree, tree_of
-from ...typeset.box import MM, Box
+from ...tagging.tag import Role, Tag, heading_of_row
+from ...tagging.tree import Tree, artifact, tree_of
+from ...typeset.box import MM, Box, scaled
 from ...typeset.canvas import Ink
 from ...typeset.words import layout_words
+from .base import Block
 from .blocks import Drawing, SheetPage
+from .style import BODY
 
+TITLE_FIELDS = ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期")
 _PAGE = (210.0, 297.0)  # mm
 _LABEL, _BLANK, _ROW = 30.0, 62.0, 11.0  # mm
 _WIDEST = 160.0  # mm of a title
@@ -68,3 +71,64 @@ def _centred(ink: Ink, text: str, em: float, y: float, *, bold: bool = True) -> 
 def _fit(box: Box, text: str, em: float, width: float, bold: bool) -> Box:
     """The text set smaller where it is too wide."""
     return box if box.width <= width else layout_words(text, em * width / box.width, bold)
+
+
+class TitleBlock(Block):
+    """A ruled box of labelled blanks, filled where a value is known."""
+
+    role = Role.TABLE
+    pieces = True
+
+    def __init__(self, fields: Sequence[tuple[str, str]], columns: int = 3) -> None:
+        super().__init__(2.0, 8.0)
+        self.fields, self.columns = tuple(fields), columns
+
+    _ROW = 8.0 * MM
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Size in a column."""
+        self.width = width
+        self.height = self._ROW * -(-len(self.fields) // self.columns)
+        return width, self.height
+
+    def draw(self) -> None:
+        """Draw the frame, then labels and values row by row."""
+        canv, step = self.canv, self.width / self.columns
+        labels = [layout_words(label, BODY.em) for label, _ in self.fields]
+        room = [max((box.width for box in labels[i :: self.columns]), default=0.0) + 4.0 for i in range(self.columns)]
+        with artifact(canv):
+            self._ruled(step, room)
+        ink, row = Ink(canv), Tag(Role.ROW, self.tag)
+        for i, (box, (_, value)) in enumerate(zip(labels, self.fields, strict=True)):
+            down, column = divmod(i, self.columns)
+            row = row if column else Tag(Role.ROW, self.tag)
+            y = self.height - (down + 0.5) * self._ROW - 0.36 * BODY.size
+            left, edge = column * step, column * step + room[column] * MM
+            self._under(ink, heading_of_row(row))
+            ink.box(box, left + (edge - left - box.width * MM) / 2, y)
+            self._under(ink, Tag(Role.CELL, row))
+            ink.box(_within(layout_words(value, BODY.em), left + step - edge - 3.0 * MM), edge + 2.0 * MM, y)
+        ink.flush()
+
+    def _under(self, ink: Ink, tag: Tag) -> None:
+        tree_of(self.canv).element(tag)  # an empty blank is one too
+        ink.under(tree_of(self.canv).opener(tag))
+
+    def _ruled(self, step: float, room: Sequence[float]) -> None:
+        """Rules between rows and columns, and a heavy one around."""
+        canv = self.canv
+        canv.setLineWidth(0.4)
+        for i in range(1, -(-len(self.fields) // self.columns)):
+            canv.line(0.0, i * self._ROW, self.width, i * self._ROW)
+        for column, wide in enumerate(room):
+            for x in (column * step, column * step + wide * MM):
+                if x:
+                    canv.line(x, 0.0, x, self.height)
+        canv.setLineWidth(0.9)
+        canv.rect(0.0, 0.0, self.width, self.height)
+
+
+def _within(box: Box, width: float) -> Box:
+    """The box, made smaller if it is wider than `width` (pt)."""
+    factor = min(1.0, width / MM / box.width) if box.width else 1.0
+    return box if factor == 1.0 else scaled(box, factor)

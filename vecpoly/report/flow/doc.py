@@ -15,12 +15,12 @@ from reportlab.platypus.frames import Frame
 
 from ...foundation.files import write_whole
 from ...tagging.canvas import TaggedCanvas
-from ...tagging.tree import artifact
+from ...tagging.metadata import Metadata as Metadata
+from ...tagging.tree import FOOTER, HEADER, artifact, tree_of
 from ...typeset.box import MM
 from ...typeset.canvas import Ink, lost
 from ...typeset.fonts import Face, load
 from ...typeset.words import layout_words
-from ...words import Lang
 from .base import Block
 from .blocks import SheetPage
 from .contents import page_form, tell_contents
@@ -31,18 +31,6 @@ _SMALL = 8.5 / MM
 _TOTAL = "vecpoly-total"
 LEFTOVER = 0.45  # of a page of text: less is what was left over, and may be saved
 Stamp = Callable[[Any, bool], None]  # draws on the canvas of every page; whether that is a sheet
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Metadata:
-    """What the file says about itself."""
-
-    title: str
-    author: str = ""
-    subject: str = ""
-    keywords: tuple[str, ...] = ()
-    creator: str = "vecpoly"
-    lang: Lang = "zh"
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,7 +107,7 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         ink, title = Ink(canvas), layout_words(self.metadata.title, _SMALL)
         ink.box(title, width - MARGIN - title.width * MM, height - MARGIN + 4 * MM)
         ink.rule(MARGIN, height - MARGIN + 2.4 * MM, width - 2 * MARGIN, 0.4)
-        with artifact(canvas):
+        with artifact(canvas, HEADER):
             ink.flush()
         canvas.restoreState()
         self._number(canvas, width, 11 * MM)
@@ -134,7 +122,7 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         canvas.setFillColorRGB(*GREY)
         ink, number = Ink(canvas), layout_words(f"{canvas.getPageNumber()} / ", _SMALL)
         ink.box(number, width / 2 - number.width * MM, y)
-        with artifact(canvas):
+        with artifact(canvas, FOOTER):
             ink.flush()
             canvas.translate(width / 2, y)
             canvas.doForm(_TOTAL)
@@ -154,8 +142,13 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
 
     def _stamped(self, canvas: Any, sheet: bool) -> None:
         if self._stamp is not None:
-            with artifact(canvas):
+            with artifact(canvas, FOOTER):
                 self._stamp(canvas, sheet)
+
+    def beforeDocument(self) -> None:
+        """The canvas learns which places there are."""
+        goals = (getattr(item, "goal", "") for item in self.story)
+        tree_of(self.canv).goals = frozenset(goal for goal in goals if goal)
 
     def afterFlowable(self, flowable: Any) -> None:
         """Bookmark headings and sheets."""

@@ -9,14 +9,14 @@ from ...board.construction import EquationTable
 from ...drawing.hues import hue_of
 from ...tagging.speech import equation_said
 from ...tagging.tag import Role, Tag
-from ...tagging.tree import tree_of
+from ...tagging.tree import Open, Tree, tree_of
 from ...typeset.box import MM, Box, inked
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
 from ...typeset.layout import layout
 from ...typeset.runs import run
 from ...typeset.words import layout_words
-from ...words import Lang, Words
+from ...words import Lang, Words, bare
 from .base import Block
 from .style import BODY
 
@@ -32,6 +32,19 @@ class _Column:
     sign: Box
     cells: tuple[Box, Box, Box]
     width: float
+    texts: tuple[str, str, str]  # as they are copied
+
+
+@dataclass(frozen=True, slots=True)
+class _Pieces:
+    """The pieces of the equation, each with the text that it is copied as."""
+
+    tree: Tree
+    tag: Tag
+
+    def of(self, text: str) -> Open:
+        """What opens such a piece."""
+        return self.tree.opener(self.tag, text)
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,10 +96,10 @@ class EquationFlow(Block):
         widest = max(_width(grid, group) for group in grid.groups)
         left = max(0.0, (self.width / MM - widest) / 2)
         y = self.height / MM
-        tag = Tag(Role.FORMULA, self.tag.within, _said(self.table, self.lang))
-        ink.under(tree_of(self.canv).opener(tag))
+        tag = Tag(Role.FORMULA, self.tag.within, _said(self.table, tree_of(self.canv).lang))
+        marks = _Pieces(tree_of(self.canv), tag)
         for group in grid.groups:
-            _draw(ink, grid, group, left, y)
+            _draw(ink, marks, grid, group, left, y)
             y -= _height(grid, group) + 2 * _ROW_SKIP
         ink.flush()
 
@@ -99,7 +112,8 @@ def _columns(table: EquationTable, lang: Lang, em: float) -> list[_Column]:
         below = (_words(direction.of(lang), em), _words(magnitude, em))
         head = layout(vector(symbol), em)
         cells = (inked(head, hue_of(tone).value) if tone else head, *below)
-        columns.append(_Column(_sign(sign, em), cells, max(cell.width for cell in cells) + 0.3 * em))
+        texts = (f"{sign} {bare(symbol)}".strip(), bare(direction.of(lang)), bare(magnitude))
+        columns.append(_Column(_sign(sign, em), cells, max(cell.width for cell in cells) + 0.3 * em, texts))
     return columns
 
 
@@ -152,14 +166,16 @@ def _width(grid: _Grid, group: tuple[_Column, ...]) -> float:
     return grid.margin + sum(column.sign.width + column.width for column in group)
 
 
-def _draw(ink: Ink, grid: _Grid, group: tuple[_Column, ...], left: float, y: float) -> None:
+def _draw(ink: Ink, marks: _Pieces, grid: _Grid, group: tuple[_Column, ...], left: float, y: float) -> None:
     for index in range(3):
         ascent, descent = _row_metrics(grid, group, index)
         y -= ascent
         if index:
+            ink.under(marks.of(""))
             ink.box(grid.captions[index - 1], left * MM, y * MM)
         x = left + grid.margin
         for column in group:
+            ink.under(marks.of(column.texts[index]))
             if index == 0:
                 ink.box(column.sign, x * MM, y * MM)
             x += column.sign.width

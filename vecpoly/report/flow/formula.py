@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from ...algebra.formula import Node, plain
+from ...algebra.formula import Node
+from ...tagging.copied import copied
+from ...tagging.references import goal_of
 from ...tagging.speech import said
 from ...tagging.tag import Role, Tag
 from ...tagging.tree import tree_of
@@ -11,7 +13,6 @@ from ...typeset.box import MM, Box, beside
 from ...typeset.canvas import Ink
 from ...typeset.layout import layout, segments
 from ...typeset.words import layout_words
-from ...words import Lang
 from .base import Block
 from .style import BODY
 
@@ -25,9 +26,9 @@ class Formula(Block):
     role = Role.FORMULA
     pieces = True
 
-    def __init__(self, node: Node, number: str = "", size: float = BODY.size, lang: Lang = "zh") -> None:
+    def __init__(self, node: Node, number: str = "", size: float = BODY.size) -> None:
         super().__init__(5.0, 6.0)
-        self.node, self.lang = node, lang
+        self.node, self.goal = node, goal_of(number)
         self._em = size / MM
         self._number = layout_words(number, self._em) if number else None
         self._lines: tuple[tuple[float, Box], ...] = ()
@@ -46,8 +47,9 @@ class Formula(Block):
 
     def draw(self) -> None:
         """Draw the lines as one centred group."""
-        ink, tag = Ink(self.canv), Tag(Role.FORMULA, self.tag.within, said(self.node, self.lang))
-        ink.under(tree_of(self.canv).opener(tag, plain(self.node)))
+        ink, lang = Ink(self.canv), tree_of(self.canv).lang
+        tag = Tag(Role.FORMULA, self.tag.within, said(self.node, lang))
+        ink.under(tree_of(self.canv).opener(tag, copied(self.node)))
         group = max(x + box.width for x, box in self._lines)
         left = max(0.0, (self.width - group * MM) / 2)
         y = self.height

@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from ...tagging.pieces import Marks
+from ...tagging.tree import Open
 from ...typeset.box import MM, Glyphs
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
 from .cells import BLANK, Cell, Gap, Kind, gap
-from .marks import Marks
 
 _LOOSEST = 0.5  # em added to a gap beyond which a line is rather left ragged
 _LEAST_GAP = 0.75  # how far blanks may shrink before a line is broken earlier
@@ -108,6 +109,8 @@ class _Run:
     chars: float = 0.0
     blanks: float = 0.0
     kind: Kind = Kind.HAN
+    goal: str = ""
+    under: Open | None = None
 
 
 def draw_line(ink: Ink, line: Line, x: float, y: float, width: float, align: str, marks: Marks) -> None:
@@ -123,23 +126,37 @@ def draw_line(ink: Ink, line: Line, x: float, y: float, width: float, align: str
                 change -= between.width * setting.shrink
             at += (between.width + change) * MM
             if current is not None and _continues(current, between, cell, change * MM):
+                _opens(marks, cell, at, y, line.em)
                 at += cell.box.width * MM
                 continue
             if current is not None and cell.spaced:
                 current.text += " "
         if current is not None:
             _show(ink, current, y)
-        ink.under(marks.formula(cell) if cell.kind is Kind.FORMULA else marks.words)
+        under = _opens(marks, cell, at, y, line.em)
+        ink.under(under)
         current = _begin(ink, cell, at, y)
-        ink.under(marks.words)
+        if current is not None:
+            current.under = under if current.text else marks.words
         at += cell.box.width * MM
     if current is not None:
         _show(ink, current, y)
 
 
+def _opens(marks: Marks, cell: Cell, x: float, y: float, em: float) -> Open:
+    """Whose the cell is: a reference leads to its place, if there is one."""
+    if cell.goal:
+        found = marks.link(cell.goal, f"{' ' * cell.spaced}{cell.text}", x, x + cell.box.width * MM, y, em * MM)
+        if found is not None:
+            return found
+    return marks.of(cell.source, cell.joined)
+
+
 def _continues(current: _Run, between: Gap, cell: Cell, change: float) -> bool:
     """Take the cell into the run if its gap is the run's own."""
     items = cell.box.items
+    if cell.goal != current.goal or cell.source is not None:
+        return False
     if len(items) != 1 or not isinstance(items[0], Glyphs) or items[0].font != current.glyphs.font:
         return False
     if cell.kind is Kind.WORD and current.kind is Kind.WORD and cell.spaced:
@@ -163,7 +180,7 @@ def _continues(current: _Run, between: Gap, cell: Cell, change: float) -> bool:
 def _begin(ink: Ink, cell: Cell, x: float, y: float) -> _Run | None:
     items = cell.box.items
     if len(items) == 1 and isinstance(items[0], Glyphs) and cell.kind is not Kind.FORMULA:
-        return _Run(items[0], x, items[0].text, kind=cell.kind)
+        return _Run(items[0], x, items[0].text, kind=cell.kind, goal=cell.goal)
     ink.box(cell.box, x, y)
     if cell.kind is Kind.FORMULA or cell.kind is Kind.WORD:
         blank = Glyphs(Face.STIX.value, items[-1].size if isinstance(items[-1], Glyphs) else 10.0, 0, 0, "")
@@ -173,5 +190,6 @@ def _begin(ink: Ink, cell: Cell, x: float, y: float) -> _Run | None:
 
 def _show(ink: Ink, run: _Run, y: float) -> None:
     if run.text:
+        ink.under(run.under)
         glyphs = Glyphs(run.glyphs.font, run.glyphs.size, 0.0, 0.0, run.text)
         ink.text(glyphs, run.x, y, run.chars, run.blanks)

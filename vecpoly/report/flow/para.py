@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from ...tagging.pieces import Marks
 from ...tagging.tag import Role, Tag
 from ...tagging.tree import tree_of
 from ...typeset.box import MM
@@ -12,7 +13,6 @@ from ...words import Lang
 from .base import Block, Tightness
 from .cells import Cell, cells, chopped, joined
 from .lines import Line, break_lines, draw_line
-from .marks import Marks
 from .style import Style, body
 
 _WIDOWS = 2
@@ -93,7 +93,7 @@ class Para(Block):
 
     def draw(self) -> None:
         """Draw all lines."""
-        style, ink, marks = self.style, Ink(self.canv), Marks(self.canv, self.tag, self.lang)
+        style, ink, marks = self.style, Ink(self.canv), Marks(self.canv, self.tag)
         left = style.left * style.em * MM
         measure = self._measure(self.width)
         y = self.height
@@ -109,6 +109,7 @@ class Para(Block):
             y -= advance
         self.colour(style.colour)
         ink.flush()
+        marks.finish()
 
 
 def numbered(number: str, text: str, lang: Lang, style: Style | None = None) -> Para:

@@ -8,6 +8,8 @@ from dataclasses import dataclass, replace
 from reportlab.platypus.doctemplate import FrameBreak
 from reportlab.platypus.flowables import Flowable
 
+from ...tagging.pieces import Marks
+from ...tagging.references import goal_of
 from ...tagging.tag import Role, Tag
 from ...tagging.tag import cell as cell_tag
 from ...tagging.tree import tree_of
@@ -17,7 +19,6 @@ from ...words import Lang
 from .base import Block, Tightness
 from .cells import Cell, cells, joined
 from .lines import Line, break_lines, draw_line
-from .marks import Marks
 from .results.decimal import Aligned, aligned
 from .style import CAPTION, CELL, Style
 
@@ -68,6 +69,7 @@ class DataTable(Block):
         inks: Sequence[Rgb | None] = (),
     ) -> None:
         super().__init__(6.0, 8.0)
+        self.goal = goal_of(caption)
         self.header, self.rows = tuple(header), tuple(tuple(row) for row in rows)
         self.lang, self.caption, self.style = lang, caption, style
         self.inks = tuple(inks) or (None,) * len(self.rows)
@@ -208,13 +210,14 @@ class DataTable(Block):
                 begin, way = x + (_PAD + (shift or 0.0)) * MM, _ALIGN[side] if shift is None else "left"
                 draw_line(ink, line, begin, y - rise, width - 2 * _PAD, way, marks)
                 y -= advance
+            marks.finish()
             x += width * MM
         return top - height
 
     def _marks(self, row: Tag, header: bool) -> Marks:
         """The element of a cell; a header that is repeated has been read."""
         if header and self._continued:
-            return Marks(self.canv, None, self.lang)
+            return Marks(self.canv, None)
         tag = cell_tag(row, header)
         tree_of(self.canv).element(tag)  # an empty cell is one too
-        return Marks(self.canv, tag, self.lang)
+        return Marks(self.canv, tag)

@@ -15,9 +15,9 @@ from ...errors import VecpolyError
 from ...tagging.tag import Role, Tag
 from ...words import Lang, Words
 from .base import Block
-from .blocks import KINDS, Callout, Divider, Drawing, Heading, SheetPage, TitleBlock
+from .blocks import KINDS, Callout, Divider, Drawing, Heading, SheetPage
 from .contents import Contents
-from .cover import Cover
+from .cover import Cover, TitleBlock
 from .equation import EquationFlow
 from .formula import Formula
 from .para import Para, numbered
@@ -165,7 +165,7 @@ class _Reader:
     def _formula(self, element: Element) -> list[Any]:
         found = self._lookup(element, object, "a formula")
         number = element.attributes.get("number", "")
-        return [found if isinstance(found, Block) else Formula(found, number, lang=self._lang)]
+        return [found if isinstance(found, Block) else Formula(found, number)]
 
     def _equation(self, element: Element) -> list[Any]:
         found = self._lookup(element, (EquationTable, Block), "an equation table")

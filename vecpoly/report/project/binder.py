@@ -13,8 +13,8 @@ from ...solution import Solution
 from ...units.reckoning import Amount
 from ...words import Lang, Words
 from ..course.numbering import Press
-from ..course.results.drawings import page
 from ..flow.blocks import SheetPage, spoken
+from ..plates.page import sheet_page
 
 APPENDIX = "A"  # where the sheets are bound
 
@@ -92,7 +92,7 @@ def _page(sheet: Sheet, drawn: Drawn, name: Words, lang: Lang) -> SheetPage:
     gap = Words("　", ": ")
     title = (name + gap + drawn.solution.problem.title).of(lang)
     said = spoken(f"{title}（{drawn.where}）" if drawn.where and lang == "zh" else f"{title} {drawn.where}".rstrip())
-    return page(sheet, said)
+    return sheet_page(sheet, drawn.solution.construction, said)
 
 
 def amount(value: Amount, digits: int = 4) -> str:

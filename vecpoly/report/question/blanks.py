@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...solution import Solution
+from ...tagging.tree import artifact, marked
 from ...typeset.box import MM
 from ...typeset.canvas import Ink
 from ...typeset.words import layout_words
@@ -25,6 +26,8 @@ _ROW = 9.0 * MM
 class EquationRows(Block):
     """Three ruled rows in which a vector equation is written, with directions and magnitudes under its terms."""
 
+    pieces = True
+
     def __init__(self, number: int, lang: Lang) -> None:
         super().__init__(4.0, 6.0)
         self._number, self._lang = number, lang
@@ -44,11 +47,13 @@ class EquationRows(Block):
         ink.box(number, 0.0, 2 * _ROW + 1.5 * MM)
         for row, box in enumerate(reversed(named)):
             ink.box(box, left, row * _ROW + 1.5 * MM)
-        ink.flush()
+        with marked(self.canv, self.tag):
+            ink.flush()
         self.colour(GREY)
         self.canv.setLineWidth(0.4)
-        for row in range(3):
-            self.canv.line(start, row * _ROW, self.width, row * _ROW)
+        with artifact(self.canv):
+            for row in range(3):
+                self.canv.line(start, row * _ROW, self.width, row * _ROW)
 
 
 def equation_rows(solution: Solution, lang: Lang) -> list[EquationRows]:

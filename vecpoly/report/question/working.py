@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from reportlab.lib.pagesizes import A4
 
+from ...tagging.tree import artifact
 from ...typeset.box import MM
 from ...words import Lang
 from ..flow.base import Block
@@ -22,6 +23,8 @@ _PALE: Colour = (0.80, 0.80, 0.80)
 
 class Squares(Block):
     """As many whole squares as this height (pt) and the width have room for."""
+
+    pieces = True
 
     def __init__(self, height: float) -> None:
         super().__init__()
@@ -40,7 +43,8 @@ class Squares(Block):
         self.canv.setStrokeColorRGB(*_PALE)
         self.canv.setLineWidth(0.25)
         across, down = range(columns + 1), range(rows + 1)
-        self.canv.grid([left + i * SQUARE for i in across], [self.height - i * SQUARE for i in down])
+        with artifact(self.canv):
+            self.canv.grid([left + i * SQUARE for i in across], [self.height - i * SQUARE for i in down])
         self.canv.restoreState()
 
 
@@ -51,6 +55,7 @@ class Working(Block):
     """
 
     level = 3
+    pieces = True
 
     def __init__(self, title: str, need: float, foot: Sequence[Block], lang: Lang) -> None:
         super().__init__(6.0, 0.0)
@@ -73,13 +78,14 @@ class Working(Block):
 
     def draw(self) -> None:
         """The heading, the squares, the foot."""
-        top, at = self.height, 0.0
+        top = self.height
         for one in self._head:
             top -= _tall(one, self.width)
             one.drawOn(self.canv, 0.0, top + one.getSpaceAfter())
-        for one in reversed(self._foot):
+        at = sum(_tall(one, self.width) for one in self._foot)
+        for one in self._foot:
+            at -= _tall(one, self.width)
             one.drawOn(self.canv, 0.0, at + one.getSpaceAfter())
-            at += _tall(one, self.width)
         squares = Squares(self.height - self._other(self.width))
         squares.wrapOn(self.canv, self.width, self.height)
         squares.drawOn(self.canv, 0.0, top - squares.height)

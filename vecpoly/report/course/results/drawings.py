@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from ....drawing.backends.pdf import draw_pdf
 from ....drawing.sheets.sheet import Sheet, bound, sheets
 from ....errors import VecpolyError
 from ....findings.study.study import Study
@@ -18,6 +17,7 @@ from ...answers.box import answer_box
 from ...answers.tables import readings_at, readings_tables
 from ...content import scales, sections
 from ...flow.blocks import SheetPage, spoken
+from ...plates.page import sheet_page
 from ..analysis.force_words import role_note
 from ..numbering import SMALL, Press
 from .drawn_views import drawn_views
@@ -141,7 +141,7 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
         "readings": _given(study, press),
         "others": _others(study, press, drawn[1:]),
         "sheets": [
-            press.objects.add("sheet", page(sheet, _name(study, one, sheet).of(press.lang)))
+            press.objects.add("sheet", _page(study, one, sheet, press.lang))
             for (one, _), sheet in zip(loose, bound([sheet for _, sheet in loose], names), strict=True)
         ],
     }
@@ -182,14 +182,11 @@ def _sheets(study: Study, phi: float, solution: Solution, lang: Lang) -> tuple[S
     return sheets(solution.construction, lang=lang, title=Words(zh, en), way=study.problem.orientation)
 
 
+def _page(study: Study, one: Drawn, sheet: Sheet, lang: Lang) -> SheetPage:
+    return sheet_page(sheet, one.solution.construction, _name(study, one, sheet).of(lang))
+
+
 def _name(study: Study, one: Drawn, sheet: Sheet) -> Words:
     """A sheet's name for the bookmarks."""
     where = spoken(study.where(one.phi))
     return sheet.strip.name + Words(f"　{where}", f": {where}")
-
-
-def page(sheet: Sheet, name: str) -> SheetPage:
-    """A sheet as a page of its own, called so in the bookmarks."""
-    return SheetPage(
-        lambda canvas, x, y: draw_pdf(sheet.scene, canvas, x, y), wide=sheet.landscape, title=name, alt=name
-    )
