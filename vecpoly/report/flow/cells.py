@@ -91,7 +91,8 @@ def _emphasis(text: str) -> Iterator[tuple[bool, str]]:
 
 
 def _formula(text: str, em: float, bold: bool, spaced: bool) -> list[Cell]:
-    boxes, sources = _segments(text, em, bold), _sources(text)
+    boxes = _segments(text, em, bold)
+    sources = _sources(text, len(boxes))
     return [
         Cell(Kind.FORMULA, box, "$", spaced and i == 0, i > 0, source=source)
         for i, (box, source) in enumerate(zip(boxes, sources, strict=True))
@@ -99,8 +100,10 @@ def _formula(text: str, em: float, bold: bool, spaced: bool) -> list[Cell]:
 
 
 @lru_cache(maxsize=4096)
-def _sources(text: str) -> tuple[Source, ...]:
-    return tuple(Source(text, piece) for piece in pieces(row(text)))
+def _sources(text: str, count: int) -> tuple[Source, ...]:
+    """What each of so many pieces says; a short formula is one piece."""
+    said = pieces(row(text))
+    return tuple(Source(text, piece) for piece in (said if len(said) == count else (" ".join(said),)))
 
 
 @lru_cache(maxsize=4096)
