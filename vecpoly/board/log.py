@@ -35,6 +35,9 @@ class Log:
         self.ledger = Ledger()
         self.hands: dict[int, Any] = {}  # number of an act → the point, length or value that it gave, by every hand
         self._marks: dict[Place, list[Mark]] = {view: [] for view in views()}
+        self.composed: set[Pane] = (
+            set()
+        )  # panes whose own scale is chosen with those of the kinds, if it is not told yet
         self._titles: dict[Pane, Words] = {}
         self._section = Words.same("")
 
@@ -111,11 +114,19 @@ class Log:
                 self.log(Depict(head=self.head(on=view, key=it.key, owner=it.owner), marks=it.marks))
 
     def open_pane(
-        self, view: View, name: str, title: Words, scale: Scale | None = None, *, aside: bool = False
+        self,
+        view: View,
+        name: str,
+        title: Words,
+        scale: Scale | None = None,
+        *,
+        aside: bool = False,
+        composed: bool = False,
     ) -> Pane:
         """Begin one of several figures of a kind; those that share a name are one.
-        scale: its own, where it differs from its kind's."""
+        scale: its own, where it differs from its kind's; composed: that one may be another, for the sheet's sake."""
         pane = Pane(view, name, aside)
+        self.composed |= {pane} if composed else set()
         if scale is not None:
             self.scales[pane] = scale
         self._titles.setdefault(pane, title)

@@ -14,7 +14,7 @@ from ..check.printed.answers import check_problem
 from ..designs.base import Design
 from ..drawing.backends.pdf import draw_pdf
 from ..drawing.figure import draw_figure
-from ..drawing.sheets.sheet import Sheet, sheets
+from ..drawing.sheets.sheet import sheets
 from ..errors import ArgumentError, NotAskedError, UnknownNameError
 from ..foundation.arguments import known_language, of_kind
 from ..foundation.data import data_dir
@@ -22,8 +22,9 @@ from ..foundation.files import write_whole
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
+from .bound import bound_in
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
-from .flow.blocks import Callout, Drawing, SheetPage
+from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.table import DataTable
 from .flow.tight import saved
@@ -165,7 +166,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         return common | {
             "blanks": blank_equations(solution, objects),
             "empty": objects.add("tab", empty_table(solution, lang)),
-            "frames": _pages(frames(solution.construction), solution, lang, objects),
+            "frames": _pages(frames(solution.construction), solution, lang, objects, plates=False),
         }
     return common | _solved(solution, lang, objects)
 
@@ -198,11 +199,14 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     }
 
 
-def _pages(construction: Construction, solution: Solution, lang: Lang, objects: Objects) -> list[Any]:
+def _pages(
+    construction: Construction, solution: Solution, lang: Lang, objects: Objects, *, plates: bool = True
+) -> list[Any]:
     """The sheets of a construction, each put among the objects of the report."""
     problem = solution.problem
-    made = sheets(construction, lang=lang, title=problem.title, way=problem.orientation)
-    return [objects.add("sheet", _page(sheet, solution, lang)) for sheet in made]
+    made = sheets(construction, lang=lang, title=problem.title, way=problem.orientation, plates=plates)
+    name = Words(f"图纸：题 {problem.id}", f"Sheet: problem {problem.id}").of(lang)
+    return [objects.add("sheet", bound_in(sheet, name)) for sheet in made]
 
 
 def sketch_of(figure: Any, solution: Solution, lang: Lang, *, sketch: bool = False) -> Drawing:
@@ -217,11 +221,4 @@ def sketch_of(figure: Any, solution: Solution, lang: Lang, *, sketch: bool = Fal
         alt,
         figure.title.of(lang),
         sketch=sketch,
-    )
-
-
-def _page(sheet: Sheet, solution: Solution, lang: Lang) -> SheetPage:
-    name = Words(f"图纸：题 {solution.problem.id}", f"Sheet: problem {solution.problem.id}").of(lang)
-    return SheetPage(
-        lambda canvas, x, y: draw_pdf(sheet.scene, canvas, x, y), wide=sheet.landscape, title=name, alt=name
     )

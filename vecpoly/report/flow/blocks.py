@@ -187,13 +187,24 @@ class Divider(Block):
         self.canv.rect(0.0, 0.0, self.width, 0.4, stroke=0, fill=1)
 
 
+class Plate(Drawing):
+    """A sheet that is lower than a page, framed in the text; in the bookmarks like the others."""
+
+    def __init__(self, width_mm: float, height_mm: float, draw: Draw, title: str = "") -> None:
+        super().__init__(width_mm, height_mm, draw, title)
+        self.outline, self.level = title, 2
+
+
 class SheetPage(Block):
-    """A whole A4 page drawn by a callback at the paper's lower left corner, in true millimetres."""
+    """A whole A4 page drawn by a callback at the paper's lower left corner, in true millimetres.
+
+    behind: it stands after so many pages of the text that goes on behind it; none where it stands in its place.
+    """
 
     def __init__(self, draw: Draw, *, wide: bool = False, title: str = "", alt: str = "") -> None:
         super().__init__()
         self._draw, self.wide, self.outline, self.alt = draw, wide, title, alt
-        self.level = 2
+        self.level, self.behind = 2, 0
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """The whole page."""

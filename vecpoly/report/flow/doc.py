@@ -10,7 +10,7 @@ from typing import Any
 
 from reportlab.lib.pagesizes import A4, landscape
 from reportlab.pdfgen.canvas import Canvas
-from reportlab.platypus.doctemplate import BaseDocTemplate, NextPageTemplate, PageTemplate
+from reportlab.platypus.doctemplate import NextPageTemplate, PageTemplate
 from reportlab.platypus.flowables import PageBreak
 from reportlab.platypus.frames import Frame
 
@@ -22,8 +22,8 @@ from ...typeset.fonts import Face, load
 from ...typeset.words import layout_words
 from ...words import Lang
 from .base import Block
-from .blocks import SheetPage
 from .contents import page_form, tell_contents
+from .floating import Floating, template_of
 from .style import BODY, GREY
 
 MARGIN = 20 * MM
@@ -92,7 +92,7 @@ class _Uninked(_Canvas):
         """Nothing is written."""
 
 
-class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
+class ReportDoc(Floating):
     """A report built from flowables; `write` makes the file in one move, or not at all."""
 
     def __init__(self, story: Sequence[Any], metadata: Metadata, stamp: Stamp | None = None) -> None:
@@ -190,6 +190,11 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         """The parts whose last page was turned for a few lines, or a table, and how many pages they have."""
         return {part: pages for part, (pages, full) in enumerate(self._filled) if pages > 1 and full < LEFTOVER}
 
+    @property
+    def ends(self) -> tuple[tuple[int, float], ...]:
+        """Of each part: its pages of text, and how full the last one is."""
+        return tuple(self._filled)
+
     def made(self) -> tuple[bytes, int, tuple[str, ...]]:
         """The document as bytes, how many pages it has, and the characters that no font has."""
         target = BytesIO()
@@ -206,7 +211,7 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         self._entries, self._level, self._pages, self._filled = 0, -1, 0, []
         tell_contents(self.story)
         self._firstPageTemplateIndex = _first(self.story)
-        self.build(story, filename=target, canvasmaker=canvas)
+        self.build(self.float(story), filename=target, canvasmaker=canvas)
 
 
 def _expanded(story: Sequence[Any]) -> list[Any]:
@@ -217,7 +222,7 @@ def _expanded(story: Sequence[Any]) -> list[Any]:
         if isinstance(item, PageBreak):
             _turn(out, template)
             continue
-        wanted = ("landscape" if item.wide else "portrait") if isinstance(item, SheetPage) else "text"
+        wanted = template_of(item)
         if wanted != "text" or wanted != template:
             _turn(out, wanted)
         template = wanted
@@ -229,8 +234,7 @@ def _expanded(story: Sequence[Any]) -> list[Any]:
 
 def _first(story: Sequence[Any]) -> int:
     """The template of the first page: text, or that of the sheet that stands there."""
-    first = next(iter(story), None)
-    return (2 if first.wide else 1) if isinstance(first, SheetPage) else 0
+    return ("text", "portrait", "landscape").index(template_of(next(iter(story), None)))
 
 
 def _turn(out: list[Any], template: str) -> None:

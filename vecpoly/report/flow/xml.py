@@ -14,7 +14,7 @@ from ...board.construction import EquationTable
 from ...errors import VecpolyError
 from ...words import Lang, Words
 from .base import Block
-from .blocks import KINDS, Callout, Divider, Drawing, Heading, SheetPage, TitleBlock
+from .blocks import KINDS, Callout, Divider, Drawing, Heading, Plate, SheetPage, TitleBlock
 from .contents import Contents
 from .cover import Cover
 from .equation import EquationFlow
@@ -175,7 +175,7 @@ class _Reader:
         return [found]
 
     def _sheet(self, element: Element) -> list[Any]:
-        return [self._lookup(element, SheetPage, "a sheet page")]
+        return [self._lookup(element, (SheetPage, Plate), "a sheet page")]
 
     def _titleblock(self, element: Element) -> list[Any]:
         for child in element.children:

@@ -12,9 +12,9 @@ from ...project.project import Project
 from ...solution import Solution
 from ...units.reckoning import Amount
 from ...words import Lang, Words
+from ..bound import bound_in
 from ..course.numbering import Press
-from ..course.results.drawings import page
-from ..flow.blocks import SheetPage, spoken
+from ..flow.blocks import Plate, SheetPage, spoken
 
 APPENDIX = "A"  # where the sheets are bound
 
@@ -88,11 +88,11 @@ def pages(binder: Binder) -> list[str]:
     ]
 
 
-def _page(sheet: Sheet, drawn: Drawn, name: Words, lang: Lang) -> SheetPage:
+def _page(sheet: Sheet, drawn: Drawn, name: Words, lang: Lang) -> SheetPage | Plate:
     gap = Words("　", ": ")
     title = (name + gap + drawn.solution.problem.title).of(lang)
     said = spoken(f"{title}（{drawn.where}）" if drawn.where and lang == "zh" else f"{title} {drawn.where}".rstrip())
-    return page(sheet, said)
+    return bound_in(sheet, said)
 
 
 def amount(value: Amount, digits: int = 4) -> str:

@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from ....drawing.backends.pdf import draw_pdf
 from ....drawing.sheets.sheet import Sheet, bound, sheets
 from ....errors import VecpolyError
 from ....findings.study.study import Study
 from ....solution import Solution, solve
 from ....words import Lang, Words
+from ...bound import bound_in
 from ...content import scales, sections
-from ...flow.blocks import SheetPage, spoken
+from ...flow.blocks import spoken
 from ...flow.table import DataTable
 from ...tables import readings_table
 from ..analysis.force_words import role_note
@@ -140,7 +140,7 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
         "readings": _given(study, press),
         "others": _others(study, press, drawn[1:]),
         "sheets": [
-            press.objects.add("sheet", page(sheet, _name(study, one, sheet).of(press.lang)))
+            press.objects.add("sheet", bound_in(sheet, _name(study, one, sheet).of(press.lang)))
             for (one, _), sheet in zip(loose, bound([sheet for _, sheet in loose], names), strict=True)
         ],
     }
@@ -196,10 +196,3 @@ def _name(study: Study, one: Drawn, sheet: Sheet) -> Words:
     """A sheet's name for the bookmarks."""
     where = spoken(study.where(one.phi))
     return sheet.strip.name + Words(f"　{where}", f": {where}")
-
-
-def page(sheet: Sheet, name: str) -> SheetPage:
-    """A sheet as a page of its own, called so in the bookmarks."""
-    return SheetPage(
-        lambda canvas, x, y: draw_pdf(sheet.scene, canvas, x, y), wide=sheet.landscape, title=name, alt=name
-    )
