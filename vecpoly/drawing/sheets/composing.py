@@ -1,9 +1,10 @@
 """The scales of all figures of a problem chosen together: as few sheets as hold them at a size that can be read, then
 as large as these sheets allow.
 
-What is known is a sketch: the size of the bare lines at some scale, and which kind's scale a figure follows. Lettering
-and titles are allowed for. From the least size that can be read every kind grows by one round scale at a time, the one
-that is farthest from the size that a hand would draw it in first, as long as no further sheet is asked for.
+What is known is a sketch: the size of the bare lines at some scale, what lettering and title will take round them,
+and which kind's scale a figure follows. From the least size that can be read every kind grows by one round scale at a
+time, the one that is farthest from the size that a hand would draw it in first, as long as no further sheet is asked
+for.
 """
 
 from __future__ import annotations
@@ -17,17 +18,13 @@ from ...board.place import Pane, Place, view_of
 from .packing import flat, inner, pack, padded
 from .paging import Way, ways_of
 from .slicing import Pair, Size, Slicing
-from .space import CAPTION, CLEAR, HIGHEST, LETTERING, PLATE, SPARSE, room_inside
+from .space import CLEAR, HIGHEST, PLATE, SPARSE, room_inside
 
-LEAST, MOST = 0.6, 1.5  # of the usual size: smaller no figure is drawn to save a sheet, larger none to fill one
+LEAST, MOST = 0.55, 1.5  # of the usual size: smaller no figure is drawn to save a sheet, larger none to fill one
 USUAL_WIDE, USUAL = 150.0, 100.0  # mm: of a figure that has the width of a page, of another
 USUAL_OWN = 180.0  # mm: of one with a scale of its own, on which the most is drawn
-TITLE = 25.0  # mm: no figure is narrower than its title
 ENOUGH = 0.62  # of the usual size: no figure need be smaller for a plate
 LOST = SPARSE + 0.08  # planned share of a page that may turn out too small
-SPARE = 3.0  # mm: what is planned may turn out so much larger
-ROUND = 2 * LETTERING + SPARE  # mm of letters on both sides
-UNDER = LETTERING + CAPTION + SPARE  # mm of letters above, and title below
 
 Scales = dict[Place, float]
 
@@ -89,19 +86,18 @@ class Composing:
                 yield i, i + 1
 
     def sizes(self, scales: Mapping[Place, float]) -> list[Size]:
-        """Each figure with its lettering and title at these scales."""
-        bare = (one.at(one.scale if one.of is None else scales[one.of]) for one in self.figures)
-        return [(max(w, TITLE) + ROUND, h + UNDER) for w, h in bare]
+        """Each figure at these scales, with all that stands round it."""
+        return [one.at(one.scale if one.of is None else scales[one.of]) for one in self.figures]
 
     def needed(self, scales: Mapping[Place, float]) -> int:
         """How many sheets hold the figures; more than there are figures where one fits none."""
         sizes = self.sizes(scales)
-        cut = Slicing(padded(sizes), inner(self.page), self.pairs)
+        cut = Slicing(padded(sizes, CLEAR), inner(self.page, CLEAR), self.pairs)
         area = [(w + CLEAR) * (h + CLEAR) for w, h in sizes]
-        whole = inner(self.page)[0] * inner(self.page)[1]
+        wide, high = inner(self.page, CLEAR)
         count = [0]
         for end in range(1, len(sizes) + 1):
-            starts = (s for s in range(end) if sum(area[s:end]) <= whole and cut.shapes(s, end))
+            starts = (s for s in range(end) if sum(area[s:end]) <= wide * high and cut.shapes(s, end))
             count.append(1 + min((count[start] for start in starts), default=len(sizes)))
         return count[-1]
 

@@ -7,9 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from .slicing import Pair, Piece, Shape, Size, Slicing, depth
-from .space import CLEAR, HIGHEST, NARROW, PLATE
+from .space import HIGHEST, NARROW, PLATE
 from .spreading import spread
 
+TIGHT = 2.5  # mm of white between figures, and to the frame, at least: what is planned leaves more
+AROUND = 8.0  # mm of white about the figures of a plate, on both sides together
 AMPLE = 11.0  # mm of white that leaves nothing to be wished: then the plainest arrangement is the best
 
 
@@ -31,14 +33,14 @@ class Layout:
         return wide * high / (self.page[0] * self.page[1])
 
 
-def padded(sizes: Sequence[Size]) -> list[Size]:
+def padded(sizes: Sequence[Size], clear: float = TIGHT) -> list[Size]:
     """With the white that belongs to each figure; the page loses as much at its edges."""
-    return [(w + CLEAR, h + CLEAR) for w, h in sizes]
+    return [(w + clear, h + clear) for w, h in sizes]
 
 
-def inner(page: Size) -> Size:
+def inner(page: Size, clear: float = TIGHT) -> Size:
     """What a page offers to figures with their white."""
-    return page[0] - CLEAR, page[1] - CLEAR
+    return page[0] - clear, page[1] - clear
 
 
 def pack(sizes: Sequence[Size], page: Size, pairs: Sequence[Pair] = ()) -> Layout | None:
@@ -79,12 +81,12 @@ def flat(sizes: Sequence[Size], pairs: frozenset[Pair] = frozenset()) -> Layout 
 
 def _plate(shape: Shape, sizes: Sequence[Size], together: int) -> Layout:
     wide, high, piece = shape
-    return _layout(piece, 0, len(sizes), sizes, (max(NARROW, wide + CLEAR), high + CLEAR), together)
+    return _layout(piece, 0, len(sizes), sizes, (max(NARROW, wide + AROUND), high + AROUND), together)
 
 
 def _layout(piece: Piece, start: int, end: int, sizes: Sequence[Size], page: Size, together: int) -> Layout:
-    corners = [at + (CLEAR + CLEAR * 1j) / 2 for at in spread(piece, padded(sizes), inner(page))]
-    placed = tuple(at + (CLEAR + CLEAR * 1j) / 2 for at in corners[start:end])
+    corners = spread(piece, padded(sizes), inner(page))
+    placed = tuple(at + complex(TIGHT, TIGHT) for at in corners[start:end])
     return Layout(page, placed, _white(placed, sizes[start:end], page), together)
 
 

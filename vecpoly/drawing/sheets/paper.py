@@ -13,6 +13,7 @@ from ...board.paper.marks import FixedGuide
 from ...board.paper.scales import Sketched
 from ...board.place import Pane, Place
 from .composing import composed
+from .lettering import lettered
 from .paging import Way, reading_order
 from .slicing import Size
 from .space import room
@@ -41,7 +42,7 @@ def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:
     own, kind = Pane(figure.view, figure.name), View.MECHANISM if figure.view is View.BODY else figure.view
     follows = kind in scales and isclose(figure.scale.value, scales[kind], rel_tol=1e-9)
     growing = tuple(mark for mark in figured(figure.marks) if not isinstance(mark, FixedGuide))
-    (w, h), (wide, high) = extent(growing), extent(figure.marks)
+    (w, h), (wide, high) = extent(growing), lettered(figure)
     return Sketched(
         view=figure.view,
         name=figure.name,
