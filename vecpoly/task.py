@@ -55,7 +55,7 @@ class Task:
     def draw(self, by: Hand, amended: Amended, sketch: Desk | None = None) -> Drawn:
         """The construction, each figure as large as its place on the sheet allows;
         sketch: of this problem, where there is one."""
-        return self.drawing.draw(self.problem, by, A4Paper(self.problem.orientation == "landscape"), amended, sketch)
+        return self.drawing.draw(self.problem, by, A4Paper(self.problem.orientation), amended, sketch)
 
 
 def task_of(problem: Problem) -> Task:

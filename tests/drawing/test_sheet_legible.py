@@ -9,11 +9,9 @@ from dataclasses import replace
 import pytest
 
 from vecpoly.board.construction import Construction, Figure, Scale, View
-from vecpoly.board.paper.extent import extent
 from vecpoly.board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment, Vector
 from vecpoly.board.paper.scales import finer
 from vecpoly.drawing.detail import detailed, find_knot
-from vecpoly.drawing.sheets.packing import fits_sheet
 from vecpoly.drawing.sheets.sheet import bound, sheets
 from vecpoly.problem.load import load
 from vecpoly.solution import solve
@@ -105,16 +103,6 @@ def test_two_coriolis_accelerations_of_one_polygon_end_in_letters_of_their_own()
             places.setdefault(mark.label, set()).add(complex(round(mark.at.real, 3), round(mark.at.imag, 3)))
     assert {"k_2^′", "k_5^′"} <= set(places)
     assert all(len(at) == 1 for at in places.values())
-
-
-@pytest.mark.parametrize("name", ["3-6", "3-8", "A-26", "B-26.5"])
-def test_no_figure_of_a_sheet_could_be_drawn_twice_as_large(name: str) -> None:
-    figures = solve(load(name), repeats=0).construction.figures
-    sizes = [extent(f.marks) for f in figures]
-    assert fits_sheet(sizes)
-    for i, (w, h) in enumerate(sizes):
-        if 2 * max(w, h) < 105.0:
-            assert not fits_sheet([(2 * w, 2 * h) if j == i else size for j, size in enumerate(sizes)])
 
 
 def test_finer_scales_go_down_the_series_with_one_and_a_half_before_two() -> None:

@@ -321,9 +321,9 @@ def test_however_many_figures_all_are_placed_in_order_inside_the_frame_and_apart
             for one, c in zip(page, layout.corners, strict=True)
         ]
         assert all(
-            b.x0 > 4.9 and b.y0 > 4.9 and b.x1 < layout.page[0] - 4.9 and b.y1 < layout.page[1] - 4.9 for b in boxes
+            b.x0 > 2.4 and b.y0 > 2.4 and b.x1 < layout.page[0] - 2.4 and b.y1 < layout.page[1] - 2.4 for b in boxes
         )
-        assert not any(a.grown(4.9).overlaps(b) for i, a in enumerate(boxes) for b in boxes[:i])
+        assert not any(a.grown(2.4).overlaps(b) for i, a in enumerate(boxes) for b in boxes[:i])
 
 
 @settings(max_examples=often(15))

@@ -12,7 +12,7 @@ from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Block, Ground, Point, Segment, Vector
 from vecpoly.mechanism.asked.centres import centre, count, link_pairs, real_links
 from vecpoly.methods.centres.direct import direct_centres
-from vecpoly.methods.centres.state import NAME
+from vecpoly.methods.centres.size import NAME
 from vecpoly.oracle.centres import Centres
 
 IDS = Later(

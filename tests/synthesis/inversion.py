@@ -20,7 +20,7 @@ def posed(kind: str, **data: Any) -> vecpoly.Problem:
 
 def drawn_anyhow(kind: str, **data: Any) -> tuple[Candidate, ...]:
     """What the exact hand finds on paper, be it of any use or not; its pins in mm as they will be."""
-    drawn = construct_design(posed(kind, **data), hand("exact"), A4Paper(False)).construction
+    drawn = construct_design(posed(kind, **data), hand("exact"), A4Paper()).construction
     mu = 1e3 * drawn.figures[0].scale.value
     return tuple(replace(one, pins={key: mu * at for key, at in one.pins.items()}) for one in drawn.candidates)
 

@@ -40,6 +40,7 @@ class Log:
         self._marks: dict[Place, list[Mark]] = {view: [] for view in views()}  # of acts up to when they were looked at
         self._left = defaultdict[Place, list[Act]](list)  # acts since then that leave marks
         self._ends = defaultdict[Place, Ends](Ends)  # of the vectors there
+        self.composed = set[Pane]()  # panes whose own scale is chosen with those of the kinds, if it is not told yet
         self._titles: dict[Pane, Words] = {}
         self._section = Words.same("")
 
@@ -124,11 +125,19 @@ class Log:
                 self.log(Depict(head=self.head(on=view, key=it.key, owner=it.owner), marks=it.marks))
 
     def open_pane(
-        self, view: View, name: str, title: Words, scale: Scale | None = None, *, aside: bool = False
+        self,
+        view: View,
+        name: str,
+        title: Words,
+        scale: Scale | None = None,
+        *,
+        aside: bool = False,
+        composed: bool = False,
     ) -> Pane:
         """Begin one of several figures of a kind; those that share a name are one.
-        scale: its own, where it differs from its kind's."""
+        scale: its own, where it differs from its kind's; composed: that one may be another, for the sheet's sake."""
         pane = Pane(view, name, aside)
+        self.composed |= {pane} if composed else set()
         if scale is not None:
             self.scales[pane] = scale
         self._titles.setdefault(pane, title)

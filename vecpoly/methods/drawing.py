@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol, TypeVar
 
+from ..board.construction import Figure
 from ..board.hand import Hand
 from ..board.otherwise.amended import Amended
-from ..board.place import View
+from ..board.place import Place, View
 from ..errors import NoMethodError
 from ..foundation.plugins import BySubject
 from ..problem.problem import Problem
@@ -25,12 +26,11 @@ class Paper(Protocol):
         """What each of so many figures of a kind should fill."""
         ...
 
-    def slots(self, count: int) -> tuple[Size, ...]:
-        """What each of so many figures on one sheet should fill, the first the largest."""
-        ...
-
-    def fits(self, sizes: Sequence[Size]) -> bool:
-        """Whether figures of these sizes go on one sheet."""
+    def compose(
+        self, figures: Sequence[Figure], sketched: Mapping[Place, float], given: Mapping[View, float]
+    ) -> Mapping[Place, float]:
+        """Round scales for the kinds of figure that have none given, and for panes with a scale of their own, with
+        which the figures of a sketch, drawn at these scales, fill as few sheets as will do."""
         ...
 
 

@@ -6,7 +6,7 @@ choose round scales with which every figure fills its place on the sheet.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -15,10 +15,10 @@ from ..board.board import Board, Scratch
 from ..board.construction import Construction, Figure, Reading, Scale, View
 from ..board.hand import Hand, hand
 from ..board.otherwise.amended import AS_DRAWN, Amended
-from ..board.paper.extent import extent, figured, lasting
-from ..board.paper.marks import Mark, Vector
-from ..board.paper.scales import Sketched, enlarged, round_scale
-from ..board.place import views
+from ..board.paper.extent import extent, lasting
+from ..board.paper.marks import Vector
+from ..board.paper.scales import round_scale
+from ..board.place import Place, views
 from ..board.yielded import evaluated
 from ..problem.asked.asks import AskNamed
 from ..problem.problem import Problem
@@ -32,9 +32,10 @@ from .passes import stages
 from .registry import Stage
 
 FAR = 2.0  # a scale that comes out so much finer than guessed is guessed again
+ROUGH = 1.6  # so much smaller a sketch does not tell well what stands round a figure
 SPECK = 1e-6  # mm: a force polygon of less is rounding; nothing acts there
-Fit = Callable[[list[tuple[float, float]]], bool]
-WIDE, LARGE = 165.0, 105.0  # mm: no diagram, no polygon need be larger
+Compose = Callable[[Sequence[Figure], Mapping[Place, float], Mapping[View, float]], Mapping[Place, float]]
+Scales = dict[Place, Scale]
 SLOT = (150.0, 100.0)  # mm, where the sheet names no place for a figure
 
 
@@ -42,21 +43,20 @@ def construct(
     problem: Problem,
     by: Hand,
     slots: Mapping[View, tuple[float, float]],
-    fit: Fit | None = None,
+    compose: Compose | None = None,
     amended: Amended = AS_DRAWN,
     sketch: Desk | None = None,
 ) -> Drawn:
     """Solve the problem on a board.
 
-    slots: width and height in mm that each figure should fill. fit: whether figures of these sizes go on one sheet;
-    they are drawn
-    as large as it allows. amended: what is done otherwise than this hand would; the ideal hand, and the choice of
+    slots: width and height in mm that each figure should fill. compose: chooses scales for the figures of a sketch, and
+    knows the sheets. amended: what is done otherwise than this hand would; the ideal hand, and the choice of
     scales, know nothing of it.
     sketch: of this problem, where there is one (`sketched`). Raises AssemblyError, DeadPointError, NoMethodError.
     """
     with _quietly():
         problem, said = _driven(problem)
-        scales, last = _choose_scales(problem, slots, fit)
+        scales, last = _choose_scales(problem, slots, compose)
         desk = draw(problem, Board(by, scales, amended), said)
         readings, repeats = _answers(desk, problem)
         plain = last or sketch or _sketch(problem, scales)
@@ -127,8 +127,8 @@ def scale_symbols() -> dict[View, Scale]:
 
 
 def _choose_scales(
-    problem: Problem, slots: Mapping[View, tuple[float, float]], fit: Fit | None
-) -> tuple[dict[View, Scale], Desk | None]:
+    problem: Problem, slots: Mapping[View, tuple[float, float]], compose: Compose | None
+) -> tuple[Scales, Desk | None]:
     """The scales, and the last sketch drawn to find them; none where all are given."""
     mech, drive = problem.mechanism, problem.mechanism.drive
     size = mech.scale
@@ -143,10 +143,12 @@ def _choose_scales(
     given = {view: problem.scales.of(view.mu) for view in guess}
     if all(given[view] for view in {View.MECHANISM, *(stage.view for stage in stages(problem))}):
         return {view: Scale.of(view, given[view] or value) for view, value in guess.items()}, None
-    chosen, sketch = _fitted(problem, slots, guess, fit)
+    chosen, sketch = _fitted(problem, slots, guess, compose)
     while chosen[View.FORCE].value < guess[View.FORCE] / FAR and not given[View.FORCE]:  # a sketch of specks
         guess |= {View.FORCE: chosen[View.FORCE].value}
-        chosen, sketch = _fitted(problem, slots, guess, fit)
+        chosen, sketch = _fitted(problem, slots, guess, compose)
+    if compose is not None and any(guess[view] / chosen[view].value > ROUGH for view in guess):
+        chosen, sketch = _fitted(problem, slots, {view: chosen[view].value for view in guess}, compose)
     return chosen, sketch
 
 
@@ -160,8 +162,8 @@ def _typical_force(problem: Problem) -> float:
 
 
 def _fitted(
-    problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float], fit: Fit | None
-) -> tuple[dict[View, Scale], Desk]:
+    problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float], compose: Compose | None
+) -> tuple[Scales, Desk]:
     """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet;
     and the sketch."""
     sketch = _sketch(problem, {v: Scale.of(v, value) for v, value in guess.items()})
@@ -169,18 +171,30 @@ def _fitted(
     figures = [
         replace(f, marks=lasting(f.marks)) for f in sketch.board.figures() if f.view is not View.FORCE or _acts(f)
     ]
-    chosen = {}
-    for view, value in guess.items():
-        of_kind = [f.marks for f in figures if f.view is view and not f.aside]
-        fitted = max((round_scale(value, extent(marks), slots.get(view, SLOT)) for marks in of_kind), default=value)
-        chosen[view] = Scale.of(view, given[view] or fitted)
-    by_kind = {f.view: f for f in figures}
-    if fit is not None and len(by_kind) == len(figures):
-        of_sketch = {view: _sketched(view, guess[view], f.marks) for view, f in by_kind.items()}
-        fixed = frozenset(view for view in by_kind if given[view])
-        values = enlarged(of_sketch, {view: chosen[view].value for view in by_kind}, fixed, fit)
-        chosen |= {view: Scale.of(view, value) for view, value in values.items()}
+    board, values = sketch.board, _filling(figures, slots, guess)
+    if compose is not None:
+        sketched: dict[Place, float] = {pane: board.scales[pane].value for pane in board.composed}
+        values = compose(figures, sketched | dict(guess.items()), _known(given))
+    chosen: Scales = {view: Scale.of(view, given[view] or values.get(view, value)) for view, value in guess.items()}
+    chosen |= {pane: replace(board.scales[pane], value=values[pane]) for pane in board.composed if pane in values}
     return chosen | {View.BODY: chosen[View.MECHANISM]}, sketch
+
+
+def _known(given: Mapping[View, float | None]) -> dict[View, float]:
+    return {view: value for view, value in given.items() if value is not None}
+
+
+def _filling(
+    figures: Sequence[Figure], slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float]
+) -> Mapping[Place, float]:
+    """Round scales with which the largest figure of each kind fills its slot."""
+    found: dict[Place, float] = {}
+    for figure in figures:
+        view = figure.view
+        if view in guess and not figure.aside:
+            scale = round_scale(guess[view], extent(figure.marks), slots.get(view, SLOT))
+            found[view] = max(scale, found.get(view, scale))
+    return found
 
 
 def _acts(figure: Figure) -> bool:
@@ -188,13 +202,7 @@ def _acts(figure: Figure) -> bool:
     return any(isinstance(mark, Vector) and abs(mark.b - mark.a) > SPECK for mark in figure.marks)
 
 
-def _sketched(view: View, scale: float, marks: tuple[Mark, ...]) -> Sketched:
-    """What a figure takes at any scale."""
-    (w, h), (wide, high) = extent(figured(marks)), extent(marks)
-    return Sketched(scale, (w, h), (wide - w, high - h), WIDE if view.wide else LARGE)
-
-
-def _sketch(problem: Problem, scales: Mapping[View, Scale]) -> Desk:
+def _sketch(problem: Problem, scales: Mapping[Place, Scale] | Mapping[View, Scale]) -> Desk:
     """The construction by an exact hand, of which only what stands on the paper is of use."""
     return draw(problem, Scratch(hand("exact"), scales))
 

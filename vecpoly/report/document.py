@@ -215,7 +215,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
 def _pages(construction: Construction, solution: Solution, lang: Lang, objects: Objects) -> list[Any]:
     """The sheets of a construction, each put among the objects of the report."""
     problem = solution.problem
-    made = sheets(construction, lang=lang, title=problem.title, way=problem.orientation)
+    made = sheets(construction, lang=lang, title=problem.title, way=problem.orientation, plates=True)
     return _bound(made, construction, lang, objects)
 
 

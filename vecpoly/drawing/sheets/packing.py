@@ -6,13 +6,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from .slicing import Pair, Piece, Size, Slicing, depth
-from .space import CAPTION, CLEAR, LETTERING, room_inside
+from .slicing import Pair, Piece, Shape, Size, Slicing, depth
+from .space import HIGHEST, NARROW, PLATE
 from .spreading import spread
 
-TITLE = 25.0  # mm: no figure is narrower than its title
+TIGHT = 2.5  # mm of white between figures, and to the frame, at least: what is planned leaves more
+AROUND = 8.0  # mm of white about the figures of a plate, on both sides together
 AMPLE = 11.0  # mm of white that leaves nothing to be wished: then the plainest arrangement is the best
-ENOUGH = 6.5  # mm of white between figures that are not crowded
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,15 +25,22 @@ class Layout:
     white: float
     together: int = 0
 
+    def share(self, sizes: Sequence[Size]) -> float:
+        """What the box about all figures takes of the page's area."""
+        lefts, feet = [c.real for c in self.corners], [c.imag for c in self.corners]
+        wide = max(x + w for x, (w, _) in zip(lefts, sizes, strict=True)) - min(lefts)
+        high = max(y + h for y, (_, h) in zip(feet, sizes, strict=True)) - min(feet)
+        return wide * high / (self.page[0] * self.page[1])
 
-def padded(sizes: Sequence[Size]) -> list[Size]:
+
+def padded(sizes: Sequence[Size], clear: float = TIGHT) -> list[Size]:
     """With the white that belongs to each figure; the page loses as much at its edges."""
-    return [(w + CLEAR, h + CLEAR) for w, h in sizes]
+    return [(w + clear, h + clear) for w, h in sizes]
 
 
-def inner(page: Size) -> Size:
+def inner(page: Size, clear: float = TIGHT) -> Size:
     """What a page offers to figures with their white."""
-    return page[0] - CLEAR, page[1] - CLEAR
+    return page[0] - clear, page[1] - clear
 
 
 def pack(sizes: Sequence[Size], page: Size, pairs: Sequence[Pair] = ()) -> Layout | None:
@@ -63,9 +70,23 @@ def packed(slicing: Slicing, start: int, end: int, sizes: Sequence[Size], page: 
     return best[0] if best is not None else None
 
 
+def flat(sizes: Sequence[Size], pairs: frozenset[Pair] = frozenset()) -> Layout | None:
+    """The figures on a plate no larger than they need; None where it would be as high as a page."""
+    for slicing in slicings(sizes, (PLATE, HIGHEST), pairs):
+        made = [_plate(shape, sizes, len(slicing.tied)) for shape in slicing.shapes(0, len(sizes))]
+        if made:
+            return max(made, key=lambda layout: layout.share(sizes))
+    return None
+
+
+def _plate(shape: Shape, sizes: Sequence[Size], together: int) -> Layout:
+    wide, high, piece = shape
+    return _layout(piece, 0, len(sizes), sizes, (max(NARROW, wide + AROUND), high + AROUND), together)
+
+
 def _layout(piece: Piece, start: int, end: int, sizes: Sequence[Size], page: Size, together: int) -> Layout:
-    corners = [at + (CLEAR + CLEAR * 1j) / 2 for at in spread(piece, padded(sizes), inner(page))]
-    placed = tuple(at + (CLEAR + CLEAR * 1j) / 2 for at in corners[start:end])
+    corners = spread(piece, padded(sizes), inner(page))
+    placed = tuple(at + complex(TIGHT, TIGHT) for at in corners[start:end])
     return Layout(page, placed, _white(placed, sizes[start:end], page), together)
 
 
@@ -79,11 +100,3 @@ def _white(corners: Sequence[complex], sizes: Sequence[Size], page: Size) -> flo
         for u0, v0, u1, v1 in boxes[:i]
     ]
     return min([*edges, *between])
-
-
-def fits_sheet(sizes: Sequence[Size], landscape: bool = False) -> bool:
-    """Whether figures whose bare lines have these sizes go on one sheet, upright or across, with their lettering and
-    titles, and some white to spare."""
-    lettered = [(max(w, TITLE) + 2 * LETTERING, h + LETTERING + CAPTION) for w, h in sizes]
-    layout = pack(lettered, room_inside(landscape))
-    return layout is not None and layout.white >= ENOUGH

@@ -9,11 +9,10 @@ from typing import Generic, Literal, Protocol, TypeVar
 
 from ...board.construction import Figure, View
 from ..scene import Scene
-from .packing import Layout, pack, packed, slicings
+from .packing import Layout, flat, pack, packed, slicings
 from .slicing import Pair, Size
-from .space import room_inside
+from .space import SPARSE, room_inside
 
-SPARSE = 0.25  # share of a page below which figures look lost on it
 UPRIGHT = 0.04  # of a page's area by which figures must spread wider over one that lies across
 CROWDED = 6.5  # mm of white below which a page is full to the brim
 LONGEST = 12  # figures on a page
@@ -56,13 +55,24 @@ NOTHING: Cost = (0, 0, 0, 0, 0)
 
 
 def reading_order(figures: Sequence[Figure]) -> tuple[Figure, ...]:
-    """The figures as they come, a force polygon after the free body of its name, to which it belongs."""
+    """The figures as they come, a force polygon after the free body of its name, to which it belongs; those without a
+    body that were closed before, without friction, stand before the bodies."""
     first = {(f.view, f.name) for f in figures}
+    beside = [f for f in figures if (f.view.beside, f.name) in first]
+    begun = min(map(_begun, beside), default=0)
+    early = [f for f in figures if f.view.beside is not None and f not in beside and _begun(f) < begun]
     ordered: list[Figure] = []
     for figure in figures:
-        if (figure.view.beside, figure.name) not in first:
-            ordered += [figure, *(f for f in figures if f.view.beside is figure.view and f.name == figure.name)]
+        if early and figure.view is early[0].view.beside:
+            ordered, early = [*ordered, *early], []
+        if figure not in beside and figure not in ordered:
+            ordered += [figure, *(f for f in beside if f.view.beside is figure.view and f.name == figure.name)]
     return tuple(ordered)
+
+
+def _begun(figure: Figure) -> int:
+    """The step that began it."""
+    return min((mark.step for mark in figure.marks), default=0)
 
 
 def paged(drawn: Sequence[F], way: Way = None) -> list[Page[F]] | None:
@@ -80,16 +90,22 @@ def ways_of(way: Way) -> tuple[bool, ...]:
 def _rank(found: tuple[Cost, list[Page[F]]]) -> tuple[Cost, float]:
     """The dearer, the later; of equal costs the one over whose pages the figures spread widest."""
     cost, pages = found
-    across = pages[0][1].page == room_inside(True)
-    return cost, -min(covered(figures, layout) for figures, layout in pages) + (UPRIGHT if across else 0.0)
+    across = any(layout.page == room_inside(True) for _, layout in pages)
+    least = min((covered(figures, layout) for figures, layout in pages), default=0.0)
+    return cost, (UPRIGHT if across else 0.0) - least
 
 
 def covered(figures: Sequence[Sized], layout: Layout) -> float:
     """What the box about all figures takes of the page's area."""
-    lefts, feet = [c.real for c in layout.corners], [c.imag for c in layout.corners]
-    wide = max(x + one.size[0] for x, one in zip(lefts, figures, strict=True)) - min(lefts)
-    high = max(y + one.size[1] for y, one in zip(feet, figures, strict=True)) - min(feet)
-    return wide * high / (layout.page[0] * layout.page[1])
+    return layout.share([one.size for one in figures])
+
+
+def trimmed(figures: Sequence[Sized], layout: Layout) -> Layout:
+    """The figures on a plate no higher than they need, where they would be lost on the page."""
+    if covered(figures, layout) >= SPARSE:
+        return layout
+    plate = flat([one.size for one in figures], pairs_of(figures))
+    return plate if plate is not None and covered(figures, plate) > covered(figures, layout) else layout
 
 
 class Paging(Generic[F]):
@@ -127,12 +143,11 @@ class Paging(Generic[F]):
 
     def _cost(self, start: int, end: int, layout: Layout) -> Cost:
         """Of a page: itself with each pair that is torn, those pairs,
-        sparse among several, an unnatural break before it, and crowding."""
+        what it lacks of being filled among several (in hundredths), an unnatural break before it, and crowding."""
         torn = sum(start <= j < end for _, j in self.pairs) - layout.together
-        area = sum(w * h for w, h in self.sizes[start:end])
-        sparse = (start > 0 or end < len(self.drawn)) and area < SPARSE * layout.page[0] * layout.page[1]
+        lacking = max(0.0, SPARSE - covered(self.drawn[start:end], layout)) if end - start < len(self.drawn) else 0.0
         natural = start == 0 or (self.drawn[start].view.paired and not self.drawn[start - 1].view.paired)
-        return 1 + torn, torn, int(sparse), int(not natural), int(layout.white < CROWDED)
+        return 1 + torn, torn, round(100 * lacking), int(not natural), int(layout.white < CROWDED)
 
 
 def arranged(drawn: Sequence[Sized], way: Way = None) -> Layout | None:

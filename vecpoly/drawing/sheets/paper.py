@@ -1,30 +1,53 @@
-"""The paper on which a construction is to be drawn, as the board's planner sees it: how much room there is."""
+"""The paper on which a construction is to be drawn, as the board's planner sees it: how much room there is, and which
+scales fill it."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import isclose
 
-from ...board.construction import View
-from .packing import fits_sheet
+from ...board.construction import Figure, View
+from ...board.paper.extent import extent, figured
+from ...board.paper.marks import FixedGuide
+from ...board.paper.scales import Sketched
+from ...board.place import Pane, Place
+from .composing import composed
+from .lettering import lettered
+from .paging import Way, reading_order
 from .slicing import Size
-from .space import room, slots
+from .space import room
 
 
 @dataclass(frozen=True, slots=True)
 class A4Paper:
-    """A4 sheets, upright or across."""
+    """A4 sheets, upright or across; either where neither is wished."""
 
-    landscape: bool = False
+    way: Way = None
 
     def room(self, view: View, count: int = 1) -> Size:
         """What each of so many figures of a kind should fill (mm)."""
         return room(view, count)
 
-    def slots(self, count: int) -> tuple[Size, ...]:
-        """What each of so many figures on one sheet should fill (mm)."""
-        return slots(count)
+    def compose(
+        self, figures: Sequence[Figure], sketched: Mapping[Place, float], given: Mapping[View, float]
+    ) -> Mapping[Place, float]:
+        """Round scales for the kinds of figure that have none given, and for panes with a scale of their own, with
+        which the figures of a sketch, drawn at these scales, fill as few sheets as will do."""
+        return composed([_sketch(one, sketched) for one in reading_order(figures)], given, self.way)
 
-    def fits(self, sizes: Sequence[Size]) -> bool:
-        """Whether figures of these sizes go on one sheet."""
-        return fits_sheet(sizes, self.landscape)
+
+def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:
+    """What a figure takes at any scale: a free body is drawn at the scale of the mechanism."""
+    own, kind = Pane(figure.view, figure.name), View.MECHANISM if figure.view is View.BODY else figure.view
+    follows = kind in scales and isclose(figure.scale.value, scales[kind], rel_tol=1e-9)
+    growing = tuple(mark for mark in figured(figure.marks) if not isinstance(mark, FixedGuide))
+    (w, h), (wide, high) = extent(growing), lettered(figure)
+    return Sketched(
+        view=figure.view,
+        name=figure.name,
+        of=own if own in scales else kind if follows else None,
+        scale=figure.scale.value,
+        size=(w, h),
+        around=(wide - w, high - h),
+    )

@@ -12,9 +12,9 @@ from ..detail import detailed
 from ..figure import draw_figure
 from ..scene import Item, Rect, Scene
 from .packing import Layout
-from .paging import Drawn, Page, Way, arranged, paged, reading_order
+from .paging import Drawn, Page, Way, arranged, paged, reading_order, trimmed
 from .redbox import red_box
-from .space import A4, FRAME, STRIP, room_inside, usable
+from .space import FRAME, STRIP, room_inside, usable
 from .titleblock import Strip, furniture
 
 NO_TITLE = Words.same("")
@@ -38,15 +38,25 @@ class Sheet:
 
     drawn: tuple[Item, ...]
     figures: tuple[Placed, ...]
-    landscape: bool
+    room: tuple[float, float]  # inside the frame, over the strip
     strip: Strip
     lang: Lang
     warning: Words | None = None
 
     @property
+    def landscape(self) -> bool:
+        """Whether the paper is an A4 page that lies across."""
+        return self.room == room_inside(True)
+
+    @property
+    def plate(self) -> bool:
+        """Whether it is lower than a page, to stand in the text."""
+        return self.room not in (room_inside(True), room_inside())
+
+    @property
     def size(self) -> tuple[float, float]:
         """Width and height of the paper, mm."""
-        return (A4[1], A4[0]) if self.landscape else A4
+        return self.room[0] + 2 * FRAME, self.room[1] + 2 * FRAME + STRIP
 
     @property
     def scene(self) -> Scene:
@@ -60,7 +70,7 @@ class Sheet:
     @property
     def furniture(self) -> Scene:
         """Frame and title strip."""
-        return Scene(tuple(furniture(self._page, self.strip, self.lang)), self._page)
+        return Scene(tuple(furniture(self._page, self.strip, self.lang, blanks=not self.plate)), self._page)
 
     @property
     def alarm(self) -> Scene:
@@ -85,10 +95,11 @@ class Hung:
 
 
 def sheets(
-    construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE, way: Way = None
+    construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE, way: Way = None, plates: bool = True
 ) -> tuple[Sheet, ...]:
     """The figures of a construction on as few A4 sheets as hold them, the mechanism first, each force polygon beside
-    its free body; `way`: portrait or landscape, where one is wished.
+    its free body; `way`: portrait or landscape, where one is wished. plates: figures that would be lost on a page
+    stand on a plate of their height.
 
     A knot in a polygon is drawn apart, enlarged, where that asks for no further sheet. Raises VecpolyError where a
     figure is larger than a sheet.
@@ -105,6 +116,8 @@ def sheets(
             drawn, pages = whole, plain
     if pages is None:
         raise _too_large(next(one for one in drawn if arranged((one,), way) is None))
+    if plates and way is None:
+        pages = [(group, trimmed(group, layout)) for group, layout in pages]
     return _numbered(pages, construction, lang, title)
 
 
@@ -167,4 +180,4 @@ def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang, w
         shifted = one.scene.moved(by)
         items.extend(shifted.items)
         placed.append(Placed(one.view, by, shifted.extents, one.name, len(shifted.items)))
-    return Sheet(tuple(items), tuple(placed), layout.page == room_inside(True), strip, lang, warning)
+    return Sheet(tuple(items), tuple(placed), layout.page, strip, lang, warning)

@@ -8,6 +8,9 @@ from ...board.construction import View
 A4 = (210.0, 297.0)
 FRAME = 10.0  # paper edge to frame
 STRIP = 16.0  # title strip at the foot, inside the frame
+PLATE, NARROW = 170.0, 118.0  # width of a plate at most and at least: a sheet in the text, as large as its figures
+HIGHEST = 155.0  # of a plate over its strip: what is higher has a page
+SPARSE = 0.6  # share of a page below which figures look lost on it
 CLEAR = 5.0  # white between the frame and the first figure, and between figures
 CAPTION = 15.0  # title and scale under a figure
 LETTERING = 8.0  # what letters may stand out from a figure on each side

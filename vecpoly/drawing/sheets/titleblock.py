@@ -43,17 +43,18 @@ class Strip:
     name: Words = UNNAMED  # of the sheet as a figure of a report
 
 
-def furniture(page: Rect, strip: Strip, lang: Lang) -> tuple[Item, ...]:
-    """Frame, strip and check bar of one sheet."""
+def furniture(page: Rect, strip: Strip, lang: Lang, *, blanks: bool = True) -> tuple[Item, ...]:
+    """Frame, strip and check bar of one sheet; blanks: for the name, which a plate in a report has not."""
     frame = page.grown(-FRAME)
     y, x1 = frame.y0 + STRIP, frame.x1
-    x_bar, x_name = x1 - BAR_CELL, frame.x0 + 0.44 * (x1 - frame.x0)
+    x_bar = x1 - BAR_CELL
+    x_name = frame.x0 + 0.44 * (x1 - frame.x0) if blanks else x_bar
     mid = frame.y0 + STRIP / 2
     x_half = (x_name + x_bar) / 2
     ruled = [
         _line(complex(frame.x0, y), complex(x1, y), GIVEN),
-        *(_line(complex(x, frame.y0), complex(x, y), GIVEN) for x in (x_name, x_bar)),
-        _line(complex(x_half, frame.y0), complex(x_half, y), THIN),
+        *(_line(complex(x, frame.y0), complex(x, y), GIVEN) for x in dict.fromkeys((x_name, x_bar))),
+        *([_line(complex(x_half, frame.y0), complex(x_half, y), THIN)] if blanks else []),
         _line(complex(frame.x0, mid), complex(x_bar, mid), THIN),
     ]
     corners = (complex(frame.x0, frame.y0), complex(x1, frame.y0), complex(x1, frame.y1), complex(frame.x0, frame.y1))
@@ -62,7 +63,7 @@ def furniture(page: Rect, strip: Strip, lang: Lang) -> tuple[Item, ...]:
         border,
         *ruled,
         *_titles(frame, x_name, strip, lang),
-        *_blanks(frame, x_name, x_half, lang),
+        *(_blanks(frame, x_name, x_half, lang) if blanks else ()),
         *check_bar(complex((x_bar + x1 - BAR) / 2, frame.y0 + 4.2), lang),
     )
 

@@ -19,8 +19,8 @@ from .direct import direct_centres, normals, scaled
 from .doors import LIMITS, SEARCHES, SLOWEST
 from .find.motions import Motions
 from .readings import read_centres
-from .size import Paper, paper_for
-from .state import NAME, CentreFigure
+from .size import NAME, Paper, paper_for
+from .state import CentreFigure
 from .theorem.polygon import open_polygon
 from .theorem.search import Known
 
@@ -34,7 +34,7 @@ def centre_pass(desk: Desk, problem: Problem, groups: tuple[Group, ...]) -> None
     here = scaled(direct, paper.factor)
     _count(desk)
     polygon = open_polygon(desk)
-    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, paper.scale, aside=True)
+    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, paper.scale, aside=True, composed=True)
     fig = CentreFigure(
         desk=desk, pane=pane, polygon=polygon, paper=paper, known=Known(desk.mech, {}, normals(here), paper.far)
     )

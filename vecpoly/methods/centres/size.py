@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from ...board.construction import Scale, View
 from ...board.paper.extent import bounds, box_of
 from ...board.paper.scales import round_up
+from ...board.place import Pane
 from ...mechanism.asked.centres import Pair
 from ...plane import Line, cross, nominal
 from ..desk import Desk
@@ -17,6 +18,7 @@ from .geometry import NONE, Centre
 from .theorem.search import Known, Search, order
 from .theorem.trial import best_trial
 
+NAME = "centres"  # of the figure
 ROOMS = ((150.0, 185.0), (225.0, 118.0))  # mm that the figure may fill on a page, upright or across
 LEAST = 36.0  # mm that the mechanism must measure on it, for its links to be told apart
 MARGIN = 8.0  # mm of paper round the figure
@@ -73,16 +75,16 @@ def _crossed(lines: tuple[Line, ...]) -> bool:
 
 
 def _paper(desk: Desk, seen: Survey, kept: set[Pair]) -> Paper:
-    """The largest round scale on which everything fits;
+    """The scale that the sheet wishes, else the largest round one on which everything fits;
     the farthest centres are left out where the mechanism would become too small."""
     low, high = bounds(desk.board.marks(View.MECHANISM))
     middle, size = (low + high) / 2, max(high.real - low.real, high.imag - low.imag)
-    mu = desk.board.scales[View.MECHANISM]
+    mu, wished = desk.board.scales[View.MECHANISM], desk.board.scales.get(Pane(View.MECHANISM, NAME))
     spots = {pair: centre.spot() for pair, centre in seen.centres.items() if not centre.endless}
     inside = sorted(spots, key=lambda pair: (pair not in kept, abs(spots[pair] - middle)))
     while True:
         corners = box_of([low, high, *(spots[pair] for pair in inside)])
-        scale = replace(mu, value=max(mu.value, round_up(mu.value * too_large(corners))))
+        scale = wished or replace(mu, value=max(mu.value, round_up(mu.value * too_large(corners))))
         factor = mu.value / scale.value
         if set(inside) <= kept or size * factor >= min(LEAST, size):
             break

@@ -18,7 +18,6 @@ from .places import place_read
 from .size import Paper
 from .theorem.search import Known
 
-NAME = "centres"
 BEYOND = 5.0  # mm a line runs on beyond the outermost of its centres
 MANY = 7  # links: with as many, lines are drawn only where they cut
 GAP, ARROW = 5.0, 13.0  # mm from a slide to the arrow that shows the way to its centre at infinity; its length

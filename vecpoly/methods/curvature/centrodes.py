@@ -46,7 +46,7 @@ def draw_centrodes(desk: Desk, groups: Sequence[Group], asked: Centrodes) -> Non
     """The fixed centrode is the locus of the poles on the frame, the moving one that on the link; they roll."""
     pairs, there = pairs_of(desk.mech, asked.link), [placed(desk, groups, q) for q in asked.drive]
     sheet = _paper(desk, there, asked, pairs)
-    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, sheet.scale, aside=True)
+    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, sheet.scale, aside=True, composed=True)
     _say(desk, asked, pane, sheet)
     desk.board.depict(pane, *mechanism_copied(desk, sheet, tuple(groups)))
     own = _rolled(desk, desk, asked.link, pairs, sheet.factor, desk.board)
@@ -76,7 +76,7 @@ def _paper(desk: Desk, there: Sequence[Desk], asked: Centrodes, pairs: tuple[Pai
     own = _rolled(desk, desk, asked.link, pairs, 1.0, scratch)
     run = [_rolled(desk, one, asked.link, pairs, 1.0, scratch) for one in there]
     spots = [one.pole for one in run] + [scratch.image((*one.ends, one.pole), own.ends) for one in run]
-    found = fitted(desk, box_of([complex(nominal(spot)) for spot in spots]))
+    found = fitted(desk, box_of([complex(nominal(spot)) for spot in spots]), NAME)
     if found is None:
         raise NotAskedError(
             Words(

@@ -9,6 +9,7 @@ from math import degrees, radians
 from ...board.construction import View
 from ...board.paper.extent import bounds, box_of
 from ...board.paper.scales import HALF, SERIES, round_up
+from ...board.place import Pane
 from ...errors import NotAskedError, VecpolyError
 from ...mechanism.groups.assur import Group
 from ...plane import Points, nominal
@@ -75,15 +76,18 @@ def _box(desk: Desk, link: str, draw: Draw) -> Box:
     return bounds(sketch.board.marks(pane))
 
 
-def fitted(desk: Desk, box: Box) -> Paper | None:
-    """The largest round scale, no larger than the diagram's; None where the mechanism would be too small on it."""
+def fitted(desk: Desk, box: Box, name: str = NAME) -> Paper | None:
+    """The scale that the sheet wishes, else the largest round one, no larger than the diagram's; None where the
+    mechanism would be too small on it."""
     low, high = bounds(desk.board.marks(View.MECHANISM))
     box, size = box_of([*box, low, high]), max(high.real - low.real, high.imag - low.imag)
     mu = desk.board.scales[View.MECHANISM]
-    scale = replace(mu, value=max(mu.value, round_up(mu.value * too_large(box), SCALES)))
-    factor, margin = mu.value / scale.value, complex(MARGIN, MARGIN)
-    if size * factor < min(LEAST, size):
+    wished = desk.board.scales.get(Pane(View.MECHANISM, name))
+    own = replace(mu, value=max(mu.value, round_up(mu.value * too_large(box), SCALES)))
+    fitting = (one for one in (wished, own) if one is not None and size * mu.value / one.value >= min(LEAST, size))
+    if (scale := next(fitting, None)) is None:
         return None
+    factor, margin = mu.value / scale.value, complex(MARGIN, MARGIN)
     corners = (box[0] * factor - margin, box[1] * factor + margin)
     return Paper(scale=scale, factor=factor, corners=corners, far=frozenset())
 

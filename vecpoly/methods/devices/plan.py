@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
@@ -10,27 +10,24 @@ from ...board.board import Board
 from ...board.construction import Construction, Scale, View
 from ...board.hand import Hand, hand
 from ...board.otherwise.amended import AS_DRAWN, Amended
-from ...board.paper.extent import extent
-from ...board.paper.scales import round_scale
+from ...board.place import Place, view_of
 from ...board.yielded import evaluated
 from ...devices.base import Device
-from ...problem.problem import Problem
+from ...problem.problem import Problem, Scales
 from ...words import Words
+from ..drawing import Paper
 from ..drawn import Drawn
 from .bench import NO_SCALE, Bench
 from .registry import find_device
 
 TITLES = {View.MECHANISM: Words("简图", "Sketch"), View.BODY: Words("受力图", "Free body")}  # not as of a mechanism
-SLOT = (150.0, 90.0)  # mm, where the sheet names no place for a figure
 
 
-def construct_device(
-    problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]], amended: Amended = AS_DRAWN
-) -> Drawn:
+def construct_device(problem: Problem, by: Hand, paper: Paper, amended: Amended = AS_DRAWN) -> Drawn:
     """Solve a device on a board."""
     device = problem.device
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        scales, sketch = _scales(problem, slots)
+        scales, sketch = _scales(problem, paper)
         bench = _draw(device, by, scales, amended)
     called = find_device(device).called
     keys = [ask.rel.key for ask in problem.asks]
@@ -57,31 +54,38 @@ def _draw(device: Device, by: Hand, scales: Mapping[View, Scale], amended: Amend
     return bench
 
 
-def _scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> tuple[dict[View, Scale], Bench]:
-    """Round scales with which the largest figure of each kind of a sketch fills its place; and the sketch."""
+def _scales(problem: Problem, paper: Paper) -> tuple[dict[View, Scale], Bench]:
+    """Round scales with which the figures of a sketch fill their sheets; and the sketch."""
     device = problem.device
     if (own := find_device(device).scales) is not None:
-        scales = dict(own(device, problem.scales))
-        return scales, _draw(device, hand("exact"), scales)
+        return _filling(device, problem.scales, own, paper)
     guess = {View.MECHANISM: device.size / 80, View.BODY: device.size / 80, View.FORCE: device.force / 60}
     sketch = _draw(device, hand("exact"), {view: _scale(view, value) for view, value in guess.items()})
-    chosen: dict[View, Scale] = {}
-    for view, value in guess.items():
-        drawn = [
-            figure.marks
-            for figure in sketch.board.figures(TITLES)
-            if figure.view is view and figure.scale.value == value
-        ]
-        fitted = max(
-            (round_scale(value, extent(marks), slots.get(view, SLOT)) for marks in drawn if value), default=value
-        )
-        chosen[view] = _scale(view, problem.scales.of(view.mu) or fitted)
-    chosen[View.BODY] = (
-        chosen[View.MECHANISM]
-        if any(f.view is View.MECHANISM for f in sketch.board.figures(TITLES))
-        else chosen[View.BODY]
-    )
-    return chosen, sketch
+    figures = sketch.board.figures(TITLES)
+    given = {view: value for view in guess if (value := problem.scales.of(view.mu)) is not None}
+    found = guess | dict(paper.compose(figures, {view: value for view, value in guess.items() if value}, given)) | given
+    return {view: _scale(view, found[_followed(view)]) for view in guess}, sketch
+
+
+Own = Callable[[Device, Scales], Mapping[View, Scale]]
+
+
+def _filling(device: Device, given: Scales, own: Own, paper: Paper) -> tuple[dict[View, Scale], Bench]:
+    """A device's own scales; those that are single and not given are such that the figures fill their sheets."""
+    scales = own(device, given)
+    sketch = _draw(device, hand("exact"), scales)
+    told = {view: value for view in scales if (value := given.of(view.mu)) is not None}
+    alone: dict[Place, float] = {
+        view: scale.value for view, scale in scales.items() if scale.across is None and scale.value
+    }
+    for view, value in paper.compose(sketch.board.figures(TITLES), alone, told).items():
+        given = given.changed(view_of(view).mu, value)
+    return dict(own(device, given)), sketch
+
+
+def _followed(view: View) -> View:
+    """The kind whose scale it has: bodies that of the sketch."""
+    return View.MECHANISM if view is View.BODY else view
 
 
 def _scale(view: View, value: float) -> Scale:

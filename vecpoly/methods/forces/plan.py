@@ -94,7 +94,7 @@ def _of_position(desk: Desk, problem: Problem, pulls: Pulls) -> Statics:
     if st.loads.friction:
         st = _with_friction(ideal, groups, held, desk)
     read_thrusts(st, problem.loads)
-    draw_free_bodies(st, problem)
+    draw_free_bodies(st, problem, (*(link for group in groups for link in group.links), held.link))
     read_efficiency(st)
     if not st.loads.friction:
         _as_they_are(st, problem)

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-
 import numpy as np
 
 from ...board.board import Board
 from ...board.construction import Construction, Scale
 from ...board.hand import Hand, hand
 from ...board.otherwise.amended import AS_DRAWN, Amended
-from ...board.paper.extent import extent
-from ...board.paper.scales import round_scale, round_up
 from ...board.yielded import evaluated
 from ...designs.base import Design
 from ...designs.verdict import Verdict
@@ -21,7 +17,6 @@ from ..drawn import Drawn
 from .draft import SHEET, Draft
 from .registry import find_design
 
-COARSEST = 1.51  # how much coarser the scale may be for all figures to go on one sheet
 SAME = 9  # digits to which two numbers that order candidates are one
 
 
@@ -29,8 +24,12 @@ def construct_design(problem: Problem, by: Hand, paper: Paper, amended: Amended 
     """Find the linkages on a board; the sketch's figures tell the scale, its candidates their numbers."""
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         sketch = _draw(problem, hand("exact"), _guess(problem), None)
-        scale = _scale(problem, sketch, paper)
+        scale = _scale(problem, sketch, _guess(problem), paper)
         ideal = _draw(problem, hand("exact"), scale, sketch)
+        if (
+            better := _scale(problem, ideal, scale, paper)
+        ) != scale:  # seen at its size, it may fill the sheet otherwise
+            scale, ideal = better, _draw(problem, hand("exact"), better, sketch)
         draft = _draw(problem, by, scale, ideal, amended)
     board, keys = draft.board, [ask.rel.key for ask in problem.asks]
     steps, told = evaluated(board.steps, board.acts, {key: board.readings[key] for key in keys})
@@ -83,27 +82,9 @@ def _guess(problem: Problem) -> float:
     return problem.scales.of(SHEET.mu) or _design(problem).size / 80
 
 
-def _scale(problem: Problem, sketch: Draft, paper: Paper) -> float:
-    """As given; else the round scale with which the largest figure fills its place, or all go on one sheet."""
+def _scale(problem: Problem, sketch: Draft, at: float, paper: Paper) -> float:
+    """As given; else the round scale with which the figures of a sketch at some scale fill their sheets."""
     given = problem.scales.of(SHEET.mu)
     if given is not None:
         return given
-    guess, place = _guess(problem), paper.slots(1)[0]
-    figures = sketch.board.figures()
-    sizes = [extent(figure.marks) for figure in figures if figure.scale.symbol == SHEET.mu.symbol]
-    others = [extent(figure.marks) for figure in figures if figure.scale.symbol != SHEET.mu.symbol]  # charts
-    alone = max(round_scale(guess, size, place) for size in sizes)
-    return next((scale for scale in _coarser(alone) if paper.fits([*_at(sizes, guess / scale), *others])), alone)
-
-
-def _coarser(scale: float) -> Iterator[float]:
-    """The scale and those of the series above it, up to half its size on paper."""
-    found = scale
-    while found <= COARSEST * scale:
-        yield found
-        found = round_up(1.01 * found)
-
-
-def _at(sizes: Sequence[tuple[float, float]], larger: float) -> list[tuple[float, float]]:
-    """The sizes of the figures at another scale."""
-    return [(width * larger, height * larger) for width, height in sizes]
+    return paper.compose(sketch.board.figures(), {SHEET: at}, {}).get(SHEET, at)

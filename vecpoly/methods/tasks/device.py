@@ -20,4 +20,4 @@ class DeviceDrawing:
 
     def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended, sketch: Desk | None = None) -> Drawn:
         """Figures of the size in which they are usually drawn."""
-        return construct_device(problem, by, {}, amended)
+        return construct_device(problem, by, paper, amended)

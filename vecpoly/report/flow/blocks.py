@@ -161,8 +161,18 @@ class Divider(Block):
             self.canv.rect(0.0, 0.0, self.width, 0.4, stroke=0, fill=1)
 
 
+class Plate(Drawing):
+    """A sheet that is lower than a page, framed in the text; in the bookmarks like the others."""
+
+    def __init__(self, width_mm: float, height_mm: float, draw: Draw, title: str = "", alt: str = "") -> None:
+        super().__init__(width_mm, height_mm, draw, alt or title)
+        self.outline, self.level = title, 2
+
+
 class SheetPage(Block):
     """A whole A4 page drawn by a callback at the paper's lower left corner, in true millimetres.
+
+    behind: it stands after so many pages of the text that goes on behind it; none where it stands in its place.
 
     told: the callback says itself what is what on it; else the page is one figure, which `alt` tells of.
     """
@@ -173,8 +183,7 @@ class SheetPage(Block):
     def __init__(self, draw: Draw, *, wide: bool = False, title: str = "", alt: str = "", told: bool = False) -> None:
         super().__init__()
         self._draw, self.wide, self.outline, self.alt = draw, wide, title, alt
-        self._told = told
-        self.level = 2
+        self._told, self.level, self.behind = told, 2, 0
         self.tag, self.goal = Tag(Role.FIGURE, alt=alt or title), goal_of(title)
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from reportlab.lib.pagesizes import A4, landscape
-from reportlab.platypus.doctemplate import BaseDocTemplate, NextPageTemplate, PageTemplate
+from reportlab.platypus.doctemplate import NextPageTemplate, PageTemplate
 from reportlab.platypus.flowables import PageBreak
 from reportlab.platypus.frames import Frame
 
@@ -22,8 +22,8 @@ from ...typeset.canvas import Ink, lost
 from ...typeset.fonts import Face, load
 from ...typeset.words import layout_words
 from .base import Block
-from .blocks import SheetPage
 from .contents import page_form, tell_contents
+from .floating import Floating, template_of
 from .style import BODY, GREY
 
 MARGIN = 20 * MM
@@ -71,7 +71,7 @@ class _Canvas(TaggedCanvas):
         self.endForm()
 
 
-class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
+class ReportDoc(Floating):
     """A report built from flowables; `write` makes the file in one move, or not at all."""
 
     def __init__(self, story: Sequence[Any], metadata: Metadata, stamp: Stamp | None = None) -> None:
@@ -179,6 +179,11 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         """The parts whose last page was turned for a few lines, or a table, and how many pages they have."""
         return {part: pages for part, (pages, full) in enumerate(self._filled) if pages > 1 and full < LEFTOVER}
 
+    @property
+    def ends(self) -> tuple[tuple[int, float], ...]:
+        """Of each part: its pages of text, and how full the last one is."""
+        return tuple(self._filled)
+
     def made(self) -> tuple[bytes, int, tuple[str, ...]]:
         """The document as bytes, how many pages it has, and the characters that no font has."""
         self.drawn()
@@ -204,7 +209,7 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         tell_contents(self.story)
         self._firstPageTemplateIndex = _first(self.story)
         self._doSave = 0
-        self.build(story, filename=BytesIO(), canvasmaker=_Canvas)
+        self.build(self.float(story), filename=BytesIO(), canvasmaker=_Canvas)
 
 
 def _expanded(story: Sequence[Any]) -> list[Any]:
@@ -215,7 +220,7 @@ def _expanded(story: Sequence[Any]) -> list[Any]:
         if isinstance(item, PageBreak):
             _turn(out, template)
             continue
-        wanted = ("landscape" if item.wide else "portrait") if isinstance(item, SheetPage) else "text"
+        wanted = template_of(item)
         if wanted != "text" or wanted != template:
             _turn(out, wanted)
         template = wanted
@@ -227,8 +232,7 @@ def _expanded(story: Sequence[Any]) -> list[Any]:
 
 def _first(story: Sequence[Any]) -> int:
     """The template of the first page: text, or that of the sheet that stands there."""
-    first = next(iter(story), None)
-    return (2 if first.wide else 1) if isinstance(first, SheetPage) else 0
+    return ("text", "portrait", "landscape").index(template_of(next(iter(story), None)))
 
 
 def _turn(out: list[Any], template: str) -> None:

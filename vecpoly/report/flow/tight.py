@@ -11,11 +11,9 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 from typing import Any
 
-from reportlab.platypus.flowables import PageBreak
-
 from .base import Block, Tightness
-from .blocks import SheetPage
 from .doc import Metadata, ReportDoc
+from .running import fresh, run_on, turns
 
 DEGREES = (
     Tightness(white=0.8),
@@ -32,7 +30,12 @@ def saved(story: Sequence[Any], meta: Metadata) -> bytes:
     plain.counted()
     tried = {part: _degree(story, part, pages, meta) for part, pages in plain.leftover.items()}
     chosen = {part: degree for part, degree in tried.items() if degree is not None}
-    return ReportDoc(_set(story, chosen), meta).made()[0]
+    story = _set(story, chosen)
+    if chosen:
+        plain = ReportDoc(story, meta)
+        plain.counted()
+    shared = run_on(story, plain)
+    return ReportDoc(fresh(story if shared is None else shared), meta).made()[0]
 
 
 def tightened(story: Sequence[Any], degree: Tightness = DEGREES[1]) -> list[Any]:
@@ -62,7 +65,7 @@ def _parts(story: Sequence[Any]) -> list[list[Any]]:
     """The parts of text, in order."""
     parts: list[list[Any]] = [[]]
     for item in story:
-        if _turns(item):
+        if turns(item):
             parts.append([])
         else:
             parts[-1].append(item)
@@ -73,14 +76,10 @@ def _set(story: Sequence[Any], chosen: Mapping[int, Tightness]) -> list[Any]:
     """The whole story, these parts of it tightened."""
     found, part, empty = [], 0, True
     for item in story:
-        if _turns(item):
+        if turns(item):
             part, empty = part if empty else part + 1, True
             found.append(item)
         else:
             empty = False
             found.append(_tight(item, chosen.get(part)))
     return found
-
-
-def _turns(item: Any) -> bool:
-    return isinstance(item, (PageBreak, SheetPage))

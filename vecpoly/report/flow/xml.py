@@ -15,7 +15,7 @@ from ...errors import VecpolyError
 from ...tagging.tag import Role, Tag
 from ...words import Lang, Words
 from .base import Block
-from .blocks import KINDS, Callout, Divider, Drawing, Heading, SheetPage
+from .blocks import KINDS, Callout, Divider, Drawing, Heading, Plate, SheetPage
 from .contents import Contents
 from .cover import Cover, TitleBlock
 from .equation import EquationFlow
@@ -178,7 +178,7 @@ class _Reader:
         return [found]
 
     def _sheet(self, element: Element) -> list[Any]:
-        return [self._lookup(element, SheetPage, "a sheet page")]
+        return [self._lookup(element, (SheetPage, Plate), "a sheet page")]
 
     def _titleblock(self, element: Element) -> list[Any]:
         for child in element.children:

@@ -1,4 +1,5 @@
-"""A drawing sheet as a page of a report: every figure of it is an element, which says in words what it shows."""
+"""A drawing sheet in a report: a page of its own, every figure of it an element that says in words what it shows; or a
+plate in the text."""
 
 from __future__ import annotations
 
@@ -7,15 +8,31 @@ from typing import Any
 from ...board.construction import Construction
 from ...drawing.backends.pdf import draw_pdf
 from ...drawing.sheets.sheet import Sheet
+from ...drawing.sheets.space import FRAME, STRIP
 from ...tagging.tag import Role, Tag, boxed
 from ...tagging.tree import marked
 from ...typeset.box import MM
-from ..flow.blocks import SheetPage
+from ..flow.blocks import Plate, SheetPage
 from .shown import placed
 
 
-def sheet_page(sheet: Sheet, construction: Construction, name: str) -> SheetPage:
-    """The sheet, called so in the bookmarks."""
+def sheet_page(sheet: Sheet, construction: Construction, name: str) -> SheetPage | Plate:
+    """The sheet, called so in the bookmarks; of a plate no paper is left outside the frame."""
+    return _plate(sheet, construction, name) if sheet.plate else _page(sheet, construction, name)
+
+
+def _plate(sheet: Sheet, construction: Construction, name: str) -> Plate:
+    """One figure, of which all is told together."""
+    wide, high = sheet.room
+    alt = " ".join((name, *(placed(one, construction, sheet.lang) for one in sheet.figures)))
+
+    def draw(canvas: Any, x: float, y: float) -> None:
+        draw_pdf(sheet.scene, canvas, x - FRAME * MM, y - FRAME * MM)
+
+    return Plate(wide, high + STRIP, draw, name, alt)
+
+
+def _page(sheet: Sheet, construction: Construction, name: str) -> SheetPage:
 
     def draw(canvas: Any, x: float, y: float) -> None:
         with marked(canvas, Tag(Role.P)):  # the title strip tells what the sheet is, and by whom

@@ -13,7 +13,7 @@ from ...solution import Solution
 from ...units.reckoning import Amount
 from ...words import Lang, Words
 from ..course.numbering import Press
-from ..flow.blocks import SheetPage, spoken
+from ..flow.blocks import Plate, SheetPage, spoken
 from ..plates.page import sheet_page
 
 APPENDIX = "A"  # where the sheets are bound
@@ -88,7 +88,7 @@ def pages(binder: Binder) -> list[str]:
     ]
 
 
-def _page(sheet: Sheet, drawn: Drawn, name: Words, lang: Lang) -> SheetPage:
+def _page(sheet: Sheet, drawn: Drawn, name: Words, lang: Lang) -> SheetPage | Plate:
     gap = Words("　", ": ")
     title = (name + gap + drawn.solution.problem.title).of(lang)
     said = spoken(f"{title}（{drawn.where}）" if drawn.where and lang == "zh" else f"{title} {drawn.where}".rstrip())

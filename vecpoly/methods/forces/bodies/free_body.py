@@ -30,9 +30,11 @@ NORMAL = 18.0  # mm, length of a normal beside a reaction
 COUPLE = 8.0  # mm, radius of a couple's arrow
 
 
-def draw_free_bodies(st: Statics, problem: Problem) -> None:
-    """One pane for every link; the last step of the drawing."""
+def draw_free_bodies(st: Statics, problem: Problem, solved: Sequence[str]) -> None:
+    """One pane for every link, in the order in which they were solved; the last step of the drawing."""
+    places = {name: place for place, name in reversed(list(enumerate(solved)))}
     bodies = [name for name in st.mech.bodies if name not in st.mech.slot_pins and st.known(name)]
+    bodies.sort(key=lambda name: places.get(name, len(solved)))
     if not bodies:
         return
     st.board.step(

@@ -1,0 +1,30 @@
+"""The sheets of every problem of the library, laid out once, and how much of each its figures take."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from tests.drawn_library import drawn
+from vecpoly.drawing.sheets.sheet import Sheet, sheets
+from vecpoly.words import Lang
+
+
+@cache
+def laid(name: str, lang: Lang = "zh") -> tuple[Sheet, ...]:
+    """The sheets of this problem as its report has them."""
+    problem = drawn(name).problem
+    return sheets(drawn(name).construction, lang=lang, title=problem.title, way=problem.orientation)
+
+
+def span(sheet: Sheet) -> tuple[float, float]:
+    """How much of the sheet's width and of its height the box about all ink of its figures takes."""
+    boxes = [figure.extents for figure in sheet.figures]
+    wide = max(box.x1 for box in boxes) - min(box.x0 for box in boxes)
+    high = max(box.y1 for box in boxes) - min(box.y0 for box in boxes)
+    return wide / sheet.room[0], high / sheet.room[1]
+
+
+def share(sheet: Sheet) -> float:
+    """What that box takes of the sheet's area inside frame and strip."""
+    wide, high = span(sheet)
+    return wide * high

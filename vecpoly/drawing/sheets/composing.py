@@ -1,0 +1,142 @@
+"""The scales of all figures of a problem chosen together: as few sheets as hold them at a size that can be read, then
+as large as these sheets allow.
+
+What is known is a sketch: the size of the bare lines at some scale, what lettering and title will take round them,
+and which kind's scale a figure follows. From the least size that can be read every kind grows by one round scale at a
+time, the one that is farthest from the size that a hand would draw it in first, as long as no further sheet is asked
+for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from math import log
+
+from ...board.construction import View
+from ...board.paper.scales import Sketched, finer, round_up
+from ...board.place import Pane, Place, view_of
+from .packing import flat, inner, pack, padded
+from .paging import Way, ways_of
+from .slicing import Pair, Size, Slicing
+from .space import CLEAR, HIGHEST, PLATE, SPARSE, room_inside
+
+LEAST, MOST = 0.55, 1.5  # of the usual size: smaller no figure is drawn to save a sheet, larger none to fill one
+USUAL_WIDE, USUAL = 150.0, 100.0  # mm: of a figure that has the width of a page, of another
+USUAL_OWN = 180.0  # mm: of one with a scale of its own, on which the most is drawn
+ENOUGH = 0.62  # of the usual size: no figure need be smaller for a plate
+LOST = SPARSE + 0.08  # planned share of a page that may turn out too small
+
+Scales = dict[Place, float]
+
+
+def composed(figures: Sequence[Sketched], given: Mapping[View, float], way: Way = None) -> Scales:
+    """A round scale for each kind of figure that has none given.
+
+    given: scales that stay. The sheets lie as `way` says, or as they hold more.
+    """
+    kinds = {one.of for one in figures if one.of is not None and max(one.size) > 0} - set(given)
+    there = {one.of: one.scale for one in figures if one.of is not None}
+    start: Scales = there | dict(given) | {kind: _least(kind, figures) for kind in sorted(kinds, key=_by_place)}
+    trials = [Composing(figures, kinds, room_inside(across)) for across in ways_of(way)]
+    made = [(trial, found) for trial in trials if (found := trial.grown(start)) is not None]
+    if not made:
+        return {kind: start[kind] for kind in kinds}
+    trial, best = max(made, key=lambda one: (-one[0].needed(one[1]), one[0].filled(one[1])))
+    if way is None and trial.share(best) < LOST:
+        best = _lower(trial, best, start)
+    return {kind: best[kind] for kind in kinds}
+
+
+def _lower(page: Composing, best: Scales, start: Scales) -> Scales:
+    """The scales for a plate, where figures that would be lost on a page fill it better; else as they are."""
+    plate = Composing(page.figures, page.kinds, (PLATE, HIGHEST))
+    low = plate.grown(start)
+    if low is None or plate.needed(low) > 1 or plate.least(low) < ENOUGH:
+        return best
+    return low if plate.low(low) > page.share(best) else best
+
+
+def _least(kind: Place, figures: Sequence[Sketched]) -> float:
+    """The scale at which the largest figure of a kind can still be read."""
+    sizes = [(one.scale, max(one.size)) for one in figures if one.of is kind]
+    return max(round_up(scale * size / (LEAST * min(usual(kind), USUAL_WIDE))) for scale, size in sizes if size > 0)
+
+
+def usual(kind: Place) -> float:
+    """How large such a figure is drawn by hand (mm)."""
+    if isinstance(kind, Pane):
+        return USUAL_OWN
+    return USUAL_WIDE if kind.wide else USUAL
+
+
+def _by_place(kind: Place) -> tuple[View, str]:
+    return view_of(kind), kind.name if isinstance(kind, Pane) else ""
+
+
+class Composing:
+    """Figures on sheets of one size."""
+
+    def __init__(self, figures: Sequence[Sketched], kinds: set[Place], page: Size) -> None:
+        self.figures, self.kinds, self.page = tuple(figures), kinds, page
+        self.pairs = frozenset(self._pairs())
+
+    def _pairs(self) -> Iterator[Pair]:
+        for i, (a, b) in enumerate(zip(self.figures, self.figures[1:], strict=False)):
+            if b.view.beside is a.view and a.name == b.name:
+                yield i, i + 1
+
+    def sizes(self, scales: Mapping[Place, float]) -> list[Size]:
+        """Each figure at these scales, with all that stands round it."""
+        return [one.at(one.scale if one.of is None else scales[one.of]) for one in self.figures]
+
+    def needed(self, scales: Mapping[Place, float]) -> int:
+        """How many sheets hold the figures; more than there are figures where one fits none."""
+        sizes = self.sizes(scales)
+        cut = Slicing(padded(sizes, CLEAR), inner(self.page, CLEAR), self.pairs)
+        area = [(w + CLEAR) * (h + CLEAR) for w, h in sizes]
+        wide, high = inner(self.page, CLEAR)
+        count = [0]
+        for end in range(1, len(sizes) + 1):
+            starts = (s for s in range(end) if sum(area[s:end]) <= wide * high and cut.shapes(s, end))
+            count.append(1 + min((count[start] for start in starts), default=len(sizes)))
+        return count[-1]
+
+    def share(self, scales: Mapping[Place, float]) -> float:
+        """What the figures take of one page; 1 where they need more than one."""
+        sizes = self.sizes(scales)
+        layout = pack(sizes, self.page, tuple(self.pairs))
+        return 1.0 if layout is None else layout.share(sizes)
+
+    def low(self, scales: Mapping[Place, float]) -> float:
+        """What they take of a plate as low as its width allows; 0 where it would be as high as a page."""
+        sizes = self.sizes(scales)
+        layout = flat(sizes, self.pairs)
+        return 0.0 if layout is None else layout.share(sizes)
+
+    def least(self, scales: Mapping[Place, float]) -> float:
+        """How large the smallest kind is against what is usual."""
+        return min((self._size(kind, scales) / usual(kind) for kind in self.kinds), default=1.0)
+
+    def filled(self, scales: Mapping[Place, float]) -> float:
+        """How large all kinds are against what is usual, the small ones counting most: a sum of logarithms."""
+        return sum(log(self._size(kind, scales) / usual(kind)) for kind in self.kinds)
+
+    def _size(self, kind: Place, scales: Mapping[Place, float]) -> float:
+        at = scales[kind]
+        return max(one.scale / at * max(one.size) for one in self.figures if one.of is kind)
+
+    def grown(self, start: Scales) -> Scales | None:
+        """Finer scales, as far as they ask for no further sheet; None where a figure fits none."""
+        scales, sheets = dict(start), self.needed(start)
+        if sheets > len(self.figures):
+            return None
+        growing, waiting = set(self.kinds), set[Place]()
+        while growing:
+            kind = min(sorted(growing, key=_by_place), key=lambda one: self._size(one, scales) / usual(one))
+            trial = scales | {kind: finer(scales[kind])}
+            if self._size(kind, trial) <= MOST * usual(kind) and self.needed(trial) <= sheets:
+                scales, growing, waiting = trial, growing | waiting, set()
+            else:
+                growing.remove(kind)
+                waiting.add(kind)  # it may find room once another has grown and stands elsewhere
+        return scales

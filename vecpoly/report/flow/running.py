@@ -1,0 +1,76 @@
+"""A part of a report whose last page of text holds little shares it: its sheets stand before that page, and what comes
+next begins on it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from copy import copy
+from typing import Any
+
+from reportlab.platypus.flowables import PageBreak
+
+from .base import Block
+from .blocks import Divider, SheetPage
+from .doc import LEFTOVER, ReportDoc
+
+ROUNDS = 8  # what begins on a page of another may end on one that holds little
+
+
+def run_on(story: Sequence[Any], doc: ReportDoc) -> list[Any] | None:
+    """The story with fewer pages that hold little; None where it has none that could be filled. doc: it, laid out."""
+    found, changed = list(story), False
+    for _ in range(ROUNDS):
+        again = _shared(found, doc.ends)
+        if again is None:
+            break
+        found, changed = again, True
+        doc = ReportDoc(fresh(found), doc.metadata)
+        doc.counted()
+    return found if changed else None
+
+
+def fresh(story: Sequence[Any]) -> list[Any]:
+    """The story as no page has put it off yet."""
+    found = [copy(item) if isinstance(item, Block) else item for item in story]
+    for item in found:
+        getattr(item, "__dict__", {}).pop("_postponed", None)
+    return found
+
+
+def _shared(story: Sequence[Any], ends: Sequence[tuple[int, float]]) -> list[Any] | None:
+    """One round: every part that ends on a sparse page; ends: pages of each, and how full the last one is."""
+    out: list[Any] = []
+    parts = _parts(story)
+    for number, (part, turns) in enumerate(parts):
+        pages, full = ends[number] if number < len(ends) else (0, 1.0)
+        sparse, last = bool(part) and full < LEFTOVER, number == len(parts) - 1
+        sheets = [item for item in turns if isinstance(item, SheetPage)]
+        if not sparse or (sheets and pages < 2) or (last and not sheets):
+            out += [*part, *turns]
+            continue
+        out += [*(_behind(sheet, pages - 1) for sheet in sheets), *part, *([] if last else [Divider()])]
+    return out if len(out) != len(story) or any(a is not b for a, b in zip(out, story, strict=True)) else None
+
+
+def _behind(sheet: SheetPage, pages: int) -> SheetPage:
+    own = copy(sheet)
+    own.behind = pages
+    return own
+
+
+def _parts(story: Sequence[Any]) -> list[tuple[list[Any], list[Any]]]:
+    """Each part of text with the sheets and turns behind it."""
+    parts: list[tuple[list[Any], list[Any]]] = [([], [])]
+    for item in story:
+        if turns(item):
+            parts[-1][1].append(item)
+        elif parts[-1][1]:
+            parts.append(([item], []))
+        else:
+            parts[-1][0].append(item)
+    return parts
+
+
+def turns(item: Any) -> bool:
+    """Whether the text ends before it, and goes on on another page."""
+    return isinstance(item, PageBreak) or (isinstance(item, SheetPage) and not item.behind)
