@@ -64,9 +64,9 @@ def test_a_vector_has_one_hue_in_equations_polygons_free_bodies_and_tables(name:
             seen.setdefault(ascii_key(symbol), set()).update(_named(rgb))
     answers = one.solution.answers
     keys = sorted(answers, key=lambda key: answers[key].is_place)  # places have a table of their own
-    inks = [ink for table in readings_tables(one.solution, "zh") for ink in table.inks]
-    for key, ink in zip(keys, inks, strict=True):
-        seen.setdefault(key, set()).update(_named({ink}))
+    rows = [ink for table in readings_tables(one.solution, "zh") for ink in table.inks]
+    for key, row in zip(keys, rows, strict=True):
+        seen.setdefault(key, set()).update(_named({row}))
     tones = one.construction.tones
     assert {key: {ink_of(key, tones).name} for key in seen} == seen
     assert len({ink for inks in seen.values() for ink in inks} - {"black"}) >= 4

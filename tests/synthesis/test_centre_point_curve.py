@@ -20,8 +20,8 @@ def test_circles_over_opposite_sides_with_one_inscribed_angle_meet_in_centre_poi
     sides: tuple[tuple[int, int], ...],
 ) -> None:
     poles = [at for i, j in sides if (at := pole(FOUR[i], FOUR[j])) is not None]
-    tried = (meetings(poles, float(gamma))[n] for gamma, n in product(np.linspace(0.05, 3.1, 60), (0, 1)))
-    points = [at for at in tried if np.isfinite(at)]
+    tried = (complex(np.asarray(meetings(poles, float(gamma))[n])) for gamma, n in product(np.linspace(0.05, 3.1, 60), (0, 1)))
+    points = [spot for spot in tried if np.isfinite(spot)]
     assert len(points) >= 15
-    for at in points:
-        assert abs(determinant(FOUR, at)) < 1e-7 * abs(determinant(FOUR, at + 0.1 * (1 + abs(at))))
+    for spot in points:
+        assert abs(determinant(FOUR, spot)) < 1e-7 * abs(determinant(FOUR, spot + 0.1 * (1 + abs(spot))))

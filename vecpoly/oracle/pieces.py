@@ -38,7 +38,8 @@ def followed(curves: Curves, cuts: Reals) -> tuple[Reals, list[Reals]]:
 
 
 def _is_rough(rows: Reals) -> Reals:
-    return np.abs(rows[:, -2:]).max(axis=1) > TAIL * np.abs(rows).sum(axis=1).max()
+    rough: Reals = np.abs(rows[:, -2:]).max(axis=1) > TAIL * np.abs(rows).sum(axis=1).max()
+    return rough
 
 
 def _rows(curves: Curves, left: Reals, right: Reals) -> list[Reals]:

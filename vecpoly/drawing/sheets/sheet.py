@@ -125,7 +125,7 @@ def hung(
     construction: Construction, pages: Sequence[Hung], *, lang: Lang = "zh", title: Words = NO_TITLE
 ) -> tuple[Sheet, ...]:
     """The figures of a construction on A4 sheets, in order, each hung up where it is said."""
-    waiting, made = list(_drawn(construction.figures, lang)), list[Page]()
+    waiting, made = list(_drawn(construction.figures, lang)), list[Page[Drawn]]()
     for page in pages:
         group, waiting = waiting[: len(page.tops)], waiting[len(page.tops) :]
         corners = tuple(top - complex(one.size[0] / 2, one.size[1]) for top, one in zip(page.tops, group, strict=True))
@@ -133,7 +133,7 @@ def hung(
     return _numbered(made, construction, lang, title)
 
 
-def _numbered(pages: Sequence[Page], construction: Construction, lang: Lang, title: Words) -> tuple[Sheet, ...]:
+def _numbered(pages: Sequence[Page[Drawn]], construction: Construction, lang: Lang, title: Words) -> tuple[Sheet, ...]:
     return tuple(
         _sheet(
             group,

@@ -112,7 +112,7 @@ class French:
 
 
 def _alone(f: Callable[[int, Array], Array], piece: int, x: float) -> float:
-    return float(f(piece, np.float64(x)))
+    return float(f(piece, np.array(x)))
 
 
 @lru_cache(maxsize=16)
