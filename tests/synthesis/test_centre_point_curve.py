@@ -20,7 +20,10 @@ def test_circles_over_opposite_sides_with_one_inscribed_angle_meet_in_centre_poi
     sides: tuple[tuple[int, int], ...],
 ) -> None:
     poles = [at for i, j in sides if (at := pole(FOUR[i], FOUR[j])) is not None]
-    tried = (complex(np.asarray(meetings(poles, float(gamma))[n])) for gamma, n in product(np.linspace(0.05, 3.1, 60), (0, 1)))
+    tried = (
+        complex(np.asarray(meetings(poles, float(gamma))[n]))
+        for gamma, n in product(np.linspace(0.05, 3.1, 60), (0, 1))
+    )
     points = [spot for spot in tried if np.isfinite(spot)]
     assert len(points) >= 15
     for spot in points:
