@@ -14,6 +14,7 @@ import numpy as np
 
 from ...algebra.quantity import number
 from ...board import acts as done
+from ...board.paper.tones import tones
 from ...board.place import View, view_of
 from ...plane.derived import moves
 from ...words import Lang
@@ -67,6 +68,9 @@ class _Writer:
         self.written_down: set[str] = set()
         self.anchors = anchors
         self._slider()
+        board = recording.desk.board
+        written = [step.equation.symbols for step in board.steps if step.equation is not None]
+        self.tones = tones([figure.marks for figure in board.figures()], written)
         self.figures = {view: self._figure(view, at, extents[view][0]) for view, at in anchors.items()}
         self.bodies = Bodies(self.figures[View.MECHANISM], recording.desk, recording.drive)
 
@@ -128,7 +132,7 @@ class _Writer:
         scale = self.recording.desk.board.scale_of(view)
         words = f"{view.title.of(self.lang)}  {scale.symbol} = {number(scale.value)} {scale.per_mm}"
         self.page.text(words, f"{anchor} + ({low.real!r}, {low.imag - TITLE!r})")
-        return Figure(self.page, self.terms, self.spelling, view, anchor)
+        return Figure(self.page, self.terms, self.spelling, view, anchor, self.tones)
 
     def _number(self, base: str, index: str, value: Any) -> None:
         term = self.terms.parts(value)[0]

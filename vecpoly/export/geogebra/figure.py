@@ -13,6 +13,7 @@ from ...board import acts as done
 from ...board.otherwise.amended import plain_letters
 from ...board.paper.marks import Dot, Role
 from ...board.place import View
+from ...drawing.hues import Tones, ink_of
 from ...drawing.style import Hue, Pen, kind_hue, pen
 from ..parts import Numbers
 from ..terms import Pair
@@ -33,8 +34,11 @@ _DOTS = {
 class Figure:
     """The points of one figure, and how each is written."""
 
-    def __init__(self, page: Page, terms: Numbers, spelling: Spelling, view: View, anchor: str) -> None:
+    def __init__(
+        self, page: Page, terms: Numbers, spelling: Spelling, view: View, anchor: str, tones: Tones = None
+    ) -> None:
         self.page, self.terms, self.spelling, self.view, self.anchor = page, terms, spelling, view, anchor
+        self.tones = tones
         self.hue = kind_hue(view)
         self.points: dict[Pair, str] = {}
         self._letters: dict[tuple[str, Pair], ET.Element] = {}
@@ -56,7 +60,7 @@ class Figure:
             case done.Rule(a=a, b=b, label=label):
                 self.segment(a, b, self._pen(Role.DIRECTION), label)
             case done.Arrow(shown=True):
-                look = pen(act.role, kind_hue(self.view, act.label))
+                look = pen(act.role, ink_of(act.key, self.tones) if self.tones else kind_hue(self.view, act.label))
                 vector = self.page.line("Vector", "vector", (self.at(act.a), self.at(act.b)), look)
                 self.vectors.append((vector, self.terms.parts(act.b - act.a)))
             case done.Swing(centre=centre, radius=radius, sweep=sweep) if abs(sweep) >= tau:
