@@ -21,7 +21,8 @@ from vecpoly.board.paper.marks import Cell, Note, Outline, Role, TurnArrow, Vect
 from vecpoly.problem.library import entries
 from vecpoly.problem.load import load, loads
 from vecpoly.report.document import write_report
-from vecpoly.report.picture import frames, picture
+from vecpoly.report.picture import picture
+from vecpoly.report.question.frames import frames
 from vecpoly.report.titles import subject
 from vecpoly.report.values import rough, value
 from vecpoly.solution import Solution, solve
@@ -205,7 +206,7 @@ def test_a_question_shows_no_number_that_is_sought(name: str, pages) -> None:  #
 @pytest.mark.parametrize("name", FORCES)
 def test_the_frames_of_a_question_are_empty_but_for_what_is_given(name: str) -> None:
     it = solved(name)
-    for figure in frames(it.construction).figures:
+    for figure in frames(it.construction)[0].figures:
         if figure.view is not View.MECHANISM:
             assert not [m for m in figure.marks if isinstance(m, (Vector, Note, Cell, Outline))]
             assert all(getattr(m, "role", Role.DIRECTION) is Role.DIRECTION for m in figure.marks)

@@ -9,7 +9,7 @@ from itertools import groupby
 from typing import Any
 
 from ..algebra.quantity import number
-from ..board.construction import EquationTable, Step
+from ..board.construction import Step
 from ..check.found_words import ill_conditioned, told
 from ..check.shaking import shaking_of
 from ..check.structure import dependence
@@ -215,16 +215,3 @@ def _step(step: Step, lang: Lang, objects: Objects) -> dict[str, Any]:
         "table": objects.add("tab", listed(step.listing, lang)) if step.listing else "",
         "formulas": [objects.add("f", node) for node in beside(step.formulas, _MOST, _SHORT)],
     }
-
-
-def blank_equations(solution: Solution, objects: Objects) -> list[str]:
-    """The vector equations with empty rows, for the question sheet."""
-    tables = [s.equation for s in solution.construction.steps if s.equation]
-    return [objects.add("eq", _emptied(t)) for t in tables]
-
-
-def _emptied(table: EquationTable) -> EquationTable:
-    blank = tuple(Words.same("____") for _ in table.symbols)
-    return EquationTable(
-        symbols=table.symbols, signs=table.signs, directions=blank, magnitudes=tuple("____" for _ in table.symbols)
-    )

@@ -14,7 +14,7 @@ from ..check.printed.answers import check_problem
 from ..designs.base import Design
 from ..drawing.backends.pdf import draw_pdf
 from ..drawing.figure import draw_figure
-from ..drawing.sheets.sheet import Sheet, sheets
+from ..drawing.sheets.sheet import Sheet, hung, sheets
 from ..errors import ArgumentError, NotAskedError, UnknownNameError
 from ..foundation.arguments import known_language, of_kind
 from ..foundation.data import data_dir
@@ -22,16 +22,18 @@ from ..foundation.files import write_whole
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
-from .content import Objects, blank_equations, cautions, conclusions, sections, statement
+from .content import Objects, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Drawing, SheetPage
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.table import DataTable
 from .flow.tight import saved
 from .flow.xml import to_flowables
 from .lines import lines_table
-from .picture import diagram, frames, picture
+from .picture import diagram, picture
 from .printed_tables import printed_tables
-from .tables import empty_table, printed_table, readings_table
+from .question.content import question
+from .question.frames import frames
+from .tables import printed_table, readings_table
 from .templates import filled
 from .titles import subject
 from .verdicts import verdicts
@@ -162,11 +164,9 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",
     }
     if style == "question":
-        return common | {
-            "blanks": blank_equations(solution, objects),
-            "empty": objects.add("tab", empty_table(solution, lang)),
-            "frames": _pages(frames(solution.construction), solution, lang, objects),
-        }
+        blank, places = frames(solution.construction, solution.problem.orientation)
+        made = hung(blank, places, lang=lang, title=solution.problem.title)
+        return common | question(solution, lang, objects) | {"frames": _bound(made, solution, lang, objects)}
     return common | _solved(solution, lang, objects)
 
 
@@ -202,6 +202,10 @@ def _pages(construction: Construction, solution: Solution, lang: Lang, objects: 
     """The sheets of a construction, each put among the objects of the report."""
     problem = solution.problem
     made = sheets(construction, lang=lang, title=problem.title, way=problem.orientation)
+    return _bound(made, solution, lang, objects)
+
+
+def _bound(made: Sequence[Sheet], solution: Solution, lang: Lang, objects: Objects) -> list[str]:
     return [objects.add("sheet", _page(sheet, solution, lang)) for sheet in made]
 
 

@@ -4,25 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import fields, replace
-from math import ceil
 from typing import Any
 
 from ..board.construction import Construction, Figure, View
-from ..board.paper.extent import bounds, extent
-from ..board.paper.marks import (
-    AngleMark,
-    Cell,
-    Dot,
-    FixedGuide,
-    Ground,
-    Mark,
-    Note,
-    Point,
-    RackMark,
-    Role,
-    Segment,
-    Vector,
-)
+from ..board.paper.extent import extent
+from ..board.paper.marks import AngleMark, Cell, Dot, Mark, Note, Point, Role, Vector
 from ..designs.base import Design
 from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
@@ -114,28 +100,3 @@ def scaled(mark: Mark, factor: float) -> Any:
         elif f.name in ("width", "height") or (f.name == "radius" and hasattr(mark, "centre")):
             changed[f.name] = value * factor
     return replace(mark, **changed)
-
-
-def frames(construction: Construction) -> Construction:
-    """The blank sheet: for each figure to be drawn a frame of its size with what is given in it:
-    pivots, guides, poles."""
-    return replace(
-        construction, figures=tuple(_frame(f) for f in construction.figures if to_scale(f) or f.view is View.BODY)
-    )
-
-
-def _frame(figure: Figure) -> Figure:
-    low, high = (corner + margin for corner, margin in zip(bounds(figure.marks), (-10 - 10j, 10 + 10j), strict=True))
-    high = low + complex(ceil(high.real - low.real), ceil(high.imag - low.imag))
-    box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
-    border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
-    pivots = {m.at for m in figure.marks if isinstance(m, Ground)}
-    marks = tuple(m for m in figure.marks if _given(m, figure.view, pivots))
-    return replace(figure, marks=border + marks)
-
-
-def _given(mark: Mark, view: View, pivots: set[complex]) -> bool:
-    """What the question sheet shows: fixed pivots, guides and racks; the poles."""
-    if view is not View.MECHANISM:
-        return isinstance(mark, Point) and mark.dot is Dot.POLE
-    return isinstance(mark, (Ground, FixedGuide, RackMark)) or (isinstance(mark, Point) and mark.at in pivots)

@@ -23,11 +23,7 @@ _PRINTED = {
     "zh": ("量", "原书", "精确值", "偏差", "结论"),
     "en": ("Quantity", "Printed", "Exact", "Deviation", "Verdict"),
 }
-_EMPTY = {
-    "zh": ("量", "图上长度 /mm", "比例尺", "数值与单位", "方向（转向）"),
-    "en": ("Quantity", "mm on paper", "Scale", "Value with unit", "Direction, sense"),
-}
-_BLANK, _NONE = "＿＿＿＿＿", "—"
+_NONE = "—"
 _COMPUTED = {"zh": "计算值", "en": "Computed"}
 _NOTHING = 1e-9  # m: places that all hands find alike, a fixed pivot
 _DRAWN = 3  # column of the value in _READINGS
@@ -127,24 +123,6 @@ def way(answer: Answer, problem: Problem, lang: Lang) -> str:
 
 def _angle(turn: float) -> str:
     return f"{turn:.1f}°".replace("-", "−")
-
-
-def empty_table(solution: Solution, lang: Lang) -> DataTable:
-    """The answer table to be filled in by hand."""
-    rows = [_empty_row(answer, lang) for answer in solution.answers.values()]
-    return trimmed(_EMPTY[lang], rows, (40.0, 30.0, 24.0, 40.0, 36.0), "lcccc")
-
-
-def _empty_row(answer: Answer, lang: Lang) -> tuple[str, ...]:
-    r = answer.reading
-    directed = answer.drawn_vector is not None or answer.turns
-    return (
-        called(r.symbol, r.key, lang),
-        _BLANK if r.mm is not None else "—",
-        f"${r.scale}$" if r.scale else "—",
-        _BLANK,
-        _BLANK if directed else "—",
-    )
 
 
 def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable:

@@ -9,13 +9,15 @@ from ...board.construction import Figure
 from ...figures import View
 from ...grading.key import AnswerKey, Graded, Kind
 from ...methods.desk import POLE
+from ...report.question.working import LEAST_ROOM
 from ...solution import Solution
+from ...typeset.box import MM
 from ...variants.frames import HEIGHT, JITTER, WIDTH, on_sheet
 from ...variants.seeds import Seed, Stream
 from ...words import Lang
 from .blanks import ROW
 from .layout import BOTTOM, LEFT, RIGHT, TOP, Blank, Frame, Layout, Page, tags_of
-from .text import Placed, text_pages
+from .text import Placed, squared, text_pages
 
 TITLE = 8.0  # mm over a frame, for its title
 _TENTHS = 10
@@ -61,11 +63,12 @@ def _page(number: int, problem: str, frame: Frame | None = None, blanks: tuple[B
 
 
 def _more(left: Sequence[Graded], count: int, name: str) -> Iterator[Composed]:
-    """Pages of answers alone, for those that have no room under a frame."""
+    """Pages of answers alone, for those that have no room under a frame; the rest of them is squared."""
     while left:
         count += 1
         here, left = _blanks(left, TOP - ROW)
-        yield Composed(_page(count, name, None, here))
+        room = min(blank.at[1] for blank in here) - ROW - BOTTOM
+        yield Composed(_page(count, name, None, here), text=(squared(room),) if room * MM >= LEAST_ROOM else ())
 
 
 def _of(figure: Figure) -> int:

@@ -13,6 +13,8 @@ from ...report.content import Objects, statement
 from ...report.document import PICTURE, sketch_of
 from ...report.flow.xml import to_flowables
 from ...report.picture import picture
+from ...report.question.blanks import working_room
+from ...report.question.working import LEAST_ROOM, Squares
 from ...report.templates import filled
 from ...solution import Solution
 from ...typeset.box import MM
@@ -48,7 +50,23 @@ def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]
         "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else "",
     }
     xml = filled(f"sheet.{lang}.xml.j2", (data_dir("templates"),), {"p": context})
-    return paged(to_flowables(xml, objects.named, lang))
+    return worked(paged(to_flowables(xml, objects.named, lang)), working_room(solution))
+
+
+def worked(pages: tuple[tuple[Placed, ...], ...], need: float) -> tuple[tuple[Placed, ...], ...]:
+    """The rest of the last page squared, and one page more where that is less than the work needs (mm)."""
+    last = pages[-1][-1]
+    room = last.y - last.block.getSpaceAfter() / MM - BOTTOM
+    here = (squared(room),) if room * MM >= LEAST_ROOM else ()
+    more = ((squared(HEIGHT),),) if not here or room < need else ()
+    return (*pages[:-1], (*pages[-1], *here), *more)
+
+
+def squared(room: float) -> Placed:
+    """Squares of this height (mm) at the foot of a page."""
+    squares = Squares(room * MM)
+    squares.wrap(WIDTH * MM, room * MM)
+    return Placed(squares, LEFT, BOTTOM)
 
 
 def paged(blocks: Sequence[Any]) -> tuple[tuple[Placed, ...], ...]:

@@ -12,7 +12,7 @@ from ..detail import detailed
 from ..figure import draw_figure
 from ..scene import Item, Rect, Scene
 from .packing import Layout
-from .paging import Drawn, Way, arranged, paged, reading_order
+from .paging import Drawn, Page, Way, arranged, paged, reading_order
 from .redbox import red_box
 from .space import A4, FRAME, STRIP, room_inside, usable
 from .titleblock import Strip, furniture
@@ -55,6 +55,14 @@ class Sheet:
         return Scene((*furniture(page, self.strip, self.lang), *self.drawn, *alarm), page)
 
 
+@dataclass(frozen=True, slots=True)
+class Hung:
+    """A page whose figures have their places: the middle of the upper edge of each, mm inside the sheet's frame."""
+
+    landscape: bool
+    tops: tuple[complex, ...]
+
+
 def sheets(
     construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE, way: Way = None
 ) -> tuple[Sheet, ...]:
@@ -76,6 +84,22 @@ def sheets(
             drawn, pages = whole, plain
     if pages is None:
         raise _too_large(next(one for one in drawn if arranged((one,), way) is None))
+    return _numbered(pages, construction, lang, title)
+
+
+def hung(
+    construction: Construction, pages: Sequence[Hung], *, lang: Lang = "zh", title: Words = NO_TITLE
+) -> tuple[Sheet, ...]:
+    """The figures of a construction on A4 sheets, in order, each hung up where it is said."""
+    waiting, made = list(_drawn(construction.figures, lang)), list[Page]()
+    for page in pages:
+        group, waiting = waiting[: len(page.tops)], waiting[len(page.tops) :]
+        corners = tuple(top - complex(one.size[0] / 2, one.size[1]) for top, one in zip(page.tops, group, strict=True))
+        made.append((tuple(group), Layout(room_inside(page.landscape), corners, 0.0)))
+    return _numbered(made, construction, lang, title)
+
+
+def _numbered(pages: Sequence[Page], construction: Construction, lang: Lang, title: Words) -> tuple[Sheet, ...]:
     return tuple(
         _sheet(
             group,

@@ -1,0 +1,94 @@
+"""Question sheets: room to work, and nothing that tells the answer."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from io import BytesIO
+
+import pdfplumber
+import pytest
+
+from tests.drawn_library import IDS, drawn
+from tests.each import Later, each
+from vecpoly.board.construction import Figure
+from vecpoly.board.paper.extent import extent
+from vecpoly.board.paper.marks import FixedGuide, Ground, Point, RackMark, Role, Segment
+from vecpoly.drawing.scene import Rect
+from vecpoly.drawing.sheets.sheet import hung
+from vecpoly.drawing.sheets.space import CAPTION, CLEAR, room_inside
+from vecpoly.figures import View
+from vecpoly.problem.load import load
+from vecpoly.report.document import report_bytes
+from vecpoly.report.question.frames import frames
+from vecpoly.report.question.working import SQUARE
+from vecpoly.solution import solve
+
+DRAWN = Later(lambda: [name for name in IDS if frames(drawn(name).construction)[1]])
+
+
+def border(figure: Figure) -> tuple[float, float]:
+    """Width and height of the frame."""
+    return extent([mark for mark in figure.marks if isinstance(mark, Segment) and mark.role is Role.DIRECTION])
+
+
+@each(DRAWN)
+def test_every_figure_that_is_to_scale_fits_its_frame(name: str) -> None:
+    construction = drawn(name).construction
+    blank, places = frames(construction)
+    assert sum(len(page.tops) for page in places) == len(blank.figures)
+    for frame in blank.figures:
+        answer = next(f for f in construction.figures if (f.view, f.name) == (frame.view, frame.name))
+        assert all(own < room for own, room in zip(extent(answer.marks), border(frame), strict=True)), frame.name
+
+
+@each(DRAWN)
+def test_a_frame_shows_what_is_given_of_the_mechanism_and_nothing_of_a_polygon(name: str) -> None:
+    for frame in frames(drawn(name).construction)[0].figures:
+        inside = frame.marks[4:]
+        assert all(isinstance(mark, (Ground, FixedGuide, RackMark, Point)) for mark in inside)
+        assert not any("P_" in mark.label for mark in inside if isinstance(mark, Point))
+        if frame.view is not View.MECHANISM:
+            assert not inside
+
+
+@each(DRAWN)
+def test_frames_in_a_row_are_alike_and_together_fill_the_sheet(name: str) -> None:
+    blank, places = frames(drawn(name).construction)
+    waiting = list(blank.figures)
+    for page, sheet in zip(places, hung(blank, places), strict=True):
+        here, waiting = waiting[: len(page.tops)], waiting[len(page.tops) :]
+        rows = defaultdict[float, set[tuple[float, float]]](set)
+        for top, frame in zip(page.tops, here, strict=True):
+            rows[round(top.imag, 6)].add(tuple(round(side, 6) for side in border(frame)))  # type: ignore[arg-type]
+        assert all(len(sizes) == 1 for sizes in rows.values())
+        width, height = room_inside(page.landscape)
+        covered = sum((wide + CLEAR) * (high + CLEAR + CAPTION) for wide, high in map(border, here))
+        assert covered == pytest.approx((width - CLEAR) * (height - CLEAR))
+        for one in sheet.figures:
+            assert all(one is other or not overlaps(one.extents, other.extents) for other in sheet.figures)
+
+
+def overlaps(a: Rect, b: Rect) -> bool:
+    """Whether two rectangles share more than a line."""
+    return min(a.x1, b.x1) - max(a.x0, b.x0) > 0.5 and min(a.y1, b.y1) - max(a.y0, b.y0) > 0.5
+
+
+@pytest.mark.parametrize(("name", "lang"), [("3-5", "zh"), ("7-3", "en"), ("2-7", "en"), ("8-5", "zh")])
+def test_the_squares_leave_no_page_of_text_empty_and_the_results_stand_at_the_foot(name: str, lang: str) -> None:
+    data = report_bytes([solve(load(name), repeats=0)], lang=lang, style="question")  # type: ignore[arg-type]
+    with pdfplumber.open(BytesIO(data)) as document:
+        text = [page for page in document.pages if "50 mm" not in page.extract_text()]
+        for page in text:
+            squares = [line for line in page.lines if abs(line["width"]) < 0.1 and line["height"] > 5 * SQUARE]
+            lowest = max([c["bottom"] for c in page.chars if c["bottom"] < page.height - 50] + [0.0])
+            reach = max([line["bottom"] for line in squares] + [lowest])
+            assert reach > 0.75 * page.height, page.page_number
+        last = text[-1]
+        rows = [c["top"] for c in last.chars if c["text"] == "＿"]
+        grid = [line["bottom"] for line in last.lines if abs(line["width"]) < 0.1]
+        assert rows and grid and min(rows) > max(grid)
+
+
+def test_what_a_counting_problem_asks_is_not_given_as_a_list() -> None:
+    with pdfplumber.open(BytesIO(report_bytes([solve(load("2-7"), repeats=0)], lang="en", style="question"))) as pdf:
+        assert "Given" not in pdf.pages[0].extract_text()

@@ -1,0 +1,32 @@
+"""What a template may say of a problem that is only asked: empty rows, squares to work on with the table below them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ...devices.structure import Structure
+from ...figures import View
+from ...solution import Solution
+from ...words import Lang, Words
+from ..content import Objects
+from ..flow.blocks import Heading
+from .blanks import empty_table, equation_rows, working_room
+from .working import working
+
+WORKING = Words("计算过程", "Working")
+_READ, _FOUND = Words("量取结果", "Readings"), Words("结果", "Results")
+
+
+def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
+    """Names of the rows for vector equations, and of the squares with the table of results at their foot.
+
+    Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
+    """
+    figures = solution.construction.figures
+    title = _READ if any(figure.scale.symbol and figure.scale.value for figure in figures) else _FOUND
+    foot = [Heading(title.of(lang), 3, lang), empty_table(solution, lang)]
+    shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
+    return ({"given": ""} if shown else {}) | {
+        "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],
+        "working": [objects.add("work", one) for one in working(WORKING.of(lang), working_room(solution), foot, lang)],
+    }

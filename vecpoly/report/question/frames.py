@@ -1,0 +1,120 @@
+"""The blank sheets of a question: frames that fill the sheet and tell nothing of what is to be drawn in them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from ...board.construction import Construction, Figure, View
+from ...board.paper.extent import bounds, extent
+from ...board.paper.marks import Dot, FixedGuide, Ground, Mark, Point, RackMark, Role, Segment
+from ...drawing.sheets.paging import Way, reading_order
+from ...drawing.sheets.sheet import Hung
+from ...drawing.sheets.space import CAPTION, CLEAR, room_inside
+from ..picture import to_scale
+
+MARGIN = 8.0  # mm that stay free between a figure and its frame
+MOST = 6  # frames on a sheet
+NARROWEST = 55.0  # mm: a frame with its title under it
+AMPLE = 1.2  # times the room that a figure needs
+Size = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class _Sheet:
+    """Frames in rows that fill a sheet: their sizes and the places of their tops; how much larger than need be the
+    tightest of them is, as far as that matters; how many times as long as wide the slimmest."""
+
+    landscape: bool
+    sizes: tuple[Size, ...]
+    tops: tuple[complex, ...]
+    ease: float
+    slim: float
+
+
+def frames(construction: Construction, way: Way = None) -> tuple[Construction, tuple[Hung, ...]]:
+    """The blank sheets: for each figure a frame with what is given in it (fixed pivots, guides, racks), and its place.
+
+    All frames of a row have one size, all rows of a sheet one height, and together they fill the sheet: neither the
+    proportions of a polygon nor where its pole lies can be told from them. A pole is chosen by who draws.
+    """
+    figures = construction.figures
+    asked = reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY])
+    needs = [_needed(figure) for figure in asked]
+    made = [_best(needs, landscape) for landscape in ((False, True) if way is None else (way == "landscape",))]
+    found = min((one for one in made if one), key=_tightness, default=[])
+    sizes = [size for sheet in found for size in sheet.sizes]
+    drawn = tuple(_frame(f, size) for f, size in zip(asked, sizes, strict=False))
+    return replace(construction, figures=drawn), tuple(Hung(sheet.landscape, sheet.tops) for sheet in found)
+
+
+def _tightness(sheets: Sequence[_Sheet]) -> tuple[int, float, float]:
+    """The fewer the sheets the better; then no tight frame, then no slim one."""
+    return len(sheets), -min((sheet.ease for sheet in sheets), default=1.0), max(s.slim for s in sheets)
+
+
+def _needed(figure: Figure) -> Size:
+    """The room that a figure takes, at most what a sheet has."""
+    wide, high = extent(figure.marks)
+    return wide + 2 * MARGIN, high + 2 * MARGIN
+
+
+def _best(needs: Sequence[Size], landscape: bool) -> list[_Sheet]:
+    """The fewest sheets, in order, with the most ease among these; none where a figure fits no sheet."""
+    best: list[list[_Sheet] | None] = [[]]
+    for end in range(1, len(needs) + 1):
+        options = [
+            [*before, sheet]
+            for start in range(max(0, end - MOST), end)
+            if (before := best[start]) is not None and (sheet := _sheet(needs[start:end], landscape)) is not None
+        ]
+        best.append(min(options, key=_tightness, default=None))
+    return best[-1] or []
+
+
+def _sheet(needs: Sequence[Size], landscape: bool) -> _Sheet | None:
+    """The rows in which these frames are least tight; None where they don't fit."""
+    across = int(room_inside(landscape)[0] / (NARROWEST + CLEAR))
+    made = (_in_rows(needs, rows, landscape) for rows in _rows(len(needs)) if max(rows) <= across)
+    return min((one for one in made if one.ease >= 1), key=lambda one: _tightness([one]), default=None)
+
+
+def _rows(count: int) -> Iterator[tuple[int, ...]]:
+    """Every way to put so many frames in rows."""
+    if not count:
+        yield ()
+    for first in range(1, count + 1):
+        yield from ((first, *rest) for rest in _rows(count - first))
+
+
+def _in_rows(needs: Sequence[Size], rows: tuple[int, ...], landscape: bool) -> _Sheet:
+    width, height = room_inside(landscape)
+    down = (height - CLEAR) / len(rows)
+    sizes, tops = list[Size](), list[complex]()
+    for row, across in enumerate(rows):
+        step = (width - CLEAR) / across
+        for column in range(across):
+            sizes.append((step - CLEAR, down - CLEAR - CAPTION))
+            tops.append(complex(CLEAR / 2 + (column + 0.5) * step, height - CLEAR - row * down))
+    ease = min(min(size[i] / need[i] for i in (0, 1)) for size, need in zip(sizes, needs, strict=True))
+    slim = max(max(wide / high, high / wide) for wide, high in sizes)
+    return _Sheet(landscape, tuple(sizes), tuple(tops), min(ease, AMPLE), slim)
+
+
+def _frame(figure: Figure, size: Size) -> Figure:
+    low, high = bounds(figure.marks)
+    low = (low + high - complex(*size)) / 2
+    high = low + complex(*size)
+    box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
+    border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
+    pivots = {mark.at for mark in figure.marks if isinstance(mark, Ground)}
+    own = figure.view is View.MECHANISM and to_scale(figure)
+    given = tuple(mark for mark in figure.marks if own and _is_given(mark, pivots))
+    return replace(figure, marks=border + given)
+
+
+def _is_given(mark: Mark, pivots: set[complex]) -> bool:
+    """Fixed pivots with their letters, guides and racks; not the centres that lie there."""
+    if isinstance(mark, Point):
+        return mark.at in pivots and mark.dot is not Dot.NONE and "P_" not in mark.label
+    return isinstance(mark, (Ground, FixedGuide, RackMark))

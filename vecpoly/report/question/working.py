@@ -1,0 +1,102 @@
+"""Squared paper to work on: it takes the rest of the page and goes on overleaf; the results stand at its foot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from reportlab.lib.pagesizes import A4
+
+from ...typeset.box import MM
+from ...words import Lang
+from ..flow.base import Block
+from ..flow.blocks import Heading
+from ..flow.doc import MARGIN
+from ..flow.style import Colour
+
+SQUARE = 5.0 * MM
+LEAST_ROOM = 35.0 * MM  # of squares under a heading; less is no room
+_TALLEST = 150.0 * MM  # of what stands at the foot
+_GAP = 3.0 * MM
+_PALE: Colour = (0.78, 0.84, 0.88)
+
+
+class Squares(Block):
+    """As many whole squares as this height (pt) and the width have room for."""
+
+    def __init__(self, height: float) -> None:
+        super().__init__()
+        self._room = height
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """The whole width."""
+        self.width, self.height = width, self._room
+        return width, self._room
+
+    def draw(self) -> None:
+        """Pale lines, from the upper edge on."""
+        columns, rows = int(self.width / SQUARE), int(self.height / SQUARE)
+        left = (self.width - columns * SQUARE) / 2
+        self.canv.saveState()
+        self.canv.setStrokeColorRGB(*_PALE)
+        self.canv.setLineWidth(0.25)
+        across, down = range(columns + 1), range(rows + 1)
+        self.canv.grid([left + i * SQUARE for i in across], [self.height - i * SQUARE for i in down])
+        self.canv.restoreState()
+
+
+class Working(Block):
+    """Squares on as much of the page as is left, and more pages until there is the room that the work needs.
+
+    need: in points, of squares in all; foot: blocks under the last of them.
+    """
+
+    level = 3
+
+    def __init__(self, title: str, need: float, foot: Sequence[Block], lang: Lang) -> None:
+        super().__init__(6.0, 0.0)
+        self._lang, self.outline, self._need, self._foot = lang, title, need, tuple(foot)
+        self._head = (Heading(title, 3, lang),) if title else ()
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """All that is left, where it suffices."""
+        need = max(self._need, LEAST_ROOM) + self._other(width)
+        self.width, self.height = width, height - 0.01 if height >= need - 0.02 else need
+        return width, self.height
+
+    def split(self, width: float, height: float) -> list[Block]:
+        """What is left of this page, and the rest overleaf."""
+        room = height - sum(_tall(one, width) for one in self._head)
+        if room < LEAST_ROOM:
+            return []
+        rest = Working("", max(self._need - room, LEAST_ROOM), self._foot, self._lang)
+        return [Working(self.outline, int(room / SQUARE) * SQUARE, (), self._lang), rest]
+
+    def draw(self) -> None:
+        """The heading, the squares, the foot."""
+        top, at = self.height, 0.0
+        for one in self._head:
+            top -= _tall(one, self.width)
+            one.drawOn(self.canv, 0.0, top + one.getSpaceAfter())
+        for one in reversed(self._foot):
+            one.drawOn(self.canv, 0.0, at + one.getSpaceAfter())
+            at += _tall(one, self.width)
+        squares = Squares(self.height - self._other(self.width))
+        squares.wrapOn(self.canv, self.width, self.height)
+        squares.drawOn(self.canv, 0.0, top - squares.height)
+
+    def _other(self, width: float) -> float:
+        """What is not for squares."""
+        return sum(_tall(one, width) for one in (*self._head, *self._foot)) + (_GAP if self._foot else 0.0)
+
+
+def working(title: str, need: float, foot: Sequence[Block], lang: Lang) -> list[Block]:
+    """Squares (need: in mm) with this at their foot; after them, where it would leave no room on a page."""
+    need *= MM
+    if sum(_tall(one, A4[0] - 2 * MARGIN) for one in foot) <= _TALLEST:
+        return [Working(title, need, foot, lang)]
+    return [Working(title, need, (), lang), *foot]
+
+
+def _tall(block: Block, width: float) -> float:
+    """The height of a block with the white above and below it."""
+    return float(block.wrap(width, 0.0)[1]) + block.getSpaceBefore() + block.getSpaceAfter()
