@@ -3,13 +3,14 @@ const curve = {
   chosen: 0,
   W: 640, H: 220, LEFT: 64, LOW: 30, TOP: 12, RIGHT: 12,
 
-  // The first quantity that is a number is shown until another is picked.
+  // The first quantity that changes is shown until another is picked.
   load() {
     all("#turn tbody .pick").forEach((button, i) => {
       button.onclick = () => curve.pick(i);
       button.disabled = !turn.data.curves[i].exact.length;
     });
-    const first = turn.data.curves.findIndex(({ exact }) => exact.length);
+    const known = turn.data.curves.map(({ exact }) => exact.filter((v) => v !== null)), spread = known.map((all) => Math.max(...all) - Math.min(...all));
+    const changing = known.findIndex((all, i) => all.length && spread[i] > 0.01 * Math.max(...all.map(Math.abs))), first = changing >= 0 ? changing : known.findIndex((all) => all.length);
     one("#curve").hidden = first < 0;
     curve.chosen = first;
     if (first >= 0) { curve.mark(); curve.paint(); }

@@ -164,11 +164,11 @@ const player = {
     player.frame(true);
     if (player.turning()) turn.draw(player.place);
   },
-  // Of many figures that move: the mechanism, and where the quantity stands that is followed, then others as far as there is room.
+  // Of the figures that move: the mechanism, and where the quantity stands that is followed, then others as far as there is room.
   first() {
     const most = stage.narrow() ? 3 : FEW, on = (turn.data.curves[Math.max(curve.chosen, 0)] || { on: [] }).on;
-    const rank = (figure) => (figure === turn.figures[0] ? 0 : on.includes(figure.key) ? 1 : figure.moves ? 2 : 3);
-    const chosen = turn.figures.map((figure, i) => ({ figure, by: 100 * rank(figure) + i })).sort((a, b) => a.by - b.by).slice(0, most).map(({ figure }) => figure);
+    const rank = (figure) => (figure === turn.figures[0] ? 0 : on.includes(figure.key) ? 1 : 2), moving = turn.figures.filter((figure) => figure.moves || rank(figure) < 2);
+    const chosen = moving.map((figure, i) => ({ figure, by: 100 * rank(figure) + i })).sort((a, b) => a.by - b.by).slice(0, most).map(({ figure }) => figure);
     return turn.figures.filter((figure) => chosen.includes(figure));
   },
 
