@@ -152,8 +152,10 @@ def test_everybody_who_returned_something_gets_a_sheet_that_names_the_reason(tmp
     sheets = sorted(path.name for path in (tmp_path / "out" / "feedback").iterdir())
     assert sheets == ["2023001_张三.pdf", "2023002__李四.pdf"] and not done.results[2].returned
     with pdfplumber.open(tmp_path / "out" / "feedback" / sheets[0]) as book:
-        text = "".join(page.extract_text() for page in book.pages)
+        texts = [page.extract_text() for page in book.pages]
         lines = sum(len(page.lines) + len(page.curves) for page in book.pages)
+    text = "".join(texts)
+    assert all("-S0-F" in page for page in texts), "the sheet's id is not on every page"
     assert "漏乘 2" in text and "张三" in text and "2023001" in text and lines > 20
 
 

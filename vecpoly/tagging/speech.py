@@ -69,11 +69,11 @@ def _row_said(symbols: Sequence[str], cells: Sequence[str], lang: Lang) -> Itera
     """What is known of each term; nothing of a bare 0."""
     for symbol, cell in zip(symbols, cells, strict=True):
         if cell:
-            yield f"{spoken(symbol, lang)}: {_words(cell, lang)}"
+            yield f"{spoken(symbol, lang)}: {words_said(cell, lang)}"
 
 
-def _words(text: str, lang: Lang) -> str:
-    """A sentence with formulas between dollar signs."""
+def words_said(text: str, lang: Lang) -> str:
+    """A sentence with formulas between dollar signs, as it is read out."""
     pieces = (spoken(piece, lang) if formula else _signed(piece, lang) for formula, piece in split_words(text))
     return re.sub(r"\s+", " ", " ".join(pieces)).strip()
 

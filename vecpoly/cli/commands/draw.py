@@ -91,7 +91,8 @@ def _files(
 ) -> list[tuple[Path, bytes]]:
     if path.suffix.lower() != ".dxf":
         pages = scenes(solution, figure, lang)
-        return encoded(pages if upto is None else tuple(page.upto(upto) for page in pages), path, dpi)
+        shown = pages if upto is None else tuple(page.upto(upto) for page in pages)
+        return encoded(shown, path, dpi, said=_said(solution, figure, lang), lang=lang)
     from ...export.dxf.document import figure_dxf, sheet_dxf
 
     if figure != SHEET:
@@ -115,6 +116,14 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
 
     scene = draw_figure(_drawn(solution, figure), lang=lang)
     return (Scene(scene.items, scene.extents.grown(3.0)),)
+
+
+def _said(solution: Solution, figure: str, lang: Lang) -> str:
+    """What a PDF says of the drawing to whoever cannot see it."""
+    from ...report.plates.shown import shown
+
+    title = solution.problem.title.of(lang)
+    return title if figure == SHEET else f"{title}: {shown(_drawn(solution, figure), lang)}"
 
 
 def _drawn(solution: Solution, figure: str) -> Figure:
@@ -163,12 +172,14 @@ def named(construction: Construction) -> list[str]:
     return [f"{one.view.name}:{one.name}" if one.name else one.view.name for one in construction.figures]
 
 
-def encoded(pages: tuple[Scene, ...], path: Path, dpi: float) -> list[tuple[Path, bytes]]:
+def encoded(
+    pages: tuple[Scene, ...], path: Path, dpi: float, *, said: str = "", lang: Lang = "en"
+) -> list[tuple[Path, bytes]]:
     """The files: one PDF of all pages, or one picture a page (x.svg, x-2.svg ...)."""
     if path.suffix.lower() == ".pdf":
         from ...drawing.backends.pdf import to_pdf
 
-        return [(path, to_pdf(*pages, title=path.stem))]
+        return [(path, to_pdf(*pages, title=said or path.stem, lang=lang))]
     if path == STDOUT and len(pages) > 1:
         raise VecpolyError(
             Words(

@@ -7,7 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ...batch.register import Part, Register
+from ...batch.codes import SCHEME, short
+from ...batch.register import Part, Register, Sheet
+from ...batch.sheet.marks import TINY, write
 from ...board.hand import hand
 from ...board.otherwise.amended import AS_DRAWN
 from ...drawing.backends.pdf import draw_pdf
@@ -25,7 +27,7 @@ from ...problem.problem import Scales
 from ...report.content import Objects
 from ...report.document import FIELDS
 from ...report.flow.blocks import Drawing
-from ...report.flow.doc import Metadata, ReportDoc
+from ...report.flow.doc import Metadata, ReportDoc, Stamp
 from ...report.flow.table import DataTable
 from ...report.flow.xml import to_flowables
 from ...report.templates import filled
@@ -82,7 +84,18 @@ def feedback_bytes(register: Register, result: Result, lang: Lang, rules: Rules 
     context = {"title": title, "fields": _fields(result, lang), "problems": problems, "rules": said}
     xml = filled(f"feedback.{lang}.xml.j2", (data_dir("templates"),), context)
     meta = Metadata(title=title, subject=title, keywords=tuple(result.marks), lang=lang)
-    return ReportDoc(to_flowables(xml, objects.named, lang), meta, None).made()[0]
+    stamp = None if sheet is None else _stamp(register, sheet)
+    return ReportDoc(to_flowables(xml, objects.named, lang), meta, stamp).made()[0]
+
+
+def _stamp(register: Register, sheet: Sheet) -> Stamp:
+    """Whose it is and of which sheet, at the foot of every page."""
+    code = f"{SCHEME}-{short(register.assignment, 4)}-{sheet.sheet}-F"
+
+    def stamp(canvas: Any, _: bool) -> None:
+        write(canvas, f"{sheet.student.name} {sheet.student.number}  {code}", (20.0, 4.5), TINY)
+
+    return stamp
 
 
 def _fields(result: Result, lang: Lang) -> list[tuple[str, str]]:

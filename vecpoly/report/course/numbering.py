@@ -7,11 +7,12 @@ from dataclasses import dataclass, field
 
 from ...drawing.backends.pdf import draw_pdf
 from ...drawing.scene import Item, Scene, TextBox
+from ...tagging.speech import words_said
 from ...typeset import layout_words
 from ...typeset.box import MM
 from ...words import Lang, Words
 from ..content import Objects
-from ..flow.blocks import Drawing, spoken
+from ..flow.blocks import Drawing
 from ..flow.style import CAPTION, CELL, Style
 from ..flow.table import DataTable
 
@@ -92,7 +93,7 @@ def paired(left: tuple[Scene, str], right: tuple[Scene, str]) -> Drawing:
         items += scene.moved(complex(x + (room - e.width) / 2 - e.x0, -e.y1)).items
         items.append(TextBox(box=box, x=x + (room - box.width) / 2, y=foot))
         x += room + _GAP
-    return drawn(Scene.of(tuple(items)), "", spoken(f"{left[1]}; {right[1]}"))
+    return drawn(Scene.of(tuple(items)), "", f"{left[1]}; {right[1]}")
 
 
 def drawn(scene: Scene, caption: str, alt: str = "") -> Drawing:
@@ -102,6 +103,6 @@ def drawn(scene: Scene, caption: str, alt: str = "") -> Drawing:
         e.width,
         e.height,
         lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM),
-        alt or spoken(caption),
+        words_said(alt or caption, "zh" if any(char >= "\u2e80" for char in alt or caption) else "en"),
         caption,
     )

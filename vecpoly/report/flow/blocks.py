@@ -8,6 +8,7 @@ from typing import Any
 
 from ...algebra.formula import plain, row, split_words
 from ...tagging.references import goal_of
+from ...tagging.speech import words_said
 from ...tagging.tag import Role, Tag, boxed
 from ...tagging.tree import artifact, marked, tree_of
 from ...typeset.box import MM
@@ -103,7 +104,8 @@ class Drawing(Block):
         self.alt, self._draw, self._sketch, self._factor = alt, draw, sketch, 1.0
         chinese = any(char >= "\u2e80" for char in caption)
         self._caption = joined(cells(caption, CAPTION.em, chinese), CAPTION.em) if caption else None
-        self.tag, self.goal = Tag(Role.FIGURE, alt=alt or spoken(caption)), goal_of(caption)
+        said = alt or words_said(caption, "zh" if chinese else "en")
+        self.tag, self.goal = Tag(Role.FIGURE, alt=said), goal_of(caption)
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; only a sketch is ever made smaller."""

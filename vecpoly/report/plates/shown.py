@@ -10,9 +10,8 @@ from ...board.paper.marks import Cell, Dot, LinkNumber, Mark, Point, TurnArrow, 
 from ...drawing.sheets.sheet import Placed
 from ...errors import UnknownNameError
 from ...names import parse_rel
-from ...tagging.speech import spoken
+from ...tagging.speech import spoken, words_said
 from ...words import Lang, Words
-from ..flow.blocks import spoken as unmarked
 
 _MOST = 40  # things of a kind that are named
 _KINDS = (
@@ -28,7 +27,7 @@ _KNOT = Words("局部放大图", "enlarged detail of: ")
 
 def shown(figure: Figure, lang: Lang, *, scaled: bool = True) -> str:
     """The figure in words; scaled: lengths mean something on it."""
-    parts = [unmarked(figure.title.of(lang))]
+    parts = [words_said(figure.title.of(lang), lang)]
     if scaled and figure.scale.symbol and figure.scale.value:
         scale = f"{figure.scale.symbol} = {number(figure.scale.value)} {figure.scale.per_mm}"
         parts.append(f"{_SCALE.of(lang)} {spoken(scale, lang)}")
@@ -45,7 +44,7 @@ def placed(one: Placed, construction: Construction, lang: Lang) -> str:
         if (figure.view, figure.name) == (one.view, one.name):
             return shown(figure, lang)
         if figure.view is one.view and f"{figure.name} detail".strip() == one.name:
-            return _KNOT.of(lang) + unmarked(figure.title.of(lang))
+            return _KNOT.of(lang) + words_said(figure.title.of(lang), lang)
     return one.view.title.of(lang)
 
 
@@ -67,7 +66,7 @@ def _named(marks: Iterable[Mark], lang: Lang, scaled: bool) -> Iterable[str]:
             case TurnArrow(label=label) if label:
                 yield spoken(label, lang)
             case Cell(words=words):
-                yield unmarked(words.of(lang))
+                yield words_said(words.of(lang), lang)
             case _:
                 pass
 
