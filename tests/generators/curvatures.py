@@ -53,6 +53,7 @@ branch: [C right of B]""",
 links: {{1: {{AB: {ab} mm}}, 2: {{rod: B, {point}}}, 3: {{block: C}}}}
 joints: [2 passes through 3]""",
     }[str(sort)]
+    ball = ", U_2" if sort != "block" and rng.integers(2) else ""
     return f"""
 id: curvature
 title: curvature
@@ -60,5 +61,5 @@ title: curvature
 input: {{link: 1, phi: {rng.integers(0, 360)} deg, omega: ccw}}
 method: curvature
 construction: {way}
-find: [P_24, W_2, delta_2, p_OE, rho_E]
+find: [P_24, W_2, delta_2, p_OE, rho_E{ball}]
 """

@@ -14,12 +14,14 @@ from ..errors import NotAskedError, UnknownNameError
 from ..mechanism.asked.centres import centre, pair_of
 from ..mechanism.asked.curvature import (
     Centrodes,
+    ball_point,
     centrode_lengths,
     collineation,
     cusp,
     diameter,
     inflected,
     inflection_pole,
+    no_ball,
     path_centre,
     radius,
     return_pole,
@@ -31,6 +33,9 @@ from .plan import plan_for
 from .state import Body, Points, cross
 
 NONE = 1e-9  # of the mechanism's own rates and size: less is zero
+PARALLEL = 1e-7  # sine of two directions that are told apart
+STEP = 5e-3  # rad, or of the size where the drive slides: from position to position of a difference
+CENTRAL = np.array([3, -32, 168, -672, 0, 672, -168, 32, -3]) / 840  # of the eighth order
 STRAIGHT = 1e-9  # curvature times the mechanism's size: a path that bends less is straight here
 
 
@@ -82,6 +87,8 @@ class Curvatures:
             return self.inflection_pole
         if key == return_pole(mech, link).key:
             return 2 * self.pole - self.inflection_pole
+        if key == ball_point(mech, link).key:
+            return self.ball_point()
         if key == diameter(mech, link).key:
             return abs(self.inflection_pole - self.pole)
         if key == collineation(mech, link).key:
@@ -103,6 +110,37 @@ class Curvatures:
         if abs(bend) * self.mech.scale <= STRAIGHT * speed**3:
             raise inflected(point)
         return complex((at + 1j * v * speed**2 / bend)[0]), speed**3 / abs(bend)
+
+    def ball_point(self) -> complex:
+        """U = P + s (m): there v, a and the third rate j are parallel, so κ and dκ/ds vanish.
+
+        v × a = 0 and v × j = 0 are circles through P; with q = s/|s|² they are the lines q·a_P = ω² and q·j_P = 3ωα.
+        Raises NotAskedError where they are one line, or meet at infinity.
+        """
+        body, pull, jerk = self.body, *self._rates()
+        omega, alpha = float(body.omega[0]), float(body.alpha[0])
+        rows, sides = (
+            np.array([[pull.real, pull.imag], [jerk.real, jerk.imag]]),
+            np.array([omega**2, 3 * omega * alpha]),
+        )
+        size = np.linalg.norm(rows, axis=1)
+        if min(size) == 0 or abs(np.linalg.det(rows / size[:, None])) < PARALLEL:
+            raise no_ball(self.mech, self.link)
+        q = complex(*np.linalg.solve(rows / size[:, None], sides / size))
+        if abs(q) * self.mech.scale < NONE:
+            raise no_ball(self.mech, self.link)
+        return self.pole + q / abs(q) ** 2
+
+    def _rates(self) -> tuple[complex, complex]:
+        """a and j of the link's point that is the pole, j by the rates of a and α through nine positions."""
+        step = STEP * (self.mech.scale if self.mech.drive.slide else 1.0)
+        near = tuple(self.mech.drive.position + k * step for k in range(-4, 5))
+        moved = _moved(self.mech, near).moving(self.link, 2)
+        rate = [complex(np.dot(CENTRAL, np.broadcast_to(one, 9))) / step for one in (moved.acceleration, moved.alpha)]
+        body, omega, alpha = self.body, float(self.body.omega[0]), float(self.body.alpha[0])
+        arm = self.pole - complex(body.at[0])
+        spin = complex(-3 * omega * alpha, rate[1].real - omega**3)
+        return complex(body.acceleration_at(np.array([self.pole]))[0]), rate[0] + spin * arm
 
     def collineation(self) -> float:
         """The angle (deg, to 90) of the line PQ to the line of the pins:

@@ -20,6 +20,7 @@ _STRUCTURAL = {"class_": Words("机构级别", "class"), "groups_": Words("杆�
 _STATION = re.compile(r"(s|psi|alpha|r|P)_[\d.]+")  # of a cam, or of Freudenstein: s_0 is no s without friction
 _CURVED = {
     "W": Words("拐点极", "inflection pole"),
+    "U": Words("鲍尔点", "Ball point"),
     "Wr": Words("回归极", "return pole"),
     "delta": Words("拐点圆直径", "diameter of the inflection circle"),
     "rho": Words("曲率半径", "radius of curvature"),

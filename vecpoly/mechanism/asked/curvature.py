@@ -1,6 +1,7 @@
 """What may be asked of the kinematic geometry of one moving link, by key.
 
 ``W_2`` the inflection pole of link 2, ``delta_2`` the diameter of its inflection circle, ``Wr_2`` the return pole;
+``U_2`` Ball's point;
 ``p_OE``, ``rho_E`` the centre and the radius of curvature of the path of its point E; ``lambda_2`` the angle between
 the collineation axis and the line of the link's two pins (Freudenstein); ``L_f2``, ``L_m2`` the fixed and the moving
 centrode, stepped off in chords.
@@ -68,6 +69,11 @@ def return_pole(mech: Mechanism, link: str) -> Named:
     return Named(f"Wr_{mech.number(link)}", f"W^{{r}}_{{{mech.number(link)}}}", "m", True, Sort.SPOT)
 
 
+def ball_point(mech: Mechanism, link: str) -> Named:
+    """U_2: Ball's point, whose path meets its tangent in four points that fall together: κ = 0 and dκ/ds = 0."""
+    return Named(f"U_{mech.number(link)}", f"U_{{{mech.number(link)}}}", "m", True, Sort.SPOT)
+
+
 def collineation(mech: Mechanism, link: str) -> Named:
     """lambda_2: the angle (deg, to 90) between the collineation axis and the line of the link's pins."""
     return Named(f"lambda_{mech.number(link)}", f"λ_{{{mech.number(link)}}}", "deg", sort=Sort.CURVED)
@@ -98,6 +104,7 @@ def of_link(mech: Mechanism, link: str) -> dict[str, Named]:
         inflection_pole(mech, link),
         diameter(mech, link),
         return_pole(mech, link),
+        ball_point(mech, link),
         collineation(mech, link),
         *(path_centre(point) for point in points),
         *(radius(point) for point in points),
@@ -131,4 +138,18 @@ def inflected(name: str) -> NotAskedError:
             "centre of curvature is at infinity; leave it out of `find`",
         ),
         code="inflection",
+    )
+
+
+def no_ball(mech: Mechanism, link: str) -> NotAskedError:
+    """Ball's point is not one point here, or lies at infinity."""
+    number = mech.number(link)
+    return NotAskedError(
+        Words(
+            f"构件 {number} 此时没有确定的鲍尔点（拐点圆上处处为鲍尔点，或该点在无穷远处）；请另取原动件位置，或从 "
+            "find 中去掉",
+            f"link {number} has no Ball point here (every point of its inflection circle is one, or it is the pole or "
+            "at infinity); choose another input position, or leave it out of `find`",
+        ),
+        code="no-ball-point",
     )

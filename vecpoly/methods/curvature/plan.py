@@ -10,6 +10,7 @@ from ...mechanism.asked.curvature import (
     Curvature,
     Way,
     asked_points,
+    ball_point,
     collineation,
     diameter,
     inflection_pole,
@@ -31,6 +32,7 @@ from .path import draw_paths
 from .readings import read_collineation, read_curvatures
 from .room import NAME, TITLE, paper_for
 from .state import CurvatureFigure
+from .strokes.ball import draw_ball_point
 from .strokes.circle import draw_return_circle
 from .strokes.pole import draw_pole
 
@@ -50,7 +52,8 @@ def _curvatures(desk: Desk, groups: Sequence[Group], asked: Curvature, keys: fro
     """By the construction that is asked, on paper that holds it all."""
     points = asked_points(desk.mech, asked.link, keys)
     back = return_pole(desk.mech, asked.link)
-    circle = (inflection_pole(desk.mech, asked.link), diameter(desk.mech, asked.link), back)
+    ball = ball_point(desk.mech, asked.link)
+    circle = (inflection_pole(desk.mech, asked.link), diameter(desk.mech, asked.link), back, ball)
     curved = bool(keys & {named.key for named in circle}) or bool(points)
     if rolling_of(desk.mech, asked.link) is not None and asked.way is not Way.EULER_SAVARY and curved:
         raise NoMethodError(_rolls(desk.mech.number(asked.link)), code="rolls")
@@ -66,6 +69,8 @@ def _curvatures(desk: Desk, groups: Sequence[Group], asked: Curvature, keys: fro
                 raise NotAskedError(_collapsed(asked.way), code="collapsed") from None
         if back.key in keys:
             draw_return_circle(fig, back.symbol)
+        if ball.key in keys:
+            draw_ball_point(fig, ball.symbol)
         if axis:
             read_collineation(fig)
 

@@ -9,7 +9,15 @@ from ...algebra.quantity import Quantity, worked
 from ...board.board import Board
 from ...board.construction import Pane, Reading
 from ...mechanism.asked.centres import centre
-from ...mechanism.asked.curvature import collineation, diameter, inflection_pole, path_centre, radius, return_pole
+from ...mechanism.asked.curvature import (
+    ball_point,
+    collineation,
+    diameter,
+    inflection_pole,
+    path_centre,
+    radius,
+    return_pole,
+)
 from ...mechanism.model import FRAME
 from ...names import Named
 from ...plane import Points, nominal, unit
@@ -30,6 +38,8 @@ def read_curvatures(fig: CurvatureFigure, wanted: frozenset[str]) -> None:
         _place(fig, w, fig.opposite)
     if (back := return_pole(mech, link)).key in wanted:
         _place(fig, back, fig.returned)
+    if (ball := ball_point(mech, link)).key in wanted:
+        _place(fig, ball, fig.undulating)
     if (delta := diameter(mech, link)).key in wanted:
         _length(fig, delta, fig.pole, fig.opposite, f"{fig.p} {fig.w}")
     for point, at in fig.centres.items():

@@ -65,6 +65,7 @@ class CurvatureFigure:
     pole: Points = 0j
     opposite: Points = 0j  # W
     returned: Points = 0j  # its mirror image in the pole, where that is asked
+    undulating: Points = 0j  # U, where Ball's point is asked
     tangent: Points = 1 + 0j
     axis: Axis | None = None  # where it was drawn
     centres: dict[str, Points] = field(default_factory=dict)  # of curvature, by the point of the link

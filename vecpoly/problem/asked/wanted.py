@@ -20,7 +20,7 @@ from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 
 _POINT = re.compile(r"([A-Z][a-z'′]?)(\d+)")
 _FORCES = re.compile(r"[A-Z]\w*_?\w*|eta|[hm](?:_\w+)?")  # what may be meant for a quantity of the loads
-CURVED = re.compile(r"Wr?_\d|delta_\d|lambda_\d|rho_[A-Z]|p_O[A-Z]")  # how what curvatures give is written
+CURVED = re.compile(r"(?:Wr?|U)_\d|delta_\d|lambda_\d|rho_[A-Z]|p_O[A-Z]")  # how what curvatures give is written
 CENTRAL = re.compile(r"P_\d|v_P\d|omega_ratio_|phi_[A-Z]")  # how what instant centres give is written
 
 
