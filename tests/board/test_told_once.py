@@ -46,7 +46,7 @@ def test_a_given_travel_says_from_where_it_counts(name: str, said: str) -> None:
 
 
 def test_no_length_is_negative_behind_the_start_of_a_line() -> None:
-    assert "反向延长线上的垂足距 $A$ 300 mm" in _given("tipper", "zh") and "−" not in _given("tipper", "zh")
+    assert "垂足在其反向延长线上，距 $A$ 300 mm" in _given("tipper", "zh") and "−" not in _given("tipper", "zh")
 
 
 @pytest.mark.parametrize("name", ["dump-hoist", "scissor-lift"])

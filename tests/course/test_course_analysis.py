@@ -157,7 +157,7 @@ def test_the_peaks_of_one_rate_may_have_opposite_causes() -> None:
     """A-27: at 90.7° the pin is fast, at 190.3° the arm is short."""
     it = studied("A-27")
     told = [one for one in causes(it, conditioning(it)) if one.key == "omega_5"]
-    assert [one.words.en for one in told] == ["large numerator", "small divisor"]
+    assert [one.words.en for one in told] == ["numerator large", "divisor small"]
     for one in told:
         moved = oracle.solve(it.mech, np.array([one.spot.phi]))
         arm = moved.position("F") - moved.position("G")

@@ -96,11 +96,11 @@ def test_a_guide_that_a_statement_decides_says_by_which(side: str) -> None:
 
 
 @each(Later(lambda: [name for name in ids(mechanisms=False) if name.startswith("2-")]))
-def test_of_the_groups_that_come_off_the_first_is_told_to_be_far_from_the_driver(name: str) -> None:
+def test_of_the_groups_that_are_detached_the_first_is_told_to_be_farthest_from_the_input(name: str) -> None:
     parts: dict[str, list[tuple[bool, bool]]] = {}
     for step in drawn(name).construction.steps:
-        if re.search("[Tt]ake off links", step.words.en):
-            far = "Begin far from the driver" in step.words.en, "从远离原动件处开始" in step.words.zh
+        if re.search("[Dd]etach links", step.words.en):
+            far = "Start farthest from the input" in step.words.en, "从远离原动件处开始" in step.words.zh
             parts.setdefault(step.section.en, []).append(far)
     for told in parts.values():
         assert told[0] == (True, True) and not any(map(any, told[1:]))

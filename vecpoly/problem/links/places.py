@@ -137,8 +137,8 @@ def _note_offsets(
         )
         draft.say(
             Words(
-                f"自 ${point}$ 作{line}的垂线，垂足{produced.zh and f'在{produced.zh}，'}距 ${origin}$ {distance}，"
-                f"${point}$ 位于{line}{zh}侧 {data[side]}",
+                f"自 ${point}$ 作{line}的垂线，垂足{'在其反向延长线上，' if at.si < 0 else ''}"
+                f"距 ${origin}$ {distance}，${point}$ 位于{line}{zh}侧 {data[side]}",
                 f"the foot of ${point}$ on {line_en}{produced.en} is {distance} from ${origin}$ and "
                 f"${point}$ lies {data[side]} to its {side}",
             )

@@ -13,7 +13,7 @@ from ....findings.conditioning import determinant
 from ....findings.shown import shown
 from ....findings.study.study import Study
 from ....words import Words
-from .why_peaks import Cause
+from .why_peaks import GREW, SHRANK, Cause
 
 _NEAR = 20.0  # degrees of the input link from the least determinant
 _SWIFT = 60.0  # degrees of the input link within which α goes from one peak to the opposite one
@@ -24,7 +24,7 @@ def remarks(study: Study, told: list[Cause]) -> Iterator[Words]:
     a swift reversal of α, and that no jump occurs."""
     for key in dict.fromkeys(one.key for one in told if one.key.startswith("omega_")):
         own = [one for one in told if one.key == key]
-        if {"large numerator", "small divisor"} <= {one.words.en for one in own}:
+        if {GREW, SHRANK} <= {one.words for one in own}:
             yield _contrast(study, own)
     yield from _gathered(study, told)
     yield from _reversal(study, told)

@@ -28,6 +28,7 @@ _HEADER = {
     "zh": ["量", "峰值", "原动件位置", "峰值/均方根", "分母", "分母/均方根", "分子/均方根", "成因"],
     "en": ["Quantity", "Peak", "Drive at", "Peak/rms", "Divided by", "Divisor/rms", "Numerator/rms", "Cause"],
 }
+GREW, SHRANK = Words("分子增大引起", "numerator large"), Words("分母减小引起", "divisor small")
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,9 +47,9 @@ class Cause:
         """Which of the two makes the peak: the product of up and 1/down."""
         numerator, divisor = log(max(round(self.up, 2), 1e-9)), -log(max(round(self.down, 2), 1e-9))  # as printed
         if divisor <= 0 or numerator >= _MAIN * divisor:
-            return Words("分子增大引起", "numerator large")
+            return GREW
         if numerator <= 0 or divisor >= _MAIN * numerator:
-            return Words("分母减小引起", "divisor small")
+            return SHRANK
         return Words("两者兼有", "both")
 
 

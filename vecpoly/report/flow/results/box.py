@@ -66,7 +66,8 @@ class AnswerBox(Block):
         """Whole rows to each page."""
         self.wrap(width, height)
         used, count = 2 * _PAD, 0
-        while count < len(self._rows) and used + _height(self._rows[count]) <= height / MM:
+        room = (height - self.getSpaceBefore()) / MM  # the frame may leave that out here and ask for it of the part
+        while count < len(self._rows) and used + _height(self._rows[count]) <= room:
             used += _height(self._rows[count]) + self._skip
             count += 1
         count = min(count, len(self._rows) - _LEAST)
@@ -77,6 +78,7 @@ class AnswerBox(Block):
     def _part(self, rows: tuple[_Row, ...], first: bool) -> AnswerBox:
         part = AnswerBox((), (), self.lang)
         part._rows, part._skip, part._set = rows, self._skip, True
+        part.spaceBefore, part.spaceAfter = (self.spaceBefore, 0.0) if first else (0.0, self.spaceAfter)
         if not first:
             part._title = replace(self._title, items=())
         return part
