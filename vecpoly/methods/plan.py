@@ -171,7 +171,7 @@ def _fitted(
         fitted = max((round_scale(value, extent(marks), slots.get(view, SLOT)) for marks in of_kind), default=value)
         chosen[view] = Scale.of(view, given[view] or fitted)
     by_kind = {f.view: f for f in figures}
-    if fit is not None and len(by_kind) == len(figures):
+    if fit is not None and len(by_kind) == len(figures) and by_kind.keys() <= guess.keys():
         of_sketch = {view: _sketched(view, guess[view], f.marks) for view, f in by_kind.items()}
         fixed = frozenset(view for view in by_kind if given[view])
         values = enlarged(of_sketch, {view: chosen[view].value for view in by_kind}, fixed, fit)
