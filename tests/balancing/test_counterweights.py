@@ -120,3 +120,30 @@ def test_a_report_of_counterweights_calls_itself_a_balance() -> None:
     assert (
         len(told) == 1 and told[0].startswith("Check (whole turn)") and told[0].endswith("0 N are left at most (0 %).")
     )
+
+
+def test_no_product_on_the_sheet_is_no_scale_to_be_chosen() -> None:
+    masses = "masses: {1: {mass: 0.42 kg, centre: B}, 2: {mass: 1.87 kg, centre: D}, 3: {mass: 1.17 kg, centre: F}}"
+    problem = vecpoly.loads(f"""
+id: x
+title: two slots
+frame: {{A: [-71 mm, 106 mm], D: [-125 mm, -22 mm], F: [36 mm, 11 mm]}}
+links: {{1: {{AB: 110 mm}}, 2: {{slot: {{through: D, right: 5 mm}}}}, 3: {{slot: F}}}}
+joints: [B runs in 2, B runs in 3]
+input: {{link: 1, phi: 255.516 deg, omega: -8 rad/s}}
+{masses}
+counterweights: {{1: {{r: 86 mm}}}}
+find: [W_c1, m_c1]
+""")
+    answers = problem.solve(by="exact").answers
+    assert answers["m_c1"].drawn == pytest.approx(0.42 * 110 / 86, rel=1e-9)
+
+
+def test_the_common_centre_of_a_balanced_four_bar_is_that_of_the_masses_at_its_pivots() -> None:
+    """m at D: rocker, its counterweight, half of the coupler; 3.39 kg of 5.79 kg, at 260 mm."""
+    problem = vecpoly.load("balance-four-bar")
+    assert problem.counterweights is not None
+    found = shaking(
+        problem.mechanism, problem.counterweights, counterweights(problem.mechanism, problem.counterweights)
+    )
+    assert found.centre.mean() == pytest.approx((0.9 + 1.89 + 0.6) / 5.79 * 0.26, rel=1e-9)

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 import vecpoly
 from tests.laws import often
+from vecpoly.errors import NoMethodError
 from vecpoly.solution import Solution, solve
 
 ROCKER = """
@@ -74,3 +75,43 @@ def test_a_machine_that_is_slowest_at_0_degrees_has_lost_no_digits() -> None:
     found = solve(vecpoly.loads(PISTON.replace("LAW", LAWS["a spring"])), by="exact", repeats=0)
     assert min(found.answers["phi_min"].exact, 360 - found.answers["phi_min"].exact) < 1e-6
     assert found.answers["phi_min"].digits > 7 and found.answers["phi_min"].suspect is None
+
+
+# C above D holds in the given position alone: this is a drag link, and DC goes all the way round.
+DRAG_LINK = """
+id: x
+title: a drag link
+frame: {A: [0 mm, 0 mm], D: [40 mm, 0 mm]}
+links: {1: {AB: 90 mm}, 2: {BC: 80 mm}, 3: {DC: 85 mm}}
+branch: [C right of D]
+input: {link: 1, phi: 60 deg, omega: 100 r/min ccw}
+loads: {M_q: {on: 3, size: 30 N*m cw, during: [30 deg, 150 deg]}, M_c: {on: 1, size: constant}}
+masses: {3: {mass: 5 kg, inertia: 0.01 kg*m^2, centre: C}}
+weight: yes
+machine: {n: 100 r/min, delta: 0.05}
+find: [M_c, dW_max, J_F, phi_max]
+"""
+TOLD_GEAR = """
+id: x
+title: a gear whose phase is told
+frame: {A: [0 mm, 0 mm], D: [90 mm, 0 mm]}
+links:
+  1: {gear: A, radius: 30 mm}
+  2: {gear: D, radius: 60 mm, E: {DE: 30 mm, angle: 40 deg}}
+joints: [2 rolls on 1 at H]
+input: {link: 1, phi: 0 deg, omega: 100 r/min ccw}
+loads: {M_q: {on: 2, size: 30 N*m, during: [30 deg, 150 deg]}, M_c: {on: 1, size: constant}}
+masses: {2: {mass: 5 kg, centre: E}}
+weight: yes
+machine: {n: 100 r/min, delta: 0.05}
+find: [M_c, J_F]
+"""
+
+
+def test_a_branch_statement_of_the_given_position_leads_round_the_whole_turn() -> None:
+    _agree(solve(vecpoly.loads(DRAG_LINK), by="exact", repeats=0))
+
+
+def test_the_period_of_a_gear_whose_phase_is_told_in_one_position_is_left_to_the_exact_answers() -> None:
+    with pytest.raises(NoMethodError, match="no drawing on file follows"):
+        solve(vecpoly.loads(TOLD_GEAR))

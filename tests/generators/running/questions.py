@@ -68,7 +68,7 @@ def flywheel(rng: Random) -> str:
 
 @family("any-counterweights", often=6)
 def counterweights(rng: Random) -> str:
-    """On the drive and on another link, all of which have masses; what is asked is left to the program."""
+    """On the drive and on another link, where every link has a mass."""
     text, mech = moving(rng)
     names = sorted({mech.number(mech.drive.link), mech.number(str(rng.choice(mech.numbered)))})
     hung = ", ".join(f"{name}: {{r: {rng.integers(20, 120)} mm}}" for name in names)
@@ -77,7 +77,8 @@ def counterweights(rng: Random) -> str:
         for name in mech.numbered
         if (points := mech.link(name).points)
     )
-    return f"{text}masses:\n{heavy}counterweights: {{{hung}}}\n"
+    asked = ", ".join(f"W_c{name}, theta_c{name}, m_c{name}" for name in names)
+    return f"{text}masses:\n{heavy}counterweights: {{{hung}}}\nfind: [{asked}, m_c]\n"
 
 
 @family("any-pressure", often=6)

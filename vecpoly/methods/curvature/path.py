@@ -24,7 +24,7 @@ WHOLE = 2.6  # rad: from so much to both sides
 
 def draw_paths(fig: CurvatureFigure, groups: Sequence[Group], paper: Paper) -> None:
     """Path and osculating circle of every point of which the centre was found."""
-    if not fig.centres:
+    if not fig.centres or fig.desk.mech.starts:  # how a gear stands is told in this position only
         return
     letters = "、".join(f"${fig.shown(p)}$" for p in fig.centres)
     some, rings = ("path", "circle") if len(fig.centres) == 1 else ("paths", "circles")

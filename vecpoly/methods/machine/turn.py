@@ -9,10 +9,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...board.board import NO_LENGTH, Board, Scratch
-from ...board.construction import Scale, View
+from ...board.board import NO_LENGTH
+from ...board.construction import View
 from ...board.hand import Hand, hand
-from ...board.place import views
 from ...mechanism.groups.assur import decompose
 from ...mechanism.laws.acting import stretch
 from ...mechanism.laws.sizes import Table
@@ -20,7 +19,6 @@ from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ...names import At, omega
 from ...plane import Reals
-from ..coincident import coincident_letters
 from ..desk import Desk
 from ..forces.balance.power_terms import works
 from ..forces.inertia import weights
@@ -31,8 +29,9 @@ from ..kinematics.diagram.cam import letter_contacts
 from ..kinematics.doors import draw_drives, draw_group
 from ..kinematics.image import found_tip
 from ..registry import Stage
+from .following import follower
+from .scratch import position_desk
 
-SIZE = 100.0  # mm: how large mechanism and first vector are drawn on scratch paper
 JUMP = 1e-12  # rad: how closely the place is found at which a load begins or ends
 MOST = 8  # changes between two places that are looked at
 Names = tuple[str, ...]
@@ -64,7 +63,8 @@ def _drawn_once(mech: Mechanism, loads: Loads, phi: float) -> Station:
 
 def drawn(mech: Mechanism, loads: Loads, phi: float, by: Hand) -> Station:
     """As this hand draws it, with all its readings. Raises AssemblyError, DeadPointError."""
-    desk = _desk(replace(mech, drives=(replace(mech.drive, position=phi, accel=0.0), *mech.drives[1:])), by)
+    there = follower(mech).at(phi)
+    desk = _desk(replace(there, drives=(replace(there.drive, accel=0.0), *there.drives[1:])), by)
     rate = mech.drive.rate
     here, pulls = found_loads(desk, replace(loads, inertia=False))
     st = Statics(desk=desk, loads=here, pulls=pulls)
@@ -82,13 +82,7 @@ def _stretches(desk: Desk, loads: Loads) -> tuple[Reals, ...]:
 
 def _desk(mech: Mechanism, by: Hand) -> Desk:
     """Position and velocity polygon on paper that is thrown away."""
-    groups = decompose(mech)
-    rate = abs(mech.drive.rate) * (1.0 if mech.drive.slide else mech.scale)
-    sizes = dict.fromkeys(views(), 1.0) | {View.MECHANISM: mech.scale / SIZE, View.VELOCITY: rate / SIZE}
-    board: Board = Scratch(by, {view: Scale.of(view, size) for view, size in sizes.items()})
-    desk = Desk(board=board, mech=mech, coincident=coincident_letters(mech, groups))
-    for name, at in mech.frame.items():
-        desk.letter(name, at * desk.mm(1.0))
+    desk, groups = position_desk(mech, by), decompose(mech)
     for stage in (Stage.POSITION, Stage.VELOCITY):
         draw_drives(desk, stage)
         for group in groups:

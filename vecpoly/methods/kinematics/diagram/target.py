@@ -16,7 +16,7 @@ from ....plane import nominal
 from ....problem.asked.target import Target
 from ....words import Words
 from ...desk import Desk
-from ...placed import placed
+from ...placed import placed, refuse_told
 
 PLACES = 120  # of the drive, over a turn
 
@@ -48,6 +48,7 @@ def draw_target(desk: Desk, groups: Sequence[Group], target: Target) -> None:
 
 def _arcs(desk: Desk, groups: Sequence[Group], point: str) -> list[list[complex]]:
     """The path, in pieces where the mechanism does not close in between; one closed piece where it always does."""
+    refuse_told(desk.mech)
     arcs: list[list[complex]] = [[]]
     for step in range(PLACES + 1):
         try:
