@@ -16,6 +16,7 @@ from vecpoly.report.answers.rounded import COARSE, coarse, rounded
 from vecpoly.report.answers.tables import counted, readings_tables
 from vecpoly.report.values import called, printed_unit
 from vecpoly.solution import YES_NO, Answer, Solution, solve
+from vecpoly.typeset.box import MM
 from vecpoly.words import Lang
 
 LANGS: tuple[Lang, ...] = ("zh", "en")
@@ -138,3 +139,21 @@ def _otherwise(answer: Answer) -> Answer:
 )
 def test_zeros_that_were_read_are_kept_and_no_others_made(value: float, places: int | None, text: str) -> None:
     assert rounded(value, places, 4) == text
+
+
+def test_a_box_is_parted_between_rows_and_no_part_is_higher_than_its_room() -> None:
+    box = answer_box(solve(load("3-12")), "en")
+    width = 170.0 * MM
+    whole = box.wrap(width, 1e4)[1]
+    for height in (0.4 * whole, 0.6 * whole, 0.9 * whole):
+        head, tail = answer_box(solve(load("3-12")), "en").split(width, height)
+        assert head.wrap(width, height)[1] + head.getSpaceBefore() <= height
+        assert head.wrap(width, 1e4)[1] + tail.wrap(width, 1e4)[1] >= whole - 3.0 * MM
+    assert box.split(width, 0.1 * whole) == [], "a part of less than three rows is none"
+
+
+def test_lines_stand_side_by_side_where_there_is_room() -> None:
+    box = answer_box(solve(load("3-9")), "zh")
+    box.wrap(170.0 * MM, 1e4)
+    assert len(box.lines) == 16 and len(box._rows) <= 10
+    assert all(x + one.width <= 170.0 for row in box._rows for x, one in row)

@@ -153,7 +153,7 @@ def _piece(text: str, exponent: str, han: bool, em: float, bold: bool) -> Box:
     face = roman_or_italic(False, bold)
     if han and ord(text[0]) >= 0x2E80:
         face = Face.HEI_BOLD if bold else Face.SONG
-    base = run(text.translate(SHOWN), face, em)
+    base = run(text if text[0].isalpha() and "-" in text else text.translate(SHOWN), face, em)  # a hyphen stays one
     if not exponent:
         return base
     return _scripts(base, run(exponent.translate(SHOWN), face, em * SCRIPT), EMPTY, em)

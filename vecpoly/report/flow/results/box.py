@@ -18,7 +18,8 @@ from ..lines import break_lines
 from ..style import CELL
 
 TITLE = Words("答", "Answer")
-_PAD, _SKIP, _GAP = 2.6, 1.7, 2.5  # mm: inside the frame, between rows, beside a line
+_PAD, _SKIP, _GAP = 2.6, 1.7, 1.5  # mm: inside the frame, between rows, beside a line
+_WIDE_TITLE, _AFTER_TITLE = 8.0, 3.0  # mm
 _BLANK = 1.5  # mm: between a line and what is said after it
 _STOPS = 4  # where a line may begin, in equal steps
 _LEAST = 3  # rows that a page break leaves together
@@ -48,14 +49,20 @@ class AnswerBox(Block):
         self.width = width
         if not self._set:
             room = width / MM - 2 * _PAD - self._margin
-            self._rows = (*_grid(list(_items(self.lines, self._em, room)), room), *self._sentences(room))
+            above = (((0.0, self._title),),) if self._is_wide else ()
+            self._rows = (*above, *_grid(list(_items(self.lines, self._em, room)), room), *self._sentences(room))
         self.height = (sum(map(_height, self._rows)) + self._skip * (len(self._rows) - 1) + 2 * _PAD) * MM
         return width, self.height
 
     @property
     def _margin(self) -> float:
-        """The column of the title."""
-        return self._title.width + 3.0
+        """The column of the title, where it is narrow."""
+        return 0.0 if self._is_wide else self._title.width + _AFTER_TITLE
+
+    @property
+    def _is_wide(self) -> bool:
+        """Whether the title stands above the lines."""
+        return self._title.width > _WIDE_TITLE
 
     def _sentences(self, room: float) -> Iterator[_Row]:
         for text in self.said:
@@ -90,7 +97,7 @@ class AnswerBox(Block):
         ink, y = Ink(self.canv), self.height / MM - _PAD
         for number, row in enumerate(self._rows):
             base = y - max(box.ascent for _, box in row)
-            if not number:
+            if not number and not self._is_wide:
                 ink.box(self._title, _PAD * MM, base * MM)
             for x, box in row:
                 ink.box(box, (_PAD + self._margin + x) * MM, base * MM)

@@ -1,0 +1,53 @@
+"""Numbers of a column stand under each other by their points; a column keeps the zeros that were read."""
+
+from __future__ import annotations
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vecpoly.report.flow.results.decimal import aligned
+from vecpoly.report.flow.table import DataTable
+from vecpoly.report.tables import padded, trimmed
+from vecpoly.typeset.box import MM
+
+EM = 9.5 / MM
+NUMBERS = st.decimals(-9999, 9999, allow_nan=False, places=2).map(lambda n: str(n).replace("-", "−"))
+
+
+@given(st.lists(NUMBERS, min_size=1, max_size=8))
+def test_every_point_of_a_column_has_one_place(texts: list[str]) -> None:
+    column = aligned(texts, EM, False)
+    points = []
+    for text in texts:
+        indent = column.indent(text, 60.0)
+        whole = aligned([text], EM, False)
+        assert indent is not None and 0.0 <= indent <= 60.0 - column.width + column.before
+        points.append(indent + whole.before)
+    assert max(points) - min(points) < 1e-9
+
+
+def test_what_is_no_number_is_centred() -> None:
+    assert aligned(["0.5", "—"], EM, False).indent("—", 40.0) is None
+
+
+def test_zeros_that_were_read_are_kept_in_a_table_of_stations() -> None:
+    assert padded([("0", "4.35"), ("1", "15"), ("2", "—")]) == (("0", "4.35"), ("1", "15.00"), ("2", "—"))
+
+
+def test_numbers_of_many_figures_get_no_zeros_that_nobody_read() -> None:
+    rows = [("−6.828",), ("−176.6",)]
+    assert padded(rows) == tuple(rows)
+
+
+def test_a_column_in_which_nothing_stands_is_left_out() -> None:
+    table = trimmed(["a", "b", "c"], [["1", "—", ""], ["2", "—", "3"]], (), "ldd")
+    assert table.header == ("a", "c") and table.align == "ld"
+
+
+def test_a_table_is_as_wide_as_its_aligned_numbers() -> None:
+    narrow = DataTable(["x"], [["1.5"], ["2.5"]], None, "d")
+    wide = DataTable(["x"], [["1111.5"], ["2.5555"]], None, "d")
+    for table in (narrow, wide):
+        table.wrap(500.0, 500.0)
+    (one,), (two,) = narrow._set_widths, wide._set_widths
+    assert two > one
