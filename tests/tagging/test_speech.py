@@ -24,6 +24,10 @@ LAW = Row((Sym("ω", "2"), Txt(" = "), Frac(Row((Sym("μ", "v"), Txt(" "), Over(
         ("μ_a = 0.03 (m/s^2)/mm", "缪 下标 a 等于 0.03 米每二次方秒每毫米",
          "mu sub a equals 0.03 metres per second squared per millimetre"),
         ("M = 64.26 N·m", "M 等于 64.26 牛米", "M equals 64.26 newton metres"),
+        ("μ_J = 4×10^{-6} kg·m", "缪 下标 J 等于 4 乘 10 的负 6 次方 千克米",
+         "mu sub J equals 4 times 10 to the power of minus 6 kilogram metres"),
+        ("(ω_i/ω)^2", "( 欧米伽 下标 i 除以 欧米伽 ) 的平方", "( omega sub i over omega ) squared"),
+        ("m_5 g", "m 下标 5 g", "m sub 5 g"),
         ("pb ⊥ AB", "p b 垂直于 A B", "p b perpendicular to A B"),
     ],
 )  # fmt: skip

@@ -25,7 +25,8 @@ _SIGNS = {
     "/": ("除以", "over"), "⊥": ("垂直于", "perpendicular to"), "⟂": ("垂直于", "perpendicular to"),
     "∥": ("平行于", "parallel to"), "∠": ("角", "angle"), "→": ("指向", "to"), "°": ("度", "degrees"),
     "↻": ("顺时针", "clockwise"), "↺": ("逆时针", "counter-clockwise"), "?": ("未知", "unknown"),
-    "？": ("未知", "unknown"), "√": ("已知", "known"), "%": ("百分之一", "per cent"), "∞": ("无穷", "infinity"),
+    "？": ("未知", "unknown"), "√": ("已知", "known"), "%": ("百分之一", "per cent"), "–": ("至", "to"),
+    "″": ("两撇", "double prime"), "∞": ("无穷", "infinity"),
     "∑": ("求和", "the sum of"), "Σ": ("求和", "the sum of"), "′": ("撇", "prime"), "'": ("撇", "prime"),
     "✓": ("已知", "known"), "✔": ("已知", "known"), "—": ("无", "none"),
     "²": ("的平方", "squared"), "³": ("的立方", "cubed"),
@@ -33,8 +34,10 @@ _SIGNS = {
 _TOLD = frozenset("⊥⟂∥→✓✔√?？—")
 _UNARY = {"−": ("负", "minus"), "-": ("负", "minus"), "+": ("正", "plus")}
 _POWERS = {"2": ("的平方", "squared"), "3": ("的立方", "cubed")}
-_TOKEN = re.compile(r"\d+(?:\.\d+)?|[A-Za-z]+|\s+|.")
-_QUANTITY = re.compile(r"(\d+(?:\.\d+)?)\s+(\(?[A-Za-zμ°%][A-Za-zμ°%·/()^²³⁻0-9]*)")
+_TOKEN = re.compile(r"\d+(?:\.\d+)?|[A-Za-z]+|[\u4e00-\u9fff]+|\s+|.")
+_NUMBER = r"(?<![\w.}])(\d+(?:\.\d+)?(?:\s*×\s*10\^\{?[-−]?\d+\}?)?)"
+_QUANTITY = re.compile(_NUMBER + r"\s+(\(?[A-Za-zμ°%][A-Za-zμ°%·/()^²³⁻0-9]*)")
+_RAISED = re.compile(r"\^\{?([-−]?\w+)\}?")
 _DIRECTION, _MAGNITUDE = Words("方向", "Direction"), Words("大小", "Magnitude")
 
 
@@ -46,7 +49,7 @@ def spoken(text: str, lang: Lang) -> str:
     for match in _QUANTITY.finditer(text):
         unit = unit_said(match[2], lang)
         if unit is not None:
-            out += [said(row(text[end : match.start()]), lang), match[1], unit]
+            out += [said(row(text[end : match.start()]), lang), *_signs(match[1], lang), unit]
             end = match.end()
     return " ".join(part for part in (*out, said(row(text[end:]), lang)) if part)
 
@@ -142,14 +145,25 @@ def _text(text: str, lang: Lang) -> list[str]:
     for match in _QUANTITY.finditer(text):
         unit = unit_said(match[2], lang)
         if unit is not None:
-            out += [*_signs(text[end : match.start()], lang), match[1], unit]
+            out += [*_signs(text[end : match.start()], lang), *_signs(match[1], lang), unit]
             end = match.end()
     return [*out, *_signs(text[end:], lang)]
+
+
+def _raised(exponent: str, lang: Lang) -> str:
+    """What is said for ^2, ^{-6}: words that stand as they are."""
+    if exponent in _POWERS:
+        return _POWERS[exponent][lang == "en"]
+    number = exponent.lstrip("-−")
+    if lang == "zh":
+        return f"的{'负' if number != exponent else ''} {number} 次方"
+    return f"to the power of {'minus ' if number != exponent else ''}{number}"
 
 
 def _signs(text: str, lang: Lang) -> list[str]:
     out: list[str] = []
     before = ""
+    text = _RAISED.sub(lambda raised: f" {_raised(raised[1], lang)} ", text)
     for token in _TOKEN.findall(text):
         if not token.strip():
             continue
