@@ -104,7 +104,7 @@ class French:
 
 
 def _alone(f: Callable[[int, Array], Array], piece: int, x: float) -> float:
-    return float(f(piece, np.float64(x)))
+    return float(f(piece, np.asarray(x)))
 
 
 @lru_cache(maxsize=16)
