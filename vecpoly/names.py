@@ -12,7 +12,6 @@ from __future__ import annotations
 import re
 from dataclasses import field
 from enum import StrEnum
-from functools import lru_cache
 
 from .errors import UnknownNameError
 from .foundation.slotted import dataclass
@@ -186,7 +185,6 @@ def is_place(key: Key) -> bool:
     return key.kind is Kind.P if isinstance(key, Rel) else is_centre(key) or key.sort is Sort.SPOT
 
 
-@lru_cache(maxsize=1024)
 def reaction(by: str, on: str) -> Named:
     """R_12: the force of link 1 on link 2, by their printed numbers; R_1_11 (R_{1,11}) where one has two digits."""
     long = any(len(number) > 1 and number.isdigit() for number in (by, on))
@@ -211,7 +209,6 @@ def subscripted(letter: str) -> str:
     return f"{bare}_{letter[len(bare) :]}" if letter != bare else letter
 
 
-@lru_cache(maxsize=1024)
 def ascii_key(symbol: str) -> str:
     """The ASCII form of a printed symbol: ``a^n_{CB}`` is ``an_CB``, ``ω_2`` is ``omega_2``."""
     return symbol.translate(_ASCII)

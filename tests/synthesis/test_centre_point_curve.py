@@ -10,6 +10,7 @@ import pytest
 from vecpoly.methods.synthesis.inversion.curve import meetings
 from vecpoly.oracle.synthesis.inversion.burmester import determinant
 from vecpoly.oracle.synthesis.inversion.motions import Pose, pole
+from vecpoly.plane import nominal
 
 PLACES = ((0j, 0), (13 + 19j, 24), (42 + 28j, 35), (83 + 15j, 54))
 FOUR = tuple(Pose.turned(at, np.radians(deg)) for at, deg in PLACES)
@@ -20,11 +21,9 @@ def test_circles_over_opposite_sides_with_one_inscribed_angle_meet_in_centre_poi
     sides: tuple[tuple[int, int], ...],
 ) -> None:
     poles = [at for i, j in sides if (at := pole(FOUR[i], FOUR[j])) is not None]
-    tried = (
-        complex(np.asarray(meetings(poles, float(gamma))[n]))
-        for gamma, n in product(np.linspace(0.05, 3.1, 60), (0, 1))
-    )
-    points = [spot for spot in tried if np.isfinite(spot)]
+    gammas = np.linspace(0.05, 3.1, 60)
+    tried = (complex(nominal(meetings(poles, float(gamma))[n])) for gamma, n in product(gammas, (0, 1)))
+    points = [at for at in tried if np.isfinite(at)]
     assert len(points) >= 15
-    for spot in points:
-        assert abs(determinant(FOUR, spot)) < 1e-7 * abs(determinant(FOUR, spot + 0.1 * (1 + abs(spot))))
+    for at in points:
+        assert abs(determinant(FOUR, at)) < 1e-7 * abs(determinant(FOUR, at + 0.1 * (1 + abs(at))))

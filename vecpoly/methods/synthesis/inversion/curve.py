@@ -87,9 +87,8 @@ def _both(poles: Sequence[complex]) -> tuple[tuple[complex, ...], ...]:
 
 def _branches(poles: Sequence[complex]) -> Iterator[tuple[complex, ...]]:
     """The first meetings for every angle γ, and the second ones; NaN where there are none."""
-    return (
-        tuple(np.asarray(branch).tolist()) for branch in meetings(poles, np.pi * (np.arange(ANGLES) + 0.5) / ANGLES)
-    )
+    gammas = np.pi * (np.arange(ANGLES) + 0.5) / ANGLES
+    return (tuple(map(complex, np.asarray(branch))) for branch in meetings(poles, gammas))
 
 
 def _spaced(spots: Iterable[complex]) -> Iterator[complex]:
