@@ -59,7 +59,7 @@ def _agree(solution: Solution) -> None:
         assert min(miss, abs(360 - miss) if unit == "deg" else np.inf) <= 1e-9 * max(size, 1.0), key
 
 
-@settings(max_examples=often(4), deadline=None)
+@settings(max_examples=often(2), deadline=None)
 @given(slack=st.floats(0.05, 20), first=st.integers(0, 359), long=st.integers(20, 200))
 def test_near_a_change_point_drawing_and_oracle_have_the_same_flywheel(slack: float, first: int, long: int) -> None:
     text = ROCKER.format(base=269 + 77 - 213 + slack, first=first, last=(first + long) % 360)

@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.polynomial import legendre
+from numpy.typing import NDArray
 
 from .state import Reals
 
@@ -37,9 +38,8 @@ def followed(curves: Curves, cuts: Reals) -> tuple[Reals, list[Reals]]:
     return cuts, rows
 
 
-def _is_rough(rows: Reals) -> Reals:
-    rough: Reals = np.abs(rows[:, -2:]).max(axis=1) > TAIL * np.abs(rows).sum(axis=1).max()
-    return rough
+def _is_rough(rows: Reals) -> NDArray[np.bool_]:
+    return np.asarray(np.abs(rows[:, -2:]).max(axis=1) > TAIL * np.abs(rows).sum(axis=1).max(), np.bool_)
 
 
 def _rows(curves: Curves, left: Reals, right: Reals) -> list[Reals]:

@@ -65,6 +65,7 @@ def drawn(mech: Mechanism, loads: Loads, phi: float, by: Hand) -> Station:
     """As this hand draws it, with all its readings. Raises AssemblyError, DeadPointError."""
     there = follower(mech).at(phi)
     desk = _desk(replace(there, drives=(replace(there.drive, accel=0.0), *there.drives[1:])), by)
+    desk.mech = replace(mech, drives=desk.mech.drives)  # drawn; a stroke is that of the mechanism as it is told
     rate = mech.drive.rate
     here, pulls = found_loads(desk, replace(loads, inertia=False))
     st = Statics(desk=desk, loads=here, pulls=pulls)
