@@ -12,7 +12,7 @@ import numpy as np
 
 from ..foundation.slotted import dataclass
 from ..plane import Reals, nominal
-from .formula import Frac, Node, Over, Power, Row, Txt, named, signed
+from .formula import Frac, Node, Over, Power, Row, Txt, named, row, signed
 
 UNIT_TEXT = {"m/s": "m/s", "m/s^2": "m/s^2", "m": "m", "rad/s": "rad/s", "rad/s^2": "rad/s^2", "mm": "mm"}
 
@@ -214,6 +214,11 @@ def _whole(expr: Expr, node: Node) -> Node:
 def magnitude(symbol: str, value: Reals, unit: str) -> Quantity:
     """A named quantity by its symbol in the short notation of `formula`."""
     return Quantity(named(symbol), value, unit)
+
+
+def letters_node(letters: str) -> Node:
+    """Letters of a paper length side by side: ``p c_2`` → p c₂."""
+    return Row(tuple(item for word in letters.split() for item in row(word).items))
 
 
 def paper(letters: Node, mm: Reals) -> Quantity:

@@ -12,8 +12,8 @@ from typing import cast
 
 import numpy as np
 
-from ..algebra.formula import Node, Row, Txt, plain, row
-from ..algebra.quantity import Expr, Quantity, magnitude, paper, worked
+from ..algebra.formula import Node, Row, Txt, plain
+from ..algebra.quantity import Expr, Quantity, letters_node, magnitude, paper, worked
 from ..errors import NotAskedError
 from ..names import ascii_key
 from ..plane import Points, Reals, around, nominal, shoelace
@@ -246,8 +246,3 @@ class Scratch(Board):
 
     def tabulate(self, listing: Listing) -> None:
         """Left out."""
-
-
-def letters_node(letters: str) -> Node:
-    """Letters of a paper length side by side: ``p c_2`` → p c₂."""
-    return Row(tuple(item for word in letters.split() for item in row(word).items))

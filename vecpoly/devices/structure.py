@@ -20,6 +20,7 @@ from ..names import Named, subscripted
 from ..words import Words
 from .base import Device
 from .pairs_read import read_pair
+from .structure_named import DETERMINED, F_LOCAL, F_LOW, N_LOW, P_H, P_L, P_LOW, P_REDUNDANT, F, N, class_, groups
 from .structure_pairs import FRAME, Chain, Form, Pair, Written, natural
 
 Joint = Annotated[Written, BeforeValidator(read_pair), WithJsonSchema({"type": "string"})]
@@ -242,21 +243,3 @@ def _check_driver(chain: Chain, link: str) -> None:
             ),
             code="missing",
         )
-
-
-N, P_L, P_H = Named("n", "n", ""), Named("p_l", "p_L", ""), Named("p_h", "p_H", "")
-F_LOCAL, P_REDUNDANT, F = Named("F_local", "F′", ""), Named("p_redundant", "p′", ""), Named("F", "F", "")
-N_LOW, P_LOW, F_LOW = Named("n_low", "n_1", ""), Named("p_l_low", "p_{L1}", ""), Named("F_low", "F_1", "")
-DETERMINED = Named("determined", "F", "yes/no")
-
-
-def class_(drivers: tuple[str, ...]) -> Named:
-    """The class of the mechanism with these drivers: 2, 3, 4; 0 where it cannot be taken apart."""
-    name = "+".join(drivers)
-    return Named(f"class_{name}", f"J_{{{name}}}", "")
-
-
-def groups(drivers: tuple[str, ...]) -> Named:
-    """How many Assur groups it has with these drivers."""
-    name = "+".join(drivers)
-    return Named(f"groups_{name}", f"m_{{{name}}}", "")

@@ -5,12 +5,13 @@ from __future__ import annotations
 import cmath
 import math
 
-from ...board.paper.marks import AngleMark, TurnArrow
+from ...board.paper.marks import AngleMark, RightAngle, TurnArrow
 from ..scene import Fill, Item, Layer, Stroke
 from ..style import SYMBOL, THIN, Hue
 from . import shapes
 from .shapes import NEAR
 
+SQUARE = 2.5  # mm: side of a right-angle square
 TURN = math.radians(105)  # sweep of a curved arrow
 NARROW, TAIL, INNER_HEAD = 4.0, 4.6, 2.0  # mm: a shorter arc is pointed at from outside, with tails and heads so long
 
@@ -70,3 +71,10 @@ def _pointed_at(mark: AngleMark) -> tuple[Item, ...]:
             Fill(points=curved_head(mark.at, mark.radius, ray, turn, INNER_HEAD), layer=Layer.HEAD, step=mark.step)
         )
     return tuple(items)
+
+
+def draw_square(mark: RightAngle) -> tuple[Item, ...]:
+    """The square in a right angle."""
+    u, v = SQUARE * mark.u / abs(mark.u), SQUARE * mark.v / abs(mark.v)
+    corner = (mark.at + u, mark.at + u + v, mark.at + v)
+    return (Stroke(points=corner, width=THIN, layer=Layer.THIN, step=mark.step),)

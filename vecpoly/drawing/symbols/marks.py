@@ -48,10 +48,8 @@ from ..hues import Tones, dash_of, image_hue, line_hue, mark_hue, tint_of
 from ..scene import Fill, Item, Layer, Stroke
 from ..style import DOT_RADIUS, JOINT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
 from . import bodies, shapes, solids
-from .angles import draw_angle, draw_turn
+from .angles import draw_angle, draw_square, draw_turn
 from .shapes import NEAR
-
-SQUARE = 2.5  # side of a right-angle square
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -119,7 +117,7 @@ def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
         case Point():
             return _point(mark, around)
         case RightAngle():
-            return _square(mark)
+            return draw_square(mark)
         case ImageOf(points=points, step=step):
             return (
                 (Fill(points=points, hue=tint_of(around.view, around.tones), layer=Layer.TINT, step=step),)
@@ -247,9 +245,3 @@ def _point(mark: Point, around: Surroundings) -> tuple[Item, ...]:
         case Dot.NONE:
             return ()
     assert_never(mark.dot)
-
-
-def _square(mark: RightAngle) -> tuple[Item, ...]:
-    u, v = SQUARE * mark.u / abs(mark.u), SQUARE * mark.v / abs(mark.v)
-    corner = (mark.at + u, mark.at + u + v, mark.at + v)
-    return (Stroke(points=corner, width=THIN, layer=Layer.THIN, step=mark.step),)

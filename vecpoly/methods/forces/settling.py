@@ -9,7 +9,7 @@ self-locking two sets of senses may each agree with themselves, and the one that
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -21,11 +21,11 @@ from ...mechanism.model import Prismatic, Revolute
 from ...plane import Reals, cross, dot, nominal
 from ...words import Words
 from .acting import Acting
+from .secant import Couples, gap, secant
 from .senses import velocity_of
 from .state import Statics
 from .trial import on_trial, tried
 
-Couples = Mapping[tuple[str, str], Reals]
 Walk = Callable[[Statics], None]
 Further = Callable[[Statics], dict[tuple[str, str], Reals]]
 ROUNDS = 30  # for each share of the friction
@@ -154,16 +154,16 @@ def _fixed(
         ):  # friction wakes loads on a link that only passed a force on: now moments solve its group
             couples, guide, slope, last = {key: couples.get(key, 0.0) for key in after}, st, None, np.inf
             continue
-        same, gap = _same_senses(st, guide), _gap(couples, after)
-        if same and gap < SETTLED:
+        same, moved = _same_senses(st, guide), gap(couples, after)
+        if same and moved < SETTLED:
             return st, after, np.zeros((0, 0)) if slope is None else slope
-        if not same and gap < near:  # settled with these senses: now those that came out otherwise change sides
-            guide, slope, last, near = st, None, np.inf, max(gap / 10, SETTLED)  # the next time nearer to it
+        if not same and moved < near:  # settled with these senses: now those that came out otherwise change sides
+            guide, slope, last, near = st, None, np.inf, max(moved / 10, SETTLED)  # the next time nearer to it
             continue
-        if slope is None or gap > last / 10:  # the first secant, or one that has grown old
+        if slope is None or moved > last / 10:  # the first secant, or one that has grown old
             slope = _slope(start, guide, rubbed, walk, couples, after) if couples else np.zeros((0, 0))
-        last = gap
-        couples = _secant(couples, after, slope)
+        last = moved
+        couples = secant(couples, after, slope)
     raise _locked(start)
 
 
@@ -230,13 +230,6 @@ def _opposed(st: Statics, key: tuple[str, str], found: Acting) -> bool:
     return True
 
 
-def _gap(before: Couples, after: Couples) -> float:
-    """Largest change by the nominal hand, of the largest couple."""
-    largest = max((abs(float(nominal(c))) for c in after.values()), default=0.0)
-    changes = [abs(float(nominal(c - before.get(k, 0.0)))) for k, c in after.items()]
-    return max(changes, default=0.0) / largest if largest else 0.0
-
-
 def _slope(start: Statics, guide: Statics, rubbed: Further, walk: Walk, couples: Couples, after: Couples) -> np.ndarray:
     """How the couples that come out change with those put in: one further pass for each, nominal hand.
 
@@ -251,12 +244,3 @@ def _slope(start: Statics, guide: Statics, rubbed: Further, walk: Walk, couples:
         )
         columns.append([(float(nominal(moved.get(k, c))) - c) / (stride * NUDGE) for k, c in base.items()])
     return np.array(columns).T
-
-
-def _secant(couples: Couples, after: Couples, slope: np.ndarray) -> dict[tuple[str, str], Reals]:
-    """x − (G − 1)⁻¹ (g(x) − x), by every hand."""
-    if not couples:
-        return {}
-    rest = np.stack(np.broadcast_arrays(*[after[k] - couples[k] for k in couples]))
-    move = np.linalg.solve(slope - np.eye(len(couples)), rest.reshape(len(couples), -1)).reshape(rest.shape)
-    return {key: (couples[key] - move[i])[()] for i, key in enumerate(couples)}

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ....board.construction import Reading, View
-from ....devices.structure import Structure, class_, groups
+from ....devices.structure import Structure
+from ....devices.structure_named import class_, groups
 from ....devices.structure_pairs import Chain
 from ....names import subscripted
 from ....words import Words

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ....algebra.quantity import Times
 from ....board.construction import View
-from ....devices.structure import F_LOW, N_LOW, P_LOW, Structure
+from ....devices.structure import Structure
+from ....devices.structure_named import F_LOW, N_LOW, P_LOW
 from ....devices.structure_pairs import Form, Pair
 from ....names import subscripted
 from ....words import Words

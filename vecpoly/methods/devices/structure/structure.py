@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from ....algebra.quantity import Expr, Quantity, Times, magnitude
 from ....board.construction import Pane, View
-from ....devices.structure import DETERMINED, F_LOCAL, P_H, P_L, P_REDUNDANT, F, N, Structure
+from ....devices.structure import Structure
+from ....devices.structure_named import DETERMINED, F_LOCAL, P_H, P_L, P_REDUNDANT, F, N
 from ....devices.structure_pairs import Form, Pair
 from ....names import subscripted
 from ....words import Words

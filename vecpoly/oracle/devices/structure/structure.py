@@ -3,7 +3,8 @@ F, F′, p′ from its rank, groups by matching."""
 
 from __future__ import annotations
 
-from ....devices.structure import (
+from ....devices.structure import Structure
+from ....devices.structure_named import (
     DETERMINED,
     F_LOCAL,
     F_LOW,
@@ -14,7 +15,6 @@ from ....devices.structure import (
     P_REDUNDANT,
     F,
     N,
-    Structure,
     class_,
     groups,
 )
