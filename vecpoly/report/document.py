@@ -22,12 +22,12 @@ from ..foundation.files import write_whole
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
-from .bound import bound_in
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, Stamp
+from .flow.paging.bound import bound_in
+from .flow.paging.tight import saved
 from .flow.table import DataTable
-from .flow.tight import saved
 from .flow.xml import to_flowables
 from .lines import lines_table
 from .picture import diagram, frames, picture

@@ -23,7 +23,7 @@ from ...typeset.words import layout_words
 from ...words import Lang
 from .base import Block
 from .contents import page_form, tell_contents
-from .floating import Floating, template_of
+from .paging.floating import Floating, template_of
 from .style import BODY, GREY
 
 MARGIN = 20 * MM

@@ -12,9 +12,9 @@ from ...project.project import Project
 from ...solution import Solution
 from ...units.reckoning import Amount
 from ...words import Lang, Words
-from ..bound import bound_in
 from ..course.numbering import Press
 from ..flow.blocks import Plate, SheetPage, spoken
+from ..flow.paging.bound import bound_in
 
 APPENDIX = "A"  # where the sheets are bound
 

@@ -13,9 +13,9 @@ from ....errors import VecpolyError
 from ....findings.study.study import Study
 from ....solution import Solution, solve
 from ....words import Lang, Words
-from ...bound import bound_in
 from ...content import scales, sections
 from ...flow.blocks import spoken
+from ...flow.paging.bound import bound_in
 from ...flow.table import DataTable
 from ...tables import readings_table
 from ..analysis.force_words import role_note

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from ..drawing.backends.pdf import draw_pdf
-from ..drawing.sheets.sheet import Sheet
-from ..drawing.sheets.space import FRAME, STRIP
-from ..typeset.box import MM
-from .flow.blocks import Plate, SheetPage
+from ....drawing.backends.pdf import draw_pdf
+from ....drawing.sheets.sheet import Sheet
+from ....drawing.sheets.space import FRAME, STRIP
+from ....typeset.box import MM
+from ..blocks import Plate, SheetPage
 
 
 def bound_in(sheet: Sheet, name: str) -> SheetPage | Plate:
