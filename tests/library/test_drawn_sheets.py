@@ -28,8 +28,8 @@ def figures_of(name: str, sheet: Sheet) -> list[Figure]:
 
 
 def free(name: str, sheet: Sheet) -> bool:
-    """Whether all its figures have a scale, which the file does not give, and which is tied to no other, as along and
-    up of a curve."""
+    """Whether all its figures have a scale, which the file does not give, and which is tied to no other, as of a
+    curve."""
     given, scales = drawn(name).problem.scales.given, [figure.scale for figure in figures_of(name, sheet)]
     told = any(figure.view.mu.key in given for figure in figures_of(name, sheet))
     return not told and all(scale.symbol and scale.across is None for scale in scales)

@@ -12,8 +12,8 @@ import vecpoly
 from vecpoly.report.document import report_bytes
 from vecpoly.report.flow.blocks import Callout, Drawing
 from vecpoly.report.flow.doc import Metadata, ReportDoc
+from vecpoly.report.flow.paging.tight import DEGREES, saved, tightened
 from vecpoly.report.flow.table import DataTable
-from vecpoly.report.flow.tight import DEGREES, saved, tightened
 from vecpoly.words import Lang
 
 

@@ -27,8 +27,8 @@ from .answers.tables import readings_tables
 from .content import Objects, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, Stamp
+from .flow.paging.tight import saved
 from .flow.table import DataTable
-from .flow.tight import saved
 from .flow.xml import to_flowables
 from .lines import lines_table
 from .picture import diagram, picture

@@ -71,13 +71,13 @@ Own = Callable[[Device, Scales], Mapping[View, Scale]]
 
 
 def _filling(device: Device, given: Scales, own: Own, paper: Paper) -> tuple[dict[View, Scale], Bench]:
-    """A device's own scales; those that are single and not given are such that the figures fill their sheets."""
+    """A device's own scales; those not given are such that the figures fill their sheets."""
     scales = own(device, given)
     sketch = _draw(device, hand("exact"), scales)
+    if any(scale.across is not None for scale in scales.values()):  # a curve's two scales go with the others
+        return dict(scales), sketch
     told = {view: value for view in scales if (value := given.of(view.mu)) is not None}
-    alone: dict[Place, float] = {
-        view: scale.value for view, scale in scales.items() if scale.across is None and scale.value
-    }
+    alone: dict[Place, float] = {view: scale.value for view, scale in scales.items() if scale.value}
     for view, value in paper.compose(sketch.board.figures(TITLES), alone, told).items():
         given = given.changed(view_of(view).mu, value)
     return dict(own(device, given)), sketch

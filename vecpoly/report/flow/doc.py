@@ -23,7 +23,7 @@ from ...typeset.fonts import Face, load
 from ...typeset.words import layout_words
 from .base import Block
 from .contents import page_form, tell_contents
-from .floating import Floating, template_of
+from .paging.floating import Floating, template_of
 from .style import BODY, GREY
 
 MARGIN = 20 * MM

@@ -17,7 +17,7 @@ from ..course.numbering import Press
 from ..document import FIELDS, alarms
 from ..flow.doc import Metadata
 from ..flow.listing import Listing
-from ..flow.tight import saved
+from ..flow.paging.tight import saved
 from ..flow.xml import to_flowables
 from ..templates import filled
 from . import device, forces, linkage, motion, summary, task

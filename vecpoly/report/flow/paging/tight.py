@@ -11,8 +11,8 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 from typing import Any
 
-from .base import Block, Tightness
-from .doc import Metadata, ReportDoc
+from ..base import Block, Tightness
+from ..doc import Metadata, ReportDoc
 from .running import fresh, run_on, turns
 
 DEGREES = (
@@ -25,17 +25,36 @@ SHORT = 3  # pages of a part of which the lines are set closer too; in a longer 
 
 
 def saved(story: Sequence[Any], meta: Metadata) -> bytes:
-    """The document, each part of it on as few pages as a tighter setting gives it."""
-    plain = ReportDoc(_set(story, {}), meta)
+    """The document, each part of it on as few pages as a tighter setting gives it, none of which holds little where
+    something else can be set on it."""
+    return ReportDoc(settled(story, meta), meta).made()[0]
+
+
+def settled(story: Sequence[Any], meta: Metadata) -> list[Any]:
+    """The story as `saved` sets it."""
+    story = _set(story, {})
+    plain = ReportDoc(story, meta)
     plain.counted()
     tried = {part: _degree(story, part, pages, meta) for part, pages in plain.leftover.items()}
     chosen = {part: degree for part, degree in tried.items() if degree is not None}
-    story = _set(story, chosen)
     if chosen:
+        story = _set(story, chosen)
         plain = ReportDoc(story, meta)
         plain.counted()
-    shared = run_on(story, plain)
-    return ReportDoc(fresh(story if shared is None else shared), meta).made()[0]
+    return fresh(_unwidowed(run_on(story, plain) or story, plain))
+
+
+def _unwidowed(story: list[Any], doc: ReportDoc) -> Sequence[Any]:
+    """A story of one part, tightened as little as will do where a box opens one of its pages; doc: it, laid out."""
+    if len(doc.ends) > 1 or not doc.widows:
+        return story
+    for degree in DEGREES:
+        closer = tightened(story, degree)
+        doc = ReportDoc(closer, doc.metadata)
+        doc.counted()
+        if not doc.widows:
+            return fresh(closer)
+    return story
 
 
 def tightened(story: Sequence[Any], degree: Tightness = DEGREES[1]) -> list[Any]:

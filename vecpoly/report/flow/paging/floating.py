@@ -9,7 +9,7 @@ from typing import Any
 from reportlab.platypus.doctemplate import ActionFlowable, BaseDocTemplate, NextPageTemplate
 from reportlab.platypus.flowables import PageBreak
 
-from .blocks import SheetPage
+from ..blocks import Callout, SheetPage
 
 
 class Floating(BaseDocTemplate):  # type: ignore[misc]
@@ -17,10 +17,17 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
 
     _ahead: list[Any]  # what is still to be set
     _waiting: list[tuple[SheetPage, int]]
+    filled: list[float]  # how full each page of text is
+    heads: dict[int, Any]  # what each page opens with
+
+    @property
+    def widows(self) -> list[int]:
+        """The pages behind the first that a box opens."""
+        return [page for page, head in self.heads.items() if isinstance(head, Callout) and page > 1]
 
     def float(self, story: list[Any]) -> list[Any]:
         """The story, at the end of which no sheet is left waiting."""
-        self._ahead, self._waiting = [], []
+        self._ahead, self._waiting, self.filled, self.heads = [], [], [], {}
         return [*story, _Rest()] if any(isinstance(item, SheetPage) and item.behind for item in story) else story
 
     def handle_flowable(self, flowables: list[Any]) -> None:
@@ -34,9 +41,13 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
             self._waiting.append((own, first.behind))
         else:
             super().handle_flowable(flowables)
+            if self._curPageFlowableCount:
+                self.heads.setdefault(self.page, first)
 
     def handle_pageEnd(self) -> None:
         """After a page of text, the sheets that stand behind it."""
+        if self.pageTemplate.id == "text":
+            self.filled.append(1 - (self.frame._y - self.frame._y1p) / self.frame._aH)
         if self.pageTemplate.id == "text" and self._waiting:
             self._waiting = [(sheet, pages - 1) for sheet, pages in self._waiting]
             due = [sheet for sheet, pages in self._waiting if pages <= 0]

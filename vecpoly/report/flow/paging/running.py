@@ -9,9 +9,9 @@ from typing import Any
 
 from reportlab.platypus.flowables import PageBreak
 
-from .base import Block
-from .blocks import Divider, SheetPage
-from .doc import LEFTOVER, ReportDoc
+from ..base import Block
+from ..blocks import Divider, SheetPage
+from ..doc import LEFTOVER, ReportDoc
 
 ROUNDS = 8  # what begins on a page of another may end on one that holds little
 
