@@ -49,5 +49,5 @@ def test_a_table_is_as_wide_as_its_aligned_numbers() -> None:
     wide = DataTable(["x"], [["1111.5"], ["2.5555"]], None, "d")
     for table in (narrow, wide):
         table.wrap(500.0, 500.0)
-    (one,), (two,) = narrow._set_widths, wide._set_widths
+    (one,), (two,) = narrow.set_in(500.0).widths, wide.set_in(500.0).widths
     assert two > one

@@ -1,7 +1,9 @@
 """The French curve: J_e and M_e between the positions that were drawn, smooth from one corner of the loads to the next.
 
 ψ is the drive's way in the sense of its motion, from φ = 0 on (rad). Everything here comes from velocity polygons on
-scratch paper, at Gauss's places of each piece; through them a polynomial is laid as a hand lays its curve.
+scratch paper, at Gauss's places of each piece; through them a polynomial is laid as a hand lays its curve. Where a
+piece bends more than a polynomial follows (a crank-rocker near its change point), it is halved, and places are drawn
+closer: a smooth curve of degree n is off by about its last coefficients, so these are what a piece is halved for.
 """
 
 from __future__ import annotations
@@ -19,11 +21,17 @@ from ...mechanism.laws.sizes import Table
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ..roots import halved
-from .turn import jumps, station
+from .turn import Station, bends, jumps, station
 
 Array = NDArray[np.float64]
+Piece = tuple[float, float, Array, Array]  # from, to; coefficients of M and of J_e
+Fit = Callable[[float, float], tuple[Array, Array]]
 LOOKED, PIECE = np.radians(7.5), np.radians(20.0)  # where corners are looked for; no piece is longer
-NODES = 10
+NODES = 14
+TAIL, DEEPEST = (
+    1e-12,
+    7,
+)  # of the greatest value: the last coefficients are rounding; a piece is halved so often at most
 SAMPLES, HALVINGS = 41, 60
 _AT, _WEIGHTS = legendre.leggauss(NODES)
 _FITTED = legendre.legvander(_AT, NODES - 1).T * _WEIGHTS * (np.arange(NODES) + 0.5)[:, None]
@@ -104,7 +112,7 @@ class French:
 
 
 def _alone(f: Callable[[int, Array], Array], piece: int, x: float) -> float:
-    return float(f(piece, np.asarray(x)))
+    return float(f(piece, np.array(x)))
 
 
 @lru_cache(maxsize=16)
@@ -113,39 +121,47 @@ def french(mech: Mechanism, loads: Loads) -> French:
     sense = float(np.sign(mech.drive.rate)) or 1.0
     period = 2 * np.pi * loads.turns
     looked = [float(x) for x in np.linspace(0.0, period, round(period / LOOKED) + 1)]
-    own = sorted(sense * q % period for q in jumps(mech, loads, *_ends(sense, period), _along(sense, looked)))
-    cuts = _cuts(loads, sense, period, own)
-    rows = [_fitted(mech, loads, sense, a, b) for a, b in pairwise(cuts)]
-    moments, inertias = (np.array(part) for part in zip(*rows, strict=True))
+    places = looked if sense > 0 else [-one for one in reversed(looked)]
+    own, bent = (sorted(sense * q % period for q in of(mech, loads, places)) for of in (jumps, bends))
+    fit = partial(_fitted, partial(station, mech, loads), sense)
+    rough = [(a, b, *fit(a, b)) for a, b in pairwise(_cuts(loads, sense, period, [*own, *bent]))]
+    great = tuple(max(float(np.abs(piece[k]).sum(axis=-1)) for piece in rough) for k in (2, 3))
+    pieces = [part for piece in rough for part in _settled(piece, fit, great, DEEPEST)]
+    cuts = np.array([0.0, *(piece[1] for piece in pieces)])
+    moments, inertias = (np.array([piece[k] for piece in pieces]) for k in (2, 3))
     mean = -float(np.diff(cuts) @ moments[:, 0]) / period if loads.constant is not None else 0.0
     return French(sense, cuts, moments, inertias, tuple(own), mean)
 
 
-def _ends(sense: float, period: float) -> tuple[float, float]:
-    return (0.0, period) if sense > 0 else (-period, 0.0)
-
-
-def _along(sense: float, looked: list[float]) -> list[float]:
-    return looked if sense > 0 else [-one for one in reversed(looked)]
-
-
 def _cuts(loads: Loads, sense: float, period: float, own: list[float]) -> Array:
-    """Ends of pieces: even ones, the jumps, the corners of tables over the drive."""
+    """Ends of pieces: even ones, the jumps, the corners of tables."""
     even = np.linspace(0.0, period, round(period / PIECE) + 1)
     tables = [load.law.size for load in loads.all if load.law is not None]
-    bends = [
+    over_drive = [
         (sense * place + k * table.period) % period
         for table in tables
         if isinstance(table, Table) and table.over is None and table.period
         for place in table.places
         for k in range(max(round(period / table.period), 1))
     ]
-    cuts = np.unique(np.concatenate([even, own, bends]))
+    cuts = np.unique(np.concatenate([even, own, over_drive]))
     return np.asarray(cuts[np.append(True, np.diff(cuts) > 1e-9)], np.float64)
 
 
-def _fitted(mech: Mechanism, loads: Loads, sense: float, a: float, b: float) -> tuple[Array, Array]:
-    drawn = [station(mech, loads, sense * (a + (b - a) / 2 * (1 + x))) for x in _AT]
-    moments = np.array([sense * float(one.moment) for one in drawn])
-    inertias = np.array([float(one.inertia) for one in drawn])
+def _fitted(drawn: Callable[[float], Station], sense: float, a: float, b: float) -> tuple[Array, Array]:
+    """Coefficients of M and J_e between two places."""
+    there = [drawn(sense * (a + (b - a) / 2 * (1 + x))) for x in _AT]
+    moments = np.array([sense * float(one.moment) for one in there])
+    inertias = np.array([float(one.inertia) for one in there])
     return _FITTED @ moments, _FITTED @ inertias
+
+
+def _settled(piece: Piece, fit: Fit, great: tuple[float, ...], deep: int) -> Iterator[Piece]:
+    """The piece, or its halves, until the last coefficients are rounding beside the greatest values."""
+    a, b, *rows = piece
+    if not deep or all(np.abs(row[-2:]).max() <= TAIL * size for row, size in zip(rows, great, strict=True)):
+        yield piece
+        return
+    middle = (a + b) / 2
+    for low, high in ((a, middle), (middle, b)):
+        yield from _settled((low, high, *fit(low, high)), fit, great, deep - 1)
