@@ -16,6 +16,7 @@ from pypdf.generic import DictionaryObject
 from vecpoly.board.construction import Construction, View
 from vecpoly.board.paper.marks import Role, Vector
 from vecpoly.drawing.sheets.sheet import sheets
+from vecpoly.drawing.sheets.space import FRAME
 from vecpoly.errors import UnknownNameError
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load
@@ -81,19 +82,21 @@ def _vectors(construction: Construction, view: View) -> list[Vector]:
 @pytest.mark.parametrize("name", ["3-9", "3-5", "3-12"])
 def test_result_vectors_measure_on_the_page_what_they_measure_on_the_board(name: str, tmp_path: Path) -> None:
     """Both ends of every result vector lie on the page where the construction has them,
-    within 0.01 mm (the tip under its arrowhead)."""
+    within 0.01 mm (the tip under its arrowhead); a plate in the text is told by the corner of its frame."""
     it = solve(load(name))
     path = write_report([it], tmp_path / "r.pdf")
     (sheet,) = sheets(it.construction, title=it.problem.title)
     with pdfplumber.open(path) as document:
         page = document.pages[-1]
-        ends = [complex(x, float(page.height) - y) / MM for line in (*page.lines, *page.curves) for x, y in line["pts"]]
+        drawn = (*page.lines, *page.curves, *(one for one in page.rects if one["stroke"]))
+        ends = [complex(x, float(page.height) - y) / MM for line in drawn for x, y in line["pts"]]
+    shift = complex(min(e.real for e in ends), min(e.imag for e in ends)) - complex(FRAME, FRAME)
     for placed in sheet.figures:
         if placed.view is View.MECHANISM:
             continue
         for vector in _vectors(it.construction, placed.view):
             for z in (vector.a, vector.b):
-                assert min(abs(e - placed.origin - z) for e in ends) < 0.01
+                assert min(abs(e - shift - placed.origin - z) for e in ends) < 0.01
 
 
 def test_the_check_bar_is_fifty_millimetres_long(chinese: Path) -> None:
