@@ -13,14 +13,14 @@ from ...board.board import NO_LENGTH
 from ...board.construction import LineOfAction, Place, Reading, View
 from ...board.paper.marks import Dot, Role
 from ...mechanism.asked.forces import quantities
-from ...mechanism.loads import GRAVITY, Mass
+from ...mechanism.loads import Mass
 from ...names import At, Named, alpha, ascii_key
 from ...plane import Points, Reals, nominal, unit
 from ...words import Words
 from ..desk import POLE
 from ..kinematics.image import found_tip
 from .acting import Acting
-from .masses import masses
+from .masses import masses, weight_force
 from .senses import TURN
 from .state import Statics
 
@@ -40,11 +40,6 @@ def inertia_forces(st: Statics) -> None:
             _inertia(st, mass)
         if st.loads.weight:
             weight_force(st, mass)
-
-
-def weight_named(mass: Mass) -> Named:
-    """G_2 (N)."""
-    return Named(f"G_{mass.link}", f"G_{{{mass.link}}}", "N", True)
 
 
 def _inertia(st: Statics, mass: Mass) -> None:
@@ -195,39 +190,6 @@ def _displace(st: Statics, mass: Mass, force: Acting, arm: Reals) -> None:
     _settle(st, mass, force.named, force.vector, at)
     _draw_force(st, force.named.symbol, at, along)
     draw_arm(st, View.MECHANISM, _lever(st, mass).symbol, s, at, along)
-
-
-def weight_force(st: Statics, mass: Mass) -> None:
-    """G = m g, down through S."""
-    named = weight_named(mass)
-    s = st.desk.name(At(mass.centre))
-    st.board.step(
-        Words(
-            f"构件 {mass.link} 的重力过质心 ${s}$ 竖直向下。",
-            f"The weight of link {mass.link} acts straight down through ${s}$.",
-        ),
-        View.MECHANISM,
-    )
-    size = st.board.compute(
-        named.symbol, magnitude(f"m_{mass.link}", mass.mass, "kg") * magnitude("g", GRAVITY, "m/s^2"), "N"
-    )
-    _hang(st, mass, size.value)
-
-
-def weights(st: Statics) -> None:
-    """The weights as `weight_force` keeps them, without a word: where they were told already, or on scratch paper."""
-    for mass in st.loads.masses if st.loads.weight else ():
-        _hang(st, mass, mass.mass * GRAVITY)
-
-
-def _hang(st: Statics, mass: Mass, size: Reals) -> None:
-    acting = Acting(
-        named=weight_named(mass),
-        vector=-1j * st.mm(size),
-        at=st.desk.where(At(mass.centre, mass.link)),
-        size=f"$m_{mass.link} g$",
-    )
-    st.inertia.setdefault(mass.link, []).append(acting)
 
 
 def _settle(st: Statics, mass: Mass, named: Named, vector: Points, at: Points) -> Acting:

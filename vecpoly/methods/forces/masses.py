@@ -1,4 +1,5 @@
-"""Masses and moments of inertia of the links: given, or computed for round bars, m = ρ π d² l / 4 and J = m l² / 12."""
+"""Masses and moments of inertia of the links: given, or computed for round bars, m = ρ π d² l / 4 and J = m l² / 12;
+and weights."""
 
 from __future__ import annotations
 
@@ -6,10 +7,13 @@ from math import pi
 
 from ...algebra.formula import Txt
 from ...algebra.quantity import Expr, Quantity, magnitude
+from ...board.construction import View
 from ...mechanism.asked.forces import mass_named
-from ...mechanism.loads import Mass, Rod
-from ...plane import nominal
+from ...mechanism.loads import GRAVITY, Mass, Rod
+from ...names import At, Named
+from ...plane import Reals, nominal
 from ...words import Words
+from .acting import Acting
 from .readings import keep_value
 from .state import Statics
 
@@ -52,3 +56,41 @@ def _of_rod(link: str, rod: Rod, mass: float) -> tuple[Expr, Expr]:
 
 def _plain(number: int) -> Quantity:
     return Quantity(Txt(str(number)), float(number), "")
+
+
+def weight_named(mass: Mass) -> Named:
+    """G_2 (N)."""
+    return Named(f"G_{mass.link}", f"G_{{{mass.link}}}", "N", True)
+
+
+def weight_force(st: Statics, mass: Mass) -> None:
+    """G = m g, down through S."""
+    named = weight_named(mass)
+    s = st.desk.name(At(mass.centre))
+    st.board.step(
+        Words(
+            f"构件 {mass.link} 的重力过质心 ${s}$ 竖直向下。",
+            f"The weight of link {mass.link} acts straight down through ${s}$.",
+        ),
+        View.MECHANISM,
+    )
+    size = st.board.compute(
+        named.symbol, magnitude(f"m_{mass.link}", mass.mass, "kg") * magnitude("g", GRAVITY, "m/s^2"), "N"
+    )
+    _hang(st, mass, size.value)
+
+
+def weights(st: Statics) -> None:
+    """The weights as `weight_force` keeps them, without a word: where they were told already, or on scratch paper."""
+    for mass in st.loads.masses if st.loads.weight else ():
+        _hang(st, mass, mass.mass * GRAVITY)
+
+
+def _hang(st: Statics, mass: Mass, size: Reals) -> None:
+    acting = Acting(
+        named=weight_named(mass),
+        vector=-1j * st.mm(size),
+        at=st.desk.where(At(mass.centre, mass.link)),
+        size=f"$m_{mass.link} g$",
+    )
+    st.inertia.setdefault(mass.link, []).append(acting)

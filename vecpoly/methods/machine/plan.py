@@ -13,9 +13,8 @@ from ...problem.problem import Problem
 from ...words import Words
 from ..desk import Desk
 from ..forces.bodies.given_loads import draw_given_loads
-from ..forces.inertia import weight_force, weights
 from ..forces.laws.found import found_loads
-from ..forces.masses import masses
+from ..forces.masses import masses, weight_force, weights
 from ..forces.state import Statics
 from ..registry import Stage
 from .doors import EQUIVALENTS

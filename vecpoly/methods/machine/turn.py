@@ -21,9 +21,9 @@ from ...names import At, omega
 from ...plane import Reals
 from ..desk import Desk
 from ..forces.balance.power_terms import works
-from ..forces.inertia import weights
 from ..forces.laws.found import found_loads
 from ..forces.laws.off_paper import OffPaper
+from ..forces.masses import weights
 from ..forces.state import Statics
 from ..kinematics.diagram.cam import letter_contacts
 from ..kinematics.doors import draw_drives, draw_group
