@@ -5,6 +5,9 @@ from __future__ import annotations
 import cmath
 import math
 import re
+from typing import Annotated
+
+from pydantic import AfterValidator, WithJsonSchema
 
 from ..errors import FaultError
 from ..words import Words
@@ -156,3 +159,22 @@ def _direction(text: str) -> complex:
             code="spelling",
         )
     return cmath.rect(1.0, turn)
+
+
+_LETTER = re.compile(r"[A-Z]\d?['′]?")
+
+
+def _letter(text: str) -> str:
+    if _LETTER.fullmatch(text) is None:
+        raise FaultError(
+            Words(
+                f"“{text}”不能作运动副的名称：用一个大写字母，可带一位数字和撇号；如写 A、B1、D'",
+                f"'{text}' is no name of a joint: it is one capital letter, with a digit and a prime where they are "
+                "needed; write e.g. A, B1, D'",
+            ),
+            code="spelling",
+        )
+    return text
+
+
+Letter = Annotated[str, AfterValidator(_letter), WithJsonSchema({"type": "string", "pattern": f"^{_LETTER.pattern}$"})]

@@ -10,37 +10,19 @@ drivers: [1]          # several possibilities: [1, 5]; two links that drive toge
 
 from __future__ import annotations
 
-import re
 from typing import Annotated, ClassVar
 
-from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema, model_validator
+from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 
 from ..errors import FaultError
 from ..names import Named, subscripted
 from ..words import Words
 from .base import Device
-from .pairs_read import read_pair
+from .pairs_read import Letter, read_pair
 from .structure_named import DETERMINED, F_LOCAL, F_LOW, N_LOW, P_H, P_L, P_LOW, P_REDUNDANT, F, N, class_, groups
 from .structure_pairs import FRAME, Chain, Form, Pair, Written, natural
 
 Joint = Annotated[Written, BeforeValidator(read_pair), WithJsonSchema({"type": "string"})]
-_LETTER = re.compile(r"[A-Z]\d?['′]?")
-
-
-def _letter(text: str) -> str:
-    if _LETTER.fullmatch(text) is None:
-        raise FaultError(
-            Words(
-                f"“{text}”不能作运动副的名称：用一个大写字母，可带一位数字和撇号；如写 A、B1、D'",
-                f"'{text}' is no name of a joint: it is one capital letter, with a digit and a prime where they are "
-                "needed; write e.g. A, B1, D'",
-            ),
-            code="spelling",
-        )
-    return text
-
-
-Letter = Annotated[str, AfterValidator(_letter), WithJsonSchema({"type": "string", "pattern": f"^{_LETTER.pattern}$"})]
 OFF_LINE = 0.01  # share of the distance between the centres by which a contact may stand beside their line
 
 

@@ -36,7 +36,7 @@ def _told(solution: Solution) -> list[str]:
     return str(solution.problem.source.en).split()
 
 
-@family("design-straight-line", also=path_of)
+@family("design-straight-line", also=path_of, often=1)
 def straight_line(rng: Random) -> str:
     """Any crank-rocker, any coupler point, any part of the turn."""
     ab = int(rng.integers(20, 60))
@@ -80,7 +80,7 @@ def _misses(given: dict[str, complex], found: dict[str, float], ahead_b: int, ah
     return first(iter(misses))
 
 
-@family("design-stages", also=both_positions)
+@family("design-stages", also=both_positions, often=9)
 def stages(rng: Random) -> str:
     """A slider's two places give C on a ray of DC, and C gives B on a ray of AB."""
     d = complex(int(rng.integers(30, 150)), int(rng.integers(-40, 40)))

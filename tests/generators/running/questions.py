@@ -1,5 +1,5 @@
-"""Every question to every mechanism: curvatures, equivalents, flywheels, counterweights, pressure angles of any member
-of the families of motion, whatever its joints and its drive. What a question does not suit is refused in words."""
+"""Every question to every mechanism: curvatures, equivalents, flywheels, pressure angles of any member of the families
+of motion, whatever its joints and its drive. What a question does not suit is refused in words."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def equivalent(rng: Random) -> str:
     return f"{text}{load}{masses(rng, mech)}find: [{', '.join(asked)}]\n"
 
 
-@family("any-flywheel", often=1)
+@family("any-flywheel", often=3)
 def flywheel(rng: Random) -> str:
     """A constant moment on the drive, a moment on another link during part of the turn."""
     text, mech = moving(rng)
@@ -64,21 +64,6 @@ def flywheel(rng: Random) -> str:
     run = "machine: {n: 100 r/min, delta: 0.05}\n" if rng.random() < 0.5 else ""
     asked = "M_c, dW_max, J_F" if run else "M_c"
     return f"{text}{load}{masses(rng, mech)}{run}find: [{asked}]\n"
-
-
-@family("any-counterweights", often=6)
-def counterweights(rng: Random) -> str:
-    """On the drive and on another link, where every link has a mass."""
-    text, mech = moving(rng)
-    names = sorted({mech.number(mech.drive.link), mech.number(str(rng.choice(mech.numbered)))})
-    hung = ", ".join(f"{name}: {{r: {rng.integers(20, 120)} mm}}" for name in names)
-    heavy = "".join(
-        f"  {mech.number(name)}: {{mass: {rng.uniform(0.2, 4):.2f} kg, centre: {rng.choice(list(points))}}}\n"
-        for name in mech.numbered
-        if (points := mech.link(name).points)
-    )
-    asked = ", ".join(f"W_c{name}, theta_c{name}, m_c{name}" for name in names)
-    return f"{text}masses:\n{heavy}counterweights: {{{hung}}}\nfind: [{asked}, m_c]\n"
 
 
 @family("any-pressure", often=6)

@@ -1,11 +1,17 @@
-"""The couples that act on a link, by their symbols: given ones, inertia couples, those that slides pass on."""
+"""The couples that act on a link, by their symbols: given ones, inertia couples, those that slides pass on; and those
+of friction in the pins of groups that moments solved."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from dataclasses import replace
+
+import numpy as np
 
 from ...mechanism.asked.forces import load_named
+from ...mechanism.groups.assur import Group
 from ...mechanism.loads import Moment
+from ...mechanism.model import Revolute
 from ...plane import Reals
 from .lines.letters import slide_couple
 from .state import Statics
@@ -26,3 +32,21 @@ def couples_on(st: Statics, link: str, *, within: Collection[str] = ()) -> Itera
     for force in st.reactions(link):
         if force.named.symbol not in inner:
             yield slide_couple(force.named.symbol), force.couple
+
+
+def pin_couples(st: Statics, groups: tuple[Group, ...]) -> dict[tuple[str, str], Reals]:
+    """Friction couples (N·m) of the pins of groups that were solved by moments: ρ R against the relative turning."""
+    found: dict[tuple[str, str], Reals] = {}
+    rubbing = replace(st, rubbing=True)
+    for group in groups:
+        if group.links not in st.by_moments:
+            continue
+        for joint in (*group.inner, *(out.joint for out in group.outer)):
+            if isinstance(joint, Revolute) and rubbing.rho(joint.point):
+                for by, on in ((joint.a, joint.b), (joint.b, joint.a)):
+                    force = st.push(by, on)
+                    if on in group.links and force is not None:
+                        found[by, on] = st.newton_metres(
+                            np.abs(force.vector) * rubbing.rho(joint.point) * rubbing.moment_sense(joint.point, by, on)
+                        )
+    return found

@@ -1,4 +1,5 @@
-"""Masses and moments of inertia of the links: given, or computed for round bars, m = ρ π d² l / 4 and J = m l² / 12."""
+"""Masses and moments of inertia of the links: given, or computed for round bars, m = ρ π d² l / 4 and J = m l² / 12;
+and weights."""
 
 from __future__ import annotations
 

@@ -21,6 +21,7 @@ from ...mechanism.model import Prismatic, Revolute
 from ...plane import Reals, cross, dot, nominal
 from ...words import Words
 from .acting import Acting
+from .couples import pin_couples
 from .secant import Couples, gap, secant
 from .senses import velocity_of
 from .state import Statics
@@ -182,24 +183,6 @@ def _pass(start: Statics, guide: Statics, couples: Couples, walk: Walk) -> Stati
     st.balance = tried(st, couples)
     walk(st)
     return st
-
-
-def pin_couples(st: Statics, groups: tuple[Group, ...]) -> dict[tuple[str, str], Reals]:
-    """Friction couples (N·m) of the pins of groups that were solved by moments: ρ R against the relative turning."""
-    found: dict[tuple[str, str], Reals] = {}
-    rubbing = replace(st, rubbing=True)
-    for group in groups:
-        if group.links not in st.by_moments:
-            continue
-        for joint in (*group.inner, *(out.joint for out in group.outer)):
-            if isinstance(joint, Revolute) and rubbing.rho(joint.point):
-                for by, on in ((joint.a, joint.b), (joint.b, joint.a)):
-                    force = st.push(by, on)
-                    if on in group.links and force is not None:
-                        found[by, on] = st.newton_metres(
-                            np.abs(force.vector) * rubbing.rho(joint.point) * rubbing.moment_sense(joint.point, by, on)
-                        )
-    return found
 
 
 def _same_senses(st: Statics, guide: Statics) -> bool:
