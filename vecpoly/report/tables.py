@@ -109,7 +109,7 @@ def _printed_row(c: Checked, lang: Lang) -> tuple[str, ...]:
 def _as_given(checked: Checked, lang: Lang) -> str:
     """The printed answer as it stands there, and what it is where a length on paper is printed."""
     printed = checked.printed
-    text = as_printed(printed.text, lang)
+    text = as_printed(printed.text, lang).replace("*", "·")
     if printed.scale:
         unit = printed.rel.unit if printed.rel else "m"
         text += f" ≙ {number(abs(printed.value))} {unit}"

@@ -46,7 +46,7 @@ def rounded(value: float, places: int | None, most: int) -> str:
 def decimals(answer: Answer) -> int | None:
     """So many that the last one is worth what was read; None of what is computed or counted."""
     step = printed_unit(answer.reading.unit)[0] * max(_read_to(answer), _known_to(answer))
-    if answer.reading.unit == YES_NO or not step:
+    if answer.reading.unit == YES_NO or not step or not isfinite(answer.drawn):
         return None
     places = max(0, -floor(log10(step) + 1e-9))
     drawn = printed_unit(answer.reading.unit)[0] * answer.drawn
@@ -63,7 +63,7 @@ def _is_on(value: float, places: int) -> bool:
 def _read_to(answer: Answer) -> float:
     """What a tenth of a millimetre is worth; nothing where the hand reads finer."""
     mm = answer.reading.mm
-    if not mm or abs(mm / TENTH - round(mm / TENTH)) > 1e-6:
+    if not mm or not isfinite(mm) or not isfinite(answer.drawn) or abs(mm / TENTH - round(mm / TENTH)) > 1e-6:
         return 0.0
     return TENTH * abs(answer.drawn) / mm
 

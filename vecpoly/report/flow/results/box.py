@@ -19,7 +19,7 @@ from ..style import CELL
 
 TITLE = Words("答", "Answer")
 _PAD, _SKIP, _GAP = 2.6, 1.7, 1.5  # mm: inside the frame, between rows, beside a line
-_WIDE_TITLE, _AFTER_TITLE = 8.0, 3.0  # mm
+_AFTER_TITLE = 3.0  # mm
 _BLANK = 1.5  # mm: between a line and what is said after it
 _STOPS = 4  # where a line may begin, in equal steps
 _LEAST = 3  # rows that a page break leaves together
@@ -37,6 +37,7 @@ class AnswerBox(Block):
         self._em, self._skip = CELL.em, _SKIP
         self._title = layout_words(TITLE.of(lang), self._em, True)
         self._rows: tuple[_Row, ...] = ()
+        self._above = False  # whether the title stands above the lines
         self._set = False  # a part of a box keeps the rows that it was given
 
     def tighten(self, degree: Tightness) -> None:
@@ -45,24 +46,23 @@ class AnswerBox(Block):
         self._skip = degree.white * _SKIP
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
-        """Size in a column."""
+        """Size in a column: the title in the margin, or above where that takes less height."""
         self.width = width
         if not self._set:
-            room = width / MM - 2 * _PAD - self._margin
-            above = (((0.0, self._title),),) if self._is_wide else ()
-            self._rows = (*above, *_grid(list(_items(self.lines, self._em, room)), room), *self._sentences(room))
-        self.height = (sum(map(_height, self._rows)) + self._skip * (len(self._rows) - 1) + 2 * _PAD) * MM
+            tried = {above: self._laid(width / MM - 2 * _PAD, above) for above in (False, True)}
+            self._above = self._high(tried[True]) < self._high(tried[False])
+            self._rows = tried[self._above]
+        self.height = (self._high(self._rows) + 2 * _PAD) * MM
         return width, self.height
 
-    @property
-    def _margin(self) -> float:
-        """The column of the title, where it is narrow."""
-        return 0.0 if self._is_wide else self._title.width + _AFTER_TITLE
+    def _high(self, rows: Sequence[_Row]) -> float:
+        return sum(map(_height, rows)) + self._skip * (len(rows) - 1)
 
-    @property
-    def _is_wide(self) -> bool:
-        """Whether the title stands above the lines."""
-        return self._title.width > _WIDE_TITLE
+    def _laid(self, width: float, above: bool) -> tuple[_Row, ...]:
+        """The rows in a frame of this width (mm) inside."""
+        room = width if above else width - self._title.width - _AFTER_TITLE
+        title: tuple[_Row, ...] = (((0.0, self._title),),) if above else ()
+        return (*title, *_grid(list(_items(self.lines, self._em, room)), room), *self._sentences(room))
 
     def _sentences(self, room: float) -> Iterator[_Row]:
         for text in self.said:
@@ -84,7 +84,7 @@ class AnswerBox(Block):
 
     def _part(self, rows: tuple[_Row, ...], first: bool) -> AnswerBox:
         part = AnswerBox((), (), self.lang)
-        part._rows, part._skip, part._set = rows, self._skip, True
+        part._rows, part._skip, part._set, part._above = rows, self._skip, True, self._above
         part.spaceBefore, part.spaceAfter = (self.spaceBefore, 0.0) if first else (0.0, self.spaceAfter)
         if not first:
             part._title = replace(self._title, items=())
@@ -95,12 +95,13 @@ class AnswerBox(Block):
         self.canv.setLineWidth(_FRAME)
         self.canv.rect(0.0, 0.0, self.width, self.height)
         ink, y = Ink(self.canv), self.height / MM - _PAD
+        margin = 0.0 if self._above else self._title.width + _AFTER_TITLE
         for number, row in enumerate(self._rows):
             base = y - max(box.ascent for _, box in row)
-            if not number and not self._is_wide:
+            if not number and not self._above:
                 ink.box(self._title, _PAD * MM, base * MM)
             for x, box in row:
-                ink.box(box, (_PAD + self._margin + x) * MM, base * MM)
+                ink.box(box, (_PAD + margin + x) * MM, base * MM)
             y -= _height(row) + self._skip
         ink.flush()
 
