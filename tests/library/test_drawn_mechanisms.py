@@ -13,6 +13,7 @@ from tests.drawn_library import desk_of, drawn, ids
 from tests.each import Later, each
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, View
+from vecpoly.board.paper.extent import extent
 from vecpoly.board.paper.marks import (
     AngleMark,
     Block,
@@ -116,11 +117,11 @@ def test_the_links_that_are_counted_are_those_that_have_numbers(name: str) -> No
 def test_every_moving_link_has_its_number_beside_it(name: str) -> None:
     mech = drawn(name).problem.mechanism
     names = [link.name for link in mech.links if link.name[0].isdigit()]
-    numbers = marks(name, LinkNumber)
+    numbers, near = marks(name, LinkNumber), max(30.0, 0.3 * max(extent(diagram(name).marks)))
     assert set(names) <= {mark.number for mark in numbers}
     for mark in numbers:
         own = [place(name, point) for link in mech.links if link.name == mark.number for point in link.points]
-        assert not own or min(abs(mark.a - at) for at in own) < 30.0 or min(_from_rims(name, mark)) < 5.0, mark
+        assert not own or min(abs(mark.a - at) for at in own) < near or min(_from_rims(name, mark)) < 5.0, mark
 
 
 def _from_rims(name: str, mark: LinkNumber) -> list[float]:

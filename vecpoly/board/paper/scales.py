@@ -18,7 +18,7 @@ Size = tuple[float, float]
 class Sketched:
     """A figure as sketched at a scale: its kind and name, width and height (mm) of what grows with the scale, and of
     what stands round it at any scale. of: the kind whose scale it follows, itself where it has a scale of its own;
-    none where its size has nothing to do with scales."""
+    none where its size has nothing to do with scales. letters: how many labels it has, which ask for room."""
 
     view: View
     name: str = ""
@@ -26,6 +26,7 @@ class Sketched:
     scale: float
     size: Size
     around: Size = (0.0, 0.0)
+    letters: int = 0
 
     def at(self, scale: float) -> Size:
         """Width and height at another scale."""

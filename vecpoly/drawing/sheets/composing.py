@@ -24,6 +24,7 @@ LEAST, MOST = 0.55, 1.5  # of the usual size: smaller no figure is drawn to save
 USUAL_WIDE, USUAL = 150.0, 100.0  # mm: of a figure that has the width of a page, of another
 USUAL_OWN = 180.0  # mm: of one with a scale of its own, on which the most is drawn
 ENOUGH = 0.62  # of the usual size: no figure need be smaller for a plate
+ROOM, CROWDED = 5.0, 0.85  # mm that a letter asks for; but of the usual size at most
 LOST = SPARSE + 0.08  # planned share of a page that may turn out too small
 
 Scales = dict[Place, float]
@@ -58,8 +59,14 @@ def _lower(page: Composing, best: Scales, start: Scales) -> Scales:
 
 def _least(kind: Place, figures: Sequence[Sketched]) -> float:
     """The scale at which the largest figure of a kind can still be read."""
-    sizes = [(one.scale, max(one.size)) for one in figures if one.of is kind]
-    return max(round_up(scale * size / (LEAST * min(usual(kind), USUAL_WIDE))) for scale, size in sizes if size > 0)
+    found = [one for one in figures if one.of == kind and max(one.size) > 0]
+    return max(round_up(one.scale * max(one.size) / _readable(kind, one.letters)) for one in found)
+
+
+def _readable(kind: Place, letters: int) -> float:
+    """The least size (mm) of a figure with so many letters."""
+    whole = min(usual(kind), USUAL_WIDE)
+    return max(LEAST * whole, min(ROOM * letters, CROWDED * whole))
 
 
 def usual(kind: Place) -> float:
@@ -123,7 +130,7 @@ class Composing:
 
     def _size(self, kind: Place, scales: Mapping[Place, float]) -> float:
         at = scales[kind]
-        return max(one.scale / at * max(one.size) for one in self.figures if one.of is kind)
+        return max(one.scale / at * max(one.size) for one in self.figures if one.of == kind)
 
     def grown(self, start: Scales) -> Scales | None:
         """Finer scales, as far as they ask for no further sheet; None where a figure fits none."""

@@ -9,7 +9,7 @@ from math import isclose
 
 from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
-from ...board.paper.marks import FixedGuide
+from ...board.paper.marks import FixedGuide, LinkNumber
 from ...board.paper.scales import Sketched
 from ...board.place import Pane, Place
 from .composing import composed
@@ -50,4 +50,5 @@ def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:
         scale=figure.scale.value,
         size=(w, h),
         around=(wide - w, high - h),
+        letters=sum(1 for mark in figure.marks if getattr(mark, "label", "") or isinstance(mark, LinkNumber)),
     )
