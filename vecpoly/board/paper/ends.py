@@ -17,11 +17,13 @@ class Ends:
         self._by_cell: dict[tuple[int, int], list[tuple[complex, complex]]] = {}
 
     def add(self, start: complex, end: complex) -> None:
-        """One more."""
+        """One more; of numbers that know how they were derived the values."""
+        start, end = complex(start), complex(end)
         self._by_cell.setdefault(_cell(end), []).append((start, end))
 
     def has(self, start: complex, end: complex) -> bool:
         """Whether a vector stands there already."""
+        start, end = complex(start), complex(end)
         about = {_cell(end + complex(x, y)) for x, y in product((-SAME, SAME), repeat=2)}
         return any(abs(a - start) + abs(b - end) < SAME for cell in about for a, b in self._by_cell.get(cell, ()))
 

@@ -95,7 +95,7 @@ class Hung:
 
 
 def sheets(
-    construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE, way: Way = None, plates: bool = True
+    construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE, way: Way = None, plates: bool = False
 ) -> tuple[Sheet, ...]:
     """The figures of a construction on as few A4 sheets as hold them, the mechanism first, each force polygon beside
     its free body; `way`: portrait or landscape, where one is wished. plates: figures that would be lost on a page
