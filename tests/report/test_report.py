@@ -85,7 +85,7 @@ def test_result_vectors_measure_on_the_page_what_they_measure_on_the_board(name:
     within 0.01 mm (the tip under its arrowhead); a plate in the text is told by the corner of its frame."""
     it = solve(load(name))
     path = write_report([it], tmp_path / "r.pdf")
-    (sheet,) = sheets(it.construction, title=it.problem.title)
+    (sheet,) = sheets(it.construction, title=it.problem.title, plates=True)
     with pdfplumber.open(path) as document:
         page = document.pages[-1]
         drawn = (*page.lines, *page.curves, *(one for one in page.rects if one["stroke"]))
