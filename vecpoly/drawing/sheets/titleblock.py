@@ -6,14 +6,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ...typeset import Box, layout_words
+from ...typeset.box import place
 from ...words import Lang, Words, label
-from ..labels.notes import folded, lines
+from ..labels.notes import folded
 from ..scene import Item, Layer, Rect, Stroke, TextBox
 from ..style import GIVEN, NOTE, RESULT, THIN
 from .space import FRAME, STRIP
 
 BAR = 50.0
 BAR_CELL = 62.0  # width of the strip's last cell
+LOWER = 0.45  # of the strip: the height of its lower row; a title of two lines needs more
+CLOSE = 1.15  # baseline to baseline in the strip, em
 UNNAMED = Words.same("")
 LABELS = {
     "sheet": Words("第 {n} 张　共 {total} 张", "Sheet {n} of {total}"),
@@ -49,7 +52,7 @@ def furniture(page: Rect, strip: Strip, lang: Lang, *, blanks: bool = True) -> t
     y, x1 = frame.y0 + STRIP, frame.x1
     x_bar = x1 - BAR_CELL
     x_name = frame.x0 + 0.44 * (x1 - frame.x0) if blanks else x_bar
-    mid = frame.y0 + STRIP / 2
+    mid = frame.y0 + LOWER * STRIP
     x_half = (x_name + x_bar) / 2
     ruled = [
         _line(complex(frame.x0, y), complex(x1, y), GIVEN),
@@ -76,16 +79,19 @@ def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang) -> tuple[Item, ...
     room = x1 - frame.x0 - 4
     right = layout_words(sheet, NOTE)
     return (
-        _text(_fitted(full, NOTE * 1.2, room), frame.x0 + 2, frame.y0 + 0.75 * STRIP),
+        _text(_fitted(full, NOTE * 1.2, room), frame.x0 + 2, frame.y0 + (1 + LOWER) / 2 * STRIP),
         _text(
-            _fitted(LABELS["hand"].of(lang) + hand, NOTE, room - right.width - 3), frame.x0 + 2, frame.y0 + STRIP / 4
+            _fitted(LABELS["hand"].of(lang) + hand, NOTE, room - right.width - 3),
+            frame.x0 + 2,
+            frame.y0 + LOWER / 2 * STRIP,
         ),
-        _text(right, x1 - 2 - right.width, frame.y0 + STRIP / 4),
+        _text(right, x1 - 2 - right.width, frame.y0 + LOWER / 2 * STRIP),
     )
 
 
 def _blanks(frame: Rect, x0: float, x1: float, lang: Lang) -> tuple[Item, ...]:
-    cells = (("group", x0, 0.75), ("name", x1, 0.75), ("number", x0, 0.25), ("date", x1, 0.25))
+    upper, lower = (1 + LOWER) / 2, LOWER / 2
+    cells = (("group", x0, upper), ("name", x1, upper), ("number", x0, lower), ("date", x1, lower))
     return tuple(
         _text(layout_words(LABELS[key].of(lang), NOTE), x + 1.2, frame.y0 + part * STRIP) for key, x, part in cells
     )
@@ -109,4 +115,7 @@ def _text(box: Box, x: float, middle: float) -> TextBox:
 def _fitted(text: str, em: float, room: float) -> Box:
     """A line of type; two lines in the size of notes where one would not fit its cell: no size between."""
     box = layout_words(text, em)
-    return box if box.width <= room else lines(folded(text, NOTE, room), NOTE)
+    if box.width <= room:
+        return box
+    both = [layout_words(line, NOTE) for line in folded(text, NOTE, room).split("\n")]
+    return place([(0.0, -CLOSE * NOTE * i, one) for i, one in enumerate(both)], max(one.width for one in both))
