@@ -59,7 +59,7 @@ def test_the_length_of_a_spring_is_measured_and_its_error_goes_on() -> None:
 def test_a_longer_reading_stretches_the_spring() -> None:
     problem = load("return-spring")
     before, after = (solve(problem, by="exact", readings=own).answers["F_s"].drawn for own in ({}, {"EH": "50 mm"}))
-    assert after == pytest.approx(30 + 2000 * (50 * 0.004 - 0.09), rel=1e-9) != before
+    assert after == pytest.approx(30 + 2000 * (50 * MU_L - 0.09), rel=1e-9) != before
 
 
 def test_the_constant_over_the_period_is_the_rectangle_under_the_moments_of_twelve_positions() -> None:

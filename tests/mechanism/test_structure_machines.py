@@ -239,7 +239,7 @@ MACHINES: dict[str, tuple[Joints, str, tuple[int, int, int, int, int, int], int,
         (4, 6, 0, 0, 1, 1),
         2,
         2,
-        "ring of slides",
+        "a loop of prismatic joints alone",
     ),
     "truss": (
         {"A": "R(0, 1) at (0, 0)", "B": "R(1, 2) at (50, 80)", "C": "R(2, 0) at (110, 0)"},

@@ -34,7 +34,7 @@ from .state import Body, Points, cross
 
 NONE = 1e-9  # of the mechanism's own rates and size: less is zero
 PARALLEL = 1e-7  # sine of two directions that are told apart
-STEP = 5e-3  # rad, or of the size where the drive slides: from position to position of a difference
+STEPS = 5e-3 / 2.0 ** np.arange(6)  # rad, or of the size where the drive slides: between positions of a difference
 CENTRAL = np.array([3, -32, 168, -672, 0, 672, -168, 32, -3]) / 840  # of the eighth order
 STRAIGHT = 1e-9  # curvature times the mechanism's size: a path that bends less is straight here
 
@@ -132,15 +132,29 @@ class Curvatures:
         return self.pole + q / abs(q) ** 2
 
     def _rates(self) -> tuple[complex, complex]:
-        """a and j of the link's point that is the pole, j by the rates of a and α through nine positions."""
-        step = STEP * (self.mech.scale if self.mech.drive.slide else 1.0)
-        near = tuple(self.mech.drive.position + k * step for k in range(-4, 5))
-        moved = _moved(self.mech, near).moving(self.link, 2)
-        rate = [complex(np.dot(CENTRAL, np.broadcast_to(one, 9))) / step for one in (moved.acceleration, moved.alpha)]
+        """a and j of the link's point that is the pole, j by the rates of a and α."""
+        rate, turned = self._third_rates()
         body, omega, alpha = self.body, float(self.body.omega[0]), float(self.body.alpha[0])
         arm = self.pole - complex(body.at[0])
-        spin = complex(-3 * omega * alpha, rate[1].real - omega**3)
-        return complex(body.acceleration_at(np.array([self.pole]))[0]), rate[0] + spin * arm
+        spin = complex(-3 * omega * alpha, turned - omega**3)
+        return complex(body.acceleration_at(np.array([self.pole]))[0]), rate + spin * arm
+
+    def _third_rates(self) -> tuple[complex, float]:
+        """The rates of a and of α through nine positions, at the step that agrees best with its half.
+
+        The nearer a dead point, the shorter the step must be (the error falls by 2⁸ with each half of it); where the
+        mechanism moves evenly, a longer one rounds less.
+        """
+        steps = STEPS * (self.mech.scale if self.mech.drive.slide else 1.0)
+        near = self.mech.drive.position + np.multiply.outer(steps, np.arange(-4, 5))
+        moved = _moved(self.mech, tuple(near.ravel().tolist())).moving(self.link, 2)
+        pulls, turns = (
+            np.broadcast_to(one, near.size).reshape(near.shape) @ CENTRAL / steps
+            for one in (moved.acceleration, moved.alpha)
+        )
+        apart = np.abs(np.diff(pulls)) + self.mech.scale * np.abs(np.diff(turns))
+        best = int(np.argmin(apart)) + 1
+        return complex(pulls[best]), float(turns[best])
 
     def collineation(self) -> float:
         """The angle (deg, to 90) of the line PQ to the line of the pins:

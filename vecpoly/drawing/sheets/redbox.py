@@ -8,6 +8,7 @@ from ..style import LETTER, RESULT, Hue
 from .space import FRAME
 
 HEIGHT, MARGIN = 13.0, 2.0  # mm: of the box; around it and its text
+BAND = HEIGHT + 2 * MARGIN  # mm by which a plate is higher for it, on which no white is left over
 
 
 def red_box(page: Rect, text: str) -> tuple[Item, ...]:

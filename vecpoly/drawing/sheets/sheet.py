@@ -13,7 +13,7 @@ from ..figure import draw_figure
 from ..scene import Item, Rect, Scene
 from .packing import Layout
 from .paging import Drawn, Page, Way, arranged, paged, reading_order, trimmed
-from .redbox import red_box
+from .redbox import BAND, red_box
 from .space import FRAME, STRIP, room_inside, usable
 from .titleblock import Strip, furniture
 
@@ -180,4 +180,5 @@ def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang, w
         shifted = one.scene.moved(by)
         items.extend(shifted.items)
         placed.append(Placed(one.view, by, shifted.extents, one.name, len(shifted.items)))
-    return Sheet(tuple(items), tuple(placed), layout.page, strip, lang, warning)
+    sheet = Sheet(tuple(items), tuple(placed), layout.page, strip, lang, warning)
+    return replace(sheet, room=(sheet.room[0], sheet.room[1] + BAND)) if sheet.plate and warning is not None else sheet

@@ -77,7 +77,7 @@ def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang) -> tuple[Item, ...
     hand = HANDS.get(strip.hand, Words(strip.hand, strip.hand)).of(lang)
     sheet = LABELS["sheet"].of(lang).format(n=strip.number, total=strip.total)
     room = x1 - frame.x0 - 4
-    right = layout_words(sheet, NOTE)
+    right, low = layout_words(sheet, NOTE), frame.y0 + LOWER / 2 * STRIP
     return (
         _text(_fitted(full, NOTE * 1.2, room), frame.x0 + 2, frame.y0 + (1 + LOWER) / 2 * STRIP),
         _text(
