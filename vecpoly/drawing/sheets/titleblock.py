@@ -80,12 +80,8 @@ def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang) -> tuple[Item, ...
     right, low = layout_words(sheet, NOTE), frame.y0 + LOWER / 2 * STRIP
     return (
         _text(_fitted(full, NOTE * 1.2, room), frame.x0 + 2, frame.y0 + (1 + LOWER) / 2 * STRIP),
-        _text(
-            _fitted(LABELS["hand"].of(lang) + hand, NOTE, room - right.width - 3),
-            frame.x0 + 2,
-            frame.y0 + LOWER / 2 * STRIP,
-        ),
-        _text(right, x1 - 2 - right.width, frame.y0 + LOWER / 2 * STRIP),
+        _text(_fitted(LABELS["hand"].of(lang) + hand, NOTE, room - right.width - 3), frame.x0 + 2, low),
+        _text(right, x1 - 2 - right.width, low),
     )
 
 

@@ -22,6 +22,7 @@ _PAD, _SKIP, _GAP = 2.6, 1.7, 1.5  # mm: inside the frame, between rows, beside 
 _AFTER_TITLE = 3.0  # mm
 _BLANK = 1.5  # mm: between a line and what is said after it
 _STOPS = 4  # where a line may begin, in equal steps
+WHOLE = 75.0 * MM  # a box no taller than this is not parted
 _LEAST = 3  # rows that a page break leaves together
 _FRAME = 0.6  # pt
 
@@ -70,8 +71,9 @@ class AnswerBox(Block):
                 yield ((0.0, joined(list(line.cells), self._em)),)
 
     def split(self, width: float, height: float) -> list[Block]:
-        """Whole rows to each page."""
-        self.wrap(width, height)
+        """Whole rows to each page, of a box too tall to be kept together."""
+        if self.wrap(width, height)[1] <= WHOLE:
+            return []
         used, count = 2 * _PAD, 0
         room = (height - self.getSpaceBefore()) / MM  # the frame may leave that out here and ask for it of the part
         while count < len(self._rows) and used + _height(self._rows[count]) <= room:
