@@ -7,7 +7,7 @@ import pytest
 
 from tests.lawful import CARD, COIL, CUT, ENGINE, SPRING, slider
 from vecpoly import load
-from vecpoly.board.place import view_named
+from vecpoly.board.place import View, view_named
 from vecpoly.errors import EquilibriumError, NoMethodError
 from vecpoly.problem.problem import Problem
 from vecpoly.problem.values.vary import vary
@@ -58,8 +58,11 @@ def test_the_length_of_a_spring_is_measured_and_its_error_goes_on() -> None:
 
 def test_a_longer_reading_stretches_the_spring() -> None:
     problem = load("return-spring")
-    before, after = (solve(problem, by="exact", readings=own).answers["F_s"].drawn for own in ({}, {"EH": "50 mm"}))
-    assert after == pytest.approx(30 + 2000 * (50 * MU_L - 0.09), rel=1e-9) != before
+    before, after = (solve(problem, by="exact", readings=own) for own in ({}, {"EH": "50 mm"}))
+    mechanism = after.construction.figure(View.MECHANISM)
+    assert mechanism is not None
+    stretched = 30 + 2000 * (50 * mechanism.scale.value - 0.09)
+    assert after.answers["F_s"].drawn == pytest.approx(stretched, rel=1e-9) != before.answers["F_s"].drawn
 
 
 def test_the_constant_over_the_period_is_the_rectangle_under_the_moments_of_twelve_positions() -> None:

@@ -3,7 +3,6 @@ changed or left out, the solution differs, or the file is refused, or a note is 
 
 from __future__ import annotations
 
-import pickle
 from collections.abc import Iterator
 from functools import cache
 from itertools import zip_longest
@@ -247,11 +246,11 @@ def effects(text: str) -> Iterator[object]:
     checks, sheets; or its refusal. Who has seen a difference asks for no more."""
     try:
         problem = loads(text)
-        yield pickle.dumps(said(problem))
+        yield said(problem)
         solution = solve(problem, by="exact", repeats=0, precise=False)
-        yield pickle.dumps((solution.as_json(), solution.construction.figures))
-        yield pickle.dumps(solve(problem, by="exact", repeats=0).warnings)
-        yield pickle.dumps(check_problem(problem).answers)
+        yield solution.as_json(), solution.construction.figures
+        yield solve(problem, by="exact", repeats=0).warnings
+        yield check_problem(problem).answers
         yield [sheet.landscape for sheet in sheets(solution.construction, way=problem.orientation)]
     except VecpolyError as error:
         yield str(error)

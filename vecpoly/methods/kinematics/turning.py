@@ -10,8 +10,11 @@ from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...names import alpha, omega
 from ...plane import Points, Reals, cross, nominal
+from ...plane.geometry import dot
 from ...words import Words
 from ..desk import Desk, Turn
+
+ALONG = 1e-9  # what a vector along a link has across it, over its length: nothing but rounding
 
 
 def angular_velocity(
@@ -66,8 +69,14 @@ def _rate(
     expr = board.mu(view) * on_paper / length
     if not none:
         board.write_worked(magnitude(name, 0, unit).node, expr, unit)
-    way = np.sign(cross(desk.towards(about, point), ends[1] - ends[0]))
+    way = _way(desk.towards(about, point), ends[1] - ends[0])
     return np.where(np.abs(ends[1] - ends[0]) < NO_LENGTH, 0.0, expr.value * way)[()]
+
+
+def _way(out: Points, vector: Points) -> Reals:
+    """The sense of a vector across a link; who drew it along the link instead takes it for the one turned back."""
+    across, along = cross(out, vector), dot(out, vector)
+    return np.where(np.abs(across) > ALONG * np.abs(along), np.sign(across), -np.sign(along))[()]
 
 
 def _sense(name: str, symbol: str, point: str, value: float) -> Words:
