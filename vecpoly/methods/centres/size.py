@@ -75,8 +75,8 @@ def _crossed(lines: tuple[Line, ...]) -> bool:
 
 
 def _paper(desk: Desk, seen: Survey, kept: set[Pair]) -> Paper:
-    """The scale that the sheet wishes, else the largest round one on which everything fits;
-    the farthest centres are left out where the mechanism would become too small."""
+    """The scale that the sheet wishes, else the largest round one on which everything fits; the farthest centres are
+    left out where the mechanism would become too small on it: whatever is wished, for the sheet was laid out so."""
     low, high = bounds(desk.board.marks(View.MECHANISM))
     middle, size = (low + high) / 2, max(high.real - low.real, high.imag - low.imag)
     mu, wished = desk.board.scales[View.MECHANISM], desk.board.scales.get(Pane(View.MECHANISM, NAME))
@@ -84,11 +84,12 @@ def _paper(desk: Desk, seen: Survey, kept: set[Pair]) -> Paper:
     inside = sorted(spots, key=lambda pair: (pair not in kept, abs(spots[pair] - middle)))
     while True:
         corners = box_of([low, high, *(spots[pair] for pair in inside)])
-        scale = wished or replace(mu, value=max(mu.value, round_up(mu.value * too_large(corners))))
-        factor = mu.value / scale.value
-        if set(inside) <= kept or size * factor >= min(LEAST, size):
+        fitting = replace(mu, value=max(mu.value, round_up(mu.value * too_large(corners))))
+        if set(inside) <= kept or size * mu.value / fitting.value >= min(LEAST, size):
             break
         inside.pop()
+    scale = wished or fitting
+    factor = mu.value / scale.value
     margin = complex(MARGIN, MARGIN)
     return Paper(
         scale=scale,
