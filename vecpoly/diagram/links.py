@@ -151,8 +151,10 @@ def _is_late(posed: Posed, joint: Prismatic, links: tuple[str, ...]) -> bool:
 
 def _late_guide(posed: Posed, joint: Prismatic) -> Iterator[Mark]:
     link, shape = joint.guide, posed.shape(joint.guide, Shape.SLOT)
-    shape = Shape.SLOT if shape is Shape.BAR and is_slot(posed, link, joint) else shape
-    yield from guide_body(posed, link, joint, shape)
+    if shape is not Shape.BAR:
+        yield from guide_body(posed, link, joint, shape)
+    elif is_slot(posed, link, joint):
+        yield from guide_body(posed, link, joint, Shape.SLOT)  # else the block stands on the bar that is drawn already
     if len(posed.body(link).points) == 1:
         yield link_number(posed, link, shape, joint)
 
