@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ...algebra.formula import sym
-from ...algebra.quantity import Expr, Product, Quantity, number, worked
+from ...algebra.formula import Node, Row, Txt, sym
+from ...algebra.quantity import Expr, Product, Quantity, magnitude, number, worked
 from ...board.board import NO_LENGTH
 from ...board.construction import LineOfAction, Reading, View
 from ...mechanism.asked.forces import apart, pairs
@@ -125,12 +125,22 @@ def _reaction(st: Statics, force: Acting, side: tuple[Points, Points, str]) -> N
             mm=None if zero else float(nominal(on_paper.value)),
             line=letters,
             scale=scale.symbol,
-            formula=worked(sym(named.symbol), board.mu(View.FORCE) * on_paper, "N"),
+            formula=_formula(st, force, on_paper),
             remark=_couple_words(named, couple) if couple else None,
             acts=LineOfAction(point=metres, tangent=_SIDE[force.tangent], couple=couple or None),
         ),
         size,
     )
+
+
+def _formula(st: Statics, force: Acting, on_paper: Quantity) -> Node:
+    """R = μ_F × length; of a force that was computed and laid off, not read, what it was computed as: R_43 = R_45."""
+    name = sym(force.named.symbol)
+    if force.computed is None:
+        return worked(name, st.board.mu(View.FORCE) * on_paper, "N")
+    end = worked(name, magnitude(force.named.symbol, force.computed, "N"), "N").items[-1]
+    same = next((size for size in st.board.ledger.sizes.values() if size.value is force.computed), None)
+    return Row((name, end) if same is None or same.node == name else (name, Txt(" = "), same.node, end))
 
 
 def _couple_words(named: Named, couple: float) -> Words:
