@@ -12,8 +12,12 @@ from vecpoly.board.place import Place
 from vecpoly.problem.library import library
 
 LENGTH = re.compile(r"([a-z][^=]*) = .*/.*= ([\d.]+) mm$")
-HALF = 0.05 + 1e-9  # mm: lengths to be laid off are written to 0.1 mm
 Letter = tuple[str, str, int]  # the letter, its index, its primes
+
+
+def half(written: str) -> float:
+    """Half a unit of the last figure (mm): lengths to be laid off are written to 0.1 mm, shorter ones more finely."""
+    return 0.5 * 10.0 ** -max(1, len(written.partition(".")[2])) + 1e-9
 
 
 def letter(text: str) -> Letter:
@@ -55,7 +59,7 @@ def test_every_length_that_is_written_lies_between_its_letters() -> None:
                     continue
                 written += 1
                 one, two = (places[step.view].get(end, []) for end in ends)
-                if not any(abs(abs(p - q) - float(found[2])) < HALF for p in one for q in two):
+                if not any(abs(abs(p - q) - float(found[2])) < half(found[2]) for p in one for q in two):
                     other.append((entry.id, step.number, line))
     assert written > 250
     assert other == []
