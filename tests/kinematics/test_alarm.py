@@ -15,6 +15,7 @@ import pdfplumber
 import pytest
 from typer.testing import CliRunner
 
+import vecpoly
 import vecpoly.methods.plan as plan
 from tests.drawn_library import IDS, drafted, ids
 from tests.laws import often
@@ -95,9 +96,11 @@ def _finds_all(solution: Solution) -> bool:
 def test_a_pencil_that_loses_candidates_of_a_synthesis_is_told_so() -> None:
     tried = (_by_pencil(name) for name in IDS if isinstance(load(name).subject, Design))
     drawn = [one for one in tried if one is not None]
-    (lost,) = [one for one in drawn if not _finds_all(one)]
-    assert lost.problem.id == "four-positions" and lost.suspect
-    assert lost.construction.warning is not None and "candidates on paper" in lost.construction.warning.en
+    small = vecpoly.loads(load("four-positions").text + "scales: {mu_l: 0.003 m/mm}\n").solve(by="pencil")
+    assert not _finds_all(small), "at this scale a pencil loses candidates"
+    for lost in (small, *(one for one in drawn if not _finds_all(one))):
+        assert lost.suspect, lost.problem.id
+        assert lost.construction.warning is not None and "candidates on paper" in lost.construction.warning.en
 
 
 @pytest.mark.parametrize(
@@ -167,7 +170,8 @@ def test_report_and_sheet_carry_a_red_box(
         assert said in sheet.extract_text().replace("\n", " ")
         red = [shape for shape in (*sheet.rects, *sheet.curves) if shape["stroking_color"] == pytest.approx(RED)]
         assert len(red) == 2  # the sheet's frame and the box
-        assert max(shape["width"] for shape in red) > 0.85 * float(sheet.width)
+        box, frame = sorted(shape["width"] for shape in red)
+        assert box > 0.95 * frame
 
 
 def test_the_player_opens_with_the_alarm(spoilt: Callable[[Spoil], None], tmp_path: Path) -> None:
