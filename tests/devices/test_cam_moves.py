@@ -207,3 +207,29 @@ def test_an_undercut_profile_moves_nothing() -> None:
     for attempt in (lambda: oracle.solve(problem.mechanism), lambda: solve(problem)):
         with pytest.raises(NoMethodError, match="undercut"):
             attempt()
+
+
+WANDERING = {
+    "loads:\n  F: {on: 1, at: K, size: 100 N, direction: 30 deg}\n  M_b: {on: 1, size: '?'}": "is not on link 1; known: O",
+    "loads:\n  F: {spring: O-K, k: 5 N/mm, l_0: 20 mm}\n  M_b: {on: 1, size: '?'}": "no moving link has a point 'K'",
+    "loads:\n  F: {on: 2, at: B, size: 9 N, direction: -90 deg, while: K moves left}\n  M_b: {on: 1, size: '?'}": (
+        "no moving link has a point 'K'"
+    ),
+    "masses: {1: {mass: 2 kg, centre: K}}": "is not on link 1; known: O",
+    "target: {point: K, through: [[60 mm, 0 mm], [50 mm, 9 mm], [30 mm, 9 mm]]}": "no moving link carries a point 'K'",
+}
+
+
+@pytest.mark.parametrize("said", list(WANDERING))
+def test_nothing_is_fixed_to_the_centre_of_curvature_which_wanders_over_its_cam(said: str) -> None:
+    text = load("cam-moves-roller").text
+    assert load("cam-moves-roller").mechanism.cams[0].centre == "K"
+    with pytest.raises(ProblemFileError) as refused:
+        loads(f"{text}\n{said}\n")
+    assert WANDERING[said] in refused.value.words.en
+
+
+def test_the_mass_of_a_cam_is_at_its_pivot_where_nothing_else_is_said() -> None:
+    text = load("cam-moves-roller").text.replace("find: [", "find: [J_e, ")
+    told = f"{text}\nmasses: {{1: {{mass: 2 kg, inertia: 0.5 kg*m^2}}}}\n"
+    assert solve(loads(told), by="exact", repeats=0).answers["J_e"].drawn == pytest.approx(0.5, rel=1e-12)

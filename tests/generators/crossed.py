@@ -20,7 +20,7 @@ from vecpoly.solution import Solution
 
 from .equilibrium import in_equilibrium
 from .family import families, family
-from .powers import loaded, no_power_is_left
+from .powers import held, loaded, no_power_is_left
 
 MOTION = ("linkage", "cylinder", "motor", "offset-slot", "pin-in", "roller", "class-iii", "gears", "change", "plate")
 
@@ -48,7 +48,7 @@ def balancing(rng: np.random.Generator, mech: Mechanism, *, piston: bool) -> str
         return f'  X_b: {{cylinder: {"-".join(sorted(map(mech.number, drive.pair)))}, size: "?"}}\n'
     names = [name for name in mech.numbered if mech.link(name).points]
     link = drive.link if not drive.between and rng.random() < 0.6 else str(rng.choice(names))
-    point = str(rng.choice(list(mech.link(link).points)))
+    point = str(rng.choice(held(mech, link)))
     force = rng.random() < 0.3 or (link == drive.link and drive.slide)
     way = f", at: {point}, direction: {rng.integers(-179, 180)} deg" if force else ""
     return f'  X_b: {{on: {mech.number(link)}{way}, size: "?"}}\n'
@@ -59,7 +59,7 @@ def masses(rng: np.random.Generator, mech: Mechanism) -> str:
     names = [name for name in mech.numbered if mech.link(name).points and rng.random() < 0.5]
     told = "".join(
         f"  {mech.number(name)}: {{mass: {rng.uniform(0.2, 4):.2f} kg, inertia: {rng.uniform(0, 0.01):.4f} kg*m^2, "
-        f"centre: {rng.choice(list(mech.link(name).points))}}}\n"
+        f"centre: {rng.choice(held(mech, name))}}}\n"
         for name in names
     )
     return f"masses:\n{told}weight: {rng.choice(['yes', 'no'])}\n" if told else ""

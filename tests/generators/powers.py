@@ -36,6 +36,11 @@ def every_reaction(solution: Solution) -> str:
     return in_equilibrium(solution)
 
 
+def held(mech: Mechanism, link: str) -> list[str]:
+    """The points of a link on which something may act: not the centre of curvature of a cam's profile."""
+    return [letter for letter in mech.link(link).points if letter not in {one.centre for one in mech.cams}]
+
+
 def loaded(rng: np.random.Generator, text: str, free: str = "", bodies: tuple[str, ...] = (), find: str = "X_b") -> str:
     """The problem with one to three loads on these links, or any,
     and one of the driver's that balances, in the place of what it finds."""
@@ -44,7 +49,7 @@ def loaded(rng: np.random.Generator, text: str, free: str = "", bodies: tuple[st
     told = ""
     for i in range(int(rng.integers(1, 4))):
         link = str(rng.choice(names))
-        point = str(rng.choice(list(mech.link(link).points)))
+        point = str(rng.choice(held(mech, link)))
         told += (
             f"  M_q{i}: {{on: {link}, size: {rng.integers(-30, 30)} N*m}}\n"
             if rng.random() < 0.4

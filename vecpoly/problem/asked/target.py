@@ -29,7 +29,8 @@ def read_target(spec: ProblemSpec, mech: Mechanism, faults: Faults) -> Target | 
     if spec.target is None or faults.found:
         return None
     with faults.at("target"):
-        letters = [letter for link in mech.links for letter in link.points if letter not in mech.frame]
+        unled = {*mech.frame, *(profile.centre for profile in mech.cams)}
+        letters = [letter for link in mech.links for letter in link.points if letter not in unled]
         if spec.target.point not in letters:
             raise _unknown(spec.target.point, letters)
         if mech.drive.slide or mech.drive.between:

@@ -59,6 +59,13 @@ class Draft:
     start: Start | None = None  # where it stands, told in the file
     lengths: list[Datum] = field(default_factory=list)
 
+    @property
+    def held(self) -> Mapping[str, complex]:
+        """The points on which something may act or sit: without the centre of curvature of a cam's profile, which
+        wanders over the cam."""
+        wandering = self.disc.centre if self.cam is not None and self.disc is not None else ""
+        return {letter: at for letter, at in self.points.items() if letter != wandering}
+
     def link(self) -> Link:
         """The link of the model."""
         return Link(name=self.name, points=self.points, placements=tuple(self.placements))
@@ -110,8 +117,8 @@ def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
     if line is None or first != line.through or not lined or second in draft.later:
         raise FaultError(
             Words(
-                f"“{word}”不是构件 {draft.name} 上的射线；其上的点有 {', '.join(draft.points)}",
-                f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}",
+                f"“{word}”不是构件 {draft.name} 上的射线；其上的点有 {', '.join(draft.held)}",
+                f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.held)}",
             ),
             code="spelling",
         )

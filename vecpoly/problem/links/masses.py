@@ -104,13 +104,13 @@ def _inertia(text: str | None) -> Quantity:
 def _centre(draft: Draft, written_as: object) -> str:
     """The letter of the centre of mass: one of the link's, or S2, set out as any other point."""
     if isinstance(written_as, str):
-        if written_as not in draft.points:
-            raise not_on_link(written_as, draft.name, draft.points)
+        if written_as not in draft.held:
+            raise not_on_link(written_as, draft.name, draft.held)
         return written_as
-    if written_as is None and len(draft.points) == 1:
-        return next(iter(draft.points))
+    if written_as is None and len(draft.held) == 1:
+        return next(iter(draft.held))
     if written_as is None:
-        first, second = list(draft.points)[:2]
+        first, second = list(draft.held)[:2]
         raise FaultError(
             Words(
                 f"构件 {draft.name} 的质心在哪里？如写 centre: {{along: {first}{second}, at: 100 mm}}",
@@ -125,7 +125,7 @@ def _centre(draft: Draft, written_as: object) -> str:
 
 
 def _rod(draft: Draft, spec: RodSpec) -> tuple[Mass, tuple[Datum, ...]]:
-    if len(draft.points) < 2:
+    if len(draft.held) < 2:
         raise FaultError(
             Words(
                 f"构件 {draft.name} 只有点 {next(iter(draft.points))}，没有长度；请给出 mass、inertia 和 centre",
@@ -146,12 +146,12 @@ def _rod(draft: Draft, spec: RodSpec) -> tuple[Mass, tuple[Datum, ...]]:
 
 
 def _ends(draft: Draft, text: str | None) -> tuple[str, str]:
-    first, second = letters_of(text) if text else tuple(draft.points)[:2]
+    first, second = letters_of(text) if text else tuple(draft.held)[:2]
     if first == second:
         raise FaultError(Words(f"圆杆的两端都是 {first}", f"a bar from {first} to itself"))
     for letter in (first, second):
-        if letter not in draft.points:
-            raise not_on_link(letter, draft.name, draft.points)
+        if letter not in draft.held:
+            raise not_on_link(letter, draft.name, draft.held)
     return first, second
 
 

@@ -111,10 +111,10 @@ def _force(name: str, spec: LoadSpec, written: str | TableSpec, draft: Draft) ->
             ),
             code="missing",
         )
-    if spec.at not in draft.points:
+    if spec.at not in draft.held:
         raise FaultError(
             Words(f"点“{spec.at}”不在构件 {spec.on} 上", f"point '{spec.at}' is not on link {spec.on}")
-            + meant(spec.at, draft.points),
+            + meant(spec.at, draft.held),
             "at",
             code="unknown-name",
         )

@@ -156,7 +156,7 @@ def _end(text: str, bodies: Bodies, key: str) -> tuple[str, str]:
     """Link and letter of an end; FaultError where several moving links have the letter and none is named."""
     if text in bodies.frame:
         return FRAME, text
-    carriers = [name for name in bodies.numbers if text in bodies.drafts[name].points]
+    carriers = [name for name in bodies.numbers if text in bodies.drafts[name].held]
     if len(carriers) > 1:
         raise FaultError(
             Words(

@@ -96,7 +96,7 @@ def _turning(m: re.Match[str], spec: LoadSpec, bodies: Bodies) -> Turning:
 def point_of(text: str, own: str | None, bodies: Bodies, key: str) -> tuple[str, str]:
     """The moving link and the letter meant by E or E5: that of the load's own link first; raises FaultError."""
     letter, number = (text, "") if text in bodies.letters() else re.fullmatch(r"(\D+)(.*)", text).groups()  # type: ignore[union-attr]
-    carriers = [name for name in bodies.numbers if letter in bodies.drafts[name].points and number in ("", name)]
+    carriers = [name for name in bodies.numbers if letter in bodies.drafts[name].held and number in ("", name)]
     if letter in bodies.frame and not number:
         raise FaultError(
             Words(
@@ -109,7 +109,7 @@ def point_of(text: str, own: str | None, bodies: Bodies, key: str) -> tuple[str,
     if not carriers:
         raise FaultError(
             Words(f"活动构件上没有点“{text}”", f"no moving link has a point '{text}'")
-            + meant(letter, [x for x in bodies.letters() if x not in bodies.frame]),
+            + meant(letter, {x for one in bodies.drafts.values() for x in one.held if x not in bodies.frame}),
             key,
             code="unknown-name",
         )
