@@ -4,17 +4,18 @@ limits, peaks and transmission angles is true of the mechanism."""
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from math import cos, degrees, pi, radians, sqrt
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from tests.studies import studied
+from tests.studies import solved, studied
 from vecpoly import oracle
-from vecpoly.cycle import cycle, path, path_sentences
+from vecpoly.cycle import Spot, cycle, path, path_sentences
 from vecpoly.findings.advice import advice
-from vecpoly.findings.conditioning import conditioning, determinant
+from vecpoly.findings.conditioning import Conditioning, conditioning, determinant
 from vecpoly.findings.grashof import full_rotation
 from vecpoly.findings.limits import limit
 from vecpoly.findings.motion import motion
@@ -24,7 +25,7 @@ from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.load import load, loads
 from vecpoly.report.course.analysis.conclusion import conclusion
 from vecpoly.report.course.analysis.peak_remarks import remarks
-from vecpoly.report.course.analysis.why_peaks import causes
+from vecpoly.report.course.analysis.why_peaks import Cause, causes
 from vecpoly.report.course.checks.comparison import Compared
 from vecpoly.solution import solve
 
@@ -265,3 +266,13 @@ def test_the_drive_s_sweep_over_k_is_a_turn() -> None:
                 f"{degrees(max(stroke.forth, stroke.back)):.1f}°/{degrees(min(stroke.forth, stroke.back)):.1f}° "
                 f"= {stroke.ratio:.3f}" in said(name)
             )
+
+
+def test_peaks_of_a_group_that_is_solved_by_iteration_are_remarked_on() -> None:
+    it = study(solved("class-iii"))
+    vars(it)["whole"] = replace(it.whole, whole=True)  # as if its crank went right round
+    iterated = next(group for group in it.model.groups if group.loops is not None)
+    poor = Conditioning(group=iterated, least=0.001, largest=0.1, phi=1.0, top=0.0)
+    peaks = [Cause(key=key, spot=Spot(poor.phi, 1.0), by=poor, down=0.2, up=1.0) for key in ("omega_2", "alpha_2")]
+    assert poor.is_poor
+    assert any("$ω_{2}$ (" in words.en and "$α_{2}$ (" in words.en for words in remarks(it, peaks))

@@ -16,6 +16,7 @@ from tests.studies import studied
 from vecpoly import loads
 from vecpoly.cycle import Column
 from vecpoly.findings.study.study import study
+from vecpoly.report.answers.tables import readings_at
 from vecpoly.report.course.numbering import SMALL, TINY
 from vecpoly.report.course.results.extreme_values import _exact, extremes
 from vecpoly.report.course.results.tabled import TIGHT, _formats, decimal, tabled
@@ -200,3 +201,8 @@ def test_an_extreme_has_five_digits_and_what_rounding_leaves_is_zero(value: floa
     assert float(text) == pytest.approx(value, rel=6e-5, abs=6e-7)
     assert _exact(-value, value) == f"−{text}" and _exact(1e-10 * value, value) == "0"
     assert len(text.replace(".", "").lstrip("0")) <= max(6, len(str(int(value))))
+
+
+def test_where_no_other_position_is_drawn_there_is_no_table_of_them() -> None:
+    kept = press()
+    assert kept.tabled(Words("其余位置", "Other positions"), readings_at([], "φ", "en")) == [] and not kept.made

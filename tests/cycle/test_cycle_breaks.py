@@ -18,7 +18,7 @@ from vecpoly import oracle
 from vecpoly.cli import app
 from vecpoly.cycle import Cycle, Shape, cycle, extremes, facts, force_sentences, path, path_sentences, sentences
 from vecpoly.mechanism.model import Circle, Drive, Link, Mechanism, Prismatic, Revolute, Rolling, Side, SideOf
-from vecpoly.problem.load import load
+from vecpoly.problem.load import load, loads
 
 Run = Callable[..., Result]
 
@@ -247,3 +247,26 @@ def test_an_angle_that_the_problem_counts_from_a_line_is_told_as_it_counts_here(
 def test_what_makes_no_sense_is_refused_in_one_sentence(run: Run, words: tuple[str, ...], said: str) -> None:
     done = run("cycle", *words)
     assert done.exit_code == 2 and said in done.stderr and "Traceback" not in done.stderr
+
+
+ECCENTRIC = """
+id: t
+title: t
+frame: {A: [0 mm, 0 mm], D: [-3.73 mm, -96.55 mm]}
+links:
+  1: {AB: 53.772 mm, disc: B, radius: 47.0383 mm}
+  2: {block: C, disc: C, radius: 17.9059 mm}
+joints: [2 slides on line through D at 118.015216522 deg, 1 touches 2 at E]
+branch: [C above B]
+input: {link: 1, phi: -76.7458 deg, omega: 9 rad/s}
+loads:
+  F_q: {on: 2, at: C, size: 383 N, direction: -103 deg}
+  X_b: {on: 1, size: "?"}
+"""
+
+
+@pytest.mark.filterwarnings("error")
+def test_nothing_is_grumbled_about_the_places_where_an_eccentric_reaches_its_follower_no_more() -> None:
+    turn = cycle(loads(ECCENTRIC), over=np.linspace(0, 2 * pi, 37))
+    balancing = turn.column("X_b")
+    assert np.isfinite(balancing).any() and not np.isfinite(balancing).all()

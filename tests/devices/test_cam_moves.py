@@ -210,7 +210,7 @@ def test_an_undercut_profile_moves_nothing() -> None:
 
 
 WANDERING = {
-    "loads:\n  F: {on: 1, at: K, size: 100 N, direction: 30 deg}\n  M_b: {on: 1, size: '?'}": "is not on link 1; known: O",
+    "loads:\n  F: {on: 1, at: K, size: 9 N, direction: 0 deg}\n  M_b: {on: 1, size: '?'}": "is not on link 1; known: O",
     "loads:\n  F: {spring: O-K, k: 5 N/mm, l_0: 20 mm}\n  M_b: {on: 1, size: '?'}": "no moving link has a point 'K'",
     "loads:\n  F: {on: 2, at: B, size: 9 N, direction: -90 deg, while: K moves left}\n  M_b: {on: 1, size: '?'}": (
         "no moving link has a point 'K'"

@@ -8,6 +8,7 @@ python -m tests.generators --family rpp --seed 7 --only 118      # the text and 
 from __future__ import annotations
 
 import argparse
+import signal
 from collections import Counter
 from collections.abc import Iterator
 from multiprocessing import Pool
@@ -53,13 +54,14 @@ def main() -> int:
             text = member(one, asked.seed, asked.only)
             print(text, judge(text, one.also), sep="\n")
         return 0
-    cases = [(one.name, asked.seed, number) for one in chosen for number in range(asked.count)]
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    cases = [(one.name, asked.seed, number) for number in range(asked.count) for one in chosen]
     found: list[tuple[Case, Verdict]] = []
     try:
         for pair in track(_all(cases, asked.jobs), total=len(cases), description="judging"):
             found.append(pair)
             _say_bad(*pair)
-    except KeyboardInterrupt:  # what was judged is told all the same
+    except KeyboardInterrupt:  # or killed: what was judged is told all the same, of all families alike
         print(f"stopped after {len(found)} of {len(cases)}")
     return _told(cases, found)
 

@@ -8,7 +8,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from vecpoly import load, solve
+from vecpoly import load, loads, solve
+from vecpoly.board.acts import Measure
 from vecpoly.board.hand import hand
 from vecpoly.errors import UnknownNameError, VecpolyError
 from vecpoly.grading.allowance import CAD, STUDENT
@@ -113,3 +114,13 @@ def test_what_is_no_key_is_refused_with_where_it_fails() -> None:
         AnswerKey.from_json(data)
     with pytest.raises(UnknownNameError, match="v_Q"):
         key_of("3-9")["v_Q"]
+
+
+def test_a_length_without_letters_is_asked_of_nobody() -> None:
+    motion = "[rise 12 deg in 85 deg 3-4-5, dwell 24 deg, return in 138 deg 3-4-5, dwell 113 deg]"
+    follower = "{flat: yes, arm: {OA: 91 mm, face: 7 mm, side: left}}"
+    data = f"{{follower: {follower}, r0: 27 mm, motion: {motion}}}"
+    cam = loads(f"id: t\ntitle: t\ndevice: cam\ndata: {data}\nfind: [rho_min, undercut]\n")
+    read = [act for act in solve(cam, by="exact", repeats=0, precise=False).construction.acts if act.verb]
+    assert any(isinstance(act, Measure) and not act.key for act in read)
+    assert all(one.key for one in answer_key(cam).quantities)

@@ -77,7 +77,8 @@ class _Found:
         acts = self.drawn.construction.acts
         asked = {act.key: act for act in acts if isinstance(act, Wrote) and act.key in self.solution.answers}
         places = {key for key, one in self.solution.answers.items() if one.is_place}
-        read = [act for act in acts if isinstance(act, Measure) and act.mm > ZERO and not _of_place(act, places)]
+        named = [act for act in acts if isinstance(act, Measure) and act.key]  # lifts between stations have no letters
+        read = [act for act in named if act.mm > ZERO and not _of_place(act, places)]
         computed = {act.key: act for act in acts if isinstance(act, Compute) and act.key not in asked and _is_step(act)}
         taken = {*asked, *computed}
         steps: list[tuple[Act, Graded]] = [(act, _reading(act, _name(act, read, taken))) for act in read]

@@ -29,16 +29,16 @@ def balanced(mech: Mechanism, loads: Loads, position: ArrayLike | None, *, stric
     asked = np.atleast_1d(np.asarray(mech.drive.position if position is None else position, dtype=np.float64))
     stands = Stands(mech, motion.bodies, asked)
     judge = Judge(Run(asked, strict, "mm" if mech.drive.slide else "deg"))
-    system = System(
-        tuple(name for name in mech.bodies if name not in mech.slot_pins),
-        motion.bodies,
-        pairs_of(mech, motion.bodies, rates, loads.friction),
-        given(mech, loads, motion.bodies, asked),
-        sought(mech, loads, motion.bodies),
-        mech.scale,
-        asked.size,
-    )
-    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):  # places where it does not assemble
+        system = System(
+            tuple(name for name in mech.bodies if name not in mech.slot_pins),
+            motion.bodies,
+            pairs_of(mech, motion.bodies, rates, loads.friction),
+            given(mech, loads, motion.bodies, asked),
+            sought(mech, loads, motion.bodies),
+            mech.scale,
+            asked.size,
+        )
         judge.idle(system, rates)
         skip = judge.lost.copy()
         judge.senseless(system, rates, moving)

@@ -66,8 +66,8 @@ class Press:
         return self.objects.add("tab", made)
 
     def tabled(self, title: Words, made: Sequence[DataTable], style: Style = CELL) -> list[str]:
-        """The same of tables that are made already; where there are two, the second is one of places."""
-        titles = (title, title + Words("：点的位置", ": places of points")) if len(made) > 1 else (title,)
+        """The same of tables that are made already, if any; where there are two, the second is one of places."""
+        titles = (title, title + Words("：点的位置", ": places of points"))[: len(made)]
         return [
             self.table(one, each.header, each.rows, each.align, style=style)
             for one, each in zip(titles, made, strict=True)
