@@ -65,8 +65,8 @@ def test_a_sheet_stands_before_the_page_that_holds_little_of_the_text_before_it(
     plain = ReportDoc([*text(45), sheet()], META)
     plain.counted()
     assert len(plain.filled) == 2 and plain.filled[1] < FULL and sparse(plain) == [2]
-    moved = run_on(plain.story, plain)
-    assert moved is not None and isinstance(moved[0], SheetPage) and moved[0].behind == 1
+    moved, _ = run_on(plain.story, plain)
+    assert isinstance(moved[0], SheetPage) and moved[0].behind == 1
     after = ReportDoc(moved, META)
     assert after.counted() == 3 and isinstance(after.heads[2], SheetPage) and not sparse(after)
 
@@ -74,7 +74,7 @@ def test_a_sheet_stands_before_the_page_that_holds_little_of_the_text_before_it(
 def test_a_text_that_fills_its_pages_keeps_its_sheet_behind_it() -> None:
     doc = ReportDoc([*text(25), sheet()], META)
     doc.counted()
-    assert doc.filled[0] > FULL and run_on(doc.story, doc) is None
+    assert doc.filled[0] > FULL and run_on(doc.story, doc)[0] == doc.story
 
 
 def test_a_sheet_that_waits_for_more_pages_than_the_text_has_stands_at_its_end() -> None:
@@ -88,3 +88,14 @@ def test_nothing_but_a_rule_parts_two_problems_of_one_page() -> None:
     one = laid_out([drawn(name).solution for name in ("3-1a", "8-5")], "zh")
     kinds = [type(item) for item in one.story]
     assert kinds.count(Divider) == 1
+
+
+def test_behind_a_cover_too_it_is_the_text_with_little_that_shares_its_page() -> None:
+    cover, first, second = sheet(), sheet(), sheet()
+    doc = ReportDoc([cover, *text(45), first, *text(25), second], META)
+    doc.counted()
+    assert sparse(doc) == [2]
+    moved, after = run_on(doc.story, doc)
+    sheets = [item for item in moved if isinstance(item, SheetPage)]
+    assert [item.behind for item in sheets] == [0, 1, 0] and moved[1] is sheets[1]
+    assert moved[-1] is second and not sparse(after)

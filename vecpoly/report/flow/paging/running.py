@@ -16,17 +16,17 @@ from ..doc import LEFTOVER, ReportDoc
 ROUNDS = 8  # what begins on a page of another may end on one that holds little
 
 
-def run_on(story: Sequence[Any], doc: ReportDoc) -> list[Any] | None:
-    """The story with fewer pages that hold little; None where it has none that could be filled. doc: it, laid out."""
-    found, changed = list(story), False
+def run_on(story: Sequence[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
+    """The story with fewer pages that hold little, and it laid out; doc: the story as it is, laid out."""
+    found = list(story)
     for _ in range(ROUNDS):
         again = _shared(found, doc.ends)
         if again is None:
             break
-        found, changed = again, True
+        found = again
         doc = ReportDoc(fresh(found), doc.metadata)
         doc.counted()
-    return found if changed else None
+    return found, doc
 
 
 def fresh(story: Sequence[Any]) -> list[Any]:
@@ -40,15 +40,15 @@ def fresh(story: Sequence[Any]) -> list[Any]:
 def _shared(story: Sequence[Any], ends: Sequence[tuple[int, float]]) -> list[Any] | None:
     """One round: every part that ends on a sparse page; ends: pages of each, and how full the last one is."""
     out: list[Any] = []
-    parts = _parts(story)
-    for number, (part, turns) in enumerate(parts):
-        pages, full = ends[number] if number < len(ends) else (0, 1.0)
-        sparse, last = bool(part) and full < LEFTOVER, number == len(parts) - 1
-        sheets = [item for item in turns if isinstance(item, SheetPage)]
-        if not sparse or (sheets and pages < 2) or (last and not sheets):
-            out += [*part, *turns]
+    parts, told = split(story), iter(ends)
+    for number, (text, behind) in enumerate(parts):
+        pages, full = next(told, (0, 1.0)) if text else (0, 1.0)
+        last = number == len(parts) - 1
+        sheets = [item for item in behind if isinstance(item, SheetPage)]
+        if full >= LEFTOVER or (sheets and pages < 2) or (last and not sheets):
+            out += [*text, *behind]
             continue
-        out += [*(_behind(sheet, pages - 1) for sheet in sheets), *part, *([] if last else [Divider()])]
+        out += [*(_behind(sheet, pages - 1) for sheet in sheets), *text, *([] if last else [Divider()])]
     return out if len(out) != len(story) or any(a is not b for a, b in zip(out, story, strict=True)) else None
 
 
@@ -58,8 +58,9 @@ def _behind(sheet: SheetPage, pages: int) -> SheetPage:
     return own
 
 
-def _parts(story: Sequence[Any]) -> list[tuple[list[Any], list[Any]]]:
-    """Each part of text with the sheets and turns behind it."""
+def split(story: Sequence[Any]) -> list[tuple[list[Any], list[Any]]]:
+    """Each part of text with the sheets and turns behind it; the first has no text where the story opens with these,
+    as with a cover."""
     parts: list[tuple[list[Any], list[Any]]] = [([], [])]
     for item in story:
         if turns(item):

@@ -13,7 +13,7 @@ from typing import Any
 
 from ..base import Block, Tightness
 from ..doc import Metadata, ReportDoc
-from .running import fresh, run_on, turns
+from .running import fresh, run_on, split
 
 DEGREES = (
     Tightness(white=0.8),
@@ -41,7 +41,7 @@ def settled(story: Sequence[Any], meta: Metadata) -> list[Any]:
         story = _set(story, chosen)
         plain = ReportDoc(story, meta)
         plain.counted()
-    return fresh(_unwidowed(run_on(story, plain) or story, plain))
+    return fresh(_unwidowed(*run_on(story, plain)))
 
 
 def _unwidowed(story: list[Any], doc: ReportDoc) -> Sequence[Any]:
@@ -75,30 +75,15 @@ def _tight(item: Any, degree: Tightness | None) -> Any:
 
 def _degree(story: Sequence[Any], part: int, pages: int, meta: Metadata) -> Tightness | None:
     """The least tightness with which a part of so many pages needs fewer."""
-    items = _parts(story)[part]
+    items = [text for text, _ in split(story) if text][part]
     degrees = DEGREES if pages <= SHORT else [one for one in DEGREES if one.lines == 1.0]
     return next((one for one in degrees if ReportDoc(tightened(items, one), meta).counted() < pages), None)
 
 
-def _parts(story: Sequence[Any]) -> list[list[Any]]:
-    """The parts of text, in order."""
-    parts: list[list[Any]] = [[]]
-    for item in story:
-        if turns(item):
-            parts.append([])
-        else:
-            parts[-1].append(item)
-    return [part for part in parts if part]
-
-
 def _set(story: Sequence[Any], chosen: Mapping[int, Tightness]) -> list[Any]:
     """The whole story, these parts of it tightened."""
-    found, part, empty = [], 0, True
-    for item in story:
-        if turns(item):
-            part, empty = part if empty else part + 1, True
-            found.append(item)
-        else:
-            empty = False
-            found.append(_tight(item, chosen.get(part)))
+    found, part = list[Any](), 0
+    for text, behind in split(story):
+        found += [*(_tight(item, chosen.get(part)) for item in text), *behind]
+        part += bool(text)
     return found
