@@ -19,6 +19,7 @@ from vecpoly.drawing.sheets.space import CAPTION, CLEAR, room_inside
 from vecpoly.figures import View
 from vecpoly.problem.load import load
 from vecpoly.report.document import report_bytes
+from vecpoly.report.picture import to_scale
 from vecpoly.report.question.frames import frames
 from vecpoly.report.question.working import SQUARE
 from vecpoly.solution import solve
@@ -34,7 +35,9 @@ def border(figure: Figure) -> tuple[float, float]:
 @each(DRAWN)
 def test_every_figure_that_is_to_scale_fits_its_frame(name: str) -> None:
     construction = drawn(name).construction
-    blank, places = frames(construction)
+    blank, places = frames(construction, drawn(name).solution.problem.orientation)
+    measured = [(f.view, f.name) for f in construction.figures if to_scale(f) or f.aside or f.view is View.BODY]
+    assert sorted((f.view, f.name) for f in blank.figures) == sorted(measured)
     assert sum(len(page.tops) for page in places) == len(blank.figures)
     for frame in blank.figures:
         answer = next(f for f in construction.figures if (f.view, f.name) == (frame.view, frame.name))

@@ -42,41 +42,45 @@ def frames(construction: Construction, way: Way = None) -> tuple[Construction, t
     asked = reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY])
     needs = [_needed(figure) for figure in asked]
     made = [_best(needs, landscape) for landscape in ((False, True) if way is None else (way == "landscape",))]
-    found = min((one for one in made if one), key=_tightness, default=[])
+    found = min(made, key=_tightness)
     sizes = [size for sheet in found for size in sheet.sizes]
-    drawn = tuple(_frame(f, size) for f, size in zip(asked, sizes, strict=False))
+    drawn = tuple(_frame(f, size) for f, size in zip(asked, sizes, strict=True))
     return replace(construction, figures=drawn), tuple(Hung(sheet.landscape, sheet.tops) for sheet in found)
 
 
-def _tightness(sheets: Sequence[_Sheet]) -> tuple[int, float, float]:
-    """The fewer the sheets the better; then no tight frame, then no slim one."""
-    return len(sheets), -min((sheet.ease for sheet in sheets), default=1.0), max(s.slim for s in sheets)
+def _tightness(sheets: Sequence[_Sheet]) -> tuple[int, int, float, float]:
+    """No figure without its white is best; then the fewer the sheets the better, no tight frame, no slim one."""
+    bare = sum(sheet.ease < 1 for sheet in sheets)
+    eases, slims = [sheet.ease for sheet in sheets], [sheet.slim for sheet in sheets]
+    return bare, len(sheets), -min(eases, default=1.0), max(slims, default=1.0)
 
 
 def _needed(figure: Figure) -> Size:
-    """The room that a figure takes, at most what a sheet has."""
+    """The room that a figure takes with the white that it should have round it."""
     wide, high = extent(figure.marks)
     return wide + 2 * MARGIN, high + 2 * MARGIN
 
 
 def _best(needs: Sequence[Size], landscape: bool) -> list[_Sheet]:
-    """The fewest sheets, in order, with the most ease among these; none where a figure fits no sheet."""
-    best: list[list[_Sheet] | None] = [[]]
+    """The fewest sheets, in order, with the most ease among these."""
+    best: list[list[_Sheet]] = [[]]
     for end in range(1, len(needs) + 1):
         options = [
-            [*before, sheet]
+            [*best[start], sheet]
             for start in range(max(0, end - MOST), end)
-            if (before := best[start]) is not None and (sheet := _sheet(needs[start:end], landscape)) is not None
+            if (sheet := _sheet(needs[start:end], landscape)) is not None
         ]
-        best.append(min(options, key=_tightness, default=None))
-    return best[-1] or []
+        best.append(min(options, key=_tightness))
+    return best[-1]
 
 
 def _sheet(needs: Sequence[Size], landscape: bool) -> _Sheet | None:
-    """The rows in which these frames are least tight; None where they don't fit."""
+    """The rows in which these frames are least tight; None where they don't fit. One figure has a sheet to itself
+    however little white that leaves round it."""
     across = int(room_inside(landscape)[0] / (NARROWEST + CLEAR))
     made = (_in_rows(needs, rows, landscape) for rows in _rows(len(needs)) if max(rows) <= across)
-    return min((one for one in made if one.ease >= 1), key=lambda one: _tightness([one]), default=None)
+    fitting = (one for one in made if one.ease >= 1 or len(needs) == 1)
+    return min(fitting, key=lambda one: _tightness([one]), default=None)
 
 
 def _rows(count: int) -> Iterator[tuple[int, ...]]:
