@@ -156,4 +156,4 @@ def test_lines_stand_side_by_side_where_there_is_room() -> None:
     box = answer_box(solve(load("3-9")), "zh")
     box.wrap(170.0 * MM, 1e4)
     assert len(box.lines) == 16 and len(box._rows) <= 10
-    assert all(x + one.width <= 170.0 for row in box._rows for x, one in row)
+    assert all(x + one.width <= 170.0 for row in box._rows for x, one, _ in row)

@@ -258,3 +258,11 @@ def test_pages_have_their_title_at_the_right_edge_their_number_in_the_middle_and
     chinese = ReportDoc([Para("x")], Metadata(title="t")).write(tmp_path / "b.pdf")
     with pdfplumber.open(chinese.path) as pdf:
         assert pdf.doc.catalog["Lang"] == b"zh-CN" and pdf.metadata["Subject"] == "t"
+
+
+@pytest.mark.parametrize(
+    ("word", "told"), [("m/s^2", "m/s²"), ("R-24m/s^2", "R-24m/s²"), ("10^{-15}", "10⁻¹⁵"), ("mm^4", "mm⁴")]
+)
+def test_a_word_is_copied_with_its_exponent_alone_raised(word: str, told: str) -> None:
+    (cell,) = cells(word, 3.5, chinese=False)
+    assert cell.source is not None and cell.source.piece == told

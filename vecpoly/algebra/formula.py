@@ -86,8 +86,9 @@ _SYMBOL = re.compile(
 _PIECE = re.compile(rf"(?<![A-Za-z])(?P<function>arctan|sin|cos|tan|cot)(?![A-Za-z])|{_SYMBOL.pattern}")
 
 
-_RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"  # exponents written as characters of their own: ω², 10⁻¹⁴
-_EXPONENT, _LOWERED = re.compile(f"[{_RAISED}]+"), str.maketrans(_RAISED, "0123456789−+")
+RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"  # exponents written as characters of their own, which not every face has: ω², 10⁻¹⁴
+LOWERED = str.maketrans(RAISED, "0123456789−+")
+_EXPONENT = re.compile(f"[{RAISED}]+")
 
 
 def _bare(group: str | None) -> str:
@@ -107,7 +108,7 @@ def row(text: str) -> Row:
     whatever is no symbol stays upright."""
     items: list[Node] = []
     end = 0
-    text = _EXPONENT.sub(lambda found: f"^{{{found[0].translate(_LOWERED)}}}", text)
+    text = _EXPONENT.sub(lambda found: f"^{{{found[0].translate(LOWERED)}}}", text)
     for m in _PIECE.finditer(text):
         if m.start() > end:
             items.append(Txt(text[end : m.start()]))

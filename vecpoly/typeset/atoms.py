@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from ..algebra.formula import Node, Row, Sym, Txt, plain
-from .runs import RAISED, lowered
+from ..algebra.formula import RAISED, Node, Row, Sym, Txt, plain
+from .runs import lowered
 
 
 class Kind(Enum):

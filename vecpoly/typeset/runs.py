@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
+from ..algebra.formula import LOWERED, RAISED
 from .box import MM, Box, Glyphs, Item, beside, place
 from .fonts import Face, glyph
 
@@ -33,14 +34,18 @@ def run(text: str, face: Face, em: float) -> Box:
     return Box(x, top * em, -bottom * em, tuple(items))
 
 
-RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"  # exponents written as characters of their own, which not every face has
-_LOWERED = str.maketrans(RAISED, "0123456789−+")
 _RAISED = re.compile(rf"\^\{{?([-−]?\d+)\}}?|([{RAISED}]+)")
+_HIGH = str.maketrans({low: high for high, low in zip(RAISED, "0123456789−+", strict=True)} | {"-": "⁻"})
 
 
 def lowered(text: str) -> str:
     """The digits of an exponent that was written with raised characters."""
-    return text.translate(_LOWERED)
+    return text.translate(LOWERED)
+
+
+def raised(text: str) -> str:
+    """A word with its exponents as characters of their own: ``m/s^2`` as m/s²."""
+    return _RAISED.sub(lambda found: found[2] or found[1].translate(_HIGH), text)
 
 
 def latin(text: str, em: float, bold: bool) -> Box:

@@ -15,7 +15,7 @@ from ...typeset.atoms import THICK
 from ...typeset.box import Box, beside
 from ...typeset.fonts import Face, glyph
 from ...typeset.layout import layout, pieces, segments
-from ...typeset.runs import latin, run
+from ...typeset.runs import latin, raised, run
 from ...typeset.words import is_han
 from .text.held import held
 
@@ -26,7 +26,6 @@ _LATIN_NO_END = frozenset("([{")
 _AMBIGUOUS = frozenset("“”‘’—…·")  # full width in Chinese text, narrow in English
 _BOLD = re.compile(r"\*\*(.+?)\*\*", re.DOTALL)
 AUTO = 0.2  # space between Chinese and Latin, em
-_RAISED = str.maketrans({"^": None, "{": None, "}": None, "2": "²", "3": "³", "4": "⁴", "-": "⁻", "−": "⁻"})
 _ADDRESS = 30  # letters
 SHORT = 8.0  # em: a formula in running text that is no longer is not broken
 BLANK = 0.25  # a blank between words, em
@@ -153,7 +152,7 @@ def _han(char: str, em: float, bold: bool, spaced: bool) -> Cell:
 
 @lru_cache(maxsize=16384)
 def _word(text: str, em: float, bold: bool, spaced: bool) -> Cell:
-    source = Source("", text.translate(_RAISED)) if "^" in text else None
+    source = Source("", raised(text)) if "^" in text else None
     return Cell(Kind.WORD, latin(text, em, bold), text, spaced, source=source)
 
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ....algebra.quantity import number
 from ....findings.study.study import Study
+from ....typeset.runs import raised
 from ....words import Words
 from ..numbering import Press
 from . import tolerances
@@ -42,8 +43,7 @@ def _power(value: float) -> str:
     if not value:
         return "0"
     head, _, tail = f"{value:.0e}".partition("e")
-    raised = str(int(tail)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-    return f"{head} × 10{raised}"
+    return raised(f"{head} × 10^{int(tail)}")
 
 
 def _checked(study: Study, press: Press) -> str:

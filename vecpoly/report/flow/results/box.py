@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import ceil
 
+from ....algebra.formula import Node
+from ....tagging.copied import copied
+from ....tagging.speech import said, words_said
+from ....tagging.tag import Role, Tag
+from ....tagging.tree import artifact, tree_of
 from ....typeset.box import MM, Box, beside
 from ....typeset.canvas import Ink
 from ....typeset.words import layout_words
 from ....words import Lang, Words
 from ...answers.line import AnswerLine
 from ..base import Block, Tightness
+from ..blocks import spoken
 from ..cells import cells, joined
 from ..formula import lines as broken
 from ..lines import break_lines
@@ -26,11 +32,36 @@ WHOLE = 75.0 * MM  # a box no taller than this is not parted
 _LEAST = 3  # rows that a page break leaves together
 _FRAME = 0.6  # pt
 
-_Row = tuple[tuple[float, Box], ...]  # boxes on one base line, with their left ends (mm)
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Told:
+    """One answer, or one sentence, in the structure of the document; node: none of a sentence."""
+
+    node: Node | None
+    before: str = ""
+    after: str = ""
+
+    def heard(self, lang: Lang) -> str:
+        """As it is read out."""
+        formula = said(self.node, lang) if self.node else ""
+        return " ".join(filter(None, (words_said(self.before, lang), formula, words_said(self.after, lang))))
+
+    @property
+    def plain(self) -> str:
+        """As it is copied."""
+        formula = copied(self.node) if self.node else ""
+        return " ".join(filter(None, (spoken(self.before), formula, spoken(self.after))))
+
+
+_Row = tuple[tuple[float, Box, _Told], ...]  # boxes on one base line, with their left ends (mm)
+_Item = tuple[tuple[Box, ...], _Told]  # the lines of one answer
 
 
 class AnswerBox(Block):
     """lines: one a quantity; said: sentences that are answers of their own."""
+
+    role = Role.DIV
+    pieces = True
 
     def __init__(self, lines: Sequence[AnswerLine], said: Sequence[str] = (), lang: Lang = "zh") -> None:
         super().__init__(7.0, 8.0)
@@ -38,6 +69,7 @@ class AnswerBox(Block):
         self._em, self._skip = CELL.em, _SKIP
         self._title = layout_words(TITLE.of(lang), self._em, True)
         self._rows: tuple[_Row, ...] = ()
+        self._set_in: dict[float, tuple[bool, tuple[_Row, ...]]] = {}  # by width; for all copies
         self._above = False  # whether the title stands above the lines
         self._set = False  # a part of a box keeps the rows that it was given
 
@@ -50,11 +82,17 @@ class AnswerBox(Block):
         """Size in a column: the title in the margin, or above where that takes less height."""
         self.width = width
         if not self._set:
-            tried = {above: self._laid(width / MM - 2 * _PAD, above) for above in (False, True)}
-            self._above = self._high(tried[True]) < self._high(tried[False])
-            self._rows = tried[self._above]
+            if width not in self._set_in:
+                self._set_in[width] = self._best(width / MM - 2 * _PAD)
+            self._above, self._rows = self._set_in[width]
         self.height = (self._high(self._rows) + 2 * _PAD) * MM
         return width, self.height
+
+    def _best(self, room: float) -> tuple[bool, tuple[_Row, ...]]:
+        """Whether the title stands above, and the rows, in a frame of this width (mm) inside."""
+        beside_it, under = self._laid(room, False), self._laid(room, True)
+        above = self._high(under) < self._high(beside_it)
+        return above, under if above else beside_it
 
     def _high(self, rows: Sequence[_Row]) -> float:
         return sum(map(_height, rows)) + self._skip * (len(rows) - 1)
@@ -62,16 +100,17 @@ class AnswerBox(Block):
     def _laid(self, width: float, above: bool) -> tuple[_Row, ...]:
         """The rows in a frame of this width (mm) inside."""
         room = width if above else width - self._title.width - _AFTER_TITLE
-        title: tuple[_Row, ...] = (((0.0, self._title),),) if above else ()
+        title: tuple[_Row, ...] = (((0.0, self._title, _Told(None, after=TITLE.of(self.lang))),),) if above else ()
         return (*title, *_grid(list(_items(self.lines, self._em, room)), room), *self._sentences(room))
 
     def _sentences(self, room: float) -> Iterator[_Row]:
         for text in self.said:
+            told = _Told(None, after=text)
             for line in break_lines(cells(text, self._em, self.lang == "zh"), room, self._em):
-                yield ((0.0, joined(list(line.cells), self._em)),)
+                yield ((0.0, joined(list(line.cells), self._em), told),)
 
     def split(self, width: float, height: float) -> list[Block]:
-        """Whole rows to each page, of a box too tall to be kept together."""
+        """Whole answers to each page, of a box too tall to be kept together."""
         if self.wrap(width, height)[1] <= WHOLE:
             return []
         used, count = 2 * _PAD, 0
@@ -80,6 +119,8 @@ class AnswerBox(Block):
             used += _height(self._rows[count]) + self._skip
             count += 1
         count = min(count, len(self._rows) - _LEAST)
+        while count > 0 and self._rows[count][0][2] is self._rows[count - 1][-1][2]:
+            count -= 1
         if count < _LEAST:
             return []
         return [self._part(self._rows[:count], True), self._part(self._rows[count:], False)]
@@ -87,6 +128,7 @@ class AnswerBox(Block):
     def _part(self, rows: tuple[_Row, ...], first: bool) -> AnswerBox:
         part = AnswerBox((), (), self.lang)
         part._rows, part._skip, part._set, part._above = rows, self._skip, True, self._above
+        part.tag = self.tag
         part.spaceBefore, part.spaceAfter = (self.spaceBefore, 0.0) if first else (0.0, self.spaceAfter)
         if not first:
             part._title = replace(self._title, items=())
@@ -94,35 +136,48 @@ class AnswerBox(Block):
 
     def draw(self) -> None:
         """Draw the frame, the title in its margin, and the rows."""
-        self.canv.setLineWidth(_FRAME)
-        self.canv.rect(0.0, 0.0, self.width, self.height)
-        ink, y = Ink(self.canv), self.height / MM - _PAD
+        with artifact(self.canv):
+            self.canv.setLineWidth(_FRAME)
+            self.canv.rect(0.0, 0.0, self.width, self.height)
+        ink, y, last = Ink(self.canv), self.height / MM - _PAD, None
         margin = 0.0 if self._above else self._title.width + _AFTER_TITLE
         for number, row in enumerate(self._rows):
-            base = y - max(box.ascent for _, box in row)
+            base = y - max(box.ascent for _, box, _ in row)
             if not number and not self._above:
+                self._tell(ink, _Told(None, after=TITLE.of(self.lang)))
                 ink.box(self._title, _PAD * MM, base * MM)
-            for x, box in row:
+            for x, box, told in row:
+                if told is not last:
+                    self._tell(ink, told)
+                    last = told
                 ink.box(box, (_PAD + margin + x) * MM, base * MM)
             y -= _height(row) + self._skip
         ink.flush()
 
+    def _tell(self, ink: Ink, told: _Told) -> None:
+        """What follows is this answer."""
+        heard = told.heard(self.lang) if told.node else ""
+        tag = Tag(Role.FORMULA if told.node else Role.P, self.tag, heard)
+        ink.under(tree_of(self.canv).opener(tag, told.plain))
 
-def _items(answers: Sequence[AnswerLine], em: float, room: float) -> Iterator[tuple[Box, ...]]:
+
+def _items(answers: Sequence[AnswerLine], em: float, room: float) -> Iterator[_Item]:
     """Each answer as the boxes of its lines."""
     for one in answers:
-        before = (layout_words(f"{one.before} ", em), Box(_BLANK, 0.0, 0.0)) if one.before else ()
-        after = layout_words(one.after, em * 0.92) if one.after else None
-        parts = [
-            Box(x + box.width, box.ascent, box.descent, tuple(box.moved(x, 0.0))) for x, box in _broken(one, em, room)
-        ]
-        parts[0] = beside((*before, parts[0]))
-        if after is None:
-            yield tuple(parts)
-        elif parts[-1].width + 2 * _BLANK + after.width <= room:
-            yield (*parts[:-1], beside((parts[-1], Box(2 * _BLANK, 0.0, 0.0), after)))
-        else:
-            yield (*parts, *_folded(one.after, em * 0.92, room))
+        yield tuple(_lines(one, em, room)), _Told(one.node, one.before, one.after)
+
+
+def _lines(one: AnswerLine, em: float, room: float) -> list[Box]:
+    """What it is called, the line itself, and what is said after it."""
+    before = (layout_words(f"{one.before} ", em), Box(_BLANK, 0.0, 0.0)) if one.before else ()
+    parts = [Box(x + box.width, box.ascent, box.descent, tuple(box.moved(x, 0.0))) for x, box in _broken(one, em, room)]
+    parts[0] = beside((*before, parts[0]))
+    if not one.after:
+        return parts
+    after = layout_words(one.after, em * 0.92)
+    if parts[-1].width + 2 * _BLANK + after.width <= room:
+        return [*parts[:-1], beside((parts[-1], Box(2 * _BLANK, 0.0, 0.0), after))]
+    return [*parts, *_folded(one.after, em * 0.92, room)]
 
 
 def _broken(one: AnswerLine, em: float, room: float) -> tuple[tuple[float, Box], ...]:
@@ -137,24 +192,24 @@ def _folded(text: str, em: float, room: float) -> Iterator[Box]:
         yield beside((Box(2 * em, 0.0, 0.0), joined(list(line.cells), em)))
 
 
-def _grid(items: Sequence[tuple[Box, ...]], room: float) -> Iterator[_Row]:
+def _grid(items: Sequence[_Item], room: float) -> Iterator[_Row]:
     """The items in reading order, each at a quarter of the width, side by side as far as there is room."""
     pitch = room / _STOPS
-    row: list[tuple[float, Box]] = []
+    row: list[tuple[float, Box, _Told]] = []
     stop = 0
-    for boxes in items:
+    for boxes, told in items:
         takes = _STOPS if len(boxes) > 1 else min(_STOPS, ceil((boxes[0].width + _GAP) / pitch))
         if row and stop + takes > _STOPS:
             yield tuple(row)
             row, stop = [], 0
-        row.append((stop * pitch, boxes[0]))
+        row.append((stop * pitch, boxes[0], told))
         stop += takes
         for box in boxes[1:]:
             yield tuple(row)
-            row = [(0.0, box)]
+            row = [(0.0, box, told)]
     if row:
         yield tuple(row)
 
 
 def _height(row: _Row) -> float:
-    return max(box.ascent for _, box in row) + max(box.descent for _, box in row)
+    return max(box.ascent for _, box, _ in row) + max(box.descent for _, box, _ in row)
