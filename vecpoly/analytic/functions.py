@@ -41,7 +41,8 @@ class SquareRoot(Expr):
         return Root(self.body.node)
 
     def value(self, env: Env) -> Values:
-        return np.sqrt(np.asarray(self.body.value(env)))
+        with np.errstate(invalid="ignore"):  # NaN where it does not assemble
+            return np.sqrt(np.asarray(self.body.value(env)))
 
     def parts(self) -> tuple[Expr, ...]:
         return (self.body,)

@@ -44,7 +44,7 @@ class Cycle:
     high: float
     whole: bool
     points: tuple[str, ...] | None = None
-    machine: Loads | None = None  # what acts where nothing balances it
+    machine: Loads | None = None  # what acts where nothing balances it: on a machine, or under counterweights
     _kept: dict[str, Points | Reals] = field(default_factory=dict, repr=False)
     _solved: dict[tuple[tuple[int, ...], bytes], Sample] = field(default_factory=dict, repr=False)
     _infos: dict[str, Column] = field(default_factory=dict, repr=False)

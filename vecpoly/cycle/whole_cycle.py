@@ -33,7 +33,7 @@ def cycle(
     """
     of_kind(subject, (Problem, Mechanism), Words("题目或机构", "a problem or a mechanism"))
     mech, own, name = (subject, None, "") if isinstance(subject, Mechanism) else _parts(subject)
-    machine = subject.machine if isinstance(subject, Problem) else None
+    unbalanced = subject.acting if isinstance(subject, Problem) and subject.loads is None else None
     if not mech.drives:
         raise MobilityError(Words("没有原动件：整周分析需要 input", "no link is driven: a cycle needs an `input`"))
     if n < 2:
@@ -42,11 +42,11 @@ def cycle(
         )
     low, high, whole = range_of(mech)
     acting = own if loads is None else loads
-    known = acting or (machine.loads if machine else None)
+    known = acting or unbalanced
     turns = known.turns if whole and known is not None else 1
     high, n = high + 2 * np.pi * (turns - 1), (n - 1) * turns + 1
     phi = np.linspace(low, high, n) if over is None else np.atleast_1d(np.asarray(over, np.float64))
-    return Cycle(name, mech, acting, phi, low, high, whole, points, machine.loads if machine else None)
+    return Cycle(name, mech, acting, phi, low, high, whole, points, unbalanced)
 
 
 def _parts(problem: Problem) -> tuple[Mechanism, Loads | None, str]:

@@ -13,7 +13,7 @@ from ..cycle import Spot
 from ..mechanism.groups.assur import Dyad, decompose, pivot_of
 from ..mechanism.model import FRAME, Revolute
 from ..words import Words
-from .conditioning import Conditioning
+from .conditioning import ENDLESS, Conditioning
 from .other_lengths import Side, trial
 from .study.study import Study
 from .transmission import least_places
@@ -116,14 +116,30 @@ def _worst(study: Study, one: Conditioning, d: Dyad, between: tuple[float, float
     how = Words("接近重叠" if folded else "接近拉直", "nearly folded" if folded else "nearly stretched")
     gamma, at = degrees(one.gamma.least.value), least_places(study, one.gamma)
     symbol, lines = study.whole.info(one.gamma.key).symbol, _in_line(study, d, one.gamma.least)
+    grown = _magnified(one)
     return Words(
         f"{one.group.title.zh}：${symbol}$ 在 {at.zh} 处最小，为 {gamma:.1f}°，此时 ${p}{q}$ {what.zh}（"
         f"{_mm(low if folded else high)} mm{lines.zh}），${p}{c}$ 与 ${c}{q}$ {how.zh}，"
-        f"尺寸和读数的误差对位置的影响放大到 1/$sin γ$ = {1 / one.measure:.1f} 倍，对速度、加速度的影响更大。",
+        f"{grown.zh}。",
         f"{one.group.title.en}: ${symbol}$ is least, {gamma:.1f}°, at {at.en}. There ${p}{q}$ is {what.en} "
-        f"({_mm(low if folded else high)} mm{lines.en}), ${p}{c}$ and ${c}{q}$ are {how.en}, and errors of "
-        f"lengths and readings are magnified 1/$sin γ$ = {1 / one.measure:.1f} times in the position, and more "
-        "in the velocities and accelerations. ",
+        f"({_mm(low if folded else high)} mm{lines.en}), ${p}{c}$ and ${c}{q}$ are {how.en}, and "
+        f"{grown.en}. ",
+    )
+
+
+def _magnified(one: Conditioning) -> Words:
+    """What errors come to at the least γ; at a change point or a dead point they have no bound."""
+    if one.times == ENDLESS:
+        return Words(
+            "此处机构处于转折点（或死点），微小的误差就使位置、速度和加速度不能确定",
+            "the mechanism is at a change point (or a dead point): the least error leaves its position, velocities and "
+            "accelerations open",
+        )
+    times = f"1/$sin γ$ = {one.times}"
+    return Words(
+        f"尺寸和读数的误差对位置的影响放大到 {times} 倍，对速度、加速度的影响更大",
+        f"errors of lengths and readings are magnified {times} times in the position, and more in the velocities and "
+        "accelerations",
     )
 
 
@@ -134,17 +150,14 @@ def _rod(study: Study, one: Conditioning, d: Dyad) -> Words:
     link = study.mech.link(d.link_j)
     length, gamma, at = abs(link.points[p] - link.points[c]), one.gamma.least.value, least_places(study, one.gamma)
     needed, symbol = 1e-6 * ceil(1e6 * length * cos(gamma) / cos(_LEAST)), study.whole.info(one.gamma.key).symbol
-    line = f"$l_{{{''.join(sorted(p + c))}}}$"
+    line, grown = f"$l_{{{''.join(sorted(p + c))}}}$", _magnified(one)
     told = Words(
         f"{one.group.title.zh}：${symbol}$ 在 {at.zh} 处最小，为 {degrees(gamma):.1f}°，此时连杆 ${p}{c}$ "
-        f"对导路偏斜最大，尺寸和读数的误差对位置的影响放大到 1/$sin γ$ = {1 / one.measure:.1f} 倍，对速度、"
-        f"加速度的影响更大。要使 $γ$ ≥ 40°，须 {line} ≥ {line}·$cos γ_{{min}}$/$cos 40°$ = {_mm(needed)} "
+        f"对导路偏斜最大，{grown.zh}。要使 $γ$ ≥ 40°，须 {line} ≥ {line}·$cos γ_{{min}}$/$cos 40°$ = {_mm(needed)} "
         f"mm（现为 {_mm(length)} mm）。",
         f"{one.group.title.en}: ${symbol}$ is least, {degrees(gamma):.1f}°, at {at.en}, where the "
-        f"coupler ${p}{c}$ is inclined most; errors of lengths and readings are magnified 1/$sin γ$ = "
-        f"{1 / one.measure:.1f} times in the position, and more in the velocities and "
-        f"accelerations. $γ$ ≥ 40° needs {line} ≥ {line}·$cos γ_{{min}}$/$cos 40°$ = {_mm(needed)} "
-        f"mm (now {_mm(length)} mm). ",
+        f"coupler ${p}{c}$ is inclined most; {grown.en}. $γ$ ≥ 40° "
+        f"needs {line} ≥ {line}·$cos γ_{{min}}$/$cos 40°$ = {_mm(needed)} mm (now {_mm(length)} mm). ",
     )
     ways = tuple((Side(d.link_j, *pair, needed),) for pair in ((c, p), (p, c)))
     return told + trial(

@@ -16,6 +16,7 @@ from .study.study import Study
 
 POOR, ILL = float(np.sin(np.radians(40.0))), float(np.sin(np.radians(10.0)))
 SHORT = 0.35  # of its largest value: a determinant that is no sine of an angle
+NONE, ENDLESS = 1e-6, "∞"  # a measure that is none, as at a change point, and how errors are magnified there
 _ZOOM, _ROUNDS = 21, 5  # places in a bracket; each round makes it ten times narrower
 
 
@@ -34,6 +35,11 @@ class Conditioning:
     def measure(self) -> float:
         """sin γ at its least, or the least determinant as a share of its largest: by 1/measure errors are magnified."""
         return float(np.sin(self.gamma.least.value)) if self.gamma is not None else self.ratio
+
+    @property
+    def times(self) -> str:
+        """How many times errors are magnified: 1/measure."""
+        return f"{1 / self.measure:.1f}" if self.measure > NONE else ENDLESS
 
     @property
     def is_poor(self) -> bool:

@@ -12,7 +12,7 @@ import numpy as np
 from ..cycle import Cycle, Extremes, cycle, extremes, facts
 from ..cycle.facts.found import Facts
 from ..cycle.sample import sample
-from ..errors import VecpolyError
+from ..errors import AssemblyError, VecpolyError
 from ..mechanism.dimensions.set_out import stretched
 from ..mechanism.model import Link, Mechanism, Prismatic
 from ..words import Words
@@ -56,7 +56,8 @@ class Tried:
 
 def tried(study: Study, sides: tuple[Side, ...]) -> Tried | None:
     """The mechanism with these sides over the whole turn;
-    None where it has what is not measured from its letters alone."""
+    None where it has what is not measured from its letters alone, or where its own position is none with these lengths
+    or does not tell how it is assembled."""
     mech = study.mech
     changed = {side.link for side in sides}
     if (
@@ -74,7 +75,10 @@ def tried(study: Study, sides: tuple[Side, ...]) -> Tried | None:
             return Tried(turn, facts(turn))
     except VecpolyError:
         pass
-    return Tried(None, None, _lost(other))
+    try:
+        return Tried(None, None, _lost(other))
+    except AssemblyError:
+        return None
 
 
 def _stretched(link: Link, sides: list[Side]) -> Link:
@@ -85,7 +89,7 @@ def _stretched(link: Link, sides: list[Side]) -> Link:
 
 
 def _lost(mech: Mechanism) -> float:
-    """The share of the turn in which it cannot be assembled."""
+    """The share of the turn in which it cannot be assembled. Raises AssemblyError where this cannot be told."""
     here = sample(mech, None, mech.drive.position + 2 * np.pi * np.arange(_STATIONS) / _STATIONS)
     sound = np.logical_and.reduce([np.isfinite(here.value(f"phi_{link.name}")) for link in mech.links])
     return float(1 - np.mean(sound))

@@ -28,8 +28,9 @@ def margin(statement: Statement, at: Mapping[str, complex]) -> float:
     """How far (m) the statement is fulfilled at these positions; negative where it is not.
 
     left/right of a ray: signed distance from the ray's line; above/below a line: signed distance with the line directed
-    to the right; left/right/above/below of a single point: difference of abscissas or ordinates. Of a four-bar: how
-    much nearer its third corner is to its place in the one figure than in the other.
+    to the right, 0 where the two points of the ray fall together; left/right/above/below of a single point: difference
+    of abscissas or ordinates. Of a four-bar: how much nearer its third corner is to its place in the one figure than in
+    the other.
     """
     match statement:
         case SideOf():
@@ -69,5 +70,5 @@ def _beside(statement: SideOf, at: Mapping[str, complex]) -> float:
     ray = at[statement.ref[1]] - first
     if statement.side in (Side.ABOVE, Side.BELOW) and ray.real < 0:
         ray = -ray
-    left = (ray.conjugate() * (point - first)).imag / abs(ray)
+    left = (ray.conjugate() * (point - first)).imag / abs(ray) if ray else 0.0
     return left if statement.side in (Side.LEFT, Side.ABOVE) else -left

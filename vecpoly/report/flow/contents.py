@@ -62,10 +62,13 @@ class Contents(Block):
             count += 1
         if not 0 < count < len(self.entries):
             return []
-        parts = [Contents(self.lang, self.entries[:count]), Contents(self.lang, self.entries[count:])]
-        for part in parts:
-            part.tag = self.tag
-        return list(parts)
+        return [self._part(self.entries[:count], True), self._part(self.entries[count:], False)]
+
+    def _part(self, entries: Sequence[Entry], first: bool) -> Contents:
+        part = Contents(self.lang, entries)
+        part.tag = self.tag
+        part.spaceBefore, part.spaceAfter = (self.spaceBefore, 0.0) if first else (0.0, self.spaceAfter)
+        return part
 
     def draw(self) -> None:
         """Draw every entry."""

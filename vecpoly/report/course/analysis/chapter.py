@@ -64,7 +64,7 @@ def _conditioned(study: Study, press: Press, groups: list[Conditioning]) -> str:
                 f"{one.ratio:.3f}",
                 high,
                 gamma,
-                f"{1 / one.measure:.1f}" if one.gamma is not None else "—",
+                one.times if one.gamma is not None else "—",
                 _verdict(study, one).of(press.lang),
             )
         )

@@ -1,0 +1,25 @@
+"""Whatever has a cycle of positions has a course report, or a refusal that says why not."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.drawn_library import IDS, drawn
+from tests.each import each
+from tests.laws import often
+from vecpoly.errors import NoMethodError, NotAskedError, VecpolyError
+from vecpoly.report.document import report_bytes
+
+BROKE = ("3-1f", "parallelogram-locomotive", "balance-slider-crank")  # one position; a change point; masses alone
+ALL = IDS if often(1) > 1 else BROKE
+
+
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+@each(ALL)
+def test_a_course_report_is_made_or_refused_with_its_reason(name: str) -> None:
+    solution = drawn(name).solution
+    try:
+        assert report_bytes([solution], lang="en", style="course").startswith(b"%PDF")
+    except VecpolyError as refused:
+        assert name not in BROKE
+        assert isinstance(refused, (NoMethodError, NotAskedError)) or refused.code == "cam-profile", refused
