@@ -13,7 +13,7 @@ demo: $(VENV)/installed
 test: $(VENV)/installed-dev
 	$(BIN)/ruff check vecpoly tests benchmarks
 	$(BIN)/ruff format --check --quiet vecpoly tests benchmarks
-	@$(BIN)/mypy > $(VENV)/types.txt 2>&1 & types=$$!; \
+	@$(BIN)/python -m tests.typed > $(VENV)/types.txt 2>&1 & types=$$!; \
 	PYTHONDONTWRITEBYTECODE= $(BIN)/pytest $(SHARED); tests=$$?; \
 	wait $$types; types=$$?; cat $(VENV)/types.txt; exit $$((tests | types))
 

@@ -18,6 +18,7 @@ from hypothesis import settings
 # one thread of linear algebra, here and in every process that a test starts: matrices here are small, and threads that
 # wait for each other in a busy loop take a tenth of the processors
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+gc.disable()  # until all is collected: hardly anything of what is imported and compiled till then is rubbish
 
 Report = TypeVar("Report", pytest.TestReport, pytest.CollectReport)
 settings.register_profile("house", deadline=None, max_examples=25)  # tests/laws.py
@@ -63,6 +64,7 @@ def pytest_collection_finish() -> None:
     gc.collect()
     gc.freeze()
     gc.set_threshold(100_000, 20, 50)
+    gc.enable()
 
 
 @pytest.hookimpl(wrapper=True)

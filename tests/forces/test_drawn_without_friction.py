@@ -5,18 +5,15 @@ from __future__ import annotations
 
 import pytest
 
-from tests.drawn_library import drawn
+from tests.drawn_library import IDS, drawn
 from tests.each import Later, each
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Dot, Mark, Point, Role, Segment
 from vecpoly.board.sides import side_of
 from vecpoly.mechanism.model import Mechanism
-from vecpoly.problem.library import library
 from vecpoly.problem.load import load
 
-RUBBED = tuple(
-    entry.id for entry in library() if (loads := load(entry.id).loads) is not None and loads.friction and loads.unknown
-)
+RUBBED = Later(lambda: (name for name in IDS if (it := load(name).loads) is not None and it.friction and it.unknown))
 
 
 def _diagram(name: str) -> Figure:

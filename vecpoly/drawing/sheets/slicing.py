@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from operator import itemgetter
 
 Size = tuple[float, float]
 Pair = tuple[int, int]
@@ -26,6 +27,7 @@ class Cut:
 Piece = int | Cut
 Shape = tuple[float, float, Piece]
 Curve = tuple[Shape, ...]  # from the narrowest and tallest to the widest and lowest
+Trial = tuple[float, float, bool, Piece, Piece]  # two pieces side by side or stacked, of which no cut is made yet
 
 
 @dataclass(slots=True)
@@ -50,10 +52,11 @@ class Slicing:
 
     def _found(self, start: int, end: int) -> Curve:
         if end - start == 1:
-            return self._within([(*self.sizes[start], start)])
+            (w, h), (width, height) = self.sizes[start], self._most
+            return ((w, h, start),) if w <= width and h <= height else ()
         if not self._whole(start, end):
             return ()
-        found: list[Shape] = []
+        found: list[Trial] = []
         for middle in range(start + 1, end):
             before, after = self.shapes(start, middle), self.shapes(middle, end)
             if before and after:
@@ -65,34 +68,41 @@ class Slicing:
         """Whether no pair is torn by the ends."""
         return (start - 1, start) not in self.tied and (end - 1, end) not in self.tied
 
-    def _within(self, shapes: list[Shape]) -> Curve:
-        """Those that fit the page and that none betters."""
-        width, height = self.room[0] + TOUCH, self.room[1] + TOUCH
+    @property
+    def _most(self) -> Size:
+        return self.room[0] + TOUCH, self.room[1] + TOUCH
+
+    def _within(self, trials: list[Trial]) -> Curve:
+        """Those that fit the page and that none betters, cut."""
+        width, height = self._most
         kept: list[Shape] = []
-        for shape in sorted((one for one in shapes if one[0] <= width and one[1] <= height), key=lambda s: s[:2]):
-            if not kept or shape[1] < kept[-1][1] - TOUCH:
-                kept.append(shape)
+        for w, h, down, a, b in sorted((one for one in trials if one[0] <= width and one[1] <= height), key=_BOX):
+            if not kept or h < kept[-1][1] - TOUCH:
+                kept.append((w, h, _cut(down, a, b)))
         return tuple(kept)
 
 
-def _side_by_side(left: Curve, right: Curve) -> list[Shape]:
+_BOX = itemgetter(0, 1)
+
+
+def _side_by_side(left: Curve, right: Curve) -> list[Trial]:
     """Widths add up, the taller one tells the height."""
-    found: list[Shape] = []
+    found: list[Trial] = []
     i = j = 0
     while i < len(left) and j < len(right):
         (w, h, a), (v, g, b) = left[i], right[j]
-        found.append((w + v, max(h, g), _cut(False, a, b)))
+        found.append((w + v, max(h, g), False, a, b))
         i, j = (i + 1 if h >= g else i), (j + 1 if g >= h else j)
     return found
 
 
-def _stacked(upper: Curve, lower: Curve) -> list[Shape]:
+def _stacked(upper: Curve, lower: Curve) -> list[Trial]:
     """Heights add up, the wider one tells the width."""
-    found: list[Shape] = []
+    found: list[Trial] = []
     i, j = len(upper) - 1, len(lower) - 1
     while i >= 0 and j >= 0:
         (w, h, a), (v, g, b) = upper[i], lower[j]
-        found.append((max(w, v), h + g, _cut(True, a, b)))
+        found.append((max(w, v), h + g, True, a, b))
         i, j = (i - 1 if w >= v else i), (j - 1 if v >= w else j)
     return found
 

@@ -38,10 +38,10 @@ def _fits(st: Statics, x: Points, pin: Points) -> bool:
     at = complex(nominal(x))
     if abs(at - complex(nominal(pin))) > OFF_SHEET:
         return False
+    if not st.preliminary:
+        return True
     low, high = bounds(lasting(st.board.marks(View.MECHANISM)))
-    return not st.preliminary or (
-        low.real - BEYOND < at.real < high.real + BEYOND and low.imag - BEYOND < at.imag < high.imag + BEYOND
-    )
+    return low.real - BEYOND < at.real < high.real + BEYOND and low.imag - BEYOND < at.imag < high.imag + BEYOND
 
 
 def draw_meeting(
