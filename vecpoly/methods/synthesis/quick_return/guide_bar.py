@@ -134,7 +134,7 @@ def _advance(draft: Draft, c: Points, limits: tuple[tuple[Points, Points], tuple
 
 def _pressure(draft: Draft, radii: tuple[float, float], frame: Reals) -> None:
     """α_max with B nearest to C: between the line of the bar and CB, for v of the bar's point is square to CB."""
-    board, (crank, offset) = draft.board, radii
+    board, (_, offset) = draft.board, radii
     if not offset:
         board.step(
             Words(
