@@ -42,6 +42,7 @@ class Sheet:
     strip: Strip
     lang: Lang
     warning: Words | None = None
+    results: tuple[Item, ...] = ()  # what came out, where the sheet has room for it
 
     @property
     def landscape(self) -> bool:
@@ -60,8 +61,8 @@ class Sheet:
 
     @property
     def scene(self) -> Scene:
-        """Frame, title strip and figures; a warning in red over all."""
-        return Scene((*self.furniture.items, *self.drawn, *self.alarm.items), self._page)
+        """Frame, title strip, figures and results; a warning in red over all."""
+        return Scene((*self.furniture.items, *self.drawn, *self.results, *self.alarm.items), self._page)
 
     @property
     def _page(self) -> Rect:
