@@ -49,8 +49,6 @@ def short_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = T
     reading = answer.reading
     _, name, way = _named(answer, lang)
     result = result_of(answer, lang) + _bracket(answer, solution.problem, way, lang)
-    if reading.unit == YES_NO:
-        return Row((row(f"{reading.symbol}: "), Txt(result)))
     parts: tuple[Node, ...] = (name, Txt(" = "))
     if read and _is_length_times_scale(answer, solution):
         parts = (*parts, Txt(f"{reading.mm:.1f} mm × "), row(reading.scale), Txt(" = "))

@@ -8,7 +8,7 @@ from ...algebra.formula import Node
 from ...board.construction import View
 from ...drawing.sheets.results import with_results
 from ...drawing.sheets.sheet import Sheet
-from ...solution import Answer, Solution
+from ...solution import YES_NO, Answer, Solution
 from ...words import Lang
 from ..answers.line import short_line
 
@@ -17,7 +17,7 @@ _READ_FROM = {"omega": View.VELOCITY, "alpha": View.ACCELERATION}
 
 def concluded(made: Sequence[Sheet], solution: Solution, lang: Lang) -> tuple[Sheet, ...]:
     """The sheets with the answers that were read on them, where they have room; what was read on none, on the last."""
-    kept = [one for one in solution.answers.values() if not one.is_place]
+    kept = [one for one in solution.answers.values() if not one.is_place and one.reading.unit != YES_NO]
     home = {one.key: _home(one, made, solution) for one in kept}
     own = [[one for one in kept if home[one.key] == n] for n in range(len(made))]
     return tuple(

@@ -8,7 +8,7 @@ import numpy as np
 
 from ....algebra.quantity import Quantity, magnitude
 from ....board.paper.marks import Role
-from ....designs.quantities import AB, AC, CD
+from ....designs.quantities import AB, AC, CD, THETA
 from ....designs.quick_return import Whitworth
 from ....designs.verdict import Verdict
 from ....diagram.single import block
@@ -21,6 +21,7 @@ from ..linkage import crank_circle, drawn, pin, pivot
 from ..registry import design_method
 
 DOWN = -1j
+BACK = 25.0  # mm of the line of AB₁ beyond A
 
 
 @design_method(
@@ -53,6 +54,9 @@ def draw_whitworth(draft: Draft, design: Whitworth) -> None:
     drawn(draft, (a, ends[1]), (a, ends[0]), (c, ends[0]))
     drawn(draft, (c, ends[1]))
     marked(draft, a, ends, valued("β", beta.value))
+    back = a + BACK * unit(a - ends[0])
+    board.join(SHEET, a, back, Role.CONSTRUCTION)
+    marked(draft, a, (ends[1], back), valued(THETA.symbol, board.found[THETA.key]), key=THETA.key)
     order = np.abs(ends[0] - a), draft.mm(design.H.si) / 2, np.abs(a - c), a.real
     draft.candidate(Verdict.VALID, order, A=a, C=c, B1=ends[0], B2=ends[1])
 
