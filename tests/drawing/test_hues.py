@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from io import BytesIO
 from itertools import combinations
 
@@ -13,9 +14,10 @@ from tests.drawn_library import IDS, drawn
 from tests.each import each
 from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.marks import Point, Segment, TurnArrow, Vector
-from vecpoly.board.paper.tones import MANY, key_of, whose
+from vecpoly.board.paper.tones import HUES, MANY, key_of, whose
+from vecpoly.drawing.beside import beside
 from vecpoly.drawing.figure import draw_figure
-from vecpoly.drawing.hues import dash_of, hue_of, ink_of
+from vecpoly.drawing.hues import dash_of, hue_of, ink_of, is_hollow
 from vecpoly.drawing.scene import Scene, Stroke, TextBox
 from vecpoly.figures.hue import TONES, Hue
 from vecpoly.names import ascii_key
@@ -37,7 +39,8 @@ def _inks(construction: Construction, figure: Figure) -> dict[str, set[str]]:
     """The hues in which the shafts of a figure's vectors are drawn, by their keys."""
     found: dict[str, set[str]] = {}
     strokes = [item for item in draw_figure(figure).items if isinstance(item, Stroke)]
-    for mark in _vectors(figure):
+    inked = replace(figure, marks=beside(figure.view, figure.marks))
+    for mark in _vectors(inked):
         of = {one.hue.name for one in strokes if abs(one.points[0] - mark.a) < 1e-9 and _along(one, mark)}
         found.setdefault(key_of(mark), set()).update(of)
     return found
@@ -110,6 +113,19 @@ def test_vectors_of_one_figure_or_equation_that_are_not_one_have_different_tones
     for group in together:
         toned = [tones[one] for one in group if one in tones]
         assert len(toned) == len(set(toned)) and set(toned) <= set(range(1, MANY + 1))
+
+
+def test_beyond_the_hues_vectors_have_hollow_shafts_and_none_is_left_black() -> None:
+    """Thirteen and sixteen vectors in one figure: the first eight full, the others with the same hues again."""
+    construction = drawn("stephenson-valve-gear").construction
+    for figure in construction.figures[1:]:
+        scene = draw_figure(figure)
+        toned = {whose(key_of(mark)): construction.tones[whose(key_of(mark))] for mark in _vectors(figure)}
+        assert len(toned) > HUES and len(set(toned.values())) == len(toned)
+        hollow = {key for key, tone in toned.items() if tone > HUES}
+        cores = [item for item in scene.items if isinstance(item, Stroke) and item.hue == Hue.WHITE]
+        assert len(cores) >= len(hollow) > 0
+        assert {whose(m.key) for m in _vectors(figure) if is_hollow(key_of(m), construction.tones)} == hollow
 
 
 @each(IDS)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import groupby
 
 import pytest
 
@@ -14,6 +15,7 @@ from vecpoly.report.answers.box import answer_box
 from vecpoly.report.answers.line import answer_line
 from vecpoly.report.answers.rounded import COARSE, coarse, rounded
 from vecpoly.report.answers.tables import counted, readings_tables
+from vecpoly.report.groups import parted
 from vecpoly.report.values import called, printed_unit
 from vecpoly.solution import YES_NO, Answer, Solution, solve
 from vecpoly.typeset.box import MM
@@ -46,15 +48,29 @@ def test_every_quantity_asked_stands_in_the_box_once_with_the_number_of_the_tabl
     for lang in LANGS if solution is not None else ():
         assert solution is not None
         lines, rows = answer_box(solution, lang).lines, rows_of(solution, lang)
-        assert [line.key for line in lines] == list(solution.answers)
+        assert sorted(line.key for line in lines) == sorted(solution.answers)
         assert rows or all(map(counted, solution.answers.values()))
-        for line, answer in zip(lines, solution.answers.values(), strict=True):
+        for line in lines:
+            answer = solution.answers[line.key]
             text = plain(line.node)
             assert text == line.result or re.search(rf"{re.escape(line.result)}(?:（.*）| \(.*\))?$", text), text
             if rows:
                 row = rows.get(called(answer.reading.symbol, answer.key, lang)) or rows[f"${answer.reading.symbol}$"]
                 said = line.result.replace("(", "").replace(")", "").replace(",", "").split(" ")
                 assert said[0].rstrip("°") in [cell.rstrip("°").split(",")[0] for cell in row], (text, row)
+
+
+@each(IDS)
+def test_the_box_keeps_the_order_of_the_questions_within_each_kind(name: str) -> None:
+    solution = drafted(name)
+    if solution is None:
+        return
+    lines = answer_box(solution, "zh").lines
+    runs = [[line.key for line in some] for _, some in groupby(lines, key=lambda line: line.group)]
+    order = list(solution.answers)
+    assert all(sorted(run, key=order.index) == run for run in runs)
+    assert len(runs) == len({line.group for line in lines}), "a kind stands in two places"
+    assert (len(runs) > 1) is parted(order)
 
 
 @each(IDS)
@@ -155,5 +171,6 @@ def test_a_box_is_parted_between_rows_and_no_part_is_higher_than_its_room() -> N
 def test_lines_stand_side_by_side_where_there_is_room() -> None:
     box = answer_box(solve(load("3-9")), "zh")
     box.wrap(170.0 * MM, 1e4)
-    assert len(box.lines) == 16 and len(box._rows) <= 10
+    kinds = {line.group for line in box.lines}  # each is named in a row of its own
+    assert len(box.lines) == 16 and len(kinds) == 4 and len(box._rows) - len(kinds) <= 10
     assert all(x + one.width <= 170.0 for row in box._rows for x, one, _ in row)

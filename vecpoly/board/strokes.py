@@ -111,9 +111,12 @@ class Strokes(Log):
         head = self.head(tuple(points), on=view)
         self.log(done.Curve(head=head, points=tuple(spot(p) for p in points), role=role))
 
-    def angle(self, view: Place, at: Points, start: Points, sweep: Reals, radius: float, label: str) -> None:
-        """Mark an angle with its symbol: from the direction `start` over `sweep` (rad)."""
-        head, first = self.head(at, start, sweep, on=view, key=ascii_key(label)), amount(np.angle(start))
+    def angle(
+        self, view: Place, at: Points, start: Points, sweep: Reals, radius: float, label: str, *, key: str = ""
+    ) -> None:
+        """Mark an angle with its symbol: from the direction `start` over `sweep` (rad); key: where the label is more
+        than the symbol."""
+        head, first = self.head(at, start, sweep, on=view, key=key or ascii_key(label)), amount(np.angle(start))
         self.log(done.Angle(head=head, at=spot(at), radius=radius, start=first, sweep=amount(sweep), label=label))
 
     def curved_arrow(self, view: Place, at: Points, radius: float, start: float, ccw: bool, label: str) -> None:

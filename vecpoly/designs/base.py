@@ -107,6 +107,10 @@ class Design(BaseModel):
         """Symbol (notation of `formula`) and value as written of everything given, for the line 已知."""
         raise NotImplementedError
 
+    def told(self) -> tuple[Words, ...]:
+        """What is given in words, where symbols and values do not say it."""
+        return ()
+
     def built(self, values: Mapping[str, float]) -> dict[str, Any] | None:
         """What a problem file says of the linkage with these lengths (mm); None of a task that finds none."""
         return None

@@ -114,6 +114,10 @@ class Device(BaseModel):
         """Symbol (notation of `formula`) and value as written of everything given, for the line 已知."""
         raise NotImplementedError
 
+    def told(self) -> tuple[Words, ...]:
+        """What is given in words, where symbols and values do not say it."""
+        return ()
+
     @property
     def size(self) -> float:
         """A length typical of its sketch (m), from which a scale is guessed before it is fitted;

@@ -15,12 +15,13 @@ from typing import Annotated, ClassVar
 from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 
 from ..errors import FaultError
-from ..names import Named, subscripted
+from ..names import Named
 from ..words import Words
 from .base import Device
 from .pairs_read import Letter, read_pair
 from .structure_named import DETERMINED, F_LOCAL, F_LOW, N_LOW, P_H, P_L, P_LOW, P_REDUNDANT, F, N, class_, groups
 from .structure_pairs import FRAME, Chain, Form, Pair, Written, natural
+from .structure_told import THE_FRAME, told_drivers, told_joints
 
 Joint = Annotated[Written, BeforeValidator(read_pair), WithJsonSchema({"type": "string"})]
 OFF_LINE = 0.01  # share of the distance between the centres by which a contact may stand beside their line
@@ -136,16 +137,22 @@ class Structure(Device):
         return (N, P_L, P_H, F_LOCAL, P_REDUNDANT, F, *((DETERMINED,) if self.drivers else ()), *low, *classes)
 
     def given(self) -> tuple[tuple[str, str], ...]:
-        """Joints by their kind with the links that they join; the drivers."""
-        kinds = {
-            form: [
-                f"${subscripted(letter)}$({', '.join(self.number(_plain(link, self.frame)) for link in joint.links)})"
-                for letter, joint in self.joints.items()
-                if joint.form is form
-            ]
+        """Nothing has a value: places are drawn."""
+        return ()
+
+    def told(self) -> tuple[Words, ...]:
+        """Joints by their kind with the links that they join; the drivers, one possibility after the other."""
+        joints = [
+            told_joints(form, {letter: self._joined(one) for letter, one in self.joints.items() if one.form is form})
             for form in Form
-        }
-        return tuple((form.value, ", ".join(written)) for form, written in kinds.items() if written)
+        ]
+        sets = [[self.number(_plain(link, self.frame)) for link in together] for together in self.drive_sets]
+        return (*(one for one in joints if one is not None), *([told_drivers(sets)] if sets else []))
+
+    def _joined(self, joint: Written) -> list[Words]:
+        """The links of a joint as they are printed; the frame by its name."""
+        plain = [_plain(link, self.frame) for link in joint.links]
+        return [THE_FRAME if link == FRAME else Words.same(self.number(link)) for link in plain]
 
     @property
     def size(self) -> float:

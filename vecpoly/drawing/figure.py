@@ -9,6 +9,7 @@ from ..algebra.formula import Node, Power, Row, Txt, row
 from ..board.construction import Figure, Scale
 from ..typeset import Box, layout
 from ..words import Lang
+from .beside import beside
 from .labels.ground import broken
 from .labels.notes import LEADING, folded, lines
 from .labels.obstacles import Obstacles
@@ -60,10 +61,11 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
 
     What was drawn last is kept: question, solution, course report and player of one problem draw a figure once.
     """
-    around = Surroundings.of(figure.view, figure.marks, lang, figure.tones)
-    items = unique(tuple(item for mark in figure.marks for item in draw(mark, around)))
+    marks = beside(figure.view, figure.marks)
+    around = Surroundings.of(figure.view, marks, lang, figure.tones)
+    items = unique(tuple(item for mark in marks for item in draw(mark, around)))
     bare = Scene.of(items)
-    sought = wants(figure.view, figure.marks, lang, figure.tones)
+    sought = wants(figure.view, marks, lang, figure.tones)
     placed = place(sought, Obstacles.of(items), bare.extents, frame, unnamed(figure.marks))
     items = broken(items, [label.rect for label in placed])
     lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))

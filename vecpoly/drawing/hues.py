@@ -1,7 +1,8 @@
 """The ink of a vector: one hue wherever it appears, in equations, tables, polygons, diagrams, free bodies, the player.
 
-Which vectors are one is known to the construction (`board/paper/tones.py`). What has no tone is black; what is printed
-in grey, or seen by eyes that tell few hues apart, is known by its letters, and without friction by its dashes.
+Which vectors are one is known to the construction (`board/paper/tones.py`). Beyond as many as there are hues these
+come again, with hollow shafts. What has no tone is black; what is printed in grey, or seen by eyes that tell few hues
+apart, is known by its letters, its shaft, and without friction by its dashes.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from collections.abc import Mapping
 
 from ..board.construction import View
 from ..board.paper.marks import Mark
-from ..board.paper.tones import key_of, whose
+from ..board.paper.tones import HUES, key_of, whose
 from ..figures.hue import TONES, Hue
 from .style import Dash, kind_hue
 
@@ -19,7 +20,12 @@ Tones = Mapping[str, int] | None
 
 def hue_of(tone: int) -> Hue:
     """The ink of a tone; of none, black."""
-    return TONES[tone - 1] if tone else Hue.BLACK
+    return TONES[(tone - 1) % HUES] if tone else Hue.BLACK
+
+
+def is_hollow(key: str, tones: Tones) -> bool:
+    """Whether a vector is of the second series, whose shafts are hollow."""
+    return bool(tones) and tones.get(whose(key), 0) > HUES
 
 
 def ink_of(key: str, tones: Tones) -> Hue:

@@ -75,6 +75,8 @@ def pen(role: Role, hue: Hue) -> Pen:
             return Pen(width=THIN, dash=Dash.DASH_DOT, hue=Hue.GREY)
         case Role.IDEAL:
             return Pen(width=THIN, dash=Dash.DASHED, hue=Hue.GREY)
+        case Role.OTHER:
+            return Pen(width=GIVEN, dash=Dash.DASHED)
         case Role.HIDDEN:
             return Pen(width=THIN, dash=Dash.DASHED)
     assert_never(role)

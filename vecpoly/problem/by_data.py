@@ -92,7 +92,12 @@ def build_by_data(tree: Tree, sort: Sort, path: Path | None = None) -> Problem:
         scales=scales,
         printed=printed,
         errata=tuple(spec.errata),
-        given=Given(loads=tuple(Datum(symbol=symbol, text=text) for symbol, text in subject.given())),
+        given=Given(
+            loads=(
+                *(Datum(words=words) for words in subject.told()),
+                *(Datum(symbol=symbol, text=text) for symbol, text in subject.given()),
+            )
+        ),
         orientation=spec.sheet.orientation if spec.sheet else None,
         path=path,
         text=tree.text,

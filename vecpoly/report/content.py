@@ -4,7 +4,6 @@ plain words, and names of the objects (tables, equations, drawings) to be set.""
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Any
@@ -15,16 +14,14 @@ from ..board.paper.marks import Role, Segment
 from ..check.found_words import ill_conditioned, told
 from ..check.shaking import shaking_of
 from ..check.structure import dependence
-from ..mechanism.asked.centres import count
 from ..mechanism.model import Mechanism
-from ..names import is_centre, is_place
-from ..problem.asked.asks import AskCoriolis, AskNamed, AskPoint
-from ..solution import YES_NO, Answer, Solution, fewer_digits
+from ..problem.asked.asks import AskCoriolis, AskNamed
+from ..solution import Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
+from .asked import asked
 from .formulas import beside
 from .structure import numbering, structure
 from .tables import listed
-from .values import asked_load, called, curved
 
 _MOST, _SHORT = 4, 62.0  # formulas of a step in one line, and how long each may be (mm)
 
@@ -57,7 +54,7 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
         "source": problem.source.of(lang) if problem.source else "",
         "statement": problem.statement.of(lang),
         "given": comma.join(given),
-        "asked": ("、" if lang == "zh" else ", ").join(asked(solution, lang)),
+        "asked": asked(solution, lang),
         "structure": structure(problem).of(lang),
         "numbering": numbering(problem).of(lang),
         "scales": scales(solution, lang),
@@ -145,58 +142,6 @@ def _disagreed(wrong: list[Answer]) -> Words:
 def _coriolis(answer: Answer) -> Words:
     symbol = f"${answer.reading.symbol}$"
     return Words(f"存在哥氏加速度 {symbol}。", f"A Coriolis acceleration {symbol} exists.")
-
-
-def asked(solution: Solution, lang: Lang) -> Iterator[str]:
-    """The questions in symbols and words."""
-    coriolis = {ask.rel.key for ask in solution.problem.asks if isinstance(ask, AskCoriolis)}
-    centres = [ask.rel for ask in solution.problem.asks if isinstance(ask, AskNamed) and is_centre(ask.rel)]
-    every = bool(centres) and len(centres) == count(solution.problem.mechanism)
-    if every:
-        yield Words("全部瞬心", "all instant centres").of(lang)
-    for ask in solution.problem.asks:
-        if (ask.rel.key in coriolis and not isinstance(ask, AskCoriolis)) or (every and ask.rel in centres):
-            continue
-        reading = solution.construction.readings[ask.rel.key]
-        symbol = f"${reading.symbol}$"
-        if isinstance(ask, AskPoint):
-            yield _point_asked(ask, symbol).of(lang)
-        elif isinstance(ask, AskCoriolis):
-            yield Words(
-                f"有无哥氏加速度 {symbol} 及其方向", f"whether a Coriolis term {symbol} exists and where it points"
-            ).of(lang)
-        elif is_place(ask.rel):
-            of = curved(ask.rel, lang) + symbol.replace("^{∞}", "")
-            yield Words(f"{of} 的位置", f"the position of {of}").of(lang)
-        elif reading.unit == YES_NO:
-            name = called(reading.symbol, reading.key, lang)
-            yield Words(f"是否{name}", f"whether {name}").of(lang)
-        elif (kind := asked_load(solution.problem, reading.key)) is not None:
-            yield (kind.of(lang) if lang == "zh" else f"{kind.en} ") + called(reading.symbol, reading.key, lang)
-        else:
-            yield curved(ask.rel, lang) + called(reading.symbol, reading.key, lang)
-
-
-def _point_asked(ask: AskPoint, symbol: str) -> Words:
-    if ask.slowest is not None:
-        line = "".join(ask.slowest)
-        return Words(
-            f"构件 {ask.link} 的 ${line}$ 线上速度最小的点 {symbol}",
-            f"the slowest point {symbol} of link {ask.link} on the line ${line}$",
-        )
-    if ask.velocity == 0:
-        return Words(f"构件 {ask.link} 的绝对瞬心 {symbol}", f"the instant centre {symbol} of link {ask.link}")
-    if ask.acceleration == 0:
-        return Words(f"构件 {ask.link} 的加速度中心 {symbol}", f"the acceleration pole {symbol} of link {ask.link}")
-    kind = Words("速度", "velocity") if ask.velocity is not None else Words("加速度", "acceleration")
-    value = ask.velocity if ask.velocity is not None else ask.acceleration
-    assert value is not None
-    pair = f"({number(value.real)}, {number(value.imag)})"
-    unit = "m/s" if ask.velocity is not None else "m/s^2"
-    return Words(
-        f"构件 {ask.link} 上{kind.zh}为 {pair} {unit} 的点 {symbol}",
-        f"the point {symbol} of link {ask.link} with {kind.en} {pair} {unit}",
-    )
 
 
 def scales(solution: Solution, lang: Lang) -> str:

@@ -33,6 +33,7 @@ from .flow.xml import to_flowables
 from .lines import lines_table
 from .picture import diagram, picture
 from .plates.page import sheet_page
+from .plates.results import concluded
 from .plates.shown import shown
 from .printed_tables import printed_tables
 from .question.content import question
@@ -215,7 +216,8 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
 def _pages(construction: Construction, solution: Solution, lang: Lang, objects: Objects) -> list[Any]:
     """The sheets of a construction, each put among the objects of the report."""
     problem = solution.problem
-    made = sheets(construction, lang=lang, title=problem.title, way=problem.orientation, plates=True)
+    loose = sheets(construction, lang=lang, title=problem.title, way=problem.orientation, plates=True)
+    made = concluded(loose, solution, lang)
     return _bound(made, construction, lang, objects)
 
 

@@ -15,6 +15,7 @@ class Role(StrEnum):
     CONSTRUCTION = "construction"  # 0.18 mm: arcs, helping lines in the kinematic diagram
     CENTRE = "centre"  # 0.18 mm dash-dot: centre lines, pitch circles
     IDEAL = "ideal"  # 0.18 mm dashed grey: the construction without friction, beside that with it
+    OTHER = "other"  # 0.35 mm dashed: a link in another position than the one that is drawn thick
     HIDDEN = "hidden"  # 0.18 mm dashed: the expanded link (扩大构件), what is only thought
 
 

@@ -2,7 +2,8 @@
 
 One and the same motion, or force, has one tone wherever it appears: in its equation, in the polygons, on the diagram,
 on free bodies. v_CB, a^n_CB and a^t_CB are the motion of C about B; R_12 and R_21 are the force in one joint, with
-friction or without. What stands in one figure or in one equation has different tones; where these run out, it has none.
+friction or without. What stands in one figure or in one equation has different tones: first one of as many as there are
+hues, then one of a second series with the same hues and another line; where these run out too, it has none.
 """
 
 from __future__ import annotations
@@ -18,7 +19,8 @@ from ...foundation.frozen import FrozenMap
 from ...names import ascii_key
 from .marks import Mark, TurnArrow, Vector
 
-MANY = len(TONES)
+HUES = len(TONES)
+MANY = 2 * HUES
 _MOTION = re.compile(r"\b[va][nktr]?_")
 _POINTS = re.compile(r"([A-Z]'?\d*)([A-Z]'?\d*)")
 _JOINT = re.compile(r"R[nt]?('*)_([A-Z]?\d)([A-Z]?\d)\b")
@@ -56,7 +58,7 @@ def tones(figures: Iterable[tuple[Mark, ...]], equations: Iterable[tuple[str, ..
         taken = {found[other] for other in beside[one] if other in found}
         if free := [tone for tone in range(1, MANY + 1) if tone not in taken]:
             used = Counter(found.values())
-            found[one] = min(free, key=lambda tone: (used[tone], tone))
+            found[one] = min(free, key=lambda tone: (tone > HUES, used[tone], tone))
     return FrozenMap(found)
 
 

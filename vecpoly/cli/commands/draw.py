@@ -103,8 +103,10 @@ def _files(
 
 def _sheets(solution: Solution, lang: Lang) -> tuple[Sheet, ...]:
     from ...drawing.sheets.sheet import sheets
+    from ...report.plates.results import concluded
 
-    return sheets(solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation)
+    title, way = solution.problem.title, solution.problem.orientation
+    return concluded(sheets(solution.construction, lang=lang, title=title, way=way), solution, lang)
 
 
 def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:

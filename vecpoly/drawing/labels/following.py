@@ -9,6 +9,7 @@ import numpy as np
 
 from ...board.construction import Figure
 from ...words import Lang
+from ..beside import beside
 from ..figure import unique
 from ..prices import priced
 from ..scene import Item, Rect, Scene
@@ -36,10 +37,11 @@ class Follower:
 
     def lettered(self, figure: Figure) -> tuple[Item, ...]:
         """All items of the figure with its letters in place, without its title."""
-        around = Surroundings.of(figure.view, figure.marks, self.lang, figure.tones)
-        items = unique(tuple(item for mark in figure.marks for item in draw(mark, around)))
+        marks = beside(figure.view, figure.marks)
+        around = Surroundings.of(figure.view, marks, self.lang, figure.tones)
+        items = unique(tuple(item for mark in marks for item in draw(mark, around)))
         drawn, obstacles = Scene.of(items).extents, Obstacles.of(items)
-        sought = wants(figure.view, figure.marks, self.lang, figure.tones)
+        sought = wants(figure.view, marks, self.lang, figure.tones)
         named = _named(tuple(resized(want, self.size) for want in sought))
         placed = self._follow(named, obstacles, drawn) if self.choice else self._first(named, obstacles, drawn)
         ground = broken(items, [label.rect for label in placed])

@@ -17,6 +17,7 @@ FAR = (5.5, 6.5, 8.0, 9.5, 11.0, 13.0)
 # In a crowd; the usual ones come first, so that each place keeps its number.
 FARTHER = (*FAR, 12.0, 14.2, 15.5, 16.8, 18.0, 20.0, 22.0, 24.5, 27.0, 30.0)
 LEADER = 22.0  # what resorting to a leader line costs
+SOONER = 0.4  # of that in a crowd: a leader tells better than a place beside something else
 PER_DISTANCE, PER_FRACTION = 1.2, 6.0
 
 
@@ -52,7 +53,7 @@ def spots(want: Want, middle: complex) -> Spots:
         np.concatenate(
             [
                 (base[:, None] + PER_DISTANCE * gap).ravel(),
-                np.broadcast_to(LEADER + PER_DISTANCE * far, led.shape).ravel(),
+                np.broadcast_to(LEADER * (SOONER if want.farther else 1.0) + PER_DISTANCE * far, led.shape).ravel(),
             ]
         ),
         np.concatenate([np.full(near.size, complex(math.nan, math.nan)), at.ravel()]),

@@ -81,7 +81,7 @@ def flat(sizes: Sequence[Size], pairs: frozenset[Pair] = frozenset()) -> Layout 
 
 def _plate(shape: Shape, sizes: Sequence[Size], together: int) -> Layout:
     wide, high, piece = shape
-    return _layout(piece, 0, len(sizes), sizes, (max(NARROW, wide + AROUND), high + AROUND), together)
+    return _layout(piece, 0, len(sizes), sizes, (max(NARROW, min(PLATE, wide + AROUND)), high + AROUND), together)
 
 
 def _layout(piece: Piece, start: int, end: int, sizes: Sequence[Size], page: Size, together: int) -> Layout:

@@ -10,6 +10,7 @@ from typing import Generic, Literal, Protocol, TypeVar
 from ...board.construction import Figure, View
 from ..scene import Scene
 from .packing import Layout, flat, pack, packed, slicings
+from .redbox import BAND
 from .slicing import Pair, Size
 from .space import SPARSE, room_inside
 
@@ -106,6 +107,21 @@ def trimmed(figures: Sequence[Sized], layout: Layout) -> Layout:
         return layout
     plate = flat([one.size for one in figures], pairs_of(figures))
     return plate if plate is not None and covered(figures, plate) > covered(figures, layout) else layout
+
+
+def under_box(figures: tuple[F, ...], layout: Layout) -> list[Page[F]]:
+    """The figures of a page closer together, so that the red box over them covers none, on two pages where one is full;
+    as they are on a plate, which is made higher, and where a figure alone leaves no room for the box."""
+    if layout.page not in (room_inside(True), room_inside()):
+        return [(figures, layout)]
+    lower, pairs = (layout.page[0], layout.page[1] - BAND), pairs_of(figures)
+    ends = sorted(range(len(figures), 0, -1), key=lambda end: (end < len(figures), (end - 1, end) in pairs))
+    for end in ends:
+        parts = [part for part in (figures[:end], figures[end:]) if part]
+        made = [pack([one.size for one in part], lower, tuple(pairs_of(part))) for part in parts]
+        if all(made):
+            return [(part, found) for part, found in zip(parts, made, strict=True) if found is not None]
+    return [(figures, layout)]
 
 
 class Paging(Generic[F]):

@@ -12,7 +12,7 @@ from ..detail import detailed
 from ..figure import draw_figure
 from ..scene import Item, Rect, Scene
 from .packing import Layout
-from .paging import Drawn, Page, Way, arranged, paged, reading_order, trimmed
+from .paging import Drawn, Page, Way, arranged, paged, reading_order, trimmed, under_box
 from .redbox import BAND, red_box
 from .space import FRAME, STRIP, room_inside, usable
 from .titleblock import Strip, furniture
@@ -42,6 +42,7 @@ class Sheet:
     strip: Strip
     lang: Lang
     warning: Words | None = None
+    results: tuple[Item, ...] = ()  # what came out, where the sheet has room for it
 
     @property
     def landscape(self) -> bool:
@@ -60,8 +61,8 @@ class Sheet:
 
     @property
     def scene(self) -> Scene:
-        """Frame, title strip and figures; a warning in red over all."""
-        return Scene((*self.furniture.items, *self.drawn, *self.alarm.items), self._page)
+        """Frame, title strip, figures and results; a warning in red over all."""
+        return Scene((*self.furniture.items, *self.drawn, *self.results, *self.alarm.items), self._page)
 
     @property
     def _page(self) -> Rect:
@@ -134,13 +135,16 @@ def hung(
 
 
 def _numbered(pages: Sequence[Page[Drawn]], construction: Construction, lang: Lang, title: Words) -> tuple[Sheet, ...]:
+    warning = construction.warning
+    if warning is not None:
+        pages = [part for page in pages for part in under_box(*page)]
     return tuple(
         _sheet(
             group,
             layout,
             Strip(problem=construction.problem, title=title, hand=construction.hand, number=n, total=len(pages)),
             lang,
-            construction.warning,
+            warning,
         )
         for n, (group, layout) in enumerate(pages, start=1)
     )
@@ -181,4 +185,6 @@ def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang, w
         items.extend(shifted.items)
         placed.append(Placed(one.view, by, shifted.extents, one.name, len(shifted.items)))
     sheet = Sheet(tuple(items), tuple(placed), layout.page, strip, lang, warning)
-    return replace(sheet, room=(sheet.room[0], sheet.room[1] + BAND)) if sheet.plate and warning is not None else sheet
+    if warning is None or layout.page in (room_inside(True), room_inside()):
+        return sheet
+    return replace(sheet, room=(sheet.room[0], sheet.room[1] + BAND))

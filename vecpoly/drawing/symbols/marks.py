@@ -44,7 +44,7 @@ from ...board.paper.marks import (
 from ...board.paper.tones import key_of
 from ...board.paper.walls import holds, leaves
 from ...words import Lang
-from ..hues import Tones, dash_of, image_hue, line_hue, mark_hue, tint_of
+from ..hues import Tones, dash_of, image_hue, is_hollow, line_hue, mark_hue, tint_of
 from ..scene import Fill, Item, Layer, Stroke
 from ..style import DOT_RADIUS, JOINT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
 from . import bodies, shapes, solids
@@ -218,8 +218,9 @@ def _vector(mark: Vector, around: Surroundings) -> tuple[Item, ...]:
     end = mark.b - u * shapes.head_length(length) * 0.75
     solid = Layer.OVER if around.view.bodies else Layer.LINE  # a force is seen over the block on which it acts
     layer = Layer.THIN if mark.role in (Role.DIRECTION, Role.CONSTRUCTION, Role.IDEAL) else solid
+    shaft = Stroke(points=(mark.a, end), width=width, dash=dash, hue=p.hue, layer=layer, step=mark.step)
     return (
-        Stroke(points=(mark.a, end), width=width, dash=dash, hue=p.hue, layer=layer, step=mark.step),
+        *(shapes.hollow(shaft) if is_hollow(key_of(mark), around.tones) else (shaft,)),
         Fill(points=tip, hue=p.hue, layer=Layer.HEAD, step=mark.step),
     )
 

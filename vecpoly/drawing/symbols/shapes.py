@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import cmath
 import math
+from dataclasses import replace
 
-from ..style import HEAD_LENGTH, HEAD_WIDTH, THIN
+from ..scene import Stroke
+from ..style import HEAD_LENGTH, HEAD_WIDTH, THIN, Dash, Hue
 
 NEAR = 1e-4  # mm: places closer than this are one
+HOLLOW = 0.72  # mm: width of a hollow shaft
 SAGITTA = 0.004  # mm: how far a curve may be from its chords
 
 
@@ -56,6 +59,12 @@ def head_width(length: float, line: float) -> float:
 def shaft_width(length: float, line: float) -> float:
     """The line of a very short vector is thinned so that its head still shows."""
     return min(line, max(THIN, head_length(length) / 4))
+
+
+def hollow(shaft: Stroke) -> tuple[Stroke, Stroke]:
+    """A shaft as two thin lines with white between them."""
+    wide = max(shaft.width, HOLLOW)
+    return replace(shaft, width=wide), replace(shaft, width=wide / 2, dash=Dash.FULL, hue=Hue.WHITE)
 
 
 def head(tip: complex, direction: complex, length: float, width: float) -> tuple[complex, complex, complex]:

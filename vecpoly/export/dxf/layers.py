@@ -54,6 +54,7 @@ _ACI = {
     Role.CONSTRUCTION.value: 9,
     Role.CENTRE.value: 4,
     Role.IDEAL.value: 8,
+    Role.OTHER.value: 5,
     Role.HIDDEN.value: 2,
     DIMENSION: 6,
     FRAME: 7,

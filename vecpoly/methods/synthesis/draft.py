@@ -66,6 +66,11 @@ class Draft(Bench):
         """Whether there is only one solution."""
         return self.valid == 1
 
+    @property
+    def any_valid(self) -> bool:
+        """Whether a solution has been found already."""
+        return any(one.verdict is Verdict.VALID for one in self.found)
+
     def letter(self, letter: str) -> str:
         """A letter of the candidate that is found next: B1 as B_1, of the second B′_1."""
         head, sub = letter[0], letter[1:]

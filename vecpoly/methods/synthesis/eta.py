@@ -8,8 +8,10 @@ from math import pi
 import numpy as np
 
 from ...algebra.quantity import Quantity
+from ...designs.quantities import THETA
 from ...plane import Line, Points, Reals, unit
 from ...words import Words
+from .angles import marked
 from .draft import SHEET, Draft
 from .linkage import point
 
@@ -65,4 +67,8 @@ def eta(draft: Draft, ends: tuple[Points, Points], theta: Quantity, way: int, fi
     radius = np.abs(p - c1) / 2
     o = point(draft, f"O{marks}", board.lay_off(c1, unit(p - c1), radius))
     board.circle(SHEET, o, radius)
+    board.right_angle(SHEET, c2, unit(p - c2), unit(c1 - c2))
+    if first:
+        marked(draft, c1, (c2, p), "90° − θ")
+        marked(draft, p, (c1, c2), "θ", key=THETA.key)
     return Eta(centre=o, radius=radius, side=way, marks=marks)

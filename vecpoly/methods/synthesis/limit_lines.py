@@ -9,6 +9,7 @@ from ...designs.quantities import THETA
 from ...designs.quantities import K as ADVANCE
 from ...plane import Line, Points, cross, nominal, unit
 from ...words import Words
+from .angles import marked
 from .draft import HALF_TURN, SHEET, Draft
 from .limits import judged, limits_of, settled
 from .linkage import pin, pivot
@@ -74,5 +75,6 @@ def _rockers(draft: Draft, design: LimitLines, pins: tuple[Points, Points, Point
             continue
         d = pivot(draft, draft.letter("D"), board.meet(ray, bisector, Words("求 $D$", "finding $D$")))
         board.rule(SHEET, ray, d)
+        marked(draft, c1, (a, d), "90° − α_1", nth=draft.number - 1)
         board.rule(SHEET, bisector, d)
         settled(draft, limits_of(a, d, c1, c2, ("A", "C_1", "C_2")), judged(a, d, c1, c2))

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...algebra.quantity import Quantity
-from ...designs.quantities import AB, AD, BC, CD, SWING
+from ...designs.quantities import AB, AD, BC, CD, SWING, THETA
 from ...designs.verdict import Verdict
 from ...plane import Points, cross, nominal, unit
 from ...words import Words
+from .angles import found
 from .draft import SHEET, TWO, Draft
-from .linkage import drawn, pin, rejected
+from .linkage import crank_circle, drawn, pin, rejected
 from .transmission import least_angle
 
 EVEN = 1e-6  # mm: A on the bisector
@@ -73,7 +74,15 @@ def _four_bar(draft: Draft, limits: Limits) -> None:
         draft.length(draft.of_this(AD), board.measure(limits.a, limits.d, f"{of_a} D"), f"{of_a} D")
     if SWING.key not in board.readings:
         draft.stated(draft.of_this(SWING), draft.angle(limits.d, limits.folded, limits.extended))
+    _swing_marked(draft, limits)
     least_angle(draft, crank, coupler)
+
+
+def _swing_marked(draft: Draft, limits: Limits) -> None:
+    """The swing at D with the arc of C; one that all candidates share is marked once."""
+    if SWING.key in draft.board.readings and draft.any_valid:
+        return
+    found(draft, SWING, limits.d, (limits.folded, limits.extended))
 
 
 def settled(
@@ -100,6 +109,8 @@ def settled(
         of_near, of_far = (
             pin(draft, draft.letter(f"B{i}"), b) for i, b in zip(numbers, (of_near, of_far), strict=True)
         )
+        crank_circle(draft, a, crank)
+        found(draft, THETA, a, (near, far))
         read(draft, limits)
     order = crank, (np.abs(far - a) + np.abs(near - a)) / 2, np.abs(limits.d - a), a.real
     draft.candidate(verdict, order, A=a, **pivots, B1=of_near, C1=near, B2=of_far, C2=far)

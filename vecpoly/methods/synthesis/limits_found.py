@@ -11,8 +11,9 @@ from ...designs.verdict import Verdict
 from ...names import Named
 from ...plane import Points, Reals, unit
 from ...words import Words
+from .angles import found
 from .draft import HALF_TURN, RIGHT, SHEET, Draft
-from .linkage import drawn, pin, pivot
+from .linkage import crank_circle, drawn, pin, pivot, slider
 from .pressure import greatest_pressure
 from .registry import design_method
 from .transmission import least_angle
@@ -57,6 +58,7 @@ def draw_crank_rocker_limits(draft: Draft, design: CrankRockerLimits) -> None:
     drawn(draft, (a, b2, ends[1], d), (a, b1, ends[0], d))
     _advance(draft, a, (ends[0], ends[1]))
     draft.stated(draft.of_this(SWING), draft.angle(d, ends[0], ends[1]))
+    found(draft, SWING, d, (ends[0], ends[1]))
     least_angle(draft, lengths[0], lengths[1])
     draft.candidate(Verdict.VALID, (crank, coupler, frame, 0.0), A=a, D=d, B1=b1, C1=ends[0], B2=b2, C2=ends[1])
 
@@ -91,6 +93,7 @@ def draw_slider_crank_limits(draft: Draft, design: SliderCrankLimits) -> None:
         for i, radius in ((1, coupler - crank), (2, coupler + crank))
     ]
     board.join(SHEET, guide.at, ends[1], Role.CENTRE)
+    slider(draft, (ends[1], ends[0]), 1 + 0j)
     for radius, end in zip((coupler - crank, coupler + crank), ends, strict=True):
         board.swing(SHEET, a, radius, end)
     b1, b2 = _cranks(draft, a, (ends[0], ends[1]), crank)
@@ -108,7 +111,8 @@ def _given(draft: Draft, named: Named, design: CrankRockerLimits | SliderCrankLi
 
 
 def _cranks(draft: Draft, a: Points, ends: tuple[Points, Points], crank: Reals) -> tuple[Points, Points]:
-    """B in both limits: beyond A, and towards C₂."""
+    """B in both limits: beyond A, and towards C₂; the circle of B."""
+    crank_circle(draft, a, crank)
     b1 = pin(draft, "B_1", a - unit(ends[0] - a) * crank)
     return b1, pin(draft, "B_2", a + unit(ends[1] - a) * crank)
 
@@ -123,4 +127,5 @@ def _advance(draft: Draft, a: Points, ends: tuple[Points, Points]) -> None:
         SHEET,
     )
     theta = draft.stated(draft.of_this(THETA), draft.angle(a, ends[0], ends[1]))
+    found(draft, THETA, a, ends)
     draft.worked(draft.of_this(ADVANCE), (HALF_TURN + theta) / (HALF_TURN - theta))

@@ -1,15 +1,17 @@
-"""A linkage that is found, on the sheet: thick in one position, thin in the others, dashed where it is rejected."""
+"""A linkage that is found: thick in one position, dashed in the others, in thin dashes where it is rejected."""
 
 from __future__ import annotations
 
 from itertools import pairwise
+from math import tau
 
 from ...board.paper.marks import Dot, Role
+from ...board.place import Place
 from ...board.strokes import spot
 from ...designs.verdict import Verdict
 from ...diagram.single import block, rail
 from ...diagram.single import pivot as ground
-from ...plane import Points
+from ...plane import Points, Reals
 from ...words import Words
 from .draft import SHEET, Draft
 
@@ -18,9 +20,9 @@ HALF_BLOCK, BEYOND = 2.5, 9.0  # mm: from the middle of a block to its guide; ho
 
 
 def drawn(draft: Draft, thick: Chain, *thin: Chain, verdict: Verdict = Verdict.VALID) -> None:
-    """The links of a candidate as chains of pins in its positions; a rejected one is dashed in all of them."""
+    """The links of a candidate as chains of pins in its positions; a rejected one has thin dashes in all of them."""
     for chain in thin:
-        _bars(draft, chain, Role.CONSTRUCTION if verdict is Verdict.VALID else Role.HIDDEN)
+        _bars(draft, chain, Role.OTHER if verdict is Verdict.VALID else Role.HIDDEN)
     full = Role.LINK if draft.number == draft.take else Role.GIVEN
     _bars(draft, thick, full if verdict is Verdict.VALID else Role.HIDDEN)
 
@@ -44,12 +46,17 @@ def pivot(draft: Draft, letter: str, at: Points) -> Points:
     return at
 
 
-def slider(draft: Draft, places: tuple[Points, ...], along: complex) -> None:
+def crank_circle(draft: Draft, at: Points, radius: Reals, place: Place = SHEET, *, sweep: float = tau) -> None:
+    """The circle on which the pin of a crank goes round, or a part of it from the right (rad)."""
+    draft.board.circle(place, at, radius, Role.CENTRE, sweep=sweep)
+
+
+def slider(draft: Draft, places: tuple[Points, ...], along: complex, place: Place = SHEET) -> None:
     """The block of a slider in its first position, and the guide on which it comes through all of them."""
     travels = [(along.conjugate() * (spot(at) - spot(places[0]))).real for at in places]
     low = spot(places[0]) - 1j * along * HALF_BLOCK
     guide = rail(low + along * (min(travels) - BEYOND), low + along * (max(travels) + BEYOND))
-    draft.board.depict(SHEET, block("slider", places[0], along), guide)
+    draft.board.depict(place, block("slider", places[0], along), guide)
 
 
 def point(draft: Draft, letter: str, at: Points) -> Points:
@@ -63,6 +70,7 @@ def rejected(draft: Draft, verdict: Verdict) -> None:
         n, why = draft.number, verdict.value
         draft.board.remark(
             Words(
-                f" 候选解 {n} 舍去：{why.zh}，以虚线保留。", f" Candidate {n} is rejected: {why.en}; it stays dashed."
+                f" 候选解 {n} 舍去：{why.zh}，以细虚线保留。",
+                f" Candidate {n} is rejected: {why.en}; it stays in thin dashes.",
             )
         )

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from math import pi
+
 import numpy as np
 
 from ...algebra.quantity import Quantity
 from ...board.construction import View
 from ...board.paper.marks import Dot, Role
+from ...designs.quantities import ALPHA_MAX
+from ...diagram.single import pivot as ground
 from ...plane import Reals, unit
 from ...words import Words
+from .angles import marked, valued
 from .draft import Draft
+from .linkage import crank_circle, slider
 
 
 def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: Quantity) -> Reals:
@@ -37,5 +43,10 @@ def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: 
         board.join(place, one, other, Role.LINK)
     for letter, at in (("A", a), ("B′", b), ("C′", c)):
         board.plot(place, at, letter, Dot.JOINT)
+    board.depict(place, ground(a))
+    crank_circle(draft, a, np.abs(b - a), place, sweep=pi)
+    slider(draft, (c,), 1 + 0j, place)
     along = board.parallel(c, unit(n - c), key="nn").along
-    return 90.0 - np.abs(90.0 - np.degrees(np.abs(board.gauge(0j, (b - c) / along))))
+    alpha = 90.0 - np.abs(90.0 - np.degrees(np.abs(board.gauge(0j, (b - c) / along))))
+    marked(draft, c, (n, b), valued(draft.of_this(ALPHA_MAX).symbol, alpha), place=place)
+    return alpha

@@ -19,7 +19,7 @@ from .arc_middle import MIRROR, by_arc
 from .draft import RIGHT, SHEET, Draft
 from .eta import Eta, eta
 from .limits import Limits, crank_and_coupler, limits_of, settled
-from .linkage import pin, pivot
+from .linkage import pin, pivot, slider
 from .pressure import greatest_pressure
 from .registry import design_method
 
@@ -66,6 +66,7 @@ def _solution(draft: Draft, design: SliderCrank, ends: tuple[Points, Points], ci
     along = float(nominal(dot(c2 - c1, base - c1) / np.square(np.abs(c2 - c1))))
     verdict = Verdict.ACROSS if 0 <= along <= 1 else Verdict.VALID
     limits = limits_of(a, base, c1, c2, ("A", "C_1", "C_2"))  # the foot of A on the guide in the place of D
+    slider(draft, (limits.extended, limits.folded), 1 + 0j)
     settled(draft, limits, verdict, partial(_read, design=design), framed=False)
 
 

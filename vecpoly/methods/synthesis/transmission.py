@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import pi
 
 import numpy as np
 
@@ -11,10 +12,16 @@ from ...board.construction import View
 from ...board.paper.marks import Dot, Role
 from ...board.place import Pane
 from ...designs.quantities import AD, CD, GAMMA_MIN
+from ...diagram.single import pivot as ground
 from ...names import Named
-from ...plane import Points, Reals, nominal
+from ...plane import Points, Reals, nominal, unit
 from ...words import Words
+from .angles import marked, valued
 from .draft import Draft
+from .linkage import crank_circle
+
+RIGHT = 90.0  # deg
+BEYOND = 14.0  # mm of the coupler's line beyond C
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,7 +52,10 @@ def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
     d = board.locate(place, "D", board.lay_off(a, 1 + 0j, frame))
     both = [_extreme(draft, place, (a, d), crank, coupler, side) for side in (1, -1)]
     _linkages(draft, place, (a, d), both)
+    crank_circle(draft, a, np.abs(both[0].b - a), place, sweep=pi)
     draft.stated(draft.of_this(GAMMA_MIN), np.minimum(both[0].gamma, both[1].gamma))
+    for one in both:
+        _marked(draft, place, d, one)
 
 
 def _mm(draft: Draft, named: Named) -> Reals:
@@ -69,14 +79,24 @@ def _extreme(
     return Extreme(marks=marks, b=b, c=c, gamma=gamma)
 
 
+def _marked(draft: Draft, place: Pane, d: Points, one: Extreme) -> None:
+    """γ at C: between CB and CD, or between BC produced and CD."""
+    acute = float(nominal(draft.angle(one.c, one.b, d))) <= RIGHT
+    beyond = one.c + BEYOND * unit(one.c - one.b)
+    if not acute:
+        draft.board.join(place, one.c, beyond, Role.CONSTRUCTION)
+    marked(draft, one.c, (one.b if acute else beyond, d), valued(f"γ{one.marks}", one.gamma), place=place)
+
+
 def _linkages(draft: Draft, place: Pane, ends: tuple[Points, Points], both: list[Extreme]) -> None:
     """Both positions, that of the lesser angle thick."""
     board, (a, d) = draft.board, ends
     for one in sorted(both, key=lambda one: -float(nominal(one.gamma))):
-        role = Role.LINK if one.gamma is min(both, key=lambda e: float(nominal(e.gamma))).gamma else Role.CONSTRUCTION
+        role = Role.LINK if one.gamma is min(both, key=lambda e: float(nominal(e.gamma))).gamma else Role.OTHER
         for start, end in ((a, one.b), (one.b, one.c), (one.c, d)):
             board.join(place, start, end, role)
         board.plot(place, one.b, f"B{one.marks}", Dot.JOINT)
         board.plot(place, one.c, f"C{one.marks}", Dot.JOINT)
-    board.plot(place, a, "A", Dot.JOINT)
-    board.plot(place, d, "D", Dot.JOINT)
+    for letter, at in (("A", a), ("D", d)):
+        board.plot(place, at, letter, Dot.JOINT)
+        board.depict(place, ground(at))

@@ -3,16 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from ...solution import Answer, Solution
-from ...words import Lang
+from ...words import Lang, Words
 from ..flow.results.box import AnswerBox
-from .line import answer_line
+from ..groups import by_groups, parted
+from .line import AnswerLine, answer_line
+
+OTHERS = Words("其他", "others")
 
 
 def answer_box(
     solution: Solution, lang: Lang, said: Iterable[str] = (), answers: Iterable[Answer] | None = None
 ) -> AnswerBox:
-    """Every asked quantity once, in the order in which it was asked; said: conclusions that are no quantity."""
+    """Every asked quantity once, many of them by their kinds; said: conclusions that are no quantity."""
     lines = [answer_line(one, solution.problem, lang) for one in answers or solution.answers.values()]
-    return AnswerBox(lines, tuple(said), lang)
+    return AnswerBox(_by_kinds(lines, lang), tuple(said), lang)
+
+
+def _by_kinds(lines: list[AnswerLine], lang: Lang) -> list[AnswerLine]:
+    """A long list by kinds: velocities, angular velocities, accelerations."""
+    if not parted([one.key for one in lines]):
+        return lines
+    return [
+        replace(one, group=OTHERS.of(lang) if kind is None else kind.called(len(some), lang))
+        for kind, some in by_groups(lines, key=lambda one: one.key)
+        for one in some
+    ]

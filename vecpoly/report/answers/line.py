@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import degrees, isinf, isnan
+from math import degrees, isclose, isinf, isnan
 
 from ...algebra.formula import Node, Row, Txt, row
 from ...problem.problem import Problem
-from ...solution import YES_NO, Answer
+from ...solution import YES_NO, Answer, Solution
 from ...words import Lang, Words
 from ..values import called, direction_of_load, is_efficiency, place_parts, printed_unit, unit_after, value
 from .rounded import coarse, coordinates, drawn_number
@@ -20,7 +20,7 @@ _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针
 class AnswerLine:
     """What is said of one asked quantity: the line itself; before it, what it is called; after it, what is to be said.
 
-    result: the number with its unit, as the line ends.
+    result: the number with its unit, as the line ends. group: the kind under which it stands, of a long box.
     """
 
     key: str
@@ -28,6 +28,7 @@ class AnswerLine:
     before: str = ""
     after: str = ""
     result: str = ""
+    group: str = ""
 
 
 def answer_line(answer: Answer, problem: Problem, lang: Lang) -> AnswerLine:
@@ -41,6 +42,26 @@ def answer_line(answer: Answer, problem: Problem, lang: Lang) -> AnswerLine:
         after=_after(answer, lang),
         result=result,
     )
+
+
+def short_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = True) -> Node:
+    """The line as it stands on a sheet: v_C = 65.2 mm × μ_v = 0.652 m/s (∠67.9°); read: with the length on paper."""
+    reading = answer.reading
+    _, name, way = _named(answer, lang)
+    result = result_of(answer, lang) + _bracket(answer, solution.problem, way, lang)
+    parts: tuple[Node, ...] = (name, Txt(" = "))
+    if read and _is_length_times_scale(answer, solution):
+        parts = (*parts, Txt(f"{reading.mm:.1f} mm × "), row(reading.scale), Txt(" = "))
+    return Row((*parts, Txt(result)))
+
+
+def _is_length_times_scale(answer: Answer, solution: Solution) -> bool:
+    """Whether it is what was measured on paper, and nothing but that times the scale."""
+    mm, symbol = answer.reading.mm, answer.reading.scale
+    if mm is None or not symbol:
+        return False
+    scales = {one.scale.symbol: one.scale.value for one in solution.construction.figures}
+    return symbol in scales and isclose(mm * scales[symbol], abs(answer.drawn), rel_tol=1e-6)
 
 
 def result_of(answer: Answer, lang: Lang) -> str:

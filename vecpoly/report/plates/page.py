@@ -7,6 +7,7 @@ from typing import Any
 
 from ...board.construction import Construction
 from ...drawing.backends.pdf import draw_pdf
+from ...drawing.scene import Scene
 from ...drawing.sheets.sheet import Sheet
 from ...drawing.sheets.space import FRAME, STRIP
 from ...tagging.tag import Role, Tag, boxed
@@ -42,6 +43,9 @@ def _page(sheet: Sheet, construction: Construction, name: str) -> SheetPage:
             tag = Tag(Role.FIGURE, alt=placed(one, construction, sheet.lang))
             with marked(canvas, boxed(tag, x + e.x0 * MM, y + e.y0 * MM, x + e.x1 * MM, y + e.y1 * MM)):
                 draw_pdf(scene, canvas, x, y)
+        if sheet.results:
+            with marked(canvas, Tag(Role.P)):
+                draw_pdf(Scene(sheet.results, sheet.scene.extents), canvas, x, y)
         if sheet.warning is not None:
             with marked(canvas, Tag(Role.P)):
                 draw_pdf(sheet.alarm, canvas, x, y)

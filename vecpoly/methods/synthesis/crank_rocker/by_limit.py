@@ -13,6 +13,7 @@ from ....designs.verdict import Verdict
 from ....plane import Line, Points, Reals, cross, nominal, unit
 from ....plane.geometry import dot
 from ....words import Words
+from ..angles import marked, valued
 from ..draft import SHEET, Draft
 from ..limits import judged, limits_of, settled
 from ..linkage import pin, pivot
@@ -41,6 +42,7 @@ def by_limit(draft: Draft, design: CrankRocker, theta: Quantity) -> None:
     board.join(SHEET, a, d, Role.LINK)
     for end in (a, d):
         board.join(SHEET, c1, end, Role.CONSTRUCTION)
+    marked(draft, d, (a, c1), valued("∠ADC_1", np.degrees(design.ADC.si)), key="ADC")
     radius = np.abs(c1 - d)
     _other_limits(draft, (a, d, c1), radius, theta)
 

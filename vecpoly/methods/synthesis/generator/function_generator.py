@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from ....algebra.quantity import Quantity, Sum, magnitude, stated
@@ -16,6 +18,7 @@ from ....names import Named
 from ....plane import Points, Reals, nominal
 from ....plane.geometry import dot
 from ....words import Words
+from ..angles import marked
 from ..draft import SHEET, TWO, Draft
 from ..inversion.find import find
 from ..inversion.finish import closed, joined
@@ -82,8 +85,20 @@ def _laid_out(draft: Draft, design: FunctionGenerator, pairs: tuple[Pair, ...]) 
         name: tuple(_ray(draft, name, centre, pair[which], REACH * frame, n) for n, pair in enumerate(pairs, 1))
         for name, centre, which in (("AM", a, 0), ("DN", d, 1))
     }
+    _angles_marked(draft, (a, d), bodies, frame)
     pins = {letter: (at,) * 3 for letter, at in (("A", a), ("D", d))}
     return Sheet(draft=draft, plan=_plan(design, pairs), pins=FrozenMap(pins), bodies=FrozenMap(bodies))
+
+
+def _angles_marked(
+    draft: Draft, ends: tuple[Points, Points], bodies: Mapping[str, tuple[Stands, ...]], frame: Reals
+) -> None:
+    """φ and ψ of each position, from the line AD."""
+    axes = ends[1], ends[1] + REACH * frame
+    draft.board.join(SHEET, ends[0], axes[1], Role.CENTRE)
+    for symbol, key, at, axis, body in zip("φψ", ("phi", "psi"), ends, axes, ("AM", "DN"), strict=True):
+        for n, stands in enumerate(bodies[body]):
+            marked(draft, at, (axis, stands.end), f"{symbol}_{n + 1}", key=f"{key}_{n + 1}", nth=n)
 
 
 def _ray(draft: Draft, name: str, centre: Points, angle: Reals, reach: float, n: int) -> Stands:

@@ -10,8 +10,9 @@ from ....designs.two_positions import DeadCentre
 from ....designs.verdict import Verdict
 from ....plane import Line, Points, cross, nominal, unit
 from ....words import Words
+from ..angles import marked, valued
 from ..draft import SHEET, Draft
-from ..linkage import drawn, pin, pivot, point, rejected
+from ..linkage import crank_circle, drawn, pin, pivot, point, rejected
 from ..registry import design_method
 
 
@@ -53,6 +54,8 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
     same = float(nominal(cross(d - b1, c1 - b1) * cross(d - b2, c2 - b2))) > 0
     verdict = Verdict.VALID if same else Verdict.OTHER_SIDE
     drawn(draft, (a, b1, c1, d), (a, b2, c2, d), verdict=verdict)
+    crank_circle(draft, a, np.abs(b2 - a))
+    marked(draft, a, (b1, b2), valued("φ_{12}", np.abs(np.degrees(design.phi_12.si))), key="phi_12")
     rejected(draft, verdict)
     if verdict is Verdict.VALID:
         draft.length(draft.of_this(AB), board.measure(a, b2, "A B_2"), "A B_2")
@@ -81,4 +84,6 @@ def _given(draft: Draft, design: DeadCentre) -> tuple[Points, Points, Points, Po
         ray = board.ray(d, 1 + 0j, board.given(psi.si, f"psi_{i}"))
         ends.append(pin(draft, f"C_{i}", board.lay_off(d, ray.along, draft.mm(design.CD.si))))
         board.join(SHEET, d, ends[-1], Role.CONSTRUCTION)
+        rays = d + np.abs(ends[-1] - d), ends[-1]
+        marked(draft, d, rays, valued(f"ψ_{i}", np.degrees(psi.si)), key=f"psi_{i}", nth=i - 1)
     return a, d, ends[0], ends[1]

@@ -14,8 +14,9 @@ from ....designs.verdict import Verdict
 from ....foundation.bounds import below
 from ....plane import Points, nominal
 from ....words import Words
+from ..angles import marked, valued
 from ..draft import ONE, SHEET, WHOLE_TURN, Draft
-from ..linkage import drawn, pin, pivot, point, rejected
+from ..linkage import crank_circle, drawn, pin, pivot, point, rejected
 from ..registry import design_method
 from ..transmission import least_angle
 
@@ -84,6 +85,8 @@ def _given(draft: Draft, design: DragLink) -> tuple[Points, Points, Points, Poin
         pin(draft, f"B_{i}", board.lay_off(a, ray.along, draft.mm(design.AB.si)))
         for i, ray in ((1, first), (2, second))
     )
+    crank_circle(draft, a, np.abs(b1 - a))
+    marked(draft, a, (b1, b2), valued("β", beta.value))
     return a, d, b1, b2
 
 

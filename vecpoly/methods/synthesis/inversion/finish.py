@@ -30,7 +30,7 @@ def finish(sheet: Sheet) -> None:
 
 
 def joined(sheet: Sheet, verdict: Verdict) -> None:
-    """Draw the links, thick in the first position and thin in the others; read what was sought."""
+    """Draw the links, thick in the first position and dashed in the others; read what was sought."""
     draft, plan = sheet.draft, sheet.plan
     draft.board.section(Words("所得机构", "The linkage"))
     draft.board.step(_told(sheet, verdict), SHEET)
@@ -52,8 +52,8 @@ def closed(sheet: Sheet, verdict: Verdict) -> None:
 
 def _told(sheet: Sheet, verdict: Verdict) -> Words:
     told = Words(
-        "连接各铰链，第一位置画粗线，其余位置画细线；由图量得各构件长度：",
-        "Join the pins: thick in the first position, thin in the others. The lengths, as measured:",
+        "连接各铰链，第一位置画粗实线，其余位置画虚线；由图量得各构件长度：",
+        "Join the pins: thick in the first position, dashed in the others. The lengths, as measured:",
     )
     if verdict is not Verdict.VALID:
         return told

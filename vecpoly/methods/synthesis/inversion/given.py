@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from math import degrees
+
 from ....board.paper.marks import Dot, Role
 from ....designs.inversion.plan import FRAME, Body, Pin, Plan
 from ....foundation.frozen import FrozenMap
 from ....plane import Points
 from ....words import Words
+from ..angles import marked, valued
 from ..draft import SHEET, Draft
 from ..linkage import pin
 from .sheet import Places, Sheet, Stands, lettered, placed
 
+SYMBOLS = (("φ", "phi"), ("ψ", "psi"), ("χ", "chi"))  # of the links that turn, in order
 REACH = 0.35  # of the extent of what is given: from the origin of a body to the point that marks its line
 
 
@@ -93,15 +97,29 @@ def _marked(sheet: Sheet, body: Body, own: list[Pin]) -> Sheet:
     draft = sheet.draft
     ends = [sheet.pins[one.letter] for one in own]
     for n, stands in enumerate(sheet.bodies[body.name]):
+        role = Role.CONSTRUCTION if n else Role.GIVEN  # its links are dashed in the others, over these
         if _free(body) and len(ends) == 2:
-            draft.board.join(SHEET, ends[0][n], ends[1][n], Role.GIVEN)
+            draft.board.join(SHEET, ends[0][n], ends[1][n], role)
             continue
-        draft.board.join(SHEET, stands.start, stands.end if _free(body) or not own else ends[0][n], Role.GIVEN)
+        draft.board.join(SHEET, stands.start, stands.end if _free(body) or not own else ends[0][n], role)
         if _free(body):
             pin(draft, f"P_{n + 1}", stands.start, Dot.POINT)
         if not own or _free(body):
             pin(draft, f"{mark_of(sheet.plan, body)}_{n + 1}", stands.end, Dot.POINT)
+    if body.pivot:
+        _turns_marked(sheet, body)
     return sheet
+
+
+def _turns_marked(sheet: Sheet, body: Body) -> None:
+    """By how much it turns from its first position to each other: φ of the first such link, ψ of the next."""
+    turning = [one.name for one in sheet.plan.bodies if one.pivot]
+    symbol, key = SYMBOLS[min(turning.index(body.name), len(SYMBOLS) - 1)]
+    first, *others = sheet.bodies[body.name]
+    for n, stands in enumerate(others):
+        turn = degrees(body.positions[n + 1].angle - body.positions[0].angle)
+        label = valued(f"{symbol}_{{1{n + 2}}}", abs(turn))
+        marked(sheet.draft, first.start, (first.end, stands.end), label, key=f"{key}_1{n + 2}", nth=n)
 
 
 def mark_of(plan: Plan, body: Body) -> str:

@@ -61,7 +61,7 @@ def _traced(draft: Draft, design: StraightLine) -> dict[str, Points]:
         if n in (0, STATIONS - 1, middle):
             drawn(draft, *(((a, b, c, d),) if n == middle else ((), (a, b, c, d))))
             for one in (b, c):
-                board.join(SHEET, one, e, Role.LINK if n == middle else Role.CONSTRUCTION)
+                board.join(SHEET, one, e, Role.LINK if n == middle else Role.OTHER)
     for letter, at in zip("BC", stations[middle], strict=False):
         pin(draft, letter, at)
     lettered = [pin(draft, f"E_{n}", e) for n, (_, _, e) in enumerate(stations, 1)]

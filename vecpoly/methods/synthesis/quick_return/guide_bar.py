@@ -7,14 +7,18 @@ import numpy as np
 from ....algebra.quantity import Quantity
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
+from ....board.strokes import spot
 from ....designs.limits_found import GuideBarLimits
 from ....designs.quantities import AB, AC, ALPHA_MAX, GAMMA_MIN, OFFSET, SWING, THETA
 from ....designs.quantities import K as ADVANCE
 from ....designs.verdict import Verdict
+from ....diagram.single import block
+from ....diagram.single import pivot as ground
 from ....plane import Line, Points, Reals, unit
 from ....words import Words
+from ..angles import marked, valued
 from ..draft import HALF_TURN, RIGHT, SHEET, Draft
-from ..linkage import drawn, pin, pivot
+from ..linkage import crank_circle, drawn, pin, pivot
 from ..registry import design_method
 
 UP = 1j
@@ -39,7 +43,7 @@ def draw_guide_bar_limits(draft: Draft, design: GuideBarLimits) -> None:
     board.step(_circles(design), SHEET)
     c = pivot(draft, "C", 0j)
     a = pivot(draft, "A", board.lay_off(c, UP, draft.mm(design.AC.si), key="AC"))
-    board.circle(SHEET, a, crank)
+    crank_circle(draft, a, crank)
     if offset:
         board.circle(SHEET, c, offset)
     board.step(_tangents(design), SHEET)
@@ -102,10 +106,13 @@ def _limit(
         board.join(SHEET, c, g, Role.CONSTRUCTION)
         board.join(SHEET, a, g, Role.CONSTRUCTION)
     foot = c + 1j * along * (np.conj(along) * (b - c) * -1j).real
-    board.join(SHEET, foot, b + along * BEYOND, Role.LINK if number == 1 else Role.CONSTRUCTION)
+    role = Role.LINK if number == 1 else Role.OTHER
+    board.join(SHEET, foot, b + along * BEYOND, role)
     if abs(arc - crank) > EVEN:
-        board.join(SHEET, c, foot, Role.LINK if number == 1 else Role.CONSTRUCTION)
-    drawn(draft, (a, b)) if number == 1 else board.join(SHEET, a, b, Role.CONSTRUCTION)
+        board.join(SHEET, c, foot, role)
+    drawn(draft, (a, b)) if number == 1 else drawn(draft, (), (a, b))
+    if number == 1:
+        board.depict(SHEET, block("block", b, spot(along)))
     return g, b
 
 
@@ -120,13 +127,14 @@ def _advance(draft: Draft, c: Points, limits: tuple[tuple[Points, Points], tuple
     )
     (g1, _), (g2, _) = limits
     theta = draft.stated(draft.of_this(THETA), draft.angle(c, g1, g2))
+    marked(draft, c, (g1, g2), valued(f"{THETA.symbol} = {SWING.symbol}", theta.value), key=THETA.key)
     draft.worked(draft.of_this(ADVANCE), (HALF_TURN + theta) / (HALF_TURN - theta))
     return theta
 
 
 def _pressure(draft: Draft, radii: tuple[float, float], frame: Reals) -> None:
     """α_max with B nearest to C: between the line of the bar and CB, for v of the bar's point is square to CB."""
-    board, (crank, offset) = draft.board, radii
+    board, (_, offset) = draft.board, radii
     if not offset:
         board.step(
             Words(
@@ -136,6 +144,12 @@ def _pressure(draft: Draft, radii: tuple[float, float], frame: Reals) -> None:
         )
         draft.worked(draft.of_this(GAMMA_MIN), RIGHT - draft.stated(draft.of_this(ALPHA_MAX), 0.0 * frame))
         return
+    _nearest(draft, radii, frame)
+
+
+def _nearest(draft: Draft, radii: tuple[float, float], frame: Reals) -> None:
+    """The position with B nearest to C, in a figure of its own."""
+    board, (crank, offset) = draft.board, radii
     place = board.open_pane(View.MECHANISM, "alpha", Words("最大压力角", "Greatest pressure angle"))
     board.step(
         Words(
@@ -151,6 +165,7 @@ def _pressure(draft: Draft, radii: tuple[float, float], frame: Reals) -> None:
     c, a = board.locate(place, "C", 0j), board.locate(place, "A", board.lay_off(0j, UP, frame))
     b = board.locate(place, "B′", board.lay_off(a, -UP, crank, key="AB′"))
     board.circle(place, c, offset)
+    crank_circle(draft, a, crank, place)
     board.circle(place, (b + c) / 2, np.abs(b - c) / 2)
     touching = board.arcs(c, offset, (b + c) / 2, np.abs(b - c) / 2, Words("求切点 $T$", "the point of contact $T$"))
     t = board.locate(place, "T", board.either(touching[0]))
@@ -159,7 +174,9 @@ def _pressure(draft: Draft, radii: tuple[float, float], frame: Reals) -> None:
     board.join(place, t, b + line.along * BEYOND, Role.LINK)
     board.join(place, c, t, Role.LINK)
     board.join(place, c, b, Role.CONSTRUCTION)
+    board.depict(place, ground(c), ground(a), block("block", b, spot(line.along)))
     for letter, at, dot in (("C", c, Dot.JOINT), ("A", a, Dot.JOINT), ("B′", b, Dot.JOINT), ("T", t, Dot.POINT)):
         board.plot(place, at, letter, dot)
     alpha = draft.stated(draft.of_this(ALPHA_MAX), draft.angle(b, c, t))
+    marked(draft, b, (c, t), valued(ALPHA_MAX.symbol, alpha.value), key=ALPHA_MAX.key, place=place)
     draft.worked(draft.of_this(GAMMA_MIN), RIGHT - alpha)

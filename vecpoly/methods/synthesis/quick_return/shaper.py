@@ -8,17 +8,21 @@ import numpy as np
 
 from ....algebra.quantity import Quantity
 from ....board.paper.marks import Dot, Role
-from ....designs.quantities import AB, AC, ALPHA_MAX, CD, HEIGHT
+from ....board.strokes import spot
+from ....designs.quantities import AB, AC, ALPHA_MAX, CD, HEIGHT, THETA
 from ....designs.quick_return import Shaper
 from ....designs.verdict import Verdict
+from ....diagram.single import block
 from ....plane import Line, Points, foot, unit
 from ....words import Words
 from ..advance import theta_of
+from ..angles import marked, valued
 from ..draft import SHEET, TWO, Draft
-from ..linkage import drawn, pin, pivot, point
+from ..linkage import crank_circle, drawn, pin, pivot, point, slider
 from ..registry import design_method
 
 UP = 1j
+FAR = 40.0  # mm along a bar
 
 
 @design_method(
@@ -35,6 +39,10 @@ def draw_shaper(draft: Draft, design: Shaper) -> None:
     ends = _ends(draft, design, c, bars)
     lever = draft.length(draft.of_this(CD), draft.board.measure(c, ends[0], "C D_1"), "C D_1")
     _height(draft, design, c, ends)
+    crank_circle(draft, a, np.abs(b[0] - a))
+    draft.board.depict(SHEET, block("block", b[1], spot(bars[1].along)))
+    for foot_, bar in zip(b, bars, strict=True):
+        draft.board.right_angle(SHEET, foot_, unit(a - foot_), bar.along)
     drawn(draft, (a, b[1]), (a, b[0]))
     drawn(draft, (c, ends[1]), (c, ends[0]))
     crank, frame = np.abs(b[0] - a), np.abs(a - c)
@@ -55,7 +63,10 @@ def _limits(draft: Draft, theta: Quantity) -> tuple[Points, tuple[Line, Line]]:
         SHEET,
     )
     c, half = pivot(draft, "C", 0j), theta.value * pi / 360
-    return c, (board.ray(c, UP, half, key="CD1"), board.ray(c, UP, -half, key="CD2"))
+    bars = board.ray(c, UP, half, key="CD1"), board.ray(c, UP, -half, key="CD2")
+    rays = tuple(c + FAR * bar.along for bar in bars)
+    marked(draft, c, (rays[0], rays[1]), valued(THETA.symbol, theta.value), key=THETA.key)
+    return c, bars
 
 
 def _crank(draft: Draft, design: Shaper, c: Points, bars: tuple[Line, Line]) -> tuple[Points, tuple[Points, Points]]:
@@ -168,4 +179,6 @@ def _pressure(draft: Draft, rod: float, c: Points, height: Quantity, n: Points) 
     e = pin(draft, "E", board.either(e), Dot.JOINT)
     board.rule(SHEET, guide, e)
     board.join(SHEET, n, e, Role.CONSTRUCTION)
-    draft.stated(draft.of_this(ALPHA_MAX), draft.angle(e, at, n))
+    slider(draft, (e,), 1 + 0j)
+    alpha = draft.stated(draft.of_this(ALPHA_MAX), draft.angle(e, at, n))
+    marked(draft, e, (at, n), valued(ALPHA_MAX.symbol, alpha.value), key=ALPHA_MAX.key)

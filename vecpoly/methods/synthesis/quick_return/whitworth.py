@@ -8,17 +8,20 @@ import numpy as np
 
 from ....algebra.quantity import Quantity, magnitude
 from ....board.paper.marks import Role
-from ....designs.quantities import AB, AC, CD
+from ....designs.quantities import AB, AC, CD, THETA
 from ....designs.quick_return import Whitworth
 from ....designs.verdict import Verdict
+from ....diagram.single import block
 from ....plane import Line, Points, unit
 from ....words import Words
 from ..advance import theta_of
+from ..angles import marked, valued
 from ..draft import ONE, SHEET, TWO, WHOLE_TURN, Draft
-from ..linkage import drawn, pin, pivot
+from ..linkage import crank_circle, drawn, pin, pivot
 from ..registry import design_method
 
 DOWN = -1j
+BACK = 25.0  # mm of the line of AB₁ beyond A
 
 
 @design_method(
@@ -46,7 +49,14 @@ def draw_whitworth(draft: Draft, design: Whitworth) -> None:
     a, c, ends = _crank_circle(draft, design, beta)
     _arm(draft, design, c)
     _read(draft, design, a, c, ends[0])
-    drawn(draft, (a, ends[1]), (a, ends[0]), (c, ends[0], ends[1]))
+    board.join(SHEET, *ends, Role.CENTRE)
+    board.depict(SHEET, block("block", ends[1], 1 + 0j))
+    drawn(draft, (a, ends[1]), (a, ends[0]), (c, ends[0]))
+    drawn(draft, (c, ends[1]))
+    marked(draft, a, ends, valued("β", beta.value))
+    back = a + BACK * unit(a - ends[0])
+    board.join(SHEET, a, back, Role.CONSTRUCTION)
+    marked(draft, a, (ends[1], back), valued(THETA.symbol, board.found[THETA.key]), key=THETA.key)
     order = np.abs(ends[0] - a), draft.mm(design.H.si) / 2, np.abs(a - c), a.real
     draft.candidate(Verdict.VALID, order, A=a, C=c, B1=ends[0], B2=ends[1])
 
@@ -88,7 +98,7 @@ def _crank_circle(draft: Draft, design: Whitworth, beta: Quantity) -> tuple[Poin
         c = pivot(draft, "C", board.lay_off(a, DOWN, draft.mm(design.AC.si), key="AC"))
         line = board.parallel(c, 1 + 0j)
         b1, b2 = (pin(draft, f"B_{i}", board.meet(line, ray, what)) for i, ray in enumerate(rays, 1))
-    board.circle(SHEET, a, np.abs(b1 - a))
+    crank_circle(draft, a, np.abs(b1 - a))
     board.join(SHEET, a, c, Role.CENTRE)
     return a, c, (b1, b2)
 

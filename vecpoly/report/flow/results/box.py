@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 from math import ceil
 
 from ....algebra.formula import Node
@@ -29,6 +30,7 @@ _AFTER_TITLE = 3.0  # mm
 _BLANK = 1.5  # mm: between a line and what is said after it
 _STOPS = 4  # where a line may begin, in equal steps
 WHOLE = 75.0 * MM  # a box no taller than this is not parted
+_HEAD = 0.92  # em of the kind that stands at the head of its lines
 _LEAST = 3  # rows that a page break leaves together
 _FRAME = 0.6  # pt
 
@@ -101,7 +103,14 @@ class AnswerBox(Block):
         """The rows in a frame of this width (mm) inside."""
         room = width if above else width - self._title.width - _AFTER_TITLE
         title: tuple[_Row, ...] = (((0.0, self._title, _Told(None, after=TITLE.of(self.lang))),),) if above else ()
-        return (*title, *_grid(list(_items(self.lines, self._em, room)), room), *self._sentences(room))
+        return (*title, *self._grouped(room), *self._sentences(room))
+
+    def _grouped(self, room: float) -> Iterator[_Row]:
+        """The rows of each kind of quantity, which is named at their head where there are several."""
+        for group, lines in groupby(self.lines, key=lambda one: one.group):
+            if group:
+                yield ((0.0, layout_words(group, _HEAD * self._em, True), _Told(None, after=group)),)
+            yield from _grid(list(_items(tuple(lines), self._em, room)), room)
 
     def _sentences(self, room: float) -> Iterator[_Row]:
         for text in self.said:

@@ -1,0 +1,60 @@
+"""What is given and asked reads as a textbook's problem: joints in words, long lists by kinds."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tests.drawn_library import IDS, drawn
+from tests.each import Later, each
+from vecpoly.devices.structure import Structure
+from vecpoly.problem.load import load
+from vecpoly.report.content import statement
+from vecpoly.report.groups import LONG
+from vecpoly.words import Lang
+
+STRUCTURES = Later(lambda: (name for name in IDS if isinstance(load(name).subject, Structure)))
+LANGS: tuple[Lang, ...] = ("zh", "en")
+
+
+@each(STRUCTURES)
+def test_joints_are_told_in_words_each_with_its_links(name: str) -> None:
+    one = drawn(name)
+    subject = one.problem.subject
+    assert isinstance(subject, Structure)
+    for lang in LANGS:
+        given = statement(one.solution, lang)["given"]
+        assert not re.search(r"[RPHG]\$? = ", given) and ("转动副" in given or "revolute joint" in given)
+        for joint in subject.joints.values():
+            links = [("机架" if lang == "zh" else "frame") if x in ("0", subject.frame) else x for x in joint.links]
+            assert ("—" if lang == "zh" else "–").join(links).replace("'", "′") in given, links
+
+
+@each(IDS)
+def test_every_quantity_asked_stands_in_the_line_of_what_is_asked(name: str) -> None:
+    one = drawn(name)
+    said = statement(one.solution, "en")["asked"]
+    if "all instant centres" in said:
+        return
+    for key, answer in one.solution.answers.items():
+        symbol = answer.reading.symbol.replace("^{∞}", "")
+        assert f"${symbol}$" in said, (key, said)
+
+
+@pytest.mark.parametrize(
+    ("name", "kinds"),
+    [
+        ("3-5", ("速度", "角速度", "加速度", "角加速度")),
+        ("six-bar-dynamic", ("加速度", "角加速度", "惯性力和惯性力矩", "运动副反力")),
+        ("2-6", ("构件数、运动副数和自由度", "高副低代后")),
+    ],
+)
+def test_a_long_list_of_questions_is_told_by_kinds(name: str, kinds: tuple[str, ...]) -> None:
+    parts = statement(drawn(name).solution, "zh")["asked"].split("；")
+    assert [part.split(" ")[0] for part in parts][: len(kinds)] == list(kinds)
+
+
+def test_a_short_list_is_told_as_it_is() -> None:
+    short = [name for name in IDS if 1 < len(drawn(name).problem.asks) < LONG]
+    assert short and not any("；" in statement(drawn(name).solution, "zh")["asked"] for name in short)

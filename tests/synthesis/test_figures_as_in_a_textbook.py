@@ -1,0 +1,93 @@
+"""The figures of a synthesis are drawn as in a textbook: pivots on their ground, sliders on hatched guides, angles with
+arcs and values, the positions that are not thick in dashes."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.drawn_library import IDS, Drawn, drawn
+from tests.each import Later, each
+from vecpoly.algebra.quantity import number
+from vecpoly.board.paper.marks import AngleMark, Arc, Block, FixedGuide, Ground, Mark, Role, Segment
+from vecpoly.designs.base import Design
+from vecpoly.problem.load import load
+
+DESIGNS = Later(lambda: (name for name in IDS if isinstance(load(name).subject, Design)))
+FULL = 2.0  # mm: a shorter line tells nothing
+ANGLES = ("theta", "psi", "gamma_min", "alpha_max")
+
+
+def _marks(one: Drawn) -> list[Mark]:
+    return [mark for figure in one.construction.figures for mark in figure.marks]
+
+
+def _angles(one: Drawn) -> list[AngleMark]:
+    return [mark for mark in _marks(one) if isinstance(mark, AngleMark)]
+
+
+@each(DESIGNS)
+def test_a_figure_with_links_has_its_fixed_pivots_on_ground(name: str) -> None:
+    if not drawn(name).construction.candidates:
+        return  # lengths beside each other, and no linkage
+    for figure in drawn(name).construction.figures:
+        if any(isinstance(mark, Segment) and mark.role is Role.LINK for mark in figure.marks):
+            assert any(isinstance(mark, Ground) for mark in figure.marks), figure.name
+
+
+@each(DESIGNS)
+def test_an_angle_that_is_asked_stands_in_a_figure_with_an_arc_and_the_value_of_the_answer(name: str) -> None:
+    one = drawn(name)
+    for key, answer in one.solution.answers.items():
+        if key.rstrip("_123456789") not in ANGLES or not answer.drawn or answer.undefined:
+            continue
+        value = f" = {number(answer.drawn)}°"
+        supplement = f" = {number(90.0 - answer.drawn)}°"  # of γ_min = 90° − α_max the pressure angle is marked
+        assert any(mark.label.endswith((value, supplement)) for mark in _angles(one)), (key, value)
+
+
+@each(DESIGNS)
+def test_an_arc_is_as_wide_as_the_angle_written_beside_it(name: str) -> None:
+    for mark in _angles(drawn(name)):
+        if " = " in mark.label and mark.label.endswith("°"):
+            written = float(mark.label.rpartition(" = ")[2].rstrip("°"))
+            assert abs(abs(mark.sweep) * 57.29577951308232 - min(written, 360.0 - written)) < 0.06, mark.label
+
+
+@each(DESIGNS)
+def test_links_are_thick_in_one_position_and_dashed_in_the_others_and_in_thin_dashes_where_rejected(name: str) -> None:
+    one = drawn(name)
+    rejected = [candidate for candidate in one.construction.candidates if candidate.reason is not None]
+    for candidate in one.construction.candidates:
+        for before, after in (("A", "B"), ("B", "C"), ("C", "D")):
+            for n in "234":
+                ends = (candidate.pins.get(before, candidate.pins.get(before + n)), candidate.pins.get(after + n))
+                if ends[0] is None or ends[1] is None or abs(ends[1] - ends[0]) < FULL:
+                    continue
+                roles = {
+                    mark.role
+                    for mark in one.construction.figures[0].marks
+                    if isinstance(mark, Segment) and {_near(mark.a, ends), _near(mark.b, ends)} == {0, 1}
+                }
+                told = {Role.HIDDEN} if candidate in rejected else {Role.OTHER, Role.LINK, Role.GIVEN}
+                assert not roles or roles & told, (candidate.number, before, after, n, roles)
+
+
+def _near(at: complex, ends: tuple[complex | None, complex | None]) -> int:
+    return next((n for n, end in enumerate(ends) if end is not None and abs(at - end) < 1e-6), -1)
+
+
+@pytest.mark.parametrize("name", ["8-3b", "8-9", "8-10", "8-13", "8-16", "8-17"])
+def test_a_slider_is_a_block_on_a_hatched_guide(name: str) -> None:
+    marks = _marks(drawn(name))
+    blocks, guides = ([mark for mark in marks if isinstance(mark, kind)] for kind in (Block, FixedGuide))
+    assert blocks and guides
+    for guide in guides:
+        along = (guide.b - guide.a) / abs(guide.b - guide.a)
+        assert any(0 < ((block.at - guide.a) * along.conjugate()).imag < 5 for block in blocks)
+
+
+@pytest.mark.parametrize("name", ["8-3a", "8-3b", "8-3c", "8-4", "8-5", "8-15", "8-16", "8-17", "drag-link"])
+def test_the_pin_of_a_crank_goes_round_on_a_dash_dotted_circle(name: str) -> None:
+    rounds = [mark for mark in _marks(drawn(name)) if isinstance(mark, Arc) and mark.role is Role.CENTRE]
+    grounds = [mark.at for mark in _marks(drawn(name)) if isinstance(mark, Ground)]
+    assert rounds and all(min(abs(one.centre - at) for at in grounds) < 1e-6 for one in rounds)

@@ -1,0 +1,68 @@
+"""Vectors of a polygon that lie on one line are inked side by side, as a hand draws them, so that each can be seen.
+
+Nothing else moves: what is measured, the letters of points and the points themselves stay on the true line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ..board.construction import View
+from ..board.paper.marks import Mark, Vector
+from ..board.paper.tones import key_of, whose
+
+ASIDE = 0.9  # mm between two vectors on one line
+ON_LINE, OVERLAP = 0.15, 1.0  # mm beside a line that is still the line; of two vectors that must lie on each other
+LANES = (0.0, ASIDE, -ASIDE)  # beside the true line, in order
+SHORT = 2.0  # mm: shorter vectors stay
+SAME = 1e-6  # mm
+
+
+def beside(view: View, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
+    """The marks with vectors that cover each other drawn apart, the longest on the true line."""
+    if view.bodies:
+        return marks  # there forces stand where they act
+    vectors = [mark for mark in marks if isinstance(mark, Vector) and abs(mark.b - mark.a) > SHORT]
+    order = sorted(range(len(vectors)), key=lambda n: (-round(abs(vectors[n].b - vectors[n].a), 6), n))
+    lanes: dict[int, float] = {}
+    for n in order:
+        one = vectors[n]
+        twin = next((m for m in lanes if _are_one(one, vectors[m])), None)
+        lanes[n] = lanes[twin] if twin is not None else _lane(one, [(vectors[m], lanes[m]) for m in lanes])
+    moved = {id(vectors[n]): aside for n, aside in lanes.items() if aside}
+    return tuple(_moved(mark, moved.get(id(mark), 0.0)) for mark in marks) if moved else marks
+
+
+def _lane(one: Vector, others: Sequence[tuple[Vector, float]]) -> float:
+    """The first place beside its line where no vector is; the line itself where all are taken."""
+    taken = {lane for other, lane in others if _covers(one, other)}
+    return next((lane for lane in LANES if lane not in taken), 0.0)
+
+
+def _covers(one: Vector, other: Vector) -> bool:
+    """Whether a part of both lies on one line."""
+    along = (one.b - one.a) / abs(one.b - one.a)
+    p, q = ((end - one.a) * along.conjugate() for end in (other.a, other.b))
+    if max(abs(p.imag), abs(q.imag)) > ON_LINE:
+        return False
+    return bool(min(abs(one.b - one.a), max(p.real, q.real)) - max(0.0, min(p.real, q.real)) > OVERLAP)
+
+
+def _are_one(one: Vector, other: Vector) -> bool:
+    """Whether a vector is drawn twice: known first, then as the result."""
+    return whose(key_of(one)) == whose(key_of(other)) and abs(one.a - other.a) + abs(one.b - other.b) < SAME
+
+
+def _moved(mark: Mark, aside: float) -> Mark:
+    if not aside or not isinstance(mark, Vector):
+        return mark
+    by = aside * _normal(mark)
+    return replace(mark, a=mark.a + by, b=mark.b + by)
+
+
+def _normal(mark: Vector) -> complex:
+    """Square to the line, and the same for both ways along it."""
+    along = (mark.b - mark.a) / abs(mark.b - mark.a)
+    up = along.imag > SAME or (along.imag > -SAME and along.real > 0)
+    return complex(1j * (along if up else -along))

@@ -1,0 +1,83 @@
+"""What is asked, as the line after 求 says it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ..algebra.quantity import number
+from ..mechanism.asked.centres import count
+from ..names import is_centre, is_place
+from ..problem.asked.asks import Ask, AskCoriolis, AskNamed, AskPoint
+from ..solution import YES_NO, Solution
+from ..words import Lang, Words
+from .groups import by_groups, parted
+from .values import asked_load, called, curved
+
+
+def asked(solution: Solution, lang: Lang) -> str:
+    """The questions in symbols and words, a long list of them by kinds: the velocities v_B, v_C; the angular ..."""
+    comma, stop = ("、", "；") if lang == "zh" else (", ", "; ")
+    told = list(_asked(solution, lang))
+    if not parted([key for key, _ in told]):
+        return comma.join(text for _, text in told)
+    return stop.join(
+        (f"{group.called(len(some), lang)} " if group is not None else "") + comma.join(text for _, text in some)
+        for group, some in by_groups(told, key=lambda one: one[0])
+    )
+
+
+def _asked(solution: Solution, lang: Lang) -> Iterator[tuple[str, str]]:
+    """Each question by its key."""
+    coriolis = {ask.rel.key for ask in solution.problem.asks if isinstance(ask, AskCoriolis)}
+    centres = [ask.rel for ask in solution.problem.asks if isinstance(ask, AskNamed) and is_centre(ask.rel)]
+    every = bool(centres) and len(centres) == count(solution.problem.mechanism)
+    if every:
+        yield "", Words("全部瞬心", "all instant centres").of(lang)
+    for ask in solution.problem.asks:
+        if (ask.rel.key in coriolis and not isinstance(ask, AskCoriolis)) or (every and ask.rel in centres):
+            continue
+        plain = isinstance(ask, AskPoint | AskCoriolis) or is_place(ask.rel)
+        yield "" if plain else ask.rel.key, _told(ask, solution, lang)
+
+
+def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
+    """One question."""
+    reading = solution.construction.readings[ask.rel.key]
+    symbol = f"${reading.symbol}$"
+    if isinstance(ask, AskPoint):
+        return _point_asked(ask, symbol).of(lang)
+    if isinstance(ask, AskCoriolis):
+        return Words(
+            f"有无哥氏加速度 {symbol} 及其方向", f"whether a Coriolis term {symbol} exists and where it points"
+        ).of(lang)
+    if is_place(ask.rel):
+        of = curved(ask.rel, lang) + symbol.replace("^{∞}", "")
+        return Words(f"{of} 的位置", f"the position of {of}").of(lang)
+    if reading.unit == YES_NO:
+        name = called(reading.symbol, reading.key, lang)
+        return Words(f"是否{name}", f"whether {name}").of(lang)
+    if (kind := asked_load(solution.problem, reading.key)) is not None:
+        return (kind.of(lang) if lang == "zh" else f"{kind.en} ") + called(reading.symbol, reading.key, lang)
+    return curved(ask.rel, lang) + called(reading.symbol, reading.key, lang)
+
+
+def _point_asked(ask: AskPoint, symbol: str) -> Words:
+    if ask.slowest is not None:
+        line = "".join(ask.slowest)
+        return Words(
+            f"构件 {ask.link} 的 ${line}$ 线上速度最小的点 {symbol}",
+            f"the slowest point {symbol} of link {ask.link} on the line ${line}$",
+        )
+    if ask.velocity == 0:
+        return Words(f"构件 {ask.link} 的绝对瞬心 {symbol}", f"the instant centre {symbol} of link {ask.link}")
+    if ask.acceleration == 0:
+        return Words(f"构件 {ask.link} 的加速度中心 {symbol}", f"the acceleration pole {symbol} of link {ask.link}")
+    kind = Words("速度", "velocity") if ask.velocity is not None else Words("加速度", "acceleration")
+    value = ask.velocity if ask.velocity is not None else ask.acceleration
+    assert value is not None
+    pair = f"({number(value.real)}, {number(value.imag)})"
+    unit = "m/s" if ask.velocity is not None else "m/s^2"
+    return Words(
+        f"构件 {ask.link} 上{kind.zh}为 {pair} {unit} 的点 {symbol}",
+        f"the point {symbol} of link {ask.link} with {kind.en} {pair} {unit}",
+    )

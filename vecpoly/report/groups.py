@@ -1,0 +1,65 @@
+"""Quantities by kinds, for lists that are too long to be read in one piece: velocities, accelerations, forces."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import TypeVar
+
+from ..words import Lang
+
+LONG = 7  # quantities that are told by kinds, where there are so many
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """A kind of quantity: by which keys it is known, and what one and several of it are called."""
+
+    keys: str
+    zh: str
+    one: str
+    many: str
+
+    def called(self, count: int, lang: Lang) -> str:
+        """The name at the head of so many."""
+        return self.zh if lang == "zh" else self.many if count > 1 else self.one
+
+
+GROUPS = (
+    Group(
+        r"(n|p_l|p_h|F_local|p_redundant|F)$",
+        "构件数、运动副数和自由度",
+        "links, joints and mobility",
+        "links, joints and mobility",
+    ),
+    Group(r"(n|p_l|F)_low$", "高副低代后", "with lower pairs only", "with lower pairs only"),
+    Group(r"P_\w+$", "瞬心", "instant centre", "instant centres"),
+    Group(r"v_", "速度", "velocity", "velocities"),
+    Group(r"omega_\d+$", "角速度", "angular velocity", "angular velocities"),
+    Group(r"a[nktr]?_[A-Z]", "加速度", "acceleration", "accelerations"),
+    Group(r"alpha_\d+$", "角加速度", "angular acceleration", "angular accelerations"),
+    Group(r"(F|M)_I\w*$|[mJh]_\d$", "惯性力和惯性力矩", "inertia force", "inertia forces and couples"),
+    Group(r"R[nt]?'*_", "运动副反力", "joint reaction", "joint reactions"),
+)
+T = TypeVar("T")
+
+
+def group_of(key: str) -> Group | None:
+    """The kind of a quantity by its key; None of what stands for itself."""
+    return next((group for group in GROUPS if re.match(group.keys, key)), None)
+
+
+def parted(keys: Sequence[str]) -> bool:
+    """Whether these quantities are so many, and of so many kinds, that they are told by kinds."""
+    kinds = {group_of(key) for key in keys} - {None}
+    return len(keys) >= LONG and len(kinds) > 1
+
+
+def by_groups(things: Iterable[T], key: Callable[[T], str]) -> list[tuple[Group | None, list[T]]]:
+    """The things by their kinds, each kind where its first comes; what is of no kind comes last."""
+    found: dict[Group | None, list[T]] = {}
+    for one in things:
+        found.setdefault(group_of(key(one)), []).append(one)
+    rest = found.pop(None, None)
+    return [*found.items(), *([(None, rest)] if rest else [])]

@@ -1,0 +1,43 @@
+"""The results that stand on a sheet: each where the figure stands from which it was read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from ...algebra.formula import Node
+from ...board.construction import View
+from ...drawing.sheets.results import with_results
+from ...drawing.sheets.sheet import Sheet
+from ...solution import YES_NO, Answer, Solution
+from ...words import Lang
+from ..answers.line import short_line
+
+_READ_FROM = {"omega": View.VELOCITY, "alpha": View.ACCELERATION}
+
+
+def concluded(made: Sequence[Sheet], solution: Solution, lang: Lang) -> tuple[Sheet, ...]:
+    """The sheets with the answers that were read on them, where they have room; what was read on none, on the last."""
+    kept = [one for one in solution.answers.values() if not one.is_place and one.reading.unit != YES_NO]
+    home = {one.key: _home(one, made, solution) for one in kept}
+    own = [[one for one in kept if home[one.key] == n] for n in range(len(made))]
+    return tuple(
+        with_results(sheet, _attempts(answers, solution, lang)) if answers else sheet
+        for sheet, answers in zip(made, own, strict=True)
+    )
+
+
+def _attempts(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list[list[Node]]:
+    """In full, then without what was read on paper."""
+    some = list(answers)
+    return [[short_line(one, solution, lang, read=read) for one in some] for read in (True, False)]
+
+
+def _home(answer: Answer, made: Sequence[Sheet], solution: Solution) -> int:
+    """The last sheet with a figure to whose scale it was read."""
+    kind = _READ_FROM.get(answer.key.partition("_")[0])
+    scales = {(figure.view, figure.name): figure.scale.symbol for figure in solution.construction.figures}
+    for n in range(len(made) - 1, -1, -1):
+        for one in made[n].figures:
+            if one.view is kind or (answer.reading.scale and scales.get((one.view, one.name)) == answer.reading.scale):
+                return n
+    return len(made) - 1
