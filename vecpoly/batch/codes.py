@@ -1,17 +1,10 @@
-"""Codes that people read: no letter that looks like a digit, and no names in them."""
+"""Codes that people read, and no names in them."""
 
 from __future__ import annotations
 
-from hashlib import sha256
+from ..foundation.short import short
 
-LETTERS = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"  # Crockford's base 32: no I, L, O, U
 SCHEME = "VP1"
-
-
-def short(text: str, length: int) -> str:
-    """So many letters of the digest of a text."""
-    number = int.from_bytes(sha256(text.encode()).digest()[:16], "big")
-    return "".join(LETTERS[number >> 5 * i & 31] for i in range(length))
 
 
 def sheet_id(assignment: str, salt: str, number: str) -> str:

@@ -7,11 +7,11 @@ from typing import Any
 
 from ..drawing.sheets.space import FRAME, STRIP
 from ..drawing.sheets.titleblock import BAR_CELL
+from ..foundation.short import short
 from ..report.document import report_bytes
 from ..solution import Solution
 from ..typeset.box import MM
 from ..words import Lang
-from .codes import short
 from .register import Register, Sheet
 from .sheet.layout import Spot
 from .sheet.marks import TINY, code_squares, write

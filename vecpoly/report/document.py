@@ -30,6 +30,7 @@ from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.paging.tight import saved
 from .flow.table import DataTable
 from .flow.xml import to_flowables
+from .identity import identity
 from .lines import lines_table
 from .picture import diagram, picture
 from .plates.page import sheet_page
@@ -110,6 +111,7 @@ def report_bytes(
         subject=subject(solutions).of(lang),
         keywords=tuple(s.problem.id for s in solutions),
         lang=lang,
+        identity="" if stamp else identity([s.problem for s in solutions]),
     )
     return saved(story, meta) if stamp is None else ReportDoc(story, meta, stamp).made()[0]
 

@@ -17,3 +17,9 @@ class Metadata:
     keywords: tuple[str, ...] = ()
     creator: str = "vecpoly"
     lang: Lang = "zh"
+    identity: str = ""  # what every page carries at its foot; empty where the pages carry something of their own
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """The key words of the file, what its pages carry among them."""
+        return (*self.keywords, self.identity) if self.identity else self.keywords

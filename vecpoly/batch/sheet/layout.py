@@ -6,7 +6,7 @@ import json
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from ..codes import short
+from ...foundation.short import short
 
 WIDTH, HEIGHT = 210.0, 297.0
 TAG, EDGE, QUIET = 10.0, 9.0, 3.0  # side of a tag, its distance from the paper's edge, what stays white round it

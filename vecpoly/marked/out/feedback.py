@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ...batch.codes import SCHEME, short
+from ...batch.codes import SCHEME
 from ...batch.register import Part, Register, Sheet
 from ...batch.sheet.marks import TINY, write
 from ...board.hand import hand
@@ -17,6 +17,7 @@ from ...drawing.scene import Scene
 from ...errors import VecpolyError
 from ...foundation.data import data_dir
 from ...foundation.files import write_whole
+from ...foundation.short import short
 from ...grading.compare.outcome import Basis, Finding
 from ...grading.marking.marked import Marked
 from ...grading.rules import USUAL_RULES, Rules

@@ -22,6 +22,8 @@ _WIDEST = 160.0  # mm of a title
 class Cover(SheetPage):
     """A page without header or number: kind of report, title, subtitle, figure, fields with their values."""
 
+    numbered = False
+
     def __init__(
         self, kind: str, title: str, subtitle: str, fields: Sequence[tuple[str, str]], figure: Drawing | None
     ) -> None:

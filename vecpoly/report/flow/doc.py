@@ -16,19 +16,17 @@ from reportlab.platypus.frames import Frame
 from ...foundation.files import write_whole
 from ...tagging.canvas import TaggedCanvas
 from ...tagging.metadata import Metadata as Metadata
-from ...tagging.tree import FOOTER, HEADER, artifact, tree_of
+from ...tagging.tree import FOOTER, artifact, tree_of
 from ...typeset.box import MM
 from ...typeset.canvas import Ink, lost
 from ...typeset.fonts import Face, load
 from ...typeset.words import layout_words
 from .base import Block
 from .contents import page_form, tell_contents
+from .furniture import FOOT, MARGIN, SHEET_FOOT, SMALL, TOTAL, foot, head
 from .paging.floating import Floating, template_of
 from .style import BODY, GREY
 
-MARGIN = 20 * MM
-_SMALL = 8.5 / MM
-_TOTAL = "vecpoly-total"
 LEFTOVER = 0.45  # of a page of text: less is what was left over, and may be saved
 Stamp = Callable[[Any, bool], None]  # draws on the canvas of every page; whether that is a sheet
 
@@ -55,8 +53,8 @@ class _Canvas(TaggedCanvas):
             self._number(page_form(key), page)
         if self._doc.pageCounter > 1:
             ink = Ink(self)
-            self.beginForm(_TOTAL)
-            ink.box(layout_words(str(self.getPageNumber() - 1), _SMALL), 0.0, 0.0)
+            self.beginForm(TOTAL)
+            ink.box(layout_words(str(self.getPageNumber() - 1), SMALL), 0.0, 0.0)
             self.setFillColorRGB(*GREY)
             ink.flush()
             self.endForm()
@@ -79,11 +77,12 @@ class ReportDoc(Floating):
         self._entries, self._level = 0, -1
         self._pages, self._filled = 0, list[tuple[int, float]]()  # of each part: its pages, how full the last one is
         self._turned = False  # whether the story itself asks for the turn of this page
+        tell_contents(self.story)
         lang = "zh-CN" if metadata.lang == "zh" else "en-GB"
         super().__init__(
             "", pagesize=A4, leftMargin=MARGIN, rightMargin=MARGIN, topMargin=MARGIN, bottomMargin=MARGIN,
             title=metadata.title, author=metadata.author, subject=metadata.subject or metadata.title,
-            creator=metadata.creator, producer="vecpoly", keywords=list(metadata.keywords), lang=lang,
+            creator=metadata.creator, producer="vecpoly", keywords=list(metadata.words), lang=lang,
             invariant=1, pageCompression=1, displayDocTitle=True, pageTemplates=self._templates(),
         )  # fmt: skip
 
@@ -97,36 +96,23 @@ class ReportDoc(Floating):
             )
             for name, size in (("portrait", A4), ("landscape", landscape(A4)))
         ]
+        sheets.append(
+            PageTemplate("cover", [Frame(0, 0, *A4, **zero)], onPage=self._cover, onPageEnd=self._stamp_sheet)
+        )
         return [PageTemplate("text", [text], onPage=self._furniture, onPageEnd=self._stamp_text, pagesize=A4), *sheets]
 
     def _furniture(self, canvas: Any, _: Any) -> None:
         """Running header and footer."""
-        width, height = A4
-        canvas.saveState()
-        canvas.setFillColorRGB(*GREY)
-        ink, title = Ink(canvas), layout_words(self.metadata.title, _SMALL)
-        ink.box(title, width - MARGIN - title.width * MM, height - MARGIN + 4 * MM)
-        ink.rule(MARGIN, height - MARGIN + 2.4 * MM, width - 2 * MARGIN, 0.4)
-        with artifact(canvas, HEADER):
-            ink.flush()
-        canvas.restoreState()
-        self._number(canvas, width, 11 * MM)
+        head(canvas, self.metadata.title)
+        foot(canvas, FOOT, self.metadata.identity)
 
     def _foot(self, canvas: Any, _: Any) -> None:
-        """The page number under the frame of a sheet."""
-        self._number(canvas, canvas._pagesize[0], 4.5 * MM)
+        """What stands under the frame of a sheet."""
+        foot(canvas, SHEET_FOOT, self.metadata.identity)
 
-    def _number(self, canvas: Any, width: float, y: float) -> None:
-        """Page n / N in the middle of the foot."""
-        canvas.saveState()
-        canvas.setFillColorRGB(*GREY)
-        ink, number = Ink(canvas), layout_words(f"{canvas.getPageNumber()} / ", _SMALL)
-        ink.box(number, width / 2 - number.width * MM, y)
-        with artifact(canvas, FOOTER):
-            ink.flush()
-            canvas.translate(width / 2, y)
-            canvas.doForm(_TOTAL)
-        canvas.restoreState()
+    def _cover(self, canvas: Any, _: Any) -> None:
+        """A page without a number."""
+        foot(canvas, FOOT, self.metadata.identity, numbered=False)
 
     def _stamp_text(self, canvas: Any, _: Any) -> None:
         """Over all else of a page of text."""
@@ -206,7 +192,6 @@ class ReportDoc(Floating):
 
     def _set(self, story: list[Any]) -> None:
         self._entries, self._level, self._pages, self._filled = 0, -1, 0, []
-        tell_contents(self.story)
         self._firstPageTemplateIndex = _first(self.story)
         self._doSave = 0
         self.build(self.float(story), filename=BytesIO(), canvasmaker=_Canvas)
@@ -232,7 +217,7 @@ def _expanded(story: Sequence[Any]) -> list[Any]:
 
 def _first(story: Sequence[Any]) -> int:
     """The template of the first page: text, or that of the sheet that stands there."""
-    return ("text", "portrait", "landscape").index(template_of(next(iter(story), None)))
+    return ("text", "portrait", "landscape", "cover").index(template_of(next(iter(story), None)))
 
 
 def _turn(out: list[Any], template: str) -> None:

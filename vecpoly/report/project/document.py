@@ -19,6 +19,7 @@ from ..flow.doc import Metadata
 from ..flow.listing import Listing
 from ..flow.paging.tight import saved
 from ..flow.xml import to_flowables
+from ..identity import told
 from ..templates import filled
 from . import device, forces, linkage, motion, summary, task
 from .binder import Binder, binder, pages
@@ -43,7 +44,13 @@ def project_bytes(
     context = _context(project, lang, fields or {}, objects)
     document = filled(f"project.{lang}.xml.j2", folders, context)
     solutions = [position.solution for part in project.parts for position in _solved(part)]
-    meta = Metadata(title=project.title.of(lang), subject=KIND.of(lang), keywords=(project.id,), lang=lang)
+    meta = Metadata(
+        title=project.title.of(lang),
+        subject=KIND.of(lang),
+        keywords=(project.id,),
+        lang=lang,
+        identity=told([project.id], [project.text]),
+    )
     return saved([*alarms(solutions, lang), *to_flowables(document, objects.named, lang)], meta)
 
 

@@ -11,7 +11,7 @@ from ...typeset.box import MM
 from ...words import Lang
 from ..flow.base import Block
 from ..flow.blocks import Heading
-from ..flow.doc import MARGIN
+from ..flow.furniture import MARGIN
 from ..flow.style import Colour
 
 SQUARE = 5.0 * MM

@@ -84,4 +84,6 @@ def template_of(item: Any) -> str:
     """The page on which something of the story stands."""
     if not isinstance(item, SheetPage) or item.behind:
         return "text"
+    if not item.numbered:
+        return "cover"
     return "landscape" if item.wide else "portrait"
