@@ -10,7 +10,9 @@ from ..drawing.style import Dash, Hue
 from ..words import Lang, Words
 from . import style
 from .over import drive_label
+from .peaks import label_peaks
 from .plot import Plot
+from .record import MM
 
 
 def given_values(
@@ -26,9 +28,12 @@ def given_values(
     width: float = style.WIDTH,
     panel: float = style.PANEL,
 ) -> Plot:
-    """One line over the drive's angle in degrees. label: symbol and unit. marks: dots. level: a dashed line across."""
+    """One line over the drive's angle in degrees. label: symbol and unit. marks: dots. level: a dashed line across.
+
+    The greatest and the least of the marks are told in numbers.
+    """
     x, y = np.asarray(degrees, np.float64), np.asarray(values, np.float64)
-    margin = 0.08 * (float(np.ptp(y)) or 1.0)
+    margin = (0.15 if marks else 0.08) * (float(np.ptp(y)) or 1.0)
     limit = (float(y.min()) - margin, float(y.max()) + margin)
     figure = style.sheet(width, panel)
     left = style.gutter(style.axes(style.sheet(width, panel), 20.0, 20.0, 50.0, panel - 25.0), limit) + 1.0
@@ -39,8 +44,13 @@ def given_values(
     style.degrees_ticks(at, 0.0, float(np.degrees(cycle.period)))
     if level is not None:
         style.line(at, at.get_xlim(), [level] * 2, style.Pen(Dash.DASHED, Hue.GREY, 0.3))
+    lines = [x + 1j * y]
+    if limit[0] < 0 < limit[1]:
+        at.axhline(0.0, color=Hue.GREY.value, linewidth=style.thickness() * MM, zorder=1)
     style.line(at, x, y, style.PENS[0])
     style.dots(at, [spot for spot, _ in marks], [value for _, value in marks], style.PENS[0].hue)
+    lines += [np.array([complex(spot, level) for spot in at.get_xlim()])] if level is not None else []
+    label_peaks(at, lines, [marks], [style.PENS[0].hue], cycle.drive)
     style.text(at, 1.0, foot + room + 2.2, style.axis_label(*label))
     middle = left + (width - left - style.RIGHT) / 2
     style.text(at, middle, foot - style.FOOT + 2.0, drive_label(cycle.drive, lang), ha="center")

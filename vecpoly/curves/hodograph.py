@@ -19,8 +19,12 @@ from .plot import Plot
 from .record import MM
 
 
-def hodograph(cycle: Cycle, key: str, lang: Lang = "zh", *, width: float = 90.0, height: float = 90.0) -> Plot:
+def hodograph(
+    cycle: Cycle, key: str, lang: Lang = "zh", *, width: float = 90.0, height: float = 90.0, ink: Hue | None = None
+) -> Plot:
     """The end of the vector v_E or a_E, laid off from the pole p, over the cycle; dots every 30° of the drive.
+
+    ink: of the vector, where it has one wherever it appears; else that of its kind.
 
     Raises NotAskedError for a quantity that is no vector, UnknownNameError.
     """
@@ -42,11 +46,16 @@ def hodograph(cycle: Cycle, key: str, lang: Lang = "zh", *, width: float = 90.0,
     figure, at = plane(low, high, width, height, (labels[0], labels[1]))
     for draw in (at.axhline, at.axvline):
         draw(0.0, color=Hue.GREY.value, linewidth=style.thickness() * MM, zorder=1)
-    hue = View.VELOCITY.ink if key[0] == "v" else View.ACCELERATION.ink if key[0] == "a" else View.FORCE.ink
+    hue = ink or _kind(key)
     style.line(at, values.real, values.imag, style.Pen(Dash.FULL, hue, 0.5))
     mark_stations(cycle, at, _placer(at, values), key, info.factor, hue)
     style.dots(at, [0.0], [0.0], Hue.BLACK, 1.4, hollow=True)
     return Plot(figure, Words(f"${info.symbol}$ 的矢端曲线", f"Hodograph of ${info.symbol}$"), lang)
+
+
+def _kind(key: str) -> Hue:
+    """The ink of velocities, of accelerations, of forces."""
+    return View.VELOCITY.ink if key[0] == "v" else View.ACCELERATION.ink if key[0] == "a" else View.FORCE.ink
 
 
 def _placer(at: Any, values: NDArray[np.complex128]) -> Placer:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,11 +14,16 @@ from ..errors import NotAskedError
 from ..typeset import layout_words
 from ..words import Lang, Words
 from . import style
+from .called import title_of
+from .peaks import label_peaks
 from .plot import Plot
 from .record import MM
 from .turning import turning
 
 LEAST_GAMMA = 40.0  # degrees: the usual bound of transmission angles
+_BARE, _TOLD = 0.06, 0.15  # of the range: white above and below curves, where their peaks are told in numbers
+_NONE: Mapping[str, Hue] = {}
+Pens = tuple[style.Pen, ...]
 _SAMPLE, _AFTER, _GAP, _LINE = 8.5, 1.2, 3.5, 5.0  # of the legend, mm
 
 
@@ -28,16 +35,20 @@ def curves(
     width: float = style.WIDTH,
     panel: float = style.PANEL,
     marks: bool = True,
+    inks: Mapping[str, Hue] = _NONE,
 ) -> Plot:
     """The columns over the drive's position; each unit has a panel of its own.
 
     A vector is drawn by its magnitude. width, panel: mm. marks: dots at each curve's turning points far from its
-    middle. Raises UnknownNameError, and NotAskedError for nothing to draw or more than six curves in one panel.
+    middle, the greatest and the least told in numbers. inks: of vectors that have one wherever they appear, by key;
+    curves of one ink differ by their dashes. Raises UnknownNameError, and NotAskedError for nothing to draw or more
+    than six curves in one panel.
     """
     groups = _grouped(cycle, keys)
+    pens = {group[0].shown_unit: pens_of(group, inks) for group in groups}
     height = panel * len(groups)
     figure = style.sheet(width, height)
-    limits = [_limits(cycle, group) for group in groups]
+    limits = [_limits(cycle, group, _TOLD if marks else _BARE) for group in groups]
     probe = style.axes(style.sheet(width, height), 20.0, 20.0, 50.0, panel - 25.0)
     left = max(style.gutter(probe, limit) for limit in limits) + 1.0
     labels = [style.axis_label(_common(group), group[0].shown_unit) for group in groups]
@@ -49,15 +60,21 @@ def curves(
     for i, (group, limit, label) in enumerate(zip(groups, limits, labels, strict=True)):
         foot = height - panel * (i + 1) + style.FOOT
         at = style.axes(figure, left, foot, width - left - style.RIGHT, room)
-        _panel(cycle, at, group, limit, marks)
+        _panel(cycle, at, group, limit, marks, pens[group[0].shown_unit])
         top = foot + room + 2.2
         style.text(at, 1.0, top + (0.0 if beside else _LINE), label)
         drive = cycle.drive
         style.text(
             at, left + (width - left - style.RIGHT) / 2, foot - style.FOOT + 2.0, drive_label(drive, lang), ha="center"
         )
-        _legend(at, width - style.RIGHT, top, group)
-    return Plot(figure, _title(cycle, groups), lang)
+        _legend(at, width - style.RIGHT, top, group, pens[group[0].shown_unit])
+    return Plot(figure, title_of(cycle.drive, groups), lang)
+
+
+def pens_of(group: list[Column], inks: Mapping[str, Hue]) -> Pens:
+    """A pen for each curve: the dashes by their order, the ink of a vector where it has one."""
+    found = zip(group, style.PENS, strict=False)
+    return tuple(replace(pen, hue=inks.get(column.key.partition(".")[0], pen.hue)) for column, pen in found)
 
 
 def drive_label(drive: Column, lang: Lang) -> str:
@@ -94,7 +111,7 @@ def _values(cycle: Cycle, column: Column) -> Any:
     return np.minimum(values, 180.0 - values) if column.key.startswith("gamma_") else values  # the acute angle counts
 
 
-def _limits(cycle: Cycle, group: list[Column]) -> tuple[float, float]:
+def _limits(cycle: Cycle, group: list[Column], share: float) -> tuple[float, float]:
     values = np.concatenate([_values(cycle, column) for column in group])
     values = values[np.isfinite(values)]
     if not values.size:
@@ -105,7 +122,7 @@ def _limits(cycle: Cycle, group: list[Column]) -> tuple[float, float]:
         low, high = ((0.0 if 0 < low < 0.6 * high else low), (0.0 if 0.6 * low < high < 0 else high))
     elif group[0].key.startswith("gamma_"):
         low, high = min(low, LEAST_GAMMA), high
-    margin = 0.06 * (high - low) or 0.1 * abs(high) or 1.0
+    margin = share * (high - low) or 0.1 * abs(high) or 1.0
     flat = low == high
     return low - (margin if low or flat else 0.0), high + (margin if high or flat else 0.0)
 
@@ -117,7 +134,7 @@ def _clipped(values: Any) -> tuple[float, float]:
     return (p - (q - p), q + (q - p)) if high - low > 20 * (q - p) > 0 else (low, high)
 
 
-def _panel(cycle: Cycle, at: Any, group: list[Column], limit: tuple[float, float], marks: bool) -> None:
+def _panel(cycle: Cycle, at: Any, group: list[Column], limit: tuple[float, float], marks: bool, pens: Pens) -> None:
     drive = cycle.drive
     phi = drive.factor * cycle.phi
     at.set_xlim(phi[0], phi[-1])
@@ -126,7 +143,9 @@ def _panel(cycle: Cycle, at: Any, group: list[Column], limit: tuple[float, float
         style.degrees_ticks(at, phi[0], phi[-1])
     if limit[0] < 0 < limit[1]:
         at.axhline(0.0, color=Hue.GREY.value, linewidth=style.thickness() * MM, zorder=1)
-    for column, pen in zip(group, style.PENS, strict=False):
+    peaks, lines = [], []
+    for column, pen in zip(group, pens, strict=True):
+        lines.append(phi + 1j * _values(cycle, column))
         style.line(at, phi, _values(cycle, column), pen, column.key)
         spots = (
             turning(phi, _values(cycle, column), cycle.whole and drive.unit == "rad" and not column.turns)
@@ -137,8 +156,11 @@ def _panel(cycle: Cycle, at: Any, group: list[Column], limit: tuple[float, float
             spots = [min(spots, key=lambda spot: spot[1])] if spots else []
         spots = [spot for spot in spots if limit[0] <= spot[1] <= limit[1]]
         style.dots(at, [x for x, _ in spots], [y for _, y in spots], pen.hue)
+        peaks.append(spots)
     if all(column.key.startswith("gamma_") for column in group) and limit[0] < LEAST_GAMMA < limit[1]:
         style.line(at, [phi[0], phi[-1]], [LEAST_GAMMA] * 2, style.Pen(Dash.DASHED, Hue.GREY, THIN))
+        lines.append(np.array([complex(x, LEAST_GAMMA) for x in (phi[0], phi[-1])]))
+    label_peaks(at, lines, peaks, [pen.hue for pen in pens], drive)
 
 
 def _common(group: list[Column]) -> str:
@@ -155,10 +177,10 @@ def _legend_width(group: list[Column]) -> float:
     return sum(widths) + len(group) * (_SAMPLE + _AFTER) + (len(group) - 1) * _GAP if len(group) > 1 else 0.0
 
 
-def _legend(at: Any, right: float, top: float, group: list[Column]) -> None:
+def _legend(at: Any, right: float, top: float, group: list[Column], pens: Pens) -> None:
     """Samples of the pens with their symbols, in one row that ends at the right edge of the axes."""
     x = right - _legend_width(group)
-    for column, pen in zip(group if len(group) > 1 else (), style.PENS, strict=False):
+    for column, pen in zip(group, pens, strict=True) if len(group) > 1 else ():
         (drawn,) = at.plot(
             [x, x + _SAMPLE],
             [top + 1.1] * 2,
@@ -173,9 +195,3 @@ def _legend(at: Any, right: float, top: float, group: list[Column]) -> None:
             drawn.set_linestyle((0, tuple(part / pen.width for part in pen.dash.pattern)))
         style.text(at, x + _SAMPLE + _AFTER, top, f"${column.symbol}$")
         x += _SAMPLE + _AFTER + layout_words(f"${column.symbol}$", style.LABEL).width + _GAP
-
-
-def _title(cycle: Cycle, groups: list[list[Column]]) -> Words:
-    symbols = "、".join(f"${column.symbol}$" for group in groups for column in group)
-    drive = f"${cycle.drive.symbol}$"
-    return Words(f"{symbols} 随 {drive} 的变化曲线", f"{symbols.replace('、', ', ')} over {drive}")

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from math import inf
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..drawing.style import Hue
 from ..typeset import layout_words
 from . import style
 
 Points = NDArray[np.complex128]
 WAYS = np.exp(2j * np.pi * np.arange(16) / 16)
+_OWN = 1.3  # mm about a point of a curve: there runs the curve itself
 NEAR = (1.5, 2.4, 3.6, 5.0)  # mm from the point to the text
 
 
@@ -34,8 +37,13 @@ class Placer:
         """Round marks that no text may cover (mm)."""
         self.boxes += [(z - complex(radius, radius), z + complex(radius, radius)) for z in self.mm(places)]
 
-    def put(self, place: complex, words: str, outward: complex, size: float) -> None:
-        """The text beside the place; of equally free spots that nearest to the outward direction."""
+    def put(
+        self, place: complex, words: str, outward: complex, size: float, *, most: float = inf, hue: Hue = Hue.BLACK
+    ) -> None:
+        """The text beside the place; of equally free spots that nearest to the outward direction.
+
+        most: what it may cover; where it would cover more, it is left out.
+        """
         box = layout_words(words, size)
         half = complex(box.width / 2, (box.ascent + box.descent) / 2)
         here = complex(self.mm(np.array([place]))[0])
@@ -45,9 +53,20 @@ class Placer:
             for way in WAYS
         ]
         outward = outward / abs(outward) if abs(outward) else 1.0
-        spot = min(spots, key=lambda s: self._cost(s[0], half) + 0.4 * s[2] - 0.5 * (np.conj(outward) * s[1]).real)[0]
+        own = most < inf  # a text that may be left out never stands beyond another curve
+        costs = [self._cost(s[0], half) + (own and self._crossed(here, s[1], s[2])) for s in spots]
+        wishes = [0.4 * s[2] - 0.5 * (np.conj(outward) * s[1]).real for s in spots]
+        best = min(range(len(spots)), key=lambda i: costs[i] + wishes[i])
+        if costs[best] > most:
+            return
+        spot = spots[best][0]
         self.boxes.append((spot - half, spot + half))
-        style.text(self.at, spot.real - half.real, spot.imag - half.imag + box.descent, words, size=size)
+        style.text(self.at, spot.real - half.real, spot.imag - half.imag + box.descent, words, size=size, hue=hue)
+
+    def _crossed(self, here: complex, way: complex, gap: float) -> float:
+        """What stands between a point and a text so far from it."""
+        between = here + way * np.arange(_OWN, gap, 0.4)
+        return 20.0 * any(bool((np.abs(self.taken - z) < 0.4).any()) for z in between)
 
     def _cost(self, spot: complex, half: complex) -> float:
         grown = half + complex(0.5, 0.5)

@@ -106,10 +106,11 @@ def text(
     va: str = "baseline",
     size: float = LABEL,
     data: bool = False,
+    hue: Hue = Hue.BLACK,
 ) -> None:
     """Lettering at a place in mm of the figure, or of the axes' data."""
     where = {"transform": at.transData} if data else {"transform": None}
-    at.text(x, y, words, ha=ha, va=va, fontsize=size * MM, parse_math=False, clip_on=False, **where)
+    at.text(x, y, words, ha=ha, va=va, fontsize=size * MM, parse_math=False, clip_on=False, color=hue.value, **where)
 
 
 def axis_label(symbol: str, unit: str) -> str:

@@ -193,7 +193,7 @@ _WORDS = {
     Kind.A: Words("加速度", "acceleration"),
     Kind.AN: Words("法向加速度", "normal acceleration"),
     Kind.AT: Words("切向加速度", "tangential acceleration"),
-    Kind.AK: Words("科氏加速度", "Coriolis acceleration"),
+    Kind.AK: Words("哥氏加速度", "Coriolis acceleration"),
     Kind.AR: Words("相对加速度", "relative acceleration"),
     Kind.OMEGA: Words("角速度", "angular velocity"),
     Kind.ALPHA: Words("角加速度", "angular acceleration"),

@@ -74,8 +74,9 @@ def trimmed(
     align: str,
     lang: Lang = "zh",
     inks: Sequence[Rgb | None] = (),
+    inked: int = 0,
 ) -> DataTable:
-    """The table without columns in which nothing stands."""
+    """The table without columns in which nothing stands; inks: of what stands in the column `inked`."""
     kept = [i for i in range(len(header)) if not rows or any(row[i] not in (_NONE, "") for row in rows)]
     return DataTable(
         [header[i] for i in kept],
@@ -84,6 +85,7 @@ def trimmed(
         "".join(align[i] for i in kept),
         lang=lang,
         inks=inks,
+        inked=kept.index(inked) if inked in kept else 0,
     )
 
 

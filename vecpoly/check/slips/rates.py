@@ -128,7 +128,7 @@ class Loops:
         blank = [np.zeros(len(self.inverse), np.complex128) for _ in self.rows]
         for times, zh, en in ((1, "漏掉", "left out"), (2, "反向", "with the wrong sense")):
             words = Words(
-                f"构件 {r.b} 对构件 {r.a} 的科氏加速度{zh}",
+                f"构件 {r.b} 对构件 {r.a} 的哥氏加速度{zh}",
                 f"the Coriolis acceleration of link {r.b} on link {r.a} {en}",
             )
             yield words, self.motion((*blank[:i], term if times == 1 else term + term, *blank[i + 1 :]))

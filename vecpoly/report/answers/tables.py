@@ -7,6 +7,7 @@ from math import degrees, isfinite
 
 from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution
+from ...typeset.box import Rgb
 from ...words import Lang, Words
 from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
@@ -25,7 +26,7 @@ _HEADS = (
     Words("偏差 /%", "Deviation /%"),
     Words("预期误差", "Expected error"),
 )
-_VALUE, _WITH_UNIT, _ALIGN = 4, (4, 6, 8), "lcdcdcddd"
+_VALUE, _WITH_UNIT, _ALIGN = 4, (4, 6, 8), "lcdcddddd"
 _COMPUTED = Words("计算值", "Computed")
 _PLACES = (
     Words("点", "Point"),
@@ -57,14 +58,17 @@ def readings_at(
     """The same at several positions, each told in the first column; without the expected errors."""
     values: list[tuple[str, ...]] = []
     places: list[tuple[str, ...]] = []
+    inks: tuple[list[Rgb | None], list[Rgb | None]] = ([], [])
     for where, solution, answers in positions:
         spots, others = _sorted(answers)
         values += _at(where, [_row(one, solution.problem, lang, _unit(one)) for one in others])
         places += _at(where, [_place_row(one) for one in spots])
-    tables = ((values, _HEADS, _ALIGN), (places, _PLACES, _ALIGN_PLACES))
+        for told, of_one in zip(inks, (others, spots), strict=True):
+            told += inks_of(solution, (one.key for one in of_one))
+    tables = ((values, _HEADS, _ALIGN, inks[0]), (places, _PLACES, _ALIGN_PLACES, inks[1]))
     return tuple(
-        trimmed([drive, *(head.of(lang) for head in heads[:-1])], rows, (), f"l{align[:-1]}", lang)
-        for rows, heads, align in tables
+        trimmed([drive, *(head.of(lang) for head in heads[:-1])], rows, (), f"l{align[:-1]}", lang, hues, 1)
+        for rows, heads, align, hues in tables
         if rows
     )
 

@@ -21,6 +21,7 @@ from .modelling import formulas as modelling
 from .numbering import Press, drawn
 from .results import chapter as results
 from .results import drawings
+from .spoken_symbols import words_in
 from .structure import chapter as structure
 from .symbols import symbols
 
@@ -55,7 +56,7 @@ def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     a closed form."""
     subject, stations, running = _studied(_Same(solution))
     press = Press(lang, objects)
-    return {
+    told = {
         "id": subject.problem.id,
         "assumed": statement.assumed(subject).of(lang),
         "title": subject.problem.title.of(lang),
@@ -64,7 +65,6 @@ def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "hand": solution.construction.hand,
         "repeats": REPEATS,
         "drive": subject.where(subject.mech.drive.position).split(" = ")[0],
-        "symbols": symbols(subject, press),
         "task": statement.task(subject, press),
         "structure": structure.chapter(subject, press),
         "axes": axes.chapter(subject, press),
@@ -79,6 +79,8 @@ def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "machine": machine.chapters(subject, press, running),
         "appendix": appendix.chapter(subject, press),
     }
+    words = words_in([told, *objects.named.values()])
+    return told | {"symbols": symbols(subject, press, words)}
 
 
 def cover(solution: Solution, lang: Lang, objects: Objects) -> str:

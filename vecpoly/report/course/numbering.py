@@ -9,7 +9,7 @@ from ...drawing.backends.pdf import draw_pdf
 from ...drawing.scene import Item, Scene, TextBox
 from ...tagging.speech import words_said
 from ...typeset import layout_words
-from ...typeset.box import MM
+from ...typeset.box import MM, Rgb
 from ...words import Lang, Words
 from ..content import Objects
 from ..flow.blocks import Drawing
@@ -58,18 +58,21 @@ class Press:
         return _FIGURE + number
 
     def table(
-        self, title: Words, header: Sequence[str], rows: Sequence[tuple[str, ...]], align: str, *, style: Style = CELL
-    ) -> str:
+        self, title: Words, header: Sequence[str], rows: Sequence[tuple[str, ...]], align: str, *, style: Style = CELL,
+        inks: Sequence[Rgb | None] = (), inked: int = 0,
+    ) -> str:  # fmt: skip
         """A numbered table; its name for the template."""
         caption = self._caption(_TABLE, "table", title)
-        made = DataTable(header, rows, None, align, lang=self.lang, caption=caption, style=style)
+        made = DataTable(
+            header, rows, None, align, lang=self.lang, caption=caption, style=style, inks=inks, inked=inked
+        )
         return self.objects.add("tab", made)
 
     def tabled(self, title: Words, made: Sequence[DataTable], style: Style = CELL) -> list[str]:
         """The same of tables that are made already, if any; where there are two, the second is one of places."""
         titles = (title, title + Words("：点的位置", ": places of points"))[: len(made)]
         return [
-            self.table(one, each.header, each.rows, each.align, style=style)
+            self.table(one, each.header, each.rows, each.align, style=style, inks=each.inks, inked=each.inked)
             for one, each in zip(titles, made, strict=True)
         ]
 

@@ -11,19 +11,20 @@ from ...mechanism.asked.forces import load_symbol
 from ...words import Words
 from ..flow.table import DataTable
 from .numbering import TINY, Press
+from .spoken_symbols import COUNTED, used
 
 _HEADER = {"zh": ["符号", "含义", "单位"], "en": ["Symbol", "Meaning", "Unit"]}
 Row = tuple[str, Words, str]
 
 
-def symbols(study: Study, press: Press) -> str:
-    """A table without number, two symbols to a line."""
-    told = [
+def symbols(study: Study, press: Press, told: str = "") -> str:
+    """A table without number, two symbols to a line; told: the words of the report, whose symbols it lists too."""
+    rows_told = [
         (symbol.replace("、", "、" if press.lang == "zh" else ", "), words.of(press.lang), unit)
-        for symbol, words, unit in (*_model(study), *_forces(study), *_drawn(study))
+        for symbol, words, unit in (*COUNTED, *_model(study), *_forces(study), *_drawn(study), *used(told))
     ]
-    half = (len(told) + 1) // 2
-    rows = [(*one, *two) for one, two in zip(told[:half], [*told[half:], ("", "", "")][:half], strict=True)]
+    half = (len(rows_told) + 1) // 2
+    rows = [(*one, *two) for one, two in zip(rows_told[:half], [*rows_told[half:], ("", "", "")][:half], strict=True)]
     caption = Words("主要符号", "Symbols").of(press.lang)
     return press.objects.add(
         "tab", DataTable(_HEADER[press.lang] * 2, rows, None, "llc" * 2, lang=press.lang, caption=caption, style=TINY)
@@ -150,7 +151,7 @@ def _drawn(study: Study) -> Iterator[Row]:
     yield from ((*view.letters, "mm") for view in drawn if view.letters is not None)
     if View.ACCELERATION in drawn:
         yield (
-            "$a^n$、$a^t$、$a^k$",
-            Words("法向、切向、哥氏加速度", "normal, tangential, Coriolis acceleration"),
+            "$a^n$、$a^t$、$a^k$、$a^r$",
+            Words("法向、切向、哥氏、相对加速度", "normal, tangential, Coriolis, relative acceleration"),
             "m/s²",
         )

@@ -25,6 +25,7 @@ from .base import Block
 from .contents import page_form, tell_contents
 from .furniture import FOOT, MARGIN, SHEET_FOOT, SMALL, TOTAL, foot, head
 from .paging.floating import Floating, template_of
+from .paging.together import HeldTogether, led
 from .style import BODY, GREY
 
 LEFTOVER = 0.45  # of a page of text: less is what was left over, and may be saved
@@ -73,7 +74,7 @@ class ReportDoc(Floating):
     """A report built from flowables; `write` makes the file in one move, or not at all."""
 
     def __init__(self, story: Sequence[Any], metadata: Metadata, stamp: Stamp | None = None) -> None:
-        self.story, self.metadata, self._stamp = list(story), metadata, stamp
+        self.story, self.metadata, self._stamp = led(story), metadata, stamp
         self._entries, self._level = 0, -1
         self._pages, self._filled = 0, list[tuple[int, float]]()  # of each part: its pages, how full the last one is
         self._turned = False  # whether the story itself asks for the turn of this page
@@ -83,7 +84,8 @@ class ReportDoc(Floating):
             "", pagesize=A4, leftMargin=MARGIN, rightMargin=MARGIN, topMargin=MARGIN, bottomMargin=MARGIN,
             title=metadata.title, author=metadata.author, subject=metadata.subject or metadata.title,
             creator=metadata.creator, producer="vecpoly", keywords=list(metadata.words), lang=lang,
-            invariant=1, pageCompression=1, displayDocTitle=True, pageTemplates=self._templates(),
+            invariant=1, pageCompression=1, keepTogetherClass=HeldTogether,
+            displayDocTitle=True, pageTemplates=self._templates(),
         )  # fmt: skip
 
     def _templates(self) -> list[PageTemplate]:

@@ -23,6 +23,8 @@ class Para(Block):
 
     pieces = True
 
+    leads = False  # to what follows, from which it is not parted
+
     def __init__(self, text: str, style: Style | None = None, lang: Lang = "zh", label: str = "") -> None:
         self.style = style or body(lang)
         super().__init__(self.style.before, self.style.after)

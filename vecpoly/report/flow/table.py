@@ -48,7 +48,7 @@ class _Set:
 
 class DataTable(Block):
     """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r, d each; inks: of what
-    stands in the first column of the rows.
+    stands in one column of the rows, the first unless `inked` says another.
 
     d: numbers under each other by their decimal points, the column in the middle; what is no number is centred.
     """
@@ -67,12 +67,13 @@ class DataTable(Block):
         caption: str = "",
         style: Style = CELL,
         inks: Sequence[Rgb | None] = (),
+        inked: int = 0,
     ) -> None:
         super().__init__(6.0, 8.0)
         self.goal = goal_of(caption)
         self.header, self.rows = tuple(header), tuple(tuple(row) for row in rows)
         self.lang, self.caption, self.style = lang, caption, style
-        self.inks = tuple(inks) or (None,) * len(self.rows)
+        self.inked, self.inks = inked, tuple(inks) or (None,) * len(self.rows)
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
         self.align = (align + "c" * len(self.header))[: len(self.header)]
@@ -102,7 +103,8 @@ class DataTable(Block):
         header = [cells(text, em, chinese, True) for text in self.header]
         rows = [[cells(text, em, chinese, False) for text in row] for row in self.rows]
         for row, rgb in zip(rows, self.inks, strict=True):
-            row[0] = row[0] if rgb is None else [replace(cell, box=inked(cell.box, rgb)) for cell in row[0]]
+            if rgb is not None:
+                row[self.inked] = [replace(cell, box=inked(cell.box, rgb)) for cell in row[self.inked]]
         points = tuple(self._aligned(i) for i in range(len(self.header)))
         widths = self._columns(width / MM, (header, *rows), points)
         head, body = self._lines(header, widths), tuple(self._lines(row, widths) for row in rows)
@@ -162,8 +164,10 @@ class DataTable(Block):
     def _part(self, start: int, end: int, widths: Sequence[float]) -> DataTable:
         caption = self.caption if start == 0 else ""
         rows, inks = self.rows[start:end], self.inks[start:end]
-        lang, style = self.lang, self.style
-        part = DataTable(self.header, rows, widths, self.align, lang=lang, caption=caption, style=style, inks=inks)
+        part = DataTable(
+            self.header, rows, widths, self.align,
+            lang=self.lang, caption=caption, style=self.style, inks=inks, inked=self.inked,
+        )  # fmt: skip
         part.tag, part._continued, part._vertical = self.tag, self._continued or start > 0, self._vertical
         return part
 

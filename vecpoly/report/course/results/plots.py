@@ -8,7 +8,9 @@ from collections.abc import Sequence
 from numpy.typing import ArrayLike
 
 from ....cycle import Cycle
+from ....drawing.hues import ink_of
 from ....drawing.scene import Scene
+from ....figures.hue import Hue
 from ....findings.study.study import Study
 from ....words import Lang, Words
 
@@ -18,12 +20,26 @@ _FLAT, _LOW = 80.0, 57.0  # mm, height of a plane; of a long report
 Plotted = tuple[Scene, Words]
 
 
+def inks(study: Study, keys: Sequence[str]) -> dict[str, Hue]:
+    """The ink of each of these vectors that is drawn in one."""
+    bases = dict.fromkeys(key.partition(".")[0] for key in keys)
+    found = {base: ink_of(base, study.solution.construction.tones) for base in bases}
+    return {base: hue for base, hue in found.items() if hue != Hue.BLACK}
+
+
 def curve(study: Study, lang: str, keys: Sequence[str], turn: Cycle | None = None) -> Plotted:
     """These columns in one pair of axes (one for each unit). turn: another cycle than the study's own."""
     from ....curves import curves
 
     width, panel = _NARROW if study.dense else _WIDE
-    plot = curves(turn or study.turn, tuple(keys), "en" if lang == "en" else "zh", width=width, panel=panel)
+    plot = curves(
+        turn or study.turn,
+        tuple(keys),
+        "en" if lang == "en" else "zh",
+        width=width,
+        panel=panel,
+        inks=inks(study, keys),
+    )
     return plot.scene, plot.title
 
 
@@ -74,6 +90,11 @@ def swept(study: Study, lang: str, key: str, turn: Cycle | None = None) -> Plott
     from ....curves import hodograph
 
     plot = hodograph(
-        turn or study.turn, key, "en" if lang == "en" else "zh", width=_NARROW[0], height=_LOW if study.dense else _FLAT
+        turn or study.turn,
+        key,
+        "en" if lang == "en" else "zh",
+        width=_NARROW[0],
+        height=_LOW if study.dense else _FLAT,
+        ink=inks(study, [key]).get(key),
     )
     return plot.scene, plot.title

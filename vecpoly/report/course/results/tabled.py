@@ -16,7 +16,7 @@ from ..numbering import SMALL, TINY, Press
 
 _HALVED, _LONG = 6, 20  # a table of few columns and many rows is told in two halves beside each other
 _MOST = 6  # decimals
-_SPARED = 2  # of five significant digits, in the smaller columns of a quantity
+_SPARED = 1  # of four significant digits, in the smaller columns of a quantity
 COLUMNS, TIGHT = 9, 12  # beside the input link's position, in small and in tiny type
 
 
@@ -60,12 +60,12 @@ def _formats(columns: Sequence[Column], values: Any) -> list[int]:
 
 
 def _decimals(values: Any) -> int | None:
-    """As many decimals as give the largest number five significant digits; None where all are whole numbers."""
+    """As many decimals as give the largest number four significant digits; None where all are whole numbers."""
     known = np.abs(values[np.isfinite(values)])
     top = float(known.max()) if known.size else 0.0
     if not top or np.allclose(known, np.round(known), atol=1e-9):
         return None
-    return int(max(0, 4 - floor(log10(top))))
+    return int(max(0, 3 - floor(log10(top))))
 
 
 def decimal(value: float, places: int) -> str:

@@ -1,0 +1,62 @@
+"""The greatest and the least value of a curve, beside their dots with the place where they occur: 44.2 (219.4°)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from math import floor, log10
+from typing import Any
+
+import numpy as np
+
+from ..cycle import Column
+from ..drawing.style import Hue
+from . import style
+from .place import Placer, Points
+
+Spot = tuple[float, float]
+SIZE = 2.7  # em of the lettering, mm
+_DIGITS = 3
+_COVERED = 6.0  # what stands under a text: with more than that it is left out
+
+
+def label_peaks(
+    at: Any, lines: Iterable[Points], spots: Iterable[Sequence[Spot]], hues: Iterable[Hue], drive: Column
+) -> None:
+    """Beside the highest and the lowest spot of each curve its value and place, where that covers nothing.
+
+    lines: all curves, in shown units; spots: the turning points of each; hues: the ink of each.
+    """
+    (low, high), ends = at.get_ylim(), at.get_xlim()
+    placer = Placer(at, [*lines, np.array([complex(x, 0.0) for x in ends])] if low < 0 < high else [*lines])
+    every = [extremes(of_one) for of_one in spots]
+    marked = [complex(*spot) for of_one in every for spot, _ in of_one]
+    if marked:
+        placer.keep_clear(np.array(marked), 0.7)
+    for of_one, hue in zip(every, hues, strict=True):
+        for spot, up in of_one:
+            placer.put(complex(*spot), told(spot, drive), 1j * up, SIZE, most=_COVERED, hue=hue)
+
+
+def extremes(spots: Sequence[Spot]) -> list[tuple[Spot, int]]:
+    """The highest and the lowest of the spots, with 1 and −1; of two equally high ones the first."""
+    if not spots:
+        return []
+    high, low = max(spots, key=lambda spot: spot[1]), min(spots, key=lambda spot: spot[1])
+    if high == low:
+        return [(high, 1)]
+    return [(high, 1), (low, -1)]
+
+
+def told(spot: Spot, drive: Column) -> str:
+    """The value to three figures, and the drive's place to 0.1° or 0.1 mm."""
+    place, value = spot
+    unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
+    return f"{figures(value)} ({style.number(round(place, 1))}{unit})"
+
+
+def figures(value: float) -> str:
+    """A number to three figures, whole numbers as they are."""
+    if not value:
+        return "0"
+    places = _DIGITS - 1 - floor(log10(abs(value)))
+    return f"{round(value, places):.{max(0, places)}f}".replace("-", "−")
