@@ -112,7 +112,7 @@ def test_columns_of_one_quantity_have_the_same_decimals_that_suit_the_smallest_a
     assert len(set(places)) == 1
     digits = [places[0] + 1 + floor(log10(top)) for top in tops]
     assert min(digits) >= 3 or places[0] == 6
-    assert max(digits) == 5 or min(digits) == 3 or places[0] in (0, 6)
+    assert max(digits) == 4 or min(digits) == 3 or places[0] in (0, 6)
 
 
 def test_angles_have_two_decimals_at_most_and_whole_numbers_none() -> None:

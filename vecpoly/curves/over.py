@@ -21,6 +21,7 @@ from .record import MM
 from .turning import turning
 
 LEAST_GAMMA = 40.0  # degrees: the usual bound of transmission angles
+_PART = 0.35  # mm: a part of a vector
 _BARE, _TOLD = 0.06, 0.15  # of the range: white above and below curves, where their peaks are told in numbers
 _NONE: Mapping[str, Hue] = {}
 Pens = tuple[style.Pen, ...]
@@ -72,9 +73,14 @@ def curves(
 
 
 def pens_of(group: list[Column], inks: Mapping[str, Hue]) -> Pens:
-    """A pen for each curve: the dashes by their order, the ink of a vector where it has one."""
-    found = zip(group, style.PENS, strict=False)
-    return tuple(replace(pen, hue=inks.get(column.key.partition(".")[0], pen.hue)) for column, pen in found)
+    """A pen for each curve: the dashes by their order, the ink of a vector where it has one, its parts finer."""
+    made = []
+    for column, pen in zip(group, style.PENS, strict=False):
+        base, _, part = column.key.partition(".")
+        ink = inks.get(base)
+        own = pen if ink is None else replace(pen, hue=ink, width=_PART if part in ("x", "y") else pen.width)
+        made.append(own)
+    return tuple(made)
 
 
 def drive_label(drive: Column, lang: Lang) -> str:

@@ -19,9 +19,13 @@ Row = tuple[str, Words, str]
 
 def symbols(study: Study, press: Press, told: str = "") -> str:
     """A table without number, two symbols to a line; told: the words of the report, whose symbols it lists too."""
+    own = [*_model(study), *_forces(study), *_drawn(study)]
+    taken = {symbol for symbol, _, _ in own}
+    beside = [row for row in (*COUNTED, *used(told)) if row[0] not in taken]  # a force may be F, a moment M_e
+    listed = [*beside[: len(COUNTED)], *own, *beside[len(COUNTED) :]]
     rows_told = [
         (symbol.replace("、", "、" if press.lang == "zh" else ", "), words.of(press.lang), unit)
-        for symbol, words, unit in (*COUNTED, *_model(study), *_forces(study), *_drawn(study), *used(told))
+        for symbol, words, unit in listed
     ]
     half = (len(rows_told) + 1) // 2
     rows = [(*one, *two) for one, two in zip(rows_told[:half], [*rows_told[half:], ("", "", "")][:half], strict=True)]
@@ -151,7 +155,7 @@ def _drawn(study: Study) -> Iterator[Row]:
     yield from ((*view.letters, "mm") for view in drawn if view.letters is not None)
     if View.ACCELERATION in drawn:
         yield (
-            "$a^n$、$a^t$、$a^k$、$a^r$",
-            Words("法向、切向、哥氏、相对加速度", "normal, tangential, Coriolis, relative acceleration"),
+            "$a^n$、$a^t$、$a^k$",
+            Words("法向、切向、哥氏加速度", "normal, tangential, Coriolis acceleration"),
             "m/s²",
         )

@@ -30,6 +30,7 @@ class Block(Flowable):  # type: ignore[misc]
 
     role = Role.P
     pieces = False
+    bookmark = ""  # of a heading or a sheet, among those of the document
     goal = ""  # the place that it marks, to which references lead
     canv: Any
     width: float

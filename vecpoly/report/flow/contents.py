@@ -109,7 +109,10 @@ class Contents(Block):
 
 
 def tell_contents(story: Sequence[Any]) -> None:
-    """Give every table of contents the headings after it, under the bookmarks they will have."""
+    """Give headings and sheets their bookmarks, and every table of contents the headings after it.
+
+    A sheet that floats is drawn behind headings that come after it: the bookmark is its own, wherever it is drawn.
+    """
     outlined = [item for item in story if getattr(item, "outline", "") or isinstance(item, Contents)]
     count, entries, waiting = 0, list[Entry](), list[tuple[Contents, int]]()
     for item in outlined:
@@ -117,7 +120,8 @@ def tell_contents(story: Sequence[Any]) -> None:
             waiting.append((item, len(entries)))
             continue
         count += 1
+        item.bookmark = f"h{count}"
         if isinstance(item, Heading) and item.level in (2, 3):
-            entries.append(Entry(item.text, item.level, f"h{count}"))
+            entries.append(Entry(item.text, item.level, item.bookmark))
     for contents, start in waiting:
         contents.entries = tuple(entries[start:])

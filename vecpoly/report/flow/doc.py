@@ -75,7 +75,7 @@ class ReportDoc(Floating):
 
     def __init__(self, story: Sequence[Any], metadata: Metadata, stamp: Stamp | None = None) -> None:
         self.story, self.metadata, self._stamp = led(story), metadata, stamp
-        self._entries, self._level = 0, -1
+        self._level = -1
         self._pages, self._filled = 0, list[tuple[int, float]]()  # of each part: its pages, how full the last one is
         self._turned = False  # whether the story itself asks for the turn of this page
         tell_contents(self.story)
@@ -143,8 +143,7 @@ class ReportDoc(Floating):
         outline = getattr(flowable, "outline", "")
         if not outline:
             return
-        self._entries += 1
-        key = f"h{self._entries}"
+        key = flowable.bookmark
         level = min(flowable.level - 1, self._level + 1)
         self._level = level
         self.canv.bookmarkPage(key)
@@ -193,7 +192,7 @@ class ReportDoc(Floating):
         return int(self.page)
 
     def _set(self, story: list[Any]) -> None:
-        self._entries, self._level, self._pages, self._filled = 0, -1, 0, []
+        self._level, self._pages, self._filled = -1, 0, []
         self._firstPageTemplateIndex = _first(self.story)
         self._doSave = 0
         self.build(self.float(story), filename=BytesIO(), canvasmaker=_Canvas)

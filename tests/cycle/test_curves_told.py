@@ -1,0 +1,119 @@
+"""What a plot says beside its curves: peaks in numbers, what it shows, which vector is which."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import numpy as np
+import pytest
+
+from tests.studies import studied
+from vecpoly.curves import curves, given_values, hodograph
+from vecpoly.curves.flat import plane
+from vecpoly.curves.peaks import extremes, figures
+from vecpoly.curves.place import Placer
+from vecpoly.cycle import Cycle, cycle
+from vecpoly.figures.hue import TONES, Hue
+from vecpoly.problem.load import load
+from vecpoly.report.course.results.plots import inks
+from vecpoly.words import Words
+
+TOLD = re.compile(r"(−?[\d.]+) \((−?[\d.]+)°\)")
+
+
+@cache
+def turned(name: str) -> Cycle:
+    return cycle(load(name))
+
+
+def numbers(text: str) -> float:
+    return float(text.replace("−", "-"))
+
+
+@pytest.mark.parametrize(
+    ("name", "key"), [("A-27", "alpha_5"), ("A-27", "omega_4"), ("3-9", "alpha_2"), ("3-9", "v_E")]
+)
+def test_the_greatest_and_the_least_are_told_with_their_places(name: str, key: str) -> None:
+    it = studied(name)
+    plot = curves(it.turn, (key,))
+    told = {found.groups() for text in plot.figure.axes[0].texts if (found := TOLD.fullmatch(text.get_text()))}
+    exact, factor = it.extremes(key), it.whole.info(key).factor
+    assert len(told) == 2 and exact.highest is not None and exact.lowest is not None
+    for spot in (exact.highest, exact.lowest):
+        assert any(
+            numbers(value) == pytest.approx(factor * spot.value, rel=6e-3)
+            and abs((numbers(place) - np.degrees(it.reduced(spot.phi)) + 180) % 360 - 180) < 0.6
+            for value, place in told
+        )
+
+
+def test_a_bare_plot_tells_none() -> None:
+    plot = curves(turned("3-9"), ("alpha_2",), marks=False)
+    assert not any(TOLD.fullmatch(text.get_text()) for text in plot.figure.axes[0].texts)
+
+
+def test_the_higher_and_the_lower_of_many_spots_are_chosen_and_one_alone_is_high() -> None:
+    spots = [(10.0, 1.0), (80.0, 5.0), (200.0, -3.0), (300.0, 4.0)]
+    assert extremes(spots) == [((80.0, 5.0), 1), ((200.0, -3.0), -1)]
+    assert extremes([(10.0, 1.0)]) == [((10.0, 1.0), 1)] and extremes([]) == []
+
+
+def test_numbers_at_peaks_have_three_figures() -> None:
+    values = (0.0, 44.168, -736.04, 0.95871, 12345.0, 4.0)
+    assert [figures(value) for value in values] == ["0", "44.2", "−736", "0.959", "12300", "4.00"]
+
+
+def test_a_text_that_would_cover_curves_or_stand_beyond_one_is_left_out() -> None:
+    def placed(lines: list[np.ndarray], most: float) -> int:
+        _, at = plane(0j, 100 + 100j, 120.0, 120.0, ("x", "y"))
+        placer = Placer(at, lines)
+        placer.put(50 + 50j, "12.3 (45.6°)", 1j, 3.0, most=most)
+        return len(placer.boxes)
+
+    grid = [np.array([complex(0, y), complex(100, y)]) for y in np.arange(0.0, 100.0, 1.5)]
+    ring = [50 + 50j + 2.0 * np.exp(1j * np.linspace(0, 2 * np.pi, 60))]
+    assert placed([], 6.0) == 1
+    assert placed(grid, 6.0) == 0 and placed(grid, float("inf")) == 1
+    assert placed(ring, 6.0) == 0 and placed(ring, float("inf")) == 1
+
+
+def test_a_vector_keeps_its_ink_and_its_parts_differ_by_dashes() -> None:
+    it = studied("3-9")
+    found = inks(it, ["v_E", "v_E.x", "v_E.y"])
+    assert set(found) == {"v_E"} and found["v_E"] in TONES
+    axes = curves(it.turn, ("v_E", "v_E.x", "v_E.y"), inks=found).figure.axes[0]
+    lines = [line for line in axes.get_lines() if np.size(line.get_xdata()) > 80]
+    assert {tuple(line.get_color()) for line in lines} == {found["v_E"].value}
+    assert len({str(line._dash_pattern) for line in lines}) == 3
+    assert inks(it, ["omega_2", "alpha_2"]) == {}
+    way = hodograph(it.turn, "v_E", ink=found["v_E"]).figure.axes[0]
+    assert any(
+        tuple(line.get_color()) == found["v_E"].value for line in way.get_lines() if np.size(line.get_xdata()) > 80
+    )
+
+
+def test_what_changes_its_sign_is_seen_against_a_line_of_zero() -> None:
+    turn, x = turned("3-9"), np.linspace(0.0, 360.0, 91)
+    for values, lines in ((np.sin(np.radians(x)), 1), (2 + np.sin(np.radians(x)), 0)):
+        at = given_values(turn, x, values, ("E", "J"), Words.same("E")).figure.axes[0]
+        level = [line for line in at.get_lines() if np.size(line.get_ydata()) == 2 and not np.any(line.get_ydata())]
+        assert len(level) == lines and all(tuple(line.get_color()) == Hue.GREY.value for line in level)
+
+
+@pytest.mark.parametrize(
+    ("keys", "zh", "en"),
+    [
+        (
+            ("alpha_2",),
+            "构件 2 的角加速度 $α_{2}$ 随 $φ_{1}$ 的变化曲线",
+            "Angular acceleration of link 2 ($α_{2}$) over",
+        ),
+        (("v_E", "v_E.x"), "$E$ 点的速度及其分量 $v_{E}$、$v_{Ex}$ 随", "Velocity and components of $E$ ($v_{E}$"),
+        (("omega_1", "omega_2"), "构件的角速度 $ω_{1}$、$ω_{2}$ 随", "Angular velocities of the links ($ω_{1}$"),
+        (("p_E.x", "p_E.y"), "$E$ 点的坐标", "Coordinates of $E$"),
+    ],
+)
+def test_a_caption_says_what_is_shown(keys: tuple[str, ...], zh: str, en: str) -> None:
+    title = curves(turned("3-9"), keys).title
+    assert title.zh.startswith(zh) and title.en.startswith(en), title

@@ -1,0 +1,83 @@
+"""Sheets stand behind the text to which they belong, also in a report with a cover and a table of contents."""
+
+from __future__ import annotations
+
+import re
+from io import BytesIO
+from typing import Any
+
+from pypdf import PdfReader
+
+from tests.studies import course_report
+from vecpoly.report.flow.blocks import Heading, SheetPage
+from vecpoly.report.flow.contents import Contents
+from vecpoly.report.flow.cover import Cover
+from vecpoly.report.flow.doc import Metadata, ReportDoc
+from vecpoly.report.flow.paging.running import run_on
+from vecpoly.report.flow.paging.together import led
+from vecpoly.report.flow.para import Para
+from vecpoly.report.flow.table import DataTable
+
+META = Metadata(title="t", lang="en")
+
+
+def chapter(number: int, paragraphs: int) -> list[Heading | Para]:
+    return [Heading(f"{number} Chapter", 2, "en"), *(Para("word " * 90, None, "en") for _ in range(paragraphs))]
+
+
+def test_a_sheet_behind_a_full_page_stays_where_it_is_whatever_a_cover_and_contents_take() -> None:
+    cover = Cover("kind", "title", "", (), None)
+    story = [cover, *chapter(1, 14), SheetPage(lambda *_: None, title="Sheet"), *chapter(2, 2)]
+    doc = ReportDoc(story, META)
+    doc.counted()
+    assert len(doc.ends) == 2 and doc.ends[0][1] > 0.45 > doc.ends[1][1]
+    assert run_on(story, doc) is None
+
+
+def test_contents_take_the_room_of_their_entries_when_pages_are_only_counted() -> None:
+    heads = [item for n in range(60) for item in chapter(n, 1)]
+    pages = ReportDoc([Contents("en"), *heads], META).counted()
+    assert pages > ReportDoc(heads, META).counted()
+    assert pages == ReportDoc([Contents("en"), *heads], META).made()[1]
+
+
+def test_the_sheets_of_a_course_report_stand_between_chapters_six_and_seven() -> None:
+    reader = PdfReader(BytesIO(course_report("3-9", "en")))
+    page = {str(one.title): reader.get_destination_page_number(one) for one in _flat(reader.outline)}
+    assert sum(title.startswith("Figure 6-") for title in page) == 4
+    begin = page["6 Graphical solution"]
+    end = next(at for title, at in page.items() if title.startswith("7 "))
+    assert all(begin <= at < end for title, at in page.items() if title.startswith("Figure 6-"))
+
+
+def test_the_contents_name_the_pages_also_where_a_sheet_floats() -> None:
+    sheet = SheetPage(lambda *_: None, title="Sheet")
+    sheet.behind = 2
+    heads = [item for n in range(1, 5) for item in chapter(n, 9)]
+    reader = PdfReader(BytesIO(ReportDoc([Contents("en"), sheet, *heads], META).made()[0]))
+    texts = [page.extract_text() for page in reader.pages]
+    listed = dict(re.findall(r"(\d Chapter)[ .·]*\n?(\d+)", texts[0]))
+    outline = {str(one.title): reader.get_destination_page_number(one) + 1 for one in _flat(reader.outline)}
+    assert outline["Sheet"] == 3 and {name: str(at) for name, at in outline.items() if name != "Sheet"} == listed
+    assert all(name in texts[at - 1] for name, at in outline.items() if name != "Sheet")
+
+
+def _flat(outline: list[Any]) -> list[Any]:
+    return [one for item in outline for one in (_flat(item) if isinstance(item, list) else [item])]
+
+
+def test_the_only_line_under_a_heading_goes_with_it_to_the_page_of_its_table() -> None:
+    table = DataTable(["a", "b"], [["1", "2"]] * 5, None, "cc", lang="en")
+    for filling in range(20, 60):
+        lines = [Para("word", None, "en") for _ in range(filling)]
+        story = [*lines, Heading("5 Results", 2, "en"), Para("The values:", None, "en"), table]
+        doc = ReportDoc(story, META)
+        data = PdfReader(BytesIO(doc.made()[0]))
+        pages = [page.extract_text() for page in data.pages]
+        at = [n for n, text in enumerate(pages) if "5 Results" in text or "The values" in text]
+        assert len(at) == 1 and "2" in pages[at[0]].partition("The values:")[2], filling
+
+
+def test_a_longer_paragraph_under_a_heading_is_parted_as_before() -> None:
+    story = led([Heading("5 Results", 2, "en"), Para("word " * 60, None, "en"), Para("x", None, "en")])
+    assert [one.keepWithNext for one in story] == [1, 0, 0]
