@@ -117,3 +117,10 @@ def test_what_changes_its_sign_is_seen_against_a_line_of_zero() -> None:
 def test_a_caption_says_what_is_shown(keys: tuple[str, ...], zh: str, en: str) -> None:
     title = curves(turned("3-9"), keys).title
     assert title.zh.startswith(zh) and title.en.startswith(en), title
+
+
+@pytest.mark.parametrize(("width", "step"), [(150.0, 30.0), (83.0, 60.0)])
+def test_a_whole_turn_is_parted_into_round_steps_whose_numbers_have_room(width: float, step: float) -> None:
+    at = curves(turned("3-9"), ("omega_2",), width=width).figure.axes[0]
+    ticks = [tick for tick in at.get_xticks() if 0 <= tick <= 360]
+    assert np.allclose(np.diff(ticks), step) and ticks[0] == 0 and ticks[-1] == 360

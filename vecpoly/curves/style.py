@@ -17,6 +17,7 @@ from .record import DPI, MM
 
 WIDTH, PANEL = 150.0, 62.0  # mm
 TICK, LABEL = 3.1, 3.6  # em of the lettering, mm
+_TICK_ROOM = 7.5  # mm from one number of an axis to the next, at the least
 RIGHT, TOP, FOOT = 7.0, 9.0, 13.0  # margins, mm
 
 
@@ -121,9 +122,9 @@ def axis_label(symbol: str, unit: str) -> str:
 
 
 def degrees_ticks(at: Any, low: float, high: float) -> None:
-    """Round steps of degrees: thirds of right angles over a whole turn."""
-    span = high - low
-    step = next(s for s in (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360, 720) if span / s <= 12.5)
+    """Round steps of degrees: thirds of right angles over a whole turn, or two thirds where these would crowd."""
+    span, most = high - low, min(12.5, at.bbox.width / _TICK_ROOM)
+    step = next(s for s in (1, 2, 5, 10, 15, 30, 60, 90, 180, 360, 720) if span / s <= most)
     at.xaxis.set_major_locator(
         FixedLocator(list(step * np.arange(np.ceil(low / step - 1e-9), np.floor(high / step + 1e-9) + 1)))
     )

@@ -1,0 +1,56 @@
+"""Tables and the list of symbols of a course report: vectors in their inks, symbols that the words use."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from tests.studies import solved
+from vecpoly.report.answers.tables import readings_at
+from vecpoly.report.content import Objects
+from vecpoly.report.course.document import course
+from vecpoly.report.course.spoken_symbols import used, words_in
+from vecpoly.report.flow.table import DataTable
+from vecpoly.report.tables import inks_of
+from vecpoly.words import Lang
+
+
+@cache
+def tables(name: str, lang: Lang) -> list[DataTable]:
+    objects = Objects()
+    course(solved(name), lang, objects)
+    return [one for one in objects.named.values() if isinstance(one, DataTable)]
+
+
+def test_readings_at_other_positions_stand_in_the_inks_of_their_vectors_behind_the_position() -> None:
+    it = solved("3-9")
+    (table,) = readings_at([("45°", it, it.answers.values())], "$φ_1$", "en")
+    assert table.inked == 1 and table.header[1] == "Quantity"
+    assert tuple(table.inks) == inks_of(it, it.answers) and any(table.inks)
+
+
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_the_tables_of_chapter_six_keep_the_inks(lang: Lang) -> None:
+    inked = [(one.caption, one.inked) for one in tables("3-9", lang) if any(one.inks)]
+    assert [at for _, at in inked] == [0, 1]
+    assert all(number in caption for number, (caption, _) in zip(("6-2", "6-3"), inked, strict=True))
+
+
+def test_directions_stand_under_each_other_by_their_points() -> None:
+    (table,) = (one for one in tables("3-9", "en") if "6-2" in one.caption)
+    assert table.align[table.header.index("Direction")] == "d"
+
+
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_the_list_of_symbols_has_those_of_the_words(lang: Lang) -> None:
+    (listed,) = (one for one in tables("3-9", lang) if one.caption in ("主要符号", "Symbols"))
+    symbols = {cell for row in listed.rows for cell in (row[0], row[3])}
+    assert {"$K$", "$θ$", "$F$"} <= symbols and any("p_L" in one for one in symbols)
+    assert not {"$J_e$", "$δ$", "$J_F$"} & symbols  # 3-9 is no machine
+
+
+def test_a_symbol_is_listed_where_a_table_or_a_sentence_has_it_and_only_there() -> None:
+    table = DataTable(["$J_F$ /(kg·m²)"], [["1"]], lang="en", caption="")
+    assert [row[0] for row in used(words_in({"a": ["x $δ$ y"], "t": table}))] == ["$δ$", "$J_F$"]
+    assert not [*used(words_in([1, None, "delta"]))]
