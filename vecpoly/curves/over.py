@@ -46,7 +46,6 @@ def curves(
     than six curves in one panel.
     """
     groups = _grouped(cycle, keys)
-    pens = {group[0].shown_unit: pens_of(group, inks) for group in groups}
     height = panel * len(groups)
     figure = style.sheet(width, height)
     limits = [_limits(cycle, group, _TOLD if marks else _BARE) for group in groups]
@@ -61,14 +60,13 @@ def curves(
     for i, (group, limit, label) in enumerate(zip(groups, limits, labels, strict=True)):
         foot = height - panel * (i + 1) + style.FOOT
         at = style.axes(figure, left, foot, width - left - style.RIGHT, room)
-        _panel(cycle, at, group, limit, marks, pens[group[0].shown_unit])
+        pens = pens_of(group, inks)
+        _panel(cycle, at, group, limit, marks, pens)
         top = foot + room + 2.2
         style.text(at, 1.0, top + (0.0 if beside else _LINE), label)
-        drive = cycle.drive
-        style.text(
-            at, left + (width - left - style.RIGHT) / 2, foot - style.FOOT + 2.0, drive_label(drive, lang), ha="center"
-        )
-        _legend(at, width - style.RIGHT, top, group, pens[group[0].shown_unit])
+        middle = (left + width - style.RIGHT) / 2
+        style.text(at, middle, foot - style.FOOT + 2.0, drive_label(cycle.drive, lang), ha="center")
+        _legend(at, width - style.RIGHT, top, group, pens)
     return Plot(figure, title_of(cycle.drive, groups), lang)
 
 
