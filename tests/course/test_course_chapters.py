@@ -212,7 +212,7 @@ def test_one_quantity_has_the_same_decimals_in_all_columns_of_a_table() -> None:
     told: dict[str, set[object]] = {}
     for column, places in list(zip(made.columns, _formats(made.columns, made.values), strict=True))[1:]:
         told.setdefault(column.key.partition("_")[0], set()).add(places)
-    assert (told["phi"], told["omega"], told["alpha"]) == ({2}, {3}, {2}) and all(
+    assert (told["phi"], told["omega"], told["alpha"]) == ({2}, {3}, {3}) and all(
         len(one) == 1 for one in told.values()
     )
 

@@ -16,6 +16,7 @@ from ..numbering import SMALL, TINY, Press
 
 _HALVED, _LONG = 6, 20  # a table of few columns and many rows is told in two halves beside each other
 _MOST = 6  # decimals
+_ANGLE = 2  # decimals of degrees
 _SPARED = 1  # of four significant digits, in the smaller columns of a quantity
 COLUMNS, TIGHT = 9, 12  # beside the input link's position, in small and in tiny type
 
@@ -55,7 +56,9 @@ def _formats(columns: Sequence[Column], values: Any) -> list[int]:
     found = []
     for n, kind in zip(own, kinds, strict=True):
         alike = [m for m, other in zip(own, kinds, strict=True) if other == kind and m is not None] or [0]
-        found.append(min(2, n or 0) if kind[1] == "rad" else min(_MOST, max(max(alike) - _SPARED, min(alike))))
+        found.append(
+            _ANGLE * (n is not None) if kind[1] == "rad" else min(_MOST, max(max(alike) - _SPARED, min(alike)))
+        )
     return found
 
 
