@@ -31,7 +31,9 @@ def test_a_sheet_behind_a_full_page_stays_where_it_is_whatever_a_cover_and_conte
     doc = ReportDoc(story, META)
     doc.counted()
     assert len(doc.ends) == 2 and doc.ends[0][1] > 0.45 > doc.ends[1][1]
-    assert run_on(story, doc) is None
+    found, _ = run_on(story, doc)
+    assert [type(one) for one in found] == [type(one) for one in story]
+    assert not any(getattr(one, "behind", 0) for one in found)
 
 
 def test_contents_take_the_room_of_their_entries_when_pages_are_only_counted() -> None:
