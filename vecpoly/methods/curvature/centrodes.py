@@ -45,7 +45,7 @@ class Rolled:
 def draw_centrodes(desk: Desk, groups: Sequence[Group], asked: Centrodes) -> None:
     """The fixed centrode is the locus of the poles on the frame, the moving one that on the link; they roll."""
     refuse_told(desk.mech)
-    pairs, there = pairs_of(desk.mech, asked.link), [placed(desk, groups, q) for q in asked.drive]
+    pairs, there = pairs_of(desk.mech, asked.link), [placed(desk, q) for q in asked.drive]
     sheet = _paper(desk, there, asked, pairs)
     pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, sheet.scale, aside=True, composed=True)
     _say(desk, asked, pane, sheet)
