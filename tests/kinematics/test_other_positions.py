@@ -8,7 +8,7 @@ import pytest
 from vecpoly import loads, oracle
 from vecpoly.board.acts import Curve
 from vecpoly.board.paper.marks import Role
-from vecpoly.errors import AssemblyError
+from vecpoly.errors import AssemblyError, NoMethodError
 from vecpoly.mechanism.assembly.branch import margin
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.methods.following import follower
@@ -139,3 +139,25 @@ input: {{link: 1, phi: 70 deg, omega: 100 r/min}}
 branch: [C right of BD]
 """
     assert farthest(made(text).mechanism, np.radians(np.arange(3.0, 360.0, 13.0))) < 1e-6
+
+
+LIFTED = """id: lifted
+title: lifted
+frame: {A: [0 mm, 0 mm], D: [70 mm, 0 mm]}
+links:
+  1: {AB: 35 mm}
+  2: {BC: 51 mm, F: {along: BC, at: 20 mm, left: 25 mm}}
+  3: {DC: 69 mm, G: {along: DC, at: 20 mm, left: -25 mm}}
+  4: {cylinder: G}
+  5: {piston: F}
+joints: [5 slides in 4]
+input: {cylinder: 4-5, length: 88.890449 mm, v: 10 mm/s}
+branch: [C left of BD]
+guesses: {B: [6.08 mm, 34.47 mm], C: [51.7 mm, 66.6 mm], F: [8.2 mm, 66.4 mm], G: [89.5 mm, 26.2 mm]}
+method: curvature
+"""
+
+
+def test_positions_of_an_input_between_moving_links_are_not_taken_for_those_of_the_link_thought_to_drive() -> None:
+    with pytest.raises(NoMethodError, match="other positions of the input"):
+        drawn(LIFTED + "find: [{centrodes: 2, positions: 5, over: [87.4 mm, 90.4 mm]}]\n")

@@ -75,14 +75,38 @@ def _on_scratch(desk: Desk, there: There) -> Desk:
 
 
 def refuse_told(mech: Mechanism) -> None:
-    """NoMethodError where a gear, or an arm that gears move, is told in the mechanism's own position only, so that no
-    drawing knows how it stands in others."""
+    """NoMethodError where a gear, or an arm that gears move, is told in the mechanism's own position only, or a profile
+    is replaced there only, so that no drawing knows how it stands in others."""
     if mech.starts:
         raise NoMethodError(
             Words(
                 "齿轮（或其系杆）的位置只在图示位置给定，不能由图得出其在原动件其他位置时的位置；请用 vecpoly exact",
                 "gears, or arms that gears move, are told in the given position only, and no drawing on file follows "
                 "them to other positions of the drive; use 'vecpoly exact'",
+            ),
+            code="no-method",
+        )
+    if mech.cams:
+        raise NoMethodError(
+            Words(
+                "凸轮廓线在各位置要另作替代机构，没有图解法得出机构在原动件其他位置（如一个周期内）的图；"
+                "请用 vecpoly exact",
+                "a cam's profile is replaced anew in every position, and no drawing on file follows it to other "
+                "positions of the drive, such as those of a period; use 'vecpoly exact'",
+            ),
+            code="no-method",
+        )
+
+
+def refuse_thought(desk: Desk) -> None:
+    """NoMethodError where another link is thought to drive: the positions that are asked for are the input's own."""
+    if desk.thought:
+        raise NoMethodError(
+            Words(
+                f"输入加在活动构件之间，作图时以构件 {desk.mech.drive.link} 为假想原动件；"
+                "没有图解法得出输入在其他位置时的图，请用 vecpoly exact",
+                f"the input acts between moving links, and link {desk.mech.drive.link} is thought to drive instead: no "
+                "drawing on file follows the mechanism to other positions of the input; use 'vecpoly exact'",
             ),
             code="no-method",
         )

@@ -12,6 +12,7 @@ from ...errors import VecpolyError
 from ...plane import nominal
 from ...words import Words
 from ..centres.size import Paper
+from ..following import is_followed
 from ..placed import placed
 from .state import CurvatureFigure
 
@@ -23,7 +24,7 @@ WHOLE = 2.6  # rad: from so much to both sides
 
 def draw_paths(fig: CurvatureFigure, paper: Paper) -> None:
     """Path and osculating circle of every point of which the centre was found."""
-    if not fig.centres or fig.desk.mech.starts:  # how a gear stands is told in this position only
+    if not fig.centres or not is_followed(fig.desk.mech):
         return
     letters = "、".join(f"${fig.shown(p)}$" for p in fig.centres)
     some, rings = ("path", "circle") if len(fig.centres) == 1 else ("paths", "circles")

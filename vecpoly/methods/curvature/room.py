@@ -50,7 +50,7 @@ def _refused(desk: Desk, groups: Sequence[Group], link: str, draw: Draw) -> NotA
             return False
 
     here = degrees(desk.mech.drive.position)
-    steps = () if desk.mech.drive.slide else STEPS
+    steps = () if desk.mech.drive.slide or desk.thought else STEPS
     other = next((round(here + step, 6) for step in steps if fits(here + step)), None)
     if other is None:
         return NotAskedError(_off_the_sheet(None), code="off-the-sheet")

@@ -12,14 +12,12 @@ import numpy as np
 from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.hand import Hand, hand
-from ...errors import NoMethodError
 from ...mechanism.laws.acting import stretch
 from ...mechanism.laws.sizes import Table
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ...names import At, omega
 from ...plane import Reals
-from ...words import Words
 from ..desk import Desk
 from ..forces.balance.power_terms import works
 from ..forces.laws.found import found_loads
@@ -62,7 +60,7 @@ def _drawn_once(mech: Mechanism, loads: Loads, phi: float) -> Station:
 
 def drawn(mech: Mechanism, loads: Loads, phi: float, by: Hand) -> Station:
     """As this hand draws it, with all its readings. Raises AssemblyError, DeadPointError."""
-    _refuse(mech)
+    refuse_told(mech)
     desk = _desk(replace(mech, drives=(replace(mech.drive, accel=0.0), *mech.drives[1:])), phi, by)
     rate = mech.drive.rate
     here, pulls = found_loads(desk, replace(loads, inertia=False))
@@ -88,20 +86,6 @@ def _desk(mech: Mechanism, phi: float, by: Hand) -> Desk:
     for group in there.groups:
         draw_group(desk, Stage.VELOCITY, group)
     return desk
-
-
-def _refuse(mech: Mechanism) -> None:
-    """NoMethodError where gears or cams leave its places open elsewhere."""
-    refuse_told(mech)
-    if mech.cams:
-        raise NoMethodError(
-            Words(
-                "凸轮廓线在各位置要另作替代机构，一个周期内的线图没有图解法；请用 vecpoly exact",
-                "a cam's profile is replaced anew in every position, and no graphical method on file draws the "
-                "diagrams of a period there; use 'vecpoly exact'",
-            ),
-            code="no-method",
-        )
 
 
 def _energy(st: Statics, number: int) -> Reals:
