@@ -45,7 +45,7 @@ def farthest(mech: Mechanism, ways: np.ndarray = TURN) -> float:
     letters = {p for link in mech.links for p in link.points}
     places = [one.at(q).places for q in at]
     exact = {p: np.broadcast_to(motion.position(p), at.shape) for p in letters}
-    return max(abs(there[p] - exact[p][k]) for k, there in enumerate(places) for p in letters) / mech.scale
+    return max(float(abs(there[p] - exact[p][k])) for k, there in enumerate(places) for p in letters) / mech.scale
 
 
 def test_the_local_statement_is_false_in_much_of_the_turn_and_true_where_it_is_told() -> None:
