@@ -11,11 +11,12 @@ from dataclasses import dataclass, field
 from ..algebra.quantity import Quantity, magnitude
 from ..board.construction import View
 from ..board.ledger import Stood
-from ..mechanism.model import FRAME, Link, Prismatic
+from ..mechanism.model import FRAME, Link, Mechanism, Prismatic
 from ..names import At, Kind, Rel, ascii_key, subscripted
 from ..plane import Points, Reals
 from ..words import Words
 from .diagram import Diagram
+from .sides import Sides
 
 POLE = {View.VELOCITY: "p", View.ACCELERATION: "p′"}
 VECTOR = {View.VELOCITY: Kind.V, View.ACCELERATION: Kind.A}  # what a polygon is made of
@@ -49,6 +50,8 @@ class Desk(Diagram):
     thought: bool = False
     # links of a sliding pair → the vector along the guide that was drawn, of the first against the second
     slides: dict[tuple[str, str], Rel] = field(default_factory=dict)
+    sides: Sides = field(default_factory=Sides)
+    told: Mechanism | None = None  # in the position in which it is told, where another is drawn
     centres: set[str] = field(default_factory=set)  # contacts with a fixed rack: no velocity, but an acceleration
 
     # -- names ------------------------------------------------------------------------------------------------

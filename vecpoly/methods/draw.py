@@ -79,7 +79,7 @@ def _draw_stage(desk: Desk, problem: Problem, stage: Stage, groups: tuple[Group,
     elif stage is Stage.PRESSURE:
         from .pressure.plan import pressure_pass
 
-        pressure_pass(desk, problem, groups)
+        pressure_pass(desk, problem)
     elif stage is Stage.FORCE:
         from .forces.plan import force_pass
         from .machine.constant import draw_constant
@@ -101,7 +101,7 @@ def _draw_stage(desk: Desk, problem: Problem, stage: Stage, groups: tuple[Group,
         if stage is Stage.POSITION and problem.target is not None:
             from .kinematics.diagram.target import draw_target
 
-            draw_target(desk, groups, problem.target)
+            draw_target(desk, problem.target)
 
 
 def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -> None:

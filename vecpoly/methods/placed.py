@@ -1,50 +1,112 @@
-"""The mechanism in other positions of its drive, as an exact hand draws it on scratch paper."""
+"""The mechanism in other positions of its drive, drawn on scratch paper."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
+from ..board.hand import Hand
 from ..errors import NoMethodError
-from ..mechanism.groups.assur import Group
+from ..mechanism.groups.assur import Group, decompose
 from ..mechanism.model import Mechanism
 from ..words import Words
 from .desk import Desk
-from .kinematics.diagram.cam import letter_contacts
-from .kinematics.doors import draw_drives, draw_group
-from .registry import Stage
+from .following import draw_positions, follower, is_followed, moved
+from .scratch import position_desk
+from .sides import Sides
 
 
-def placed(desk: Desk, groups: Sequence[Group], position: float) -> Desk:
-    """The position diagram for this position of the drive (rad, or m), at the same scale.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class There:
+    """The mechanism with its drive in a position, and the sides that its groups take there."""
 
-    Raises AssemblyError where it cannot be assembled, DeadPointError likewise.
+    mech: Mechanism
+    groups: tuple[Group, ...]
+    sides: Sides
+
+    def desk(self, by: Hand) -> Desk:
+        """Its position diagram on paper that is thrown away, by this hand."""
+        desk = position_desk(self.mech, self.groups, by, self.sides)
+        draw_positions(desk, self.groups)
+        return desk
+
+
+def elsewhere(mech: Mechanism, position: float) -> There:
+    """Followed to this position (rad, or m) from its own, where its statements are read.
+
+    What is known of a profile, or of a gear, holds for the own position alone: these are not followed, and drawn as the
+    statements say. Raises AssemblyError where the way there ends, DeadPointError likewise.
     """
-    drive = replace(desk.mech.drive, position=position)
+    if position == mech.drive.position or not is_followed(mech):
+        return There(mech=_with(mech, position), groups=decompose(mech), sides=Sides())
+    one = follower(mech)
+    stand = one.at(position)
+    return There(mech=moved(mech, position, stand.places), groups=one.groups, sides=Sides(kept=stand.taken))
+
+
+def placed(desk: Desk, position: float) -> Desk:
+    """The position diagram for this position of the drive (rad, or m), at the same scale, followed from the own one.
+
+    Raises AssemblyError where the way there ends, DeadPointError likewise.
+    """
+    return _on_scratch(desk, elsewhere(desk.mech, position))
+
+
+def placed_as_told(desk: Desk, groups: Sequence[Group], position: float) -> Desk:
+    """The same of the problem with its drive in this position: the statements are read there.
+
+    Raises AssemblyError, DeadPointError.
+    """
+    return _on_scratch(desk, There(mech=_with(desk.mech, position), groups=tuple(groups), sides=Sides()))
+
+
+def _with(mech: Mechanism, position: float) -> Mechanism:
+    return replace(mech, drives=(replace(mech.drive, position=position), *mech.drives[1:]))
+
+
+def _on_scratch(desk: Desk, there: There) -> Desk:
     scratch = Desk(
-        board=desk.board.scratch(),
-        mech=replace(desk.mech, drives=(drive, *desk.mech.drives[1:])),
-        coincident=desk.coincident,
-        shapes=desk.shapes,
+        board=desk.board.scratch(), mech=there.mech, coincident=desk.coincident, shapes=desk.shapes, sides=there.sides
     )
     for name, at in scratch.mech.frame.items():
         scratch.letter(name, at * scratch.mm(1.0))
-    draw_drives(scratch, Stage.POSITION)
-    for group in groups:
-        draw_group(scratch, Stage.POSITION, group)
-        letter_contacts(scratch, group.links)
+    draw_positions(scratch, there.groups)
     return scratch
 
 
 def refuse_told(mech: Mechanism) -> None:
-    """NoMethodError where a gear, or an arm that gears move, is told in the mechanism's own position only, so that no
-    drawing knows how it stands in others."""
+    """NoMethodError where a gear, or an arm that gears move, is told in the mechanism's own position only, or a profile
+    is replaced there only, so that no drawing knows how it stands in others."""
     if mech.starts:
         raise NoMethodError(
             Words(
                 "齿轮（或其系杆）的位置只在图示位置给定，不能由图得出其在原动件其他位置时的位置；请用 vecpoly exact",
                 "gears, or arms that gears move, are told in the given position only, and no drawing on file follows "
                 "them to other positions of the drive; use 'vecpoly exact'",
+            ),
+            code="no-method",
+        )
+    if mech.cams:
+        raise NoMethodError(
+            Words(
+                "凸轮廓线在各位置要另作替代机构，没有图解法得出机构在原动件其他位置（如一个周期内）的图；"
+                "请用 vecpoly exact",
+                "a cam's profile is replaced anew in every position, and no drawing on file follows it to other "
+                "positions of the drive, such as those of a period; use 'vecpoly exact'",
+            ),
+            code="no-method",
+        )
+
+
+def refuse_thought(desk: Desk) -> None:
+    """NoMethodError where another link is thought to drive: the positions that are asked for are the input's own."""
+    if desk.thought:
+        raise NoMethodError(
+            Words(
+                f"输入加在活动构件之间，作图时以构件 {desk.mech.drive.link} 为假想原动件；"
+                "没有图解法得出输入在其他位置时的图，请用 vecpoly exact",
+                f"the input acts between moving links, and link {desk.mech.drive.link} is thought to drive instead: no "
+                "drawing on file follows the mechanism to other positions of the input; use 'vecpoly exact'",
             ),
             code="no-method",
         )

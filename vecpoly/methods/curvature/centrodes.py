@@ -23,7 +23,7 @@ from ...words import Words
 from ..centres.copy import mechanism_copied
 from ..centres.size import Paper
 from ..desk import Desk
-from ..placed import placed, refuse_told
+from ..placed import placed, refuse_thought, refuse_told
 from .pairs import Pair, pairs_of
 from .readings import keep_length
 from .room import fitted
@@ -45,7 +45,8 @@ class Rolled:
 def draw_centrodes(desk: Desk, groups: Sequence[Group], asked: Centrodes) -> None:
     """The fixed centrode is the locus of the poles on the frame, the moving one that on the link; they roll."""
     refuse_told(desk.mech)
-    pairs, there = pairs_of(desk.mech, asked.link), [placed(desk, groups, q) for q in asked.drive]
+    refuse_thought(desk)
+    pairs, there = pairs_of(desk.mech, asked.link), [placed(desk, q) for q in asked.drive]
     sheet = _paper(desk, there, asked, pairs)
     pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, sheet.scale, aside=True, composed=True)
     _say(desk, asked, pane, sheet)

@@ -9,10 +9,10 @@ import numpy as np
 
 from ...board.paper.marks import Role
 from ...errors import VecpolyError
-from ...mechanism.groups.assur import Group
 from ...plane import nominal
 from ...words import Words
 from ..centres.size import Paper
+from ..following import is_followed
 from ..placed import placed
 from .state import CurvatureFigure
 
@@ -22,9 +22,9 @@ HALF = 45.0  # mm of the osculating circle to both sides; a small circle is draw
 WHOLE = 2.6  # rad: from so much to both sides
 
 
-def draw_paths(fig: CurvatureFigure, groups: Sequence[Group], paper: Paper) -> None:
+def draw_paths(fig: CurvatureFigure, paper: Paper) -> None:
     """Path and osculating circle of every point of which the centre was found."""
-    if not fig.centres or fig.desk.mech.starts:  # how a gear stands is told in this position only
+    if not fig.centres or not is_followed(fig.desk.mech):
         return
     letters = "、".join(f"${fig.shown(p)}$" for p in fig.centres)
     some, rings = ("path", "circle") if len(fig.centres) == 1 else ("paths", "circles")
@@ -36,7 +36,7 @@ def draw_paths(fig: CurvatureFigure, groups: Sequence[Group], paper: Paper) -> N
         ),
         fig.pane,
     )
-    places = _places(fig, groups)
+    places = _places(fig)
     for point, centre in fig.centres.items():
         run = _inside([one.get(point) for one in places], paper)
         if len(run) > 2:
@@ -53,7 +53,7 @@ def _osculating(fig: CurvatureFigure, point: str, centre: complex) -> None:
     fig.board.circle(fig.pane, fig.centres[point], radius, Role.HIDDEN, start=start, sweep=2 * half)
 
 
-def _places(fig: CurvatureFigure, groups: Sequence[Group]) -> list[dict[str, complex]]:
+def _places(fig: CurvatureFigure) -> list[dict[str, complex]]:
     """The points in neighbouring positions, in order; where the mechanism does not close, none."""
     desk = fig.desk
     drive = desk.mech.drive
@@ -61,7 +61,7 @@ def _places(fig: CurvatureFigure, groups: Sequence[Group]) -> list[dict[str, com
     out = []
     for k in range(-REACH // STEP, REACH // STEP + 1):
         try:
-            there = placed(desk, groups, drive.position + k * unit)
+            there = placed(desk, drive.position + k * unit)
             out.append({p: complex(nominal(there.at[p])) * fig.factor for p in fig.centres})
         except VecpolyError:
             out.append({})

@@ -79,7 +79,7 @@ def _curvatures(desk: Desk, groups: Sequence[Group], asked: Curvature, keys: fro
     fig = CurvatureFigure(desk=desk, link=asked.link, pane=pane, factor=paper.factor)
     _copy(fig, paper, groups)
     construct(fig)
-    draw_paths(fig, groups, paper)
+    draw_paths(fig, paper)
     read_curvatures(fig, keys)
 
 

@@ -16,7 +16,7 @@ from ...plane import Points, nominal
 from ...words import Words
 from ..centres.size import MARGIN, Paper, too_large
 from ..desk import Desk
-from ..placed import placed
+from ..placed import placed_as_told
 from .state import CurvatureFigure
 
 NAME = "curvature"
@@ -45,12 +45,12 @@ def _refused(desk: Desk, groups: Sequence[Group], link: str, draw: Draw) -> NotA
 
     def fits(phi: float) -> bool:
         try:
-            return fitted(desk, _box(placed(desk, groups, radians(phi)), link, draw)) is not None
+            return fitted(desk, _box(placed_as_told(desk, groups, radians(phi)), link, draw)) is not None
         except VecpolyError:
             return False
 
     here = degrees(desk.mech.drive.position)
-    steps = () if desk.mech.drive.slide else STEPS
+    steps = () if desk.mech.drive.slide or desk.thought else STEPS
     other = next((round(here + step, 6) for step in steps if fits(here + step)), None)
     if other is None:
         return NotAskedError(_off_the_sheet(None), code="off-the-sheet")

@@ -12,7 +12,6 @@ import numpy as np
 from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.hand import Hand, hand
-from ...mechanism.groups.assur import decompose
 from ...mechanism.laws.acting import stretch
 from ...mechanism.laws.sizes import Table
 from ...mechanism.loads import Loads
@@ -25,12 +24,10 @@ from ..forces.laws.found import found_loads
 from ..forces.laws.off_paper import OffPaper
 from ..forces.masses import weights
 from ..forces.state import Statics
-from ..kinematics.diagram.cam import letter_contacts
 from ..kinematics.doors import draw_drives, draw_group
 from ..kinematics.image import found_tip
+from ..placed import elsewhere, refuse_told
 from ..registry import Stage
-from .following import follower
-from .scratch import position_desk
 
 JUMP = 1e-12  # rad: how closely the place is found at which a load begins or ends
 MOST = 8  # changes between two places that are looked at
@@ -63,9 +60,8 @@ def _drawn_once(mech: Mechanism, loads: Loads, phi: float) -> Station:
 
 def drawn(mech: Mechanism, loads: Loads, phi: float, by: Hand) -> Station:
     """As this hand draws it, with all its readings. Raises AssemblyError, DeadPointError."""
-    there = follower(mech).at(phi)
-    desk = _desk(replace(there, drives=(replace(there.drive, accel=0.0), *there.drives[1:])), by)
-    desk.mech = replace(mech, drives=desk.mech.drives)  # drawn; a stroke is that of the mechanism as it is told
+    refuse_told(mech)
+    desk = _desk(replace(mech, drives=(replace(mech.drive, accel=0.0), *mech.drives[1:])), phi, by)
     rate = mech.drive.rate
     here, pulls = found_loads(desk, replace(loads, inertia=False))
     st = Statics(desk=desk, loads=here, pulls=pulls)
@@ -81,15 +77,14 @@ def _stretches(desk: Desk, loads: Loads) -> tuple[Reals, ...]:
     return tuple(one for table in tables if isinstance(table, Table) for one in stretch(table, at))
 
 
-def _desk(mech: Mechanism, by: Hand) -> Desk:
+def _desk(mech: Mechanism, phi: float, by: Hand) -> Desk:
     """Position and velocity polygon on paper that is thrown away."""
-    desk, groups = position_desk(mech, by), decompose(mech)
-    for stage in (Stage.POSITION, Stage.VELOCITY):
-        draw_drives(desk, stage)
-        for group in groups:
-            draw_group(desk, stage, group)
-            if stage is Stage.POSITION:
-                letter_contacts(desk, group.links)
+    there = elsewhere(mech, phi)
+    desk = there.desk(by)
+    desk.told = mech
+    draw_drives(desk, Stage.VELOCITY)
+    for group in there.groups:
+        draw_group(desk, Stage.VELOCITY, group)
     return desk
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import assert_never
 
@@ -14,7 +13,6 @@ from ...board.paper.marks import Role
 from ...board.strokes import amount
 from ...errors import VecpolyError
 from ...mechanism.asked.pressure import Driven, driven_links
-from ...mechanism.groups.assur import Group
 from ...mechanism.model import Prismatic, Revolute
 from ...names import Named
 from ...plane import Points, Reals, nominal
@@ -47,23 +45,23 @@ class Marked:
     across: Points
 
 
-def pressure_pass(desk: Desk, problem: Problem, groups: Sequence[Group]) -> None:
+def pressure_pass(desk: Desk, problem: Problem) -> None:
     """Every driven link of which an angle is asked."""
     keys = {ask.rel.key for ask in problem.asks if isinstance(ask, AskNamed)}
     for driven in driven_links(problem.mechanism):
         if keys & {driven.alpha.key, driven.gamma.key}:
-            marked = _directions(desk, driven, groups)
+            marked = _directions(desk, driven)
             _draw(desk, driven, marked)
             _read(desk, driven, marked, keys)
 
 
-def _directions(desk: Desk, driven: Driven, groups: Sequence[Group]) -> Marked:
+def _directions(desk: Desk, driven: Driven) -> Marked:
     """The line of the force, that of the velocity, and which way both point."""
     board, at = desk.board, desk.at[driven.at]
     force = LINES.find(Stage.PRESSURE, driven.kind).draw(desk, driven)
     way = board.parallel(at, _way(desk, driven), key=velocity_key(driven)).along
     across = board.turn(1j * way)
-    way = way * _sign(complex(nominal(way)), _shift(desk, driven, groups))
+    way = way * _sign(complex(nominal(way)), _shift(desk, driven))
     force = force * _sign(complex(nominal(force)), complex(nominal(way)))
     return Marked(at=at, force=force, way=way, across=across * _sign(nominal(across), complex(nominal(force))))
 
@@ -90,7 +88,7 @@ def _sign(one: complex, other: complex) -> int:
     return -1 if (one.conjugate() * other).real < 0 else 1
 
 
-def _shift(desk: Desk, driven: Driven, groups: Sequence[Group]) -> complex:
+def _shift(desk: Desk, driven: Driven) -> complex:
     """How the point of the driven link moves while the drive goes on a little, on scratch paper; 0 where it cannot."""
     drive, at = desk.mech.drive, complex(nominal(desk.at[driven.at]))
     step = NUDGE * (desk.mech.scale if drive.slide else 1.0) * (-1.0 if drive.rate < 0 else 1.0)
@@ -98,7 +96,7 @@ def _shift(desk: Desk, driven: Driven, groups: Sequence[Group]) -> complex:
     origin, along = complex(nominal(pose.origin)), complex(nominal(pose.along))
     local = (at - origin) / along
     try:
-        moved = placed(desk, groups, drive.position + step).pose[driven.link]
+        moved = placed(desk, drive.position + step).pose[driven.link]
     except VecpolyError:
         return 0j
     shift = complex(nominal(moved.origin)) + complex(nominal(moved.along)) * local - at

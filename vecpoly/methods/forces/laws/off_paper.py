@@ -84,7 +84,7 @@ class OffPaper:
 
     def _measured(self, way: Way) -> tuple[Quantity, float]:
         board, (link, point, direction) = self.desk.board, way
-        low, high = stroke(self.desk.mech, *way)
+        low, high = stroke(self.desk.told or self.desk.mech, *way)
         along = complex(np.exp(1j * direction))
         here = self.place(link, point)
         start = here + along * (self.desk.mm(low) - dot(along, here))

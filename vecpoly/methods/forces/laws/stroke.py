@@ -9,19 +9,16 @@ from itertools import pairwise
 
 import numpy as np
 
-from ....board.board import Scratch
-from ....board.construction import Scale, View
-from ....board.hand import hand
-from ....board.place import views
+from ....board.construction import View
 from ....errors import EquilibriumError, VecpolyError
-from ....mechanism.groups.assur import decompose
+from ....mechanism.groups.assur import Group, decompose
 from ....mechanism.laws.told import no_stroke
 from ....mechanism.model import Mechanism
 from ....names import At
 from ....plane import dot, nominal
-from ...coincident import coincident_letters
 from ...desk import Desk
 from ...exchange.exchange import exchanged
+from ...following import Follower, drawn, follower, is_followed
 from ...kinematics.doors import draw_drives, draw_group
 from ...kinematics.image import found_tip
 from ...registry import Stage
@@ -34,9 +31,12 @@ _STAGES = (Stage.POSITION, Stage.VELOCITY)
 
 def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[float, float]:
     """Least and greatest coordinate of a point along a direction (m); EquilibriumError where it has no stroke."""
-    whole, low, high = _stroke(_at_zero(mech), link, point, direction)
-    if not whole:
-        _, low, high = _stroke(mech, link, point, direction)
+    if is_followed(mech):
+        _, low, high = _stroke(follower(mech), link, point, direction)
+    else:
+        whole, low, high = _stroke(_at_zero(mech), link, point, direction)
+        if not whole:
+            _, low, high = _stroke(mech, link, point, direction)
     if (why := no_stroke(link, point, direction, high - low, mech.scale)) is not None:
         raise EquilibriumError(why, code="contradiction")
     return low, high
@@ -48,44 +48,39 @@ def _at_zero(mech: Mechanism) -> Mechanism:
 
 
 @lru_cache(maxsize=128)
-def _stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[bool, float, float]:
+def _stroke(way: Follower | Mechanism, link: str, point: str, direction: float) -> tuple[bool, float, float]:
     """Whether the drive goes right round, and both ends: at the dead centres, where the velocity turns round, or where
     the drive comes to its own end."""
+    mech = way.mech if isinstance(way, Follower) else way
     drive = mech.drive
     own, step = drive.position, (mech.scale / 18 if drive.slide else 2 * np.pi / TRIALS)
     seen: dict[float, tuple[float, float] | None] = {}
 
-    def drawn(at: float) -> tuple[float, float] | None:
+    def seen_at(at: float) -> tuple[float, float] | None:
         if at not in seen:
-            seen[at] = _drawn(mech, at, link, point, direction)
+            seen[at] = _seen(way, at, link, point, direction)
         return seen[at]
 
-    ahead, behind = ([own + way * step * k for k in range(1, TRIALS + 1)] for way in (1, -1))
-    if drawn(own) is None:
+    ahead, behind = ([own + sense * step * k for k in range(1, TRIALS + 1)] for sense in (1, -1))
+    if seen_at(own) is None:
         return False, 0.0, 0.0
-    if not drive.slide and all(drawn(at) is not None for at in ahead):
-        return True, *_ends([own, *ahead], drawn)
-    reach = [*_reached(behind, drawn)[::-1], own, *_reached(ahead, drawn)]
-    return False, *_ends(sorted([*reach, *_edges(reach, step, drawn)]), drawn)
+    if not drive.slide and all(seen_at(at) is not None for at in ahead):
+        return True, *_ends([own, *ahead], seen_at)
+    reach = [*_reached(behind, seen_at)[::-1], own, *_reached(ahead, seen_at)]
+    return False, *_ends(sorted([*reach, *_edges(reach, step, seen_at)]), seen_at)
 
 
 Drawn = Callable[[float], tuple[float, float] | None]
 
 
-def _drawn(mech: Mechanism, at: float, link: str, point: str, direction: float) -> tuple[float, float] | None:
+def _seen(way: Follower | Mechanism, at: float, link: str, point: str, direction: float) -> tuple[float, float] | None:
     """Coordinate (m) and velocity of the point along the direction in this place of the drive; None where there is
     none."""
-    even = replace(mech.drive, position=at, rate=mech.drive.rate or 1.0, accel=0.0)
     try:
-        moved = exchanged(replace(mech, drives=(even, *mech.drives[1:])), _STAGES).mech
-        groups = decompose(moved)
-        scales = {view: Scale(symbol="μ", value=_size(moved, view), unit="") for view in views()}
-        desk = Desk(board=Scratch(hand("exact"), scales), mech=moved, coincident=coincident_letters(moved, groups))
-        desk.at = {name: place * desk.mm(1.0) for name, place in moved.frame.items()}
-        for stage in _STAGES:
-            draw_drives(desk, stage)
-            for group in groups:
-                draw_group(desk, stage, group)
+        desk, groups = way.drawn(at) if isinstance(way, Follower) else _as_told(way, at)
+        draw_drives(desk, Stage.VELOCITY)
+        for group in groups:
+            draw_group(desk, Stage.VELOCITY, group)
         along = complex(np.exp(1j * direction))
         place = float(nominal(dot(along, desk.where(At(point, link))))) / desk.mm(1.0)
         return place, float(nominal(dot(along, found_tip(desk, View.VELOCITY, At(point, link)))))
@@ -93,9 +88,12 @@ def _drawn(mech: Mechanism, at: float, link: str, point: str, direction: float) 
         return None
 
 
-def _size(mech: Mechanism, view: View) -> float:
-    pace = abs(mech.drive.rate) * (1.0 if mech.drive.slide else mech.scale)
-    return {View.MECHANISM: mech.scale, View.VELOCITY: pace}.get(view, 1.0) / 100
+def _as_told(mech: Mechanism, at: float) -> tuple[Desk, tuple[Group, ...]]:
+    """The position diagram as the statements say there: of a cam's profile, which is replaced anew in every place."""
+    even = replace(mech.drive, position=at, rate=mech.drive.rate or 1.0, accel=0.0)
+    moved = exchanged(replace(mech, drives=(even, *mech.drives[1:])), _STAGES).mech
+    groups = decompose(moved)
+    return drawn(moved, groups), groups
 
 
 def _reached(places: list[float], drawn: Drawn) -> list[float]:

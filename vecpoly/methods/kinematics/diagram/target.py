@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import tau
 
@@ -11,7 +11,6 @@ import numpy as np
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....errors import VecpolyError
-from ....mechanism.groups.assur import Group
 from ....plane import nominal
 from ....problem.asked.target import Target
 from ....words import Words
@@ -21,7 +20,7 @@ from ...placed import placed, refuse_told
 PLACES = 120  # of the drive, over a turn
 
 
-def draw_target(desk: Desk, groups: Sequence[Group], target: Target) -> None:
+def draw_target(desk: Desk, target: Target) -> None:
     """The curve dashed, the path thin under the links, the greatest distance of a given point from the path."""
     board, view = desk.board, View.MECHANISM
     name, mark = target.point, "T" if "T" not in desk.at else "T′"
@@ -34,35 +33,40 @@ def draw_target(desk: Desk, groups: Sequence[Group], target: Target) -> None:
         ),
         view,
     )
-    arcs = list(_arcs(desk, groups, name))
-    for arc in arcs:
-        board.curve(view, [np.complex128(at) for at in arc], Role.CONSTRUCTION)
+    path = _path(desk, name)
+    if len(path) > 1:
+        board.curve(view, [np.complex128(at) for at in path], Role.CONSTRUCTION)
     given = [desk.mm(1.0) * at for at in target.through]
     board.curve(view, [np.complex128(at) for at in (*given, *given[: target.closed])], Role.HIDDEN)
-    at, foot = max(((spot, _foot(arcs, spot)) for spot in given), key=lambda pair: abs(pair[1] - pair[0]))
+    at, foot = max(((spot, _foot(path, spot)) for spot in given), key=lambda pair: abs(pair[1] - pair[0]))
     on_paper = board.measure(np.complex128(at), np.complex128(foot), f"{mark} {mark}_0")
     board.compute("δ_{max}", board.mu(view) * on_paper, "m")
     board.join(view, np.complex128(at), np.complex128(foot), Role.RESULT)
     board.plot(view, np.complex128(at), mark, Dot.POINT)
 
 
-def _arcs(desk: Desk, groups: Sequence[Group], point: str) -> list[list[complex]]:
-    """The path, in pieces where the mechanism does not close in between; one closed piece where it always does."""
+def _path(desk: Desk, point: str) -> list[complex]:
+    """The path through a turn of the drive; as far as it goes to both sides where it does not turn right round."""
     refuse_told(desk.mech)
-    arcs: list[list[complex]] = [[]]
-    for step in range(PLACES + 1):
+    ahead = list(_run(desk, point, 1))
+    behind = [] if len(ahead) == PLACES else list(_run(desk, point, -1))
+    return [*behind[::-1], complex(nominal(desk.at[point])), *ahead]
+
+
+def _run(desk: Desk, point: str, sense: int) -> Iterator[complex]:
+    """Places of the point, until the mechanism goes no farther."""
+    for step in range(1, PLACES + 1):
         try:
-            there = placed(desk, groups, desk.mech.drive.position + tau * step / PLACES)
-            arcs[-1].append(complex(nominal(there.at[point])))
+            there = placed(desk, desk.mech.drive.position + sense * tau * step / PLACES)
         except VecpolyError:
-            arcs.append([])
-    return [arc for arc in arcs if len(arc) > 1]
+            return
+        yield complex(nominal(there.at[point]))
 
 
-def _foot(arcs: Sequence[Sequence[complex]], spot: complex) -> complex:
+def _foot(path: Sequence[complex], spot: complex) -> complex:
     """The place of the path that is nearest to a point."""
-    feet = (_on_chord(one, two, spot) for arc in arcs for one, two in pairwise(arc))
-    return min(feet, key=lambda foot: abs(foot - spot))
+    feet = (_on_chord(one, two, spot) for one, two in pairwise(path))
+    return min(feet, key=lambda foot: abs(foot - spot), default=path[0])
 
 
 def _on_chord(one: complex, two: complex, spot: complex) -> complex:

@@ -20,7 +20,8 @@ _EN = {"left": "to the left of", "right": "to the right of", "above": "above", "
 def choose(
     desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, Points]
 ) -> tuple[Points, Statement | None]:
-    """The meeting point that fulfils the statements about this group, and the statement that decided.
+    """The meeting point that fulfils the statements about this group, and the statement that decided; on paper for
+    another position of the drive the one that is carried on.
 
     Raises AssemblyError when both or neither do: the text says which words would help.
     """
@@ -38,13 +39,16 @@ def choose(
     trials = [_with_point(desk, drawn, point, links, at) for at in (first, second)]
     new = set(trials[0]) - set(drawn)
     about = [s for s in desk.mech.branches if set(s.letters) <= set(trials[0]) and set(s.letters) & new]
+    near, key = nearer(*in_metres(desk, trials), 1e-6 * desk.mech.scale), (point, *links)
+    if desk.sides.is_kept and (carried := desk.sides.carry(key, near)) is not None:
+        return pair[carried], None
     holds, fits = _fulfilled(desk, about, trials, 1e-2 * hair)
-    if all(fits) and (near := nearer(*in_metres(desk, trials), 1e-6 * desk.mech.scale)) is not None:
-        return pair[near], None
+    if all(fits) and near is not None:
+        return pair[desk.sides.take(key, near)], None
     if not about or fits[0] == fits[1]:
         raise AssemblyError(_which(point, links, desk, about))
     deciding = next(s for s, a, b in zip(about, *holds, strict=True) if a != b)
-    return (pair[0] if fits[0] else pair[1]), deciding
+    return pair[desk.sides.take(key, 0 if fits[0] else 1)], deciding
 
 
 def _fulfilled(

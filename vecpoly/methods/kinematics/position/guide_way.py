@@ -20,12 +20,24 @@ def choose_way(
     desk: Desk, joint: Prismatic, q: str, p: str, ways: tuple[Points, Points]
 ) -> tuple[Points, Statement | None]:
     """Of two directions of the guide pinned at Q, whose block is pinned at P,
-    the one that is meant, and the statement that decided.
+    the one that is meant, and the statement that decided; on paper for another position the one that is carried on.
 
     Raises AssemblyError where neither fulfils the statements, or nothing tells them apart.
     """
     sides = [complex(nominal(way)) for way in ways]
     trials = [_with_way(desk, joint, q, p, way) for way in sides]
+    near, key = nearer(*in_metres(desk, trials), 1e-6 * desk.mech.scale), (joint.guide, joint.block)
+    if desk.sides.is_kept and (carried := desk.sides.carry(key, near)) is not None:
+        return ways[carried], None
+    chosen, deciding = _meant(desk, joint, (q, p), (sides, trials), near)
+    return ways[desk.sides.take(key, chosen)], deciding
+
+
+def _meant(
+    desk: Desk, joint: Prismatic, pins: tuple[str, str], ways: tuple[list[complex], list[Places]], near: int | None
+) -> tuple[int, Statement | None]:
+    """By the statements, else ahead of the letter, else near the rough places."""
+    sides, trials = ways
     new = set(trials[0]) - set(desk.at)
     told = [s for s in desk.mech.branches if set(s.letters) <= set(trials[0]) and set(s.letters) & new]
     holds = [[margin(s, trial) > 1e-2 * HAIR * desk.mm(desk.mech.scale) for s in told] for trial in trials]
@@ -37,17 +49,17 @@ def choose_way(
             Words("分支说明均不满足", "neither of its directions fulfils the branch statements"),
         )
     if fits[0] != fits[1]:
-        return ways[fits.index(True)], next(s for s, a, b in zip(told, *holds, strict=True) if a != b)
-    ahead = [_travel(desk, joint, q, p, way) > 0 for way in sides]
+        return fits.index(True), next(s for s, a, b in zip(told, *holds, strict=True) if a != b)
+    ahead = [_travel(desk, joint, *pins, way) > 0 for way in sides]
     if ahead[0] == ahead[1]:
-        if (near := nearer(*in_metres(desk, trials), 1e-6 * desk.mech.scale)) is not None:
-            return ways[near], None
+        if near is not None:
+            return near, None
         raise _refused(
             joint,
             "branch-missing",
             Words("两个方向都可装配，须以分支说明", "it can point either way, and no branch statement says which"),
         )
-    return ways[ahead.index(True)], None
+    return ahead.index(True), None
 
 
 def _refused(joint: Prismatic, code: str, why: Words) -> AssemblyError:

@@ -1,0 +1,206 @@
+"""The mechanism in other positions of its drive as it comes there from its own: place by place, never taken apart.
+
+A branch statement is read at the given position only. Elsewhere a group takes of two meeting points the one that it
+took before: on the same side of the line of its outer hinges, on the same side of the foot on its guide. Where another
+lies nearer to where the last places lead, the stride is halved: either they then agree, or the mechanism passes a
+change point, and the nearest is taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+
+import numpy as np
+
+from ..errors import VecpolyError
+from ..mechanism.groups.assur import Group, decompose
+from ..mechanism.model import Mechanism, Shaped
+from ..plane import nominal
+from .desk import Desk
+from .kinematics.diagram.cam import letter_contacts
+from .kinematics.doors import draw_drives, draw_group
+from .registry import Stage
+from .scratch import position_desk
+from .sides import Key, Sides
+
+STEP, BY_TRIAL = np.radians(4.9486), np.radians(2.4743)  # no place falls on a change point by its round number
+FINEST = 2.0**-10  # of a step: the shortest stride
+SEED = 1e-3  # of a step: how far off the second place lies, from which one sees where the first ones lead
+JUMP = 0.5  # of the way gone: a group found by trial that lies farther from where it is led may be another assembly
+SAME = 1e-7  # of the mechanism's size: two drawings of one place
+Places = dict[str, complex]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stand:
+    """A place on the way: how far from the own position, where all letters are (m), which sides were taken; before:
+    this place and the last ones; desk: as it was drawn, where it still is at hand."""
+
+    way: float
+    places: Places
+    taken: Mapping[Key, int]
+    before: tuple[tuple[float, Places], ...]
+    desk: Desk | None = None
+
+    def led(self, way: float) -> Places:
+        """Where these places lead, as a parabola through three of them goes on."""
+        ways = [one for one, _ in self.before]
+        shares = [np.prod([(way - b) / (a - b) for b in ways if b != a]) for a in ways]
+        return {
+            p: complex(sum(share * at[p] for share, (_, at) in zip(shares, self.before, strict=True)))
+            for p in self.places
+        }
+
+
+@dataclass(slots=True, eq=False)
+class Follower:
+    """The places of all letters, step by step from the mechanism's own position on; none is drawn twice."""
+
+    mech: Mechanism
+    groups: tuple[Group, ...]
+    step: float
+    by_trial: frozenset[str]  # letters of groups without two meeting points
+    stands: dict[int, Stand] = field(default_factory=dict)
+    ends: dict[int, tuple[float, VecpolyError]] = field(default_factory=dict)
+
+    def at(self, position: float) -> Stand:
+        """The place of this position (rad, or m). Raises AssemblyError, DeadPointError where the way there ends."""
+        way = position - self.mech.drive.position
+        sense = 1 if way >= 0 else -1
+        if sense in self.ends and abs(way) >= self.ends[sense][0]:
+            raise self.ends[sense][1]
+        try:
+            return self._reached(way, sense)
+        except VecpolyError as error:
+            self.ends[sense] = (abs(way), error)
+            raise
+
+    def _reached(self, way: float, sense: int) -> Stand:
+        number = int(way / self.step)
+        for k in range(sense, number + sense, sense):
+            if k not in self.stands:
+                self.stands[k] = replace(self._gone(self.stands[k - sense], k * self.step), desk=None)
+        return self._gone(self.stands[number], way)
+
+    def _gone(self, stand: Stand, way: float) -> Stand:
+        """On from a place, in shorter strides where one does not see how."""
+        stride = way - stand.way
+        while stand.way != way:
+            stride = way - stand.way if abs(way - stand.way) <= abs(stride) else stride
+            last = abs(stride) < FINEST * self.step
+            found = self._next(stand, way if stride == way - stand.way else stand.way + stride, last=last)
+            stand, stride = (stand, stride / 2) if found is None else (found, 2 * stride)
+        return stand
+
+    def _next(self, stand: Stand, way: float, *, last: bool) -> Stand | None:
+        """The next place; None where one does not see how, unless strides come no shorter."""
+        led = stand.led(way)
+        try:
+            desk = self._drawn(way, led, stand.taken)
+            if last and desk.sides.nearest:
+                kept = {key: side for key, side in stand.taken.items() if key not in desk.sides.nearest}
+                desk = self._drawn(way, led, kept)
+        except VecpolyError:
+            if last:
+                raise
+            return None
+        places = letters(desk)
+        if not last and (desk.sides.nearest or self._is_jump(stand.places, led, places)):
+            return None
+        before = ((way, places), *stand.before[:2])
+        return Stand(way=way, places=places, taken=desk.sides.taken, before=before, desk=desk)
+
+    def _is_jump(self, here: Places, led: Places, there: Places) -> bool:
+        gone, off = (max((abs(there[p] - one[p]) for p in self.by_trial), default=0.0) for one in (here, led))
+        return off > JUMP * gone + SAME * self.mech.scale
+
+    def drawn(self, position: float) -> tuple[Desk, tuple[Group, ...]]:
+        """The position diagram there by an exact hand, the drive at unit rate; and the groups."""
+        stand = self.at(position)
+        return stand.desk or self._drawn(stand.way, stand.places, stand.taken), self.groups
+
+    def _drawn(self, way: float, led: Places, kept: Mapping[Key, int]) -> Desk:
+        position = self.mech.drive.position + way
+        return drawn(moved(self.mech, position, led), self.groups, Sides(kept=kept))
+
+    def comes_to(self, mech: Mechanism, places: Places) -> bool:
+        """Whether it comes to these places at this mechanism's own position."""
+        try:
+            found = self.at(mech.drive.position).places
+        except VecpolyError:
+            return False
+        return all(abs(found[p] - at) < SAME * mech.scale for p, at in places.items())
+
+
+@lru_cache(maxsize=256)
+def follower(mech: Mechanism) -> Follower:
+    """Of a mechanism in its own position: the same for all its positions that follow from each other.
+
+    Raises AssemblyError, DeadPointError where its own position cannot be drawn.
+    """
+    mech = replace(mech, drives=tuple(replace(drive, rate=1.0, accel=0.0) for drive in mech.drives))
+    groups = decompose(mech)
+    desk = drawn(mech, groups)
+    places, known = letters(desk), _known(moved(mech, 0.0, {}))
+    for one in known:
+        if one.comes_to(mech, places):
+            return one
+    known.append(_begun(mech, groups, places, desk.sides.taken))
+    return known[-1]
+
+
+@lru_cache(maxsize=64)
+def _known(bare: Mechanism) -> list[Follower]:
+    """Those of one mechanism, in all its assemblies."""
+    return []
+
+
+def _begun(mech: Mechanism, groups: tuple[Group, ...], places: Places, taken: Mapping[Key, int]) -> Follower:
+    trial = [group for group in groups if group.dyad is None and group.ram is None]
+    found = frozenset(p for group in trial for link in group.links for p in mech.link(link).points)
+    step = (BY_TRIAL if trial else STEP) * (mech.scale if mech.drive.slide else 1.0)
+    one = Follower(mech=mech, groups=groups, step=step, by_trial=found & places.keys())
+    before: tuple[tuple[float, Places], ...] = ((0.0, places),)
+    for way in (SEED * step, -SEED * step):
+        try:
+            beside = letters(one._drawn(way, places, taken))
+        except VecpolyError:
+            continue
+        before = (*before, (way, beside))
+        break
+    one.stands[0] = Stand(way=0.0, places=places, taken=taken, before=before)
+    return one
+
+
+def moved(mech: Mechanism, position: float, led: Mapping[str, complex]) -> Mechanism:
+    """The mechanism with its drive there, its letters near these places, and the statements that hold all round."""
+    drives = (replace(mech.drive, position=position), *mech.drives[1:])
+    held = tuple(one for one in mech.branches if isinstance(one, Shaped))
+    return replace(mech, drives=drives, branches=held, guesses={**mech.guesses, **led} if led else {})
+
+
+def is_followed(mech: Mechanism) -> bool:
+    """Whether what is known of the mechanism holds in all positions: of a profile, or of a gear, it need not."""
+    return not mech.starts and not mech.cams
+
+
+def drawn(mech: Mechanism, groups: tuple[Group, ...], sides: Sides | None = None) -> Desk:
+    """The position diagram by an exact hand, on scratch paper."""
+    desk = position_desk(mech, groups, sides=sides)
+    draw_positions(desk, groups)
+    return desk
+
+
+def draw_positions(desk: Desk, groups: tuple[Group, ...]) -> None:
+    """Drives and groups where they are."""
+    draw_drives(desk, Stage.POSITION)
+    for group in groups:
+        draw_group(desk, Stage.POSITION, group)
+        letter_contacts(desk, group.links)
+
+
+def letters(desk: Desk) -> Places:
+    """All letters as drawn (m)."""
+    return {letter: complex(nominal(at)) / desk.mm(1.0) for letter, at in desk.at.items()}
