@@ -46,15 +46,15 @@ const beat = {
   turn(figure, [, x, y, from, size, sweep]) {
     const bow = Math.min(0.45 * size, 900), end = (degrees) => `${(bow * Math.cos(degrees * Math.PI / 180)).toFixed(0)} ${(bow * Math.sin(degrees * Math.PI / 180)).toFixed(0)}`;
     const home = shape("g", { class: "turned", transform: `translate(${x} ${y})` }), head = Math.min(300, size / 3);
-    const arrow = shape("path", { d: `M0 0H${size}m${-head} ${-head / 3}L${size} 0l${-head} ${head / 3}`, transform: `rotate(${from})` });
-    home.append(shape("path", { class: "ghost", d: `M0 0H${size}m${-head} ${-head / 3}L${size} 0l${-head} ${head / 3}`, transform: `rotate(${from})` }), shape("path", { class: "bow", d: `M${end(from)}A${bow} ${bow} 0 0 ${sweep > 0 ? 1 : 0} ${end(from + sweep)}` }));
+    const drawn_as = { d: `M0 0H${size}m${-head} ${-head / 3}L${size} 0l${-head} ${head / 3}`, transform: `rotate(${from})` }, arrow = shape("path", drawn_as);
+    home.append(shape("path", { class: "ghost", ...drawn_as }), shape("path", { class: "bow", d: `M${end(from)}A${bow} ${bow} 0 0 ${sweep > 0 ? 1 : 0} ${end(from + sweep)}` }));
     figure.halo.append(home);
     if (calm.matches || !player.ready) return;
     home.append(arrow);
     const start = performance.now();
     const move = (now) => {
-      const t = Math.min(1, (now - start) / TURNED * Math.min(player.speed, 1)), k = t * t * (3 - 2 * t);
-      arrow.setAttribute("transform", `rotate(${from + k * sweep})`);
+      const t = Math.min(1, (now - start) / TURNED * Math.min(player.speed, 1));
+      arrow.setAttribute("transform", `rotate(${from + eased(t) * sweep})`);
       if (t < 1) beat.aim = requestAnimationFrame(move);
       else arrow.remove();
     };
@@ -78,10 +78,13 @@ const beat = {
   said(number) {
     const here = beat.of(number), node = steps[here.step - 1], lang = player.lang() === "zh" ? "sayZh" : "sayEn";
     const count = player.word(`第 ${here.step} 步，共 ${COUNT} 步。`, `Step ${here.step} of ${COUNT}. `);
-    if (number === beat.first(here.step) || number === beat.last(here.step) && player.jumped) return count + node.dataset[lang];
-    const lines = all(".display", node).filter((line) => +line.dataset.beat === number).map((line) => one("[aria-label]", line).getAttribute("aria-label"));
-    return [here.say ? player.word(`作 ${here.say}`, `draw ${here.say}`) : "", ...lines].filter(Boolean).join("; ") || count;
+    if (number === beat.first(here.step) || number === beat.last(here.step) && player.jumped) return [count + node.dataset[lang], ...beat.read(node)].join("; ");
+    const lines = all(".display", node).filter((line) => +line.dataset.beat === number).flatMap(beat.read);
+    return [here.say ? player.word(...here.say) : "", ...lines].filter(Boolean).join("; ") || count;
   },
+
+  // Equations and formulas in words, in the language of the page.
+  read: (node) => all(".scroll[aria-label], .display [aria-label]", node).concat(node.matches(".display") ? all("[aria-label]", node) : []).filter((told) => !told.closest(player.lang() === "zh" ? "div.en" : "div.zh")).map((told) => told.getAttribute("aria-label")),
 };
 
 function shape(name, attributes) {

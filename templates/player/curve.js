@@ -77,7 +77,7 @@ const curve = {
 function between(p, a, b, q, t) {
   const slope = (one, other) => (one * other <= 0 ? 0 : 2 * one * other / (one + other)), s = b - a;
   const m = p === null ? s : slope(a - p, s), n = q === null ? s : slope(s, q - b);
-  return (2 * t ** 3 - 3 * t * t + 1) * a + (t ** 3 - 2 * t * t + t) * m + (3 * t * t - 2 * t ** 3) * b + (t ** 3 - t * t) * n;
+  return hermite(a, b, m, n, t);
 }
 
 // Round numbers from below a value to above another, few.

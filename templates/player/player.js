@@ -174,8 +174,10 @@ const player = {
 
   setLang(lang) {
     root.dataset.lang = root.lang = lang;
+    for (const figure of [...figures, ...turn.figures]) figure.seen = null; // letters about words of another length
     document.title = document.body.dataset[lang === "zh" ? "titleZh" : "titleEn"];
     player.relabel();
+    stage.legible(stage.size().w / stage.camera.w);
     player.go(player.at(), false);
   },
 
@@ -189,7 +191,7 @@ const player = {
       const [zh, en] = states[node.id] || (names && names[node.id]) || [node.dataset.zh, node.dataset.en];
       const text = player.word(zh, en) + (node.id === "speed" ? ` ${node.textContent}` : "");
       node.setAttribute("aria-label", text);
-      if (node.matches("button:not(#language):not(.number)")) node.title = text + (node.ariaKeyShortcuts ? ` (${KEYS[node.ariaKeyShortcuts] || node.ariaKeyShortcuts})` : "");
+      if (node.matches("button:not(#language, .number, .pick, #ways button)")) node.title = text + (node.ariaKeyShortcuts ? ` (${KEYS[node.ariaKeyShortcuts] || node.ariaKeyShortcuts})` : "");
     }
   },
 

@@ -45,7 +45,7 @@ const stage = {
   },
 
   sized(figures, cell) {
-    if (player.turning()) for (const figure of figures) turn.fitted(figure, figure.polygon ? cell : null);
+    if (player.turning()) for (const figure of figures) turn.fitted(figure, figure.polygon ? cell : null, stage.narrow() && figures.length > 1);
     const side = ({ box }) => Math.sqrt(box[2] * box[3]), most = Math.max(...figures.map(side));
     for (const figure of figures) figure.zoom = cell || figure.moves === false ? 1 : Math.min(most / side(figure), ZOOM);
   },
@@ -71,15 +71,15 @@ const stage = {
   },
 
   fly(box, at_once) {
-    const { w, h } = stage.size(), right = stage.narrow() ? 0 : 58, low = stage.narrow() ? 46 : 0; // pixels of the zoom buttons
-    const scale = Math.min((w - right) / box.w, (h - low) / box.h, LARGEST); // pixels a unit
-    const to = { x: box.x - ((w - right) / scale - box.w) / 2, y: box.y - ((h - low) / scale - box.h) / 2, w: w / scale, h: h / scale };
+    const { w, h } = stage.size(), right = stage.narrow() ? 0 : 58; // pixels of the zoom buttons
+    const scale = Math.min((w - right) / box.w, h / box.h, LARGEST); // pixels a unit
+    const to = { x: box.x - ((w - right) / scale - box.w) / 2, y: box.y - (h / scale - box.h) / 2, w: w / scale, h: h / scale };
     cancelAnimationFrame(stage.aim);
     stage.legible(scale);
     if (at_once || calm.matches) return stage.look(to);
     const from = { ...stage.camera }, start = performance.now();
     const move = (now) => {
-      const t = Math.min(1, (now - start) / 320), k = t * t * (3 - 2 * t);
+      const t = Math.min(1, (now - start) / 320), k = eased(t);
       stage.look({ x: from.x + k * (to.x - from.x), y: from.y + k * (to.y - from.y), w: from.w + k * (to.w - from.w), h: from.h + k * (to.h - from.h) });
       if (t < 1) stage.aim = requestAnimationFrame(move);
     };
@@ -125,6 +125,9 @@ const stage = {
     player.free();
   },
 };
+
+// Slow at both ends of a motion; t: 0 to 1.
+const eased = (t) => t * t * (3 - 2 * t);
 
 function hull(boxes) {
   const x = Math.min(...boxes.map((b) => b.x)), y = Math.min(...boxes.map((b) => b.y));

@@ -7,15 +7,16 @@ const trace = {
   // A chip for each letter that moves.
   load() {
     const found = new Map();
-    for (const figure of turn.figures) for (const point of figure.points) if (!found.has(point.letter)) found.set(point.letter, point.type);
+    for (const figure of turn.figures) for (const point of figure.points) if (!found.has(point.letter)) found.set(point.letter, point);
     const home = one("#ways");
     home.hidden = !found.size;
-    for (const [letter, type] of found) {
+    for (const [letter, { type, say: [zh, en] }] of found) {
       const chip = document.createElement("button");
       chip.type = "button";
       chip.dataset.letter = letter;
       chip.setAttribute("aria-pressed", "false");
-      chip.setAttribute("aria-label", letter.replace(/[{}_^$]/g, ""));
+      Object.assign(chip.dataset, { zh, en });
+      chip.setAttribute("aria-label", player.word(zh, en));
       chip.innerHTML = trace.letter(type);
       chip.onclick = () => trace.choose(letter, chip);
       home.append(chip);
@@ -32,7 +33,7 @@ const trace = {
   // The whole way of each chosen point, smooth through its places.
   ways(figure) {
     const paths = figure.points.filter(({ letter }) => trace.chosen.has(letter)).map(({ at }) => `<path class="way" d="${trace.path(at)}"/>`);
-    figure.ways.innerHTML = `<g clip-path="url(#${one("clipPath", figure.node).id})">${paths.join("")}</g>`;
+    figure.ways.innerHTML = paths.join("");
   },
 
   path(at) {
@@ -48,7 +49,7 @@ const trace = {
     return d;
   },
 
-  // Where a point is at an index.
+  // Where a point is at an index, at the scale of the given place.
   spot(point, index) {
     if (turn.whole(index)) return point.at[turn.wrap(Math.round(index))];
     const { around, t } = turn.about(index), [p, a, b, q] = around.map((i) => (i === null ? null : point.at[i]));
@@ -57,16 +58,18 @@ const trace = {
 
   // What lies beyond the frame has an arrow at its edge with the letter; what can be dragged has a ring.
   draw(figure, index) {
-    const [x, y, w, h] = figure.frame, size = letters.times(letters.LETTER, figure.seen || { px: 1, base: 1 }), far = [], grips = [];
+    const times = turn.times(figure, index), [x, y, w, h] = figure.frame, size = letters.times(letters.LETTER, figure.seen || { px: 1, base: 1 }), far = [], grips = [];
     figure.off = [];
     for (const point of figure.points) {
-      const spot = trace.spot(point, index);
+      const spot = trace.spot(point, index)?.map((part) => part * times);
       if (!spot) continue;
       const inside = spot[0] > x && spot[0] < x + w && spot[1] > y && spot[1] < y + h;
       if (!inside && !figure.cell) { figure.off.push(point.letter); far.push(trace.edge(figure, spot, point, size)); }
       else if (trace.drives(figure)) grips.push(`<circle class="${point.drives ? "grip" : "hold"}" cx="${spot[0].toFixed(0)}" cy="${spot[1].toFixed(0)}" r="${Math.round(260 * size)}" data-letter="${point.letter}"/>`);
     }
     figure.far.innerHTML = far.join("");
+    figure.ways.setAttribute("transform", `scale(${times})`);
+    figure.ways.style.setProperty("--times", times);
     figure.grips.innerHTML = grips.join("");
   },
 
@@ -74,16 +77,17 @@ const trace = {
   tell(near) {
     const found = new Map();
     for (const figure of turn.figures.filter(({ node, key }) => node.style.display !== "none" && key.startsWith("mechanism"))) {
-      for (const letter of figure.off) found.set(letter, figure.points.find((point) => point.letter === letter).type);
+      for (const { type } of figure.points.filter(({ letter }) => figure.off.includes(letter))) found.set(trace.text(type), type);
       for (const set of figure.sets) {
-        const types = pieces((set.moving[near] || {})[TEXT]).filter(({ name }) => name[0] === "t").map(({ name }) => name.split(".")[0]), texts = types.map((type) => document.getElementById(type).textContent);
+        const types = pieces((set.moving[near] || {})[TEXT]).filter(({ name }) => name[0] === "t").map(({ name }) => name.split(".")[0]), texts = types.map(trace.text);
         texts.forEach((text, i) => { if (/^P\d/.test(text) && texts.indexOf(text) !== i) found.set(text, types[i]); });
       }
     }
     one("#off").hidden = !found.size;
-    one("#off-list").innerHTML = [...new Map([...found].map(([letter, type]) => [letter.replace(/[{}_]/g, ""), type])).values()].map(trace.letter).join(" ");
+    one("#off-list").innerHTML = [...found.values()].map(trace.letter).join(" ");
   },
 
+  text: (type) => document.getElementById(type).textContent,
   letter(type) {
     const { w, h } = letters.of(type);
     return `<svg viewBox="-40 ${-h - 60} ${w + 80} ${h + 220}" style="height:${((h + 220) / 350).toFixed(2)}em;width:${((w + 80) / 350).toFixed(2)}em"><use href="#${type}"/></svg>`;

@@ -36,7 +36,7 @@ const turn = {
       return { still: set.still, moving: set.moving, layers };
     });
     return {
-      key: figure.key, box: figure.box, own: figure.box, clip: figure.clip, frame: figure.clip, cell: null, node, inside, captions, scale: figure.scale, sets, points: figure.points, polygon: figure.polygon,
+      key: figure.key, box: figure.box, own: figure.box, clip: figure.clip, frame: figure.clip, cell: null, node, inside, captions, scale: figure.scale, sizes: figure.captions.map(({ times }) => times), sets, points: figure.points, polygon: figure.polygon,
       lens: one(".lens", node), ways: one(".ways", node), far: one(".far", node), grips: one(".grips", node), near: 1,
       title: figure.size * Math.max(...captions.flatMap((caption) => all("use", caption).map((use) => letters.of(use.getAttribute("href").slice(1)).w))),
       moves: sets.some((set) => set.moving.some((layers_at) => layers_at && Object.keys(layers_at).length)),
@@ -46,6 +46,9 @@ const turn = {
   count: () => turn.data.shown.length,
   whole: (index) => Math.abs(index - Math.round(index)) < 1e-3,
   wrap: (index) => (turn.data.round ? (index % turn.count() + turn.count()) % turn.count() : Math.min(Math.max(index, 0), turn.count() - 1)),
+
+  // How many times as large as at the given place a figure is drawn at an index, where its scale is another.
+  times: (figure, index) => figure.sizes[figure.scale[turn.wrap(Math.round(index))]],
 
   // The places about an index, as far as there are any: before, from, to, after; and how far it is on the way.
   about(index) {
@@ -104,19 +107,20 @@ const turn = {
       const xs = [], ys = [];
       for (const set of figure.sets) for (const text of [set.still[TEXT], (set.moving[index] || {})[TEXT]]) for (const { name, numbers: [x, y] } of pieces(text)) if (name[0] === "t") { const { w, h } = letters.of(name.split(".")[0]); xs.push(x, x + w); ys.push(y - h, y + h / 4); }
       for (const set of figure.sets) for (const layer of [2, 4, 6]) for (const { numbers: [x, y] } of pieces((set.moving[index] || {})[layer])) { xs.push(x); ys.push(y); }
-      for (const { at } of figure.points) if (at[index]) { xs.push(at[index][0]); ys.push(at[index][1]); }
+      for (const { at } of figure.points) if (at[index]) { const [x, y] = at[index].map((part) => part * turn.times(figure, index)); xs.push(x); ys.push(y); }
       figure.boxes.set(index, xs.length ? [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)] : null);
     }
     return figure.boxes.get(index);
   },
 
-  // The frame of a figure: its own, or a cell in which it is followed; its title goes with it.
-  fitted(figure, cell) {
-    const [x, y, w, h] = figure.clip, [bx, by, bw, bh] = figure.own;
+  // The frame of a figure: its own, or a cell in which it is followed; its title goes with it, and the scale unless it stands close to others.
+  TITLE: 0.6, // of what stands under a figure
+  fitted(figure, cell, close) {
+    const [x, y, w, h] = figure.clip, [bx, by, bw, bh] = figure.own, under = (by + bh - y - h) * (close ? turn.TITLE : 1);
     figure.cell = cell;
     figure.frame = cell ? [x + w / 2 - cell.w / 2, y + h - cell.h, cell.w, cell.h] : figure.clip;
     const wide = Math.max(figure.frame[2] + 2 * (x - bx > 0 ? Math.min(x - bx, 200) : 200), figure.title);
-    figure.box = cell ? [x + w / 2 - wide / 2, figure.frame[1] - 200, wide, cell.h + 200 + (by + bh - y - h)] : figure.own;
+    figure.box = cell ? [x + w / 2 - wide / 2, figure.frame[1] - 200, wide, cell.h + 200 + under] : [bx, by, bw, y + h + under - by];
     for (const rect of all(":scope > rect, :scope > clipPath > rect", figure.node)) ["x", "y", "width", "height"].forEach((name, k) => rect.setAttribute(name, Math.round(figure.frame[k])));
   },
 
@@ -138,9 +142,15 @@ const turn = {
     return `${+(turn.unit === "°" ? (value + 360) % 360 : value).toFixed(1)}${turn.unit}`.replace("-", "−");
   },
 
-  // Words for a screen reader: the angle and every reading.
+  // Words for a screen reader: the angle and every reading, about so much between two places.
   said(index) {
-    const rows = all("#turn tbody tr").map((row) => [one(`th .${root.dataset.lang}`, row), ...[...row.cells].slice(1, 3)].map((cell) => cell.textContent.trim()).join(" "));
+    const language = player.lang() === "zh" ? 0 : 1, near = turn.wrap(Math.round(index));
+    const rows = all("#turn tbody tr").map((row, i) => {
+      const { drawn, aloud } = turn.data.curves[i], texts = [...row.cells].map((cell) => cell.textContent.trim()), about = turn.whole(index) ? null : curve.about(i, index);
+      const size = about !== null ? player.word("约 ", "about ") + curve.text(about) : turn.whole(index) && drawn.length && drawn[near] !== null ? `${+drawn[near].toPrecision(4)}`.replace("-", "−") : texts[1];
+      const unit = drawn.length && size ? aloud[language] : "";
+      return [one(".pick", row).getAttribute("aria-label"), size, unit, turn.data.aloud[texts[2]] ?? texts[2]].filter(Boolean).join(" ");
+    });
     return `${turn.shown(index)}. ${rows.join("; ")}`;
   },
 };
@@ -206,6 +216,11 @@ function blended([before, from, to, after], t) {
 // Through a at 0 and b at 1, with the slopes of their neighbours (none: straight on).
 function smooth(p, a, b, q, t) {
   const m = p === null || p === undefined ? b - a : (b - p) / 2, n = q === null || q === undefined ? b - a : (q - a) / 2;
+  return hermite(a, b, m, n, t);
+}
+
+// From a to b with these slopes at the ends.
+function hermite(a, b, m, n, t) {
   return (2 * t ** 3 - 3 * t * t + 1) * a + (t ** 3 - 2 * t * t + t) * m + (3 * t * t - 2 * t ** 3) * b + (t ** 3 - t * t) * n;
 }
 

@@ -20,7 +20,9 @@ from vecpoly.drawing.figure import Drawing, drawing
 from vecpoly.drawing.labels.want import Thing
 from vecpoly.drawing.labels.wants import unnamed
 from vecpoly.drawing.scene import Fill, Item, Rect, Stroke
-from vecpoly.drawing.style import THIN, Hue
+from vecpoly.drawing.style import LETTER, NOTE, THIN, Hue
+from vecpoly.typeset import Glyphs
+from vecpoly.typeset.box import MM
 from vecpoly.words import Words
 
 LONGEST = 31.0  # mm
@@ -50,6 +52,13 @@ def polygon(seed: int, vectors: int = 7) -> Figure:
                 Segment(a=tips[i - 1], b=tip + 6 * u, role=Role.DIRECTION, step=i),
             ]
     return figure(*marks)
+
+
+def sizes(drawn: Drawing, things: set[Thing] | None = None) -> set[float]:
+    """How large the type of each label is (mm): its largest glyph, for indices are smaller."""
+    labels = [label for label in drawn.labels if things is None or label.want.thing in things]
+    boxes = [piece.box for label in labels for piece in label.want.pieces]
+    return {round(max(item.size for item in box.items if isinstance(item, Glyphs)) / MM, 6) for box in boxes}
 
 
 @pytest.mark.parametrize("seed", range(40))
@@ -98,7 +107,7 @@ def test_a_vector_of_no_length_is_lettered_without_complaint() -> None:
 def test_letters_move_before_they_shrink() -> None:
     star = [Vector(a=0j, b=cmath.rect(40, k * math.pi / 5), role=Role.RESULT, label=f"v_{k}") for k in range(10)]
     drawn = drawing(figure(Point(at=0j, label="p", dot=Dot.POLE), *star))
-    assert faults(drawn) == [] and all(label.want.scale == 1.0 for label in drawn.labels)
+    assert faults(drawn) == [] and sizes(drawn) == {LETTER}
 
 
 def test_letters_stay_within_a_frame_where_one_is_given() -> None:
@@ -158,8 +167,11 @@ def test_no_two_labels_of_the_library_are_read_as_one(name: str) -> None:
 
 @each(IDS)
 def test_the_letters_of_a_figure_have_one_size(name: str) -> None:
+    """Those that name something; numbers and notes are smaller, and alike too."""
     for one in _drawn(name):
-        assert {label.want.scale for label in one.labels} <= {1.0}
+        assert sizes(one) <= {LETTER, NOTE}
+        named = {Thing.POINT, Thing.VECTOR, Thing.LINK, Thing.END, Thing.DIRECTION}
+        assert sizes(one, named) <= {LETTER}
 
 
 @each(IDS)

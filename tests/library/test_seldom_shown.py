@@ -124,7 +124,7 @@ def test_a_formula_set_on_several_lines_keeps_within_the_width(width: float) -> 
 def test_a_symbol_of_the_player_is_as_wide_to_its_height_as_what_it_shows() -> None:
     faces = Faces()
     for node in [node for step in drawn("3-9").construction.steps for node in step.formulas][:6]:
-        markup = symbol_html(node, faces)
+        markup = symbol_html(node, faces, "zh")
         view = re.search(r'viewBox="(\S+) (\S+) (\S+) (\S+)"', markup)
         style = re.search(r"height:([\d.]+)em;width:([\d.]+)em;vertical-align:-([\d.]+)em", markup)
         assert view is not None and style is not None

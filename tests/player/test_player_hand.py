@@ -78,6 +78,16 @@ def test_the_crank_follows_the_mouse_between_the_places_too(chrome: Page, folder
     assert page.value("all('#turn td:last-child').some((cell) => cell.textContent.startsWith('≈'))")
 
 
+def test_the_crank_follows_a_finger(chrome: Page, folder: Path) -> None:
+    page = show(chrome, folder, f"{KINEMATICS}#turn=1", PHONE)
+    start, end = data(page, f"{ON_SCREEN}('B', 1)"), data(page, f"{ON_SCREEN}('B', 3)")
+    ways = [start, *([(1 - k) * a + k * b for a, b in zip(start, end, strict=True)] for k in (0.3, 0.6, 1.0))]
+    for kind, spots in (("touchStart", ways[:1]), *(("touchMove", [at]) for at in ways[1:]), ("touchEnd", [])):
+        page.send("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y, "id": 0} for x, y in spots])
+    assert page.value("player.place") == pytest.approx(3, abs=0.15) and page.value("trace.held === null")
+    assert page.value("player.view") == "auto", "it is no pan"
+
+
 def test_between_two_places_a_crank_keeps_its_length_and_a_path_passes_its_points(chrome: Page, folder: Path) -> None:
     page = show(chrome, folder, f"{KINEMATICS}#turn=0")
     crank = data(page, "turn.figures[0].points.find((one) => one.letter === 'B').at")

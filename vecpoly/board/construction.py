@@ -88,8 +88,8 @@ class EquationTable:
     """A vector equation with its direction and magnitude rows, ready to be typeset.
 
     symbols: one per term; signs: "" for the first term, "=", "+" before the others; directions and magnitudes: one
-    entry a term, in words (``⊥$BC$``, ``$B→A$``, ``?``, ``✓``, ``$ω_1 l_{AB}$``). tones: of the symbols, 0 for black;
-    empty: all black.
+    entry a term, in words (``⊥$BC$``, ``$B→A$``, ``?``, ``✓``, ``$ω_1 l_{AB}$``). tones: one a term, 0 for black;
+    where none are given, all are black.
     """
 
     symbols: tuple[str, ...]
@@ -97,6 +97,10 @@ class EquationTable:
     directions: tuple[Words, ...]
     magnitudes: tuple[str, ...]
     tones: tuple[int, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not self.tones:
+            object.__setattr__(self, "tones", (0,) * len(self.symbols))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -143,7 +147,7 @@ def _toned(step: Step, found: Mapping[str, int]) -> Step:
     if step.equation is None:
         return step
     of = tuple(found.get(whose(ascii_key(symbol)), 0) for symbol in step.equation.symbols)
-    return replace(step, equation=replace(step.equation, tones=of if any(of) else ()))
+    return replace(step, equation=replace(step.equation, tones=of))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

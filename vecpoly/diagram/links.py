@@ -62,7 +62,7 @@ def _alone(posed: Posed, name: str) -> Iterator[Mark]:
     for letter in posed.body(name).points:
         if letter in posed.at and not letter.endswith("'"):
             dot = posed.dot(letter)
-            yield from _joining(posed, letter, name) if letter in hinged else ()
+            yield from _joining(posed, posed.at[letter], posed.pinned(letter), name) if letter in hinged else ()
             yield Point(at=posed.at[letter], label=subscripted(letter), dot=ALONE.get(dot, dot))
 
 
@@ -124,9 +124,10 @@ def _drawn(posed: Posed, links: tuple[str, ...], paper: list[Mark]) -> Iterator[
         if isinstance(rolling.on, Rack) and both & set(links) and posed.is_located(*both):
             yield rolling.on.link, rack_marks(posed, rolling, rolling.on)
     for letter in posed.hinged():
-        at = posed.pinned(letter)
-        if set(at) & set(links) and posed.is_located(*at):
-            yield from ((name, _joining(posed, letter, name)) for name in at if name != FRAME)
+        pinned = posed.pinned(letter)
+        if set(pinned) & set(links) and posed.is_located(*pinned):
+            at = posed.at[letter]
+            yield from ((name, _joining(posed, at, pinned, name)) for name in pinned if name != FRAME)
 
 
 def _rigid(marks: Sequence[Mark]) -> Iterator[Mark]:
@@ -134,9 +135,9 @@ def _rigid(marks: Sequence[Mark]) -> Iterator[Mark]:
     return welds((mark for mark in marks if isinstance(mark, Block)), tuple(lines_of(marks)))
 
 
-def _joining(posed: Posed, letter: str, name: str) -> Iterator[Mark]:
-    """Where the link runs on past a pin: its joining half, away from the other links there and from the ground."""
-    at, others = posed.at[letter], [link for link in posed.pinned(letter) if link != name]
+def _joining(posed: Posed, at: complex, pinned: tuple[str, ...], name: str) -> Iterator[Mark]:
+    """Where the link runs on past a pin: its joining half, away from the other links pinned there and from ground."""
+    others = [link for link in pinned if link != name]
     ways = [spot - at for link in others if link != FRAME for spot in posed.spots(link)]
     lines = tuple(lines_of(body(posed, name)))
     return passing(at, lines, ways + [-1j] * (FRAME in others))

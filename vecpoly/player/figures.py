@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Any
 
-from ..board.construction import Construction, Figure
+from ..board.construction import Construction, Figure, Place, View
 from ..drawing.figure import caption_items, drawing
 from ..drawing.scene import Item, Rect, Scene
 from ..drawing.sheets.paging import reading_order
@@ -33,9 +33,11 @@ class Shown:
     mu: str = ""
 
 
-def key_of(figure: Figure) -> str:
-    """The name of a figure: velocity, force:3."""
-    return f"{figure.view.name}:{figure.name}" if figure.name else figure.view.name
+def key_of(one: Figure | Place) -> str:
+    """The name of a figure, or of that at a place: velocity, force:3."""
+    name = "" if isinstance(one, View) else one.name
+    view = one if isinstance(one, View) else one.view
+    return f"{view.name}:{name}" if name else view.name
 
 
 def shown_figures(construction: Construction, ink: Ink) -> tuple[Shown, ...]:

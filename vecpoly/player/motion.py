@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from functools import reduce
 from itertools import groupby
 
-from ..board.construction import Construction, Figure, View
+from ..board.construction import Construction, Figure, Scale, View
 from ..board.paper.marks import Cell, Note
 from ..drawing.labels.following import Follower
 from ..drawing.scene import Item, Layer, Rect, Scene, TextBox
@@ -54,7 +54,7 @@ def _figure(figure: Figure, places: Sequence[Figure | None], start: int, size: f
     given = Scene.of(frames[0].items[start]).extents
     seen = [Scene.of(items).extents for one in frames for items in one.items if items]
     room = pane(given, seen, places)
-    which, captions, extents = _captions(figure, places, room, size, ink)
+    which, captions, extents = _captions(figure, places, start, room, size, ink)
     return {
         "key": key_of(figure),
         "box": box(extents.grown(MARGIN)),
@@ -79,17 +79,22 @@ def _figure(figure: Figure, places: Sequence[Figure | None], start: int, size: f
 
 
 def _captions(
-    figure: Figure, places: Sequence[Figure | None], room: Rect, size: float, ink: Ink
+    figure: Figure, places: Sequence[Figure | None], start: int, room: Rect, size: float, ink: Ink
 ) -> tuple[list[int], list[Data], Rect]:
-    """Which caption belongs to each place; the captions, one for each scale,
-    and whether it is another than the given one; the extents with them."""
+    """Which caption belongs to each place; the captions, one for each scale, whether it is another than the given one,
+    and how many times as large as at the place `start` all is drawn at it; the extents with them."""
     scales = [figure.scale if one is None else one.scale for one in places]
     kinds = list(dict.fromkeys(scales))
     drawn = [caption(replace(figure, scale=scale), ink, room, size) for scale in kinds]
     captions: list[Data] = [
-        {"svg": svg, "other": scale != figure.scale} for scale, (svg, _) in zip(kinds, drawn, strict=True)
+        {"svg": svg, "other": scale != figure.scale, "times": _times(scale, scales[start])}
+        for scale, (svg, _) in zip(kinds, drawn, strict=True)
     ]
     return [kinds.index(scale) for scale in scales], captions, reduce(Rect.__or__, (extents for _, extents in drawn))
+
+
+def _times(scale: Scale, given: Scale) -> float:
+    return float(f"{given.value / scale.value:.6g}") if scale.value else 1.0
 
 
 def _frames(places: Sequence[Figure | None], start: int, size: float, lang: Lang | None) -> Frames:

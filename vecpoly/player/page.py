@@ -20,7 +20,7 @@ from .figures import LANGS, Shown, shown_figures
 from .ink import Ink
 from .motion import moving
 from .pointing import pointed
-from .readings import names, readings
+from .readings import names, readings, ways_heard
 from .steps import html, sections
 from .traces import curves
 from .turned import Cycle, cycle
@@ -30,6 +30,10 @@ PLACES = 36  # of the drive, over the cycle; the script draws what lies between 
 LIMIT = 1_000_000  # bytes: a page that would be larger has every second place only
 GAP = 800  # units between figures one under the other
 _HEADINGS = re.compile(r"<(h1|h2|button|summary|thead|output)\b.*?</\1>", re.S)  # what is set in Hei
+
+_HEARD = re.compile(r' (?:aria-label|data-(?:say-)?(?:zh|en))="[^"]*"')  # what is read out, and not set in type
+
+_ASIDE = re.compile(r"^ *//.*\n|^ +", re.M)  # comments and indents of the script: for those who change it
 
 
 class Page(NamedTuple):
@@ -71,7 +75,7 @@ def _page(solution: Solution, through: Cycle, lang: Lang, check: bool) -> Page:
         "title": _title(solution),
         "warning": html(warning, ink.faces) if warning else None,
         "problem": _problem(solution, ink),
-        "sections": sections(solution.construction.steps, cut, ink.faces),
+        "sections": sections(solution.construction.steps, cut, ink.faces, lang),
         "count": len(cut),
         "beats": _json(pointed(solution.construction, cut)),
         "figures": _stacked(shown_figures(stepped(solution.construction), ink)),
@@ -93,10 +97,12 @@ def _page(solution: Solution, through: Cycle, lang: Lang, check: bool) -> Page:
 def _rendered(context: dict[str, Any], ink: Ink) -> str:
     """The filled template, with just the characters that stand in it as fonts."""
     folder = (data_dir("templates") / "player",)
-    plain = filled("page.html.j2", folder, context | {"fonts": ""}, escaped=False)
+    plain = _HEARD.sub("", filled("page.html.j2", folder, context | {"fonts": ""}, escaped=False))
     ink.faces.take(plain)
     ink.faces.need(Face.HEI, "".join(char for part in _HEADINGS.finditer(plain) for char in part[0] if is_han(char)))
-    return filled("page.html.j2", folder, context | {"fonts": font_css(ink.faces.used)}, escaped=False)
+    page = filled("page.html.j2", folder, context | {"fonts": font_css(ink.faces.used)}, escaped=False)
+    head, script, rest = page.rpartition("<script>")
+    return head + script + _ASIDE.sub("", rest)
 
 
 def _motion(through: Cycle, solution: Solution, ink: Ink) -> str:
@@ -109,6 +115,7 @@ def _motion(through: Cycle, solution: Solution, ink: Ink) -> str:
             "all": through.whole,
             "round": through.round,
             "readings": readings(through.turns, ink.faces),
+            "aloud": ways_heard(through.turns),
             "curves": curves(through.turns),
             "figures": moving(through, through.turns[0].solution.construction if through.inverts else drawn, ink),
         }

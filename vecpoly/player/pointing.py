@@ -12,24 +12,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..board.acts import Act, Arrow, Compute, Measure
-from ..board.construction import Construction, Figure, Pane, Place
+from ..board.construction import Construction, Figure
 from ..board.paper.marks import Point, Segment, Vector
 from ..errors import UnknownNameError
 from ..foundation.slotted import replace
-from ..names import Kind, parse_rel
+from ..names import Kind, ascii_key, parse_rel
+from ..tagging.speech import spoken
+from ..words import Words
 from .beats import Beat
-from .figures import key_of
+from .figures import LANGS, key_of
 from .ink import UNIT
 
 Data = dict[str, object]
 Points = NDArray[np.complex128]
 SAME = 0.01  # mm: nearer, two ends are one
+_DRAW = Words("作 {}", "draw {}")
 NOTHING = 1e-6  # mm: a shorter vector has no direction
-
-
-def place_key(place: Place) -> str:
-    """The name of the figure at a place, as `key_of` gives it: velocity, force:3."""
-    return f"{place.view.name}:{place.name}" if isinstance(place, Pane) else place.name
 
 
 def pointed(construction: Construction, cut: Sequence[Beat]) -> list[Data]:
@@ -37,24 +35,40 @@ def pointed(construction: Construction, cut: Sequence[Beat]) -> list[Data]:
 
     at: figure and place of the one point that is sought; marks: figure and ends of each measured length; glow: the
     earlier beats that drew what a formula takes; turn: figure, tail, direction, length and sweep of the relative
-    velocity that turns into a Coriolis term, and the beat that drew it; say: the vector's key as it is read aloud.
+    velocity that turns into a Coriolis term, and the beat that drew it; say: what is drawn as it is read out, in both
+    languages.
     """
     arrows = {act.key: (act, beat) for beat in cut for act in beat.acts if isinstance(act, Arrow) and act.shown}
     ends = {key_of(figure): _ends(figure) for figure in construction.figures}
-    return [_data(beat, construction.acts, arrows, ends) for beat in cut]
+    symbols = {ascii_key(one): one for step in construction.steps if step.equation for one in step.equation.symbols}
+    return [_data(beat, construction.acts, arrows, ends, symbols) for beat in cut]
+
+
+def _symbol(key: str, written: Mapping[str, str]) -> str:
+    """The symbol of a vector: as its equation has it, else that of its key."""
+    head, _, below = key.partition("_")
+    try:
+        return written.get(key) or parse_rel(key).symbol
+    except UnknownNameError:
+        return f"{head}_{{{below.replace('_', ',')}}}" if below else head
 
 
 def _data(
-    beat: Beat, acts: Sequence[Act], arrows: Mapping[str, tuple[Arrow, Beat]], ends: Mapping[str, Points]
+    beat: Beat,
+    acts: Sequence[Act],
+    arrows: Mapping[str, tuple[Arrow, Beat]],
+    ends: Mapping[str, Points],
+    symbols: Mapping[str, str],
 ) -> Data:
     arrow, read = beat.arrow, _measured(beat, acts)
     found: Data = {"step": beat.step}
     if sought := beat.sought:
-        found["at"] = [place_key(sought[0]), *_units(sought[1])]
+        found["at"] = [key_of(sought[0]), *_units(sought[1])]
     if marks := [[key, *_units(one.a), *_units(one.b)] for one in read for key in _where(one, ends)]:
         found["marks"] = marks
     if arrow is not None:
-        found["say"] = arrow.key.replace("_", " ")
+        if symbol := _symbol(arrow.key, symbols):
+            found["say"] = [_DRAW.of(lang).format(spoken(symbol, lang)) for lang in LANGS]
         if turn := _turned(arrow, beat, arrows):
             found["turn"] = turn
     elif not read and (glow := _taken(beat, acts, arrows)):
@@ -71,7 +85,7 @@ def _ends(figure: Figure) -> Points:
 
 def _where(read: Measure, ends: Mapping[str, Points]) -> list[str]:
     """The figure that has an end of the length: where the step is drawn, or, if it is measured elsewhere, another."""
-    own = [] if read.head.place is None else [place_key(read.head.place)]
+    own = [] if read.head.place is None else [key_of(read.head.place)]
     there = (key for key in (*own, *ends) if _has(ends.get(key), (read.a, read.b)))
     return list(islice(there, 1))
 
@@ -108,7 +122,7 @@ def _turned(arrow: Arrow, beat: Beat, arrows: Mapping[str, tuple[Arrow, Beat]]) 
         return []
     along, to = velocity[0].b - velocity[0].a, arrow.b - arrow.a
     degrees = [round(math.degrees(one), 1) for one in (-cmath.phase(along), -cmath.phase(to / along))]
-    key, size = place_key(arrow.head.place), round(UNIT * abs(to))
+    key, size = key_of(arrow.head.place), round(UNIT * abs(to))
     return [key, *_units(arrow.a), degrees[0], size, degrees[1], velocity[1].number]
 
 

@@ -25,6 +25,8 @@ from ..grading.told.slip import told_of
 from ..names import written_unit
 from ..problem.problem import Problem
 from ..report.values import printed_unit
+from ..tagging.speech import spoken
+from ..tagging.units_said import unit_said
 from ..words import Words
 from .figures import LANGS
 from .following import Following, followings
@@ -42,12 +44,13 @@ OWN = Words(*(SENTENCES[Told.OK_OWN].of(lang).replace("${src}$", "{src}") for la
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Question:
-    """One quantity that may be answered: its symbol and unit as they are printed; turns: it has a sense; points: a
-    direction."""
+    """One quantity that may be answered: its symbol and unit as they are printed; said: as they are read out; turns: it
+    has a sense; points: a direction."""
 
     key: str
     symbol: str
     unit: str
+    said: Words
     turns: bool
     points: bool
 
@@ -81,8 +84,9 @@ def box(problem: Problem, faces: Faces) -> Box:
 
 def _question(one: Graded, faces: Faces) -> Question:
     unit = written_unit(printed_unit(one.unit)[1])
+    said = Words(*(f"{spoken(one.symbol, lang)}, {unit_said(unit, lang) or ''}".rstrip(", ") for lang in LANGS))
     return Question(
-        key=one.key, symbol=words_html(f"${one.symbol}$", faces), unit=words_html(unit, faces),
+        key=one.key, symbol=words_html(f"${one.symbol}$", faces), unit=words_html(unit, faces), said=said,
         turns=one.kind is Kind.SIGNED, points=one.degrees is not None,
     )  # fmt: skip
 

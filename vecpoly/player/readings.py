@@ -9,6 +9,7 @@ from ..drawing.hues import ink_of
 from ..report.answers.tables import way
 from ..report.values import called, printed_unit, value
 from ..solution import YES_NO, Answer, Solution
+from ..tagging.speech import spoken, words_said
 from ..words import Words
 from .figures import LANGS
 from .ink import inked
@@ -19,20 +20,27 @@ from .type import Faces, words_html
 Cells = tuple[str, str, str, str, str]  # value zh, value en, direction zh, direction en, exact
 
 
-def names(solution: Solution, faces: Faces) -> tuple[tuple[str, Words], ...]:
-    """Key and symbol of each quantity asked."""
+def names(solution: Solution, faces: Faces) -> tuple[tuple[Words, Words], ...]:
+    """The symbol of each quantity asked, and how it is read out."""
     tones = solution.construction.tones
-    return tuple(
-        (key, Words(*(inked(one, ink_of(key, tones)) for one in (said.zh, said.en))))
-        for key, said in _symbols(solution, faces).items()
-    )
+    found = []
+    for key, answer in solution.answers.items():
+        symbol = Words(*(called(answer.reading.symbol, key, lang) for lang in LANGS))
+        shown = html(symbol, faces)
+        found.append((Words(*(inked(shown.of(lang), ink_of(key, tones)) for lang in LANGS)), heard(symbol)))
+    return tuple(found)
 
 
-def _symbols(solution: Solution, faces: Faces) -> dict[str, Words]:
-    return {
-        key: html(Words(*(called(a.reading.symbol, key, lang) for lang in LANGS)), faces)
-        for key, a in solution.answers.items()
-    }
+def heard(words: Words) -> Words:
+    """Words with their symbols, as they are read out."""
+    return Words(*(words_said(words.of(lang), lang) for lang in LANGS))
+
+
+def ways_heard(turns: Sequence[Turned]) -> dict[str, str]:
+    """How the senses of turning in the table are read out: by the sign that they begin with."""
+    solutions = [turn.solution for turn in turns]
+    found = {way(a, one.problem, lang): lang for one in solutions for a in one.answers.values() for lang in LANGS}
+    return {text: spoken(text.split()[0], lang) for text, lang in found.items() if not any(map(str.isdigit, text))}
 
 
 def readings(turns: Sequence[Turned], faces: Faces) -> list[list[Cells]]:

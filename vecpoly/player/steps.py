@@ -8,17 +8,18 @@ from dataclasses import dataclass
 from html import escape
 from itertools import groupby
 
-from ..algebra.formula import Node, Vec, plain, row, sym
+from ..algebra.formula import Node, Vec, row, sym
 from ..board.acts import Arrow
 from ..board.construction import EquationTable, Listing, Step
 from ..drawing.hues import hue_of
 from ..figures.hue import Hue
 from ..names import ascii_key
+from ..tagging.speech import equation_said, words_said
 from ..typeset import layout, layout_words
 from ..words import Lang, Words
 from .beats import Beat
 from .ink import inked
-from .type import Faces, formula_html, spoken, symbol_html, words_html
+from .type import Faces, formula_html, symbol_html, words_html
 
 WIDEST, CELL, SIGN = 18.2, 0.35, 1.1  # em: a phone's column less white, white in a cell, a sign with its white
 CAPTION = 0.85  # em: size of the rows' names
@@ -27,7 +28,7 @@ CAPTIONS = (Words("方向", "Direction"), Words("大小", "Magnitude"))
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """One step on the page: sentence, equation and formulas as HTML; the whole as spoken.
+    """One step on the page: sentence, equation and formulas as HTML; the sentence as it is read out.
 
     formulas: each with the beat in which it is written; first and last: the beats of the step.
     """
@@ -50,11 +51,11 @@ class Section:
     steps: tuple[Told, ...]
 
 
-def sections(steps: tuple[Step, ...], cut: Sequence[Beat], faces: Faces) -> tuple[Section, ...]:
-    """All steps under their headings, each line with its beat."""
+def sections(steps: tuple[Step, ...], cut: Sequence[Beat], faces: Faces, lang: Lang) -> tuple[Section, ...]:
+    """All steps under their headings, each line with its beat; lang: in which the page is read out at first."""
     of = {number: list(inside) for number, inside in groupby(cut, key=lambda beat: beat.step)}
     return tuple(
-        Section(html(title, faces), tuple(_told(step, of[step.number], faces) for step in inside))
+        Section(html(title, faces), tuple(_told(step, of[step.number], faces, lang) for step in inside))
         for title, inside in groupby(steps, key=lambda s: s.section)
     )
 
@@ -64,13 +65,13 @@ def html(words: Words, faces: Faces) -> Words:
     return Words(words_html(words.zh, faces), words_html(words.en, faces))
 
 
-def _told(step: Step, own: Sequence[Beat], faces: Faces) -> Told:
+def _told(step: Step, own: Sequence[Beat], faces: Faces, lang: Lang) -> Told:
     when = {n: beat.number for beat in own for n in beat.formulas}
     drawn = {act.key: beat.number for beat in own for act in beat.acts if isinstance(act, Arrow) and act.shown}
     table = None
     if step.equation is not None:
         table = Words(*(_table(step.equation, lang, faces, drawn) for lang in ("zh", "en")))
-    lines = [(when.get(n, own[-1].number), formula_html(node, faces)) for n, node in enumerate(step.formulas)]
+    lines = [(when.get(n, own[-1].number), formula_html(node, faces, lang)) for n, node in enumerate(step.formulas)]
     return Told(
         step.number,
         html(step.words, faces),
@@ -91,15 +92,14 @@ def _listed(listing: Listing, lang: Lang, faces: Faces) -> str:
 
 
 def said(step: Step) -> Words:
-    """The step as a screen reader says it."""
-    end = "".join(f" {spoken(plain(node))};" for node in step.formulas)
-    equation = f" {equation_said(step.equation)};" if step.equation is not None else ""
-    return Words(spoken(step.words.zh) + equation + end, spoken(step.words.en) + equation + end)
+    """The sentence of a step as it is read out; its equation and formulas have words of their own."""
+    return Words(words_said(step.words.zh, "zh"), words_said(step.words.en, "en"))
 
 
-def equation_said(table: EquationTable) -> str:
-    """The equation alone on one line."""
-    return spoken("".join(f" {sign} {symbol}" for sign, symbol in zip(table.signs, table.symbols, strict=True)))
+def table_said(table: EquationTable, lang: Lang) -> str:
+    """The equation and its rows, as they are read out."""
+    rows = (tuple(direction.of(lang) for direction in table.directions), table.magnitudes)
+    return equation_said(table.symbols, table.signs, rows, lang)
 
 
 def vector(symbol: str) -> Node:
@@ -123,10 +123,9 @@ class Term:
 
 def _table(table: EquationTable, lang: Lang, faces: Faces, drawn: Mapping[str, int]) -> str:
     """The equation over its rows of directions and magnitudes, cut where it would be wider than a phone."""
-    tones = table.tones or (0,) * len(table.symbols)
-    rows = zip(table.symbols, table.signs, table.directions, table.magnitudes, tones, strict=True)
+    rows = zip(table.symbols, table.signs, table.directions, table.magnitudes, table.tones, strict=True)
     terms = [
-        _term((symbol, hue_of(tone)), sign, direction.of(lang), magnitude, faces, drawn)
+        _term((symbol, hue_of(tone)), sign, (direction.of(lang), magnitude), faces, lang, drawn)
         for symbol, sign, direction, magnitude, tone in rows
     ]
     groups: list[list[Term]] = [[]]
@@ -135,17 +134,19 @@ def _table(table: EquationTable, lang: Lang, faces: Faces, drawn: Mapping[str, i
         if groups[-1] and sum(t.width for t in groups[-1]) + term.width > room:
             groups.append([])
         groups[-1].append(term)
-    name = f' aria-label="{escape(equation_said(table))}"'
+    name = f' aria-label="{escape(table_said(table, lang))}"'
     return f'<div class="scroll" role="group"{name}>{"".join(_group(group, lang) for group in groups)}</div>'
 
 
 def _term(
-    toned: tuple[str, Hue], sign: str, direction: str, magnitude: str, faces: Faces, drawn: Mapping[str, int]
+    toned: tuple[str, Hue], sign: str, known: tuple[str, str], faces: Faces, lang: Lang, drawn: Mapping[str, int]
 ) -> Term:
+    """known: direction and magnitude."""
     symbol, hue = toned
-    boxes = (layout(vector(symbol), 1.0), layout_words(direction, 1.0), layout_words(magnitude, 1.0))
-    head = inked(symbol_html(vector(symbol), faces), hue)
-    cells = (head, words_html(direction, faces), words_html(magnitude, faces))
+    boxes = (layout(vector(symbol), 1.0), *(layout_words(text, 1.0) for text in known))
+    head = inked(symbol_html(vector(symbol), faces, lang), hue)
+    direction, magnitude = (words_html(text, faces) for text in known)
+    cells = (head, direction, magnitude)
     wide = max(box.width for box in boxes) + CELL + (SIGN if sign else 0.0)
     return Term(sign.replace("-", "−"), cells, wide, drawn.get(ascii_key(symbol), 0))
 

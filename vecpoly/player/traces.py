@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from math import isfinite
 
 from ..algebra.formula import row
 from ..board.acts import Plot
@@ -14,8 +15,10 @@ from ..mechanism.model import Mechanism
 from ..names import written_unit
 from ..report.values import printed_unit
 from ..solution import YES_NO
+from ..tagging.speech import spoken
+from ..tagging.units_said import unit_said
 from ..typeset import layout
-from .figures import key_of
+from .figures import LANGS, key_of
 from .ink import UNIT, Ink
 from .inverted import Turned
 
@@ -27,8 +30,8 @@ STILL = 0.05  # mm: what moves less stands still
 
 
 def traces(turns: Sequence[Turned], key: str, start: int, size: float, ink: Ink) -> list[Data]:
-    """The points of a figure that move: the letter and its type, where the point lies at each place (at the scale of
-    the given one; None where it is not drawn), and whether it is one of the driven link."""
+    """The points of a figure that move: the letter, how it is read out, its type, where the point lies at each place
+    (at the scale of the given one; None where it is not drawn), and whether it is one of the driven link."""
     found = [_points(turn, key) for turn in turns]
     scales = [_scale(turn, key) for turn in turns]
     driven = _driven(turns[start])
@@ -43,6 +46,7 @@ def traces(turns: Sequence[Turned], key: str, start: int, size: float, ink: Ink)
     return [
         {
             "letter": letter,
+            "say": [spoken(letter, lang) for lang in LANGS],
             "type": ink.type(layout(row(letter), size * LETTER)),
             "at": [_units(z) for z in way],
             "drives": letter in driven,
@@ -61,8 +65,8 @@ def _driven(turn: Turned) -> tuple[str, ...]:
 
 
 def curves(turns: Sequence[Turned]) -> list[Data]:
-    """Of each asked quantity its unit, its values as drawn and exact over the places, and the figures on which it
-    stands; none of what is a place, or yes or no."""
+    """Of each asked quantity its unit (also as it is read out), its values as drawn and exact over the places, and the
+    figures on which it stands; none of what is a place, or yes or no."""
     out: list[Data] = []
     for key, answer in turns[0].solution.answers.items():
         factor, unit = printed_unit(answer.reading.unit)
@@ -71,9 +75,9 @@ def curves(turns: Sequence[Turned]) -> list[Data]:
         out.append(
             {
                 "unit": written_unit(unit),
+                "aloud": [unit_said(unit, lang) or "" for lang in LANGS],
                 "drawn": [_short(factor * one.drawn) for one in found] if plain else [],
                 "exact": [_short(factor * one.exact) for one in found] if plain else [],
-                "signed": any(one.exact < 0 for one in found),
                 "on": _on(turns, key),
             }
         )
@@ -115,5 +119,5 @@ def _units(z: complex | None) -> tuple[int, int] | None:
 
 
 def _short(size: float) -> float | None:
-    """Five digits; zero where only rounding noise is left."""
-    return None if size != size else float(f"{size:.5g}") if abs(size) > 1e-9 else 0.0
+    """Five digits; zero where only rounding noise is left; nothing where there is no value."""
+    return None if not isfinite(size) else float(f"{size:.5g}") if abs(size) > 1e-9 else 0.0

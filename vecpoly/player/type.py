@@ -8,12 +8,14 @@ from dataclasses import dataclass, field
 from html import escape
 from typing import assert_never
 
-from ..algebra.formula import Node, Sym, Txt, plain, row, split_words
+from ..algebra.formula import Node, Sym, Txt, row, split_words
+from ..tagging.speech import said
 from ..typeset import Box, Glyphs, Rule, layout
 from ..typeset.box import MM
 from ..typeset.fonts import MISSING, Face, glyph, missing_text
 from ..typeset.layout import segments
 from ..typeset.runs import SHOWN
+from ..words import Lang, Words
 
 EM = 10.0  # mm: size at which formulas for the page are set; 1 em = 1000 units
 _UPRIGHT = "π∞Σ"
@@ -69,18 +71,24 @@ def _element(item: Glyphs | Rule, faces: Faces, units: float) -> str:
     assert_never(item)
 
 
-def formula_html(node: Node, faces: Faces) -> str:
-    """A formula of its own, cut before its relations so that a narrow screen can break it there."""
+def formula_html(node: Node, faces: Faces, lang: Lang) -> str:
+    """A formula of its own, cut before its relations so that a narrow screen can break it there; told in both
+    languages, at first in this one."""
     pieces = "".join(_svg(box, faces) for box in segments(node, EM, before=True))
-    return f'<span class="formula" role="img" aria-label="{escape(spoken(plain(node)))}">{pieces}</span>'
+    return f'<span class="formula" role="img" {aloud(Words(said(node, "zh"), said(node, "en")), lang)}>{pieces}</span>'
 
 
-def symbol_html(node: Node, faces: Faces) -> str:
-    """A symbol in a table, with its arrow if it has one."""
+def symbol_html(node: Node, faces: Faces, lang: Lang) -> str:
+    """A symbol in a table of this language, with its arrow if it has one."""
     return (
-        '<span class="formula" role="img" '
-        f'aria-label="{escape(spoken(plain(node)))}">{_svg(layout(node, EM), faces)}</span>'
+        f'<span class="formula" role="img" aria-label="{escape(said(node, lang))}">'
+        f"{_svg(layout(node, EM), faces)}</span>"
     )
+
+
+def aloud(words: Words, lang: Lang) -> str:
+    """The attributes by which something is read out: in both languages for the script, in this one as it stands."""
+    return f'data-zh="{escape(words.zh)}" data-en="{escape(words.en)}" aria-label="{escape(words.of(lang))}"'
 
 
 def _svg(box: Box, faces: Faces) -> str:
@@ -141,8 +149,3 @@ def _sloped(text: str, faces: Faces) -> str:
         f"<i>{escape(p)}</i>" if p[0].isalpha() and ord(p[0]) < 0x400 and p[0] not in _UPRIGHT else escape(p)
         for p in pieces
     )
-
-
-def spoken(text: str) -> str:
-    """Words for a screen reader: no dollar signs, no braces, no marks of scripts."""
-    return re.sub(r"\s+", " ", text.translate({ord(c): None for c in "${}^"}).replace("_", " ")).strip()

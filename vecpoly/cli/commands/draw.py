@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
@@ -23,7 +23,15 @@ if TYPE_CHECKING:
     from ...drawing.sheets.sheet import Sheet
     from ...solution import Solution
 
-SHEET = "sheet"
+
+class Said(NamedTuple):
+    """What a drawing is called, and what it shows, in words."""
+
+    title: str = ""
+    shown: str = ""
+
+
+SHEET, SILENT = "sheet", Said()
 FORMATS = (".svg", ".png", ".pdf", ".dxf")
 Id = Annotated[
     str,
@@ -120,12 +128,11 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
     return (Scene(scene.items, scene.extents.grown(3.0)),)
 
 
-def _said(solution: Solution, figure: str, lang: Lang) -> str:
-    """What a PDF says of the drawing to whoever cannot see it."""
+def _said(solution: Solution, figure: str, lang: Lang) -> Said:
+    """What a PDF or an SVG says of the drawing to whoever cannot see it."""
     from ...report.plates.shown import shown
 
-    title = solution.problem.title.of(lang)
-    return title if figure == SHEET else f"{title}: {shown(_drawn(solution, figure), lang)}"
+    return Said(solution.problem.title.of(lang), "" if figure == SHEET else shown(_drawn(solution, figure), lang))
 
 
 def _drawn(solution: Solution, figure: str) -> Figure:
@@ -175,13 +182,13 @@ def named(construction: Construction) -> list[str]:
 
 
 def encoded(
-    pages: tuple[Scene, ...], path: Path, dpi: float, *, said: str = "", lang: Lang = "en"
+    pages: tuple[Scene, ...], path: Path, dpi: float, *, said: Said = SILENT, lang: Lang = "en"
 ) -> list[tuple[Path, bytes]]:
     """The files: one PDF of all pages, or one picture a page (x.svg, x-2.svg ...)."""
     if path.suffix.lower() == ".pdf":
         from ...drawing.backends.pdf import to_pdf
 
-        return [(path, to_pdf(*pages, title=said or path.stem, lang=lang))]
+        return [(path, to_pdf(*pages, title=": ".join(filter(None, said)) or path.stem, lang=lang))]
     if path == STDOUT and len(pages) > 1:
         raise VecpolyError(
             Words(
@@ -192,7 +199,7 @@ def encoded(
             code="pages",
         )
     return [
-        (target, _picture(page, path.suffix.lower(), dpi))
+        (target, _picture(page, path.suffix.lower(), dpi, said))
         for target, page in zip(_names(path, len(pages)), pages, strict=True)
     ]
 
@@ -202,11 +209,11 @@ def _names(path: Path, count: int) -> list[Path]:
     return [path, *(path.with_name(f"{path.stem}-{n}{path.suffix}") for n in range(2, count + 1))]
 
 
-def _picture(page: Scene, ending: str, dpi: float) -> bytes:
+def _picture(page: Scene, ending: str, dpi: float, said: Said) -> bytes:
     if ending not in (".png",):
         from ...drawing.backends.svg import to_svg
 
-        return to_svg(page).encode()
+        return to_svg(page, said.title, desc=said.shown).encode()
     from ...drawing.backends.png import to_png
 
     return to_png(page, dpi)

@@ -11,16 +11,16 @@ from ...typeset.svg import svg_group
 from ..scene import Fill, Item, Scene, Stroke, TextBox
 
 
-def to_svg(scene: Scene, title: str = "", *, outlined: bool = False) -> str:
-    """The scene as a document of its own: its extents are the view box.
-    outlined: letters as outlines, which need no font."""
+def to_svg(scene: Scene, title: str = "", *, desc: str = "", outlined: bool = False) -> str:
+    """The scene as a document of its own: its extents are the view box. title and desc: what it is and what it shows,
+    for whoever cannot see it. outlined: letters as outlines, which need no font."""
     from xml.sax.saxutils import escape
 
     e = scene.extents
     size = f'width="{e.width:.3f}mm" height="{e.height:.3f}mm" viewBox="0 0 {e.width:.3f} {e.height:.3f}"'
     head = f'<svg xmlns="http://www.w3.org/2000/svg" {size} fill="none" stroke-linecap="round" stroke-linejoin="round">'
-    name = f"<title>{escape(title)}</title>" if title else ""
-    return f"{head}{name}{''.join(_groups(scene, -e.x0, e.y1, outlined))}</svg>"
+    told = "".join(f"<{tag}>{escape(text)}</{tag}>" for tag, text in (("title", title), ("desc", desc)) if text)
+    return f"{head}{told}{''.join(_groups(scene, -e.x0, e.y1, outlined))}</svg>"
 
 
 def _groups(scene: Scene, dx: float, top: float, outlined: bool) -> Iterable[str]:

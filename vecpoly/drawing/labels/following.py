@@ -3,23 +3,26 @@ and looks for another only where it would stand on something."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import inf
 
 import numpy as np
 
 from ...board.construction import Figure
 from ...words import Lang
 from ..beside import beside
-from ..figure import unique
-from ..prices import priced
-from ..scene import Item, Rect, Scene
+from ..figure import Drawing, drawing, unique
+from ..prices import Around, Places, Row
+from ..scene import Item, Scene
 from ..symbols.marks import Surroundings, draw
 from .ground import broken
 from .obstacles import Floats, Obstacles
-from .placing import BAD, Placed, place
+from .placing import BAD, Placed
+from .rivals import misled_here
 from .spots import spot, spots
 from .want import Want, resized
-from .wants import wants
+from .wants import unnamed, wants
 
 APART, BESIDE = 0.9, 1.5  # mm between two labels one over the other, and side by side
 CLASH = 200.0  # what standing on another label costs
@@ -29,7 +32,7 @@ Name = tuple[object, ...]
 
 @dataclass(slots=True)
 class Follower:
-    """The lettering of one figure from position to position."""
+    """The lettering of one figure from position to position; at the first of them it stands as on paper."""
 
     lang: Lang
     size: float = 1.0  # of the letters, beside that on paper
@@ -37,62 +40,84 @@ class Follower:
 
     def lettered(self, figure: Figure) -> tuple[Item, ...]:
         """All items of the figure with its letters in place, without its title."""
+        if not self.choice:
+            paper = drawing(figure, lang=self.lang)
+            self.choice = _chosen(paper)
+            if self.size == 1.0:
+                return _together(paper.obstacles, paper.labels)
         marks = beside(figure.view, figure.marks)
         around = Surroundings.of(figure.view, marks, self.lang, figure.tones)
         items = unique(tuple(item for mark in marks for item in draw(mark, around)))
-        drawn, obstacles = Scene.of(items).extents, Obstacles.of(items)
         sought = wants(figure.view, marks, self.lang, figure.tones)
-        named = _named(tuple(resized(want, self.size) for want in sought))
-        placed = self._follow(named, obstacles, drawn) if self.choice else self._first(named, obstacles, drawn)
-        ground = broken(items, [label.rect for label in placed])
-        return ground + tuple(item for label in placed for item in label.items())
+        seen = tuple(resized(want, self.size) for want in sought)
+        drawn = Scene.of(items).extents
+        placed = self._follow(_names(sought), Around(Obstacles.of(items), seen, drawn, None, unnamed(marks)))
+        return _together(broken(items, [label.rect for label in placed]), placed)
 
-    def _first(self, named: list[tuple[Name, Want]], obstacles: Obstacles, drawn: Rect) -> list[Placed]:
-        """Placed all together, as on paper."""
-        placed = place(tuple(want for _, want in named), obstacles, drawn)
-        found: list[Placed] = []
-        for (name, want), label in zip(named, placed, strict=True):
-            at = self.choice[name] = int(np.argmin(np.abs(spots(label.want, drawn.centre).centre - label.centre)))
-            found.append(_at(want, at) or label)
-        return found
-
-    def _follow(self, named: list[tuple[Name, Want]], obstacles: Obstacles, drawn: Rect) -> list[Placed]:
+    def _follow(self, names: list[Name], around: Around) -> tuple[Placed, ...]:
         """Those that may stay first, then the others round them."""
-        kept: dict[Name, Placed] = {}
-        stayed = [
-            (name, label) for name, want in named if name in self.choice and (label := _at(want, self.choice[name]))
-        ]
-        for (name, label), cost in zip(stayed, _costs([label for _, label in stayed], obstacles), strict=True):
+        stayed = {
+            number: label
+            for number, (name, want) in enumerate(zip(names, around.wanted, strict=True))
+            if name in self.choice and (label := _at(want, self.choice[name]))
+        }
+        kept: dict[int, Placed] = {}
+        for (number, label), cost in zip(stayed.items(), _costs(stayed, around), strict=True):
             if cost < BAD and not any(_touch(label, other) for other in kept.values()):
-                kept[name] = label
-        for name, want in named:
-            if name not in kept:
-                kept[name] = self._moved(name, want, obstacles, drawn, list(kept.values()))
-        return [kept[name] for name, _ in named]
+                kept[number] = label
+        for number, (name, want) in enumerate(zip(names, around.wanted, strict=True)):
+            if number not in kept:
+                kept[number] = self._moved(name, want, around, list(kept.values()))
+        return tuple(kept[number] for number in range(len(names)))
 
-    def _moved(self, name: Name, want: Want, obstacles: Obstacles, drawn: Rect, others: list[Placed]) -> Placed:
-        """The cheapest place among lines and the letters that stand already."""
-        found = spots(want, drawn.centre)
-        cost = priced(obstacles, [(want, found.centre)])[0] + found.cost
-        for other in others:
-            gap = found.centre - other.centre
-            w, h = (want.width + other.want.width) / 2 + BESIDE, (want.height + other.want.height) / 2 + APART
-            cost = cost + np.where((np.abs(gap.real) < w) & (np.abs(gap.imag) < h), CLASH, 0.0)
-        best = int(np.argmin(cost))
-        self.choice[name] = best
-        label = _at(want, best)
+    def _moved(self, name: Name, want: Want, around: Around, others: list[Placed]) -> Placed:
+        """The cheapest place among lines, other things to name and the letters that stand already."""
+        best, number = inf, 0
+        for part in Row.of(want, around).parts:
+            if part.least < best:
+                cost = part.total + _clashes(part, others)
+                at = int(np.argmin(cost))
+                if cost[at] < best:
+                    best, number = float(cost[at]), part.first + at
+        self.choice[name] = number
+        label = _at(want, number)
         assert label is not None
         return label
 
 
-def _named(wanted: tuple[Want, ...]) -> list[tuple[Name, Want]]:
-    """Each label with its name: its type, and which of several of that type it is."""
+def _clashes(part: Places, others: list[Placed]) -> Floats:
+    """What it costs each of these places that it is on, or too near to, a label that stands already."""
+    cost: Floats = np.zeros(len(part.spots.centre))
+    for other in others:
+        gap = part.spots.centre - other.centre
+        w = (part.want.width + other.want.width) / 2 + BESIDE
+        h = (part.want.height + other.want.height) / 2 + APART
+        cost += np.where((np.abs(gap.real) < w) & (np.abs(gap.imag) < h), CLASH, 0.0)
+    return cost
+
+
+def _together(items: tuple[Item, ...], placed: tuple[Placed, ...]) -> tuple[Item, ...]:
+    """Lines, and letters over them."""
+    return items + tuple(item for label in placed for item in label.items())
+
+
+def _chosen(paper: Drawing) -> dict[Name, int]:
+    """Which of its places each label has on paper."""
+    wanted = tuple(label.want for label in paper.labels)
+    return {
+        name: int(np.argmin(np.abs(spots(label.want, paper.drawn.centre).centre - label.centre)))
+        for name, label in zip(_names(wanted), paper.labels, strict=True)
+    }
+
+
+def _names(wanted: tuple[Want, ...]) -> list[Name]:
+    """The name of each label: its type, and which of several of that type it is."""
     seen: dict[Name, int] = {}
-    out: list[tuple[Name, Want]] = []
+    out: list[Name] = []
     for want in wanted:
         text: Name = tuple(piece.box for piece in want.pieces)
         seen[text] = seen.get(text, 0) + 1
-        out.append(((*text, seen[text]), want))
+        out.append((*text, seen[text]))
     return out
 
 
@@ -102,12 +127,16 @@ def _at(want: Want, index: int) -> Placed | None:
     return None if found is None else Placed(want, found[0], 0.0, found[1])
 
 
-def _costs(labels: list[Placed], obstacles: Obstacles) -> Floats:
-    """What each label stands on."""
+def _costs(stayed: Mapping[int, Placed], around: Around) -> Floats:
+    """What each label stands on, and what it could be taken to name if it has no leader."""
+    labels = list(stayed.values())
     own = np.array([label.want.own for label in labels], dtype=complex).reshape(-1, 2)
     sizes = np.array([(label.want.width, label.want.height) for label in labels]).reshape(-1, 2)
     at = np.array([label.centre for label in labels], dtype=complex)
-    return obstacles.cost(at, sizes[:, 0], sizes[:, 1], (own[:, 0], own[:, 1]), [slice(0, len(at))])
+    cost = around.obstacles.cost(at, sizes[:, 0], sizes[:, 1], (own[:, 0], own[:, 1]), [slice(0, len(at))])
+    led = np.array([label.foot is not None for label in labels], dtype=bool)
+    middles = {number: label.centre for number, label in stayed.items()}
+    return cost + np.where(led, 0.0, misled_here(around.wanted, middles, around.unnamed))
 
 
 def _touch(a: Placed, b: Placed) -> bool:

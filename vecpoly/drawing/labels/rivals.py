@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -42,11 +42,28 @@ def misled(want: Want, others: Sequence[Want], unnamed: Sequence[Spot], centre: 
     return result
 
 
-def distance(centre: Complexes, half: complex, a: Complexes, b: Complexes) -> Floats:
-    """From each rectangle (centre ± half) to each line a -> b, mm; shape (rectangles, lines)."""
+def misled_here(wanted: Sequence[Want], at: Mapping[int, complex], unnamed: Sequence[Spot]) -> Floats:
+    """The same of labels that stand already; at: where the middle is of some of those that are wanted."""
+    lines = [*(want.own for want in wanted), *((spot, spot) for spot, _ in unnamed)]
+    radius = np.array([*(want.radius for want in wanted), *(size for _, size in unnamed)])
+    things = np.array([*(want.thing.value for want in wanted), *[Thing.POINT.value] * len(unnamed)])
+    centre, which = np.array(list(at.values()), dtype=complex), np.array(list(at), dtype=np.intp)
+    if not len(centre):
+        return np.zeros(0)
+    half = np.array([complex(wanted[i].width / 2, wanted[i].height / 2) for i in at])[:, None]
+    gap = distance(centre, half, *np.array(lines, dtype=complex).T) - radius
+    alike = (things == things[which, None]) & (things != Thing.OTHER.value)
+    others = np.array([[line != wanted[i].own for line in lines] for i in at])
+    own, rival = gap[np.arange(len(which)), which], np.where(alike & others, gap, np.inf).min(axis=1)
+    result: Floats = WRONG * np.clip((own + DOUBTFUL - rival) / DOUBTFUL, 0.0, 1.0)
+    return result
+
+
+def distance(centre: Complexes, half: complex | Complexes, a: Complexes, b: Complexes) -> Floats:
+    """From each rectangle (centre ± half; of all, or a column) to each line a -> b, mm; shape (rectangles, lines)."""
     c = centre[:, None]
     ends = np.minimum(_outside(a - c, half), _outside(b - c, half))
-    corners = c[:, :, None] + np.array([half, -half, half.conjugate(), -half.conjugate()])
+    corners = c[:, :, None] + np.stack([half, -half, np.conjugate(half), -np.conjugate(half)], axis=-1)
     touch = np.abs(corners - _on(corners, a[None, :, None], b[None, :, None])).min(axis=2)
     start, end, middle = np.broadcast_arrays(a, b, c)
     _, hit = clip(start, end, middle, half.real, half.imag)
@@ -54,7 +71,7 @@ def distance(centre: Complexes, half: complex, a: Complexes, b: Complexes) -> Fl
     return result
 
 
-def _outside(d: Complexes, half: complex) -> Floats:
+def _outside(d: Complexes, half: complex | Complexes) -> Floats:
     """Distance of points, seen from the middle of a rectangle, from it."""
     result: Floats = np.hypot(np.maximum(np.abs(d.real) - half.real, 0.0), np.maximum(np.abs(d.imag) - half.imag, 0.0))
     return result

@@ -37,7 +37,6 @@ class Want:
     radius: float
     own: tuple[complex, complex]
     one_sided: bool = False
-    scale: float = 1.0
     thing: Thing = Thing.OTHER
     farther: bool = False  # whether its leader may be longer than is usual: a crowd leaves it no other place
 
@@ -57,7 +56,7 @@ def resized(want: Want, factor: float) -> Want:
     if factor == 1.0:
         return want
     pieces = tuple(replace(p, box=_scaled(p.box, factor), dx=p.dx * factor) for p in want.pieces)
-    return replace(want, pieces=pieces, scale=want.scale * factor)
+    return replace(want, pieces=pieces)
 
 
 def _scaled(box: Box, k: float) -> Box:

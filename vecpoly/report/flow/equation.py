@@ -106,8 +106,7 @@ class EquationFlow(Block):
 
 def _columns(table: EquationTable, lang: Lang, em: float) -> list[_Column]:
     columns: list[_Column] = []
-    tones = table.tones or (0,) * len(table.symbols)
-    rows = zip(table.symbols, table.signs, table.directions, table.magnitudes, tones, strict=True)
+    rows = zip(table.symbols, table.signs, table.directions, table.magnitudes, table.tones, strict=True)
     for symbol, sign, direction, magnitude, tone in rows:
         below = (_words(direction.of(lang), em), _words(magnitude, em))
         head = layout(vector(symbol), em)
