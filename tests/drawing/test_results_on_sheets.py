@@ -75,7 +75,9 @@ def _apart(sheet: Sheet, block: Rect) -> bool:
 @each(IDS)
 def test_a_line_on_a_sheet_ends_with_the_number_of_the_answer(name: str) -> None:
     solution = drafted(name)
-    for answer in solution.answers.values() if solution is not None else ():
+    if solution is None:
+        return
+    for answer in solution.answers.values():
         if answer.is_place or answer.undefined or answer.reading.unit == YES_NO:
             continue
         assert drawn_number(answer) in plain(short_line(answer, solution, "en")), answer.key

@@ -25,7 +25,7 @@ def hue_of(tone: int) -> Hue:
 
 def is_hollow(key: str, tones: Tones) -> bool:
     """Whether a vector is of the second series, whose shafts are hollow."""
-    return bool(tones) and tones.get(whose(key), 0) > HUES
+    return tones is not None and tones.get(whose(key), 0) > HUES
 
 
 def ink_of(key: str, tones: Tones) -> Hue:
