@@ -11,7 +11,8 @@ import pytest
 from vecpoly.board.construction import Construction, Figure, Scale, View
 from vecpoly.board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment, Vector
 from vecpoly.board.paper.scales import finer
-from vecpoly.drawing.detail import detailed, find_knot
+from vecpoly.drawing.details.apart import detailed
+from vecpoly.drawing.details.knots import knots
 from vecpoly.drawing.sheets.sheet import bound, sheets
 from vecpoly.problem.load import load
 from vecpoly.solution import solve
@@ -56,8 +57,8 @@ def test_a_length_in_the_detail_times_its_own_scale_is_the_same_quantity() -> No
 def test_an_arrow_that_leaves_the_circle_has_no_head_in_the_detail() -> None:
     _, detail = detailed(polygon(3.0))
     cut = [m for m in detail.marks if isinstance(m, Segment)]
-    knot = find_knot(polygon(3.0))
-    assert knot is not None and len(cut) == 1
+    (knot,) = knots(polygon(3.0))
+    assert len(cut) == 1
     assert abs(cut[0].b) == pytest.approx(knot.radius * knot.factor)
 
 

@@ -61,7 +61,7 @@ def test_vectors_stand_on_the_sheet_as_long_as_they_were_measured() -> None:
     solution = solved("3-9")
     sheet = sheets(solution.construction, title=solution.problem.title)[0]
     origin = next(one.origin for one in sheet.figures if one.view is View.VELOCITY)
-    doc, figure = read(sheet_dxf(solution.construction, sheet)), velocity(solution.construction)
+    doc, figure = read(sheet_dxf(sheet)), velocity(solution.construction)
     speed = next(mark for mark in figure.marks if isinstance(mark, Vector) and mark.key == "v_E")
     assert has(lines(doc, "result"), speed.a, speed.b, origin)
     assert abs(speed.b - speed.a) == pytest.approx(solution.answers["v_E"].reading.mm)

@@ -16,12 +16,14 @@ from tests.each import Later, each
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.paper.marks import Arc, Dot, ImageOf, Point, Role, Segment, Vector
+from vecpoly.board.ruler import READABLE
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.check.printed.verdict import Verdict
 from vecpoly.cycle.facts.path import Path, Shape, path
 from vecpoly.cycle.facts.path_words import path_sentences
 from vecpoly.cycle.whole_cycle import cycle
-from vecpoly.drawing.detail import Knot, detailed, find_knot
+from vecpoly.drawing.details.apart import ROMAN, detailed
+from vecpoly.drawing.details.knots import Knot, knots
 from vecpoly.errors import NoMethodError, NotAskedError
 from vecpoly.problem.load import loads
 from vecpoly.solution import solve
@@ -257,13 +259,15 @@ def knotted() -> Figure:
 
 
 def details() -> list[tuple[Figure, Knot, Figure]]:
-    """Every polygon with a knot: of the library, and one made here."""
+    """Every knot with its figure and its detail: of the library, and of one made here."""
     figures = [knotted(), *(f for name in IDS for f in drawn(name).construction.figures)]
-    return [(f, knot, detailed(f)[1]) for f in figures if (knot := find_knot(f)) is not None]
+    return [
+        (f, knot, detail) for f in figures if knots(f) for knot, detail in zip(knots(f), detailed(f)[1:], strict=True)
+    ]
 
 
 def test_there_are_knots_to_draw_apart() -> None:
-    assert len(details()) >= 2 and len(detailed(knotted())) == 2
+    assert len(details()) >= 40 and len(detailed(knotted())) == 2
 
 
 def test_nothing_of_a_detail_lies_outside_its_ring_and_all_is_as_many_times_larger() -> None:
@@ -284,7 +288,7 @@ def test_nothing_of_a_detail_lies_outside_its_ring_and_all_is_as_many_times_larg
 
 def test_lines_of_a_detail_are_the_pieces_of_the_lines_that_pass_through_the_knot() -> None:
     for figure, knot, detail in details():
-        lines = [m for m in figure.marks if isinstance(m, Segment | Vector) and abs(m.b - m.a) > 0.1]
+        lines = [m for m in figure.marks if isinstance(m, Segment | Vector) and abs(m.b - m.a) > 0.05]
         passing = [
             m
             for m in lines
@@ -308,6 +312,9 @@ def test_letters_of_a_knot_stand_in_the_detail_and_no_longer_in_the_figure() -> 
     for figure, knot, detail in details():
         left = [m.label for m in detailed(figure)[0].marks if isinstance(m, Point) and knot.holds(m.at) and m.label]
         inside = [m.label for m in figure.marks if isinstance(m, Point) and knot.holds(m.at) and m.label]
-        assert not left and len(inside) >= 4
+        small = [m for m in figure.marks if isinstance(m, Vector) and 0.1 < abs(m.b - m.a) < READABLE]
+        held = [m for m in small if knot.holds(m.a) and knot.holds(m.b) and abs(m.b - m.a) * knot.factor >= READABLE]
+        assert not left and (len(inside) >= 3 or held)
         assert set(inside) <= {m.label for m in detail.marks if isinstance(m, Point)}
-        assert any(isinstance(m, Point) and m.label == "Ⅰ" for m in detailed(figure)[0].marks)
+        names = {m.label for m in detailed(figure)[0].marks if isinstance(m, Point)}
+        assert any(f" {name}（" in detail.title.zh and f" {name} (" in detail.title.en for name in names & set(ROMAN))

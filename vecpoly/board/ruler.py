@@ -12,6 +12,7 @@ from ..plane.geometry import dot
 from ..plane.traced import bare
 from .hand import Hand
 
+READABLE = 3.0  # mm: what is shorter on paper is too short to be measured
 Ends = frozenset[bytes]  # the two ends of a segment, by every hand
 
 

@@ -105,7 +105,7 @@ def _files(
 
     if figure != SHEET:
         return [(path, figure_dxf(_drawn(solution, figure), lang, upto))]
-    files = [sheet_dxf(solution.construction, page, upto) for page in _sheets(solution, lang)]
+    files = [sheet_dxf(page, upto) for page in _sheets(solution, lang)]
     return list(zip(_names(path, len(files)), files, strict=True))
 
 

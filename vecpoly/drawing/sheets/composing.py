@@ -37,7 +37,7 @@ def composed(figures: Sequence[Sketched], given: Mapping[View, float], way: Way 
     """
     kinds = {one.of for one in figures if one.of is not None and max(one.size) > 0} - set(given)
     there = {one.of: one.scale for one in figures if one.of is not None}
-    start: Scales = there | dict(given) | {kind: _least(kind, figures) for kind in sorted(kinds, key=_by_place)}
+    start: Scales = there | dict(given) | least_scales(kinds, figures)
     trials = [Composing(figures, kinds, room_inside(across)) for across in ways_of(way)]
     made = [(trial, found) for trial in trials if (found := trial.grown(start)) is not None]
     if not made:
@@ -55,6 +55,11 @@ def _lower(page: Composing, best: Scales, start: Scales) -> Scales:
     if low is None or plate.needed(low) > 1 or plate.least(low) < ENOUGH:
         return best
     return low if plate.low(low) > page.share(best) else best
+
+
+def least_scales(kinds: set[Place], figures: Sequence[Sketched]) -> Scales:
+    """Of each kind the scale at which it can just be read."""
+    return {kind: _least(kind, figures) for kind in sorted(kinds, key=_by_place)}
 
 
 def _least(kind: Place, figures: Sequence[Sketched]) -> float:
@@ -81,10 +86,10 @@ def _by_place(kind: Place) -> tuple[View, str]:
 
 
 class Composing:
-    """Figures on sheets of one size."""
+    """Figures on sheets of one size, with so much white between them (mm)."""
 
-    def __init__(self, figures: Sequence[Sketched], kinds: set[Place], page: Size) -> None:
-        self.figures, self.kinds, self.page = tuple(figures), kinds, page
+    def __init__(self, figures: Sequence[Sketched], kinds: set[Place], page: Size, clear: float = CLEAR) -> None:
+        self.figures, self.kinds, self.page, self.clear = tuple(figures), kinds, page, clear
         self.pairs = frozenset(self._pairs())
 
     def _pairs(self) -> Iterator[Pair]:
@@ -99,9 +104,9 @@ class Composing:
     def needed(self, scales: Mapping[Place, float]) -> int:
         """How many sheets hold the figures; more than there are figures where one fits none."""
         sizes = self.sizes(scales)
-        cut = Slicing(padded(sizes, CLEAR), inner(self.page, CLEAR), self.pairs)
-        area = [(w + CLEAR) * (h + CLEAR) for w, h in sizes]
-        wide, high = inner(self.page, CLEAR)
+        cut = Slicing(padded(sizes, self.clear), inner(self.page, self.clear), self.pairs)
+        area = [(w + self.clear) * (h + self.clear) for w, h in sizes]
+        wide, high = inner(self.page, self.clear)
         count = [0]
         for end in range(1, len(sizes) + 1):
             starts = (s for s in range(end) if sum(area[s:end]) <= wide * high and cut.shapes(s, end))
@@ -122,13 +127,14 @@ class Composing:
 
     def least(self, scales: Mapping[Place, float]) -> float:
         """How large the smallest kind is against what is usual."""
-        return min((self._size(kind, scales) / usual(kind) for kind in self.kinds), default=1.0)
+        return min((self.size(kind, scales) / usual(kind) for kind in self.kinds), default=1.0)
 
     def filled(self, scales: Mapping[Place, float]) -> float:
         """How large all kinds are against what is usual, the small ones counting most: a sum of logarithms."""
-        return sum(log(self._size(kind, scales) / usual(kind)) for kind in self.kinds)
+        return sum(log(self.size(kind, scales) / usual(kind)) for kind in self.kinds)
 
-    def _size(self, kind: Place, scales: Mapping[Place, float]) -> float:
+    def size(self, kind: Place, scales: Mapping[Place, float]) -> float:
+        """How large a kind is drawn: the longer side of its largest figure (mm)."""
         at = scales[kind]
         return max(one.scale / at * max(one.size) for one in self.figures if one.of == kind)
 
@@ -139,9 +145,9 @@ class Composing:
             return None
         growing, waiting = set(self.kinds), set[Place]()
         while growing:
-            kind = min(sorted(growing, key=_by_place), key=lambda one: self._size(one, scales) / usual(one))
+            kind = min(sorted(growing, key=_by_place), key=lambda one: self.size(one, scales) / usual(one))
             trial = scales | {kind: finer(scales[kind])}
-            if self._size(kind, trial) <= MOST * usual(kind) and self.needed(trial) <= sheets:
+            if self.size(kind, trial) <= MOST * usual(kind) and self.needed(trial) <= sheets:
                 scales, growing, waiting = trial, growing | waiting, set()
             else:
                 growing.remove(kind)

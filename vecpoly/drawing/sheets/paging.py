@@ -3,12 +3,14 @@ no small drawing alone on one of several."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import reduce
+from operator import or_
 from typing import Generic, Literal, Protocol, TypeVar
 
 from ...board.construction import Figure, View
-from ..scene import Scene
+from ..scene import Rect, Scene
 from .packing import Layout, flat, pack, packed, slicings
 from .redbox import BAND
 from .slicing import Pair, Size
@@ -37,16 +39,25 @@ F = TypeVar("F", bound=Sized)
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """A figure drawn, before it has a place: its view, its name, its scene."""
+    """A figure drawn, before it has a place: its view, its name, its scene. details: they stand beside it already, each
+    moved by `by`. figure: as it is drawn."""
 
     view: View
     name: str
     scene: Scene
+    by: complex = 0j
+    figure: Figure | None = None
+    details: tuple[Drawn, ...] = ()
+
+    @property
+    def extents(self) -> Rect:
+        """The rectangle that it needs with lettering, title and details."""
+        return reduce(or_, (one.scene.extents for one in self.details), self.scene.extents)
 
     @property
     def size(self) -> Size:
-        """Width and height with lettering and title, mm."""
-        return self.scene.extents.width, self.scene.extents.height
+        """Width and height of that, mm."""
+        return self.extents.width, self.extents.height
 
 
 Way = Literal["portrait", "landscape"] | None
@@ -79,8 +90,13 @@ def _begun(figure: Figure) -> int:
 def paged(drawn: Sequence[F], way: Way = None) -> list[Page[F]] | None:
     """The figures in order on the best pages, all of them turned alike, this way where one is wished;
     None where one fits no page."""
-    ways = [found for across in ways_of(way) if (found := Paging(drawn, across).best()) is not None]
-    return min(ways, key=_rank, default=(NOTHING, None))[1]
+    return best_paged((drawn,), way)
+
+
+def best_paged(variants: Iterable[Sequence[F]], way: Way = None) -> list[Page[F]] | None:
+    """The same of figures that may be arranged with their details in several ways."""
+    trials = (Paging(drawn, across).best() for drawn in variants for across in ways_of(way))
+    return min((found for found in trials if found is not None), key=_rank, default=(NOTHING, None))[1]
 
 
 def ways_of(way: Way) -> tuple[bool, ...]:

@@ -13,6 +13,8 @@ from ...board.paper.marks import FixedGuide, LinkNumber
 from ...board.paper.scales import Sketched
 from ...board.place import Pane, Place
 from .composing import composed
+from .crowding import crowded
+from .easing import eased
 from .lettering import lettered
 from .paging import Way, reading_order
 from .slicing import Size
@@ -33,8 +35,11 @@ class A4Paper:
         self, figures: Sequence[Figure], sketched: Mapping[Place, float], given: Mapping[View, float]
     ) -> Mapping[Place, float]:
         """Round scales for the kinds of figure that have none given, and for panes with a scale of their own, with
-        which the figures of a sketch, drawn at these scales, fill as few sheets as will do."""
-        return composed([_sketch(one, sketched) for one in reading_order(figures)], given, self.way)
+        which the figures of a sketch, drawn at these scales, fill as few sheets as will do, with room for details."""
+        ordered = reading_order(figures)
+        bare = [_sketch(one, sketched) for one in ordered]
+        detailed = [crowded(one, figure) for one, figure in zip(bare, ordered, strict=True)]
+        return eased(detailed, composed(bare, given, self.way), given, self.way)
 
 
 def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:

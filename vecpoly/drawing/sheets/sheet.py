@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 from ...board.construction import Construction, Figure, View
 from ...errors import VecpolyError
 from ...words import Lang, Words
-from ..detail import detailed
-from ..figure import draw_figure
+from ..details.knots import MOST
 from ..scene import Item, Rect, Scene
+from .detailing import arrangements, drawn
 from .packing import Layout
-from .paging import Drawn, Page, Way, arranged, paged, reading_order, trimmed, under_box
+from .paging import Drawn, Page, Way, arranged, best_paged, paged, reading_order, trimmed, under_box
 from .redbox import BAND, red_box
 from .space import FRAME, STRIP, room_inside, usable
 from .titleblock import Strip, furniture
@@ -23,13 +23,14 @@ NO_TITLE = Words.same("")
 @dataclass(frozen=True, slots=True)
 class Placed:
     """A figure on a sheet:
-    its view and name, and where on the page its origin and its extents lie, mm from the lower left."""
+    its view and name, and where on the page its origin and its extents lie, mm from the lower left; as it is drawn."""
 
     view: View
     origin: complex
     extents: Rect
     name: str = ""
     count: int = 0  # of the items of the sheet, so many are its own
+    figure: Figure | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,31 +103,33 @@ def sheets(
     its free body; `way`: portrait or landscape, where one is wished. plates: figures that would be lost on a page
     stand on a plate of their height.
 
-    A knot in a polygon is drawn apart, enlarged, where that asks for no further sheet. Raises VecpolyError where a
-    figure is larger than a sheet.
+    Crowded places are drawn apart, enlarged, beside their figures, where that asks for no further sheet. Raises
+    VecpolyError where a figure is larger than a sheet.
     """
-    figures = reading_order(construction.figures)
-    apart = tuple(one for figure in figures for one in detailed(figure))
-    drawn = _drawn(apart, lang)
-    pages = paged(drawn, way)
-    if len(apart) > len(figures) and (pages is None or len(pages) > 1):
-        done = dict(zip(apart, drawn, strict=True))
-        whole = tuple(done.get(f) or _drawn((f,), lang)[0] for f in figures)
-        plain = paged(whole, way)
-        if pages is None or (plain is not None and len(pages) > len(plain)):
-            drawn, pages = whole, plain
-    if pages is None:
-        raise _too_large(next(one for one in drawn if arranged((one,), way) is None))
+    pages = _pages(reading_order(construction.figures), lang, way)
     if plates and way is None:
         pages = [(group, trimmed(group, layout)) for group, layout in pages]
     return _numbered(pages, construction, lang, title)
+
+
+def _pages(figures: Sequence[Figure], lang: Lang, way: Way) -> list[Page[Drawn]]:
+    """The figures with as many details as need no further sheet."""
+    pages = best_paged(arrangements(figures, lang), way)
+    if pages is not None and len(pages) == 1:
+        return pages
+    alone = drawn(figures, lang)
+    plain = paged(alone, way)
+    if plain is None:
+        raise _too_large(next(one for one in alone if arranged((one,), way) is None))
+    fewer = (best_paged(arrangements(figures, lang, most), way) for most in range(MOST - 1, 0, -1))
+    return next((one for one in (pages, *fewer) if one is not None and len(one) <= len(plain)), plain)
 
 
 def hung(
     construction: Construction, pages: Sequence[Hung], *, lang: Lang = "zh", title: Words = NO_TITLE
 ) -> tuple[Sheet, ...]:
     """The figures of a construction on A4 sheets, in order, each hung up where it is said."""
-    waiting, made = list(_drawn(construction.figures, lang)), list[Page[Drawn]]()
+    waiting, made = list(drawn(construction.figures, lang)), list[Page[Drawn]]()
     for page in pages:
         group, waiting = waiting[: len(page.tops)], waiting[len(page.tops) :]
         corners = tuple(top - complex(one.size[0] / 2, one.size[1]) for top, one in zip(page.tops, group, strict=True))
@@ -148,10 +151,6 @@ def _numbered(pages: Sequence[Page[Drawn]], construction: Construction, lang: La
         )
         for n, (group, layout) in enumerate(pages, start=1)
     )
-
-
-def _drawn(figures: Sequence[Figure], lang: Lang) -> tuple[Drawn, ...]:
-    return tuple(Drawn(f.view, f.name, draw_figure(f, lang=lang)) for f in figures)
 
 
 def bound(loose: Sequence[Sheet], names: Sequence[Words]) -> tuple[Sheet, ...]:
@@ -176,14 +175,15 @@ def _too_large(one: Drawn) -> VecpolyError:
     )
 
 
-def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang, warning: Words | None) -> Sheet:
+def _sheet(group: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang, warning: Words | None) -> Sheet:
     items: list[Item] = []
     placed: list[Placed] = []
-    for one, corner in zip(drawn, layout.corners, strict=True):
-        by = corner + complex(FRAME, FRAME + STRIP) - complex(one.scene.extents.x0, one.scene.extents.y0)
-        shifted = one.scene.moved(by)
-        items.extend(shifted.items)
-        placed.append(Placed(one.view, by, shifted.extents, one.name, len(shifted.items)))
+    for one, corner in zip(group, layout.corners, strict=True):
+        by = corner + complex(FRAME, FRAME + STRIP) - complex(one.extents.x0, one.extents.y0)
+        for part in (one, *one.details):
+            shifted = part.scene.moved(by)
+            items.extend(shifted.items)
+            placed.append(Placed(part.view, by + part.by, shifted.extents, part.name, len(shifted.items), part.figure))
     sheet = Sheet(tuple(items), tuple(placed), layout.page, strip, lang, warning)
     if warning is None or layout.page in (room_inside(True), room_inside()):
         return sheet

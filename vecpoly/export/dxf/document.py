@@ -7,8 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ...board.construction import Construction, Figure
-from ...drawing.detail import detailed
+from ...board.construction import Figure
 from ...drawing.figure import drawing
 from ...drawing.scene import Item, Rect, TextBox
 from ...drawing.sheets.redbox import red_box
@@ -37,24 +36,16 @@ def figure_dxf(figure: Figure, lang: Lang = "zh", upto: int | None = None) -> by
     return _written((Part(figure),), (), lang, upto)
 
 
-def sheet_dxf(construction: Construction, sheet: Sheet, upto: int | None = None) -> bytes:
+def sheet_dxf(sheet: Sheet, upto: int | None = None) -> bytes:
     """A page with its frame and title strip, the lower left corner of the paper at the origin."""
     page = Rect(0.0, 0.0, *sheet.size)
     alarm = () if sheet.warning is None else red_box(page, sheet.warning.of(sheet.lang))
-    return _written(
-        tuple(_parts(construction, sheet)), (*furniture(page, sheet.strip, sheet.lang), *alarm), sheet.lang, upto
-    )
+    return _written(tuple(_parts(sheet)), (*furniture(page, sheet.strip, sheet.lang), *alarm), sheet.lang, upto)
 
 
-def _parts(construction: Construction, sheet: Sheet) -> Iterator[Part]:
-    """The figures of a page, those with a knot drawn apart as the page shows them."""
-    placed = {(one.view, one.name): one.origin for one in sheet.figures}
-    for figure in construction.figures:
-        variants = detailed(figure)
-        apart = (variants[-1].view, variants[-1].name) in placed and len(variants) > 1
-        for one in variants if apart else (figure,):
-            if (one.view, one.name) in placed:
-                yield Part(one, placed[one.view, one.name])
+def _parts(sheet: Sheet) -> Iterator[Part]:
+    """The figures of a page as it shows them, their details too."""
+    return (Part(one.figure, one.origin) for one in sheet.figures if one.figure is not None)
 
 
 def _written(parts: Sequence[Part], furnishing: Sequence[Item], lang: Lang, upto: int | None) -> bytes:

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from ...algebra.quantity import number
 from ...board.construction import Construction, Figure
 from ...board.paper.marks import Cell, Dot, LinkNumber, Mark, Point, TurnArrow, Vector
+from ...drawing.details.apart import is_detail
 from ...drawing.sheets.sheet import Placed
 from ...errors import UnknownNameError
 from ...names import parse_rel
@@ -22,7 +23,7 @@ _KINDS = (
     (Words("方框", "boxes"), Cell),
 )
 _SCALE = Words("比例尺", "scale")
-_KNOT = Words("局部放大图", "enlarged detail of: ")
+_PART = Words("；所属图形：", "; part of: ")
 
 
 def shown(figure: Figure, lang: Lang, *, scaled: bool = True) -> str:
@@ -39,12 +40,12 @@ def shown(figure: Figure, lang: Lang, *, scaled: bool = True) -> str:
 
 
 def placed(one: Placed, construction: Construction, lang: Lang) -> str:
-    """What a figure of a sheet shows, in words; a detail shows a part of its figure."""
+    """What a figure of a sheet shows, in words; of a detail also which figure it is a part of."""
     for figure in construction.figures:
         if (figure.view, figure.name) == (one.view, one.name):
             return shown(figure, lang)
-        if figure.view is one.view and f"{figure.name} detail".strip() == one.name:
-            return _KNOT.of(lang) + words_said(figure.title.of(lang), lang)
+        if one.figure is not None and figure.view is one.view and is_detail(one.name, figure):
+            return f"{shown(one.figure, lang)}{_PART.of(lang)}{words_said(figure.title.of(lang), lang)}"
     return one.view.title.of(lang)
 
 

@@ -1,0 +1,95 @@
+"""Crowded places are drawn apart: what is a knot, how it is enlarged, where its detail stands."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+from vecpoly.board.construction import Construction, Figure, Scale, View
+from vecpoly.board.paper.marks import Dot, Mark, Point, Role, Vector
+from vecpoly.board.ruler import READABLE
+from vecpoly.drawing.details.apart import all_detailed, detailed, is_detail, numeral
+from vecpoly.drawing.details.knots import FACTORS, FULL, knots
+from vecpoly.drawing.scene import Fill, Rect, Scene, Stroke
+from vecpoly.drawing.sheets.nested import WHITE, Grow, nested
+from vecpoly.drawing.sheets.sheet import sheets
+from vecpoly.words import Words
+
+
+def polygon(short: float, *, view: View = View.FORCE, name: str = "2") -> Figure:
+    """A force polygon of 90 mm with a vector of so many mm."""
+    at = [0j, 90 + 0j, 90 - 1j * short, 30 + 40j]
+    marks: list[Mark] = [Point(at=z, label=letter, dot=Dot.POINT) for z, letter in zip(at, "abcd", strict=True)]
+    marks += [
+        Vector(a=a, b=b, role=Role.RESULT, label=f"F_{n}")
+        for n, (a, b) in enumerate(zip(at, (*at[1:], at[0]), strict=True))
+    ]
+    scale = Scale(symbol="μ_F", value=10.0, unit="N")
+    return Figure(view=view, title=Words("力多边形", "Force polygon"), scale=scale, marks=tuple(marks), name=name)
+
+
+@pytest.mark.parametrize("short", [0.3, 0.6, 1.2, 2.0, 2.9])
+def test_a_vector_of_less_than_three_millimetres_is_drawn_apart_and_readable_there(short: float) -> None:
+    main, detail = detailed(polygon(short))
+    (knot,) = knots(polygon(short))
+    (long,) = [abs(m.b - m.a) for m in detail.marks if isinstance(m, Vector) and m.label == "F_1"]
+    assert long == pytest.approx(short * knot.factor) and long >= READABLE
+    assert knot.factor in FACTORS and 2 * knot.radius * knot.factor <= FULL
+    assert detail.scale.value == pytest.approx(10.0 / knot.factor)
+    assert {m.label for m in main.marks if isinstance(m, Point)} - {""} == {"a", "d", "Ⅰ"}
+    assert not any(isinstance(m, Vector) and m.label == "F_1" for m in main.marks)
+
+
+@pytest.mark.parametrize("short", [0.05, 3.0, 20.0])
+def test_what_no_enlargement_shows_and_what_is_long_enough_is_left_as_it_is(short: float) -> None:
+    assert detailed(polygon(short)) == (polygon(short),)
+
+
+def test_free_bodies_have_no_details_for_their_arrows_have_no_length() -> None:
+    assert knots(polygon(1.0)) and not knots(polygon(1.0, view=View.BODY))
+
+
+def test_details_of_several_figures_are_numbered_through() -> None:
+    figures = (polygon(1.0, name="2"), polygon(20.0, name="3"), polygon(2.0, name="4"))
+    made = all_detailed(figures)
+    assert [len(one) for one in made] == [2, 1, 2]
+    assert ["Ⅰ" in made[0][1].title.zh, "Ⅱ" in made[2][1].title.zh] == [True, True]
+    assert is_detail(made[0][1].name, figures[0]) and not is_detail(made[0][1].name, figures[2])
+    assert len({numeral(n) for n in range(1, 30)}) == 29
+
+
+def square(x: float, y: float, side: float) -> Scene:
+    """A filled square."""
+    corners = (complex(x, y), complex(x + side, y), complex(x + side, y + side), complex(x, y + side))
+    return Scene.of((Fill(points=corners),))
+
+
+@pytest.mark.parametrize("grow", list(Grow))
+def test_a_detail_stands_clear_of_the_ink_of_its_figure_and_of_other_details(grow: Grow) -> None:
+    ell = Scene.of((Stroke(points=(0j, 100 + 0j), width=0.5), Stroke(points=(0j, 80j), width=0.5)))
+    details = [(square(500, 0, side), 10 + 10j) for side in (30.0, 25.0, 40.0)]
+    boxes = [one.moved(by).extents for (one, _), by in zip(details, nested(ell, details, grow), strict=True)]
+    assert not any(a.grown(WHITE - 1e-6).overlaps(b) for a, b in combinations(boxes, 2))
+    for box in boxes:
+        assert not any(box.grown(WHITE - 1.0).overlaps(Rect(z.real, z.imag, z.real, z.imag)) for z in _points(ell))
+
+
+def _points(scene: Scene) -> list[complex]:
+    lines = [item.points for item in scene.items if isinstance(item, Stroke)]
+    return [a + (b - a) * share for a, b in lines for share in np.linspace(0.0, 1.0, 400).tolist()]
+
+
+def test_a_detail_stands_in_a_corner_that_its_figure_leaves_free() -> None:
+    ell = Scene.of((Stroke(points=(0j, 100 + 0j), width=0.5), Stroke(points=(0j, 80j), width=0.5)))
+    (by,) = nested(ell, [(square(0, 0, 30), 90 + 70j)], Grow.LEAST)
+    assert 0 < by.real < 70 and 0 < by.imag < 50
+
+
+def test_a_sheet_has_the_detail_beside_its_figure_inside_the_frame() -> None:
+    (sheet,) = sheets(Construction(problem="x", hand="exact", figures=(polygon(1.0),), steps=(), readings={}))
+    main, detail = sheet.figures
+    assert (main.name, detail.name) == ("2", "2 detail 1") and detail.figure is not None
+    assert not main.extents.overlaps(detail.extents) or detail.extents.width < main.extents.width
+    assert detail.extents.x0 >= 10 and detail.extents.x1 <= sheet.size[0] - 10

@@ -1,0 +1,43 @@
+"""Figures drawn for their sheets, with their details beside them or without."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from ...board.construction import Figure
+from ...words import Lang
+from ..details.apart import all_detailed
+from ..details.knots import MOST, knots
+from ..figure import draw_figure
+from .nested import Grow, nested
+from .paging import Drawn
+
+Whole = tuple[Drawn, ...]
+
+
+def drawn(figures: Sequence[Figure], lang: Lang) -> Whole:
+    """The figures alone."""
+    return tuple(Drawn(f.view, f.name, draw_figure(f, lang=lang), figure=f) for f in figures)
+
+
+def arrangements(figures: Sequence[Figure], lang: Lang, most: int = MOST) -> Iterator[Whole]:
+    """The figures with so many details each at most, arranged so that each grows little, or rather in width, or in
+    height; as they are, once, where they have none."""
+    apart = [drawn(one, lang) for one in all_detailed(figures, most)]
+    if all(len(one) == 1 for one in apart):
+        yield tuple(one for (one,) in apart)
+        return
+    for grow in Grow:
+        yield tuple(_beside(made, figure, grow) for made, figure in zip(apart, figures, strict=True))
+
+
+def _beside(made: Whole, figure: Figure, grow: Grow) -> Drawn:
+    """A figure and its details in their places."""
+    main, *details = made
+    if not details:
+        return main
+    shown = [(one.scene, knot.centre) for one, knot in zip(details, knots(figure), strict=False)]
+    ways = nested(main.scene, shown, grow)
+    moved = (replace(one, scene=one.scene.moved(by), by=by) for one, by in zip(details, ways, strict=True))
+    return replace(main, details=tuple(moved))
