@@ -9,10 +9,11 @@ from math import degrees, isfinite, isnan, nan
 from typing import Any
 
 from .board.construction import LineOfAction, Reading
+from .board.short import TOO_SHORT, about, is_short
 from .check.alarm import Cause, Weighed
 from .check.precision import PLENTY, digits
 from .names import Key, is_place
-from .words import Lang
+from .words import Lang, Words
 
 _HEAD = {"zh": ("量", "图解", "精确", "单位", "预期误差"), "en": ("symbol", "drawn", "exact", "unit", "expected")}
 YES_NO = "yes/no"  # unit of an answer that is 1 or 0
@@ -54,6 +55,11 @@ class Answer:
     def suspect(self) -> Cause | None:
         """Why the value must not be taken for an answer; None where it may."""
         return self.weighed.cause
+
+    @property
+    def short(self) -> bool:
+        """Whether it was read off a length that is too short on paper to be measured."""
+        return is_short(self.reading)
 
     @property
     def digits(self) -> int:
@@ -124,6 +130,12 @@ class Answer:
             "expected_error": self.expected_error if isfinite(self.expected_error) else None,
             "suspect": self.suspect is not None,
         }
+
+
+def told_short(answer: Answer) -> Words:
+    """How long it is on paper, and that this is too short: of an answer that is `short`."""
+    length = about(abs(answer.reading.mm or 0.0))
+    return Words(f"图上 {length}，", f"{length} on paper: ") + TOO_SHORT
 
 
 def bearing(vector: complex) -> float:

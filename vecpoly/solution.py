@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Self, cast
 import numpy as np
 
 from .amend import Length, Spot, amend, found_all
-from .answer import YES_NO, Answer, plain, reading_json, small_table
+from .answer import YES_NO, Answer, plain, reading_json, small_table, told_short
 from .board.construction import Construction, LineOfAction, Reading
 from .board.hand import Hand, hand
 from .board.otherwise.amended import Amended
@@ -36,7 +36,7 @@ from .words import Words, language
 if TYPE_CHECKING:
     from .check.found import Verified
 
-__all__ = ["REPEATS", "YES_NO", "Answer", "Solution", "fewer_digits", "solve"]
+__all__ = ["REPEATS", "YES_NO", "Answer", "Solution", "fewer_digits", "solve", "told_short"]
 
 REPEATS = 200  # repeated hands behind every expected drawing error
 

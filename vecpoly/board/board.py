@@ -85,7 +85,9 @@ class Board(Compass):
 
     def _measured(self, read: Reals, a: Points, b: Points, letters: str) -> Reals:
         known = [self.acts[n] for n in sorted(acts_of(a, b)) if n < len(self.acts)]  # scratch paper remembers none
-        place = next((act.head.place for act in reversed(known) if act.head.place is not None), None)
+        places = [act.head.place for act in reversed(known) if act.head.place is not None]
+        place = places[0] if places else None
+        self.weigh(letters, abs(spot(b - a)), place if len(set(places)) == 1 else None)
         mm = self.amended.reading(place, letters, read)
         key = plain_letters(letters)
         act = done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=amount(mm))

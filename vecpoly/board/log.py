@@ -4,7 +4,7 @@ What stands on a figure follows from the acts."""
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import takewhile
 from typing import Any, TypeVar
 
@@ -24,6 +24,8 @@ from .paper.ink import ends_of, leaves_ink, marks_of
 from .paper.marks import Mark
 from .paper.symbols import Symbol
 from .place import Pane, Place, View, view_of, views
+from .ruler import READABLE
+from .short import FINEST, Short, remarked
 
 Found = TypeVar("Found", Points, Reals)
 
@@ -43,6 +45,7 @@ class Log:
         self.composed = set[Pane]()  # panes whose own scale is chosen with those of the kinds, if it is not told yet
         self._titles: dict[Pane, Words] = {}
         self._section = Words.same("")
+        self._short: list[Short] = []
 
     # -- the record -------------------------------------------------------------------------------------------
 
@@ -58,6 +61,16 @@ class Log:
         """Add a sentence to the step."""
         last = self.steps[-1]
         self.steps[-1] = replace(last, words=last.words + words)
+
+    def weigh(self, letters: str, mm: float, place: Place | None) -> None:
+        """Remember a length that is read though it is too short; one that no rule shows is none."""
+        if FINEST <= mm < READABLE:
+            scale = None if place is None else self.scale_of(place)
+            self._short.append(Short(step=len(self.steps), letters=letters, mm=mm, scale=scale))
+
+    def told(self, steps: Sequence[Step]) -> tuple[Step, ...]:
+        """The steps as they are finished, saying what was too short on paper to be measured."""
+        return remarked(steps, self._short)
 
     def equate(self, table: EquationTable) -> None:
         """Write a vector equation with its two rows into the step."""

@@ -105,7 +105,7 @@ def _finished(problem: Problem, by: Hand, desk: Desk, readings: Mapping[str, Rea
         problem=problem.id,
         hand=by.name,
         figures=desk.board.figures(),
-        steps=steps,
+        steps=desk.board.told(steps),
         acts=tuple(desk.board.acts),
         readings=told,
         forces={key: desk.board.readings[key] for key in desk.forces},

@@ -78,7 +78,7 @@ def solve(
 
 def _print(solution: Solution, lang: Lang) -> None:
     from ...problem.asked.hints import nothing_asked
-    from ...solution import fewer_digits
+    from ...solution import fewer_digits, told_short
 
     problem = solution.problem
     title = f"{problem.id}  {bare(problem.title.of(lang))}  ({_HANDS[solution.construction.hand][lang]})"
@@ -102,6 +102,8 @@ def _print(solution: Solution, lang: Lang) -> None:
         )
     show(made)
     for answer in solution.answers.values():
+        if answer.short:
+            typer.echo(f"{symbol(answer.key)}: {told_short(answer).of(lang)}")
         if answer.reading.acts is not None and answer.reading.acts.couple is not None:
             typer.echo(bare(_passed_on(answer).of(lang)))
     if not problem.asks:

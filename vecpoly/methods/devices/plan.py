@@ -36,7 +36,7 @@ def construct_device(problem: Problem, by: Hand, paper: Paper, amended: Amended 
         problem=problem.id,
         hand=by.name,
         figures=bench.board.figures(TITLES if called is None else TITLES | {View.MECHANISM: called}),
-        steps=steps,
+        steps=bench.board.told(steps),
         acts=tuple(bench.board.acts),
         readings=told,
     )

@@ -37,7 +37,7 @@ def construct_design(problem: Problem, by: Hand, paper: Paper, amended: Amended 
         problem=problem.id,
         hand=by.name,
         figures=board.figures({SHEET: find_design(_design(problem)).sheet}),
-        steps=steps,
+        steps=board.told(steps),
         acts=tuple(board.acts),
         readings=told,
         candidates=draft.candidates(_design(problem)),

@@ -7,7 +7,7 @@ from math import degrees, isclose, isinf, isnan
 
 from ...algebra.formula import Node, Row, Txt, row
 from ...problem.problem import Problem
-from ...solution import YES_NO, Answer, Solution
+from ...solution import YES_NO, Answer, Solution, told_short
 from ...words import Lang, Words
 from ..values import called, direction_of_load, is_efficiency, place_parts, printed_unit, unit_after, value
 from .rounded import coarse, coordinates, drawn_number
@@ -133,8 +133,10 @@ def _angle(turn: float) -> str:
 
 
 def _after(answer: Answer, lang: Lang) -> str:
-    """The conclusion that the construction came to, and how coarse the reading is."""
+    """The conclusion that the construction came to, whether its length can be measured, how coarse the reading is."""
     said = [answer.reading.remark.of(lang).strip().rstrip("。.")] if answer.reading.remark is not None else []
+    if answer.short:
+        said.append(told_short(answer).of(lang))
     share = coarse(answer)
     if share is not None:
         said.append(_coarse(share).of(lang))

@@ -38,6 +38,7 @@ _PLACES = (
     Words("预期误差 /mm", "Expected error /mm"),
 )
 _ALIGN_PLACES = "ldddddd"
+_SHORT = Words("（过短）", " (too short)")
 _SENSE = {"ccw": Words("↺ 逆时针", "↺ ccw"), "cw": Words("↻ 顺时针", "↻ cw")}
 _APART = 1e-9  # m: places that all hands find alike, a fixed pivot
 
@@ -119,7 +120,7 @@ def _row(answer: Answer, problem: Problem, lang: Lang, unit: str) -> tuple[str, 
     return (
         called(r.symbol, r.key, lang),
         unit or NOTHING,
-        NOTHING if r.mm is None else f"{r.mm:.1f}",
+        NOTHING if r.mm is None else f"{r.mm:.1f}{_SHORT.of(lang) if answer.short else ''}",
         f"${r.scale}$" if r.scale else NOTHING,
         _plain(answer, answer.drawn, lang) or drawn_number(answer),
         way(answer, problem, lang),
