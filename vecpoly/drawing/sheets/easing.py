@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from ...board.construction import View
 from ...board.paper.scales import coarser
 from ...board.place import Place
-from ...foundation.slotted import replace
 from ..details.knots import MOST
 from .composing import Composing, Scales, least_scales, usual
 from .crowding import Crowded
@@ -27,7 +27,7 @@ def eased(figures: Sequence[Crowded], best: Scales, given: Mapping[View, float],
         return best
     pages = [room_inside(across) for across in ways_of(way)]
     alone = [replace(one, most=0) for one in figures]
-    if all(Composing(alone, set(best), page).needed(there) > 1 for page in pages):
+    if all(Composing(alone, set(best), page, TIGHT).needed(there) > 1 for page in pages):
         return best
     least = {kind: min(scale, MOST_COARSER * best[kind]) for kind, scale in _least(set(best), alone).items()}
     for most in range(MOST, 0, -1):
