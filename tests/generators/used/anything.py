@@ -18,13 +18,14 @@ Use = Callable[[Solution, np.random.Generator], str]
 OTHERS = ("used", "retold", "library")
 
 
-def anything(*starts: str) -> Make:
-    """What makes a member of a random family, of those whose names begin so."""
+def anything(use: str, *starts: str) -> Make:
+    """What makes a member of a random family, of those whose names begin so; another for every use."""
 
     def make(rng: np.random.Generator) -> str:
         """Any member of any other family."""
+        dice = np.random.default_rng([int(rng.integers(2**32)), crc32(use.encode())])
         known = [one for one in families() if one.name.startswith(starts or "") and not one.name.startswith(OTHERS)]
-        return dedent(known[int(rng.integers(len(known)))].make(rng))
+        return dedent(known[int(dice.integers(len(known)))].make(dice))
 
     return make
 

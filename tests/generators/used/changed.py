@@ -108,7 +108,7 @@ def graded(solution: Solution, rng: np.random.Generator) -> str:
     return "" if checked is None or checked.right else f"the exact values are not right: {checked}"
 
 
-family("used-readings", also=own_reading, often=2)(anything())
-family("used-misread", also=misread, often=2)(anything())
-family("used-varied", also=varied, often=2)(anything())
-family("used-graded", also=graded, often=1)(anything())
+family("used-readings", also=own_reading, often=2)(anything("readings"))
+family("used-misread", also=misread, often=2)(anything("misread"))
+family("used-varied", also=varied, often=2)(anything("varied"))
+family("used-graded", also=graded, often=1)(anything("graded"))

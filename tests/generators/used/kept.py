@@ -33,5 +33,5 @@ def made_again(solution: Solution, rng: np.random.Generator) -> str:
     return unlike(solution, solve(again, by="exact", repeats=0, precise=False))
 
 
-family("used-record", also=read_again, often=2)(anything())
-family("used-data", also=made_again, often=2)(anything())
+family("used-record", also=read_again, often=2)(anything("record"))
+family("used-data", also=made_again, often=2)(anything("data"))

@@ -101,10 +101,24 @@ def played(solution: Solution, rng: np.random.Generator) -> str:
     return "" if page.html.rstrip().endswith("</html>") and all(told) else "a page is empty"
 
 
-family("used-report", also=reported, often=2)(anything())
+family("used-report", also=reported, often=2)(anything("report"))
 family("used-course", also=studied, often=1)(
-    anything("linkage", "class-iii", "gears", "cylinder", "roller", "change", "forces", "offset", "pin-in", "machine")
+    anything(
+        "course",
+        "linkage",
+        "class-iii",
+        "gears",
+        "cylinder",
+        "roller",
+        "change",
+        "forces",
+        "offset",
+        "pin-in",
+        "machine",
+    )
 )
-family("used-drawn", also=drawn, often=2)(anything())
-family("used-geogebra", also=moving, often=4)(anything("linkage", "class-iii", "gears", "offset", "pin-in", "four"))
-family("used-player", also=played, often=2)(anything())
+family("used-drawn", also=drawn, often=2)(anything("drawn"))
+family("used-geogebra", also=moving, often=4)(
+    anything("geogebra", "linkage", "class-iii", "gears", "offset", "pin-in", "four")
+)
+family("used-player", also=played, often=2)(anything("player"))

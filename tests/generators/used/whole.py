@@ -117,4 +117,4 @@ def _within(turn: Cycle, keys: list[str]) -> str:
     return ""
 
 
-family("used-cycle", also=over_the_cycle, often=2)(anything(*MOTIONS))
+family("used-cycle", also=over_the_cycle, often=2)(anything("cycle", *MOTIONS))
