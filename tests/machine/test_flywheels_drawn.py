@@ -8,7 +8,8 @@ import pytest
 import vecpoly
 from tests.machine.engines import DATA, PRESS, machine
 from vecpoly.errors import EquilibriumError, NoMethodError
-from vecpoly.solution import Solution
+from vecpoly.problem.load import loads
+from vecpoly.solution import Solution, solve
 
 LIBRARY = ("press-flywheel", "shaper-flywheel", "engine-flywheel")
 CASES = {"press-flywheel": "B07", "shaper-flywheel": "B09", "engine-flywheel": "B04"}

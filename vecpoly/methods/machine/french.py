@@ -137,7 +137,7 @@ def french(mech: Mechanism, loads: Loads) -> French:
 
 def _looked(loads: Loads, sense: float, period: float) -> list[float]:
     """Places so near each other that no load begins and ends between two of them: within every part of the drive's
-    turn in which one acts, and in which it does not; of a part of a stroke at least two, at up to thrice its mean speed.
+    turn in which one acts, and in which it does not; of a part of a stroke two, also at thrice its mean speed.
     """
     windows = [one for load in loads.all if load.law is not None for one in load.law.windows]
     parts = [window.high - window.low for window in windows if isinstance(window, Moving)]
