@@ -14,8 +14,10 @@ from vecpoly.algebra.quantity import number
 from vecpoly.board.board import Board
 from vecpoly.board.construction import Scale, View
 from vecpoly.board.hand import hand
+from vecpoly.errors import NotAskedError
 from vecpoly.names import Rel
-from vecpoly.solution import Answer, Solution
+from vecpoly.problem.load import load
+from vecpoly.solution import Answer, Solution, solve
 
 RESULT = re.compile(r"(−?[\d.]+)(?:×10\^?(−?\d+))? (?:m/s|m/s\^2|rad/s|rad/s\^2|N|N·m)$")
 
@@ -52,3 +54,9 @@ def test_a_segment_is_read_once_by_every_hand(by: str) -> None:
     assert np.array_equal(there.value, back.value)
     other = board.measure(0j, board.lay_off(0j, 1 + 0j, 41.37), "a c")
     assert not np.array_equal(there.value, other.value)
+
+
+@pytest.mark.parametrize(("problem", "read"), [("3-9", "BC"), ("3-12", "ED")])
+def test_a_length_read_as_nothing_by_which_something_is_divided_is_refused(problem: str, read: str) -> None:
+    with pytest.raises(NotAskedError, match="no length"):
+        solve(load(problem), by="exact", repeats=0, readings={read: 0.0})

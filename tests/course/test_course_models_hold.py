@@ -213,3 +213,28 @@ def test_the_crank_pin_of_a_gear_moves_by_the_formulas_as_by_the_oracle(
     arm, how = (sun - planet, "inside") if inside else (sun + planet, "on")
     mech = loads(PLANET % (arm, planet, phase, how, sun, phi)).mechanism
     assert off(mech, modelled(mech)) == {}
+
+
+SLOT_ON_THE_FRAME = """
+id: slot-on-the-frame
+title: t
+frame: {A: [0 mm, 0 mm], M: [57.287185487 mm, 131.727613629 mm]}
+links:
+  1: {AB: 54.26595414 mm, F: {along: AB, at: -14.07770199 mm, left: -201.356796656 mm}, G: {along: AB, at: 87.547627691 mm, left: 3.081232141 mm}, I: {along: AB, at: 47.532354503 mm, left: -154.671808075 mm}, J: {along: AB, at: 127.775445308 mm, left: -65.447112066 mm}}
+  2: {CD: 114.640657578 mm, E: {along: CD, at: 99.28501132 mm, left: 57.806715324 mm}, K: {along: CD, at: 99.663782754 mm, left: 43.295186689 mm}, L: {along: CD, at: 56.570220842 mm, left: -68.700103041 mm}, N: {along: CD, at: 130.011782583 mm, left: 11.807919224 mm}}
+  3: {block: E}
+  4: {block: H}
+  5: {slot: M}
+joints: [3 slides on FG with E 9.7156 mm left, 4 slides on IJ, 4 slides on KL of 2 turned 43.623147004 deg, N of 2 slides in 5 turned 21.076752795 deg]
+input: {link: 1, phi: 137 deg, omega: -8 rad/s}
+guesses: {E: [71.803 mm, 98.835 mm], H: [10.954 mm, 140.272 mm], N: [18.682 mm, 83.403 mm]}
+find: [omega_2]
+"""  # noqa: E501
+
+
+def test_a_slot_that_is_reached_along_its_slide_closes_a_loop_in_its_pin_on_the_frame() -> None:
+    mech = loads(SLOT_ON_THE_FRAME).mechanism
+    printed = modelled(mech)
+    assert not off(mech, printed)
+    (loops,) = [group.loops for group in printed.groups if group.loops is not None]
+    assert len(loops.conditions) == len(loops.unknowns) == 4

@@ -63,7 +63,7 @@ def main() -> int:
             _say_bad(*pair)
     except KeyboardInterrupt:  # or killed: what was judged is told all the same, of all families alike
         print(f"stopped after {len(found)} of {len(cases)}")
-    return _told(cases, found)
+    return _told(found)
 
 
 def _say_bad(case: Case, verdict: Verdict) -> None:
@@ -72,9 +72,9 @@ def _say_bad(case: Case, verdict: Verdict) -> None:
         print(f"{case[0]} --seed {case[1]} --only {case[2]}: {verdict.kind}: {verdict.why}", flush=True)
 
 
-def _told(cases: list[Case], found: list[tuple[Case, Verdict]]) -> int:
+def _told(found: list[tuple[Case, Verdict]]) -> int:
     console = Console(width=180)
-    for name in dict.fromkeys(name for name, _, _ in cases):
+    for name in dict.fromkeys(case[0] for case, _ in sorted(found, key=lambda pair: pair[0])):
         mine = [(case, verdict) for case, verdict in found if case[0] == name]
         counts = Counter(verdict.kind for _, verdict in mine)
         console.print(f"{name}: " + ", ".join(f"{counts[kind]} {kind}" for kind in Kind), markup=False)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import pytest
 
 from vecpoly import loads
+from vecpoly.board.acts import Locate
 from vecpoly.errors import AssemblyError, ProblemFileError
 from vecpoly.solution import Solution, solve
 
@@ -123,3 +124,20 @@ def test_a_rough_place_does_not_turn_a_slot_whose_block_lies_ahead() -> None:
     )
     plain, behind = (solved(slot + more, "p_E").answers["p_E"] for more in ("", "guesses: {E: [240 mm, -40 mm]}\n"))
     assert behind.drawn_vector == plain.drawn_vector and behind.exact_vector == pytest.approx(behind.drawn_vector)
+
+
+WITH_K = """
+frame: {A: [0 mm, 0 mm], C: [120 mm, 0 mm]}
+links: {1: {AB: 40 mm}, 2: {block: B}, 3: {slot: C, K: {CK: 60 mm, angle: 20 deg from line}}}
+joints: [2 slides in 3]
+input: {link: 1, phi: 50 deg, omega: 10 rad/s ccw}
+"""
+
+
+@pytest.mark.parametrize(("text", "tips"), [(WITH_K, 2), (OLDHAM, 3), (OLDHAM.replace("K", "I"), 2)])
+def test_the_tip_of_a_coriolis_acceleration_has_a_letter_of_its_own(text: str, tips: int) -> None:
+    asked = "a_K" if "K" in text else "a_E"
+    points = [act for act in solved(text, asked).construction.acts if isinstance(act, Locate) and act.key[:1] == "k"]
+    places = {act.names[0]: {one.at for one in points if one.names[0] == act.names[0]} for act in points}
+    assert all(len(at) == 1 for at in places.values())
+    assert sum(name.startswith("acceleration:") for name in places) == tips

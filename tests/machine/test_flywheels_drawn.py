@@ -8,7 +8,8 @@ import pytest
 import vecpoly
 from tests.machine.engines import DATA, PRESS, machine
 from vecpoly.errors import EquilibriumError, NoMethodError
-from vecpoly.solution import Solution
+from vecpoly.problem.load import loads
+from vecpoly.solution import Solution, solve
 
 LIBRARY = ("press-flywheel", "shaper-flywheel", "engine-flywheel")
 CASES = {"press-flywheel": "B07", "shaper-flywheel": "B09", "engine-flywheel": "B04"}
@@ -80,3 +81,25 @@ def test_the_drawing_refuses_work_that_is_left_over_as_the_oracle_does() -> None
     text = PRESS.replace("size: constant", "size: 50 N*m ccw")
     with pytest.raises(EquilibriumError, match="over a period, not 0"):
         vecpoly.solve(machine(text, ("dW_max",), "n: 120 r/min, delta: 0.05"))
+
+
+SHORT = """
+id: short
+title: t
+frame: {A: [0 mm, 0 mm]}
+links: {1: {AB: 73.658 mm}, 2: {BC: 169.671 mm}, 3: {block: C}}
+joints: [3 slides on x = 24.454 mm]
+branch: [C above B]
+input: {link: 1, phi: 253 deg, omega: 72 r/min ccw}
+loads:
+  F_q: {on: 3, at: C, size: 2169 N, direction: 270 deg, WINDOW}
+  M_c: {on: 1, size: constant}
+find: [M_c]
+"""
+WINDOWS = ("while: C moves down, between: [50 %, 51 %]", "during: [61 deg, 64 deg]", "during: [61 deg, 60 deg]")
+
+
+@pytest.mark.parametrize("window", WINDOWS)
+def test_a_load_that_acts_or_rests_for_a_moment_only_is_not_overlooked(window: str) -> None:
+    found = solve(loads(SHORT.replace("WINDOW", window)), by="exact", repeats=0, precise=False).answers["M_c"]
+    assert found.drawn == pytest.approx(found.exact, rel=1e-9)

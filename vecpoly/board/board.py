@@ -191,7 +191,7 @@ class Board(Compass):
         ]
         factors = [(hand, factor * expr.value) for hand, factor in wrong]
         value = self.amended.altered(expr.value, [*factors, *others])
-        if np.isnan(nominal(value)):
+        if not np.isfinite(nominal(value)):
             raise NotAskedError(
                 Words(
                     f"{symbol} 无从量取：图上相应的线段没有长度；请检查各长度是否相差过大，或用 vecpoly exact",

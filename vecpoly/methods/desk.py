@@ -86,14 +86,17 @@ class Desk(Diagram):
 
     def k_tip(self, rel: Rel) -> str:
         """The letter at the tip of a Coriolis acceleration: k′; where several sliding pairs turn with the number of the
-        point's link, or both numbers."""
+        point's link, or both numbers, and so where a point K has the letter k′."""
         turning = [joint for joint in self.mech.joints if isinstance(joint, Prismatic) and joint.guide != FRAME]
-        number = rel.to.link or self.coincident.get(rel.to.point, "")
-        if len(turning) < 2 or not number:
+        taken = "K" not in self.mech.frame and any("K" in link.points for link in self.mech.links)
+        if len(turning) < 2 and not (taken and self.tip_label(View.ACCELERATION, At("K")) == "k^′"):
             return "k′"
-        alike = sum(number in (joint.guide, joint.block) for joint in turning) > 1
-        other = self.show(rel.ref).removeprefix(rel.ref.point) if alike and rel.ref is not None else ""
-        return f"k_{number}{other}^′"
+        number = rel.to.link or self.coincident.get(rel.to.point, "")
+        other = self.show(rel.ref).removeprefix(rel.ref.point) if rel.ref is not None else ""
+        if not number:  # a block's pin, that has none beside the numbers of its guides
+            return f"k_{other}^′" if other else "k′"
+        alike = taken or sum(number in (joint.guide, joint.block) for joint in turning) > 1
+        return f"k_{number}{other if alike else ''}^′"
 
     def symbol(self, rel: Rel) -> str:
         """The printed symbol of a vector: v_{C2B}, a^n_{CB}."""

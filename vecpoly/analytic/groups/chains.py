@@ -109,7 +109,8 @@ class Chains:
         """The link keeps its angle to the other; its place along the guide is unknown."""
         mech, parent = self.scope.mech, next(end for end in ends(joint) if end != link)
         points = lettered(self.scope, link).items()
-        letter, local = min(points, key=lambda point: point[0] in self.scope.done)  # one whose place is not told yet
+        known = {*self.scope.done, *mech.frame}
+        letter, local = min(points, key=lambda point: point[0] in known)  # one whose place is not told yet
         path, turning = track(self.scope, joint, link, local)
         self.locate(parent, path.base)
         base = self.scope.at[path.base] if path.base in self.scope.at else mech.frame[path.base]
@@ -121,7 +122,7 @@ class Chains:
         self.places += turning.position
         self.speeds += turning.velocity
         self.pushes += turning.acceleration
-        if letter in self.scope.done:
+        if letter in known:
             self.closed += zip(self.scope.xy(letter), path.point(self.scope), strict=True)
             return
         self.scope.done.add(letter)

@@ -18,6 +18,7 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from ...mechanism.laws.sizes import Table
+from ...mechanism.laws.windows import During, Moving
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ..roots import halved
@@ -27,6 +28,7 @@ Array = NDArray[np.float64]
 Piece = tuple[float, float, Array, Array]  # from, to; coefficients of M and of J_e
 Fit = Callable[[float, float], tuple[Array, Array]]
 LOOKED, PIECE = np.radians(7.5), np.radians(20.0)  # where corners are looked for; no piece is longer
+CLOSEST = np.radians(0.5)  # looked for no closer than that
 NODES = 14
 TAIL, DEEPEST = (
     1e-12,
@@ -120,7 +122,7 @@ def french(mech: Mechanism, loads: Loads) -> French:
     """Corners first, then every piece. Raises AssemblyError, DeadPointError."""
     sense = float(np.sign(mech.drive.rate)) or 1.0
     period = 2 * np.pi * loads.turns
-    looked = [float(x) for x in np.linspace(0.0, period, round(period / LOOKED) + 1)]
+    looked = _looked(loads, sense, period)
     places = looked if sense > 0 else [-one for one in reversed(looked)]
     own, bent = (sorted(sense * q % period for q in of(mech, loads, places)) for of in (jumps, bends))
     fit = partial(_fitted, partial(station, mech, loads), sense)
@@ -131,6 +133,24 @@ def french(mech: Mechanism, loads: Loads) -> French:
     moments, inertias = (np.array([piece[k] for piece in pieces]) for k in (2, 3))
     mean = -float(np.diff(cuts) @ moments[:, 0]) / period if loads.constant is not None else 0.0
     return French(sense, cuts, moments, inertias, tuple(own), mean)
+
+
+def _looked(loads: Loads, sense: float, period: float) -> list[float]:
+    """Places so near each other that no load begins and ends between two of them: within every part of the drive's
+    turn in which one acts, and in which it does not; of a part of a stroke two, also at thrice its mean speed.
+    """
+    windows = [one for load in loads.all if load.law is not None for one in load.law.windows]
+    parts = [window.high - window.low for window in windows if isinstance(window, Moving)]
+    step = max(min([LOOKED, *(part / 2 for part in parts)]), CLOSEST)
+    even = np.linspace(0.0, period, round(period / step) + 1)
+    within = [
+        (sense * (start + (end - start) % one.period / 2) + k * one.period) % period
+        for one in windows
+        if isinstance(one, During) and one.period
+        for start, end in ((one.low, one.high), (one.high, one.low))
+        for k in range(max(round(period / one.period), 1))
+    ]
+    return [float(x) for x in np.unique(np.concatenate([even, within]))]
 
 
 def _cuts(loads: Loads, sense: float, period: float, own: list[float]) -> Array:

@@ -1,0 +1,37 @@
+"""Written as JSON and as data, and read again: the same solution, to the bit."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+
+from vecpoly import problem
+from vecpoly.problem.values.vary import data_of
+from vecpoly.record import from_json, to_json
+from vecpoly.solution import Solution, solve
+
+from ..family import family
+from .anything import anything, unlike, used
+
+
+@used
+def read_again(solution: Solution, rng: np.random.Generator) -> str:
+    """A record holds all that there is, and its problem is solved as before."""
+    text = to_json(solution)
+    again = from_json(text, Solution)
+    if to_json(again) != text or again.problem != solution.problem or again.construction != solution.construction:
+        return "the record holds something else"
+    json.dumps(solution.as_json(), allow_nan=False)
+    return unlike(solution, solve(again.problem, by="exact", repeats=0, precise=False))
+
+
+@used
+def made_again(solution: Solution, rng: np.random.Generator) -> str:
+    """`problem.data` makes the same problem."""
+    again = problem(data_of(solution.problem))
+    return unlike(solution, solve(again, by="exact", repeats=0, precise=False))
+
+
+family("used-record", also=read_again, often=2)(anything("record"))
+family("used-data", also=made_again, often=2)(anything("data"))
