@@ -30,7 +30,7 @@ _AFTER_TITLE = 3.0  # mm
 _BLANK = 1.5  # mm: between a line and what is said after it
 _STOPS = 4  # where a line may begin, in equal steps
 WHOLE = 75.0 * MM  # a box no taller than this is not parted
-_HEAD = 0.92  # em of the kind that stands at the head of its lines
+_APART = 1.2  # mm between two kinds of quantity
 _LEAST = 3  # rows that a page break leaves together
 _FRAME = 0.6  # pt
 
@@ -106,11 +106,11 @@ class AnswerBox(Block):
         return (*title, *self._grouped(room), *self._sentences(room))
 
     def _grouped(self, room: float) -> Iterator[_Row]:
-        """The rows of each kind of quantity, which is named at their head where there are several."""
-        for group, lines in groupby(self.lines, key=lambda one: one.group):
-            if group:
-                yield ((0.0, layout_words(group, _HEAD * self._em, True), _Told(None, after=group)),)
-            yield from _grid(list(_items(tuple(lines), self._em, room)), room)
+        """The rows of each kind of quantity, a little white before each but the first."""
+        for number, (_, lines) in enumerate(groupby(self.lines, key=lambda one: one.group)):
+            first, *rest = _grid(list(_items(tuple(lines), self._em, room)), room)
+            yield _lower(first) if number else first
+            yield from rest
 
     def _sentences(self, room: float) -> Iterator[_Row]:
         for text in self.said:
@@ -218,6 +218,11 @@ def _grid(items: Sequence[_Item], room: float) -> Iterator[_Row]:
             row = [(0.0, box, told)]
     if row:
         yield tuple(row)
+
+
+def _lower(row: _Row) -> _Row:
+    """The row with white over it."""
+    return tuple((x, replace(box, ascent=box.ascent + _APART), told) for x, box, told in row)
 
 
 def _height(row: _Row) -> float:
