@@ -16,7 +16,7 @@ from vecpoly.names import At
 from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem
 
-MOVING = ["3-9", "3-11", "3-12", "4-3a", "A-27", "six-bar-dynamic"]
+MOVING = ["3-9", "3-11", "3-12", "4-3a", "A-27", "six-bar-dynamic", "geared-five-bar", "rack-lift"]
 
 
 def off_the_way(problem: Problem, there: Problem) -> float:

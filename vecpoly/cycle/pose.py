@@ -13,10 +13,12 @@ from .. import oracle
 from ..errors import VecpolyError
 from ..mechanism.assembly.branch import margin, opposite
 from ..mechanism.assembly.four_bar import fourth_corner
+from ..mechanism.assembly.start import Start
 from ..mechanism.assembly.statements import Form
-from ..mechanism.groups.assur import decompose
-from ..mechanism.model import Mechanism, Revolute, Shaped, Side, SideOf, Statement
+from ..mechanism.groups.assur import decompose, ends
+from ..mechanism.model import Mechanism, Prismatic, Revolute, Shaped, Side, SideOf, Statement
 from ..names import At
+from ..oracle.motion import Motion
 from ..problem.problem import Problem
 
 SAME = 1e-9  # of the mechanism's size: as far apart as two solutions of one assembly may be
@@ -29,18 +31,29 @@ def posed(problem: Problem, positions: ArrayLike) -> Iterator[Problem | None]:
     """The problem with its drive at each of these positions (rad, or m of travel);
     None where it cannot be assembled, or no statement tells how."""
     mech, where = problem.mechanism, np.atleast_1d(np.asarray(positions, dtype=np.float64))
-    for position, at in zip(where, _followed(mech, where), strict=True):
-        there = _assembled(mech, float(position), at)
+    for position, (at, starts) in zip(where, _followed(mech, where), strict=True):
+        own = mech if position == mech.drive.position else replace(mech, starts=starts)
+        there = _assembled(own, float(position), at)
         yield None if there is None else replace(problem, subject=there)
 
 
-def _followed(mech: Mechanism, positions: NDArray[np.float64]) -> Iterator[Places]:
-    """Where every letter is at each position (m); NaN where it cannot be."""
+def _followed(mech: Mechanism, positions: NDArray[np.float64]) -> Iterator[tuple[Places, tuple[Start, ...]]]:
+    """Where every letter is at each position (m), and how gears and racks stand there; NaN where it cannot be."""
     motion = oracle.solve(mech, positions, order=0, strict=False)
     letters = [letter for link in mech.links for letter in link.points]
     at = {letter: np.broadcast_to(motion.position(At(letter)), positions.shape) for letter in letters}
+    stands = [(one, _travel(motion, mech, one.link) if one.slide else motion.angle(one.link)) for one in mech.starts]
     for i in range(len(positions)):
-        yield {letter: complex(values[i]) for letter, values in at.items()} | dict(mech.frame)
+        starts = (Start(link=one.link, value=float(values[i]), slide=one.slide) for one, values in stands)
+        yield {letter: complex(values[i]) for letter, values in at.items()} | dict(mech.frame), tuple(starts)
+
+
+def _travel(motion: Motion, mech: Mechanism, link: str) -> NDArray[np.float64]:
+    """How far along its guide from the guide's origin the pin of a link's slide is (m)."""
+    joint = next(one for one in mech.joints if isinstance(one, Prismatic) and link in ends(one))
+    pin = motion.origin(joint.block) + mech.link(joint.block).points[joint.pin] * np.exp(1j * motion.angle(joint.block))
+    led = (pin - motion.origin(joint.guide)) * np.exp(-1j * motion.angle(joint.guide)) - joint.origin
+    return np.asarray((led * np.exp(-1j * joint.direction)).real, np.float64)
 
 
 def _assembled(mech: Mechanism, position: float, at: Places) -> Mechanism | None:

@@ -45,9 +45,6 @@ def slots(n_figures: int) -> tuple[tuple[float, float], ...]:
     return ((wide, deep), (half, deep), (half, deep), *slots(n_figures - 3))
 
 
-FIGURE_SPACE = slots(3)
-
-
 def room(view: View, count: int = 1) -> tuple[float, float]:
     """Width and height (mm) that the bare lines of each of `count` figures of a kind should fill.
 
