@@ -67,6 +67,7 @@ _MODULES = (
     "check.alarm",
     "answer",
     "solution",
+    "board.otherwise.slip",
 )
 _SPECIAL = ("point", "map", "dict", "set", "path", "bytes", "number", "model", "figure")
 

@@ -206,3 +206,7 @@ def test_an_extreme_has_five_digits_and_what_rounding_leaves_is_zero(value: floa
 def test_where_no_other_position_is_drawn_there_is_no_table_of_them() -> None:
     kept = press()
     assert kept.tabled(Words("其余位置", "Other positions"), readings_at([], "φ", "en")) == [] and not kept.made
+
+
+def test_nothing_beside_what_runs_away_is_told_as_nothing() -> None:
+    assert [_exact(value, 0.0) for value in (0.0, -0.0, np.inf, -np.inf)] == ["0", "0", "∞", "−∞"]

@@ -15,7 +15,7 @@ from vecpoly.solution import solve
 from vecpoly.words import Words
 
 
-@pytest.mark.parametrize("name", ["3-6", "3-9", "3-13"])
+@pytest.mark.parametrize("name", ["3-6", "3-9", "3-13", "7-5", "7-6"])
 def test_a_construction_goes_to_json_and_back(name: str) -> None:
     construction = solve(load(name)).construction
     again = from_json(to_json(construction), Construction)

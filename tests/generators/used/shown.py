@@ -69,7 +69,7 @@ def drawn(solution: Solution, rng: np.random.Generator) -> str:
     for page in made:
         if '"nan' in to_svg(page.scene) or "NaN" in to_svg(page.scene):
             return "a place on the sheet is no number"
-        if wrong := _unsound(sheet_dxf(construction, page, None)):
+        if wrong := _unsound(sheet_dxf(page)):
             return wrong
     for figure in construction.figures:
         figure_dxf(figure, lang, step)

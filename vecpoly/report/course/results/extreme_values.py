@@ -55,6 +55,6 @@ def _exact(value: float, top: float) -> str:
     """Five significant digits; zero for what rounding leaves beside the largest value; ±∞ for what runs away."""
     if not isfinite(value):
         return "∞" if value > 0 else "−∞"
-    if abs(value) < 1e-9 * top:
+    if abs(value) <= 1e-9 * top:
         return "0"
     return decimal(value, int(min(6, max(0, 4 - floor(log10(abs(value)))))))
