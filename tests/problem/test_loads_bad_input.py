@@ -14,6 +14,7 @@ from vecpoly.errors import ProblemFileError, UnknownNameError
 from vecpoly.names import Named
 from vecpoly.problem import by_data
 from vecpoly.problem.load import loads
+from vecpoly.words import Words
 
 GOOD = (
     SLIDER_CRANK
@@ -441,6 +442,9 @@ class Ramp(BaseModel):
 
     def given(self) -> tuple[tuple[str, str], ...]:
         return (("α", self.alpha.text), ("f", self.f.text))
+
+    def told(self) -> tuple[Words, ...]:
+        return ()
 
 
 RAMP = """\

@@ -8,7 +8,6 @@ from functools import lru_cache
 from itertools import combinations
 
 import numpy as np
-import shapely
 
 from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
@@ -143,6 +142,8 @@ def _knot(places: Sequence[complex], inside: Sequence[Trouble]) -> Knot | None:
     """A circle about these, and the least factor that does well; or the largest that finds room."""
     if not inside:
         return None
+    import shapely  # heavy: most figures have no crowd
+
     ring = shapely.minimum_bounding_circle(shapely.multipoints(np.array([(z.real, z.imag) for z in places])))
     bare = float(shapely.minimum_bounding_radius(ring))
     made = []

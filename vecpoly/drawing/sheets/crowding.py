@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import fields
 from functools import lru_cache
 
+import numpy as np
+
 from ...board.construction import Figure
 from ...board.paper.extent import bounds
 from ...board.paper.marks import Segment, Vector
@@ -13,7 +15,7 @@ from ...foundation.slotted import dataclass
 from ..details.knots import MOST, Crowd, Knot
 from ..scene import Rect
 from .lettering import SHORTEST, UNDER
-from .nested import Grow, Room, Spots, along, filled, reach_of
+from .nested import Grow, Room, Spots, filled, reach_of, spread
 from .slicing import Size
 
 LETTERS = 3.0  # mm that letters stand out from the lines of a figure, or from the ring of a detail
@@ -33,6 +35,10 @@ class Crowded(Sketched):
 
     def at(self, scale: float) -> Size:
         """Width and height at another scale, with the details that are drawn then."""
+        return _sized(self, scale)
+
+    def sized(self, scale: float) -> Size:
+        """The same, found anew."""
         size, times, knots = Sketched.at(self, scale), self._times(scale), self.knots(scale)
         if not knots:
             return size
@@ -55,7 +61,8 @@ class Crowded(Sketched):
     def _ink(self, times: float) -> list[Spots]:
         """Where nothing else may stand: its lines, with their letters."""
         sides = (0j, LETTERS, -LETTERS, 1j * LETTERS, -1j * LETTERS)
-        return [along((a * times + side, b * times + side)) for a, b in self.lines for side in sides]
+        ends: Spots = np.multiply(times, np.array(self.lines, np.complex128).reshape(-1, 2), dtype=np.complex128)
+        return [spread(ends + side) for side in sides]
 
 
 def crowded(one: Sketched, figure: Figure) -> Crowded:
@@ -63,6 +70,11 @@ def crowded(one: Sketched, figure: Figure) -> Crowded:
     lines = tuple((m.a, m.b) for m in figure.marks if isinstance(m, Segment | Vector))
     kept = {field.name: getattr(one, field.name) for field in fields(Sketched)}
     return Crowded(**kept, crowd=Crowd.of(figure), lines=lines, low=bounds(figure.marks)[0])
+
+
+@lru_cache(maxsize=512)
+def _sized(one: Crowded, scale: float) -> Size:
+    return one.sized(scale)
 
 
 @lru_cache(maxsize=512)

@@ -9,7 +9,6 @@ from itertools import pairwise
 from math import ceil
 
 import numpy as np
-import shapely
 from numpy.typing import NDArray
 
 from ..scene import Fill, Item, Rect, Scene, Stroke, rect_of
@@ -101,8 +100,16 @@ def _spots(item: Item) -> Spots:
 
 
 def along(points: Sequence[complex]) -> Spots:
-    parts = [np.linspace(a, b, max(2, ceil(2 * abs(b - a) / CELL))) for a, b in pairwise(points)]
-    return np.concatenate(parts) if parts else np.array(points, dtype=complex)
+    """Points of a line that leave no cell out."""
+    return spread(np.array(list(pairwise(points)) or [(points[0], points[0])], dtype=complex))
+
+
+def spread(ends: Spots) -> Spots:
+    """Points of lines with these ends (lines × 2), as many of each as leave no cell out."""
+    a, b = ends[:, 0], ends[:, 1]
+    count = np.maximum(2, np.ceil(2 * np.abs(b - a) / CELL)).astype(int)
+    number = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+    return np.asarray(np.repeat(a, count) + np.repeat((b - a) / (count - 1), count) * number, dtype=complex)
 
 
 def filled(r: Rect) -> Spots:
@@ -112,6 +119,8 @@ def filled(r: Rect) -> Spots:
 
 def _inside(points: Sequence[complex]) -> Spots:
     """A filled area with its edge."""
+    import shapely  # heavy: plans of scales fill nothing
+
     at = np.array(points)
     spots = filled(Rect(at.real.min(), at.imag.min(), at.real.max(), at.imag.max()))
     area = shapely.Polygon([(z.real, z.imag) for z in points]).buffer(0)

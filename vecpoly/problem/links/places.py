@@ -190,7 +190,9 @@ def _by_lengths(draft: Draft, point: str, data: Mapping[str, Value], lengths: li
     m = _SIDE.fullmatch(str(data.get("side", "")))
     if m is None:
         raise FaultError(
-            Words(f"{point} 在哪一侧？如写 side: left of BC", f"on which side is {point}? write e.g. side: left of BC"),
+            Words(
+                f"{point} 在哪一侧？如写“side: left of BC”", f"on which side is {point}? write e.g. 'side: left of BC'"
+            ),
             code="missing",
         )
     _alone(data, ("side", *lengths), ", ".join(lengths))
