@@ -58,9 +58,12 @@ class Log:
         self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=words, view=view))
 
     def remark(self, words: Words) -> None:
-        """Add a sentence to the step."""
+        """Add a sentence to the step; one in brackets ends a sentence that would lead to the formulas by a colon."""
         last = self.steps[-1]
-        self.steps[-1] = replace(last, words=last.words + words)
+        said, more = last.words, words
+        zh = said.zh[:-1] + "。" if said.zh.endswith("：") and more.zh.startswith("（") else said.zh
+        en = said.en[:-1] + "." if said.en.endswith(":") and more.en.lstrip().startswith("(") else said.en
+        self.steps[-1] = replace(last, words=Words(zh, en) + more)
 
     def weigh(self, letters: str, mm: float, place: Place | None) -> None:
         """Remember a length that is read though it is too short; one that no rule shows is none."""

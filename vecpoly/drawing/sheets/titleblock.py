@@ -47,7 +47,8 @@ class Strip:
 
 
 def furniture(page: Rect, strip: Strip, lang: Lang, *, blanks: bool = True) -> tuple[Item, ...]:
-    """Frame, strip and check bar of one sheet; blanks: for the name, which a plate in a report has not."""
+    """Frame, strip and check bar of one sheet; blanks: for the name, which a plate in a report has not;
+    nor has one that stands alone a number."""
     frame = page.grown(-FRAME)
     y, x1 = frame.y0 + STRIP, frame.x1
     x_bar = x1 - BAR_CELL
@@ -65,19 +66,19 @@ def furniture(page: Rect, strip: Strip, lang: Lang, *, blanks: bool = True) -> t
     return (
         border,
         *ruled,
-        *_titles(frame, x_name, strip, lang),
+        *_titles(frame, x_name, strip, lang, numbered=blanks or strip.total > 1),
         *(_blanks(frame, x_name, x_half, lang) if blanks else ()),
         *check_bar(complex((x_bar + x1 - BAR) / 2, frame.y0 + 4.2), lang),
     )
 
 
-def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang) -> tuple[Item, ...]:
+def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang, *, numbered: bool) -> tuple[Item, ...]:
     title, name = strip.title.of(lang), label(strip.problem).of(lang)
     full = "　".join(filter(None, (strip.name.of(lang), name or ("" if title else strip.problem), title)))
     hand = HANDS.get(strip.hand, Words(strip.hand, strip.hand)).of(lang)
     sheet = LABELS["sheet"].of(lang).format(n=strip.number, total=strip.total)
     room = x1 - frame.x0 - 4
-    right, low = layout_words(sheet, NOTE), frame.y0 + LOWER / 2 * STRIP
+    right, low = layout_words(sheet if numbered else "", NOTE), frame.y0 + LOWER / 2 * STRIP
     return (
         _text(_fitted(full, NOTE * 1.2, room), frame.x0 + 2, frame.y0 + (1 + LOWER) / 2 * STRIP),
         _text(_fitted(LABELS["hand"].of(lang) + hand, NOTE, room - right.width - 3), frame.x0 + 2, low),
