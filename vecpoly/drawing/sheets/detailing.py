@@ -32,6 +32,11 @@ def arrangements(figures: Sequence[Figure], lang: Lang, most: int = MOST, bare: 
         yield tuple(_beside(made, figure, grow) for made, figure in zip(apart, figures, strict=True))
 
 
+def loose(figures: Sequence[Figure], lang: Lang) -> Whole:
+    """The figures with all their details, each of which has a place of its own after its figure."""
+    return tuple(one for made in all_detailed(figures) for one in drawn(made, lang))
+
+
 def _beside(made: Whole, figure: Figure, grow: Grow) -> Drawn:
     """A figure and its details in their places."""
     main, *details = made
