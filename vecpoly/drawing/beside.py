@@ -25,23 +25,32 @@ def beside(view: View, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
         return marks  # there forces stand where they act
     vectors = [mark for mark in marks if isinstance(mark, Vector) and abs(mark.b - mark.a) > SHORT]
     order = sorted(range(len(vectors)), key=lambda n: (-round(abs(vectors[n].b - vectors[n].a), 6), n))
-    lanes: dict[int, float] = {}
-    for n in order:
-        one = vectors[n]
-        twin = next((m for m in lanes if _are_one(one, vectors[m])), None)
-        lanes[n] = lanes[twin] if twin is not None else _lane(one, [(vectors[m], lanes[m]) for m in lanes])
-    moved = {id(vectors[n]): aside for n, aside in lanes.items() if aside}
+    lanes = _lanes([vectors[n] for n in order])
+    moved = {id(vectors[n]): aside for n, aside in zip(order, lanes, strict=True) if aside}
     return tuple(_moved(mark, moved.get(id(mark), 0.0)) for mark in marks) if moved else marks
 
 
-def _lane(one: Vector, others: Sequence[tuple[Vector, float]]) -> float:
-    """The first place beside its line where no vector is; the line itself where all are taken."""
-    taken = {lane for other, lane in others if _covers(one, other)}
-    return next((lane for lane in LANES if lane not in taken), 0.0)
+def _lanes(vectors: Sequence[Vector]) -> list[float]:
+    """Where each is drawn, first beside longer ones; then beside shorter ones, too, that only its own line holds."""
+    lanes: dict[int, float] = {}
+    for _ in range(2):
+        for n, one in enumerate(vectors):
+            twin = next((m for m in range(n) if _are_one(one, vectors[m])), None)
+            others = [(vectors[m], lanes[m]) for m in lanes if not _are_one(one, vectors[m])]
+            lanes[n] = lanes[twin] if twin is not None else _lane(one, lanes.get(n, 0.0), others)
+    return [lanes[n] for n in range(len(vectors))]
+
+
+def _lane(one: Vector, own: float, others: Sequence[tuple[Vector, float]]) -> float:
+    """Its own place where it covers none, or the first where no vector is; its own where all are taken."""
+    if own not in {lane for other, lane in others if _covers(one, other)}:
+        return own
+    taken = {lane for other, lane in others if _covers(one, other) or _covers(other, one)}
+    return next((lane for lane in LANES if lane not in taken), own)
 
 
 def _covers(one: Vector, other: Vector) -> bool:
-    """Whether a part of both lies on one line."""
+    """Whether a part of the other lies on the line of one."""
     along = (one.b - one.a) / abs(one.b - one.a)
     p, q = ((end - one.a) * along.conjugate() for end in (other.a, other.b))
     if max(abs(p.imag), abs(q.imag)) > ON_LINE:

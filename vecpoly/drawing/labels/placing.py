@@ -18,7 +18,7 @@ from .want import Piece, Spot, Want
 
 BAD = 38.0  # a label that costs more than this by where it stands is on something
 PASSES = 8
-CROWDS = (0.0, 12.0, 25.0)  # mm about a label in trouble within which labels may go farther off, if need be
+CROWDS = (0.0, 12.0, 25.0, 40.0)  # mm about a label in trouble within which labels may go farther off, if need be
 
 
 @dataclass(frozen=True, slots=True)

@@ -108,8 +108,12 @@ def _rank(found: tuple[Cost, list[Page[F]]]) -> tuple[Cost, float]:
     """The dearer, the later; of equal costs the one over whose pages the figures spread widest."""
     cost, pages = found
     across = any(layout.page == room_inside(True) for _, layout in pages)
-    least = min((covered(figures, layout) for figures, layout in pages), default=0.0)
-    return cost, (UPRIGHT if across else 0.0) - least
+    return cost, (UPRIGHT if across else 0.0) - fullness(pages)
+
+
+def fullness(pages: Sequence[Page[F]]) -> float:
+    """What the figures of the emptiest page take of it."""
+    return min((covered(figures, layout) for figures, layout in pages), default=0.0)
 
 
 def covered(figures: Sequence[Sized], layout: Layout) -> float:

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 
 from ...board.construction import Construction, Figure, View
 from ...errors import VecpolyError
 from ...words import Lang, Words
-from ..details.knots import MOST
+from ..details.apart import is_detail
+from ..details.knots import MOST, knots
 from ..scene import Item, Rect, Scene
-from .detailing import arrangements, drawn
+from .detailing import arrangements, drawn, loose
 from .packing import Layout
-from .paging import Drawn, Page, Way, arranged, best_paged, paged, reading_order, trimmed, under_box
+from .paging import Drawn, Page, Way, arranged, best_paged, fullness, paged, reading_order, trimmed, under_box
 from .redbox import BAND, red_box
-from .space import FRAME, STRIP, room_inside, usable
+from .space import FRAME, SPARSE, STRIP, room_inside, usable
 from .titleblock import Strip, furniture
 
 NO_TITLE = Words.same("")
@@ -106,14 +108,14 @@ def sheets(
     Crowded places are drawn apart, enlarged, beside their figures, where that asks for no further sheet. Raises
     VecpolyError where a figure is larger than a sheet.
     """
-    pages = _pages(reading_order(construction.figures), lang, way)
+    pages = _pages(reading_order(construction.figures), lang, way, construction.warning is not None)
     if plates and way is None:
         pages = [(group, trimmed(group, layout)) for group, layout in pages]
     return _numbered(pages, construction, lang, title)
 
 
-def _pages(figures: Sequence[Figure], lang: Lang, way: Way) -> list[Page[Drawn]]:
-    """The figures with as many details as need no further sheet."""
+def _pages(figures: Sequence[Figure], lang: Lang, way: Way, boxed: bool) -> list[Page[Drawn]]:
+    """The figures with as many details as need no further sheet, and leave none with little on it if others do not."""
     pages = best_paged(arrangements(figures, lang), way)
     if pages is not None and len(pages) == 1:
         return pages
@@ -122,7 +124,25 @@ def _pages(figures: Sequence[Figure], lang: Lang, way: Way) -> list[Page[Drawn]]
     if plain is None:
         raise _too_large(next(one for one in alone if arranged((one,), way) is None))
     fewer = (best_paged(arrangements(figures, lang, most), way) for most in range(MOST - 1, 0, -1))
-    return next((one for one in (pages, *fewer) if one is not None and len(one) <= len(plain)), plain)
+    without = [n for n, figure in enumerate(figures) if knots(figure)]
+    trials = chain(
+        (pages,),
+        () if boxed else _loose(figures, lang, way),  # a red box may part a full page
+        fewer,
+        (best_paged(arrangements(figures, lang, bare=n), way) for n in without[::-1] if without[1:]),
+    )
+    made = (one for one in trials if one is not None and len(one) <= len(plain))
+    first = next(made, plain)
+    enough = min(SPARSE, fullness(plain))
+    return next((one for one in chain((first,), made) if fullness(one) >= enough), first)
+
+
+def _loose(figures: Sequence[Figure], lang: Lang, way: Way) -> Iterator[list[Page[Drawn]] | None]:
+    """With details that need not form a rectangle with their figure, if each is on its page."""
+    pages = paged(loose(figures, lang), way)
+    firsts = [group[0].name for group, _ in pages or ()]
+    if not any(is_detail(name, figure) for name in firsts for figure in figures):
+        yield pages
 
 
 def hung(
