@@ -10,7 +10,7 @@ import pytest
 
 from vecpoly.board.construction import Construction, Figure, Scale, View
 from vecpoly.board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment, Vector
-from vecpoly.board.paper.scales import finer
+from vecpoly.board.paper.scales import Sketched, finer
 from vecpoly.drawing.details.apart import detailed
 from vecpoly.drawing.details.knots import knots
 from vecpoly.drawing.sheets.sheet import bound, sheets
@@ -111,3 +111,13 @@ def test_finer_scales_go_down_the_series_with_one_and_a_half_before_two() -> Non
     while steps[-1] > 0.0008:
         steps.append(finer(steps[-1]))
     assert steps == [0.004, 0.003, 0.0025, 0.002, 0.0015, 0.001, 0.0008]
+
+
+def test_lines_narrower_than_their_title_grow_into_the_white_beside_it() -> None:
+    """40 mm of lines and 30 mm of white beside them, 10 mm of letters; as they shrink the white stays as estimated."""
+    kind = View.MECHANISM
+    one = Sketched(view=kind, of=kind, scale=2.0, size=(40.0, 20.0), around=(40.0, 30.0), spare=30.0)
+    assert one.at(2.0) == (80.0, 50.0)
+    assert one.at(1.25) == pytest.approx((80.0, 62.0))
+    assert one.at(1.0) == pytest.approx((90.0, 70.0))
+    assert one.at(4.0) == pytest.approx((60.0, 40.0))

@@ -12,6 +12,7 @@ import pytest
 from vecpoly.board.construction import Figure
 from vecpoly.board.paper.marks import Vector
 from vecpoly.board.paper.tones import key_of as key_of_mark
+from vecpoly.drawing.beside import beside
 from vecpoly.drawing.hues import ink_of
 from vecpoly.player.figures import key_of
 from vecpoly.player.page import player_html
@@ -74,7 +75,9 @@ def test_every_arrow_of_a_figure_has_the_hue_of_its_vector(name: str) -> None:
 
 
 def _vectors(figure: Figure) -> list[Vector]:
-    found = [mark for mark in figure.marks if isinstance(mark, Vector) and key_of_mark(mark)]
+    """The vectors as they are inked: side by side where several lie on one line."""
+    inked = beside(figure.view, figure.marks)
+    found = [mark for mark in inked if isinstance(mark, Vector) and key_of_mark(mark)]
     return [mark for mark in found if abs(mark.b - mark.a) > SHORT]
 
 

@@ -18,7 +18,8 @@ Size = tuple[float, float]
 class Sketched:
     """A figure as sketched at a scale: its kind and name, width and height (mm) of what grows with the scale, and of
     what stands round it at any scale. of: the kind whose scale it follows, itself where it has a scale of its own;
-    none where its size has nothing to do with scales. letters: how many labels it has, which ask for room."""
+    none where its size has nothing to do with scales. letters: how many labels it has, which ask for room.
+    spare: the white beside lines that are narrower than their title (mm), into which they grow."""
 
     view: View
     name: str = ""
@@ -27,11 +28,13 @@ class Sketched:
     size: Size
     around: Size = (0.0, 0.0)
     letters: int = 0
+    spare: float = 0.0
 
     def at(self, scale: float) -> Size:
         """Width and height at another scale."""
         grown = 1.0 if self.of is None else self.scale / scale
-        return self.size[0] * grown + self.around[0], self.size[1] * grown + self.around[1]
+        filled = min(max(self.size[0] * (grown - 1.0), 0.0), self.spare)
+        return self.size[0] * grown + self.around[0] - filled, self.size[1] * grown + self.around[1]
 
 
 def round_up(value: float, series: Iterable[float] = SERIES) -> float:

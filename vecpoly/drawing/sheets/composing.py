@@ -10,6 +10,7 @@ for.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from math import log
 
 from ...board.construction import View
@@ -33,11 +34,23 @@ Scales = dict[Place, float]
 def composed(figures: Sequence[Sketched], given: Mapping[View, float], way: Way = None) -> Scales:
     """A round scale for each kind of figure that has none given.
 
-    given: scales that stay. The sheets lie as `way` says, or as they hold more.
+    given: scales that stay. The sheets lie as `way` says, or as they hold more. Where one sheet holds the figures and
+    there is one scale to choose, they grow into the white beside their titles.
     """
     kinds = {one.of for one in figures if one.of is not None and max(one.size) > 0} - set(given)
     there = {one.of: one.scale for one in figures if one.of is not None}
-    start: Scales = there | dict(given) | least_scales(kinds, figures)
+    known = dict(given)
+    start = there | known
+    if len(kinds) == 1:
+        grown = _composed(figures, kinds, start, way)
+        if any(Composing(figures, kinds, room_inside(across)).needed(start | grown) == 1 for across in ways_of(way)):
+            return grown
+    return _composed([replace(one, spare=0.0) for one in figures], kinds, start, way)
+
+
+def _composed(figures: Sequence[Sketched], kinds: set[Place], there: Scales, way: Way) -> Scales:
+    """The scales with which the figures fill as few sheets as will do, or a plate."""
+    start = there | least_scales(kinds, figures)
     trials = [Composing(figures, kinds, room_inside(across)) for across in ways_of(way)]
     made = [(trial, found) for trial in trials if (found := trial.grown(start)) is not None]
     if not made:

@@ -25,14 +25,28 @@ RESERVE = 2.0  # mm
 
 def lettered(figure: Figure) -> Size:
     """Width and height of a figure with its labels, title and scale (mm), as it is drawn."""
+    (wide, high), title = _bare(figure), _title(figure)
+    return max(wide, min(title, FOLDED)), high + UNDER + (HIGH if title > FOLDED else 0.0)
+
+
+def beside_title(figure: Figure) -> float:
+    """The white (mm) in the width of a figure that is narrower than its title."""
+    return max(min(_title(figure), FOLDED) - _bare(figure)[0], 0.0)
+
+
+def _title(figure: Figure) -> float:
+    """How long the title is in one line, or the scale below it."""
+    return max(CHINESE * len(figure.title.zh), LATIN * len(figure.title.en), SHORTEST)
+
+
+def _bare(figure: Figure) -> Size:
+    """Width and height with the labels alone."""
     low, high = bounds(figure.marks)
     left, right, foot, head = BARE, BARE, BARE, BARE
     for at, wide, tall in _labels(figure.marks):
         left, right = max(left, wide - (at - low).real), max(right, wide - (high - at).real)
         foot, head = max(foot, tall - (at - low).imag), max(head, tall - (high - at).imag)
-    title = max(CHINESE * len(figure.title.zh), LATIN * len(figure.title.en), SHORTEST)
-    wide = max((high - low).real + BOTH * (left + right) + RESERVE, min(title, FOLDED))
-    return wide, (high - low).imag + BOTH * (foot + head) + UNDER + (HIGH if title > FOLDED else 0.0)
+    return (high - low).real + BOTH * (left + right) + RESERVE, (high - low).imag + BOTH * (foot + head)
 
 
 def _labels(marks: Sequence[Mark]) -> list[tuple[complex, float, float]]:

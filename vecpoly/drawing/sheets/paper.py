@@ -15,7 +15,7 @@ from ...board.place import Pane, Place
 from .composing import composed
 from .crowding import crowded
 from .easing import eased
-from .lettering import lettered
+from .lettering import beside_title, lettered
 from .paging import Way, reading_order
 from .slicing import Size
 from .space import room
@@ -56,4 +56,5 @@ def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:
         size=(w, h),
         around=(wide - w, high - h),
         letters=sum(1 for mark in figure.marks if getattr(mark, "label", "") or isinstance(mark, LinkNumber)),
+        spare=beside_title(figure),
     )
