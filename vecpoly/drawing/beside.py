@@ -20,7 +20,7 @@ SAME = 1e-6  # mm
 
 
 def beside(view: View, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
-    """The marks with vectors that cover each other drawn apart, the longest on the true line."""
+    """The marks with vectors that cover each other drawn apart, the longest on the true line as a rule."""
     if view.bodies:
         return marks  # there forces stand where they act
     vectors = [mark for mark in marks if isinstance(mark, Vector) and abs(mark.b - mark.a) > SHORT]

@@ -34,13 +34,11 @@ def detailed(figure: Figure, first: int = 1, most: int = MOST) -> tuple[Figure, 
     return (replace(figure, marks=(*marks, *rings)), *made)
 
 
-def all_detailed(
-    figures: Sequence[Figure], most: int = MOST, bare: int | None = None
-) -> tuple[tuple[Figure, ...], ...]:
-    """Each figure with so many details at most, which are numbered through; bare: the number of one without any."""
+def all_detailed(figures: Sequence[Figure], most: int = MOST) -> tuple[tuple[Figure, ...], ...]:
+    """Each figure with so many details at most, which are numbered through."""
     made, count = list[tuple[Figure, ...]](), 1
-    for n, figure in enumerate(figures):
-        made.append(detailed(figure, count, 0 if n == bare else most))
+    for figure in figures:
+        made.append(detailed(figure, count, most))
         count += len(made[-1]) - 1
     return tuple(made)
 

@@ -21,10 +21,10 @@ def drawn(figures: Sequence[Figure], lang: Lang) -> Whole:
     return tuple(Drawn(f.view, f.name, draw_figure(f, lang=lang), figure=f) for f in figures)
 
 
-def arrangements(figures: Sequence[Figure], lang: Lang, most: int = MOST, bare: int | None = None) -> Iterator[Whole]:
-    """The figures with so many details each at most, one of them without any (its number is `bare`), arranged so that
-    each grows little, or rather in width, or in height; as they are, once, where they have none."""
-    apart = [drawn(one, lang) for one in all_detailed(figures, most, bare)]
+def arrangements(figures: Sequence[Figure], lang: Lang, most: int = MOST) -> Iterator[Whole]:
+    """The figures with so many details each at most, arranged so that each grows little, or rather in width, or in
+    height; as they are, once, where they have none."""
+    apart = [drawn(one, lang) for one in all_detailed(figures, most)]
     if all(len(one) == 1 for one in apart):
         yield tuple(one for (one,) in apart)
         return

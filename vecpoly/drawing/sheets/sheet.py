@@ -10,7 +10,7 @@ from ...board.construction import Construction, Figure, View
 from ...errors import VecpolyError
 from ...words import Lang, Words
 from ..details.apart import is_detail
-from ..details.knots import MOST, knots
+from ..details.knots import MOST
 from ..scene import Item, Rect, Scene
 from .detailing import arrangements, drawn, loose
 from .packing import Layout
@@ -124,13 +124,8 @@ def _pages(figures: Sequence[Figure], lang: Lang, way: Way, boxed: bool) -> list
     if plain is None:
         raise _too_large(next(one for one in alone if arranged((one,), way) is None))
     fewer = (best_paged(arrangements(figures, lang, most), way) for most in range(MOST - 1, 0, -1))
-    without = [n for n, figure in enumerate(figures) if knots(figure)]
-    trials = chain(
-        (pages,),
-        () if boxed else _loose(figures, lang, way),  # a red box may part a full page
-        fewer,
-        (best_paged(arrangements(figures, lang, bare=n), way) for n in without[::-1] if without[1:]),
-    )
+    apart = () if boxed else _loose(figures, lang, way)  # a red box may part a full page
+    trials = chain((pages,), apart, fewer)
     made = (one for one in trials if one is not None and len(one) <= len(plain))
     first = next(made, plain)
     enough = min(SPARSE, fullness(plain))
