@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from ....board.construction import Figure, Scale, View
+from ....board.paper.extent import extent
 from ....board.paper.marks import Dot, Ground, Mark, Point
 from ....diagram.links import link_alone
 from ....diagram.posed import Posed
@@ -20,6 +21,7 @@ from ...structure import kind_of
 from .kinds import ROLLING
 
 _WIDE, _HIGH = 70.0, 52.0  # mm that a group may take
+_OVER = 1.5  # times that a group may take more
 
 
 def apart(study: Study) -> list[Figure]:
@@ -55,6 +57,10 @@ def _figure(study: Study, links: tuple[str, ...], pins: tuple[str, ...], title: 
     high = max((abs(a.imag - b.imag) for a in places for b in places), default=0.0)
     mu = max(wide / (_WIDE - 25), high / (_HIGH - 20), study.mech.scale / 60)
     marks = sketched(study.problem, study.at, study.turned, 1 / mu, links, pins, study.mech)
+    over = max(has / may for has, may in zip(extent(marks), (_WIDE, _HIGH), strict=True))
+    if over > _OVER:  # discs and racks, of which letters do not tell the size
+        mu *= over
+        marks = sketched(study.problem, study.at, study.turned, 1 / mu, links, pins, study.mech)
     return Figure(view=View.MECHANISM, title=title, scale=Scale(symbol="", value=mu, unit="m"), marks=marks, name=name)
 
 
