@@ -18,8 +18,8 @@ from ..mechanism.assembly.statements import Form
 from ..mechanism.groups.assur import decompose, ends
 from ..mechanism.model import Mechanism, Prismatic, Revolute, Shaped, Side, SideOf, Statement
 from ..names import At
-from ..oracle.motion import Motion
 from ..problem.problem import Problem
+from .sample import travel
 
 SAME = 1e-9  # of the mechanism's size: as far apart as two solutions of one assembly may be
 NEAR = 1e-5  # of that size: farther apart they are two assemblies; near a limit position rounding alone makes 1e-7
@@ -42,18 +42,16 @@ def _followed(mech: Mechanism, positions: NDArray[np.float64]) -> Iterator[tuple
     motion = oracle.solve(mech, positions, order=0, strict=False)
     letters = [letter for link in mech.links for letter in link.points]
     at = {letter: np.broadcast_to(motion.position(At(letter)), positions.shape) for letter in letters}
-    stands = [(one, _travel(motion, mech, one.link) if one.slide else motion.angle(one.link)) for one in mech.starts]
+    stands = [(one, _gone(motion, one.link) if one.slide else motion.angle(one.link)) for one in mech.starts]
     for i in range(len(positions)):
         starts = (Start(link=one.link, value=float(values[i]), slide=one.slide) for one, values in stands)
         yield {letter: complex(values[i]) for letter, values in at.items()} | dict(mech.frame), tuple(starts)
 
 
-def _travel(motion: Motion, mech: Mechanism, link: str) -> NDArray[np.float64]:
+def _gone(motion: oracle.Motion, link: str) -> NDArray[np.float64]:
     """How far along its guide from the guide's origin the pin of a link's slide is (m)."""
-    joint = next(one for one in mech.joints if isinstance(one, Prismatic) and link in ends(one))
-    pin = motion.origin(joint.block) + mech.link(joint.block).points[joint.pin] * np.exp(1j * motion.angle(joint.block))
-    led = (pin - motion.origin(joint.guide)) * np.exp(-1j * motion.angle(joint.guide)) - joint.origin
-    return np.asarray((led * np.exp(-1j * joint.direction)).real, np.float64)
+    joint = next(one for one in motion.mech.joints if isinstance(one, Prismatic) and link in ends(one))
+    return travel(motion, joint, joint.origin)
 
 
 def _assembled(mech: Mechanism, position: float, at: Places) -> Mechanism | None:

@@ -68,20 +68,26 @@ class Sample:
     def slide(self, stem: str, joint: Prismatic) -> Reals:
         """Travel s of the block's pin along the guide from the lettered point (else the line's origin),
         its rate v, its second rate a."""
-        motion, order = self.motion, {"s": 0, "v": 1, "a": 2}[stem]
-        guide, block = (
-            motion.moving(name, order) if order else motion.body(name) for name in (joint.guide, joint.block)
-        )
-        base = self.mech.link(joint.guide).points.get(joint.through, joint.origin)
+        motion = self.motion
+        if stem == "s":
+            return travel(motion, joint, self.mech.link(joint.guide).points.get(joint.through, joint.origin))
+        order = {"v": 1, "a": 2}[stem]
+        guide, block = motion.moving(joint.guide, order), motion.moving(joint.block, order)
         pin = self.mech.link(joint.block).points[joint.pin]
         along = guide.unit * complex(np.exp(1j * joint.direction))
         here = block.point(pin)
-        if stem == "s":
-            return dot(along, here - guide.point(base))
         slip = block.velocity_of(pin) - guide.velocity_at(here)
         if stem == "v":
             return dot(along, slip)
         return dot(along, block.acceleration_of(pin) - guide.acceleration_at(here) - 2j * guide.omega * slip)
+
+
+def travel(motion: oracle.Motion, joint: Prismatic, base: complex) -> Reals:
+    """How far along the guide from this point of it (m, in its own axes) the block's pin is (m)."""
+    guide, block = motion.body(joint.guide), motion.body(joint.block)
+    pin = motion.mech.link(joint.block).points[joint.pin]
+    along = guide.unit * complex(np.exp(1j * joint.direction))
+    return dot(along, block.point(pin) - guide.point(base))
 
 
 def dot(a: Points, b: Points) -> Reals:
