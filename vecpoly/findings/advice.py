@@ -13,7 +13,7 @@ from ..cycle import Spot
 from ..mechanism.groups.assur import Dyad, decompose, pivot_of
 from ..mechanism.model import FRAME, Revolute
 from ..words import Words
-from .conditioning import ENDLESS, Conditioning
+from .conditioning import Conditioning
 from .other_lengths import Side, trial
 from .study.study import Study
 from .transmission import least_places
@@ -129,7 +129,7 @@ def _worst(study: Study, one: Conditioning, d: Dyad, between: tuple[float, float
 
 def _magnified(one: Conditioning) -> Words:
     """What errors come to at the least γ; at a change point or a dead point they have no bound."""
-    if one.times == ENDLESS:
+    if one.is_none:
         return Words(
             "此处机构处于转折点（或死点），微小的误差就使位置、速度和加速度不能确定",
             "the mechanism is at a change point (or a dead point): the least error leaves its position, velocities and "

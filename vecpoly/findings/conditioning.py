@@ -16,11 +16,11 @@ from .study.study import Study
 
 POOR, ILL = float(np.sin(np.radians(40.0))), float(np.sin(np.radians(10.0)))
 SHORT = 0.35  # of its largest value: a determinant that is no sine of an angle
-NONE, ENDLESS = 1e-6, "∞"  # a measure that is none, as at a change point, and how errors are magnified there
+NONE = 1e-6  # a measure that is none, as at a change point
 _ZOOM, _ROUNDS = 21, 5  # places in a bracket; each round makes it ten times narrower
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Conditioning:
     """How a group's determinant varies over the cycle: least and largest absolute value, and where they stand."""
 
@@ -39,7 +39,12 @@ class Conditioning:
     @property
     def times(self) -> str:
         """How many times errors are magnified: 1/measure."""
-        return f"{1 / self.measure:.1f}" if self.measure > NONE else ENDLESS
+        return "∞" if self.is_none else f"{1 / self.measure:.1f}"
+
+    @property
+    def is_none(self) -> bool:
+        """Whether errors are magnified without bound, as at a change point."""
+        return self.measure <= NONE
 
     @property
     def is_poor(self) -> bool:

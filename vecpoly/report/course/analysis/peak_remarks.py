@@ -62,7 +62,7 @@ def _gathered(study: Study, told: list[Cause]) -> Iterator[Words]:
     drive = study.whole.drive
     if drive.shown_unit != "°" or not study.whole.whole:
         return
-    for by in {id(one.by): one.by for one in told if one.by.is_poor}.values():  # a group may hold what has no hash
+    for by in dict.fromkeys(one.by for one in told if one.by.is_poor):
         near = [
             (one, gap)
             for one in told
