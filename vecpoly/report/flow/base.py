@@ -47,6 +47,12 @@ class Block(Flowable):  # type: ignore[misc]
         """It is a part of this element."""
         self.tag = replace(self.tag, within=outer)
 
+    def made_of(self, whole: Block, *, first: bool) -> Self:
+        """Itself as a part of a block that a page break parts: its element, and its white at the outer end."""
+        self.tag = whole.tag
+        self.spaceBefore, self.spaceAfter = (whole.spaceBefore, 0.0) if first else (0.0, whole.spaceAfter)
+        return self
+
     def drawOn(self, canvas: Any, x: float, y: float, _sW: float = 0) -> None:
         """As reportlab draws it, as marked content; where references lead to it, with a bookmark."""
         if self.goal:

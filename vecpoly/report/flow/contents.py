@@ -62,13 +62,8 @@ class Contents(Block):
             count += 1
         if not 0 < count < len(self.entries):
             return []
-        return [self._part(self.entries[:count], True), self._part(self.entries[count:], False)]
-
-    def _part(self, entries: Sequence[Entry], first: bool) -> Contents:
-        part = Contents(self.lang, entries)
-        part.tag = self.tag
-        part.spaceBefore, part.spaceAfter = (self.spaceBefore, 0.0) if first else (0.0, self.spaceAfter)
-        return part
+        head, tail = Contents(self.lang, self.entries[:count]), Contents(self.lang, self.entries[count:])
+        return [head.made_of(self, first=True), tail.made_of(self, first=False)]
 
     def draw(self) -> None:
         """Draw every entry."""

@@ -48,13 +48,8 @@ class Listing(Block):
         count = min(int((room - 4.0) / _LEADING), len(self._lines) - _LEAST)
         if count < _LEAST:
             return []
-        return [self._part(self._lines[:count], True), self._part(self._lines[count:], False)]
-
-    def _part(self, lines: tuple[tuple[str, str], ...], first: bool) -> Listing:
-        part = Listing(lines=lines)
-        part.tag = self.tag
-        part.spaceBefore, part.spaceAfter = (self.spaceBefore, 0.0) if first else (0.0, self.spaceAfter)
-        return part
+        head, tail = Listing(lines=self._lines[:count]), Listing(lines=self._lines[count:])
+        return [head.made_of(self, first=True), tail.made_of(self, first=False)]
 
     def draw(self) -> None:
         """Draw numbers, a fine rule, and the lines."""

@@ -87,11 +87,10 @@ class Para(Block):
 
     def _part(self, lines: list[Line], width: float, head: bool) -> Para:
         part = Para("", self.style, self.lang)
-        part._broken, part.tag = {width: lines}, self.tag
+        part._broken = {width: lines}
         if head:
             part._label, part._item = self._label, self._item
-        part.spaceBefore, part.spaceAfter = (self.spaceBefore, 0.0) if head else (0.0, self.spaceAfter)
-        return part
+        return part.made_of(self, first=head)
 
     def draw(self) -> None:
         """Draw all lines."""

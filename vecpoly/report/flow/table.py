@@ -157,8 +157,6 @@ class DataTable(Block):
         if count < min(least, len(self.rows)):
             return []
         head, tail = (self._part(*ends, found.widths) for ends in ((0, count), (count, len(self.rows))))
-        head.spaceBefore, head.spaceAfter = self.spaceBefore, 0.0
-        tail.spaceBefore, tail.spaceAfter = 0.0, self.spaceAfter
         return [head, FrameBreak(), tail]  # the rest is not split once more on this page
 
     def _part(self, start: int, end: int, widths: Sequence[float]) -> DataTable:
@@ -168,8 +166,8 @@ class DataTable(Block):
             self.header, rows, widths, self.align,
             lang=self.lang, caption=caption, style=self.style, inks=inks, inked=self.inked,
         )  # fmt: skip
-        part.tag, part._continued, part._vertical = self.tag, self._continued or start > 0, self._vertical
-        return part
+        part._continued, part._vertical = self._continued or start > 0, self._vertical
+        return part.made_of(self, first=start == 0)
 
     def draw(self) -> None:
         """Draw caption, header, rows and rules, centred in the column."""

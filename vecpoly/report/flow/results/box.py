@@ -71,7 +71,8 @@ class AnswerBox(Block):
         self._em, self._skip = CELL.em, _SKIP
         self._title = layout_words(TITLE.of(lang), self._em, True)
         self._rows: tuple[_Row, ...] = ()
-        self._set_in: dict[float, tuple[bool, tuple[_Row, ...]]] = {}  # by width; for all copies
+        self._named = _Told(None, after=TITLE.of(lang))
+        self._set_in: dict[tuple[float, float], tuple[bool, tuple[_Row, ...]]] = {}  # by width and skip; for all copies
         self._above = False  # whether the title stands above the lines
         self._set = False  # a part of a box keeps the rows that it was given
 
@@ -84,9 +85,10 @@ class AnswerBox(Block):
         """Size in a column: the title in the margin, or above where that takes less height."""
         self.width = width
         if not self._set:
-            if width not in self._set_in:
-                self._set_in[width] = self._best(width / MM - 2 * _PAD)
-            self._above, self._rows = self._set_in[width]
+            key = (width, self._skip)
+            if key not in self._set_in:
+                self._set_in[key] = self._best(width / MM - 2 * _PAD)
+            self._above, self._rows = self._set_in[key]
         self.height = (self._high(self._rows) + 2 * _PAD) * MM
         return width, self.height
 
@@ -102,7 +104,7 @@ class AnswerBox(Block):
     def _laid(self, width: float, above: bool) -> tuple[_Row, ...]:
         """The rows in a frame of this width (mm) inside."""
         room = width if above else width - self._title.width - _AFTER_TITLE
-        title: tuple[_Row, ...] = (((0.0, self._title, _Told(None, after=TITLE.of(self.lang))),),) if above else ()
+        title: tuple[_Row, ...] = (((0.0, self._title, self._named),),) if above else ()
         return (*title, *self._grouped(room), *self._sentences(room))
 
     def _grouped(self, room: float) -> Iterator[_Row]:
@@ -137,11 +139,9 @@ class AnswerBox(Block):
     def _part(self, rows: tuple[_Row, ...], first: bool) -> AnswerBox:
         part = AnswerBox((), (), self.lang)
         part._rows, part._skip, part._set, part._above = rows, self._skip, True, self._above
-        part.tag = self.tag
-        part.spaceBefore, part.spaceAfter = (self.spaceBefore, 0.0) if first else (0.0, self.spaceAfter)
         if not first:
             part._title = replace(self._title, items=())
-        return part
+        return part.made_of(self, first=first)
 
     def draw(self) -> None:
         """Draw the frame, the title in its margin, and the rows."""
@@ -153,7 +153,7 @@ class AnswerBox(Block):
         for number, row in enumerate(self._rows):
             base = y - max(box.ascent for _, box, _ in row)
             if not number and not self._above:
-                self._tell(ink, _Told(None, after=TITLE.of(self.lang)))
+                self._tell(ink, self._named)
                 ink.box(self._title, _PAD * MM, base * MM)
             for x, box, told in row:
                 if told is not last:
