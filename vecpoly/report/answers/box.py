@@ -6,12 +6,10 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from ...solution import Answer, Solution
-from ...words import Lang, Words
+from ...words import Lang
 from ..flow.results.box import AnswerBox
 from ..groups import by_groups, parted
 from .line import AnswerLine, answer_line
-
-OTHERS = Words("其他", "others")
 
 
 def answer_box(
@@ -19,15 +17,12 @@ def answer_box(
 ) -> AnswerBox:
     """Every asked quantity once, many of them by their kinds; said: conclusions that are no quantity."""
     lines = [answer_line(one, solution.problem, lang) for one in answers or solution.answers.values()]
-    return AnswerBox(_by_kinds(lines, lang), tuple(said), lang)
+    return AnswerBox(_by_kinds(lines), tuple(said), lang)
 
 
-def _by_kinds(lines: list[AnswerLine], lang: Lang) -> list[AnswerLine]:
+def _by_kinds(lines: list[AnswerLine]) -> list[AnswerLine]:
     """A long list by kinds: velocities, angular velocities, accelerations."""
     if not parted([one.key for one in lines]):
         return lines
-    return [
-        replace(one, group=OTHERS.of(lang) if kind is None else kind.called(len(some), lang))
-        for kind, some in by_groups(lines, key=lambda one: one.key)
-        for one in some
-    ]
+    kinds = by_groups(lines, key=lambda one: one.key)
+    return [replace(one, group=number) for number, (_, some) in enumerate(kinds) for one in some]

@@ -20,7 +20,7 @@ _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针
 class AnswerLine:
     """What is said of one asked quantity: the line itself; before it, what it is called; after it, what is to be said.
 
-    result: the number with its unit, as the line ends. group: the kind under which it stands, of a long box.
+    result: the number with its unit, as the line ends. group: the number of its kind, in a long box.
     """
 
     key: str
@@ -28,7 +28,7 @@ class AnswerLine:
     before: str = ""
     after: str = ""
     result: str = ""
-    group: str = ""
+    group: int = 0
 
 
 def answer_line(answer: Answer, problem: Problem, lang: Lang) -> AnswerLine:
