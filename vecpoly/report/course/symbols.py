@@ -11,10 +11,9 @@ from ...mechanism.asked.forces import load_symbol
 from ...words import Words
 from ..flow.table import DataTable
 from .numbering import TINY, Press
-from .spoken_symbols import COUNTED, used
+from .spoken_symbols import COUNTED, Row, used
 
 _HEADER = {"zh": ["符号", "含义", "单位"], "en": ["Symbol", "Meaning", "Unit"]}
-Row = tuple[str, Words, str]
 
 
 def symbols(study: Study, press: Press, told: str = "") -> str:
