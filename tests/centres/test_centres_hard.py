@@ -22,7 +22,7 @@ from vecpoly.methods.registry import Stage, find
 from vecpoly.names import At, omega
 from vecpoly.oracle.centres import Centres
 from vecpoly.oracle.iterated.watch import PATIENCE, Watch
-from vecpoly.report.structure import structure
+from vecpoly.report.statement.structure import structure
 from vecpoly.solution import Solution
 
 C3 = load("class-iii")

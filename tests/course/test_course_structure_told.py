@@ -23,7 +23,7 @@ from vecpoly.report.course.structure.chapter import _pairs, _pins
 from vecpoly.report.course.structure.special_joints import concluded, special
 from vecpoly.report.course.symbols import symbols
 from vecpoly.report.flow.table import DataTable
-from vecpoly.report.structure import kind_of
+from vecpoly.report.statement.structure import kind_of
 
 CLASSES = {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ"}
 NAMES = ("A-27", "B-24", "3-9", "3-5", "slider-crank-dynamic")

@@ -16,7 +16,7 @@ from vecpoly.errors import ProblemFileError, VecpolyError
 from vecpoly.mechanism.asked.forces import apart, pairs
 from vecpoly.mechanism.model import FRAME, Mechanism, Revolute
 from vecpoly.mechanism.seats import seat, seated
-from vecpoly.report.structure import numbering
+from vecpoly.report.statement.structure import numbering
 from vecpoly.solution import Solution, solve
 
 RUBBING = "friction: {A: {rho: 3 mm}, B: {rho: 3 mm}, C: {rho: 4 mm}, D: {rho: 3 mm}, E: {rho: 3 mm}, F: {rho: 3 mm}}\n"

@@ -35,7 +35,7 @@ from vecpoly.mechanism.laws.springs import Spring
 from vecpoly.mechanism.model import FRAME, Mechanism, Prismatic, Revolute, Rolling
 from vecpoly.names import At, Kind, Rel, subscripted
 from vecpoly.oracle import Motion
-from vecpoly.report.structure import structure
+from vecpoly.report.statement.structure import structure
 
 IDS = Later(lambda: ids(view=View.MECHANISM))
 M = TypeVar("M", bound=Mark)

@@ -15,7 +15,7 @@ from vecpoly.report.answers.box import answer_box
 from vecpoly.report.answers.line import answer_line
 from vecpoly.report.answers.rounded import COARSE, coarse, rounded
 from vecpoly.report.answers.tables import counted, readings_tables
-from vecpoly.report.groups import parted
+from vecpoly.report.statement.groups import parted
 from vecpoly.report.values import called, printed_unit
 from vecpoly.solution import YES_NO, Answer, Solution, solve
 from vecpoly.typeset.box import MM

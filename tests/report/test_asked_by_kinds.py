@@ -11,7 +11,7 @@ from tests.each import Later, each
 from vecpoly.devices.structure import Structure
 from vecpoly.problem.load import load
 from vecpoly.report.content import statement
-from vecpoly.report.groups import LONG
+from vecpoly.report.statement.groups import LONG
 from vecpoly.words import Lang
 
 STRUCTURES = Later(lambda: (name for name in IDS if isinstance(load(name).subject, Structure)))

@@ -18,9 +18,9 @@ from ..mechanism.model import Mechanism
 from ..problem.asked.asks import AskCoriolis, AskNamed
 from ..solution import Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
-from .asked import asked
 from .formulas import beside
-from .structure import numbering, structure
+from .statement.asked import asked
+from .statement.structure import numbering, structure
 from .tables import listed
 
 _MOST, _SHORT = 4, 62.0  # formulas of a step in one line, and how long each may be (mm)

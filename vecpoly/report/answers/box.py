@@ -8,7 +8,7 @@ from dataclasses import replace
 from ...solution import Answer, Solution
 from ...words import Lang
 from ..flow.results.box import AnswerBox
-from ..groups import by_groups, parted
+from ..statement.groups import by_groups, parted
 from .line import AnswerLine, answer_line
 
 

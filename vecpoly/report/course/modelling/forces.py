@@ -12,7 +12,7 @@ from ....findings.study.study import Study
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.loads import GRAVITY, Force, Loads
 from ....words import Words
-from ...structure import carried_pins
+from ...statement.structure import carried_pins
 
 
 def forces_group(study: Study) -> GroupModel | None:

@@ -15,7 +15,7 @@ from ....mechanism.model import FRAME, Joint, Mechanism, Prismatic, Rolling
 from ....typeset import layout_words
 from ....words import Lang, Words
 from ...flow.style import CAPTION
-from ...structure import kind_of
+from ...statement.structure import kind_of
 from ..numbering import Press
 from .groups_apart import apart
 from .kinds import ROLLING

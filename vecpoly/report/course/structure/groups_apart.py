@@ -17,7 +17,7 @@ from ....mechanism.model import Mechanism, Prismatic, Revolute
 from ....names import subscripted
 from ....problem.problem import Problem
 from ....words import Words
-from ...structure import kind_of
+from ...statement.structure import kind_of
 from .kinds import ROLLING
 
 _WIDE, _HIGH = 70.0, 52.0  # mm that a group may take

@@ -9,7 +9,7 @@ from ....mechanism.groups.assur import Group, decompose, hinges
 from ....mechanism.model import Prismatic, Rolling
 from ....mechanism.rams import driver_words
 from ....words import Words
-from ...structure import kind_of, welded
+from ...statement.structure import kind_of, welded
 from .kinds import ROLLING
 
 _ROMAN = {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}

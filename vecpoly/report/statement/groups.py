@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-from ..words import Lang
+from ...words import Lang
 
 LONG = 7  # quantities that are told by kinds, where there are so many
 

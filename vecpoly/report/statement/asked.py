@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..algebra.quantity import number
-from ..mechanism.asked.centres import count
-from ..names import is_centre, is_place
-from ..problem.asked.asks import Ask, AskCoriolis, AskNamed, AskPoint
-from ..solution import YES_NO, Solution
-from ..words import Lang, Words
+from ...algebra.quantity import number
+from ...mechanism.asked.centres import count
+from ...names import is_centre, is_place
+from ...problem.asked.asks import Ask, AskCoriolis, AskNamed, AskPoint
+from ...solution import YES_NO, Solution
+from ...words import Lang, Words
+from ..values import asked_load, called, curved
 from .groups import by_groups, parted
-from .values import asked_load, called, curved
 
 
 def asked(solution: Solution, lang: Lang) -> str:

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ..mechanism.groups.assur import Group, decompose, hinges
-from ..mechanism.groups.mobility import Mobility, mobility
-from ..mechanism.model import FRAME, Mechanism
-from ..mechanism.rams import driver_words
-from ..mechanism.seats import seat
-from ..problem.problem import Problem
-from ..words import Words
+from ...mechanism.groups.assur import Group, decompose, hinges
+from ...mechanism.groups.mobility import Mobility, mobility
+from ...mechanism.model import FRAME, Mechanism
+from ...mechanism.rams import driver_words
+from ...mechanism.seats import seat
+from ...problem.problem import Problem
+from ...words import Words
 
 _ROMAN = {"class III": "Ⅲ 级", "class IV": "Ⅳ 级", "class V": "Ⅴ 级", "class VI": "Ⅵ 级"}
 
