@@ -11,7 +11,7 @@ from vecpoly.board.paper.marks import Role
 from vecpoly.errors import AssemblyError, NoMethodError
 from vecpoly.mechanism.assembly.branch import margin
 from vecpoly.mechanism.model import Mechanism
-from vecpoly.methods.following import follower
+from vecpoly.methods.positions.following import follower
 from vecpoly.problem.problem import Problem
 from vecpoly.solution import Solution, solve
 

@@ -16,7 +16,7 @@ from ..names import At, Kind, Rel, ascii_key, subscripted
 from ..plane import Points, Reals
 from ..words import Words
 from .diagram import Diagram
-from .sides import Sides
+from .positions.sides import Sides
 
 POLE = {View.VELOCITY: "p", View.ACCELERATION: "p′"}
 VECTOR = {View.VELOCITY: Kind.V, View.ACCELERATION: Kind.A}  # what a polygon is made of

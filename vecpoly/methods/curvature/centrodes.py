@@ -23,7 +23,7 @@ from ...words import Words
 from ..centres.copy import mechanism_copied
 from ..centres.size import Paper
 from ..desk import Desk
-from ..placed import placed, refuse_thought, refuse_told
+from ..positions.placed import placed, refuse_thought, refuse_told
 from .pairs import Pair, pairs_of
 from .readings import keep_length
 from .room import fitted

@@ -12,8 +12,8 @@ from ...errors import VecpolyError
 from ...plane import nominal
 from ...words import Words
 from ..centres.size import Paper
-from ..following import is_followed
-from ..placed import placed
+from ..positions.following import is_followed
+from ..positions.placed import placed
 from .state import CurvatureFigure
 
 REACH, STEP = 45, 5  # degrees of the crank to both sides, and from one point of the path to the next

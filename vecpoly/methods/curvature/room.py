@@ -16,7 +16,7 @@ from ...plane import Points, nominal
 from ...words import Words
 from ..centres.size import MARGIN, Paper, too_large
 from ..desk import Desk
-from ..placed import placed_as_told
+from ..positions.placed import placed_as_told
 from .state import CurvatureFigure
 
 NAME = "curvature"

@@ -26,7 +26,7 @@ from ..forces.masses import weights
 from ..forces.state import Statics
 from ..kinematics.doors import draw_drives, draw_group
 from ..kinematics.image import found_tip
-from ..placed import elsewhere, refuse_told
+from ..positions.placed import elsewhere, refuse_told
 from ..registry import Stage
 
 JUMP = 1e-12  # rad: how closely the place is found at which a load begins or ends

@@ -20,7 +20,7 @@ from ...problem.asked.asks import AskNamed
 from ...problem.problem import Problem
 from ...words import Words
 from ..desk import Desk
-from ..placed import placed
+from ..positions.placed import placed
 from ..registry import Stage
 from .doors import LINES
 from .told import bodily, force_key, moved_point, velocity_key

@@ -18,9 +18,9 @@ from ....names import At
 from ....plane import dot, nominal
 from ...desk import Desk
 from ...exchange.exchange import exchanged
-from ...following import Follower, drawn, follower, is_followed
 from ...kinematics.doors import draw_drives, draw_group
 from ...kinematics.image import found_tip
+from ...positions.following import Follower, drawn, follower, is_followed
 from ...registry import Stage
 from ...roots import halved
 

@@ -15,7 +15,7 @@ from ....plane import nominal
 from ....problem.asked.target import Target
 from ....words import Words
 from ...desk import Desk
-from ...placed import placed, refuse_told
+from ...positions.placed import placed, refuse_told
 
 PLACES = 120  # of the drive, over a turn
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from ..board.hand import Hand
-from ..errors import NoMethodError
-from ..mechanism.groups.assur import Group, decompose
-from ..mechanism.model import Mechanism
-from ..words import Words
-from .desk import Desk
+from ...board.hand import Hand
+from ...errors import NoMethodError
+from ...mechanism.groups.assur import Group, decompose
+from ...mechanism.model import Mechanism
+from ...words import Words
+from ..desk import Desk
 from .following import draw_positions, follower, is_followed, moved
 from .scratch import position_desk
 from .sides import Sides

@@ -14,14 +14,14 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..errors import VecpolyError
-from ..mechanism.groups.assur import Group, decompose
-from ..mechanism.model import Mechanism, Shaped
-from ..plane import nominal
-from .desk import Desk
-from .kinematics.diagram.cam import letter_contacts
-from .kinematics.doors import draw_drives, draw_group
-from .registry import Stage
+from ...errors import VecpolyError
+from ...mechanism.groups.assur import Group, decompose
+from ...mechanism.model import Mechanism, Shaped
+from ...plane import nominal
+from ..desk import Desk
+from ..kinematics.diagram.cam import letter_contacts
+from ..kinematics.doors import draw_drives, draw_group
+from ..registry import Stage
 from .scratch import position_desk
 from .sides import Key, Sides
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from ..board.board import Board, Scratch
-from ..board.construction import Scale, View
-from ..board.hand import Hand, hand
-from ..board.place import views
-from ..mechanism.groups.assur import Group
-from ..mechanism.model import Mechanism
-from .coincident import coincident_letters
-from .desk import Desk
+from ...board.board import Board, Scratch
+from ...board.construction import Scale, View
+from ...board.hand import Hand, hand
+from ...board.place import views
+from ...mechanism.groups.assur import Group
+from ...mechanism.model import Mechanism
+from ..coincident import coincident_letters
+from ..desk import Desk
 from .sides import Sides
 
 SIZE = 100.0  # mm: how large mechanism and first vector are drawn

@@ -1,0 +1,1 @@
+"""The mechanism in other positions of its drive: followed there from its own, and drawn on scratch paper."""
