@@ -134,6 +134,24 @@ class Follower:
         return all(abs(found[p] - at) < SAME * mech.scale for p, at in places.items())
 
 
+@dataclass(slots=True, eq=False)
+class Assemblies:
+    """The followers of one mechanism, each of another of its assemblies."""
+
+    found: list[Follower] = field(default_factory=list)
+
+    def of(self, mech: Mechanism) -> Follower:
+        """That which comes to this mechanism's own position; begun there where none does."""
+        groups = decompose(mech)
+        desk = drawn(mech, groups)
+        places = letters(desk)
+        one = next((one for one in self.found if one.comes_to(mech, places)), None)
+        if one is None:
+            one = _begun(mech, groups, places, desk.sides.taken)
+            self.found.append(one)
+        return one
+
+
 @lru_cache(maxsize=256)
 def follower(mech: Mechanism) -> Follower:
     """Of a mechanism in its own position: the same for all its positions that follow from each other.
@@ -141,20 +159,13 @@ def follower(mech: Mechanism) -> Follower:
     Raises AssemblyError, DeadPointError where its own position cannot be drawn.
     """
     mech = replace(mech, drives=tuple(replace(drive, rate=1.0, accel=0.0) for drive in mech.drives))
-    groups = decompose(mech)
-    desk = drawn(mech, groups)
-    places, known = letters(desk), _known(moved(mech, 0.0, {}))
-    for one in known:
-        if one.comes_to(mech, places):
-            return one
-    known.append(_begun(mech, groups, places, desk.sides.taken))
-    return known[-1]
+    return _assemblies(moved(mech, 0.0, {})).of(mech)
 
 
 @lru_cache(maxsize=64)
-def _known(bare: Mechanism) -> list[Follower]:
-    """Those of one mechanism, in all its assemblies."""
-    return []
+def _assemblies(bare: Mechanism) -> Assemblies:
+    """Of a mechanism without a position of its own, and without the statements that are read there."""
+    return Assemblies()
 
 
 def _begun(mech: Mechanism, groups: tuple[Group, ...], places: Places, taken: Mapping[Key, int]) -> Follower:
