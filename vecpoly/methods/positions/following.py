@@ -70,7 +70,7 @@ class Follower:
         way = position - self.mech.drive.position
         sense = 1 if way >= 0 else -1
         if sense in self.ends and abs(way) >= self.ends[sense][0]:
-            raise self.ends[sense][1]
+            raise self.ends[sense][1].with_traceback(None)  # it would grow with every raise, and keep all frames
         try:
             return self._reached(way, sense)
         except VecpolyError as error:
