@@ -74,7 +74,7 @@ def _curvatures(desk: Desk, groups: Sequence[Group], asked: Curvature, keys: fro
         if axis:
             read_collineation(fig)
 
-    paper = paper_for(desk, groups, asked.link, construct)
+    paper = paper_for(desk, asked.link, construct)
     pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, paper.scale, aside=True, composed=True)
     fig = CurvatureFigure(desk=desk, link=asked.link, pane=pane, factor=paper.factor)
     _copy(fig, paper, groups)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from math import degrees, radians
 
@@ -11,7 +11,6 @@ from ...board.paper.extent import bounds, box_of
 from ...board.paper.scales import HALF, SERIES, round_up
 from ...board.place import Pane
 from ...errors import NotAskedError, VecpolyError
-from ...mechanism.groups.assur import Group
 from ...plane import Points, nominal
 from ...words import Words
 from ..centres.size import MARGIN, Paper, too_large
@@ -29,23 +28,23 @@ Box = tuple[complex, complex]
 Draw = Callable[[CurvatureFigure], None]
 
 
-def paper_for(desk: Desk, groups: Sequence[Group], link: str, draw: Draw) -> Paper:
+def paper_for(desk: Desk, link: str, draw: Draw) -> Paper:
     """The paper on which pole, circle and centres fit with the mechanism.
 
     Raises NotAskedError where the mechanism would become too small, with a position in which it would not.
     """
     found = fitted(desk, _box(desk, link, draw))
     if found is None:
-        raise _refused(desk, groups, link, draw)
+        raise _refused(desk, link, draw)
     return found
 
 
-def _refused(desk: Desk, groups: Sequence[Group], link: str, draw: Draw) -> NotAskedError:
+def _refused(desk: Desk, link: str, draw: Draw) -> NotAskedError:
     """With the range of the drive, about the nearest position of those tried, in which all fits."""
 
     def fits(phi: float) -> bool:
         try:
-            return fitted(desk, _box(placed_as_told(desk, groups, radians(phi)), link, draw)) is not None
+            return fitted(desk, _box(placed_as_told(desk, radians(phi)), link, draw)) is not None
         except VecpolyError:
             return False
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from ...board.hand import Hand
@@ -38,7 +37,7 @@ def elsewhere(mech: Mechanism, position: float) -> There:
     statements say. Raises AssemblyError where the way there ends, DeadPointError likewise.
     """
     if position == mech.drive.position or not is_followed(mech):
-        return There(mech=_with(mech, position), groups=decompose(mech), sides=Sides())
+        return _as_told(mech, position)
     one = follower(mech)
     stand = one.at(position)
     return There(mech=moved(mech, position, stand.places), groups=one.groups, sides=Sides(kept=stand.taken))
@@ -52,16 +51,17 @@ def placed(desk: Desk, position: float) -> Desk:
     return _on_scratch(desk, elsewhere(desk.mech, position))
 
 
-def placed_as_told(desk: Desk, groups: Sequence[Group], position: float) -> Desk:
+def placed_as_told(desk: Desk, position: float) -> Desk:
     """The same of the problem with its drive in this position: the statements are read there.
 
     Raises AssemblyError, DeadPointError.
     """
-    return _on_scratch(desk, There(mech=_with(desk.mech, position), groups=tuple(groups), sides=Sides()))
+    return _on_scratch(desk, _as_told(desk.mech, position))
 
 
-def _with(mech: Mechanism, position: float) -> Mechanism:
-    return replace(mech, drives=(replace(mech.drive, position=position), *mech.drives[1:]))
+def _as_told(mech: Mechanism, position: float) -> There:
+    drives = (replace(mech.drive, position=position), *mech.drives[1:])
+    return There(mech=replace(mech, drives=drives), groups=decompose(mech), sides=Sides())
 
 
 def _on_scratch(desk: Desk, there: There) -> Desk:
