@@ -11,10 +11,10 @@ from vecpoly.errors import VecpolyError
 from vecpoly.grading.student import check_answers
 from vecpoly.mistakes import slips
 from vecpoly.problem.values.vary import parameters, vary
-from vecpoly.solution import Solution, solve
+from vecpoly.solution import Solution
 
 from ..family import family
-from .anything import anything, unlike, used
+from .anything import anything, solved, unlike, used
 
 FEW = 4
 
@@ -45,12 +45,12 @@ def own_reading(solution: Solution, rng: np.random.Generator) -> str:
     """With the reading that was read, and with the point that was found, all is as it was."""
     for act in _some(rng, _lettered(solution, Measure, Area)):
         size = act.mm if isinstance(act, Measure) else act.mm2 if isinstance(act, Area) else 0.0
-        again = solve(solution.problem, by="exact", repeats=0, precise=False, readings={_named(act): size})
+        again = solved(solution.problem, readings={_named(act): size})
         if wrong := unlike(solution, again):
             return f"{_named(act)} read as {size}: {wrong}"
     for act in _some(rng, _lettered(solution, Locate)):
         assert isinstance(act, Locate)
-        again = solve(solution.problem, by="exact", repeats=0, precise=False, points={_named(act): act.at})
+        again = solved(solution.problem, points={_named(act): act.at})
         if wrong := unlike(solution, again):
             return f"{_named(act)} found at {act.at}: {wrong}"
     return ""
@@ -71,7 +71,7 @@ def misread(solution: Solution, rng: np.random.Generator) -> str:
 
 def _tried(solution: Solution, **otherwise: object) -> None:
     try:
-        str(solve(solution.problem, by="exact", repeats=0, precise=False, **otherwise))  # type: ignore[arg-type]
+        str(solved(solution.problem, **otherwise))  # type: ignore[arg-type]
     except VecpolyError as error:
         assert error.words.zh and error.words.en
 
@@ -84,14 +84,14 @@ def varied(solution: Solution, rng: np.random.Generator) -> str:
         same = vary(problem, {str(name): known[name]})
         if same.text != problem.text:
             return f"{name}: {known[name]} changes the text"
-        if wrong := unlike(solution, solve(same, by="exact", repeats=0, precise=False)):
+        if wrong := unlike(solution, solved(same)):
             return f"{name}: {known[name]}: {wrong}"
         try:
             other = vary(problem, {str(name): known[name].replace("1", "2").replace("5", "6")})
-            drawn = solve(other, by="exact", repeats=0, precise=False)
+            drawn = solved(other)
         except VecpolyError:
             continue
-        if wrong := unlike(drawn, solve(loads(other.text), by="exact", repeats=0, precise=False)):
+        if wrong := unlike(drawn, solved(loads(other.text))):
             return f"{name} varied, and its text: {wrong}"
     return ""
 

@@ -9,10 +9,10 @@ import numpy as np
 from vecpoly import problem
 from vecpoly.problem.values.vary import data_of
 from vecpoly.record import from_json, to_json
-from vecpoly.solution import Solution, solve
+from vecpoly.solution import Solution
 
 from ..family import family
-from .anything import anything, unlike, used
+from .anything import anything, solved, unlike, used
 
 
 @used
@@ -23,14 +23,14 @@ def read_again(solution: Solution, rng: np.random.Generator) -> str:
     if to_json(again) != text or again.problem != solution.problem or again.construction != solution.construction:
         return "the record holds something else"
     json.dumps(solution.as_json(), allow_nan=False)
-    return unlike(solution, solve(again.problem, by="exact", repeats=0, precise=False))
+    return unlike(solution, solved(again.problem))
 
 
 @used
 def made_again(solution: Solution, rng: np.random.Generator) -> str:
     """`problem.data` makes the same problem."""
     again = problem(data_of(solution.problem))
-    return unlike(solution, solve(again, by="exact", repeats=0, precise=False))
+    return unlike(solution, solved(again))
 
 
 family("used-record", also=read_again, often=2)(anything("record"))
