@@ -21,7 +21,7 @@ from vecpoly.solution import Answer, Solution, solve
 
 from .differences import against_differences
 from .family import Check, content
-from .nearby import natural, over_a_period, slack
+from .nearby import largest, natural, over_a_period, slack
 
 AGREE = 1e-9  # of the largest quantity of the kind
 
@@ -106,10 +106,10 @@ def _disagreeing(solution: Solution) -> str:
     floor |= over_a_period(solution.problem)
     for one in answers:
         unit = one.reading.unit
-        size = max(floor.get(unit, 0.0), *(abs(other.exact) for other in answers if other.reading.unit == unit))
+        size = largest(solution, unit, floor)
         if unit == "rad/s^2":  # where all turns evenly, ω² tells what an acceleration is small against
             size = max([size, *(other.exact**2 for other in answers if other.reading.unit == "rad/s")])
-        if not gap(one) <= AGREE * max(size, 1e-9) + near.get(one.key, 0.0):
+        if not gap(one) <= AGREE * size + near.get(one.key, 0.0):
             drawn, exact = (
                 (one.drawn_vector, one.exact_vector) if one.drawn_vector is not None else (one.drawn, one.exact)
             )

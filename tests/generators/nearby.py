@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from vecpoly.check.truth import exact_values
@@ -13,6 +14,7 @@ from vecpoly.solution import Solution
 
 HAIR = 1e-12  # rad, or m: a few units in the last place of a position
 FACTOR = 100.0
+LEAST = 1e-9
 
 
 def slack(solution: Solution) -> dict[str, float]:
@@ -45,6 +47,12 @@ def natural(mech: Mechanism) -> dict[str, float]:
     turning = abs(drive.rate) / (size if drive.slide else 1.0)
     bending = abs(drive.accel) / (size if drive.slide else 1.0) + turning**2
     return {"rad/s": turning, "rad/s^2": bending, "m/s": turning * size, "m/s^2": bending * size, "m": size}
+
+
+def largest(solution: Solution, unit: str, floor: Mapping[str, float]) -> float:
+    """What an error of an answer in this unit is measured against: the largest of them, its natural size at least."""
+    alike = (one for one in solution.answers.values() if one.reading.unit == unit and not one.undefined)
+    return max(floor.get(unit, 0.0), LEAST, *(abs(one.exact) for one in alike))
 
 
 def over_a_period(problem: Problem) -> dict[str, float]:

@@ -22,7 +22,7 @@ from vecpoly.solution import Answer, Solution, solve
 from ..family import families, member
 from ..judge import AGREE
 from ..library import Data
-from ..nearby import natural, slack
+from ..nearby import largest, natural, slack
 
 SEED = 5
 PLENTY = (
@@ -105,14 +105,8 @@ def against(solution: Solution, first: Solution, change: Change) -> str:
             return f"{key} is not answered as {change.key(key)}, but {', '.join(solution.answers)}"
         if answer.undefined and other.undefined:
             continue
-        unit = answer.reading.unit
-        size = max(
-            [
-                floor.get(unit, 0.0),
-                *(abs(one.exact) for one in first.answers.values() if one.reading.unit == unit and not one.undefined),
-            ]
-        )
-        if not _gap(answer, other, change, back) <= AGREE * max(size, 1e-9) + near.get(answer.key, 0.0):
+        size = largest(first, answer.reading.unit, floor)
+        if not _gap(answer, other, change, back) <= AGREE * size + near.get(answer.key, 0.0):
             return f"{key} was {_value(answer)}, as {change.key(key)} it is {_value(other)}"
     return (
         ""

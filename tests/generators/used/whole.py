@@ -21,11 +21,11 @@ from vecpoly.cycle import (
 from vecpoly.cycle import table as tabled
 from vecpoly.errors import UnknownNameError
 from vecpoly.mechanism.model import Mechanism, Rolling
-from vecpoly.solution import Answer, Solution
+from vecpoly.solution import Solution
 
 from ..family import family
 from ..judge import AGREE
-from ..nearby import natural, slack
+from ..nearby import largest, natural, slack
 from .anything import anything, used
 
 ROWS = 37
@@ -69,15 +69,9 @@ def _here(solution: Solution, mech: Mechanism) -> str:
         exact: complex = answer.exact if answer.exact_vector is None else answer.exact_vector
         if np.iscomplexobj(row) != isinstance(exact, complex):
             row, exact = abs(row), abs(exact)
-        if not abs(row - exact) <= AGREE * _size(solution, answer, floor) + near.get(key, 0.0):
+        if not abs(row - exact) <= AGREE * largest(solution, answer.reading.unit, floor) + near.get(key, 0.0):
             return f"{key} is {exact}, and {row} in the cycle"
     return ""
-
-
-def _size(solution: Solution, answer: Answer, floor: dict[str, float]) -> float:
-    unit = answer.reading.unit
-    alike = [abs(one.exact) for one in solution.answers.values() if one.reading.unit == unit and not one.undefined]
-    return max(floor.get(unit, 0.0), *alike, 1e-9)
 
 
 def _closed(turn: Cycle, keys: list[str], mech: Mechanism) -> str:
