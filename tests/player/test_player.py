@@ -19,6 +19,7 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 from tests.laws import often
+from tests.player.pages import solved
 from vecpoly import oracle
 from vecpoly.board.paper.extent import bounds
 from vecpoly.board.paper.scales import round_up
@@ -38,17 +39,12 @@ from vecpoly.player.steps import said
 from vecpoly.player.turned import Cycle, cycle, in_order
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
-from vecpoly.solution import Solution, scales_of, solve
+from vecpoly.solution import scales_of, solve
 from vecpoly.typeset.fonts import Face
 
 KINEMATICS, FORCES, DEVICE, LARGE = "3-9", "4-3a", "5-5", "six-bar-dynamic"
 FEW = 24  # places of the pages that need not be large
 EMPTY = {"meta", "link", "br", "input", "path", "rect", "use", "hr", "img"}
-
-
-@cache
-def solved(name: str) -> Solution:
-    return solve(load(name), repeats=0)
 
 
 @cache

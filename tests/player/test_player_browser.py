@@ -4,32 +4,23 @@ by key and finger, on phones and projectors, and can be read."""
 from __future__ import annotations
 
 import json
-from functools import cache
 from pathlib import Path
 
 import pytest
 
 from tests.chromium import Page
+from tests.player.pages import PLACES, page_of, solved
 from vecpoly.player.beats import beats, stepped
-from vecpoly.player.page import player_html
 from vecpoly.player.turned import cycle
-from vecpoly.problem.load import load
-from vecpoly.solution import Solution, solve
 
 KINEMATICS, FORCES, DEVICE = "3-9", "4-3a", "5-5"
-PLACES = 12
-
-
-@cache
-def solved(name: str) -> Solution:
-    return solve(load(name), repeats=0)
 
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("player")
     for name in (KINEMATICS, FORCES, DEVICE):
-        (folder / f"{name}.html").write_text(player_html(solved(name), places=PLACES), encoding="utf-8")
+        (folder / f"{name}.html").write_text(page_of(name), encoding="utf-8")
     return folder
 
 

@@ -2,22 +2,15 @@
 
 from __future__ import annotations
 
-import json
-from functools import cache
 from math import hypot
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from tests.chromium import Page
-from vecpoly.player.page import player_html
-from vecpoly.problem.load import load
-from vecpoly.solution import solve
+from tests.player.pages import DESK, PHONE, PLACES, data, page_of
 
 KINEMATICS, CENTRES, FORCES = "3-9", "3-1d", "4-3a"
-PLACES = 12
-DESK, PHONE = (1440, 900), (390, 844)
 LEAST = 11.0  # pixels of the smallest letter
 SMALLEST = """(() => {
   const frame = paper.getBoundingClientRect(), sizes = [];
@@ -29,16 +22,11 @@ SMALLEST = """(() => {
   return Math.min(...sizes); })()"""
 
 
-@cache
-def text_of(name: str) -> str:
-    return player_html(solve(load(name), repeats=0), places=PLACES)
-
-
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     made = tmp_path_factory.mktemp("hand")
     for name in (KINEMATICS, CENTRES, FORCES):
-        (made / f"{name}.html").write_text(text_of(name), encoding="utf-8")
+        (made / f"{name}.html").write_text(page_of(name), encoding="utf-8")
     return made
 
 
@@ -48,10 +36,6 @@ def show(page: Page, folder: Path, where: str, size: tuple[int, int] = DESK) -> 
     page.wait("player.ready")
     page.value(ONCE)
     return page
-
-
-def data(page: Page, script: str) -> Any:
-    return json.loads(page.value(f"JSON.stringify({script})"))
 
 
 def mouse(page: Page, kind: str, x: float, y: float) -> None:

@@ -4,21 +4,18 @@ from __future__ import annotations
 
 import cmath
 import re
-from functools import cache
 from html import unescape
 
 import pytest
 
+from tests.player.pages import page_of, solved
 from vecpoly.board.construction import Figure
 from vecpoly.board.paper.marks import Vector
 from vecpoly.board.paper.tones import key_of as key_of_mark
 from vecpoly.drawing.beside import beside
 from vecpoly.drawing.hues import ink_of
 from vecpoly.player.figures import key_of
-from vecpoly.player.page import player_html
 from vecpoly.player.steps import vector
-from vecpoly.problem.load import load
-from vecpoly.solution import Solution, solve
 from vecpoly.tagging.speech import said
 from vecpoly.words import Lang
 
@@ -29,23 +26,13 @@ TERM = re.compile(r'(?:style="color:var\(--(tone-\d)\)">)?<span class="formula" 
 SHAFT = re.compile(r"M(-?\d+) ?(-?\d+)l(-?\d+) ?(-?\d+)")
 
 
-@cache
-def solved(name: str) -> Solution:
-    return solve(load(name), repeats=0)
-
-
-@cache
-def page_of(name: str) -> str:
-    return player_html(solved(name), places=0)
-
-
 @pytest.mark.parametrize("name", FOUR)
 def test_every_term_of_an_equation_has_the_hue_of_its_vector(name: str) -> None:
     toned = 0
     for step in solved(name).construction.steps:
         if step.equation is None:
             continue
-        own = re.search(rf'<li id="step-{step.number}".*?</li>', page_of(name), re.S)
+        own = re.search(rf'<li id="step-{step.number}".*?</li>', page_of(name, 0), re.S)
         assert own is not None
         found = [(tone, unescape(label)) for tone, label in TERM.findall(own[0])]
         assert found == [
@@ -59,7 +46,7 @@ def test_every_term_of_an_equation_has_the_hue_of_its_vector(name: str) -> None:
 
 @pytest.mark.parametrize("name", FOUR)
 def test_every_arrow_of_a_figure_has_the_hue_of_its_vector(name: str) -> None:
-    page, construction = page_of(name), solved(name).construction
+    page, construction = page_of(name, 0), solved(name).construction
     inks = dict(re.findall(r"\.(s\d+)\{stroke:var\(--([\w-]+)\)", page))
     toned = 0
     for figure in construction.figures:

@@ -2,24 +2,17 @@
 
 from __future__ import annotations
 
-import json
-from functools import cache
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from tests.chromium import Page
+from tests.player.pages import DESK, PHONE, PLACES, data, page_of, solved
 from vecpoly.board.paper.marks import Point
 from vecpoly.player.figures import key_of
-from vecpoly.player.page import player_html
 from vecpoly.player.turned import cycle
-from vecpoly.problem.load import load
-from vecpoly.solution import Solution, solve
 
 KINEMATICS, MANY_SCALES = "3-9", "B-24"
-PLACES = 12
-DESK, PHONE = (1440, 900), (390, 844)
 LEAST, OVER = 11.0, 1.5  # pixels: of a letter; that two may be over each other
 INKS = """(() => { const found = [];
   for (const use of all(player.turning() ? "#turned use" : "#drawn use")) {
@@ -36,27 +29,13 @@ WAYS = "turn.figures.map((f) => [f.key, f.ways.getAttribute('transform'), f.poin
 SIDES = "turn.figures.map(({ key }) => stage.spots.get(key)).map(({ w, h }) => [w, h])"
 
 
-@cache
-def solved(name: str) -> Solution:
-    return solve(load(name), repeats=0)
-
-
-@cache
-def text_of(name: str) -> str:
-    return player_html(solved(name), places=PLACES)
-
-
 def show(page: Page, folder: Path, name: str, where: str, size: tuple[int, int]) -> Page:
     file = folder / f"{name}.html"
-    file.write_text(text_of(name), encoding="utf-8")
+    file.write_text(page_of(name), encoding="utf-8")
     page.open(f"{file.as_uri()}#{where}", *size, touch=size == PHONE)
     page.send("Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "reduce"}])
     page.wait("player.ready")
     return page
-
-
-def data(page: Page, script: str) -> Any:
-    return json.loads(page.value(f"JSON.stringify({script})"))
 
 
 def overlaps(inks: list[list[float]]) -> int:

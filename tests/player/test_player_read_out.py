@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from functools import cache
 from html import unescape
 from pathlib import Path
 from typing import Any
@@ -12,27 +11,18 @@ from typing import Any
 import pytest
 
 from tests.chromium import Page
+from tests.player.pages import page_of, solved
 from tests.texts import CRANK
 from vecpoly.player.beats import beats
 from vecpoly.player.page import player_html
 from vecpoly.player.pointing import pointed
-from vecpoly.problem.load import load, loads
-from vecpoly.solution import Solution, solve
+from vecpoly.problem.load import loads
+from vecpoly.solution import solve
 from vecpoly.tagging.speech import said, spoken, words_said
 from vecpoly.words import Lang
 
 KINEMATICS, FORCES = "3-9", "4-3a"
 LANGS: tuple[Lang, ...] = ("zh", "en")
-
-
-@cache
-def solved(name: str) -> Solution:
-    return solve(load(name), repeats=0)
-
-
-@cache
-def page_of(name: str, lang: Lang = "zh") -> str:
-    return player_html(solved(name), places=6, lang=lang)
 
 
 def told(page: str, number: int) -> str:
@@ -45,7 +35,7 @@ def told(page: str, number: int) -> str:
 @pytest.mark.parametrize("name", [KINEMATICS, FORCES])
 def test_every_formula_is_read_out_in_both_languages(name: str) -> None:
     for step in solved(name).construction.steps:
-        own = told(page_of(name, "en"), step.number)
+        own = told(page_of(name, lang="en"), step.number)
         lines = re.findall(r'<p class="display"[^>]*><span class="formula" role="img" ([^>]*)>', own)
         heard = [{key: unescape(text) for key, text in re.findall(r'([\w-]+)="([^"]*)"', line)} for line in lines]
         assert {(one["data-zh"], one["data-en"], one["aria-label"]) for one in heard} == {
