@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
 
@@ -29,14 +29,28 @@ HALVINGS = 48
 _STAGES = (Stage.POSITION, Stage.VELOCITY)
 
 
+@dataclass(frozen=True, slots=True)
+class AsTold:
+    """A mechanism of which a profile, or a gear, is not followed: drawn in every place as the statements say."""
+
+    mech: Mechanism
+
+    def drawn(self, at: float) -> tuple[Desk, tuple[Group, ...]]:
+        """The position diagram in this place of the drive, and the groups."""
+        even = replace(self.mech.drive, position=at, rate=self.mech.drive.rate or 1.0, accel=0.0)
+        moved = exchanged(replace(self.mech, drives=(even, *self.mech.drives[1:])), _STAGES).mech
+        groups = decompose(moved)
+        return drawn(moved, groups), groups
+
+
 def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[float, float]:
     """Least and greatest coordinate of a point along a direction (m); EquilibriumError where it has no stroke."""
     if is_followed(mech):
         _, low, high = _stroke(follower(mech), link, point, direction)
     else:
-        whole, low, high = _stroke(_at_zero(mech), link, point, direction)
+        whole, low, high = _stroke(AsTold(_at_zero(mech)), link, point, direction)
         if not whole:
-            _, low, high = _stroke(mech, link, point, direction)
+            _, low, high = _stroke(AsTold(mech), link, point, direction)
     if (why := no_stroke(link, point, direction, high - low, mech.scale)) is not None:
         raise EquilibriumError(why, code="contradiction")
     return low, high
@@ -48,12 +62,11 @@ def _at_zero(mech: Mechanism) -> Mechanism:
 
 
 @lru_cache(maxsize=128)
-def _stroke(way: Follower | Mechanism, link: str, point: str, direction: float) -> tuple[bool, float, float]:
+def _stroke(way: Follower | AsTold, link: str, point: str, direction: float) -> tuple[bool, float, float]:
     """Whether the drive goes right round, and both ends: at the dead centres, where the velocity turns round, or where
     the drive comes to its own end."""
-    mech = way.mech if isinstance(way, Follower) else way
-    drive = mech.drive
-    own, step = drive.position, (mech.scale / 18 if drive.slide else 2 * np.pi / TRIALS)
+    drive = way.mech.drive
+    own, step = drive.position, (way.mech.scale / 18 if drive.slide else 2 * np.pi / TRIALS)
     seen: dict[float, tuple[float, float] | None] = {}
 
     def seen_at(at: float) -> tuple[float, float] | None:
@@ -73,11 +86,11 @@ def _stroke(way: Follower | Mechanism, link: str, point: str, direction: float) 
 Drawn = Callable[[float], tuple[float, float] | None]
 
 
-def _seen(way: Follower | Mechanism, at: float, link: str, point: str, direction: float) -> tuple[float, float] | None:
+def _seen(way: Follower | AsTold, at: float, link: str, point: str, direction: float) -> tuple[float, float] | None:
     """Coordinate (m) and velocity of the point along the direction in this place of the drive; None where there is
     none."""
     try:
-        desk, groups = way.drawn(at) if isinstance(way, Follower) else _as_told(way, at)
+        desk, groups = way.drawn(at)
         draw_drives(desk, Stage.VELOCITY)
         for group in groups:
             draw_group(desk, Stage.VELOCITY, group)
@@ -86,14 +99,6 @@ def _seen(way: Follower | Mechanism, at: float, link: str, point: str, direction
         return place, float(nominal(dot(along, found_tip(desk, View.VELOCITY, At(point, link)))))
     except VecpolyError:
         return None
-
-
-def _as_told(mech: Mechanism, at: float) -> tuple[Desk, tuple[Group, ...]]:
-    """The position diagram as the statements say there: of a cam's profile, which is replaced anew in every place."""
-    even = replace(mech.drive, position=at, rate=mech.drive.rate or 1.0, accel=0.0)
-    moved = exchanged(replace(mech, drives=(even, *mech.drives[1:])), _STAGES).mech
-    groups = decompose(moved)
-    return drawn(moved, groups), groups
 
 
 def _reached(places: list[float], drawn: Drawn) -> list[float]:
