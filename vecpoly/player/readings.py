@@ -9,12 +9,12 @@ from ..drawing.hues import ink_of
 from ..report.answers.tables import way
 from ..report.values import called, printed_unit, value
 from ..solution import YES_NO, Answer, Solution
-from ..tagging.speech import spoken, words_said
+from ..tagging.speech import spoken
 from ..words import Words
 from .figures import LANGS
 from .ink import inked
 from .inverted import Turned
-from .steps import html
+from .steps import heard, html
 from .type import Faces, words_html
 
 Cells = tuple[str, str, str, str, str]  # value zh, value en, direction zh, direction en, exact
@@ -29,11 +29,6 @@ def names(solution: Solution, faces: Faces) -> tuple[tuple[Words, Words], ...]:
         shown = html(symbol, faces)
         found.append((Words(*(inked(shown.of(lang), ink_of(key, tones)) for lang in LANGS)), heard(symbol)))
     return tuple(found)
-
-
-def heard(words: Words) -> Words:
-    """Words with their symbols, as they are read out."""
-    return Words(*(words_said(words.of(lang), lang) for lang in LANGS))
 
 
 def ways_heard(turns: Sequence[Turned]) -> dict[str, str]:

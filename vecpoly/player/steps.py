@@ -93,7 +93,12 @@ def _listed(listing: Listing, lang: Lang, faces: Faces) -> str:
 
 def said(step: Step) -> Words:
     """The sentence of a step as it is read out; its equation and formulas have words of their own."""
-    return Words(words_said(step.words.zh, "zh"), words_said(step.words.en, "en"))
+    return heard(step.words)
+
+
+def heard(words: Words) -> Words:
+    """Words with their symbols, as they are read out."""
+    return Words(words_said(words.zh, "zh"), words_said(words.en, "en"))
 
 
 def table_said(table: EquationTable, lang: Lang) -> str:
