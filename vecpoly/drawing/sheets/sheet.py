@@ -10,7 +10,7 @@ from ...board.construction import Construction, Figure, View
 from ...errors import VecpolyError
 from ...words import Lang, Words
 from ..details.apart import is_detail
-from ..details.knots import MOST
+from ..details.knots import knots
 from ..scene import Item, Rect, Scene
 from .detailing import arrangements, drawn, loose
 from .packing import Layout
@@ -116,14 +116,15 @@ def sheets(
 
 def _pages(figures: Sequence[Figure], lang: Lang, way: Way, boxed: bool) -> list[Page[Drawn]]:
     """The figures with as many details as need no further sheet, and leave none with little on it if others do not."""
+    most = max((len(knots(figure)) for figure in figures), default=0)
     pages = best_paged(arrangements(figures, lang), way)
-    if pages is not None and len(pages) == 1:
+    if pages is not None and (len(pages) == 1 or not most):
         return pages
     alone = drawn(figures, lang)
     plain = paged(alone, way)
     if plain is None:
         raise _too_large(next(one for one in alone if arranged((one,), way) is None))
-    fewer = (best_paged(arrangements(figures, lang, most), way) for most in range(MOST - 1, 0, -1))
+    fewer = (best_paged(arrangements(figures, lang, some), way) for some in range(most - 1, 0, -1))
     apart = () if boxed else _loose(figures, lang, way)  # a red box may part a full page
     trials = chain((pages,), apart, fewer)
     made = (one for one in trials if one is not None and len(one) <= len(plain))
