@@ -16,7 +16,7 @@ from .detailing import arrangements, drawn, loose
 from .packing import Layout
 from .paging import Drawn, Page, Way, arranged, best_paged, fullness, paged, reading_order, trimmed, under_box
 from .redbox import BAND, red_box
-from .space import FRAME, SPARSE, STRIP, room_inside, usable
+from .space import FRAME, SPARSE, STRIP, is_page, room_inside, usable
 from .titleblock import Strip, furniture
 
 NO_TITLE = Words.same("")
@@ -55,7 +55,7 @@ class Sheet:
     @property
     def plate(self) -> bool:
         """Whether it is lower than a page, to stand in the text."""
-        return self.room not in (room_inside(True), room_inside())
+        return not is_page(self.room)
 
     @property
     def size(self) -> tuple[float, float]:
@@ -201,6 +201,4 @@ def _sheet(group: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang, w
             items.extend(shifted.items)
             placed.append(Placed(part.view, by + part.by, shifted.extents, part.name, len(shifted.items), part.figure))
     sheet = Sheet(tuple(items), tuple(placed), layout.page, strip, lang, warning)
-    if warning is None or layout.page in (room_inside(True), room_inside()):
-        return sheet
-    return replace(sheet, room=(sheet.room[0], sheet.room[1] + BAND))
+    return replace(sheet, room=(sheet.room[0], sheet.room[1] + BAND)) if sheet.plate and warning is not None else sheet
