@@ -112,8 +112,7 @@ def _places(sheet: Sheet, block: Block) -> Iterator[complex]:
 def _items(block: Block, at: complex, step: int) -> tuple[Item, ...]:
     """The block as it stands there after the last step."""
     r = Rect(at.real, at.imag, at.real + block.width, at.imag + block.height)
-    corners = complex(r.x0, r.y0), complex(r.x1, r.y0), complex(r.x1, r.y1), complex(r.x0, r.y1)
     return (
-        Stroke(points=corners, width=THIN, closed=True, layer=Layer.THIN, step=step),
+        Stroke(points=r.corners, width=THIN, closed=True, layer=Layer.THIN, step=step),
         *(TextBox(box=box, x=at.real + x, y=at.imag + y, step=step) for box, x, y in block.boxes),
     )
