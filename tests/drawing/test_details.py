@@ -70,7 +70,7 @@ def square(x: float, y: float, side: float) -> Scene:
 def test_a_detail_stands_clear_of_the_ink_of_its_figure_and_of_other_details(grow: Grow) -> None:
     ell = Scene.of((Stroke(points=(0j, 100 + 0j), width=0.5), Stroke(points=(0j, 80j), width=0.5)))
     details = [(square(500, 0, side), 10 + 10j) for side in (30.0, 25.0, 40.0)]
-    boxes = [one.moved(by).extents for (one, _), by in zip(details, nested(ell, details, grow), strict=True)]
+    boxes = [one.moved(by).extents for (one, _), by in zip(details, nested(ell, details)[grow], strict=True)]
     assert not any(a.grown(WHITE - 1e-6).overlaps(b) for a, b in combinations(boxes, 2))
     for box in boxes:
         assert not any(box.grown(WHITE - 1.0).overlaps(Rect(z.real, z.imag, z.real, z.imag)) for z in _points(ell))
@@ -83,7 +83,7 @@ def _points(scene: Scene) -> list[complex]:
 
 def test_a_detail_stands_in_a_corner_that_its_figure_leaves_free() -> None:
     ell = Scene.of((Stroke(points=(0j, 100 + 0j), width=0.5), Stroke(points=(0j, 80j), width=0.5)))
-    (by,) = nested(ell, [(square(0, 0, 30), 90 + 70j)], Grow.LEAST)
+    (by,) = nested(ell, [(square(0, 0, 30), 90 + 70j)])[Grow.LEAST]
     assert 0 < by.real < 70 and 0 < by.imag < 50
 
 

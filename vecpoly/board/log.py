@@ -24,8 +24,7 @@ from .paper.ink import ends_of, leaves_ink, marks_of
 from .paper.marks import Mark
 from .paper.symbols import Symbol
 from .place import Pane, Place, View, view_of, views
-from .ruler import READABLE
-from .short import FINEST, Short, remarked
+from .short import Short, remarked, too_short
 
 Found = TypeVar("Found", Points, Reals)
 
@@ -67,7 +66,7 @@ class Log:
 
     def weigh(self, letters: str, mm: float, place: Place | None) -> None:
         """Remember a length that is read though it is too short; one that no rule shows is none."""
-        if FINEST <= mm < READABLE:
+        if too_short(mm):
             scale = None if place is None else self.scale_of(place)
             self._short.append(Short(step=len(self.steps), letters=letters, mm=mm, scale=scale))
 

@@ -30,7 +30,12 @@ class Short:
 def is_short(reading: Reading) -> bool:
     """Whether an answer was read off a length that is too short to be measured; one that vanishes is none, nor one that
     was computed and only laid off."""
-    return reading.mm is not None and FINEST <= abs(reading.mm) < READABLE and _read(reading)
+    return reading.mm is not None and too_short(abs(reading.mm)) and _read(reading)
+
+
+def too_short(mm: float) -> bool:
+    """Whether a length shows on a rule, and is too short to be measured with it."""
+    return FINEST <= mm < READABLE
 
 
 def _read(reading: Reading) -> bool:

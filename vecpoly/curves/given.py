@@ -12,7 +12,6 @@ from . import style
 from .over import drive_label
 from .peaks import label_peaks
 from .plot import Plot
-from .record import MM
 
 
 def given_values(
@@ -42,14 +41,13 @@ def given_values(
     at.set_xlim(0.0, float(np.degrees(cycle.period)))
     at.set_ylim(*limit)
     style.degrees_ticks(at, 0.0, float(np.degrees(cycle.period)))
+    lines = [x + 1j * y]
     if level is not None:
         style.line(at, at.get_xlim(), [level] * 2, style.Pen(Dash.DASHED, Hue.GREY, 0.3))
-    lines = [x + 1j * y]
-    if limit[0] < 0 < limit[1]:
-        at.axhline(0.0, color=Hue.GREY.value, linewidth=style.thickness() * MM, zorder=1)
+        lines.append(np.array([complex(spot, level) for spot in at.get_xlim()]))
+    style.zero_line(at, limit)
     style.line(at, x, y, style.PENS[0])
     style.dots(at, [spot for spot, _ in marks], [value for _, value in marks], style.PENS[0].hue)
-    lines += [np.array([complex(spot, level) for spot in at.get_xlim()])] if level is not None else []
     label_peaks(at, lines, [marks], [style.PENS[0].hue], cycle.drive)
     style.text(at, 1.0, foot + room + 2.2, style.axis_label(*label))
     middle = left + (width - left - style.RIGHT) / 2

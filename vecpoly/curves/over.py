@@ -145,17 +145,13 @@ def _panel(cycle: Cycle, at: Any, group: list[Column], limit: tuple[float, float
     at.set_ylim(*limit)
     if drive.unit == "rad":
         style.degrees_ticks(at, phi[0], phi[-1])
-    if limit[0] < 0 < limit[1]:
-        at.axhline(0.0, color=Hue.GREY.value, linewidth=style.thickness() * MM, zorder=1)
+    style.zero_line(at, limit)
     peaks, lines = [], []
     for column, pen in zip(group, pens, strict=True):
-        lines.append(phi + 1j * _values(cycle, column))
-        style.line(at, phi, _values(cycle, column), pen, column.key)
-        spots = (
-            turning(phi, _values(cycle, column), cycle.whole and drive.unit == "rad" and not column.turns)
-            if marks
-            else []
-        )
+        values = _values(cycle, column)
+        lines.append(phi + 1j * values)
+        style.line(at, phi, values, pen, column.key)
+        spots = turning(phi, values, cycle.whole and drive.unit == "rad" and not column.turns) if marks else []
         if column.key.startswith("gamma_"):
             spots = [min(spots, key=lambda spot: spot[1])] if spots else []
         spots = [spot for spot in spots if limit[0] <= spot[1] <= limit[1]]

@@ -83,6 +83,12 @@ def line(at: Any, x: Any, y: Any, pen: Pen, label: str = "_") -> None:
         drawn.set_linestyle((0, tuple(part / pen.width for part in pen.dash.pattern)))
 
 
+def zero_line(at: Any, limit: tuple[float, float]) -> None:
+    """The level of zero in grey, where the axes hold it."""
+    if limit[0] < 0 < limit[1]:
+        at.axhline(0.0, color=Hue.GREY.value, linewidth=thickness() * MM, zorder=1)
+
+
 def dots(at: Any, x: Any, y: Any, hue: Hue, size: float = 1.0, hollow: bool = False) -> None:
     """Small round marks, size in mm across."""
     at.plot(

@@ -14,6 +14,7 @@ from .labels.ground import broken
 from .labels.notes import LEADING, folded, lines
 from .labels.obstacles import Obstacles
 from .labels.placing import Placed, place
+from .labels.want import Spot, Want
 from .labels.wants import unnamed, wants
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
@@ -39,6 +40,28 @@ class Drawing:
         return tuple(label.rect for label in self.labels)
 
 
+@dataclass(frozen=True, slots=True)
+class Bare:
+    """A figure without its lettering: its items, what is to be lettered, and the points without a letter."""
+
+    items: tuple[Item, ...]
+    wanted: tuple[Want, ...]
+    unnamed: tuple[Spot, ...]
+
+    @classmethod
+    def of(cls, figure: Figure, lang: Lang) -> Bare:
+        """Of a figure, with vectors on one line side by side."""
+        marks = beside(figure.view, figure.marks)
+        around = Surroundings.of(figure.view, marks, lang, figure.tones)
+        items = unique(tuple(item for mark in marks for item in draw(mark, around)))
+        return cls(items, wants(figure.view, marks, lang, figure.tones), unnamed(marks))
+
+    @property
+    def extents(self) -> Rect:
+        """The rectangle that the items cover."""
+        return Scene.of(self.items).extents
+
+
 def draw_figure(
     figure: Figure,
     *,
@@ -61,13 +84,9 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
 
     What was drawn last is kept: question, solution, course report and player of one problem draw a figure once.
     """
-    marks = beside(figure.view, figure.marks)
-    around = Surroundings.of(figure.view, marks, lang, figure.tones)
-    items = unique(tuple(item for mark in marks for item in draw(mark, around)))
-    bare = Scene.of(items)
-    sought = wants(figure.view, marks, lang, figure.tones)
-    placed = place(sought, Obstacles.of(items), bare.extents, frame, unnamed(figure.marks))
-    items = broken(items, [label.rect for label in placed])
+    bare = Bare.of(figure, lang)
+    placed = place(bare.wanted, Obstacles.of(bare.items), bare.extents, frame, bare.unnamed)
+    items = broken(bare.items, [label.rect for label in placed])
     lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))
     scene = lettered + Scene.of(caption_items(figure, lettered.extents, lang)) if caption else lettered
     return Drawing(scene, placed, items, lettered.extents)

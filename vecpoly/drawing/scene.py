@@ -92,6 +92,12 @@ class Rect:
         """The middle."""
         return complex((self.x0 + self.x1) / 2, (self.y0 + self.y1) / 2)
 
+    @property
+    def corners(self) -> tuple[complex, complex, complex, complex]:
+        """From the lower left one counter-clockwise."""
+        x0, y0, x1, y1 = self.x0, self.y0, self.x1, self.y1
+        return complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1)
+
     def grown(self, by: float) -> Rect:
         """With a margin all round."""
         return Rect(self.x0 - by, self.y0 - by, self.x1 + by, self.y1 + by)

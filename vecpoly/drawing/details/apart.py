@@ -29,9 +29,12 @@ def detailed(figure: Figure, first: int = 1, most: int = MOST) -> tuple[Figure, 
     marks: Iterable[Mark] = figure.marks
     for knot in found:
         marks = [unlettered(mark, knot) for mark in marks]
-    rings = [mark for knot, name in zip(found, names, strict=True) for mark in _ringed(figure, knot, name)]
-    made = (_detail(figure, knot, name, n) for n, (knot, name) in enumerate(zip(found, names, strict=True), start=1))
-    return (replace(figure, marks=(*marks, *rings)), *made)
+    rings, details = list[Mark](), list[Figure]()
+    for number, (knot, name) in enumerate(zip(found, names, strict=True), start=1):
+        inner = tuple(part for mark in figure.marks for part in within(mark, knot))
+        rings += _ringed(figure, knot, name, inner)
+        details.append(_detail(figure, knot, name, number, inner))
+    return (replace(figure, marks=(*marks, *rings)), *details)
 
 
 def all_detailed(figures: Sequence[Figure], most: int = MOST) -> tuple[tuple[Figure, ...], ...]:
@@ -53,9 +56,8 @@ def numeral(number: int) -> str:
     return ROMAN[number - 1] if number <= len(ROMAN) else f"Ⅻ{chr(ord('a') + number - len(ROMAN) - 1)}"
 
 
-def _detail(figure: Figure, knot: Knot, name: str, number: int) -> Figure:
+def _detail(figure: Figure, knot: Knot, name: str, number: int, inner: tuple[Mark, ...]) -> Figure:
     """The figure of one detail, its ring about the origin, at a scale of its own."""
-    inner = [part for mark in figure.marks for part in within(mark, knot)]
     ring = _circle(0j, knot.radius * knot.factor, inner)
     return replace(
         figure,
@@ -71,10 +73,10 @@ def _named(figure: Figure, number: int) -> str:
     return f"{figure.name} detail {number}".strip()
 
 
-def _ringed(figure: Figure, knot: Knot, name: str) -> tuple[Mark, Mark]:
+def _ringed(figure: Figure, knot: Knot, name: str, inner: Sequence[Mark]) -> tuple[Mark, Mark]:
     """The circle about a knot with its number."""
     at = knot.centre + (knot.radius + 0.1) * _outwards(figure, knot)
-    ring = _circle(knot.centre, knot.radius, [part for mark in figure.marks for part in within(mark, knot)])
+    ring = _circle(knot.centre, knot.radius, inner)
     return ring, Point(at=at, label=name, dot=Dot.NONE, step=ring.step)
 
 

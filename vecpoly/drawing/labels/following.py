@@ -11,18 +11,15 @@ import numpy as np
 
 from ...board.construction import Figure
 from ...words import Lang
-from ..beside import beside
-from ..figure import Drawing, drawing, unique
+from ..figure import Bare, Drawing, drawing
 from ..prices import Around, Places, Row
-from ..scene import Item, Scene
-from ..symbols.marks import Surroundings, draw
+from ..scene import Item
 from .ground import broken
 from .obstacles import Floats, Obstacles
 from .placing import BAD, Placed
 from .rivals import misled_here
 from .spots import spot, spots
 from .want import Want, resized
-from .wants import unnamed, wants
 
 APART, BESIDE = 0.9, 1.5  # mm between two labels one over the other, and side by side
 CLASH = 200.0  # what standing on another label costs
@@ -45,14 +42,11 @@ class Follower:
             self.choice = _chosen(paper)
             if self.size == 1.0:
                 return _together(paper.obstacles, paper.labels)
-        marks = beside(figure.view, figure.marks)
-        around = Surroundings.of(figure.view, marks, self.lang, figure.tones)
-        items = unique(tuple(item for mark in marks for item in draw(mark, around)))
-        sought = wants(figure.view, marks, self.lang, figure.tones)
-        seen = tuple(resized(want, self.size) for want in sought)
-        drawn = Scene.of(items).extents
-        placed = self._follow(_names(sought), Around(Obstacles.of(items), seen, drawn, None, unnamed(marks)))
-        return _together(broken(items, [label.rect for label in placed]), placed)
+        bare = Bare.of(figure, self.lang)
+        seen = tuple(resized(want, self.size) for want in bare.wanted)
+        around = Around(Obstacles.of(bare.items), seen, bare.extents, None, bare.unnamed)
+        placed = self._follow(_names(bare.wanted), around)
+        return _together(broken(bare.items, [label.rect for label in placed]), placed)
 
     def _follow(self, names: list[Name], around: Around) -> tuple[Placed, ...]:
         """Those that may stay first, then the others round them."""

@@ -37,9 +37,7 @@ def misled(want: Want, others: Sequence[Want], unnamed: Sequence[Spot], centre: 
     half = complex(want.width / 2, want.height / 2)
     p, q = want.own
     gap = distance(centre, half, np.append(p, a), np.append(q, b))
-    own, rival = gap[:, 0] - want.radius, (gap[:, 1:] - radius).min(axis=1)
-    result: Floats = WRONG * np.clip((own + DOUBTFUL - rival) / DOUBTFUL, 0.0, 1.0)
-    return result
+    return _cost(gap[:, 0] - want.radius, (gap[:, 1:] - radius).min(axis=1))
 
 
 def misled_here(wanted: Sequence[Want], at: Mapping[int, complex], unnamed: Sequence[Spot]) -> Floats:
@@ -54,7 +52,11 @@ def misled_here(wanted: Sequence[Want], at: Mapping[int, complex], unnamed: Sequ
     gap = distance(centre, half, *np.array(lines, dtype=complex).T) - radius
     alike = (things == things[which, None]) & (things != Thing.OTHER.value)
     others = np.array([[line != wanted[i].own for line in lines] for i in at])
-    own, rival = gap[np.arange(len(which)), which], np.where(alike & others, gap, np.inf).min(axis=1)
+    return _cost(gap[np.arange(len(which)), which], np.where(alike & others, gap, np.inf).min(axis=1))
+
+
+def _cost(own: Floats, rival: Floats) -> Floats:
+    """Of labels so far from what they name and from the nearest other thing, mm."""
     result: Floats = WRONG * np.clip((own + DOUBTFUL - rival) / DOUBTFUL, 0.0, 1.0)
     return result
 

@@ -35,13 +35,10 @@ class Crowded(Sketched):
 
     def at(self, scale: float) -> Size:
         """Width and height at another scale, with the details that are drawn then."""
-        return _sized(self, scale)
+        return _sized(self, scale) if self.knots(scale) else Sketched.at(self, scale)
 
-    def sized(self, scale: float) -> Size:
-        """The same, found anew."""
+    def _sized(self, scale: float) -> Size:
         size, times, knots = Sketched.at(self, scale), self._times(scale), self.knots(scale)
-        if not knots:
-            return size
         across, up = self.around
         corner = self.low * times - complex(across / 2, FOOT * up)
         box = Rect(corner.real, corner.imag, corner.real + size[0], corner.imag + size[1])
@@ -74,7 +71,7 @@ def crowded(one: Sketched, figure: Figure) -> Crowded:
 
 @lru_cache(maxsize=512)
 def _sized(one: Crowded, scale: float) -> Size:
-    return one.sized(scale)
+    return one._sized(scale)
 
 
 @lru_cache(maxsize=512)

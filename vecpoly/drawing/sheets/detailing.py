@@ -28,8 +28,9 @@ def arrangements(figures: Sequence[Figure], lang: Lang, most: int = MOST) -> Ite
     if all(len(one) == 1 for one in apart):
         yield tuple(one for (one,) in apart)
         return
+    placed = [_beside(made, figure) for made, figure in zip(apart, figures, strict=True)]
     for grow in Grow:
-        yield tuple(_beside(made, figure, grow) for made, figure in zip(apart, figures, strict=True))
+        yield tuple(one[grow] for one in placed)
 
 
 def loose(figures: Sequence[Figure], lang: Lang) -> Whole:
@@ -37,12 +38,14 @@ def loose(figures: Sequence[Figure], lang: Lang) -> Whole:
     return tuple(one for made in all_detailed(figures) for one in drawn(made, lang))
 
 
-def _beside(made: Whole, figure: Figure, grow: Grow) -> Drawn:
-    """A figure and its details in their places."""
+def _beside(made: Whole, figure: Figure) -> dict[Grow, Drawn]:
+    """A figure and its details in their places, in whichever direction it may grow."""
     main, *details = made
     if not details:
-        return main
+        return dict.fromkeys(Grow, main)
     shown = [(one.scene, knot.centre) for one, knot in zip(details, knots(figure), strict=False)]
-    ways = nested(main.scene, shown, grow)
-    moved = (replace(one, scene=one.scene.moved(by), by=by) for one, by in zip(details, ways, strict=True))
-    return replace(main, details=tuple(moved))
+    return {grow: replace(main, details=_moved(details, ways)) for grow, ways in nested(main.scene, shown).items()}
+
+
+def _moved(details: Sequence[Drawn], ways: Sequence[complex]) -> Whole:
+    return tuple(replace(one, scene=one.scene.moved(by), by=by) for one, by in zip(details, ways, strict=True))

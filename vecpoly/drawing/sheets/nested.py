@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from itertools import pairwise
 from math import ceil
@@ -79,12 +79,17 @@ class Room:
         return found
 
 
-def nested(scene: Scene, details: Sequence[tuple[Scene, complex]], grow: Grow) -> tuple[complex, ...]:
-    """By how much the scene of each detail, given with the place that it shows, is moved to stand beside the figure."""
+def nested(scene: Scene, details: Sequence[tuple[Scene, complex]]) -> dict[Grow, tuple[complex, ...]]:
+    """By how much the scene of each detail, given with the place that it shows, is moved to stand beside the figure,
+    in whichever direction this may grow."""
     boxes = [one.extents for one, _ in details]
-    room = Room.about(scene.extents, (_spots(item) for item in scene.items), reach_of(boxes))
-    found = [room.put(e, shown, grow) for e, (_, shown) in zip(boxes, details, strict=True)]
-    return tuple(complex(at.x0 - e.x0, at.y0 - e.y0) for at, e in zip(found, boxes, strict=True))
+    bare = Room.about(scene.extents, (_spots(item) for item in scene.items), reach_of(boxes))
+    moved = dict[Grow, tuple[complex, ...]]()
+    for grow in Grow:
+        room = replace(bare, taken=bare.taken.copy())
+        found = [room.put(e, shown, grow) for e, (_, shown) in zip(boxes, details, strict=True)]
+        moved[grow] = tuple(complex(at.x0 - e.x0, at.y0 - e.y0) for at, e in zip(found, boxes, strict=True))
+    return moved
 
 
 def reach_of(boxes: Iterable[Rect]) -> float:

@@ -14,7 +14,7 @@ from ..scene import Rect, Scene
 from .packing import Layout, flat, pack, packed, slicings
 from .redbox import BAND
 from .slicing import Pair, Size
-from .space import SPARSE, room_inside
+from .space import SPARSE, is_page, room_inside
 
 UPRIGHT = 0.04  # of a page's area by which figures must spread wider over one that lies across
 CROWDED = 6.5  # mm of white below which a page is full to the brim
@@ -132,7 +132,7 @@ def trimmed(figures: Sequence[Sized], layout: Layout) -> Layout:
 def under_box(figures: tuple[F, ...], layout: Layout) -> list[Page[F]]:
     """The figures of a page closer together, so that the red box over them covers none, on two pages where one is full;
     as they are on a plate, which is made higher, and where a figure alone leaves no room for the box."""
-    if layout.page not in (room_inside(True), room_inside()):
+    if not is_page(layout.page):
         return [(figures, layout)]
     lower, pairs = (layout.page[0], layout.page[1] - BAND), pairs_of(figures)
     ends = sorted(range(len(figures), 0, -1), key=lambda end: (end < len(figures), (end - 1, end) in pairs))

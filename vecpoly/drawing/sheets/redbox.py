@@ -18,14 +18,10 @@ def red_box(page: Rect, text: str) -> tuple[Item, ...]:
     said = fitted(text, LETTER, box.width - 2 * MARGIN, HEIGHT - 2 * MARGIN)
     at = box.centre - complex(said.width / 2, (said.ascent - said.descent) / 2)
     return (
-        Fill(points=_corners(box), hue=Hue.WHITE, layer=Layer.JOINT),
+        Fill(points=box.corners, hue=Hue.WHITE, layer=Layer.JOINT),
         *(
-            Stroke(points=_corners(one), width=2 * RESULT, hue=Hue.ALARM, closed=True, layer=Layer.JOINT)
+            Stroke(points=one.corners, width=2 * RESULT, hue=Hue.ALARM, closed=True, layer=Layer.JOINT)
             for one in (frame, box)
         ),
         TextBox(box=said, x=at.real, y=at.imag, hue=Hue.ALARM),
     )
-
-
-def _corners(box: Rect) -> tuple[complex, ...]:
-    return complex(box.x0, box.y0), complex(box.x1, box.y0), complex(box.x1, box.y1), complex(box.x0, box.y1)

@@ -10,7 +10,7 @@ import shapely
 
 from ...algebra.formula import Node
 from ...typeset import Box, layout, layout_words
-from ...words import Lang, Words
+from ...words import Words
 from ..scene import Fill, Item, Layer, Rect, Stroke, TextBox
 from ..style import NOTE, THIN
 from .redbox import BAND
@@ -36,9 +36,11 @@ class Block:
 def with_results(sheet: Sheet, attempts: Sequence[Sequence[Node]]) -> Sheet:
     """The sheet with the first of these lists of results for which it has room; as it is where it has room for none."""
     free = _free(sheet)
-    for lines in attempts:
+    title = layout_words(TITLE.of(sheet.lang), NOTE, True)
+    for nodes in attempts:
+        lines = [layout(node, NOTE) for node in nodes]
         for columns in range(1, min(MOST, len(lines)) + 1):
-            block = _block(lines, columns, sheet.lang)
+            block = _block(title, lines, columns)
             if block.width * block.height > SHARE * sheet.room[0] * sheet.room[1]:
                 continue
             if (at := next((at for at in _places(sheet, block) if free.clear(at, block)), None)) is not None:
@@ -73,12 +75,10 @@ def _shape(item: Item) -> shapely.Geometry:
     return shapely.LineString([*points, points[0]] if item.closed else points)
 
 
-def _block(lines: Sequence[Node], columns: int, lang: Lang) -> Block:
+def _block(title: Box, lines: Sequence[Box], columns: int) -> Block:
     """The lines in columns from the top, under a title."""
-    title = layout_words(TITLE.of(lang), NOTE, True)
-    set_ = [layout(line, NOTE) for line in lines]
-    rows = ceil(len(set_) / columns)
-    parts = [set_[n : n + rows] for n in range(0, len(set_), rows)]
+    rows = ceil(len(lines) / columns)
+    parts = [lines[n : n + rows] for n in range(0, len(lines), rows)]
     wide = [max(box.width for box in part) for part in parts]
     high = [max(part[n].ascent for part in parts if n < len(part)) for n in range(rows)]
     deep = [max(part[n].descent for part in parts if n < len(part)) for n in range(rows)]
@@ -112,8 +112,7 @@ def _places(sheet: Sheet, block: Block) -> Iterator[complex]:
 def _items(block: Block, at: complex, step: int) -> tuple[Item, ...]:
     """The block as it stands there after the last step."""
     r = Rect(at.real, at.imag, at.real + block.width, at.imag + block.height)
-    corners = complex(r.x0, r.y0), complex(r.x1, r.y0), complex(r.x1, r.y1), complex(r.x0, r.y1)
     return (
-        Stroke(points=corners, width=THIN, closed=True, layer=Layer.THIN, step=step),
+        Stroke(points=r.corners, width=THIN, closed=True, layer=Layer.THIN, step=step),
         *(TextBox(box=box, x=at.real + x, y=at.imag + y, step=step) for box, x, y in block.boxes),
     )

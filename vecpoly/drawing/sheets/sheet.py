@@ -10,13 +10,13 @@ from ...board.construction import Construction, Figure, View
 from ...errors import VecpolyError
 from ...words import Lang, Words
 from ..details.apart import is_detail
-from ..details.knots import MOST
+from ..details.knots import knots
 from ..scene import Item, Rect, Scene
 from .detailing import arrangements, drawn, loose
 from .packing import Layout
 from .paging import Drawn, Page, Way, arranged, best_paged, fullness, paged, reading_order, trimmed, under_box
 from .redbox import BAND, red_box
-from .space import FRAME, SPARSE, STRIP, room_inside, usable
+from .space import FRAME, SPARSE, STRIP, is_page, room_inside, usable
 from .titleblock import Strip, furniture
 
 NO_TITLE = Words.same("")
@@ -55,7 +55,7 @@ class Sheet:
     @property
     def plate(self) -> bool:
         """Whether it is lower than a page, to stand in the text."""
-        return self.room not in (room_inside(True), room_inside())
+        return not is_page(self.room)
 
     @property
     def size(self) -> tuple[float, float]:
@@ -116,14 +116,15 @@ def sheets(
 
 def _pages(figures: Sequence[Figure], lang: Lang, way: Way, boxed: bool) -> list[Page[Drawn]]:
     """The figures with as many details as need no further sheet, and leave none with little on it if others do not."""
+    most = max((len(knots(figure)) for figure in figures), default=0)
     pages = best_paged(arrangements(figures, lang), way)
-    if pages is not None and len(pages) == 1:
+    if pages is not None and (len(pages) == 1 or not most):
         return pages
     alone = drawn(figures, lang)
     plain = paged(alone, way)
     if plain is None:
         raise _too_large(next(one for one in alone if arranged((one,), way) is None))
-    fewer = (best_paged(arrangements(figures, lang, most), way) for most in range(MOST - 1, 0, -1))
+    fewer = (best_paged(arrangements(figures, lang, some), way) for some in range(most - 1, 0, -1))
     apart = () if boxed else _loose(figures, lang, way)  # a red box may part a full page
     trials = chain((pages,), apart, fewer)
     made = (one for one in trials if one is not None and len(one) <= len(plain))
@@ -200,6 +201,4 @@ def _sheet(group: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang, w
             items.extend(shifted.items)
             placed.append(Placed(part.view, by + part.by, shifted.extents, part.name, len(shifted.items), part.figure))
     sheet = Sheet(tuple(items), tuple(placed), layout.page, strip, lang, warning)
-    if warning is None or layout.page in (room_inside(True), room_inside()):
-        return sheet
-    return replace(sheet, room=(sheet.room[0], sheet.room[1] + BAND))
+    return replace(sheet, room=(sheet.room[0], sheet.room[1] + BAND)) if sheet.plate and warning is not None else sheet

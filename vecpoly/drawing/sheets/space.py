@@ -28,6 +28,11 @@ def room_inside(landscape: bool = False) -> tuple[float, float]:
     return width - 2 * FRAME, height - 2 * FRAME - STRIP
 
 
+def is_page(room: tuple[float, float]) -> bool:
+    """Whether this is the room of an A4 page; that of a plate is lower."""
+    return room in (room_inside(True), room_inside())
+
+
 def slots(n_figures: int) -> tuple[tuple[float, float], ...]:
     """Width and height that the bare lines of each figure should fill, the mechanism first.
 

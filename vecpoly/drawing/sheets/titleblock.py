@@ -61,8 +61,7 @@ def furniture(page: Rect, strip: Strip, lang: Lang, *, blanks: bool = True) -> t
         *([_line(complex(x_half, frame.y0), complex(x_half, y), THIN)] if blanks else []),
         _line(complex(frame.x0, mid), complex(x_bar, mid), THIN),
     ]
-    corners = (complex(frame.x0, frame.y0), complex(x1, frame.y0), complex(x1, frame.y1), complex(frame.x0, frame.y1))
-    border = Stroke(points=corners, width=RESULT, closed=True)
+    border = Stroke(points=frame.corners, width=RESULT, closed=True)
     return (
         border,
         *ruled,
