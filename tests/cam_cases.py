@@ -10,7 +10,7 @@ from typing import Any
 from vecpoly.board.construction import Construction
 from vecpoly.board.hand import hand
 from vecpoly.devices.base import Device, kind_of
-from vecpoly.drawing.sheets.paper import A4Paper
+from vecpoly.drawing.sheets.paper import DrawingPaper
 from vecpoly.methods.devices.plan import construct_device
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.problem.asked.asks import AskNamed
@@ -53,7 +53,7 @@ def _entry(one: Mapping[str, Any], by: str) -> str:
 def drawn(subject: Device, by: str = "exact") -> Construction:
     asks = tuple(AskNamed(rel=named) for named in subject.quantities())
     problem = Problem(id="x", title=Words.same("x"), subject=subject, asks=asks)
-    return construct_device(problem, hand(by), A4Paper())[0]
+    return construct_device(problem, hand(by), DrawingPaper())[0]
 
 
 def agree(subject: Device, within: float = 1e-9) -> Mapping[str, float]:

@@ -13,7 +13,7 @@ from vecpoly.words import Lang
 def laid(name: str, lang: Lang = "zh") -> tuple[Sheet, ...]:
     """The sheets of this problem as its report has them."""
     problem = drawn(name).problem
-    return sheets(drawn(name).construction, lang=lang, title=problem.title, way=problem.orientation, plates=True)
+    return sheets(drawn(name).construction, lang=lang, title=problem.title, on=problem.paper, plates=True)
 
 
 def span(sheet: Sheet) -> tuple[float, float]:

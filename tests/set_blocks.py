@@ -41,6 +41,7 @@ class Paper:
     rules: list[tuple[float, float, float, float]] = field(default_factory=list)
     calls: list[tuple[str, tuple[Any, ...]]] = field(default_factory=list)
     _code: list[str] = field(default_factory=list)
+    _pagesize: tuple[float, float] = (210 * MM, 297 * MM)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):

@@ -62,6 +62,7 @@ _MODULES = (
     "problem.text.held",
     "problem.values.written",
     "problem.gate",
+    "foundation.stock",
     "problem.ranges",
     "problem.problem",
     "check.alarm",

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from .board.hand import Hand
 from .board.otherwise.amended import Amended
 from .check.truth import Truth, truth_of
-from .drawing.sheets.paper import A4Paper
+from .drawing.sheets.paper import DrawingPaper
 from .figures import View, views
 from .methods.desk import Desk
 from .methods.drawing import Drawing, drawing_of
@@ -55,7 +55,7 @@ class Task:
     def draw(self, by: Hand, amended: Amended, sketch: Desk | None = None) -> Drawn:
         """The construction, each figure as large as its place on the sheet allows;
         sketch: of this problem, where there is one."""
-        return self.drawing.draw(self.problem, by, A4Paper(self.problem.orientation), amended, sketch)
+        return self.drawing.draw(self.problem, by, DrawingPaper(self.problem.paper), amended, sketch)
 
 
 def task_of(problem: Problem) -> Task:

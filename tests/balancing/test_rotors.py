@@ -14,7 +14,7 @@ from tests.cam_cases import device, drawn
 from tests.laws import often
 from tests.rotor_cases import CASES, agree, blind, dalby, grade, holes, lumps, planes, two_planes
 from vecpoly.board.hand import hand
-from vecpoly.drawing.sheets.paper import A4Paper
+from vecpoly.drawing.sheets.paper import DrawingPaper
 from vecpoly.methods.devices.plan import construct_device
 from vecpoly.problem.asked.asks import AskNamed
 from vecpoly.problem.load import loads
@@ -46,7 +46,7 @@ def test_a_closing_side_is_as_long_on_paper_as_its_scale_says() -> None:
     asks = tuple(AskNamed(rel=named) for named in subject.quantities())
     scales = Scales({"mu_W": 0.002})
     problem = Problem(id="x", title=Words.same("x"), subject=subject, asks=asks, scales=scales)
-    reading = construct_device(problem, hand("exact"), A4Paper())[0].readings["W_b"]
+    reading = construct_device(problem, hand("exact"), DrawingPaper())[0].readings["W_b"]
     assert reading.mm == near(told) and reading.scalar == near(0.002 * told)
 
 

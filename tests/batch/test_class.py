@@ -17,7 +17,7 @@ from tests.batch.homework import FIVE, TEXT, files, made, made_in_shards, people
 from vecpoly.batch.classwork import Made
 from vecpoly.batch.outputs import outputs
 from vecpoly.batch.register import Register, read_register
-from vecpoly.errors import VecpolyError
+from vecpoly.errors import NotAskedError, VecpolyError
 from vecpoly.solution import solve
 
 
@@ -120,6 +120,11 @@ def test_more_students_than_values_is_refused_before_anything_is_drawn(tmp_path:
     )
     with pytest.raises(VecpolyError, match=r"of 11 sets of values some \d+ pass, for 60 students"):
         made(tmp_path / "hw", people(range(60)), few)
+
+
+def test_a_class_on_other_paper_than_a4_is_refused_for_its_tags_have_their_places_there(tmp_path: Path) -> None:
+    with pytest.raises(NotAskedError, match="take `format` out of `sheet`"):
+        made(tmp_path / "hw", people(range(2)), TEXT.replace("scales: null", "sheet: {format: letter}"))
 
 
 def test_values_are_spread_over_their_ranges(whole: tuple[Path, Made]) -> None:

@@ -23,7 +23,7 @@ from vecpoly.board.paper.marks import Cell
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.check.printed.verdict import Verdict
 from vecpoly.devices.base import Device, kind_of
-from vecpoly.drawing.sheets.paper import A4Paper
+from vecpoly.drawing.sheets.paper import DrawingPaper
 from vecpoly.errors import EquilibriumError, LockedError, ProblemFileError
 from vecpoly.methods.devices.plan import construct_device
 from vecpoly.oracle.devices.registry import device_answers
@@ -116,7 +116,7 @@ def expected(case: str) -> dict[str, complex | float]:
 @pytest.mark.parametrize("case", NUMBERS)
 def test_the_drawing_by_the_exact_hand_agrees_with_the_worked_exercise(case: str) -> None:
     problem = vecpoly.load(case)
-    construction, *_ = construct_device(asking_all(problem.device), hand("exact"), A4Paper())
+    construction, *_ = construct_device(asking_all(problem.device), hand("exact"), DrawingPaper())
     for key, value in expected(case).items():
         reading = construction.readings[key]
         assert (reading.scalar if reading.vector is None else reading.vector) == pytest.approx(value, rel=1e-9), key
@@ -180,7 +180,7 @@ def asking_all(subject: Device) -> Problem:
 
 
 def drawn(subject: Device) -> Construction:
-    return construct_device(asking_all(subject), hand("exact"), A4Paper())[0]
+    return construct_device(asking_all(subject), hand("exact"), DrawingPaper())[0]
 
 
 def agree(subject: Device) -> Construction:

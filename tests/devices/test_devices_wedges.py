@@ -28,7 +28,7 @@ from vecpoly.devices.incline import Incline
 from vecpoly.devices.ring_spring import RingSpring
 from vecpoly.devices.wedge_clamp import WedgeClamp
 from vecpoly.devices.wedges import Wedges
-from vecpoly.drawing.sheets.paper import A4Paper
+from vecpoly.drawing.sheets.paper import DrawingPaper
 from vecpoly.errors import LockedError, ProblemFileError
 from vecpoly.methods.devices.plan import construct_device
 from vecpoly.oracle.devices.registry import device_answers
@@ -56,7 +56,7 @@ def draw(device: Device, by: str = "exact", mu: float | None = None) -> Construc
         asks=tuple(AskNamed(rel=named) for named in device.quantities()),
         scales=Scales({"mu_F": mu} if mu else {}),
     )
-    return construct_device(problem, hand(by), A4Paper())[0]
+    return construct_device(problem, hand(by), DrawingPaper())[0]
 
 
 def read(device: Device, **how: Any) -> dict[str, complex | float]:

@@ -33,7 +33,7 @@ def _laid(name: str, *, plates: bool = True, warned: bool = False) -> tuple[Shee
         return ()
     construction = solution.construction
     shown = replace(construction, warning=SUSPECT) if warned else construction
-    made = sheets(shown, lang="zh", way=solution.problem.orientation, plates=plates)
+    made = sheets(shown, lang="zh", on=solution.problem.paper, plates=plates)
     return concluded(made, solution, "zh")
 
 

@@ -222,6 +222,7 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "target.through": (TRACED, "[20 mm, 60 mm]", "[20 mm, 80 mm]"),
     "target.closed": (TRACED, "closed: yes", "closed: no"),
     "sheet.orientation": (BASE, "orientation: landscape", "orientation: portrait"),
+    "sheet.format": (BASE, "orientation: landscape", "orientation: landscape, format: letter"),
 }
 SPECS: dict[str, type[BaseModel]] = {
     "": ProblemSpec,
@@ -251,7 +252,7 @@ def effects(text: str) -> Iterator[object]:
         yield solution.as_json(), solution.construction.figures
         yield solve(problem, by="exact", repeats=0).warnings
         yield check_problem(problem).answers
-        yield [sheet.landscape for sheet in sheets(solution.construction, way=problem.orientation)]
+        yield [sheet.landscape for sheet in sheets(solution.construction, on=problem.paper)]
     except VecpolyError as error:
         yield str(error)
 

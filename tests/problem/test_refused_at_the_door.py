@@ -178,7 +178,7 @@ def test_a_printed_direction_is_weighed() -> None:
 @pytest.mark.parametrize(("way", "across"), [("portrait", False), ("landscape", True)])
 def test_a_sheet_is_turned_as_the_file_says(way: str, across: bool) -> None:
     solution = solve(loads(changed(("find:", f"sheet: {{orientation: {way}}}\nfind:"))), repeats=0)
-    assert {sheet.landscape for sheet in sheets(solution.construction, way=solution.problem.orientation)} == {across}
+    assert {sheet.landscape for sheet in sheets(solution.construction, on=solution.problem.paper)} == {across}
 
 
 # -- characters and limits --------------------------------------------------------------------------------------

@@ -35,7 +35,7 @@ def border(figure: Figure) -> tuple[float, float]:
 @each(DRAWN)
 def test_every_figure_that_is_to_scale_fits_its_frame(name: str) -> None:
     construction = drawn(name).construction
-    blank, places = frames(construction, drawn(name).solution.problem.orientation)
+    blank, places = frames(construction, drawn(name).solution.problem.paper)
     measured = [(f.view, f.name) for f in construction.figures if to_scale(f) or f.aside or f.view is View.BODY]
     assert sorted((f.view, f.name) for f in blank.figures) == sorted(measured)
     assert sum(len(page.tops) for page in places) == len(blank.figures)

@@ -8,7 +8,7 @@ from typing import Any
 import vecpoly
 from vecpoly.board.candidates import Candidate
 from vecpoly.board.hand import hand
-from vecpoly.drawing.sheets.paper import A4Paper
+from vecpoly.drawing.sheets.paper import DrawingPaper
 from vecpoly.methods.synthesis.plan import construct_design
 from vecpoly.solution import Solution, solve
 
@@ -20,7 +20,7 @@ def posed(kind: str, **data: Any) -> vecpoly.Problem:
 
 def drawn_anyhow(kind: str, **data: Any) -> tuple[Candidate, ...]:
     """What the exact hand finds on paper, be it of any use or not; its pins in mm as they will be."""
-    drawn = construct_design(posed(kind, **data), hand("exact"), A4Paper()).construction
+    drawn = construct_design(posed(kind, **data), hand("exact"), DrawingPaper()).construction
     mu = 1e3 * drawn.figures[0].scale.value
     return tuple(replace(one, pins={key: mu * at for key, at in one.pins.items()}) for one in drawn.candidates)
 

@@ -16,7 +16,7 @@ from ..problem.values.vary import data_of
 from ..variants.pilot import Pilot, pilot
 from ..variants.seeds import Seed
 from ..words import Lang, Words
-from .drawing import Course, drawn, fingerprint, refuse_too_few
+from .drawing import Course, drawn, fingerprint, refuse_other_paper, refuse_too_few
 from .keyed import key_for
 from .printing import printed
 from .register import NAME, Exercise, Part, Register, read_register
@@ -132,6 +132,7 @@ def _bare(problem: Problem) -> Problem:
 
 
 def _pilot(order: Order, problem: Problem) -> Pilot:
+    refuse_other_paper(problem)
     if not problem.ranges:
         return same_for_all(problem)
     seed = order.seed(problem.id, "")

@@ -8,7 +8,8 @@ from math import prod
 from pathlib import Path
 from typing import Any
 
-from ..errors import VecpolyError
+from ..errors import NotAskedError, VecpolyError
+from ..foundation.stock import A4
 from ..grading.key import AnswerKey
 from ..problem.problem import Problem
 from ..variants.apart import Apart, Taken
@@ -124,6 +125,22 @@ def refuse_too_few(problem: Problem, passed: float, students: int) -> None:
             code="too-few",
             numbers={"good": good, "students": students},
         )
+
+
+def refuse_other_paper(problem: Problem) -> None:
+    """Raise NotAskedError where the drawings are not on A4, for which the tags of a class's sheets are placed."""
+    if problem.paper.format == A4:
+        return
+    name = problem.paper.format.name
+    raise NotAskedError(
+        Words(
+            f"题 {problem.id} 用 {name} 图纸，而班级题单的定位标记按 A4 排布；请去掉 sheet 中的 format",
+            f"problem {problem.id} is drawn on {name} paper, and the tags of a class's sheets have their places on A4: "
+            "take `format` out of `sheet`",
+        ),
+        code="not-on-a4",
+        numbers={"problem": problem.id, "format": name},
+    )
 
 
 def _no_variant(course: Course, why: Condition) -> VecpolyError:

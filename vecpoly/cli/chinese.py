@@ -174,6 +174,7 @@ HELP = {
     "Drawings (DXF, SVG, PDF, GGB) named NUMBER_PROBLEM, graded vector by vector.": (
         "作图文件（DXF、SVG、PDF、GGB），命名为 学号_题号，逐个矢量批改。"
     ),
+    "The format of the paper, in place of the problem's own (A4).": ("图纸和报告的幅面，代替题中所写（缺省 A4）。"),
     "In black alone: for examinations, and for printers without colours.": ("只用黑色：用于考试，或无彩色的打印机。"),
     "With a box for one's own answers: right, close, or wrong and why.": (
         "带一个核对自己答案的框：正确、接近，或错误及其原因。"

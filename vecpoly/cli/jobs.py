@@ -4,11 +4,12 @@ what cannot be read is told at the end, and does not stop the others."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import NotAskedError
+from ..foundation.stock import FormatName
 from ..words import Words
 from .errors import Tally
 
@@ -25,6 +26,10 @@ class Job:
     title: Words | None = None
     fields: Mapping[str, str] | None = None
     path: Path | None = None  # of an assignment
+
+    def on(self, paper: FormatName | None) -> Job:
+        """The same on paper of this format, where one is chosen."""
+        return self if paper is None else replace(self, problems=tuple(one.on(paper) for one in self.problems))
 
     @property
     def files(self) -> tuple[Path, ...]:

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 import typer
 
 from ..errors import VecpolyError
+from ..foundation.stock import FormatName
 from ..words import Words
 from .completion import ids
 
@@ -98,6 +99,9 @@ StyleOption = Annotated[
 ]
 PlainOption = Annotated[
     bool, typer.Option("--plain", help="In black alone: for examinations, and for printers without colours.")
+]
+PaperOption = Annotated[
+    FormatName | None, typer.Option("--paper", help="The format of the paper, in place of the problem's own (A4).")
 ]
 OutOption = Annotated[
     Path | None,

@@ -89,7 +89,7 @@ def _svg(scene: Scene, title: Words, lang: Lang) -> str:
 
 def _sheets(solution: Solution, lang: Lang) -> list[str]:
     title = solution.problem.title
-    pages = sheets(solution.construction, lang=lang, title=title, way=solution.problem.orientation)
+    pages = sheets(solution.construction, lang=lang, title=title, on=solution.problem.paper)
     return [to_svg(page.scene, title.of(lang), outlined=True) for page in pages]
 
 

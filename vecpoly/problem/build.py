@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..errors import FaultError
+from ..foundation.stock import ANY_A4, paper_of
 from ..mechanism.model import Drive, Joint, Mechanism
 from ..mechanism.seats import seated
 from ..units.reading import Dim, read
@@ -72,7 +73,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         errata=tuple(spec.errata),
         tables=tables,
         given=_given(bodies, motion, acting),
-        orientation=spec.sheet.orientation if spec.sheet else None,
+        paper=paper_of(spec.sheet.format, spec.sheet.orientation) if spec.sheet else ANY_A4,
         path=path,
         text=tree.text,
         read=tree.files,

@@ -12,6 +12,7 @@ from pathlib import Path
 from ..designs import base as designs
 from ..devices import base as devices
 from ..errors import FaultError, UnknownNameError
+from ..foundation.stock import ANY_A4, paper_of
 from ..names import Named
 from ..words import Words
 from .asked.asks import AskNamed
@@ -98,7 +99,7 @@ def build_by_data(tree: Tree, sort: Sort, path: Path | None = None) -> Problem:
                 *(Datum(symbol=symbol, text=text) for symbol, text in subject.given()),
             )
         ),
-        orientation=spec.sheet.orientation if spec.sheet else None,
+        paper=paper_of(spec.sheet.format, spec.sheet.orientation) if spec.sheet else ANY_A4,
         path=path,
         text=tree.text,
         read=tree.files,

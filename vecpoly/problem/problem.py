@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from ..figures import Mu
 from ..foundation.frozen import FrozenMap
 from ..foundation.slotted import dataclass
+from ..foundation.stock import ANY_A4, FormatName, Paper, paper_of
 from ..mechanism.asked.curvature import Curvature
 from ..mechanism.counterweights import Counterweights
 from ..mechanism.loads import Loads
@@ -92,7 +93,7 @@ class Problem:
     errata: tuple[Words, ...] = ()
     tables: tuple[Path | Held, ...] = ()  # printed tables over the cycle
     given: Given = field(default_factory=Given)
-    orientation: Literal["portrait", "landscape"] | None = None
+    paper: Paper = ANY_A4  # of its drawings and reports
     path: Path | None = None
     text: str = ""  # the file as written, and the files it extends
     read: tuple[Path, ...] = ()  # these files
@@ -110,6 +111,10 @@ class Problem:
             *self.read,
             *(table for table in self.tables if isinstance(table, Path)),
         )
+
+    def on(self, paper: FormatName) -> Problem:
+        """The same problem, drawn and printed on paper of this format: "A4", or "letter"."""
+        return replace(self, paper=paper_of(paper, self.paper.way))
 
     def __post_init__(self) -> None:
         if isinstance(self.subject, Mechanism):

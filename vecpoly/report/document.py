@@ -19,6 +19,7 @@ from ..errors import ArgumentError, NotAskedError, UnknownNameError
 from ..foundation.arguments import known_language, of_kind
 from ..foundation.data import data_dir
 from ..foundation.files import write_whole
+from ..foundation.stock import one_format
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
@@ -112,6 +113,7 @@ def report_bytes(
         keywords=tuple(s.problem.id for s in solutions),
         lang=lang,
         identity="" if stamp else identity([s.problem for s in solutions]),
+        format=one_format(s.problem.paper for s in solutions),
     )
     return saved(story, meta) if stamp is None else ReportDoc(story, meta, stamp).made()[0]
 
@@ -181,8 +183,8 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",
     }
     if style == "question":
-        blank, places = frames(solution.construction, solution.problem.orientation)
-        made = hung(blank, places, lang=lang, title=solution.problem.title)
+        blank, places = frames(solution.construction, solution.problem.paper)
+        made = hung(blank, places, of=solution.problem.paper.format, lang=lang, title=solution.problem.title)
         return common | question(solution, lang, objects) | {"frames": _bound(made, blank, lang, objects)}
     return common | _solved(solution, lang, objects)
 
@@ -218,7 +220,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
 def _pages(construction: Construction, solution: Solution, lang: Lang, objects: Objects) -> list[Any]:
     """The sheets of a construction, each put among the objects of the report."""
     problem = solution.problem
-    loose = sheets(construction, lang=lang, title=problem.title, way=problem.orientation, plates=True)
+    loose = sheets(construction, lang=lang, title=problem.title, on=problem.paper, plates=True)
     made = concluded(loose, solution, lang)
     return _bound(made, construction, lang, objects)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ..foundation.stock import A4, Format
 from ..words import Lang
 
 
@@ -18,6 +19,7 @@ class Metadata:
     creator: str = "vecpoly"
     lang: Lang = "zh"
     identity: str = ""  # what every page carries at its foot; empty where the pages carry something of their own
+    format: Format = A4  # of its pages
 
     @property
     def words(self) -> tuple[str, ...]:

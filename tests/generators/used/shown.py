@@ -65,7 +65,7 @@ def drawn(solution: Solution, rng: np.random.Generator) -> str:
     """Sheets as SVG and DXF, figures as DXF after some step: files that others open, with something in them."""
     construction, lang = solution.construction, _lang(rng)
     step = int(rng.integers(1, len(construction.steps) + 1)) if construction.steps else None
-    made = sheets(construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation)
+    made = sheets(construction, lang=lang, title=solution.problem.title, on=solution.problem.paper)
     for page in made:
         if '"nan' in to_svg(page.scene) or "NaN" in to_svg(page.scene):
             return "a place on the sheet is no number"

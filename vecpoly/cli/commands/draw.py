@@ -14,7 +14,7 @@ from ..errors import Tally, about
 from ..files import STDOUT, put, spared
 from ..jobs import each, problems
 from ..letters import warn_of_letters
-from ..options import HandOption, Lang, LangOption, OutOption, OutsideOption, PlainOption, SeedOption
+from ..options import HandOption, Lang, LangOption, OutOption, OutsideOption, PaperOption, PlainOption, SeedOption
 from ..terminal import warn
 
 if TYPE_CHECKING:
@@ -68,6 +68,7 @@ def draw(
     dpi: Dpi = 150.0,
     step: StepOption = None,
     plain: PlainOption = False,
+    paper: PaperOption = None,
     allow_outside: OutsideOption = False,
 ) -> None:
     """Draw a figure or the sheet as SVG, PNG, PDF or DXF.
@@ -81,7 +82,7 @@ def draw(
     spared(path, FORMATS, found)
     from ...solution import solve
 
-    for problem in found:
+    for problem in found if paper is None else [one.on(paper) for one in found]:
         with tally.job(), about(problem.id):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
             solution = solution.toned({}) if plain else solution
@@ -113,8 +114,8 @@ def _sheets(solution: Solution, lang: Lang) -> tuple[Sheet, ...]:
     from ...drawing.sheets.sheet import sheets
     from ...report.plates.results import concluded
 
-    title, way = solution.problem.title, solution.problem.orientation
-    return concluded(sheets(solution.construction, lang=lang, title=title, way=way), solution, lang)
+    title, paper = solution.problem.title, solution.problem.paper
+    return concluded(sheets(solution.construction, lang=lang, title=title, on=paper), solution, lang)
 
 
 def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:

@@ -25,6 +25,7 @@ from ..options import (
     LangOption,
     OutOption,
     OutsideOption,
+    PaperOption,
     PlainOption,
     SeedOption,
     Style,
@@ -49,6 +50,7 @@ def report(
     seed: SeedOption = 0,
     processes: JobsOption = 1,
     plain: PlainOption = False,
+    paper: PaperOption = None,
     allow_outside: OutsideOption = False,
 ) -> None:
     """Write reports as PDF.
@@ -57,7 +59,7 @@ def report(
     Without -o the files are written here.
     """
     tally = Tally()
-    plan = _plan(jobs(names, tally, allow_outside), output, lang, style)
+    plan = _plan([job.on(paper) for job in jobs(names, tally, allow_outside)], output, lang, style)
     orders = [_Order(job, lang, style, hand, seed, plain, alone=len(plan) == 1) for job, _ in plan]
     waiting = spread(_drawn_up, orders, processes or os.cpu_count() or 1)
     for (_, path), made in zip(progress(plan, Words("写入", "writing")), waiting, strict=True):

@@ -16,10 +16,10 @@ from math import log
 from ...board.construction import View
 from ...board.paper.scales import Sketched, finer, round_up
 from ...board.place import Pane, Place, view_of
+from ...foundation.stock import ANY_A4, Paper
 from .packing import flat, inner, pack, padded
-from .paging import Way, ways_of
 from .slicing import Pair, Size, Slicing
-from .space import CLEAR, HIGHEST, PLATE, SPARSE, room_inside
+from .space import CLEAR, HIGHEST, PLATE, SPARSE, rooms
 
 LEAST, MOST = 0.55, 1.5  # of the usual size: smaller no figure is drawn to save a sheet, larger none to fill one
 USUAL_WIDE, USUAL = 150.0, 100.0  # mm: of a figure that has the width of a page, of another
@@ -31,32 +31,32 @@ LOST = SPARSE + 0.08  # planned share of a page that may turn out too small
 Scales = dict[Place, float]
 
 
-def composed(figures: Sequence[Sketched], given: Mapping[View, float], way: Way = None) -> Scales:
+def composed(figures: Sequence[Sketched], given: Mapping[View, float], on: Paper = ANY_A4) -> Scales:
     """A round scale for each kind of figure that has none given.
 
-    given: scales that stay. The sheets lie as `way` says, or as they hold more. Where one sheet holds the figures and
-    there is one scale to choose, they grow into the white beside their titles.
+    given: scales that stay. on: the paper, which lies as is wished, or as it holds more. Where one sheet holds the
+    figures and there is one scale to choose, they grow into the white beside their titles.
     """
     kinds = {one.of for one in figures if one.of is not None and max(one.size) > 0} - set(given)
     there = {one.of: one.scale for one in figures if one.of is not None}
     known = dict(given)
     start = there | known
     if len(kinds) == 1:
-        grown = _composed(figures, kinds, start, way)
-        if any(Composing(figures, kinds, room_inside(across)).needed(start | grown) == 1 for across in ways_of(way)):
+        grown = _composed(figures, kinds, start, on)
+        if any(Composing(figures, kinds, page).needed(start | grown) == 1 for page in rooms(on)):
             return grown
-    return _composed([replace(one, spare=0.0) for one in figures], kinds, start, way)
+    return _composed([replace(one, spare=0.0) for one in figures], kinds, start, on)
 
 
-def _composed(figures: Sequence[Sketched], kinds: set[Place], there: Scales, way: Way) -> Scales:
+def _composed(figures: Sequence[Sketched], kinds: set[Place], there: Scales, on: Paper) -> Scales:
     """The scales with which the figures fill as few sheets as will do, or a plate."""
     start = there | least_scales(kinds, figures)
-    trials = [Composing(figures, kinds, room_inside(across)) for across in ways_of(way)]
+    trials = [Composing(figures, kinds, page) for page in rooms(on)]
     made = [(trial, found) for trial in trials if (found := trial.grown(start)) is not None]
     if not made:
         return {kind: start[kind] for kind in kinds}
     trial, best = max(made, key=lambda one: (-one[0].needed(one[1]), one[0].filled(one[1])))
-    if way is None and trial.share(best) < LOST:
+    if on.way is None and trial.share(best) < LOST:
         best = _lower(trial, best, start)
     return {kind: best[kind] for kind in kinds}
 

@@ -8,24 +8,24 @@ from dataclasses import replace
 from ...board.construction import View
 from ...board.paper.scales import coarser
 from ...board.place import Place
+from ...foundation.stock import Paper
 from ..details.knots import MOST
 from .composing import Composing, Scales, least_scales, usual
 from .crowding import Crowded
 from .nested import Grow
 from .packing import TIGHT
-from .paging import Way, ways_of
-from .space import room_inside
+from .space import rooms
 
 MOST_COARSER = 1.6  # times: a figure that is read is not made smaller for the sake of details
 
 
-def eased(figures: Sequence[Crowded], best: Scales, given: Mapping[View, float], way: Way) -> Scales:
+def eased(figures: Sequence[Crowded], best: Scales, given: Mapping[View, float], on: Paper) -> Scales:
     """These scales, or coarser ones at which figures that have one sheet have it with their details, too: with all of
     them, or with the worst of each figure; as they are where these would be too small."""
     there = {one.of: one.scale for one in figures if one.of is not None} | dict(given) | best
     if not any(one.knots(there[one.of]) for one in figures if one.of is not None):
         return best
-    pages = [room_inside(across) for across in ways_of(way)]
+    pages = rooms(on)
     alone = [replace(one, most=0) for one in figures]
     if all(Composing(alone, set(best), page, TIGHT).needed(there) > 1 for page in pages):
         return best

@@ -7,14 +7,15 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from operator import or_
-from typing import Generic, Literal, Protocol, TypeVar
+from typing import Generic, Protocol, TypeVar
 
 from ...board.construction import Figure, View
+from ...foundation.stock import ANY_A4, Paper
 from ..scene import Rect, Scene
 from .packing import Layout, flat, pack, packed, slicings
 from .redbox import BAND
 from .slicing import Pair, Size
-from .space import SPARSE, is_page, room_inside
+from .space import SPARSE, is_across, is_page, rooms
 
 UPRIGHT = 0.04  # of a page's area by which figures must spread wider over one that lies across
 CROWDED = 6.5  # mm of white below which a page is full to the brim
@@ -60,7 +61,6 @@ class Drawn:
         return self.extents.width, self.extents.height
 
 
-Way = Literal["portrait", "landscape"] | None
 Page = tuple[tuple[F, ...], Layout]
 Cost = tuple[int, int, int, int, int]
 NOTHING: Cost = (0, 0, 0, 0, 0)
@@ -87,27 +87,22 @@ def _begun(figure: Figure) -> int:
     return min((mark.step for mark in figure.marks), default=0)
 
 
-def paged(drawn: Sequence[F], way: Way = None) -> list[Page[F]] | None:
+def paged(drawn: Sequence[F], on: Paper = ANY_A4) -> list[Page[F]] | None:
     """The figures in order on the best pages, all of them turned alike, this way where one is wished;
     None where one fits no page."""
-    return best_paged((drawn,), way)
+    return best_paged((drawn,), on)
 
 
-def best_paged(variants: Iterable[Sequence[F]], way: Way = None) -> list[Page[F]] | None:
+def best_paged(variants: Iterable[Sequence[F]], on: Paper = ANY_A4) -> list[Page[F]] | None:
     """The same of figures that may be arranged with their details in several ways."""
-    trials = (Paging(drawn, across).best() for drawn in variants for across in ways_of(way))
+    trials = (Paging(drawn, page).best() for drawn in variants for page in rooms(on))
     return min((found for found in trials if found is not None), key=_rank, default=(NOTHING, None))[1]
-
-
-def ways_of(way: Way) -> tuple[bool, ...]:
-    """Whether pages may lie across: upright first."""
-    return (False, True) if way is None else (way == "landscape",)
 
 
 def _rank(found: tuple[Cost, list[Page[F]]]) -> tuple[Cost, float]:
     """The dearer, the later; of equal costs the one over whose pages the figures spread widest."""
     cost, pages = found
-    across = any(layout.page == room_inside(True) for _, layout in pages)
+    across = any(is_across(layout.page) for _, layout in pages)
     return cost, (UPRIGHT if across else 0.0) - fullness(pages)
 
 
@@ -147,8 +142,8 @@ def under_box(figures: tuple[F, ...], layout: Layout) -> list[Page[F]]:
 class Paging(Generic[F]):
     """The figures on pages turned one way; `tied` pairs stand together wherever they fit so."""
 
-    def __init__(self, drawn: Sequence[F], across: bool) -> None:
-        self.drawn, self.page = tuple(drawn), room_inside(across)
+    def __init__(self, drawn: Sequence[F], page: Size) -> None:
+        self.drawn, self.page = tuple(drawn), page
         self.sizes = [one.size for one in self.drawn]
         self.pairs = pairs_of(self.drawn)
         self._slicings = slicings(self.sizes, self.page, self.pairs)
@@ -186,10 +181,10 @@ class Paging(Generic[F]):
         return 1 + torn, torn, round(100 * lacking), int(not natural), int(layout.white < CROWDED)
 
 
-def arranged(drawn: Sequence[Sized], way: Way = None) -> Layout | None:
+def arranged(drawn: Sequence[Sized], on: Paper = ANY_A4) -> Layout | None:
     """All figures on one page, upright or across, as wished or whichever they spread over more widely."""
     sizes, pairs = [one.size for one in drawn], pairs_of(drawn)
-    made = [layout for across in ways_of(way) if (layout := pack(sizes, room_inside(across), tuple(pairs))) is not None]
+    made = [layout for page in rooms(on) if (layout := pack(sizes, page, tuple(pairs))) is not None]
     return max(made, key=lambda one: (one.together, covered(drawn, one)), default=None)
 
 

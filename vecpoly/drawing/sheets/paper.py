@@ -12,24 +12,25 @@ from ...board.paper.extent import extent, figured
 from ...board.paper.marks import FixedGuide, LinkNumber
 from ...board.paper.scales import Sketched
 from ...board.place import Pane, Place
+from ...foundation.stock import ANY_A4, Paper
 from .composing import composed
 from .crowding import crowded
 from .easing import eased
 from .lettering import beside_title, lettered
-from .paging import Way, reading_order
+from .paging import reading_order
 from .slicing import Size
 from .space import room
 
 
 @dataclass(frozen=True, slots=True)
-class A4Paper:
-    """A4 sheets, upright or across; either where neither is wished."""
+class DrawingPaper:
+    """Sheets of this paper, upright or across; either where neither is wished."""
 
-    way: Way = None
+    on: Paper = ANY_A4
 
     def room(self, view: View, count: int = 1) -> Size:
         """What each of so many figures of a kind should fill (mm)."""
-        return room(view, count)
+        return room(view, count, self.on.format)
 
     def compose(
         self, figures: Sequence[Figure], sketched: Mapping[Place, float], given: Mapping[View, float]
@@ -39,7 +40,7 @@ class A4Paper:
         ordered = reading_order(figures)
         bare = [_sketch(one, sketched) for one in ordered]
         detailed = [crowded(one, figure) for one, figure in zip(bare, ordered, strict=True)]
-        return eased(detailed, composed(bare, given, self.way), given, self.way)
+        return eased(detailed, composed(bare, given, self.on), given, self.on)
 
 
 def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:

@@ -8,15 +8,16 @@ from itertools import chain
 
 from ...board.construction import Construction, Figure, View
 from ...errors import VecpolyError
+from ...foundation.stock import A4, ANY_A4, Format, Paper
 from ...words import Lang, Words
 from ..details.apart import is_detail
 from ..details.knots import knots
 from ..scene import Item, Rect, Scene
 from .detailing import arrangements, drawn, loose
 from .packing import Layout
-from .paging import Drawn, Page, Way, arranged, best_paged, fullness, paged, reading_order, trimmed, under_box
+from .paging import Drawn, Page, arranged, best_paged, fullness, paged, reading_order, trimmed, under_box
 from .redbox import BAND, red_box
-from .space import FRAME, SPARSE, STRIP, is_page, room_inside, usable
+from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
 from .titleblock import Strip, furniture
 
 NO_TITLE = Words.same("")
@@ -49,8 +50,8 @@ class Sheet:
 
     @property
     def landscape(self) -> bool:
-        """Whether the paper is an A4 page that lies across."""
-        return self.room == room_inside(True)
+        """Whether it is a whole sheet that lies across."""
+        return is_across(self.room)
 
     @property
     def plate(self) -> bool:
@@ -99,33 +100,33 @@ class Hung:
 
 
 def sheets(
-    construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE, way: Way = None, plates: bool = False
+    construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE, on: Paper = ANY_A4, plates: bool = False
 ) -> tuple[Sheet, ...]:
-    """The figures of a construction on as few A4 sheets as hold them, the mechanism first, each force polygon beside
-    its free body; `way`: portrait or landscape, where one is wished. plates: figures that would be lost on a page
-    stand on a plate of their height.
+    """The figures of a construction on as few sheets as hold them, the mechanism first, each force polygon beside
+    its free body; on: sheets of this paper. plates: figures that would be lost on a page stand on a plate of their
+    height.
 
     Crowded places are drawn apart, enlarged, beside their figures, where that asks for no further sheet. Raises
     VecpolyError where a figure is larger than a sheet.
     """
-    pages = _pages(reading_order(construction.figures), lang, way, construction.warning is not None)
-    if plates and way is None:
+    pages = _pages(reading_order(construction.figures), lang, on, construction.warning is not None)
+    if plates and on.way is None:
         pages = [(group, trimmed(group, layout)) for group, layout in pages]
     return _numbered(pages, construction, lang, title)
 
 
-def _pages(figures: Sequence[Figure], lang: Lang, way: Way, boxed: bool) -> list[Page[Drawn]]:
+def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> list[Page[Drawn]]:
     """The figures with as many details as need no further sheet, and leave none with little on it if others do not."""
     most = max((len(knots(figure)) for figure in figures), default=0)
-    pages = best_paged(arrangements(figures, lang), way)
+    pages = best_paged(arrangements(figures, lang), on)
     if pages is not None and (len(pages) == 1 or not most):
         return pages
     alone = drawn(figures, lang)
-    plain = paged(alone, way)
+    plain = paged(alone, on)
     if plain is None:
-        raise _too_large(next(one for one in alone if arranged((one,), way) is None))
-    fewer = (best_paged(arrangements(figures, lang, some), way) for some in range(most - 1, 0, -1))
-    apart = () if boxed else _loose(figures, lang, way)  # a red box may part a full page
+        raise _too_large(next(one for one in alone if arranged((one,), on) is None), on.format)
+    fewer = (best_paged(arrangements(figures, lang, some), on) for some in range(most - 1, 0, -1))
+    apart = () if boxed else _loose(figures, lang, on)  # a red box may part a full page
     trials = chain((pages,), apart, fewer)
     made = (one for one in trials if one is not None and len(one) <= len(plain))
     first = next(made, plain)
@@ -133,23 +134,23 @@ def _pages(figures: Sequence[Figure], lang: Lang, way: Way, boxed: bool) -> list
     return next((one for one in chain((first,), made) if fullness(one) >= enough), first)
 
 
-def _loose(figures: Sequence[Figure], lang: Lang, way: Way) -> Iterator[list[Page[Drawn]] | None]:
+def _loose(figures: Sequence[Figure], lang: Lang, on: Paper) -> Iterator[list[Page[Drawn]] | None]:
     """With details that need not form a rectangle with their figure, if each is on its page."""
-    pages = paged(loose(figures, lang), way)
+    pages = paged(loose(figures, lang), on)
     firsts = [group[0].name for group, _ in pages or ()]
     if not any(is_detail(name, figure) for name in firsts for figure in figures):
         yield pages
 
 
 def hung(
-    construction: Construction, pages: Sequence[Hung], *, lang: Lang = "zh", title: Words = NO_TITLE
+    construction: Construction, pages: Sequence[Hung], *, of: Format = A4, lang: Lang = "zh", title: Words = NO_TITLE
 ) -> tuple[Sheet, ...]:
-    """The figures of a construction on A4 sheets, in order, each hung up where it is said."""
+    """The figures of a construction on sheets of this format, in order, each hung up where it is said."""
     waiting, made = list(drawn(construction.figures, lang)), list[Page[Drawn]]()
     for page in pages:
         group, waiting = waiting[: len(page.tops)], waiting[len(page.tops) :]
         corners = tuple(top - complex(one.size[0] / 2, one.size[1]) for top, one in zip(page.tops, group, strict=True))
-        made.append((tuple(group), Layout(room_inside(page.landscape), corners, 0.0)))
+        made.append((tuple(group), Layout(room_inside(page.landscape, of), corners, 0.0)))
     return _numbered(made, construction, lang, title)
 
 
@@ -177,15 +178,15 @@ def bound(loose: Sequence[Sheet], names: Sequence[Words]) -> tuple[Sheet, ...]:
     )
 
 
-def _too_large(one: Drawn) -> VecpolyError:
-    size, room = one.scene.extents, usable()
-    name, broad = f"{one.view.name} {one.name}".rstrip(), usable(True)
+def _too_large(one: Drawn, of: Format) -> VecpolyError:
+    size, room = one.scene.extents, usable(of=of)
+    name, broad = f"{one.view.name} {one.name}".rstrip(), usable(True, of)
     return VecpolyError(
         Words(
-            f"图 {name} 连同文字为 {size.width:.0f} × {size.height:.0f} mm，而 A4 图纸可用 {room[0]:.0f} × "
+            f"图 {name} 连同文字为 {size.width:.0f} × {size.height:.0f} mm，而 {of.name} 图纸可用 {room[0]:.0f} × "
             f"{room[1]:.0f} mm（横放 {broad[0]:.0f} × {broad[1]:.0f} mm）；请加大 μ",
             f"the {one.view.name} figure{f' {one.name}' if one.name else ''} measures {size.width:.0f} × "
-            f"{size.height:.0f} mm with its lettering; an A4 sheet holds {room[0]:.0f} × {room[1]:.0f} mm (or "
+            f"{size.height:.0f} mm with its lettering; a sheet ({of.name}) holds {room[0]:.0f} × {room[1]:.0f} mm (or "
             f"{broad[0]:.0f} × {broad[1]:.0f} mm across): choose a larger μ",
         )
     )

@@ -4,8 +4,8 @@ the sheet places figures in them. All in mm."""
 from __future__ import annotations
 
 from ...board.construction import View
+from ...foundation.stock import A4, FORMATS, Format, Paper
 
-A4 = (210.0, 297.0)
 FRAME = 10.0  # paper edge to frame
 STRIP = 16.0  # title strip at the foot, inside the frame
 PLATE, NARROW = 170.0, 118.0  # width of a plate at most and at least: a sheet in the text, as large as its figures
@@ -16,21 +16,31 @@ CAPTION = 15.0  # title and scale under a figure
 LETTERING = 8.0  # what letters may stand out from a figure on each side
 
 
-def usable(landscape: bool = False) -> tuple[float, float]:
+def usable(landscape: bool = False, of: Format = A4) -> tuple[float, float]:
     """Width and height inside frame and strip, with white around."""
-    width, height = room_inside(landscape)
+    width, height = room_inside(landscape, of)
     return width - 2 * CLEAR, height - 2 * CLEAR
 
 
-def room_inside(landscape: bool = False) -> tuple[float, float]:
+def room_inside(landscape: bool = False, of: Format = A4) -> tuple[float, float]:
     """Width and height inside the frame, over the strip."""
-    width, height = reversed(A4) if landscape else A4
+    width, height = of.turned(landscape)
     return width - 2 * FRAME, height - 2 * FRAME - STRIP
 
 
 def is_page(room: tuple[float, float]) -> bool:
-    """Whether this is the room of an A4 page; that of a plate is lower."""
-    return room in (room_inside(True), room_inside())
+    """Whether this is the room of a whole sheet; that of a plate is lower."""
+    return is_across(room) or any(room == room_inside(False, of) for of in FORMATS)
+
+
+def is_across(room: tuple[float, float]) -> bool:
+    """Whether this is the room of a whole sheet that lies across."""
+    return any(room == room_inside(True, of) for of in FORMATS)
+
+
+def rooms(on: Paper) -> tuple[tuple[float, float], ...]:
+    """The room of a sheet of this paper, each way in which it may lie."""
+    return tuple(room_inside(across, on.format) for across in on.ways)
 
 
 def slots(n_figures: int) -> tuple[tuple[float, float], ...]:
@@ -50,13 +60,13 @@ def slots(n_figures: int) -> tuple[tuple[float, float], ...]:
     return ((wide, deep), (half, deep), (half, deep), *slots(n_figures - 3))
 
 
-def room(view: View, count: int = 1) -> tuple[float, float]:
+def room(view: View, count: int = 1, of: Format = A4) -> tuple[float, float]:
     """Width and height (mm) that the bare lines of each of `count` figures of a kind should fill.
 
     The mechanism has the width of a page (so may another kind). A free body stands beside its force polygon, a page
     being two columns wide: one or two pairs a page, half a page high; three pairs a page where there are more.
     """
-    width, height = usable()
+    width, height = usable(of=of)
     wide, half = width - 2 * LETTERING, (width - CLEAR) / 2 - 2 * LETTERING
     rows = 2 if count <= 2 or not view.paired else 3
     deep = (height - (rows - 1) * CLEAR) / rows - CAPTION - LETTERING

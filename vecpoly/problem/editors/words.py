@@ -168,6 +168,7 @@ KEYS = {
     ),
     "PrintedSpec.note": Words("附注", "a note"),
     "SheetSpec.orientation": Words("竖放（portrait）或横放（landscape）", "portrait or landscape"),
+    "SheetSpec.format": Words("图纸幅面：A4 或 letter", "the format of the paper: A4 or letter"),
     "Link.block": Words("滑块，写其铰链字母", "a block, by its one pin"),
     "Link.slot": Words("导杆（槽），写槽所过的铰链", "a slotted link: the pin through which the slot passes"),
     "Link.rod": Words("穿过滑块的直杆，写其铰链", "a straight rod that passes through a block, by its pin"),

@@ -155,7 +155,8 @@ class PrintedSpec(Spec):
 class SheetSpec(Spec):
     """The drawing sheet."""
 
-    orientation: Literal["portrait", "landscape"]
+    orientation: Literal["portrait", "landscape"] | None = None
+    format: Literal["A4", "letter"] | None = None
 
 
 class TargetSpec(Spec):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from ...tagging.tag import Role, Tag, heading_of_row
 from ...tagging.tree import Tree, artifact, tree_of
@@ -14,9 +15,8 @@ from .blocks import Drawing, SheetPage
 from .style import BODY
 
 TITLE_FIELDS = ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期")
-_PAGE = (210.0, 297.0)  # mm
 _LABEL, _BLANK, _ROW = 30.0, 62.0, 11.0  # mm
-_WIDEST = 160.0  # mm of a title
+_WIDEST, _RULE = 160.0, 140.0  # mm of a title, of the rules about it
 
 
 class Cover(SheetPage):
@@ -35,26 +35,27 @@ class Cover(SheetPage):
         """Every line of it is an element, the title the heading of the document."""
         self._page(self.canv, 0.0, 0.0)
 
-    def _page(self, canvas: object, x: float, y: float) -> None:
-        ink, tree = Ink(canvas), tree_of(canvas)
+    def _page(self, canvas: Any, x: float, y: float) -> None:
+        ink, tree, width = Ink(canvas), tree_of(canvas), canvas._pagesize[0]
         for text, em, at, role in (
             (self.kind, 6.2, 247.0, Role.P),
             (self.title, 8.6, 226.0, Role.H1),
             (self.subtitle, 4.4, 213.0, Role.P),
         ):
             ink.under(tree.opener(Tag(role)))
-            _centred(ink, text, em, at, bold=at > 220.0)
-        ink.rule(35 * MM, 237.5 * MM, 140 * MM, 0.9)
-        ink.rule(35 * MM, 206.0 * MM, 140 * MM, 0.45)
+            _centred(ink, text, em, (width / MM / 2, at), bold=at > 220.0)
+        left = (width - _RULE * MM) / 2
+        ink.rule(left, 237.5 * MM, _RULE * MM, 0.9)
+        ink.rule(left, 206.0 * MM, _RULE * MM, 0.45)
         if self.figure is not None:
-            self.figure.wrap(_PAGE[0] * MM, 0.0)
-            width, height = self.figure.size
-            self.figure.draw_bare(canvas, (_PAGE[0] * MM - width) / 2, (147.0 * MM) - height / 2)
-        self._fields(ink, tree)
+            self.figure.wrap(width, 0.0)
+            wide, high = self.figure.size
+            self.figure.draw_bare(canvas, (width - wide) / 2, (147.0 * MM) - high / 2)
+        self._fields(ink, tree, width)
         ink.flush()
 
-    def _fields(self, ink: Ink, tree: Tree) -> None:
-        left, top = (_PAGE[0] - _LABEL - _BLANK) / 2, 34.0 + _ROW * (len(self.fields) - 1)
+    def _fields(self, ink: Ink, tree: Tree, width: float) -> None:
+        left, top = (width / MM - _LABEL - _BLANK) / 2, 34.0 + _ROW * (len(self.fields) - 1)
         for i, (label, value) in enumerate(self.fields):
             y = top - i * _ROW
             ink.under(tree.opener(Tag(Role.P)))
@@ -65,9 +66,9 @@ class Cover(SheetPage):
             ink.box(filled, (left + _LABEL + (_BLANK - filled.width) / 2) * MM, y * MM)
 
 
-def _centred(ink: Ink, text: str, em: float, y: float, *, bold: bool = True) -> None:
+def _centred(ink: Ink, text: str, em: float, at: tuple[float, float], *, bold: bool = True) -> None:
     box = _fit(layout_words(text, em, bold), text, em, _WIDEST, bold)
-    ink.box(box, (_PAGE[0] - box.width) / 2 * MM, y * MM)
+    ink.box(box, (at[0] - box.width / 2) * MM, at[1] * MM)
 
 
 def _fit(box: Box, text: str, em: float, width: float, bold: bool) -> Box:

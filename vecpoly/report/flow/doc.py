@@ -8,7 +8,6 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any
 
-from reportlab.lib.pagesizes import A4, landscape
 from reportlab.platypus.doctemplate import NextPageTemplate, PageTemplate
 from reportlab.platypus.flowables import PageBreak
 from reportlab.platypus.frames import Frame
@@ -23,7 +22,7 @@ from ...typeset.fonts import Face, load
 from ...typeset.words import layout_words
 from .base import Block
 from .contents import page_form, tell_contents
-from .furniture import FOOT, MARGIN, SHEET_FOOT, SMALL, TOTAL, foot, head
+from .furniture import COLUMN, FOOT, MARGIN, SHEET_FOOT, SMALL, TOTAL, beside, foot, head
 from .paging.floating import Floating, template_of
 from .paging.together import HeldTogether, led
 from .style import BODY, GREY
@@ -81,27 +80,34 @@ class ReportDoc(Floating):
         tell_contents(self.story)
         lang = "zh-CN" if metadata.lang == "zh" else "en-GB"
         super().__init__(
-            "", pagesize=A4, leftMargin=MARGIN, rightMargin=MARGIN, topMargin=MARGIN, bottomMargin=MARGIN,
+            "", pagesize=self._size(), leftMargin=MARGIN, rightMargin=MARGIN, topMargin=MARGIN, bottomMargin=MARGIN,
             title=metadata.title, author=metadata.author, subject=metadata.subject or metadata.title,
             creator=metadata.creator, producer="vecpoly", keywords=list(metadata.words), lang=lang,
             invariant=1, pageCompression=1, keepTogetherClass=HeldTogether,
             displayDocTitle=True, pageTemplates=self._templates(),
         )  # fmt: skip
 
+    def _size(self, *, across: bool = False) -> tuple[float, float]:
+        """Width and height of a page, in points."""
+        width, height = self.metadata.format.turned(across)
+        return width * MM, height * MM
+
     def _templates(self) -> list[PageTemplate]:
-        width, height = A4
-        text = Frame(MARGIN, MARGIN, width - 2 * MARGIN, height - 2 * MARGIN, 0, 0, 0, 0, id="text")
+        upright, across = self._size(), self._size(across=True)
+        width, height = upright
+        text = Frame(beside(width), MARGIN, COLUMN, height - 2 * MARGIN, 0, 0, 0, 0, id="text")
         zero = {"leftPadding": 0, "rightPadding": 0, "topPadding": 0, "bottomPadding": 0}
         sheets = [
             PageTemplate(
                 name, [Frame(0, 0, *size, **zero)], onPage=self._foot, onPageEnd=self._stamp_sheet, pagesize=size
             )
-            for name, size in (("portrait", A4), ("landscape", landscape(A4)))
+            for name, size in (("portrait", upright), ("landscape", across))
         ]
         sheets.append(
-            PageTemplate("cover", [Frame(0, 0, *A4, **zero)], onPage=self._cover, onPageEnd=self._stamp_sheet)
+            PageTemplate("cover", [Frame(0, 0, *upright, **zero)], onPage=self._cover, onPageEnd=self._stamp_sheet)
         )
-        return [PageTemplate("text", [text], onPage=self._furniture, onPageEnd=self._stamp_text, pagesize=A4), *sheets]
+        words = PageTemplate("text", [text], onPage=self._furniture, onPageEnd=self._stamp_text, pagesize=upright)
+        return [words, *sheets]
 
     def _furniture(self, canvas: Any, _: Any) -> None:
         """Running header and footer."""

@@ -4,16 +4,23 @@ from __future__ import annotations
 
 from typing import Any
 
+from ...foundation.stock import A4
 from ...tagging.tree import FOOTER, HEADER, artifact
 from ...typeset.box import MM
 from ...typeset.canvas import Ink
 from ...typeset.words import layout_words
 from .style import GREY
 
-MARGIN = 20 * MM
+MARGIN = 20 * MM  # above and below the text; beside it on A4
+COLUMN = A4.width * MM - 2 * MARGIN  # the width of the text, on any paper
 FOOT, SHEET_FOOT = 11 * MM, 4.5 * MM  # of what stands at the foot of a page, and under the frame of a sheet
 SMALL = 8.5 / MM
 TOTAL = "vecpoly-total"  # the form of the number of pages
+
+
+def beside(width: float) -> float:
+    """The white beside the text of a page so wide, in points; a sheet across has that of one upright."""
+    return (width - COLUMN) / 2
 
 
 def head(canvas: Any, title: str) -> None:
@@ -22,8 +29,9 @@ def head(canvas: Any, title: str) -> None:
     canvas.saveState()
     canvas.setFillColorRGB(*GREY)
     ink, box = Ink(canvas), layout_words(title, SMALL)
-    ink.box(box, width - MARGIN - box.width * MM, height - MARGIN + 4 * MM)
-    ink.rule(MARGIN, height - MARGIN + 2.4 * MM, width - 2 * MARGIN, 0.4)
+    left = beside(width)
+    ink.box(box, width - left - box.width * MM, height - MARGIN + 4 * MM)
+    ink.rule(left, height - MARGIN + 2.4 * MM, COLUMN, 0.4)
     with artifact(canvas, HEADER):
         ink.flush()
     canvas.restoreState()
@@ -35,7 +43,7 @@ def foot(canvas: Any, y: float, identity: str, *, numbered: bool = True) -> None
     canvas.setFillColorRGB(*GREY)
     ink, middle = Ink(canvas), canvas._pagesize[0] / 2
     if identity:
-        ink.box(layout_words(identity, SMALL), MARGIN, y)
+        ink.box(layout_words(identity, SMALL), beside(min(canvas._pagesize)), y)
     if numbered:
         number = layout_words(f"{canvas.getPageNumber()} / ", SMALL)
         ink.box(number, middle - number.width * MM, y)

@@ -69,7 +69,7 @@ def _at(study: Study, phi: float, solution: Solution, press: Press) -> Drawn:
 
 
 def _one(solution: Solution, title: Words, where: str, press: Press) -> Drawn:
-    made = sheets(solution.construction, lang=press.lang, title=title, way=solution.problem.orientation, plates=True)
+    made = sheets(solution.construction, lang=press.lang, title=title, on=solution.problem.paper, plates=True)
     return Drawn(where=where, solution=solution, sheets=made, names=tuple(press.sheet() for _ in made))
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from ...foundation.data import data_dir
 from ...foundation.files import write_whole
+from ...foundation.stock import one_format
 from ...project.part import Part
 from ...project.project import Project
 from ...words import Lang, Words
@@ -50,6 +51,7 @@ def project_bytes(
         keywords=(project.id,),
         lang=lang,
         identity=told([project.id], [project.text]),
+        format=one_format(one.problem.paper for one in solutions),
     )
     return saved([*alarms(solutions, lang), *to_flowables(document, objects.named, lang)], meta)
 

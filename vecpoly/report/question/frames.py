@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 from ...board.construction import Construction, Figure, View
 from ...board.paper.extent import bounds, extent
 from ...board.paper.marks import Dot, FixedGuide, Ground, Mark, Point, RackMark, Role, Segment
-from ...drawing.sheets.paging import Way, reading_order
+from ...drawing.sheets.paging import reading_order
 from ...drawing.sheets.sheet import Hung
 from ...drawing.sheets.space import CAPTION, CLEAR, room_inside
+from ...foundation.stock import ANY_A4, Format, Paper
 from ..picture import to_scale
 
 MARGIN = 8.0  # mm that stay free between a figure and its frame
@@ -32,7 +33,7 @@ class _Sheet:
     slim: float
 
 
-def frames(construction: Construction, way: Way = None) -> tuple[Construction, tuple[Hung, ...]]:
+def frames(construction: Construction, on: Paper = ANY_A4) -> tuple[Construction, tuple[Hung, ...]]:
     """The blank sheets: for each figure a frame with what is given in it (fixed pivots, guides, racks), and its place.
 
     All frames of a row have one size, all rows of a sheet one height, and together they fill the sheet: neither the
@@ -41,7 +42,7 @@ def frames(construction: Construction, way: Way = None) -> tuple[Construction, t
     figures = construction.figures
     asked = reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY])
     needs = [_needed(figure) for figure in asked]
-    made = [_best(needs, landscape) for landscape in ((False, True) if way is None else (way == "landscape",))]
+    made = [_best(needs, landscape, on.format) for landscape in on.ways]
     found = min(made, key=_tightness)
     sizes = [size for sheet in found for size in sheet.sizes]
     drawn = tuple(_frame(f, size) for f, size in zip(asked, sizes, strict=True))
@@ -61,24 +62,24 @@ def _needed(figure: Figure) -> Size:
     return wide + 2 * MARGIN, high + 2 * MARGIN
 
 
-def _best(needs: Sequence[Size], landscape: bool) -> list[_Sheet]:
+def _best(needs: Sequence[Size], landscape: bool, of: Format) -> list[_Sheet]:
     """The fewest sheets, in order, with the most ease among these."""
     best: list[list[_Sheet]] = [[]]
     for end in range(1, len(needs) + 1):
         options = [
             [*best[start], sheet]
             for start in range(max(0, end - MOST), end)
-            if (sheet := _sheet(needs[start:end], landscape)) is not None
+            if (sheet := _sheet(needs[start:end], landscape, of)) is not None
         ]
         best.append(min(options, key=_tightness))
     return best[-1]
 
 
-def _sheet(needs: Sequence[Size], landscape: bool) -> _Sheet | None:
+def _sheet(needs: Sequence[Size], landscape: bool, of: Format) -> _Sheet | None:
     """The rows in which these frames are least tight; None where they don't fit. One figure has a sheet to itself
     however little white that leaves round it."""
-    across = int(room_inside(landscape)[0] / (NARROWEST + CLEAR))
-    made = (_in_rows(needs, rows, landscape) for rows in _rows(len(needs)) if max(rows) <= across)
+    across = int(room_inside(landscape, of)[0] / (NARROWEST + CLEAR))
+    made = (_in_rows(needs, rows, landscape, of) for rows in _rows(len(needs)) if max(rows) <= across)
     fitting = (one for one in made if one.ease >= 1 or len(needs) == 1)
     return min(fitting, key=lambda one: _tightness([one]), default=None)
 
@@ -91,8 +92,8 @@ def _rows(count: int) -> Iterator[tuple[int, ...]]:
         yield from ((first, *rest) for rest in _rows(count - first))
 
 
-def _in_rows(needs: Sequence[Size], rows: tuple[int, ...], landscape: bool) -> _Sheet:
-    width, height = room_inside(landscape)
+def _in_rows(needs: Sequence[Size], rows: tuple[int, ...], landscape: bool, of: Format) -> _Sheet:
+    width, height = room_inside(landscape, of)
     down = (height - CLEAR) / len(rows)
     sizes, tops = list[Size](), list[complex]()
     for row, across in enumerate(rows):

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from reportlab.lib.pagesizes import A4
-
 from ...tagging.tree import artifact
 from ...typeset.box import MM
 from ...words import Lang
 from ..flow.base import Block
 from ..flow.blocks import Heading
-from ..flow.furniture import MARGIN
+from ..flow.furniture import COLUMN
 from ..flow.style import Colour
 
 SQUARE = 5.0 * MM
@@ -98,7 +96,7 @@ class Working(Block):
 def working(title: str, need: float, foot: Sequence[Block], lang: Lang) -> list[Block]:
     """Squares (need: in mm) with this at their foot; after them, where it would leave no room on a page."""
     need *= MM
-    if sum(_tall(one, A4[0] - 2 * MARGIN) for one in foot) <= _TALLEST:
+    if sum(_tall(one, COLUMN) for one in foot) <= _TALLEST:
         return [Working(title, need, foot, lang)]
     return [Working(title, need, (), lang), *foot]
 

@@ -179,8 +179,8 @@ def _sheets(study: Study, phi: float, solution: Solution, lang: Lang) -> tuple[S
     where = f"{where}，{note.zh}" if note.zh else where
     zh = f"{title.zh[:-1]}，{where}）" if title.zh.endswith("）") else f"{title.zh}（{where}）"
     en = f"{title.en[:-1]}, {where_en})" if title.en.endswith(")") else f"{title.en} ({where_en})"
-    way = study.problem.orientation
-    return sheets(solution.construction, lang=lang, title=Words(zh, en), way=way, plates=True)
+    paper = study.problem.paper
+    return sheets(solution.construction, lang=lang, title=Words(zh, en), on=paper, plates=True)
 
 
 def _page(study: Study, one: Drawn, sheet: Sheet, lang: Lang) -> SheetPage:
