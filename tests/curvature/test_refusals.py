@@ -124,3 +124,21 @@ def test_velocities_may_be_asked_beside_curvatures() -> None:
     answers = curved(text, "delta_2, v_C").solve(by="exact").answers
     assert answers["delta_2"].drawn == pytest.approx(0.069917463794, abs=1e-11)
     assert answers["v_C"].drawn == pytest.approx(answers["v_C"].exact, rel=1e-9)
+
+
+def test_a_construction_whose_rod_is_pivoted_in_the_pole_is_refused_with_another_that_works() -> None:
+    text = """
+id: t
+title: t
+frame: {A: [112.257635 mm, 46.6130884 mm]}
+links:
+  1: {rod: A}
+  2: {BC: 109.540754 mm}
+  3: {AD: 81.4934239 mm}
+joints: [2 slides in 1 with B 52.2519655 mm left turned -25.7372944 deg, 3 slides on BC of 2 turned 143.639509 deg]
+input: {link: 1, phi: -3.09580893 deg, omega: 3 rad/s}
+branch: []
+method: curvature
+"""
+    with pytest.raises(NotAskedError, match="use construction: euler-savary"):
+        vecpoly.loads(f"{text}construction: hartmann\nfind: [W_2]").solve()

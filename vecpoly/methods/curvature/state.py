@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from cmath import isfinite
 from dataclasses import dataclass, field
 
 from ...board.board import Board
 from ...board.construction import Pane
 from ...board.paper.marks import Dot, Role
-from ...errors import NotAskedError
+from ...errors import DeadPointError, NotAskedError
 from ...mechanism.asked.centres import centre
 from ...mechanism.asked.curvature import inflection_pole
 from ...mechanism.model import FRAME
@@ -107,7 +108,9 @@ class CurvatureFigure:
     # -- marks --------------------------------------------------------------------------------------------------
 
     def letter(self, symbol: str, at: Points, dot: Dot = Dot.POINT) -> Points:
-        """A point is found: it has its letter."""
+        """A point is found: it has its letter. Raises DeadPointError where lines without length lead nowhere."""
+        if not isfinite(complex(nominal(at))):
+            raise DeadPointError(Words(f"${symbol}$ 作不出", f"${symbol}$ is not found"))
         found = self.board.locate(self.pane, symbol, at)
         self.board.plot(self.pane, found, symbol, dot)
         return found
