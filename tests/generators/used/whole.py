@@ -53,7 +53,7 @@ def over_the_cycle(solution: Solution, rng: np.random.Generator) -> str:
             break
     if unsaid := [one.en for one in words if not one.zh or "nan" in one.en]:
         return f"it is said that {unsaid[0]}"
-    return _here(solution, mech) or _closed(turn, keys, mech) or _within(turn, some)
+    return _here(solution, mech) or _closed(turn, keys, mech) or _within(turn, some, mech)
 
 
 def _here(solution: Solution, mech: Mechanism) -> str:
@@ -97,14 +97,15 @@ def _closed(turn: Cycle, keys: list[str], mech: Mechanism) -> str:
     return ""
 
 
-def _within(turn: Cycle, keys: list[str]) -> str:
-    """Every row lies between the lowest and the highest value."""
+def _within(turn: Cycle, keys: list[str], mech: Mechanism) -> str:
+    """Every row lies between the lowest and the highest value, but for the rounding of what is nothing."""
+    floor = natural(mech)
     for key in keys:
         rows, found = turn.real(key), extremes(turn, key)
         rows = rows[np.isfinite(rows)]
         if not rows.size or found.highest is None or found.lowest is None:
             continue
-        spare = AGREE * max(float(np.abs(rows).max()), 1e-9)
+        spare = AGREE * max(float(np.abs(rows).max()), floor.get(turn.info(key).unit, 0.0), 1e-9)
         if rows.max() > found.highest.value + spare or rows.min() < found.lowest.value - spare:
             low, high = found.lowest.value, found.highest.value
             return f"{key} is between {low} and {high}, its rows between {rows.min()} and {rows.max()}"
