@@ -153,4 +153,6 @@ class _Table:
         """Label i at its chosen place."""
         part, at = self.rows[i].of_number(int(self.standing.chosen[i]))
         foot = complex(part.spots.foot[at])
-        return Placed(self.around.wanted[i], complex(part.spots.centre[at]), self.troubles[i], None if isnan(foot.real) else foot)
+        return Placed(
+            self.around.wanted[i], complex(part.spots.centre[at]), self.troubles[i], None if isnan(foot.real) else foot
+        )
