@@ -69,7 +69,9 @@ def place(
         crowded = [i for i, trouble in enumerate(table.troubles) if trouble > BAD]
         if not crowded:
             break
-        table = table.eased({i for i in range(len(wanted)) if any(table.near(i, k) <= around for k in crowded)})
+        sooner = {i for i in range(len(wanted)) if any(table.near(i, k) <= around for k in crowded)}
+        if any(not table.around.wanted[i].farther for i in sooner):
+            table = table.eased(sooner)
     return tuple(table.placed(i) for i in range(len(wanted)))
 
 
