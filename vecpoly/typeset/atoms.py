@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from enum import Enum, auto
 
 from ..algebra.formula import RAISED, Node, Row, Sym, Txt, plain
+from ..foundation.slotted import dataclass
 from .runs import lowered
 
 
