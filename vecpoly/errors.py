@@ -9,10 +9,9 @@ from __future__ import annotations
 import errno
 import re
 from collections.abc import Mapping
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
-from .foundation.slotted import dataclass
 from .limits import FAULTS
 from .words import Words
 

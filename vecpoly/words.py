@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import os
 import re
+from dataclasses import dataclass
 from typing import Literal
-
-from .foundation.slotted import dataclass
 
 Lang = Literal["zh", "en"]
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 
 import numpy as np
 
 from ..errors import AssemblyError
-from ..foundation.slotted import dataclass
 from ..mechanism.gearing import misfit
 from ..mechanism.groups.assur import decompose
 from ..mechanism.groups.mobility import check
