@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterable
-from dataclasses import dataclass
 from math import degrees, isfinite, isnan, nan
 from typing import Any
 
@@ -12,6 +11,7 @@ from .board.construction import LineOfAction, Reading
 from .board.short import TOO_SHORT, about, is_short
 from .check.alarm import Cause, Weighed
 from .check.precision import PLENTY, digits
+from .foundation.slotted import dataclass
 from .names import Key, is_place
 from .words import Lang, Words
 

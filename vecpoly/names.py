@@ -9,11 +9,11 @@ ASCII forms (the textbook's symbol in brackets):
 
 from __future__ import annotations
 
-import re
 from dataclasses import field
 from enum import StrEnum
 
 from .errors import UnknownNameError
+from .foundation.patterns import pattern
 from .foundation.slotted import dataclass
 from .words import Words
 
@@ -198,9 +198,9 @@ def written_unit(unit: str) -> str:
 
 
 _POINT = r"([A-Z][a-z']?)(\d*)"
-_VECTOR = re.compile(rf"^(p|v|a|an|at|ak|ar)_{_POINT}(?:{_POINT})?$")
-_NAMED_POINT = re.compile(r"^p_([A-Z][a-z']?\d*)$")
-_ANGULAR = re.compile(r"^(omega|alpha)_(\w+)$")
+_VECTOR = pattern(rf"^(p|v|a|an|at|ak|ar)_{_POINT}(?:{_POINT})?$")
+_NAMED_POINT = pattern(r"^p_([A-Z][a-z']?\d*)$")
+_ANGULAR = pattern(r"^(omega|alpha)_(\w+)$")
 
 
 def subscripted(letter: str) -> str:

@@ -8,13 +8,13 @@ and what is known of it from elsewhere (`check/truths/`, registered by `@knows`)
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 
 from .board.hand import Hand
 from .board.otherwise.amended import Amended
 from .check.truth import Truth, truth_of
 from .drawing.sheets.paper import DrawingPaper
 from .figures import View, views
+from .foundation.slotted import dataclass
 from .methods.desk import Desk
 from .methods.drawing import Drawing, drawing_of
 from .methods.drawn import Drawn

@@ -12,8 +12,9 @@ from vecpoly.board.paper.marks import Dot, Mark, Point, Role, Vector
 from vecpoly.board.ruler import READABLE
 from vecpoly.drawing.details.apart import all_detailed, detailed, is_detail, numeral
 from vecpoly.drawing.details.knots import FACTORS, FULL, knots
+from vecpoly.drawing.details.room import WHITE, Grow
 from vecpoly.drawing.scene import Fill, Rect, Scene, Stroke
-from vecpoly.drawing.sheets.nested import WHITE, Grow, nested
+from vecpoly.drawing.sheets.nested import nested
 from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.words import Words
 

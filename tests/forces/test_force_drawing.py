@@ -39,8 +39,9 @@ from vecpoly.drawing.backends.pdf import to_pdf
 from vecpoly.drawing.backends.png import to_png
 from vecpoly.drawing.backends.svg import to_svg
 from vecpoly.drawing.figure import draw_figure, drawing
+from vecpoly.drawing.order import reading_order
 from vecpoly.drawing.scene import Fill, Layer, Rect, Scene, Stroke, TextBox
-from vecpoly.drawing.sheets.paging import Drawn, arranged, paged, reading_order
+from vecpoly.drawing.sheets.paging import Drawn, arranged, paged
 from vecpoly.drawing.sheets.sheet import Sheet, sheets
 from vecpoly.drawing.sheets.space import room, usable
 from vecpoly.drawing.style import Dash, Hue

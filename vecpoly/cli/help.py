@@ -11,13 +11,14 @@ from unicodedata import east_asian_width
 
 from typer.core import TyperCommand
 
+from ..foundation.patterns import pattern
 from .chinese import HELP, LABELS
 from .tongue import tongue
 
 _WIDTH = 80
-_LABEL = re.compile("|".join(rf"(?<![\w-]){re.escape(label)}(?!\w)" for label in LABELS))
-_ANY = re.compile(r"\{([^{}]+)\}(\.\.\.)?")  # {FILE...}...
-_EXTRA = re.compile(r"  \[(?P<said>[^\]]*)\]$")
+_LABEL = pattern("|".join(rf"(?<![\w-]){re.escape(label)}(?!\w)" for label in LABELS))
+_ANY = pattern(r"\{([^{}]+)\}(\.\.\.)?")  # {FILE...}...
+_EXTRA = pattern(r"  \[(?P<said>[^\]]*)\]$")
 _SAID = (("required", "必需"), ("env var: ", "环境变量："), ("default: ", "默认 "))
 
 

@@ -110,6 +110,10 @@ class Row:
             Places(want, found.part(slice(n, None)), n, True, around),
         )
 
+    def eased(self, want: Want, around: Around) -> Row:
+        """With the places on a leader that the label has in a crowd; those beside what it names are the same."""
+        return Row(self.near, Row.of(want, around).led)
+
     def of_number(self, k: int) -> tuple[Places, int]:
         """Among which places this one is, and its number there."""
         part = self.led if k >= self.led.first else self.near

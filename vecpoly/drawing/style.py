@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 from typing import assert_never
 
 from ..board.construction import View
 from ..board.paper.marks import Role
 from ..figures.hue import Hue as Hue  # an ink is a part of how a line looks
+from ..foundation.slotted import dataclass
 
 LINK, RESULT, GIVEN, THIN = 0.7, 0.5, 0.35, 0.18
 SYMBOL = 0.35  # outline of joints, grounds, guides

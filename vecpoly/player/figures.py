@@ -10,8 +10,8 @@ from typing import Any
 
 from ..board.construction import Construction, Figure, Place, View
 from ..drawing.figure import caption_items, drawing
+from ..drawing.order import reading_order
 from ..drawing.scene import Item, Rect, Scene
-from ..drawing.sheets.paging import reading_order
 from ..names import written_unit
 from ..words import Lang, Words
 from .ink import UNIT, Ink

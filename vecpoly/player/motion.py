@@ -11,8 +11,8 @@ from itertools import groupby
 from ..board.construction import Construction, Figure, Scale, View
 from ..board.paper.marks import Cell, Note
 from ..drawing.labels.following import Follower
+from ..drawing.order import reading_order
 from ..drawing.scene import Item, Layer, Rect, Scene, TextBox
-from ..drawing.sheets.paging import reading_order
 from ..drawing.style import Hue
 from ..words import Lang
 from .figures import LANGS, MARGIN, box, caption, key_of

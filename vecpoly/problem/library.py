@@ -7,11 +7,12 @@ from pathlib import Path
 
 from ..errors import ProblemFileError
 from ..foundation.data import data_dir
+from ..foundation.patterns import pattern
 from ..foundation.slotted import dataclass
 from ..words import Words
 
-_ID = re.compile(r"^id:\s*['\"]?([\w.\-]+)", re.M)
-_TITLE = re.compile(r"^title:\s*(?:\{\s*zh:\s*(?P<zh>.+?),\s*en:\s*(?P<en>.+?)\s*\}|(?P<one>.+?))\s*$", re.M)
+_ID = pattern(r"^id:\s*['\"]?([\w.\-]+)", re.M)
+_TITLE = pattern(r"^title:\s*(?:\{\s*zh:\s*(?P<zh>.+?),\s*en:\s*(?P<en>.+?)\s*\}|(?P<one>.+?))\s*$", re.M)
 
 
 @dataclass(frozen=True, slots=True)

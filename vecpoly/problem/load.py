@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 from ..errors import ProblemFileError, UnknownNameError
+from ..foundation.patterns import pattern
 from ..limits import EXTENDS
 from ..words import Words
 from .build import build
@@ -17,7 +17,7 @@ from .schema.faults import Place, meant
 from .text.overlay import overlay
 from .text.source import Tree, Value, decoded, parse, read, read_text
 
-PROFILE = re.compile(r"profile of (?P<file>\S.*?) about (?P<about>\S+)")
+PROFILE = pattern(r"profile of (?P<file>\S.*?) about (?P<about>\S+)")
 Seen = tuple[Path | str, ...]  # files, and names that a resolver has
 
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ..foundation.frozen import FrozenMap
+from ..foundation.slotted import dataclass
 from .schema.faults import Faults, Path, Place
 from .schema.marking import KEYS, MarkingSpec
 from .schema.validate import validate

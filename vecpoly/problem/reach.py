@@ -9,12 +9,11 @@ from pathlib import Path
 
 from ..errors import ProblemFileError
 from ..foundation.data import data_dir
+from ..foundation.patterns import pattern
 from ..foundation.slotted import dataclass
 from ..words import Words
 
-_PROBLEM = re.compile(
-    r"""^[\s{"']*(?:id|title|extends|device|synthesis|problems|frame|links|find)["']?\s*[:：]""", re.M
-)
+_PROBLEM = pattern(r"""^[\s{"']*(?:id|title|extends|device|synthesis|problems|frame|links|find)["']?\s*[:：]""", re.M)
 
 
 # a name as written in a problem -> what stands there; None: look for a file

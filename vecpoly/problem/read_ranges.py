@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from decimal import Decimal
 
 from ..errors import FaultError
+from ..foundation.patterns import pattern
 from ..limits import GRID
 from ..units.patterns import NUMBER, SENSE
 from ..units.reading import pure, read
@@ -19,9 +19,9 @@ from .values.slot import Slot
 
 SPAN = r"(\.\.|…|~|～|至)"  # between the ends
 STEP = r"(by|，?步长|，?间隔)"  # before the step
-_FORM = re.compile(rf"\s*(?P<low>.+?)\s*{SPAN}\s*(?P<high>.+?)\s*{STEP}\s*(?P<step>.+?)\s*")
-_PART = re.compile(rf"(?P<number>{NUMBER})\s*(?P<unit>.*)")
-_TURNING = re.compile(rf"\s*{SENSE}$")
+_FORM = pattern(rf"\s*(?P<low>.+?)\s*{SPAN}\s*(?P<high>.+?)\s*{STEP}\s*(?P<step>.+?)\s*")
+_PART = pattern(rf"(?P<number>{NUMBER})\s*(?P<unit>.*)")
+_TURNING = pattern(rf"\s*{SENSE}$")
 _EXAMPLE = "AB: 80 mm .. 120 mm by 5 mm"
 
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from enum import Enum, auto
 
 from ..algebra.formula import RAISED, Node, Row, Sym, Txt, plain
+from ..foundation.patterns import pattern
+from ..foundation.slotted import dataclass
 from .runs import lowered
 
 
@@ -39,7 +39,7 @@ class Atom:
     spaced: bool = False
 
 
-_TOKEN = re.compile(
+_TOKEN = pattern(
     r"(?P<blank>\s+)"
     r"|(?P<number>\d+(?:\.\d+)?(?:[eE][-+]?\d+)?)"
     r"|(?P<word>[A-Za-zµμΩ°℃′″%√]+(?:-[A-Za-z]+)*)"
@@ -53,7 +53,7 @@ _TOKEN = re.compile(
     r"|(?P<comma>[,;，、；:])"
     r"|(?P<han>.)"
 )
-_EXPONENT = re.compile(rf"\^\{{?([-−+]?\w+)\}}?|([{RAISED}]+)")
+_EXPONENT = pattern(rf"\^\{{?([-−+]?\w+)\}}?|([{RAISED}]+)")
 _KINDS = {
     "number": Kind.NUMBER,
     "word": Kind.WORD,
@@ -72,7 +72,7 @@ _AFTER_WHAT_IS_NO_TERM |= {Kind.TIGHT, Kind.DOT, Kind.PREFIX}
 _LETTER_LIKE = {Kind.SYMBOL, Kind.NUMBER, Kind.WORD, Kind.CLOSE}
 _UNITS = frozenset(("m", "mm", "cm", "km", "rad", "s", "ms", "min", "h", "r", "N", "kN", "kg", "g", "t"))
 _UNITS |= {"Hz", "W", "kW", "J", "kJ", "Pa", "kPa", "MPa", "μm"}
-_PARTS = re.compile(r"[·⋅/()^{}²³\d−-]+")
+_PARTS = pattern(r"[·⋅/()^{}²³\d−-]+")
 THIN, MEDIUM, THICK, UNIT, WORD_SPACE = 3 / 18, 4 / 18, 5 / 18, 0.2, 0.25
 
 

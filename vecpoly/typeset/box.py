@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
+
+from ..foundation.slotted import dataclass
 
 MM = 72 / 25.4  # points in a millimetre
 Rgb = tuple[float, float, float]

@@ -7,7 +7,6 @@ that no face has is set as its code point between brackets in the pseudo face `M
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache
 from importlib.resources import files
@@ -16,6 +15,8 @@ from io import BytesIO
 from pathlib import Path
 from struct import unpack_from
 from typing import Any
+
+from ..foundation.slotted import dataclass
 
 
 class Face(StrEnum):

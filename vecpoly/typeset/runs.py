@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from functools import lru_cache
 
 from ..algebra.formula import LOWERED, RAISED
+from ..foundation.patterns import pattern
 from .box import MM, Box, Glyphs, Item, beside, place
 from .fonts import Face, glyph
 
@@ -34,7 +34,7 @@ def run(text: str, face: Face, em: float) -> Box:
     return Box(x, top * em, -bottom * em, tuple(items))
 
 
-_RAISED = re.compile(rf"\^\{{?([-−]?\d+)\}}?|([{RAISED}]+)")
+_RAISED = pattern(rf"\^\{{?([-−]?\d+)\}}?|([{RAISED}]+)")
 _HIGH = str.maketrans({low: high for high, low in zip(RAISED, "0123456789−+", strict=True)} | {"-": "⁻"})
 
 

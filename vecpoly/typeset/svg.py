@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from xml.sax.saxutils import escape
-
 from .box import MM, Box, Item, Rule
 from .fonts import MISSING, Face, missing_text
 
@@ -25,6 +23,8 @@ def svg_group(box: Box, x_mm: float, y_mm: float, fill: str = "black") -> str:
 
 
 def _element(item: Item, x: float, y: float) -> str:
+    from xml.sax.saxutils import escape  # it loads what reads the net: only where a picture is written
+
     if isinstance(item, Rule):
         top = y - item.y - item.height
         corner = f'x="{x + item.x:.3f}" y="{top:.3f}"'

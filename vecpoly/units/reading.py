@@ -7,6 +7,7 @@ import re
 from enum import Enum
 
 from ..errors import FaultError
+from ..foundation.patterns import pattern
 from ..foundation.slotted import dataclass
 from ..limits import LEAST, MOST, MOST_ANGLE, MOST_LENGTH
 from ..words import Words
@@ -82,11 +83,9 @@ class Quantity:
 
 
 _GREATEST: dict[Dim | PerMm, float] = {Dim.ANGLE: MOST_ANGLE, Dim.LENGTH: MOST_LENGTH}
-_NUMBER = re.compile(
-    r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I
-)
-_COMMA = re.compile(r"\s*([+\-−]?\d+)[,，](\d+)")
-_SENSE = re.compile(r"\s*(?:\b(ccw|acw|cw|(?:counter|anti)-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$", re.I)
+_NUMBER = pattern(r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I)
+_COMMA = pattern(r"\s*([+\-−]?\d+)[,，](\d+)")
+_SENSE = pattern(r"\s*(?:\b(ccw|acw|cw|(?:counter|anti)-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$", re.I)
 
 
 def read(text: object, dim: Dim | PerMm) -> Quantity:

@@ -5,17 +5,17 @@ Sums, differences, products, quotients and brackets; nothing else. The units are
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from math import isfinite, pi
 from typing import Any
 
 from ..errors import FaultError
+from ..foundation.patterns import pattern
 from ..foundation.slotted import dataclass
 from ..words import Words
 from .names import plain, unit_of
 
-_TOKEN = re.compile(
+_TOKEN = pattern(
     r"\s*(?:(?P<number>\d+\.?\d*(?:[eE][+\-]?\d+)?)(?:\s*(?P<unit>%|[a-zA-Z°][a-zA-Z°²*/^\d]*))?"
     r"|(?P<name>[^\W\d][\w\-]*(?:\.[\w′']+)+)|(?P<sign>[-+*/()−]))"
 )

@@ -8,7 +8,6 @@ hues, then one of a second series with the same hues and another line; where the
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
@@ -16,15 +15,16 @@ from itertools import chain
 
 from ...figures.hue import TONES
 from ...foundation.frozen import FrozenMap
+from ...foundation.patterns import pattern
 from ...names import ascii_key
 from .marks import Mark, TurnArrow, Vector
 
 HUES = len(TONES)
 MANY = 2 * HUES
-_MOTION = re.compile(r"\b[va][nktr]?_")
-_POINTS = re.compile(r"([A-Z]'?\d*)([A-Z]'?\d*)")
-_JOINT = re.compile(r"R[nt]?('*)_([A-Z]?\d)([A-Z]?\d)\b")
-_PART = re.compile(r"([_,](0|[nt]))+$")
+_MOTION = pattern(r"\b[va][nktr]?_")
+_POINTS = pattern(r"([A-Z]'?\d*)([A-Z]'?\d*)")
+_JOINT = pattern(r"R[nt]?('*)_([A-Z]?\d)([A-Z]?\d)\b")
+_PART = pattern(r"([_,](0|[nt]))+$")
 
 
 @lru_cache(maxsize=4096)

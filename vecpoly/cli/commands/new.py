@@ -9,13 +9,14 @@ from typing import Annotated
 import typer
 
 from ...foundation.files import write_whole
+from ...foundation.patterns import pattern
 from ...words import Words
 from ..files import put
 from ..terminal import say
 from ..tongue import told_in
 
-_ID = re.compile(r"\w[\w.\-]*")
-_ID_LINE = re.compile(r"^id:[ \t]*[\w.\-'\"]+", re.M)
+_ID = pattern(r"\w[\w.\-]*")
+_ID_LINE = pattern(r"^id:[ \t]*[\w.\-'\"]+", re.M)
 _STEM, SCHEMA, _EDITOR = "my-problem", "vecpoly.schema.json", "# yaml-language-server: $schema="
 Like = Annotated[
     str | None,

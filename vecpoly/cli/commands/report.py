@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...errors import NoMethodError, VecpolyError
 from ...foundation.files import is_special
+from ...foundation.slotted import dataclass
 from ...foundation.spread import spread
 from ...words import Words
 from ..errors import Tally, about

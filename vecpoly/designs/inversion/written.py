@@ -11,19 +11,18 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, WithJsonSchema
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...units.reading import Dim, Quantity, read
 from ...words import Words
 from ..place import Carried
 from .plan import On, Position
 
 _PLACE = r"\(\s*(?P<x>[^,()]+?)\s*,\s*(?P<y>[^,()]+?)\s*\)\s*(?P<unit>[a-zA-Z]+)"
-_POINT = re.compile(rf"\s*{_PLACE}\s*")
-_POSED = re.compile(rf"\s*{_PLACE}\s+at\s+(?P<angle>.+?)\s*")
-_POLAR = re.compile(r"\s*(?P<size>[^()]+?)\s+at\s+(?P<angle>.+?)\s*")
-_LEANING = re.compile(
-    r"\s*(?P<angle>.+?)\s+(?P<sign>[+−-])\s*asin\(\s*(?P<one>[^/()]+?)\s*/\s*(?P<two>[^/()]+?)\s*\)\s*"
-)
-_PAIR = re.compile(r"\s*(?P<one>.+?)\s*(?:->|→)\s*(?P<two>.+?)\s*")
+_POINT = pattern(rf"\s*{_PLACE}\s*")
+_POSED = pattern(rf"\s*{_PLACE}\s+at\s+(?P<angle>.+?)\s*")
+_POLAR = pattern(r"\s*(?P<size>[^()]+?)\s+at\s+(?P<angle>.+?)\s*")
+_LEANING = pattern(r"\s*(?P<angle>.+?)\s+(?P<sign>[+−-])\s*asin\(\s*(?P<one>[^/()]+?)\s*/\s*(?P<two>[^/()]+?)\s*\)\s*")
+_PAIR = pattern(r"\s*(?P<one>.+?)\s*(?:->|→)\s*(?P<two>.+?)\s*")
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
 
@@ -13,6 +12,7 @@ from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
 from ...board.paper.marks import Dot, Point, Vector
 from ...board.ruler import READABLE
+from ...foundation.slotted import dataclass
 
 CROWDED = 6.0  # mm: three letters that lie no farther apart than this crowd together
 SPECK = 0.15  # mm: a vector shorter than this is none at 20:1 either

@@ -69,7 +69,9 @@ def place(
         crowded = [i for i, trouble in enumerate(table.troubles) if trouble > BAD]
         if not crowded:
             break
-        table = table.eased({i for i in range(len(wanted)) if any(table.near(i, k) <= around for k in crowded)})
+        sooner = {i for i in range(len(wanted)) if any(table.near(i, k) <= around for k in crowded)}
+        if any(not table.around.wanted[i].farther for i in sooner):
+            table = table.eased(sooner)
     return tuple(table.placed(i) for i in range(len(wanted)))
 
 
@@ -88,10 +90,13 @@ class _Table:
 
     def eased(self, crowded: set[int]) -> _Table:
         """With some of the labels on longer leaders; what the places of the others cost is known."""
-        wanted = tuple(replace(w, farther=True) if i in crowded else w for i, w in enumerate(self.around.wanted))
+        wanted = tuple(
+            replace(want, farther=True) if i in crowded and not want.farther else want
+            for i, want in enumerate(self.around.wanted)
+        )
         around = replace(self.around, wanted=wanted)
         kept = zip(wanted, self.rows, strict=True)
-        return _Table(around, tuple(row if want is row.near.want else Row.of(want, around) for want, row in kept))
+        return _Table(around, tuple(row if want is row.led.want else row.eased(want, around) for want, row in kept))
 
     def near(self, i: int, k: int) -> float:
         """How far apart the middles of two labels stand."""
@@ -150,4 +155,6 @@ class _Table:
         """Label i at its chosen place."""
         part, at = self.rows[i].of_number(int(self.standing.chosen[i]))
         foot = complex(part.spots.foot[at])
-        return Placed(part.want, complex(part.spots.centre[at]), self.troubles[i], None if isnan(foot.real) else foot)
+        return Placed(
+            self.around.wanted[i], complex(part.spots.centre[at]), self.troubles[i], None if isnan(foot.real) else foot
+        )

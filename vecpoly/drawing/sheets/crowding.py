@@ -13,9 +13,9 @@ from ...board.paper.marks import Segment, Vector
 from ...board.paper.scales import Sketched
 from ...foundation.slotted import dataclass
 from ..details.knots import MOST, Crowd, Knot
-from ..scene import Rect
+from ..details.room import Grow, Room, Spots, filled, reach_of, spread
+from ..rect import Rect
 from .lettering import SHORTEST, UNDER
-from .nested import Grow, Room, Spots, filled, reach_of, spread
 from .slicing import Size
 
 LETTERS = 3.0  # mm that letters stand out from the lines of a figure, or from the ring of a detail

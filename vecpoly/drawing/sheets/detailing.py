@@ -9,8 +9,9 @@ from ...board.construction import Figure
 from ...words import Lang
 from ..details.apart import all_detailed
 from ..details.knots import MOST, knots
+from ..details.room import Grow
 from ..figure import draw_figure
-from .nested import Grow, nested
+from .nested import nested
 from .paging import Drawn
 
 Whole = tuple[Drawn, ...]

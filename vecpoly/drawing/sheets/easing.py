@@ -10,9 +10,9 @@ from ...board.paper.scales import coarser
 from ...board.place import Place
 from ...foundation.stock import Paper
 from ..details.knots import MOST
+from ..details.room import Grow
 from .composing import Composing, Scales, least_scales, usual
 from .crowding import Crowded
-from .nested import Grow
 from .packing import TIGHT
 from .space import rooms
 

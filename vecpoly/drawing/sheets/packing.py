@@ -4,8 +4,8 @@ the arrangement with the most even white wins."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from ...foundation.slotted import dataclass
 from .slicing import Pair, Piece, Shape, Size, Slicing, depth
 from .space import HIGHEST, NARROW, PLATE
 from .spreading import spread

@@ -4,7 +4,6 @@ scales fill it."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from math import isclose
 
 from ...board.construction import Figure, View
@@ -12,12 +11,13 @@ from ...board.paper.extent import extent, figured
 from ...board.paper.marks import FixedGuide, LinkNumber
 from ...board.paper.scales import Sketched
 from ...board.place import Pane, Place
+from ...foundation.slotted import dataclass
 from ...foundation.stock import ANY_A4, Paper
+from ..order import reading_order
 from .composing import composed
 from .crowding import crowded
 from .easing import eased
 from .lettering import beside_title, lettered
-from .paging import reading_order
 from .slicing import Size
 from .space import room
 

@@ -7,13 +7,12 @@ over the mass of the linkage.
 
 from __future__ import annotations
 
-import re
-
+from ...foundation.patterns import pattern
 from ...names import Named, Sort
 from ..counterweights import Counterweights
 from ..model import Mechanism
 
-HUNG = re.compile(r"(?:W|theta|m)_c[1-9]\d*[a-z']?|m_c|ratio_c")  # how these keys are written
+HUNG = pattern(r"(?:W|theta|m)_c[1-9]\d*[a-z']?|m_c|ratio_c")  # how these keys are written
 ADDED = Named("m_c", "Σm_c", "kg", sort=Sort.BALANCE)
 SHARE = Named("ratio_c", "Σm_c/Σm", "", sort=Sort.BALANCE)
 

@@ -15,11 +15,11 @@ oscillation, and its extremes; ``power_F``, ``dT_2`` what a load gives and a lin
 
 from __future__ import annotations
 
-import re
 from math import degrees
 from typing import assert_never
 
 from ...errors import DeadPointError
+from ...foundation.patterns import pattern
 from ...foundation.slotted import dataclass
 from ...names import Named, Sort
 from ...words import Words
@@ -28,9 +28,9 @@ from ..machine import Machine, Started, Steady
 from ..model import FRAME, Mechanism, Prismatic
 from .forces import load_symbol
 
-REDUCED = re.compile(r"[JMmF]_e(?:[1-9]\d*[a-z']?)?")  # how these keys are written
+REDUCED = pattern(r"[JMmF]_e(?:[1-9]\d*[a-z']?)?")  # how these keys are written
 
-RUN_KEYS = re.compile(
+RUN_KEYS = pattern(
     r"dW_max|J_F|J_F_areas|phi_(?:max|min|end)|T_cycle|omega_(?:max|min|end|at_\S+)|dT_\w+|power_\w+|t_(?:end|at_\S+)|delta|alpha_0"
 )
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from ...board.hand import Hand
 from ...errors import NoMethodError
+from ...foundation.slotted import dataclass
 from ...mechanism.groups.assur import Group, decompose
 from ...mechanism.model import Mechanism
 from ...words import Words

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...errors import NoMethodError
+from ...foundation.slotted import dataclass
 from ...mechanism.groups.assur import Group
 from ...mechanism.model import FRAME, CamProfile, Contact, Mechanism, Prismatic, Rack, Revolute, Side
 from ...words import Words

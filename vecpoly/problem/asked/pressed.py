@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
-
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.asked.pressure import pressure_quantities
 from ...mechanism.model import Mechanism
 from ...names import Named
@@ -13,7 +12,7 @@ from ..schema.faults import Faults, meant
 from ..schema.models import ProblemSpec
 from ..text.spelling import plain
 
-PRESSED = re.compile(r"(alpha|gamma)(_[A-Z]\w*)?")  # how they are written
+PRESSED = pattern(r"(alpha|gamma)(_[A-Z]\w*)?")  # how they are written
 
 
 def pressed_quantities(spec: ProblemSpec, mech: Mechanism, faults: Faults) -> dict[str, Named]:

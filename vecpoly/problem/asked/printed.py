@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...names import At, Key, Kind, Named, Rel
 from ...units.names import unit_of
 from ...units.reading import Dim, pure, read
@@ -15,7 +15,7 @@ from ..problem import Printed
 from ..schema.models import PrintedSpec
 from .wanted import read_any
 
-_PERCENT = re.compile(r"\s*([-+−]?[\d.]+)\s*[%％]\s*")
+_PERCENT = pattern(r"\s*([-+−]?[\d.]+)\s*[%％]\s*")
 _DIM = {Kind.P: Dim.LENGTH, Kind.V: Dim.SPEED, Kind.OMEGA: Dim.OMEGA, Kind.ALPHA: Dim.ALPHA}
 _MU = {Kind.P: Dim.MU_L, Kind.V: Dim.MU_V, Kind.OMEGA: Dim.MU_V}
 

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import cmath
-import re
 from collections.abc import Iterable
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.model import FRAME, Drive, Joint, Prismatic, Revolute
 from ...units.reading import Dim, Quantity, read
 from ...words import Words
@@ -17,7 +17,7 @@ from ..problem import Datum
 from ..schema.faults import meant
 from ..schema.models import InputSpec
 
-_PAIR = re.compile(rf"({LINK})\s*[-–,]\s*({LINK})")
+_PAIR = pattern(rf"({LINK})\s*[-–,]\s*({LINK})")
 STRAIGHT = 1e-12  # m: pins no farther than this from the guide's line are on it
 
 

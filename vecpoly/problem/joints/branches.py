@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.assembly.statements import Form, Shaped, SideOf, Statement
 from ...mechanism.dimensions.placements import Side
 from ...words import Words
@@ -14,11 +14,11 @@ from ..links.bodies import Bodies
 from ..links.draft import LETTER
 from ..schema.faults import Faults, meant
 
-_BESIDE = re.compile(rf"({LETTER}) (?:is |on the )?(left of|right of|above|below) ({LETTER})({LETTER})?")
-_BESIDE_ZH = re.compile(rf"({LETTER})\s*在\s*({LETTER})({LETTER})?\s*的?\s*(左|右|上|下)(?:方|侧|边|面)?")
+_BESIDE = pattern(rf"({LETTER}) (?:is |on the )?(left of|right of|above|below) ({LETTER})({LETTER})?")
+_BESIDE_ZH = pattern(rf"({LETTER})\s*在\s*({LETTER})({LETTER})?\s*的?\s*(左|右|上|下)(?:方|侧|边|面)?")
 _CORNERS = rf"({LETTER})({LETTER})({LETTER})({LETTER})"
-_SHAPED = re.compile(rf"{_CORNERS}\s*(?:is an? |为|是)?\s*(anti-?parallelogram|parallelogram|反平行四边形|平行四边形)")
-_SHAPED_FIRST = re.compile(rf"(anti-?parallelogram|parallelogram|反平行四边形|平行四边形)\s*{_CORNERS}")
+_SHAPED = pattern(rf"{_CORNERS}\s*(?:is an? |为|是)?\s*(anti-?parallelogram|parallelogram|反平行四边形|平行四边形)")
+_SHAPED_FIRST = pattern(rf"(anti-?parallelogram|parallelogram|反平行四边形|平行四边形)\s*{_CORNERS}")
 BRANCHES = (_BESIDE, _BESIDE_ZH, _SHAPED, _SHAPED_FIRST)  # for editors too
 _SIDES = {
     "left of": Side.LEFT,

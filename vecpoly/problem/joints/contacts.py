@@ -6,6 +6,7 @@ import cmath
 import re
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.model import Circle, Contact, Joint, Prismatic, Rack, Side
 from ...words import Words
 from ..links.bodies import Bodies
@@ -13,7 +14,7 @@ from ..links.draft import LETTER, Draft
 from ..links.guides import LINK
 from ..problem import Shape
 
-_TOUCHES = re.compile(
+_TOUCHES = pattern(
     rf"(?P<a>{LINK}) touches (?P<on>the (?:disc|face) of )?(?P<b>{LINK})(?P<inside> inside)? at (?P<point>{LETTER})"
     r"(?:,? (?P<side>left|right) of the face)?"
 )

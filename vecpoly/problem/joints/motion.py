@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import cmath
-import re
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.model import FRAME, Drive, Joint, Prismatic
 from ...mechanism.travel import travel_words
 from ...names import Kind
@@ -20,7 +20,7 @@ from ..schema.faults import meant
 from ..schema.models import InputSpec, ProblemSpec
 from .between import is_between, read_between
 
-_FROM = re.compile(rf"(.+?)\s+from\s+({LETTER}{LETTER})")
+_FROM = pattern(rf"(.+?)\s+from\s+({LETTER}{LETTER})")
 _CCW, _CW = (1.0, Words("逆时针", "counter-clockwise")), (-1.0, Words("顺时针", "clockwise"))
 _TURNS = {
     **dict.fromkeys(("ccw", "counter-clockwise", "counterclockwise", "逆时针"), _CCW),

@@ -8,6 +8,7 @@ import re
 from dataclasses import replace
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.model import FRAME, Circle, Rack, Rolling, Side
 from ...units.reading import positive
 from ...words import Words
@@ -18,7 +19,7 @@ from ..links.teeth import pressure_angle
 from ..schema.faults import not_on_frame
 
 _SIZE = r"[\d.]+ \w+"  # of the second pitch circle of a stepped gear
-_ROLLS = re.compile(
+_ROLLS = pattern(
     rf"(?P<gear>{LINK}(?: of {_SIZE})?) rolls (?P<how>on|inside|above|below|left of|right of) "
     rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{LINK}(?: of {_SIZE})?)"
     rf"(?:,? (?P<mid>above|below|left|right))? at (?P<point>{LETTER})(?:,? (?P<last>above|below|left|right))?"

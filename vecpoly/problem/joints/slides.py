@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.model import Prismatic
 from ...units.reading import Dim, read
 from ...words import Words
@@ -20,12 +21,12 @@ from ..schema.faults import meant, not_on_link
 from .slide_data import note_aside, note_slide
 
 _ASIDE = rf"(?: with (?P<off>{LETTER}) (?P<offset>.+?) (?P<side>left|right))?"
-_SLIDE = re.compile(
+_SLIDE = pattern(
     rf"(?:(?P<pin>{LETTER}) of )?(?P<block>{LINK}) slides (?:in|on|along) (?P<guide>{GUIDE}){_ASIDE}"
     r"(?: turned (?P<turn>.+))?"
 )
-_THROUGH = re.compile(rf"(?P<guide>{LINK}) passes through (?P<block>{LINK}){_ASIDE}")
-_RUNS = re.compile(rf"(?P<pin>{LETTER}) runs in (?P<guide>{GUIDE})")
+_THROUGH = pattern(rf"(?P<guide>{LINK}) passes through (?P<block>{LINK}){_ASIDE}")
+_RUNS = pattern(rf"(?P<pin>{LETTER}) runs in (?P<guide>{GUIDE})")
 FORMS = (_SLIDE, _THROUGH, _RUNS)  # for editors too
 _SAME = 1e-9  # m
 

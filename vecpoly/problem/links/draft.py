@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import cmath
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.assembly.start import Start
 from ...mechanism.model import Circle, Link, Placement
 from ...words import Words
@@ -19,12 +19,12 @@ if TYPE_CHECKING:
     from ...devices.cams.cam import Cam  # not at once: pydantic, which checks its data, is slow to load
 
 LETTER = r"[A-Z][a-z'′]?"
-ONE = re.compile(LETTER)
-TWO = re.compile(rf"({LETTER})({LETTER})")
+ONE = pattern(LETTER)
+TWO = pattern(rf"({LETTER})({LETTER})")
 CENTRE = r"S\d+[a-z'′]?"  # the centre of mass of a link
 # the ends of a length to a point that is set out: BE, BS2
-PLACED = re.compile(rf"({LETTER}|{CENTRE})({LETTER}|{CENTRE})")
-ANGLE_FROM = re.compile(rf"(.+?) from (line|{LETTER}{LETTER})")
+PLACED = pattern(rf"({LETTER}|{CENTRE})({LETTER}|{CENTRE})")
+ANGLE_FROM = pattern(rf"(.+?) from (line|{LETTER}{LETTER})")
 
 
 @dataclass(frozen=True, slots=True)

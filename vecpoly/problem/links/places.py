@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import cmath
-import re
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.dimensions.placements import ByAngle, ByLengths, ByOffsets, Placement, Side, local
 from ...names import subscripted
 from ...units.reading import Dim, Quantity, positive, read
@@ -16,7 +16,7 @@ from ..text.source import Value
 from .draft import ANGLE_FROM, LETTER, PLACED, Draft, ends_of, ray
 from .starts import is_phased, phased
 
-_SIDE = re.compile(rf"(left|right) of ({LETTER})({LETTER})")
+_SIDE = pattern(rf"(left|right) of ({LETTER})({LETTER})")
 _KEYS = ("along", "at", "left", "right", "angle", "side")
 
 

@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.assembly.start import Start
 from ...mechanism.model import Joint, Prismatic
 from ...mechanism.travel import travel_words
@@ -17,7 +18,7 @@ from ..problem import Shape
 from ..text.source import Value
 from .draft import LETTER, Draft
 
-_FROM = re.compile(rf"(.+?)\s+from\s+({LETTER})({LETTER})")
+_FROM = pattern(rf"(.+?)\s+from\s+({LETTER})({LETTER})")
 
 
 def read_start(draft: Draft, data: Mapping[str, Value]) -> None:

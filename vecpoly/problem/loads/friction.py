@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
-
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.loads import Friction
 from ...mechanism.model import FRAME, Mechanism, Prismatic, Rolling
 from ...words import Words
@@ -13,7 +12,7 @@ from ..schema.faults import Faults, meant
 from ..schema.models import FrictionSpec
 from .how_much_friction import friction_angle, friction_circle, pins_of
 
-_SLIDE = re.compile(r"(\d+[a-z']?)\s*[-–]\s*(\d+[a-z']?)")
+_SLIDE = pattern(r"(\d+[a-z']?)\s*[-–]\s*(\d+[a-z']?)")
 
 
 def read_friction(

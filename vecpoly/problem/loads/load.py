@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.laws.springs import Elastic
 from ...mechanism.loads import Constant, Force, Load, Moment
 from ...mechanism.model import FRAME
@@ -20,9 +21,9 @@ from .lawful import CONSTANT, lawful, read_constant, read_motor
 from .springs import read_spring
 from .thrusts import read_thrust
 
-_NAME = re.compile(r"[A-Z][a-z]?(?:_[A-Za-z0-9]+)?")
+_NAME = pattern(r"[A-Z][a-z]?(?:_[A-Za-z0-9]+)?")
 # keys of reactions, inertia forces and couples, inertias, instant centres, equivalents
-_TAKEN = re.compile(r"R_\w+|[FM]_I\w+|J_\w+|P_\d\w*|[FM]_e(?:\d\w*)?")
+_TAKEN = pattern(r"R_\w+|[FM]_I\w+|J_\w+|P_\d\w*|[FM]_e(?:\d\w*)?")
 UNKNOWN = "?"
 WIDE_UNKNOWN = "？"  # of a Chinese keyboard: between quotes there is no doubt what is meant
 

@@ -5,13 +5,13 @@ Where its equivalent inertia, its flywheel or its motion is asked for, no load n
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from functools import partial
 from math import pi
 from typing import TypeVar
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.asked.counterweights import HUNG
 from ...mechanism.asked.machine import REDUCED, RUN_KEYS
 from ...mechanism.loads import Loads
@@ -27,7 +27,7 @@ from .lawful import CONSTANT
 
 MOST_TURNS = 100.0
 STEADILY = ("steady", "稳定", "稳定运转")
-FORCES = re.compile(r"[A-Z]\w*|eta|h(?:_\w+)?")  # how what an equilibrium gives is written
+FORCES = pattern(r"[A-Z]\w*|eta|h(?:_\w+)?")  # how what an equilibrium gives is written
 Found = TypeVar("Found")
 
 

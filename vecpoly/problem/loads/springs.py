@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.laws.springs import Coil, Elastic, Spring
 from ...mechanism.model import FRAME
 from ...units.reading import Dim, positive, read
@@ -17,8 +18,8 @@ from ..schema.models import LoadSpec
 from .driven import Driven
 from .windows import point_of
 
-_POINTS = re.compile(rf"({LETTER}\d*)\s*[-–,]\s*({LETTER}\d*)")
-_LINKS = re.compile(rf"({LINK})\s*[-–,]\s*({LINK})")
+_POINTS = pattern(rf"({LETTER}\d*)\s*[-–,]\s*({LETTER}\d*)")
+_LINKS = pattern(rf"({LINK})\s*[-–,]\s*({LINK})")
 _ELSEWHERE = ("on", "at", "cylinder", "size", "direction", "between", "during", "motor", "role")
 
 

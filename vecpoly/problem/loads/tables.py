@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from itertools import pairwise
 from math import degrees, pi
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.laws.sizes import Table, Travel
 from ...units.names import plain, unit_of
 from ...units.reading import Dim, positive, pure
@@ -14,7 +14,7 @@ from ...words import Words
 from ..schema.models import TableSpec
 from .driven import Driven
 
-_HEAD = re.compile(r"\s*(.*?)\s*[(（\[/]\s*(.+?)\s*[)）\]]?\s*")
+_HEAD = pattern(r"\s*(.*?)\s*[(（\[/]\s*(.+?)\s*[)）\]]?\s*")
 _SLACK = 1e-6  # of a turn
 
 

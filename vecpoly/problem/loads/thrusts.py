@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
-
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.loads import Force
 from ...units.reading import Dim, read
 from ...words import Words
@@ -14,7 +13,7 @@ from ..problem import Shape
 from ..schema.faults import meant
 from ..schema.models import LoadSpec, TableSpec
 
-_PAIR = re.compile(rf"({LINK})\s*[-–,]\s*({LINK})")
+_PAIR = pattern(rf"({LINK})\s*[-–,]\s*({LINK})")
 
 
 def _barrel_and_rod(one: str, other: str, bodies: Bodies) -> tuple[str, str]:

@@ -6,6 +6,7 @@ import re
 from math import pi
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...mechanism.laws.windows import During, Moving, Turning, Window
 from ...units.reading import Dim, read
 from ...words import Words
@@ -19,14 +20,12 @@ from .driven import Driven
 _WAYS = {"right": 0.0, "up": pi / 2, "left": pi, "down": -pi / 2, "右": 0.0, "上": pi / 2, "左": pi, "下": -pi / 2}
 _CCW = {"ccw": 1, "counter-clockwise": 1, "counterclockwise": 1, "逆时针": 1, "cw": -1, "clockwise": -1, "顺时针": -1}
 _POINT = rf"(?P<point>{LETTER}\d*)"
-_MOVES = re.compile(
+_MOVES = pattern(
     rf"{_POINT}\s*(?:moves\s+(?:to\s+the\s+)?(?P<way>left|right|up|down)|moves\s+along\s+(?P<along>.+)"
     r"|(?:点)?\s*向?(?P<向>[左右上下])(?:运动|移动|移)?|(?:点)?\s*沿\s*(?P<沿>.+?)\s*(?:方向)?(?:运动|移动)?)"
 )
-_TURNS = re.compile(
-    rf"(?:link\s+|构件\s*)?(?P<link>{LINK})\s*(?:turns\s+)?(?P<sense>{'|'.join(_CCW)})(?:方向)?(?:转动)?"
-)
-_PART = re.compile(r"\s*(\d+\.?\d*|\.\d+)\s*([%％]?)\s*")
+_TURNS = pattern(rf"(?:link\s+|构件\s*)?(?P<link>{LINK})\s*(?:turns\s+)?(?P<sense>{'|'.join(_CCW)})(?:方向)?(?:转动)?")
+_PART = pattern(r"\s*(\d+\.?\d*|\.\d+)\s*([%％]?)\s*")
 
 
 def read_windows(spec: LoadSpec, bodies: Bodies, driven: Driven) -> tuple[Window, ...]:

@@ -3,19 +3,19 @@ Told, with its place, and not refused."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from math import pi, tan
 
 from ...errors import FaultError
+from ...foundation.patterns import pattern
 from ...limits import ROUGH, UNSURE_ANGLE
 from ...units.reading import Dim, read
 from ...words import Words
 from ..text.source import PROSE, Tree, Value
 from .faults import Path, dotted
 
-_RADIANS = re.compile(r"(?<![\w.])[-+−]?(\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*(?:rad|弧度)(?![\w/*^·²])")
-_COEFFICIENT = re.compile(r"f\d*|f_\w+")
+_RADIANS = pattern(r"(?<![\w.])[-+−]?(\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*(?:rad|弧度)(?![\w/*^·²])")
+_COEFFICIENT = pattern(r"f\d*|f_\w+")
 
 
 def warnings_of(tree: Tree) -> tuple[Words, ...]:

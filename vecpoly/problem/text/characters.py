@@ -7,13 +7,13 @@ so they are refused, with their column.
 
 from __future__ import annotations
 
-import re
 import unicodedata
 
 from ...errors import ProblemFileError
+from ...foundation.patterns import pattern
 from ...words import Words
 
-_UNWANTED = re.compile(
+_UNWANTED = pattern(
     "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\xad\u0600-\u0605\u061c\u06dd\u070f\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ud800-\udfff\ufeff\ufff9-\ufffb\ufdd0-\ufdef\ufffe\uffff\U000e0000-\U000e0fff]"
 )
 

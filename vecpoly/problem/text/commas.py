@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from typing import Any
 
+from ...foundation.patterns import pattern
 from ...words import Words
 
-_WHOLE = re.compile(r"[+\-−]?\d+")
-_NUMBER = re.compile(r"[+\-−]?\.?\d")
+_WHOLE = pattern(r"[+\-−]?\d+")
+_NUMBER = pattern(r"[+\-−]?\.?\d")
 
 
 def parted(value: Any, key: Any) -> str | None:

@@ -3,15 +3,15 @@ which full-width signs are its punctuation, and which belong to a text in it."""
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
+from ...foundation.patterns import pattern
 from .signs import CLOSING, FILES, OPENING, PAIRS, QUOTES, ROUND, TEXTS, narrow, remedy, squared
 
 Signs = list[tuple[str, int]]
-_NEXT_KEY = re.compile(r"[ \u3000]*(zh|en|note)[ \u3000]*[:：]")
-_NEXT_FIELD = re.compile(r"[ \u3000]*\w{1,8}[ \u3000]*[:：]")
-_WORD = re.compile(r"[\w.'′＿．－/／-]+")
+_NEXT_KEY = pattern(r"[ \u3000]*(zh|en|note)[ \u3000]*[:：]")
+_NEXT_FIELD = pattern(r"[ \u3000]*\w{1,8}[ \u3000]*[:：]")
+_WORD = pattern(r"[\w.'′＿．－/／-]+")
 
 
 @dataclass(slots=True)

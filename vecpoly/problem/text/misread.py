@@ -6,12 +6,13 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from ...foundation.patterns import pattern
 from ...foundation.slotted import dataclass
 from ...words import Words
 
 _CLOSER = {"{": "}", "[": "]"}
-_KEY_WITHOUT_SPACE = re.compile(r"\s*(?:- )?([\w.'-]+):(\S.*)")
-_TOP_KEY = re.compile(r"[A-Za-z_]\w*\s*:")
+_KEY_WITHOUT_SPACE = pattern(r"\s*(?:- )?([\w.'-]+):(\S.*)")
+_TOP_KEY = pattern(r"[A-Za-z_]\w*\s*:")
 _FALLBACK = Words(
     "此处不符合 YAML 语法；请检查缩进、冒号后的空格，以及括号与引号是否成对",
     "this is no valid YAML; check the indentation, the space behind each colon, and that brackets and "

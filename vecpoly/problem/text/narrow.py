@@ -7,16 +7,16 @@ that YAML wants behind a colon; `Narrowed.column` counts it out again.
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, field
 
 from ...errors import Fault, Place, ProblemFileError
+from ...foundation.patterns import pattern
 from ...words import Words
 from .flow import Flow
 from .signs import FILES, OPENING, PAIRS, QUOTES, ROUND, TEXTS, WIDE, narrow, remedy, squared
 
-_KEY = re.compile(r"([\w.'′＿．－/／-]+)[ \u3000]*(:(?=[ \u3000]|$)|：)[ \u3000]*")
-_DASH = re.compile(r"-(?= |$) *")
+_KEY = pattern(r"([\w.'′＿．－/／-]+)[ \u3000]*(:(?=[ \u3000]|$)|：)[ \u3000]*")
+_DASH = pattern(r"-(?= |$) *")
 
 
 @dataclass(slots=True)

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 from ...errors import Fault, Place, ProblemFileError
+from ...foundation.patterns import pattern
 from ...words import Words
 from .misread import misread
 from .narrow import Narrowed
 
 _SHORT = 50_000  # signs; a problem file has a few thousand
-_NESTING = re.compile(r"[\[{]|[-?:] ")  # what opens another level, in a line
+_NESTING = pattern(r"[\[{]|[-?:] ")  # what opens another level, in a line
 _NESTED = 2_000
 
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 
-WIDE = re.compile("[\u3000-\u3002\u3008-\u3011\uff01-\uff5e“”‘’]")
+from ...foundation.patterns import pattern
+
+WIDE = pattern("[\u3000-\u3002\u3008-\u3011\uff01-\uff5e“”‘’]")
 # words for people: kept as written
 TEXTS = frozenset({"title", "source", "statement", "errata", "note", "zh", "en", "title_block"})
 FILES = frozenset({"extends", "tables", "problem", "problems"})  # names of files, which may hold any letter
@@ -13,7 +15,7 @@ CLOSING = {"}": "}", "]": "]", "｝": "}", "］": "]", "】": "]"}
 QUOTES = {"“": "”", "”": "”", "＂": "＂"}
 # keys of two components, which may stand in parentheses
 PAIRS = frozenset({"frame", "guesses", "velocity", "acceleration"})
-ROUND = re.compile(r"[(（][^(){}（）\[\],，]+[,，][^(){}（）\[\],，]+[)）](?=[ \u3000]*(?:[,，}｝\]］】]|#|$))", re.M)
+ROUND = pattern(r"[(（][^(){}（）\[\],，]+[,，][^(){}（）\[\],，]+[)）](?=[ \u3000]*(?:[,，}｝\]］】]|#|$))", re.M)
 _PLAIN = {"\u3000": " ", "、": ",", "‘": "'", "’": "'"}
 _DOUBTFUL = {
     "；": ",",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from ...errors import UnknownNameError
+from ...foundation.patterns import pattern
 from ...names import parse_rel
 from ...words import Words
 
@@ -20,10 +21,10 @@ _SMALL = str.maketrans(
         "′": "'",
     }
 )
-_NOISE = re.compile(r"[\s{}$()|/\\·]")
-_TURN = re.compile(r"(omega|omga|w|alpha|alfa|epsilon|eps)_?(\d+[a-z']?)", re.I)
-_PART = re.compile(r"(?P<kind>[pvars])(?:\^?_?(?P<part>[ntkr]))?_?(?P<at>[A-Z].*)")
-_PART_BEHIND = re.compile(r"(?P<kind>a)_?(?P<at>[A-Z][A-Za-z\d']*?)_?\^(?P<part>[ntkr])")
+_NOISE = pattern(r"[\s{}$()|/\\·]")
+_TURN = pattern(r"(omega|omga|w|alpha|alfa|epsilon|eps)_?(\d+[a-z']?)", re.I)
+_PART = pattern(r"(?P<kind>[pvars])(?:\^?_?(?P<part>[ntkr]))?_?(?P<at>[A-Z].*)")
+_PART_BEHIND = pattern(r"(?P<kind>a)_?(?P<at>[A-Z][A-Za-z\d']*?)_?\^(?P<part>[ntkr])")
 _RATE = {"o": "omega", "w": "omega", "a": "alpha", "e": "alpha"}
 
 

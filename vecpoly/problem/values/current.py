@@ -5,18 +5,18 @@ A datum is bound where, as loaded, it says what the mechanism says; of a bound d
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from math import degrees, isclose, remainder, tau
 
+from ...foundation.patterns import pattern
 from ...mechanism.dimensions.values import Dimension, Led, Part, Placed
 from ...mechanism.dimensions.vary import dimensions, upright, value
 from ...mechanism.loads import Loads
 from ...mechanism.model import Circle, Drive, Mechanism, Prismatic, Rolling
 from .given import Datum, Given
 
-_ENDS = re.compile(r"l_([A-Z][a-z']?\d*)([A-Z][a-z']?\d*)")
+_ENDS = pattern(r"l_([A-Z][a-z']?\d*)([A-Z][a-z']?\d*)")
 _SAME = 1e-9  # relative
 Values = Mapping[str, float]  # symbol -> SI value
 

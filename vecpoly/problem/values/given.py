@@ -8,6 +8,7 @@ from dataclasses import field
 from enum import StrEnum
 
 from ...foundation.frozen import FrozenMap
+from ...foundation.patterns import pattern
 from ...foundation.slotted import dataclass
 from ...words import Lang, Words
 
@@ -44,8 +45,8 @@ class Datum:
         return as_printed(told.replace("{}", self.text) if self.symbol else told, lang)
 
 
-_LONG = re.compile(r"\d+\.\d{4,}")  # more digits than a person writes
-_MINUS = re.compile(r"(?<![\w$}])-(?=\d)")
+_LONG = pattern(r"\d+\.\d{4,}")  # more digits than a person writes
+_MINUS = pattern(r"(?<![\w$}])-(?=\d)")
 _SIGNS: dict[Lang, tuple[tuple[str, str], ...]] = {
     "zh": ((" deg", "°"), (" ccw", "（逆时针）"), (" cw", "（顺时针）"), (" from", " 自")),
     "en": ((" deg", "°"), (" ccw", " (counter-clockwise)"), (" cw", " (clockwise)")),

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
+from ...foundation.patterns import pattern
 from ..schema.faults import Path
 from ..text.source import Value
 from .slot import Slot
 
-_SINGLE = re.compile(r"\s*[-+−]?[\d.]")
-_LETTER = re.compile(r"[A-Z]\d?")
+_SINGLE = pattern(r"\s*[-+−]?[\d.]")
+_LETTER = pattern(r"[A-Z]\d?")
 _NUMBER = r"[-+−]?(?:\d+\.?\d*|\.\d+)"
 _UNIT = r"(?:mm|cm|m|deg|rad|°|度|毫米|厘米|米)(?![A-Za-z])"
-_BRACKETED = re.compile(rf"[(（]\s*({_NUMBER})\s*[,，]\s*({_NUMBER})\s*[)）]\s*({_UNIT})")  # (49, 12) mm
-_ALONE = re.compile(rf"(?<![\w.])({_NUMBER})\s*{_UNIT}")  # 30 mm, in a phrase
+_BRACKETED = pattern(rf"[(（]\s*({_NUMBER})\s*[,，]\s*({_NUMBER})\s*[)）]\s*({_UNIT})")  # (49, 12) mm
+_ALONE = pattern(rf"(?<![\w.])({_NUMBER})\s*{_UNIT}")  # 30 mm, in a phrase
 
 
 def in_data(path: Path, data: Value, stem: str = "", which: str = "") -> Iterator[Slot]:

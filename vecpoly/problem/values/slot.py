@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
+from ...foundation.patterns import pattern
 from ...foundation.slotted import dataclass
 from ...units.reading import Dim
 from ..schema.faults import Path, dotted
 from ..text.source import Value
 
-_ANGLED = re.compile(r"(.+?)(?:\s+from\s.*)?", re.S)  # 50 deg from BC
+_ANGLED = pattern(r"(.+?)(?:\s+from\s.*)?", re.S)  # 50 deg from BC
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from ...board.construction import Construction, Figure, View
 from ...board.paper.extent import bounds, extent
 from ...board.paper.marks import Dot, FixedGuide, Ground, Mark, Point, RackMark, Role, Segment
-from ...drawing.sheets.paging import reading_order
+from ...drawing.order import reading_order
 from ...drawing.sheets.sheet import Hung
 from ...drawing.sheets.space import CAPTION, CLEAR, room_inside
 from ...foundation.stock import ANY_A4, Format, Paper

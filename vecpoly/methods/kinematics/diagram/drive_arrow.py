@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ....board.construction import View
 from ....board.paper.marks import AngleMark, Arc, FixedGuide, Segment, Slot
@@ -10,6 +11,8 @@ from ....mechanism.model import Drive
 from ....plane import nominal
 from ...desk import Desk
 from ..position.drive import swept
+
+Complexes = NDArray[np.complex128]
 
 ARROW_RADII = (10.0, 13.0, 16.0)  # mm: the first that keeps clear of circles about the pivot
 GROUND = 5.5  # mm from the pivot within which its ground is hatched
@@ -56,6 +59,11 @@ def _free_side(desk: Desk, pivot: complex, phi: float, radius: float) -> float:
     ]  # what lies beyond is farther than the ground
     middles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
     arcs = pivot + radius * np.exp(1j * (middles[:, None] + np.linspace(-1.0, 1.0, 9)).ravel())
-    right, up = arcs.real[:, None] - taken.real, arcs.imag[:, None] - taken.imag
-    clear = (right**2 + up**2).min(axis=1).reshape(len(middles), -1).min(axis=1)
+    clear = [_nearest(arc, taken) for arc in arcs.reshape(len(middles), -1)]
     return float(middles[int(np.argmax(clear))])
+
+
+def _nearest(arc: Complexes, taken: Complexes) -> float:
+    """The square of the least distance between two rows of points; of one arc at a time, which stays in the cache."""
+    right, up = arc.real[:, None] - taken.real, arc.imag[:, None] - taken.imag
+    return float((right**2 + up**2).min())
