@@ -58,5 +58,5 @@ def figures(value: float) -> str:
     """A number to three figures, whole numbers as they are."""
     if not value:
         return "0"
-    places = _DIGITS - 1 - floor(log10(abs(value)))
+    places = _DIGITS - 1 - floor(log10(abs(float(f"{value:.{_DIGITS - 1}e}"))))  # 9.996 is 10.0, not 10.00
     return f"{round(value, places):.{max(0, places)}f}".replace("-", "−")
