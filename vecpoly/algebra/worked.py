@@ -39,15 +39,15 @@ def keyed_in(expr: Expr, shown: str = "") -> Node:
     return expr.numbers(figures_for(expr, shown))
 
 
-def figures_for(expr: Expr, shown: str = "") -> int:
+def figures_for(expr: Expr, shown: str = "", least: int = FIGURES) -> int:
     """So many figures of its numbers that a reader who keys them in gets the result as it is printed (`shown`)."""
     value = float(nominal(expr.value))
     told = ((_read(shown), _half_unit(shown)),) if shown else tuple(_results(value))
-    for digits in range(FIGURES, _MOST + 1):
+    for digits in range(least, _MOST + 1):
         reckoned = _as_printed(expr, digits)
         if all(abs(reckoned - result) <= half * (1.0 + _TIES) for result, half in told):
             return digits
-    return FIGURES
+    return least
 
 
 def _results(value: float) -> Iterator[tuple[float, float]]:

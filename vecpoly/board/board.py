@@ -215,9 +215,8 @@ class Board(Compass):
 
     def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
         """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm; it was needed when it was laid off."""
-        mm = float(nominal(self.to_paper(view, quantity.value)))
-        shown = f"{mm:.1f}" if abs(mm) >= LAID else ""
-        line = worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm", shown)
+        mm, name = float(nominal(self.to_paper(view, quantity.value))), paper(letters_node(letters), 0.0).node
+        line = worked(name, quantity / self.mu(view), "mm", f"{mm:.1f}" if abs(mm) >= LAID else "")
         self.write(line, when=self.laid_off(ascii_key(plain(quantity.symbol()))))
 
     def write_worked(self, node: Node, expr: Expr, unit_text: str) -> None:

@@ -16,6 +16,7 @@ from .place import Placer, Points
 Spot = tuple[float, float]
 SIZE = 2.7  # em of the lettering, mm
 _DIGITS = 3
+_LEVEL = 1e-5  # of the range: spots that differ by less, read off samples, are equally high
 _COVERED = 6.0  # what stands under a text: with more than that it is left out
 
 
@@ -38,10 +39,13 @@ def label_peaks(
 
 
 def extremes(spots: Sequence[Spot]) -> list[tuple[Spot, int]]:
-    """The highest and the lowest of the spots, with 1 and −1; of two equally high ones the first."""
+    """The highest and the lowest of the spots, with 1 and −1; of two equally high ones the first, as in the text."""
     if not spots:
         return []
-    high, low = max(spots, key=lambda spot: spot[1]), min(spots, key=lambda spot: spot[1])
+    values = [value for _, value in spots]
+    level = _LEVEL * ((max(values) - min(values)) or abs(values[0]))
+    high = min(spot for spot in spots if spot[1] >= max(values) - level)
+    low = min(spot for spot in spots if spot[1] <= min(values) + level)
     if high == low:
         return [(high, 1)]
     return [(high, 1), (low, -1)]
