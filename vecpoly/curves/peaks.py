@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from math import floor, log10
 from typing import Any
 
 import numpy as np
 
-from ..cycle import Column
+from ..cycle import Column, Extremes
 from ..drawing.style import Hue
 from . import style
 from .place import Placer, Points
 
 Spot = tuple[float, float]
+Known = Callable[[str], Extremes]
 SIZE = 2.7  # em of the lettering, mm
 _DIGITS = 3
 _LEVEL = 1e-5  # of the range: spots that differ by less, read off samples, are equally high
+_NEAR = 1e-2  # of the range: how far a sampled extreme may be from the true one
+_NOTHING = 1e-9  # of the greatest value: zero
 _COVERED = 6.0  # what stands under a text: with more than that it is left out
 
 
@@ -49,6 +52,16 @@ def extremes(spots: Sequence[Spot]) -> list[tuple[Spot, int]]:
     if high == low:
         return [(high, 1)]
     return [(high, 1), (low, -1)]
+
+
+def exact(spots: Sequence[Spot], known: Extremes, drive: Column, column: Column, step: float) -> Sequence[Spot]:
+    """Those of the sampled spots that are the column's extremes, to full accuracy; else all. step: between samples."""
+    tops = [top for top in (known.highest, known.lowest) if top is not None]
+    true = [(drive.factor * top.phi, column.factor * top.value) for top in tops]
+    room = _NEAR * (max((value for _, value in true), default=0.0) - min((value for _, value in true), default=0.0))
+    found = [top for top in true if any(abs(x - top[0]) <= 2 * step and abs(y - top[1]) <= room for x, y in spots)]
+    size = max((abs(value) for _, value in found), default=0.0)
+    return [(x, 0.0 if abs(value) <= _NOTHING * size else value) for x, value in found] or spots
 
 
 def told(spot: Spot, drive: Column) -> str:
