@@ -4,12 +4,21 @@ from __future__ import annotations
 
 import pytest
 
+from tests.pocket import sums
 from tests.studies import studied
+from vecpoly.algebra.quantity import number
 from vecpoly.curves import peaks
 from vecpoly.cycle import Column
+from vecpoly.findings.machine.running import Running, running
 from vecpoly.findings.strokes import _angles
 from vecpoly.mechanism.asked.machine import equivalents
+from vecpoly.problem.load import load
+from vecpoly.report.course.machine.flywheel import _divided
+from vecpoly.report.course.machine.work import _told
 from vecpoly.report.course.results.plots import curve
+from vecpoly.words import Lang
+
+BOTH: tuple[Lang, ...] = ("zh", "en")
 
 NAMES = ("shaper-flywheel", "A-27", "3-5", "B-24")
 
@@ -62,3 +71,16 @@ def test_of_two_equally_high_spots_the_first_is_marked() -> None:
 def test_k_follows_from_the_angles_printed(forth: float, back: float) -> None:
     one, other, ratio = _angles(forth, back)
     assert f"{forth / back:.3f}" == ratio and abs(float(one) / float(other) - float(ratio)) <= 0.5e-3
+
+
+@pytest.mark.parametrize("name", ["press-flywheel", "shaper-flywheel", "engine-flywheel"])
+def test_the_surplus_of_work_and_the_flywheel_follow_from_the_figures_printed(name: str) -> None:
+    """ΔW = E_max − E_min, and J_F = ΔW / (ω² δ), in the table both calculation and result."""
+    run = running(load(name))
+    assert isinstance(run, Running) and run.steady is not None and run.cuts is not None and run.found is not None
+    read = [one for lang in BOTH for one in sums(_told(studied(name), run).of(lang))]
+    results = (run.by_areas, run.found.flywheel)
+    for work, result in zip((run.surplus, run.cuts.cut), results, strict=True):
+        assert result is not None
+        read += sums(f"J_F = {_divided(work, run.steady)} = {number(result, 5)} kg·m²")
+    assert len(read) == 4 and all(one.holds for one in read), [one.text for one in read if not one.holds]
