@@ -12,12 +12,13 @@ import pytest
 
 from tests.drawn_library import IDS, drawn
 from tests.each import each
+from vecpoly.algebra.formula import is_symbol
 from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.marks import Point, Segment, TurnArrow, Vector
-from vecpoly.board.paper.tones import HUES, MANY, key_of, whose
+from vecpoly.board.paper.tones import HUES, MANY, key_of, known_as, whose
 from vecpoly.drawing.beside import beside
 from vecpoly.drawing.figure import draw_figure
-from vecpoly.drawing.hues import dash_of, hue_of, ink_of, is_hollow
+from vecpoly.drawing.hues import dash_of, hue_of, ink_of, is_hollow, mark_hue
 from vecpoly.drawing.scene import Scene, Stroke, TextBox
 from vecpoly.drawing.symbols.marks import Surroundings, draw
 from vecpoly.figures.hue import TONES, Hue
@@ -25,6 +26,7 @@ from vecpoly.names import ascii_key
 from vecpoly.report.answers.tables import readings_tables
 from vecpoly.report.document import report_bytes
 from vecpoly.report.flow.equation import EquationFlow, _columns
+from vecpoly.report.tables import inks_of
 from vecpoly.typeset import Glyphs
 
 FOUR = ("3-9", "3-12", "4-3a", "A-27")  # a block, a slotted link, friction, a six-bar linkage
@@ -69,7 +71,7 @@ def test_a_vector_has_one_hue_in_equations_polygons_free_bodies_and_tables(name:
     keys = sorted(answers, key=lambda key: answers[key].is_place)  # places have a table of their own
     rows = [ink for table in readings_tables(one.solution, "zh") for ink in table.inks]
     for key, row in zip(keys, rows, strict=True):
-        seen.setdefault(key, set()).update(_named({row}))
+        seen.setdefault(known_as(key, answers[key].reading.symbol), set()).update(_named({row}))
     tones = one.construction.tones
     assert {key: {ink_of(key, tones).name} for key in seen} == seen
     assert len({ink for inks in seen.values() for ink in inks} - {"black"}) >= 4
@@ -90,6 +92,28 @@ def test_a_force_is_known_by_its_hue_on_the_diagram_too() -> None:
     assert hue in thin and Hue.GREY in thin
     for view in ("mechanism", "force"):
         assert hue in {item.hue for item in by_view[view].items if isinstance(item, TextBox)}
+
+
+@each(IDS)
+def test_a_symbol_has_one_ink_in_equations_figures_and_tables(name: str) -> None:
+    """By what is printed, not by keys: the F′ asked as F is that of its equation, not the F of the diagram."""
+    one = drawn(name)
+    tones, seen = one.construction.tones, dict[str, set[Hue]]()
+    for figure in one.construction.figures:
+        for mark in figure.marks if figure.view.across is None else ():
+            if isinstance(mark, Vector | TurnArrow) and is_symbol(mark.label):
+                ink = mark_hue(mark, figure.view, mark.label, figure.tones)
+                seen.setdefault(ascii_key(mark.label), set()).add(ink)
+    for step in one.construction.steps:
+        for symbol, tone in zip(step.equation.symbols, step.equation.tones, strict=True) if step.equation else ():
+            seen.setdefault(ascii_key(symbol), set()).add(hue_of(tone))
+    for key, answer in one.solution.answers.items():
+        symbol = ascii_key(answer.reading.symbol)
+        if symbol in seen:
+            (rgb,) = inks_of(one.solution, (key,))
+            assert {hue.value for hue in seen[symbol]} == {rgb or Hue.BLACK.value}, symbol
+    assert all(len(inks) == 1 for inks in seen.values()), seen
+    assert all(ink_of(key, tones) in inks for key, inks in seen.items())
 
 
 @each(IDS)

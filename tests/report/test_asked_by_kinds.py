@@ -58,3 +58,10 @@ def test_a_long_list_of_questions_is_told_by_kinds(name: str, kinds: tuple[str, 
 def test_a_short_list_is_told_as_it_is() -> None:
     short = [name for name in IDS if 1 < len(drawn(name).problem.asks) < LONG]
     assert short and not any("；" in statement(drawn(name).solution, "zh")["asked"] for name in short)
+
+
+@pytest.mark.parametrize("name", [name for name in IDS if name[0] in "45"])
+def test_a_force_is_not_taken_for_a_mobility(name: str) -> None:
+    """The F of a wedge has the key that the mobility has elsewhere."""
+    for lang, word in (("zh", "自由度"), ("en", "mobility")):
+        assert word not in statement(drawn(name).solution, lang)["asked"]  # type: ignore[arg-type]

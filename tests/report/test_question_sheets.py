@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from io import BytesIO
 
@@ -13,15 +14,18 @@ from tests.each import Later, each
 from vecpoly.board.construction import Figure
 from vecpoly.board.paper.extent import extent
 from vecpoly.board.paper.marks import FixedGuide, Ground, Point, RackMark, Role, Segment
+from vecpoly.devices.cams.cam import Cam
 from vecpoly.drawing.scene import Rect
 from vecpoly.drawing.sheets.sheet import hung
 from vecpoly.drawing.sheets.space import CAPTION, CLEAR, room_inside
 from vecpoly.figures import View
 from vecpoly.problem.load import load
-from vecpoly.report.document import report_bytes
+from vecpoly.report.document import markup, report_bytes
 from vecpoly.report.picture import to_scale
+from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.frames import frames
 from vecpoly.report.question.working import SQUARE
+from vecpoly.report.statement.asked import asked
 from vecpoly.solution import solve
 
 DRAWN = Later(lambda: [name for name in IDS if frames(drawn(name).construction)[1]])
@@ -95,3 +99,26 @@ def test_the_squares_leave_no_page_of_text_empty_and_the_results_stand_at_the_fo
 def test_what_a_counting_problem_asks_is_not_given_as_a_list() -> None:
     with pdfplumber.open(BytesIO(report_bytes([solve(load("2-7"), repeats=0)], lang="en", style="question"))) as pdf:
         assert "Given" not in pdf.pages[0].extract_text()
+
+
+CAMS = tuple(name for name in IDS if isinstance(load(name).subject, Cam))
+
+
+@each(CAMS)
+def test_what_is_asked_of_a_cam_is_told_in_words(name: str) -> None:
+    """No drawing that a student is given tells b_1 or r_60."""
+    for lang, sign in (("zh", "、"), ("en", ", ")):
+        for one in asked(drawn(name).solution, lang).split(sign):  # type: ignore[arg-type]
+            assert not re.fullmatch(r"\$[^$]*\$", one.strip()), one
+
+
+@pytest.mark.parametrize(("name", "poles"), [("cam-flat-face", False), ("3-9", True), ("rotor-dalby", True)])
+def test_poles_are_spoken_of_only_where_a_polygon_has_one(name: str, poles: bool) -> None:
+    for lang, word in (("zh", "极点"), ("en", "pole")):
+        text, _ = markup([drawn(name).solution], lang, "question", {}, None, None)  # type: ignore[arg-type]
+        assert (word in text) is poles
+
+
+def test_a_moment_of_inertia_has_no_blank_for_its_direction() -> None:
+    rows = {row[0]: row[1:] for row in empty_table(drawn("7-1").solution, "en").rows}
+    assert rows["$J_{e}$"][-1] == "—" and "—" not in rows["$M_{e}$"]

@@ -103,6 +103,11 @@ def sym(text: str) -> Sym:
     return Sym(m["base"], _bare(m["sub"]), _bare(m["sup"] or m["sup2"]))
 
 
+def is_symbol(text: str) -> bool:
+    """Whether a text is one symbol in the short notation."""
+    return _SYMBOL.fullmatch(text) is not None
+
+
 def row(text: str) -> Row:
     """Read a run of symbols, operators, functions and numbers: ``ω_3 = μ_v pb / l_BC``;
     whatever is no symbol stays upright."""

@@ -12,18 +12,19 @@ import numpy as np
 
 from ..foundation.slotted import dataclass
 from ..plane import Reals, nominal
-from .formula import Frac, Node, Over, Power, Row, Txt, named, row, signed
+from .formula import Frac, Node, Over, Power, Root, Row, Txt, named, row, signed
+from .rounding import to_figures, to_places
 
-UNIT_TEXT = {"m/s": "m/s", "m/s^2": "m/s^2", "m": "m", "rad/s": "rad/s", "rad/s^2": "rad/s^2", "mm": "mm"}
+FIGURES = 4  # significant digits of a number in a line
 
 
-def number(value: float, digits: int = 4) -> str:
+def number(value: float, digits: int = FIGURES) -> str:
     """A number as a hand writes it: `digits` significant digits, no exponent unless it must be."""
     if value == 0:
         return "0"
-    text = f"{value:.{digits}g}"
+    text = f"{to_figures(value, digits):.{digits}g}"
     if "e" in text and 1 <= abs(value) < 1e6:
-        text = f"{value:.0f}"
+        text = f"{to_places(value, 0):.0f}"
     if "e" not in text:
         return text.replace("-", "−")
     mantissa, exponent = text.split("e")
@@ -65,10 +66,10 @@ class Quantity(Algebra):
         """The leaf's symbol."""
         return self.node
 
-    def numbers(self) -> Node:
+    def numbers(self, digits: int = FIGURES) -> Node:
         """The leaf's number; a scale or a negative number would stand in brackets."""
         value = float(nominal(self.value))
-        text = number(value) + ("°" if self.unit == "deg" else "")
+        text = number(value, digits) + ("°" if self.unit == "deg" else "")
         return Txt(f"({text})" if value < 0 else text)
 
     def squared(self) -> Powered:
@@ -99,10 +100,10 @@ class Product(Algebra):
             nodes += ([Txt("\u2009")] if i else []) + [_whole(factor, factor.symbol())]
         return Row(tuple(nodes))
 
-    def numbers(self) -> Node:
+    def numbers(self, digits: int = FIGURES) -> Node:
         nodes: list[Node] = []
         for i, factor in enumerate(self.factors):
-            nodes += ([Txt(" × ")] if i else []) + [_whole(factor, factor.numbers())]
+            nodes += ([Txt(" × ")] if i else []) + [_whole(factor, factor.numbers(digits))]
         return Row(tuple(nodes))
 
 
@@ -120,8 +121,8 @@ class Quotient(Algebra):
     def symbol(self) -> Node:
         return Frac(self.num.symbol(), self.den.symbol())
 
-    def numbers(self) -> Node:
-        return Frac(self.num.numbers(), self.den.numbers())
+    def numbers(self, digits: int = FIGURES) -> Node:
+        return Frac(self.num.numbers(digits), self.den.numbers(digits))
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,8 +142,8 @@ class Sum(Algebra):
     def symbol(self) -> Node:
         return signed((term.symbol() for term in self.terms), self.signs)
 
-    def numbers(self) -> Node:
-        return signed((term.numbers() for term in self.terms), self.signs)
+    def numbers(self, digits: int = FIGURES) -> Node:
+        return signed((term.numbers(digits) for term in self.terms), self.signs)
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,8 +160,8 @@ class Powered(Algebra):
     def symbol(self) -> Node:
         return Power(self.base.symbol(), str(self.exponent))
 
-    def numbers(self) -> Node:
-        return Power(self.base.numbers(), str(self.exponent))
+    def numbers(self, digits: int = FIGURES) -> Node:
+        return Power(self.base.numbers(digits), str(self.exponent))
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,33 +178,56 @@ class Times(Algebra):
     def symbol(self) -> Node:
         return Row((Txt(str(self.factor)), _whole(self.body, self.body.symbol())))
 
-    def numbers(self) -> Node:
-        return Row((Txt(f"{self.factor} × "), _whole(self.body, self.body.numbers())))
+    def numbers(self, digits: int = FIGURES) -> Node:
+        return Row((Txt(f"{self.factor} × "), _whole(self.body, self.body.numbers(digits))))
 
 
-_FUNCTIONS: dict[str, Callable[[Any], Any]] = {"sin": np.sin, "cos": np.cos, "tan": np.tan}
+_FUNCTIONS: dict[str, Callable[[Any], Any]] = {
+    "sin": lambda angle: np.sin(np.radians(angle)),
+    "cos": lambda angle: np.cos(np.radians(angle)),
+    "tan": lambda angle: np.tan(np.radians(angle)),
+    "arctan": lambda ratio: np.degrees(np.arctan(ratio)),
+}
 
 
 @dataclass(frozen=True, slots=True)
 class Of(Algebra):
-    """A trigonometric function of an angle in degrees: tan(α + φ); `name` is sin, cos or tan."""
+    """A trigonometric function of an angle in degrees, tan(α + φ), or the angle itself in degrees, arctan f."""
 
     name: str
     angle: Expr
 
     @property
     def value(self) -> Reals:
-        result: Reals = _FUNCTIONS[self.name](np.radians(self.angle.value))
+        result: Reals = _FUNCTIONS[self.name](self.angle.value)
         return result
 
     def symbol(self) -> Node:
         return Row((Txt(f"{self.name}\u2009"), _whole(self.angle, self.angle.symbol())))
 
-    def numbers(self) -> Node:
-        return Row((Txt(f"{self.name}\u2009"), _whole(self.angle, self.angle.numbers())))
+    def numbers(self, digits: int = FIGURES) -> Node:
+        return Row((Txt(f"{self.name}\u2009"), _whole(self.angle, self.angle.numbers(digits))))
 
 
-Expr = Quantity | Product | Quotient | Sum | Powered | Times | Of
+@dataclass(frozen=True, slots=True)
+class Rooted(Algebra):
+    """The square root of an expression."""
+
+    body: Expr
+
+    @property
+    def value(self) -> Reals:
+        result: Reals = np.sqrt(self.body.value)
+        return result
+
+    def symbol(self) -> Node:
+        return Root(self.body.symbol())
+
+    def numbers(self, digits: int = FIGURES) -> Node:
+        return Root(self.body.numbers(digits))
+
+
+Expr = Quantity | Product | Quotient | Sum | Powered | Times | Of | Rooted
 
 
 def _whole(expr: Expr, node: Node) -> Node:
@@ -224,27 +248,3 @@ def letters_node(letters: str) -> Node:
 def paper(letters: Node, mm: Reals) -> Quantity:
     """A length measured on paper, overlined: \\overline{pb}."""
     return Quantity(Over(letters), mm, "mm")
-
-
-def worked(result: Node, expr: Expr, unit: str) -> Row:
-    """symbol = formula = numbers = result with unit, from one expression."""
-    end = Txt(f" = {_with_unit(expr.value, unit)}")
-    same = isinstance(expr, Quantity)
-    middle: tuple[Node, ...] = () if same else (Txt(" = "), expr.symbol(), Txt(" = "), expr.numbers())
-    return Row((result, *middle, end))
-
-
-def stated(quantity: Quantity) -> Row:
-    """symbol = value with unit."""
-    return Row((quantity.node, Txt(f" = {_with_unit(quantity.value, quantity.unit)}")))
-
-
-def spot_in_mm(at: complex) -> str:
-    """The coordinates of a point (m) as they are printed, in mm: (96.3, 238.2) mm."""
-    x, y = (number(round(1e3 * part, 9), 5) for part in (at.real, at.imag))
-    return f"({x}, {y}) mm"
-
-
-def _with_unit(value: Reals, unit: str) -> str:
-    text = number(float(nominal(value)))
-    return f"{text}°" if unit == "deg" else f"{text} {unit}".rstrip()

@@ -1,9 +1,11 @@
-"""The formulas with numbers put in, at one position: x_B = 0.04 × cos 58° = 0.0212 m."""
+"""The formulas with numbers put in, at one position: x_B = 0.04 × cos 58° = 0.0212 m.
+
+The numbers have guard figures where five would not give the printed result.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import degrees, pi
 
 import numpy as np
 
@@ -12,10 +14,9 @@ from ..algebra.quantity import number
 from .equations import Equation
 from .expr import THIN, Const, Expr, Num, Product, Quotient, Sum, Var
 from .functions import Arctan, Square, SquareRoot, Wave
+from .keyed import ANGLES, FIGURES, figures_for, is_angle, turned
 
 _UNITS = {"x": "m", "y": "m", "s": "m", "v": "m/s", "a": "m/s^2", "ω": "rad/s", "α": "rad/s^2"}
-_ANGLES = ("φ", "ψ")
-_DIGITS = 5
 Env = Mapping[str, float]
 
 
@@ -23,15 +24,18 @@ def worked(equation: Equation, env: Env) -> Node:
     """left = numbers = value with its unit."""
     assert isinstance(equation.left, Var)
     value = env[equation.left.symbol]
-    angle = equation.left.symbol[0] in _ANGLES
+    angle = equation.left.symbol[0] in ANGLES
     end = (
-        Txt(f" = {_degrees(value)}")
+        Txt(f" = {turned(value)}")
         if angle
-        else Txt(f" = {number(value, _DIGITS)} {unit(equation.left.symbol)}".rstrip())
+        else Txt(f" = {number(value, FIGURES)} {unit(equation.left.symbol)}".rstrip())
     )
     bare = isinstance(equation.right, (Var, Const, Num))
-    body = _angular(equation.right, env) if angle else numbers(equation.right, env)
-    return Row((equation.left.node, end)) if bare else Row((equation.left.node, Txt(" = "), body, end))
+    if bare:
+        return Row((equation.left.node, end))
+    digits = figures_for(equation.right, env, value, angle)
+    body = (_angular if angle else numbers)(equation.right, env, digits)
+    return Row((equation.left.node, Txt(" = "), body, end))
 
 
 def unit(symbol: str) -> str:
@@ -39,27 +43,27 @@ def unit(symbol: str) -> str:
     return _UNITS.get(symbol[0], "")
 
 
-def numbers(expr: Expr, env: Env) -> Node:
+def numbers(expr: Expr, env: Env, digits: int = FIGURES) -> Node:
     """The expression with the values of all it holds (SI, angles in degrees)."""
     match expr:
         case Sum(terms):
             items: list[Node] = []
             for i, (term, sign) in enumerate(terms):
                 items += [Txt(" + " if sign > 0 else " − ")] if i else [Txt("−")] if sign < 0 else []
-                items.append(_guarded(term, env))
+                items.append(_guarded(term, env, digits))
             return Row(tuple(items))
         case Product(factors):
             return Row(
                 tuple(
                     node
                     for i, factor in enumerate(factors)
-                    for node in ((Txt(" × "),) if i else ()) + (_guarded(factor, env),)
+                    for node in ((Txt(" × "),) if i else ()) + (_guarded(factor, env, digits),)
                 )
             )
         case Quotient(num, den):
-            return Frac(numbers(num, env), numbers(den, env))
+            return Frac(numbers(num, env, digits), numbers(den, env, digits))
         case Square(body):
-            inner = numbers(body, env)
+            inner = numbers(body, env, digits)
             return Power(
                 inner
                 if isinstance(inner, Txt) and not inner.text.startswith("−")
@@ -67,15 +71,15 @@ def numbers(expr: Expr, env: Env) -> Node:
                 "2",
             )
         case SquareRoot(body):
-            return Root(numbers(body, env))
+            return Root(numbers(body, env, digits))
         case Wave(name, angle):
-            return Row((Txt(f"{name}{THIN}"), Txt(_turned(float(angle.value(env))))))
+            return Row((Txt(f"{name}{THIN}"), Txt(_turned(float(angle.value(env)), digits))))
         case Arctan(rise, run):
-            return Row((Txt(f"arctan{THIN}"), Frac(numbers(rise, env), numbers(run, env))))
-    return Txt(number(float(np.asarray(expr.value(env))), _DIGITS))
+            return Row((Txt(f"arctan{THIN}"), Frac(numbers(rise, env, digits), numbers(run, env, digits))))
+    return Txt(number(float(np.asarray(expr.value(env))), digits))
 
 
-def _angular(expr: Expr, env: Env) -> Node:
+def _angular(expr: Expr, env: Env, digits: int) -> Node:
     """A sum of angles, each in degrees where it is a mere angle."""
     if isinstance(expr, Sum):
         return Row(
@@ -83,25 +87,36 @@ def _angular(expr: Expr, env: Env) -> Node:
                 node
                 for i, (term, sign) in enumerate(expr.terms)
                 for node in ((Txt(" + " if sign > 0 else " − "),) if i else (Txt("−"),) if sign < 0 else ())
-                + (_angular(term, env),)
+                + (_angular(term, env, digits),)
+            )
+        )
+    if isinstance(expr, Product) and any(is_angle(factor) for factor in expr.factors):
+        return Row(
+            tuple(
+                node
+                for i, factor in enumerate(expr.factors)
+                for node in ((Txt(" × "),) if i else ())
+                + ((_degrees if is_angle(factor) else _guarded)(factor, env, digits),)
             )
         )
     if isinstance(expr, (Var, Const)):
-        return Txt(_turned(float(expr.value(env))))
-    return numbers(expr, env)
+        return Txt(_turned(float(expr.value(env)), digits))
+    return numbers(expr, env, digits)
 
 
-def _guarded(expr: Expr, env: Env) -> Node:
+def _degrees(expr: Expr, env: Env, digits: int) -> Node:
+    """An angle as a factor, a sum of angles in brackets."""
+    node = _angular(expr, env, digits)
+    return Row((Txt("("), node, Txt(")"))) if isinstance(expr, Sum) else node
+
+
+def _guarded(expr: Expr, env: Env, digits: int) -> Node:
     """In brackets where it is a sum or a negative number."""
-    node = numbers(expr, env)
+    node = numbers(expr, env, digits)
     negative = isinstance(node, Txt) and node.text.startswith("−")
     return Row((Txt("("), node, Txt(")"))) if isinstance(expr, Sum) or negative else node
 
 
-def _turned(angle: float) -> str:
-    text = _degrees(angle)
+def _turned(angle: float, digits: int) -> str:
+    text = turned(angle, digits)
     return f"({text})" if text.startswith("−") else text
-
-
-def _degrees(angle: float) -> str:
-    return f"{degrees((angle + pi) % (2 * pi) - pi):.3f}".rstrip("0").rstrip(".").replace("-", "−") + "°"

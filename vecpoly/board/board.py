@@ -12,8 +12,9 @@ from typing import cast
 
 import numpy as np
 
-from ..algebra.formula import Node, Row, Txt, plain
-from ..algebra.quantity import Expr, Quantity, letters_node, magnitude, paper, worked
+from ..algebra.formula import Node, plain
+from ..algebra.quantity import Expr, Quantity, letters_node, magnitude, paper
+from ..algebra.worked import worked
 from ..errors import NotAskedError
 from ..names import ascii_key
 from ..plane import Points, Reals, around, nominal, shoelace
@@ -214,10 +215,9 @@ class Board(Compass):
 
     def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
         """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm; it was needed when it was laid off."""
-        line = worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm")
-        mm = float(nominal(self.to_paper(view, quantity.value)))
-        shown = Row((*line.items[:-1], Txt(f" = {mm:.1f} mm"))) if abs(mm) >= LAID else line
-        self.write(shown, when=self.laid_off(ascii_key(plain(quantity.symbol()))))
+        mm, name = float(nominal(self.to_paper(view, quantity.value))), paper(letters_node(letters), 0.0).node
+        line = worked(name, quantity / self.mu(view), "mm", f"{mm:.1f}" if abs(mm) >= LAID else "")
+        self.write(line, when=self.laid_off(ascii_key(plain(quantity.symbol()))))
 
     def write_worked(self, node: Node, expr: Expr, unit_text: str) -> None:
         """Write symbol = formula = numbers = result into the step."""

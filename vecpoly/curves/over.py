@@ -15,7 +15,7 @@ from ..typeset import layout_words
 from ..words import Lang, Words
 from . import style
 from .called import title_of
-from .peaks import label_peaks
+from .peaks import Known, exact, label_peaks
 from .plot import Plot
 from .record import MM
 from .turning import turning
@@ -37,12 +37,14 @@ def curves(
     panel: float = style.PANEL,
     marks: bool = True,
     inks: Mapping[str, Hue] = _NONE,
+    known: Known | None = None,
 ) -> Plot:
     """The columns over the drive's position; each unit has a panel of its own.
 
     A vector is drawn by its magnitude. width, panel: mm. marks: dots at each curve's turning points far from its
     middle, the greatest and the least told in numbers. inks: of vectors that have one wherever they appear, by key;
-    curves of one ink differ by their dashes. Raises UnknownNameError, and NotAskedError for nothing to draw or more
+    curves of one ink differ by their dashes. known: the exact extremes of a column, told in place of the sampled ones.
+    Raises UnknownNameError, and NotAskedError for nothing to draw or more
     than six curves in one panel.
     """
     groups = _grouped(cycle, keys)
@@ -61,7 +63,7 @@ def curves(
         foot = height - panel * (i + 1) + style.FOOT
         at = style.axes(figure, left, foot, width - left - style.RIGHT, room)
         pens = pens_of(group, inks)
-        _panel(cycle, at, group, limit, marks, pens)
+        _panel(cycle, at, group, limit, marks, pens, known)
         top = foot + room + 2.2
         style.text(at, 1.0, top + (0.0 if beside else _LINE), label)
         middle = (left + width - style.RIGHT) / 2
@@ -138,7 +140,9 @@ def _clipped(values: Any) -> tuple[float, float]:
     return (p - (q - p), q + (q - p)) if high - low > 20 * (q - p) > 0 else (low, high)
 
 
-def _panel(cycle: Cycle, at: Any, group: list[Column], limit: tuple[float, float], marks: bool, pens: Pens) -> None:
+def _panel(
+    cycle: Cycle, at: Any, group: list[Column], limit: tuple[float, float], marks: bool, pens: Pens, known: Known | None
+) -> None:
     drive = cycle.drive
     phi = drive.factor * cycle.phi
     at.set_xlim(phi[0], phi[-1])
@@ -155,8 +159,9 @@ def _panel(cycle: Cycle, at: Any, group: list[Column], limit: tuple[float, float
         if column.key.startswith("gamma_"):
             spots = [min(spots, key=lambda spot: spot[1])] if spots else []
         spots = [spot for spot in spots if limit[0] <= spot[1] <= limit[1]]
+        told = spots if known is None else exact(spots, known(column.key), drive, column, float(phi[1] - phi[0]))
         style.dots(at, [x for x, _ in spots], [y for _, y in spots], pen.hue)
-        peaks.append(spots)
+        peaks.append(told)
     if all(column.key.startswith("gamma_") for column in group) and limit[0] < LEAST_GAMMA < limit[1]:
         style.line(at, [phi[0], phi[-1]], [LEAST_GAMMA] * 2, style.Pen(Dash.DASHED, Hue.GREY, THIN))
         lines.append(np.array([complex(x, LEAST_GAMMA) for x in (phi[0], phi[-1])]))

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from math import floor, log10
 from typing import Any
 
 import numpy as np
 
-from ..cycle import Column
+from ..cycle import Column, Extremes
 from ..drawing.style import Hue
 from . import style
 from .place import Placer, Points
 
 Spot = tuple[float, float]
+Known = Callable[[str], Extremes]
 SIZE = 2.7  # em of the lettering, mm
 _DIGITS = 3
+_LEVEL = 1e-5  # of the range: spots that differ by less, read off samples, are equally high
+_NEAR = 1e-2  # of the range: how far a sampled extreme may be from the true one
+_NOTHING = 1e-9  # of the greatest value: zero
 _COVERED = 6.0  # what stands under a text: with more than that it is left out
 
 
@@ -38,13 +42,26 @@ def label_peaks(
 
 
 def extremes(spots: Sequence[Spot]) -> list[tuple[Spot, int]]:
-    """The highest and the lowest of the spots, with 1 and −1; of two equally high ones the first."""
+    """The highest and the lowest of the spots, with 1 and −1; of two equally high ones the first, as in the text."""
     if not spots:
         return []
-    high, low = max(spots, key=lambda spot: spot[1]), min(spots, key=lambda spot: spot[1])
+    values = [value for _, value in spots]
+    level = _LEVEL * ((max(values) - min(values)) or abs(values[0]))
+    high = min(spot for spot in spots if spot[1] >= max(values) - level)
+    low = min(spot for spot in spots if spot[1] <= min(values) + level)
     if high == low:
         return [(high, 1)]
     return [(high, 1), (low, -1)]
+
+
+def exact(spots: Sequence[Spot], known: Extremes, drive: Column, column: Column, step: float) -> Sequence[Spot]:
+    """Those of the sampled spots that are the column's extremes, to full accuracy; else all. step: between samples."""
+    tops = [top for top in (known.highest, known.lowest) if top is not None]
+    true = [(drive.factor * top.phi, column.factor * top.value) for top in tops]
+    room = _NEAR * (max((value for _, value in true), default=0.0) - min((value for _, value in true), default=0.0))
+    found = [top for top in true if any(abs(x - top[0]) <= 2 * step and abs(y - top[1]) <= room for x, y in spots)]
+    size = max((abs(value) for _, value in found), default=0.0)
+    return [(x, 0.0 if abs(value) <= _NOTHING * size else value) for x, value in found] or spots
 
 
 def told(spot: Spot, drive: Column) -> str:
@@ -58,5 +75,5 @@ def figures(value: float) -> str:
     """A number to three figures, whole numbers as they are."""
     if not value:
         return "0"
-    places = _DIGITS - 1 - floor(log10(abs(value)))
+    places = _DIGITS - 1 - floor(log10(abs(float(f"{value:.{_DIGITS - 1}e}"))))  # 9.996 is 10.0, not 10.00
     return f"{round(value, places):.{max(0, places)}f}".replace("-", "−")

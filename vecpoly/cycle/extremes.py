@@ -18,6 +18,7 @@ from .unbroken import Piece, ends, pieces, towards
 
 Reals = NDArray[np.float64]
 ROUNDING = 1e-14  # of a value: what may change by chance
+LEVEL = 1e-6  # of a column's range: extremes that differ by less are equally high
 SAME = 1e-6  # rad (or part of the range): roots nearer than this are one
 
 
@@ -85,7 +86,8 @@ def _extremes(cycle: Cycle, key: str) -> Extremes:
     broken = [
         Spot(float(curve.reduced(np.array([q]))[0]), value, True) for part in parts for q, value in ends(curve, part)
     ]
-    every = (*maxima, *minima, *_ends(curve, float(known.max() - known.min())), *broken, *_on_grid(curve, phi, f))
+    span = float(known.max() - known.min())
+    found, grid = (*maxima, *minima, *_ends(curve, span), *broken), tuple(_on_grid(curve, phi, f))
     small = 1e-9 * float(np.abs(known).max())
     touching = tuple(spot for spot in (*maxima, *minima) if abs(spot.value) <= small)
     return Extremes(
@@ -93,9 +95,16 @@ def _extremes(cycle: Cycle, key: str) -> Extremes:
         maxima,
         minima,
         _crossing(curve, parts, touching),
-        max(every, key=lambda s: s.value),
-        min(every, key=lambda s: s.value),
+        _farthest(found, grid, 1.0, LEVEL * span),
+        _farthest(found, grid, -1.0, LEVEL * span),
     )
+
+
+def _farthest(found: tuple[Spot, ...], grid: tuple[Spot, ...], sign: float, level: float) -> Spot:
+    """The greatest (sign −1: the least) of all; of those that are level with it the first, as a curve marks it."""
+    most = max((*found, *grid), key=lambda spot: sign * spot.value)
+    alike = (spot for spot in found if sign * (most.value - spot.value) <= level or spot.value == most.value)
+    return min(alike, key=lambda spot: spot.phi, default=most)
 
 
 def _on_grid(curve: Curve, phi: Reals, f: Reals) -> Iterator[Spot]:

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 from ..board.construction import View
 from ..board.paper.marks import Mark
-from ..board.paper.tones import HUES, key_of, whose
+from ..board.paper.tones import HUES, key_of, known_as, whose
 from ..figures.hue import TONES, Hue
 from .style import Dash, kind_hue
 
@@ -31,6 +31,12 @@ def is_hollow(key: str, tones: Tones) -> bool:
 def ink_of(key: str, tones: Tones) -> Hue:
     """The ink of what has this key."""
     return hue_of(tones.get(whose(key), 0)) if tones else Hue.BLACK
+
+
+def ink_called(key: str, symbol: str, tones: Tones) -> Hue:
+    """The ink of a quantity by its symbol, as equations and figures have it, else by its key."""
+    known = known_as(key, symbol)
+    return ink_of(known if tones and whose(known) in tones else key, tones)
 
 
 def mark_hue(mark: Mark, view: View, label: str, tones: Tones) -> Hue:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from math import degrees
 
+from ..algebra.rounding import to_places
 from ..cycle import Column, Extremes, Spot
 from ..cycle.facts.found import Stroke
 from ..words import Words
@@ -15,6 +16,7 @@ from .shown import shown
 from .study.study import Study
 
 _STILL = 0.03  # of the whole swing: a stroke so short is nearly a dwell
+_OF_K, _FINEST = 3, 6  # decimals of K; of its angles, at most
 _EVEN = 1.0005  # K below: no quick return worth a word
 
 
@@ -38,15 +40,24 @@ def limits_and_ratio(study: Study, stroke: Stroke) -> Words:
             en + "both strokes take the same angle of the input link, $K$ = 1: no quick return.",
         )
     up = Words("增大", "forward") if forth > back else Words("减小", "backward")
-    slow, quick = max(forth, back), min(forth, back)
+    slow, quick, ratio = _angles(max(forth, back), min(forth, back))
     weak = Words("，急回不明显" if stroke.ratio < 1.05 else "", ", a weak quick return" if stroke.ratio < 1.05 else "")
     return Words(
-        zh + f"${info.symbol}$ {up.zh}的慢行程对应原动件转角 {slow:.1f}°，回程 {quick:.1f}°，行程速比系数 $K$ = "
-        f"{slow:.1f}°/{quick:.1f}° = {stroke.ratio:.3f}，极位夹角 $θ$ = {degrees(stroke.theta):.2f}°{weak.zh}。",
-        en + f"the slow {up.en} stroke takes {slow:.1f}° of the input link, the return {quick:.1f}°: $K$ = "
-        f"{slow:.1f}°/{quick:.1f}° = {stroke.ratio:.3f}, $θ$ = "
+        zh + f"${info.symbol}$ {up.zh}的慢行程对应原动件转角 {slow}°，回程 {quick}°，行程速比系数 $K$ = "
+        f"{slow}°/{quick}° = {ratio}，极位夹角 $θ$ = {degrees(stroke.theta):.2f}°{weak.zh}。",
+        en + f"the slow {up.en} stroke takes {slow}° of the input link, the return {quick}°: $K$ = "
+        f"{slow}°/{quick}° = {ratio}, $θ$ = "
         f"{degrees(stroke.theta):.2f}°{weak.en}.",
     )
+
+
+def _angles(slow: float, quick: float) -> tuple[str, str, str]:
+    """The angles of both strokes to a tenth of a degree, finer where their ratio K would not be that of the figures."""
+    ratio = to_places(slow / quick, _OF_K)
+    figures = ((f"{to_places(slow, n):.{n}f}", f"{to_places(quick, n):.{n}f}") for n in range(1, _FINEST + 1))
+    fit = ((a, b) for a, b in figures if abs(float(a) / float(b) - ratio) <= 0.5 * 10**-_OF_K)
+    one, other = next(fit, (f"{slow:.1f}", f"{quick:.1f}"))
+    return one, other, f"{ratio:.{_OF_K}f}"
 
 
 def _placed(study: Study, key: str, spot: Spot) -> Words:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..algebra.quantity import number
-from ..drawing.hues import ink_of
+from ..drawing.hues import ink_called
 from ..report.answers.tables import way
 from ..report.values import called, printed_unit, value
 from ..solution import YES_NO, Answer, Solution
@@ -27,7 +27,12 @@ def names(solution: Solution, faces: Faces) -> tuple[tuple[Words, Words], ...]:
     for key, answer in solution.answers.items():
         symbol = Words(*(called(answer.reading.symbol, key, lang) for lang in LANGS))
         shown = html(symbol, faces)
-        found.append((Words(*(inked(shown.of(lang), ink_of(key, tones)) for lang in LANGS)), heard(symbol)))
+        found.append(
+            (
+                Words(*(inked(shown.of(lang), ink_called(key, answer.reading.symbol, tones)) for lang in LANGS)),
+                heard(symbol),
+            )
+        )
     return tuple(found)
 
 

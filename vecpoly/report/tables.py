@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from ..algebra.quantity import number
 from ..board.construction import Listing
 from ..check.printed.verdict import Checked
-from ..drawing.hues import ink_of
+from ..drawing.hues import ink_called
 from ..figures.hue import Hue
 from ..foundation.slotted import replace
 from ..names import is_place
@@ -31,8 +31,8 @@ FEW = 6  # rows of a table that stays one block
 
 def inks_of(solution: Solution, keys: Iterable[str]) -> tuple[Rgb | None, ...]:
     """The ink in which each of these vectors is drawn; none for what is black."""
-    tones = solution.construction.tones
-    found = (ink_of(key, tones) for key in keys)
+    tones, answers = solution.construction.tones, solution.answers
+    found = (ink_called(key, answers[key].reading.symbol if key in answers else "", tones) for key in keys)
     return tuple(None if hue == Hue.BLACK else hue.value for hue in found)
 
 

@@ -6,6 +6,7 @@ import re
 from math import isnan
 
 from ..algebra.quantity import number
+from ..algebra.rounding import to_places
 from ..mechanism.asked.forces import load_named
 from ..mechanism.loads import Force
 from ..names import Key, Named
@@ -63,7 +64,7 @@ def unit_after(name: str) -> str:
 
 def place_parts(at: complex, places: int) -> tuple[str, str]:
     """Both coordinates of a point (m) in mm, with so many decimals; no sign on zero."""
-    x, y = (f"{1e3 * part:.{places}f}" for part in (at.real, at.imag))
+    x, y = (f"{to_places(1e3 * part, places):.{places}f}" for part in (at.real, at.imag))
     return _signed(x), _signed(y)
 
 

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 from itertools import chain
 
+from ...algebra.formula import is_symbol
 from ...figures.hue import TONES
 from ...foundation.frozen import FrozenMap
 from ...foundation.patterns import pattern
@@ -23,7 +24,8 @@ HUES = len(TONES)
 MANY = 2 * HUES
 _MOTION = pattern(r"\b[va][nktr]?_")
 _POINTS = pattern(r"([A-Z]'?\d*)([A-Z]'?\d*)")
-_JOINT = pattern(r"R[nt]?('*)_([A-Z]?\d)([A-Z]?\d)\b")
+_JOINT = pattern(r"R[nt]?('*)_([A-Z]?\d)([A-Z]?\d)(?:(_r)|\b)")
+_PRIME = "'"  # of the other sense of motion, in symbols; in keys it is _r
 _PART = pattern(r"([_,](0|[nt]))+$")
 
 
@@ -36,12 +38,19 @@ def whose(key: str) -> str:
         pair = _POINTS.fullmatch(points)
         return f"motion {'-'.join(sorted(pair.groups())).strip('-') if pair else points}"
     joint = _JOINT.match(bare)
-    return f"joint{joint[1]} {'-'.join(sorted(joint.groups()[1:]))}" if joint else bare
+    if joint is None:
+        return bare
+    return f"joint{_PRIME if joint[4] else joint[1]} {'-'.join(sorted(joint.groups()[1:3]))}"
 
 
 def key_of(mark: Mark) -> str:
-    """The key of a mark; of an arrow that only has a symbol, that of the symbol."""
-    return mark.key or (ascii_key(mark.label) if isinstance(mark, Vector | TurnArrow) else "")
+    """The key of a mark; of an arrow that has a symbol, that of the symbol, by which equations know it."""
+    return known_as(mark.key, mark.label) if isinstance(mark, Vector | TurnArrow) else mark.key
+
+
+def known_as(key: str, symbol: str) -> str:
+    """The key by which a quantity is told apart: that of its symbol (F′, which may be asked as F), else its own."""
+    return ascii_key(symbol) if symbol and (not key or is_symbol(symbol)) else key
 
 
 def tones(figures: Iterable[tuple[Mark, ...]], equations: Iterable[tuple[str, ...]]) -> Mapping[str, int]:

@@ -12,6 +12,7 @@ import numpy as np
 from ...board import acts as done
 from ...board.otherwise.amended import plain_letters
 from ...board.paper.marks import Dot, Role
+from ...board.paper.tones import known_as
 from ...board.place import View
 from ...drawing.hues import Tones, ink_of
 from ...drawing.style import Hue, Pen, kind_hue, pen
@@ -60,7 +61,10 @@ class Figure:
             case done.Rule(a=a, b=b, label=label):
                 self.segment(a, b, self._pen(Role.DIRECTION), label)
             case done.Arrow(shown=True):
-                look = pen(act.role, ink_of(act.key, self.tones) if self.tones else kind_hue(self.view, act.label))
+                look = pen(
+                    act.role,
+                    ink_of(known_as(act.key, act.label), self.tones) if self.tones else kind_hue(self.view, act.label),
+                )
                 vector = self.page.line("Vector", "vector", (self.at(act.a), self.at(act.b)), look)
                 self.vectors.append((vector, self.terms.parts(act.b - act.a)))
             case done.Swing(centre=centre, radius=radius, sweep=sweep) if abs(sweep) >= tau:

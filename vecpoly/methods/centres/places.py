@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...algebra.formula import Row, Txt, row
-from ...algebra.quantity import spot_in_mm
+from ...algebra.worked import spot_in_mm
 from ...board.construction import Reading, Scale
 from ...plane import Points, Reals, nominal
 

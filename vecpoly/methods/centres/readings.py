@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...algebra.formula import Row, Txt, sym
-from ...algebra.quantity import worked
+from ...algebra.worked import worked
 from ...board.construction import Reading
 from ...errors import NoMethodError
 from ...mechanism.asked.centres import ENDLESS, Pair, centre, centre_speed, link_pairs, ratio

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from ...algebra.formula import Row, Txt, row, sym
-from ...algebra.quantity import Quantity, worked
+from ...algebra.quantity import Quantity
+from ...algebra.worked import worked
 from ...board.board import Board
 from ...board.construction import Pane, Reading
 from ...mechanism.asked.centres import centre

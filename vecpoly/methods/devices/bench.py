@@ -8,7 +8,8 @@ import numpy as np
 
 from ...algebra.formula import Node
 from ...algebra.formula import named as name_of
-from ...algebra.quantity import Expr, Quantity, magnitude, stated, worked
+from ...algebra.quantity import Expr, Quantity, magnitude
+from ...algebra.worked import stated, worked
 from ...board.board import NO_LENGTH, Board
 from ...board.construction import LineOfAction, Place, Reading, Scale
 from ...names import Named

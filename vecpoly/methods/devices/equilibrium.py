@@ -8,6 +8,7 @@ import numpy as np
 
 from ...algebra.formula import Row, Txt, sym
 from ...algebra.quantity import Quantity, number
+from ...algebra.worked import keyed_in
 from ...board.board import NO_LENGTH
 from ...board.construction import Pane, Place
 from ...board.paper.marks import Point
@@ -119,7 +120,7 @@ def signed(
             Txt(" = −"),
             size.symbol(),
             Txt(" = −"),
-            size.numbers(),
+            keyed_in(size),
             Txt(f" = {number(float(nominal(value)))} {named.unit}"),
         )
     )

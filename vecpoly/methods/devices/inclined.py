@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...algebra.formula import Row, Txt, row, sym
-from ...algebra.quantity import Quantity, magnitude, number
+from ...algebra.quantity import Of, Quantity, magnitude
+from ...algebra.worked import worked
 from ...board.construction import Place
 from ...board.paper.marks import Dot, Role
 from ...devices.base import Ratio
@@ -41,9 +42,7 @@ class Press:
 def friction_angle(bench: Bench, named: Named, f: Ratio, symbol: str = "f") -> Quantity:
     """φ = arctan f, in degrees."""
     phi = float(np.degrees(np.arctan(f.si)))
-    return bench.stated(
-        named, phi, row_of(sym(named.symbol), f" = arctan ${symbol}$ = arctan {number(f.si)} = {number(phi)}°")
-    )
+    return bench.stated(named, phi, worked(sym(named.symbol), Of("arctan", magnitude(symbol, f.si, "")), "deg"))
 
 
 def row_of(first: object, text: str) -> Row:

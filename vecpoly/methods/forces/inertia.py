@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from ...algebra.formula import Node
-from ...algebra.quantity import Quantity, magnitude, worked
+from ...algebra.quantity import Quantity, magnitude
+from ...algebra.worked import worked
 from ...board.board import NO_LENGTH
 from ...board.construction import LineOfAction, Place, Reading, View
 from ...board.paper.marks import Dot, Role

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ...algebra.formula import Node, Row, Txt, sym
-from ...algebra.quantity import Expr, Product, Quantity, magnitude, number, worked
+from ...algebra.quantity import Expr, Product, Quantity, magnitude, number
+from ...algebra.worked import worked
 from ...board.board import NO_LENGTH
 from ...board.construction import LineOfAction, Reading, View
 from ...mechanism.asked.forces import apart, pairs

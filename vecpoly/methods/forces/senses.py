@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...algebra.quantity import number
+from ...algebra.quantity import magnitude, number
+from ...algebra.worked import figures_for
 from ...board.construction import View
 from ...board.sides import side_of
 from ...errors import NoSlipSenseError, bilingual
@@ -45,8 +46,10 @@ def relative_omega(st: Statics, by: str, on: str) -> tuple[str, str]:
     if on == FRAME:
         return f"$ω_{{{j}{i}}}$ = −$ω_{i}$", f"ω_{{{j}{i}}}"
     one, two = st.turning(on, FRAME), st.turning(by, FRAME)
-    taken = f"({number(two)})" if two < 0 else number(two)
-    return f"$ω_{{{j}{i}}}$ = $ω_{j}$ − $ω_{i}$ = {number(one)} − {taken} = {number(one - two)} rad/s", f"ω_{{{j}{i}}}"
+    digits = figures_for(magnitude("ω_1", one, "rad/s") - magnitude("ω_2", two, "rad/s"))
+    taken = f"({number(two, digits)})" if two < 0 else number(two, digits)
+    gap = f"{number(one, digits)} − {taken} = {number(one - two)} rad/s"
+    return f"$ω_{{{j}{i}}}$ = $ω_{j}$ − $ω_{i}$ = {gap}", f"ω_{{{j}{i}}}"
 
 
 def velocity_of(st: Statics, link: str, place: Points) -> Points:

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...algebra.quantity import Expr, Quantity, worked
+from ...algebra.quantity import Expr, Quantity
+from ...algebra.worked import worked
 from ...board.board import Board
 from ...board.construction import Reading
 from ...mechanism.loads import Loads

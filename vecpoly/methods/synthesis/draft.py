@@ -9,7 +9,8 @@ from math import nan
 import numpy as np
 
 from ...algebra.formula import Txt
-from ...algebra.quantity import Expr, Quantity, magnitude, stated
+from ...algebra.quantity import Expr, Quantity, magnitude
+from ...algebra.worked import stated
 from ...board.candidates import Candidate
 from ...board.construction import Place, Reading, View
 from ...designs.base import MOST, Design, numbered

@@ -7,7 +7,8 @@ from math import pi
 
 import numpy as np
 
-from ...algebra.quantity import Quantity, magnitude, stated
+from ...algebra.quantity import Quantity, magnitude
+from ...algebra.worked import stated
 from ...board.construction import View
 from ...board.paper.marks import Dot, Role
 from ...board.place import Pane

@@ -12,6 +12,7 @@ from ...words import Lang, Words
 from ..values import called, direction_of_load, is_efficiency, place_parts, printed_unit, unit_after, value
 from .rounded import coarse, coordinates, drawn_number
 
+_STATED = 3  # parts of a line that tells no way to its result, at most
 SQUARE = {"0.0": "→", "90.0": "↑", "180.0": "←", "-180.0": "←", "-90.0": "↓", "-0.0": "→"}
 _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
 
@@ -37,7 +38,7 @@ def answer_line(answer: Answer, problem: Problem, lang: Lang) -> AnswerLine:
     result = result_of(answer, lang)
     return AnswerLine(
         key=answer.key,
-        node=Row((*_led(answer, name), Txt(result + _bracket(answer, problem, way, lang)))),
+        node=Row((*_led(answer, name), Txt(_minus(answer, result) + result + _bracket(answer, problem, way, lang)))),
         before=before,
         after=_after(answer, lang),
         result=result,
@@ -102,6 +103,14 @@ def _led(answer: Answer, name: Node) -> tuple[Node, ...]:
         return stated
     metres = end.text.rsplit(" = ", 1)[0]  # " = 0.00192 m" of a length that goes on in mm; else nothing
     return (*line.items[:-1], Txt(f"{metres} = "))
+
+
+def _minus(answer: Answer, result: str) -> str:
+    """The sign with which a line comes out, where the sense alone tells it in the table: (−5012)/6.283 = −797.7."""
+    line = answer.reading.formula
+    if not isinstance(line, Row) or len(line.items) <= _STATED or not isinstance(end := line.items[-1], Txt):
+        return ""
+    return "−" if end.text.rsplit(" = ", 1)[-1].startswith("−") and not result.startswith("−") else ""
 
 
 def _bracket(answer: Answer, problem: Problem, way: str, lang: Lang) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import floor, isfinite, log10
 
 from ...algebra.quantity import number
+from ...algebra.rounding import to_places
 from ...solution import YES_NO, Answer
 from ..values import printed_unit
 
@@ -39,7 +40,8 @@ def rounded(value: float, places: int | None, most: int) -> str:
     if not value or not isfinite(value) or places is None or abs(value) < LEAST:
         return number(value, most)
     fit = most - 1 - floor(log10(abs(value)))
-    text = f"{value:.{max(0, min(places, fit))}f}".replace("-", "−")
+    kept = max(0, min(places, fit))
+    text = f"{to_places(value, kept):.{kept}f}".replace("-", "−")
     return "0" if not text.strip("−0.") else text
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...solution import Solution
+from ...solution import Answer, Solution
 from ...tagging.tree import artifact, marked
 from ...typeset.box import MM
 from ...typeset.canvas import Ink
@@ -18,6 +18,7 @@ _HEAD = {
     "en": ("Quantity", "On paper, mm", "Value with unit", "Direction, sense"),
 }
 _WIDTHS = (40.0, 34.0, 48.0, 40.0)
+_NONE = "—"
 _BLANK = "＿" * 8
 _CAPTIONS = (Words("方程", "Equation"), Words("方向", "Direction"), Words("大小", "Magnitude"))
 _ROW = 9.0 * MM
@@ -66,12 +67,20 @@ def empty_table(solution: Solution, lang: Lang) -> DataTable:
     """What is asked, with room for what is read, what it comes to, and where it points."""
     asked = list(solution.answers.values())
     read = any(answer.reading.mm is not None for answer in asked)
-    turned = any(answer.drawn_vector is not None or answer.turns for answer in asked)
-    kept = [i for i, shown in enumerate((True, read, True, turned)) if shown]
+    kept = [i for i, shown in enumerate((True, read, True, any(map(_points, asked)))) if shown]
     rows = [
-        [(called(answer.reading.symbol, answer.reading.key, lang), *(_BLANK,) * 3)[i] for i in kept] for answer in asked
+        [
+            (called(one.reading.symbol, one.reading.key, lang), _BLANK, _BLANK, _BLANK if _points(one) else _NONE)[i]
+            for i in kept
+        ]
+        for one in asked
     ]
     return DataTable([_HEAD[lang][i] for i in kept], rows, [_WIDTHS[i] for i in kept], "lccc"[: len(kept)], lang=lang)
+
+
+def _points(answer: Answer) -> bool:
+    """Whether it has a direction or a sense: a moment of inertia has none."""
+    return answer.drawn_vector is not None or answer.turns
 
 
 def working_room(solution: Solution) -> float:

@@ -11,6 +11,7 @@ from ...problem.asked.asks import Ask, AskCoriolis, AskNamed, AskPoint
 from ...solution import YES_NO, Solution
 from ...words import Lang, Words
 from ..values import asked_load, called, curved
+from .cam_words import meant_by
 from .groups import by_groups, parted
 
 
@@ -58,6 +59,8 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
         return Words(f"是否{name}", f"whether {name}").of(lang)
     if (kind := asked_load(solution.problem, reading.key)) is not None:
         return (kind.of(lang) if lang == "zh" else f"{kind.en} ") + called(reading.symbol, reading.key, lang)
+    if (meant := meant_by(solution.problem.subject, reading.key, symbol)) is not None:
+        return meant.of(lang)
     return curved(ask.rel, lang) + called(reading.symbol, reading.key, lang)
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
 from ...words import Lang
 
+_MOBILITY, _LOWER_PAIRS = "F", "p_l"  # keys
 LONG = 7  # quantities that are told by kinds, where there are so many
 
 
@@ -45,21 +46,25 @@ GROUPS = (
 T = TypeVar("T")
 
 
-def group_of(key: str) -> Group | None:
-    """The kind of a quantity by its key; None of what stands for itself."""
+def group_of(key: str, beside: Collection[str]) -> Group | None:
+    """The kind of a quantity by its key; None of what stands for itself: F is a mobility beside p_l, else a force."""
+    if key == _MOBILITY and _LOWER_PAIRS not in beside:
+        return None
     return next((group for group in GROUPS if re.match(group.keys, key)), None)
 
 
 def parted(keys: Sequence[str]) -> bool:
     """Whether these quantities are so many, and of so many kinds, that they are told by kinds."""
-    kinds = {group_of(key) for key in keys} - {None}
+    kinds = {group_of(key, keys) for key in keys} - {None}
     return len(keys) >= LONG and len(kinds) > 1
 
 
 def by_groups(things: Iterable[T], key: Callable[[T], str]) -> list[tuple[Group | None, list[T]]]:
     """The things by their kinds, each kind where its first comes; what is of no kind comes last."""
     found: dict[Group | None, list[T]] = {}
-    for one in things:
-        found.setdefault(group_of(key(one)), []).append(one)
+    every = list(things)
+    keys = {key(one) for one in every}
+    for one in every:
+        found.setdefault(group_of(key(one), keys), []).append(one)
     rest = found.pop(None, None)
     return [*found.items(), *([(None, rest)] if rest else [])]

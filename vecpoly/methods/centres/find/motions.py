@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ....algebra.formula import sym
-from ....algebra.quantity import Expr, Quantity, magnitude, worked
+from ....algebra.quantity import Expr, Quantity, magnitude
+from ....algebra.worked import worked
 from ....board.construction import Reading
 from ....errors import NoMethodError
 from ....mechanism.asked.centres import real_links

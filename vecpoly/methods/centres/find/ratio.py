@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ....algebra.formula import named as as_symbol
-from ....algebra.quantity import Expr, magnitude, worked
+from ....algebra.quantity import Expr, magnitude
+from ....algebra.worked import worked
 from ....board.construction import Reading
 from ....errors import NoMethodError
 from ....mechanism.asked.centres import Pair, ratio

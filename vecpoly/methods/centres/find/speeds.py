@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from ....algebra.formula import sym
-from ....algebra.quantity import Expr, worked
+from ....algebra.quantity import Expr
+from ....algebra.worked import worked
 from ....board.construction import Reading
 from ....board.paper.marks import Role, Segment
 from ....errors import NoMethodError

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ....algebra.formula import Node, Root, Row, Txt
+from ....algebra.formula import Row, Txt
 from ....algebra.formula import named as name_of
-from ....algebra.quantity import Quantity, magnitude, number
+from ....algebra.quantity import Expr, Quantity, Rooted, magnitude, number
+from ....algebra.worked import worked
 from ....devices.dynamics import asked
 from ....devices.dynamics.rim import Rim
 from ....plane import nominal
@@ -25,9 +26,9 @@ def rim_of(bench: Bench, rim: Rim, inertia: Quantity, omega: Quantity) -> None:
     d = magnitude("D", rim.D.si, "m")
     mass = bench.worked(asked.RIM_MASS, FOUR * inertia / d.squared())
     section = board.compute("S", mass / (PI * d * magnitude("ρ", rim.density.si, "kg/m^3")), "m^2")
-    high = 1e3 * np.sqrt(section.value / rim.ratio.si)
-    h = bench.stated(asked.RIM_H, high, _root(float(nominal(section.value)), rim.ratio.si, float(nominal(high))))
-    b = bench.worked(asked.RIM_B, magnitude("(b/h)", rim.ratio.si, "") * h)
+    ratio = magnitude("(b/h)", rim.ratio.si, "")
+    h = bench.stated(asked.RIM_H, 1e3 * np.sqrt(section.value / rim.ratio.si), _root(section / ratio))
+    b = bench.worked(asked.RIM_B, ratio * h)
     assert b is not None
     _speed(bench, rim, h, omega)
     board.step(
@@ -52,8 +53,7 @@ def _speed(bench: Bench, rim: Rim, h: Quantity, omega: Quantity) -> None:
         bench.judged(asked.RIM_SAFE, safe, Words(f"{zh}许用值 {most} m/s。", f" It {en} the allowed {most} m/s."))
 
 
-def _root(section: float, ratio: float, high: float) -> Node:
-    """h = √(S / (b/h)) = √(…) = … mm."""
-    symbols, numbers = (Root(Row((Txt(one),))) for one in ("S/(b/h)", f"{number(section)}/{number(ratio)}"))
-    end = Txt(f" = {number(high)} mm")
-    return Row((name_of("h"), Txt(" = "), symbols, Txt(" = "), numbers, end))
+def _root(square: Expr) -> Row:
+    """h = √(S / (b/h)) = √(…) = 0.2288 m = 228.8 mm."""
+    line = worked(name_of("h"), Rooted(square), "m")
+    return Row((*line.items, Txt(f" = {number(1e3 * float(nominal(Rooted(square).value)))} mm")))

@@ -6,8 +6,9 @@ from math import degrees, pi
 
 import numpy as np
 
-from ....algebra.formula import Root, Row, Txt, sym
-from ....algebra.quantity import Of, Quantity, magnitude, number
+from ....algebra.formula import Row, sym
+from ....algebra.quantity import Of, Quantity, Rooted, magnitude
+from ....algebra.worked import worked
 from ....devices.balancing.asked import hole_bearing, hole_size, weight
 from ....devices.balancing.plane import RotorPlane
 from ....devices.balancing.refused import too_deep
@@ -83,7 +84,7 @@ def _size_of_hole(bench: Bench, rotor: Rotor, end: str, each: Quantity, plane: R
     if plane.through:
         deep = magnitude("b", plane.b.si * 1e3, "mm")
         value = np.sqrt(each.value / (QUARTER * deep * rho).value)
-        bench.stated(named, value, _root(named.symbol, each, deep, rho, float(nominal(value))))
+        bench.stated(named, value, _root(named.symbol, each, deep, rho))
         return
     wide = magnitude("d", plane.hole.si * 1e3, "mm")
     depth = bench.worked(named, each / (QUARTER * wide.squared() * rho))
@@ -91,10 +92,7 @@ def _size_of_hole(bench: Bench, rotor: Rotor, end: str, each: Quantity, plane: R
         raise too_deep(plane, float(nominal(each.value)) / unit.masses, float(nominal(depth.value)) / 1e3)
 
 
-def _root(symbol: str, each: Quantity, deep: Quantity, rho: Quantity, value: float) -> Row:
+def _root(symbol: str, each: Quantity, deep: Quantity, rho: Quantity) -> Row:
     """d = √(4 m/(π b ρ)) = … mm."""
     four, under = magnitude("4", 4.0, ""), magnitude("π", pi, "")
-    expr = four * each / (under * deep * rho)
-    return Row(
-        (sym(symbol), Txt(" = "), Root(expr.symbol()), Txt(" = "), Root(expr.numbers()), Txt(f" = {number(value)} mm"))
-    )
+    return worked(sym(symbol), Rooted(four * each / (under * deep * rho)), "mm")

@@ -7,8 +7,9 @@ from math import degrees, pi
 
 import numpy as np
 
-from ....algebra.formula import Row, Txt, named
-from ....algebra.quantity import Of, Quantity, Times, magnitude, number
+from ....algebra.formula import Node, Row, Txt, named
+from ....algebra.quantity import Of, Quantity, Times, magnitude
+from ....algebra.worked import keyed_in, stated, worked
 from ....board.construction import View
 from ....devices.screw_jack import ALPHA, PHI, PHI_V, RATIOS, TAN_ALPHA, ScrewJack
 from ....names import Named
@@ -16,7 +17,7 @@ from ....plane import Points
 from ....words import Words
 from ..bench import NO_SCALE, Bench
 from ..equilibrium import OFF_N, balance, given, letter, sought
-from ..inclined import friction_angle, leaned, row_of
+from ..inclined import friction_angle, leaned
 from ..sketches.dimensions import millimetres
 from ..sketches.screw_jack import nut_apart, unrolled
 
@@ -53,9 +54,7 @@ def unroll(bench: Bench, device: ScrewJack) -> Thread:
     lead = board.compute("L", Times(device.starts, pitch), "mm") if device.starts > 1 else pitch
     tan = bench.worked(TAN_ALPHA, lead / (Quantity(Txt("π"), pi, "") * mean))
     steep = float(np.degrees(np.arctan(tan.value)))
-    alpha = bench.stated(
-        ALPHA, steep, Row((named("α"), Txt(f" = arctan {number(float(tan.value))} = {number(steep)}°")))
-    )
+    alpha = bench.stated(ALPHA, steep, _arctan(named("α"), magnitude(TAN_ALPHA.symbol, tan.value, "")))
     along = unrolled(bench, sketch, float(mean.value), float(lead.value), "p" if device.starts == 1 else "L")
     return Thread(mean=mean, alpha=alpha, phi=_friction(bench, device), along=along)
 
@@ -78,11 +77,13 @@ def _friction(bench: Bench, device: ScrewJack) -> Quantity:
     f = magnitude("f" if device.f else "f_s", device.thread.si, "")
     wedge = board.compute("f_v", f / Of("cos", magnitude("β", degrees(device.beta.si), "deg")), "")
     lean = float(np.degrees(np.arctan(wedge.value)))
-    return bench.stated(
-        PHI_V,
-        lean,
-        row_of(named(PHI_V.symbol), f" = arctan $f_v$ = arctan {number(float(wedge.value))} = {number(lean)}°"),
-    )
+    return bench.stated(PHI_V, lean, worked(named(PHI_V.symbol), Of("arctan", wedge), "deg"))
+
+
+def _arctan(name: Node, of: Quantity) -> Row:
+    """α = arctan 0.0512 = 2.93°: the tangent was found in the line before."""
+    angle = Of("arctan", of)
+    return Row((name, Txt(" = "), keyed_in(angle), stated(Quantity(name, angle.value, "deg")).items[-1]))
 
 
 def nut_polygon(bench: Bench, device: ScrewJack, jack: Thread) -> Quantity:

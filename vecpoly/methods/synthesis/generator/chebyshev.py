@@ -6,7 +6,8 @@ from math import pi
 
 import numpy as np
 
-from ....algebra.quantity import magnitude, stated
+from ....algebra.quantity import magnitude
+from ....algebra.worked import stated
 from ....board.construction import Scale, View
 from ....board.paper.marks import Dot, Role
 from ....board.place import Pane

@@ -7,7 +7,8 @@ from math import degrees
 
 import numpy as np
 
-from ....algebra.quantity import magnitude, stated
+from ....algebra.quantity import magnitude
+from ....algebra.worked import stated
 from ....designs.generator.function_generator import ERROR, FunctionGenerator
 from ....designs.ranges import extremes
 from ....plane import Points, Reals, circles_meet, cross, nominal

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ....algebra.quantity import Quantity, Sum, magnitude, stated
+from ....algebra.quantity import Quantity, Sum, magnitude
+from ....algebra.worked import stated
 from ....board.paper.marks import Dot, Role
 from ....designs.generator.function_generator import P0, P1, P2, FunctionGenerator
 from ....designs.inversion.loops import Hinged

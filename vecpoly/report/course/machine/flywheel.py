@@ -6,9 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from ....algebra.quantity import number
+from ....algebra.quantity import magnitude, number
+from ....algebra.worked import figures_for
 from ....findings.machine.running import Confirmed, Evenness, Running, Tangents
 from ....findings.study.study import Study
+from ....mechanism.machine import Steady
 from ....words import Words
 from ..numbering import Press
 from ..results.plots import Plotted, given
@@ -90,20 +92,28 @@ def _tried(run: Running, trial: Confirmed, found: Evenness) -> Words:
     )
 
 
+def _divided(work: float, steady: Steady) -> str:
+    """What J_F is worked out from: 1234.5 / (12.566² × 0.05)."""
+    speed, delta = magnitude("ω_m", steady.speed, "rad/s"), magnitude("δ", steady.delta or 0.0, "")
+    expr = magnitude("W", work, "J") / (speed.squared() * delta)
+    digits = figures_for(expr, number(float(np.asarray(expr.value)), 5), 5)
+    return f"{number(work, digits)} / ({number(steady.speed, digits)}² × {number(steady.delta or 0.0, digits)})"
+
+
 def _table(press: Press, run: Running, cuts: Tangents) -> str:
     assert run.found is not None and run.steady is not None and run.by_areas is not None
     exact, steady = run.found.flywheel, run.steady
-    below = f"({number(steady.speed, 5)}² × {number(steady.delta or 0.0, 4)})"
+    calculations = [_divided(work, steady) for work in (run.surplus, cuts.cut)]
     rows = [
         (
             Words("按最大盈亏功（近似）", "by areas (approximate)").of(press.lang),
-            f"{number(run.surplus, 5)} / {below}",
+            calculations[0],
             number(run.by_areas, 5),
             f"{100 * (run.by_areas / exact - 1):+.2f} %".replace("-", "−"),
         ),
         (
             Words("按能量–质量图（精确）", "by Wittenbauer's tangents (exact)").of(press.lang),
-            f"{number(cuts.cut, 5)} / {below}",
+            calculations[1],
             number(exact, 5),
             "—",
         ),

@@ -19,6 +19,8 @@ from .flywheel import flywheel
 from .powers import powers
 from .work import work
 
+_NOTHING = 1e-9  # of the greatest inertia: none
+
 
 def sections(study: Study, press: Press, run: Running) -> list[dict[str, Any]]:
     """Each with its words, tables and figures."""
@@ -70,7 +72,11 @@ def _range(study: Study, to: Equivalent) -> Words:
     found = study.extremes(to.inertia.key)
     if found.highest is None or found.lowest is None:
         return Words.same("")
-    (a, p), (b, q) = ((number(s.value, 4), study.where(s.phi)) for s in (found.lowest, found.highest))
+    small = _NOTHING * found.highest.value
+    (a, p), (b, q) = (
+        (number(0.0 if spot.value < small else spot.value), study.where(spot.phi))
+        for spot in (found.lowest, found.highest)
+    )
     return Words(
         f"$J_e$ 在 {a} kg·m²（{p}）与 {b} kg·m²（{q}）之间变化。",
         f"$J_e$ lies between {a} kg·m² ({p}) and {b} kg·m² ({q}).",

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from ....algebra.quantity import number
+from ....algebra.quantity import magnitude, number
+from ....algebra.worked import figures_for
 from ....findings.machine.running import Running
 from ....findings.study.study import Study
 from ....mechanism.asked.forces import load_symbol
@@ -35,12 +36,14 @@ def work(study: Study, press: Press, run: Running) -> dict[str, Any]:
 
 def _told(study: Study, run: Running) -> Words:
     high, low = (where(study, run, top.psi) for top in (run.high, run.low))
+    gap = magnitude("E_{max}", run.high.value, "J") - magnitude("E_{min}", run.low.value, "J")
+    surplus = number(run.surplus, 5)
+    digits = figures_for(gap, surplus, 5)
+    told = f"$ΔW_{{max}}$ = {number(run.high.value, digits)} − ({number(run.low.value, digits)}) = {surplus} J"
     return _moment(run) + Words(
-        f"动能 $E$ = ∫$M$ d$φ$ 在 {high} 处最大、{low} 处最小，最大盈亏功 $ΔW_{{max}}$ = {number(run.high.value, 5)} − "
-        f"({number(run.low.value, 5)}) = {number(run.surplus, 5)} J（自 {zero(study, run)} 起算）。".replace("-", "−"),
+        f"动能 $E$ = ∫$M$ d$φ$ 在 {high} 处最大、{low} 处最小，最大盈亏功 {told}（自 {zero(study, run)} 起算）。",
         f"The energy $E$ = ∫$M$ d$φ$, counted from {zero(study, run)} on, is greatest at {high} and least at {low}: "
-        f"$ΔW_{{max}}$ = {number(run.high.value, 5)} − ({number(run.low.value, 5)}) = {number(run.surplus, 5)} "
-        "J.".replace("-", "−"),
+        f"{told}.",
     )
 
 

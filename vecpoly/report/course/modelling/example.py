@@ -11,6 +11,7 @@ import numpy as np
 from ....algebra.quantity import number
 from ....analytic.equations import Equation, GroupModel
 from ....analytic.expr import Var
+from ....analytic.keyed import size
 from ....analytic.numbers import unit, worked
 from ....findings.study.study import Study
 from ....words import Words
@@ -18,6 +19,7 @@ from ...formulas import beside
 from ..numbering import SMALL, Press
 
 _NOTHING = 1e-14  # SI: what rounding leaves of zero
+_LEFT = 1e-10  # of the terms of a sum: what rounding leaves where they cancel
 _MOST = 3  # formulas in a line
 _PAIRS = 4  # of quantity and value beside each other
 _HEADER = {"zh": ["量", "数值"], "en": ["Quantity", "Value"]}
@@ -49,7 +51,8 @@ def by_group(study: Study) -> list[dict[str, float]]:
         own = dict(env)
         for e in told(group):
             assert isinstance(e.left, Var)
-            own[e.left.symbol] = float(np.asarray(e.right.value(own)).ravel()[0])
+            value = float(np.asarray(e.right.value(own)).ravel()[0])
+            own[e.left.symbol] = 0.0 if abs(value) < max(_NOTHING, _LEFT * size(e.right, own)) else value
         found.append({k: 0.0 if abs(v) < _NOTHING else v for k, v in own.items()})
     return found
 

@@ -39,6 +39,7 @@ def curve(study: Study, lang: str, keys: Sequence[str], turn: Cycle | None = Non
         width=width,
         panel=panel,
         inks=inks(study, keys),
+        known=study.extremes if turn is None else None,
     )
     return plot.scene, plot.title
 

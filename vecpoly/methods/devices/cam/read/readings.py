@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .....algebra.quantity import Quantity, magnitude, stated
+from .....algebra.quantity import Quantity, magnitude
+from .....algebra.worked import stated
 from .....board.construction import Place, Reading
 from .....names import Named
 from .....plane import Points, Reals, nominal

@@ -1,0 +1,109 @@
+"""Every printed line reproduces: a reader with a pocket calculator who keys in the figures printed gets the result."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.drawn_library import IDS
+from tests.each import each
+from tests.pocket import sums
+from tests.studies import solved
+from vecpoly.algebra.formula import Frac, Over, Power, Root, Row, Sym, Txt, Vec, plain
+from vecpoly.algebra.quantity import Expr, Of, Rooted, magnitude
+from vecpoly.algebra.worked import worked
+from vecpoly.report.answers.line import answer_line
+from vecpoly.solution import Solution
+from vecpoly.words import Words
+
+NODES = Row | Frac | Power | Root | Over | Vec | Sym | Txt
+
+
+def printed(value: object) -> Iterator[str]:
+    """All that is printed of a value, wherever it hangs: formulas and sentences."""
+    if isinstance(value, NODES):
+        yield plain(value)
+    elif isinstance(value, Words):
+        yield from (value.zh, value.en)
+    elif isinstance(value, Mapping):
+        for part in value.values():
+            yield from printed(part)
+    elif isinstance(value, tuple | list):
+        for part in value:
+            yield from printed(part)
+    elif is_dataclass(value):
+        for field in fields(value):
+            yield from printed(getattr(value, field.name))
+
+
+def answers(solution: Solution) -> Iterator[str]:
+    """The lines of the box of answers."""
+    for answer in solution.answers.values():
+        yield plain(answer_line(answer, solution.problem, "en").node)
+
+
+@each(IDS)
+def test_every_line_of_the_steps_gives_its_printed_result(name: str) -> None:
+    for text in dict.fromkeys(printed(solved(name).construction)):
+        for one in sums(text):
+            assert one.holds, f"{one.text}: {one.reckoned:.7g}"
+
+
+@each(IDS)
+def test_every_answer_follows_from_the_figures_before_it(name: str) -> None:
+    for text in answers(solved(name)):
+        for one in sums(text):
+            assert one.holds, f"{one.text}: {one.reckoned:.7g}"
+
+
+def test_thousands_of_sums_are_read() -> None:
+    read = sum(1 for name in IDS for text in printed(solved(name).construction) for _ in sums(text))
+    assert read > 2500
+
+
+SIZES = st.floats(1e-3, 9e4)
+
+
+@given(SIZES, SIZES, SIZES)
+def test_any_sum_is_printed_so_that_it_reproduces(a: float, b: float, c: float) -> None:
+    one, two, three = (magnitude(name, size, "") for name, size in (("a", a), ("b", b), ("c", c)))
+    lines: tuple[Expr, ...] = (one * two, one / two, one * two / three.squared(), one - two + three * one)
+    for expr in (*lines, Rooted(one / two), Of("arctan", one)):
+        read = list(sums(plain(worked(Sym("d"), expr, "deg" if isinstance(expr, Of) else ""))))
+        assert len(read) == 1 and read[0].holds
+
+
+def test_guard_figures_are_written_only_where_they_are_needed() -> None:
+    arm = magnitude("h", 0.076, "m")
+    assert plain(worked(Sym("M"), magnitude("R", 1063.58, "N") * arm, "N·m")).endswith("1063.6 × 0.076 = 80.83 N·m")
+    assert plain(worked(Sym("M"), magnitude("R", 1064.01, "N") * arm, "N·m")).endswith("1064 × 0.076 = 80.86 N·m")
+
+
+@pytest.mark.parametrize(
+    ("line", "holds"),
+    [
+        ("M = R h = 1064 × 0.076 = 80.86 N·m", True),
+        ("M = R h = 1064 × 0.076 = 80.83 N·m", False),
+        ("J = (89.1)/(64.93^2 × 0.01) = 2.113 kg·m^2", True),
+        ("J = (89.1)/(64.93^2 × 0.01) = 2.117 kg·m^2", False),
+        ("$ω_{21}$ = $ω_2$ − $ω_1$ = −0.1922 − (−1) = 0.8078 rad/s, counter-clockwise", True),
+        ("φ = arctan f = arctan 0.13 = 7.407°", True),
+        ("φ = arctan f = arctan 0.13 = 7.41°", True),
+        ("φ = arctan f = arctan 0.13 = 7.40°", False),
+        ("F = Q tan (α + φ) = 2×10^{3} × tan (10° + 5.71°) = 562.6 N", True),
+        ("h = √((0.07854)/(1.5)) = 0.2288 m = 228.8 mm", True),
+        ("h = √((0.07854)/(1.5)) = 0.2298 m = 229.8 mm", False),
+        ("ρ = 0.0015 × 18.4 = 0.0276 m = 27.5 mm", False),
+    ],
+)
+def test_the_calculator_tells_right_lines_from_wrong_ones(line: str, holds: bool) -> None:
+    read = list(sums(line))
+    assert read and all(one.holds for one in read) is holds
+
+
+def test_a_symbol_s_number_is_no_factor() -> None:
+    assert not list(sums("F_21 = F_12 = 3 N")) and not list(sums("links 1 and 2: $l_{AB}$ = 30 mm"))

@@ -1,0 +1,28 @@
+"""How numbers are rounded to be printed: what lies midway goes to the even figure (GB/T 8170), in metres as in mm.
+
+Floats do not lie midway where their decimals do: 0.11025 would go up and 110.25 down.
+"""
+
+from __future__ import annotations
+
+from decimal import ROUND_HALF_EVEN, Context, Decimal
+from math import floor, isfinite, log10
+
+_CLEAN = 12  # figures of a float that are not rubbish
+_CONTEXTS = {digits: Context(prec=digits, rounding=ROUND_HALF_EVEN) for digits in range(1, _CLEAN + 1)}
+
+
+def to_figures(value: float, digits: int) -> float:
+    """The number to so many significant figures."""
+    if not value or not isfinite(value) or digits >= _CLEAN:
+        return value
+    return float(_CONTEXTS[digits].create_decimal(f"{value:.{_CLEAN}g}"))
+
+
+def to_places(value: float, places: int) -> float:
+    """The number to so many decimals."""
+    if not value or not isfinite(value):
+        return value
+    if floor(log10(abs(value))) + 1 + places >= _CLEAN:
+        return value
+    return float(Decimal(f"{value:.{_CLEAN}g}").quantize(Decimal(1).scaleb(-places), rounding=ROUND_HALF_EVEN))
