@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -75,6 +76,15 @@ def test_any_sum_is_printed_so_that_it_reproduces(a: float, b: float, c: float) 
     for expr in (*lines, Rooted(one / two), Of("arctan", one)):
         read = list(sums(plain(worked(Sym("d"), expr, "deg" if isinstance(expr, Of) else ""))))
         assert len(read) == 1 and read[0].holds
+
+
+def test_a_difference_that_four_figures_lose_gets_more_and_what_has_no_value_is_left() -> None:
+    one, two = magnitude("a", 12.34567, ""), magnitude("b", 12.34566, "")
+    (read,) = sums(plain(worked(Sym("d"), two / (one - two), "")))
+    assert read.holds
+    nothing = magnitude("c", np.float64(0.0), "")
+    with np.errstate(divide="ignore"):
+        assert plain(worked(Sym("d"), one / nothing, "m")).endswith("= inf m")
 
 
 def test_guard_figures_are_written_only_where_they_are_needed() -> None:

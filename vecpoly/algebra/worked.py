@@ -7,7 +7,7 @@ result: 1063.6 × 0.076 = 80.83, for 1064 × 0.076 is 80.86.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import floor, log10
+from math import floor, isfinite, log10, nan
 
 from ..foundation.slotted import replace
 from ..plane import nominal
@@ -42,6 +42,8 @@ def keyed_in(expr: Expr, shown: str = "") -> Node:
 def figures_for(expr: Expr, shown: str = "", least: int = FIGURES) -> int:
     """So many figures of its numbers that a reader who keys them in gets the result as it is printed (`shown`)."""
     value = float(nominal(expr.value))
+    if not isfinite(value):
+        return least
     told = ((_read(shown), _half_unit(shown)),) if shown else tuple(_results(value))
     for digits in range(least, _MOST + 1):
         reckoned = _as_printed(expr, digits)
@@ -64,8 +66,11 @@ def spot_in_mm(at: complex) -> str:
 
 
 def _as_printed(expr: Expr, digits: int) -> float:
-    """What a calculator shows for the expression with its numbers printed to so many figures."""
-    return float(nominal(_printed(expr, digits).value))
+    """What a calculator shows for the expression with its numbers printed to so many figures; NaN: an error."""
+    try:
+        return float(nominal(_printed(expr, digits).value))
+    except ZeroDivisionError:  # two printed numbers may be one, where those that are printed differ
+        return nan
 
 
 def _printed(expr: Expr, digits: int) -> Expr:

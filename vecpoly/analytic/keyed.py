@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan2, cos, degrees, floor, log10, pi, radians, sin, sqrt
+from math import atan2, cos, degrees, floor, isfinite, log10, pi, radians, sin, sqrt
 
 import numpy as np
 
@@ -19,6 +19,8 @@ _TIES = 1.0 + 1e-6
 
 def figures_for(expr: Expr, env: Env, value: float, angle: bool) -> int:
     """So many figures (two less: decimals of a degree) of its numbers that they give the result as printed."""
+    if not isfinite(value):
+        return FIGURES
     result, half = _result(value, angle, size(expr, env))
     for digits in range(FIGURES, _MOST + 1):
         gap = (_angle if angle else _keyed)(expr, env, digits) - result
