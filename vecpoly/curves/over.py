@@ -44,8 +44,7 @@ def curves(
     A vector is drawn by its magnitude. width, panel: mm. marks: dots at each curve's turning points far from its
     middle, the greatest and the least told in numbers. inks: of vectors that have one wherever they appear, by key;
     curves of one ink differ by their dashes. known: the exact extremes of a column, told in place of the sampled ones.
-    Raises UnknownNameError, and NotAskedError for nothing to draw or more
-    than six curves in one panel.
+    Raises UnknownNameError, and NotAskedError for nothing to draw or more than six curves in one panel.
     """
     groups = _grouped(cycle, keys)
     height = panel * len(groups)
@@ -62,8 +61,7 @@ def curves(
     for i, (group, limit, label) in enumerate(zip(groups, limits, labels, strict=True)):
         foot = height - panel * (i + 1) + style.FOOT
         at = style.axes(figure, left, foot, width - left - style.RIGHT, room)
-        pens = pens_of(group, inks)
-        _panel(cycle, at, group, limit, marks, pens, known)
+        _panel(cycle, at, group, limit, marks, (pens := pens_of(group, inks)), known)
         top = foot + room + 2.2
         style.text(at, 1.0, top + (0.0 if beside else _LINE), label)
         middle = (left + width - style.RIGHT) / 2

@@ -11,7 +11,6 @@ from typing import Any
 from jinja2 import TemplateNotFound
 
 from ..board.construction import Construction
-from ..board.paper.marks import Dot, Point
 from ..check.printed.answers import check_problem
 from ..designs.base import Design
 from ..drawing.backends.pdf import draw_pdf
@@ -187,18 +186,8 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     if style == "question":
         blank, places = frames(solution.construction, solution.problem.paper)
         made = hung(blank, places, of=solution.problem.paper.format, lang=lang, title=solution.problem.title)
-        return (
-            common
-            | question(solution, lang, objects)
-            | {"frames": _bound(made, blank, lang, objects), "poles": _has_poles(solution.construction)}
-        )
+        return common | question(solution, lang, objects) | {"frames": _bound(made, blank, lang, objects)}
     return common | _solved(solution, lang, objects)
-
-
-def _has_poles(construction: Construction) -> bool:
-    """Whether a polygon is drawn from a pole, whose place the student chooses."""
-    marks = (mark for figure in construction.figures for mark in figure.marks)
-    return any(isinstance(mark, Point) and mark.dot is Dot.POLE for mark in marks)
 
 
 def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ...board.paper.marks import Dot, Point
 from ...devices.structure import Structure
 from ...figures import View
 from ...solution import Solution
@@ -18,7 +19,8 @@ _READ, _FOUND = Words("量取结果", "Readings"), Words("结果", "Results")
 
 
 def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
-    """Names of the rows for vector equations, and of the squares with the table of results at their foot.
+    """Names of the rows for vector equations, and of the squares with the table of results at their foot; whether a
+    polygon is drawn from a pole, whose place the student chooses.
 
     Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
     """
@@ -29,4 +31,5 @@ def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]
     return ({"given": ""} if shown else {}) | {
         "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],
         "working": [objects.add("work", one) for one in working(WORKING.of(lang), working_room(solution), foot, lang)],
+        "poles": any(isinstance(mark, Point) and mark.dot is Dot.POLE for figure in figures for mark in figure.marks),
     }
