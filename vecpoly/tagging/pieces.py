@@ -42,7 +42,7 @@ class Marks:
 
     def __init__(self, canvas: Any, tag: Tag | None) -> None:
         self._canvas, self._tree, self._tag = canvas, tree_of(canvas), tag
-        self.words: Open = self._tree.opener(tag) if tag is not None else lambda: ARTIFACT
+        self.words: Open = self._tree.opener(tag) if tag is not None else lambda: (ARTIFACT,)
         self._last: tuple[str, Tag] | None = None
         self._links: list[_Reach] = []
 

@@ -11,7 +11,7 @@ from ..words import Lang
 from .strings import pdf_string
 from .tag import Tag
 
-Open = Callable[[], str]  # the operator that begins marked content, made when something is put into it
+Open = Callable[[], tuple[str, ...]]  # the operators that begin marked content, made when something is put into it
 ARTIFACT = "/Artifact BMC"
 HEADER = "/Artifact<</Type/Pagination/Subtype/Header>>BDC"
 FOOTER = "/Artifact<</Type/Pagination/Subtype/Footer>>BDC"
@@ -43,7 +43,7 @@ class Element:
 
 
 class Tree:
-    """Grows with the pages; `begin` gives the operator under which the next piece of an element is drawn."""
+    """Grows with the pages; `begin` gives the operators under which the next piece of an element is drawn."""
 
     def __init__(self) -> None:
         self.root = Element(None)
@@ -61,13 +61,15 @@ class Tree:
             (self.element(tag.within) if tag.within is not None else self.root).kids.append(found)
         return found
 
-    def begin(self, tag: Tag, actual: str = "") -> str:
-        """The operator that opens a piece of this element; actual: the text that it stands for."""
+    def begin(self, tag: Tag, actual: str = "") -> tuple[str, ...]:
+        """The operators that open a piece of this element, each to be closed; actual: the text that it stands for."""
         element, marked = self.element(tag), self.pages[-1]
         element.kids.append(Content(len(self.pages) - 1, len(marked)))
         marked.append(element)
-        inner = f" /Span<</ActualText{pdf_string(actual)}>>BDC" if actual else ""  # poppler reads it of a Span alone
-        return f"/{tag.role.value}<</MCID {len(marked) - 1}>>BDC{inner}"
+        outer = f"/{tag.role.value}<</MCID {len(marked) - 1}>>BDC"
+        return (
+            (outer, f"/Span<</ActualText{pdf_string(actual)}>>BDC") if actual else (outer,)
+        )  # poppler: of a Span alone
 
     def opener(self, tag: Tag, actual: str = "") -> Open:
         """`begin`, when it is needed."""
@@ -97,9 +99,10 @@ def tree_of(canvas: Any) -> Tree:
 @contextmanager
 def marked(canvas: Any, tag: Tag) -> Iterator[None]:
     """What is drawn meanwhile is this element's."""
-    canvas._code.append(tree_of(canvas).begin(tag))
+    begun = tree_of(canvas).begin(tag)
+    canvas._code.extend(begun)
     yield
-    canvas._code.append(END)
+    canvas._code.extend(END for _ in begun)
 
 
 @contextmanager

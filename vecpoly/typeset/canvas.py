@@ -20,8 +20,8 @@ class Ink:
 
     def __init__(self, canvas: Any) -> None:
         self._canvas = canvas
-        self._under: Callable[[], str] | None = None
-        self._open: Callable[[], str] | None = None
+        self._under: Callable[[], tuple[str, ...]] | None = None
+        self._open: Callable[[], tuple[str, ...]] | None = None
         self._ends: list[str] = []
         self._tagged = False
         self._text: list[str] = []
@@ -31,7 +31,7 @@ class Ink:
         self._rgb: Rgb | None = None
         self._inked = False
 
-    def under(self, begin: Callable[[], str] | None) -> None:
+    def under(self, begin: Callable[[], tuple[str, ...]] | None) -> None:
         """What text follows is marked content, which `begin` opens as soon as there is some; rules are artifacts."""
         self._under = begin
         self._tagged = True
@@ -67,10 +67,9 @@ class Ink:
     def _turn(self, out: list[str]) -> None:
         """Close what marked content is open, and open what is wanted."""
         out.extend(self._ends)
-        begun = self._under() if self._under is not None else ""
-        if begun:
-            out.append(begun)
-        self._ends = ["EMC"] * (begun.count("BDC") or begun.count("BMC"))
+        begun = self._under() if self._under is not None else ()
+        out.extend(begun)
+        self._ends = ["EMC"] * len(begun)
         self._open = self._under
 
     def box(self, box: Box, x: float, y: float) -> None:
