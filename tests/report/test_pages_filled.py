@@ -66,7 +66,7 @@ def test_a_sheet_stands_before_the_page_that_holds_little_of_the_text_before_it(
     plain.counted()
     assert len(plain.filled) == 2 and plain.filled[1] < FULL and sparse(plain) == [2]
     moved, _ = run_on(plain.story, plain)
-    assert isinstance(moved[0], SheetPage) and moved[0].behind == 1
+    assert isinstance(moved[1], SheetPage) and moved[1].behind == 1
     after = ReportDoc(moved, META)
     assert after.counted() == 3 and isinstance(after.heads[2], SheetPage) and not sparse(after)
 
@@ -97,5 +97,5 @@ def test_behind_a_cover_too_it_is_the_text_with_little_that_shares_its_page() ->
     assert sparse(doc) == [2]
     moved, after = run_on(doc.story, doc)
     sheets = [item for item in moved if isinstance(item, SheetPage)]
-    assert [item.behind for item in sheets] == [0, 1, 0] and moved[1] is sheets[1]
+    assert [item.behind for item in sheets] == [0, 1, 0] and moved[2] is sheets[1]
     assert moved[-1] is second and not sparse(after)

@@ -13,7 +13,7 @@ from vecpoly.report.flow.blocks import Heading, SheetPage
 from vecpoly.report.flow.contents import Contents
 from vecpoly.report.flow.cover import Cover
 from vecpoly.report.flow.doc import Metadata, ReportDoc
-from vecpoly.report.flow.paging.running import run_on
+from vecpoly.report.flow.paging.running import FULL, run_on
 from vecpoly.report.flow.paging.together import led
 from vecpoly.report.flow.para import Para
 from vecpoly.report.flow.table import DataTable
@@ -27,10 +27,10 @@ def chapter(number: int, paragraphs: int) -> list[Heading | Para]:
 
 def test_a_sheet_behind_a_full_page_stays_where_it_is_whatever_a_cover_and_contents_take() -> None:
     cover = Cover("kind", "title", "", (), None)
-    story = [cover, *chapter(1, 14), SheetPage(lambda *_: None, title="Sheet"), *chapter(2, 2)]
+    story = [cover, *chapter(1, 16), SheetPage(lambda *_: None, title="Sheet"), *chapter(2, 2)]
     doc = ReportDoc(story, META)
     doc.counted()
-    assert len(doc.ends) == 2 and doc.ends[0][1] > 0.45 > doc.ends[1][1]
+    assert len(doc.ends) == 2 and doc.ends[0][1] > FULL > doc.ends[1][1]
     found, _ = run_on(story, doc)
     assert [type(one) for one in found] == [type(one) for one in story]
     assert not any(getattr(one, "behind", 0) for one in found)

@@ -4,6 +4,7 @@ which is set with drawn figures, tables and formulas."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +28,7 @@ from ..words import Lang, Words, label
 from .answers.box import answer_box
 from .answers.tables import readings_tables
 from .content import Objects, cautions, conclusions, sections, statement
-from .flow.blocks import Callout, Drawing
+from .flow.blocks import Callout, Drawing, Plate
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.paging.tight import saved
 from .flow.table import DataTable
@@ -205,6 +206,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     checked, lines = check_problem(solution.problem), lines_table(solution, lang)
     blocks = diagram(solution.construction)
     verified, printed = verification_table(solution, lang), printed_table(checked.answers, lang)
+    bound = [] if blocks else _pages(solution.construction, solution, lang, objects)
     return {
         "verified": objects.add("tab", verified) if verified else "",
         "lines": objects.add("tab", lines) if lines else "",
@@ -224,11 +226,12 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "answer": objects.add("ans", answer_box(solution, lang, conclusions(solution, lang))),
         "cautions": cautions(solution, lang),
         "diagram": objects.add("pic", sketch_of(blocks, solution, lang)) if blocks else "",
-        "sheets": [] if blocks else _pages(solution.construction, solution, lang, objects),
+        "sheets": bound,
+        "plates": [*takewhile(lambda name: isinstance(objects.named[name], Plate), bound)],
     }
 
 
-def _pages(construction: Construction, solution: Solution, lang: Lang, objects: Objects) -> list[Any]:
+def _pages(construction: Construction, solution: Solution, lang: Lang, objects: Objects) -> list[str]:
     """The sheets of a construction, each put among the objects of the report."""
     problem = solution.problem
     loose = sheets(construction, lang=lang, title=problem.title, on=problem.paper, plates=True)

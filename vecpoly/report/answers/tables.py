@@ -79,10 +79,17 @@ def _at(where: str, rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
 
 
 def _sorted(answers: Iterable[Answer]) -> tuple[list[Answer], list[Answer]]:
-    """The places, and all that is none; a place at infinity is a direction."""
+    """The places, and all that is none; a place at infinity, which is a direction, beside others in their table."""
     every = list(answers)
-    places = [one for one in every if one.is_place and one.drawn_vector is not None and one.exact_vector is not None]
-    return places, [one for one in every if one not in places]
+    finite = {one.key for one in every if one.is_place and None not in (one.drawn_vector, one.exact_vector)}
+    places = [one for one in every if one.key in finite or (finite and _endless(one))]
+    kept = {one.key for one in places}
+    return places, [one for one in every if one.key not in kept]
+
+
+def _endless(answer: Answer) -> bool:
+    """Whether it is a place at infinity, on paper and exactly."""
+    return answer.is_place and answer.drawn_vector is None and answer.exact_vector is None and not answer.undefined
 
 
 def counted(answer: Answer) -> bool:
@@ -171,7 +178,11 @@ def _places(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
 
 
 def _place_row(answer: Answer) -> tuple[str, ...]:
-    """A point (m): both coordinates as drawn and exact, how far they are apart."""
+    """A point (m): both coordinates as drawn and exact, how far they are apart; at infinity in which direction."""
+    if _endless(answer):
+        error = f"{rough(answer.expected_error)}°" if answer.expected_error else NOTHING
+        ways = ("∞", angle(answer.drawn), "∞", angle(_clean(answer)))
+        return (f"${answer.reading.symbol}$", *ways, NOTHING, error)
     drawn, exact = answer.drawn_vector, answer.exact_vector
     assert drawn is not None and exact is not None
     places, off = coordinates(answer), abs(drawn - exact)

@@ -19,6 +19,7 @@ from .cells import cells, joined
 from .para import Para
 from .style import CAPTION, GREY, HEADINGS, Colour, Style
 
+SMALLEST = 0.8  # of a sketch that is fitted into what a page has left
 Draw = Callable[[Any, float, float], None]
 
 KINDS: dict[str, Colour] = {
@@ -100,6 +101,7 @@ class Drawing(Block):
         self, width_mm: float, height_mm: float, draw: Draw, alt: str = "", caption: str = "", *, sketch: bool = False
     ) -> None:
         super().__init__(6.0, 6.0)
+        self.floats = sketch  # where the page has no room for it, the text runs on, and it opens the next page
         self.size = (width_mm * MM, height_mm * MM)
         self.alt, self._draw, self._sketch, self._factor = alt, draw, sketch, 1.0
         chinese = any(char >= "\u2e80" for char in caption)
@@ -137,6 +139,18 @@ class Drawing(Block):
         super().tighten(degree)
         self._factor = degree.figures if self._sketch else 1.0
 
+    def fitted(self, room: float) -> Drawing | None:
+        """Itself where there is room for so many points, a sketch a little smaller; None where that will not do."""
+        lines = self.wrap(0.0, room)[1] - self._factor * self.size[1]
+        if self.height <= room:
+            return self
+        factor = (room - lines) / self.size[1]
+        if not self._sketch or factor < min(SMALLEST, self._factor):
+            return None
+        own = copy(self)
+        own._factor = factor
+        return own
+
     def draw_bare(self, canvas: Any, x: float, y: float) -> None:
         """Draw the figure alone with its lower left corner at (x, y) points."""
         with marked(canvas, boxed(self.tag, x, y, x + self.size[0], y + self.size[1])):
@@ -144,9 +158,10 @@ class Drawing(Block):
 
 
 class Divider(Block):
-    """A fine rule across the column."""
+    """A fine rule across the column, between what ends and what begins; no page ends or begins with it."""
 
     pieces = True
+    keepWithNext = 1
 
     def __init__(self) -> None:
         super().__init__(4.0, 6.0)
@@ -168,7 +183,7 @@ class Plate(Drawing):
 
     def __init__(self, width_mm: float, height_mm: float, draw: Draw, title: str = "", alt: str = "") -> None:
         super().__init__(width_mm, height_mm, draw, alt or title)
-        self.outline, self.level = title, 2
+        self.outline, self.level, self.floats = title, 2, True
 
 
 class SheetPage(Block):

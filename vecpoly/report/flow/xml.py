@@ -214,7 +214,9 @@ class _Reader:
             out.append(sentence)
             for block in self.read(Element("step", {}, child.line, "", child.children)):
                 block.put_within(body)
+                block.keepWithNext = 1
                 out.append(block)
+            out[-1].keepWithNext = 0
         self._list = steps
         return out
 

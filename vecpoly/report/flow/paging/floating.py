@@ -1,4 +1,5 @@
-"""Sheets that stand behind some pages of a text that goes on behind them, as plates are bound into a book."""
+"""Sheets that stand behind some pages of a text that goes on behind them, as plates are bound into a book; figures that
+open the next page where the text has no room for them."""
 
 from __future__ import annotations
 
@@ -9,14 +10,18 @@ from typing import Any
 from reportlab.platypus.doctemplate import ActionFlowable, BaseDocTemplate, NextPageTemplate
 from reportlab.platypus.flowables import PageBreak
 
-from ..blocks import Callout, SheetPage
+from ..blocks import Callout, Divider, Drawing, SheetPage
+
+_ENDS = (NextPageTemplate, PageBreak, Divider)  # behind these no figure of what was before them stands
 
 
 class Floating(BaseDocTemplate):  # type: ignore[misc]
-    """A document whose text may turn its pages round a sheet: `SheetPage.behind` pages after where it was met."""
+    """A document whose text may turn its pages round a sheet, `SheetPage.behind` pages after where it was met; it runs
+    on where a figure that floats has no room, which opens the next page."""
 
     _ahead: list[Any]  # what is still to be set
     _waiting: list[tuple[SheetPage, int]]
+    _figures: list[Drawing]  # that the next page opens with
     filled: list[float]  # how full each page of text is
     heads: dict[int, Any]  # what each page opens with
 
@@ -26,23 +31,52 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
         return [page for page, head in self.heads.items() if isinstance(head, Callout) and page > 1]
 
     def float(self, story: list[Any]) -> list[Any]:
-        """The story, at the end of which no sheet is left waiting."""
-        self._ahead, self._waiting, self.filled, self.heads = [], [], [], {}
-        return [*story, _Rest()] if any(isinstance(item, SheetPage) and item.behind for item in story) else story
+        """The story, at the end of which nothing is left waiting."""
+        self._ahead, self._waiting, self._figures, self.filled, self.heads = [], [], [], [], {}
+        return [*story, _Rest()] if any(_floats(item) for item in story) else story
 
     def handle_flowable(self, flowables: list[Any]) -> None:
-        """Put a sheet that floats aside."""
-        if flowables is not self._hanging:
-            self._ahead = flowables
+        """Put what floats aside."""
+        if flowables is self._hanging:
+            super().handle_flowable(flowables)
+            return
+        self._ahead = flowables
+        self._set_figures(flowables)
         first = flowables[0]
         if isinstance(first, SheetPage) and first.behind:
             own = copy(flowables.pop(0))
             own.behind = 0
             self._waiting.append((own, first.behind))
+        elif isinstance(first, Drawing) and first.floats and self._waits(flowables, first):
+            self._figures.append(flowables.pop(0))
+        elif isinstance(first, Divider) and self._opens:
+            del flowables[0]
         else:
             super().handle_flowable(flowables)
             if self._curPageFlowableCount:
                 self.heads.setdefault(self.page, first)
+
+    @property
+    def _opens(self) -> bool:
+        """Whether nothing stands on this page of text."""
+        return bool(self.pageTemplate.id == "text" and self._curPageFlowableCount == 0)
+
+    def _set_figures(self, flowables: list[Any]) -> None:
+        """The figures that wait, at the head of a page and before what must not overtake them."""
+        ends = isinstance(flowables[0], _ENDS) and self.pageTemplate.id == "text"
+        if self._figures and (self._opens or ends):
+            due, self._figures = self._figures, []
+            flowables[:0] = [_settled(one) for one in due] if ends else due
+
+    def _waits(self, flowables: list[Any], figure: Drawing) -> bool:
+        """Whether the page has no room for it, nor would have if it were a little smaller."""
+        if self._opens:
+            return False
+        found = figure.fitted(self.frame._y - self.frame._y1p - figure.getSpaceBefore())
+        if found is None or self._figures:
+            return True
+        flowables[0] = found
+        return False
 
     def handle_pageEnd(self) -> None:
         """After a page of text, the sheets that stand behind it."""
@@ -58,9 +92,21 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
         super().handle_pageEnd()
 
     def rest(self) -> None:
-        """All sheets that are still waiting, here."""
+        """All figures and sheets that are still waiting, here."""
+        figures, self._figures = self._figures, []
         due, self._waiting = [sheet for sheet, _ in self._waiting], []
-        self._ahead[:0] = _between(due)[:-2]
+        self._ahead[:0] = [*map(_settled, figures), *_between(due)[:-2]]
+
+
+def _floats(item: Any) -> bool:
+    return (isinstance(item, SheetPage) and item.behind > 0) or (isinstance(item, Drawing) and item.floats)
+
+
+def _settled(figure: Drawing) -> Drawing:
+    """The figure in its place."""
+    own = copy(figure)
+    own.floats = False
+    return own
 
 
 class _Rest(ActionFlowable):  # type: ignore[misc]

@@ -11,9 +11,11 @@ from reportlab.platypus.flowables import PageBreak
 
 from ..base import Block
 from ..blocks import Divider, SheetPage
-from ..doc import LEFTOVER, ReportDoc
+from ..doc import ReportDoc
+from .together import led
 
 ROUNDS = 8  # what begins on a page of another may end on one that holds little
+FULL = 0.8  # of the last page of a part: what is less is shared with what comes next
 
 
 def run_on(story: Sequence[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
@@ -43,13 +45,21 @@ def _shared(story: Sequence[Any], ends: Sequence[tuple[int, float]]) -> list[Any
     parts, told = split(story), iter(ends)
     for number, (text, behind) in enumerate(parts):
         pages, full = next(told, (0, 1.0)) if text else (0, 1.0)
-        last = number == len(parts) - 1
+        last, changed = number == len(parts) - 1, len(out) != sum(len(a) + len(b) for a, b in parts[:number])
         sheets = [item for item in behind if isinstance(item, SheetPage)]
-        if full >= LEFTOVER or (sheets and pages < 2) or (last and not sheets):
+        if full >= FULL or (last and (not sheets or pages < 2 or changed)):
             out += [*text, *behind]
             continue
-        out += [*(_behind(sheet, pages - 1) for sheet in sheets), *text, *([] if last else [Divider()])]
+        head = _opening(text)
+        floating = (_behind(sheet, max(pages - 1, 1)) for sheet in sheets)
+        out += [*text[:head], *floating, *text[head:], *([] if last else [Divider()])]
     return out if len(out) != len(story) or any(a is not b for a, b in zip(out, story, strict=True)) else None
+
+
+def _opening(text: Sequence[Any]) -> int:
+    """How many blocks stand together where it begins: its heading, and what is not parted from that."""
+    held = led(text)
+    return 1 + next((at for at, item in enumerate(held) if not getattr(item, "keepWithNext", 0)), len(held) - 1)
 
 
 def _behind(sheet: SheetPage, pages: int) -> SheetPage:

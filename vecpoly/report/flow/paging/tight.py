@@ -1,8 +1,8 @@
 """A page of text that would hold only a leftover is saved: its part of the story is set a little tighter.
 
-A part is what stands between two turns of the page that the story itself asks for. Where its last page holds little,
-it is tried with less white, then with closer lines and smaller sketches, as one sets it by hand; what saves no page is
-left as it was.
+A part is what stands between two turns of the page that the story itself asks for. Where the last page of the only one
+holds little, it is tried with less white, then with closer lines and smaller sketches, as one sets it by hand; what
+saves no page is left as it was.
 """
 
 from __future__ import annotations
@@ -31,10 +31,12 @@ def saved(story: Sequence[Any], meta: Metadata) -> bytes:
 
 
 def settled(story: Sequence[Any], meta: Metadata) -> list[Any]:
-    """The story as `saved` sets it."""
+    """The story as `saved` sets it; of one of many parts, which run on, none is set more tightly than another."""
     story = _set(story, {})
     plain = ReportDoc(story, meta)
     plain.counted()
+    if len(plain.ends) > 1:
+        return fresh(run_on(story, plain)[0])
     tried = {part: _degree(story, part, pages, meta) for part, pages in plain.leftover.items()}
     chosen = {part: degree for part, degree in tried.items() if degree is not None}
     if chosen:
@@ -45,8 +47,8 @@ def settled(story: Sequence[Any], meta: Metadata) -> list[Any]:
 
 
 def _unwidowed(story: list[Any], doc: ReportDoc) -> Sequence[Any]:
-    """A story of one part, tightened as little as will do where a box opens one of its pages; doc: it, laid out."""
-    if len(doc.ends) > 1 or not doc.widows:
+    """The story, tightened as little as will do where a box opens one of its pages; doc: it, laid out."""
+    if not doc.widows:
         return story
     for degree in DEGREES:
         closer = tightened(story, degree)
