@@ -13,8 +13,6 @@ from jinja2 import TemplateNotFound
 from ..board.construction import Construction
 from ..check.printed.answers import check_problem
 from ..designs.base import Design
-from ..drawing.backends.pdf import draw_pdf
-from ..drawing.figure import draw_figure
 from ..drawing.sheets.sheet import Sheet, hung, sheets
 from ..errors import ArgumentError, NotAskedError, UnknownNameError
 from ..foundation.arguments import known_language, of_kind
@@ -22,12 +20,11 @@ from ..foundation.data import data_dir
 from ..foundation.files import write_whole
 from ..foundation.stock import one_format
 from ..solution import REPEATS, Solution
-from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .answers.box import answer_box
 from .answers.tables import readings_tables
 from .content import Objects, cautions, conclusions, sections, statement
-from .flow.blocks import Callout, Drawing, Plate
+from .flow.blocks import Callout, Plate
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.paging.tight import saved
 from .flow.table import DataTable
@@ -37,7 +34,7 @@ from .lines import lines_table
 from .picture import diagram, picture
 from .plates.page import sheet_page
 from .plates.results import concluded
-from .plates.shown import shown
+from .plates.sketch import sketch_of
 from .printed_tables import printed_tables
 from .question.content import question
 from .question.frames import frames
@@ -233,17 +230,3 @@ def _bound(made: Sequence[Sheet], shown: Construction, lang: Lang, objects: Obje
     number = shown.problem
     name = Words(f"图纸：题 {number}", f"Sheet: problem {number}").of(lang)
     return [objects.add("sheet", sheet_page(sheet, shown, name)) for sheet in made]
-
-
-def sketch_of(figure: Any, solution: Solution, lang: Lang, *, sketch: bool = False) -> Drawing:
-    """A figure as a block of the text; sketch: one that is not to scale."""
-    scene = draw_figure(figure, lang=lang, caption=False)
-    e = scene.extents
-    return Drawing(
-        e.width,
-        e.height,
-        lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM),
-        shown(figure, lang, scaled=not sketch),
-        figure.title.of(lang),
-        sketch=sketch,
-    )
