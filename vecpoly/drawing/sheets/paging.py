@@ -4,17 +4,19 @@ no small drawing alone on one of several."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from operator import or_
 from typing import Generic, Literal, Protocol, TypeVar
 
 from ...board.construction import Figure, View
+from ..figure import title_line
 from ..scene import Rect, Scene
-from .packing import Layout, flat, pack, packed, slicings
+from .packing import TIGHT, Layout, flat, pack, packed, slicings
 from .redbox import BAND
 from .slicing import Pair, Size
 from .space import SPARSE, is_page, room_inside
+from .spreading import sunk
 
 UPRIGHT = 0.04  # of a page's area by which figures must spread wider over one that lies across
 CROWDED = 6.5  # mm of white below which a page is full to the brim
@@ -58,6 +60,11 @@ class Drawn:
     def size(self) -> Size:
         """Width and height of that, mm."""
         return self.extents.width, self.extents.height
+
+    @property
+    def line(self) -> float:
+        """How high its title stands over the lowest of all that, mm."""
+        return 0.0 if self.figure is None else title_line(self.scene, self.figure) - self.extents.y0
 
 
 Way = Literal["portrait", "landscape"] | None
@@ -127,6 +134,18 @@ def trimmed(figures: Sequence[Sized], layout: Layout) -> Layout:
         return layout
     plate = flat([one.size for one in figures], pairs_of(figures))
     return plate if plate is not None and covered(figures, plate) > covered(figures, layout) else layout
+
+
+def lined(figures: Sequence[Drawn], layout: Layout, still: Sequence[Rect] = ()) -> Layout:
+    """With the titles of figures side by side on one line; still: what else stands on the page."""
+    boxes = [Rect(c.real, c.imag, c.real + w, c.imag + h) for c, (w, h) in _standing(figures, layout)]
+    lines = [box.y0 + one.line for box, one in zip(boxes, figures, strict=True)]
+    falls = sunk(boxes, lines, still, min(TIGHT, max(layout.white, 0.0)))
+    return replace(layout, corners=tuple(at - 1j * by for at, by in zip(layout.corners, falls, strict=True)))
+
+
+def _standing(figures: Sequence[Sized], layout: Layout) -> Iterator[tuple[complex, Size]]:
+    return ((at, one.size) for at, one in zip(layout.corners, figures, strict=True))
 
 
 def under_box(figures: tuple[F, ...], layout: Layout) -> list[Page[F]]:
