@@ -16,6 +16,7 @@ from ..scene import Fill, Item, Rect, Scene, Stroke, rect_of
 CELL = 1.0  # mm: how finely room is looked for
 WHITE = 3.5  # mm of white between a figure and its detail
 FAR = 0.001  # of the area of the figure that a mm to the place shown is worth
+LEVEL = 0.03  # of that area: what it is worth that the titles of both stand on one line
 
 Taken = NDArray[np.bool_]
 Spots = NDArray[np.complex128]
@@ -34,6 +35,7 @@ class Room:
     """The room about a figure, cell by cell: what is taken by ink."""
 
     extents: Rect  # of the figure with the details that stand
+    foot: float  # how high the figure itself stands
     low: complex  # lower left corner of the cells
     taken: Taken = field(repr=False)
 
@@ -42,7 +44,7 @@ class Room:
         """About a figure with ink at these points, and so far beyond it on every side (mm)."""
         around = extents.grown(reach)
         high, wide = ceil(around.height / CELL), ceil(around.width / CELL)
-        room = cls(extents, complex(around.x0, around.y0), np.zeros((high, wide), dtype=bool))
+        room = cls(extents, extents.y0, complex(around.x0, around.y0), np.zeros((high, wide), dtype=bool))
         for points in ink:
             room.take(points)
         return room
@@ -72,6 +74,7 @@ class Room:
         along, up = grow.value
         cost = along * wider * e.height + up * higher * e.width + wider * higher
         cost += FAR * e.width * e.height * np.abs(corners + size / 2 - wanted)
+        cost -= LEVEL * e.width * e.height * (np.abs(corners.imag - self.foot) < CELL / 2)
         at = complex(corners[np.argmin(cost)])
         found = Rect(at.real, at.imag, (at + size).real, (at + size).imag)
         self.extents |= found
@@ -93,8 +96,8 @@ def nested(scene: Scene, details: Sequence[tuple[Scene, complex]]) -> dict[Grow,
 
 
 def reach_of(boxes: Iterable[Rect]) -> float:
-    """How far beyond a figure one of these may stand (mm)."""
-    return max(max(box.width, box.height) for box in boxes) + 3 * WHITE
+    """How far beyond a figure one of these may stand (mm): so that cells lie level with its foot."""
+    return ceil(max(max(box.width, box.height) for box in boxes) + 3 * WHITE) + WHITE % CELL
 
 
 def _spots(item: Item) -> Spots:
