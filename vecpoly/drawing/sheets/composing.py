@@ -158,7 +158,7 @@ class Composing:
 
     def wanted(self, kind: Place) -> float:
         """How large such a figure is drawn by hand: a diagram beside polygons as large as what stands in it asks."""
-        if kind is not View.MECHANISM or not any(isinstance(one, View) and one.images for one in self.kinds):
+        if kind is not View.MECHANISM or not any(isinstance(one, Pane) or one.images for one in self.kinds):
             return usual(kind)
         letters = max((one.letters for one in self.figures if one.of is kind), default=0)
         return min(max(PLAIN, PER_LETTER * letters), usual(kind))
