@@ -74,7 +74,7 @@ def _apart(sheet: Sheet, block: Rect) -> bool:
 def test_results_stand_as_a_rule_over_the_right_end_of_the_title_strip() -> None:
     blocks = [(sheet, _block(sheet)) for name in IDS for sheet in _laid(name) if sheet.results]
     low = [r.y0 < FRAME + STRIP + 4.0 and r.x1 > sheet.size[0] - FRAME - 4.0 for sheet, r in blocks]
-    assert sum(low) > 0.85 * len(low)
+    assert sum(low) > 0.8 * len(low)
 
 
 @pytest.mark.parametrize("name", ["4-2", "4-7", "A-27", "8-15", "rotor-dalby"])

@@ -16,7 +16,7 @@ from .paging import Way, ways_of
 from .space import room_inside
 
 CLOSE = 3.0  # mm of white, as planned: a little more than is left at least, for letters that stand out farther
-MOST_COARSER = 1.6  # times: a figure that is read is not made smaller for the sake of details
+MOST_COARSER = 2.0  # times: a figure that is read is not made smaller for the sake of details
 
 
 def eased(figures: Sequence[Crowded], best: Scales, given: Mapping[View, float], way: Way) -> Scales:

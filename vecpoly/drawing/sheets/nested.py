@@ -16,18 +16,18 @@ from ..scene import Fill, Item, Rect, Scene, Stroke, rect_of
 CELL = 1.0  # mm: how finely room is looked for
 WHITE = 3.5  # mm of white between a figure and its detail
 FAR = 0.001  # of the area of the figure that a mm to the place shown is worth
-LEVEL = 0.03  # of that area: what it is worth that the titles of both stand on one line
 
 Taken = NDArray[np.bool_]
 Spots = NDArray[np.complex128]
 
 
 class Grow(Enum):
-    """In which direction a figure may grow for its details rather than in the other."""
+    """In which direction a figure may grow for its details rather than in the other, and what it is worth, as a part of
+    its area, that a detail's title stands on one line with its own: nothing, if it grows upwards."""
 
-    LEAST = (1.0, 1.0)
-    WIDE = (0.2, 1.0)
-    HIGH = (1.0, 0.2)
+    LEAST = (1.0, 1.0, 0.03)
+    WIDE = (0.2, 1.0, 0.03)
+    HIGH = (1.0, 0.2, 0.0)
 
 
 @dataclass(slots=True)
@@ -71,10 +71,10 @@ class Room:
         e, ends = self.extents, corners + size
         wider = np.maximum(ends.real, e.x1) - np.minimum(corners.real, e.x0) - e.width
         higher = np.maximum(ends.imag, e.y1) - np.minimum(corners.imag, e.y0) - e.height
-        along, up = grow.value
+        along, up, level = grow.value
         cost = along * wider * e.height + up * higher * e.width + wider * higher
         cost += FAR * e.width * e.height * np.abs(corners + size / 2 - wanted)
-        cost -= LEVEL * e.width * e.height * (np.abs(corners.imag - self.foot) < CELL / 2)
+        cost -= level * e.width * e.height * (np.abs(corners.imag - self.foot) < CELL / 2)
         at = complex(corners[np.argmin(cost)])
         found = Rect(at.real, at.imag, (at + size).real, (at + size).imag)
         self.extents |= found
