@@ -57,7 +57,7 @@ def _composed(figures: Sequence[Sketched], kinds: set[Place], there: Scales, way
     made = [(trial, found) for trial in trials if (found := trial.grown(start)) is not None]
     if not made:
         return {kind: start[kind] for kind in kinds}
-    trial, best = max(made, key=lambda one: (-one[0].needed(one[1]), one[0].filled(one[1])))
+    trial, best = max(made, key=lambda one: one[0].worth(one[1])) if len(made) > 1 else made[0]
     if way is None and trial.share(best) < LOST:
         best = _lower(trial, best, start)
     return {kind: best[kind] for kind in kinds}
@@ -133,6 +133,10 @@ class Composing:
         sizes = self.sizes(scales)
         layout = pack(sizes, self.page, tuple(self.pairs))
         return 1.0 if layout is None else layout.share(sizes)
+
+    def worth(self, scales: Mapping[Place, float]) -> tuple[int, bool, float]:
+        """The more, the better: few sheets, on which figures are not lost, and large figures."""
+        return -self.needed(scales), self.share(scales) >= LOST, self.filled(scales)
 
     def low(self, scales: Mapping[Place, float]) -> float:
         """What they take of a plate as low as its width allows; 0 where it would be as high as a page."""
