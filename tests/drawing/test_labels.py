@@ -7,6 +7,7 @@ import math
 import random
 from dataclasses import astuple
 from functools import cache
+from itertools import combinations
 
 import pytest
 import shapely
@@ -188,6 +189,12 @@ def test_leaders_are_few_and_short() -> None:
     labels = sum(len(one.labels) for name in IDS for one in _drawn(name))
     long = [abs(line.points[1] - line.points[0]) for name in IDS for one in _drawn(name) for line in leaders(one)]
     assert len(long) < 0.08 * labels and sum(length > 14 for length in long) < 0.012 * labels
+
+
+def test_leaders_hardly_ever_cross_each_other() -> None:
+    drawn = [[_line(line) for line in leaders(one)] for name in IDS for one in _drawn(name)]
+    crossed = sum(a.intersects(b) for lines in drawn for a, b in combinations(lines, 2))
+    assert crossed < 0.025 * sum(map(len, drawn))
 
 
 @each(IDS)

@@ -13,6 +13,7 @@ from vecpoly.drawing.backends.pdf import to_pdf
 from vecpoly.drawing.scene import Rect, rect_of
 from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.drawing.sheets.space import FRAME, STRIP, slots, usable
+from vecpoly.drawing.sheets.spreading import sunk
 from vecpoly.errors import VecpolyError
 from vecpoly.words import Words
 
@@ -119,3 +120,15 @@ def test_both_languages_fill_the_strip_without_running_over() -> None:
             rect_of(i) for i in sheet.scene.items if type(i).__name__ == "TextBox" and rect_of(i).y1 < FRAME + STRIP
         ]
         assert not any(a.overlaps(b) for i, a in enumerate(strip) for b in strip[:i])
+
+
+def test_titles_of_figures_side_by_side_stand_on_one_line() -> None:
+    boxes = [Rect(0, 0, 50, 100), Rect(60, 40, 100, 90), Rect(110, 20, 150, 60)]
+    falls = sunk(boxes, [10, 50, 26], (), 2.0)
+    assert falls == pytest.approx([0, 40, 16])
+
+
+def test_a_figure_does_not_sink_onto_another_nor_onto_what_stands_still() -> None:
+    tall, upper, lower = Rect(0, 0, 50, 100), Rect(60, 60, 100, 100), Rect(60, 5, 100, 50)
+    assert sunk([tall, upper, lower], [10, 70, 15], (), 2.0) == pytest.approx([0, 0, 5])
+    assert sunk([tall, upper], [10, 70], (Rect(60, 0, 100, 30),), 2.0) == pytest.approx([0, 0])

@@ -22,7 +22,7 @@ from vecpoly.drawing.sheets.sheet import Placed
 from vecpoly.report.answers.line import answer_line
 from vecpoly.report.answers.tables import readings_tables
 
-NO_ROOM = {"best-gamma", "stephenson-valve-gear"}  # one sheet holds them only without details
+NO_ROOM = {"best-gamma", "stephenson-valve-gear", "B-26.5", "B-29.5"}  # one sheet holds them only without details
 KNOTTED = Later(lambda: (n for n in IDS if n not in NO_ROOM and any(map(knots, drawn(n).construction.figures))))
 SHORT = Later(lambda: (name for name in IDS if any(one.short for one in drawn(name).solution.answers.values())))
 

@@ -119,6 +119,12 @@ def caption_items(figure: Figure, over: Rect, lang: Lang) -> tuple[Item, ...]:
     return (under, TextBox(box=scale, x=middle - scale.width / 2, y=y - below))
 
 
+def title_line(scene: Scene, figure: Figure) -> float:
+    """On which height the title of a drawn figure stands."""
+    title = scene.items[-2 if figure.scale.symbol and figure.scale.value else -1]
+    return title.y if isinstance(title, TextBox) else scene.extents.y0
+
+
 @lru_cache(maxsize=256)
 def scale_box(scale: Scale) -> Box:
     """A scale in type: ``μ_v = 0.006 (m/s)/mm``; after it that to the right, where it is another."""

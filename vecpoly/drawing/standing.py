@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .labels.obstacles import Complexes, Floats, Indices, clip
+from .labels.obstacles import Complexes, Floats, Indices, clip, crossed
 from .scene import Rect
 
 APART = 0.7  # mm between two labels
@@ -14,7 +14,7 @@ AS_ONE, MISREAD = 1.8, 39.0  # mm side by side below which two labels are read a
 STACK, STACKED = 1.3, 12.0  # mm one over the other below which they look like a fraction, and what that costs
 TIGHT = 0.9  # mm one over the other below which they are taken for one
 OVERLAP, PER_AREA = 120.0, 8.0
-LEADER_ON_LABEL = 60.0
+LEADER_ON_LABEL, LEADERS_CROSS = 60.0, 30.0
 NOWHERE = complex(np.nan, np.nan)
 NEVER, AWAY = -2, -1  # of another label: not looked at yet; standing nowhere near
 
@@ -86,6 +86,8 @@ class Standing:
         theirs = np.flatnonzero(~np.isnan(led.real))
         if len(theirs):
             cost[:, theirs] += LEADER_ON_LABEL * _struck(led[theirs], c[theirs], mine, half)
+            if trial.foot is not None:
+                cost[:, theirs] += LEADERS_CROSS * crossed(trial.foot[:, None], mine, led[theirs], c[theirs])
         return cost
 
 

@@ -22,11 +22,12 @@ Spots = NDArray[np.complex128]
 
 
 class Grow(Enum):
-    """In which direction a figure may grow for its details rather than in the other."""
+    """In which direction a figure may grow for its details rather than in the other, and what it is worth, as a part of
+    its area, that a detail's title stands on one line with its own: nothing, if it grows upwards."""
 
-    LEAST = (1.0, 1.0)
-    WIDE = (0.2, 1.0)
-    HIGH = (1.0, 0.2)
+    LEAST = (1.0, 1.0, 0.03)
+    WIDE = (0.2, 1.0, 0.03)
+    HIGH = (1.0, 0.2, 0.0)
 
 
 @dataclass(slots=True)
@@ -34,6 +35,7 @@ class Room:
     """The room about a figure, cell by cell: what is taken by ink."""
 
     extents: Rect  # of the figure with the details that stand
+    foot: float  # how high the figure itself stands
     low: complex  # lower left corner of the cells
     taken: Taken = field(repr=False)
 
@@ -42,7 +44,7 @@ class Room:
         """About a figure with ink at these points, and so far beyond it on every side (mm)."""
         around = extents.grown(reach)
         high, wide = ceil(around.height / CELL), ceil(around.width / CELL)
-        room = cls(extents, complex(around.x0, around.y0), np.zeros((high, wide), dtype=bool))
+        room = cls(extents, extents.y0, complex(around.x0, around.y0), np.zeros((high, wide), dtype=bool))
         for points in ink:
             room.take(points)
         return room
@@ -69,9 +71,10 @@ class Room:
         e, ends = self.extents, corners + size
         wider = np.maximum(ends.real, e.x1) - np.minimum(corners.real, e.x0) - e.width
         higher = np.maximum(ends.imag, e.y1) - np.minimum(corners.imag, e.y0) - e.height
-        along, up = grow.value
+        along, up, level = grow.value
         cost = along * wider * e.height + up * higher * e.width + wider * higher
         cost += FAR * e.width * e.height * np.abs(corners + size / 2 - wanted)
+        cost -= level * e.width * e.height * (np.abs(corners.imag - self.foot) < CELL / 2)
         at = complex(corners[np.argmin(cost)])
         found = Rect(at.real, at.imag, (at + size).real, (at + size).imag)
         self.extents |= found
@@ -80,8 +83,8 @@ class Room:
 
 
 def reach_of(boxes: Iterable[Rect]) -> float:
-    """How far beyond a figure one of these may stand (mm)."""
-    return max(max(box.width, box.height) for box in boxes) + 3 * WHITE
+    """How far beyond a figure one of these may stand (mm): so that cells lie level with its foot."""
+    return ceil(max(max(box.width, box.height) for box in boxes) + 3 * WHITE) + WHITE % CELL
 
 
 def along(points: Sequence[complex]) -> Spots:

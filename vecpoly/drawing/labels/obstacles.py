@@ -142,7 +142,7 @@ class Obstacles:
         start = foot + 0.05 * (end - foot)
         spans = Bounds.between(start, end)
         leader, piece = spans.over(self.spans, groups)
-        met = _cross(start[leader], end[leader], self.a[piece], self.b[piece])
+        met = crossed(start[leader], end[leader], self.a[piece], self.b[piece])
         leader, piece = leader[met], piece[met]
         if len(leader):
             free = _along(self.a[piece], self.b[piece], own, leader)
@@ -194,8 +194,8 @@ def _joined(points: Sequence[tuple[complex, ...]]) -> tuple[Floats, Indices]:
     return np.stack([flat.real, flat.imag], axis=1), np.repeat(np.arange(len(points)), [len(some) for some in points])
 
 
-def _cross(a: Complexes, b: Complexes, p: Complexes, q: Complexes) -> NDArray[np.bool_]:
-    """Whether lines a -> b and p -> q, which overlap as rectangles, cross."""
+def crossed(a: Complexes, b: Complexes, p: Complexes, q: Complexes) -> NDArray[np.bool_]:
+    """Whether lines a -> b and p -> q cross, if not on one line; they may lie side by side."""
     d, e = (b - a).conjugate(), (q - p).conjugate()
     apart = ((d * (p - a)).imag * (d * (q - a)).imag > 0) | ((e * (a - p)).imag * (e * (b - p)).imag > 0)
     result: NDArray[np.bool_] = ~apart

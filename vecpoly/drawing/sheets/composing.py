@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from math import log
+from math import log, sqrt
 
 from ...board.construction import View
 from ...board.paper.scales import Sketched, finer, round_up
@@ -24,6 +24,8 @@ from .space import CLEAR, HIGHEST, PLATE, SPARSE, rooms
 LEAST, MOST = 0.55, 1.5  # of the usual size: smaller no figure is drawn to save a sheet, larger none to fill one
 USUAL_WIDE, USUAL = 150.0, 100.0  # mm: of a figure that has the width of a page, of another
 USUAL_OWN = 180.0  # mm: of one with a scale of its own, on which the most is drawn
+PER_LETTER, PLAIN = 8.0, 100.0  # mm: a diagram beside polygons is as large as its letters ask, but no smaller than this
+READ = 10.0  # mm: a vector as long is read to 1 %; a figure with a shorter one counts as smaller than it is
 ENOUGH = 0.62  # of the usual size: no figure need be smaller for a plate
 ROOM, CROWDED = 5.0, 0.85  # mm that a letter asks for; but of the usual size at most
 LOST = SPARSE + 0.08  # planned share of a page that may turn out too small
@@ -55,7 +57,7 @@ def _composed(figures: Sequence[Sketched], kinds: set[Place], there: Scales, on:
     made = [(trial, found) for trial in trials if (found := trial.grown(start)) is not None]
     if not made:
         return {kind: start[kind] for kind in kinds}
-    trial, best = max(made, key=lambda one: (-one[0].needed(one[1]), one[0].filled(one[1])))
+    trial, best = max(made, key=lambda one: one[0].worth(one[1])) if len(made) > 1 else made[0]
     if on.way is None and trial.share(best) < LOST:
         best = _lower(trial, best, start)
     return {kind: best[kind] for kind in kinds}
@@ -132,6 +134,10 @@ class Composing:
         layout = pack(sizes, self.page, tuple(self.pairs))
         return 1.0 if layout is None else layout.share(sizes)
 
+    def worth(self, scales: Mapping[Place, float]) -> tuple[int, bool, float]:
+        """The more, the better: few sheets, on which figures are not lost, and large figures."""
+        return -self.needed(scales), self.share(scales) >= LOST, self.filled(scales)
+
     def low(self, scales: Mapping[Place, float]) -> float:
         """What they take of a plate as low as its width allows; 0 where it would be as high as a page."""
         sizes = self.sizes(scales)
@@ -140,11 +146,26 @@ class Composing:
 
     def least(self, scales: Mapping[Place, float]) -> float:
         """How large the smallest kind is against what is usual."""
-        return min((self.size(kind, scales) / usual(kind) for kind in self.kinds), default=1.0)
+        return min((self.size(kind, scales) / self.wanted(kind) for kind in self.kinds), default=1.0)
 
     def filled(self, scales: Mapping[Place, float]) -> float:
         """How large all kinds are against what is usual, the small ones counting most: a sum of logarithms."""
-        return sum(log(self.size(kind, scales) / usual(kind)) for kind in self.kinds)
+        return sum(log(self.legible(kind, scales)) for kind in self.kinds)
+
+    def legible(self, kind: Place, scales: Mapping[Place, float]) -> float:
+        """How large a kind is against what is wanted, less the shorter the shortest vector is that is read in it."""
+        at = scales[kind]
+        shortest = min(
+            (one.scale / at * one.short for one in self.figures if one.of == kind and one.short), default=READ
+        )
+        return self.size(kind, scales) / self.wanted(kind) * sqrt(min(1.0, shortest / READ))
+
+    def wanted(self, kind: Place) -> float:
+        """How large such a figure is drawn by hand: a diagram beside polygons as large as what stands in it asks."""
+        if kind is not View.MECHANISM or not any(isinstance(one, Pane) or one.images for one in self.kinds):
+            return usual(kind)
+        letters = max((one.letters for one in self.figures if one.of is kind), default=0)
+        return min(max(PLAIN, PER_LETTER * letters), usual(kind))
 
     def size(self, kind: Place, scales: Mapping[Place, float]) -> float:
         """How large a kind is drawn: the longer side of its largest figure (mm)."""
@@ -158,9 +179,9 @@ class Composing:
             return None
         growing, waiting = set(self.kinds), set[Place]()
         while growing:
-            kind = min(sorted(growing, key=_by_place), key=lambda one: self.size(one, scales) / usual(one))
+            kind = min(sorted(growing, key=_by_place), key=lambda one: self.legible(one, scales))
             trial = scales | {kind: finer(scales[kind])}
-            if self.size(kind, trial) <= MOST * usual(kind) and self.needed(trial) <= sheets:
+            if self.size(kind, trial) <= MOST * self.wanted(kind) and self.needed(trial) <= sheets:
                 scales, growing, waiting = trial, growing | waiting, set()
             else:
                 growing.remove(kind)

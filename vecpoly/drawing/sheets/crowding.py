@@ -9,7 +9,7 @@ import numpy as np
 
 from ...board.construction import Figure
 from ...board.paper.extent import bounds
-from ...board.paper.marks import Segment, Vector
+from ...board.paper.marks import Role, Segment, Vector
 from ...board.paper.scales import Sketched
 from ...foundation.slotted import dataclass
 from ..details.knots import MOST, Crowd, Knot
@@ -19,6 +19,8 @@ from .lettering import SHORTEST, UNDER
 from .slicing import Size
 
 LETTERS = 3.0  # mm that letters stand out from the lines of a figure, or from the ring of a detail
+SLACK = 5.0  # mm by which a figure may turn out larger with its details, whose letters have no places yet
+BEYOND = 9.0  # mm that the letters of a direction take beyond its line
 FOOT = 0.85  # of what stands round a figure in height: title and scale below it
 
 
@@ -46,7 +48,7 @@ class Crowded(Sketched):
         room = Room.about(box, [_foot(box), *self._ink(times)], reach_of(details))
         for one, knot in zip(details, knots, strict=True):
             room.put(one, knot.centre, self.grow)
-        return room.extents.width, room.extents.height
+        return room.extents.width + SLACK, room.extents.height + SLACK
 
     def knots(self, scale: float) -> tuple[Knot, ...]:
         """What is drawn apart at this scale."""
@@ -64,9 +66,19 @@ class Crowded(Sketched):
 
 def crowded(one: Sketched, figure: Figure) -> Crowded:
     """The sketched figure with its details."""
-    lines = tuple((m.a, m.b) for m in figure.marks if isinstance(m, Segment | Vector))
+    lines = tuple((m.a, _end(m)) for m in figure.marks if isinstance(m, Segment | Vector))
     kept = {field.name: getattr(one, field.name) for field in fields(Sketched)}
     return Crowded(**kept, crowd=Crowd.of(figure), lines=lines, low=bounds(figure.marks)[0])
+
+
+def _end(mark: Segment | Vector) -> complex:
+    """Where a line ends with its letters, if they stand beyond it."""
+    along = mark.b - mark.a
+    return (
+        mark.b + BEYOND * along / abs(along)
+        if isinstance(mark, Segment) and mark.role is Role.DIRECTION and along
+        else mark.b
+    )
 
 
 @lru_cache(maxsize=512)

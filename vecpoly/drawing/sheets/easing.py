@@ -11,12 +11,12 @@ from ...board.place import Place
 from ...foundation.stock import Paper
 from ..details.knots import MOST
 from ..details.room import Grow
-from .composing import Composing, Scales, least_scales, usual
+from .composing import Composing, Scales, least_scales
 from .crowding import Crowded
-from .packing import TIGHT
 from .space import rooms
 
-MOST_COARSER = 1.6  # times: a figure that is read is not made smaller for the sake of details
+CLOSE = 3.0  # mm of white, as planned: a little more than is left at least, for letters that stand out farther
+MOST_COARSER = 2.0  # times: a figure that is read is not made smaller for the sake of details
 
 
 def eased(figures: Sequence[Crowded], best: Scales, given: Mapping[View, float], on: Paper) -> Scales:
@@ -27,11 +27,11 @@ def eased(figures: Sequence[Crowded], best: Scales, given: Mapping[View, float],
         return best
     pages = rooms(on)
     alone = [replace(one, most=0) for one in figures]
-    if all(Composing(alone, set(best), page, TIGHT).needed(there) > 1 for page in pages):
+    if all(Composing(alone, set(best), page, CLOSE).needed(there) > 1 for page in pages):
         return best
     least = {kind: min(scale, MOST_COARSER * best[kind]) for kind, scale in _least(set(best), alone).items()}
     for most in range(MOST, 0, -1):
-        trials = [Composing(some, set(best), page, TIGHT) for some in _arranged(figures, most) for page in pages]
+        trials = [Composing(some, set(best), page, CLOSE) for some in _arranged(figures, most) for page in pages]
         if any(trial.needed(there) == 1 for trial in trials):
             return best
         made = [(trial, found) for trial in trials if (found := _shrunk(trial, there, least)) is not None]
@@ -58,6 +58,6 @@ def _shrunk(trial: Composing, scales: Scales, least: Scales) -> Scales | None:
         free = [kind for kind in least if coarser(scales[kind]) <= least[kind] * (1 + 1e-9)]
         if not free:
             return None
-        kind = max(free, key=lambda one: trial.size(one, scales) / usual(one))
+        kind = max(free, key=lambda one: trial.legible(one, scales))
         scales = scales | {kind: coarser(scales[kind])}
     return scales

@@ -9,14 +9,16 @@ from operator import or_
 from typing import Generic, Protocol, TypeVar
 
 from ...board.construction import Figure, View
-from ...foundation.slotted import dataclass
+from ...foundation.slotted import dataclass, replace
 from ...foundation.stock import ANY_A4, Paper
+from ..figure import title_line
 from ..order import reading_order as reading_order
 from ..scene import Rect, Scene
-from .packing import Layout, flat, pack, packed, slicings
+from .packing import TIGHT, Layout, flat, pack, packed, slicings
 from .redbox import BAND
 from .slicing import Pair, Size
 from .space import SPARSE, is_across, is_page, rooms
+from .spreading import sunk
 
 UPRIGHT = 0.04  # of a page's area by which figures must spread wider over one that lies across
 CROWDED = 6.5  # mm of white below which a page is full to the brim
@@ -61,6 +63,11 @@ class Drawn:
         """Width and height of that, mm."""
         return self.extents.width, self.extents.height
 
+    @property
+    def line(self) -> float:
+        """How high its title stands over the lowest of all that, mm."""
+        return 0.0 if self.figure is None else title_line(self.scene, self.figure) - self.extents.y0
+
 
 Page = tuple[tuple[F, ...], Layout]
 Cost = tuple[int, int, int, int, int]
@@ -102,6 +109,20 @@ def trimmed(figures: Sequence[Sized], layout: Layout) -> Layout:
         return layout
     plate = flat([one.size for one in figures], pairs_of(figures))
     return plate if plate is not None and covered(figures, plate) > covered(figures, layout) else layout
+
+
+def lined(figures: Sequence[Drawn], layout: Layout, still: Sequence[Rect] = ()) -> Layout:
+    """With the titles of figures side by side on one line, unless the figures would be lost on the page then;
+    still: what else stands there."""
+    boxes = [Rect(c.real, c.imag, c.real + w, c.imag + h) for c, (w, h) in _standing(figures, layout)]
+    lines = [box.y0 + one.line for box, one in zip(boxes, figures, strict=True)]
+    falls = sunk(boxes, lines, still, min(TIGHT, max(layout.white, 0.0)))
+    made = replace(layout, corners=tuple(at - 1j * by for at, by in zip(layout.corners, falls, strict=True)))
+    return made if covered(figures, made) >= min(SPARSE, covered(figures, layout)) else layout
+
+
+def _standing(figures: Sequence[Sized], layout: Layout) -> Iterator[tuple[complex, Size]]:
+    return ((at, one.size) for at, one in zip(layout.corners, figures, strict=True))
 
 
 def under_box(figures: tuple[F, ...], layout: Layout) -> list[Page[F]]:

@@ -8,7 +8,7 @@ from math import isclose
 
 from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
-from ...board.paper.marks import FixedGuide, LinkNumber
+from ...board.paper.marks import FixedGuide, LinkNumber, Vector
 from ...board.paper.scales import Sketched
 from ...board.place import Pane, Place
 from ...foundation.slotted import dataclass
@@ -20,6 +20,8 @@ from .easing import eased
 from .lettering import beside_title, lettered
 from .slicing import Size
 from .space import room
+
+TINY = 0.025  # of its figure: at the largest scale such a vector has its 3 mm to be measured, a shorter one has not
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,4 +60,13 @@ def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:
         around=(wide - w, high - h),
         letters=sum(1 for mark in figure.marks if getattr(mark, "label", "") or isinstance(mark, LinkNumber)),
         spare=beside_title(figure),
+        short=_shortest(figure, max(w, h)),
     )
+
+
+def _shortest(figure: Figure, size: float) -> float:
+    """The shortest vector of a polygon (mm), but for those that are drawn apart at any scale; 0 where it has none."""
+    if figure.view.bodies:
+        return 0.0  # arrows there are no lengths
+    lengths = (abs(mark.b - mark.a) for mark in figure.marks if isinstance(mark, Vector))
+    return min((length for length in lengths if length > TINY * size), default=0.0)

@@ -1,4 +1,4 @@
-"""What came out of a drawing, written on its sheet: a small block along the frame, where nothing else stands."""
+"""What came out of a drawing, written on its sheet: a block in its lower right corner, where nothing else stands."""
 
 from __future__ import annotations
 
@@ -13,14 +13,19 @@ from ...typeset import Box, layout, layout_words
 from ...words import Words
 from ..scene import Fill, Item, Layer, Rect, Stroke, TextBox
 from ..style import NOTE, THIN
+from .packing import Layout, flat, pack
+from .paging import Drawn, lined, pairs_of
 from .redbox import BAND
-from .sheet import Sheet
+from .sheet import Sheet, placed
+from .slicing import Size
 from .space import FRAME, STRIP
 
 TITLE = Words("结果", "Results")
 PAD, SKIP, BESIDE = 2.0, 1.5, 5.0  # mm: inside the block's frame; between its lines; between its columns
 MARGIN, CLEAR = 3.0, 4.0  # mm of white to the frame of the sheet; to whatever stands on it
-STEP, MOST = 4.0, 3  # mm by which places along the frame differ; columns
+STEP, MOST = 4.0, 4  # mm by which places along the frame differ; columns
+SIZES = (3.8, NOTE)  # em: of the type, where there is room, and else
+AMONG, ASIDE = 4.0, 2.0  # mm of white among figures moved together; beside the block, beyond what they have
 SHARE = 0.3  # of the sheet's area, which no block exceeds
 
 
@@ -34,18 +39,77 @@ class Block:
 
 
 def with_results(sheet: Sheet, attempts: Sequence[Sequence[Node]]) -> Sheet:
-    """The sheet with the first of these lists of results for which it has room; as it is where it has room for none."""
-    free = _free(sheet)
-    title = layout_words(TITLE.of(sheet.lang), NOTE, True)
+    """The sheet with the first of these lists of results for which it has room: over the right end of the title strip,
+    the figures moved together for it where they must; else anywhere along its frame; as it is where it has room for
+    none."""
+    room, found = _Room.on(sheet), list[Block]()
     for nodes in attempts:
-        lines = [layout(node, NOTE) for node in nodes]
-        for columns in range(1, min(MOST, len(lines)) + 1):
-            block = _block(title, lines, columns)
-            if block.width * block.height > SHARE * sheet.room[0] * sheet.room[1]:
-                continue
-            if (at := next((at for at in _places(sheet, block) if free.clear(at, block)), None)) is not None:
-                return replace(sheet, results=_items(block, at, max((item.step for item in sheet.drawn), default=0)))
-    return sheet
+        for em in SIZES:
+            blocks = [*_blocks(sheet, nodes, em)]
+            made = (way(block) for way in (room.in_corner, room.moved) for block in blocks)
+            if (done := next((one for one in made if one is not None), None)) is not None:
+                return done
+            found += blocks
+    return next((one for block in found if (one := room.along(block)) is not None), sheet)
+
+
+def _blocks(sheet: Sheet, nodes: Sequence[Node], em: float) -> Iterator[Block]:
+    """The results in one to four columns, none of which takes too much of the sheet."""
+    title, lines = layout_words(TITLE.of(sheet.lang), em, True), [layout(node, em) for node in nodes]
+    for columns in range(1, min(MOST, len(lines)) + 1):
+        block = _block(title, lines, columns)
+        if block.width * block.height <= SHARE * sheet.room[0] * sheet.room[1]:
+            yield block
+
+
+@dataclass(frozen=True, slots=True)
+class _Room:
+    """The room of a sheet: its figures, which can be moved, and what stands on it."""
+
+    sheet: Sheet
+    group: tuple[Drawn, ...]
+    sizes: tuple[Size, ...]
+    free: _Free
+
+    @classmethod
+    def on(cls, sheet: Sheet) -> _Room:
+        """Of a sheet as it is."""
+        group = sheet.groups
+        return cls(sheet, group, tuple(one.size for one in group), _free(sheet))
+
+    def in_corner(self, block: Block) -> Sheet | None:
+        """The sheet with the block in its corner, where nothing stands there."""
+        at = next(_places(self.sheet, block), None)
+        return None if at is None or not self.free.clear(at, block) else _with(self.sheet, block, at)
+
+    def along(self, block: Block) -> Sheet | None:
+        """With the block along the frame, where there is room."""
+        at = next((at for at in _places(self.sheet, block) if self.free.clear(at, block)), None)
+        return None if at is None else _with(self.sheet, block, at)
+
+    def moved(self, block: Block) -> Sheet | None:
+        """With the block in its corner and the figures closer together, in their order, the block being the last."""
+        layout = self._layout((*self.sizes, (block.width + ASIDE, block.height + ASIDE)))
+        if layout is None or layout.white < AMONG:
+            return None
+        low = layout.page[0] - MARGIN - block.width
+        stands = Rect(low, MARGIN, low + block.width, MARGIN + block.height)
+        hung = lined(self.group, replace(layout, corners=layout.corners[:-1]), (stands,))
+        moved = placed(self.group, hung, self.sheet.strip, self.sheet.lang, self.sheet.warning)
+        return _with(moved, block, complex(low + FRAME, MARGIN + FRAME + STRIP))
+
+    def _layout(self, sizes: Sequence[Size]) -> Layout | None:
+        """No pair parted: on the page, or on a plate as high as need be."""
+        pairs, boxed = pairs_of(self.group), self.sheet.warning is not None
+        wide, high = self.sheet.room[0], self.sheet.room[1] - (BAND if boxed else 0.0)
+        found = pack(sizes, (wide, high), tuple(pairs)) if sum(w * h for w, h in sizes) < wide * high else None
+        if found is None and self.sheet.plate and not boxed:
+            found = flat(sizes, pairs)
+        return None if found is None or found.together < len(pairs) else found
+
+
+def _with(sheet: Sheet, block: Block, at: complex) -> Sheet:
+    return replace(sheet, results=_items(block, at, max((item.step for item in sheet.drawn), default=0)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,16 +160,16 @@ def _block(title: Box, lines: Sequence[Box], columns: int) -> Block:
 
 
 def _places(sheet: Sheet, block: Block) -> Iterator[complex]:
-    """Lower left corners along the frame: the corners of the sheet first, then its sides."""
+    """Lower left corners along the frame: the lower right corner of the sheet first, the others, then its sides."""
     x0, y0 = FRAME + MARGIN, FRAME + STRIP + MARGIN
     top = sheet.size[1] - FRAME - (BAND if sheet.warning is not None else 0.0)
     x1, y1 = sheet.size[0] - FRAME - MARGIN - block.width, top - MARGIN - block.height
     if x1 < x0 or y1 < y0:
         return
-    yield from (complex(x, y) for y in (y1, y0) for x in (x1, x0))
+    yield from (complex(x, y) for y in (y0, y1) for x in (x1, x0))
     for side in (x1, x0):
-        yield from (complex(side, y1 - n * STEP) for n in range(1, int((y1 - y0) / STEP) + 1))
-    for level in (y1, y0):
+        yield from (complex(side, y0 + n * STEP) for n in range(1, int((y1 - y0) / STEP) + 1))
+    for level in (y0, y1):
         yield from (complex(x1 - n * STEP, level) for n in range(1, int((x1 - x0) / STEP) + 1))
 
 

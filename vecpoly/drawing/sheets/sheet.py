@@ -15,7 +15,7 @@ from ..details.knots import knots
 from ..scene import Item, Rect, Scene
 from .detailing import arrangements, drawn, loose
 from .packing import Layout
-from .paging import Drawn, Page, arranged, best_paged, fullness, paged, reading_order, trimmed, under_box
+from .paging import Drawn, Page, arranged, best_paged, fullness, lined, paged, reading_order, trimmed, under_box
 from .redbox import BAND, red_box
 from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
 from .titleblock import Strip, furniture
@@ -90,6 +90,18 @@ class Sheet:
             yield one, Scene(self.drawn[start : start + one.count], one.extents)
             start += one.count
 
+    @property
+    def groups(self) -> tuple[Drawn, ...]:
+        """The figures as they are drawn on it, each with its details."""
+        made: list[Drawn] = []
+        for one, scene in self.parts:
+            part = Drawn(one.view, one.name, scene, one.origin, one.figure)
+            if made and _shows(part, made[-1]):
+                made[-1] = replace(made[-1], details=(*made[-1].details, part))
+            else:
+                made.append(part)
+        return tuple(made)
+
 
 @dataclass(frozen=True, slots=True)
 class Hung:
@@ -112,7 +124,7 @@ def sheets(
     pages = _pages(reading_order(construction.figures), lang, on, construction.warning is not None)
     if plates and on.way is None:
         pages = [(group, trimmed(group, layout)) for group, layout in pages]
-    return _numbered(pages, construction, lang, title)
+    return _numbered([(group, lined(group, layout)) for group, layout in pages], construction, lang, title)
 
 
 def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> list[Page[Drawn]]:
@@ -157,9 +169,9 @@ def hung(
 def _numbered(pages: Sequence[Page[Drawn]], construction: Construction, lang: Lang, title: Words) -> tuple[Sheet, ...]:
     warning = construction.warning
     if warning is not None:
-        pages = [part for page in pages for part in under_box(*page)]
+        pages = [(group, lined(group, layout)) for page in pages for group, layout in under_box(*page)]
     return tuple(
-        _sheet(
+        placed(
             group,
             layout,
             Strip(problem=construction.problem, title=title, hand=construction.hand, number=n, total=len(pages)),
@@ -178,6 +190,11 @@ def bound(loose: Sequence[Sheet], names: Sequence[Words]) -> tuple[Sheet, ...]:
     )
 
 
+def _shows(one: Drawn, other: Drawn) -> bool:
+    """Whether one is a detail of the other."""
+    return one.view is other.view and other.figure is not None and is_detail(one.name, other.figure)
+
+
 def _too_large(one: Drawn, of: Format) -> VecpolyError:
     size, room = one.scene.extents, usable(of=of)
     name, broad = f"{one.view.name} {one.name}".rstrip(), usable(True, of)
@@ -192,14 +209,15 @@ def _too_large(one: Drawn, of: Format) -> VecpolyError:
     )
 
 
-def _sheet(group: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang, warning: Words | None) -> Sheet:
+def placed(group: Sequence[Drawn], layout: Layout, strip: Strip, lang: Lang, warning: Words | None) -> Sheet:
+    """These figures on a sheet."""
     items: list[Item] = []
-    placed: list[Placed] = []
+    there: list[Placed] = []
     for one, corner in zip(group, layout.corners, strict=True):
         by = corner + complex(FRAME, FRAME + STRIP) - complex(one.extents.x0, one.extents.y0)
         for part in (one, *one.details):
             shifted = part.scene.moved(by)
             items.extend(shifted.items)
-            placed.append(Placed(part.view, by + part.by, shifted.extents, part.name, len(shifted.items), part.figure))
-    sheet = Sheet(tuple(items), tuple(placed), layout.page, strip, lang, warning)
+            there.append(Placed(part.view, by + part.by, shifted.extents, part.name, len(shifted.items), part.figure))
+    sheet = Sheet(tuple(items), tuple(there), layout.page, strip, lang, warning)
     return replace(sheet, room=(sheet.room[0], sheet.room[1] + BAND)) if sheet.plate and warning is not None else sheet

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ..scene import Rect
 from .slicing import TOUCH, Cut, Piece, Size
 
 Box = tuple[float, float, float, float]  # left, top (downwards from the upper edge), width, height
@@ -93,3 +94,26 @@ def _on_one_line(row: Cut, sizes: Sequence[Size], corners: list[complex]) -> Non
         line = max(corners[one].imag for one in alone)
         for one in alone:
             corners[one] = complex(corners[one].real, line)
+
+
+def sunk(boxes: Sequence[Rect], lines: Sequence[float], still: Sequence[Rect], clear: float) -> list[float]:
+    """By how much each figure sinks, so that the titles of those side by side stand on one line.
+
+    A figure goes down to the next lower line of a neighbour where it keeps this clear (mm) of all others and of what
+    stands still, and no lower than the lowest. lines: on which height the titles stand.
+    """
+    now, at = list(boxes), list(lines)
+    floor = min((box.y0 for box in boxes), default=0.0) - TOUCH
+    for i in sorted(range(len(now)), key=lambda one: lines[one]):
+        others = [*(now[k] for k in range(len(now)) if k != i), *still]
+        lower = {at[k] for k in range(len(now)) if k != i and at[k] <= at[i] and now[k].y1 > now[i].y0}
+        for line in sorted(lower, reverse=True):
+            low = _lowered(now[i], at[i] - line)
+            if low.y0 >= floor and not any(low.grown(clear - TOUCH).overlaps(other) for other in others):
+                now[i], at[i] = low, line
+                break
+    return [old - new for old, new in zip(lines, at, strict=True)]
+
+
+def _lowered(box: Rect, by: float) -> Rect:
+    return Rect(box.x0, box.y0 - by, box.x1, box.y1 - by)
