@@ -60,13 +60,18 @@ class Read:
     def own(self, element: Any) -> Iterator[Piece]:
         """The marked content that is this element's, and no other's in it."""
         for kid in kids(element):
-            yield from self._piece(element, kid)
+            if not (isinstance(kid, pikepdf.Dictionary) and "/S" in kid):
+                yield from self._piece(element, kid)
 
     def _piece(self, element: Any, kid: Any) -> Iterator[Piece]:
         if isinstance(kid, int):
             yield Piece(self.numbers[element.Pg.objgen], kid)
         elif kid.get("/Type") == "/MCR":
             yield Piece(self.numbers[kid.Pg.objgen], int(kid.MCID))
+
+    def is_sheet(self, page: int) -> bool:
+        """Whether no running head stands over it: a drawing sheet, a cover."""
+        return b"/Subtype/Header" not in self.pdf.pages[page].obj.Contents.read_bytes()
 
     def painted(self, page: int) -> list[int | str]:
         """To what each mark on the page belongs: the number of its marked content, an artifact, or nothing."""
