@@ -74,3 +74,7 @@ def _timed(folder: Path) -> tuple[float, float, float]:
 def _made(file: Path, out: Path, students: tuple[Student, ...], told: Told) -> Made:
     order = Order(assignment=load_assignment(file), students=students, out=out, lang="zh", version="bench")
     return make_class(order, Here(), told)
+
+
+if __name__ == "__main__":
+    print(run())

@@ -109,3 +109,7 @@ def run() -> str:
         f"oracle, six-bar A 27, {len(POSITIONS)} positions: {1e6 * oracle:.0f} µs = {oracle / hand:.2f} × numpy "
         f"closed form by hand ({1e6 * hand:.0f} µs); aim ≤ 2; largest relative difference {worst:.1e}"
     )
+
+
+if __name__ == "__main__":
+    print(run())

@@ -22,3 +22,7 @@ def run() -> str:
         f"1,000 pencil hands on 3-9: {many * 1e3:.1f} ms = {many / one:.2f} × one exact hand ({one * 1e3:.1f} "
         "ms); aim < 1 s"
     )
+
+
+if __name__ == "__main__":
+    print(run())

@@ -97,3 +97,7 @@ def _raw(path: Path, pages: tuple[Page, ...]) -> None:
             canvas.drawPath(path_, stroke=0, fill=1)
         canvas.showPage()
     canvas.save()
+
+
+if __name__ == "__main__":
+    print(run())
