@@ -82,7 +82,7 @@ def test_figures_that_moved_together_for_the_results_are_true_to_scale_where_the
     """Each item is that of the figure at its origin."""
     solution = drafted(name)
     assert solution is not None
-    plain = sheets(solution.construction, lang="zh", way=solution.problem.orientation, plates=True)
+    plain = sheets(solution.construction, lang="zh", on=solution.problem.paper, plates=True)
     for before, after in zip(plain, _laid(name), strict=True):
         for (one, scene), (other, moved) in zip(before.parts, after.parts, strict=True):
             by = other.origin - one.origin
