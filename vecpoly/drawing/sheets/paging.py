@@ -23,6 +23,7 @@ from .spreading import sunk
 UPRIGHT = 0.04  # of a page's area by which figures must spread wider over one that lies across
 CROWDED = 6.5  # mm of white below which a page is full to the brim
 LONGEST = 12  # figures on a page
+WELL = 0.75  # of a page that figures fill as a rule: titles on one line are worth no less
 
 
 class Sized(Protocol):
@@ -118,7 +119,7 @@ def lined(figures: Sequence[Drawn], layout: Layout, still: Sequence[Rect] = ()) 
     lines = [box.y0 + one.line for box, one in zip(boxes, figures, strict=True)]
     falls = sunk(boxes, lines, still, min(TIGHT, max(layout.white, 0.0)))
     made = replace(layout, corners=tuple(at - 1j * by for at, by in zip(layout.corners, falls, strict=True)))
-    return made if covered(figures, made) >= min(SPARSE, covered(figures, layout)) else layout
+    return made if covered(figures, made) >= min(WELL, covered(figures, layout)) else layout
 
 
 def _standing(figures: Sequence[Sized], layout: Layout) -> Iterator[tuple[complex, Size]]:
