@@ -252,7 +252,7 @@ def effects(text: str) -> Iterator[object]:
         yield solution.as_json(), solution.construction.figures
         yield solve(problem, by="exact", repeats=0).warnings
         yield check_problem(problem).answers
-        yield [sheet.landscape for sheet in sheets(solution.construction, on=problem.paper)]
+        yield [sheet.size for sheet in sheets(solution.construction, on=problem.paper)]
     except VecpolyError as error:
         yield str(error)
 

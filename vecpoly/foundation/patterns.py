@@ -22,6 +22,6 @@ class _Pattern:
 
 
 if TYPE_CHECKING:
-    from re import compile as pattern
+    pattern = re.compile
 else:
     pattern = _Pattern

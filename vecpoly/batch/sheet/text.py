@@ -10,9 +10,10 @@ from typing import Any
 from ...board.construction import EquationTable
 from ...foundation.data import data_dir
 from ...report.content import Objects, statement
-from ...report.document import PICTURE, sketch_of
+from ...report.document import PICTURE
 from ...report.flow.xml import to_flowables
 from ...report.picture import picture
+from ...report.plates.sketch import sketch_of
 from ...report.question.blanks import working_room
 from ...report.question.working import LEAST_ROOM, Squares
 from ...report.templates import filled
