@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from cmath import exp
+from collections.abc import Mapping, Sequence
 from math import asin
 
 from ....board.board import Board
@@ -11,7 +12,8 @@ from ....board.paper.marks import Dot, Role
 from ....devices.dynamics.reduced import ReducedTrain
 from ....diagram.single import disc, gear, pivot
 
-WIDE, LEAST = 120.0, 5.0  # mm: from the first centre to the last; a wheel is not drawn smaller
+WIDE, HIGH = 145.0, 115.0  # mm that all wheels take at most: the sketch stands in the text
+LEAST = 5.0  # mm: a wheel is not drawn smaller
 APART = 1.35  # of the sum of its radii: how far the pulleys of a belt stand from each other
 WAYS = (1 + 0j, 1j, -1j, -1 + 0j)  # the first wheel that a shaft drives stands on its right, the next above it ...
 
@@ -21,8 +23,7 @@ Wheel = tuple[str, float, bool]  # its shaft, its radius, whether a belt runs on
 def draw_shafts(board: Board, place: Place, train: ReducedTrain) -> None:
     """Pulleys and the pitch circles of gears on their pivots; larger ones below."""
     at, wheels = _placed(train)
-    span = max((abs(one - other) for one in at.values() for other in at.values()), default=1.0)
-    mm = WIDE / span
+    mm = _size(at, wheels)
     for name, size, belt in sorted(wheels, key=lambda wheel: -wheel[1]):
         board.depict(place, (disc if belt else gear)(f"link {name}", at[name] * mm, max(size * mm, LEAST)))
     for pair in train.pairs:
@@ -31,6 +32,15 @@ def draw_shafts(board: Board, place: Place, train: ReducedTrain) -> None:
     for name, centre in at.items():
         board.depict(place, pivot(centre * mm))
         board.plot(place, centre * mm, name, Dot.JOINT)
+
+
+def _size(at: Mapping[str, complex], wheels: Sequence[Wheel]) -> float:
+    """How many mm a unit is."""
+    ends = [at[name] + side * radius for name, radius, _ in wheels for side in (-1 - 1j, 1 + 1j)]
+    if not ends:
+        return 1.0
+    wide, high = (max(part) - min(part) for part in ([z.real for z in ends], [z.imag for z in ends]))
+    return min(WIDE / wide, HIGH / high)
 
 
 def _placed(train: ReducedTrain) -> tuple[dict[str, complex], list[Wheel]]:
