@@ -25,6 +25,7 @@ from vecpoly.check.alarm import Cause, Weighed, alarm_at
 from vecpoly.cli.app import app
 from vecpoly.cli.errors import SUSPECT
 from vecpoly.designs.base import Design
+from vecpoly.drawing.sheets.titleblock import LABELS as STRIP
 from vecpoly.errors import DeadPointError, NotAskedError, VecpolyError
 from vecpoly.methods.answers import answer
 from vecpoly.solution import Solution, fewer_digits
@@ -165,9 +166,10 @@ def test_report_and_sheet_carry_a_red_box(
     spoilt(lambda v: 1.2 * v)
     solve(load("3-9")).report(tmp_path / "x.pdf", lang=lang)
     with pdfplumber.open(tmp_path / "x.pdf") as pdf:
-        first, *_, sheet = pdf.pages
-        assert said in first.extract_text().replace("\n", " ")
-        assert said in sheet.extract_text().replace("\n", " ")
+        told = [(page, page.extract_text().replace("\n", " ")) for page in pdf.pages]
+        assert said in told[0][1]
+        ((sheet, words),) = [(page, text) for page, text in told if STRIP["bar"].of(lang) in text]
+        assert said in words
         red = [shape for shape in (*sheet.rects, *sheet.curves) if shape["stroking_color"] == pytest.approx(RED)]
         assert len(red) == 2  # the sheet's frame and the box
         box, frame = sorted(shape["width"] for shape in red)

@@ -269,7 +269,7 @@ def test_of_a_file_that_is_no_problem_nothing_is_told(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("{% for p in problems %}", "{% for p in problems", "line 8"),
+        ("{% for p in problems %}", "{% for p in problems", "line 9"),
         ("{{ p.title }}", "{{ p.titel }}", "titel"),
         ("{{ title }}", "{{ 1 / 0 }}", "division"),
         ("{{ title }}", "{{ cycler.__init__.__globals__ }}", "unsafe"),

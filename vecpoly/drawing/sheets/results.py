@@ -13,7 +13,7 @@ from ...typeset import Box, layout, layout_words
 from ...words import Words
 from ..scene import Fill, Item, Layer, Rect, Stroke, TextBox
 from ..style import NOTE, THIN
-from .packing import Layout, flat, pack
+from .packing import Layout, pack
 from .paging import Drawn, lined, pairs_of
 from .redbox import BAND
 from .sheet import Sheet, placed
@@ -99,12 +99,10 @@ class _Room:
         return _with(moved, block, complex(low + FRAME, MARGIN + FRAME + STRIP))
 
     def _layout(self, sizes: Sequence[Size]) -> Layout | None:
-        """No pair parted: on the page, or on a plate as high as need be."""
+        """No pair parted, on a sheet that stays as large as it is."""
         pairs, boxed = pairs_of(self.group), self.sheet.warning is not None
         wide, high = self.sheet.room[0], self.sheet.room[1] - (BAND if boxed else 0.0)
         found = pack(sizes, (wide, high), tuple(pairs)) if sum(w * h for w, h in sizes) < wide * high else None
-        if found is None and self.sheet.plate and not boxed:
-            found = flat(sizes, pairs)
         return None if found is None or found.together < len(pairs) else found
 
 
