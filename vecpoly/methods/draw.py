@@ -26,7 +26,7 @@ from .registry import Stage
 SECTIONS = {
     Stage.POSITION: Words("作机构位置图", "Position diagram"),
     Stage.CENTRES: Words("瞬心法", "Instant centres"),
-    Stage.CURVATURE: Words("轨迹的曲率", "Curvature of paths"),
+    Stage.CURVATURE: Words("曲率与瞬心线", "Curvature and centrodes"),
     Stage.PRESSURE: Words("压力角和传动角", "Pressure and transmission angles"),
     Stage.VELOCITY: Words("速度分析", "Velocity analysis"),
     Stage.ACCELERATION: Words("加速度分析", "Acceleration analysis"),

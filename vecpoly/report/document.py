@@ -31,7 +31,7 @@ from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .identity import identity
 from .lines import lines_table
-from .picture import diagram, picture
+from .picture import diagram, picture, to_scale
 from .plates.page import sheet_page
 from .plates.results import concluded
 from .plates.sketch import sketch_of
@@ -192,7 +192,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     checked, lines = check_problem(solution.problem), lines_table(solution, lang)
     blocks = diagram(solution.construction)
     verified, printed = verification_table(solution, lang), printed_table(checked.answers, lang)
-    bound = [] if blocks else _pages(solution.construction, solution, lang, objects)
+    bound = [] if blocks or _repeats(solution.construction) else _pages(solution.construction, solution, lang, objects)
     return {
         "verified": objects.add("tab", verified) if verified else "",
         "lines": objects.add("tab", lines) if lines else "",
@@ -215,6 +215,12 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "sheets": bound,
         "plates": [*takewhile(lambda name: isinstance(objects.named[name], Plate), bound)],
     }
+
+
+def _repeats(construction: Construction) -> bool:
+    """Whether a sheet would only show the sketch beside the statement once more."""
+    figures = construction.figures
+    return len(figures) == 1 and not to_scale(figures[0])
 
 
 def _pages(construction: Construction, solution: Solution, lang: Lang, objects: Objects) -> list[str]:

@@ -14,6 +14,7 @@ from .numbering import TINY, Press
 from .results.tabled import tabled
 
 _COLUMNS = 12
+_RATES = {"p": Words("位置", "position"), "v": Words("速度", "velocity"), "a": Words("加速度", "acceleration")}
 
 
 def chapter(study: Study, press: Press) -> dict[str, Any]:
@@ -47,12 +48,12 @@ def _tables(study: Study, press: Press) -> Iterator[str]:
         last = []
     for i in range(0, len(told), _COLUMNS):
         some = told[i : i + _COLUMNS]
-        yield tabled(study, press, some, _title(some, bool(slides)), TINY, _every(study))
+        yield tabled(study, press, some, _title(study, some, bool(slides)), TINY, _every(study))
     if last:
         yield _points(study, press, last, parts)
 
 
-def _title(keys: list[str], slides: bool) -> Words:
+def _title(study: Study, keys: list[str], slides: bool) -> Words:
     """What a table of these columns shows; slides: whether the tables begin with sliding motions."""
     letters = dict.fromkeys(key.partition(".")[0][2:] for key in keys if key[:2] == "p_")
     kinds = []
@@ -61,7 +62,7 @@ def _title(keys: list[str], slides: bool) -> Words:
     if any(key.startswith("gamma_") for key in keys):
         kinds.append(Words("传动角", "transmission angles" if slides else "Transmission angles"))
     if letters:
-        kinds.append(_motion([*letters]))
+        kinds.append(_motion(study, [*letters], [key for key in keys if key.partition(".")[0][2:] in letters]))
     return Words(
         "、".join(w.zh for w in kinds),
         ", ".join(w.en if not i else w.en[0].lower() + w.en[1:] for i, w in enumerate(kinds)),
@@ -69,14 +70,8 @@ def _title(keys: list[str], slides: bool) -> Words:
 
 
 def _points(study: Study, press: Press, letters: list[str], parts: tuple[str, ...]) -> str:
-    return tabled(
-        study,
-        press,
-        [part.format(letter) for letter in letters for part in parts],
-        _motion(letters),
-        TINY,
-        _every(study),
-    )
+    keys = [part.format(letter) for letter in letters for part in parts]
+    return tabled(study, press, keys, _motion(study, letters, keys), TINY, _every(study))
 
 
 def _every(study: Study) -> int:
@@ -84,6 +79,14 @@ def _every(study: Study) -> int:
     return 2 if study.dense else 1
 
 
-def _motion(letters: list[str]) -> Words:
+def _and(parts: list[str], between: str, last: str) -> str:
+    return last.join((*([between.join(parts[:-1])] if parts[1:] else ()), *parts[-1:]))
+
+
+def _motion(study: Study, letters: list[str], keys: list[str]) -> Words:
+    """What these columns tell of these points: what does not vary has none."""
+    varying = [key for key in keys if any(study.varies(part) for part in study.turn.info(key).parts)] or keys
+    told = [words for rate, words in _RATES.items() if any(key.startswith(f"{rate}_") for key in varying)]
+    what_zh, what_en = _and([one.zh for one in told], "、", "和"), _and([one.en for one in told], ", ", " and ")
     zh, en = "、".join(f"${letter}$" for letter in letters), ", ".join(f"${letter}$" for letter in letters)
-    return Words(f"{zh} 点的位置、速度和加速度", f"Position, velocity and acceleration of {en}")
+    return Words(f"{zh} 点的{what_zh}", f"{what_en.capitalize()} of {en}")

@@ -111,7 +111,7 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...]) -> W
         for g in groups
     )
     en = ", ".join(
-        f"{kind_of(g).en} (links {', '.join(_told(mech, name).en for name in g.links)}{_as_bar(g).en})" for g in groups
+        f"{kind_of(g).en} ({_links([_told(mech, name).en for name in g.links])}{_as_bar(g).en})" for g in groups
     )
     kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
     opening = Words(
@@ -189,6 +189,12 @@ def _class(groups: tuple[Group, ...]) -> Words:
     """The class of the highest group."""
     kinds = [kind for kind in _ROMAN if any(group.kind == kind for group in groups)]
     return Words(f" {_ROMAN[kinds[-1]]}", kinds[-1]) if kinds else Words(" Ⅱ 级", "class II")
+
+
+def _links(told: list[str]) -> str:
+    """Links 2, 3; link 2, the substitute for K."""
+    numbered, others = [one for one in told if " " not in one], [one for one in told if " " in one]
+    return ", ".join((f"link{'s' * (len(numbered) > 1)} {', '.join(numbered)}", *others) if numbered else others)
 
 
 def _told(mech: Mechanism, link: str) -> Words:
