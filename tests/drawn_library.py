@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from functools import cache
-from typing import Any
+from typing import Any, TypeVar
 
 import pytest
 
@@ -22,6 +22,8 @@ from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
 from vecpoly.solution import Solution, solve
 from vecpoly.words import Words
+
+T = TypeVar("T")
 
 IDS = tuple(entry.id for entry in library())
 
@@ -102,16 +104,21 @@ def tips(desk: Desk, view: View) -> dict[At, complex]:
     return {at: complex(desk.tip(view, at)) for at in desk.tips(view)}
 
 
-def sentences(value: object) -> Iterator[Words]:
-    """Every sentence in a value, wherever it hangs."""
-    if isinstance(value, Words):
+def hanging(value: object, kind: type[T] | tuple[type[T], ...]) -> Iterator[T]:
+    """Everything of a kind in a value, wherever it hangs."""
+    if isinstance(value, kind):
         yield value
     elif isinstance(value, Mapping):
         for part in value.values():
-            yield from sentences(part)
+            yield from hanging(part, kind)
     elif isinstance(value, tuple | list):
         for part in value:
-            yield from sentences(part)
+            yield from hanging(part, kind)
     elif is_dataclass(value):
         for field in fields(value):
-            yield from sentences(getattr(value, field.name))
+            yield from hanging(getattr(value, field.name), kind)
+
+
+def sentences(value: object) -> Iterator[Words]:
+    """Every sentence in a value."""
+    return hanging(value, Words)

@@ -2,43 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import fields, is_dataclass
+from collections.abc import Iterator
+from typing import get_args
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.drawn_library import IDS
+from tests.drawn_library import IDS, hanging
 from tests.each import each
 from tests.pocket import sums
 from tests.studies import solved
-from vecpoly.algebra.formula import Frac, Over, Power, Root, Row, Sym, Txt, Vec, plain
+from vecpoly.algebra.formula import Node, Sym, plain
 from vecpoly.algebra.quantity import Expr, Of, Rooted, magnitude
 from vecpoly.algebra.worked import worked
 from vecpoly.report.answers.line import answer_line
 from vecpoly.solution import Solution
 from vecpoly.words import Words
 
-NODES = Row | Frac | Power | Root | Over | Vec | Sym | Txt
+PRINTED: tuple[type[Words | Node], ...] = (Words, *get_args(Node))
 
 
 def printed(value: object) -> Iterator[str]:
-    """All that is printed of a value, wherever it hangs: formulas and sentences."""
-    if isinstance(value, NODES):
-        yield plain(value)
-    elif isinstance(value, Words):
-        yield from (value.zh, value.en)
-    elif isinstance(value, Mapping):
-        for part in value.values():
-            yield from printed(part)
-    elif isinstance(value, tuple | list):
-        for part in value:
-            yield from printed(part)
-    elif is_dataclass(value):
-        for field in fields(value):
-            yield from printed(getattr(value, field.name))
+    """All that is printed of a value: formulas and sentences."""
+    for one in hanging(value, PRINTED):
+        yield from (one.zh, one.en) if isinstance(one, Words) else (plain(one),)
 
 
 def answers(solution: Solution) -> Iterator[str]:
