@@ -5,9 +5,13 @@ Floats do not lie midway where their decimals do: 0.11025 would go up and 110.25
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from decimal import ROUND_HALF_EVEN, Context, Decimal
 from math import floor, isfinite, log10
 
+MOST = 10  # figures of a number in a line, at most
+TIES = 1.0 + 1e-6  # times half a unit: a result may lie midway
+WHOLE = 6  # numbers of no more figures before the point are told whole
 _CLEAN = 12  # figures of a float that are not rubbish
 _CONTEXTS = {digits: Context(prec=digits, rounding=ROUND_HALF_EVEN) for digits in range(1, _CLEAN + 1)}
 
@@ -26,3 +30,18 @@ def to_places(value: float, places: int) -> float:
     if floor(log10(abs(value))) + 1 + places >= _CLEAN:
         return value
     return float(Decimal(f"{value:.{_CLEAN}g}").quantize(Decimal(1).scaleb(-places), rounding=ROUND_HALF_EVEN))
+
+
+def as_printed(value: float, digits: int) -> float:
+    """The number to so many figures; larger ones that are told whole, to all of theirs."""
+    return to_places(value, 0) if 10.0**digits <= abs(value) < 10.0**WHOLE else to_figures(value, digits)
+
+
+def half_unit(value: float, digits: int) -> float:
+    """Half a unit of the last of so many figures of a number."""
+    return 0.5 * 10.0 ** (floor(log10(abs(value))) + 1 - digits)
+
+
+def guarded(least: int, holds: Callable[[int], bool]) -> int:
+    """The fewest figures, no fewer than these, that do; these where none do."""
+    return next((digits for digits in range(least, MOST + 1) if holds(digits)), least)

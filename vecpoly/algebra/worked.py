@@ -7,17 +7,13 @@ result: 1063.6 × 0.076 = 80.83, for 1064 × 0.076 is 80.86.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import floor, isfinite, log10, nan
+from math import isfinite, nan
 
 from ..foundation.slotted import replace
 from ..plane import nominal
 from .formula import Node, Row, Txt
 from .quantity import FIGURES, Expr, Of, Powered, Product, Quantity, Quotient, Rooted, Sum, Times, number
-from .rounding import to_figures
-
-_MOST = 10  # figures of a number in a line, at most
-_WHOLE = 6  # numbers of fewer figures are told whole
-_TIES = 1e-6  # share of half a unit: a result may lie midway
+from .rounding import TIES, WHOLE, as_printed, guarded, half_unit, to_figures
 
 
 def worked(result: Node, expr: Expr, unit: str, shown: str = "") -> Row:
@@ -44,19 +40,24 @@ def figures_for(expr: Expr, shown: str = "", least: int = FIGURES) -> int:
     value = float(nominal(expr.value))
     if not isfinite(value):
         return least
-    told = ((_read(shown), _half_unit(shown)),) if shown else tuple(_results(value))
-    for digits in range(least, _MOST + 1):
-        reckoned = _as_printed(expr, digits)
-        if all(abs(reckoned - result) <= half * (1.0 + _TIES) for result, half in told):
-            return digits
-    return least
+    told = (_read(shown),) if shown else tuple(_results(value))
+
+    def holds(digits: int) -> bool:
+        reckoned = _reckoned(expr, digits)
+        return all(abs(reckoned - result) <= half * TIES for result, half in told)
+
+    return guarded(least, holds)
 
 
 def _results(value: float) -> Iterator[tuple[float, float]]:
     """The result to all its figures and to fewer, as an answer is told to what was read, each with half a unit."""
-    yield _read(number(value)), _half_figure(value, FIGURES)
+    if not value:
+        yield 0.0, 0.0
+        return
+    last = half_unit(value, FIGURES)
+    yield as_printed(value, FIGURES), min(0.5, last) if abs(value) < 10.0**WHOLE else last
     for figures in range(1, FIGURES):
-        yield to_figures(value, figures), _half_figure(value, figures)
+        yield to_figures(value, figures), half_unit(value, figures)
 
 
 def spot_in_mm(at: complex) -> str:
@@ -65,7 +66,7 @@ def spot_in_mm(at: complex) -> str:
     return f"({x}, {y}) mm"
 
 
-def _as_printed(expr: Expr, digits: int) -> float:
+def _reckoned(expr: Expr, digits: int) -> float:
     """What a calculator shows for the expression with its numbers printed to so many figures; NaN: an error."""
     try:
         return float(nominal(_printed(expr, digits).value))
@@ -77,7 +78,7 @@ def _printed(expr: Expr, digits: int) -> Expr:
     """The expression of the numbers as they are printed."""
     match expr:
         case Quantity():
-            return replace(expr, value=_read(number(float(nominal(expr.value)), digits)))
+            return _rounded(expr, digits)
         case Product(factors):
             return Product(tuple(_printed(factor, digits) for factor in factors))
         case Quotient(num, den):
@@ -85,7 +86,7 @@ def _printed(expr: Expr, digits: int) -> Expr:
         case Sum(terms, signs):
             return Sum(tuple(_printed(term, digits) for term in terms), signs)
         case Powered(base, exponent):
-            return Powered(replace(base, value=_read(number(float(nominal(base.value)), digits))), exponent)
+            return Powered(_rounded(base, digits), exponent)
         case Times(factor, body):
             return Times(factor, _printed(body, digits))
         case Of(name, angle):
@@ -94,30 +95,15 @@ def _printed(expr: Expr, digits: int) -> Expr:
             return Rooted(_printed(body, digits))
 
 
-def _parts(text: str) -> tuple[str, int]:
-    """Mantissa and exponent of a number as `number` writes it."""
+def _rounded(quantity: Quantity, digits: int) -> Quantity:
+    return replace(quantity, value=as_printed(float(nominal(quantity.value)), digits))
+
+
+def _read(text: str) -> tuple[float, float]:
+    """A number as `number` writes it, and half a unit of the last place that is printed."""
     mantissa, _, exponent = text.replace("−", "-").rstrip("}").partition("×10^{")
-    return mantissa, int(exponent or 0)
-
-
-def _read(text: str) -> float:
-    mantissa, exponent = _parts(text)
-    return float(f"{mantissa}e{exponent}")
-
-
-def _half_unit(text: str) -> float:
-    """Half a unit of the last place that is printed."""
-    mantissa, exponent = _parts(text)
-    return 0.5 * 10.0 ** (exponent - len(mantissa.partition(".")[2]))
-
-
-def _half_figure(value: float, figures: int) -> float:
-    """Half a unit of the last of so many figures; of a number told whole half of one."""
-    if not value:
-        return 0.0
-    top = floor(log10(abs(value)))
-    last = top + 1 - figures
-    return 0.5 * 10.0 ** (min(0, last) if figures == FIGURES and top < _WHOLE else last)
+    tens = int(exponent or 0)
+    return float(f"{mantissa}e{tens}"), 0.5 * 10.0 ** (tens - len(mantissa.partition(".")[2]))
 
 
 def _with_unit(text: str, unit: str) -> str:

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from math import atan2, cos, degrees, floor, isfinite, log10, pi, radians, sin, sqrt
+from math import atan2, cos, degrees, isfinite, pi, radians, sin, sqrt
 
 import numpy as np
 
-from ..algebra.rounding import to_figures, to_places
+from ..algebra.rounding import TIES, as_printed, guarded, half_unit, to_places
 from .expr import Const, Env, Expr, Product, Quotient, Sum, Var
 from .functions import Arctan, Square, SquareRoot, Wave
 
 FIGURES = 5
 ANGLES = ("φ", "ψ")  # symbols of what is printed in degrees
-_MOST = 10
 _NOTHING = 1e-6  # what a calculator may show for zero where all terms are
-_TIES = 1.0 + 1e-6
 
 
 def figures_for(expr: Expr, env: Env, value: float, angle: bool) -> int:
@@ -22,11 +20,12 @@ def figures_for(expr: Expr, env: Env, value: float, angle: bool) -> int:
     if not isfinite(value):
         return FIGURES
     result, half = _result(value, angle, size(expr, env))
-    for digits in range(FIGURES, _MOST + 1):
+
+    def holds(digits: int) -> bool:
         gap = (_angle if angle else _keyed)(expr, env, digits) - result
-        if abs((gap + pi) % (2 * pi) - pi if angle else gap) <= half * _TIES:
-            return digits
-    return FIGURES
+        return abs((gap + pi) % (2 * pi) - pi if angle else gap) <= half * TIES
+
+    return guarded(FIGURES, holds)
 
 
 def turned(angle: float, digits: int = FIGURES) -> str:
@@ -68,17 +67,8 @@ def _result(value: float, angle: bool, terms: float) -> tuple[float, float]:
     if angle:
         return radians(_degrees(value, FIGURES)), radians(0.5 * 10.0 ** (2 - FIGURES))
     if not value:
-        return 0.0, _half_unit(terms) if terms else _NOTHING
-    return _read(value, FIGURES), _half_unit(value)
-
-
-def _half_unit(value: float) -> float:
-    return 0.5 * 10.0 ** (floor(log10(abs(value))) + 1 - FIGURES)
-
-
-def _read(value: float, digits: int) -> float:
-    """What `number` prints."""
-    return to_places(value, 0) if 10.0**digits <= abs(value) < 1e6 else to_figures(value, digits)
+        return 0.0, half_unit(terms, FIGURES) if terms else _NOTHING
+    return as_printed(value, FIGURES), half_unit(value, FIGURES)
 
 
 def _keyed(expr: Expr, env: Env, digits: int) -> float:
@@ -99,7 +89,7 @@ def _keyed(expr: Expr, env: Env, digits: int) -> float:
             return cos(turn) if name == "cos" else sin(turn)
         case Arctan(rise, run):
             return atan2(_keyed(rise, env, digits), _keyed(run, env, digits))
-    return _read(float(np.asarray(expr.value(env))), digits)
+    return as_printed(float(np.asarray(expr.value(env))), digits)
 
 
 def _angle(expr: Expr, env: Env, digits: int) -> float:
