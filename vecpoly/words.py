@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -28,6 +29,16 @@ class Words:
 
     def __add__(self, other: Words) -> Words:
         return Words(self.zh + other.zh, self.en + other.en)
+
+
+def joined(names: Sequence[Words]) -> Words:
+    """Their names, the last joined by 和 / and; nothing of none."""
+    if len(names) < 2:
+        return names[0] if names else Words.same("")
+    return Words(
+        "、".join(w.zh for w in names[:-1]) + "和" + names[-1].zh,
+        ", ".join(w.en for w in names[:-1]) + " and " + names[-1].en,
+    )
 
 
 def bare(text: str) -> str:

@@ -38,10 +38,12 @@ class Job:
         return (*((self.path,) if self.path else ()), *(file for problem in self.problems for file in problem.files))
 
 
-def problems(names: Sequence[str], tally: Tally, outside: bool = False) -> list[Problem]:
-    """All problems named, those of assignments among them;
+def problems(
+    names: Sequence[str], tally: Tally, outside: bool = False, paper: FormatName | None = None
+) -> list[Problem]:
+    """All problems named, those of assignments among them, on this paper where one is chosen;
     the tally keeps what cannot be read, and tells it at once where nothing can."""
-    return [problem for job in jobs(names, tally, outside) for problem in job.problems]
+    return [problem for job in jobs(names, tally, outside) for problem in job.on(paper).problems]
 
 
 def jobs(names: Sequence[str], tally: Tally, outside: bool = False) -> list[Job]:

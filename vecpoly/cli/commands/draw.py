@@ -78,11 +78,11 @@ def draw(
     """
     path = output or Path(f"{Path(name).stem}-{figure.replace(':', '-').replace(' ', '-')}.svg")
     tally = Tally()
-    found = problems([name], tally, allow_outside)
+    found = problems([name], tally, allow_outside, paper)
     spared(path, FORMATS, found)
     from ...solution import solve
 
-    for problem in found if paper is None else [one.on(paper) for one in found]:
+    for problem in found:
         with tally.job(), about(problem.id):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
             solution = solution.toned({}) if plain else solution

@@ -115,15 +115,14 @@ def trimmed(figures: Sequence[Sized], layout: Layout) -> Layout:
 def lined(figures: Sequence[Drawn], layout: Layout, still: Sequence[Rect] = ()) -> Layout:
     """With the titles of figures side by side on one line, unless the figures would be lost on the page then;
     still: what else stands there."""
-    boxes = [Rect(c.real, c.imag, c.real + w, c.imag + h) for c, (w, h) in _standing(figures, layout)]
+    boxes = [
+        Rect(at.real, at.imag, at.real + one.size[0], at.imag + one.size[1])
+        for at, one in zip(layout.corners, figures, strict=True)
+    ]
     lines = [box.y0 + one.line for box, one in zip(boxes, figures, strict=True)]
     falls = sunk(boxes, lines, still, min(TIGHT, max(layout.white, 0.0)))
     made = replace(layout, corners=tuple(at - 1j * by for at, by in zip(layout.corners, falls, strict=True)))
     return made if covered(figures, made) >= min(WELL, covered(figures, layout)) else layout
-
-
-def _standing(figures: Sequence[Sized], layout: Layout) -> Iterator[tuple[complex, Size]]:
-    return ((at, one.size) for at, one in zip(layout.corners, figures, strict=True))
 
 
 def under_box(figures: tuple[F, ...], layout: Layout) -> list[Page[F]]:

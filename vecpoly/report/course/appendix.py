@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ...findings.study.study import Study
-from ...words import Words
+from ...words import Words, joined
 from ..flow.listing import Listing
 from .numbering import TINY, Press
 from .results.tabled import tabled
@@ -79,14 +79,9 @@ def _every(study: Study) -> int:
     return 2 if study.dense else 1
 
 
-def _and(parts: list[str], between: str, last: str) -> str:
-    return last.join((*([between.join(parts[:-1])] if parts[1:] else ()), *parts[-1:]))
-
-
 def _motion(study: Study, letters: list[str], keys: list[str]) -> Words:
     """What these columns tell of these points: what does not vary has none."""
     varying = [key for key in keys if any(study.varies(part) for part in study.turn.info(key).parts)] or keys
-    told = [words for rate, words in _RATES.items() if any(key.startswith(f"{rate}_") for key in varying)]
-    what_zh, what_en = _and([one.zh for one in told], "、", "和"), _and([one.en for one in told], ", ", " and ")
+    what = joined([told for rate, told in _RATES.items() if any(key.startswith(f"{rate}_") for key in varying)])
     zh, en = "、".join(f"${letter}$" for letter in letters), ", ".join(f"${letter}$" for letter in letters)
-    return Words(f"{zh} 点的{what_zh}", f"{what_en.capitalize()} of {en}")
+    return Words(f"{zh} 点的{what.zh}", f"{what.en.capitalize()} of {en}")

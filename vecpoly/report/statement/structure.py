@@ -3,6 +3,7 @@ the frame's number where forces are meant."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from ...mechanism.groups.assur import Group, decompose, hinges
@@ -110,9 +111,7 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...]) -> W
         f"{kind_of(g).zh} 杆组（构件 {'、'.join(_told(mech, name).zh for name in g.links)}{_as_bar(g).zh}）"
         for g in groups
     )
-    en = ", ".join(
-        f"{kind_of(g).en} ({_links([_told(mech, name).en for name in g.links])}{_as_bar(g).en})" for g in groups
-    )
+    en = ", ".join(f"{kind_of(g).en} ({_links(mech, g.links)}{_as_bar(g).en})" for g in groups)
     kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
     opening = Words(
         f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}{slots.zh}；"
@@ -191,9 +190,10 @@ def _class(groups: tuple[Group, ...]) -> Words:
     return Words(f" {_ROMAN[kinds[-1]]}", kinds[-1]) if kinds else Words(" Ⅱ 级", "class II")
 
 
-def _links(told: list[str]) -> str:
+def _links(mech: Mechanism, links: Sequence[str]) -> str:
     """Links 2, 3; link 2, the substitute for K."""
-    numbered, others = [one for one in told if " " not in one], [one for one in told if " " in one]
+    told = {link: _told(mech, link).en for link in links}
+    numbered, others = [one for one in links if told[one] == one], [told[one] for one in links if told[one] != one]
     return ", ".join((f"link{'s' * (len(numbered) > 1)} {', '.join(numbered)}", *others) if numbered else others)
 
 
