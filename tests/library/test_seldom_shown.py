@@ -20,8 +20,8 @@ from vecpoly.drawing.scene import Rect, TextBox
 from vecpoly.drawing.sheets.space import CAPTION, CLEAR, LETTERING, room, usable
 from vecpoly.figures.kind import views
 from vecpoly.player.figures import caption
-from vecpoly.player.ink import UNIT, Ink
-from vecpoly.player.type import Faces, symbol_html
+from vecpoly.player.setting.ink import UNIT, Ink
+from vecpoly.player.setting.type import Faces, symbol_html
 from vecpoly.problem.load import load, loads
 from vecpoly.report.flow.formula import lines
 from vecpoly.report.titles import subject

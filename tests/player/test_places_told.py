@@ -10,7 +10,7 @@ import pytest
 
 from vecpoly import load, loads, solve
 from vecpoly.player.readings import readings
-from vecpoly.player.type import Faces
+from vecpoly.player.setting.type import Faces
 
 TEXT = re.sub(r"(?ms)^(printed|find):.*?(?=^\S|\Z)", "", load("3-9").text) + "\nfind: [p_E, v_E, p_D]\n"
 

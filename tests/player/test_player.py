@@ -32,9 +32,9 @@ from vecpoly.mechanism.model import SideOf
 from vecpoly.player.beats import beats, stepped
 from vecpoly.player.figures import key_of, shown_figures
 from vecpoly.player.fitting import AMPLE, MOST, SIDE, coarsened
-from vecpoly.player.ink import Ink, path
 from vecpoly.player.motion import moving
 from vecpoly.player.page import LIMIT, PLACES, player_html
+from vecpoly.player.setting.ink import Ink, path
 from vecpoly.player.steps import said
 from vecpoly.player.turned import Cycle, cycle, in_order
 from vecpoly.problem.load import load

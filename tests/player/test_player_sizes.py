@@ -14,8 +14,8 @@ from vecpoly.drawing.scene import Rect, Scene
 from vecpoly.drawing.style import LETTER
 from vecpoly.player.figures import LANGS, box, caption, key_of
 from vecpoly.player.fitting import SIDE, coarsened, fitted
-from vecpoly.player.ink import Ink, path
 from vecpoly.player.panes import AROUND, BESIDE, FAR, magnified, pane
+from vecpoly.player.setting.ink import Ink, path
 from vecpoly.player.turned import Cycle, cycle
 from vecpoly.problem.load import load
 from vecpoly.problem.load import loads as load_text

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..mechanism.model import Mechanism
-from .feasible import SEARCHED
+from .assembly.feasible import SEARCHED
 from .motion import Motion
 from .plan import plan_for
 

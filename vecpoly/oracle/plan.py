@@ -13,12 +13,12 @@ from ..mechanism.groups.assur import decompose
 from ..mechanism.groups.mobility import check
 from ..mechanism.model import FRAME, Mechanism, Rolling
 from ..words import Words
-from .across import across
-from .branches import check_letters, choose, confirm
-from .changes import Changes, touches
+from .assembly.across import across
+from .assembly.branches import check_letters, choose, confirm
+from .assembly.changes import Changes, touches
+from .assembly.feasible import SEARCHED, Closes, Ranges, Spans, alone, refusal, scan, spans
 from .closed.dyads import Hinged, Swinging
 from .drive import Driver, driver
-from .feasible import SEARCHED, Closes, Ranges, Spans, alone, refusal, scan, spans
 from .run import STEP, Run, track
 from .state import Body, Reals, at_rest
 from .steps import Step, is_followed, step_for

@@ -14,7 +14,7 @@ from ..drawing.order import reading_order
 from ..drawing.scene import Item, Rect, Scene
 from ..names import written_unit
 from ..words import Lang, Words
-from .ink import UNIT, Ink
+from .setting.ink import UNIT, Ink
 
 LANGS: tuple[Lang, ...] = ("zh", "en")
 MARGIN = 2.0  # mm round each figure

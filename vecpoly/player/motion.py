@@ -16,8 +16,8 @@ from ..drawing.scene import Item, Layer, Rect, Scene, TextBox
 from ..drawing.style import Hue
 from ..words import Lang
 from .figures import LANGS, MARGIN, box, caption, key_of
-from .ink import Ink
 from .panes import magnified, pane
+from .setting.ink import Ink
 from .traces import traces
 from .turned import Cycle
 

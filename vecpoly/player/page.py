@@ -15,16 +15,16 @@ from ..typeset.fonts import Face
 from ..typeset.words import is_han
 from ..words import Lang, Words, label
 from .beats import beats, stepped
-from .faces import font_css
 from .figures import LANGS, Shown, shown_figures
-from .ink import Ink
 from .motion import moving
 from .pointing import pointed
 from .readings import names, readings, ways_heard
+from .setting.faces import font_css
+from .setting.ink import Ink
+from .setting.type import words_html
 from .steps import html, sections
 from .traces import curves
 from .turned import Cycle, cycle
-from .type import words_html
 
 PLACES = 36  # of the drive, over the cycle; the script draws what lies between them
 LIMIT = 1_000_000  # bytes: a page that would be larger has every second place only

@@ -21,7 +21,7 @@ from ..tagging.speech import spoken
 from ..words import Words
 from .beats import Beat
 from .figures import LANGS, key_of
-from .ink import UNIT
+from .setting.ink import UNIT
 
 Data = dict[str, object]
 Points = NDArray[np.complex128]

@@ -12,10 +12,10 @@ from ..solution import YES_NO, Answer, Solution
 from ..tagging.speech import spoken
 from ..words import Words
 from .figures import LANGS
-from .ink import inked
 from .inverted import Turned
+from .setting.ink import inked
+from .setting.type import Faces, words_html
 from .steps import heard, html
-from .type import Faces, words_html
 
 Cells = tuple[str, str, str, str, str]  # value zh, value en, direction zh, direction en, exact
 

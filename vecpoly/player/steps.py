@@ -18,8 +18,8 @@ from ..tagging.speech import equation_said, words_said
 from ..typeset import layout, layout_words
 from ..words import Lang, Words
 from .beats import Beat
-from .ink import inked
-from .type import Faces, formula_html, symbol_html, words_html
+from .setting.ink import inked
+from .setting.type import Faces, formula_html, symbol_html, words_html
 
 WIDEST, CELL, SIGN = 18.2, 0.35, 1.1  # em: a phone's column less white, white in a cell, a sign with its white
 CAPTION = 0.85  # em: size of the rows' names

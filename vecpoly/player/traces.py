@@ -19,8 +19,8 @@ from ..tagging.speech import spoken
 from ..tagging.units_said import unit_said
 from ..typeset import layout
 from .figures import LANGS, key_of
-from .ink import UNIT, Ink
 from .inverted import Turned
+from .setting.ink import UNIT, Ink
 
 Data = dict[str, object]
 Where = dict[str, complex]  # letter → its point (mm)

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...foundation.slotted import dataclass
 from ...mechanism.groups.assur import Group
-from ..changes import Changes
+from ..assembly.changes import Changes
 from ..run import Run
 from ..state import Bodies, Body, Points, Reals, cross, dot
 from .loci import Arc, Line, Locus, Share

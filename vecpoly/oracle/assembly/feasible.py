@@ -7,11 +7,11 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import AssemblyError
-from ..mechanism.model import Drive
-from ..words import Words
-from .state import Reals
-from .steps import Step
+from ...errors import AssemblyError
+from ...mechanism.model import Drive
+from ...words import Words
+from ..state import Reals
+from ..steps import Step
 
 Ranges = tuple[str, ...]
 Spans = tuple[tuple[float, float], ...]

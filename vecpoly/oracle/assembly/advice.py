@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from itertools import product
 
-from ..mechanism.assembly.branch import margin, opposite
-from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
-from ..words import Words
-from .closed.dyads import Hinged
-from .iterated.newton import Newton
-from .steps import Step
+from ...mechanism.assembly.branch import margin, opposite
+from ...mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
+from ...words import Words
+from ..closed.dyads import Hinged
+from ..iterated.newton import Newton
+from ..steps import Step
 
 Places = dict[str, complex]
 

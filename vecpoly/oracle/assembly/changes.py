@@ -12,8 +12,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..foundation.slotted import dataclass
-from .state import Reals
+from ...foundation.slotted import dataclass
+from ..state import Reals
 
 # of the drive's positions: not below zero where links close, zero where two assemblies meet
 Fold = Callable[[Reals], Reals]

@@ -11,7 +11,7 @@ from io import BytesIO
 from fontTools import subset
 from fontTools.ttLib import TTFont
 
-from ..typeset.fonts import Face, path
+from ...typeset.fonts import Face, path
 from .type import short
 
 SLANTED = {Face.ITALIC, Face.BOLD_ITALIC}

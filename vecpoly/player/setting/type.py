@@ -8,14 +8,14 @@ from dataclasses import dataclass, field
 from html import escape
 from typing import assert_never
 
-from ..algebra.formula import Node, Sym, Txt, row, split_words
-from ..tagging.speech import said
-from ..typeset import Box, Glyphs, Rule, layout
-from ..typeset.box import MM
-from ..typeset.fonts import MISSING, Face, glyph, missing_text
-from ..typeset.layout import segments
-from ..typeset.runs import SHOWN
-from ..words import Lang, Words
+from ...algebra.formula import Node, Sym, Txt, row, split_words
+from ...tagging.speech import said
+from ...typeset import Box, Glyphs, Rule, layout
+from ...typeset.box import MM
+from ...typeset.fonts import MISSING, Face, glyph, missing_text
+from ...typeset.layout import segments
+from ...typeset.runs import SHOWN
+from ...words import Lang, Words
 
 EM = 10.0  # mm: size at which formulas for the page are set; 1 em = 1000 units
 _UPRIGHT = "π∞Σ"

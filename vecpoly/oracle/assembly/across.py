@@ -11,9 +11,9 @@ from dataclasses import fields
 
 import numpy as np
 
-from ..mechanism.model import Drive
+from ...mechanism.model import Drive
+from ..state import Body, Points, Reals
 from .changes import Changes
-from .state import Body, Points, Reals
 
 BESIDE = 1e-2  # rad, or of the scale
 ROOM = 6.0  # steps to the next change point, at least

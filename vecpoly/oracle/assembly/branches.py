@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ..errors import AssemblyError, DeadPointError, UnknownNameError
-from ..mechanism.assembly.branch import margin, nearer, opposite
-from ..mechanism.assembly.four_bar import folded_corner, fourth_corner
-from ..mechanism.assembly.statements import Form, Shaped
-from ..mechanism.model import Mechanism, Revolute, Statement
-from ..words import Words
+from ...errors import AssemblyError, DeadPointError, UnknownNameError
+from ...mechanism.assembly.branch import margin, nearer, opposite
+from ...mechanism.assembly.four_bar import folded_corner, fourth_corner
+from ...mechanism.assembly.statements import Form, Shaped
+from ...mechanism.model import Mechanism, Revolute, Statement
+from ...words import Words
+from ..closed.cammed import curvature_centre
+from ..closed.dyads import Hinged, Swinging
+from ..closed.parallel import folded, parallel
+from ..iterated.driven import drives_in
+from ..iterated.driven_assemblies import among
+from ..iterated.newton import Newton
+from ..run import Run
+from ..state import Bodies
+from ..steps import Step
 from .advice import Places, advice, is_hinged
-from .closed.cammed import curvature_centre
-from .closed.dyads import Hinged, Swinging
-from .closed.parallel import folded, parallel
-from .iterated.driven import drives_in
-from .iterated.driven_assemblies import among
-from .iterated.newton import Newton
-from .run import Run
-from .state import Bodies
-from .steps import Step
 
 
 def places(mech: Mechanism, bodies: Bodies) -> Places:

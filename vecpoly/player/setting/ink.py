@@ -10,11 +10,11 @@ from functools import cache
 from itertools import pairwise
 from typing import assert_never
 
-from ..drawing.scene import Fill, Item, Stroke, TextBox
-from ..drawing.style import Hue
-from ..figures.kind import hues
-from ..foundation.data import data_dir
-from ..typeset import Box
+from ...drawing.scene import Fill, Item, Stroke, TextBox
+from ...drawing.style import Hue
+from ...figures.kind import hues
+from ...foundation.data import data_dir
+from ...typeset import Box
 from .type import Faces, set_box
 
 UNIT = 100.0  # units in a millimetre

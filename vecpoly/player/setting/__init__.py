@@ -1,0 +1,1 @@
+"""Letters, lines and fonts as the page has them."""
