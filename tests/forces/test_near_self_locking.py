@@ -3,10 +3,13 @@ friction leads to."""
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from tests.forces.test_pins_in_slots import agreeing, exact_hand
 from tests.generators.acting.locking import times
+from vecpoly import loads
+from vecpoly.cycle import cycle
 from vecpoly.errors import LockedError
 
 # The force on the crank has the arm 0.741 mm about A, less than the friction circle's radius: by the one side of the
@@ -150,3 +153,38 @@ def test_of_two_equilibria_that_is_drawn_which_grew_from_none() -> None:
     solution = exact_hand(ANOTHER_EQUILIBRIUM)
     assert agreeing(solution) == 4
     assert abs(solution.answers["R_54"].drawn) == pytest.approx(8.2068, rel=1e-4)
+
+
+# A couple on a block between two inclined guides presses neither: what is left of the normal forces is rounding, and
+# friction that multiplied it would bind or not as the rounding falls out.
+COUPLE_ON_A_BLOCK = """
+id: x
+title: a couple on a block between two guides
+frame: {A: [0 mm, 0 mm], E: [68.734025370 mm, 110.236747490 mm]}
+links:
+  1: {AB: 56.572725225 mm, I: {along: AB, at: -31.673444996 mm, left: -6.189081511 mm},
+      J: {along: AB, at: -92.162958278 mm, left: -109.827967953 mm},
+      M: {along: AB, at: -184.899107851 mm, left: -87.052334109 mm}}
+  2: {CD: 40.265778367 mm, F: {along: CD, at: -58.251139362 mm, left: 73.728582466 mm},
+      G: {along: CD, at: 114.090304152 mm, left: 2.743965570 mm},
+      K: {along: CD, at: 15.588451172 mm, left: -10.149093643 mm},
+      L: {along: CD, at: -78.630675211 mm, left: 64.166155289 mm},
+      N: {along: CD, at: -37.090127818 mm, left: -35.682702069 mm},
+      O: {along: CD, at: 7.469882666 mm, left: -161.890190768 mm}}
+  3: {block: E}
+  4: {block: H}
+joints: ["3 slides on FG with E 11.2471 mm left", "4 slides on IJ", "4 slides on KL of 2 turned -177.777577000 deg",
+         "M runs in NO of 2"]
+input: {link: 1, phi: 164.0 deg, omega: 3 rad/s, alpha: -20 rad/s^2}
+guesses: {C: [107.685 mm, 64.919 mm], D: [114.835 mm, 104.545 mm], F: [24.785 mm, 20.685 mm],
+          G: [125.244 mm, 177.683 mm], K: [120.441 mm, 78.457 mm], L: [30.577 mm, -1.069 mm],
+          N: [136.215 mm, 22.082 mm], O: [268.329 mm, 43.524 mm], H: [75.509 mm, 38.694 mm]}
+loads: {M_q0: {on: 4, size: 6 N*m}, F_q1: {on: 2, at: D, size: 173 N, direction: 162 deg}, X_b: {on: 1, size: "?"}}
+friction: {A: {rho: 0.60 mm}, E: {rho: 0.59 mm}, 4-1: {phi: 5 deg}, 4-2: {phi: 9 deg}}
+"""
+
+
+def test_what_presses_only_by_rounding_has_no_friction_and_locks_nowhere() -> None:
+    balancing = cycle(loads(COUPLE_ON_A_BLOCK), 37).real("X_b")
+    assert np.isfinite(balancing).all()
+    assert balancing[-1] == pytest.approx(balancing[0], rel=1e-9)

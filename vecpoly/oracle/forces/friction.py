@@ -17,6 +17,7 @@ from .elimination import Flags, solved
 _Number = TypeVar("_Number", np.complex128, np.float64)
 TOLERANCE = 1e-13
 CONTINUED = 400  # steps of λ at most
+ROUNDING = 1e-12  # a gain that is no larger is none
 LOST = 1e-7  # a step of λ this small does not lead on
 
 
@@ -32,12 +33,24 @@ def sizes(base: Points, gain: Points) -> tuple[Reals, Reals]:
     if not sound.all():
         pressed[:, sound], reached[sound] = sizes(base[:, sound], gain[:, :, sound])
         return pressed, reached
+    gain = _without_idle(base, gain)
     certain = _contracts(np.abs(gain))
     pressed, found = _newton(base, gain, np.ones(1), np.abs(base), 12)
     doubtful = np.flatnonzero(~(found & certain))
     if doubtful.size:
         pressed[:, doubtful], reached[doubtful] = _continued(base[:, doubtful], gain[:, :, doubtful])
     return pressed, reached
+
+
+def _without_idle(base: Points, gain: Points) -> Points:
+    """The gains without those of joints that nothing presses: neither the loads nor the friction of one that is
+    pressed. Friction that would have to press itself stays out."""
+    acts: Flags = np.abs(gain) > ROUNDING
+    idle: Flags = base == 0
+    for _ in base:
+        idle = idle & ~(acts & ~idle).any(axis=1)
+    kept: Points = np.where(idle[:, None] | idle[None], 0.0, gain)
+    return kept
 
 
 def _contracts(weight: Reals) -> Flags:

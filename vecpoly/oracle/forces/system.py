@@ -132,8 +132,9 @@ class System:
             row.real = found[first]
             if parts == 2:
                 row.imag = found[first + 1]
-        pressed, reached = sizes(press[:, 0], press[:, 1:])
         dry = found[:, 0]
+        base = np.where(np.abs(press[:, 0]) <= ROUNDING * self._largest(dry), 0.0, press[:, 0])
+        pressed, reached = sizes(base, press[:, 1:])
         wet = dry + sum((found[:, 1 + k] * u for k, u in enumerate(pressed)), np.zeros(1))
         return self._balance(dry, np.zeros_like(pressed)), self._balance(wet, pressed), reached
 
