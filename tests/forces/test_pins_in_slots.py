@@ -4,7 +4,7 @@ the block that kinematics thinks there is named nowhere."""
 from __future__ import annotations
 
 import json
-from math import radians
+from math import cos, radians, sin, sqrt
 
 import numpy as np
 import pytest
@@ -33,6 +33,16 @@ joints: [E runs in y = 0 mm, F runs in x = 0 mm]
 input: {link: 1, phi: 70 deg, omega: 2 rad/s ccw}
 branch: [E left of C, F above A]
 loads: {F: {on: 3, at: G, size: 100 N, direction: 180 deg}, M_1: {on: 1, size: "?"}}
+"""
+HELD = """
+id: held
+title: a link that a pin in its slot holds fast
+frame: {A: [0 mm, 0 mm], C: [120 mm, 0 mm], D: [40 mm, 50 mm]}
+links: {1: {DB: 30 mm}, 2: {slot: A}, 3: {block: E}, 4: {BE: 70 mm}}
+joints: [C runs in 2, 3 slides along 2]
+input: {link: 1, phi: 20 deg, omega: 10 rad/s ccw}
+branch: [E right of B]
+loads: {F: {on: 3, at: E, size: 100 N, direction: 240 deg}, M_1: {on: 1, size: "?"}}
 """
 
 
@@ -73,6 +83,16 @@ def test_a_pin_of_the_frame_has_the_frames_number_in_forces_and_in_kinematics() 
 
 def test_what_is_asked_where_nothing_is_said_has_the_pressing_links() -> None:
     assert {ask.rel.key for ask in loads(STANDING + LOADS).asks} == {"M_1", "R_13", "R_12", "R_23"}
+
+
+def test_a_pin_in_a_slot_between_hinged_links_is_told_from_the_hinge_by_its_letter() -> None:
+    answers = exact_hand(HELD).answers
+    assert answers["R_25C"].drawn == pytest.approx(answers["R_25C"].exact, rel=1e-9)
+    assert answers["R_25"].drawn == pytest.approx(answers["R_25"].exact, rel=1e-9)
+    b = 40 + 30 * cos(radians(20)), 50 + 30 * sin(radians(20))
+    share = (b[0] + sqrt(70**2 - b[1] ** 2)) / 120  # of the block on the slot: three parallel forces about A
+    assert answers["R_25C"].drawn / answers["R_23"].drawn == pytest.approx(share, rel=1e-9)
+    assert answers["R_25"].drawn / answers["R_23"].drawn == pytest.approx(1 - share, rel=1e-9)
 
 
 def test_two_pins_of_one_link_are_told_apart_by_their_letters() -> None:

@@ -257,12 +257,10 @@ def _slotted(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: floa
         for one in (j.a, j.b)
         if one != joint.block
     ]
-    keys = {
-        key: name
-        for name in carriers
-        for letter in ("", joint.pin)
-        if (key := f"{reaction_key(mech, joint.guide, name)}{letter}{way}") in forces
-    }
+    keys: dict[str, str] = {}
+    for name in carriers:  # with its letter where a hinge, or another pin, joins the same two links
+        spelt = (f"{reaction_key(mech, joint.guide, name)}{letter}{way}" for letter in (joint.pin, ""))
+        keys |= dict.fromkeys([key for key in spelt if key in forces][:1], name)
     if len(keys) != 1:
         yield f"of pin {joint.pin} in its slot the forces have {', '.join(keys) or 'nothing'}"
         return

@@ -65,7 +65,8 @@ def press_named(mech: Mechanism, by: str, on: str) -> Named:
     """R_12 of two links that press on each other;
     a block that is only thought about a pin in a slot stands for the pin.
 
-    Where two pins of one link run in slots of another, the pin's letter tells the two forces apart: R_12B.
+    Where two pins of one link run in slots of another, or a pin in a slot and a hinge join the same two links, the
+    pin's letter tells the two forces apart: R_12B.
     """
     pins = mech.slot_pins
     pin = pins.get(by) or pins.get(on)
@@ -73,10 +74,12 @@ def press_named(mech: Mechanism, by: str, on: str) -> Named:
         return reaction(mech.number(by), mech.number(on))
     away = (by == pin.block and on != pin.carrier) or by == pin.carrier  # from the pin on the slot
     named = reaction(*map(mech.number, (pin.carrier, pin.guide) if away else (pin.guide, pin.carrier)))
-    alike = [other for other in pins.values() if {other.carrier, other.guide} == {pin.carrier, pin.guide}]
+    joined = {pin.carrier, pin.guide}
+    alike = sum({other.carrier, other.guide} == joined for other in pins.values())
+    alike += sum(set(ends(joint)) == joined for joint in mech.joints)
     return (
         named
-        if len(alike) == 1
+        if alike == 1
         else Named(f"{named.key}{pin.point}", f"{named.symbol[:-1]}{pin.point}}}", named.unit, named.is_vector)
     )
 
