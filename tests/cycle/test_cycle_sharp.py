@@ -16,7 +16,7 @@ from vecpoly.cycle import Cycle, cycle, extremes
 from vecpoly.cycle.facts.breaks import breaks
 from vecpoly.cycle.unbroken import pieces
 from vecpoly.mechanism.model import Drive, Link, Mechanism, Prismatic, Revolute
-from vecpoly.problem.load import load
+from vecpoly.problem.load import load, loads
 
 QUICK = settings(max_examples=often(8))
 STEPS = st.sampled_from([13, 72, 361])
@@ -124,3 +124,28 @@ def test_forces_break_where_a_slip_changes_its_sense_at_the_same_places_in_every
         parts = pieces(curve, *curve.grid())
         ends = [part.phi[-1] for part in parts if part.stops]
         assert all(np.abs(told - end).min() == 0.0 for end in ends)
+
+
+# a class III group that comes to a dead point at one end of its range, where a reaches 1e29 m/s² by rounding
+RUNS_AWAY = """
+id: x
+title: a class III group at its dead point
+frame: {A: [0 mm, 0 mm], F: [331.797244471 mm, 194.596097511 mm], I: [133.156361317 mm, 208.211421483 mm]}
+links:
+  1: {AB: 51.886924520 mm, G: {along: AB, at: 203.092273743 mm, left: 28.518078938 mm}}
+  2: {CD: 139.357328142 mm, E: {along: CD, at: 51.993894501 mm, left: -85.431542483 mm}}
+  3: {FC: 153.941796549 mm}
+  4: {FD: 264.935831583 mm}
+  5: {GE: 130.110816882 mm}
+input: {link: 1, phi: 36 deg, omega: 3 rad/s, alpha: 5 rad/s^2}
+guesses: {C: [180.808 mm, 224.604 mm], D: [73.490 mm, 135.704 mm], E: [86.269 mm, 257.226 mm]}
+"""
+
+
+def test_a_column_that_runs_away_keeps_the_extremes_within() -> None:
+    turn = cycle(loads(RUNS_AWAY), 37)
+    found, inside = extremes(turn, "a_D"), turn.low + np.linspace(0.01, 0.9, 5001) * (turn.high - turn.low)
+    assert found.highest is not None and found.highest.value == np.inf
+    assert found.lowest is not None and not found.lowest.end
+    assert found.lowest.value == pytest.approx(np.abs(turn.at("a_D", inside)).min(), rel=1e-6)
+    assert len(found.maxima) == len(found.minima) == 2

@@ -18,7 +18,7 @@ from .unbroken import Piece, ends, pieces, towards
 
 Reals = NDArray[np.float64]
 ROUNDING = 1e-14  # of a value: what may change by chance
-LEVEL = 1e-6  # of a column's range: extremes that differ by less are equally high
+LEVEL = 1e-6  # of a column's range, as far as it does not run away: extremes that differ by less are equally high
 SAME = 1e-6  # rad (or part of the range): roots nearer than this are one
 
 
@@ -88,15 +88,16 @@ def _extremes(cycle: Cycle, key: str) -> Extremes:
     ]
     span = float(known.max() - known.min())
     found, grid = (*maxima, *minima, *_ends(curve, span), *broken), tuple(_on_grid(curve, phi, f))
-    small = 1e-9 * float(np.abs(known).max())
+    usual = curve.size + float(np.median(np.abs(known)))  # of a column that runs away the greatest tells nothing
+    small, level = 1e-9 * min(float(np.abs(known).max()), usual), LEVEL * min(span, usual)
     touching = tuple(spot for spot in (*maxima, *minima) if abs(spot.value) <= small)
     return Extremes(
         key,
         maxima,
         minima,
         _crossing(curve, parts, touching),
-        _farthest(found, grid, 1.0, LEVEL * span),
-        _farthest(found, grid, -1.0, LEVEL * span),
+        _farthest(found, grid, 1.0, level),
+        _farthest(found, grid, -1.0, level),
     )
 
 
@@ -110,15 +111,16 @@ def _farthest(found: tuple[Spot, ...], grid: tuple[Spot, ...], sign: float, leve
 def _on_grid(curve: Curve, phi: Reals, f: Reals) -> Iterator[Spot]:
     """The greatest and least value on the grid, which nothing that is found may fall short of by more than rounding."""
     phi, f = phi[phi <= curve.cycle.high], f[phi <= curve.cycle.high]
-    small = 1e-12 * (float(np.nanmax(np.abs(f))) + curve.size)
     for i, sign in ((int(np.nanargmax(f)), -1.0), (int(np.nanargmin(f)), 1.0)):
+        small = 1e-12 * (abs(float(f[i])) + curve.size)
         yield Spot(float(curve.reduced(phi[i : i + 1])[0]), float(f[i]) + sign * small)
 
 
 def _turning(curve: Curve, piece: Piece) -> tuple[Reals, Reals]:
     """Places of the maxima and minima of an unbroken piece."""
     rise = np.diff(piece.f)
-    rise[np.abs(rise) <= ROUNDING * (np.abs(piece.f).max() + curve.size)] = 0.0
+    about = np.maximum(np.abs(piece.f[:-1]), np.abs(piece.f[1:]))  # elsewhere it may run away
+    rise[np.abs(rise) <= ROUNDING * (about + curve.size)] = 0.0
     moving = np.flatnonzero(rise)  # what stands still between two of them is level
     top = rise[moving[:-1]] > 0
     turn = np.flatnonzero(top != (rise[moving[1:]] > 0))

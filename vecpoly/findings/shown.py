@@ -24,9 +24,8 @@ def shown(study: Study, key: str, value: float, digits: int = 4) -> str:
 
 def places(study: Study, found: Extremes, spot: Spot) -> Words:
     """All the positions of the input link in which a turning point is as high (or low) as this one."""
-    near = _ALIKE * max(
-        abs(s.value) for s in (found.highest, found.lowest, spot) if s is not None and np.isfinite(s.value)
-    )
+    ends = (found.highest, found.lowest, spot)
+    near = _ALIKE * max((abs(s.value) for s in ends if s is not None and np.isfinite(s.value)), default=0.0)
     spots = [s for s in (*found.maxima, *found.minima) if abs(s.value - spot.value) <= near] or [spot]
     every = list(dict.fromkeys(study.where(s.phi) for s in sorted(spots, key=lambda s: study.reduced(s.phi))))
     told = [every[0], *(place.split(" = ")[1] for place in every[1:])]
