@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from cmath import exp
 from collections.abc import Iterator
-from math import pi
+from itertools import pairwise
+from math import ceil, pi
 
-from ..board.paper.marks import Arc, Dot, GearMark, Mark, Point, Role
+from ..board.paper.marks import Arc, Dot, FixedGuide, GearMark, Mark, Point, Role
 from ..board.paper.symbols import Symbol
-from .owners import joint, link
+from .owners import FIXED, joint, link
 from .single import number, pivot, rod
 
 OUTSIDE = 5.0  # mm: rim of a ring
+CHORD, HELD = 4.0, pi / 9  # mm: of a hatched arc; rad: of it to either side of where a wheel is held
 
 
 def epicyclic_train(sun: float, arm: float, planets: tuple[float, ...], ring: float) -> Iterator[Symbol]:
@@ -37,6 +40,16 @@ def second_sun(radius: float) -> Iterator[Symbol]:
 def number_of_ring(radius: float) -> Symbol:
     """The number of the ring, on its rim."""
     return number("3", -1j * (radius + OUTSIDE))
+
+
+def held(radius: float, *middles: float, inner: bool = False) -> Symbol:
+    """The hatching of a fixed wheel about some directions (rad): outside a ring's body, inside another's rim."""
+    rim = radius + OUTSIDE if inner else radius
+    count = ceil(2 * HELD * rim / CHORD)
+    cuts = [exp(1j * HELD * (2 * n / count - 1)) * rim for n in range(count + 1)]
+    turned = [[cut * exp(1j * middle) for cut in cuts] for middle in middles]
+    pairs = [(a, b) if inner else (b, a) for arc in turned for a, b in pairwise(arc)]
+    return Symbol.of(FIXED, (FixedGuide(a=a, b=b) for a, b in pairs))
 
 
 def _rims(ring: float) -> Iterator[Mark]:

@@ -51,6 +51,7 @@ FIELDS: dict[Lang, tuple[str, ...]] = {
 _SOLVED = Words("解答（solve 的结果）", "a solution, as solve gives it,")
 STYLES = ("solution", "question", "course")
 PICTURE = (125.0, 62.0)  # mm: room for the mechanism beside the statement
+ALONE = (140.0, 85.0)  # mm: where no sheet follows, on which it would be larger
 
 
 def write_report(
@@ -174,7 +175,8 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         from .course.document import course
 
         return course(solution, lang, objects)
-    drawn = picture(solution.problem, solution.construction, *PICTURE)
+    room = ALONE if _repeats(solution.construction) else PICTURE
+    drawn = picture(solution.problem, solution.construction, *room)
     common = {
         **statement(solution, lang),
         "repeats": REPEATS,

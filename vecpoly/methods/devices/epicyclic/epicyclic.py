@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from math import pi
+
 from ....algebra.formula import sym
 from ....algebra.quantity import magnitude, number
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....devices.gears.epicyclic import Epicyclic
-from ....diagram.wheels import epicyclic_train, number_of_ring, second_sun
+from ....diagram.wheels import epicyclic_train, held, number_of_ring, second_sun
 from ....errors import NotAskedError
 from ....names import Named
 from ....plane import Line, Points, nominal, unit
@@ -15,6 +18,7 @@ from ....words import Words
 from ..bench import Bench
 from ..inclined import row_of
 from ..registry import device_method
+from .letters import teeth, turning
 from .scales import RADII, train_scales
 from .turns import angular_velocities
 
@@ -56,12 +60,26 @@ def _gears(bench: Bench, train: Epicyclic) -> None:
         board.depict(View.MECHANISM, number_of_ring(radii["3"]))
     else:
         board.depict(View.MECHANISM, *second_sun(radii["3"]))
+    _held_and_turned(bench, train, radii)
     for letter, key in (("A", "1"), ("C", "3")):
         board.plot(View.MECHANISM, 1j * radii[key], letter, Dot.POINT)
     stepped = len(train.planet) > 1
     for key in ("1", "2", *(("2′",) if stepped else ()), "3", "H"):
         radius = 1e3 * train.radii[key]
         board.write(row_of(sym(f"r_{{{key}}}"), f" = {number(radius)} mm"))
+
+
+def _held_and_turned(bench: Bench, train: Epicyclic, radii: Mapping[str, float]) -> None:
+    """What is given of the motion: the hatching of a wheel that stands still, the arrows of ω; the teeth."""
+    for key, omega in train.omegas.items():
+        if omega is not None and not omega.si and key != "H":
+            ring = key == "3" and bool(train.ring)
+            bench.board.depict(
+                View.MECHANISM, held(radii[key], *((0.0, pi) if ring else (-pi / 6, -5 * pi / 6)), inner=ring)
+            )
+        elif omega is not None:
+            turning(bench, train, key, omega.si)
+    teeth(bench, train)
 
 
 def _velocities(bench: Bench, train: Epicyclic) -> dict[str, Points]:

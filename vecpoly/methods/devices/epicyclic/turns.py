@@ -11,6 +11,7 @@ from ....names import Named
 from ....plane import Line, Points, nominal, unit
 from ....words import Words
 from ..bench import Bench
+from .letters import turning
 from .scales import RADII, TURNS
 
 
@@ -43,6 +44,9 @@ def angular_velocities(bench: Bench, train: Epicyclic, tips: Mapping[str, Points
     reach = [0.0, *(float(nominal(at).real) for at in cuts.values())]
     board.join(TURNS, complex(min(reach) - 6, 0), complex(max(reach) + 6, 0), Role.CONSTRUCTION)
     found = {key: _read(bench, key, at) for key, at in cuts.items()}
+    for key, at in cuts.items():
+        if train.omegas.get(key) is None:
+            turning(bench, train, key, float(nominal(at).real))
     if train.ratio is not None and train.driver is not None:
         board.step(Words("传动比：", "The ratio:"))
         bench.worked(train.ratio, found[train.driver] / found[train.sought])

@@ -1,66 +1,52 @@
-"""The wheels of a train side by side, each as large as its teeth or its diameter tell, to no scale."""
+"""The wheels of a train side by side, each as large as its teeth or its diameter tell, with what turns them and what
+they lift; to no scale."""
 
 from __future__ import annotations
 
-from cmath import exp
-from collections.abc import Mapping, Sequence
+from cmath import exp, phase, pi
 from math import asin
 
 from ....board.board import Board
 from ....board.construction import Place
 from ....board.paper.marks import Dot, Role
 from ....devices.dynamics.reduced import ReducedTrain
-from ....diagram.single import disc, gear, pivot
+from ....devices.dynamics.shafts import Shaft
+from ....diagram.single import disc, gear, outline, pivot
+from ....words import Words
+from .shafts import APART, Shafts, Wheel, placed
 
-WIDE, HIGH = 145.0, 115.0  # mm that all wheels take at most: the sketch stands in the text
-LEAST = 5.0  # mm: a wheel is not drawn smaller
-APART = 1.35  # of the sum of its radii: how far the pulleys of a belt stand from each other
-WAYS = (1 + 0j, 1j, -1j, -1 + 0j)  # the first wheel that a shaft drives stands on its right, the next above it ...
-
-Wheel = tuple[str, float, bool]  # its shaft, its radius, whether a belt runs on it
+WIDE, HIGH = 132.0, 78.0  # mm that all takes at most: the sketch stands in the text
+SPEED, MOMENT, NEXT, TURN = 9.0, 14.0, 4.0, 105.0  # mm: radii of the curved arrows, from one to the next; deg: sweep
+OUTSIDE = 2.0  # mm from a rim to the size of its wheel
+DRUM, LEAST_DRUM = 0.5, 9.0  # of the radius of the wheel beside it; mm
+ROPE, LOAD, WEIGHT = 5.0, 12.0 + 8.0j, 11.0  # mm: rope below the wheels; the load's width and height; its arrow
 
 
 def draw_shafts(board: Board, place: Place, train: ReducedTrain) -> None:
-    """Pulleys and the pitch circles of gears on their pivots; larger ones below."""
-    at, wheels = _placed(train)
-    mm = _size(at, wheels)
-    for name, size, belt in sorted(wheels, key=lambda wheel: -wheel[1]):
-        board.depict(place, (disc if belt else gear)(f"link {name}", at[name] * mm, max(size * mm, LEAST)))
+    """Pulleys and the pitch circles of gears on their bearings, larger ones below; speeds, moments, the load."""
+    shafts = _fitted(train)
+    for wheel in sorted(shafts.wheels, key=lambda wheel: -wheel.radius):
+        board.depict(place, (disc if wheel.belt else gear)(f"link {wheel.shaft}", shafts.at[wheel.shaft], wheel.radius))
     for pair in train.pairs:
         if pair.belt:
-            _belt(board, place, at[pair.first] * mm, at[pair.second] * mm, pair.sizes[0] / pair.sizes[1])
-    for name, centre in at.items():
-        board.depict(place, pivot(centre * mm))
-        board.plot(place, centre * mm, name, Dot.JOINT)
+            _belt(board, place, shafts.at[pair.first], shafts.at[pair.second], pair.sizes[0] / pair.sizes[1])
+    if train.hoist is not None:
+        _load(board, place, shafts, *train.hoist)
+    for name, centre in shafts.at.items():
+        board.depict(place, pivot(centre))
+        board.plot(place, centre, name, Dot.JOINT)
+        _turning(board, place, shafts, name, train.shafts[name])
+    for wheel in shafts.wheels:
+        _size(board, place, shafts, wheel)
 
 
-def _size(at: Mapping[str, complex], wheels: Sequence[Wheel]) -> float:
-    """How many mm a unit is."""
-    ends = [at[name] + side * radius for name, radius, _ in wheels for side in (-1 - 1j, 1 + 1j)]
-    if not ends:
-        return 1.0
-    wide, high = (max(part) - min(part) for part in ([z.real for z in ends], [z.imag for z in ends]))
-    return min(WIDE / wide, HIGH / high)
-
-
-def _placed(train: ReducedTrain) -> tuple[dict[str, complex], list[Wheel]]:
-    """The centres, and every wheel with the shaft on which it sits: diameters of belts as so many teeth."""
-    at: dict[str, complex] = {train.main: 0j}
-    used: dict[str, int] = {}
-    wheels: list[Wheel] = []
-    teeth = [sum(pair.sizes) for pair in train.pairs if not pair.belt]
-    for name, way in sorted(train.ways.items(), key=lambda item: len(item[1])):
-        if not way:
-            continue
-        pair, forwards = way[-1]
-        here = pair.first if forwards else pair.second
-        factor = (max(teeth) if teeth else 1.0) / sum(pair.sizes) if pair.belt else 1.0
-        sizes = [size * factor for size in (pair.sizes if forwards else pair.sizes[::-1])]
-        way_to = WAYS[min(used.get(here, 0), len(WAYS) - 1)]
-        used[here] = used.get(here, 0) + 1
-        at[name] = at[here] + way_to * sum(sizes) / 2 * (APART if pair.belt else 1.0)
-        wheels += [(here, sizes[0] / 2, pair.belt), (name, sizes[1] / 2, pair.belt)]
-    return at, wheels
+def _fitted(train: ReducedTrain) -> Shafts:
+    """As large as there is room for; below a hoist the load needs some."""
+    shafts = placed(train)
+    low, high = shafts.corners
+    below = ROPE + LOAD.imag + WEIGHT if train.hoist is not None else 0.0
+    span = high - low
+    return shafts.enlarged(min(WIDE / span.real, (HIGH - below) / span.imag))
 
 
 def _belt(board: Board, place: Place, a: complex, b: complex, ratio: float) -> None:
@@ -71,3 +57,45 @@ def _belt(board: Board, place: Place, a: complex, b: complex, ratio: float) -> N
     for side in (1, -1):
         normal = 1j * side * exp(-1j * side * lean) * (b - a) / abs(b - a)
         board.join(place, a + one * normal, b + other * normal, Role.GIVEN)
+
+
+def _turning(board: Board, place: Place, shafts: Shafts, name: str, shaft: Shaft) -> None:
+    """ω over the shaft, and the moments on it, those that resist against ω; within its largest wheel, or about it."""
+    largest, ccw, side = max(shafts.on(name)), shafts.turns[name] > 0, shafts.free_side(name)
+    inside = largest > MOMENT + NEXT
+    speed = SPEED if inside else largest + NEXT / 2
+    _bow(board, place, shafts.at[name], speed, 1j, ccw, f"ω_{{{name}}}")
+    radius = max(largest + NEXT / 2, speed + NEXT) if not inside or shaft.lifts is not None else MOMENT
+    for letter, moment, along in (("d", shaft.drives, ccw), ("r", shaft.resists, not ccw)):
+        if moment is not None:
+            _bow(board, place, shafts.at[name], radius, side, along, f"M_{{{letter}{name}}}")
+            radius += NEXT
+
+
+def _bow(board: Board, place: Place, at: complex, radius: float, middle: complex, ccw: bool, label: str) -> None:
+    """A curved arrow whose middle stands in a direction."""
+    half = (TURN / 2 if ccw else -TURN / 2) * pi / 180
+    board.curved_arrow(place, at, radius, phase(middle) - half, ccw, label)
+
+
+def _size(board: Board, place: Place, shafts: Shafts, wheel: Wheel) -> None:
+    """The teeth, or the diameter, outside the rim."""
+    board.note(place, shafts.beside(wheel, OUTSIDE), Words.same(f"${wheel.symbol}$ = {wheel.given}"))
+
+
+def _load(board: Board, place: Place, shafts: Shafts, name: str, shaft: Shaft) -> None:
+    """The drum, the rope that leaves it on the side that rises, the load with its weight and its speed."""
+    assert shaft.drum is not None
+    centre, (low, _) = shafts.at[name], shafts.corners
+    radius = max(DRUM * max(shafts.on(name)), LEAST_DRUM)
+    side = shafts.turns[name]
+    start = centre + side * radius
+    end = complex(start.real, low.imag - ROPE)
+    board.depict(place, disc(f"link {name}", centre, radius))
+    board.join(place, start, end, Role.GIVEN)
+    half, down = LOAD.real / 2, LOAD.imag * 1j
+    board.depict(place, outline("load", end - half, end + half, end + half - down, end - half - down))
+    board.arrow(place, end - down, end - down - 1j * WEIGHT, Role.GIVEN, label="mg")
+    beside = end + side * (half + NEXT) - down
+    board.arrow(place, beside, beside + 1j * WEIGHT, Role.GIVEN, label="v")
+    board.note(place, centre + radius * exp(-0.25j * pi * side), Words.same(f"$D$ = {shaft.drum.text}"))
