@@ -384,11 +384,33 @@ def test_a_centre_off_the_paper_is_pointed_at_and_found_by_proportion() -> None:
     assert any("P_{34}" in step.words.zh and "图外" in step.words.zh for step in solution.construction.steps)
 
 
-def test_the_figure_has_a_scale_of_its_own_where_the_centres_need_room() -> None:
-    a, d = (load(name).solve(by="drafting").construction for name in ("3-1a", "3-2"))
-    for construction, own in ((a, True), (d, False)):
-        figure, diagram = construction.figure(Pane(View.MECHANISM, "centres")), construction.figure(View.MECHANISM)
-        assert figure is not None and diagram is not None and (figure.scale.value > diagram.scale.value) is own
+def test_a_diagram_of_few_links_is_drawn_once_with_its_centres_and_another_where_more_is_drawn_on_it() -> None:
+    centres = Pane(View.MECHANISM, "centres")
+    for name in ("3-1a", "D-1", "3-2"):
+        construction = load(name).solve(by="drafting").construction
+        assert construction.figure(centres) is None
+        diagram = construction.figure(View.MECHANISM)
+        assert diagram is not None and diagram.title.zh == "瞬心图"
+        assert any(isinstance(mark, Point) and mark.label.startswith("P_") for mark in diagram.marks)
+    both = changed("D-1", find="[P_13, v_C, a_C]").solve(by="drafting").construction
+    assert both.figure(centres) is not None
+
+
+@pytest.mark.parametrize(
+    ("name", "find"),
+    [("A-26", "[centres]"), ("class-iii", "[centres]"), ("D-1", "[P_13, a_C]"), ("D-2", "[P_24, a_B]")],
+)
+def test_two_drawings_of_a_mechanism_have_one_scale_or_each_a_name_of_its_own(name: str, find: str) -> None:
+    figures = changed(name, find=find).solve(by="drafting").construction.figures
+    named = {(f.scale.symbol, f.scale.value) for f in figures if f.view is View.MECHANISM and f.scale.symbol}
+    assert len({symbol for symbol, _ in named}) == len(named) == len({value for _, value in named}), named
+
+
+def test_a_scale_that_is_given_stays_and_the_centres_have_another_where_they_need_room() -> None:
+    construction = changed("3-1a", scales="{mu_l: 0.001 m/mm}").solve(by="drafting").construction
+    figure, diagram = construction.figure(Pane(View.MECHANISM, "centres")), construction.figure(View.MECHANISM)
+    assert figure is not None and diagram is not None and diagram.scale.value == 0.001 < figure.scale.value
+    assert figure.scale.symbol == "μ_l′"
 
 
 def test_of_several_triangles_the_pair_that_meets_well_is_taken() -> None:
@@ -414,7 +436,7 @@ def test_the_drafting_hand_stays_within_the_expected_error_and_fits_the_sheets(n
         unit = {"m": 0.2 * 0.005, "deg": 0.2}.get(answer.reading.unit, 0.01 * abs(answer.exact))
         assert gap <= 2 * answer.expected_error + unit
     names = {figure.name for figure in solution.construction.figures}
-    assert {"", "centres", "centre polygon"} <= names
+    assert {"", "centre polygon"} <= names and ("centres" in names) == (name in {"3-1d", "3-3"}), "of few links once"
     for lang in ("zh", "en"):
         drawn = {placed.name for sheet in sheets(solution.construction, lang=lang) for placed in sheet.figures}
         assert names <= drawn

@@ -42,7 +42,7 @@ class Log:
         self._left = defaultdict[Place, list[Act]](list)  # acts since then that leave marks
         self._ends = defaultdict[Place, Ends](Ends)  # of the vectors there
         self.composed = set[Pane]()  # panes whose own scale is chosen with those of the kinds, if it is not told yet
-        self._titles: dict[Pane, Words] = {}
+        self._titles: dict[Place, Words] = {}
         self._section = Words.same("")
         self._short: list[Short] = []
 
@@ -159,6 +159,10 @@ class Log:
         self._marks.setdefault(pane, [])
         return pane
 
+    def entitle(self, place: Place, title: Words) -> None:
+        """Call a figure by what is constructed on it."""
+        self._titles[place] = title
+
     def figures(self, titles: Mapping[View, Words] = {}) -> tuple[Figure, ...]:
         """The finished figures, those with marks: by kind, then as they were begun.
 
@@ -169,9 +173,11 @@ class Log:
     def _figure(self, place: Place, titles: Mapping[View, Words]) -> Figure:
         marks, scale = self.marks(place), self.scale_of(place)
         if isinstance(place, Pane):
-            title = self._titles[place]
-            return Figure(view=place.view, title=title, name=place.name, scale=scale, marks=marks, aside=place.aside)
-        return Figure(view=place, title=titles.get(place, place.title), scale=scale, marks=marks)
+            own = self._titles[place]
+            return Figure(view=place.view, title=own, name=place.name, scale=scale, marks=marks, aside=place.aside)
+        return Figure(
+            view=place, title=titles.get(place) or self._titles.get(place, place.title), scale=scale, marks=marks
+        )
 
     def marks(self, view: Place) -> tuple[Mark, ...]:
         """What stands on a figure so far."""

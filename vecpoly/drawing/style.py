@@ -77,6 +77,10 @@ def pen(role: Role, hue: Hue) -> Pen:
             return Pen(width=THIN, dash=Dash.DASHED, hue=Hue.GREY)
         case Role.OTHER:
             return Pen(width=GIVEN, dash=Dash.DASHED)
+        case Role.LOCUS:
+            return Pen(width=LINK)
+        case Role.CARRIED:
+            return Pen(width=LINK, dash=Dash.DASHED)
         case Role.HIDDEN:
             return Pen(width=THIN, dash=Dash.DASHED)
     assert_never(role)

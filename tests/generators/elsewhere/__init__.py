@@ -55,12 +55,13 @@ def as_walked(solution: Solution) -> str:
 def on_the_path(solution: Solution) -> str:
     """The path of E that is drawn beside its osculating circle lies on the walk's, as far as that goes."""
     mech = solution.problem.mechanism
-    figure = next((f for f in solution.construction.figures if f.name == "curvature"), None)
+    place = next((at for at in (Pane(View.MECHANISM, "curvature"), View.MECHANISM) if _curves(solution, at)), None)
+    figure = None if place is None else solution.construction.figure(place)
     if figure is None:
         return ""
     back, ahead = both_ways(mech, REACH + 0.01)
     mm, whole = 1 / figure.scale.value, np.concatenate([back.path("E")[::-1], ahead.path("E")])
-    runs = [one.points for one in _curves(solution, Pane(View.MECHANISM, "curvature")) if one.role is Role.GIVEN]
+    runs = [one.points for one in _curves(solution, place) if one.role is Role.GIVEN]
     for run in runs:
         if (off := _off(run, whole * mm)) > OFF:
             return f"path {off:.3g} mm off the walk"

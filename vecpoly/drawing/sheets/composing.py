@@ -67,7 +67,7 @@ def _lower(page: Composing, best: Scales, start: Scales) -> Scales:
     """The scales for a plate, where figures that would be lost on a page fill it better; else as they are."""
     plate = Composing(page.figures, page.kinds, (PLATE, HIGHEST))
     low = plate.grown(start)
-    if low is None or plate.needed(low) > 1 or plate.least(low) < ENOUGH:
+    if low is None or plate.needed(low) > 1 or plate.least(low) < ENOUGH or plate.cramped(low, best):
         return best
     return low if plate.low(low) > page.share(best) else best
 
@@ -147,6 +147,14 @@ class Composing:
     def least(self, scales: Mapping[Place, float]) -> float:
         """How large the smallest kind is against what is usual."""
         return min((self.size(kind, scales) / self.wanted(kind) for kind in self.kinds), default=1.0)
+
+    def cramped(self, scales: Mapping[Place, float], others: Mapping[Place, float]) -> bool:
+        """Whether a figure with more letters than it has room for is smaller than at the other scales."""
+        return any(
+            scales[one.of] > others[one.of] and one.scale / scales[one.of] * max(one.size) < PER_LETTER * one.letters
+            for one in self.figures
+            if one.of in self.kinds and one.of is not None
+        )
 
     def filled(self, scales: Mapping[Place, float]) -> float:
         """How large all kinds are against what is usual, the small ones counting most: a sum of logarithms."""

@@ -18,8 +18,9 @@ from .copy import mechanism_copied
 from .direct import direct_centres, normals, scaled
 from .doors import LIMITS, SEARCHES, SLOWEST
 from .find.motions import Motions
+from .onto import is_once, opened, sharing
 from .readings import read_centres
-from .size import NAME, Paper, paper_for
+from .size import LEAST, NAME, Paper, paper_for
 from .state import CentreFigure
 from .theorem.polygon import open_polygon
 from .theorem.search import Known
@@ -30,15 +31,16 @@ TITLE = Words("瞬心图", "Instant centres")
 def centre_pass(desk: Desk, problem: Problem, groups: tuple[Group, ...]) -> None:
     """Draw the centres and read the answers off; raises NoMethodError where the theorem leads no further."""
     direct = direct_centres(desk)
-    paper, seen = paper_for(desk, direct)
+    paper, seen = paper_for(desk, direct, sharing(problem, LEAST))
     here = scaled(direct, paper.factor)
     _count(desk)
     polygon = open_polygon(desk)
-    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, paper.scale, aside=True, composed=True)
+    pane = opened(desk.board, NAME, TITLE, paper, once=is_once(problem))
     fig = CentreFigure(
         desk=desk, pane=pane, polygon=polygon, paper=paper, known=Known(desk.mech, {}, normals(here), paper.far)
     )
-    _copy(fig, problem, paper, groups)
+    if pane is not View.MECHANISM:
+        _copy(fig, paper, groups)
     draw_direct(fig, here)
     for search in seen.searches:
         SEARCHES.find(Stage.CENTRES, "Kennedy" if search.trial is None else "trial").draw(fig, search)
@@ -63,13 +65,13 @@ def _count(desk: Desk) -> None:
     desk.board.write(Row((*row("N = K(K − 1)/2").items, Txt(f" = {k} × {k - 1}/2 = {n}"))))
 
 
-def _copy(fig: CentreFigure, problem: Problem, paper: Paper, groups: tuple[Group, ...]) -> None:
+def _copy(fig: CentreFigure, paper: Paper, groups: tuple[Group, ...]) -> None:
     """The mechanism once more, reduced where its centres need more room."""
     if paper.factor < 1:
+        told = f"${paper.scale.symbol}$ = {paper.scale.value:g} m/mm"
         words = Words(
-            f"为使瞬心落在图纸内，另取较大的 $μ_l$ = {paper.scale.value:g} m/mm 重画机构图，作为瞬心图。",
-            "So that the centres fall on the paper, draw the mechanism once more to the scale "
-            f"$μ_l$ = {paper.scale.value:g} m/mm.",
+            f"为使瞬心落在图纸内，另取较大的 {told} 重画机构图，作为瞬心图。",
+            f"So that the centres fall on the paper, draw the mechanism once more to the scale {told}.",
         )
     else:
         words = Words("重画机构图，作为瞬心图。", "Draw the mechanism once more for its centres.")

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from math import isclose
 
 from ...board.construction import Scale, View
 from ...board.paper.extent import bounds, box_of
@@ -22,6 +23,7 @@ NAME = "centres"  # of the figure
 ROOMS = ((150.0, 185.0), (225.0, 118.0))  # mm that the figure may fill on a page, upright or across
 LEAST = 36.0  # mm that the mechanism must measure on it, for its links to be told apart
 MARGIN = 8.0  # mm of paper round the figure
+SECOND = "μ_l′"  # of a mechanism that is drawn once more to another scale
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,12 +36,14 @@ class Survey:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Paper:
-    """The figure's scale, its size against the diagram's, its corners (mm), and the centres that lie beyond."""
+    """The figure's scale, its size against the diagram's, its corners (mm), and the centres that lie beyond; shared:
+    whether the diagram is drawn to that scale for its sake."""
 
     scale: Scale
     factor: float
     corners: tuple[complex, complex]
     far: frozenset[Pair]
+    shared: bool = False
 
     def holds(self, at: complex) -> bool:
         """Whether a point lies on the paper."""
@@ -55,12 +59,13 @@ def survey(desk: Desk, direct: tuple[Direct, ...], far: frozenset[Pair] = frozen
     return Survey(searches=searches, centres=known.centres)
 
 
-def paper_for(desk: Desk, direct: tuple[Direct, ...]) -> tuple[Paper, Survey]:
-    """The paper, and the search on it; a centre stays off it only where two lines on the paper lead to it."""
+def paper_for(desk: Desk, direct: tuple[Direct, ...], sharing: float) -> tuple[Paper, Survey]:
+    """The paper, and the search on it; a centre stays off it only where two lines on the paper lead to it. sharing: the
+    least size of the mechanism (mm) at which the diagram is drawn to the same scale."""
     kept: set[Pair] = set()
     while True:
         seen = survey(desk, direct)
-        paper = _paper(desk, seen, kept)
+        paper = _paper(desk, seen, kept, sharing)
         seen = survey(desk, direct, paper.far)
         known = Known(desk.mech, dict(seen.centres), normals(direct), paper.far)
         lost = {pair for pair in paper.far if not _crossed(known.on_paper(pair))}
@@ -74,7 +79,7 @@ def _crossed(lines: tuple[Line, ...]) -> bool:
     return max((abs(float(nominal(cross(g.along, h.along)))) for g in lines for h in lines), default=0.0) > NONE
 
 
-def _paper(desk: Desk, seen: Survey, kept: set[Pair]) -> Paper:
+def _paper(desk: Desk, seen: Survey, kept: set[Pair], sharing: float) -> Paper:
     """The scale that the sheet wishes, else the largest round one on which everything fits; the farthest centres are
     left out where the mechanism would become too small on it: whatever is wished, for the sheet was laid out so."""
     low, high = bounds(desk.board.marks(View.MECHANISM))
@@ -85,10 +90,11 @@ def _paper(desk: Desk, seen: Survey, kept: set[Pair]) -> Paper:
     while True:
         corners = box_of([low, high, *(spots[pair] for pair in inside)])
         fitting = replace(mu, value=max(mu.value, round_up(mu.value * too_large(corners))))
-        if set(inside) <= kept or size * mu.value / fitting.value >= min(LEAST, size):
+        shared = size / too_large(corners) >= sharing or is_same(fitting, mu, wished)
+        if shared or set(inside) <= kept or size * mu.value / fitting.value >= min(LEAST, size):
             break
         inside.pop()
-    scale = wished or fitting
+    scale = mu if shared else apart(wished or fitting, mu)
     factor = mu.value / scale.value
     margin = complex(MARGIN, MARGIN)
     return Paper(
@@ -96,7 +102,18 @@ def _paper(desk: Desk, seen: Survey, kept: set[Pair]) -> Paper:
         factor=factor,
         corners=(corners[0] * factor - margin, corners[1] * factor + margin),
         far=frozenset(set(spots) - set(inside)),
+        shared=shared,
     )
+
+
+def is_same(fitting: Scale, mu: Scale, wished: Scale | None) -> bool:
+    """Whether all fits at the diagram's scale as it is, and the sheet wishes no other."""
+    return isclose(fitting.value, mu.value) and (wished is None or isclose(wished.value, mu.value))
+
+
+def apart(scale: Scale, mu: Scale) -> Scale:
+    """A second scale of lengths beside that of the diagram, by a name of its own where it is another."""
+    return replace(scale, symbol=mu.symbol if isclose(scale.value, mu.value) else SECOND)
 
 
 def too_large(corners: tuple[complex, complex]) -> float:

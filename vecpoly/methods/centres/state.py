@@ -9,6 +9,7 @@ import numpy as np
 from ...board.board import Board
 from ...board.construction import Pane
 from ...board.paper.marks import Dot, Role
+from ...board.place import Place
 from ...mechanism.asked.centres import Pair, centre, pair_of, real_links
 from ...mechanism.model import Mechanism
 from ...plane import Line, Points, nominal
@@ -29,7 +30,7 @@ class CentreFigure:
     """The figure of the centres (`pane`), the polygon, the centres, and how large the figure is."""
 
     desk: Desk
-    pane: Pane
+    pane: Place
     polygon: Pane
     paper: Paper
     known: Known

@@ -9,7 +9,7 @@ from itertools import pairwise
 from ...algebra.formula import Txt
 from ...algebra.quantity import paper
 from ...board.board import Board
-from ...board.construction import Pane, View
+from ...board.construction import Place, View
 from ...board.paper.extent import box_of
 from ...board.paper.marks import Dot, Role
 from ...errors import NotAskedError
@@ -18,15 +18,17 @@ from ...mechanism.asked.curvature import Centrodes, centrode_lengths
 from ...mechanism.groups.assur import Group
 from ...mechanism.model import FRAME
 from ...names import Named
-from ...plane import Points, nominal
+from ...plane import Points, dot, nominal
 from ...words import Words
 from ..centres.copy import mechanism_copied
+from ..centres.onto import opened
 from ..centres.size import Paper
 from ..desk import Desk
 from ..positions.placed import placed, refuse_thought, refuse_told
 from .pairs import Pair, pairs_of
 from .readings import keep_length
 from .room import fitted
+from .state import Ray
 from .strokes.normals import normal_of, refuse_parallel
 
 NAME = "centrodes"
@@ -36,30 +38,44 @@ ARM = 0.5  # of the mechanism's size: of a link with one letter, how far its sec
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rolled:
-    """One position: two points of the link (mm on the figure), and its pole."""
+    """One position: two points of the link (mm on the figure), its pole, and the normals that meet there."""
 
     ends: tuple[Points, Points]
     pole: Points
+    rays: tuple[Ray, Ray]
 
 
-def draw_centrodes(desk: Desk, groups: Sequence[Group], asked: Centrodes) -> None:
-    """The fixed centrode is the locus of the poles on the frame, the moving one that on the link; they roll."""
+def draw_centrodes(desk: Desk, groups: Sequence[Group], asked: Centrodes, sharing: float, *, alone: bool) -> None:
+    """The fixed centrode is the locus of the poles on the frame, the moving one that on the link; they roll. alone:
+    whether they are all that is drawn on the diagram."""
     refuse_told(desk.mech)
     refuse_thought(desk)
     pairs, there = pairs_of(desk.mech, asked.link), [placed(desk, q) for q in asked.drive]
-    sheet = _paper(desk, there, asked, pairs)
-    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, sheet.scale, aside=True, composed=True)
+    sheet = _paper(desk, there, asked, pairs, sharing)
+    pane = opened(desk.board, NAME, TITLE, sheet, once=alone)
     _say(desk, asked, pane, sheet)
-    desk.board.depict(pane, *mechanism_copied(desk, sheet, tuple(groups)))
+    if pane is not View.MECHANISM:
+        desk.board.depict(pane, *mechanism_copied(desk, sheet, tuple(groups)))
     own = _rolled(desk, desk, asked.link, pairs, sheet.factor, desk.board)
     run = [_rolled(desk, one, asked.link, pairs, sheet.factor, desk.board) for one in there]
     fixed = [one.pole for one in run]
-    _draw(desk, pane, fixed, Role.RESULT, Words("定瞬心线", "fixed centrode"), "")
+    _draw(desk, pane, fixed, Role.LOCUS, "")
     desk.board.step(_carried_words(desk, asked.link), pane)
     moving = [desk.board.image((*one.ends, one.pole), own.ends) for one in run]
-    _draw(desk, pane, moving, Role.GIVEN, Words("动瞬心线", "moving centrode"), "′")
+    _draw(desk, pane, moving, Role.CARRIED, "′")
+    _name(desk, pane, fixed, moving)
+    _polar_rays(desk, pane, own)
     desk.board.plot(pane, own.pole, centre(desk.mech, asked.link, FRAME).symbol)
     _step_off(desk, pane, asked, fixed, moving)
+
+
+def _polar_rays(desk: Desk, pane: Place, own: Rolled) -> None:
+    """The normals that give the pole of this position, as far as the points that tell them."""
+    for ray in own.rays:
+        spots = [*ray.spots(), own.pole]
+        reach = [float(nominal(dot(ray.line.along, spot - ray.line.at))) for spot in spots]
+        ends = [spots[reach.index(end)] for end in (min(reach), max(reach))]
+        desk.board.join(pane, ends[0], ends[1], Role.CONSTRUCTION)
 
 
 def _rolled(desk: Desk, there: Desk, link: str, pairs: tuple[Pair, Pair], factor: float, board: Board) -> Rolled:
@@ -68,17 +84,17 @@ def _rolled(desk: Desk, there: Desk, link: str, pairs: tuple[Pair, Pair], factor
     refuse_parallel(one, two, desk.mech.number(link))
     pole = board.meet(one.line, two.line, Words("两法线的交点", "the meeting point of the two normals"))
     pose, arm = there.pose[link], ARM * there.mm(there.mech.scale)
-    return Rolled(ends=(pose.origin * factor, (pose.origin + arm * pose.along) * factor), pole=pole)
+    return Rolled(ends=(pose.origin * factor, (pose.origin + arm * pose.along) * factor), pole=pole, rays=(one, two))
 
 
-def _paper(desk: Desk, there: Sequence[Desk], asked: Centrodes, pairs: tuple[Pair, Pair]) -> Paper:
+def _paper(desk: Desk, there: Sequence[Desk], asked: Centrodes, pairs: tuple[Pair, Pair], sharing: float) -> Paper:
     """The paper that holds all poles, on the frame and on the link; NotAskedError where they are far away."""
     scratch = desk.board.scratch()
     scratch.step(TITLE)
     own = _rolled(desk, desk, asked.link, pairs, 1.0, scratch)
     run = [_rolled(desk, one, asked.link, pairs, 1.0, scratch) for one in there]
     spots = [one.pole for one in run] + [scratch.image((*one.ends, one.pole), own.ends) for one in run]
-    found = fitted(desk, box_of([complex(nominal(spot)) for spot in spots]), NAME)
+    found = fitted(desk, box_of([complex(nominal(spot)) for spot in spots]), sharing, NAME)
     if found is None:
         raise NotAskedError(
             Words(
@@ -91,9 +107,10 @@ def _paper(desk: Desk, there: Sequence[Desk], asked: Centrodes, pairs: tuple[Pai
     return found
 
 
-def _say(desk: Desk, asked: Centrodes, pane: Pane, sheet: Paper) -> None:
+def _say(desk: Desk, asked: Centrodes, pane: Place, sheet: Paper) -> None:
     n = asked.positions
-    scale = Words(f"（$μ_l$ = {sheet.scale.value:g} m/mm）", f" ($μ_l$ = {sheet.scale.value:g} m/mm)")
+    told = f"${sheet.scale.symbol}$ = {sheet.scale.value:g} m/mm"
+    scale = Words.same("") if sheet.shared else Words(f"（{told}）", f" ({told})")
     desk.board.step(
         Words(
             f"取原动件的 {n} 个位置，逐一作出构件 {desk.mech.number(asked.link)} 的绝对瞬心 $P_1$ … $P_{{{n}}}$，"
@@ -120,17 +137,24 @@ def _carried_words(desk: Desk, link: str) -> Words:
     )
 
 
-def _draw(desk: Desk, pane: Pane, run: Sequence[Points], role: Role, name: Words, prime: str) -> None:
+def _draw(desk: Desk, pane: Place, run: Sequence[Points], role: Role, prime: str) -> None:
     board = desk.board
     board.curve(pane, run, role)
     for number, at in enumerate(run, start=1):
         ends = number in (1, len(run))
         label = f"P{f'^{{{prime}}}' if prime else ''}_{{{number}}}" if ends else ""
         board.plot(pane, at, label, Dot.POINT)
-    board.note(pane, run[1] if prime else run[-2], name)
 
 
-def _step_off(desk: Desk, pane: Pane, asked: Centrodes, fixed: Sequence[Points], moving: Sequence[Points]) -> None:
+def _name(desk: Desk, pane: Place, fixed: Sequence[Points], moving: Sequence[Points]) -> None:
+    """Both curves are named beside the ends at which they part most."""
+    apart = [abs(complex(nominal(a - b))) for a, b in zip(fixed, moving, strict=True)]
+    end = 1 if apart[0] > apart[-1] else -2
+    desk.board.note(pane, fixed[end], Words("定瞬心线", "fixed centrode"))
+    desk.board.note(pane, moving[end], Words("动瞬心线", "moving centrode"))
+
+
+def _step_off(desk: Desk, pane: Place, asked: Centrodes, fixed: Sequence[Points], moving: Sequence[Points]) -> None:
     """Both lengths in chords, by dividers: of curves that roll, arcs between the same poles are equal."""
     desk.board.step(
         Words(
@@ -144,7 +168,7 @@ def _step_off(desk: Desk, pane: Pane, asked: Centrodes, fixed: Sequence[Points],
         _keep(desk, pane, named, run, prime)
 
 
-def _keep(desk: Desk, pane: Pane, named: Named, run: Sequence[Points], prime: str) -> None:
+def _keep(desk: Desk, pane: Place, named: Named, run: Sequence[Points], prime: str) -> None:
     board = desk.board
     pairs = enumerate(pairwise(run), start=1)
     chords = [board.measure(a, b, f"P{prime}_{{{k}}} P{prime}_{{{k + 1}}}").value for k, (a, b) in pairs]

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from ...board.construction import View
 from ...errors import DeadPointError, NoMethodError, NotAskedError
 from ...mechanism.asked.curvature import (
-    Curvature,
     Way,
     asked_points,
     ball_point,
@@ -22,6 +21,7 @@ from ...problem.asked.asks import AskNamed
 from ...problem.problem import Problem
 from ...words import Words
 from ..centres.copy import mechanism_copied
+from ..centres.onto import is_once, opened, sharing
 from ..centres.size import Paper
 from ..desk import Desk
 from ..registry import Stage
@@ -30,7 +30,7 @@ from .doors import WAYS
 from .pairs import rolling_of
 from .path import draw_paths
 from .readings import read_collineation, read_curvatures
-from .room import NAME, TITLE, paper_for
+from .room import LEAST, NAME, TITLE, paper_for
 from .state import CurvatureFigure
 from .strokes.ball import draw_ball_point
 from .strokes.circle import draw_return_circle
@@ -42,14 +42,18 @@ def curvature_pass(desk: Desk, problem: Problem, groups: tuple[Group, ...]) -> N
     asked = problem.curvature
     assert asked is not None
     keys = frozenset(ask.rel.key for ask in problem.asks if isinstance(ask, AskNamed))
-    if keys & of_link(desk.mech, asked.link).keys():
-        _curvatures(desk, groups, asked, keys)
+    curved = bool(keys & of_link(desk.mech, asked.link).keys())
+    if curved:
+        _curvatures(desk, problem, groups, keys)
     if asked.centrodes is not None:
-        draw_centrodes(desk, groups, asked.centrodes)
+        alone = is_once(problem) and not curved
+        draw_centrodes(desk, groups, asked.centrodes, sharing(problem, LEAST), alone=alone)
 
 
-def _curvatures(desk: Desk, groups: Sequence[Group], asked: Curvature, keys: frozenset[str]) -> None:
+def _curvatures(desk: Desk, problem: Problem, groups: Sequence[Group], keys: frozenset[str]) -> None:
     """By the construction that is asked, on paper that holds it all."""
+    asked = problem.curvature
+    assert asked is not None
     points = asked_points(desk.mech, asked.link, keys)
     back = return_pole(desk.mech, asked.link)
     ball = ball_point(desk.mech, asked.link)
@@ -74,10 +78,11 @@ def _curvatures(desk: Desk, groups: Sequence[Group], asked: Curvature, keys: fro
         if axis:
             read_collineation(fig)
 
-    paper = paper_for(desk, asked.link, construct)
-    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, paper.scale, aside=True, composed=True)
+    paper = paper_for(desk, asked.link, construct, sharing(problem, LEAST))
+    pane = opened(desk.board, NAME, TITLE, paper, once=is_once(problem))
     fig = CurvatureFigure(desk=desk, link=asked.link, pane=pane, factor=paper.factor)
-    _copy(fig, paper, groups)
+    if pane is not View.MECHANISM:
+        _copy(fig, paper, groups)
     construct(fig)
     draw_paths(fig, paper)
     read_curvatures(fig, keys)
@@ -108,10 +113,10 @@ def _copy(fig: CurvatureFigure, paper: Paper, groups: Sequence[Group]) -> None:
     """The mechanism once more, reduced where the circle needs more room."""
     words = Words("重画机构图，作为曲率作图之用。", "Draw the mechanism once more for the curvatures.")
     if paper.factor < 1:
+        told = f"${paper.scale.symbol}$ = {paper.scale.value:g} m/mm"
         words = Words(
-            f"为使拐点圆等落在图纸内，另取较大的 $μ_l$ = {paper.scale.value:g} m/mm 重画机构图。",
-            "So that the inflection circle falls on the paper, draw the mechanism once more to the scale "
-            f"$μ_l$ = {paper.scale.value:g} m/mm.",
+            f"为使拐点圆等落在图纸内，另取较大的 {told} 重画机构图。",
+            f"So that the inflection circle falls on the paper, draw the mechanism once more to the scale {told}.",
         )
     fig.board.step(words, fig.pane)
     fig.board.depict(fig.pane, *mechanism_copied(fig.desk, paper, tuple(groups)))

@@ -8,7 +8,7 @@ from ...algebra.formula import Row, Txt, row, sym
 from ...algebra.quantity import Quantity
 from ...algebra.worked import worked
 from ...board.board import Board
-from ...board.construction import Pane, Reading
+from ...board.construction import Place, Reading
 from ...mechanism.asked.centres import centre
 from ...mechanism.asked.curvature import (
     ball_point,
@@ -89,7 +89,7 @@ def _length(fig: CurvatureFigure, named: Named, a: Points, b: Points, letters: s
     keep_length(fig.board, fig.pane, named, fig.board.measure(a, b, letters), letters)
 
 
-def keep_length(board: Board, pane: Pane, named: Named, on_paper: Quantity, line: str = "") -> None:
+def keep_length(board: Board, pane: Place, named: Named, on_paper: Quantity, line: str = "") -> None:
     """A length (m) by what it measures on paper, written into the step; line: the letters of its ends."""
     scale = board.scale_of(pane)
     size = on_paper.value * scale.value

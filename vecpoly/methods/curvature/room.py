@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from math import degrees, radians
+from math import degrees, inf, radians
 
 from ...board.construction import View
 from ...board.paper.extent import bounds, box_of
@@ -13,7 +13,7 @@ from ...board.place import Pane
 from ...errors import NotAskedError, VecpolyError
 from ...plane import Points, nominal
 from ...words import Words
-from ..centres.size import MARGIN, Paper, too_large
+from ..centres.size import MARGIN, Paper, apart, is_same, too_large
 from ..desk import Desk
 from ..positions.placed import placed_as_told
 from .state import CurvatureFigure
@@ -28,12 +28,13 @@ Box = tuple[complex, complex]
 Draw = Callable[[CurvatureFigure], None]
 
 
-def paper_for(desk: Desk, link: str, draw: Draw) -> Paper:
-    """The paper on which pole, circle and centres fit with the mechanism.
+def paper_for(desk: Desk, link: str, draw: Draw, sharing: float) -> Paper:
+    """The paper on which pole, circle and centres fit with the mechanism. sharing: the least size of the mechanism (mm)
+    at which the diagram is drawn to the same scale.
 
     Raises NotAskedError where the mechanism would become too small, with a position in which it would not.
     """
-    found = fitted(desk, _box(desk, link, draw))
+    found = fitted(desk, _box(desk, link, draw), sharing)
     if found is None:
         raise _refused(desk, link, draw)
     return found
@@ -44,7 +45,7 @@ def _refused(desk: Desk, link: str, draw: Draw) -> NotAskedError:
 
     def fits(phi: float) -> bool:
         try:
-            return fitted(desk, _box(placed_as_told(desk, radians(phi)), link, draw)) is not None
+            return fitted(desk, _box(placed_as_told(desk, radians(phi)), link, draw), inf) is not None
         except VecpolyError:
             return False
 
@@ -75,7 +76,7 @@ def _box(desk: Desk, link: str, draw: Draw) -> Box:
     return bounds(sketch.board.marks(pane))
 
 
-def fitted(desk: Desk, box: Box, name: str = NAME) -> Paper | None:
+def fitted(desk: Desk, box: Box, sharing: float, name: str = NAME) -> Paper | None:
     """The scale that the sheet wishes, else the largest round one, no larger than the diagram's; None where the
     mechanism would be too small on it."""
     low, high = bounds(desk.board.marks(View.MECHANISM))
@@ -83,12 +84,14 @@ def fitted(desk: Desk, box: Box, name: str = NAME) -> Paper | None:
     mu = desk.board.scales[View.MECHANISM]
     wished = desk.board.scales.get(Pane(View.MECHANISM, name))
     own = replace(mu, value=max(mu.value, round_up(mu.value * too_large(box), SCALES)))
-    fitting = (one for one in (wished, own) if one is not None and size * mu.value / one.value >= min(LEAST, size))
+    shared = size / too_large(box) >= sharing or is_same(own, mu, wished)
+    tried = (mu,) if shared else tuple(apart(one, mu) for one in (wished, own) if one is not None)
+    fitting = (one for one in tried if size * mu.value / one.value >= min(LEAST, size))
     if (scale := next(fitting, None)) is None:
         return None
     factor, margin = mu.value / scale.value, complex(MARGIN, MARGIN)
     corners = (box[0] * factor - margin, box[1] * factor + margin)
-    return Paper(scale=scale, factor=factor, corners=corners, far=frozenset())
+    return Paper(scale=scale, factor=factor, corners=corners, far=frozenset(), shared=shared)
 
 
 def _off_the_sheet(fitting: tuple[float, float] | None) -> Words:

@@ -6,7 +6,7 @@ from cmath import isfinite
 from dataclasses import dataclass, field
 
 from ...board.board import Board
-from ...board.construction import Pane
+from ...board.construction import Place
 from ...board.paper.marks import Dot, Role
 from ...errors import DeadPointError, NotAskedError
 from ...mechanism.asked.centres import centre
@@ -60,7 +60,7 @@ class CurvatureFigure:
 
     desk: Desk
     link: str
-    pane: Pane
+    pane: Place
     factor: float
     rays: tuple[Ray, ...] = ()
     pole: Points = 0j
