@@ -17,6 +17,7 @@ from ..plane import Points, Reals
 from ..plane.traced import Acts, acts_of, bare, traced
 from ..words import Words
 from .acts import Act, Arrow, Depict, Head, LayOff
+from .apart import all_apart, named_apart
 from .construction import EquationTable, Figure, Listing, Scale, Step
 from .ledger import Ledger
 from .paper.ends import Ends
@@ -33,7 +34,7 @@ class Log:
     """What is written and drawn, in order; the board adds the acts."""
 
     def __init__(self, scales: Mapping[View, Scale] | Mapping[Place, Scale]) -> None:
-        self.scales: dict[Place, Scale] = dict(scales.items())  # of each kind of figure, and of a pane that has its own
+        self.scales = all_apart(scales)  # of each kind of figure, and of a pane that has its own
         self.steps: list[Step] = []
         self.acts: list[Act] = []
         self.ledger = Ledger()
@@ -154,10 +155,15 @@ class Log:
         pane = Pane(view, name, aside)
         self.composed |= {pane} if composed else set()
         if scale is not None:
-            self.scales[pane] = scale
+            self.scales[pane] = named_apart(scale, self._elsewhere(pane))
         self._titles.setdefault(pane, title)
         self._marks.setdefault(pane, [])
         return pane
+
+    def _elsewhere(self, pane: Pane) -> tuple[Scale, ...]:
+        """The scales of the other figures on which anything stands, or that have one of their own."""
+        there = [at for at in {**self._marks, **self.scales} if isinstance(at, Pane) or self._on(at)]
+        return tuple(self.scale_of(at) for at in there if at != pane)
 
     def entitle(self, place: Place, title: Words) -> None:
         """Call a figure by what is constructed on it."""

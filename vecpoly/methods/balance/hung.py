@@ -38,12 +38,13 @@ def hung(here: Weighing, of: Passing) -> None:
     board, mech = here.desk.board, here.desk.mech
     no, pivot = mech.number(of.link), of.outlets[0].point
     place = _pane(here, of)
+    mu = board.scale_of(place).symbol
     board.step(
         Words(
-            f"构件 {no} 上的质量绕 ${subscripted(pivot)}$ 转动。由 $W$ = $m l$ 算各质径积，按 $μ_W$ 自 $O$ 首尾相接，"
+            f"构件 {no} 上的质量绕 ${subscripted(pivot)}$ 转动。由 $W$ = $m l$ 算各质径积，按 ${mu}$ 自 $O$ 首尾相接，"
             f"方向与图中的半径相同；封闭边就是配重的质径积 ${product(no).symbol}$。",
             f"The masses on link {no} turn about ${subscripted(pivot)}$. Lay off their products $W$ = $m l$ to the "
-            f"scale $μ_W$ head to tail from $O$, along their radii on the diagram; the closing side is the product "
+            f"scale ${mu}$ head to tail from $O$, along their radii on the diagram; the closing side is the product "
             f"${product(no).symbol}$ of the counterweight.",
         ),
         place,

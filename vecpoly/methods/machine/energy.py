@@ -101,7 +101,7 @@ def _say(period: Period, sizes: Sizes, pane: Pane) -> None:
     )
     span = magnitude("H", sizes.pole, "mm")
     expr = span * magnitude("μ_M", sizes.torque.value, "N·m/mm") * magnitude("μ_φ", sizes.torque.right.value, "rad/mm")
-    board.compute("μ_E", expr, "J/mm")
+    board.compute(board.scale_of(pane).symbol, expr, "J/mm")
 
 
 def _ink(period: Period, pane: Pane, places: tuple[float, ...], points: list[Points]) -> None:

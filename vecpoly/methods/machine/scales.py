@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isclose
 
 import numpy as np
 
@@ -16,6 +17,7 @@ TORQUE, ENERGY, INDICATOR = view_named("torque"), view_named("energy"), view_nam
 INERTIA, WITTENBAUER = view_named("inertia"), view_named("energy-mass")
 WIDE, HIGH, LOW, BAR = 150.0, 80.0, 55.0, 90.0  # mm: along φ; moments; inertias; energies
 LOOP = 130.0  # mm: along J_e
+ALIKE = 1.6  # times: the bar is so much shorter, at most, for the sake of one μ_E
 POLES = (60.0, 50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 10.0, 8.0, 5.0, 4.0, 3.0, 2.0, 1.0)  # mm: pole distances
 
 
@@ -40,12 +42,13 @@ def sizes_of(curve: French, given: Scales, heights: tuple[float, float], swing: 
     inertia = given.of(INERTIA.mu) or fitting(most / LOW)
     pole = next((h for h in POLES[::-1] if h * moment * across >= swing / BAR), POLES[0])
     mass = given.of(INERTIA.mu) or fitting(most / LOOP)
-    energy = pole * moment * across
+    energy, bar = pole * moment * across, fitting(swing / BAR)
+    alike = bar <= energy <= ALIKE * bar and isclose(energy, round_up(energy))
     return Sizes(
         torque=Scale.of(TORQUE, moment, across),
         inertia=Scale.of(INERTIA, inertia, across),
         energy=Scale.of(ENERGY, energy, across),
-        indicator=Scale.of(INDICATOR, fitting(swing / BAR)),
+        indicator=Scale.of(INDICATOR, energy if alike else bar),
         loop=Scale.of(WITTENBAUER, energy, mass),
         pole=pole,
     )

@@ -83,12 +83,14 @@ def _speeds(period: Period, pane: Pane) -> None:
     """ω_max and ω_min = ω_m (1 ± δ / 2)."""
     board, run = period.board, period.run
     assert run is not None and run.delta is not None
+    scale = board.scale_of(pane)
+    energy, mass = scale.symbol, scale.right.symbol
     board.step(
         Words(
-            "由 $ω_m$ 和 $δ$ 得最大、最小角速度，作斜率为 $½ω²$ $μ_J/μ_E$ 的两条切线（上切、下切），与 $J_e$ = 0 的"
-            "纵轴交于 $a$、$b$。载荷突变处的尖点也算切点。",
-            "$ω_m$ and $δ$ give the greatest and the least speed. Draw the tangents of slope $½ω²$ $μ_J/μ_E$, one "
-            "above the loop and one below it; they cut the axis $J_e$ = 0 in $a$ and $b$. A corner, where a load "
+            f"由 $ω_m$ 和 $δ$ 得最大、最小角速度，作斜率为 $½ω²$ ${mass}/{energy}$ 的两条切线（上切、下切），与"
+            " $J_e$ = 0 的纵轴交于 $a$、$b$。载荷突变处的尖点也算切点。",
+            f"$ω_m$ and $δ$ give the greatest and the least speed. Draw the tangents of slope $½ω²$ ${mass}/{energy}$, "
+            "one above the loop and one below it; they cut the axis $J_e$ = 0 in $a$ and $b$. A corner, where a load "
             "jumps, may be touched as well.",
         ),
         pane,
