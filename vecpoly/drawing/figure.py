@@ -18,6 +18,7 @@ from .labels.want import Spot, Want
 from .labels.wants import unnamed, wants
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
+from .swung import swung
 from .symbols.marks import Surroundings, draw
 
 TITLE_GAP, LINE = 6.0, 6.0  # mm: lowest ink to the title's capitals; title to scale
@@ -50,8 +51,8 @@ class Bare:
 
     @classmethod
     def of(cls, figure: Figure, lang: Lang) -> Bare:
-        """Of a figure, with vectors on one line side by side."""
-        marks = beside(figure.view, figure.marks)
+        """Of a figure, with vectors on one line side by side, and arcs where they cross nothing."""
+        marks = swung(beside(figure.view, figure.marks))
         around = Surroundings.of(figure.view, marks, lang, figure.tones)
         items = unique(tuple(item for mark in marks for item in draw(mark, around)))
         return cls(items, wants(figure.view, marks, lang, figure.tones), unnamed(marks))

@@ -43,8 +43,9 @@ from ..style import (
     THIN,
     Hue,
 )
-from ..symbols.angles import TAIL, TURN, narrow
+from ..symbols.angles import TAIL, narrow
 from ..symbols.shapes import NEAR
+from .bows import bow
 from .notes import lines
 from .want import Piece, Spot, Thing, Want
 
@@ -71,12 +72,12 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
             case LinkNumber(a=a, b=b, number=number):
                 keep = LINK / 2 if abs(b - a) > NEAR else max(_keep(a, taken), _disc(a, marks))
                 found.append(_line_want(a, b, keep, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
-            case TurnArrow(at=at, radius=radius, start=start, ccw=ccw, label=label) if label:
+            case TurnArrow(label=label) if label:
                 hue = mark_hue(mark, view, label, tones)
-                found.append(_bow(at, radius, start, TURN if ccw else -TURN, _piece(label, hue, mark.step)))
-            case AngleMark(at=at, radius=radius, start=start, sweep=sweep, label=label) if label:
+                found.append(bow(mark, _piece(label, hue, mark.step), marks, FRACTIONS))
+            case AngleMark(label=label) if label:
                 piece = _piece(label, Hue.BLACK, mark.step)
-                found.append(_outside(mark, piece) if narrow(mark) else _bow(at, radius, start, sweep, piece))
+                found.append(_outside(mark, piece) if narrow(mark) else bow(mark, piece, marks, FRACTIONS))
             case FrictionCircle() if mark.label or mark.enlarged > 1:
                 found.append(_circle(mark))
             case Note(at=at, words=words):
@@ -180,11 +181,6 @@ def _line_want(a: complex, b: complex, radius: float, pieces: tuple[Piece, ...],
     n = 1j * (b - a) / abs(b - a)
     feet = tuple(a + (b - a) * f for f in FRACTIONS)
     return Want(pieces, feet, (n,) * len(feet), radius, (a, b), thing=thing)
-
-
-def _bow(at: complex, radius: float, start: float, sweep: float, piece: Piece) -> Want:
-    out = tuple(cmath.exp(1j * (start + sweep * f)) for f in FRACTIONS)
-    return Want((piece,), tuple(at + radius * u for u in out), out, THIN, (at, at))
 
 
 def _outside(mark: AngleMark, piece: Piece) -> Want:

@@ -13,6 +13,7 @@ from ...drawing.scene import Item, Rect, TextBox
 from ...drawing.sheets.redbox import red_box
 from ...drawing.sheets.sheet import Sheet
 from ...drawing.sheets.titleblock import furniture
+from ...drawing.swung import swung
 from ...drawing.symbols.marks import Surroundings
 from ...errors import VecpolyError
 from ...words import Lang, Words
@@ -83,8 +84,9 @@ def library() -> Any:
 
 def _figure(paper: Paper, part: Part, lang: Lang, upto: int | None) -> None:
     """Marks from the lowest to the highest, then the lettering."""
-    figure, around = part.figure, Surroundings.of(part.figure.view, part.figure.marks, lang)
-    for mark in figure.marks:
+    figure, marks = part.figure, swung(part.figure.marks)
+    around = Surroundings.of(figure.view, marks, lang)
+    for mark in marks:
         if upto is None or mark.step <= upto:
             paper.mark(mark, around, part.origin)
     drawn = drawing(figure, lang=lang)

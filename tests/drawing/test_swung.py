@@ -1,0 +1,81 @@
+"""Arcs of angles and curved arrows keep clear of links and hatching; their letters stand beside their own arc."""
+
+from __future__ import annotations
+
+import cmath
+from math import pi, radians
+
+import pytest
+import shapely
+
+from tests.drawn_library import IDS, drawn
+from tests.each import each
+from vecpoly.board.construction import View
+from vecpoly.board.paper.marks import AngleMark, Ground, Mark, Role, Segment, TurnArrow
+from vecpoly.drawing.labels.wants import wants
+from vecpoly.drawing.swung import swung
+from vecpoly.drawing.symbols.angles import TURN
+
+LINK = Segment(a=-20 + 7j, b=20 + 7j, role=Role.LINK, step=1)
+
+
+def arc(mark: AngleMark | TurnArrow) -> shapely.LineString:
+    sweep = mark.sweep if isinstance(mark, AngleMark) else TURN if mark.ccw else -TURN
+    points = [mark.at + cmath.rect(mark.radius, mark.start + sweep * k / 50) for k in range(1, 50)]
+    return shapely.LineString([(z.real, z.imag) for z in points])
+
+
+def line(mark: Segment) -> shapely.LineString:
+    return shapely.LineString([(mark.a.real, mark.a.imag), (mark.b.real, mark.b.imag)])
+
+
+def test_an_angle_under_a_link_is_drawn_smaller_until_it_clears_it() -> None:
+    angle = AngleMark(at=0j, radius=10.0, start=0.0, sweep=radians(120), label="φ_1", step=1)
+    _, found = swung((LINK, angle))
+    assert isinstance(found, AngleMark) and found.radius < 7.0
+    assert (found.at, found.start, found.sweep, found.label) == (0j, 0.0, radians(120), "φ_1")
+    assert arc(found).distance(line(LINK)) > 0.5
+
+
+@pytest.mark.parametrize("ccw", [True, False])
+def test_an_arrow_over_a_link_or_a_ground_begins_elsewhere_and_keeps_its_sense(ccw: bool) -> None:
+    start = pi / 2 - TURN / 2 if ccw else pi / 2 + TURN / 2
+    arrow = TurnArrow(at=0j, radius=9.0, start=start, ccw=ccw, label="ω_1", step=1)
+    *_, found = swung((LINK, Ground(at=0j, down=-1j, step=1), arrow))
+    assert isinstance(found, TurnArrow) and found.ccw is ccw and found.radius == 9.0 and found.start != arrow.start
+    assert arc(found).distance(line(LINK)) > 0.5
+    assert arc(found).distance(shapely.box(-4.6, -6.4, 4.6, -5)) > 0
+
+
+def test_what_is_clear_stays_as_it_is() -> None:
+    marks: tuple[Mark, ...] = (
+        AngleMark(at=0j, radius=6.0, start=0.0, sweep=radians(40), label="φ_1", step=1),
+        TurnArrow(at=0j, radius=9.0, start=pi, ccw=True, label="ω_1", step=1),
+        LINK,
+    )
+    assert swung(marks) == marks
+
+
+def test_a_letter_stands_where_no_other_arc_lies_between() -> None:
+    inner = AngleMark(at=0j, radius=9.0, start=0.0, sweep=radians(125), label="ψ_1", step=1)
+    outer = AngleMark(at=0j, radius=13.0, start=0.0, sweep=radians(75), label="ψ_2", step=1)
+    own, other = wants(View.MECHANISM, (inner, outer))
+    assert own.feet and all(75 < cmath.phase(foot) * 180 / pi < 125 for foot in own.feet)
+    assert len(other.feet) > len(own.feet)
+
+
+@each(IDS)
+def test_in_the_library_arrows_of_speeds_and_moments_cross_no_link_where_there_is_another_place(name: str) -> None:
+    figures = [figure for figure in drawn(name).construction.figures if figure.view.bodies]
+    for figure in figures:
+        links = [
+            mark for mark in figure.marks if isinstance(mark, Segment) and mark.role is Role.LINK and mark.a != mark.b
+        ]
+        before, after = (
+            sum(line(link).distance(arc(mark)) < 0.3 for mark in marks if isinstance(mark, TurnArrow) for link in links)
+            for marks in (figure.marks, swung(figure.marks))
+        )
+        assert after <= before and after <= (1 if name in CROSSING else 0)
+
+
+CROSSING = {"plate-two-slides"}  # three links meet about the arrow's point

@@ -1,0 +1,35 @@
+"""Beside which part of an arc its letter may stand: nowhere where another arc about the same point lies between."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Sequence
+
+from ...board.paper.marks import AngleMark, Mark, TurnArrow
+from ..style import THIN
+from ..symbols.angles import TURN
+from ..symbols.shapes import NEAR
+from .want import Piece, Want
+
+Arc = AngleMark | TurnArrow
+BESIDE = math.radians(12)  # a letter beside an arc covers so much of it, to either side, and a little more
+REACH = 9.0  # mm beyond an arc within which its letter is taken for that of another
+
+
+def bow(arc: Arc, piece: Piece, marks: Iterable[Mark], fractions: Sequence[float]) -> Want:
+    """The letter of an arc, beside it, outside or inside."""
+    sweep = arc.sweep if isinstance(arc, AngleMark) else TURN if arc.ccw else -TURN
+    others = [one for one in marks if isinstance(one, Arc) and one is not arc and abs(one.at - arc.at) < NEAR]
+    outer = [one for one in others if arc.radius + NEAR < one.radius < arc.radius + REACH]
+    ways = [arc.start + sweep * f for f in fractions]
+    free = [way for way in ways if not any(_spans(one, way) for one in outer)] or ways
+    out = tuple(cmath.exp(1j * way) for way in free)
+    return Want((piece,), tuple(arc.at + arc.radius * u for u in out), out, THIN, (arc.at, arc.at))
+
+
+def _spans(arc: Arc, way: float) -> bool:
+    """Whether an arc passes a direction, or ends beside it."""
+    sweep = arc.sweep if isinstance(arc, AngleMark) else TURN if arc.ccw else -TURN
+    turned = (way - arc.start) * math.copysign(1.0, sweep)
+    return (turned + BESIDE) % (2 * math.pi) < abs(sweep) + 2 * BESIDE

@@ -1,0 +1,132 @@
+"""Arcs of angles and curved arrows are swung where they cross no link and no hatching: with another radius, or, an
+arrow, begun elsewhere about its point. What they tell stays: vertex, rays and sense."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from itertools import pairwise
+from math import pi
+from typing import Any
+
+import numpy as np
+import shapely
+
+from ..board.paper.marks import AngleMark, Block, FixedGuide, Ground, Mark, Outline, Plate, Role, Segment, TurnArrow
+from .symbols.angles import TURN, narrow
+from .symbols.bodies import FOOT_HEIGHT, GROUND_HALF, block_corners
+from .symbols.shapes import NEAR
+
+RADII = (1.0, 0.85, 0.7, 1.25, 0.6, 0.5)  # of what it has: the first that is clear
+TURNS = tuple(sign * n * pi / 12 for n in range(13) for sign in ((1, -1) if n else (1,)))  # from where it begins
+LEAST, CLEAR, APART = 5.0, 0.6, 1.6  # mm: radius; from a line; from another arc about the same point
+HATCH = 1.4  # mm: depth of hatching that counts
+FINE = 16  # chords of an arc
+Arc = AngleMark | TurnArrow
+
+
+def swung(marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
+    """The marks of a figure, the arcs among them clear of lines where they can be."""
+    arcs = [mark for mark in marks if isinstance(mark, Arc) and mark.radius > NEAR]
+    if not arcs:
+        return marks
+    lines, grounds = _lines(marks), shapely.union_all([*_grounds(marks)])
+    found: dict[int, Arc] = {}
+    for arc in arcs:
+        others = [found.get(id(one), one) for one in arcs if one is not arc and abs(one.at - arc.at) < NEAR]
+        found[id(arc)] = _clear(arc, lines, grounds, others)
+    return tuple(found.get(id(mark), mark) for mark in marks)
+
+
+def _clear(arc: Arc, lines: Any, grounds: Any, others: Iterable[Arc]) -> Arc:
+    """The first of the ways to swing it that touches least."""
+    reach = max(RADII) * arc.radius + CLEAR
+    about = shapely.Point(arc.at.real, arc.at.imag)
+    near = lines[shapely.dwithin(lines, about, reach)] if len(lines) else lines
+    through = shapely.dwithin(near, about, NEAR) if len(near) else np.zeros(0, dtype=bool)
+    hatched = shapely.intersection(grounds, about.buffer(reach))
+    if not isinstance(arc, TurnArrow):
+        near = near[~through]  # the rays of an angle end at its arc
+    if not len(near) and hatched.is_empty:
+        return arc
+    best, least = arc, float("inf")
+    for trial in _ways(arc):
+        bow = _bow(trial)
+        cost = float(shapely.dwithin(near, bow, CLEAR).sum()) + (shapely.distance(hatched, bow) < CLEAR / 3)
+        cost += sum(_meets(trial, other) for other in others)
+        if cost < least - 1e-9:
+            best, least = trial, cost
+        if not cost:
+            break
+    return best
+
+
+def _ways(arc: Arc) -> Iterator[Arc]:
+    """As it is, then others."""
+    if isinstance(arc, AngleMark) and narrow(arc):
+        yield arc
+        return
+    turns = TURNS if isinstance(arc, TurnArrow) else (0.0,)
+    for turn in turns:
+        for share in RADII if isinstance(arc, AngleMark) else (1.0,):
+            if share == 1.0 or share * arc.radius >= LEAST:
+                yield replace(arc, radius=arc.radius * share, start=arc.start + turn)
+
+
+def _sweep(arc: Arc) -> float:
+    return arc.sweep if isinstance(arc, AngleMark) else TURN if arc.ccw else -TURN
+
+
+def _bow(arc: Arc) -> Any:
+    """The arc between its ends, which may touch the rays."""
+    sweep = _sweep(arc)
+    shares = np.linspace(0.08, 0.92, FINE) if isinstance(arc, AngleMark) else np.linspace(-0.05, 1.05, FINE)
+    points = arc.at + arc.radius * np.exp(1j * (arc.start + sweep * shares))
+    return shapely.LineString(np.stack([points.real, points.imag], axis=1))
+
+
+def _meets(arc: Arc, other: Arc) -> bool:
+    """Whether two arcs about one point run nearly one over the other."""
+    if abs(arc.radius - other.radius) > APART:
+        return False
+    ways = [other.start + _sweep(other) * k / FINE for k in range(FINE + 1)]
+    start, sweep = arc.start, _sweep(arc)
+    turned = ((way - start) * (1 if sweep > 0 else -1) % (2 * pi) for way in ways)
+    return any(0.05 < turn < abs(sweep) - 0.05 for turn in turned)
+
+
+def _lines(marks: Iterable[Mark]) -> Any:
+    """The outlines of links and bodies."""
+    found: list[tuple[complex, complex]] = []
+    for mark in marks:
+        match mark:
+            case Segment(a=a, b=b, role=Role.LINK) if abs(b - a) > NEAR:
+                found.append((a, b))
+            case Plate(points=points) | Outline(points=points) if len(points) > 2:
+                found += pairwise((*points, points[0]))
+            case Block():
+                corners = block_corners(mark)
+                found += pairwise((*corners, corners[0]))
+            case _:
+                pass
+    ends = np.array(found, dtype=complex).reshape(-1, 2)
+    return shapely.linestrings(np.stack([ends.real, ends.imag], axis=-1)) if found else np.zeros(0, dtype=object)
+
+
+def _grounds(marks: Iterable[Mark]) -> Iterator[Any]:
+    """The hatched pieces under pivots and along guides."""
+    for mark in marks:
+        match mark:
+            case Ground(at=at, down=down):
+                u = down / abs(down)
+                foot, side = at + FOOT_HEIGHT * u, 1j * GROUND_HALF * u
+                yield _area(foot - side, foot + side, HATCH * u)
+            case FixedGuide(a=a, b=b) if abs(b - a) > NEAR:
+                yield _area(a, b, HATCH * (b - a) / abs(b - a) * cmath.exp(-0.5j * pi))
+            case _:
+                pass
+
+
+def _area(a: complex, b: complex, deep: complex) -> Any:
+    return shapely.Polygon([(z.real, z.imag) for z in (a, b, b + deep, a + deep)])
