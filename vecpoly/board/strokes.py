@@ -124,9 +124,9 @@ class Strokes(Log):
         head = self.head(at, on=view, key=ascii_key(label))
         self.log(done.CurvedArrow(head=head, at=spot(at), radius=radius, start=start, ccw=ccw, label=label))
 
-    def note(self, view: Place, at: Points, words: Words) -> None:
-        """Write a short note beside a point."""
-        self.log(done.Annotate(head=self.head(at, on=view), at=spot(at), words=words))
+    def note(self, view: Place, at: Points, words: Words, side: complex = 0j) -> None:
+        """Write a short note beside a point, on any side of it or on this one."""
+        self.log(done.Annotate(head=self.head(at, on=view), at=spot(at), words=words, side=side))
 
     def hatch(self, view: Place, outline: Sequence[Points], *, rising: bool) -> None:
         """Hatch an area: a surplus with lines that rise to the right, a deficit with lines that fall."""

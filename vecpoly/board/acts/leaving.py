@@ -102,10 +102,11 @@ class CurvedArrow(Done):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Annotate(Done):
-    """Write a short note beside a point."""
+    """Write a short note beside a point, on any side of it or on this one (0: any)."""
 
     at: complex
     words: Words
+    side: complex = 0j
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -91,7 +91,7 @@ def _left(act: Leaving) -> tuple[Mark, ...]:
         case done.CurvedArrow():
             return (TurnArrow(at=act.at, radius=act.radius, start=act.start, ccw=act.ccw, label=act.label),)
         case done.Annotate():
-            return (Note(at=act.at, words=act.words),)
+            return (Note(at=act.at, words=act.words, side=act.side),)
         case done.Depict():
             return act.marks
         case _:

@@ -163,10 +163,11 @@ class Cell(Ink):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Note(Ink):
-    """A short note in small lettering beside a point."""
+    """A short note in small lettering beside a point; side: on which it stands, of a number on an axis (0: any)."""
 
     at: complex
     words: Words
+    side: complex = 0j
 
 
 Trace = Segment | Vector | Arc | Curve

@@ -58,6 +58,7 @@ _RADIUS = {
     Dot.POINT: DOT_RADIUS,
     Dot.NONE: 0.0,
 }
+ASIDE = (0.0, 1.0, -1.0, 2.0, -2.0)  # mm along its axis by which a number may stand beside its tick
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
 
@@ -80,9 +81,12 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
                 found.append(_outside(mark, piece) if narrow(mark) else bow(mark, piece, marks, FRACTIONS))
             case FrictionCircle() if mark.label or mark.enlarged > 1:
                 found.append(_circle(mark))
-            case Note(at=at, words=words):
+            case Note(at=at, words=words, side=side):
                 piece = Piece(lines(words.of(lang), NOTE), 0.0, Hue.BLACK, mark.step)
-                found.append(Want((piece,), (at,), (0j,), _keep(at, taken), (at, at)))
+                feet = tuple(at + 1j * side * by for by in ASIDE) if side else (at,)
+                found.append(
+                    Want((piece,), feet, (side,) * len(feet), _keep(at, taken), (at, at), one_sided=bool(side))
+                )
             case _:
                 pass
     return tuple(found)

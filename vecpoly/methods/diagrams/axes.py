@@ -9,6 +9,7 @@ from math import degrees
 from ...board.board import Board
 from ...board.construction import Place
 from ...board.paper.marks import Dot, Role
+from ...words import Words
 
 BEYOND, TICK = 9.0, 1.5  # mm: how far the axes run on; half a tick
 STEPS = (1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180, 360)  # deg from tick to tick
@@ -36,7 +37,7 @@ def draw_axes(board: Board, place: Place, axes: Axes, ticks: Iterable[tuple[floa
     board.plot(place, top, axes.up, Dot.NONE)
     for at, written in ticks:
         board.join(place, at - TICK * 1j, at + TICK * 1j, Role.CONSTRUCTION)
-        board.plot(place, at - TICK * 1j, written, Dot.NONE)
+        board.note(place, at - TICK * 1j, Words.same(written), -1j)
 
 
 def angle_ticks(board: Board, place: Place, period: float) -> Iterable[tuple[float, str]]:

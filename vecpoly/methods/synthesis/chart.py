@@ -16,7 +16,7 @@ from ...words import Words
 from .draft import Draft
 
 WIDE, HIGH = 100.0, 45.0  # mm: of a chart, at most
-BEYOND, TICK, BELOW = 8.0, 1.5, 5.0  # mm: the axes run on; marks on them; their numbers
+BEYOND, TICK = 8.0, 1.5  # mm: the axes run on; marks on them
 DIVISIONS = 7  # marks on an axis, about
 
 
@@ -84,14 +84,14 @@ class Chart:
             board.arrow(place, start, end, Role.DIRECTION)
             board.plot(place, end, f"{axis.symbol}/{axis.unit}" if axis.unit else axis.symbol, Dot.NONE)
         for x in self.right.divisions():
-            self._tick(self.at(x, self.base), 1j, -1j * BELOW, x)
+            self._tick(self.at(x, self.base), 1j, -1j, x)
         for y in self.up.divisions():
-            self._tick(self.at(self.right.low, y), 1 + 0j, -BELOW + 0j, y)
+            self._tick(self.at(self.right.low, y), 1 + 0j, -1 + 0j, y)
 
-    def _tick(self, at: complex, along: complex, off: complex, value: float) -> None:
+    def _tick(self, at: complex, along: complex, side: complex, value: float) -> None:
         board = self.draft.board
         board.join(self.place, at - along * TICK / 2, at + along * TICK / 2, Role.CONSTRUCTION)
-        board.note(self.place, at + off, Words.same(f"{value:.6g}".replace("-", "−")))
+        board.note(self.place, at + TICK / 2 * side, Words.same(f"{value:.6g}".replace("-", "−")), side)
 
 
 def chart(draft: Draft, name: str, title: Words, right: Axis, up: Axis) -> Chart:
