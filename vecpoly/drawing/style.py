@@ -10,11 +10,12 @@ from ..board.paper.marks import Role
 from ..figures.hue import Hue as Hue  # an ink is a part of how a line looks
 from ..foundation.slotted import dataclass
 
-LINK, RESULT, GIVEN, THIN = 0.7, 0.5, 0.35, 0.18
+LINK, RESULT, GIVEN, THIN = 0.7, 0.5, 0.35, 0.25  # wide, two between, fine (GB/T 17450: 0.13 to 2 in steps of √2)
+HATCHING = 0.18  # close lines in light ink, which together look as dark as a fine one
 SYMBOL = 0.35  # outline of joints, grounds, guides
 JOINT_RADIUS, POLE_RADIUS, DOT_RADIUS = 1.25, 0.6, 0.55
 MULTIPLE_RADIUS, INNER_RADIUS, MASS_RADIUS = 1.7, 0.8, 1.3  # both circles of a compound hinge; a centre of mass
-HEAD_LENGTH, HEAD_WIDTH = 3.0, 1.0
+HEAD_LENGTH, HEAD_WIDTH = 3.0, 1.25
 LETTER, TITLE, NOTE = 4.4, 4.6, 3.2  # em; capitals are two thirds of it high
 
 
@@ -33,11 +34,11 @@ class Dash(StrEnum):
             case Dash.FULL:
                 return ()
             case Dash.DASHED:
-                return (2.4, 1.0)
+                return (3.0, 0.9)
             case Dash.SHORT:
                 return (1.3, 0.7)
             case Dash.DASH_DOT:
-                return (6.0, 1.0, 0.5, 1.0)
+                return (6.0, 0.9, 0.4, 0.9)
         assert_never(self)
 
 

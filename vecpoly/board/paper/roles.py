@@ -11,14 +11,14 @@ class Role(StrEnum):
     LINK = "link"  # 0.7 mm
     RESULT = "result"  # 0.5 mm: vectors asked for
     GIVEN = "given"  # 0.35 mm: known vectors
-    DIRECTION = "direction"  # 0.18 mm: direction lines of a polygon, run a little past their meeting point
-    CONSTRUCTION = "construction"  # 0.18 mm: arcs, helping lines in the kinematic diagram
-    CENTRE = "centre"  # 0.18 mm dash-dot: centre lines, pitch circles
-    IDEAL = "ideal"  # 0.18 mm dashed grey: the construction without friction, beside that with it
+    DIRECTION = "direction"  # 0.25 mm: direction lines of a polygon, run a little past their meeting point
+    CONSTRUCTION = "construction"  # 0.25 mm: arcs, helping lines in the kinematic diagram
+    CENTRE = "centre"  # 0.25 mm dash-dot: centre lines, pitch circles
+    IDEAL = "ideal"  # 0.25 mm dashed grey: the construction without friction, beside that with it
     OTHER = "other"  # 0.35 mm dashed: a link in another position than the one that is drawn thick
     LOCUS = "locus"  # 0.7 mm: a curve that is the answer, the fixed centrode
     CARRIED = "carried"  # 0.7 mm dashed: such a curve that moves with a link
-    HIDDEN = "hidden"  # 0.18 mm dashed: the expanded link (扩大构件), what is only thought
+    HIDDEN = "hidden"  # 0.25 mm dashed: the expanded link (扩大构件), what is only thought
 
 
 class Dot(StrEnum):

@@ -62,7 +62,7 @@ def _detail(figure: Figure, knot: Knot, name: str, number: int, inner: tuple[Mar
     return replace(
         figure,
         title=Words(f"局部放大图 {name}（{knot.factor:g}:1）", f"Detail {name} ({knot.factor:g}:1)"),
-        scale=replace(figure.scale, value=figure.scale.value / knot.factor),
+        scale=replace(figure.scale, symbol="", value=figure.scale.value / knot.factor),  # its title tells it
         marks=(*inner, ring),
         name=_named(figure, number),
         aside=False,

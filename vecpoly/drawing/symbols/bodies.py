@@ -8,6 +8,7 @@ from ...board.paper.marks import Block, FixedGuide, GearMark, Ground, Passing, P
 from ..scene import Fill, Item, Layer, Stroke
 from ..style import (
     GIVEN,
+    HATCHING,
     INNER_RADIUS,
     JOINT_RADIUS,
     LINK,
@@ -73,7 +74,7 @@ def weld(mark: Weld) -> tuple[Item, ...]:
 def hatched(a: complex, b: complex, step: int, width: float = RESULT) -> tuple[Item, ...]:
     """A fixed line, hatched on the right of a -> b."""
     line = Stroke(points=(a, b), width=width, layer=Layer.THIN, step=step)
-    return (line, *(Stroke(points=pair, width=THIN, layer=Layer.THIN, step=step) for pair in hatching(a, b)))
+    return (line, *(Stroke(points=pair, width=HATCHING, layer=Layer.THIN, step=step) for pair in hatching(a, b)))
 
 
 def ground(mark: Ground, pin: float = JOINT_RADIUS) -> tuple[Item, ...]:

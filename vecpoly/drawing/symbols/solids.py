@@ -13,10 +13,10 @@ from ...board.paper.marks import Cell, Disc, FrictionCircle, Hatched, Outline
 from ...words import Lang
 from ..labels.notes import fitted
 from ..scene import Fill, Item, Layer, Stroke, TextBox
-from ..style import NOTE, RESULT, SYMBOL, THIN, Dash, Hue
+from ..style import HATCHING, NOTE, RESULT, SYMBOL, Dash, Hue
 from .shapes import circle, rectangle
 
-FRICTION = 0.22  # line of a friction circle
+FRICTION = 0.25  # line of a friction circle
 PITCH, SLOPE = 2.2, cmath.exp(1j * math.pi / 4)  # hatching of fixed bodies
 CELL_MARGIN = 1.2  # box to its words
 
@@ -53,7 +53,7 @@ def outline(mark: Outline) -> tuple[Item, ...]:
     if not mark.fixed:
         return body(mark.points, mark.step)
     strokes = (
-        Stroke(points=pair, width=THIN, hue=Hue.GREY, layer=Layer.THIN, step=mark.step)
+        Stroke(points=pair, width=HATCHING, hue=Hue.GREY, layer=Layer.THIN, step=mark.step)
         for pair in hatched_area(mark.points)
     )
     return (*strokes, Stroke(points=mark.points, width=RESULT, closed=True, layer=Layer.THIN, step=mark.step))
@@ -73,7 +73,7 @@ def hatched(mark: Hatched) -> tuple[Item, ...]:
         return ()
     slope = SLOPE if mark.rising else SLOPE.conjugate()
     return tuple(
-        Stroke(points=pair, width=THIN, hue=Hue.HATCH, layer=Layer.TINT, step=mark.step)
+        Stroke(points=pair, width=HATCHING, hue=Hue.HATCH, layer=Layer.TINT, step=mark.step)
         for pair in hatched_area(mark.points, slope)
     )
 
