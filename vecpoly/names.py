@@ -138,8 +138,8 @@ class Sort(StrEnum):
 class Named:
     """A quantity with a name of its own: a load F, a reaction R_12, an efficiency eta, a limit angle.
 
-    key: ASCII; symbol: the textbook's, in the notation of `formula` (``R_{12}``, ``η``); unit: as printed. SI
-    throughout, except a unit `deg`, whose value is in degrees, `mm` and `kW`. sort: what it belongs to.
+    key: ASCII; symbol: the textbook's, in the notation of `formula` (``R_{12}``); unit: as printed, SI throughout but
+    for `deg`, `mm` and `kW`. sort: what it belongs to; solution: of several, the number of its own.
     """
 
     key: str
@@ -147,6 +147,7 @@ class Named:
     unit: str
     is_vector: bool = False
     sort: Sort = Sort.PLAIN
+    solution: int = 0
 
     @property
     def is_central(self) -> bool:

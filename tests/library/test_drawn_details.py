@@ -87,8 +87,8 @@ def test_an_answer_read_off_too_short_a_length_is_told_so_in_box_and_table(name:
     short = [one for one in solution.answers.values() if one.short]
     for answer in short:
         assert answer.reading.mm is not None and abs(answer.reading.mm) < READABLE
-        assert "过短" in answer_line(answer, solution.problem, "zh").after
-        assert "too short" in answer_line(answer, solution.problem, "en").after
+        assert "过短" in answer_line(answer, solution, "zh").after
+        assert "too short" in answer_line(answer, solution, "en").after
     cells = [cell for table in readings_tables(solution, "zh") for row in table.rows for cell in row]
     assert sum("过短" in cell for cell in cells) == len(short)
 

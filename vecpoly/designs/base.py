@@ -149,7 +149,7 @@ class Design(BaseModel):
 
 def numbered(named: Named, number: int) -> Named:
     """The quantity of one of several solutions: AB_2, l_{AB} with (2) above."""
-    return Named(f"{named.key}_{number}", f"{named.symbol}^{{({number})}}", named.unit)
+    return Named(f"{named.key}_{number}", f"{named.symbol}^{{({number})}}", named.unit, solution=number)
 
 
 @cache

@@ -50,7 +50,7 @@ def problem_html(problem: Problem, lang: Lang) -> str:
 
 def solution_html(solution: Solution, lang: Lang) -> str:
     """The answers as drawn and exact, what is to be said of them, and the sheets."""
-    lines = (answer_line(one, solution.problem, lang) for one in solution.answers.values())
+    lines = (answer_line(one, solution, lang) for one in solution.answers.values())
     ended = "".join(f"<div>{sentence(one.before)} {formula(one.node)} {sentence(one.after)}</div>" for one in lines)
     read = "".join(table(one.header, one.rows, one.align) for one in readings_tables(solution, lang))
     warning = solution.construction.warning

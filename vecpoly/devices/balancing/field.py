@@ -152,7 +152,7 @@ class FieldBalancing(Device):
 
 def effect(unit: str, way: str = "") -> Named:
     """V_t: how much the trial weight moves the vibration."""
-    return Named(f"V_t{way}", f"V_{{t{way.replace('_', ',')}}}", unit)
+    return Named(f"V_t{way}", f"V_{{t{way.replace('_', ',')}}}", unit, solution=_number(way))
 
 
 def coefficient(unit: str) -> Named:
@@ -162,12 +162,17 @@ def coefficient(unit: str) -> Named:
 
 def weight(way: str) -> Named:
     """m_b: the weight that balances, g."""
-    return Named(f"m_b{way}", f"m_{{b{way.replace('_', ',')}}}", "g")
+    return Named(f"m_b{way}", f"m_{{b{way.replace('_', ',')}}}", "g", solution=_number(way))
 
 
 def bearing(way: str) -> Named:
     """theta_b: where it sits."""
-    return Named(f"theta_b{way}", f"θ_{{b{way.replace('_', ',')}}}", "deg")
+    return Named(f"theta_b{way}", f"θ_{{b{way.replace('_', ',')}}}", "deg", solution=_number(way))
+
+
+def _number(way: str) -> int:
+    """Of which of two solutions: 2 of `_2`, none of a single one."""
+    return int(way[1:] or 0)
 
 
 def spread(unit: str) -> Named:

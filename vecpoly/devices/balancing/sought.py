@@ -105,12 +105,12 @@ def couple_of(name: str) -> Named:
 
 def found_mass(name: str, which: str, unit: Weighing) -> Named:
     """m_A, or m_A_1 where there are two answers."""
-    return Named(f"m_{name}{which}", f"m_{{{name}{which.replace('_', ',')}}}", unit.mass)
+    return Named(f"m_{name}{which}", f"m_{{{name}{which.replace('_', ',')}}}", unit.mass, solution=int(which[1:] or 0))
 
 
 def found_bearing(name: str, which: str) -> Named:
     """theta_A, or theta_A_1."""
-    return Named(f"theta_{name}{which}", f"θ_{{{name}{which.replace('_', ',')}}}", "deg")
+    return Named(f"theta_{name}{which}", f"θ_{{{name}{which.replace('_', ',')}}}", "deg", solution=int(which[1:] or 0))
 
 
 def answers_of(masses: Mapping[str, RotorMass]) -> tuple[str, ...]:

@@ -38,14 +38,22 @@ class Block:
     height: float
 
 
-def with_results(sheet: Sheet, attempts: Sequence[Sequence[Node]]) -> Sheet:
+@dataclass(frozen=True, slots=True)
+class Listed:
+    """Results that stand together; heading: over them, "" of a list that has none."""
+
+    heading: str
+    nodes: tuple[Node, ...]
+
+
+def with_results(sheet: Sheet, attempts: Sequence[Sequence[Listed]]) -> Sheet:
     """The sheet with the first of these lists of results for which it has room: over the right end of the title strip,
     the figures moved together for it where they must; else anywhere along its frame; as it is where it has room for
     none."""
     room, found = _Room.on(sheet), list[Block]()
-    for nodes in attempts:
+    for parts in attempts:
         for em in SIZES:
-            blocks = [*_blocks(sheet, nodes, em)]
+            blocks = [*_blocks(sheet, parts, em)]
             made = (way(block) for way in (room.in_corner, room.moved) for block in blocks)
             if (done := next((one for one in made if one is not None), None)) is not None:
                 return done
@@ -53,13 +61,31 @@ def with_results(sheet: Sheet, attempts: Sequence[Sequence[Node]]) -> Sheet:
     return next((one for block in found if (one := room.along(block)) is not None), sheet)
 
 
-def _blocks(sheet: Sheet, nodes: Sequence[Node], em: float) -> Iterator[Block]:
+def _blocks(sheet: Sheet, parts: Sequence[Listed], em: float) -> Iterator[Block]:
     """The results in one to four columns, none of which takes too much of the sheet."""
-    title, lines = layout_words(TITLE.of(sheet.lang), em, True), [layout(node, em) for node in nodes]
-    for columns in range(1, min(MOST, len(lines)) + 1):
-        block = _block(title, lines, columns)
+    title = layout_words(TITLE.of(sheet.lang), em, True)
+    for lines in _columns(parts, em):
+        block = _block(title, lines)
         if block.width * block.height <= SHARE * sheet.room[0] * sheet.room[1]:
             yield block
+
+
+def _columns(parts: Sequence[Listed], em: float) -> Iterator[list[list[Box]]]:
+    """The lines from the top of one column to the next; of parts with headings, each in one piece."""
+    set_ = [[*_heading(part, em), *(layout(node, em) for node in part.nodes)] for part in parts]
+    if any(part.heading for part in parts):
+        yield [[box for part in set_ for box in part]]
+        yield from [set_] if 1 < len(set_) <= MOST else []
+        return
+    lines = [box for part in set_ for box in part]
+    for columns in range(1, min(MOST, len(lines)) + 1):
+        rows = ceil(len(lines) / columns)
+        yield [lines[n : n + rows] for n in range(0, len(lines), rows)]
+
+
+def _heading(part: Listed, em: float) -> Iterator[Box]:
+    if part.heading:
+        yield layout_words(part.heading, em, True)
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,10 +163,9 @@ def _shape(item: Item) -> shapely.Geometry:
     return shapely.LineString([*points, points[0]] if item.closed else points)
 
 
-def _block(title: Box, lines: Sequence[Box], columns: int) -> Block:
-    """The lines in columns from the top, under a title."""
-    rows = ceil(len(lines) / columns)
-    parts = [lines[n : n + rows] for n in range(0, len(lines), rows)]
+def _block(title: Box, parts: Sequence[Sequence[Box]]) -> Block:
+    """The columns of lines from the top, under a title."""
+    rows = max(map(len, parts))
     wide = [max(box.width for box in part) for part in parts]
     high = [max(part[n].ascent for part in parts if n < len(part)) for n in range(rows)]
     deep = [max(part[n].descent for part in parts if n < len(part)) for n in range(rows)]

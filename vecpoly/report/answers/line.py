@@ -1,4 +1,4 @@
-"""One line of the box of answers, made from the reading in the ledger: v_F = μ_v pf = 0.01 × 31.9 = 0.319 m/s (←)."""
+"""One answer as it is listed, made from the reading in the ledger: v_F = μ_v·31.9 mm = 0.319 m/s (←)."""
 
 from __future__ import annotations
 
@@ -10,9 +10,8 @@ from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution, told_short
 from ...words import Lang, Words
 from ..values import called, direction_of_load, is_efficiency, place_parts, printed_unit, unit_after, value
-from .rounded import coarse, coordinates, drawn_number
+from .rounded import coarse, coordinates, drawn_number, on_paper
 
-_STATED = 3  # parts of a line that tells no way to its result, at most
 SQUARE = {"0.0": "→", "90.0": "↑", "180.0": "←", "-180.0": "←", "-90.0": "↓", "-0.0": "→"}
 _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
 
@@ -21,7 +20,8 @@ _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针
 class AnswerLine:
     """What is said of one asked quantity: the line itself; before it, what it is called; after it, what is to be said.
 
-    result: the number with its unit, as the line ends. group: the number of its kind, in a long box.
+    result: the number with its unit, as the line ends. group: the number of its part in the list, heading: what stands
+    over that.
     """
 
     key: str
@@ -30,39 +30,43 @@ class AnswerLine:
     after: str = ""
     result: str = ""
     group: int = 0
+    heading: str = ""
 
 
-def answer_line(answer: Answer, problem: Problem, lang: Lang) -> AnswerLine:
+def answer_line(answer: Answer, solution: Solution, lang: Lang, *, group: int = 0, heading: str = "") -> AnswerLine:
     """The line of one answer."""
-    before, name, way = _named(answer, lang)
-    result = result_of(answer, lang)
     return AnswerLine(
         key=answer.key,
-        node=Row((*_led(answer, name), Txt(_minus(answer, result) + result + _bracket(answer, problem, way, lang)))),
-        before=before,
+        node=short_line(answer, solution, lang),
+        before=_named(answer, lang)[0],
         after=_after(answer, lang),
-        result=result,
+        result=result_of(answer, lang),
+        group=group,
+        heading=heading,
     )
 
 
 def short_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = True) -> Node:
-    """The line as it stands on a sheet: v_C = 65.2 mm × μ_v = 0.652 m/s (∠67.9°); read: with the length on paper."""
+    """What came out, without the way to it: v_C = μ_v·65.2 mm = 0.652 m/s (∠67.9°); read: with the length on paper."""
     reading = answer.reading
     _, name, way = _named(answer, lang)
-    result = result_of(answer, lang) + _bracket(answer, solution.problem, way, lang)
+    result = Txt(result_of(answer, lang) + _bracket(answer, solution.problem, way, lang))
+    if reading.unit == YES_NO:
+        return Row((result,))
     parts: tuple[Node, ...] = (name, Txt(" = "))
     if read and _is_length_times_scale(answer, solution):
-        parts = (*parts, Txt(f"{reading.mm:.1f} mm × "), row(reading.scale), Txt(" = "))
-    return Row((*parts, Txt(result)))
+        parts = (*parts, row(reading.scale), Txt(f"·{on_paper(answer)} mm"), Txt(" = "))
+    return Row((*parts, result))
 
 
 def _is_length_times_scale(answer: Answer, solution: Solution) -> bool:
     """Whether it is what was measured on paper, and nothing but that times the scale."""
-    mm, symbol = answer.reading.mm, answer.reading.scale
-    if mm is None or not symbol:
+    mm, symbol, unit = answer.reading.mm, answer.reading.scale, answer.reading.unit
+    if not mm or not symbol:
         return False
-    scales = {one.scale.symbol: one.scale.value for one in solution.construction.figures}
-    return symbol in scales and isclose(mm * scales[symbol], abs(answer.drawn), rel_tol=1e-6)
+    size = abs(answer.drawn) * (1e-3 if unit == "mm" else 1.0)
+    scales = (one.scale for one in solution.construction.figures if one.scale.symbol == symbol)
+    return any(isclose(mm * scale.value, size, rel_tol=1e-6) for scale in scales)
 
 
 def result_of(answer: Answer, lang: Lang) -> str:
@@ -88,29 +92,6 @@ def _named(answer: Answer, lang: Lang) -> tuple[str, Node, str]:
     if answer.reading.unit == YES_NO:
         return f"{called(symbol, answer.key, lang)}{'：' if lang == 'zh' else ':'}", row(symbol), ""
     return before.strip(), row(symbol), way.strip("（） ()")
-
-
-def _led(answer: Answer, name: Node) -> tuple[Node, ...]:
-    """All that stands before the result: symbol = formula = numbers =."""
-    line = answer.reading.formula
-    stated = (name, Txt(" = "))
-    if answer.reading.unit == YES_NO:
-        return ()
-    if answer.is_place or not isinstance(line, Row) or len(line.items) < 2:
-        return stated
-    end = line.items[-1]
-    if not isinstance(end, Txt) or not end.text.startswith(" = "):
-        return stated
-    metres = end.text.rsplit(" = ", 1)[0]  # " = 0.00192 m" of a length that goes on in mm; else nothing
-    return (*line.items[:-1], Txt(f"{metres} = "))
-
-
-def _minus(answer: Answer, result: str) -> str:
-    """The sign with which a line comes out, where the sense alone tells it in the table: (−5012)/6.283 = −797.7."""
-    line = answer.reading.formula
-    if not isinstance(line, Row) or len(line.items) <= _STATED or not isinstance(end := line.items[-1], Txt):
-        return ""
-    return "−" if end.text.rsplit(" = ", 1)[-1].startswith("−") and not result.startswith("−") else ""
 
 
 def _bracket(answer: Answer, problem: Problem, way: str, lang: Lang) -> str:

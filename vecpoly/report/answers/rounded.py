@@ -14,6 +14,7 @@ SHARE, SHARE_OF_COARSE = 0.1, 0.25  # of the expected error: what is smaller say
 MOST = 4  # significant digits of an answer; an exact value has one more
 LEAST = 1e-4  # smaller numbers are told by powers of ten
 _TWO = 2.0  # a step that begins with a one has one more digit
+_GRID = 1e-6  # of a tenth: a reading that lies on one
 _SAME = 1e-9  # share by which a number read to a tenth may differ from itself
 _FINEST = 2  # decimals of a place, at most
 COARSE = 0.15  # an expected error of this share of an answer is told beside it
@@ -46,14 +47,18 @@ def rounded(value: float, places: int | None, most: int) -> str:
 
 
 def decimals(answer: Answer) -> int | None:
-    """So many that the last one is worth what was read; None of what is computed or counted."""
+    """So many that the last one is worth what was read; None of what is computed or counted.
+
+    What was worked out has no zeros to which nothing was read; an angle has the tenth of the protractor.
+    """
     step = printed_unit(answer.reading.unit)[0] * max(_read_to(answer), _known_to(answer))
     if answer.reading.unit == YES_NO or not step or not isfinite(answer.drawn):
         return None
     places = max(0, -floor(log10(step) + 1e-9))
     drawn = printed_unit(answer.reading.unit)[0] * answer.drawn
     if answer.reading.mm is None:
-        return next((n for n in range(places) if _is_on(drawn, n)), places)
+        least = min(1, places) if answer.reading.unit == "deg" and not answer.computed else 0
+        return next((n for n in range(least, places) if _is_on(drawn, n)), places)
     finer = step < _TWO * 10**-places and not _is_on(drawn, places)  # 37.1 mm at 1.5 to 1 are 55.65 mm
     return places + finer
 
@@ -74,6 +79,13 @@ def _known_to(answer: Answer) -> float:
     if answer.computed or not isfinite(answer.expected_error):
         return 0.0
     return (SHARE if coarse(answer) is None else SHARE_OF_COARSE) * answer.expected_error
+
+
+def on_paper(answer: Answer) -> str:
+    """The length read on paper (mm), to a tenth as by a rule; half the sum of two such lengths to half of that."""
+    mm = answer.reading.mm or 0.0
+    fine = abs(2e1 * mm - round(2e1 * mm)) < _GRID < abs(1e1 * mm - round(1e1 * mm))
+    return f"{mm:.2f}" if fine else f"{mm:.1f}"
 
 
 def coordinates(answer: Answer) -> int:

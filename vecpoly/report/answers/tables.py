@@ -12,7 +12,8 @@ from ...words import Lang, Words
 from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
 from ..values import called, direction_of_load, place_parts, printed_unit, rough, value
-from .rounded import coordinates, drawn_number, exact_number
+from .order import listed
+from .rounded import coordinates, drawn_number, exact_number, on_paper
 
 NOTHING = "—"
 _HEADS = (
@@ -45,7 +46,7 @@ _APART = 1e-9  # m: places that all hands find alike, a fixed pivot
 
 def readings_tables(solution: Solution, lang: Lang) -> tuple[DataTable, ...]:
     """The answers that were read or computed beside the exact ones; none where all of them are only counted."""
-    answers = tuple(solution.answers.values())
+    answers = listed(solution.answers.values())
     if all(map(counted, answers)):
         return ()
     places, others = _sorted(answers)
@@ -127,7 +128,7 @@ def _row(answer: Answer, problem: Problem, lang: Lang, unit: str) -> tuple[str, 
     return (
         called(r.symbol, r.key, lang),
         unit or NOTHING,
-        NOTHING if r.mm is None else f"{r.mm:.1f}{_SHORT.of(lang) if answer.short else ''}",
+        NOTHING if r.mm is None else f"{on_paper(answer)}{_SHORT.of(lang) if answer.short else ''}",
         f"${r.scale}$" if r.scale else NOTHING,
         _plain(answer, answer.drawn, lang) or drawn_number(answer),
         way(answer, problem, lang),

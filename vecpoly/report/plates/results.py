@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from ...algebra.formula import Node
 from ...board.construction import View
-from ...drawing.sheets.results import with_results
+from ...drawing.sheets.results import Listed, with_results
 from ...drawing.sheets.sheet import Sheet
 from ...solution import YES_NO, Answer, Solution
 from ...words import Lang
 from ..answers.line import short_line
+from ..answers.order import arranged
 
 _READ_FROM = {"omega": View.VELOCITY, "alpha": View.ACCELERATION}
 
@@ -26,10 +26,16 @@ def concluded(made: Sequence[Sheet], solution: Solution, lang: Lang) -> tuple[Sh
     )
 
 
-def _attempts(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list[list[Node]]:
-    """In full, then without what was read on paper."""
-    some = list(answers)
-    return [[short_line(one, solution, lang, read=read) for one in some] for read in (True, False)]
+def _attempts(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list[list[Listed]]:
+    """In full, then without what was read on paper; in the order of the box of answers."""
+    parts = arranged(answers)
+    return [
+        [
+            Listed(part.heading(lang), tuple(short_line(one, solution, lang, read=read) for one in part.answers))
+            for part in parts
+        ]
+        for read in (True, False)
+    ]
 
 
 def _home(answer: Answer, made: Sequence[Sheet], solution: Solution) -> int:

@@ -1,0 +1,53 @@
+"""The order of answers wherever they are listed: by the solutions that they belong to, else by kinds."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ...algebra.formula import Row, plain
+from ...names import Named
+from ...solution import Answer
+from ...words import Lang, Words
+from ..statement.groups import by_groups, parted
+
+_OF_SOLUTION = re.compile(r"[^=]*\^\((\d+)\)")  # above the symbol with which a line begins
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """Answers that stand together, under the number of their solution; 0: of what has none."""
+
+    answers: tuple[Answer, ...]
+    solution: int = 0
+
+    def heading(self, lang: Lang) -> str:
+        """What stands over them."""
+        return Words(f"解 {self.solution}", f"Solution {self.solution}").of(lang) if self.solution else ""
+
+
+def arranged(answers: Iterable[Answer]) -> tuple[Part, ...]:
+    """What is shared, then one solution after the other; of a single one a long list by kinds, in the order asked."""
+    every = list(answers)
+    numbers = sorted({solution_of(one) for one in every} - {0})
+    if len(numbers) > 1:
+        parts = (Part(tuple(one for one in every if solution_of(one) == number), number) for number in (0, *numbers))
+        return tuple(part for part in parts if part.answers)
+    if not parted([one.key for one in every]):
+        return (Part(tuple(every)),)
+    return tuple(Part(tuple(some)) for _, some in by_groups(every, key=lambda one: one.key))
+
+
+def listed(answers: Iterable[Answer]) -> tuple[Answer, ...]:
+    """All of them in this order."""
+    return tuple(one for part in arranged(answers) for one in part.answers)
+
+
+def solution_of(answer: Answer) -> int:
+    """To which of several solutions an answer belongs; 0 where it is one of all, or there is one only."""
+    if isinstance(answer.rel, Named) and answer.rel.solution:
+        return answer.rel.solution
+    line = answer.reading.formula
+    found = _OF_SOLUTION.match(plain(line)) if isinstance(line, Row) else None
+    return int(found[1]) if found else 0
