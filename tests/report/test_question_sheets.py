@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections import defaultdict
+from collections import Counter, defaultdict
 from io import BytesIO
 
 import pdfplumber
@@ -11,24 +11,43 @@ import pytest
 
 from tests.drawn_library import IDS, drawn
 from tests.each import Later, each
+from vecpoly.board.acts import Measure, Meet
+from vecpoly.board.chain import needed
 from vecpoly.board.construction import Figure
-from vecpoly.board.paper.extent import extent
-from vecpoly.board.paper.marks import FixedGuide, Ground, Point, RackMark, Role, Segment
+from vecpoly.board.paper.extent import bounds, extent
+from vecpoly.board.paper.marks import Dot, FixedGuide, Ground, Note, Point, RackMark, Role, Segment, Vector
+from vecpoly.designs.base import Design
 from vecpoly.devices.cams.cam import Cam
+from vecpoly.devices.dynamics.flywheel import Flywheel
+from vecpoly.devices.dynamics.run_up import RunUp
 from vecpoly.drawing.scene import Rect
 from vecpoly.drawing.sheets.sheet import hung
 from vecpoly.drawing.sheets.space import CAPTION, CLEAR, room_inside
 from vecpoly.figures import View
 from vecpoly.problem.load import load
 from vecpoly.report.document import markup, report_bytes
+from vecpoly.report.flow.furniture import COLUMN
 from vecpoly.report.picture import to_scale
 from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.frames import frames
 from vecpoly.report.question.working import SQUARE
-from vecpoly.report.statement.asked import asked
+from vecpoly.report.statement.asked import asked, in_order
 from vecpoly.solution import solve
+from vecpoly.typeset.box import MM
 
-DRAWN = Later(lambda: [name for name in IDS if frames(drawn(name).construction)[1]])
+DRAWN = Later(lambda: [name for name in IDS if frames(drawn(name).construction, drawn(name).problem)[1]])
+
+
+@each(DRAWN)
+def test_pole_and_axes_stand_where_the_figure_fits_its_frame(name: str) -> None:
+    """Who begins at the pole, or on the axes, has room for all that is to be drawn."""
+    problem, answer = drawn(name).problem, drawn(name).construction
+    for frame in frames(answer, problem)[0].figures:
+        drawing = next(f for f in answer.figures if (f.view, f.name) == (frame.view, frame.name))
+        low, high = bounds(drawing.marks)
+        left, right = bounds(frame.marks[:4])
+        assert left.real <= low.real and left.imag <= low.imag, frame.view
+        assert right.real >= high.real and right.imag >= high.imag, frame.view
 
 
 def border(figure: Figure) -> tuple[float, float]:
@@ -39,7 +58,7 @@ def border(figure: Figure) -> tuple[float, float]:
 @each(DRAWN)
 def test_every_figure_that_is_to_scale_fits_its_frame(name: str) -> None:
     construction = drawn(name).construction
-    blank, places = frames(construction, drawn(name).solution.problem.paper)
+    blank, places = frames(construction, drawn(name).problem)
     measured = [(f.view, f.name) for f in construction.figures if to_scale(f) or f.aside or f.view is View.BODY]
     assert sorted((f.view, f.name) for f in blank.figures) == sorted(measured)
     assert sum(len(page.tops) for page in places) == len(blank.figures)
@@ -49,18 +68,42 @@ def test_every_figure_that_is_to_scale_fits_its_frame(name: str) -> None:
 
 
 @each(DRAWN)
-def test_a_frame_shows_what_is_given_of_the_mechanism_and_nothing_of_a_polygon(name: str) -> None:
-    for frame in frames(drawn(name).construction)[0].figures:
+def test_a_frame_shows_what_is_given_and_of_a_polygon_nothing_but_its_pole(name: str) -> None:
+    """Of a diagram there are its axes, and a curve only where the problem gives it."""
+    problem, answer = drawn(name).problem, drawn(name).construction
+    curves = isinstance(problem.subject, Flywheel | RunUp)
+    for frame in frames(answer, problem)[0].figures:
         inside = frame.marks[4:]
-        assert all(isinstance(mark, (Ground, FixedGuide, RackMark, Point)) for mark in inside)
         assert not any("P_" in mark.label for mark in inside if isinstance(mark, Point))
-        if frame.view is not View.MECHANISM:
-            assert not inside
+        if frame.view is View.MECHANISM:
+            lines = [mark for mark in inside if isinstance(mark, Segment)]
+            assert all(isinstance(mark, (Ground, FixedGuide, RackMark, Point, Segment, Note)) for mark in inside)
+            assert all(mark.role is Role.CENTRE for mark in lines)
+            assert not any(isinstance(mark, Point) and mark.dot is Dot.POLE for mark in inside)
+        elif any(isinstance(mark, (Vector, Segment)) for mark in inside):
+            assert frame.view.across is not None or frame.view.name in ("indicator", "loop")
+            assert curves or not any(getattr(mark, "role", None) is Role.RESULT for mark in inside)
+        else:
+            assert [mark.dot for mark in inside if isinstance(mark, Point)] in ([], [Dot.POLE])
+            assert len(inside) <= 1
+
+
+@each(DRAWN)
+def test_a_pivot_that_is_found_does_not_stand_in_the_frame(name: str) -> None:
+    """What meets, what is read and what is computed is the student's to find."""
+    problem, answer = drawn(name).problem, drawn(name).construction
+    if not isinstance(problem.subject, Design):
+        return
+    for frame in frames(answer, problem)[0].figures:
+        shown = [mark for mark in frame.marks if isinstance(mark, Point) and mark.dot is Dot.JOINT]
+        for mark in shown:
+            needs = needed(answer.acts, [mark.act])
+            assert not any(isinstance(act, (Meet, Measure)) for act in answer.acts if act.number in needs), mark.label
 
 
 @each(DRAWN)
 def test_frames_in_a_row_are_alike_and_together_fill_the_sheet(name: str) -> None:
-    blank, places = frames(drawn(name).construction)
+    blank, places = frames(drawn(name).construction, drawn(name).problem)
     waiting = list(blank.figures)
     for page, sheet in zip(places, hung(blank, places), strict=True):
         here, waiting = waiting[: len(page.tops)], waiting[len(page.tops) :]
@@ -91,9 +134,9 @@ def test_the_squares_leave_no_page_of_text_empty_and_the_results_stand_at_the_fo
             reach = max([line["bottom"] for line in squares] + [lowest])
             assert reach > 0.75 * page.height, page.page_number
         last = text[-1]
-        rows = [c["top"] for c in last.chars if c["text"] == "＿"]
-        grid = [line["bottom"] for line in last.lines if abs(line["width"]) < 0.1]
-        assert rows and grid and min(rows) > max(grid)
+        rows = [c["top"] for c in last.chars if c["text"] in "量Q"]
+        grid = [line["bottom"] for line in last.lines if abs(line["width"]) < 0.1 and line["height"] > 5 * SQUARE]
+        assert rows and max(rows) > max(grid, default=0.0)
 
 
 def test_what_a_counting_problem_asks_is_not_given_as_a_list() -> None:
@@ -117,6 +160,26 @@ def test_poles_are_spoken_of_only_where_a_polygon_has_one(name: str, poles: bool
     for lang, word in (("zh", "极点"), ("en", "pole")):
         text, _ = markup([drawn(name).solution], lang, "question", {}, None, None)  # type: ignore[arg-type]
         assert (word in text) is poles
+
+
+@each(DRAWN)
+def test_who_writes_by_hand_has_rows_of_eight_millimetres(name: str) -> None:
+    for lang in ("zh", "en"):
+        table = empty_table(drawn(name).solution, lang)  # type: ignore[arg-type]
+        assert min(table.set_in(COLUMN).heights) >= 8 * MM
+
+
+@each(IDS)
+def test_what_is_asked_has_its_rows_in_the_order_of_the_question(name: str) -> None:
+    solution = drawn(name).solution
+    keys = [key for _, some in in_order(solution) for key in some]
+    assert sorted(keys) == sorted(solution.answers)
+    text, places = asked(solution, "en"), list[int]()
+    symbols = Counter(f"${one.reading.symbol}$" for one in solution.answers.values())
+    for symbol in (f"${solution.answers[key].reading.symbol}$" for key in keys):
+        if text.count(symbol) == symbols[symbol] == 1:
+            places.append(text.index(symbol))
+    assert places == sorted(places)
 
 
 def test_a_moment_of_inertia_has_no_blank_for_its_direction() -> None:

@@ -183,7 +183,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",
     }
     if style == "question":
-        blank, places = frames(solution.construction, solution.problem.paper)
+        blank, places = frames(solution.construction, solution.problem)
         made = hung(blank, places, of=solution.problem.paper.format, lang=lang, title=solution.problem.title)
         return common | question(solution, lang, objects) | {"frames": _bound(made, blank, lang, objects)}
     return common | _solved(solution, lang, objects)

@@ -20,17 +20,18 @@ CLOSE = 1.15  # baseline to baseline in the strip, em
 UNNAMED = Words.same("")
 LABELS = {
     "sheet": Words("第 {n} 张　共 {total} 张", "Sheet {n} of {total}"),
-    "hand": Words("作图：", "Drawn "),
     "name": Words("姓名", "Name"),
     "number": Words("学号", "No."),
     "group": Words("班级", "Class"),
     "date": Words("日期", "Date"),
     "bar": Words("打印后此线应为 50 mm", "50 mm when printed true to scale"),
 }
+TO_BE_DRAWN = "to be drawn"  # the hand of a blank sheet
 HANDS = {
-    "exact": Words("精确", "exactly"),
-    "drafting": Words("仪器绘图，读至 0.1 mm", "with instruments, read to 0.1 mm"),
-    "pencil": Words("铅笔，读至 0.5 mm", "in pencil, read to 0.5 mm"),
+    "exact": Words("作图：精确", "Drawn exactly"),
+    "drafting": Words("作图：仪器绘图，读至 0.1 mm", "Drawn with instruments, read to 0.1 mm"),
+    "pencil": Words("作图：铅笔，读至 0.5 mm", "Drawn in pencil, read to 0.5 mm"),
+    TO_BE_DRAWN: Words("请用仪器作图，量至 0.1 mm", "To be drawn with instruments, read to 0.1 mm"),
 }
 
 
@@ -74,13 +75,13 @@ def furniture(page: Rect, strip: Strip, lang: Lang, *, blanks: bool = True) -> t
 def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang, *, numbered: bool) -> tuple[Item, ...]:
     title, name = strip.title.of(lang), label(strip.problem).of(lang)
     full = "　".join(filter(None, (strip.name.of(lang), name or ("" if title else strip.problem), title)))
-    hand = HANDS.get(strip.hand, Words(strip.hand, strip.hand)).of(lang)
+    hand = HANDS.get(strip.hand, Words(f"作图：{strip.hand}", f"Drawn {strip.hand}")).of(lang)
     sheet = LABELS["sheet"].of(lang).format(n=strip.number, total=strip.total)
     room = x1 - frame.x0 - 4
     right, low = layout_words(sheet if numbered else "", NOTE), frame.y0 + LOWER / 2 * STRIP
     return (
         _text(_fitted(full, NOTE * 1.2, room), frame.x0 + 2, frame.y0 + (1 + LOWER) / 2 * STRIP),
-        _text(_fitted(LABELS["hand"].of(lang) + hand, NOTE, room - right.width - 3), frame.x0 + 2, low),
+        _text(_fitted(hand, NOTE, room - right.width - 3), frame.x0 + 2, low),
         _text(right, x1 - 2 - right.width, low),
     )
 

@@ -10,6 +10,7 @@ from ...words import Lang
 Colour = tuple[float, float, float]
 BLACK: Colour = (0.0, 0.0, 0.0)
 GREY: Colour = (0.35, 0.35, 0.35)
+PALE: Colour = (0.80, 0.80, 0.80)  # squares to write on
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -162,7 +162,7 @@ class DataTable(Block):
     def _part(self, start: int, end: int, widths: Sequence[float]) -> DataTable:
         caption = self.caption if start == 0 else ""
         rows, inks = self.rows[start:end], self.inks[start:end]
-        part = DataTable(
+        part = type(self)(
             self.header, rows, widths, self.align,
             lang=self.lang, caption=caption, style=self.style, inks=inks, inked=self.inked,
         )  # fmt: skip

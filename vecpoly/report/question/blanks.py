@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from ...board.acts import Compute
+from ...errors import UnknownNameError
+from ...names import Kind, Rel, parse_rel
 from ...solution import Answer, Solution
 from ...tagging.tree import artifact, marked
 from ...typeset.box import MM
@@ -9,82 +14,134 @@ from ...typeset.canvas import Ink
 from ...typeset.words import layout_words
 from ...words import Lang, Words
 from ..flow.base import Block
-from ..flow.style import BODY, GREY
-from ..flow.table import DataTable
+from ..flow.furniture import COLUMN
+from ..flow.style import CELL, GREY, PALE
+from ..statement.asked import in_order
 from ..values import called
+from .ruled import RuledTable
 
 _HEAD = {
     "zh": ("量", "图上长度 /mm", "数值与单位", "方向（转向）"),
     "en": ("Quantity", "On paper, mm", "Value with unit", "Direction, sense"),
 }
-_WIDTHS = (40.0, 34.0, 48.0, 40.0)
+_WIDTHS = (38.0, 36.0, 54.0, 42.0)
 _NONE = "—"
-_BLANK = "＿" * 8
+_PLACE = "(　　　　　，　　　　　) mm"
+_OTHERS = Words("其他", "Others")
+_ON_THE_WAY = Words("中间量", "On the way")
 _CAPTIONS = (Words("方程", "Equation"), Words("方向", "Direction"), Words("大小", "Magnitude"))
-_ROW = 9.0 * MM
+_ROW, _TITLE = 9.0 * MM, 6.5 * MM
+_TERMS = 7  # columns to write in: as many as the longest equation of the textbooks has
 
 
 class EquationRows(Block):
-    """Three ruled rows in which a vector equation is written, with directions and magnitudes under its terms."""
+    """A vector equation to be written term by term, in columns, with the direction and the magnitude of each below;
+    over it, what it is for."""
 
     pieces = True
 
-    def __init__(self, number: int, lang: Lang) -> None:
-        super().__init__(4.0, 6.0)
-        self._number, self._lang = number, lang
+    def __init__(self, number: int, purpose: str, lang: Lang) -> None:
+        super().__init__(4.0, 7.0)
+        self._number, self._purpose, self._lang = number, purpose, lang
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """The whole width."""
-        self.width, self.height = width, 3 * _ROW
+        self.width, self.height = width, 3 * _ROW + _TITLE
         return width, self.height
 
     def draw(self) -> None:
-        """The captions, and a line to write on in each row."""
-        ink = Ink(self.canv)
-        named = [layout_words(words.of(self._lang), BODY.em) for words in _CAPTIONS]
-        number = layout_words(f"({self._number})", BODY.em)
-        left = 9.0 * MM
-        start = left + max(box.width for box in named) * MM + 2.5 * MM
-        ink.box(number, 0.0, 2 * _ROW + 1.5 * MM)
-        for row, box in enumerate(reversed(named)):
-            ink.box(box, left, row * _ROW + 1.5 * MM)
+        """The name, the captions, the cells to write in."""
+        ink, captions = Ink(self.canv), [layout_words(words.of(self._lang), CELL.em) for words in _CAPTIONS]
+        start = max(box.width for box in captions) * MM + 4.0 * MM
+        ink.box(layout_words(f"({self._number})　{self._purpose}", CELL.em), 0.0, 3 * _ROW + 1.8 * MM)
+        for row, box in enumerate(reversed(captions)):
+            ink.box(box, 2.0 * MM, row * _ROW + (_ROW - CELL.size) / 2 + 1.5)
         with marked(self.canv, self.tag):
             ink.flush()
-        self.colour(GREY)
-        self.canv.setLineWidth(0.4)
         with artifact(self.canv):
-            for row in range(3):
-                self.canv.line(start, row * _ROW, self.width, row * _ROW)
+            self._cells(start)
+
+    def _cells(self, start: float) -> None:
+        """A frame with full lines, and pale ones between the terms."""
+        step = (self.width - start) / _TERMS
+        self.colour(PALE)
+        self.canv.setLineWidth(0.4)
+        for n in range(1, _TERMS):
+            self.canv.line(start + n * step, 0.0, start + n * step, 3 * _ROW)
+        self.colour(GREY)
+        for row in range(4):
+            self.canv.setLineWidth(0.9 if row in (0, 3) else 0.4)
+            self.canv.line(0.0, row * _ROW, self.width, row * _ROW)
+        self.canv.line(start, 0.0, start, 3 * _ROW)
 
 
 def equation_rows(solution: Solution, lang: Lang) -> list[EquationRows]:
-    """Rows for as many equations as the solution has."""
-    count = sum(step.equation is not None for step in solution.construction.steps)
-    return [EquationRows(n, lang) for n in range(1, count + 1)]
+    """Cells for as many equations as the solution has, each with the part of the analysis that it belongs to."""
+    needed = [step for step in solution.construction.steps if step.equation is not None]
+    return [EquationRows(n, step.section.of(lang), lang) for n, step in enumerate(needed, 1)]
 
 
-def empty_table(solution: Solution, lang: Lang) -> DataTable:
-    """What is asked, with room for what is read, what it comes to, and where it points."""
+def empty_table(solution: Solution, lang: Lang) -> RuledTable:
+    """What is asked, in the order in which it is asked, with room for what is read, what it comes to, and where it
+    points; then what has to be known on the way."""
     asked = list(solution.answers.values())
-    read = any(answer.reading.mm is not None for answer in asked)
-    kept = [i for i, shown in enumerate((True, read, True, any(map(_points, asked)))) if shown]
-    rows = [
-        [
-            (called(one.reading.symbol, one.reading.key, lang), _BLANK, _BLANK, _BLANK if _points(one) else _NONE)[i]
-            for i in kept
-        ]
-        for one in asked
-    ]
-    return DataTable([_HEAD[lang][i] for i in kept], rows, [_WIDTHS[i] for i in kept], "lccc"[: len(kept)], lang=lang)
+    read, points = (any(map(test, asked)) for test in (_measured, _points))
+    kept = [i for i, shown in enumerate((True, read, True, points)) if shown]
+    rows = [[cells[i] for i in kept] for cells in (*_sought(solution, lang), *_between(solution, lang))]
+    heads = [_HEAD[lang][i] for i in kept]
+    share = COLUMN / MM / sum(_WIDTHS[i] for i in kept)
+    return RuledTable(heads, rows, [_WIDTHS[i] * share for i in kept], "lccc"[: len(kept)], lang=lang)
+
+
+def _sought(solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:
+    """A row for each quantity, under the name of its kind where there are several kinds of them."""
+    groups = in_order(solution)
+    for group, keys in groups:
+        if len(groups) > 1:
+            yield _headed(group.called(len(keys), lang) if group is not None else _OTHERS.of(lang))
+        yield from (_row(solution.answers[key], lang) for key in keys)
+
+
+def _headed(name: str) -> tuple[str, ...]:
+    return f"**{name[:1].upper()}{name[1:]}**", "", "", ""
+
+
+def _row(one: Answer, lang: Lang) -> tuple[str, ...]:
+    """Dashes for what it has not: a scalar points nowhere, what is computed is not read."""
+    name = called(one.reading.symbol, one.reading.key, lang)
+    paper, way = ("" if has(one) else _NONE for has in (_measured, _points))
+    return name, paper, _PLACE if one.is_place else "", way
+
+
+def _between(solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:
+    """A row for each velocity and acceleration that is computed and not asked, under a heading."""
+    keys = (act.key for act in solution.construction.acts if isinstance(act, Compute))
+    found = [rel for key in dict.fromkeys(keys) if key not in solution.answers and (rel := _motion(key)) is not None]
+    if found:
+        yield _headed(_ON_THE_WAY.of(lang))
+    for rel in found:
+        yield (f"${rel.symbol}$", _NONE, "", _NONE if rel.is_vector else "")
+
+
+def _motion(key: str) -> Rel | None:
+    """The velocity or acceleration of a point or link, absolute or relative, with this key; no term of one."""
+    try:
+        rel = parse_rel(key)
+    except UnknownNameError:
+        return None
+    return rel if rel.kind in (Kind.V, Kind.A, Kind.OMEGA, Kind.ALPHA) else None
+
+
+def _measured(answer: Answer) -> bool:
+    """Whether it is read off the paper."""
+    return answer.reading.mm is not None
 
 
 def _points(answer: Answer) -> bool:
-    """Whether it has a direction or a sense: a moment of inertia has none."""
-    return answer.drawn_vector is not None or answer.turns
+    """Whether it has a direction or a sense: a moment of inertia has none, nor has a place."""
+    return (answer.drawn_vector is not None and not answer.is_place) or answer.turns
 
 
 def working_room(solution: Solution) -> float:
-    """How much room the work needs, mm: more for a step with an equation or a formula than for a line ruled."""
-    return float(
-        sum(14 if step.formulas or step.equation or step.listing else 6 for step in solution.construction.steps)
-    )
+    """How much room the work needs, mm: more for a step with a formula than for a line ruled; equations have rows."""
+    return float(sum(12 if step.formulas or step.listing else 4 for step in solution.construction.steps))

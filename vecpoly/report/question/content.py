@@ -20,7 +20,7 @@ _READ, _FOUND = Words("量取结果", "Readings"), Words("结果", "Results")
 
 def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     """Names of the rows for vector equations, and of the squares with the table of results at their foot; whether a
-    polygon is drawn from a pole, whose place the student chooses.
+    polygon is drawn from a pole, and whether a diagram has axes.
 
     Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
     """
@@ -32,4 +32,5 @@ def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]
         "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],
         "working": [objects.add("work", one) for one in working(WORKING.of(lang), working_room(solution), foot, lang)],
         "poles": any(isinstance(mark, Point) and mark.dot is Dot.POLE for figure in figures for mark in figure.marks),
+        "axes": any(figure.view.across is not None for figure in figures),
     }

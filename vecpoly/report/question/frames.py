@@ -6,13 +6,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from ...board.construction import Construction, Figure, View
-from ...board.paper.extent import bounds, extent
-from ...board.paper.marks import Dot, FixedGuide, Ground, Mark, Point, RackMark, Role, Segment
+from ...board.paper.extent import extent
+from ...board.paper.marks import Mark, Role, Segment
 from ...drawing.order import reading_order
 from ...drawing.sheets.sheet import Hung
 from ...drawing.sheets.space import CAPTION, CLEAR, room_inside
-from ...foundation.stock import ANY_A4, Format, Paper
+from ...drawing.sheets.titleblock import TO_BE_DRAWN
+from ...foundation.stock import Format
+from ...problem.problem import Problem
 from ..picture import to_scale
+from .blank import framed
+from .known import stands
 
 MARGIN = 8.0  # mm that stay free between a figure and its frame
 MOST = 6  # frames on a sheet
@@ -33,20 +37,24 @@ class _Sheet:
     slim: float
 
 
-def frames(construction: Construction, on: Paper = ANY_A4) -> tuple[Construction, tuple[Hung, ...]]:
-    """The blank sheets: for each figure a frame with what is given in it (fixed pivots, guides, racks), and its place.
+def frames(construction: Construction, problem: Problem) -> tuple[Construction, tuple[Hung, ...]]:
+    """The blank sheets: for each figure a frame with what is given in it (fixed pivots, guides, racks), its pole or
+    its axes, and its place.
 
     All frames of a row have one size, all rows of a sheet one height, and together they fill the sheet: neither the
-    proportions of a polygon nor where its pole lies can be told from them. A pole is chosen by who draws.
+    proportions of a polygon nor where it lies can be told from them.
     """
+    on = problem.paper
     figures = construction.figures
     asked = reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY])
     needs = [_needed(figure) for figure in asked]
     made = [_best(needs, landscape, on.format) for landscape in on.ways]
     found = min(made, key=_tightness)
     sizes = [size for sheet in found for size in sheet.sizes]
-    drawn = tuple(_frame(f, size) for f, size in zip(asked, sizes, strict=True))
-    return replace(construction, figures=drawn), tuple(Hung(sheet.landscape, sheet.tops) for sheet in found)
+    drawn = tuple(_frame(f, size, stands(construction, f, problem)) for f, size in zip(asked, sizes, strict=True))
+    return replace(construction, figures=drawn, hand=TO_BE_DRAWN), tuple(
+        Hung(sheet.landscape, sheet.tops) for sheet in found
+    )
 
 
 def _tightness(sheets: Sequence[_Sheet]) -> tuple[int, int, float, float]:
@@ -106,20 +114,9 @@ def _in_rows(needs: Sequence[Size], rows: tuple[int, ...], landscape: bool, of: 
     return _Sheet(landscape, tuple(sizes), tuple(tops), min(ease, AMPLE), slim)
 
 
-def _frame(figure: Figure, size: Size) -> Figure:
-    low, high = bounds(figure.marks)
-    low = (low + high - complex(*size)) / 2
-    high = low + complex(*size)
+def _frame(figure: Figure, size: Size, known: Sequence[Mark]) -> Figure:
+    """The figure as a blank frame of this size."""
+    (low, high), shown = framed(figure, size, known)
     box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
-    pivots = {mark.at for mark in figure.marks if isinstance(mark, Ground)}
-    own = figure.view is View.MECHANISM and to_scale(figure)
-    given = tuple(mark for mark in figure.marks if own and _is_given(mark, pivots))
-    return replace(figure, marks=border + given)
-
-
-def _is_given(mark: Mark, pivots: set[complex]) -> bool:
-    """Fixed pivots with their letters, guides and racks; not the centres that lie there."""
-    if isinstance(mark, Point):
-        return mark.at in pivots and mark.dot is not Dot.NONE and "P_" not in mark.label
-    return isinstance(mark, (Ground, FixedGuide, RackMark))
+    return replace(figure, marks=border + shown)

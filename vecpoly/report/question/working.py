@@ -10,13 +10,13 @@ from ...words import Lang
 from ..flow.base import Block
 from ..flow.blocks import Heading
 from ..flow.furniture import COLUMN
-from ..flow.style import Colour
+from ..flow.style import PALE
 
 SQUARE = 5.0 * MM
 LEAST_ROOM = 35.0 * MM  # of squares under a heading; less is no room
-_TALLEST = 150.0 * MM  # of what stands at the foot
+_TALLEST = 200.0 * MM  # of what stands at the foot
 _GAP = 3.0 * MM
-_PALE: Colour = (0.80, 0.80, 0.80)
+_ON = {"zh": "{}（续）", "en": "{} (continued)"}
 
 
 class Squares(Block):
@@ -38,7 +38,7 @@ class Squares(Block):
         columns, rows = int(self.width / SQUARE), int(self.height / SQUARE)
         left = (self.width - columns * SQUARE) / 2
         self.canv.saveState()
-        self.canv.setStrokeColorRGB(*_PALE)
+        self.canv.setStrokeColorRGB(*PALE)
         self.canv.setLineWidth(0.25)
         across, down = range(columns + 1), range(rows + 1)
         with artifact(self.canv):
@@ -58,6 +58,7 @@ class Working(Block):
     def __init__(self, title: str, need: float, foot: Sequence[Block], lang: Lang) -> None:
         super().__init__(6.0, 0.0)
         self._lang, self.outline, self._need, self._foot = lang, title, need, tuple(foot)
+        self.name = title
         self._head = (Heading(title, 3, lang),) if title else ()
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
@@ -71,7 +72,8 @@ class Working(Block):
         room = height - sum(_tall(one, width) for one in self._head)
         if room < LEAST_ROOM:
             return []
-        rest = Working("", max(self._need - room, LEAST_ROOM), self._foot, self._lang)
+        rest = Working(_ON[self._lang].format(self.name), max(self._need - room, LEAST_ROOM), self._foot, self._lang)
+        rest.name = self.name
         return [Working(self.outline, int(room / SQUARE) * SQUARE, (), self._lang), rest]
 
     def draw(self) -> None:

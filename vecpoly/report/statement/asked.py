@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import TypeVar
 
 from ...algebra.quantity import number
 from ...mechanism.asked.centres import count
@@ -12,33 +13,51 @@ from ...solution import YES_NO, Solution
 from ...words import Lang, Words
 from ..values import asked_load, called, curved
 from .cam_words import meant_by
-from .groups import by_groups, parted
+from .groups import Group, by_groups, parted
+
+ALL_CENTRES = Words("全部瞬心", "all instant centres")
+T = TypeVar("T")
 
 
 def asked(solution: Solution, lang: Lang) -> str:
     """The questions in symbols and words, a long list of them by kinds: the velocities v_B, v_C; the angular ..."""
     comma, stop = ("、", "；") if lang == "zh" else (", ", "; ")
-    told = list(_asked(solution, lang))
-    if not parted([key for key, _ in told]):
-        return comma.join(text for _, text in told)
+    told = [(key, _told(ask, solution, lang) if ask else ALL_CENTRES.of(lang)) for key, ask in _listed(solution)]
     return stop.join(
         (f"{group.called(len(some), lang)} " if group is not None else "") + comma.join(text for _, text in some)
-        for group, some in by_groups(told, key=lambda one: one[0])
+        for group, some in asked_by_kinds(told)
     )
 
 
-def _asked(solution: Solution, lang: Lang) -> Iterator[tuple[str, str]]:
-    """Each question by its key."""
+def asked_by_kinds(told: Sequence[tuple[str, T]]) -> list[tuple[Group | None, list[tuple[str, T]]]]:
+    """A long list by kinds, a short one as it is; each by the key by which its kind is known."""
+    return by_groups(told, key=lambda one: one[0]) if parted([key for key, _ in told]) else [(None, [*told])]
+
+
+def in_order(solution: Solution) -> list[tuple[Group | None, list[str]]]:
+    """The keys of all that is answered, in the order and by the kinds in which it is asked; what is answered beside
+    it comes last."""
+    listed = list[tuple[str, str]]()
+    for key, ask in _listed(solution):
+        centres = [one.rel.key for one in solution.problem.asks if is_centre(one.rel)] if ask is None else [ask.rel.key]
+        listed += [(key, one) for one in centres]
+    known = {one for _, one in listed}
+    listed += [(key, key) for key in solution.answers if key not in known]
+    return [(group, [key for _, key in some]) for group, some in asked_by_kinds(listed)]
+
+
+def _listed(solution: Solution) -> Iterator[tuple[str, Ask | None]]:
+    """Each question by the key by which its kind is known; None where all instant centres are asked."""
     coriolis = {ask.rel.key for ask in solution.problem.asks if isinstance(ask, AskCoriolis)}
     centres = [ask.rel for ask in solution.problem.asks if isinstance(ask, AskNamed) and is_centre(ask.rel)]
     every = bool(centres) and len(centres) == count(solution.problem.mechanism)
     if every:
-        yield "", Words("全部瞬心", "all instant centres").of(lang)
+        yield "", None
     for ask in solution.problem.asks:
         if (ask.rel.key in coriolis and not isinstance(ask, AskCoriolis)) or (every and ask.rel in centres):
             continue
         plain = isinstance(ask, AskPoint | AskCoriolis) or is_place(ask.rel)
-        yield "" if plain else ask.rel.key, _told(ask, solution, lang)
+        yield "" if plain else ask.rel.key, ask
 
 
 def _told(ask: Ask, solution: Solution, lang: Lang) -> str:

@@ -1,0 +1,187 @@
+"""What a blank frame shows of a figure: pivots and guides, a pole, axes with their numbers; nothing that is found."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ...algebra.quantity import number
+from ...board.construction import Figure, View
+from ...board.paper.extent import bounds
+from ...board.paper.marks import Dot, FixedGuide, Ground, Mark, Note, Point, RackMark, Role, Segment, Vector
+from ...figures.energy import INDICATOR
+from ...words import Words
+from ..picture import to_scale
+from .known import NEAR
+
+EDGE = 9.0  # mm that stay free beside what runs through a frame
+_PLACES = (1 / 2, 1 / 3, 2 / 3, 1 / 4, 3 / 4, 1 / 5, 4 / 5, 1 / 8, 7 / 8)  # of a frame, for a pole; the first that does
+_FLOORS = (0.0, 1 / 4, 1 / 2, 3 / 4)  # likewise for the axis of a diagram
+_HATCHED = 16.0  # mm of a guide
+_TICK, _APART = 1.5, 10.0  # mm: half a tick, from tick to tick
+_BELOW = -10.0  # mm: no lower stand the numbers of an axis
+_GUIDE = Words("导路", "guide")
+Box = tuple[complex, complex]
+
+
+def framed(figure: Figure, size: tuple[float, float], known: Sequence[Mark]) -> tuple[Box, tuple[Mark, ...]]:
+    """The frame of this size about a figure, on the figure, and what stands in it; known: what is given of it."""
+    if figure.view is View.MECHANISM:
+        box = _about(figure, size)
+        return (box, (*_given(figure, known, box),)) if to_scale(figure) else (box, ())
+    if (axes := _axes(figure)) is not None:
+        box, marks = _diagram(figure, axes, size)
+        return box, (*marks, *known)
+    if figure.view is INDICATOR:
+        return _levels(figure, size)
+    pole = next((mark for mark in figure.marks if isinstance(mark, Point) and mark.dot is Dot.POLE), None)
+    if pole is None:
+        return _about(figure, size), ()
+    return _round(figure, pole.at, size), (pole,)
+
+
+def _about(figure: Figure, size: tuple[float, float]) -> Box:
+    """The frame with the figure in its middle."""
+    low, high = bounds(figure.marks)
+    start = (low + high - complex(*size)) / 2
+    return start, start + complex(*size)
+
+
+def _round(figure: Figure, pole: complex, size: tuple[float, float]) -> Box:
+    """The frame in which the pole has a round place, in the middle if the figure allows: it tells nothing of it."""
+    low, high = bounds(figure.marks)
+    middle = _about(figure, size)[0]
+    x = _share(pole.real - low.real, high.real - pole.real, size[0], _PLACES)
+    y = _share(pole.imag - low.imag, high.imag - pole.imag, size[1], _PLACES)
+    start = complex(
+        middle.real if x is None else pole.real - x * size[0], middle.imag if y is None else pole.imag - y * size[1]
+    )
+    return start, start + complex(*size)
+
+
+def _share(before: float, behind: float, room: float, of: Sequence[float]) -> float | None:
+    """The first of these shares of the room that leaves enough before a place, and behind it."""
+    return next((one for one in of if one * room >= before + 4.0 and (1 - one) * room >= behind + 4.0), None)
+
+
+def _given(figure: Figure, known: Sequence[Mark], box: Box) -> Iterator[Mark]:
+    """Fixed pivots with their letters, racks, and guides right through the frame, not where their blocks stand."""
+    pivots = [mark.at for mark in known if isinstance(mark, Ground)]
+    yield from (mark for mark in figure.marks if isinstance(mark, RackMark))
+    for mark in figure.marks:
+        if isinstance(mark, Point) and mark.dot is not Dot.NONE and "P_" not in mark.label and mark.at in pivots:
+            yield mark
+    for mark in known:
+        if isinstance(mark, FixedGuide) and mark.about is not None:
+            yield from _guide(mark, mark.about, box)
+        else:
+            yield mark
+
+
+def _guide(guide: FixedGuide, about: complex, box: Box) -> Iterator[Mark]:
+    """The line on which the block's pin moves, from edge to edge, hatched at one end."""
+    way = (guide.b - guide.a) / abs(guide.b - guide.a)
+    back, on = _reach(about, -way, box), _reach(about, way, box)
+    yield Segment(a=about - back * way, b=about + on * way, role=Role.CENTRE, step=1)
+    shift = ((guide.a - about) / way).imag * 1j * way
+    end = about + on * way + shift
+    yield FixedGuide(a=end - _HATCHED * way, b=end, step=1)
+    yield Note(at=about + (on - _HATCHED / 2) * way, words=_GUIDE, step=1)
+
+
+def _reach(at: complex, way: complex, box: Box) -> float:
+    """How far it is this way to the edge of what may be drawn on."""
+    low, high = box[0] + complex(EDGE, EDGE), box[1] - complex(EDGE, EDGE)
+    ways = []
+    for start, step, lowest, highest in (
+        (at.real, way.real, low.real, high.real),
+        (at.imag, way.imag, low.imag, high.imag),
+    ):
+        if abs(step) > NEAR:
+            ways.append(((highest if step > 0 else lowest) - start) / step)
+    return max(0.0, min(ways))
+
+
+def _axes(figure: Figure) -> tuple[Vector, Vector] | None:
+    """The axis to the right and the one upwards, where a figure has them."""
+    arrows = [mark for mark in figure.marks if isinstance(mark, Vector) and mark.role is Role.DIRECTION]
+    right = next((one for one in arrows if abs(one.b.imag - one.a.imag) < NEAR), None)
+    up = next((one for one in arrows if abs(one.b.real - one.a.real) < NEAR), None)
+    return None if right is None or up is None else (right, up)
+
+
+def _diagram(figure: Figure, axes: tuple[Vector, Vector], size: tuple[float, float]) -> tuple[Box, tuple[Mark, ...]]:
+    """The axes with names, units and numbers, from edge to edge."""
+    right, up = axes
+    low, high = bounds(figure.marks)
+    start = _about(figure, size)[0]
+    floor = _share(-low.imag, high.imag, size[1] - 2 * EDGE, _FLOORS)
+    y = start.imag if floor is None else -EDGE - floor * (size[1] - 2 * EDGE)
+    box = complex(start.real, y), complex(start.real, y) + complex(*size)
+    return box, (*_across(figure, right, box), *_upwards(figure, up, box))
+
+
+def _across(figure: Figure, right: Vector, box: Box) -> Iterator[Mark]:
+    """The axis to the right with the numbers that the drawing has."""
+    end = complex(box[1].real - EDGE, right.b.imag)
+    yield Vector(a=right.a, b=end, role=Role.DIRECTION, step=1)
+    letters = [mark for mark in figure.marks if isinstance(mark, Point) and mark.dot is Dot.NONE and mark.label]
+    scale, name = figure.scale.right, next((one.label for one in letters if one.at == right.b), "")
+    numbers = [
+        one for one in letters if _BELOW < one.at.imag < -NEAR and one.label[0].isdigit() and one.step == right.step
+    ]
+    if name:
+        timed = any(not one.label[-1].isdigit() for one in numbers)
+        yield _named(end, name, "" if timed else scale.unit)
+    for one in numbers:
+        x = complex(one.at.real, 0.0)
+        yield Segment(a=x - _TICK * 1j, b=x + _TICK * 1j, role=Role.CONSTRUCTION, step=1)
+        yield Point(at=x - _TICK * 1j, label=one.label, dot=Dot.NONE, step=1)
+    if not numbers:
+        yield from _numbered(scale.value, right.a, end - 4.0, 1 + 0j)
+
+
+def _upwards(figure: Figure, up: Vector, box: Box) -> Iterator[Mark]:
+    """The axis upwards, right through the frame where something lies below the other axis."""
+    name = next((mark.label for mark in figure.marks if isinstance(mark, Point) and mark.at == up.b), "")
+    foot = complex(up.a.real, box[0].imag + EDGE if up.a.imag < -NEAR else 0.0)
+    yield from _scaled(figure, name, foot, complex(up.a.real, box[1].imag - EDGE))
+
+
+def _scaled(figure: Figure, name: str, foot: complex, end: complex) -> Iterator[Mark]:
+    """An axis from foot to end with its name and its numbers; zero is at the height 0."""
+    yield Vector(a=foot, b=end, role=Role.DIRECTION, step=1)
+    if name:
+        yield _named(end, name, figure.scale.unit)
+    zero = complex(foot.real, 0.0)
+    yield from _numbered(figure.scale.value, zero, end - 4.0j, 1j)
+    if foot.imag < -NEAR:
+        yield from _numbered(-figure.scale.value, zero, foot, -1j)
+
+
+def _levels(figure: Figure, size: tuple[float, float]) -> tuple[Box, tuple[Mark, ...]]:
+    """The base line of works that are set out up and down, and a scale beside it."""
+    low, high = bounds(figure.marks)
+    middle = _about(figure, size)[0]
+    floor = _share(-low.imag, high.imag, size[1], _PLACES)
+    start = complex(middle.real, middle.imag if floor is None else -floor * size[1])
+    box = start, start + complex(*size)
+    left, right = start.real + 2 * EDGE, box[1].real - EDGE
+    base = Segment(a=left + 0j, b=right + 0j, role=Role.CENTRE, step=1)
+    foot, end = complex(left, box[0].imag + EDGE), complex(left, box[1].imag - EDGE)
+    return box, (base, *_scaled(figure, "E", foot, end))
+
+
+def _numbered(per_mm: float, zero: complex, end: complex, way: complex) -> Iterator[Mark]:
+    """A tick every 10 mm, a number at every other."""
+    side = 1j * way if way.imag == 0 else 1 + 0j
+    for n in range(1, int(abs(end - zero) / _APART) + 1):
+        at = zero + n * _APART * way
+        yield Segment(a=at - _TICK * side, b=at + _TICK * side, role=Role.CONSTRUCTION, step=1)
+        if n % 2 == 0:
+            yield Point(at=at - _TICK * side, label=number(n * _APART * per_mm, 3), dot=Dot.NONE, step=1)
+
+
+def _named(at: complex, letter: str, unit: str) -> Mark:
+    """The letter of an axis, with its unit."""
+    told = f"({unit})" if "·" in unit or "/" in unit else unit
+    return Note(at=at, words=Words.same(f"${letter}$/{told}" if unit else f"${letter}$"), step=1)

@@ -1,0 +1,84 @@
+"""What of a drawing is given and not found: marks that rest on data alone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ...board.acts import Act, Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn
+from ...board.construction import Construction, Figure
+from ...board.paper.marks import Arc, Curve, Dot, FixedGuide, Ground, Mark, Point, Role, Segment, Vector
+from ...designs.base import Design
+from ...devices.dynamics.flywheel import Flywheel
+from ...devices.dynamics.run_up import RunUp
+from ...figures.characteristic import CHARACTERISTIC
+from ...figures.torque import TORQUE
+from ...problem.problem import Problem
+
+_FOUND = (Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn)
+_HELP = (Role.CONSTRUCTION, Role.DIRECTION)
+NEAR = 1e-6  # mm
+HALF_BLOCK = 6.0  # mm: more than a guide lies beside the line of its block
+DIGITS = "0123456789°"  # with which the numbers along an axis end
+
+
+def by_data(acts: tuple[Act, ...]) -> frozenset[int]:
+    """The numbers of the acts that need nothing but data: no meeting, no reading, no computation."""
+    found = set[int]()
+    for act in acts:
+        if isinstance(act, _FOUND) or not found.isdisjoint(act.inputs):
+            found.add(act.number)
+    return frozenset(act.number for act in acts if act.number not in found)
+
+
+def given(construction: Construction, figure: Figure) -> tuple[Mark, ...]:
+    """What the first step that draws anything given leaves on a figure: fixed pivots, positions, angles."""
+    known = by_data(construction.acts)
+    marks = [mark for mark in figure.marks if mark.act in known]
+    places = [mark.at for mark in marks if isinstance(mark, Point)]
+    first = min((mark.step for mark in marks if isinstance(mark, Point)), default=0)
+    return tuple(mark for mark in marks if mark.step == first and _stands(mark, places))
+
+
+def _stands(mark: Mark, places: list[complex]) -> bool:
+    """A symbol is depicted wherever it is: it is given where its point is."""
+    if isinstance(mark, Ground):
+        return any(abs(mark.at - place) < NEAR for place in places)
+    return not (isinstance(mark, Arc) and mark.role in _HELP)
+
+
+def stands(construction: Construction, figure: Figure, problem: Problem) -> tuple[Mark, ...]:
+    """Fixed pivots and guides, with whose places a drawing begins: all of a mechanism, those that are given of one that
+    is to be found; of a diagram the curve that is given."""
+    if isinstance(problem.subject, Flywheel | RunUp) and figure.view in (TORQUE, CHARACTERISTIC):
+        return _curve(figure)
+    found = tuple(mark for mark in figure.marks if isinstance(mark, (Ground, FixedGuide)))
+    if not isinstance(problem.subject, Design):
+        return found
+    told = given(construction, figure)
+    lines = [mark for mark in told if isinstance(mark, Segment) and mark.role is Role.CENTRE]
+    guides = (_along(mark, lines) for mark in found if isinstance(mark, FixedGuide))
+    return (*(mark for mark in found if mark in told), *(guide for guide in guides if guide is not None))
+
+
+def _curve(figure: Figure) -> tuple[Mark, ...]:
+    """What a diagram begins with: a curve with its letter."""
+    first = min(mark.step for mark in figure.marks)
+    here = [mark for mark in figure.marks if mark.step == first]
+    drawn = [mark for mark in here if isinstance(mark, (Segment, Curve)) and mark.role is Role.RESULT]
+    ends = {mark.b for mark in here if isinstance(mark, Vector)}
+    letters = (
+        mark for mark in here if isinstance(mark, Point) and mark.dot is Dot.NONE and mark.label[-1] not in DIGITS
+    )
+    return (*drawn, *(mark for mark in letters if mark.at not in ends))
+
+
+def _along(guide: FixedGuide, lines: Sequence[Segment]) -> FixedGuide | None:
+    """The guide with the line that is given of it, where one is: that on which the block's pin moves."""
+    way = (guide.b - guide.a) / abs(guide.b - guide.a)
+    return next((replace(guide, about=line.a) for line in lines if _beside(guide, way, line)), None)
+
+
+def _beside(guide: FixedGuide, way: complex, line: Segment) -> bool:
+    away = [((end - guide.a) * way.conjugate()).imag for end in (line.a, line.b)]
+    return abs(away[0] - away[1]) < NEAR and abs(away[0]) < HALF_BLOCK
