@@ -11,7 +11,7 @@ import pytest
 
 from tests.drawn_library import IDS, drawn
 from tests.each import Later, each
-from vecpoly.board.acts import Measure, Meet
+from vecpoly.board.acts import Compute, Measure, Meet
 from vecpoly.board.chain import needed
 from vecpoly.board.construction import Figure
 from vecpoly.board.paper.extent import bounds, extent
@@ -30,6 +30,7 @@ from vecpoly.report.flow.furniture import COLUMN
 from vecpoly.report.picture import to_scale
 from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.frames import frames
+from vecpoly.report.question.sketch import sketched
 from vecpoly.report.question.working import SQUARE
 from vecpoly.report.statement.asked import asked, in_order
 from vecpoly.solution import solve
@@ -185,3 +186,37 @@ def test_what_is_asked_has_its_rows_in_the_order_of_the_question(name: str) -> N
 def test_a_moment_of_inertia_has_no_blank_for_its_direction() -> None:
     rows = {row[0]: row[1:] for row in empty_table(drawn("7-1").solution, "en").rows}
     assert rows["$J_{e}$"][-1] == "—" and "—" not in rows["$M_{e}$"]
+
+
+DESIGNS = Later(lambda: [name for name in IDS if isinstance(load(name).subject, Design)])
+
+
+@each(DESIGNS)
+def test_the_sketch_of_a_synthesis_shows_data_and_nothing_that_is_found(name: str) -> None:
+    problem, answer = drawn(name).problem, drawn(name).construction
+    found = sketched(problem, answer, 125.0, 62.0)
+    for mark in found.marks if found is not None else ():
+        needs = needed(answer.acts, [mark.act])
+        assert not any(isinstance(act, (Meet, Measure, Compute)) for act in answer.acts if act.number in needs), mark
+
+
+def test_a_furnace_door_is_pictured_closed_and_open() -> None:
+    found = sketched(drawn("8-6").problem, drawn("8-6").construction, 125.0, 62.0)
+    assert found is not None
+    assert {mark.label for mark in found.marks if isinstance(mark, Point)} == {"B_1", "C_1", "B_2", "C_2"}
+
+
+@pytest.mark.parametrize(
+    ("name", "zh", "en"),
+    [
+        ("function-log", "lg $x$", "log₁₀ $x$"),
+        ("8-9", "30° → 78 mm", "30° → 78 mm"),
+        ("8-6", "(55, −79) mm，方向角 90°", "(55, −79) mm at 90°"),
+        ("two-stroke-flywheel", "420（30°）", "420 (30°)"),
+    ],
+)
+def test_data_are_printed_as_a_textbook_does_and_not_as_they_are_keyed_in(name: str, zh: str, en: str) -> None:
+    for lang, wanted in (("zh", zh), ("en", en)):
+        text, _ = markup([drawn(name).solution], lang, "question", {}, None, None)  # type: ignore[arg-type]
+        assert wanted in text.replace("&gt;", ">")
+        assert not re.search(r"-&gt;|log10|N\*m", text)

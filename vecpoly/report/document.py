@@ -38,6 +38,7 @@ from .plates.sketch import sketch_of
 from .printed_tables import printed_tables
 from .question.content import question
 from .question.frames import frames
+from .question.sketch import sketched
 from .tables import printed_table
 from .templates import filled
 from .titles import subject
@@ -176,7 +177,8 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
 
         return course(solution, lang, objects)
     room = ALONE if _repeats(solution.construction) else PICTURE
-    drawn = picture(solution.problem, solution.construction, *room)
+    draw = sketched if style == "question" else picture
+    drawn = draw(solution.problem, solution.construction, *room)
     common = {
         **statement(solution, lang),
         "repeats": REPEATS,

@@ -12,9 +12,9 @@ from ...foundation.data import data_dir
 from ...report.content import Objects, statement
 from ...report.document import PICTURE
 from ...report.flow.xml import to_flowables
-from ...report.picture import picture
 from ...report.plates.sketch import sketch_of
 from ...report.question.blanks import working_room
+from ...report.question.sketch import sketched
 from ...report.question.working import LEAST_ROOM, Squares
 from ...report.templates import filled
 from ...solution import Solution
@@ -43,7 +43,7 @@ class Placed:
 def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]:
     """The text of a problem, page after page."""
     objects, solution = Objects(), solution.toned({})  # a question is in black
-    drawn = picture(solution.problem, solution.construction, *PICTURE)
+    drawn = sketched(solution.problem, solution.construction, *PICTURE)
     tables = [step.equation for step in solution.construction.steps if step.equation]
     context = {
         **statement(solution, lang),

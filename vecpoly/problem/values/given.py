@@ -48,8 +48,19 @@ class Datum:
 _LONG = pattern(r"\d+\.\d{4,}")  # more digits than a person writes
 _MINUS = pattern(r"(?<![\w$}])-(?=\d)")
 _SIGNS: dict[Lang, tuple[tuple[str, str], ...]] = {
-    "zh": ((" deg", "°"), (" ccw", "（逆时针）"), (" cw", "（顺时针）"), (" from", " 自")),
+    "zh": ((" deg", "°"), (" ccw", "（逆时针）"), (" cw", "（顺时针）"), (" from", " 自"), (" at ", "，方向角 ")),
     "en": ((" deg", "°"), (" ccw", " (counter-clockwise)"), (" cw", " (clockwise)")),
+}
+_TYPESET = {
+    lang: (
+        (pattern(r"\blog10\((\w)\)"), log),
+        (pattern(r"\ba(sin|cos|tan)\("), r"arc\1("),
+        (pattern(r"(?<=[A-Za-z])\*(?=[a-z])"), "·"),
+        (pattern(r" -> "), " → "),
+        (pattern(r"(?<=[°)]) - (?=[\da-z])"), " − "),
+        (pattern(r"(\d+°): (-?[\d.]+)"), at),
+    )
+    for lang, log, at in (("zh", r"lg $\1$", r"\2（\1）"), ("en", r"log₁₀ $\1$", r"\2 (\1)"))
 }
 
 
@@ -57,6 +68,8 @@ def as_printed(text: str, lang: Lang) -> str:
     """A value as a textbook prints it: 45°, 10 rad/s (clockwise)."""
     for written, printed in _SIGNS[lang]:
         text = re.sub(f"{written}(?![a-z])", printed, text)  # deg is a unit, degree a word
+    for found, made in _TYPESET[lang]:
+        text = found.sub(made, text)
     text = _LONG.sub(lambda m: f"{float(m[0]):.6g}", text)
     return _MINUS.sub("−", text)
 

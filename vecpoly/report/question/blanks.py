@@ -144,4 +144,4 @@ def _points(answer: Answer) -> bool:
 
 def working_room(solution: Solution) -> float:
     """How much room the work needs, mm: more for a step with a formula than for a line ruled; equations have rows."""
-    return float(sum(12 if step.formulas or step.listing else 4 for step in solution.construction.steps))
+    return float(sum(8 if step.formulas or step.listing else 3 for step in solution.construction.steps))

@@ -1,0 +1,33 @@
+"""The sketch beside a question: the mechanism; of one that is to be found, what is given of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ...board.construction import Construction, Figure, View
+from ...board.paper.marks import Mark, Point, Role, Segment
+from ...designs.base import Design
+from ...problem.problem import Problem
+from ...words import Words
+from ..picture import picture, reduced
+from .known import given
+
+GIVEN = Words("已知条件（示意）", "What is given (sketch)")
+_FEWEST = 3  # places and lines that are worth a picture
+
+
+def sketched(problem: Problem, construction: Construction, width: float, height: float) -> Figure | None:
+    """The picture of a question, to fit width × height mm; None where nothing given can be drawn."""
+    figure = construction.figure(View.MECHANISM)
+    if not isinstance(problem.subject, Design) or figure is None:
+        return picture(problem, construction, width, height)
+    shown = (mark for mark in given(construction, figure) if getattr(mark, "role", None) is not Role.OTHER)
+    marks = [_fine(mark) for mark in shown]
+    if sum(isinstance(mark, (Point, Segment)) for mark in marks) < _FEWEST:
+        return None
+    return replace(reduced(figure, marks, width, height), title=GIVEN)
+
+
+def _fine(mark: Mark) -> Mark:
+    """Another position of a link in a fine line that is given, not in one of help."""
+    return replace(mark, role=Role.GIVEN) if isinstance(mark, Segment) and mark.role is Role.CONSTRUCTION else mark
