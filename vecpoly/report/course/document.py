@@ -80,7 +80,7 @@ def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "appendix": appendix.chapter(subject, press),
     }
     words = words_in([told, *objects.named.values()])
-    return told | {"symbols": symbols(subject, press, words)}
+    return told | {"symbols": symbols(subject, press, words), "called": press.called}
 
 
 def cover(solution: Solution, lang: Lang, objects: Objects) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -19,6 +20,10 @@ from ..flow.table import DataTable
 _FIGURE, _TABLE = Words("图", "Figure"), Words("表", "Table")
 SMALL = Style(size=8.3, leading=10.0, after=0.0, align="left")
 
+_TO = Words("至", " to ")
+_BOTH = Words("数值列于{}，曲线见{}。", "The values are listed in {}, the curves drawn in {}.")
+_LISTED, _DRAWN = Words("数值列于{}。", "The values are listed in {}."), Words("见{}。", "See {}.")
+_NUMBERED = re.compile(r"(?:图|表|Figure|Table) ?[\dA-Z]+-\d+")
 _GAP, _ROOM = 4.0, 170.0  # mm between two figures beside each other, and for both
 TINY = Style(size=7.5, leading=8.8, after=0.0, align="left")
 
@@ -31,6 +36,7 @@ class Press:
     lang: Lang
     objects: Objects
     chapter: str = "1"
+    called: dict[str, str] = field(default_factory=dict)  # by the name for the template: Table 5-2, Figure 5-1
     _counts: dict[tuple[str, str], int] = field(default_factory=dict)
 
     def number(self, kind: str) -> str:
@@ -41,7 +47,8 @@ class Press:
 
     def figure(self, scene: Scene, title: Words) -> str:
         """A numbered figure; its name for the template."""
-        return self.objects.add("fig", drawn(scene, self._caption(_FIGURE, "figure", title)))
+        caption = self._caption(_FIGURE, "figure", title)
+        return self._kept("fig", drawn(scene, caption, sketch=True), caption)
 
     def figures(self, plots: Sequence[tuple[Scene, Words]]) -> list[str]:
         """Numbered figures, two beside each other where they are narrow enough; their names for the template."""
@@ -50,7 +57,10 @@ class Press:
             one = (scene, self._caption(_FIGURE, "figure", title))
             fits = rows and len(rows[-1]) == 1 and _wide(*rows[-1][0]) + _GAP + _wide(*one) <= _ROOM
             rows[-1].append(one) if fits else rows.append([one])
-        return [self.objects.add("fig", drawn(*row[0]) if len(row) == 1 else paired(*row)) for row in rows]
+        return [
+            self._kept("fig", drawn(*row[0]) if len(row) == 1 else paired(*row), *(caption for _, caption in row))
+            for row in rows
+        ]
 
     def sheet(self) -> Words:
         """The number of a sheet, which is a figure that fills its page: Figure 6-1."""
@@ -66,7 +76,28 @@ class Press:
         made = DataTable(
             header, rows, None, align, lang=self.lang, caption=caption, style=style, inks=inks, inked=inked
         )
-        return self.objects.add("tab", made)
+        return self._kept("tab", made, caption)
+
+    def _kept(self, prefix: str, thing: object, *captions: str) -> str:
+        """Keep a thing under a name, by which it is called as its captions number it."""
+        name = self.objects.add(prefix, thing)
+        self.called[name] = self._joined([_NUMBERED.match(caption)[0] for caption in captions])  # type: ignore[index]
+        return name
+
+    def _joined(self, called: Sequence[str]) -> str:
+        """The first and the last of what is numbered through."""
+        first, last = called[0], called[-1]
+        return first if first == last else f"{first}{_TO.of(self.lang)}{last}"
+
+    def shown(self, tables: Sequence[str], figures: Sequence[str]) -> str:
+        """A sentence that says where values and curves of a section are found: in Table 5-2, in Figure 5-3."""
+        every = [[one for name in some for one in self._ends(name)] for some in (tables, figures)]
+        listed = [self._joined(some) if some else "" for some in every]
+        told = _BOTH if all(listed) else _LISTED if listed[0] else _DRAWN
+        return told.of(self.lang).format(*filter(None, listed)) if any(listed) else ""
+
+    def _ends(self, name: str) -> list[str]:
+        return self.called[name].split(_TO.of(self.lang))
 
     def tabled(self, title: Words, made: Sequence[DataTable], style: Style = CELL) -> list[str]:
         """The same of tables that are made already, if any; where there are two, the second is one of places."""
@@ -99,8 +130,8 @@ def paired(left: tuple[Scene, str], right: tuple[Scene, str]) -> Drawing:
     return drawn(Scene.of(tuple(items)), "", f"{left[1]}; {right[1]}")
 
 
-def drawn(scene: Scene, caption: str, alt: str = "") -> Drawing:
-    """A scene as a captioned block of the text."""
+def drawn(scene: Scene, caption: str, alt: str = "", *, sketch: bool = False) -> Drawing:
+    """A scene as a captioned block of the text; sketch: one that may be a little smaller, or open the next page."""
     e = scene.extents
     return Drawing(
         e.width,
@@ -108,4 +139,5 @@ def drawn(scene: Scene, caption: str, alt: str = "") -> Drawing:
         lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM),
         words_said(alt or caption, "zh" if any(char >= "\u2e80" for char in alt or caption) else "en"),
         caption,
+        sketch=sketch,
     )

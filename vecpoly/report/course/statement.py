@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -10,13 +11,18 @@ from ...drawing.figure import draw_figure
 from ...findings.study.study import Study
 from ...mechanism.groups.mobility import mobility
 from ...names import Rel
+from ...problem.values.given import Datum, as_printed
 from ...words import Words
-from ..content import statement
+from ..content import pivots, shortened, statement
 from ..picture import picture, to_scale
 from .modelling.dimensions import dimensions, rounded
 from .numbering import Press
 
 _PICTURE = (130.0, 80.0)  # mm
+_MANY, _FEW = 7, 3  # data that make a table, and at least in a column of it
+_NUMBER = re.compile(r"(−?[\d.]+)(°| [^\d（(]*\S(?: ?[（(].*)?)?")
+_DATA = Words("已知数据", "The data")
+_HEADS = {"zh": ("量", "数值", "单位"), "en": ("Quantity", "Value", "Unit")}
 
 
 def task(study: Study, press: Press) -> dict[str, Any]:
@@ -32,12 +38,38 @@ def task(study: Study, press: Press) -> dict[str, Any]:
     told = statement(study.given, press.lang) if study.drawn else _undrawn(study, press)
     return {
         **told,
+        **known(study, press, told["given"]),
         "picture": press.figure(scene, title) if scene else "",
         "dimensions": dimensions(study, press, figure),
         "freedom": mobility(study.mech).freedom,
         "more": ("、" if press.lang == "zh" else ", ").join(_more(study)),
         "assumed": assumed(study).of(press.lang),
     }
+
+
+def known(study: Study, press: Press, whole: str) -> dict[str, str]:
+    """What is given in words, and the table of the numbers where they are many."""
+    given = study.problem.given
+    data = [*given.lengths, *given.motion, *given.loads]
+    rows = [row for datum in data if (row := _parts(datum, press)) is not None]
+    if len(rows) < _MANY:
+        return {"given": whole, "data": ""}
+    told = [pivots(study.mech).of(press.lang), *(shortened(d.of(press.lang)) for d in data if _parts(d, press) is None)]
+    blocks = next(n for n in (3, 2, 1) if len(rows) >= n * _FEW)
+    high = -(-len(rows) // blocks)
+    beside = [[rows[i] if i < len(rows) else ("",) * 3 for i in range(n, n + blocks * high, high)] for n in range(high)]
+    table = [tuple(cell for row in line for cell in row) for line in beside]
+    made = press.table(_DATA, [*_HEADS[press.lang]] * blocks, table, "lrl" * blocks)
+    return {"given": ("，" if press.lang == "zh" else ", ").join(told), "data": made}
+
+
+def _parts(datum: Datum, press: Press) -> tuple[str, str, str] | None:
+    """Symbol, number and unit; None of what takes words."""
+    text = shortened(as_printed(datum.text, press.lang))
+    found = _NUMBER.fullmatch(text)
+    if not datum.symbol or datum.words is not None or found is None:
+        return None
+    return f"${datum.symbol}$", found[1], (found[2] or "").strip() or "—"
 
 
 def _undrawn(study: Study, press: Press) -> dict[str, str]:

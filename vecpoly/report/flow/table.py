@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -30,6 +31,7 @@ _ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre"}
 _Row = tuple[tuple[Line, ...], ...]
 
 _MANY_ROWS = 10
+_NUMBER = re.compile(r"(?:续?表|Table) ?([\dA-Z]+-\d+)")  # at the head of a caption
 _LEAST_ROWS = 4  # rows that a page break leaves together, before and after it
 
 
@@ -44,6 +46,14 @@ class _Set:
     points: tuple[Aligned | None, ...]
     top: float
     heights: tuple[float, ...]
+
+
+def continued(caption: str, lang: Lang) -> str:
+    """What stands over the part of a table on a later page: 续表 5-2, Table 5-2 (continued)."""
+    number = _NUMBER.match(caption)
+    if number is None:
+        return ""
+    return f"续表 {number[1]}" if lang == "zh" else f"Table {number[1]} (continued)"
 
 
 class DataTable(Block):
@@ -160,13 +170,14 @@ class DataTable(Block):
         return [head, FrameBreak(), tail]  # the rest is not split once more on this page
 
     def _part(self, start: int, end: int, widths: Sequence[float]) -> DataTable:
-        caption = self.caption if start == 0 else ""
+        caption = self.caption if start == 0 else continued(self.caption, self.lang)
         rows, inks = self.rows[start:end], self.inks[start:end]
         part = type(self)(
             self.header, rows, widths, self.align,
             lang=self.lang, caption=caption, style=self.style, inks=inks, inked=self.inked,
         )  # fmt: skip
         part._continued, part._vertical = self._continued or start > 0, self._vertical
+        part.goal = self.goal if start == 0 else ""
         return part.made_of(self, first=start == 0)
 
     def draw(self) -> None:

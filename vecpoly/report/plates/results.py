@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from ...board.construction import View
 from ...drawing.sheets.results import Listed, with_results
@@ -15,14 +15,18 @@ from ..answers.order import arranged
 _READ_FROM = {"omega": View.VELOCITY, "alpha": View.ACCELERATION}
 
 
-def concluded(made: Sequence[Sheet], solution: Solution, lang: Lang) -> tuple[Sheet, ...]:
-    """The sheets with the answers that were read on them, where they have room; what was read on none, on the last."""
-    kept = [one for one in solution.answers.values() if not one.is_place and one.reading.unit != YES_NO]
+def concluded(
+    made: Sequence[Sheet], solution: Solution, lang: Lang, keys: Collection[str] | None = None
+) -> tuple[Sheet, ...]:
+    """The sheets with the answers that were read on them, where they have room; what was read on none, on the last.
+    keys: of the answers that are told; None: all."""
+    answers = [one for key, one in solution.answers.items() if keys is None or key in keys]
+    kept = [one for one in answers if not one.is_place and one.reading.unit != YES_NO]
     home = {one.key: _home(one, made, solution) for one in kept}
     own = [[one for one in kept if home[one.key] == n] for n in range(len(made))]
     return tuple(
-        with_results(sheet, _attempts(answers, solution, lang)) if answers else sheet
-        for sheet, answers in zip(made, own, strict=True)
+        with_results(sheet, _attempts(some, solution, lang)) if some else sheet
+        for sheet, some in zip(made, own, strict=True)
     )
 
 

@@ -48,7 +48,8 @@ def chapters(study: Study, press: Press, machine: Machine) -> dict[str, Any]:
     told = []
     for n, (title, sections) in enumerate(made, FIRST):
         press.chapter = str(n)
-        told.append({"n": n, "title": title.of(press.lang), "sections": sections()})
+        every = [one | {"shown": press.shown(one["tables"], one["figures"])} for one in sections()]
+        told.append({"n": n, "title": title.of(press.lang), "sections": every})
     return {"told": told, "left_out": [w.of(press.lang) for w in left_out], "next": FIRST + len(made)}
 
 

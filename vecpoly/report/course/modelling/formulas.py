@@ -60,13 +60,15 @@ def _jacobian(group: GroupModel, press: Press) -> str:
 
 
 def _part(part: Part, press: Press, dense: bool) -> dict[str, Any]:
-    rows = (
-        beside([equation.node for equation in part.equations], _MOST)
-        if dense
-        else [equation.node for equation in part.equations]
-    )
+    nodes = [equation.node for equation in part.equations]
+    rows = beside(nodes, _alike(len(nodes))) if dense else nodes
     formulas = [{"ref": press.objects.add("f", row), "number": f"({press.number('equation')})"} for row in rows]
     return {"said": part.said.of(press.lang), "formulas": formulas}
+
+
+def _alike(count: int) -> int:
+    """How many formulas stand in a line so that no line has many more than another: 2 and 2, not 3 and 1."""
+    return -(-count // max(1, -(-count // _MOST)))
 
 
 def _constants(group: GroupModel, lang: Lang) -> Iterator[str]:

@@ -49,7 +49,8 @@ def sections(study: Study, press: Press) -> list[dict[str, Any]]:
         _angles(study, press),
         _forces(study, press),
     ]
-    return [one for one in found if one["tables"] or one["figures"]]
+    told = [one for one in found if one["tables"] or one["figures"]]
+    return [one | {"shown": press.shown(one["tables"], one["figures"])} for one in told]
 
 
 def _links(study: Study, press: Press) -> dict[str, Any]:
@@ -72,12 +73,7 @@ def _links(study: Study, press: Press) -> dict[str, Any]:
     steady = [_steady(study, key) for key in every if key.startswith("omega_") and key not in keys]
     return {
         "title": Words("构件的转动", "Rotation of the links").of(press.lang),
-        "words": (
-            Words("各构件的数值列于下表，曲线见其后各图。", "Values in the table, curves in the figures below. ")
-            + Words("".join(w.zh for w in steady), "".join(w.en for w in steady))
-        ).of(press.lang)
-        if tables or steady
-        else "",
+        "words": Words("".join(w.zh for w in steady), "".join(w.en for w in steady)).of(press.lang),
         "before": [],
         "tables": tables,
         "figures": press.figures(plots),
@@ -115,16 +111,17 @@ def _point(study: Study, press: Press, letter: str) -> dict[str, Any]:
     found = study.path(letter)
     words = (" " if press.lang == "en" else "").join(w.of(press.lang) for w in path_sentences(study.whole, found))
     own = found.shape is Shape.CURVE
-    if letter == study.points[-1]:
-        words += Words(
-            "下面的机构位置图中，细线为原动件等间隔各位置的机构，粗线为题设位置，虚线为轨迹。",
-            " The next figure shows the mechanism at even steps of its drive in thin lines, the given position "
-            "in thick ones, the path dashed.",
-        ).of(press.lang)
     before = [posed(study, press.lang, letter, small=own and study.dense)] if letter == study.points[-1] else []
     if own and study.dense:
         before.append(way(study, press.lang, letter))
     first = press.figures(before)
+    if letter == study.points[-1]:
+        where = press.called[first[0]]
+        words += Words(
+            f"{where}中细线为原动件等间隔各位置的机构，粗线为题设位置，虚线为轨迹。",
+            f" {where} shows the mechanism at even steps of its drive in thin lines, the given position "
+            "in thick ones, the path dashed.",
+        ).of(press.lang)
     plots = [curve(study, press.lang, keys) for stem in "pva" if (keys := _components(study, f"{stem}_{letter}"))]
     if own:
         plots += [
@@ -175,8 +172,8 @@ def _forces(study: Study, press: Press) -> dict[str, Any]:
     return {
         "title": Words("平衡载荷与反力", "The balancing load and the reactions").of(press.lang),
         "words": Words(
-            "下表列出平衡载荷和各运动副反力的分量，曲线为其大小。",
-            "The table lists the balancing load and the components of the reactions, the curves their magnitudes.",
+            "平衡载荷和各运动副反力按分量列表，按大小作曲线。",
+            "The balancing load and the reactions are listed by their components, and drawn by their magnitudes.",
         ).of(press.lang)
         + told
         if tables

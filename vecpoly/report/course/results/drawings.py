@@ -13,11 +13,11 @@ from ....errors import VecpolyError
 from ....findings.study.study import Study
 from ....solution import Answer, Solution, solve
 from ....words import Lang, Words
-from ...answers.box import answer_box
 from ...answers.tables import readings_at, readings_tables
 from ...content import scales, sections
 from ...flow.blocks import SheetPage, spoken
 from ...plates.page import sheet_page
+from ...plates.results import concluded
 from ..analysis.force_words import role_note
 from ..numbering import SMALL, Press
 from .drawn_views import drawn_views
@@ -137,7 +137,6 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
         "views": drawn_views(study.solution.construction).of(press.lang),
         "sections": sections(study.solution, press.lang, press.objects),
         "scales": scales(study.solution, press.lang),
-        "answer": press.objects.add("ans", answer_box(study.solution, press.lang)),
         "readings": _given(study, press),
         "others": _others(study, press, drawn[1:]),
         "sheets": [
@@ -180,7 +179,8 @@ def _sheets(study: Study, phi: float, solution: Solution, lang: Lang) -> tuple[S
     zh = f"{title.zh[:-1]}，{where}）" if title.zh.endswith("）") else f"{title.zh}（{where}）"
     en = f"{title.en[:-1]}, {where_en})" if title.en.endswith(")") else f"{title.en} ({where_en})"
     paper = study.problem.paper
-    return sheets(solution.construction, lang=lang, title=Words(zh, en), on=paper, plates=True)
+    made = sheets(solution.construction, lang=lang, title=Words(zh, en), on=paper, plates=True)
+    return concluded(made, solution, lang, study.given.answers)
 
 
 def _page(study: Study, one: Drawn, sheet: Sheet, lang: Lang) -> SheetPage:
