@@ -81,10 +81,10 @@ class Press:
     def _kept(self, prefix: str, thing: object, *captions: str) -> str:
         """Keep a thing under a name, by which it is called as its captions number it."""
         name = self.objects.add(prefix, thing)
-        self.called[name] = self._joined([_NUMBERED.match(caption)[0] for caption in captions])  # type: ignore[index]
+        self.called[name] = self.through([_NUMBERED.match(caption)[0] for caption in captions])  # type: ignore[index]
         return name
 
-    def _joined(self, called: Sequence[str]) -> str:
+    def through(self, called: Sequence[str]) -> str:
         """The first and the last of what is numbered through."""
         first, last = called[0], called[-1]
         return first if first == last else f"{first}{_TO.of(self.lang)}{last}"
@@ -92,7 +92,7 @@ class Press:
     def shown(self, tables: Sequence[str], figures: Sequence[str]) -> str:
         """A sentence that says where values and curves of a section are found: in Table 5-2, in Figure 5-3."""
         every = [[one for name in some for one in self._ends(name)] for some in (tables, figures)]
-        listed = [self._joined(some) if some else "" for some in every]
+        listed = [self.through(some) if some else "" for some in every]
         told = _BOTH if all(listed) else _LISTED if listed[0] else _DRAWN
         return told.of(self.lang).format(*filter(None, listed)) if any(listed) else ""
 

@@ -57,9 +57,11 @@ def known(study: Study, press: Press, whole: str) -> dict[str, str]:
     told = [pivots(study.mech).of(press.lang), *(shortened(d.of(press.lang)) for d in data if _parts(d, press) is None)]
     blocks = next(n for n in (3, 2, 1) if len(rows) >= n * _FEW)
     high = -(-len(rows) // blocks)
-    beside = [[rows[i] if i < len(rows) else ("",) * 3 for i in range(n, n + blocks * high, high)] for n in range(high)]
-    table = [tuple(cell for row in line for cell in row) for line in beside]
-    made = press.table(_DATA, [*_HEADS[press.lang]] * blocks, table, "lrl" * blocks)
+    columns = [rows[i : i + high] for i in range(0, len(rows), high)]
+    lines = [[one[n] if n < len(one) else ("",) * 3 for one in columns] for n in range(high)]
+    table = [tuple(cell for row in line for cell in (*row, ""))[:-1] for line in lines]
+    heads = [*([*_HEADS[press.lang], ""] * len(columns))][:-1]
+    made = press.table(_DATA, heads, table, ("lrll" * len(columns))[:-1])
     return {"given": ("，" if press.lang == "zh" else ", ").join(told), "data": made}
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from math import degrees
 from typing import Any
 
@@ -10,15 +10,16 @@ from ....findings.advice import advice, is_square
 from ....findings.conditioning import Conditioning, conditioning
 from ....findings.motion import motion
 from ....findings.study.study import Study
-from ....words import Words
+from ....words import Lang, Words
 from ..checks.comparison import Compared
 from ..numbering import Press
 from . import forces as force_analysis
 from . import why_peaks as peaks
-from .conclusion import conclusion
+from .conclusion import themes
 from .peak_remarks import remarks
 from .why_peaks import causes
 
+_MACHINE = Words("机械的运转与平衡", "The machine in motion and its balance")
 _HEADER = {
     "zh": ["杆组", "行列式", "最小处", "最小值/最大值", "最大处", "最小传动角", "1/$sin γ$", "判断"],
     "en": ["Group", "Determinant", "Least at", "Least/largest", "Largest at", "Least γ", "1/$sin γ$", "Verdict"],
@@ -41,11 +42,17 @@ def chapter(
         "conditioning": _conditioned(study, press, groups),
         "singular": [w.of(press.lang) for w in mending],
         "forces": [w.of(press.lang) for w in force_analysis.forces(study)],
-        "conclusion": [
-            w.of(press.lang)
-            for w in (*conclusion(study, groups, drawn, tables, ("8.3" if told else "8.2") if mending else ""), *found)
-        ],
+        "conclusion": _paragraphs(
+            [*themes(study, groups, drawn, tables, ("8.3" if told else "8.2") if mending else ""), (_MACHINE, found)],
+            press.lang,
+        ),
     }
+
+
+def _paragraphs(themes: Iterable[tuple[Words, Sequence[Words]]], lang: Lang) -> list[str]:
+    """A paragraph for each theme of which something is said, with its name at the head."""
+    stop, blank = ("。", "") if lang == "zh" else (". ", " ")
+    return [f"**{name.of(lang)}{stop}**{blank.join(w.of(lang) for w in said)}" for name, said in themes if said]
 
 
 def _conditioned(study: Study, press: Press, groups: list[Conditioning]) -> str:

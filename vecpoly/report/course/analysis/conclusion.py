@@ -23,32 +23,42 @@ from . import forces as force_analysis
 from .stated import output_pins, stated
 
 _EVEN = 1.0005
+_ASKED, _FORCES = Words("所求各量", "What was asked"), Words("所求各量与受力", "What was asked, and the forces")
+_MOTION, _QUALITY = Words("结构与运动", "Structure and motion"), Words("工作质量与精度", "Quality and accuracy")
 
 
 def conclusion(
     study: Study, groups: list[Conditioning], drawn: Compared, tables: Sequence[dict[str, Any]], mending: str
 ) -> Iterator[Words]:
-    """What a reader takes home: what was asked at the given position, forces, structure, output links, points,
+    """What a reader takes home, sentence by sentence."""
+    for _, said in themes(study, groups, drawn, tables, mending):
+        yield from said
+
+
+def themes(
+    study: Study, groups: list[Conditioning], drawn: Compared, tables: Sequence[dict[str, Any]], mending: str
+) -> Iterator[tuple[Words, list[Words]]]:
+    """The same by themes: what was asked at the given position and the forces; structure, output links, points;
     conditioning, printed tables, drawn against exact.
 
     tables: the printed tables as checked; mending:
     the number of the section that tells better dimensions, nothing where none does.
     """
-    yield from stated(study)
-    yield from force_analysis.conclusion(study)
+    yield _FORCES if study.problem.loads else _ASKED, [*stated(study), *force_analysis.conclusion(study)]
+    outputs = [said for link in ends(study) for said in _output(study, link)]
+    yield _MOTION, [_built(study), *outputs, *_points(study)]
+    shaped = [*_conditioned(study, groups, mending), *_margin(study)]
+    yield _QUALITY, [*shaped, *_checked(tables), *_drawn(study, drawn)]
+
+
+def _built(study: Study) -> Words:
+    """Its degree of freedom and its class."""
     made = concluded(study)
-    yield Words(
+    return Words(
         f"机构的自由度为 {mobility(study.mech).freedom}，" + made.zh.removeprefix("因此机构"),
         f"The mechanism has {mobility(study.mech).freedom} degree of freedom. "
         + made.en.removeprefix("So the mechanism").join(("It", "")),
     )
-    for link in ends(study):
-        yield from _output(study, link)
-    yield from _points(study)
-    yield from _conditioned(study, groups, mending)
-    yield from _margin(study)
-    yield from _checked(tables)
-    yield from _drawn(study, drawn)
 
 
 def _checked(tables: Sequence[dict[str, Any]]) -> Iterator[Words]:

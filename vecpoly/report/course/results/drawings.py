@@ -26,7 +26,6 @@ from .positions import at_position
 POSITIONS, LOADED = 4, 3  # with forces, or centres beside polygons, every position fills two sheets
 _APART = np.radians(12.0)
 _NOTHING = 1e-6  # of the greatest value: there is no vector to draw
-_SEP = Words("、", ", ")
 _ALIKE = 0.03  # of the range of a sliding drive
 _CHOSEN = {"zh": ["位置", "选取理由", "比例尺", "图号"], "en": ["Position", "Why it is chosen", "Scales", "Sheet"]}
 
@@ -126,9 +125,7 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
             study.where(one.phi),
             _why(study, one).of(press.lang),
             scales(one.solution, press.lang),
-            _SEP.of(press.lang).join(
-                name.of(press.lang) for (other, _), name in zip(loose, names, strict=True) if other is one
-            ),
+            press.through([name.of(press.lang) for (other, _), name in zip(loose, names, strict=True) if other is one]),
         )
         for one in drawn
     ]
