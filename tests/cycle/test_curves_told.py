@@ -27,6 +27,18 @@ def turned(name: str) -> Cycle:
     return cycle(load(name))
 
 
+@pytest.mark.parametrize("key", ["M_r", "R_12"])
+def test_a_curve_that_runs_away_towards_locking_leaves_its_frame_and_is_seen_elsewhere(key: str) -> None:
+    turn = turned("4-6")
+    low, high = curves(turn, (key,)).figure.axes[0].get_ylim()
+    sizes = np.abs(turn.column(key))
+    assert np.nanmax(sizes) > 5 * (high - low)
+    assert np.nanpercentile(sizes, 75) > (high - low) / 20
+    assert np.nanpercentile(turn.real(key if key == "M_r" else f"{key}.abs"), (10, 90)) == pytest.approx(
+        np.clip(np.nanpercentile(turn.real(key if key == "M_r" else f"{key}.abs"), (10, 90)), low, high)
+    )
+
+
 def numbers(text: str) -> float:
     return float(text.replace("−", "-"))
 

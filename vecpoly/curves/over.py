@@ -117,10 +117,10 @@ def _values(cycle: Cycle, column: Column) -> Any:
 
 def _limits(cycle: Cycle, group: list[Column], share: float) -> tuple[float, float]:
     values = np.concatenate([_values(cycle, column) for column in group])
-    values = values[np.isfinite(values)]
-    if not values.size:
+    known = np.isfinite(values)
+    if not known.any():
         return 0.0, 1.0
-    low, high = _clipped(values)
+    low, high = _clipped(values[known], broken=not known.all())
     if "/s" in group[0].unit or group[0].unit in ("N", "N·m"):
         # a rate of one sign is seen against nothing
         low, high = ((0.0 if 0 < low < 0.6 * high else low), (0.0 if 0.6 * low < high < 0 else high))
@@ -131,11 +131,13 @@ def _limits(cycle: Cycle, group: list[Column], share: float) -> tuple[float, flo
     return low - (margin if low or flat else 0.0), high + (margin if high or flat else 0.0)
 
 
-def _clipped(values: Any) -> tuple[float, float]:
-    """All values; where a few run away (towards a dead point), what 98 % of them need."""
+def _clipped(values: Any, broken: bool) -> tuple[float, float]:
+    """All values; where a few run away (towards a dead point), what 98 % of them need. A curve that breaks off runs
+    away over a wider stretch (towards locking): what nine tenths need, thrice."""
     low, high = float(values.min()), float(values.max())
-    p, q = (float(x) for x in np.percentile(values, (1, 99)))
-    return (p - (q - p), q + (q - p)) if high - low > 20 * (q - p) > 0 else (low, high)
+    p, q = (float(x) for x in np.percentile(values, (5, 95) if broken else (1, 99)))
+    far = (6 if broken else 20) * (q - p)
+    return (max(low, p - (q - p)), min(high, q + (q - p))) if high - low > far > 0 else (low, high)
 
 
 def _panel(
