@@ -105,9 +105,12 @@ def chapter(study: Study, press: Press, found: Compared) -> dict[str, Any]:
     """Table of deviations, chart with the drawn values as dots on the exact lines."""
     press.chapter = "7"
     refused = refusals(study, found.refused).of(press.lang)
+    table = _table(study, press, found) if found.keys else ""
+    figures = _chart(study, press, found) if found.stations and found.keys else []
     return {
-        "table": _table(study, press, found) if found.keys else "",
-        "figures": _chart(study, press, found) if found.stations and found.keys else [],
+        "table": table,
+        "figures": figures,
+        "shown": press.shown([], figures),
         "count": len(found.stations),
         "refused": refused,
         "worst": f"{100 * found.worst(study):.2f} %",
