@@ -220,3 +220,20 @@ def test_data_are_printed_as_a_textbook_does_and_not_as_they_are_keyed_in(name: 
         text, _ = markup([drawn(name).solution], lang, "question", {}, None, None)  # type: ignore[arg-type]
         assert wanted in text.replace("&gt;", ">")
         assert not re.search(r"-&gt;|log10|N\*m", text)
+
+
+@pytest.mark.parametrize(
+    ("name", "view", "numbers"),
+    [
+        ("two-stroke-flywheel", "torque", {"45°", "180°", "360°", "120", "240", "−120"}),
+        ("shaper-flywheel", "inertia", {"45°", "360°", "2", "4"}),
+        ("cam-rocker", "swing", {"120°", "360°", "0.3"}),
+        ("shaper-flywheel", "energy-mass", {"−300", "0.8"}),
+    ],
+)
+def test_the_axes_of_a_blank_diagram_have_names_units_and_numbers(name: str, view: str, numbers: set[str]) -> None:
+    frame = next(f for f in frames(drawn(name).construction, drawn(name).problem)[0].figures if f.view.name == view)
+    notes = [mark.words.en for mark in frame.marks if isinstance(mark, Note)]
+    assert numbers <= set(notes)
+    assert sum(note.startswith("$") for note in notes) == 2  # both axes are named
+    assert any(f"/{unit}" in note for note in notes for unit in ("(N·m)", "(kg·m^2)", "rad", "J"))

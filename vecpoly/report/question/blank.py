@@ -60,7 +60,8 @@ def _round(figure: Figure, pole: complex, size: tuple[float, float]) -> Box:
 
 def _share(before: float, behind: float, room: float, of: Sequence[float]) -> float | None:
     """The first of these shares of the room that leaves enough before a place, and behind it."""
-    return next((one for one in of if one * room >= before + 4.0 and (1 - one) * room >= behind + 4.0), None)
+    needed = before + 4.0 if before > NEAR else 0.0
+    return next((one for one in of if one * room >= needed and (1 - one) * room >= behind + 4.0), None)
 
 
 def _given(figure: Figure, known: Sequence[Mark], box: Box) -> Iterator[Mark]:
@@ -114,7 +115,8 @@ def _diagram(figure: Figure, axes: tuple[Vector, Vector], size: tuple[float, flo
     right, up = axes
     low, high = bounds(figure.marks)
     start = _about(figure, size)[0]
-    floor = _share(-low.imag, high.imag, size[1] - 2 * EDGE, _FLOORS)
+    below = -low.imag if low.imag < -EDGE or up.a.imag < -NEAR else 0.0  # numbers stand in the edge
+    floor = _share(below, high.imag, size[1] - 2 * EDGE, _FLOORS)
     y = start.imag if floor is None else -EDGE - floor * (size[1] - 2 * EDGE)
     box = complex(start.real, y), complex(start.real, y) + complex(*size)
     return box, (*_across(figure, right, box), *_upwards(figure, up, box))
@@ -124,20 +126,31 @@ def _across(figure: Figure, right: Vector, box: Box) -> Iterator[Mark]:
     """The axis to the right with the numbers that the drawing has."""
     end = complex(box[1].real - EDGE, right.b.imag)
     yield Vector(a=right.a, b=end, role=Role.DIRECTION, step=1)
-    letters = [mark for mark in figure.marks if isinstance(mark, Point) and mark.dot is Dot.NONE and mark.label]
-    scale, name = figure.scale.right, next((one.label for one in letters if one.at == right.b), "")
-    numbers = [
-        one for one in letters if _BELOW < one.at.imag < -NEAR and one.label[0].isdigit() and one.step == right.step
-    ]
+    name = next((mark.label for mark in figure.marks if isinstance(mark, Point) and mark.at == right.b), "")
+    numbers, scale = dict(_written(figure, right.step)), figure.scale.right
     if name:
-        timed = any(not one.label[-1].isdigit() for one in numbers)
+        timed = any(not text[-1].isdigit() for text in numbers.values())
         yield _named(end, name, "" if timed else scale.unit)
-    for one in numbers:
-        x = complex(one.at.real, 0.0)
-        yield Segment(a=x - _TICK * 1j, b=x + _TICK * 1j, role=Role.CONSTRUCTION, step=1)
-        yield Point(at=x - _TICK * 1j, label=one.label, dot=Dot.NONE, step=1)
+    for x, text in numbers.items():
+        yield from _tick(x + 0j, -1j, text)
     if not numbers:
         yield from _numbered(scale.value, right.a, end - 4.0, 1 + 0j)
+
+
+def _written(figure: Figure, step: int) -> Iterator[tuple[float, str]]:
+    """The numbers that stand below an axis since this step, each with its place on it."""
+    for mark in figure.marks:
+        if isinstance(mark, (Point, Note)) and mark.step == step and _BELOW < mark.at.imag < -NEAR:
+            text = mark.words.en if isinstance(mark, Note) else mark.label if mark.label.endswith("°") else ""
+            if text[:1].isdigit():
+                yield mark.at.real, text
+
+
+def _tick(at: complex, side: complex, text: str) -> Iterator[Mark]:
+    """A tick across an axis, with what is written on this side of it, if anything."""
+    yield Segment(a=at - _TICK * side, b=at + _TICK * side, role=Role.CONSTRUCTION, step=1)
+    if text:
+        yield Note(at=at + _TICK * side, words=Words.same(text), side=side, step=1)
 
 
 def _upwards(figure: Figure, up: Vector, box: Box) -> Iterator[Mark]:
@@ -173,12 +186,10 @@ def _levels(figure: Figure, size: tuple[float, float]) -> tuple[Box, tuple[Mark,
 
 def _numbered(per_mm: float, zero: complex, end: complex, way: complex) -> Iterator[Mark]:
     """A tick every 10 mm, a number at every other."""
-    side = 1j * way if way.imag == 0 else 1 + 0j
+    side = -1j if way.imag == 0 else -1 + 0j
     for n in range(1, int(abs(end - zero) / _APART) + 1):
-        at = zero + n * _APART * way
-        yield Segment(a=at - _TICK * side, b=at + _TICK * side, role=Role.CONSTRUCTION, step=1)
-        if n % 2 == 0:
-            yield Point(at=at - _TICK * side, label=number(n * _APART * per_mm, 3), dot=Dot.NONE, step=1)
+        text = number(n * _APART * per_mm, 3) if n % 2 == 0 else ""
+        yield from _tick(zero + n * _APART * way, side, text)
 
 
 def _named(at: complex, letter: str, unit: str) -> Mark:
