@@ -21,6 +21,7 @@ from .slicing import Size
 LETTERS = 3.0  # mm that letters stand out from the lines of a figure, or from the ring of a detail
 SLACK = 5.0  # mm by which a figure may turn out larger with its details, whose letters have no places yet
 BEYOND = 9.0  # mm that the letters of a direction take beyond its line
+NAMED = UNDER - 6.0  # mm: title below a detail, without a scale
 FOOT = 0.85  # of what stands round a figure in height: title and scale below it
 
 
@@ -94,7 +95,7 @@ def _knots(crowd: Crowd, times: float) -> tuple[Knot, ...]:
 def _box(knot: Knot) -> Rect:
     """The room that a detail takes, about the place of its ring."""
     across = 2 * knot.radius * knot.factor
-    return Rect(0.0, 0.0, max(across + 2 * LETTERS, SHORTEST), across + LETTERS + UNDER)
+    return Rect(0.0, 0.0, max(across + 2 * LETTERS, SHORTEST), across + LETTERS + NAMED)
 
 
 def _foot(box: Rect) -> Spots:

@@ -21,6 +21,7 @@ from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
 from .titleblock import Strip, furniture
 
 NO_TITLE = Words.same("")
+WORTH = 0.4  # of a page that figures take at least for which another sheet is begun
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,8 +119,8 @@ def sheets(
     its free body; on: sheets of this paper. plates: figures that would be lost on a page stand on a plate of their
     height.
 
-    Crowded places are drawn apart, enlarged, beside their figures, where that asks for no further sheet. Raises
-    VecpolyError where a figure is larger than a sheet.
+    Crowded places are drawn apart, enlarged, beside their figures, where that asks for no further sheet, or for one
+    that is well filled. Raises VecpolyError where a figure is larger than a sheet.
     """
     pages = _pages(reading_order(construction.figures), lang, on, construction.warning is not None)
     if plates and on.way is None:
@@ -142,8 +143,17 @@ def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> lis
     trials = chain((pages,), apart, fewer)
     made = (one for one in trials if one is not None and len(one) <= len(plain))
     first = next(made, plain)
+    if first is plain and not boxed:
+        return _further(pages, plain)
     enough = min(SPARSE, fullness(plain))
     return next((one for one in chain((first,), made) if fullness(one) >= enough), first)
+
+
+def _further(detailed: list[Page[Drawn]] | None, plain: list[Page[Drawn]]) -> list[Page[Drawn]]:
+    """One sheet more, where the details find no room else and leave no sheet with little on it."""
+    if detailed is None or len(detailed) > len(plain) + 1 or fullness(detailed) < WORTH:
+        return plain
+    return detailed
 
 
 def _loose(figures: Sequence[Figure], lang: Lang, on: Paper) -> Iterator[list[Page[Drawn]] | None]:
