@@ -18,7 +18,7 @@ from vecpoly.drawing.backends.png import to_png
 from vecpoly.drawing.backends.svg import to_svg
 from vecpoly.drawing.figure import draw_figure, drawing, unit_per_mm
 from vecpoly.drawing.scene import Fill, Layer, Scene, Stroke
-from vecpoly.drawing.style import HEAD_LENGTH, Hue
+from vecpoly.drawing.style import HEAD_LENGTH, HEAD_WIDTH, Hue
 from vecpoly.drawing.symbols import shapes
 from vecpoly.words import Words
 
@@ -63,7 +63,7 @@ def test_an_arrowhead_points_exactly_at_the_end_of_its_vector() -> None:
 @pytest.mark.parametrize("length", [0.5, 2.0, 5.0, 9.0, 80.0])
 def test_an_arrowhead_is_3_mm_long_and_never_more_than_a_third_of_its_vector(length: float) -> None:
     assert shapes.head_length(length) == pytest.approx(min(HEAD_LENGTH, length / 3))
-    assert shapes.head_width(length, shapes.shaft_width(length, 0.5)) <= 1.0 + 1e-9
+    assert shapes.head_width(length, shapes.shaft_width(length, 0.5)) <= HEAD_WIDTH + 1e-9
 
 
 def test_an_arrowhead_is_always_wider_than_its_line() -> None:

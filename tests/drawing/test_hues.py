@@ -20,6 +20,7 @@ from vecpoly.drawing.beside import beside
 from vecpoly.drawing.figure import draw_figure
 from vecpoly.drawing.hues import dash_of, hue_of, ink_of, is_hollow, mark_hue
 from vecpoly.drawing.scene import Scene, Stroke, TextBox
+from vecpoly.drawing.style import THIN
 from vecpoly.drawing.symbols.marks import Surroundings, draw
 from vecpoly.figures.hue import TONES, Hue
 from vecpoly.names import ascii_key
@@ -50,7 +51,7 @@ def _inks(construction: Construction, figure: Figure) -> dict[str, set[str]]:
 
 def _along(stroke: Stroke, mark: Vector) -> bool:
     """Whether it is the shaft, which ends within the head."""
-    return stroke.width > 0.2 and abs(stroke.points[-1] - mark.b) < min(3.0, 0.9 * abs(mark.b - mark.a))
+    return stroke.width > THIN and abs(stroke.points[-1] - mark.b) < min(3.0, 0.9 * abs(mark.b - mark.a))
 
 
 @each(FOUR)
@@ -88,7 +89,7 @@ def test_a_force_is_known_by_its_hue_on_the_diagram_too() -> None:
     by_view = {figure.view.name: draw_figure(figure) for figure in construction.figures}
     hue = ink_of("R_41", construction.tones)
     assert hue in TONES and ink_of("R_14_0", construction.tones) == hue
-    thin = {item.hue for item in by_view["mechanism"].items if isinstance(item, Stroke) and item.width < 0.2}
+    thin = {item.hue for item in by_view["mechanism"].items if isinstance(item, Stroke) and item.width <= THIN}
     assert hue in thin and Hue.GREY in thin
     for view in ("mechanism", "force"):
         assert hue in {item.hue for item in by_view[view].items if isinstance(item, TextBox)}

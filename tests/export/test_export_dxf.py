@@ -80,8 +80,8 @@ def test_lengths_are_mm_and_layers_have_the_widths_of_the_house() -> None:
         70,
         50,
         35,
-        18,
-        18,
+        25,
+        25,
     ]
     assert doc.layers.get("centre").dxf.linetype == "VECPOLY_DASH_DOT"
     assert {"construction", "dimension", "frame", "text", "sheet", "tint", "point"} <= {

@@ -15,6 +15,7 @@ from ..plane.geometry import crossing, dot, inclined
 from ..plane.traced import acts_of, traced
 from ..words import Words
 from . import acts as done
+from .acts.inkless import FOUND_ON
 from .construction import Scale
 from .hand import Hand
 from .ledger import Stood
@@ -39,17 +40,16 @@ class Instruments(Strokes):
         self._others: dict[int, Points] = {}  # of a meeting that was found the one that was not
         self._slipped: set[str] = set()  # what was computed wrongly is laid off as computed
 
-    def locate(self, view: Place, letter: str, at: Points, of: At | None = None) -> Points:
+    def locate(self, view: Place, letter: str, at: Points, of: At | None = None, *, found_on: bool = False) -> Points:
         """From now on the point has this letter; goes on with a point of somebody's own where there is one.
-
-        of: the point of the mechanism that it stands for on a polygon.
+        of: the point of the mechanism that it stands for on a polygon. found_on: it is none, but constructed there.
         """
         key = plain_letters(letter)
         other = next((self._others[n] for n in acts_of(at) if n in self._others), at)
         swapped = (hand for hand, slip in self.amended.wrong(view, key) if slip.mistake is Mistake.OTHER_MEETING)
         at = self.amended.altered(at, ((hand, other) for hand in swapped))
         at = self.amended.point(view, letter, at)
-        head = self.head(at, on=view, key=key, owner="" if of is None else f"point {of}")
+        head = self.head(at, on=view, key=key, owner=FOUND_ON if found_on else "" if of is None else f"point {of}")
         found = self.gave(at, done.Locate(head=head, at=spot(at)))
         self.ledger.spots[view, key] = found
         if of is not None:

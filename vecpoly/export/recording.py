@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from math import isfinite, pi
 
 from ..board import acts as done
+from ..board.acts.inkless import FOUND_ON
 from ..board.construction import Scale, View
 from ..board.hand import hand
 from ..board.otherwise.amended import AS_DRAWN
@@ -109,8 +110,10 @@ def _spots(acts: Sequence[done.Act]) -> dict[tuple[str, str], complex]:
 
 
 def _is_aside(act: done.Act) -> bool:
-    """Whether it is done on a figure beside the diagram and the polygons, such as that of the centres."""
-    return act.head.place is not None and view_of(act.head.place) is not act.head.place
+    """Whether it is done on a figure beside the diagram and the polygons, or is found by a construction on the diagram,
+    such as a centre."""
+    place = act.head.place
+    return act.head.owner == FOUND_ON or (place is not None and view_of(place) is not place)
 
 
 def _answers(acts: Sequence[done.Act]) -> dict[tuple[str, str], complex]:

@@ -10,6 +10,8 @@ from ...words import Words
 from ..otherwise.slip import Mistake
 from .base import Done
 
+FOUND_ON = "construction"  # owner of a point that is found by a construction on the diagram, as a centre is
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Locate(Done):

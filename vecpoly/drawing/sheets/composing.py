@@ -67,9 +67,10 @@ def _lower(page: Composing, best: Scales, start: Scales) -> Scales:
     """The scales for a plate, where figures that would be lost on a page fill it better; else as they are."""
     plate = Composing(page.figures, page.kinds, (PLATE, HIGHEST))
     low = plate.grown(start)
-    if low is None or plate.needed(low) > 1 or plate.least(low) < ENOUGH or plate.cramped(low, best):
+    if low is None or plate.needed(low) > 1 or plate.least(low) < ENOUGH:
         return best
-    return low if plate.low(low) > page.share(best) else best
+    share = page.share(best)
+    return best if plate.low(low) <= share or (share >= SPARSE and plate.cramped(low, best)) else low
 
 
 def least_scales(kinds: set[Place], figures: Sequence[Sketched]) -> Scales:

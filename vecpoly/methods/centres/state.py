@@ -71,7 +71,7 @@ class CentreFigure:
     def settle(self, pair: Pair, centre: Centre) -> Centre:
         """A centre is found: it has its letter, unless it is at infinity."""
         if centre.at is not None:
-            centre = Centre(at=self.board.locate(self.pane, self.symbol(*pair), centre.at))
+            centre = Centre(at=self.board.locate(self.pane, self.symbol(*pair), centre.at, found_on=True))
         self.known.centres[pair] = centre
         return centre
 

@@ -111,7 +111,7 @@ class CurvatureFigure:
         """A point is found: it has its letter. Raises DeadPointError where lines without length lead nowhere."""
         if not isfinite(complex(nominal(at))):
             raise DeadPointError(Words(f"${symbol}$ 作不出", f"${symbol}$ is not found"))
-        found = self.board.locate(self.pane, symbol, at)
+        found = self.board.locate(self.pane, symbol, at, found_on=True)
         self.board.plot(self.pane, found, symbol, dot)
         return found
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ....board.paper.marks import Dot, Role
+from ....board.paper.marks import Dot, Point, Role
 from ....mechanism.model import Rolling
 from ....plane import Line, unit
 from ....words import Words
@@ -35,8 +35,7 @@ def draw_pole(fig: CurvatureFigure) -> None:
     for ray in fig.rays:
         fig.thin(ray.line, fig.pole, *ray.spots(), role=Role.CENTRE)
     for ray in fig.rays:
-        for letter in filter(None, (ray.moving, ray.fixed)):
-            board.plot(fig.pane, fig.at(letter), fig.shown(letter), Dot.NONE)
+        _name_ends(fig, ray)
 
 
 def _rolling_pole(fig: CurvatureFigure, joint: Rolling) -> None:
@@ -60,8 +59,15 @@ def _rolling_pole(fig: CurvatureFigure, joint: Rolling) -> None:
     ray = Ray(moving=pair.moving, fixed=pair.fixed, x=at, o=fixed, line=Line(fig.pole, unit(at - fig.pole)))
     fig.rays = (ray,)
     fig.thin(ray.line, fig.pole, *ray.spots(), role=Role.CENTRE)
+    _name_ends(fig, ray)
+
+
+def _name_ends(fig: CurvatureFigure, ray: Ray) -> None:
+    """The letters of its points, unless they stand there already."""
+    there = {mark.label for mark in fig.board.marks(fig.pane) if isinstance(mark, Point)}
     for letter in filter(None, (ray.moving, ray.fixed)):
-        fig.board.plot(fig.pane, fig.at(letter), fig.shown(letter), Dot.NONE)
+        if fig.shown(letter) not in there:
+            fig.board.plot(fig.pane, fig.at(letter), fig.shown(letter), Dot.NONE)
 
 
 def _told(fig: CurvatureFigure, ray: Ray) -> Words:
