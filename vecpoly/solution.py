@@ -29,6 +29,7 @@ from .methods.centres.compare import comparable
 from .methods.desk import Desk
 from .methods.drawn import Drawn
 from .names import Key, is_place
+from .printed.steps import as_printed
 from .problem.problem import Problem, Scales
 from .task import Task, task_of
 from .words import Words, language
@@ -124,9 +125,8 @@ def solve(
     """
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     task = task_of(problem)
-    values = task.truth.values  # first: its refusals know the range of the input that does assemble
-    size = sizes(problem, task.truth)
-    off = noise(problem, task.truth, size) if precise else dict.fromkeys(values, 0.0)
+    size = sizes(problem, task.truth)  # first: the refusals of the truth know the range of the input that does assemble
+    off = noise(problem, task.truth, size) if precise else dict.fromkeys(size, 0.0)
     amended = amend(readings, points, slip)
     drawn = task.draw(hand(by, seed=seed, repeats=repeats), amended, sketch)
     found_all(amended, drawn.construction.acts, readings)
@@ -135,10 +135,10 @@ def solve(
         return solve(
             problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points, slip=slip, sketch=sketch
         )
-    figures = drawn.construction.figures
-    small = unfit(figures, task.given({figure.view for figure in figures}))
+    construction, answers = as_printed(drawn.construction, answers)
+    small = unfit(construction.figures, task.given({figure.view for figure in construction.figures}))
     told = (*problem.warnings, *(idle(problem) if precise else ()), *small)
-    return Solution(problem, _warned(task, drawn, answers), answers, told)
+    return Solution(problem, _warned(task, drawn._replace(construction=construction), answers), answers, told)
 
 
 def _answers(

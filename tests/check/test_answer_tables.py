@@ -9,9 +9,9 @@ import pytest
 
 from vecpoly.algebra.formula import Txt
 from vecpoly.algebra.quantity import magnitude
+from vecpoly.printed.units import printed_unit
 from vecpoly.problem.load import load
 from vecpoly.report.answers.tables import readings_tables
-from vecpoly.report.values import printed_unit
 from vecpoly.solution import Solution, solve
 
 

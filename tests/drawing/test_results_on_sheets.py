@@ -14,8 +14,8 @@ from vecpoly.drawing.scene import Item, Rect, Stroke, TextBox, rect_of
 from vecpoly.drawing.sheets.results import CLEAR, SIZES
 from vecpoly.drawing.sheets.sheet import Sheet, sheets
 from vecpoly.drawing.sheets.space import FRAME, STRIP
+from vecpoly.printed.digits import drawn_number
 from vecpoly.report.answers.line import short_line
-from vecpoly.report.answers.rounded import drawn_number
 from vecpoly.report.plates.results import concluded
 from vecpoly.solution import YES_NO
 from vecpoly.typeset import Glyphs

@@ -18,8 +18,8 @@ from vecpoly.grading.key import Graded, Kind
 from vecpoly.grading.student import check_answers
 from vecpoly.player.page import player_html
 from vecpoly.player.questions import KINDS
+from vecpoly.printed.units import printed_unit
 from vecpoly.problem.load import load
-from vecpoly.report.values import printed_unit
 from vecpoly.solution import solve
 
 NAMES = ("3-9", "4-3a")

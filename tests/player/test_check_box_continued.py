@@ -17,8 +17,8 @@ from vecpoly.grading.compare.outcome import Basis, Finding
 from vecpoly.grading.key import Graded, Kind
 from vecpoly.grading.redraw import by_hands
 from vecpoly.grading.student import check_answers
+from vecpoly.printed.units import printed_unit
 from vecpoly.problem.load import load
-from vecpoly.report.values import printed_unit
 
 NAMES = ("3-9", "3-12")
 OTHERWISE = [

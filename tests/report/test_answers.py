@@ -10,15 +10,16 @@ import pytest
 from tests.drawn_library import IDS, drafted
 from tests.each import each
 from vecpoly.algebra.formula import plain
+from vecpoly.printed.digits import COARSE, coarse, on_paper, rounded
+from vecpoly.printed.units import printed_unit
 from vecpoly.problem.load import load
 from vecpoly.report.answers.box import answer_box
-from vecpoly.report.answers.line import answer_line
+from vecpoly.report.answers.line import answer_line, result_of
 from vecpoly.report.answers.order import solution_of
-from vecpoly.report.answers.rounded import COARSE, coarse, on_paper, rounded
 from vecpoly.report.answers.tables import counted, readings_tables
 from vecpoly.report.flow.results.box import AnswerBox
 from vecpoly.report.statement.groups import parted
-from vecpoly.report.values import called, printed_unit
+from vecpoly.report.values import called
 from vecpoly.solution import YES_NO, Answer, Solution, solve
 from vecpoly.typeset.box import MM
 from vecpoly.words import Lang
@@ -85,6 +86,18 @@ def test_what_was_asked_is_evaluated_in_a_step_and_not_twice_there(name: str) ->
     for answer in solution.answers.values():
         if (line := answer.reading.formula) is not None:
             assert {step.formulas.count(line) for step in steps} - {0} == {1}, (answer.key, plain(line))
+
+
+@each(IDS)
+def test_a_step_ends_with_the_number_of_the_box_the_table_and_the_sheet(name: str) -> None:
+    solution = drafted(name)
+    for answer in solution.answers.values() if solution is not None else ():
+        assert solution is not None
+        if (line := answer.reading.formula) is None or answer.undefined or answer.reading.unit == YES_NO:
+            continue
+        told = re.split(" = | → ", plain(line))[-1]
+        ends = result_of(answer, "en")
+        assert told.lstrip("−") == (ends if answer.is_place else ends.split(" (")[0]).lstrip("−"), answer.key
 
 
 @each(IDS)

@@ -55,8 +55,7 @@ class Algebra:
 
 @dataclass(frozen=True, slots=True)
 class Quantity(Algebra):
-    """A named value: leaf of an expression. `node` is its symbol, `value` SI (an angle in `deg`:
-    degrees), `unit` as printed."""
+    """A named value, leaf of an expression: its symbol `node`, `value` in SI (`deg`: degrees), `unit` as printed."""
 
     node: Node
     value: Reals
@@ -69,7 +68,8 @@ class Quantity(Algebra):
     def numbers(self, digits: int = FIGURES) -> Node:
         """The leaf's number; a scale or a negative number would stand in brackets."""
         value = float(nominal(self.value))
-        text = number(value, digits) + ("°" if self.unit == "deg" else "")
+        whole = isinstance(self.node, Over) and value and not value % 1  # a length on paper, read to a tenth
+        text = number(value, digits) + (".0" if whole else "°" if self.unit == "deg" else "")
         return Txt(f"({text})" if value < 0 else text)
 
     def squared(self) -> Powered:

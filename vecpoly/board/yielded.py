@@ -69,10 +69,10 @@ class _Line:
 
 
 def _written(lines: Sequence[_Line], reading: Reading) -> _Line | None:
-    """The line that evaluates a quantity in a step already, the last one."""
-    name, size = plain(row(reading.symbol)), number(abs(reading.scalar))
-    back = reversed(lines)
-    return next((one for one in back if one.node == reading.formula or (one.name, one.result) == (name, size)), None)
+    """The line that evaluates a quantity in a step already, the last one: its own before one that comes to the same."""
+    named = (plain(row(reading.symbol)), number(abs(reading.scalar)))
+    own = (one for one in reversed(lines) if one.node == reading.formula)
+    return next(own, next((one for one in reversed(lines) if (one.name, one.result) == named), None))
 
 
 def _as_another(lines: Sequence[_Line], node: Node) -> Node:

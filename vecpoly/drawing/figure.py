@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from ..algebra.formula import Node, Power, Row, Txt, row
+from ..algebra.quantity import number
 from ..board.construction import Figure, Scale
 from ..typeset import Box, layout
 from ..words import Lang
@@ -22,6 +23,7 @@ from .swung import swung
 from .symbols.marks import Surroundings, draw
 
 TITLE_GAP, LINE = 6.0, 6.0  # mm: lowest ink to the title's capitals; title to scale
+_FIGURES = 6  # of a scale
 KEPT = 64  # drawings
 TITLE_WIDTH = 70.0  # a title wider than this and than its figure takes two lines
 
@@ -135,13 +137,7 @@ def scale_box(scale: Scale) -> Box:
 
 def _scale_items(scale: Scale) -> tuple[Node, ...]:
     name = row(f"{scale.symbol} = ")
-    return (*name.items, Txt(f"{_plain(scale.value)} "), *unit_per_mm(scale.unit))
-
-
-def _plain(value: float) -> str:
-    """A scale's number in full: 0.0000625, not 6.25e-05."""
-    text = f"{value:.6g}"
-    return text if "e" not in text else f"{value:.12f}".rstrip("0").rstrip(".")
+    return (*name.items, Txt(f"{number(scale.value, _FIGURES)} "), *unit_per_mm(scale.unit))
 
 
 def unit_per_mm(unit: str) -> tuple[Txt | Power, ...]:

@@ -23,8 +23,8 @@ from ..grading.told.catalogue import SENTENCES, Told
 from ..grading.told.message import Message, message
 from ..grading.told.slip import told_of
 from ..names import written_unit
+from ..printed.units import printed_unit
 from ..problem.problem import Problem
-from ..report.values import printed_unit
 from ..tagging.speech import spoken
 from ..tagging.units_said import unit_said
 from ..words import Words

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 from ..algebra.quantity import number
 from ..drawing.hues import ink_called
+from ..printed.units import printed_unit
 from ..report.answers.tables import way
-from ..report.values import called, printed_unit, value
+from ..report.values import called, value
 from ..solution import YES_NO, Answer, Solution
 from ..tagging.speech import spoken
 from ..words import Words

@@ -13,7 +13,7 @@ from ..board.paper.marks import Point
 from ..drawing.style import LETTER
 from ..mechanism.model import Mechanism
 from ..names import written_unit
-from ..report.values import printed_unit
+from ..printed.units import printed_unit
 from ..solution import YES_NO
 from ..tagging.speech import spoken
 from ..tagging.units_said import unit_said

@@ -13,11 +13,12 @@ from ..mechanism.asked.forces import pairs, press_named
 from ..mechanism.groups.assur import ends, is_held
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism, Rolling
+from ..printed.places import place_parts
 from ..solution import Answer, Solution
 from ..words import Lang, Words
 from .flow.table import DataTable
 from .tables import inks_of, trimmed
-from .values import called, place_parts
+from .values import called
 
 _HEADER = {
     "zh": ("力", "过点 $x$ /mm", "$y$ /mm", "作用线的位置", "距精确作用线 /mm"),

@@ -6,17 +6,16 @@ import re
 from math import isnan
 
 from ..algebra.quantity import number
-from ..algebra.rounding import to_places
 from ..mechanism.asked.forces import load_named
 from ..mechanism.loads import Force
 from ..names import Key, Named
+from ..printed.units import printed_unit
 from ..problem.problem import Problem
 from ..solution import YES_NO
 from ..words import Lang, Words
 
 _UNDEFINED = Words("无意义", "undefined")
 _YES, _NO = Words("是", "yes"), Words("否", "no")
-_PAPER = {"m": (1e3, "mm"), "W": (1e-3, "kW")}  # SI unit → factor and unit as printed
 _STRUCTURAL = {"class_": Words("机构级别", "class"), "groups_": Words("杆组数", "number of groups")}
 _STATION = re.compile(r"(s|psi|alpha|r|P)_[\d.]+")  # of a cam, or of Freudenstein: s_0 is no s without friction
 _CURVED = {
@@ -37,11 +36,6 @@ _WAYS = {
 }
 
 
-def printed_unit(unit: str) -> tuple[float, str]:
-    """Factor from SI and name of the unit in which a report prints: lengths in mm, powers in kW."""
-    return _PAPER.get(unit, (1.0, unit))
-
-
 def value(size: float, unit: str, lang: Lang, key: str = "", digits: int = 4) -> str:
     """A value with its unit: 52.45 mm, 38.2°, yes, 0.7952 (79.52 %); 0/0 is undefined."""
     if isnan(size):
@@ -60,16 +54,6 @@ def value(size: float, unit: str, lang: Lang, key: str = "", digits: int = 4) ->
 def unit_after(name: str) -> str:
     """A unit as it follows its number: 12.5°, 5 mm; none of a pure number."""
     return "°" if name == "deg" else f" {name}".rstrip()
-
-
-def place_parts(at: complex, places: int) -> tuple[str, str]:
-    """Both coordinates of a point (m) in mm, with so many decimals; no sign on zero."""
-    x, y = (f"{to_places(1e3 * part, places):.{places}f}" for part in (at.real, at.imag))
-    return _signed(x), _signed(y)
-
-
-def _signed(text: str) -> str:
-    return text.lstrip("-") if float(text) == 0 else text.replace("-", "−")
 
 
 def rough(size: float) -> str:

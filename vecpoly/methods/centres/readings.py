@@ -78,7 +78,7 @@ def _read_place(fig: CentreFigure, pair: Pair) -> None:
     named, found = centre(fig.mech, *pair), fig.known.of(*pair)
     if found.along is not None:
         angle = _upright(fig.board.gauge(0j, found.along))
-        text = Row((sym(named.symbol), Txt(f" → ∞, {float(nominal(angle)):.4g}°")))
+        text = Row((sym(named.symbol), Txt(f" → ∞ ({float(nominal(angle)):.1f}°)")))
         fig.board.keep(
             Reading(
                 key=named.key, symbol=f"{named.symbol}^{{∞}}", unit=ENDLESS, scalar=float(nominal(angle)), formula=text

@@ -6,11 +6,13 @@ from dataclasses import dataclass
 from math import degrees, isclose, isinf, isnan
 
 from ...algebra.formula import Node, Row, Txt, row
+from ...printed.digits import coarse, coordinates, drawn_number, on_paper
+from ...printed.places import place_parts
+from ...printed.units import printed_unit
 from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution, told_short
 from ...words import Lang, Words
-from ..values import called, direction_of_load, is_efficiency, place_parts, printed_unit, unit_after, value
-from .rounded import coarse, coordinates, drawn_number, on_paper
+from ..values import called, direction_of_load, is_efficiency, unit_after, value
 
 SQUARE = {"0.0": "→", "90.0": "↑", "180.0": "←", "-180.0": "←", "-90.0": "↓", "-0.0": "→"}
 _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from math import degrees, isfinite
 
+from ...printed.digits import coordinates, drawn_number, exact_number, on_paper
+from ...printed.places import place_parts
+from ...printed.units import printed_unit
 from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution
 from ...typeset.box import Rgb
 from ...words import Lang, Words
 from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
-from ..values import called, direction_of_load, place_parts, printed_unit, rough, value
+from ..values import called, direction_of_load, rough, value
+from .errors import NOTHING, alike, expected_errors
 from .order import listed
-from .rounded import coordinates, drawn_number, exact_number, on_paper
 
-NOTHING = "—"
 _HEADS = (
     Words("量", "Quantity"),
     Words("单位", "Unit"),
@@ -64,7 +66,8 @@ def readings_at(
     for where, solution, answers in positions:
         spots, others = _sorted(answers)
         values += _at(where, [_row(one, solution.problem, lang, _unit(one)) for one in others])
-        places += _at(where, [_place_row(one) for one in spots])
+        placed = [(*_place_row(one), gap) for one, gap in zip(spots, _gaps(spots), strict=True)]
+        places += _at(where, placed)
         for told, of_one in zip(inks, (others, spots), strict=True):
             told += inks_of(solution, (one.key for one in of_one))
     tables = ((values, _HEADS, _ALIGN, inks[0]), (places, _PLACES, _ALIGN_PLACES, inks[1]))
@@ -76,7 +79,7 @@ def readings_at(
 
 
 def _at(where: str, rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
-    return [("" if n else where, *row[:-1]) for n, row in enumerate(rows)]
+    return [("" if n else where, *row) for n, row in enumerate(rows)]
 
 
 def _sorted(answers: Iterable[Answer]) -> tuple[list[Answer], list[Answer]]:
@@ -107,7 +110,8 @@ def _values(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
         header[_VALUE] = _COMPUTED.of(lang)
     if one_unit not in ("", NOTHING):
         header = [f"{head} /{_braced(one_unit)}" if n in _WITH_UNIT else head for n, head in enumerate(header)]
-    rows = [_row(one, solution.problem, lang, "" if one_unit else _unit(one)) for one in answers]
+    errors = expected_errors(answers)
+    rows = [(*_row(one, solution.problem, lang, "" if one_unit else _unit(one)), errors[one.key]) for one in answers]
     return trimmed(header, rows, (), _ALIGN, lang, inks_of(solution, (one.key for one in answers)))
 
 
@@ -123,7 +127,6 @@ def _unit(answer: Answer) -> str:
 
 def _row(answer: Answer, problem: Problem, lang: Lang, unit: str) -> tuple[str, ...]:
     r = answer.reading
-    factor = printed_unit(r.unit)[0]
     exact = _clean(answer)
     return (
         called(r.symbol, r.key, lang),
@@ -134,7 +137,6 @@ def _row(answer: Answer, problem: Problem, lang: Lang, unit: str) -> tuple[str, 
         way(answer, problem, lang),
         _plain(answer, exact, lang) or exact_number(answer, exact),
         _deviation(answer),
-        NOTHING if answer.computed else rough(factor * answer.expected_error),
     )
 
 
@@ -174,20 +176,42 @@ def angle(turn: float) -> str:
 
 
 def _places(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
-    rows, inks = [_place_row(one) for one in answers], inks_of(solution, (one.key for one in answers))
+    ends = zip(_gaps(answers), _reaches(answers), strict=True)
+    rows = [(*_place_row(one), *end) for one, end in zip(answers, ends, strict=True)]
+    inks = inks_of(solution, (one.key for one in answers))
     return trimmed([head.of(lang) for head in _PLACES], rows, (), _ALIGN_PLACES, lang, inks)
 
 
 def _place_row(answer: Answer) -> tuple[str, ...]:
-    """A point (m): both coordinates as drawn and exact, how far they are apart; at infinity in which direction."""
+    """A point (m): both coordinates as drawn and exact; at infinity in which direction."""
     if _endless(answer):
-        error = f"{rough(answer.expected_error)}°" if answer.expected_error else NOTHING
-        ways = ("∞", angle(answer.drawn), "∞", angle(_clean(answer)))
-        return (f"${answer.reading.symbol}$", *ways, NOTHING, error)
+        return (f"${answer.reading.symbol}$", "∞", angle(answer.drawn), "∞", angle(_clean(answer)))
     drawn, exact = answer.drawn_vector, answer.exact_vector
     assert drawn is not None and exact is not None
-    places, off = coordinates(answer), abs(drawn - exact)
-    reach = NOTHING if answer.expected_error <= _APART else rough(1e3 * answer.expected_error)
-    gap = "0" if off <= _APART else rough(1e3 * off)
-    here, there = place_parts(drawn, places), place_parts(exact, places + 1)
-    return (f"${answer.reading.symbol}$", *here, *there, gap, reach)
+    places = coordinates(answer)
+    return (f"${answer.reading.symbol}$", *place_parts(drawn, places), *place_parts(exact, places + 1))
+
+
+def _gaps(answers: Iterable[Answer]) -> Iterator[str]:
+    """How far apart (mm) the drawn and the exact point are."""
+    found = [
+        None if _endless(one) or one.drawn_vector is None or one.exact_vector is None
+        else abs(one.drawn_vector - one.exact_vector)
+        for one in answers
+    ]  # fmt: skip
+    told = iter(alike([1e3 * off for off in found if off is not None and off > _APART]))
+    yield from (NOTHING if off is None else "0" if off <= _APART else next(told) for off in found)
+
+
+def _reaches(answers: Sequence[Answer]) -> Iterator[str]:
+    """Within which distance (mm) a point is found; at infinity within which angle."""
+    told = iter(alike([1e3 * one.expected_error for one in answers if _reaches_mm(one)]))
+    for one in answers:
+        if _reaches_mm(one):
+            yield next(told)
+        else:
+            yield f"{rough(one.expected_error)}°" if _endless(one) and one.expected_error else NOTHING
+
+
+def _reaches_mm(answer: Answer) -> bool:
+    return not _endless(answer) and answer.expected_error > _APART

@@ -13,10 +13,10 @@ from ...tagging.pieces import Marks
 from ...tagging.references import goal_of
 from ...tagging.tag import Role, Tag
 from ...tagging.tag import cell as cell_tag
-from ...tagging.tree import tree_of
+from ...tagging.tree import artifact, tree_of
 from ...typeset.box import MM, Rgb, inked
 from ...typeset.canvas import Ink
-from ...words import Lang
+from ...words import Lang, Words
 from .base import Block, Tightness
 from .cells import Cell, cells, joined
 from .lines import Line, break_lines, draw_line
@@ -30,6 +30,7 @@ _ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre"}
 
 _Row = tuple[tuple[Line, ...], ...]
 
+CONTINUED = Words("续表", "(continued)")
 _MANY_ROWS = 10
 _NUMBER = re.compile(r"(?:续?表|Table) ?([\dA-Z]+-\d+)")  # at the head of a caption
 _LEAST_ROWS = 4  # rows that a page break leaves together, before and after it
@@ -118,7 +119,7 @@ class DataTable(Block):
         points = tuple(self._aligned(i) for i in range(len(self.header)))
         widths = self._columns(width / MM, (header, *rows), points)
         head, body = self._lines(header, widths), tuple(self._lines(row, widths) for row in rows)
-        caption = CAPTION.leading + 2.0 if self.caption else 0.0
+        caption = CAPTION.leading + 2.0 if self.caption or self._continued else 0.0
         top = caption + _HEAVY + self._height(head) + _FINE
         return _Set(widths, head, body, points, top, tuple(map(self._height, body)))
 
@@ -185,11 +186,8 @@ class DataTable(Block):
         ink, found = Ink(self.canv), self.set_in(self.width)
         width = sum(found.widths) * MM
         left, y = (self.width - width) / 2, self.height
-        if self.caption:
-            em = CAPTION.em
-            title = joined(cells(self.caption, em, self.lang == "zh", True), em)
-            ink.under(tree_of(self.canv).opener(Tag(Role.CAPTION, self.tag)))
-            ink.box(title, (self.width - title.width * MM) / 2, y - CAPTION.size)
+        if self.caption or self._continued:
+            self._entitle(ink, left + width, y - CAPTION.size)
             y -= CAPTION.leading + 2.0
         y = self._rule(ink, left, y, width, _HEAVY)
         y = self._row(ink, found.head, found.widths, left, y, "c" * len(self.header), header=True)
@@ -202,6 +200,18 @@ class DataTable(Block):
             y = self._row(ink, row, found.widths, left, y, self.align, shifts)
         self._rule(ink, left, y, width, _HEAVY)
         ink.flush()
+
+    def _entitle(self, ink: Ink, right: float, y: float) -> None:
+        """The caption in the middle; over what is left of a table, at its right end, that it goes on."""
+        title = joined(cells(self.caption or CONTINUED.of(self.lang), CAPTION.em, self.lang == "zh", True), CAPTION.em)
+        if self.caption:
+            ink.under(tree_of(self.canv).opener(Tag(Role.CAPTION, self.tag)))
+            ink.box(title, (self.width - title.width * MM) / 2, y)
+            return
+        with artifact(self.canv):
+            own = Ink(self.canv)
+            own.box(title, right - title.width * MM, y)
+            own.flush()
 
     def _rule(self, ink: Ink, x: float, y: float, width: float, weight: float) -> float:
         ink.rule(x, y - weight, width, weight)

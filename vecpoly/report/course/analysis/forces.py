@@ -12,9 +12,9 @@ from ....findings.load_drive import Driven, driven
 from ....findings.shown import shown
 from ....findings.study.study import Study
 from ....mechanism.loads import Loads
+from ....printed.units import printed_unit
 from ....solution import Answer
 from ....words import Words
-from ...values import printed_unit
 from .duties import best, listed, merged, ranges, told
 from .force_words import jumps
 

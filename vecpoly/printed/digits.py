@@ -1,13 +1,13 @@
-"""How many decimals an answer has: as many as its reading allows, in the box of answers and in the table alike."""
+"""How many decimals an answer has: as many as its reading allows, wherever it is printed."""
 
 from __future__ import annotations
 
 from math import floor, isfinite, log10
 
-from ...algebra.quantity import number
-from ...algebra.rounding import to_places
-from ...solution import YES_NO, Answer
-from ..values import printed_unit
+from ..algebra.quantity import number
+from ..algebra.rounding import to_places
+from ..answer import YES_NO, Answer
+from .units import printed_unit
 
 TENTH = 0.1  # mm: what a rule is read to
 SHARE, SHARE_OF_COARSE = 0.1, 0.25  # of the expected error: what is smaller says nothing
@@ -26,9 +26,9 @@ def drawn_number(answer: Answer) -> str:
 
 
 def exact_number(answer: Answer, exact: float) -> str:
-    """The exact value (SI) beside it: one decimal more."""
-    places = decimals(answer)
-    return rounded(_towards(answer) * exact, None if places is None else places + 1, MOST + 1)
+    """The exact value (SI) beside it: one decimal more; of what is computed, which is exact, the same."""
+    places, more = decimals(answer), not answer.computed
+    return rounded(_towards(answer) * exact, None if places is None else places + more, MOST + more)
 
 
 def _towards(answer: Answer) -> float:
