@@ -17,6 +17,7 @@ from .flow.table import DataTable
 
 _NUMBER = Words("解", "No.")
 _NONE, _YES, _NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
+_BESIDE = frozenset({"K", "psi", "H", "gamma_min"})  # keys of what is moved and found exactly too
 _BARS = (("A", "B"), ("B", "C"), ("C", "D"))
 
 
@@ -34,6 +35,14 @@ def verification_table(solution: Solution, lang: Lang) -> DataTable | None:
     header = [_NUMBER.of(lang), *(lines[0][n][0].of(lang) for n in told)]
     rows = [[str(one.number), *(line[n][1].of(lang) for n in told)] for one, line in zip(moved, lines, strict=True)]
     return DataTable(header, rows, None, "c" * len(header), lang=lang)
+
+
+def beside_exact(solution: Solution) -> bool:
+    """Whether exact values stand in that table, in brackets."""
+    design = solution.problem.subject
+    numbers = {one.number for one in solution.verification if one.broken is None}
+    true = enumerate(exact(design), 1) if numbers and isinstance(design, Design) else ()
+    return any(number in numbers and not _BESIDE.isdisjoint(values) for number, values in true)
 
 
 class _Line:

@@ -55,7 +55,7 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
     verdict = Verdict.VALID if same else Verdict.OTHER_SIDE
     drawn(draft, (a, b1, c1, d), (a, b2, c2, d), verdict=verdict)
     crank_circle(draft, a, np.abs(b2 - a))
-    marked(draft, a, (b1, b2), valued("φ_{12}", np.abs(np.degrees(design.phi_12.si))), key="phi_12")
+    marked(draft, a, (b1, b2), valued("φ_{12}", np.degrees(design.phi_12.si)), key="phi_12")
     rejected(draft, verdict)
     if verdict is Verdict.VALID:
         draft.length(draft.of_this(AB), board.measure(a, b2, "A B_2"), "A B_2")
