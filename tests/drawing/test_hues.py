@@ -24,6 +24,7 @@ from vecpoly.drawing.style import THIN
 from vecpoly.drawing.symbols.marks import Surroundings, draw
 from vecpoly.figures.hue import TONES, Hue
 from vecpoly.names import ascii_key
+from vecpoly.report.answers.order import listed
 from vecpoly.report.answers.tables import readings_tables
 from vecpoly.report.document import report_bytes
 from vecpoly.report.flow.equation import EquationFlow, _columns
@@ -69,7 +70,8 @@ def test_a_vector_has_one_hue_in_equations_polygons_free_bodies_and_tables(name:
             rgb = {item.rgb for item in column.cells[0].items if isinstance(item, Glyphs)}
             seen.setdefault(ascii_key(symbol), set()).update(_named(rgb))
     answers = one.solution.answers
-    keys = sorted(answers, key=lambda key: answers[key].is_place)  # places have a table of their own
+    order = [answer.key for answer in listed(answers.values())]
+    keys = sorted(order, key=lambda key: answers[key].is_place)  # places have a table of their own
     rows = [ink for table in readings_tables(one.solution, "zh") for ink in table.inks]
     for key, row in zip(keys, rows, strict=True):
         seen.setdefault(known_as(key, answers[key].reading.symbol), set()).update(_named({row}))
