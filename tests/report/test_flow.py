@@ -109,7 +109,7 @@ def test_the_table_repeats_its_header_on_every_page(tmp_path: Path) -> None:
     found = pages(write(tmp_path, [Para(ZH), table]))
     assert len(found) >= 3
     assert all("序号" in page for page in found)
-    assert ["表 1" in page for page in found] == [True] + [False] * (len(found) - 1)
+    assert ["表1" in page.replace(" ", "") for page in found] == [True] + [False] * (len(found) - 1)
     assert ["续表" in page for page in found] == [False] + [True] * (len(found) - 1), "what goes on says so"
 
 
