@@ -125,9 +125,8 @@ def _orders(bench: Bench, device: ShakingForce, moving: Quantity) -> Orders:
         Words(
             "往复质量的惯性力取两项：$F_1 cos φ$ + $F_2 cos 2φ$（略去的各项约为 $λ^3$/4，"
             f"即 $F_1$ 的 {number(25 * ratio**3, 2)} %）。",
-            "Of the inertia force of the reciprocating mass two terms are taken, $F_1 cos φ$ + $F_2 cos 2φ$ (those "
-            "left "
-            f"out are about $λ^3$/4, {number(25 * ratio**3, 2)} % of $F_1$).",
+            "Two terms of the inertia force of the reciprocating mass are taken, $F_1 cos φ$ + $F_2 cos 2φ$ (those "
+            f"neglected are about $λ^3$/4, {number(25 * ratio**3, 2)} % of $F_1$).",
         )
     )
     crank = magnitude("r", device.r.si, "m")

@@ -37,8 +37,8 @@ def draw_reduced(bench: Bench, train: ReducedTrain) -> None:
     board.step(
         Words(
             f"取轴 {train.main} 为等效构件。相啮合的两轮（或带轮）节线速度相等，故转速与齿数（直径）成反比：",
-            f"Take shaft {train.main} as the equivalent link. Two wheels in mesh, or with one belt, have one pitch "
-            "line velocity, so that their speeds are inversely as their teeth (diameters):",
+            f"Take shaft {train.main} as the equivalent link. Two gears in mesh, or two pulleys joined by a belt, have "
+            "the same pitch-line velocity, so their speeds are inversely proportional to their teeth (diameters):",
         ),
         place,
     )
