@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.forces.test_pins_in_slots import exact_hand
 from tests.generators.forces import friction, moment, numbered, renumbering, simple, some, template
 from tests.generators.loaded import rrp, rrr
 from tests.texts import SIX_BAR
@@ -17,7 +18,7 @@ from vecpoly.mechanism.asked.forces import apart, pairs
 from vecpoly.mechanism.model import FRAME, Mechanism, Revolute
 from vecpoly.mechanism.seats import seat, seated
 from vecpoly.report.statement.structure import numbering
-from vecpoly.solution import Solution, solve
+from vecpoly.solution import solve
 
 RUBBING = "friction: {A: {rho: 3 mm}, B: {rho: 3 mm}, C: {rho: 4 mm}, D: {rho: 3 mm}, E: {rho: 3 mm}, F: {rho: 3 mm}}\n"
 TWO_ROCKERS = """
@@ -38,10 +39,6 @@ loads: {M_3: {on: 3, size: 10 N*m}, F: {on: 5, at: E, size: 100 N, direction: 20
 
 def mechanism(text: str) -> Mechanism:
     return loads(text).mechanism
-
-
-def exact_hand(text: str) -> Solution:
-    return solve(loads(text), by="exact", repeats=0)
 
 
 def test_the_rocker_carries_the_pin_not_the_connecting_rods() -> None:

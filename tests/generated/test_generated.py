@@ -1,6 +1,6 @@
 """Random problems of every family: drawn, exact and differenced values agree, or the program declines in words.
 
-A few members each; `python -m tests.generators` judges thousands.
+A few members each, one where a member is dear; `make soak` judges hundreds, `python -m tests.generators` thousands.
 """
 
 from __future__ import annotations

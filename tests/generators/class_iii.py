@@ -209,28 +209,28 @@ def made(lay: Layout, drive: str, branch: str, parents: list[str], kinds: list[s
     return text_of(lay, drive, branch, plate, asked(lay, plate))
 
 
-@family("class-iii", often=2)
+@family("class-iii", often=1)
 def class_iii(rng: np.random.Generator) -> str:
     """Any three legs on a crank and the frame."""
     lay = Layout(rng)
     return made(lay, crank(lay), "", ["frame", "1"], [str(kind) for kind in rng.choice(LEGS, 3)])
 
 
-@family("class-iii-hinged", often=2)
+@family("class-iii-hinged", often=1)
 def class_iii_hinged(rng: np.random.Generator) -> str:
     """A plate on three bars."""
     lay = Layout(rng)
     return made(lay, crank(lay), "", ["frame", "1"], ["hinged"] * 3)
 
 
-@family("class-iii-slider", often=2)
+@family("class-iii-slider", often=1)
 def class_iii_slider(rng: np.random.Generator) -> str:
     """Any three legs, driven by a slider."""
     lay = Layout(rng)
     return made(lay, slider(lay), "", ["frame", "1"], [str(kind) for kind in rng.choice(LEGS, 3)])
 
 
-@family("class-iii-later", often=2)
+@family("class-iii-later", often=1)
 def class_iii_later(rng: np.random.Generator) -> str:
     """Any three legs on the links of a four-bar."""
     lay = Layout(rng)
@@ -238,7 +238,7 @@ def class_iii_later(rng: np.random.Generator) -> str:
     return made(lay, drive, branch, ["frame", "1", "2", "3"], [str(kind) for kind in rng.choice(LEGS, 3)])
 
 
-@family("class-iii-parallel", often=2)
+@family("class-iii-parallel", often=1)
 def class_iii_parallel(rng: np.random.Generator) -> str:
     """One leg with two slides, two others of any kind, on a crank and the frame or on a four-bar."""
     lay = Layout(rng)
@@ -248,7 +248,7 @@ def class_iii_parallel(rng: np.random.Generator) -> str:
     return made(lay, drive, branch, ["frame", "1", "2", "3"] if branch else ["frame", "1"], kinds)
 
 
-@family("class-iii-special", often=2)
+@family("class-iii-special", often=1)
 def class_iii_special(rng: np.random.Generator) -> str:
     """Three bars, two of them parallel or nearly so, or one pointing at another's pin:
     the special point is far, or that pin."""
@@ -266,7 +266,7 @@ def class_iii_special(rng: np.random.Generator) -> str:
     return text_of(lay, drive, "", "2", asked(lay, "2"))
 
 
-@family("class-iii-compound", often=2)
+@family("class-iii-compound", often=1)
 def class_iii_compound(rng: np.random.Generator) -> str:
     """Three bars, two of which share their pin on a known link, the plate's pins shared with a dyad that follows."""
     lay = Layout(rng)

@@ -99,7 +99,7 @@ def against_friction(rng: np.random.Generator) -> str:
     return loaded(rng, text, balancing(rng, mech, piston="piston" in text), find="") + rubbing(rng, mech)
 
 
-@family("any-centres", often=3)
+@family("any-centres", often=2)
 def by_centres(rng: np.random.Generator) -> str:
     """Velocities by instant centres."""
     text, mech = moving(rng)

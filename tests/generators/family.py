@@ -37,7 +37,7 @@ class Family:
 _FAMILIES: dict[str, Family] = {}
 
 
-def family(name: str, also: Check = content, often: int = 3) -> Callable[[Make], Make]:
+def family(name: str, also: Check = content, often: int = 2) -> Callable[[Make], Make]:
     """Register a function as the maker of a family's members."""
 
     def register(make: Make) -> Make:

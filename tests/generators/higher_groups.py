@@ -31,7 +31,7 @@ def of_class_iii(rng: np.random.Generator) -> str:
     return balanced(rng, class_iii(rng))
 
 
-@family("forces-class-iii-friction", also=every_reaction, often=4)
+@family("forces-class-iii-friction", also=every_reaction, often=2)
 def with_friction(rng: np.random.Generator) -> str:
     """The same with friction circles of some pins."""
     bare = class_iii(rng)
@@ -68,7 +68,7 @@ def rubbed(rng: np.random.Generator, bare: str) -> str:
     return re.sub(r"\n+$", "\n", loaded(rng, bare, free, find="")) + (f"friction:\n{rubbing}" if rubbing else "")
 
 
-@family("forces-special-points-friction", also=every_reaction, often=2)
+@family("forces-special-points-friction", also=every_reaction, often=1)
 def by_special_points_with_friction(rng: np.random.Generator) -> str:
     """The same with friction in pins and slides."""
     return rubbed(rng, on_crank(rng))
@@ -82,13 +82,13 @@ def with_two_slides(rng: np.random.Generator) -> str:
     return made(lay, crank(lay), "", ["frame", "1", "1"], kinds)
 
 
-@family("forces-two-slides", also=every_reaction, often=3)
+@family("forces-two-slides", also=every_reaction, often=2)
 def on_two_slides(rng: np.random.Generator) -> str:
     """A central link one leg of which has two slides, loads on any link, balanced on any."""
     return balanced(rng, with_two_slides(rng))
 
 
-@family("forces-two-slides-friction", also=every_reaction, often=2)
+@family("forces-two-slides-friction", also=every_reaction, often=1)
 def on_two_slides_with_friction(rng: np.random.Generator) -> str:
     """The same with friction in pins and slides."""
     return rubbed(rng, with_two_slides(rng))

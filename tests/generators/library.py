@@ -99,7 +99,7 @@ def right_forces(solution: Solution) -> str:
     )
 
 
-@family("library", also=right_forces, often=10)
+@family("library", also=right_forces, often=6)
 def library(rng: np.random.Generator) -> str:
     """One of them."""
     known = problems()

@@ -73,14 +73,14 @@ def _free(mech: Mechanism) -> str:
     return f'  X_b: {{on: {link}{way}, size: "?"}}\n'
 
 
-@family("forces-alone-gears", often=3, also=no_power_is_left)
+@family("forces-alone-gears", often=2, also=no_power_is_left)
 def of_gears(rng: np.random.Generator) -> str:
     """Any of the mechanisms with gears and racks."""
     made = [one for one in families() if one.name.startswith("gears-")]
     return loaded(rng, made[int(rng.integers(len(made)))].make(rng))
 
 
-@family("forces-alone-class-iii", often=2, also=no_power_is_left)
+@family("forces-alone-class-iii", often=1, also=no_power_is_left)
 def of_class_iii(rng: np.random.Generator) -> str:
     """A central link on three legs."""
     return loaded(rng, class_iii(rng))

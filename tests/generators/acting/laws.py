@@ -190,7 +190,7 @@ def lawful(c: Chain) -> str:
     return text
 
 
-@family("forces-laws", also=balanced_by_hand, often=4)
+@family("forces-laws", also=balanced_by_hand, often=2)
 def laws(rng: np.random.Generator) -> str:
     """Windows, tables, springs and dampers beside plain loads, with masses in some."""
     c = simple(rng)

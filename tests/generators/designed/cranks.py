@@ -42,7 +42,7 @@ def _against(solution: Solution, theta: float, design: CrankRocker) -> Iterator[
             yield "" if abs(swing - degrees(design.swing.si)) < flat else off("swing", swing, degrees(design.swing.si))
 
 
-@family("design-crank-rocker", also=swings_as_asked)
+@family("design-crank-rocker", also=swings_as_asked, often=3)
 def crank_rocker(rng: np.random.Generator) -> str:
     """K and swing with one more datum of any sort; or K with a limit position."""
     cd, swing = float(rng.integers(40, 120)), float(rng.integers(15, 100))

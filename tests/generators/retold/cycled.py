@@ -51,7 +51,7 @@ def reproduced(solution: Solution) -> str:
     return "" if found.agrees else "; ".join(f"{one.column.header}: {one.words.en}" for one in found.columns)
 
 
-@family("retold-cycle", also=reproduced, often=3)
+@family("retold-cycle", also=reproduced, often=1)
 def whole_cycle(rng: np.random.Generator) -> str:
     """Any member of the kinematic families."""
     mark, text = original(rng, TURNING)

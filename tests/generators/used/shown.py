@@ -117,8 +117,8 @@ family("used-course", also=studied, often=1)(
         "machine",
     )
 )
-family("used-drawn", also=drawn, often=2)(anything("drawn"))
-family("used-geogebra", also=moving, often=4)(
+family("used-drawn", also=drawn, often=1)(anything("drawn"))
+family("used-geogebra", also=moving, often=2)(
     anything("geogebra", "linkage", "class-iii", "gears", "offset", "pin-in", "four")
 )
-family("used-player", also=played, often=2)(anything("player"))
+family("used-player", also=played, often=1)(anything("player"))
