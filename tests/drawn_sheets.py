@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from tests.drawn_library import drawn
+from tests.drawn_library import drafted
 from vecpoly.drawing.sheets.sheet import Sheet, sheets
 from vecpoly.words import Lang
 
@@ -12,8 +12,10 @@ from vecpoly.words import Lang
 @cache
 def laid(name: str, lang: Lang = "zh") -> tuple[Sheet, ...]:
     """The sheets of this problem as its report has them."""
-    problem = drawn(name).problem
-    return sheets(drawn(name).construction, lang=lang, title=problem.title, on=problem.paper, plates=True)
+    solution = drafted(name)
+    assert solution is not None
+    problem = solution.problem
+    return sheets(solution.construction, lang=lang, title=problem.title, on=problem.paper, plates=True)
 
 
 def span(sheet: Sheet) -> tuple[float, float]:

@@ -18,7 +18,16 @@ from _pytest.pathlib import import_path
 from xdist.scheduler import LoadScopeScheduling
 
 # who imports from one of these wants what it has made already
-MADE = ("tests.drawn_library", "tests.studies", "tests.batch.homework", "tests.sources", "tests.checked_tables")
+MADE = (
+    "tests.drawn_library",
+    "tests.studies",
+    "tests.batch.homework",
+    "tests.sources",
+    "tests.checked_tables",
+    "tests.player.pages",
+    "tests.grading.drawings.made",
+    "tests.grading.cases",
+)
 IMPORT = re.compile(r"^from (tests\.[\w.]+) import", re.MULTILINE)
 LONGEST = (
     "tests.batch.homework",
@@ -26,7 +35,9 @@ LONGEST = (
     "tests.drawn_library",
     "tests.checked_tables",
     "generated/test_generated",
-    "player/test_player",
+    "tests.player.pages",
+    "tests.grading.drawings.made",
+    "tests.grading.cases",
     "export/test_export_geogebra",
     "problem/test_no_key_is_ignored",
     "generated/test_fuzz",

@@ -103,7 +103,7 @@ def test_every_answer_is_an_act_that_rests_on_others_unless_it_is_given(problem:
     assert set(construction.readings) <= set(answers)
 
 
-@settings(max_examples=often(25))
+@settings(max_examples=often(12))
 @given(data=st.data())
 def test_going_on_with_ones_own_reading_or_point_changes_nothing_to_the_bit(data: st.DataObject) -> None:
     problem = data.draw(st.sampled_from(SEVERAL))
@@ -111,7 +111,7 @@ def test_going_on_with_ones_own_reading_or_point_changes_nothing_to_the_bit(data
     assert drawn(problem, amended(act, 0.0)).acts == drawn(problem).acts
 
 
-@settings(max_examples=often(25))
+@settings(max_examples=often(12))
 @given(data=st.data())
 def test_another_reading_or_point_changes_nothing_but_what_rests_on_it(data: st.DataObject) -> None:
     problem = data.draw(st.sampled_from(SEVERAL))

@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 
 import vecpoly
 from tests.curvature.linkages import DATA, WAYS, case_problem
 from tests.curvature.test_curvature_laws import linkages
+from tests.laws import often
 from vecpoly.check.truth import exact_values
 from vecpoly.errors import NoMethodError, NotAskedError, VecpolyError
 from vecpoly.oracle.curvature import Curvatures
@@ -42,6 +43,7 @@ def test_it_is_drawn_by_one_straight_line_after_any_construction_of_the_circle(c
     assert answer.drawn_vector == pytest.approx(complex(*case["ball"]) / 1e3, abs=1e-10)
 
 
+@settings(max_examples=often(12))
 @given(linkages())
 def test_what_is_drawn_is_what_the_rates_tell(case: dict[str, Any]) -> None:
     try:

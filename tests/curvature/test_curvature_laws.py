@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.curvature.linkages import WAYS, case_problem
+from tests.laws import often
 from vecpoly.errors import VecpolyError
 from vecpoly.oracle.curvature import Curvatures
 
@@ -44,6 +45,7 @@ def shape(case: dict[str, Any]) -> Curvatures | None:
         return None
 
 
+@settings(max_examples=often(12))
 @given(linkages(), st.sampled_from(WAYS))
 def test_whatever_is_drawn_is_what_the_rates_tell(case: dict[str, Any], way: str) -> None:
     try:

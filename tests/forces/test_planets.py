@@ -32,7 +32,7 @@ loads: {M_3: {on: 3, size: %s N*m}, M_5: {on: 5, size: %s N*m}, X: {on: %s, size
 """
 
 
-@settings(max_examples=often(6))
+@settings(max_examples=often(3))
 @given(alpha=st.floats(0, 40), three=st.floats(-90, 90).filter(lambda m: abs(m) > 1), five=st.floats(1, 90))
 def test_each_planet_bears_half_its_arms_moment_at_either_pitch_point(alpha: float, three: float, five: float) -> None:
     """R^t = M / (2 l) at H and at K; the sun bears the sum of its tangential forces times its radius. α is the sun's;

@@ -5,10 +5,11 @@ from __future__ import annotations
 from math import cos, radians, tan
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vecpoly
+from tests.laws import often
 from vecpoly.errors import ProblemFileError
 from vecpoly.solution import Solution, solve
 
@@ -48,6 +49,7 @@ def test_teeth_press_along_the_line_of_action_of_the_flank_that_works() -> None:
     assert vector(solved(), "R_32") == pytest.approx(-vector(solved(), "R_12"), rel=1e-12)
 
 
+@settings(max_examples=often(12))
 @given(alpha=st.floats(0, 44), moment=st.floats(1, 900), way=st.sampled_from([1, -1]))
 def test_gears_are_pressed_apart_whichever_way_they_are_loaded(alpha: float, moment: float, way: int) -> None:
     solution = solved(f", alpha: {alpha!r} deg", "", f"{way * moment!r} N*m")

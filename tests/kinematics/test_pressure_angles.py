@@ -5,10 +5,11 @@ from __future__ import annotations
 from math import acos, degrees
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vecpoly
+from tests.laws import often
 from vecpoly.board.acts import Angle, Corner
 from vecpoly.board.otherwise.slip import Mistake, Slip
 from vecpoly.errors import ProblemFileError, VecpolyError
@@ -108,6 +109,7 @@ def test_who_takes_the_guide_for_its_normal_is_offered_as_a_slip() -> None:
     assert wrong.drawn == pytest.approx(49.10661, abs=1e-3)
 
 
+@settings(max_examples=often(12))
 @given(
     bars=st.tuples(st.integers(20, 40), st.integers(60, 90), st.integers(45, 70), st.integers(70, 95)),
     phi=st.integers(0, 359),

@@ -8,9 +8,10 @@ from functools import cache
 from math import isclose, isnan
 
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.laws import often
 from vecpoly import Problem, load
 from vecpoly.errors import VecpolyError
 from vecpoly.findings.given_lengths import given_dimensions
@@ -98,6 +99,7 @@ def other(problem: Problem, called: str, to: float) -> Problem:
         raise
 
 
+@settings(max_examples=often(12))
 @given(changes())
 def test_the_mechanism_and_the_file_vary_alike(change: tuple[Problem, Dimension, str, float]) -> None:
     problem, one, called, to = change

@@ -19,6 +19,7 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 from tests.laws import often
+from tests.player.pages import page_of as made
 from tests.player.pages import solved
 from vecpoly import oracle
 from vecpoly.board.paper.extent import bounds
@@ -47,9 +48,8 @@ FEW = 24  # places of the pages that need not be large
 EMPTY = {"meta", "link", "br", "input", "path", "rect", "use", "hr", "img"}
 
 
-@cache
 def page_of(name: str) -> str:
-    return player_html(solved(name), places=FEW if name == FORCES else PLACES)
+    return made(name) if name in (FORCES, DEVICE) else made(name, PLACES)
 
 
 class Reader(HTMLParser):

@@ -103,6 +103,7 @@ def test_a_formula_has_the_value_that_one_computes(text: str, x: float, value: f
 angles = st.tuples(st.floats(15, 60), st.floats(10, 60), st.floats(10, 60))
 
 
+@settings(max_examples=often(8))
 @given(phi=angles, psi=angles, where=st.floats(0, 360))
 def test_every_drawn_generator_closes_at_its_three_pairs_and_is_that_of_the_equation(
     phi: tuple[float, ...], psi: tuple[float, ...], where: float
@@ -125,7 +126,7 @@ def test_every_drawn_generator_closes_at_its_three_pairs_and_is_that_of_the_equa
     assert np.abs(np.abs(100 + c * turn_out - a * turn_in) - values["BC"]).max() < 1e-7 * size
 
 
-@settings(max_examples=often(10))
+@settings(max_examples=often(8))
 @given(
     function=st.sampled_from(["x^2", "log10(x)", "1/x", "sqrt(x)", "exp(x)"]),
     top=st.floats(1.5, 4),
