@@ -13,7 +13,7 @@ from vecpoly.grading.drawings.judging.mark import Basis, DrawingMark, Verdict
 from vecpoly.grading.drawings.segment import Drawing, Label
 
 FORCES = ("4-3a", "4-5", "4-4")
-EVERY = max(1, 2 // often(1))  # mistake is drawn; in the soak all are
+EVERY = max(1, 3 // often(1))  # mistake is drawn; in the soak all are
 
 
 def costs(mark: DrawingMark) -> list[str]:
