@@ -139,7 +139,9 @@ def test_the_drawing_agrees_with_the_law_at_every_station(name: str) -> None:
     (one, cam), refused = cam_in(problem.mechanism), []
     for phi, _ in cam.places[::2]:
         try:
-            solution = solve(problem.vary(phi=f"{cam.sense * degrees(phi)!r} deg"), by="exact", repeats=0)
+            solution = solve(
+                problem.vary(phi=f"{cam.sense * degrees(phi)!r} deg"), by="exact", repeats=0, precise=False
+            )
         except NoMethodError as error:
             assert error.code in ("no-centre", "follower-rests")
             refused.append(phi)
@@ -162,7 +164,7 @@ def test_reactions_with_friction_agree_over_the_cycle(name: str) -> None:
     refused = []
     for phi in range(20, 360, 45):
         try:
-            answers = solve(problem.vary(phi=f"{phi} deg"), by="exact", repeats=0).answers
+            answers = solve(problem.vary(phi=f"{phi} deg"), by="exact", repeats=0, precise=False).answers
         except EquilibriumError:
             refused.append(phi)
             continue
@@ -232,4 +234,6 @@ def test_nothing_is_fixed_to_the_centre_of_curvature_which_wanders_over_its_cam(
 def test_the_mass_of_a_cam_is_at_its_pivot_where_nothing_else_is_said() -> None:
     text = load("cam-moves-roller").text.replace("find: [", "find: [J_e, ")
     told = f"{text}\nmasses: {{1: {{mass: 2 kg, inertia: 0.5 kg*m^2}}}}\n"
-    assert solve(loads(told), by="exact", repeats=0).answers["J_e"].drawn == pytest.approx(0.5, rel=1e-12)
+    assert solve(loads(told), by="exact", repeats=0, precise=False).answers["J_e"].drawn == pytest.approx(
+        0.5, rel=1e-12
+    )

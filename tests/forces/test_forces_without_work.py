@@ -43,7 +43,7 @@ BALANCE = 'M_1: {on: 1, size: "?"}'
 
 
 def solved(text: str, *acting: str, also: str = "") -> Solution:
-    found = solve(loads(text + "loads: {" + ", ".join(acting) + "}\n" + also), by="exact", repeats=0)
+    found = solve(loads(text + "loads: {" + ", ".join(acting) + "}\n" + also), by="exact", repeats=0, precise=False)
     assert in_equilibrium(found) == ""
     assert not found.suspect
     return found

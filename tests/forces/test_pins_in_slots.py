@@ -61,7 +61,7 @@ def agreeing(solution: Solution) -> int:
 
 
 def test_the_pin_presses_on_the_slot_at_the_friction_angle_through_its_centre() -> None:
-    solution = solve(load("crank-pin-in-slot"), by="exact", repeats=0)
+    solution = solve(load("crank-pin-in-slot"), by="exact", repeats=0, precise=False)
     assert agreeing(solution) == 6
     found = solution.answers["R_12"]
     assert found.drawn_vector is not None and found.reading.acts is not None

@@ -79,7 +79,7 @@ def test_about_the_special_point_two_reactions_have_no_moment() -> None:
 
 
 def test_the_library_s_plate_on_the_crank_needs_no_other_driver() -> None:
-    solution = solve(load("plate-on-crank"), by="exact", repeats=0)
+    solution = solve(load("plate-on-crank"), by="exact", repeats=0, precise=False)
     assert agreeing(solution) == 9
     assert not any("taken as the driver" in step.words.en for step in solution.construction.steps)
 

@@ -20,7 +20,7 @@ PLATE, SLIDES, GEAR = "three-legged-plate", "class-iii-slides", "stephenson-valv
 
 
 def exact(name: str) -> Solution:
-    return solve(load(name), by="exact", repeats=0)
+    return solve(load(name), by="exact", repeats=0, precise=False)
 
 
 def figure(solution: Solution, view: View) -> Figure:
