@@ -17,6 +17,7 @@ from tests.pocket import Sum, sums
 from vecpoly.algebra.formula import Node, Sym, plain
 from vecpoly.algebra.quantity import Expr, Of, Rooted, magnitude
 from vecpoly.algebra.worked import worked
+from vecpoly.solution import Solution
 from vecpoly.words import Words
 
 PRINTED: tuple[type[Words | Node], ...] = (Words, *get_args(Node))
