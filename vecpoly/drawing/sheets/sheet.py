@@ -21,7 +21,7 @@ from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
 from .titleblock import Strip, furniture
 
 NO_TITLE = Words.same("")
-WORTH = 0.4  # of a page that figures take at least for which another sheet is begun
+WORTH = SPARSE  # of a page that figures take at least for which another sheet is begun
 
 
 @dataclass(frozen=True, slots=True)
