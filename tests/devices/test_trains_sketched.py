@@ -46,7 +46,7 @@ def test_two_gears_in_mesh_turn_against_each_other_and_moments_drive_with_them_o
 def test_every_wheel_has_its_teeth_beside_it_and_none_has_them_twice(data: dict[str, Any]) -> None:
     found = marks(train(**data))
     told = [mark.words.zh for mark in found if isinstance(mark, Note)]
-    assert len(told) == len(set(told)) == len({(m.centre, m.radius) for m in found if isinstance(m, GearMark)})
+    assert len(told) == len(set(told)) == sum(isinstance(mark, GearMark) for mark in found)
     for pair in data["pairs"]:
         assert all(any(one.endswith(f" = {z}") for one in told) for z in pair.partition(" by ")[2].split("/"))
 
