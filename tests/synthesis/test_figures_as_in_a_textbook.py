@@ -49,7 +49,9 @@ def test_an_angle_that_is_asked_stands_in_a_figure_with_an_arc_and_the_value_of_
 def test_an_arc_is_as_wide_as_the_angle_written_beside_it(name: str) -> None:
     for mark in _angles(drawn(name)):
         if " = " in mark.label and mark.label.endswith("°"):
-            written = abs(float(mark.label.rpartition(" = ")[2].rstrip("°").replace("−", "-")))  # clockwise is less than 0
+            written = abs(
+                float(mark.label.rpartition(" = ")[2].rstrip("°").replace("−", "-"))
+            )  # clockwise is less than 0
             assert abs(abs(mark.sweep) * 57.29577951308232 - min(written, 360.0 - written)) < 0.06, mark.label
 
 
