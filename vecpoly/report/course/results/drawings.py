@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -64,7 +64,14 @@ def chosen(study: Study, lang: Lang) -> list[Drawn]:
                     (one for one in (drawn, own) if one is not None), key=lambda one: len(one.sheets), default=None
                 )
             found += [drawn] if drawn else []
-    return [found[0], *sorted(found[1:], key=lambda one: one.phi)]
+    return _in_order([found[0], *sorted(found[1:], key=lambda one: one.phi)], study, lang)
+
+
+def _in_order(drawn: list[Drawn], study: Study, lang: Lang) -> list[Drawn]:
+    """Sheets of one kind: a plate among pages would stand in the text, out of its turn."""
+    if len({sheet.plate for one in drawn for sheet in one.sheets}) == 1:
+        return drawn
+    return [replace(one, sheets=_sheets(study, one.phi, one.solution, lang, plates=False)) for one in drawn]
 
 
 def _drawn(study: Study, phi: float, why: Words, lang: Lang, same_scale: bool) -> Drawn | None:
@@ -169,14 +176,14 @@ def _told(study: Study, one: Drawn) -> list[Answer]:
     return [answer for key, answer in answers.items() if key in told] or list(answers.values())
 
 
-def _sheets(study: Study, phi: float, solution: Solution, lang: Lang) -> tuple[Sheet, ...]:
+def _sheets(study: Study, phi: float, solution: Solution, lang: Lang, *, plates: bool = True) -> tuple[Sheet, ...]:
     title, where, note = study.problem.title, study.where(phi), role_note(study, phi)
     where_en = f"{where}; {note.en}" if note.en else where
     where = f"{where}，{note.zh}" if note.zh else where
     zh = f"{title.zh[:-1]}，{where}）" if title.zh.endswith("）") else f"{title.zh}（{where}）"
     en = f"{title.en[:-1]}, {where_en})" if title.en.endswith(")") else f"{title.en} ({where_en})"
     paper = study.problem.paper
-    made = sheets(solution.construction, lang=lang, title=Words(zh, en), on=paper, plates=True)
+    made = sheets(solution.construction, lang=lang, title=Words(zh, en), on=paper, plates=plates)
     return concluded(made, solution, lang, study.given.answers)
 
 
