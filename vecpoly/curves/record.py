@@ -9,6 +9,7 @@ import matplotlib
 import numpy as np
 from matplotlib.backend_bases import RendererBase
 from matplotlib.path import Path
+from shapely import LineString, clip_by_rect, get_parts
 
 from ..drawing.scene import Fill, Item, Layer, Rect, Scene, Stroke, TextBox
 from ..drawing.style import Dash, Hue
@@ -94,7 +95,19 @@ def _lines(path: Any, transform: Any, clip: Any) -> list[tuple[tuple[complex, ..
             continue
         found += [(tuple(points), code == Path.CLOSEPOLY)] if len(points) > 1 else []
         points = [complex(x, y)] if code == Path.MOVETO else []
-    return found + ([(tuple(points), False)] if len(points) > 1 else [])
+    found += [(tuple(points), False)] if len(points) > 1 else []
+    return found if window is None else [one for line in found for one in _within(line, window)]
+
+
+def _within(
+    line: tuple[tuple[complex, ...], bool], window: tuple[float, ...]
+) -> list[tuple[tuple[complex, ...], bool]]:
+    """What of an open line lies in a window: Matplotlib leaves a pixel beyond its edge."""
+    points, closed = line
+    if closed:
+        return [line]
+    parts = get_parts(clip_by_rect(LineString([(at.real, at.imag) for at in points]), *window))
+    return [(tuple(complex(x, y) for x, y in part.coords), False) for part in parts if part.length > 0]
 
 
 def _points(polygon: Any) -> tuple[complex, ...]:

@@ -16,6 +16,7 @@ from .space import FRAME, STRIP
 BAR = 50.0
 BAR_CELL = 62.0  # width of the strip's last cell
 LOWER = 0.45  # of the strip: the height of its lower row; a title of two lines needs more
+EVEN = 0.5  # the same on a plate, where both rows may have two lines
 CLOSE = 1.15  # baseline to baseline in the strip, em
 UNNAMED = Words.same("")
 LABELS = {
@@ -54,7 +55,8 @@ def furniture(page: Rect, strip: Strip, lang: Lang, *, blanks: bool = True) -> t
     y, x1 = frame.y0 + STRIP, frame.x1
     x_bar = x1 - BAR_CELL
     x_name = frame.x0 + 0.44 * (x1 - frame.x0) if blanks else x_bar
-    mid = frame.y0 + LOWER * STRIP
+    lower = LOWER if blanks else EVEN
+    mid = frame.y0 + lower * STRIP
     x_half = (x_name + x_bar) / 2
     ruled = [
         _line(complex(frame.x0, y), complex(x1, y), GIVEN),
@@ -66,21 +68,22 @@ def furniture(page: Rect, strip: Strip, lang: Lang, *, blanks: bool = True) -> t
     return (
         border,
         *ruled,
-        *_titles(frame, x_name, strip, lang, numbered=blanks or strip.total > 1),
+        *_titles(frame, x_name, strip, lang, lower, numbered=blanks or strip.total > 1),
         *(_blanks(frame, x_name, x_half, lang) if blanks else ()),
         *check_bar(complex((x_bar + x1 - BAR) / 2, frame.y0 + 4.2), lang),
     )
 
 
-def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang, *, numbered: bool) -> tuple[Item, ...]:
+def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang, lower: float, *, numbered: bool) -> tuple[Item, ...]:
+    """What the sheet is, and by which hand; lower: the share of the strip that the lower row takes."""
     title, name = strip.title.of(lang), label(strip.problem).of(lang)
     full = "　".join(filter(None, (strip.name.of(lang), name or ("" if title else strip.problem), title)))
     hand = HANDS.get(strip.hand, Words(f"作图：{strip.hand}", f"Drawn {strip.hand}")).of(lang)
     sheet = LABELS["sheet"].of(lang).format(n=strip.number, total=strip.total)
     room = x1 - frame.x0 - 4
-    right, low = layout_words(sheet if numbered else "", NOTE), frame.y0 + LOWER / 2 * STRIP
+    right, low = layout_words(sheet if numbered else "", NOTE), frame.y0 + lower / 2 * STRIP
     return (
-        _text(_fitted(full, NOTE * 1.2, room), frame.x0 + 2, frame.y0 + (1 + LOWER) / 2 * STRIP),
+        _text(_fitted(full, NOTE * 1.2, room), frame.x0 + 2, frame.y0 + (1 + lower) / 2 * STRIP),
         _text(_fitted(hand, NOTE, room - right.width - 3), frame.x0 + 2, low),
         _text(right, x1 - 2 - right.width, low),
     )
