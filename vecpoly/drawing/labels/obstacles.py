@@ -167,7 +167,7 @@ def _coarse(strokes: Sequence[Stroke]) -> list[tuple[complex, ...]]:
 
 
 def _pieces(stroke: Stroke, points: tuple[complex, ...]) -> list[tuple[complex, complex, float, float]]:
-    weight = 1.0 if stroke.width <= THIN else 1.6
+    weight = 1.2 if stroke.width <= THIN else 1.6
     return [(a, b, stroke.width / 2, weight) for a, b in itertools.pairwise(points)]
 
 

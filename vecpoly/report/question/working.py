@@ -14,7 +14,7 @@ from ..flow.style import PALE
 
 SQUARE = 5.0 * MM
 LEAST_ROOM = 35.0 * MM  # of squares under a heading; less is no room
-_TALLEST = 200.0 * MM  # of what stands at the foot
+_TALLEST = 180.0 * MM  # of what stands at the foot: with heading and least room it fits the lowest paper
 _GAP = 3.0 * MM
 _ON = {"zh": "{}（续）", "en": "{} (continued)"}
 
