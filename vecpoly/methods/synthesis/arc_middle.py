@@ -30,19 +30,19 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
     """
     (c1, c2), board = limits, draft.board
     crank, primes = given == "AB", primes_of(eta)
-    lies = ("不含", "on which $A$ does not lie") if crank else ("含", "on which $A$ lies")
+    lies = ("不含", f"on which $A{primes}$ does not lie") if crank else ("含", f"on which $A{primes}$ lies")
     board.step(
         Words(
-            f"取圆 $η{primes}$ 上{lies[0]} $A$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$（在过 $O{primes}$ 的 $C_{{1}}C_2$ "
-            f"的垂线上），以 $M{primes}$ 为圆心、"
+            f"取圆 $η{primes}$ 上{lies[0]} $A{primes}$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$（在过 $O{primes}$ 的 "
+            f"$C_{{1}}C_2$ 的垂线上），以 $M{primes}$ 为圆心、"
             f"$M{primes}C_1$ 为半径作圆；"
             f"以 $C_2$ 为圆心、$2l_{given}/μ_l$ 为半径作弧，交于 $S{primes}$；$C_{{2}}S{primes}$ 的延长线与 "
-            f"$η{primes}$ 交于 $A$。",
+            f"$η{primes}$ 交于 $A{primes}$。",
             f"From the middle $M{primes}$ of the arc $C_{{1}}C_2$ of $η{primes}$ {lies[1]} (on the perpendicular to "
             f"$C_{{1}}C_2$ through $O{primes}$) draw the circle through "
             f"$C_1$; the arc about "
             f"$C_2$ with the radius $2l_{given}/μ_l$ meets it in $S{primes}$. The line $C_{{2}}S{primes}$ meets "
-            f"$η{primes}$ in $A$.",
+            f"$η{primes}$ in $A{primes}$.",
         ),
         SHEET,
     )
@@ -58,7 +58,7 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
     board.swing(SHEET, c2, twice, s)
     board.remark(MIRROR)
     line = Line(c2, unit(s - c2))
-    a, _ = board.arc_on_line(line, eta.centre, eta.radius, Words("求 $A$", "finding $A$"))
+    a, _ = board.arc_on_line(line, eta.centre, eta.radius, Words(f"求 $A{primes}$", f"finding $A{primes}$"))
     board.rule(SHEET, line, a)
     yield board.either(a)
 
