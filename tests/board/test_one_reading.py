@@ -10,12 +10,13 @@ import pytest
 
 from tests.drawn_library import drafted, ids
 from vecpoly.algebra.formula import plain, sym
-from vecpoly.algebra.quantity import number
 from vecpoly.board.board import Board
 from vecpoly.board.construction import Scale, View
 from vecpoly.board.hand import hand
 from vecpoly.errors import NotAskedError
 from vecpoly.names import Rel
+from vecpoly.printed.digits import drawn_number
+from vecpoly.printed.units import printed_unit
 from vecpoly.problem.load import load
 from vecpoly.solution import Answer, Solution, solve
 
@@ -36,7 +37,8 @@ def test_what_the_steps_print_of_a_motion_is_what_the_table_prints() -> None:
         for answer in solution.answers.values():
             if not isinstance(answer.rel, Rel):
                 continue
-            shown = abs(float(number(answer.drawn).replace("−", "-").replace("×10^{", "e").rstrip("}")))
+            text, (factor, _) = drawn_number(answer), printed_unit(answer.reading.unit)
+            shown = abs(float(text.replace("−", "-").replace("×10^{", "e").rstrip("}"))) / factor
             for value in written(solution, answer):
                 compared += 1
                 if abs(abs(value) - shown) > 1e-9 * max(1.0, shown):

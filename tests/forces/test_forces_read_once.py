@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from vecpoly.algebra.formula import plain, sym
-from vecpoly.algebra.quantity import number
 from vecpoly.board.board import Board
 from vecpoly.board.hand import hand
 from vecpoly.mechanism.asked.forces import pairs
 from vecpoly.methods.draw import draw
 from vecpoly.methods.plan import _choose_scales
 from vecpoly.names import Named, reaction
+from vecpoly.printed.digits import drawn_number
 from vecpoly.problem.load import load
 from vecpoly.solution import Answer, Solution, solve
 
@@ -73,7 +73,7 @@ def test_what_the_steps_print_of_a_force_is_what_the_table_prints(name: str) -> 
     compared, named = 0, [answer for answer in solution.answers.values() if isinstance(answer.rel, Named)]
     for answer in named:
         shown = {
-            number(abs(one.drawn)) for one in named if one.reading.symbol == answer.reading.symbol
+            drawn_number(one).lstrip("−-") for one in named if one.reading.symbol == answer.reading.symbol
         }  # by lever and by power alike
         for line in _written(solution, answer):
             assert any(f"= {text} " in f"{line.replace('= −', '= ')} " for text in shown), (answer.key, line, shown)

@@ -206,7 +206,7 @@ def test_a_question_shows_no_number_that_is_sought(name: str, pages) -> None:  #
 @pytest.mark.parametrize("name", FORCES)
 def test_the_frames_of_a_question_are_empty_but_for_what_is_given(name: str) -> None:
     it = solved(name)
-    for figure in frames(it.construction)[0].figures:
+    for figure in frames(it.construction, it.problem)[0].figures:
         if figure.view is not View.MECHANISM:
             assert not [m for m in figure.marks if isinstance(m, (Vector, Note, Cell, Outline))]
             assert all(getattr(m, "role", Role.DIRECTION) is Role.DIRECTION for m in figure.marks)

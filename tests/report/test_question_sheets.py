@@ -166,7 +166,7 @@ def test_poles_are_spoken_of_only_where_a_polygon_has_one(name: str, poles: bool
 @each(DRAWN)
 def test_who_writes_by_hand_has_rows_of_eight_millimetres(name: str) -> None:
     for lang in ("zh", "en"):
-        table = empty_table(drawn(name).solution, lang)  # type: ignore[arg-type]
+        table = empty_table(drawn(name).solution, lang)
         assert min(table.set_in(COLUMN).heights) >= 8 * MM
 
 
