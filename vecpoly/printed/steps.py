@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from math import isfinite, log10
 
 from ..algebra.formula import Node, Row, Txt
@@ -20,28 +20,32 @@ _EQUALS = " = "
 
 def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tuple[Construction, dict[str, Answer]]:
     """The construction and the answers, every line of an asked quantity ending as that is printed."""
-    found, told = list(construction.steps), dict(answers)
-    lines = [answer.reading.formula for answer in answers.values()]
+    told, ends, again = dict(answers), dict[Node, Row](), dict[tuple[Node, Node], Txt]()
     for key, answer in answers.items():
         line = answer.reading.formula
         if not isinstance(line, Row) or (end := printed_end(line, answer)) is None:
             continue
-        found = [_rewritten(step, line, end, lines) for step in found]
-        formula = Row((*line.items[:-1], end))
-        told[key] = replace(answer, reading=replace(answer.reading, formula=formula))
-    return replace(construction, steps=tuple(found)), told
+        ends[line] = _ended(line, end)
+        again[line.items[0], line.items[-1]] = end
+        told[key] = replace(answer, reading=replace(answer.reading, formula=ends[line]))
+    own = {answer.reading.formula for answer in answers.values()}
+
+    def printed(line: Node) -> Node:
+        """The line asked, and any that evaluates the same again, with its end."""
+        if line in own or not isinstance(line, Row):
+            return ends.get(line, line)
+        end = again.get((line.items[0], line.items[-1]))
+        return line if end is None else _ended(line, end)
+
+    steps = (_with_lines(step, tuple(map(printed, step.formulas))) for step in construction.steps)
+    return replace(construction, steps=tuple(steps)), told
 
 
-def _rewritten(step: Step, asked: Row, end: Txt, others: Sequence[Node | None]) -> Step:
-    """The step with this end of the line asked, and of any that evaluates the same again."""
+def _ended(line: Row, end: Txt) -> Row:
+    return Row((*line.items[:-1], end))
 
-    def alike(line: Node) -> bool:
-        again = isinstance(line, Row) and (line.items[0], line.items[-1]) == (asked.items[0], asked.items[-1])
-        return line == asked or (again and line not in others)
 
-    lines = tuple(
-        Row((*line.items[:-1], end)) if isinstance(line, Row) and alike(line) else line for line in step.formulas
-    )
+def _with_lines(step: Step, lines: tuple[Node, ...]) -> Step:
     return step if lines == step.formulas else replace(step, formulas=lines)
 
 
