@@ -137,7 +137,7 @@ def test_the_squares_leave_no_page_of_text_empty_and_the_results_stand_at_the_fo
         last = text[-1]
         rows = [c["top"] for c in last.chars if c["text"] in "量Q"]
         grid = [line["bottom"] for line in last.lines if abs(line["width"]) < 0.1 and line["height"] > 5 * SQUARE]
-        assert rows and max(rows) > max(grid, default=0.0)
+        assert rows and min(rows) > max(grid, default=0.0)
 
 
 def test_what_a_counting_problem_asks_is_not_given_as_a_list() -> None:

@@ -14,7 +14,7 @@ import numpy as np
 import shapely
 
 from ..board.paper.marks import AngleMark, Block, FixedGuide, Ground, Mark, Outline, Plate, Role, Segment, TurnArrow
-from .symbols.angles import TURN, narrow
+from .symbols.angles import Arc, narrow, sweep_of
 from .symbols.bodies import FOOT_HEIGHT, GROUND_HALF, block_corners
 from .symbols.shapes import NEAR
 
@@ -23,7 +23,6 @@ TURNS = tuple(sign * n * pi / 12 for n in range(13) for sign in ((1, -1) if n el
 LEAST, CLEAR, APART = 5.0, 0.6, 1.6  # mm: radius; from a line; from another arc about the same point
 HATCH = 1.4  # mm: depth of hatching that counts
 FINE = 16  # chords of an arc
-Arc = AngleMark | TurnArrow
 
 
 def swung(marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
@@ -74,13 +73,9 @@ def _ways(arc: Arc) -> Iterator[Arc]:
                 yield replace(arc, radius=arc.radius * share, start=arc.start + turn)
 
 
-def _sweep(arc: Arc) -> float:
-    return arc.sweep if isinstance(arc, AngleMark) else TURN if arc.ccw else -TURN
-
-
 def _bow(arc: Arc) -> Any:
     """The arc between its ends, which may touch the rays."""
-    sweep = _sweep(arc)
+    sweep = sweep_of(arc)
     shares = np.linspace(0.08, 0.92, FINE) if isinstance(arc, AngleMark) else np.linspace(-0.05, 1.05, FINE)
     points = arc.at + arc.radius * np.exp(1j * (arc.start + sweep * shares))
     return shapely.LineString(np.stack([points.real, points.imag], axis=1))
@@ -90,8 +85,8 @@ def _meets(arc: Arc, other: Arc) -> bool:
     """Whether two arcs about one point run nearly one over the other."""
     if abs(arc.radius - other.radius) > APART:
         return False
-    ways = [other.start + _sweep(other) * k / FINE for k in range(FINE + 1)]
-    start, sweep = arc.start, _sweep(arc)
+    ways = [other.start + sweep_of(other) * k / FINE for k in range(FINE + 1)]
+    start, sweep = arc.start, sweep_of(arc)
     turned = ((way - start) * (1 if sweep > 0 else -1) % (2 * pi) for way in ways)
     return any(0.05 < turn < abs(sweep) - 0.05 for turn in turned)
 

@@ -6,6 +6,8 @@ Marks follow from acts (`ink`). Drawing code reads marks and nothing else.
 
 from __future__ import annotations
 
+from math import radians
+
 from ...foundation.slotted import dataclass
 from ...words import Words
 from .bodies import Block as Block
@@ -84,6 +86,9 @@ class ImageOf(Ink):
     """The image of a link in a polygon, lightly tinted."""
 
     points: tuple[complex, ...]
+
+
+TURN = radians(105)  # sweep of a curved arrow
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

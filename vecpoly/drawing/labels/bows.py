@@ -6,20 +6,19 @@ import cmath
 import math
 from collections.abc import Iterable, Sequence
 
-from ...board.paper.marks import AngleMark, Mark, TurnArrow
+from ...board.paper.marks import Mark
 from ..style import THIN
-from ..symbols.angles import TURN
+from ..symbols.angles import Arc, sweep_of
 from ..symbols.shapes import NEAR
 from .want import Piece, Want
 
-Arc = AngleMark | TurnArrow
 BESIDE = math.radians(12)  # a letter beside an arc covers so much of it, to either side, and a little more
 REACH = 9.0  # mm beyond an arc within which its letter is taken for that of another
 
 
 def bow(arc: Arc, piece: Piece, marks: Iterable[Mark], fractions: Sequence[float]) -> Want:
     """The letter of an arc, beside it, outside or inside."""
-    sweep = arc.sweep if isinstance(arc, AngleMark) else TURN if arc.ccw else -TURN
+    sweep = sweep_of(arc)
     others = [one for one in marks if isinstance(one, Arc) and one is not arc and abs(one.at - arc.at) < NEAR]
     outer = [one for one in others if arc.radius + NEAR < one.radius < arc.radius + REACH]
     ways = [arc.start + sweep * f for f in fractions]
@@ -30,6 +29,6 @@ def bow(arc: Arc, piece: Piece, marks: Iterable[Mark], fractions: Sequence[float
 
 def _spans(arc: Arc, way: float) -> bool:
     """Whether an arc passes a direction, or ends beside it."""
-    sweep = arc.sweep if isinstance(arc, AngleMark) else TURN if arc.ccw else -TURN
+    sweep = sweep_of(arc)
     turned = (way - arc.start) * math.copysign(1.0, sweep)
     return (turned + BESIDE) % (2 * math.pi) < abs(sweep) + 2 * BESIDE

@@ -5,15 +5,20 @@ from __future__ import annotations
 import cmath
 import math
 
-from ...board.paper.marks import AngleMark, RightAngle, TurnArrow
+from ...board.paper.marks import TURN, AngleMark, RightAngle, TurnArrow
 from ..scene import Fill, Item, Layer, Stroke
 from ..style import SYMBOL, THIN, Hue
 from . import shapes
 from .shapes import NEAR
 
 SQUARE = 2.5  # mm: side of a right-angle square
-TURN = math.radians(105)  # sweep of a curved arrow
+Arc = AngleMark | TurnArrow
 NARROW, TAIL, INNER_HEAD = 4.0, 4.6, 2.0  # mm: a shorter arc is pointed at from outside, with tails and heads so long
+
+
+def sweep_of(arc: Arc) -> float:
+    """How far an arc goes on from where it begins, counter-clockwise (rad)."""
+    return arc.sweep if isinstance(arc, AngleMark) else TURN if arc.ccw else -TURN
 
 
 def curved_head(

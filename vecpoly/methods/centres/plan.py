@@ -68,10 +68,9 @@ def _count(desk: Desk) -> None:
 def _copy(fig: CentreFigure, paper: Paper, groups: tuple[Group, ...]) -> None:
     """The mechanism once more, reduced where its centres need more room."""
     if paper.factor < 1:
-        told = f"${paper.scale.symbol}$ = {paper.scale.value:g} m/mm"
         words = Words(
-            f"为使瞬心落在图纸内，另取较大的 {told} 重画机构图，作为瞬心图。",
-            f"So that the centres fall on the paper, draw the mechanism once more to the scale {told}.",
+            f"为使瞬心落在图纸内，另取较大的 {paper.told} 重画机构图，作为瞬心图。",
+            f"So that the centres fall on the paper, draw the mechanism once more to the scale {paper.told}.",
         )
     else:
         words = Words("重画机构图，作为瞬心图。", "Draw the mechanism once more for its centres.")

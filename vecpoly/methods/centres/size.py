@@ -45,6 +45,11 @@ class Paper:
     far: frozenset[Pair]
     shared: bool = False
 
+    @property
+    def told(self) -> str:
+        """The figure's scale, with its symbol."""
+        return f"${self.scale.symbol}$ = {self.scale.value:g} m/mm"
+
     def holds(self, at: complex) -> bool:
         """Whether a point lies on the paper."""
         low, high = self.corners

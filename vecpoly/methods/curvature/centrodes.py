@@ -109,8 +109,7 @@ def _paper(desk: Desk, there: Sequence[Desk], asked: Centrodes, pairs: tuple[Pai
 
 def _say(desk: Desk, asked: Centrodes, pane: Place, sheet: Paper) -> None:
     n = asked.positions
-    told = f"${sheet.scale.symbol}$ = {sheet.scale.value:g} m/mm"
-    scale = Words.same("") if sheet.shared else Words(f"（{told}）", f" ({told})")
+    scale = Words.same("") if sheet.shared else Words(f"（{sheet.told}）", f" ({sheet.told})")
     desk.board.step(
         Words(
             f"取原动件的 {n} 个位置，逐一作出构件 {desk.mech.number(asked.link)} 的绝对瞬心 $P_1$ … $P_{{{n}}}$，"

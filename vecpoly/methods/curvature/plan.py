@@ -113,10 +113,10 @@ def _copy(fig: CurvatureFigure, paper: Paper, groups: Sequence[Group]) -> None:
     """The mechanism once more, reduced where the circle needs more room."""
     words = Words("重画机构图，作为曲率作图之用。", "Draw the mechanism once more for the curvatures.")
     if paper.factor < 1:
-        told = f"${paper.scale.symbol}$ = {paper.scale.value:g} m/mm"
         words = Words(
-            f"为使拐点圆等落在图纸内，另取较大的 {told} 重画机构图。",
-            f"So that the inflection circle falls on the paper, draw the mechanism once more to the scale {told}.",
+            f"为使拐点圆等落在图纸内，另取较大的 {paper.told} 重画机构图。",
+            "So that the inflection circle falls on the paper, draw the mechanism once more to the scale "
+            f"{paper.told}.",
         )
     fig.board.step(words, fig.pane)
     fig.board.depict(fig.pane, *mechanism_copied(fig.desk, paper, tuple(groups)))

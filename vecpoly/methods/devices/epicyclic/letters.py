@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from cmath import exp, phase, pi
+from cmath import exp, pi
 
 from ....board.construction import View
 from ....devices.gears.epicyclic import Epicyclic
 from ....diagram.wheels import OUTSIDE
 from ....words import Words
 from ..bench import Bench
+from ..turning import arrow_about
 
-SWEEP = 105.0 * pi / 180  # of a curved arrow
 INSIDE, LEAST, BESIDE, CLEAR = 0.62, 9.0, 3.0, 6.0  # of a radius; mm: not smaller within it; outside it; of the carrier
 LOW_RIGHT, LOW_LEFT = exp(-0.25j * pi), exp(-0.75j * pi)
 
@@ -38,8 +38,7 @@ def turning(bench: Bench, train: Epicyclic, key: str, omega: float) -> None:
     else:
         within = INSIDE * radii[key]
         radius, middle = within if within >= LEAST else radii[key] + BESIDE, -1 + 0j
-    half = SWEEP / 2 if omega > 0 else -SWEEP / 2
-    bench.board.curved_arrow(View.MECHANISM, centre, radius, phase(middle) - half, omega > 0, f"ω_{key}")
+    arrow_about(bench.board, View.MECHANISM, centre, radius, middle, omega > 0, f"ω_{key}")
 
 
 def _wheels(bench: Bench, train: Epicyclic) -> list[tuple[str, complex, float, complex]]:

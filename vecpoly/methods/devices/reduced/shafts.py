@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from ....devices.dynamics.reduced import ReducedTrain
 from ....devices.dynamics.shafts import Pair
-from ....foundation.slotted import dataclass
+from ....foundation.slotted import dataclass, replace
 
 APART = 1.35  # of the sum of its radii: how far the pulleys of a belt stand from each other
 WAYS = (1 + 0j, 1j, -1j, -1 + 0j)  # the first wheel that a shaft drives stands on its right, the next above it ...
@@ -47,11 +47,8 @@ class Shafts:
 
     def enlarged(self, mm: float) -> Shafts:
         """With so many mm for a unit."""
-        wheels = (
-            Wheel(shaft=w.shaft, radius=max(w.radius * mm, LEAST), belt=w.belt, symbol=w.symbol, given=w.given)
-            for w in self.wheels
-        )
-        return Shafts(at={name: z * mm for name, z in self.at.items()}, wheels=tuple(wheels), turns=self.turns)
+        wheels = tuple(replace(w, radius=max(w.radius * mm, LEAST)) for w in self.wheels)
+        return replace(self, at={name: z * mm for name, z in self.at.items()}, wheels=wheels)
 
     def beside(self, wheel: Wheel, gap: float) -> complex:
         """A place so far outside the rim where other rims are farthest."""

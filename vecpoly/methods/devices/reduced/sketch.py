@@ -3,7 +3,7 @@ they lift; to no scale."""
 
 from __future__ import annotations
 
-from cmath import exp, phase, pi
+from cmath import exp, pi
 from math import asin
 
 from ....board.board import Board
@@ -13,10 +13,11 @@ from ....devices.dynamics.reduced import ReducedTrain
 from ....devices.dynamics.shafts import Shaft
 from ....diagram.single import disc, gear, outline, pivot
 from ....words import Words
+from ..turning import arrow_about
 from .shafts import APART, Shafts, Wheel, placed
 
 WIDE, HIGH = 132.0, 78.0  # mm that all takes at most: the sketch stands in the text
-SPEED, MOMENT, NEXT, TURN = 9.0, 14.0, 4.0, 105.0  # mm: radii of the curved arrows, from one to the next; deg: sweep
+SPEED, MOMENT, NEXT = 9.0, 14.0, 4.0  # mm: radii of the curved arrows, from one to the next
 OUTSIDE = 2.0  # mm from a rim to the size of its wheel
 DRUM, LEAST_DRUM = 0.5, 9.0  # of the radius of the wheel beside it; mm
 ROPE, LOAD, WEIGHT = 5.0, 12.0 + 8.0j, 11.0  # mm: rope below the wheels; the load's width and height; its arrow
@@ -64,18 +65,12 @@ def _turning(board: Board, place: Place, shafts: Shafts, name: str, shaft: Shaft
     largest, ccw, side = max(shafts.on(name)), shafts.turns[name] > 0, shafts.free_side(name)
     inside = largest > MOMENT + NEXT
     speed = SPEED if inside else largest + NEXT / 2
-    _bow(board, place, shafts.at[name], speed, 1j, ccw, f"ω_{{{name}}}")
+    arrow_about(board, place, shafts.at[name], speed, 1j, ccw, f"ω_{{{name}}}")
     radius = max(largest + NEXT / 2, speed + NEXT) if not inside or shaft.lifts is not None else MOMENT
     for letter, moment, along in (("d", shaft.drives, ccw), ("r", shaft.resists, not ccw)):
         if moment is not None:
-            _bow(board, place, shafts.at[name], radius, side, along, f"M_{{{letter}{name}}}")
+            arrow_about(board, place, shafts.at[name], radius, side, along, f"M_{{{letter}{name}}}")
             radius += NEXT
-
-
-def _bow(board: Board, place: Place, at: complex, radius: float, middle: complex, ccw: bool, label: str) -> None:
-    """A curved arrow whose middle stands in a direction."""
-    half = (TURN / 2 if ccw else -TURN / 2) * pi / 180
-    board.curved_arrow(place, at, radius, phase(middle) - half, ccw, label)
 
 
 def _size(board: Board, place: Place, shafts: Shafts, wheel: Wheel) -> None:
