@@ -15,6 +15,7 @@ from ...errors import FaultError
 from ...names import Named
 from ...words import Words
 from ..base import Angle, Device, Length
+from .several import of_solution
 from .vibration import Reading, Vibration
 from .written import Entry, MassSize
 
@@ -152,7 +153,7 @@ class FieldBalancing(Device):
 
 def effect(unit: str, way: str = "") -> Named:
     """V_t: how much the trial weight moves the vibration."""
-    return Named(f"V_t{way}", f"V_{{t{way.replace('_', ',')}}}", unit, solution=_number(way))
+    return of_solution("V", "V", "t", way, unit)
 
 
 def coefficient(unit: str) -> Named:
@@ -162,17 +163,12 @@ def coefficient(unit: str) -> Named:
 
 def weight(way: str) -> Named:
     """m_b: the weight that balances, g."""
-    return Named(f"m_b{way}", f"m_{{b{way.replace('_', ',')}}}", "g", solution=_number(way))
+    return of_solution("m", "m", "b", way, "g")
 
 
 def bearing(way: str) -> Named:
     """theta_b: where it sits."""
-    return Named(f"theta_b{way}", f"θ_{{b{way.replace('_', ',')}}}", "deg", solution=_number(way))
-
-
-def _number(way: str) -> int:
-    """Of which of two solutions: 2 of `_2`, none of a single one."""
-    return int(way[1:] or 0)
+    return of_solution("theta", "θ", "b", way, "deg")
 
 
 def spread(unit: str) -> Named:

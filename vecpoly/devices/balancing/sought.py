@@ -9,6 +9,7 @@ from ...names import Named
 from ...words import Words
 from .asked import Weighing
 from .mass import RotorMass
+from .several import of_solution
 
 SCALARS = 2  # that one couple polygon finds
 
@@ -105,12 +106,12 @@ def couple_of(name: str) -> Named:
 
 def found_mass(name: str, which: str, unit: Weighing) -> Named:
     """m_A, or m_A_1 where there are two answers."""
-    return Named(f"m_{name}{which}", f"m_{{{name}{which.replace('_', ',')}}}", unit.mass, solution=int(which[1:] or 0))
+    return of_solution("m", "m", name, which, unit.mass)
 
 
 def found_bearing(name: str, which: str) -> Named:
     """theta_A, or theta_A_1."""
-    return Named(f"theta_{name}{which}", f"θ_{{{name}{which.replace('_', ',')}}}", "deg", solution=int(which[1:] or 0))
+    return of_solution("theta", "θ", name, which, "deg")
 
 
 def answers_of(masses: Mapping[str, RotorMass]) -> tuple[str, ...]:

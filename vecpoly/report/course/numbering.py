@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -23,9 +22,16 @@ SMALL = Style(size=8.3, leading=10.0, after=0.0, align="left")
 _TO = Words("至", " to ")
 _BOTH = Words("数值列于{}，曲线见{}。", "The values are listed in {}, the curves drawn in {}.")
 _LISTED, _DRAWN = Words("数值列于{}。", "The values are listed in {}."), Words("见{}。", "See {}.")
-_NUMBERED = re.compile(r"(?:图|表|Figure|Table) ?[\dA-Z]+-\d+")
 _GAP, _ROOM = 4.0, 170.0  # mm between two figures beside each other, and for both
 TINY = Style(size=7.5, leading=8.8, after=0.0, align="left")
+
+
+@dataclass(frozen=True, slots=True)
+class _Caption:
+    """What stands with a figure or a table: Table 5-2. Extremes; called: Table 5-2."""
+
+    called: str
+    text: str
 
 
 @dataclass(slots=True)
@@ -36,8 +42,13 @@ class Press:
     lang: Lang
     objects: Objects
     chapter: str = "1"
-    called: dict[str, str] = field(default_factory=dict)  # by the name for the template: Table 5-2, Figure 5-1
+    _called: dict[str, tuple[str, ...]] = field(default_factory=dict)  # by the name for the template
     _counts: dict[tuple[str, str], int] = field(default_factory=dict)
+
+    @property
+    def called(self) -> dict[str, str]:
+        """What each figure and table is called, by its name for the template: Table 5-2, Figure 5-1 to Figure 5-2."""
+        return {name: self.through(some) for name, some in self._called.items()}
 
     def number(self, kind: str) -> str:
         """The next number of a kind in this chapter: 3-2."""
@@ -48,17 +59,21 @@ class Press:
     def figure(self, scene: Scene, title: Words) -> str:
         """A numbered figure; its name for the template."""
         caption = self._caption(_FIGURE, "figure", title)
-        return self._kept("fig", drawn(scene, caption, sketch=True), caption)
+        return self._kept("fig", drawn(scene, caption.text, sketch=True), caption)
 
     def figures(self, plots: Sequence[tuple[Scene, Words]]) -> list[str]:
         """Numbered figures, two beside each other where they are narrow enough; their names for the template."""
-        rows: list[list[tuple[Scene, str]]] = []
+        rows: list[list[tuple[Scene, _Caption]]] = []
         for scene, title in plots:
-            one = (scene, self._caption(_FIGURE, "figure", title))
-            fits = rows and len(rows[-1]) == 1 and _wide(*rows[-1][0]) + _GAP + _wide(*one) <= _ROOM
-            rows[-1].append(one) if fits else rows.append([one])
+            caption = self._caption(_FIGURE, "figure", title)
+            fits = rows and len(rows[-1]) == 1 and _wide(*rows[-1][0]) + _GAP + _wide(scene, caption) <= _ROOM
+            rows[-1].append((scene, caption)) if fits else rows.append([(scene, caption)])
         return [
-            self._kept("fig", drawn(*row[0]) if len(row) == 1 else paired(*row), *(caption for _, caption in row))
+            self._kept(
+                "fig",
+                drawn(row[0][0], row[0][1].text) if len(row) == 1 else _paired(*row),
+                *(caption for _, caption in row),
+            )
             for row in rows
         ]
 
@@ -74,14 +89,14 @@ class Press:
         """A numbered table; its name for the template."""
         caption = self._caption(_TABLE, "table", title)
         made = DataTable(
-            header, rows, None, align, lang=self.lang, caption=caption, style=style, inks=inks, inked=inked
+            header, rows, None, align, lang=self.lang, caption=caption.text, style=style, inks=inks, inked=inked
         )
         return self._kept("tab", made, caption)
 
-    def _kept(self, prefix: str, thing: object, *captions: str) -> str:
-        """Keep a thing under a name, by which it is called as its captions number it."""
+    def _kept(self, prefix: str, thing: object, *captions: _Caption) -> str:
+        """Keep a thing with these captions; its name for the template."""
         name = self.objects.add(prefix, thing)
-        self.called[name] = self.through([_NUMBERED.match(caption)[0] for caption in captions])  # type: ignore[index]
+        self._called[name] = tuple(caption.called for caption in captions)
         return name
 
     def through(self, called: Sequence[str]) -> str:
@@ -91,13 +106,10 @@ class Press:
 
     def shown(self, tables: Sequence[str], figures: Sequence[str]) -> str:
         """A sentence that says where values and curves of a section are found: in Table 5-2, in Figure 5-3."""
-        every = [[one for name in some for one in self._ends(name)] for some in (tables, figures)]
+        every = [[one for name in some for one in self._called[name]] for some in (tables, figures)]
         listed = [self.through(some) if some else "" for some in every]
         told = _BOTH if all(listed) else _LISTED if listed[0] else _DRAWN
         return told.of(self.lang).format(*filter(None, listed)) if any(listed) else ""
-
-    def _ends(self, name: str) -> list[str]:
-        return self.called[name].split(_TO.of(self.lang))
 
     def tabled(self, title: Words, made: Sequence[DataTable], style: Style = CELL) -> list[str]:
         """The same of tables that are made already, if any; where there are two, the second is one of places."""
@@ -107,27 +119,27 @@ class Press:
             for one, each in zip(titles, made, strict=True)
         ]
 
-    def _caption(self, what: Words, kind: str, title: Words) -> str:
-        gap = "　" if self.lang == "zh" else ". "
-        return f"{what.of(self.lang)} {self.number(kind)}{gap}{title.of(self.lang)}"
+    def _caption(self, what: Words, kind: str, title: Words) -> _Caption:
+        called, gap = f"{what.of(self.lang)} {self.number(kind)}", "　" if self.lang == "zh" else ". "
+        return _Caption(called, f"{called}{gap}{title.of(self.lang)}")
 
 
-def _wide(scene: Scene, caption: str) -> float:
+def _wide(scene: Scene, caption: _Caption) -> float:
     """What a figure and its caption take."""
-    return max(scene.extents.width, layout_words(caption, CAPTION.em).width)
+    return max(scene.extents.width, layout_words(caption.text, CAPTION.em).width)
 
 
-def paired(left: tuple[Scene, str], right: tuple[Scene, str]) -> Drawing:
+def _paired(left: tuple[Scene, _Caption], right: tuple[Scene, _Caption]) -> Drawing:
     """Two captioned scenes beside each other, their captions in one line."""
     items: list[Item] = []
     x, foot = 0.0, -max(scene.extents.height for scene, _ in (left, right)) - 4.5
     for scene, caption in (left, right):
-        e, box = scene.extents, layout_words(caption, CAPTION.em)
+        e, box = scene.extents, layout_words(caption.text, CAPTION.em)
         room = _wide(scene, caption)
         items += scene.moved(complex(x + (room - e.width) / 2 - e.x0, -e.y1)).items
         items.append(TextBox(box=box, x=x + (room - box.width) / 2, y=foot))
         x += room + _GAP
-    return drawn(Scene.of(tuple(items)), "", f"{left[1]}; {right[1]}")
+    return drawn(Scene.of(tuple(items)), "", f"{left[1].text}; {right[1].text}")
 
 
 def drawn(scene: Scene, caption: str, alt: str = "", *, sketch: bool = False) -> Drawing:
