@@ -8,7 +8,7 @@ from math import degrees, isfinite, isnan, nan
 from typing import Any
 
 from .board.construction import LineOfAction, Reading
-from .board.short import TOO_SHORT, about, is_short
+from .board.said.short import TOO_SHORT, about, is_short
 from .check.alarm import Cause, Weighed
 from .check.precision import PLENTY, digits
 from .foundation.slotted import dataclass

@@ -23,7 +23,7 @@ from vecpoly.board.hand import hand
 from vecpoly.board.otherwise.amended import AS_DRAWN, Amended
 from vecpoly.board.paper.ink import marks
 from vecpoly.board.place import Pane
-from vecpoly.board.told import told as told_as_list
+from vecpoly.board.said.told import told as told_as_list
 from vecpoly.errors import UnknownNameError, VecpolyError
 from vecpoly.foundation.frozen import FrozenMap
 from vecpoly.record import from_json, to_json

@@ -11,10 +11,9 @@ import shapely
 from tests.drawn_library import IDS, drawn
 from tests.each import each
 from vecpoly.board.construction import View
-from vecpoly.board.paper.marks import AngleMark, Ground, Mark, Role, Segment, TurnArrow
+from vecpoly.board.paper.marks import TURN, AngleMark, Ground, Mark, Role, Segment, TurnArrow
 from vecpoly.drawing.labels.wants import wants
 from vecpoly.drawing.swung import swung
-from vecpoly.drawing.symbols.angles import TURN
 
 LINK = Segment(a=-20 + 7j, b=20 + 7j, role=Role.LINK, step=1)
 

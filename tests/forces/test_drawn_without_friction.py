@@ -9,7 +9,7 @@ from tests.drawn_library import IDS, drawn
 from tests.each import Later, each
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Dot, Mark, Point, Role, Segment
-from vecpoly.board.sides import side_of
+from vecpoly.board.said.sides import side_of
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.load import load
 

@@ -18,7 +18,7 @@ from .chain import following, keys_of, needed, numbers
 from .paper.marks import Mark
 from .paper.tones import tones, whose
 from .place import Pane, Place, View, view_of
-from .told import told
+from .said.told import told
 
 __all__ = [
     "Construction",

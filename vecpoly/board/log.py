@@ -25,7 +25,7 @@ from .paper.ink import ends_of, leaves_ink, marks_of
 from .paper.marks import Mark
 from .paper.symbols import Symbol
 from .place import Pane, Place, View, view_of, views
-from .short import Short, remarked, too_short
+from .said.short import Short, remarked, too_short
 
 Found = TypeVar("Found", Points, Reals)
 

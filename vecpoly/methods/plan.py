@@ -19,7 +19,7 @@ from ..board.paper.extent import extent, lasting
 from ..board.paper.marks import Vector
 from ..board.paper.scales import round_scale
 from ..board.place import Place, views
-from ..board.yielded import evaluated
+from ..board.said.yielded import evaluated
 from ..problem.asked.asks import AskNamed
 from ..problem.problem import Problem
 from ..words import Words

@@ -6,7 +6,7 @@ from __future__ import annotations
 from html import escape
 
 from ..board.construction import Construction, Step
-from ..board.told import told
+from ..board.said.told import told
 from ..drawing.backends.svg import to_svg
 from ..drawing.figure import draw_figure
 from ..drawing.scene import Scene

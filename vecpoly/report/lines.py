@@ -7,7 +7,7 @@ from math import degrees
 
 from ..algebra.quantity import number
 from ..board.construction import LineOfAction
-from ..board.sides import side_of
+from ..board.said.sides import side_of
 from ..check.truths.analysis import pin_of
 from ..mechanism.asked.forces import pairs, press_named
 from ..mechanism.groups.assur import ends, is_held

@@ -53,7 +53,7 @@ def solve(
     tally = Tally()
     found = problems(names, tally, allow_outside)
     spared(json, JSON, found)
-    from ...board.told import told
+    from ...board.said.told import told
     from ...solution import solve as solved
 
     solutions: list[Solution] = []

@@ -11,7 +11,7 @@ from ...board.construction import Construction, Scale, View
 from ...board.hand import Hand, hand
 from ...board.otherwise.amended import AS_DRAWN, Amended
 from ...board.place import Place, view_of
-from ...board.yielded import evaluated
+from ...board.said.yielded import evaluated
 from ...devices.base import Device
 from ...problem.problem import Problem, Scales
 from ...words import Words

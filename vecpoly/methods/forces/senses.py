@@ -8,7 +8,7 @@ import numpy as np
 from ...algebra.quantity import magnitude, number
 from ...algebra.worked import figures_for
 from ...board.construction import View
-from ...board.sides import side_of
+from ...board.said.sides import side_of
 from ...errors import NoSlipSenseError, bilingual
 from ...mechanism.model import FRAME, Prismatic
 from ...names import omega

@@ -8,7 +8,7 @@ from ...board.board import Board
 from ...board.construction import Construction, Scale
 from ...board.hand import Hand, hand
 from ...board.otherwise.amended import AS_DRAWN, Amended
-from ...board.yielded import evaluated
+from ...board.said.yielded import evaluated
 from ...designs.base import Design
 from ...designs.verdict import Verdict
 from ...problem.problem import Problem

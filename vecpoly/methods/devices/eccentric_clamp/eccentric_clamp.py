@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from ....algebra.quantity import Of, Quantity, magnitude
 from ....board.construction import LineOfAction, View
-from ....board.sides import side_of
+from ....board.said.sides import side_of
 from ....devices.eccentric_clamp import ETA, FORCE, IDEAL, PHI, R21, R31, EccentricClamp
 from ....plane import Points, nominal
 from ....words import Words

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..words import Words
+from ...words import Words
 
 
 def side_of(out: complex) -> Words:

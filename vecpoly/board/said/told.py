@@ -7,11 +7,11 @@ from collections.abc import Iterator, Sequence
 from typing import Protocol, assert_never
 from unicodedata import east_asian_width
 
-from ..algebra.quantity import number
-from ..names import written_unit
-from ..words import Lang, Words, bare
-from . import acts as done
-from .acts import Act, Leaving
+from ...algebra.quantity import number
+from ...names import written_unit
+from ...words import Lang, Words, bare
+from .. import acts as done
+from ..acts import Act, Leaving
 
 VERB, OBJECT = 14, 28  # columns of a terminal: what is done, and with what
 

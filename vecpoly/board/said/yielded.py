@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from ..algebra.formula import Node, Row, Txt, plain, row
-from ..algebra.quantity import number
-from ..foundation.slotted import replace
-from .acts import Act, Answer, Gauge, Measure
-from .construction import Reading, Step
+from ...algebra.formula import Node, Row, Txt, plain, row
+from ...algebra.quantity import number
+from ...foundation.slotted import replace
+from ..acts import Act, Answer, Gauge, Measure
+from ..construction import Reading, Step
 
 _WORKED = 3  # parts of a line at least that tells how its result was found
 

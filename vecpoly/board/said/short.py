@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from ..algebra.formula import plain
-from ..algebra.quantity import number
-from ..foundation.slotted import dataclass, replace
-from ..words import Words
-from .construction import Reading, Scale, Step
-from .ruler import READABLE
+from ...algebra.formula import plain
+from ...algebra.quantity import number
+from ...foundation.slotted import dataclass, replace
+from ...words import Words
+from ..construction import Reading, Scale, Step
+from ..ruler import READABLE
 
 FINEST = 0.05  # mm: what is shorter a rule shows as nothing
 WORKED = 2  # equals signs of a line that tells how its result was found
