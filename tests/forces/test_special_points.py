@@ -1,5 +1,6 @@
 """Class III groups whose legs hang on a moving link, so that no other driver makes class II of them:
-their reactions are drawn by moments about a special point."""
+their reactions are drawn by moments about a special point; those that another driver makes class II are
+taken off from one that moves."""
 
 from __future__ import annotations
 
@@ -127,3 +128,30 @@ def test_the_balancing_moment_alone_needs_no_reaction() -> None:
 def test_a_polygon_has_letters_for_as_many_loads_as_there_are() -> None:
     many = "".join(f"  F_{n}: {{on: 2, at: H, size: {n} N, direction: {17 * n} deg}}\n" for n in range(20, 45))
     assert agreeing(exact_hand(BARS.replace("  M_3:", many + "  M_3:"))) == 8
+
+
+STANDS_STILL = """
+id: stands-still
+title: the rocker FC stands still while GD swings, for C is the instant centre of the plate
+frame: {A: [0 mm, 0 mm], F: [60 mm, 40 mm], G: [160 mm, 120 mm]}
+links:
+  1: {AB: 50 mm, H: {along: AB, at: 90 mm, right: 20 mm}}
+  2: {CD: 40 mm, E: {along: CD, at: 20 mm, left: 50 mm}}
+  3: {FC: 80 mm}
+  4: {GD: 60 mm}
+  5: {HE: 100 mm}
+input: {link: 1, phi: 90 deg, omega: 5 rad/s ccw}
+guesses: {C: [60 mm, 120 mm], D: [100 mm, 120 mm], E: [80 mm, 170 mm]}
+loads:
+  Q: {on: 2, at: E, size: 400 N, direction: -65 deg}
+  X_b: {on: %s, size: "?"}
+"""
+PINS_RUB = "friction: {A: {rho: 1 mm}, G: {rho: 1 mm}, C: {rho: 1 mm}, E: {rho: 1 mm}}\n"
+
+
+@pytest.mark.parametrize(("balanced", "more"), [(2, ""), (1, ""), (1, PINS_RUB)])
+def test_groups_are_taken_off_from_a_link_that_moves(balanced: int, more: str) -> None:
+    """From link 3, the first on the frame, the dyad of 2 and 4 is at a change point: no line of R_32 was found."""
+    solution = exact_hand(STANDS_STILL % balanced + more)
+    assert solution.answers["R_36"].exact > 100 and agreeing(solution) >= 8
+    assert any("link 4 is taken as the driver" in step.words.en for step in solution.construction.steps)

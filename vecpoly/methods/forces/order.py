@@ -30,26 +30,28 @@ class Order:
     known: bool = False
 
 
-def order_of(mech: Mechanism, loads: Loads) -> Order:
-    """The order; the pins stay in the links to which the problem gives them wherever the groups come apart so."""
+def order_of(mech: Mechanism, loads: Loads, moving: frozenset[str]) -> Order:
+    """The order; the pins stay in the links to which the problem gives them wherever the groups come apart so.
+    moving: the links that do not all but stand still."""
     link = loads.unknown.link
     joint = fixed_joint(_held(mech, replace(mech.drive, link=link, on=FRAME)), link)
     if joint is None or (isinstance(loads.unknown, Moment) and not isinstance(joint, Revolute)):
-        return _known_before(mech)
+        return _known_before(mech, moving)
     own = replace(
         _apart(mech, replace(mech.drive, link=link, on=FRAME)), held=Held(link=link, parent=FRAME, joint=joint)
     )
     if is_plain(own.groups):
         return own
-    other = _known_before(mech)
+    other = _known_before(mech, moving)
     return other if is_plain(other.groups) or (is_drawn(other.groups) and not is_drawn(own.groups)) else own
 
 
-def _known_before(mech: Mechanism) -> Order:
+def _known_before(mech: Mechanism, moving: frozenset[str]) -> Order:
     """The order from the driving link, or from another on the frame from which all groups are drawn
     (取另一构件为原动件拆组): from one link a mechanism may be of class III, and from another of class II.
 
-    A group of class III is solved as it is only where no link on the frame makes class II of it.
+    A group of class III is solved as it is only where no link on the frame that moves makes class II of it: from one
+    that stands still, as at the end of its swing, class II groups are at a change point.
     """
     drive = mech.drive
     own = _apart(mech, drive)
@@ -57,20 +59,26 @@ def _known_before(mech: Mechanism) -> Order:
     first = replace(own, held=None if joint is None else Held(link=drive.link, parent=FRAME, joint=joint), known=True)
     if is_plain(own.groups):
         return first
-    for link in (one for one in mech.numbered if one != drive.link):
-        moved = Drive(link=link, position=0.0, rate=1.0)
-        hung = _held(mech, moved)
-        joint = fixed_joint(hung, link)
-        if joint is None:
-            continue
-        moved = replace(moved, slide=isinstance(joint, Prismatic))
-        try:
-            other = _apart(mech, moved)
-        except MobilityError:
-            continue
-        if other.groups and is_plain(other.groups):
-            return replace(other, held=Held(link=link, parent=FRAME, joint=joint), known=True)
+    for link in sorted(mech.numbered, key=lambda one: one not in moving):
+        if link not in moving and is_drawn(own.groups):
+            break
+        if link != drive.link and (found := _from_link(mech, link)) is not None:
+            return found
     return first
+
+
+def _from_link(mech: Mechanism, link: str) -> Order | None:
+    """The order from another link on the frame, where all its groups are plain."""
+    moved = Drive(link=link, position=0.0, rate=1.0)
+    joint = fixed_joint(_held(mech, moved), link)
+    if joint is None:
+        return None
+    try:
+        other = _apart(mech, replace(moved, slide=isinstance(joint, Prismatic)))
+    except MobilityError:
+        return None
+    plain = bool(other.groups) and is_plain(other.groups)
+    return replace(other, held=Held(link=link, parent=FRAME, joint=joint), known=True) if plain else None
 
 
 def order_without(mech: Mechanism, thrust: Force) -> Order:

@@ -26,6 +26,7 @@ from ..registry import Stage
 from .balance.another_driver import found_before
 from .balance.checks import check_methods
 from .balance.efficiency import NOTHING, read_efficiency
+from .balance.moving import moving
 from .balance.power_alone import is_alone, is_drawn, power_first, refuse_undrawn
 from .bodies.free_body import draw_free_bodies
 from .bodies.given_loads import draw_given_loads
@@ -71,7 +72,7 @@ def _of_position(desk: Desk, problem: Problem, pulls: Pulls) -> Statics:
         return _balance_alone(desk, problem, pulls)
     loads = as_outer_forces(desk, problem.loads)
     floating = floating_unknown(desk.mech, problem.loads)
-    order = order_of(desk.mech, loads) if floating is None else order_without(desk.mech, floating)
+    order = order_of(desk.mech, loads, moving(desk)) if floating is None else order_without(desk.mech, floating)
     hubs = hubs_of(desk.mech, order.mech)
     st = Statics(desk=replace(desk, mech=order.mech), loads=loads, hubs=hubs, own=desk.mech, pulls=pulls)
     held, groups = order.held, without_cylinders(order.groups, problem.loads)
@@ -122,7 +123,7 @@ def _are_reactions_drawn(desk: Desk, loads: Loads) -> bool:
     moved = replace(
         loads, forces=tuple(as_moved(desk.mech, force) if force.against else force for force in loads.forces)
     )
-    return is_drawn(without_cylinders(order_of(desk.mech, moved).groups, loads))
+    return is_drawn(without_cylinders(order_of(desk.mech, moved, moving(desk)).groups, loads))
 
 
 def _balance_alone(desk: Desk, problem: Problem, pulls: Pulls) -> Statics:
