@@ -188,3 +188,35 @@ def test_what_presses_only_by_rounding_has_no_friction_and_locks_nowhere() -> No
     balancing = cycle(loads(COUPLE_ON_A_BLOCK), 37).real("X_b")
     assert np.isfinite(balancing).all()
     assert balancing[-1] == pytest.approx(balancing[0], rel=1e-9)
+
+
+BARE_LEG = """
+id: x
+title: a leg that bears a couple alone, its slides rub
+frame: {A: [0 mm, 0 mm], I: [111 mm, 204 mm], M: [266 mm, 29 mm]}
+links:
+  1: {AB: 31 mm, F: {along: AB, at: 114 mm, left: -51 mm}, G: {along: AB, at: 230 mm, left: 30 mm}}
+  2: {CD: 16 mm, E: {along: CD, at: -96 mm, left: -32 mm}, J: {along: CD, at: -88 mm, left: 55 mm},
+      K: {along: CD, at: -10 mm, left: -37 mm}, L: {along: CD, at: 41 mm, left: -66 mm}}
+  3: {block: E}
+  4: {block: H}
+  5: {ML: 114 mm}
+joints: [3 slides on FG, 4 slides on line through I at -76 deg, 4 slides on JK of 2 turned 11 deg]
+input: {link: 1, phi: 75 deg, omega: 3 rad/s}
+guesses: {C: [159 mm, 109 mm], D: [172 mm, 99 mm], E: [63 mm, 141 mm], J: [122 mm, 205 mm],
+          K: [128 mm, 85 mm], L: [152 mm, 32 mm], H: [125 mm, 145 mm]}
+loads:
+  F_q0: {on: 3, at: E, size: 41 N, direction: -142 deg}
+  M_q1: {on: 3, size: 19 N*m}
+  F_q2: {on: 1, at: G, size: 628 N, direction: 41 deg}
+  X_b: {on: 1, size: "?"}
+friction: {A: {rho: 0.42 mm}, M: {rho: 0.37 mm}, L: {rho: 0.47 mm}, 4-6: {phi: %d deg}, 4-2: {phi: %d deg}}
+"""
+
+
+@pytest.mark.parametrize("angles", [(4, 4), (5, 6), (6, 12), (10, 8)])
+def test_slides_that_bear_nothing_do_not_make_the_mechanism_locked(angles: tuple[int, int]) -> None:
+    """The two slides of link 4 press with no force in equilibrium, but on trial they do, on one side or the other."""
+    solution = exact_hand(BARE_LEG % angles)
+    assert solution.answers["R_24"].exact == pytest.approx(0.0, abs=1e-9)
+    assert agreeing(solution) == 10

@@ -33,13 +33,15 @@ class Hub:
 @dataclass(slots=True)
 class Rubbing:
     """`rubbing`: whether friction counts in this pass; `share` of it, while it is raised; `hubs`: pins that are thought
-    by themselves while the groups are solved, at which it acts as couples."""
+    by themselves while the groups are solved, at which it acts as couples; `bare`: joints that bear nothing, in which
+    none is put (pins by their letter, slides by block and guide)."""
 
     desk: Desk
     loads: Loads
     rubbing: bool = False
     share: float = 1.0
     hubs: tuple[Hub, ...] = ()
+    bare: frozenset[str | tuple[str, str]] = frozenset()
 
     @property
     def mech(self) -> Mechanism:
@@ -48,7 +50,7 @@ class Rubbing:
 
     def rho(self, point: str) -> float:
         """Radius of the friction circle of a pin on paper (mm); 0 in a pass without friction."""
-        alone = any(hub.point == point for hub in self.hubs)  # there friction acts as couples
+        alone = point in self.bare or any(hub.point == point for hub in self.hubs)  # there friction acts as couples
         return (
             self.share * self.desk.mm(self.loads.friction.pins.get(point, 0.0)) if self.rubbing and not alone else 0.0
         )
@@ -56,7 +58,7 @@ class Rubbing:
     def phi(self, joint: Prismatic | Contact) -> float:
         """Friction angle of a slide or a contact (rad); 0 in a pass without friction."""
         friction = self.loads.friction
-        if not self.rubbing:
+        if not self.rubbing or (isinstance(joint, Prismatic) and (joint.block, joint.guide) in self.bare):
             return 0.0
         if isinstance(joint, Contact):
             return self.share * friction.contacts.get(joint.point, 0.0)

@@ -83,6 +83,7 @@ def _raised(
             begun = replace(start, ideal=guide, share=share)
             rounds = ROUNDS if stride <= SHARE else ONCE
             found, couples, answer = _fixed(begun, rubbed, walk, _foreseen(path, share), rounds)
+            turned = _is_turned(answer) and _is_turned(_answer_of_pressed(found, rubbed, walk, couples, answer))
         except NoSlipSenseError:
             raise
         except EquilibriumError:
@@ -90,10 +91,10 @@ def _raised(
                 raise
             stride = min(stride / 2, SHARE)
             continue
-        if FINEST <= stride <= SHARE and (_is_far(found, guide) or _is_turned(answer)):
+        if FINEST <= stride <= SHARE and (turned or _is_far(found, guide)):
             stride /= 2  # too far to be sure that it is the same equilibrium, grown
             continue
-        if _is_turned(answer):
+        if turned:
             raise _locked(start)
         guide, stride = found, min(2 * stride, SHARE) if stride < SHARE else stride
         path.append((share, couples))
@@ -116,6 +117,21 @@ def _is_turned(answer: np.ndarray) -> bool:
     """Whether it is another equilibrium than the one that grew from none: with no friction the couples that come out do
     not answer those put in, det(1 − G) = 1, and along one branch it never passes 0."""
     return bool(np.linalg.det(np.eye(len(answer)) - answer) <= 0)
+
+
+def _answer_of_pressed(found: Statics, rubbed: Further, walk: Walk, couples: Couples, answer: np.ndarray) -> np.ndarray:
+    """How the couples answer without the friction of joints that bear nothing: where none presses, the side on which it
+    would act is anyone's guess, and each gives another answer."""
+    bare: set[str | tuple[str, str]] = set()
+    for joint in found.mech.joints:
+        force = found.push(*ends(joint))
+        if force is None or abs(complex(nominal(force.vector))) >= NO_LENGTH:
+            continue
+        if isinstance(joint, Revolute):
+            bare.add(joint.point)
+        elif isinstance(joint, Prismatic):
+            bare.add((joint.block, joint.guide))
+    return _slope(replace(found, bare=frozenset(bare)), found, rubbed, walk, couples, couples) if bare else answer
 
 
 def _foreseen(path: list[tuple[float, dict[tuple[str, str], Reals]]], share: float) -> Couples:
