@@ -164,10 +164,12 @@ joints: [3 slides in 2 turned %s deg, 3 slides on y = 90 mm]
 input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw, alpha: 3 rad/s^2}
 find: [v_K]
 """
+# the slot runs through a letter that is not located before the link is
+THROUGH = HUNG.replace("{slot: B}", "{BI: 60 mm, slot: {through: I, angle: 50 deg from IB}}")
 
 
 @pytest.mark.parametrize("turned", [-75, -30, 40, 100])
-@pytest.mark.parametrize("text", [CROSSED, HUNG])
+@pytest.mark.parametrize("text", [CROSSED, HUNG, THROUGH])
 def test_slides_that_keep_an_angle_between_links_keep_it_on_its_own_side(text: str, turned: int) -> None:
     assert held(text % turned) == {}
 

@@ -185,8 +185,9 @@ def lettered(scope: Scope, link: str) -> Mapping[str, complex]:
 
 def _base(scope: Scope, parent: str, base: complex, along: complex, wanted: str, zero: complex) -> tuple[str, float]:
     """The letter from which the line is told, and its distance from the line: the one abreast of the travel's zero,
-    else one on the line if there is any."""
+    else one on the line if there is any. On a link of the group itself only its hinge is located yet."""
     points = lettered(scope, parent)
+    points = {letter: place for letter, place in points.items() if scope.is_located(letter)} or points
     gaps = {letter: (along.conjugate() * (base - place)).imag for letter, place in points.items()}
     abreast = {letter: abs((along.conjugate() * (zero - place)).real) < _NONE for letter, place in points.items()}
     letter = min(gaps, key=lambda p: (not abreast[p], round(abs(gaps[p]), 9), p != wanted))

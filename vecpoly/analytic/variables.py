@@ -90,6 +90,10 @@ class Scope:
             return ZERO, ZERO
         return Var(f"{stem}_{{{point}x}}"), Var(f"{stem}_{{{point}y}}")
 
+    def is_located(self, letter: str) -> bool:
+        """Whether the coordinates of a letter are known already."""
+        return letter in self.done or letter in self.mech.frame
+
     # -- points of a link ---------------------------------------------------------------------------------------
 
     def arm(self, link: str, start: str, end: str) -> tuple[Const, Expr]:
@@ -134,7 +138,7 @@ class Scope:
         found = []
         for link in links:
             for letter in self.mech.link(link).points:
-                if letter not in self.done and letter not in self.mech.frame:
+                if not self.is_located(letter):
                     found.append((link, self.anchors[link], letter))
                     self.done.add(letter)
         return found
