@@ -220,3 +220,31 @@ def test_slides_that_bear_nothing_do_not_make_the_mechanism_locked(angles: tuple
     solution = exact_hand(BARE_LEG % angles)
     assert solution.answers["R_24"].exact == pytest.approx(0.0, abs=1e-9)
     assert agreeing(solution) == 10
+
+
+PAST_A_POLE = """
+id: x
+title: a slot, a bar and a rod with circles larger than any bearing
+frame: {A: [0 mm, 0 mm], G: [181 mm, 78 mm], J: [-3 mm, 178 mm]}
+links:
+  1: {AB: 47 mm, E: {along: AB, at: -59 mm, left: -125 mm}}
+  2: {CD: 17 mm, F: {along: CD, at: -136 mm, left: -94 mm}, H: {along: CD, at: 2 mm, left: -7 mm},
+      I: {along: CD, at: -46 mm, left: -49 mm}}
+  3: {slot: E}
+  4: {slot: G}
+  5: {JI: 103 mm}
+joints: [F of 2 slides in 3 with F 8 mm right turned 133 deg, H of 2 slides in 4 turned 76 deg]
+input: {link: 1, phi: 164 deg, omega: 8 rad/s cw}
+guesses: {C: [111 mm, 54 mm], D: [113 mm, 37 mm], F: [4 mm, 180 mm], H: [105 mm, 51 mm], I: [58 mm, 95 mm]}
+loads:
+  F_q0: {on: 2, at: F, size: 766 N, direction: -156 deg}
+  X_b: {on: 2, at: I, direction: 50 deg, size: "?"}
+friction: {G: {rho: 71 mm}, J: {rho: 51 mm}, E: {rho: 39 mm}}
+"""
+
+
+def test_an_equilibrium_is_followed_past_friction_at_which_a_held_load_could_not_be_balanced() -> None:
+    """At 58 % of it no size on trial changes what link 5 is short of: det(1 − G) is ∞ there, and passes no 0."""
+    solution = exact_hand(PAST_A_POLE)
+    assert agreeing(solution) == 10
+    assert solution.answers["X_b"].exact == pytest.approx(878.85, rel=1e-4)

@@ -47,9 +47,9 @@ from .laws.found import Pulls, found_loads
 from .lines.links_of_group import Held
 from .order import order_of, order_without
 from .readings import read_reactions
-from .settling import settled
+from .settling.settled import settled
+from .settling.trial import say_trial, tried
 from .state import Statics
-from .trial import say_trial, tried
 
 IDEAL = Words("不计摩擦时的力分析", "Force analysis without friction")
 REAL = Words("计入摩擦时的力分析", "Force analysis with friction")

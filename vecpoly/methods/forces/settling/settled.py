@@ -14,17 +14,18 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...board.board import NO_LENGTH
-from ...errors import EquilibriumError, LockedError, NoSlipSenseError
-from ...mechanism.groups.assur import Group, ends
-from ...mechanism.model import Prismatic, Revolute
-from ...plane import Reals, cross, dot, nominal
-from ...words import Words
-from .acting import Acting
-from .couples import pin_couples
+from ....board.board import NO_LENGTH
+from ....errors import EquilibriumError, LockedError, NoSlipSenseError
+from ....mechanism.groups.assur import Group, ends
+from ....mechanism.model import Prismatic, Revolute
+from ....plane import Reals, cross, dot, nominal
+from ....words import Words
+from ..acting import Acting
+from ..couples import pin_couples
+from ..senses import velocity_of
+from ..state import Statics
+from .branch import Reached, bearing_nothing, determinant, foreseen, is_far, is_past_pole
 from .secant import Couples, gap, secant
-from .senses import velocity_of
-from .state import Statics
 from .trial import on_trial, tried
 
 Walk = Callable[[Statics], None]
@@ -34,7 +35,6 @@ SHARE = 0.25  # of the friction at a time
 ONCE = 1  # with all of it at once: where every reaction keeps the side on which it presses without friction
 FINEST = 0.01
 NEAR = 1e-3  # the same, where what side every reaction takes is told
-FAR = 0.25  # of the largest reaction: what one changes by from one share of the friction to the next
 NUDGE = 1e-7  # of the largest couple: by how much one is changed to see what the others do
 SETTLED = 1e-12  # change of the couples between two rounds, of the largest couple
 
@@ -75,15 +75,14 @@ def _raised(
 ) -> tuple[Statics, dict[tuple[str, str], Reals]]:
     """All of the friction at once where nothing changes sides; else share by share, smaller ones where a share binds
     that may not with the senses and couples of a little less."""
-    guide, path = ideal, [(0.0, couples)]
+    guide, path = ideal, [Reached(share=0.0, couples=couples)]
     stride = SHARE if ideal.by_moments or ideal.hubs or ideal.balanced else 1.0
-    while (done := path[-1][0]) < 1.0:
-        share = min(done + stride, 1.0)
+    while (last := path[-1]).share < 1.0:
+        share = min(last.share + stride, 1.0)
         try:
             begun = replace(start, ideal=guide, share=share)
             rounds = ROUNDS if stride <= SHARE else ONCE
-            found, couples, answer = _fixed(begun, rubbed, walk, _foreseen(path, share), rounds)
-            turned = _is_turned(answer) and _is_turned(_answer_of_pressed(found, rubbed, walk, couples, answer))
+            found, couples, answer = _fixed(begun, rubbed, walk, foreseen(path, share), rounds)
         except NoSlipSenseError:
             raise
         except EquilibriumError:
@@ -91,65 +90,28 @@ def _raised(
                 raise
             stride = min(stride / 2, SHARE)
             continue
-        if FINEST <= stride <= SHARE and (turned or _is_far(found, guide)):
+        answering = last.answering if not answer.size else _answering(last, found, rubbed, walk, couples, answer)
+        turned, far = answering * last.side <= 0, is_far(found, guide)
+        if FINEST <= stride <= SHARE and (turned or far):
             stride /= 2  # too far to be sure that it is the same equilibrium, grown
             continue
-        if turned:
+        if turned and (far or not is_past_pole(last.answering, answering)):
             raise _locked(start)
         guide, stride = found, min(2 * stride, SHARE) if stride < SHARE else stride
-        path.append((share, couples))
-    return guide, couples
+        side = -last.side if turned else last.side
+        path.append(Reached(share=share, couples=couples, answering=answering, side=side))
+    return guide, path[-1].couples
 
 
-def _is_far(found: Statics, guide: Statics) -> bool:
-    """Whether a reaction changed by much of the largest one."""
-    sizes = [abs(complex(nominal(force.vector))) for force in found.acting.values()]
-    before = {key: guide.push(*key) for key in found.acting}
-    changes = [
-        abs(complex(nominal(force.vector - old.vector)))
-        for key, force in found.acting.items()
-        if (old := before[key]) is not None
-    ]
-    return max(changes, default=0.0) > FAR * max(sizes, default=0.0)
-
-
-def _is_turned(answer: np.ndarray) -> bool:
-    """Whether it is another equilibrium than the one that grew from none: with no friction the couples that come out do
-    not answer those put in, det(1 − G) = 1, and along one branch it never passes 0."""
-    return bool(np.linalg.det(np.eye(len(answer)) - answer) <= 0)
-
-
-def _answer_of_pressed(found: Statics, rubbed: Further, walk: Walk, couples: Couples, answer: np.ndarray) -> np.ndarray:
-    """How the couples answer without the friction of joints that bear nothing: where none presses, the side on which it
-    would act is anyone's guess, and each gives another answer."""
-    bare: set[str | tuple[str, str]] = set()
-    for joint in found.mech.joints:
-        force = found.push(*ends(joint))
-        if force is None or abs(complex(nominal(force.vector))) >= NO_LENGTH:
-            continue
-        if isinstance(joint, Revolute):
-            bare.add(joint.point)
-        elif isinstance(joint, Prismatic):
-            bare.add((joint.block, joint.guide))
-    return _slope(replace(found, bare=frozenset(bare)), found, rubbed, walk, couples, couples) if bare else answer
-
-
-def _foreseen(path: list[tuple[float, dict[tuple[str, str], Reals]]], share: float) -> Couples:
-    """The couples at a further share, from those of the last two: as 1/(c − share), for so they run off, and die away
-    without ever changing sides; to first order in line."""
-    last, couples = path[-1]
-    if len(path) < 2 or path[-2][1].keys() != couples.keys():
-        return couples
-    far, before = path[-2]
-    onward = (share - last) / (last - far)
-    return {key: _produced(c, (c - before[key]) * onward) for key, c in couples.items()}
-
-
-def _produced(size: Reals, rise: Reals) -> Reals:
-    """size² / (size − rise); in line where that would run off."""
-    bent = rise * np.sign(size) < 0.5 * np.abs(size)
-    found: Reals = np.where(bent, np.square(size) / np.where(bent, size - rise, 1.0), size + rise)[()]
-    return found
+def _answering(
+    last: Reached, found: Statics, rubbed: Further, walk: Walk, couples: Couples, answer: np.ndarray
+) -> float:
+    """det(1 − G) of how the couples answer; where it has another sign than before, without the friction of joints that
+    bear nothing: the side on which it would act is anyone's guess, and each gives another answer."""
+    told = determinant(answer)
+    if told * last.side <= 0 and (bare := bearing_nothing(found)):
+        return determinant(_slope(replace(found, bare=bare), found, rubbed, walk, couples, couples))
+    return told
 
 
 def _fixed(

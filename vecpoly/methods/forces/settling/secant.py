@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ...plane import Reals, nominal
+from ....plane import Reals, nominal
 
 Couples = Mapping[tuple[str, str], Reals]
 

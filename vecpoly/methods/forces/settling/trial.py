@@ -11,17 +11,17 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ...algebra.quantity import number
-from ...board.board import NO_LENGTH
-from ...board.construction import Reading, View
-from ...mechanism.groups.assur import Group
-from ...mechanism.loads import Force
-from ...plane import Reals, dot, nominal
-from ...words import Words
-from .balance.power_terms import idle
-from .lines.links_of_group import Held
-from .senses import velocity_of
-from .state import Statics
+from ....algebra.quantity import number
+from ....board.board import NO_LENGTH
+from ....board.construction import Reading, View
+from ....mechanism.groups.assur import Group
+from ....mechanism.loads import Force
+from ....plane import Reals, dot, nominal
+from ....words import Words
+from ..balance.power_terms import idle
+from ..lines.links_of_group import Held
+from ..senses import velocity_of
+from ..state import Statics
 
 BALANCE = ("balancing load", "")  # its key among the couples of a round; on no link
 

@@ -1,0 +1,1 @@
+"""Friction, settled by successive approximation."""
