@@ -149,3 +149,23 @@ def test_a_column_that_runs_away_keeps_the_extremes_within() -> None:
     assert found.lowest is not None and not found.lowest.end
     assert found.lowest.value == pytest.approx(np.abs(turn.at("a_D", inside)).min(), rel=1e-6)
     assert len(found.maxima) == len(found.minima) == 2
+
+
+BETWEEN_DEAD_POINTS = """
+id: x
+title: at both ends of the crank's range coupler and rocker are in line
+frame: {A: [0 mm, 0 mm], D: [%s mm, 0 mm]}
+links: {1: {AB: %s mm}, 2: {BC: %s mm}, 3: {DC: %s mm}}
+branch: [C left of BD]
+input: {link: 1, phi: 20 deg, omega: 4 rad/s}
+find: [v_C]
+"""
+
+
+@pytest.mark.parametrize("sizes", [(51, 49, 80, 68), (51, 48, 80, 67), (52, 49, 81, 69), (60, 50, 90, 70)])
+def test_no_row_passes_the_least_where_it_is_nothing_at_both_ends(sizes: tuple[int, ...]) -> None:
+    """γ = 0 at a dead point is known to the root of rounding: the first of the two ends may not be the lower one."""
+    turn = cycle(loads(BETWEEN_DEAD_POINTS % sizes), 37)
+    least = extremes(turn, "gamma_23").lowest
+    assert least is not None and least.end and 0 <= least.value < 1e-7
+    assert least.value <= np.nanmin(turn.real("gamma_23")) + 1e-15

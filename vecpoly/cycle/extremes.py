@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -102,10 +102,11 @@ def _extremes(cycle: Cycle, key: str) -> Extremes:
 
 
 def _farthest(found: tuple[Spot, ...], grid: tuple[Spot, ...], sign: float, level: float) -> Spot:
-    """The greatest (sign −1: the least) of all; of those that are level with it the first, as a curve marks it."""
+    """The greatest (sign −1: the least) of all; of those that are level with it the first, as a curve marks it, with
+    the value that no other passes: at the ends of a range each is known to the root of rounding only."""
     most = max((*found, *grid), key=lambda spot: sign * spot.value)
     alike = (spot for spot in found if sign * (most.value - spot.value) <= level or spot.value == most.value)
-    return min(alike, key=lambda spot: spot.phi, default=most)
+    return replace(min(alike, key=lambda spot: spot.phi, default=most), value=most.value)
 
 
 def _on_grid(curve: Curve, phi: Reals, f: Reals) -> Iterator[Spot]:
