@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import combinations
 
 import numpy as np
@@ -10,11 +11,12 @@ from numpy.typing import NDArray
 
 from vecpoly.drawing.figure import Drawing
 from vecpoly.drawing.labels.placing import Placed
-from vecpoly.drawing.labels.want import Thing
+from vecpoly.drawing.labels.want import Spot, Thing
 from vecpoly.drawing.scene import Fill, Item, Rect, Stroke, TextBox
 from vecpoly.typeset import Glyphs
 
 LEVEL = 0.3  # mm by which two labels overlap in height, or in width, to be in one line, or over each other
+ON = 0.3  # mm: a point so near to a line is on it
 BESIDE, OVER = 1.5, 0.8  # mm between two labels in one line, and over each other, that keep them two
 
 
@@ -49,24 +51,22 @@ def _shape(item: Item) -> shapely.Geometry | None:
             return None
 
 
-def astray(drawn: Drawing) -> list[str]:
-    """Every label without a leader that stands nearer to another point, link or vector than to its own."""
+def astray(drawn: Drawing, unnamed: Sequence[Spot] = ()) -> list[str]:
+    """Every label without a leader that stands nearer to another thing of its kind than to its own, or to a point
+    that is not on the line that it names."""
+    named = [(label.want.thing, _line(label), label.want.radius, _text(label)) for label in drawn.labels]
+    named += [(Thing.POINT, shapely.Point(at.real, at.imag), radius, "a point") for at, radius in unnamed]
     found: list[str] = []
     for label in drawn.labels:
         if label.foot is not None or label.want.thing is Thing.OTHER:
             continue
-        box = _box(label.rect)
-        own = _apart(box, label)
-        for other in drawn.labels:
-            if (
-                other.want.thing is label.want.thing
-                and other.want.own != label.want.own
-                and _apart(box, other) < own - 1e-6
-            ):
-                found.append(
-                    f"{_text(label)} stands nearer to what {_text(other)} names ({_apart(box, other):.1f} mm) "
-                    f"than to its own ({own:.1f} mm)"
-                )
+        box, mine = _box(label.rect), _line(label)
+        own = float(box.distance(mine)) - label.want.radius
+        for thing, line, radius, text in named:
+            away = float(box.distance(line)) - radius
+            other = not line.equals(mine) if thing is label.want.thing else not line.dwithin(mine, ON)
+            if other and thing in (label.want.thing, Thing.POINT) and away < own - 1e-6:
+                found.append(f"{_text(label)} stands nearer to {text} ({away:.1f} mm) than to its own ({own:.1f} mm)")
     return found
 
 
@@ -86,14 +86,8 @@ def leaders(drawn: Drawing) -> list[Stroke]:
     return [item for label in drawn.labels for item in label.items() if isinstance(item, Stroke)]
 
 
-def _apart(box: shapely.Polygon, label: Placed) -> float:
-    """From a box to the outline of what a label names."""
-    return float(box.distance(_line(label))) - label.want.radius
-
-
-def _line(label: Placed) -> shapely.LineString:
-    a, b = label.want.own
-    return shapely.LineString([(a.real, a.imag), (b.real, b.imag)])
+def _line(label: Placed) -> shapely.Geometry:
+    return shapely.LineString([(z.real, z.imag) for z in label.want.course])
 
 
 def _text(label: Placed) -> str:

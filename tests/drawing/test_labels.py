@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 import random
-from dataclasses import astuple
 from functools import cache
 from itertools import combinations
 
@@ -16,7 +15,7 @@ from tests.drawn_library import IDS, drafted
 from tests.each import each
 from tests.label_faults import astray, crammed, faults, leaders
 from vecpoly.board.construction import Figure, Scale, View
-from vecpoly.board.paper.marks import Dot, Hatched, LinkNumber, Point, Role, Segment, Vector
+from vecpoly.board.paper.marks import AngleMark, Dot, Hatched, LinkNumber, Point, Role, Segment, Vector
 from vecpoly.drawing.figure import Drawing, drawing
 from vecpoly.drawing.labels.want import Thing
 from vecpoly.drawing.labels.wants import unnamed
@@ -143,21 +142,26 @@ def test_no_label_of_the_library_stands_on_a_line_an_arrowhead_or_another_label(
 
 
 @each(IDS)
-def test_no_label_of_the_library_stands_nearer_to_another_point_link_or_vector_than_to_its_own(name: str) -> None:
-    for one in _drawn(name):
-        assert astray(one) == []
-
-
-@each(IDS)
-def test_no_letter_of_the_library_stands_nearer_to_a_point_without_a_letter_than_to_its_own(name: str) -> None:
+def test_no_label_of_the_library_stands_nearer_to_another_thing_of_its_kind_or_a_point_than_to_its_own(
+    name: str,
+) -> None:
     solution = drafted(name)
     for figure, one in zip(solution.construction.figures if solution else (), _drawn(name), strict=True):
-        points = [(shapely.Point(at.real, at.imag), radius) for at, radius in unnamed(figure.marks)]
-        for label in one.labels:
-            if label.foot is None and label.want.thing is Thing.POINT:
-                box, own = shapely.box(*astuple(label.rect)), label.want.own[0]
-                apart = box.distance(shapely.Point(own.real, own.imag)) - label.want.radius
-                assert all(box.distance(point) - radius > apart - 1e-6 for point, radius in points)
+        assert astray(one, unnamed(figure.marks)) == []
+
+
+def test_a_measured_arm_is_named_along_it_and_never_as_the_pivot_at_its_end() -> None:
+    arm = Segment(a=0j, b=12 + 5j, role=Role.CONSTRUCTION)
+    drawn = drawing(figure(arm, Point(at=0j, label="A", dot=Dot.JOINT), Point(at=6 + 2.5j, label="h", dot=Dot.NONE)))
+    letter = next(label for label in drawn.labels if label.want.thing is Thing.END)
+    assert letter.want.own == (arm.a, arm.b) and astray(drawn) == []
+
+
+def test_an_angle_is_named_beside_its_arc_and_not_as_the_joint_on_it() -> None:
+    vertex, joint = Point(at=0j, label="A", dot=Dot.JOINT), Point(at=cmath.rect(8, 0.5), label="", dot=Dot.JOINT)
+    angle = AngleMark(at=0j, radius=8.0, start=0.0, sweep=1.0, label="φ_1")
+    drawn = drawing(figure(vertex, joint, angle))
+    assert len(drawn.labels) == 2 and astray(drawn, unnamed((vertex, joint, angle))) == []
 
 
 @each(IDS)
@@ -194,7 +198,7 @@ def test_leaders_are_few_and_short() -> None:
 def test_leaders_hardly_ever_cross_each_other() -> None:
     drawn = [[_line(line) for line in leaders(one)] for name in IDS for one in _drawn(name)]
     crossed = sum(a.intersects(b) for lines in drawn for a, b in combinations(lines, 2))
-    assert crossed < 0.025 * sum(map(len, drawn))
+    assert crossed < 0.015 * sum(map(len, drawn))
 
 
 @each(IDS)

@@ -14,7 +14,7 @@ AS_ONE, MISREAD = 1.8, 39.0  # mm side by side below which two labels are read a
 STACK, STACKED = 1.3, 12.0  # mm one over the other below which they look like a fraction, and what that costs
 TIGHT = 0.9  # mm one over the other below which they are taken for one
 OVERLAP, PER_AREA = 120.0, 8.0
-LEADER_ON_LABEL, LEADERS_CROSS = 60.0, 30.0
+LEADER_ON_LABEL, LEADERS_CROSS = 60.0, 80.0
 NOWHERE = complex(np.nan, np.nan)
 NEVER, AWAY = -2, -1  # of another label: not looked at yet; standing nowhere near
 

@@ -10,9 +10,10 @@ from ...board.paper.marks import Mark
 from ..style import THIN
 from ..symbols.angles import Arc, sweep_of
 from ..symbols.shapes import NEAR
-from .want import Piece, Want
+from .want import Piece, Thing, Want
 
 BESIDE = math.radians(12)  # a letter beside an arc covers so much of it, to either side, and a little more
+CHORDS = 8  # of an arc
 REACH = 9.0  # mm beyond an arc within which its letter is taken for that of another
 
 
@@ -24,7 +25,14 @@ def bow(arc: Arc, piece: Piece, marks: Iterable[Mark], fractions: Sequence[float
     ways = [arc.start + sweep * f for f in fractions]
     free = [way for way in ways if not any(_spans(one, way) for one in outer)] or ways
     out = tuple(cmath.exp(1j * way) for way in free)
-    return Want((piece,), tuple(arc.at + arc.radius * u for u in out), out, THIN, (arc.at, arc.at))
+    feet, line = tuple(arc.at + arc.radius * u for u in out), along(arc)
+    return Want((piece,), feet, out, THIN, (arc.at, arc.at), thing=Thing.ARC, bow=line)
+
+
+def along(arc: Arc) -> tuple[complex, ...]:
+    """An arc by points."""
+    sweep = sweep_of(arc)
+    return tuple(arc.at + cmath.rect(arc.radius, arc.start + sweep * k / CHORDS) for k in range(CHORDS + 1))
 
 
 def _spans(arc: Arc, way: float) -> bool:

@@ -30,7 +30,7 @@ ROOM = 1.1  # mm beyond which a neighbour no longer confuses
 COARSE = 0.08  # mm sagitta that is fine enough for keeping clear
 ON_LINE, PER_MM, NEARBY = 40.0, 6.0, 0.7
 ON_SOLID, ON_TINT = 90.0, 0.8
-CROSSING, CROSSING_SOLID = 7.0, 30.0  # a leader over a line, over an arrowhead or a joint
+CROSSING, OVER_BAR, CROSSING_SOLID = 8.4, 14.0, 30.0  # a leader over a thin line, a thick one, an arrowhead or a joint
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +146,7 @@ class Obstacles:
         leader, piece = leader[met], piece[met]
         if len(leader):
             free = _along(self.a[piece], self.b[piece], own, leader)
-            np.add.at(total, leader, np.where(free, 0.0, CROSSING * self.weight[piece]))
+            np.add.at(total, leader, np.where(free, 0.0, np.where(self.half[piece] > THIN / 2, OVER_BAR, CROSSING)))
         leader, polygon = spans.over(self.areas, groups)
         leader, polygon = leader[self.solid[polygon]], polygon[self.solid[polygon]]
         ends = np.stack([np.stack([start.real, start.imag], -1), np.stack([end.real, end.imag], -1)], axis=1)[leader]

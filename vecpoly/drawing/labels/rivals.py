@@ -3,56 +3,81 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
-from .obstacles import Complexes, Floats, clip
+from .obstacles import Complexes, Floats, Indices, clip
 from .want import Spot, Thing, Want
 
 WRONG = 55.0  # nearer to another than to its own, with no leader to tell
 DOUBTFUL = 0.6  # mm: nearly as near
 REACH = 20.0  # mm from what it names within which a label without a leader stands
+ON = 0.3  # mm: a point so near to a line is on it
 
 
-def rivals(want: Want, others: Sequence[Want], unnamed: Sequence[Spot]) -> tuple[Complexes, Complexes, Floats]:
-    """The lines a -> b and half the widths of all other things of the same kind for which its label could be taken,
-    points without a name among them."""
-    found = [w for w in others if w.thing is want.thing and w.own != want.own] if want.thing is not Thing.OTHER else []
-    places = [(*w.own, w.radius) for w in found]
-    if want.thing is Thing.POINT:
-        places += [(at, at, radius) for at, radius in unnamed]
-    a, b = np.array([p[0] for p in places], dtype=complex), np.array([p[1] for p in places], dtype=complex)
-    radius = np.array([p[2] for p in places], dtype=float)
-    reach = REACH + abs(want.own[1] - want.own[0]) / 2
-    middle = (want.own[0] + want.own[1]) / 2
-    near = np.abs(middle - _on(np.full(len(a), middle), a, b)) < reach
-    return a[near], b[near], radius[near]
+@dataclass(frozen=True, slots=True)
+class Named:
+    """All that labels of a figure name, points without a name among them: lines a -> b, and of which label each is."""
+
+    a: Complexes
+    b: Complexes
+    radius: Floats
+    of: Indices  # the number of the label, or of the point after all labels
+
+    @classmethod
+    def by(cls, wanted: Sequence[Want], unnamed: Sequence[Spot]) -> Named:
+        """What these labels name, and the points that have none."""
+        lines = [(a, b, want.radius, i) for i, want in enumerate(wanted) for a, b in pairwise(want.course)]
+        lines += [(at, at, radius, len(wanted) + i) for i, (at, radius) in enumerate(unnamed)]
+        a, b, radius, of = zip(*lines, strict=True) if lines else ((), (), (), ())
+        return cls(
+            np.array(a, dtype=complex), np.array(b, dtype=complex), np.array(radius, float), np.array(of, dtype=np.intp)
+        )
+
+
+def rivals(want: Want, wanted: Sequence[Want], unnamed: Sequence[Spot]) -> NDArray[np.bool_]:
+    """For which of all named things the label could be taken: others of its kind; and points, if they do not lie on
+    the line that it names."""
+    line = np.array([*pairwise(want.course)], dtype=complex)
+    others = [_alike(want, other) or (other.thing is Thing.POINT and _off(line, other.own[0])) for other in wanted]
+    return np.array([*others, *(_off(line, at) for at, _ in unnamed)], dtype=bool) & (want.thing is not Thing.OTHER)
+
+
+def _alike(want: Want, other: Want) -> bool:
+    return want.thing is other.thing and (want.own != other.own or want.bow != other.bow)
+
+
+def _off(line: Complexes, at: complex) -> bool:
+    return bool(np.abs(_on(np.full(len(line), at), line[:, 0], line[:, 1]) - at).min() > ON)
 
 
 def misled(want: Want, others: Sequence[Want], unnamed: Sequence[Spot], centre: Complexes) -> Floats:
     """What each place of a label without a leader costs for the other things that it could be taken to name."""
-    a, b, radius = rivals(want, others, unnamed)
-    if not len(a):
+    named, at = Named.by(others, unnamed), np.array(want.course, dtype=complex)
+    far = np.abs(at - at.mean()).max() + REACH
+    near = np.abs(_on(np.full(len(named.a), at.mean()), named.a, named.b) - at.mean()) < far
+    rival = rivals(want, others, unnamed)[named.of] & near
+    if not rival.any():
         return np.zeros(len(centre))
     half = complex(want.width / 2, want.height / 2)
-    p, q = want.own
-    gap = distance(centre, half, np.append(p, a), np.append(q, b))
-    return _cost(gap[:, 0] - want.radius, (gap[:, 1:] - radius).min(axis=1))
+    own = distance(centre, half, at[:-1], at[1:]).min(axis=1) - want.radius
+    other = distance(centre, half, named.a[rival], named.b[rival]) - named.radius[rival]
+    return _cost(own, other.min(axis=1))
 
 
 def misled_here(wanted: Sequence[Want], at: Mapping[int, complex], unnamed: Sequence[Spot]) -> Floats:
     """The same of labels that stand already; at: where the middle is of some of those that are wanted."""
-    lines = [*(want.own for want in wanted), *((spot, spot) for spot, _ in unnamed)]
-    radius = np.array([*(want.radius for want in wanted), *(size for _, size in unnamed)])
-    things = np.array([*(want.thing.value for want in wanted), *[Thing.POINT.value] * len(unnamed)])
-    centre, which = np.array(list(at.values()), dtype=complex), np.array(list(at), dtype=np.intp)
-    if not len(centre):
+    if not at:
         return np.zeros(0)
+    named, centre = Named.by(wanted, unnamed), np.array(list(at.values()), dtype=complex)
     half = np.array([complex(wanted[i].width / 2, wanted[i].height / 2) for i in at])[:, None]
-    gap = distance(centre, half, *np.array(lines, dtype=complex).T) - radius
-    alike = (things == things[which, None]) & (things != Thing.OTHER.value)
-    others = np.array([[line != wanted[i].own for line in lines] for i in at])
-    return _cost(gap[np.arange(len(which)), which], np.where(alike & others, gap, np.inf).min(axis=1))
+    gap = distance(centre, half, named.a, named.b) - named.radius
+    own = np.array(list(at))[:, None] == named.of
+    other = np.array([rivals(wanted[i], wanted, unnamed)[named.of] for i in at])
+    return _cost(*(np.where(which, gap, np.inf).min(axis=1) for which in (own, other)))
 
 
 def _cost(own: Floats, rival: Floats) -> Floats:

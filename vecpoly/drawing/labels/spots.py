@@ -9,14 +9,16 @@ from typing import Any
 import numpy as np
 
 from .obstacles import Complexes, Floats
-from .want import Want
+from .want import Thing, Want
 
 DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)
 GAPS = (0.55, 1.1, 1.9, 3.0, 4.4)
 FAR = (5.5, 6.5, 8.0, 9.5, 11.0, 13.0)
 # In a crowd; the usual ones come first, so that each place keeps its number.
 FARTHER = (*FAR, 12.0, 14.2, 15.5, 16.8, 18.0, 20.0, 22.0, 24.5, 27.0, 30.0)
+LED = 5  # from so many of the places along a line, the first, a leader may start
 LEADER = 22.0  # what resorting to a leader line costs
+LETTERED = 12.0  # what it costs beyond that for the letter of a point: first of all that stands beside its own
 SOONER = 0.4  # of that in a crowd: a leader tells better than a place beside something else
 PER_DISTANCE, PER_FRACTION = 1.2, 6.0
 
@@ -44,18 +46,15 @@ def spots(want: Want, middle: complex) -> Spots:
     away, reach = feet - middle, np.abs(feet - middle)
     away = np.where(reach > 1, away / np.maximum(reach, 1.0), 0j)
     base = PER_FRACTION * number + 1.0 * (1 - (sides * away.conjugate()).real)
-    gap, far = np.array(GAPS)[:, None], np.array(FARTHER if want.farther else FAR)[:, None]
+    gap, far = np.array(GAPS)[:, None], np.array(FARTHER if want.farther else FAR)[:, None, None]
     near = feet[..., None] + _offset(sides[:, None], want.radius + gap, half, all_round)
-    led = want.feet[0] + _offset(DIRECTIONS, want.radius + far, half, True)
-    at = np.broadcast_to(want.feet[0] + DIRECTIONS * (want.radius if all_round else 0.0), led.shape)
+    led = feet[:LED] + _offset(DIRECTIONS, want.radius + far, half, True)
+    at = np.broadcast_to(feet[:LED] + DIRECTIONS * (want.radius if all_round else 0.0), led.shape)
+    led_by = LEADER * (SOONER if want.farther else 1.0) + (LETTERED if want.thing is Thing.POINT else 0.0)
+    dear = led_by + PER_DISTANCE * far + PER_FRACTION * number[:LED]
     return Spots(
         np.concatenate([near.ravel(), led.ravel()]),
-        np.concatenate(
-            [
-                (base[:, None] + PER_DISTANCE * gap).ravel(),
-                np.broadcast_to(LEADER * (SOONER if want.farther else 1.0) + PER_DISTANCE * far, led.shape).ravel(),
-            ]
-        ),
+        np.concatenate([(base[:, None] + PER_DISTANCE * gap).ravel(), np.broadcast_to(dear, led.shape).ravel()]),
         np.concatenate([np.full(near.size, complex(math.nan, math.nan)), at.ravel()]),
         near.size,
     )
@@ -71,11 +70,12 @@ def spot(want: Want, index: int) -> tuple[complex, complex | None] | None:
         gap, side = divmod(rest, sides)
         u = complex(DIRECTIONS[side]) if all_round else want.normals[number] * (1 - 2 * side)
         return want.feet[number] + complex(_offset(u, want.radius + GAPS[gap], half, all_round)), None
-    far, way = divmod(index - len(want.feet) * len(GAPS) * sides, len(DIRECTIONS))
+    rest, way = divmod(index - len(want.feet) * len(GAPS) * sides, len(DIRECTIONS))
+    far, number = divmod(rest, len(want.feet[:LED]))
     if far >= len(FARTHER):
         return None
-    u = complex(DIRECTIONS[way])
-    return want.feet[0] + complex(_offset(u, want.radius + FARTHER[far], half, True)), want.feet[0] + u * (
+    foot, u = want.feet[number], complex(DIRECTIONS[way])
+    return foot + complex(_offset(u, want.radius + FARTHER[far], half, True)), foot + u * (
         want.radius if all_round else 0.0
     )
 

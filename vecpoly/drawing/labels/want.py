@@ -24,7 +24,7 @@ class Piece:
 class Thing(Enum):
     """What a label can be taken to name when it stands beside it."""
 
-    OTHER, POINT, LINK, VECTOR, END, DIRECTION = range(6)
+    OTHER, POINT, LINK, VECTOR, END, DIRECTION, ARC = range(7)
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,10 +35,11 @@ class Want:
     feet: tuple[complex, ...]
     normals: tuple[complex, ...]  # unit vectors to one side; 0j where every direction will do
     radius: float
-    own: tuple[complex, complex]
+    own: tuple[complex, complex]  # the line, or the place, that it names
     one_sided: bool = False
     thing: Thing = Thing.OTHER
     farther: bool = False  # whether its leader may be longer than is usual: a crowd leaves it no other place
+    bow: tuple[complex, ...] = ()  # of an arc's label the arc, by points
 
     width: float = field(init=False)  # of the whole label, mm
     ascent: float = field(init=False)  # over the baseline, mm
@@ -49,6 +50,11 @@ class Want:
         object.__setattr__(self, "width", max(p.dx + p.box.width for p in self.pieces))
         object.__setattr__(self, "ascent", ascent)
         object.__setattr__(self, "height", ascent + max(p.box.descent for p in self.pieces))
+
+    @property
+    def course(self) -> tuple[complex, ...]:
+        """The line that it names, by points."""
+        return self.bow or self.own
 
 
 def resized(want: Want, factor: float) -> Want:

@@ -45,7 +45,7 @@ from ..style import (
 )
 from ..symbols.angles import TAIL, narrow
 from ..symbols.shapes import NEAR
-from .bows import bow
+from .bows import along, bow
 from .notes import lines
 from .want import Piece, Spot, Thing, Want
 
@@ -59,6 +59,8 @@ _RADIUS = {
     Dot.NONE: 0.0,
 }
 ASIDE = (0.0, 1.0, -1.0, 2.0, -2.0)  # mm along its axis by which a number may stand beside its tick
+INNER = 0.3  # of a line: a letter nearer to an end is the name of the end
+MEASURED = (Role.CONSTRUCTION, Role.IDEAL)
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
 
@@ -112,7 +114,8 @@ def _lettered(text: str) -> Box:
 
 def _points(marks: tuple[Mark, ...], taken: list[Spot], tones: Tones) -> Iterable[Want]:
     groups: list[tuple[complex, list[Point]]] = []
-    ruled = {mark.b: mark for mark in marks if isinstance(mark, Segment) and mark.role is Role.DIRECTION}
+    lines = [mark for mark in marks if isinstance(mark, Segment)]
+    ruled = {mark.b: mark for mark in lines if mark.role is Role.DIRECTION}
     for mark in marks:
         if isinstance(mark, Point) and mark.label:
             home = next((g for at, g in groups if abs(at - mark.at) < NEAR), None)
@@ -131,8 +134,22 @@ def _points(marks: tuple[Mark, ...], taken: list[Spot], tones: Tones) -> Iterabl
             pieces.append(_piece(mark.label, line_hue(mark.key, tones, Hue.BLACK), mark.step, x))
         if any(mark.dot is not Dot.NONE for mark in group):
             yield Want(tuple(pieces), (at,), (0j,), _keep(at, taken), (at, at), thing=Thing.POINT)
+        elif group[0].label[:1].islower() and (line := _through(at, lines)) is not None:
+            yield _line_want(line.a, line.b, THIN / 2, tuple(pieces), Thing.END)
         else:
             yield _end(tuple(pieces), at, _keep(at, taken), ruled.get(at))
+
+
+def _through(at: complex, lines: Iterable[Segment]) -> Segment | None:
+    """The shortest measured line in the middle of which a place lies: the small letter that stands there is its
+    length."""
+    found = [line for line in lines if line.role in MEASURED and abs(line.b - line.a) > NEAR and _between(at, line)]
+    return min(found, key=lambda line: abs(line.b - line.a), default=None)
+
+
+def _between(at: complex, line: Segment) -> bool:
+    part = (at - line.a) / (line.b - line.a)
+    return INNER < part.real < 1 - INNER and abs(part.imag * (line.b - line.a)) < NEAR
 
 
 def _end(pieces: tuple[Piece, ...], at: complex, radius: float, line: Segment | None) -> Want:
@@ -190,12 +207,11 @@ def _line_want(a: complex, b: complex, radius: float, pieces: tuple[Piece, ...],
 def _outside(mark: AngleMark, piece: Piece) -> Want:
     """Beyond the arc of a narrow angle, or beside the ends of its tails."""
     turn = math.copysign(TAIL / mark.radius, mark.sweep)
-    along = (mark.start + mark.sweep / 2, mark.start + mark.sweep + turn, mark.start - turn)
-    out = tuple(cmath.exp(1j * a) for a in along)
+    ways = (mark.start + mark.sweep / 2, mark.start + mark.sweep + turn, mark.start - turn)
+    out = tuple(cmath.exp(1j * a) for a in ways)
     normals = (out[0], out[1] * 1j * math.copysign(1, turn), out[2] * -1j * math.copysign(1, turn))
-    return Want(
-        (piece,), tuple(mark.at + mark.radius * u for u in out), normals, THIN, (mark.at, mark.at), one_sided=True
-    )
+    feet, own = tuple(mark.at + mark.radius * u for u in out), (mark.at, mark.at)
+    return Want((piece,), feet, normals, THIN, own, one_sided=True, thing=Thing.ARC, bow=along(mark))
 
 
 def _circle(mark: FrictionCircle) -> Want:
