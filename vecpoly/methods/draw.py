@@ -15,7 +15,7 @@ from .desk import POLE, Desk
 from .higher import refuse_higher
 from .kinematics.diagram.cam import letter_contacts, say_replaced
 from .kinematics.diagram.drive_arrow import draw_drive_arrow
-from .kinematics.diagram.links import draw_frame, draw_links
+from .kinematics.diagram.links import draw_frame, draw_links, number_guide
 from .kinematics.doors import draw_drive, draw_group
 from .kinematics.position.drive import say_fixed_points, say_welded
 from .kinematics.position.standing import told_point
@@ -136,6 +136,7 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
             )
             draw_links(desk, group.links)
     if position:
+        number_guide(desk)
         draw_drive_arrow(desk)
     else:
         draw_wanted(desk, problem.asks, stage.view)

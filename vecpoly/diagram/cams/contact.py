@@ -47,10 +47,11 @@ def cam_body(posed: Posed, body: Link) -> Iterator[Mark]:
     about = next((c for c, r in discs.items() if pivot and abs(body.points[c] - body.points[pivot]) < r), "")
     if about:
         yield from _eccentric(posed, body, pivot, about, discs[about])
-    elif posed.fixed_guide(body.name) is None and discs:
+        return
+    yield from _roller(posed, body, discs) if discs else ()
+    if posed.fixed_guide(body.name) is None and discs:
         spots = posed.spots(body.name)
         yield from bar(spots) if len(spots) > 1 else ()
-        yield from _roller(posed, body, discs)
         yield LinkNumber(a=spots[0], b=spots[1 % len(spots)], number=posed.name(body.name))
 
 

@@ -44,7 +44,8 @@ from ..style import (
     Hue,
 )
 from ..symbols.angles import TAIL, narrow
-from ..symbols.shapes import NEAR
+from ..symbols.bodies import foot_of
+from ..symbols.shapes import HATCH, NEAR
 from .bows import along, bow
 from .notes import lines
 from .want import Piece, Spot, Thing, Want
@@ -72,6 +73,9 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
         match mark:
             case Vector(label=label) if label:
                 found.append(_vector(mark, mark_hue(mark, view, label, tones)))
+            case LinkNumber(a=a, number=number) if (ground := _ground(mark, marks)) is not None:
+                a, b = foot_of(ground)
+                found.append(_line_want(a, b, HATCH, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
             case LinkNumber(a=a, b=b, number=number):
                 keep = LINK / 2 if abs(b - a) > NEAR else max(_keep(a, taken), _disc(a, marks))
                 found.append(_line_want(a, b, keep, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
@@ -92,6 +96,12 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
             case _:
                 pass
     return tuple(found)
+
+
+def _ground(number: LinkNumber, marks: tuple[Mark, ...]) -> Ground | None:
+    """The ground at a pivot of which this is the number: the frame's."""
+    grounds = (mark for mark in marks if isinstance(mark, Ground) and mark.owner == number.owner)
+    return next((ground for ground in grounds if number.a == number.b == ground.at), None)
 
 
 def unnamed(marks: tuple[Mark, ...]) -> tuple[Spot, ...]:

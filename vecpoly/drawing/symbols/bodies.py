@@ -84,9 +84,16 @@ def ground(mark: Ground, pin: float = JOINT_RADIUS) -> tuple[Item, ...]:
     feet = (mark.at, foot + side * FOOT_HALF, foot - side * FOOT_HALF)
     return (
         Stroke(points=feet, width=SYMBOL, closed=True, layer=Layer.THIN, step=mark.step),
-        *hatched(foot - side * GROUND_HALF, foot + side * GROUND_HALF, mark.step, SYMBOL),
+        *hatched(*foot_of(mark), mark.step, SYMBOL),
         *joint(mark.at, mark.step, pin),
     )
+
+
+def foot_of(mark: Ground) -> tuple[complex, complex]:
+    """The hatched line under a fixed pivot."""
+    down = mark.down / abs(mark.down)
+    foot, side = mark.at + down * FOOT_HEIGHT, down * 1j * GROUND_HALF
+    return foot - side, foot + side
 
 
 def guide(mark: FixedGuide) -> tuple[Item, ...]:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from ..scene import Stroke
 from ..style import HEAD_LENGTH, HEAD_WIDTH, THIN, Dash, Hue
 
+HATCH = 1.7  # mm: how deep ground is hatched
 NEAR = 1e-4  # mm: places closer than this are one
 HOLLOW = 0.72  # mm: width of a hollow shaft
 SAGITTA = 0.004  # mm: how far a curve may be from its chords
@@ -34,7 +35,7 @@ def rectangle(centre: complex, along: complex, length: float, height: float) -> 
     return (centre - u - v, centre + u - v, centre + u + v, centre - u + v)
 
 
-def hatching(a: complex, b: complex, depth: float = 1.7, pitch: float = 1.3) -> tuple[tuple[complex, complex], ...]:
+def hatching(a: complex, b: complex, depth: float = HATCH, pitch: float = 1.3) -> tuple[tuple[complex, complex], ...]:
     """Short strokes at 45° to the right of a -> b, none beyond its ends."""
     length = abs(b - a)
     if length < 1e-9:

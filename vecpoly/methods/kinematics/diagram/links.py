@@ -3,22 +3,36 @@
 from __future__ import annotations
 
 from ....board.construction import View
-from ....board.paper.marks import Dot, Point
+from ....board.paper.marks import Dot, FixedGuide, LinkNumber, Point
 from ....diagram.cams.contact import contact_drawn
 from ....diagram.links import links_drawn
-from ....diagram.single import pivot
+from ....diagram.owners import FIXED
+from ....diagram.single import number, pivot
 from ....mechanism.model import Revolute
 from ....names import subscripted
 from ...desk import Desk
 
 
 def draw_frame(desk: Desk) -> None:
-    """What is there before anything moves: fixed pivots, and points of the frame from which guides are set out."""
+    """What is there before anything moves: fixed pivots, the lowest with the frame's number, and points of the frame
+    from which guides are set out."""
     pinned, posed = {j.point for j in desk.mech.joints if isinstance(j, Revolute)}, desk.posed()
     for name, at in desk.mech.frame.items():
         if name in pinned:
             desk.board.depict(View.MECHANISM, pivot(at * desk.mm(1.0)))
         desk.board.plot(View.MECHANISM, at * desk.mm(1.0), name, posed.dot(name) if name in pinned else Dot.POINT)
+    pivots = [at for name, at in desk.mech.frame.items() if name in pinned]
+    if pivots:
+        at = min(pivots, key=lambda z: (z.imag, z.real)) * desk.mm(1.0)
+        desk.board.depict(View.MECHANISM, number(desk.mech.frame_number, at, owner=FIXED))
+
+
+def number_guide(desk: Desk) -> None:
+    """The frame's number at its first guide, where it has no pivot."""
+    marks = desk.board.marks(View.MECHANISM)
+    guide = next((mark for mark in marks if isinstance(mark, FixedGuide)), None)
+    if guide is not None and not any(isinstance(mark, LinkNumber) and mark.owner == FIXED for mark in marks):
+        desk.board.depict(View.MECHANISM, number(desk.mech.frame_number, guide.a, guide.b, owner=FIXED))
 
 
 def draw_links(desk: Desk, links: tuple[str, ...]) -> None:
