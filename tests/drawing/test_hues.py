@@ -21,7 +21,8 @@ from vecpoly.drawing.figure import draw_figure
 from vecpoly.drawing.hues import dash_of, hue_of, ink_of, is_hollow, mark_hue
 from vecpoly.drawing.scene import Scene, Stroke, TextBox
 from vecpoly.drawing.style import THIN
-from vecpoly.drawing.symbols.marks import Surroundings, draw
+from vecpoly.drawing.symbols.around import Surroundings
+from vecpoly.drawing.symbols.marks import draw
 from vecpoly.figures.hue import TONES, Hue
 from vecpoly.names import ascii_key
 from vecpoly.report.answers.order import listed

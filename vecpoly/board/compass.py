@@ -30,12 +30,13 @@ class Compass(Instruments):
         self.log(done.Swing(head=head, centre=spot(centre), radius=amount(radius), start=first, sweep=sweep % (2 * pi)))
 
     def bisector(self, view: Place, a: Points, b: Points) -> Line:
-        """The perpendicular bisector of a segment, by equal arcs about both ends."""
+        """The perpendicular bisector of a segment, by equal arcs about both ends; it is ruled through both meetings."""
         radius = WIDER * np.abs(b - a)
         one, other = self.arcs(a, radius, b, radius, Words("作中垂线", "the perpendicular bisector"))
         for centre in (a, b):
             for end in (one, other):
                 self.swing(view, centre, radius, end)
+        self.rule(view, Line(one, unit(other - one)), other)
         return Line(other, unit(one - other))
 
     def either(self, at: Points) -> Points:

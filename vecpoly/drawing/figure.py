@@ -20,7 +20,8 @@ from .labels.wants import unnamed, wants
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
 from .swung import swung
-from .symbols.marks import Surroundings, draw
+from .symbols.around import Surroundings
+from .symbols.marks import draw
 
 TITLE_GAP, LINE = 6.0, 6.0  # mm: lowest ink to the title's capitals; title to scale
 _FIGURES = 6  # of a scale

@@ -16,7 +16,7 @@ from .scene import Rect
 from .standing import Trial
 
 OUTSIDE, BEYOND_FRAME = 0.25, 60.0  # a mm beyond the drawn lines, beyond the allowed frame
-IN_CROWD = 0.4  # so much of its price has what a leader crosses in a crowd: better that than a letter on a line
+IN_CROWD = 0.3  # so much of its price has what a leader crosses in a crowd: better that than a letter on a line
 FREE = 6.0  # dearer than the cheapest place by less than this is free to choose
 
 
@@ -139,8 +139,13 @@ def price(places: Sequence[Places]) -> None:
     costs = priced(around.obstacles, [(part.want, part.spots.centre) for part in places])
     led = [part for part in places if part.led]
     crossed = dict(zip(map(id, led), _crossed(around.obstacles, led), strict=True))
+    near = [part for part in places if not part.led]
+    parted = dict(zip(map(id, near), _parted(around.obstacles, near), strict=True))
     for part, cost in zip(places, costs, strict=True):
-        cost += crossed[id(part)] if part.led else misled(part.want, around.wanted, around.unnamed, part.spots.centre)
+        if part.led:
+            cost += crossed[id(part)]
+        else:
+            cost += parted[id(part)] + misled(part.want, around.wanted, around.unnamed, part.spots.centre)
         if around.frame is not None:
             cost += BEYOND_FRAME * beyond(part.want, part.spots.centre, around.frame)
         part._hard = cost
@@ -154,6 +159,17 @@ def priced(obstacles: Obstacles, places: Sequence[tuple[Want, Complexes]]) -> li
     centre = np.concatenate([centre for _, centre in places])
     groups = _groups(counts)
     cost = obstacles.cost(centre, size[:, 0], size[:, 1], (own[:, 0], own[:, 1]), groups)
+    return [cost[some] for some in groups]
+
+
+def _parted(obstacles: Obstacles, near: Sequence[Places]) -> list[Floats]:
+    """What stands between each place and what is named."""
+    if not near:
+        return []
+    counts = [len(part.spots.centre) for part in near]
+    own, groups = _repeated([part.want.own for part in near], counts), _groups(counts)
+    root, centre = (np.concatenate(ends) for ends in zip(*((p.spots.root, p.spots.centre) for p in near), strict=True))
+    cost = obstacles.parted(root, centre, (own[:, 0], own[:, 1]), groups)
     return [cost[some] for some in groups]
 
 

@@ -29,6 +29,7 @@ GAP = 0.45  # mm between lettering and a line
 ROOM = 1.1  # mm beyond which a neighbour no longer confuses
 COARSE = 0.08  # mm sagitta that is fine enough for keeping clear
 ON_LINE, PER_MM, NEARBY = 40.0, 6.0, 0.7
+PARTED = 9.0  # a thick line between a label and what it names
 ON_SOLID, ON_TINT = 90.0, 0.8
 CROSSING, OVER_BAR, CROSSING_SOLID = 8.4, 14.0, 30.0  # a leader over a thin line, a thick one, an arrowhead or a joint
 
@@ -134,6 +135,18 @@ class Obstacles:
             met = shapely.intersects(self.polygons[polygon], _boxes(centre[here], wide[here], high[here], 0.3)[at])
             box, polygon = box[met], polygon[met]
         np.add.at(total, box, np.where(self.solid[polygon], ON_SOLID, ON_TINT))
+        return total
+
+    def parted(self, root: Complexes, centre: Complexes, own: Own, groups: Groups) -> Floats:
+        """What each of many places costs for the thick lines between it and what its label names."""
+        start = root + 0.05 * (centre - root)
+        place, piece = Bounds.between(start, centre).over(self.spans, groups)
+        thick = self.half[piece] > THIN / 2
+        place, piece = place[thick], piece[thick]
+        a, b = self.a[piece], self.b[piece]
+        met = crossed(start[place], centre[place], a, b) & ~_along(a, b, own, place)
+        total = np.zeros(len(centre))
+        total[place[met]] = PARTED
         return total
 
     def crossings(self, foot: Complexes, end: Complexes, own: Own, groups: Groups) -> Floats:

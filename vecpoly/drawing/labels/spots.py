@@ -30,11 +30,12 @@ class Spots:
     centre: Complexes
     cost: Floats
     foot: Complexes
+    root: Complexes  # of the thing that is named, where the place is nearest to it
     near: int  # so many of them, the first, stand beside what is named, the others on a leader
 
     def part(self, some: slice) -> Spots:
         """Some of them."""
-        return Spots(self.centre[some], self.cost[some], self.foot[some], self.near)
+        return Spots(self.centre[some], self.cost[some], self.foot[some], self.root[some], self.near)
 
 
 def spots(want: Want, middle: complex) -> Spots:
@@ -56,6 +57,7 @@ def spots(want: Want, middle: complex) -> Spots:
         np.concatenate([near.ravel(), led.ravel()]),
         np.concatenate([(base[:, None] + PER_DISTANCE * gap).ravel(), np.broadcast_to(dear, led.shape).ravel()]),
         np.concatenate([np.full(near.size, complex(math.nan, math.nan)), at.ravel()]),
+        np.concatenate([np.broadcast_to(feet[..., None], near.shape).ravel(), at.ravel()]),
         near.size,
     )
 

@@ -87,15 +87,25 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
                 found.append(_outside(mark, piece) if narrow(mark) else bow(mark, piece, marks, FRACTIONS))
             case FrictionCircle() if mark.label or mark.enlarged > 1:
                 found.append(_circle(mark))
-            case Note(at=at, words=words, side=side):
+            case Note(at=at, words=words):
                 piece = Piece(lines(words.of(lang), NOTE), 0.0, Hue.BLACK, mark.step)
-                feet = tuple(at + 1j * side * by for by in ASIDE) if side else (at,)
-                found.append(
-                    Want((piece,), feet, (side,) * len(feet), _keep(at, taken), (at, at), one_sided=bool(side))
-                )
+                found.append(_note(mark, piece, marks, _keep(at, taken)))
             case _:
                 pass
     return tuple(found)
+
+
+def _note(mark: Note, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Want:
+    """Words beside a place; the number of an axis on its side of it, else on the other, beyond the whole tick."""
+    at, side = mark.at, mark.side
+    if not side:
+        return Want((piece,), (at,), (0j,), keep, (at, at), one_sided=False)
+    ticks = (m for m in marks if isinstance(m, Segment) and min(abs(m.a - at), abs(m.b - at)) < NEAR)
+    over = next((m.a + m.b - at for m in ticks if ((m.a + m.b - 2 * at) * side.conjugate()).real < -NEAR), at)
+    ends = ((at, side), (over, -side)) if over != at else ((at, side),)
+    feet = tuple(end + 1j * side * by for end, _ in ends for by in ASIDE)
+    ways = tuple(way for _, way in ends for _ in ASIDE)
+    return Want((piece,), feet, ways, keep, (at, at), one_sided=True)
 
 
 def _ground(number: LinkNumber, marks: tuple[Mark, ...]) -> Ground | None:

@@ -25,6 +25,7 @@ from .shapes import arc, circle, hatching, rectangle
 BLOCK_LENGTH, BLOCK_HEIGHT = 9.0, 5.0
 FOOT_HEIGHT, FOOT_HALF, GROUND_HALF = 5.0, 2.6, 4.6
 TOOTH = 2.2  # rack: pitch line to body line
+CROSS = 1.6  # arms of the cross in the centre of a circle
 WELD = 2.4  # legs of the filled corner of a rigid connection
 
 
@@ -136,10 +137,14 @@ def slot(mark: Slot) -> tuple[Item, ...]:
     )
 
 
+def cross(at: complex, step: int, arm: float = CROSS) -> tuple[Item, ...]:
+    """Two short lines that cross in the centre of a circle."""
+    pairs = ((at - arm, at + arm), (at - 1j * arm, at + 1j * arm))
+    return tuple(Stroke(points=pair, width=THIN, layer=Layer.THIN, step=step) for pair in pairs)
+
+
 def gear(mark: GearMark) -> tuple[Item, ...]:
     """A pitch circle and the cross at its centre."""
-    arm = min(4.0, mark.radius / 2)
-    cross = ((mark.centre - arm, mark.centre + arm), (mark.centre - 1j * arm, mark.centre + 1j * arm))
     ring = Stroke(
         points=circle(mark.centre, mark.radius),
         width=GIVEN,
@@ -148,7 +153,7 @@ def gear(mark: GearMark) -> tuple[Item, ...]:
         layer=Layer.THIN,
         step=mark.step,
     )
-    return (ring, *(Stroke(points=pair, width=THIN, layer=Layer.THIN, step=mark.step) for pair in cross))
+    return (ring, *cross(mark.centre, mark.step, min(4.0, mark.radius / 2)))
 
 
 def rack(mark: RackMark) -> tuple[Item, ...]:

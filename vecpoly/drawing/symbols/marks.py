@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from itertools import pairwise
 from typing import assert_never
 
-from ...board.construction import View
 from ...board.paper.marks import (
     AngleMark,
     Arc,
@@ -42,67 +39,13 @@ from ...board.paper.marks import (
     Weld,
 )
 from ...board.paper.tones import key_of
-from ...board.paper.walls import holds, leaves
-from ...words import Lang
-from ..hues import Tones, dash_of, image_hue, is_hollow, line_hue, mark_hue, tint_of
+from ..hues import dash_of, image_hue, is_hollow, line_hue, mark_hue, tint_of
 from ..scene import Fill, Item, Layer, Stroke
-from ..style import DOT_RADIUS, JOINT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
+from ..style import DOT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
 from . import bodies, shapes, solids
 from .angles import draw_angle, draw_square, draw_turn
+from .around import Surroundings
 from .shapes import NEAR
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Surroundings:
-    """What a symbol must know of its figure:
-    the view, the blocks, the tips of its vectors, its friction circles, the language, by which tones vectors are told
-    apart."""
-
-    view: View
-    blocks: tuple[Block, ...] = ()
-    tips: tuple[complex, ...] = ()
-    circles: tuple[FrictionCircle, ...] = ()
-    lang: Lang = "zh"
-    tones: Tones = None
-
-    @classmethod
-    def of(cls, view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones = None) -> Surroundings:
-        """Gathered from the figure's marks."""
-        return cls(
-            view=view,
-            blocks=tuple(m for m in marks if isinstance(m, Block)),
-            lang=lang,
-            tones=tones,
-            circles=tuple(m for m in marks if isinstance(m, FrictionCircle)),
-            tips=tuple(m.b for m in marks if isinstance(m, Vector) and abs(m.b - m.a) > 0.5),
-        )
-
-    def pin_radius(self, at: complex) -> float:
-        """Of the joint drawn here: smaller within a friction circle, so that both are seen."""
-        tight = any(abs(c.centre - at) < NEAR and c.radius < JOINT_RADIUS + 0.8 for c in self.circles)
-        return POLE_RADIUS if tight else JOINT_RADIUS
-
-    def link_layer(self, owner: str, *points: complex) -> Layer:
-        """Where a link through these points lies: over a block of another link whose pin it carries, unless it runs
-        along the block; a bar ends at the walls of a block that is one with it."""
-        others = [block for block in self.blocks if not owner or block.owner != owner]
-        pairs = tuple(pairwise(points))
-        return Layer.OVER if any(_carries(a, b, block) for a, b in pairs for block in others) else Layer.LINE
-
-    def outside(self, bar: Segment) -> tuple[complex, complex]:
-        """The ends of a line: a bar that starts in a block of its own link starts at the block's wall."""
-        a, b = bar.a, bar.b
-        own = [block for block in self.blocks if bar.owner and block.owner == bar.owner and bar.role is Role.LINK]
-        for block in own:
-            a, b = (
-                (leaves(block, z, other) or z) if holds(block, z) and abs(other - z) > NEAR else z
-                for z, other in ((a, b), (b, a))
-            )
-        return a, b
-
-    def tipped(self, at: complex) -> bool:
-        """Whether an arrowhead already shows the place."""
-        return any(abs(at - tip) < NEAR for tip in self.tips)
 
 
 def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
@@ -131,16 +74,6 @@ def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
         case LinkNumber() | Note():
             return ()
     assert_never(mark)
-
-
-def _carries(a: complex, b: complex, block: Block) -> bool:
-    if abs(b - a) < NEAR:
-        return False
-    u = (b - a) / abs(b - a)
-    off = (block.at - a) * u.conjugate()
-    across = abs((u * block.along.conjugate()).imag) > 0.02
-    ends_here = min(abs(block.at - a), abs(block.at - b)) < NEAR
-    return (across or ends_here) and abs(off.imag) < NEAR and -NEAR < off.real < abs(b - a) + NEAR
 
 
 def _body(mark: Body, around: Surroundings) -> tuple[Item, ...]:
@@ -194,9 +127,10 @@ def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
             full = abs(abs(sweep) - 2 * math.pi) < 1e-9
             points = shapes.circle(centre, radius) if full else shapes.arc(centre, radius, start, sweep)
             layer = Layer.THIN if p.width == THIN else Layer.LINE
-            return (
-                Stroke(points=points, width=p.width, dash=p.dash, hue=p.hue, closed=full, layer=layer, step=mark.step),
+            line = Stroke(
+                points=points, width=p.width, dash=p.dash, hue=p.hue, closed=full, layer=layer, step=mark.step
             )
+            return (line, *bodies.cross(centre, mark.step)) if full and around.bare(centre, radius) else (line,)
         case Curve(points=points, role=role):
             p = pen(role, Hue.BLACK)
             layer = Layer.THIN if p.width == THIN else Layer.LINE

@@ -14,7 +14,7 @@ from ...drawing.sheets.redbox import red_box
 from ...drawing.sheets.sheet import Sheet
 from ...drawing.sheets.titleblock import furniture
 from ...drawing.swung import swung
-from ...drawing.symbols.marks import Surroundings
+from ...drawing.symbols.around import Surroundings
 from ...errors import VecpolyError
 from ...words import Lang, Words
 from .entities import STYLES, Paper

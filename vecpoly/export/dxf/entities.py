@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 from ...board.paper.marks import Arc, Disc, Dot, FrictionCircle, GearMark, Mark, Point, Segment, Vector
 from ...drawing.scene import Fill, Item, Stroke, TextBox
 from ...drawing.style import Hue
-from ...drawing.symbols.marks import Surroundings, draw
+from ...drawing.symbols.around import Surroundings
+from ...drawing.symbols.marks import draw
 from ...typeset import Box, Glyphs, Rule
 from ...typeset.box import MM
 from ...typeset.fonts import MISSING, Face, missing_text

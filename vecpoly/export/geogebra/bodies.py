@@ -24,8 +24,9 @@ from ...board.paper.marks import (
 from ...board.place import View
 from ...drawing.scene import Stroke
 from ...drawing.style import JOINT_RADIUS, LINK, THIN, Dash, Hue, Pen
+from ...drawing.symbols.around import Surroundings
 from ...drawing.symbols.bodies import WELD
-from ...drawing.symbols.marks import Surroundings, draw
+from ...drawing.symbols.marks import draw
 from ...mechanism.model import Drive
 from ...methods.desk import Desk
 from ...methods.diagram import Pose

@@ -7,9 +7,9 @@ from math import radians
 
 import numpy as np
 
-from ...board.paper.marks import Role
+from ...board.paper.marks import Dot, Role
 from ...errors import VecpolyError
-from ...plane import nominal
+from ...plane import Points, nominal
 from ...words import Words
 from ..centres.size import Paper
 from ..positions.following import is_followed
@@ -42,6 +42,8 @@ def draw_paths(fig: CurvatureFigure, paper: Paper) -> None:
         if len(run) > 2:
             fig.board.curve(fig.pane, run, Role.GIVEN)
         _osculating(fig, point, complex(nominal(centre)))
+        if paper.holds(complex(nominal(centre))):
+            _radius(fig, point, centre)
 
 
 def _osculating(fig: CurvatureFigure, point: str, centre: complex) -> None:
@@ -51,6 +53,12 @@ def _osculating(fig: CurvatureFigure, point: str, centre: complex) -> None:
     half = float(np.pi if half > WHOLE else half)
     start = float(np.angle(e - centre)) - half
     fig.board.circle(fig.pane, fig.centres[point], radius, Role.HIDDEN, start=start, sweep=2 * half)
+
+
+def _radius(fig: CurvatureFigure, point: str, centre: Points) -> None:
+    """The radius that is asked for, named along it."""
+    fig.board.join(fig.pane, centre, fig.at(point), Role.CONSTRUCTION)
+    fig.board.plot(fig.pane, (centre + fig.at(point)) / 2, f"ρ_{{{point}}}", Dot.NONE, key=f"rho_{point}")
 
 
 def _places(fig: CurvatureFigure) -> list[dict[str, complex]]:

@@ -1,4 +1,4 @@
-"""The axes of a diagram, with numbers below the one that goes to the right."""
+"""The axes of a diagram, with numbers along the one that goes to the right."""
 
 from __future__ import annotations
 
@@ -28,16 +28,18 @@ class Axes:
 
 
 def draw_axes(board: Board, place: Place, axes: Axes, ticks: Iterable[tuple[float, str]]) -> None:
-    """Both axes with their letters; ticks: how far to the right (mm), and what is written there."""
+    """Both axes with their letters; ticks: how far to the right (mm), and what is written there: below the axis, or
+    above it where the curve lies mostly below."""
     right, top = axes.wide + BEYOND + 0j, 1j * (axes.high + BEYOND)
     bottom = 1j * (axes.low - BEYOND / 2) if axes.low < 0 else 0j
     board.arrow(place, 0j, right, Role.DIRECTION)
     board.arrow(place, bottom, top, Role.DIRECTION)
     board.plot(place, right, axes.across, Dot.NONE)
     board.plot(place, top, axes.up, Dot.NONE)
+    side = -1j if axes.high >= -axes.low else 1j
     for at, written in ticks:
         board.join(place, at - TICK * 1j, at + TICK * 1j, Role.CONSTRUCTION)
-        board.note(place, at - TICK * 1j, Words.same(written), -1j)
+        board.note(place, at + TICK * side, Words.same(written), side)
 
 
 def angle_ticks(board: Board, place: Place, period: float) -> Iterable[tuple[float, str]]:

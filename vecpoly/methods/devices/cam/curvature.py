@@ -18,7 +18,7 @@ from ....words import Words
 from ..bench import Bench
 from .diagram import place_of
 from .extremes import Spot, best, curving
-from .face import reach, under_a_face
+from .face import osculating_circle, reach, under_a_face
 from .inversion import VIEW, Cut
 from .pose import centre_of_curvature
 from .pressure import copied, detail, posed, show
@@ -84,7 +84,7 @@ def _hartmann(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Sp
     board.join(place, moved, centre, Role.CONSTRUCTION)
     board.join(place, it.pole, centre, Role.DIRECTION)
     board.plot(place, centre, "K", Dot.POINT)
-    board.circle(place, centre, np.abs(centre - it.b), Role.CONSTRUCTION)
+    osculating_circle(board, place, centre, it.b)
     return length(bench, RHO, place, centre, it.b, "K B")
 
 

@@ -8,12 +8,13 @@ from math import degrees
 import numpy as np
 
 from ....algebra.quantity import Quantity, number
+from ....board.board import Board
 from ....board.construction import Pane
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import FARTHEST, NEAREST, REACH_BACK, REACH_RISE, RHO
 from ....devices.cams.cam import Cam
 from ....names import Named
-from ....plane import dot, nominal
+from ....plane import Points, dot, nominal
 from ....words import Words
 from ..bench import Bench
 from .diagram import place_of
@@ -38,11 +39,18 @@ def under_a_face(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot:
     board.join(place, it.pole, centre, Role.DIRECTION)
     for letter, at in (("O", 0j), ("P", it.pole), ("B", touch), ("K", centre)):
         board.plot(place, at, letter, Dot.JOINT if letter == "O" else Dot.POINT)
-    board.circle(place, centre, np.abs(centre - touch), Role.CONSTRUCTION)
+    osculating_circle(board, place, centre, touch)
     ahead = float(nominal(dot(it.way, touch - centre))) >= 0
     rho = length(bench, RHO, place, centre, touch, "K B", 1 if ahead else -1)
     board.step(Words("检查失真：", "Is it undercut?"))
     return rho
+
+
+def osculating_circle(board: Board, place: Pane, centre: Points, touch: Points) -> None:
+    """The circle of curvature with its radius ρ_min, which is asked for."""
+    board.circle(place, centre, np.abs(centre - touch), Role.CONSTRUCTION)
+    board.join(place, centre, touch, Role.CONSTRUCTION)
+    board.plot(place, (centre + touch) / 2, RHO.symbol, Dot.NONE, key=RHO.key)
 
 
 def _shown(bench: Bench, place: Pane, cam: Cam, it: Pose) -> None:
