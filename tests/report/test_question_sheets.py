@@ -15,7 +15,7 @@ from vecpoly.board.acts import Compute, Measure, Meet
 from vecpoly.board.chain import needed
 from vecpoly.board.construction import Figure
 from vecpoly.board.paper.extent import bounds, extent
-from vecpoly.board.paper.marks import Dot, FixedGuide, Ground, Note, Point, RackMark, Role, Segment, Vector
+from vecpoly.board.paper.marks import AngleMark, Dot, FixedGuide, Ground, Note, Point, RackMark, Role, Segment, Vector
 from vecpoly.designs.base import Design
 from vecpoly.devices.cams.cam import Cam
 from vecpoly.devices.dynamics.flywheel import Flywheel
@@ -237,3 +237,10 @@ def test_the_axes_of_a_blank_diagram_have_names_units_and_numbers(name: str, vie
     assert numbers <= set(notes)
     assert sum(note.startswith("$") for note in notes) == 2  # both axes are named
     assert any(f"/{unit}" in note for note in notes for unit in ("(N·m)", "(kg·m^2)", "rad", "J"))
+
+
+@pytest.mark.parametrize("name", ["8-7", "8-8", "8-13"])
+def test_an_angle_in_the_picture_of_a_question_has_its_name_and_not_its_size(name: str) -> None:
+    figure = sketched(drawn(name).problem, drawn(name).construction, 150.0, 80.0)
+    angles = [mark.label for mark in figure.marks if isinstance(mark, AngleMark)] if figure is not None else []
+    assert angles and not any("=" in label for label in angles)

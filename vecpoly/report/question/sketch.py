@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from ...board.construction import Construction, Figure, View
-from ...board.paper.marks import Mark, Point, Role, Segment
+from ...board.paper.marks import AngleMark, Mark, Point, Role, Segment
 from ...designs.base import Design
 from ...problem.problem import Problem
 from ...words import Words
@@ -29,5 +30,8 @@ def sketched(problem: Problem, construction: Construction, width: float, height:
 
 
 def _fine(mark: Mark) -> Mark:
-    """Another position of a link in a fine line that is given, not in one of help."""
+    """Another position of a link in a fine line that is given, not in one of help; an angle by its name alone: its size
+    stands in the data, or is to be worked out from them."""
+    if isinstance(mark, AngleMark):
+        return replace(mark, label=re.split(r"\s*=", mark.label)[0])
     return replace(mark, role=Role.GIVEN) if isinstance(mark, Segment) and mark.role is Role.CONSTRUCTION else mark
