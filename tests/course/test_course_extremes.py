@@ -52,13 +52,13 @@ def test_a_curve_marks_the_extremes_that_are_told(name: str, monkeypatch: pytest
         assert any(abs(place - 196.8) < 0.1 for place in at) and not any(abs(place - 343.2) < 0.1 for place in at)
 
 
-def test_three_figures_are_three_figures() -> None:
-    assert [peaks.figures(value) for value in (9.996, 9.994, 0.09996, 99.96, -999.6)] == [
-        "10.0",
-        "9.99",
-        "0.100",
-        "100",
-        "−1000",
+def test_four_figures_are_four_figures() -> None:
+    assert [peaks.figures(value) for value in (9.9996, 9.9994, 0.099996, 99.996, -9999.6)] == [
+        "10.00",
+        "9.999",
+        "0.1000",
+        "100.0",
+        "−10000",
     ]
 
 

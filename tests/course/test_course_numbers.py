@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from functools import cache
-from math import atan2, cos, degrees, floor, log10, radians, sin, sqrt
+from math import atan, copysign, cos, degrees, floor, log10, radians, sin, sqrt
 from typing import Any
 
 import numpy as np
@@ -36,7 +36,7 @@ _CALCULATOR: dict[str, Any] = {
     "sin": sin,
     "sqrt": sqrt,
     "radians": radians,
-    "angle": lambda y, x: degrees(atan2(y, x)),
+    "angle": lambda y, x: degrees(atan(y / x)) if x else copysign(90.0, y),
 }
 
 

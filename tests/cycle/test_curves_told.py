@@ -71,9 +71,9 @@ def test_the_higher_and_the_lower_of_many_spots_are_chosen_and_one_alone_is_high
     assert extremes([(10.0, 1.0)]) == [((10.0, 1.0), 1)] and extremes([]) == []
 
 
-def test_numbers_at_peaks_have_three_figures() -> None:
+def test_numbers_at_peaks_have_four_figures_as_the_tables_have() -> None:
     values = (0.0, 44.168, -736.04, 0.95871, 12345.0, 4.0)
-    assert [figures(value) for value in values] == ["0", "44.2", "−736", "0.959", "12300", "4.00"]
+    assert [figures(value) for value in values] == ["0", "44.17", "−736.0", "0.9587", "12345", "4.000"]
 
 
 def test_a_text_that_would_cover_curves_or_stand_beyond_one_is_left_out() -> None:

@@ -75,8 +75,17 @@ def numbers(expr: Expr, env: Env, digits: int = FIGURES) -> Node:
         case Wave(name, angle):
             return Row((Txt(f"{name}{THIN}"), Txt(_turned(float(angle.value(env)), digits))))
         case Arctan(rise, run):
-            return Row((Txt(f"arctan{THIN}"), Frac(numbers(rise, env, digits), numbers(run, env, digits))))
+            ratio = Frac(numbers(rise, env, digits), numbers(run, env, digits))
+            turn = _half_turn(rise, run, env)
+            principal = Row((Txt(f"arctan{THIN}"), ratio))
+            return Row((principal, Txt(turn))) if turn else principal
     return Txt(number(float(np.asarray(expr.value(env))), digits))
+
+
+def _half_turn(rise: Expr, run: Expr, env: Env) -> str:
+    """± 180° where the arctangent of the quotient, as a calculator gives it, is of the opposite quadrant."""
+    up, along = (float(np.asarray(one.value(env))) for one in (rise, run))
+    return "" if along >= 0 else " − 180°" if up < 0 else " + 180°"
 
 
 def _angular(expr: Expr, env: Env, digits: int) -> Node:
@@ -114,7 +123,8 @@ def _guarded(expr: Expr, env: Env, digits: int) -> Node:
     """In brackets where it is a sum or a negative number."""
     node = numbers(expr, env, digits)
     negative = isinstance(node, Txt) and node.text.startswith("−")
-    return Row((Txt("("), node, Txt(")"))) if isinstance(expr, Sum) or negative else node
+    turned_on = isinstance(expr, Arctan) and _half_turn(expr.rise, expr.run, env)
+    return Row((Txt("("), node, Txt(")"))) if isinstance(expr, Sum) or negative or turned_on else node
 
 
 def _turned(angle: float, digits: int) -> str:

@@ -16,7 +16,7 @@ from .place import Placer, Points
 Spot = tuple[float, float]
 Known = Callable[[str], Extremes]
 SIZE = 2.7  # em of the lettering, mm
-_DIGITS = 3
+_DIGITS = 4  # as in the columns of tables
 _LEVEL = 1e-5  # of the range: spots that differ by less, read off samples, are equally high
 _NEAR = 1e-2  # of the range: how far a sampled extreme may be from the true one
 _NOTHING = 1e-9  # of the greatest value: zero
@@ -65,15 +65,15 @@ def exact(spots: Sequence[Spot], known: Extremes, drive: Column, column: Column,
 
 
 def told(spot: Spot, drive: Column) -> str:
-    """The value to three figures, and the drive's place to 0.1° or 0.1 mm."""
+    """The value to four figures, and the drive's place to 0.1° or 0.1 mm."""
     place, value = spot
     unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
     return f"{figures(value)} ({style.number(round(place, 1))}{unit})"
 
 
 def figures(value: float) -> str:
-    """A number to three figures, whole numbers as they are."""
+    """A number to four figures, whole numbers as they are."""
     if not value:
         return "0"
-    places = _DIGITS - 1 - floor(log10(abs(float(f"{value:.{_DIGITS - 1}e}"))))  # 9.996 is 10.0, not 10.00
-    return f"{round(value, places):.{max(0, places)}f}".replace("-", "−")
+    places = _DIGITS - 1 - floor(log10(abs(float(f"{value:.{_DIGITS - 1}e}"))))  # 9.9996 is 10.00, not 10.000
+    return f"{value:.{max(0, places)}f}".replace("-", "−")

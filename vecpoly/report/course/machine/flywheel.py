@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ....algebra.quantity import magnitude, number
 from ....algebra.worked import figures_for
@@ -14,7 +15,7 @@ from ....mechanism.machine import Steady
 from ....words import Words
 from ..numbering import Press
 from ..results.plots import Plotted, given
-from .work import where
+from .work import of_period, where
 
 _HEADER = {
     "zh": ["方法", "算式", "$J_F$ /(kg·m²)", "与精确值之差"],
@@ -32,7 +33,7 @@ def flywheel(study: Study, press: Press, run: Running) -> dict[str, Any]:
         "title": Words("飞轮的转动惯量", "The flywheel").of(press.lang),
         "words": [w.of(press.lang) for w in told],
         "tables": [_table(press, run, run.cuts)] if needed and run.cuts is not None else [],
-        "figures": press.figures([speed(study, press.lang, run, run.trial)]) if run.trial is not None else [],
+        "figures": press.figures([speed(study, press.lang, run)]) if run.trial is not None else [],
     }
 
 
@@ -121,12 +122,21 @@ def _table(press: Press, run: Running, cuts: Tangents) -> str:
     return press.table(Words("飞轮的转动惯量", "Moment of inertia of the flywheel"), _HEADER[press.lang], rows, "lcrr")
 
 
-def speed(study: Study, lang: str, run: Running, trial: Confirmed) -> Plotted:
-    """The speed over the input link's angle, from 0° on."""
-    assert run.steady is not None
-    x = np.degrees(trial.phi) % np.degrees(run.of.period)
-    order = np.argsort(x, kind="stable")
+def speed(study: Study, lang: str, run: Running) -> Plotted:
+    """The speed over the input link's angle, all through the period, its ends included."""
+    assert run.steady is not None and run.found is not None
+    top, low = run.found.fastest, run.found.slowest
+    marks = tuple((run.of.degrees(one.psi), abs(one.value)) for one in (top, low))
     link = run.mech.number(run.mech.drive.link)
     title = Words(f"装飞轮后的 $ω_{link}$（虚线为平均值）", f"$ω_{link}$ with the flywheel (dashed: mean)")
-    line = (x[order], np.abs(trial.omega)[order])
-    return given(study, lang, line, (f"ω_{{{link}}}", "rad/s"), title, level=run.steady.speed)
+    angle, at = of_period(run)
+    line = (angle, _speeds(run, run.found, at))
+    return given(study, lang, line, (f"ω_{{{link}}}", "rad/s"), title, marks=marks, level=run.steady.speed)
+
+
+def _speeds(run: Running, found: Evenness, at: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The speed at places of every piece: ½ (J_e + J_F) ω² has grown by the work done since the fastest place."""
+    of, top = run.of, np.array([found.fastest.psi])
+    first, height = (float(of.at(rows, top)[0]) for rows in (of.inertias, of.works))
+    energy = (first + found.flywheel) * found.fastest.value**2 / 2 + of.of_pieces(of.works, at).ravel() - height
+    return np.asarray(np.sqrt(2 * energy / (of.of_pieces(of.inertias, at).ravel() + found.flywheel)), np.float64)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ....algebra.quantity import magnitude, number
 from ....algebra.worked import figures_for
@@ -19,6 +20,7 @@ _HEADER = {
     "zh": ["区间", "性质", "$ΔW$ /J", "终点处 $E$ /J"],
     "en": ["From–to", "Work is", "$ΔW$ /J", "$E$ at its end /J"],
 }
+_Reals = NDArray[np.float64]
 _KINDS = (Words("亏功", "lost"), Words("盈功", "gained"))
 _LITTLE = 1e-9  # of the greatest surplus: no piece of its own
 POINTS = 9  # of a piece of the period
@@ -143,12 +145,16 @@ def _crossing(run: Running, low: float, high: float) -> float:
 
 def energy(study: Study, lang: str, run: Running) -> Plotted:
     of = run.of
-    places, at = of.sampled(POINTS)
-    height, span = of.of_pieces(of.works, at).ravel(), float(np.degrees(of.period))
-    angle = np.degrees(of.sense * places.ravel())
+    angle, at = of_period(run)
+    height = of.of_pieces(of.works, at).ravel()
     marks = tuple((of.degrees(top.psi), top.value) for top in (run.high, run.low))
     symbol = study.turn.drive.symbol
     title = Words(f"盈亏功累计值 $E$ 随 ${symbol}$ 的变化", f"$E$ over ${symbol}$; dots: greatest, least")
-    return given(
-        study, lang, (angle - span * np.floor(angle.min() / span + 1e-9), height), ("E", "J"), title, marks=marks
-    )
+    return given(study, lang, (angle, height), ("E", "J"), title, marks=marks)
+
+
+def of_period(run: Running) -> tuple[_Reals, _Reals]:
+    """The drive's angles (degrees) from the period's beginning to its end, and where they lie in their pieces."""
+    places, at = run.of.sampled(POINTS)
+    angle, span = np.degrees(run.of.sense * places.ravel()), float(np.degrees(run.of.period))
+    return angle - span * np.floor(angle.min() / span + 1e-9), at
