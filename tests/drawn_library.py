@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 
 import pytest
 
+from tests.laws import few
 from vecpoly.board.construction import Construction, Figure, View
 from vecpoly.errors import VecpolyError
 from vecpoly.mechanism.model import Mechanism
@@ -26,6 +27,7 @@ from vecpoly.words import Words
 T = TypeVar("T")
 
 IDS = tuple(entry.id for entry in library())
+DRAFTED = few(IDS, 3)  # whose sheets are laid, and which are drawn by all hands: in the soak the whole library
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,13 +1,28 @@
-"""How often a law is tried whose examples are dear: seldom in `make test`, twenty times as often in `make soak`."""
+"""How often a law is tried whose examples are dear, and of how many cases a dear claim is made: of few in `make test`,
+of many in `make soak`."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TypeVar
+
 from hypothesis import settings
 
+Case = TypeVar("Case")
 HOUSE, SOAK = 25, 1000  # examples of a law that names no number, in `make test` and in `make soak`
 MORE = 20  # times as many of a dear one in the soak
 
 
+def soaking() -> bool:
+    """Whether this is the soak."""
+    return settings().max_examples >= SOAK
+
+
 def often(count: int) -> int:
     """So many examples in `make test`, twenty times as many in the soak."""
-    return count * (MORE if settings().max_examples >= SOAK else 1)
+    return count * (MORE if soaking() else 1)
+
+
+def few(cases: Sequence[Case], every: int) -> Sequence[Case]:
+    """The first of these cases and every so many-th after it in `make test`, all of them in the soak."""
+    return cases if soaking() else cases[::every]

@@ -8,7 +8,7 @@ import re
 import numpy as np
 import pytest
 
-from tests.drawn_library import drafted, ids
+from tests.drawn_library import DRAFTED, drafted, ids
 from vecpoly.algebra.formula import plain, sym
 from vecpoly.board.board import Board
 from vecpoly.board.construction import Scale, View
@@ -33,7 +33,7 @@ def written(solution: Solution, answer: Answer) -> list[float]:
 
 def test_what_the_steps_print_of_a_motion_is_what_the_table_prints() -> None:
     compared, other = 0, []
-    for solution in filter(None, map(drafted, ids())):
+    for solution in filter(None, map(drafted, sorted({*DRAFTED} & {*ids()}))):
         for answer in solution.answers.values():
             if not isinstance(answer.rel, Rel):
                 continue
@@ -43,7 +43,7 @@ def test_what_the_steps_print_of_a_motion_is_what_the_table_prints() -> None:
                 compared += 1
                 if abs(abs(value) - shown) > 1e-9 * max(1.0, shown):
                     other.append((solution.problem.id, answer.key, value, shown))
-    assert compared > 150
+    assert compared > len(DRAFTED) / 2
     assert other == []
 
 

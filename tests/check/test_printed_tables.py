@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from typer.testing import CliRunner
 
 from tests.checked_tables import PRINTED, checked
-from tests.laws import often
+from tests.laws import few, often
 from vecpoly import oracle
 from vecpoly.check.slips.guess import Slip
 from vecpoly.check.slips.lengths import lengths, other_assemblies
@@ -34,7 +34,7 @@ from vecpoly.oracle import Motion
 from vecpoly.problem.load import load
 
 Reals = NDArray[np.float64]
-FEW = settings(max_examples=often(2), suppress_health_check=[HealthCheck.function_scoped_fixture])
+FEW = settings(max_examples=often(1), suppress_health_check=[HealthCheck.function_scoped_fixture])
 TURN = np.arange(0.0, 361.0, 10.0)
 SIX_BAR = (
     "theta2_deg",
@@ -122,7 +122,14 @@ def test_the_accelerations_of_problem_16_lack_the_divisor_of_their_dyad() -> Non
 
 @pytest.mark.parametrize(
     ("table", "problem", "l1", "l1_of_rates"),
-    [("B_table_1A", "B-24", 24.0, 26.5), ("B_table_1A", "B-26.5", 24.0, 26.5), ("B_table_1B", "B-29.5", 29.5, 24.0)],
+    few(
+        [
+            ("B_table_1A", "B-24", 24.0, 26.5),
+            ("B_table_1A", "B-26.5", 24.0, 26.5),
+            ("B_table_1B", "B-29.5", 29.5, 24.0),
+        ],
+        2,
+    ),
 )
 def test_the_six_bar_tables_were_computed_with_two_crank_lengths(
     table: str, problem: str, l1: float, l1_of_rates: float
@@ -645,7 +652,7 @@ def test_the_command_refuses_in_one_line(words: Sequence[object], told: str) -> 
     assert code == 2 and told in error and len(error.splitlines()) == 1 and "Traceback" not in error
 
 
-@pytest.mark.parametrize("name", ["A-27", "3-4a", "4-3a", "4-5", "C-inertia", "lift-gate"])
+@pytest.mark.parametrize("name", few(["A-27", "3-4a", "4-3a", "4-5", "C-inertia", "lift-gate"], 2))
 @pytest.mark.parametrize("form", ["csv", "zh.xlsx", "en.xlsx"])
 def test_a_table_that_vecpoly_writes_is_read_again_column_by_column(name: str, form: str, tmp_path: Path) -> None:
     """Words above symbols above units; places without an answer at the end of a row;

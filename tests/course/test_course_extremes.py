@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from tests.laws import few
 from tests.pocket import sums
 from tests.studies import studied
 from vecpoly.algebra.quantity import number
@@ -23,7 +24,7 @@ BOTH: tuple[Lang, ...] = ("zh", "en")
 NAMES = ("shaper-flywheel", "A-27", "3-5", "B-24")
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", few(NAMES, 2))
 def test_a_curve_marks_the_extremes_that_are_told(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The least J_e of a shaper occurs twice a turn: text and curve name the same of both places."""
     it, marked = studied(name), list[tuple[str, float, float]]()
@@ -73,7 +74,7 @@ def test_k_follows_from_the_angles_printed(forth: float, back: float) -> None:
     assert f"{forth / back:.3f}" == ratio and abs(float(one) / float(other) - float(ratio)) <= 0.5e-3
 
 
-@pytest.mark.parametrize("name", ["press-flywheel", "shaper-flywheel", "engine-flywheel"])
+@pytest.mark.parametrize("name", few(["press-flywheel", "shaper-flywheel", "engine-flywheel"], 3))
 def test_the_surplus_of_work_and_the_flywheel_follow_from_the_figures_printed(name: str) -> None:
     """ΔW = E_max − E_min, and J_F = ΔW / (ω² δ), in the table both calculation and result."""
     run = running(load(name))

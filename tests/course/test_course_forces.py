@@ -12,7 +12,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tests.laws import often
+from tests.laws import few, often
 from tests.oracle.test_oracle_forces_models import slider_crank
 from tests.studies import studied
 from vecpoly.algebra.formula import plain
@@ -116,7 +116,7 @@ def test_the_side_of_friction_changes_where_the_rod_does_not_turn() -> None:
     ]
 
 
-@pytest.mark.parametrize("name", LOADED)
+@pytest.mark.parametrize("name", few(LOADED, 3))
 def test_the_printed_equations_of_equilibrium_hold_for_the_oracle_s_forces(name: str) -> None:
     """Σ F_x, Σ F_y, Σ M of every link, inertia forces and friction, at positions all round the cycle."""
     it = studied(name)

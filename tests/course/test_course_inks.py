@@ -6,6 +6,7 @@ from functools import cache
 
 import pytest
 
+from tests.laws import few
 from tests.studies import solved
 from vecpoly.report.answers.tables import readings_at
 from vecpoly.report.content import Objects
@@ -30,7 +31,7 @@ def test_readings_at_other_positions_stand_in_the_inks_of_their_vectors_behind_t
     assert tuple(table.inks) == inks_of(it, it.answers) and any(table.inks)
 
 
-@pytest.mark.parametrize("lang", ["zh", "en"])
+@pytest.mark.parametrize("lang", few(["zh", "en"], 2))
 def test_the_tables_of_chapter_six_keep_the_inks(lang: Lang) -> None:
     inked = [(one.caption, one.inked) for one in tables("3-9", lang) if any(one.inks)]
     assert [at for _, at in inked] == [0, 1]

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from tests.each import Later, each
 from tests.generators.family import families, member
+from tests.laws import few
 from vecpoly import oracle
 from vecpoly.analytic.build import model
 from vecpoly.analytic.equations import Model
@@ -133,7 +134,7 @@ def test_gears_that_have_no_formulas_are_refused_in_words(name: str) -> None:
         modelled(from_pivots(load(name).mechanism))
 
 
-@pytest.mark.parametrize("name", FAMILIES)
+@pytest.mark.parametrize("name", few(FAMILIES, 2))
 def test_the_model_of_random_mechanisms_moves_as_the_oracle_does(name: str) -> None:
     one, told = next(family for family in families() if family.name == name), 0
     for number in range(12 if name.startswith("linkage") else 4):

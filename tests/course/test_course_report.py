@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 from pypdf import PdfReader
 from pypdf.generic import DictionaryObject
 
+from tests.laws import few
 from tests.studies import course_report, studied
 from vecpoly import oracle
 from vecpoly.algebra.formula import plain
@@ -50,7 +51,7 @@ def test_the_library_has_every_kind_of_dyad_and_a_held_gear() -> None:
     assert {group.kind for name in MECHANISMS for group in decompose(load(name).mechanism)} == CLOSED
 
 
-@pytest.mark.parametrize("name", MECHANISMS)
+@pytest.mark.parametrize("name", few(MECHANISMS, 2))
 def test_the_printed_formulas_give_the_oracle_s_motion(name: str) -> None:
     """Places, angles, velocities, accelerations of every letter and link, at forty random positions;
     away from dead points."""
@@ -175,7 +176,7 @@ def test_the_worst_conditioned_position_of_a_slotted_link_is_its_shortest_arm() 
     assert slotted.phi % np.radians(0.5) > 1e-4  # between two positions of the grid
 
 
-@pytest.fixture(scope="module", params=["zh", "en"])
+@pytest.fixture(scope="module", params=few(["zh", "en"], 2))
 def report(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("course") / f"A-27.{request.param}.pdf"
     path.write_bytes(course_report("A-27", request.param))

@@ -11,7 +11,7 @@ from itertools import combinations
 import pytest
 import shapely
 
-from tests.drawn_library import IDS, drafted
+from tests.drawn_library import DRAFTED, drafted
 from tests.each import each
 from tests.label_faults import astray, crammed, faults, leaders
 from vecpoly.board.construction import Figure, Scale, View
@@ -135,13 +135,13 @@ def test_placing_is_deterministic() -> None:
     assert drawing(polygon(11)).label_boxes == drawing(polygon(11)).label_boxes
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_no_label_of_the_library_stands_on_a_line_an_arrowhead_or_another_label(name: str) -> None:
     for one in _drawn(name):
         assert faults(one) == []
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_no_label_of_the_library_stands_nearer_to_another_thing_of_its_kind_or_a_point_than_to_its_own(
     name: str,
 ) -> None:
@@ -164,13 +164,13 @@ def test_an_angle_is_named_beside_its_arc_and_not_as_the_joint_on_it() -> None:
     assert len(drawn.labels) == 2 and astray(drawn, unnamed((vertex, joint, angle))) == []
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_no_two_labels_of_the_library_are_read_as_one(name: str) -> None:
     for one in _drawn(name):
         assert crammed(one) == []
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_the_letters_of_a_figure_have_one_size(name: str) -> None:
     """Those that name something; numbers and notes are smaller, and alike too."""
     for one in _drawn(name):
@@ -179,7 +179,7 @@ def test_the_letters_of_a_figure_have_one_size(name: str) -> None:
         assert sizes(one, named) <= {LETTER}
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_a_leader_is_a_thin_grey_line_without_a_head_and_no_longer_than_a_crowd_asks(name: str) -> None:
     for one in _drawn(name):
         for line in leaders(one):
@@ -190,18 +190,18 @@ def test_a_leader_is_a_thin_grey_line_without_a_head_and_no_longer_than_a_crowd_
 
 
 def test_leaders_are_few_and_short() -> None:
-    labels = sum(len(one.labels) for name in IDS for one in _drawn(name))
-    long = [abs(line.points[1] - line.points[0]) for name in IDS for one in _drawn(name) for line in leaders(one)]
+    labels = sum(len(one.labels) for name in DRAFTED for one in _drawn(name))
+    long = [abs(line.points[1] - line.points[0]) for name in DRAFTED for one in _drawn(name) for line in leaders(one)]
     assert len(long) < 0.08 * labels and sum(length > 14 for length in long) < 0.012 * labels
 
 
 def test_leaders_hardly_ever_cross_each_other() -> None:
-    drawn = [[_line(line) for line in leaders(one)] for name in IDS for one in _drawn(name)]
+    drawn = [[_line(line) for line in leaders(one)] for name in DRAFTED for one in _drawn(name)]
     crossed = sum(a.intersects(b) for lines in drawn for a, b in combinations(lines, 2))
     assert crossed < 0.015 * sum(map(len, drawn))
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_a_direction_is_lettered_where_its_line_runs_on_past_the_point_that_it_found(name: str) -> None:
     for one in _drawn(name):
         for label in one.labels:

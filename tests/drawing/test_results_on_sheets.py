@@ -7,7 +7,7 @@ from functools import cache
 
 import pytest
 
-from tests.drawn_library import IDS, drafted
+from tests.drawn_library import DRAFTED, drafted
 from tests.drawn_sheets import laid
 from tests.each import each
 from vecpoly.algebra.formula import plain
@@ -44,7 +44,7 @@ def _block(sheet: Sheet) -> Rect:
     return rect_of(frame)
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_results_on_a_sheet_stand_on_nothing_and_within_its_frame(name: str) -> None:
     for sheet in _laid(name):
         if not sheet.results:
@@ -75,7 +75,7 @@ def _apart(sheet: Sheet, block: Rect) -> bool:
 
 
 def test_results_stand_as_a_rule_over_the_right_end_of_the_title_strip() -> None:
-    blocks = [(sheet, _block(sheet)) for name in IDS for sheet in _laid(name) if sheet.results]
+    blocks = [(sheet, _block(sheet)) for name in DRAFTED for sheet in _laid(name) if sheet.results]
     low = [r.y0 < FRAME + STRIP + 4.0 and r.x1 > sheet.size[0] - FRAME - 4.0 for sheet, r in blocks]
     assert sum(low) > 0.8 * len(low)
 
@@ -96,7 +96,7 @@ def _at(item: Item) -> complex:
     return complex(item.x, item.y) if isinstance(item, TextBox) else item.points[0]
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_a_line_on_a_sheet_ends_with_the_number_of_the_answer(name: str) -> None:
     solution = drafted(name)
     if solution is None:
@@ -108,8 +108,8 @@ def test_a_line_on_a_sheet_ends_with_the_number_of_the_answer(name: str) -> None
 
 
 def test_most_problems_that_are_drawn_say_on_a_sheet_what_came_out() -> None:
-    made = [sheets_ for name in IDS if (sheets_ := _laid(name))]
-    assert len(made) > 200 and sum(any(one.results for one in some) for some in made) > 0.85 * len(made)
+    made = [sheets_ for name in DRAFTED if (sheets_ := _laid(name))]
+    assert len(made) > 0.85 * len(DRAFTED) and sum(any(one.results for one in some) for some in made) > 0.85 * len(made)
 
 
 @pytest.mark.parametrize("name", ["3-2", "3-7b", "4-7", "six-bar-dynamic", "scissor-lift", "geared-five-bar"])

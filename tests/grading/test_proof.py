@@ -5,13 +5,14 @@ from __future__ import annotations
 import pytest
 
 from tests.grader_proof.__main__ import BARS, prove
+from tests.laws import few
 
 FEW = ("pencil: whole sheets accepted", "pencil: quantities accepted", "pencil: accused of a slip",
        "single slips caught",
        "another student's sheet accepted", "follow-through lowered a mark")  # fmt: skip
 
 
-@pytest.mark.parametrize("name", ["3-9", "4-3a", "5-2", "3-2"])
+@pytest.mark.parametrize("name", few(["3-9", "4-3a", "5-2", "3-2"], 3))
 def test_right_work_is_accepted_slips_are_caught_and_no_other_sheet_passes(name: str) -> None:
     total, _ = prove(name, 40)
     for claim in FEW:

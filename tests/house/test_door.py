@@ -9,6 +9,7 @@ from copy import deepcopy
 import pytest
 
 import vecpoly
+from tests.laws import few
 from vecpoly import solution as inside
 from vecpoly.problem.load import load as plain_load
 from vecpoly.record import to_json
@@ -60,7 +61,7 @@ def lang(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Lan
     return chosen
 
 
-@pytest.mark.parametrize("name", ["3-9", "4-3a", "5-1", "2-5"])
+@pytest.mark.parametrize("name", few(["3-9", "4-3a", "5-1", "2-5"], 2))
 def test_a_notebook_shows_pictures_whose_letters_need_no_font(name: str, lang: Lang) -> None:
     problem = vecpoly.load(name)
     solution = problem.solve()

@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.drawn_library import IDS, drafted
+from tests.drawn_library import DRAFTED, IDS, drafted
 from tests.drawn_library import drawn as by_exact_hand
 from tests.each import each
+from tests.laws import few
 from vecpoly import load, loads
 from vecpoly.errors import AssemblyError, DeadPointError
 from vecpoly.mechanism.model import Mechanism
@@ -53,7 +54,7 @@ def test_the_exact_hand_agrees_with_the_oracle(name: str) -> None:
         assert abs(drawn - exact) <= 1e-9 * max(abs(exact), 1e-4, LOST * a.weighed.size), key
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_drafting_readings_lie_within_their_expected_error(name: str) -> None:
     solution = drafted(name)
     assert solution is not None
@@ -61,7 +62,7 @@ def test_drafting_readings_lie_within_their_expected_error(name: str) -> None:
         assert abs(a.deviation) <= a.expected_error + 1e-12 * max(1.0, abs(a.exact)), key
 
 
-@pytest.mark.parametrize("name", ["3-5", "3-9", "3-12"])
+@pytest.mark.parametrize("name", few(["3-5", "3-9", "3-12"], 2))
 def test_most_pencil_readings_lie_within_their_expected_error(name: str) -> None:
     inside = total = 0
     for seed in range(20):

@@ -7,7 +7,7 @@ from statistics import median
 import numpy as np
 import shapely
 
-from tests.drawn_library import IDS, drawn
+from tests.drawn_library import DRAFTED, drawn
 from tests.drawn_sheets import laid, share, span
 from tests.each import Later, each
 from vecpoly.board.construction import Figure
@@ -18,7 +18,7 @@ from vecpoly.report.picture import diagram
 FILLED, USUAL = 0.6, 0.75  # share of a sheet that its figures take at least, and as a rule
 REACH = 0.8  # of a sheet's width or height: drawn 1.25 times as large, the step of round scales, it would not fit
 HULL = 0.6  # share of a sheet inside the convex hull of all ink, as a rule
-SHEETS = Later(lambda: (name for name in IDS if diagram(drawn(name).construction) is None))  # others have none
+SHEETS = Later(lambda: (name for name in DRAFTED if diagram(drawn(name).construction) is None))  # others have none
 
 
 def figures_of(name: str, sheet: Sheet) -> list[Figure]:

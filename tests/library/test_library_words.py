@@ -12,7 +12,7 @@ import pytest
 
 from tests.drawn_library import IDS, drawn, sentences
 from tests.each import each
-from tests.laws import often
+from tests.laws import few
 from tests.studies import solved, studied
 from vecpoly.check.table.whole import TableCheck, check_table
 from vecpoly.cycle.facts.found import facts
@@ -121,9 +121,8 @@ def columns_of(name: str) -> list[str]:
     return [column for head in heads for column in head.split(",")]
 
 
-EVERY = max(1, 8 // often(1))  # of the library; in the soak each is written out
-COURSES = ("4-3a", "3-9")[: often(1)]
-PAGES = [*((name, "solution") for name in IDS[::EVERY]), *((name, "course") for name in COURSES)]
+COURSES = few(("3-9", "4-3a"), 2)
+PAGES = [*((name, "solution") for name in few(IDS, 12)), *((name, "course") for name in COURSES)]
 
 
 @pytest.mark.parametrize(("name", "style"), PAGES)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import vecpoly
+from tests.laws import few
 from tests.machine.engines import DATA, PRESS, machine
 from vecpoly.errors import EquilibriumError, NoMethodError
 from vecpoly.problem.load import loads
@@ -99,7 +100,7 @@ find: [M_c]
 WINDOWS = ("while: C moves down, between: [50 %, 51 %]", "during: [61 deg, 64 deg]", "during: [61 deg, 60 deg]")
 
 
-@pytest.mark.parametrize("window", WINDOWS)
+@pytest.mark.parametrize("window", few(WINDOWS, 2))
 def test_a_load_that_acts_or_rests_for_a_moment_only_is_not_overlooked(window: str) -> None:
     found = solve(loads(SHORT.replace("WINDOW", window)), by="exact", repeats=0, precise=False).answers["M_c"]
     assert found.drawn == pytest.approx(found.exact, rel=1e-9)

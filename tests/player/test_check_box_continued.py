@@ -11,6 +11,7 @@ import pytest
 
 from tests.chromium import Page
 from tests.grading.cases import key_of
+from tests.laws import few
 from tests.player.test_check_box import asked, html_of
 from vecpoly.board.otherwise.amended import Amended, Own
 from vecpoly.grading.compare.outcome import Basis, Finding
@@ -78,7 +79,7 @@ def both(page: Page, name: str, values: dict[str, float]) -> Iterator[tuple[Find
     yield from ((mine[o.key], said) for o, said in zip(every, json.loads(theirs), strict=True) if o.key in mine)
 
 
-@pytest.mark.parametrize(("name", "own", "factor"), OTHERWISE)
+@pytest.mark.parametrize(("name", "own", "factor"), few(OTHERWISE, 3))
 def test_what_follows_from_ones_own_value_is_right_in_the_box_as_in_the_program(
     name: str, own: str, factor: float, page: Page
 ) -> None:

@@ -18,6 +18,7 @@ from ruamel.yaml.tokens import (
     ValueToken,
 )
 
+from tests.laws import few
 from vecpoly.errors import ProblemFileError
 from vecpoly.foundation.data import data_dir
 from vecpoly.problem.text.source import parse
@@ -52,7 +53,7 @@ def typed(text: str, spots: Sequence[tuple[int, str]], chance: random.Random, sh
     return "".join(signs)
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", few(FILES, 4), ids=lambda path: path.stem)
 def test_a_file_in_full_width_is_the_same_file(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     plain = parse(text, "x")
@@ -73,7 +74,7 @@ def damaged(text: str, chance: random.Random) -> tuple[str, int]:
     return text[:at] + text[at + 1 :], text[:at].count("\n") + 1
 
 
-@pytest.mark.parametrize("path", FILES[::5], ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", few(FILES[::5], 4), ids=lambda path: path.stem)
 def test_a_missing_bracket_is_told_at_its_line(path: Path) -> None:
     text, chance = path.read_text(encoding="utf-8"), random.Random(path.stem)
     for _ in range(4):

@@ -7,7 +7,7 @@ from itertools import groupby
 
 import pytest
 
-from tests.drawn_library import IDS, drafted
+from tests.drawn_library import DRAFTED, drafted
 from tests.each import each
 from vecpoly.algebra.formula import plain
 from vecpoly.printed.digits import COARSE, coarse, on_paper, rounded
@@ -45,7 +45,7 @@ def rows_of(solution: Solution, lang: Lang) -> dict[str, tuple[str, ...]]:
     return {row[0]: row for table in readings_tables(solution, lang) for row in table.rows}
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_every_quantity_asked_stands_in_the_box_once_with_the_number_of_the_table(name: str) -> None:
     solution = drafted(name)
     for lang in LANGS if solution is not None else ():
@@ -63,7 +63,7 @@ def test_every_quantity_asked_stands_in_the_box_once_with_the_number_of_the_tabl
                 assert said[0].rstrip("°") in [cell.rstrip("°").split(",")[0] for cell in row], (text, row)
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_the_box_keeps_the_order_of_the_questions_within_each_kind(name: str) -> None:
     solution = drafted(name)
     if solution is None:
@@ -77,7 +77,7 @@ def test_the_box_keeps_the_order_of_the_questions_within_each_kind(name: str) ->
     assert (len(runs) > 1) is (parted(order) or several)
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_what_was_asked_is_evaluated_in_a_step_and_not_twice_there(name: str) -> None:
     solution = drafted(name)
     if solution is None:
@@ -88,7 +88,7 @@ def test_what_was_asked_is_evaluated_in_a_step_and_not_twice_there(name: str) ->
             assert {step.formulas.count(line) for step in steps} - {0} == {1}, (answer.key, plain(line))
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_a_step_ends_with_the_number_of_the_box_the_table_and_the_sheet(name: str) -> None:
     solution = drafted(name)
     for answer in solution.answers.values() if solution is not None else ():
@@ -100,7 +100,7 @@ def test_a_step_ends_with_the_number_of_the_box_the_table_and_the_sheet(name: st
         assert told.lstrip("−") == (ends if answer.is_place else ends.split(" (")[0]).lstrip("−"), answer.key
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_no_answer_is_rounded_by_more_than_a_quarter_of_what_its_reading_leaves_open(name: str) -> None:
     solution = drafted(name)
     for answer in solution.answers.values() if solution is not None else ():
@@ -184,7 +184,7 @@ def test_a_box_is_parted_between_rows_and_no_part_is_higher_than_its_room() -> N
     assert box.split(width, 0.1 * whole) == [], "a part of less than three rows is none"
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_the_cells_of_a_box_begin_at_the_edges_of_two_or_three_columns_and_keep_within_them(name: str) -> None:
     solution = drafted(name)
     for lang in LANGS if solution is not None else ():
@@ -199,7 +199,7 @@ def test_the_cells_of_a_box_begin_at_the_edges_of_two_or_three_columns_and_keep_
         assert all(x == edge for row in rows for (x, _, _), edge in zip(row, edges, strict=False))
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_no_cell_of_the_box_has_a_fraction_or_a_chain_of_substitutions(name: str) -> None:
     solution = drafted(name)
     for line in answer_box(solution, "en").lines if solution is not None else ():
@@ -207,7 +207,7 @@ def test_no_cell_of_the_box_has_a_fraction_or_a_chain_of_substitutions(name: str
         assert ")/(" not in text and " × " not in text.replace("×10^", "") and text.count(" = ") <= 2, text
 
 
-@each(IDS)
+@each(DRAFTED)
 def test_a_length_on_paper_times_its_scale_is_the_value_that_is_told(name: str) -> None:
     solution = drafted(name)
     for answer in solution.answers.values() if solution is not None else ():

@@ -10,6 +10,7 @@ import pdfplumber
 import pytest
 from pypdf import PdfReader
 
+from tests.laws import few
 from tests.studies import course_report, solved
 from tests.texts import CRANK
 from vecpoly.problem.load import load, loads
@@ -37,8 +38,10 @@ def report(name: str, lang: Lang, style: str) -> bytes:
     return course_report(name, lang) if style == "course" else report_bytes([solved(name)], lang=lang, style=style)
 
 
-@pytest.mark.parametrize("style", ["solution", "question", "course"])
-@pytest.mark.parametrize("lang", ["zh", "en"])
+STYLES = [(style, lang) for style in ("solution", "question", "course") for lang in ("zh", "en")]
+
+
+@pytest.mark.parametrize(("style", "lang"), few(STYLES, 2))
 def test_every_page_of_text_and_every_sheet_carries_it(style: str, lang: Lang) -> None:
     data = report("3-9", lang, style)
     said = identity([load("3-9")])

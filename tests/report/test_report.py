@@ -13,6 +13,7 @@ import pytest
 from pypdf import PdfReader
 from pypdf.generic import DictionaryObject
 
+from tests.laws import few
 from vecpoly.board.construction import Construction, Figure, View
 from vecpoly.board.paper.marks import Role, Vector
 from vecpoly.drawing.beside import beside
@@ -96,7 +97,7 @@ def _drawn_page(document: Any) -> Any:
     return max(document.pages, key=lambda page: len(_ink(page)))
 
 
-@pytest.mark.parametrize("name", ["3-9", "3-5", "3-12"])
+@pytest.mark.parametrize("name", few(["3-9", "3-5", "3-12"], 2))
 def test_result_vectors_measure_on_the_page_what_they_measure_on_the_board(name: str, tmp_path: Path) -> None:
     """Both ends of every result vector lie on the page where the construction has them,
     within 0.01 mm (the tip under its arrowhead), those in a detail where the detail has them; a plate in the text is
@@ -141,7 +142,7 @@ def chapter() -> list[Solution]:
     return [solve(load(e.id), repeats=10) for e in library() if e.path.parent.name == "ch3"]
 
 
-@pytest.mark.parametrize("lang", ["zh", "en"])
+@pytest.mark.parametrize("lang", few(["zh", "en"], 2))
 def test_no_page_of_text_is_nearly_empty(chapter: list[Solution], lang: Lang, tmp_path: Path) -> None:
     half = chapter[lang == "en" :: 2]  # a page is laid out in one way, whatever its language
     path = write_report(half, tmp_path / "r.pdf", lang=lang)

@@ -11,7 +11,7 @@ import pytest
 
 from tests.drawn_library import IDS, drawn
 from tests.each import each
-from tests.laws import often
+from tests.laws import few
 from vecpoly.algebra.formula import sym
 from vecpoly.report.document import markup
 from vecpoly.report.flow.doc import Metadata, ReportDoc
@@ -23,7 +23,7 @@ from vecpoly.words import Lang
 CLOSES = {"EMC": "BMC", "ET": "BT", "Q": "q"}
 META = Metadata(title="t", subject="t", keywords=(), lang="zh")
 LETTERED = "3-4b"  # the image of the triangle BDC
-NAMES = tuple(dict.fromkeys((LETTERED, *IDS[:: max(1, 16 // often(1))])))
+NAMES = tuple(dict.fromkeys((LETTERED, *few(IDS, 24))))
 
 
 def streams(data: bytes) -> Iterator[Any]:

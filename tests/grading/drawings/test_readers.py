@@ -11,6 +11,7 @@ import ezdxf
 import pytest
 
 from tests.grading.drawings.made import as_dxf, drawn, key_of, marked, zipped
+from tests.laws import few
 from vecpoly import limits, load, solve
 from vecpoly.board.construction import View
 from vecpoly.drawing.backends.pdf import to_pdf
@@ -47,7 +48,7 @@ LINE = "  0\nLINE\n  8\nv_B\n 10\n1.0\n 20\n2.0\n 30\n0.0\n 11\n4.0\n 21\n6.0\n 
 # -- our own exports -------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("problem", ["3-9", "A-27"])
+@pytest.mark.parametrize("problem", few(["3-9", "A-27"], 2))
 def test_our_own_exports_are_read_as_right_drawings(problem: str) -> None:
     construction = solve(load(problem), by="exact", repeats=0, precise=False).construction
     figure = construction.figure(View.VELOCITY)
