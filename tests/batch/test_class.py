@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.batch.homework import THREE, TEXT, files, made, made_in_shards, people
+from tests.batch.homework import TEXT, THREE, files, made, made_in_shards, people
 from vecpoly.batch.classwork import Made
 from vecpoly.batch.outputs import outputs
 from vecpoly.batch.register import Register, read_register

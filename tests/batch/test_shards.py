@@ -14,7 +14,7 @@ import pytest
 from openpyxl import Workbook
 
 import vecpoly
-from tests.batch.homework import THREE, TEXT, files, ordered, piloted
+from tests.batch.homework import TEXT, THREE, files, ordered, piloted
 from vecpoly.batch.classwork import Made, Order, make_class
 from vecpoly.batch.gather import gather
 from vecpoly.batch.register import read_register

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vecpoly
-from tests.laws import often
+from tests.laws import few, often
 from vecpoly.errors import NoMethodError
 from vecpoly.solution import Solution, solve
 
