@@ -1,4 +1,4 @@
-"""The class of three that several files compare with, made once."""
+"""The class of four that several files compare with, made once."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.batch.homework import THREE, made
+from tests.batch.homework import FOUR, made
 from vecpoly.batch.classwork import Made
 
 
@@ -14,4 +14,4 @@ from vecpoly.batch.classwork import Made
 def whole(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Made]:
     """The folder of the class, and what was made; nobody writes into it."""
     out = tmp_path_factory.mktemp("whole") / "hw"
-    return out, made(out, THREE)
+    return out, made(out, FOUR)

@@ -36,7 +36,7 @@ def people(numbers: Sequence[int]) -> tuple[Student, ...]:
     return tuple(Student(number=f"2023{n:04}", name=f"学生{n}", team="机械 1 班") for n in numbers)
 
 
-THREE = people(range(3))
+FOUR = people(range(4))
 
 
 def ordered(out: Path, students: Sequence[Student], text: str = TEXT) -> Order:

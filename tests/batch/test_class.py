@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.batch.homework import TEXT, THREE, files, made, made_in_shards, people
+from tests.batch.homework import FOUR, TEXT, files, made, made_in_shards, people
 from vecpoly.batch.classwork import Made
 from vecpoly.batch.outputs import outputs
 from vecpoly.batch.register import Register, read_register
@@ -24,17 +24,17 @@ from vecpoly.solution import solve
 def test_shards_together_are_the_whole_and_the_order_of_the_roster_does_not_matter(
     whole: tuple[Path, Made], tmp_path: Path
 ) -> None:
-    made_in_shards(tmp_path / "hw", THREE[::-1], 2)
+    made_in_shards(tmp_path / "hw", FOUR[::-1], 2)
     assert files(tmp_path / "hw") == files(whole[0])
 
 
 def test_a_student_who_comes_later_changes_nobody(whole: tuple[Path, Made], tmp_path: Path) -> None:
     shutil.copytree(whole[0], tmp_path / "hw")
-    later = made(tmp_path / "hw", (*people([77]), *THREE)).register
-    assert [one for one in later.sheets if one.student in THREE] == list(whole[1].register.sheets)
+    later = made(tmp_path / "hw", (*people([77]), *FOUR)).register
+    assert [one for one in later.sheets if one.student in FOUR] == list(whole[1].register.sheets)
     now = files(tmp_path / "hw")
     assert all(now[name] == data for name, data in files(whole[0]).items() if name.endswith(".pdf"))
-    assert len(later.sheets) == 4
+    assert len(later.sheets) == 5
 
 
 def test_any_two_students_differ_by_three_tolerances_in_two_answers(whole: tuple[Path, Made]) -> None:
@@ -71,7 +71,7 @@ def test_the_register_knows_where_everything_stands(whole: tuple[Path, Made]) ->
 def test_another_assignment_does_not_go_into_the_same_folder(whole: tuple[Path, Made], tmp_path: Path) -> None:
     shutil.copytree(whole[0], tmp_path / "hw")
     with pytest.raises(VecpolyError, match="is of assignment hw3, not hw4"):
-        made(tmp_path / "hw", THREE, TEXT.replace("id: hw3", "id: hw4"))
+        made(tmp_path / "hw", FOUR, TEXT.replace("id: hw3", "id: hw4"))
 
 
 def test_what_is_no_register_is_refused_in_both_languages(tmp_path: Path) -> None:
@@ -88,7 +88,7 @@ def test_a_run_that_was_killed_goes_on_and_ends_with_the_bytes_of_one_that_was_n
 ) -> None:
     """Killed as soon as the first sheets are there; what was finished is not done again."""
     (tmp_path / "hw3.yaml").write_text(TEXT, encoding="utf-8")
-    rows = "".join(f"{one.number},{one.name},{one.team}\n" for one in THREE)
+    rows = "".join(f"{one.number},{one.name},{one.team}\n" for one in FOUR)
     (tmp_path / "r.csv").write_text("学号,姓名,班级\n" + rows, encoding="utf-8")
     broken = run(tmp_path, "broken")
     while len(list((tmp_path / "broken" / "questions").glob("*.pdf"))) < 2 and broken.poll() is None:
@@ -130,5 +130,5 @@ def test_a_class_on_other_paper_than_a4_is_refused_for_its_tags_have_their_place
 def test_values_are_spread_over_their_ranges(whole: tuple[Path, Made]) -> None:
     register: Register = whole[1].register
     drawn = {tuple(part.values.values()) for sheet in register.sheets for part in sheet.parts}
-    assert len(drawn) == len(THREE)
+    assert len(drawn) == len(FOUR)
     assert np.ptp([float(values[0].split()[0]) for values in drawn]) >= 4

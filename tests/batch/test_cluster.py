@@ -8,7 +8,7 @@ from pathlib import Path
 
 from distributed import LocalCluster
 
-from tests.batch.homework import THREE, files, ordered, piloted
+from tests.batch.homework import FOUR, files, ordered, piloted
 from vecpoly.batch.classwork import Made, make_class
 from vecpoly.batch.run.runners import Cluster, runner
 from vecpoly.words import Words
@@ -25,6 +25,6 @@ def test_a_worker_that_is_killed_takes_no_sheet_with_it(whole: tuple[Path, Made]
 
         with runner(1, cluster.scheduler_address) as run, piloted():
             assert isinstance(run, Cluster)
-            make_class(ordered(tmp_path / "hw", THREE), run, told)
+            make_class(ordered(tmp_path / "hw", FOUR), run, told)
     assert killed
     assert files(tmp_path / "hw") == files(whole[0])

@@ -14,7 +14,7 @@ import pytest
 from openpyxl import Workbook
 
 import vecpoly
-from tests.batch.homework import TEXT, THREE, files, ordered, piloted
+from tests.batch.homework import FOUR, TEXT, files, ordered, piloted
 from vecpoly.batch.classwork import Made, Order, make_class
 from vecpoly.batch.gather import gather
 from vecpoly.batch.register import read_register
@@ -22,7 +22,7 @@ from vecpoly.batch.run.manifest import SHARDS, manifests
 from vecpoly.batch.run.runners import Here
 from vecpoly.errors import VecpolyError
 
-CLASS, COUNT = THREE, 2
+CLASS, COUNT = FOUR, 2
 ALIKE = TEXT[: TEXT.index("    vary:")]  # everybody the same numbers: no pilot is drawn by three programs
 
 

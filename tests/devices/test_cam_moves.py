@@ -134,7 +134,7 @@ def test_the_linkage_that_replaces_the_pair_moves_as_the_law_says(case: Case) ->
     assert cam.r0 is not None
 
 
-@pytest.mark.parametrize("name", few(LIBRARY, 2))
+@pytest.mark.parametrize("name", few(tuple(LIBRARY), 2))
 def test_the_drawing_agrees_with_the_law_at_every_station(name: str) -> None:
     problem = vecpoly.load(name)
     (one, cam), refused = cam_in(problem.mechanism), []
@@ -156,7 +156,7 @@ def test_the_drawing_agrees_with_the_law_at_every_station(name: str) -> None:
 LOADED = {"cam-roller-load": 2, "cam-face-load": 3, "cam-knife-load": 0}  # places at rest, or locked on the return
 
 
-@pytest.mark.parametrize("name", few(LOADED, 2))
+@pytest.mark.parametrize("name", few(tuple(LOADED), 2))
 def test_reactions_with_friction_agree_over_the_cycle(name: str) -> None:
     """Without roles, for the load helps on the return; where the follower rests friction has no sense."""
     problem = vecpoly.loads(

@@ -30,7 +30,7 @@ SEVERAL = ("3-9", "3-12", "A-27", "3-7a", "4-3a", "4-5")  # two six-bars, two wi
 FAIR = (Verdict.RIGHT, Verdict.CLOSE)
 
 
-@pytest.mark.parametrize("kind", few(FORMATS, 2))
+@pytest.mark.parametrize("kind", few(tuple(FORMATS), 2))
 @pytest.mark.parametrize("problem", SEVERAL)
 def test_an_honest_drawing_is_right_in_every_format(problem: str, kind: str) -> None:
     key = key_of(problem)
