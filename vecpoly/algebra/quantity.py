@@ -12,10 +12,11 @@ import numpy as np
 
 from ..foundation.slotted import dataclass
 from ..plane import Reals, nominal
-from .formula import Frac, Node, Over, Power, Root, Row, Txt, named, row, signed
+from .formula import Frac, Node, Over, Power, Root, Row, Txt, named, plain, row, signed
 from .rounding import to_figures, to_places
 
 FIGURES = 4  # significant digits of a number in a line
+_OF_PI = 5  # as every pocket calculator and every table tells it
 
 
 def number(value: float, digits: int = FIGURES) -> str:
@@ -69,8 +70,12 @@ class Quantity(Algebra):
         """The leaf's number; a scale or a negative number would stand in brackets."""
         value = float(nominal(self.value))
         whole = isinstance(self.node, Over) and value and not value % 1  # a length on paper, read to a tenth
-        text = number(value, digits) + (".0" if whole else "°" if self.unit == "deg" else "")
+        text = number(value, self.figures(digits)) + (".0" if whole else "°" if self.unit == "deg" else "")
         return Txt(f"({text})" if value < 0 else text)
+
+    def figures(self, digits: int) -> int:
+        """So many figures, of π everywhere those of 3.1416."""
+        return max(digits, _OF_PI) if plain(self.node) == "π" else digits
 
     def squared(self) -> Powered:
         """This quantity to the power of two."""

@@ -96,7 +96,7 @@ def _printed(expr: Expr, digits: int) -> Expr:
 
 
 def _rounded(quantity: Quantity, digits: int) -> Quantity:
-    return replace(quantity, value=as_printed(float(nominal(quantity.value)), digits))
+    return replace(quantity, value=as_printed(float(nominal(quantity.value)), quantity.figures(digits)))
 
 
 def _read(text: str) -> tuple[float, float]:

@@ -15,6 +15,7 @@ from ...words import Lang, Words
 from ..values import called, direction_of_load, is_efficiency, unit_after, value
 
 SQUARE = {"0.0": "→", "90.0": "↑", "180.0": "←", "-180.0": "←", "-90.0": "↓", "-0.0": "→"}
+_HOPELESS = 0.5  # share of a value: with a reading error above it, nothing was read
 _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
 
 
@@ -136,6 +137,9 @@ def _after(answer: Answer, lang: Lang) -> str:
 
 
 def _coarse(share: float) -> Words:
-    if share >= 1.0 or isinf(share) or isnan(share):
-        return Words("读数误差与此值同级", "the reading error is as large as the value")
+    if share >= _HOPELESS or isinf(share) or isnan(share):
+        return Words(
+            "此值过小，按本图的比例尺读不准：应放大比例尺或用计算求得",
+            "too small to be read at this scale: draw it larger, or compute it",
+        )
     return Words(f"读数误差可达 ±{100 * share:.0f} %", f"reading error up to ±{100 * share:.0f} %")

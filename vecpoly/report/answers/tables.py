@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from math import degrees, isfinite
 
-from ...printed.digits import coordinates, drawn_number, exact_number, on_paper
+from ...printed.digits import coordinates, drawn_number, exact_number, on_paper, places_of, read_off
 from ...printed.places import place_parts
 from ...printed.units import printed_unit
 from ...problem.problem import Problem
@@ -153,11 +153,18 @@ def _clean(answer: Answer) -> float:
 
 
 def _deviation(answer: Answer) -> str:
-    """In per cent; nothing where a formula gave the exact value, and of an exact value of zero."""
-    if answer.computed or answer.is_place or not _clean(answer) or not isfinite(answer.relative_deviation):
+    """Of the two numbers printed, in per cent, of an angle in degrees; nothing where a formula gave the exact value,
+    and of an exact value of zero."""
+    angular = answer.reading.unit == "deg"
+    if answer.computed or answer.is_place or not isfinite(answer.relative_deviation if not angular else answer.drawn):
         return NOTHING
-    text = f"{100 * answer.relative_deviation:+.2f}"
-    return text.lstrip("+-") if float(text) == 0 else text.replace("-", "−")
+    exact = exact_number(answer, _clean(answer))
+    off, size = read_off(drawn_number(answer)) - read_off(exact), read_off(exact)
+    if not angular and not size:
+        return NOTHING
+    text = f"{off:+.{places_of(exact)}f}" if angular else f"{100 * off / size:+.2f}"
+    text = text.lstrip("+-") if float(text) == 0 else text.replace("-", "−")
+    return f"{text}°" if angular else text
 
 
 def way(answer: Answer, problem: Problem, lang: Lang) -> str:
@@ -183,9 +190,10 @@ def _places(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
 
 
 def _place_row(answer: Answer) -> tuple[str, ...]:
-    """A point (m): both coordinates as drawn and exact; at infinity in which direction."""
+    """A point (m): both coordinates as drawn and exact; one at infinity by the direction in which it lies."""
     if _endless(answer):
-        return (f"${answer.reading.symbol}$", "∞", angle(answer.drawn), "∞", angle(_clean(answer)))
+        ways = [f"∞ ({angle(turn)})" for turn in (answer.drawn, _clean(answer))]
+        return (f"${answer.reading.symbol}$", ways[0], NOTHING, ways[1], NOTHING)
     drawn, exact = answer.drawn_vector, answer.exact_vector
     assert drawn is not None and exact is not None
     places = coordinates(answer)

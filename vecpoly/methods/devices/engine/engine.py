@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import degrees
+from math import degrees, pi
 
+from ....algebra.formula import Txt
 from ....algebra.quantity import Expr, Quantity, magnitude
 from ....board.construction import Scale, View
+from ....board.otherwise.slip import Mistake
 from ....board.place import view_named
 from ....devices.balancing.engine import ORDERS, RATIO, InlineEngine, of_order
 from ....names import Named
@@ -20,6 +22,7 @@ from ..rotor.scales import COUPLES, END_VIEW, POLYGON, WIDE, across, fitting
 from .sketch import LONG, crankshaft, stars
 
 PRODUCTS = view_named("products")
+PI, THIRTY = Quantity(Txt("π"), pi, ""), Quantity(Txt("30"), 30.0, "")
 SMALL = 0.6  # of the largest polygon that a rotor has: here there are four
 
 
@@ -54,17 +57,17 @@ def draw_engine(bench: Bench, engine: InlineEngine) -> None:
     """The crankshaft, λ, then for both orders the polygon of forces and that of couples."""
     crankshaft(bench, engine)
     stars(bench, engine)
-    ratio, rate, product = _numbers(bench, engine)
+    ratio, speed, product = _numbers(bench, engine)
     for times, order in enumerate(ORDERS, 1):
         words = Words("一阶", "First order") if times == 1 else Words("二阶", "Second order")
         bench.board.section(words)
-        factor = (rate,) if times == 1 else (ratio, rate)
+        factor = (speed.squared(),) if times == 1 else (ratio, speed.squared())
         _forces(bench, engine, order, times, product, factor)
         _couples(bench, engine, order, times, product, factor)
 
 
 def _numbers(bench: Bench, engine: InlineEngine) -> tuple[Quantity, Quantity, Quantity]:
-    """λ = r/l, ω² and W = m r."""
+    """λ = r/l, ω = π n/30 and W = m r."""
     board = bench.board
     board.section(Words("各缸的质径积", "The products"))
     board.step(
@@ -81,9 +84,9 @@ def _numbers(bench: Bench, engine: InlineEngine) -> tuple[Quantity, Quantity, Qu
     )
     mass, crank = magnitude("m", engine.m.si, "kg"), magnitude("r", engine.r.si, "m")
     ratio = bench.worked(RATIO, crank / magnitude("l", engine.l.si, "m"))
-    speed = magnitude("ω", engine.n.si, "rad/s")
-    rate = board.compute("ω²", speed * speed, "rad²/s²")
-    return ratio, rate, board.compute("W", mass * crank, "kg·m")
+    turning = magnitude("n", abs(engine.n.si) * 30 / pi, "r/min")
+    speed = board.compute("ω", PI * turning / THIRTY, "rad/s", mistake=Mistake.PER_MINUTE)
+    return ratio, speed, board.compute("W", mass * crank, "kg·m")
 
 
 def _laid(engine: InlineEngine, times: int, product: Reals) -> list[Laid]:
@@ -99,7 +102,7 @@ def _laid(engine: InlineEngine, times: int, product: Reals) -> list[Laid]:
 
 
 def _forces(
-    bench: Bench, engine: InlineEngine, order: str, times: int, product: Quantity, factor: tuple[Quantity, ...]
+    bench: Bench, engine: InlineEngine, order: str, times: int, product: Quantity, factor: tuple[Expr, ...]
 ) -> None:
     """ΣW in firing order; F = ΣW ω², of the second order times λ."""
     board = bench.board
@@ -119,7 +122,7 @@ def _forces(
 
 
 def _couples(
-    bench: Bench, engine: InlineEngine, order: str, times: int, product: Quantity, factor: tuple[Quantity, ...]
+    bench: Bench, engine: InlineEngine, order: str, times: int, product: Quantity, factor: tuple[Expr, ...]
 ) -> None:
     """ΣW z about the middle plane, drawn along W; M = ΣW z ω²."""
     board = bench.board
@@ -142,7 +145,7 @@ def _couples(
     _read(bench, polygon, (named, turned, moment), factor)
 
 
-def _read(bench: Bench, polygon: Polygon, named: tuple[Named, ...], factor: tuple[Quantity, ...]) -> None:
+def _read(bench: Bench, polygon: Polygon, named: tuple[Named, ...], factor: tuple[Expr, ...]) -> None:
     """Measure the sum, its direction, and what it amounts to at this speed."""
     total, turned, result = named
     found = bench.measured(total, polygon.place, 0j * polygon.tip, polygon.tip, f"O {polygon.letter}")

@@ -14,7 +14,7 @@ from ....devices.dynamics.flywheel import GRAVITY, Flywheel
 from ....plane import nominal
 from ....words import Words
 from ..bench import Bench
-from .words import ENOUGH, INERTIA_SECTION, SPEED, SPEED_SECTION, UNEVEN
+from .words import ENOUGH, INERTIA_SECTION, SPEED, SPEED_SECTION, UNEVEN, UNEVEN_SECTION
 
 PI, THIRTY, FOUR = (Quantity(Txt(text), value, "") for text, value in (("π", pi), ("30", 30.0), ("4", 4.0)))
 ONE, TWO = Quantity(Txt("1"), 1.0, ""), Quantity(Txt("2"), 2.0, "")
@@ -30,7 +30,7 @@ def mean_speed(bench: Bench, wheel: Flywheel) -> Quantity:
 
 def moment_of_inertia(bench: Bench, wheel: Flywheel, swing: Quantity, omega: Quantity) -> Quantity | None:
     """J_F where δ is allowed; None where δ was sought."""
-    bench.board.section(INERTIA_SECTION)
+    bench.board.section(UNEVEN_SECTION if wheel.delta is None else INERTIA_SECTION)
     wheel_has = None if wheel.J is None else magnitude("J", wheel.J.si, "kg·m^2")
     sought = None if wheel.delta is None else _sought(bench, wheel, swing, omega, wheel_has)
     _unevenness(bench, swing, omega, _all(wheel_has, sought))

@@ -67,6 +67,7 @@ BAR = Words(
     "downwards where it is lost; after a period they come back to the base line.",
 )
 INERTIA_SECTION = Words("飞轮的转动惯量", "Moment of inertia of the flywheel")
+UNEVEN_SECTION = Words("速度不均匀系数", "Coefficient of fluctuation")
 SPEED_SECTION = Words("平均角速度", "Mean angular velocity")
 SPEED = Words("由平均转速求平均角速度：", "The mean angular velocity from the mean speed:")
 POWERS = Words(
