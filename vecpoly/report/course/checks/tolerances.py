@@ -68,12 +68,15 @@ def _row(study: Study, keys: tuple[str, ...], one: Influence, press: Press, boun
 
 
 def _changed(study: Study, key: str, gap: float) -> str:
-    """Angles in degrees, places in mm, rates in per cent of their largest value in the cycle."""
+    """Angles in degrees, places in mm, rates in per cent of their largest value in the cycle (of zero: no share)."""
     if key.startswith("phi"):
         return f"{degrees(gap):.3f}°"
     if key[0] in "sp":
         return f"{1e3 * gap:.3f} mm"
-    share = 100 * gap / largest(study, key)
+    whole = largest(study, key)
+    if not whole:
+        return "—"
+    share = 100 * gap / whole
     if share < NOTHING:
         return "0"
     return f"{share:.{2 if share >= 1 else 3}f} %"
