@@ -126,6 +126,11 @@ def row(text: str) -> Row:
     return Row(tuple(items))
 
 
+def letters_node(letters: str) -> Node:
+    """Letters of a paper length side by side: ``p c_2`` → p c₂."""
+    return Row(tuple(item for word in letters.split() for item in row(word).items))
+
+
 def named(text: str) -> Node:
     """The name of a quantity: one symbol, or a run of them such as ``M_1/Q`` or ``α ≤ φ``."""
     return sym(text) if _SYMBOL.fullmatch(text) else row(text)

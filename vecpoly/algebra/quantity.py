@@ -12,7 +12,7 @@ import numpy as np
 
 from ..foundation.slotted import dataclass
 from ..plane import Reals, nominal
-from .formula import Frac, Node, Over, Power, Root, Row, Txt, named, plain, row, signed
+from .formula import Frac, Node, Over, Power, Root, Row, Txt, named, plain, signed
 from .rounding import to_figures, to_places
 
 FIGURES = 4  # significant digits of a number in a line
@@ -243,11 +243,6 @@ def _whole(expr: Expr, node: Node) -> Node:
 def magnitude(symbol: str, value: Reals, unit: str) -> Quantity:
     """A named quantity by its symbol in the short notation of `formula`."""
     return Quantity(named(symbol), value, unit)
-
-
-def letters_node(letters: str) -> Node:
-    """Letters of a paper length side by side: ``p c_2`` → p c₂."""
-    return Row(tuple(item for word in letters.split() for item in row(word).items))
 
 
 def paper(letters: Node, mm: Reals) -> Quantity:

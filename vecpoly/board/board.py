@@ -12,8 +12,8 @@ from typing import cast
 
 import numpy as np
 
-from ..algebra.formula import Node, plain
-from ..algebra.quantity import Expr, Quantity, letters_node, magnitude, paper
+from ..algebra.formula import Node, letters_node, plain
+from ..algebra.quantity import Expr, Quantity, magnitude, paper
 from ..algebra.worked import worked
 from ..errors import NotAskedError
 from ..names import ascii_key

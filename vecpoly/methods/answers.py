@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..algebra.formula import Node, Row, Txt, sym
-from ..algebra.quantity import letters_node, magnitude, paper
+from ..algebra.formula import Node, Row, Txt, letters_node, sym
+from ..algebra.quantity import magnitude, paper
 from ..algebra.worked import spot_in_mm, stated, worked
 from ..board.board import NO_LENGTH
 from ..board.construction import Reading, View

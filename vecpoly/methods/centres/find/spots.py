@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ....algebra.quantity import Quantity, letters_node, magnitude, paper
+from ....algebra.formula import letters_node
+from ....algebra.quantity import Quantity, magnitude, paper
 from ....errors import NoMethodError
 from ....mechanism.asked.centres import Pair, pair_of, real_links
 from ....names import subscripted
