@@ -42,6 +42,18 @@ def half_unit(value: float, digits: int) -> float:
     return 0.5 * 10.0 ** (floor(log10(abs(value))) + 1 - digits)
 
 
+def read_back(text: str) -> tuple[float, float]:
+    """A number as it is printed (−3.2×10^{−5}), and half a unit of the last place that is printed."""
+    mantissa, _, exponent = text.replace("−", "-").rstrip("}").partition("×10^{")
+    tens = int(exponent or 0)
+    return float(f"{mantissa}e{tens}"), 0.5 * 10.0 ** (tens - places_of(mantissa))
+
+
+def places_of(text: str) -> int:
+    """The decimals of a number that is printed so."""
+    return len(text.partition("×")[0].partition(".")[2])
+
+
 def guarded(least: int, holds: Callable[[int], bool]) -> int:
     """The fewest figures, no fewer than these, that do; these where none do."""
     return next((digits for digits in range(least, MOST + 1) if holds(digits)), least)

@@ -13,7 +13,7 @@ from ..foundation.slotted import replace
 from ..plane import nominal
 from .formula import Node, Row, Txt
 from .quantity import FIGURES, Expr, Of, Powered, Product, Quantity, Quotient, Rooted, Sum, Times, number
-from .rounding import TIES, WHOLE, as_printed, guarded, half_unit, to_figures
+from .rounding import TIES, WHOLE, as_printed, guarded, half_unit, read_back, to_figures
 
 
 def worked(result: Node, expr: Expr, unit: str, shown: str = "") -> Row:
@@ -40,7 +40,7 @@ def figures_for(expr: Expr, shown: str = "", least: int = FIGURES) -> int:
     value = float(nominal(expr.value))
     if not isfinite(value):
         return least
-    told = (_read(shown),) if shown else tuple(_results(value))
+    told = (read_back(shown),) if shown else tuple(_results(value))
 
     def holds(digits: int) -> bool:
         reckoned = _reckoned(expr, digits)
@@ -97,13 +97,6 @@ def _printed(expr: Expr, digits: int) -> Expr:
 
 def _rounded(quantity: Quantity, digits: int) -> Quantity:
     return replace(quantity, value=as_printed(float(nominal(quantity.value)), quantity.figures(digits)))
-
-
-def _read(text: str) -> tuple[float, float]:
-    """A number as `number` writes it, and half a unit of the last place that is printed."""
-    mantissa, _, exponent = text.replace("−", "-").rstrip("}").partition("×10^{")
-    tens = int(exponent or 0)
-    return float(f"{mantissa}e{tens}"), 0.5 * 10.0 ** (tens - len(mantissa.partition(".")[2]))
 
 
 def _with_unit(text: str, unit: str) -> str:

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from .labels.obstacles import Complexes, Floats, Obstacles
-from .labels.rivals import misled
+from .labels.rivals import Named, misled
 from .labels.spots import Spots, spots
 from .labels.want import Spot, Want
 from .scene import Rect
@@ -140,12 +140,13 @@ def price(places: Sequence[Places]) -> None:
     led = [part for part in places if part.led]
     crossed = dict(zip(map(id, led), _crossed(around.obstacles, led), strict=True))
     near = [part for part in places if not part.led]
+    named = Named.by(around.wanted, around.unnamed)
     parted = dict(zip(map(id, near), _parted(around.obstacles, near), strict=True))
     for part, cost in zip(places, costs, strict=True):
         if part.led:
             cost += crossed[id(part)]
         else:
-            cost += parted[id(part)] + misled(part.want, around.wanted, around.unnamed, part.spots.centre)
+            cost += parted[id(part)] + misled(part.want, named, part.spots.centre)
         if around.frame is not None:
             cost += BEYOND_FRAME * beyond(part.want, part.spots.centre, around.frame)
         part._hard = cost

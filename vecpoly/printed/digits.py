@@ -31,17 +31,6 @@ def exact_number(answer: Answer, exact: float) -> str:
     return rounded(_towards(answer) * exact, None if places is None else places + more, MOST + more)
 
 
-def read_off(text: str) -> float:
-    """The number that is printed so: −3.2×10^{−5}."""
-    mantissa, _, exponent = text.replace("−", "-").rstrip("}").partition("×10^{")
-    return float(mantissa) * 10.0 ** int(exponent or 0)
-
-
-def places_of(text: str) -> int:
-    """The decimals of a number that is printed so."""
-    return len(text.partition("×")[0].partition(".")[2])
-
-
 def _towards(answer: Answer) -> float:
     """To the printed unit; what turns clockwise is counted that way, for its sense stands beside it."""
     return printed_unit(answer.reading.unit)[0] * (-1.0 if answer.sense == "cw" else 1.0)

@@ -17,7 +17,7 @@ from ..scene import Item
 from .ground import broken
 from .obstacles import Floats, Obstacles
 from .placing import BAD, Placed
-from .rivals import misled_here
+from .rivals import Named, misled_here
 from .spots import spot, spots
 from .want import Want, resized
 
@@ -130,7 +130,7 @@ def _costs(stayed: Mapping[int, Placed], around: Around) -> Floats:
     cost = around.obstacles.cost(at, sizes[:, 0], sizes[:, 1], (own[:, 0], own[:, 1]), [slice(0, len(at))])
     led = np.array([label.foot is not None for label in labels], dtype=bool)
     middles = {number: label.centre for number, label in stayed.items()}
-    return cost + np.where(led, 0.0, misled_here(around.wanted, middles, around.unnamed))
+    return cost + np.where(led, 0.0, misled_here(Named.by(around.wanted, around.unnamed), middles))
 
 
 def _touch(a: Placed, b: Placed) -> bool:

@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from ..standing import NOWHERE
 from .obstacles import Complexes, Floats, Indices, clip
 from .want import Spot, Thing, Want
 
@@ -20,12 +21,15 @@ ON = 0.3  # mm: a point so near to a line is on it
 
 @dataclass(frozen=True, slots=True)
 class Named:
-    """All that labels of a figure name, points without a name among them: lines a -> b, and of which label each is."""
+    """All that labels of a figure name, points without a name after them: lines a -> b, and of which of all things each
+    is a part; the place of each thing that is a point, of another nan."""
 
+    wanted: Sequence[Want]
     a: Complexes
     b: Complexes
     radius: Floats
-    of: Indices  # the number of the label, or of the point after all labels
+    of: Indices
+    points: Complexes
 
     @classmethod
     def by(cls, wanted: Sequence[Want], unnamed: Sequence[Spot]) -> Named:
@@ -33,33 +37,37 @@ class Named:
         lines = [(a, b, want.radius, i) for i, want in enumerate(wanted) for a, b in pairwise(want.course)]
         lines += [(at, at, radius, len(wanted) + i) for i, (at, radius) in enumerate(unnamed)]
         a, b, radius, of = zip(*lines, strict=True) if lines else ((), (), (), ())
+        points = [want.own[0] if want.thing is Thing.POINT else NOWHERE for want in wanted]
         return cls(
-            np.array(a, dtype=complex), np.array(b, dtype=complex), np.array(radius, float), np.array(of, dtype=np.intp)
+            wanted,
+            np.array(a, dtype=complex),
+            np.array(b, dtype=complex),
+            np.array(radius, float),
+            np.array(of, dtype=np.intp),
+            np.array([*points, *(at for at, _ in unnamed)], dtype=complex),
         )
 
-
-def rivals(want: Want, wanted: Sequence[Want], unnamed: Sequence[Spot]) -> NDArray[np.bool_]:
-    """For which of all named things the label could be taken: others of its kind; and points, if they do not lie on
-    the line that it names."""
-    line = np.array([*pairwise(want.course)], dtype=complex)
-    others = [_alike(want, other) or (other.thing is Thing.POINT and _off(line, other.own[0])) for other in wanted]
-    return np.array([*others, *(_off(line, at) for at, _ in unnamed)], dtype=bool) & (want.thing is not Thing.OTHER)
+    def rivals(self, want: Want) -> NDArray[np.bool_]:
+        """For which of all these lines the label could be taken: others of its kind; and points, if they do not lie on
+        the line that it names."""
+        if want.thing is Thing.OTHER:
+            return np.zeros(len(self.of), dtype=bool)
+        a, b = np.array([*pairwise(want.course)], dtype=complex).T
+        strange = np.abs(_on(self.points[:, None], a, b) - self.points[:, None]).min(axis=1) > ON
+        strange[: len(self.wanted)] |= [_alike(want, other) for other in self.wanted]
+        return np.asarray(strange[self.of])
 
 
 def _alike(want: Want, other: Want) -> bool:
     return want.thing is other.thing and (want.own != other.own or want.bow != other.bow)
 
 
-def _off(line: Complexes, at: complex) -> bool:
-    return bool(np.abs(_on(np.full(len(line), at), line[:, 0], line[:, 1]) - at).min() > ON)
-
-
-def misled(want: Want, others: Sequence[Want], unnamed: Sequence[Spot], centre: Complexes) -> Floats:
+def misled(want: Want, named: Named, centre: Complexes) -> Floats:
     """What each place of a label without a leader costs for the other things that it could be taken to name."""
-    named, at = Named.by(others, unnamed), np.array(want.course, dtype=complex)
+    at = np.array(want.course, dtype=complex)
     far = np.abs(at - at.mean()).max() + REACH
     near = np.abs(_on(np.full(len(named.a), at.mean()), named.a, named.b) - at.mean()) < far
-    rival = rivals(want, others, unnamed)[named.of] & near
+    rival = named.rivals(want) & near
     if not rival.any():
         return np.zeros(len(centre))
     half = complex(want.width / 2, want.height / 2)
@@ -68,15 +76,15 @@ def misled(want: Want, others: Sequence[Want], unnamed: Sequence[Spot], centre: 
     return _cost(own, other.min(axis=1))
 
 
-def misled_here(wanted: Sequence[Want], at: Mapping[int, complex], unnamed: Sequence[Spot]) -> Floats:
+def misled_here(named: Named, at: Mapping[int, complex]) -> Floats:
     """The same of labels that stand already; at: where the middle is of some of those that are wanted."""
     if not at:
         return np.zeros(0)
-    named, centre = Named.by(wanted, unnamed), np.array(list(at.values()), dtype=complex)
-    half = np.array([complex(wanted[i].width / 2, wanted[i].height / 2) for i in at])[:, None]
+    wanted, centre = [named.wanted[i] for i in at], np.array(list(at.values()), dtype=complex)
+    half = np.array([complex(want.width / 2, want.height / 2) for want in wanted])[:, None]
     gap = distance(centre, half, named.a, named.b) - named.radius
     own = np.array(list(at))[:, None] == named.of
-    other = np.array([rivals(wanted[i], wanted, unnamed)[named.of] for i in at])
+    other = np.array([named.rivals(want) for want in wanted])
     return _cost(*(np.where(which, gap, np.inf).min(axis=1) for which in (own, other)))
 
 

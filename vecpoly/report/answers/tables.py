@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from math import degrees, isfinite
 
-from ...printed.digits import coordinates, drawn_number, exact_number, on_paper, places_of, read_off
+from ...algebra.rounding import places_of, read_back
+from ...printed.digits import coordinates, drawn_number, exact_number, on_paper
 from ...printed.places import place_parts
 from ...printed.units import printed_unit
 from ...problem.problem import Problem
@@ -159,7 +160,8 @@ def _deviation(answer: Answer) -> str:
     if answer.computed or answer.is_place or not isfinite(answer.relative_deviation if not angular else answer.drawn):
         return NOTHING
     exact = exact_number(answer, _clean(answer))
-    off, size = read_off(drawn_number(answer)) - read_off(exact), read_off(exact)
+    size, _ = read_back(exact)
+    off = read_back(drawn_number(answer))[0] - size
     if not angular and not size:
         return NOTHING
     text = f"{off:+.{places_of(exact)}f}" if angular else f"{100 * off / size:+.2f}"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from ...board.construction import Construction, Figure, View
@@ -33,5 +32,5 @@ def _fine(mark: Mark) -> Mark:
     """Another position of a link in a fine line that is given, not in one of help; an angle by its name alone: its size
     stands in the data, or is to be worked out from them."""
     if isinstance(mark, AngleMark):
-        return replace(mark, label=re.split(r"\s*=", mark.label)[0])
+        return replace(mark, label=mark.label.partition("=")[0].rstrip())
     return replace(mark, role=Role.GIVEN) if isinstance(mark, Segment) and mark.role is Role.CONSTRUCTION else mark

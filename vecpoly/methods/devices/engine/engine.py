@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import degrees, pi
+from math import degrees
 
-from ....algebra.formula import Txt
 from ....algebra.quantity import Expr, Quantity, magnitude
 from ....board.construction import Scale, View
-from ....board.otherwise.slip import Mistake
 from ....board.place import view_named
 from ....devices.balancing.engine import ORDERS, RATIO, InlineEngine, of_order
 from ....names import Named
@@ -19,10 +17,10 @@ from ..bench import Bench
 from ..registry import device_method
 from ..rotor.polygon import Laid, Polygon, heading, stated_bearing, summed
 from ..rotor.scales import COUPLES, END_VIEW, POLYGON, WIDE, across, fitting
+from ..speeds import angular_velocity
 from .sketch import LONG, crankshaft, stars
 
 PRODUCTS = view_named("products")
-PI, THIRTY = Quantity(Txt("π"), pi, ""), Quantity(Txt("30"), 30.0, "")
 SMALL = 0.6  # of the largest polygon that a rotor has: here there are four
 
 
@@ -84,8 +82,7 @@ def _numbers(bench: Bench, engine: InlineEngine) -> tuple[Quantity, Quantity, Qu
     )
     mass, crank = magnitude("m", engine.m.si, "kg"), magnitude("r", engine.r.si, "m")
     ratio = bench.worked(RATIO, crank / magnitude("l", engine.l.si, "m"))
-    turning = magnitude("n", abs(engine.n.si) * 30 / pi, "r/min")
-    speed = board.compute("ω", PI * turning / THIRTY, "rad/s", mistake=Mistake.PER_MINUTE)
+    speed = angular_velocity(board, "ω", abs(engine.n.si))
     return ratio, speed, board.compute("W", mass * crank, "kg·m")
 
 

@@ -2,30 +2,26 @@
 
 from __future__ import annotations
 
-from math import pi
-
 import numpy as np
 
 from ....algebra.formula import Txt
 from ....algebra.quantity import Quantity, magnitude
-from ....board.otherwise.slip import Mistake
 from ....devices.dynamics import asked
 from ....devices.dynamics.flywheel import GRAVITY, Flywheel
 from ....plane import nominal
 from ....words import Words
 from ..bench import Bench
+from ..speeds import PI, THIRTY, angular_velocity, turns_a_minute
 from .words import ENOUGH, INERTIA_SECTION, SPEED, SPEED_SECTION, UNEVEN, UNEVEN_SECTION
 
-PI, THIRTY, FOUR = (Quantity(Txt(text), value, "") for text, value in (("π", pi), ("30", 30.0), ("4", 4.0)))
-ONE, TWO = Quantity(Txt("1"), 1.0, ""), Quantity(Txt("2"), 2.0, "")
+ONE, TWO, FOUR = (Quantity(Txt(f"{value:g}"), value, "") for value in (1.0, 2.0, 4.0))
 
 
 def mean_speed(bench: Bench, wheel: Flywheel) -> Quantity:
     """ω_m = π n / 30."""
     bench.board.section(SPEED_SECTION)
     bench.board.step(SPEED)
-    n = magnitude("n", wheel.speed * 30 / pi, "r/min")
-    return bench.board.compute("ω_m", PI * n / THIRTY, "rad/s", mistake=Mistake.PER_MINUTE)
+    return angular_velocity(bench.board, "ω_m", wheel.speed)
 
 
 def moment_of_inertia(bench: Bench, wheel: Flywheel, swing: Quantity, omega: Quantity) -> Quantity | None:
@@ -54,8 +50,8 @@ def _sought(bench: Bench, wheel: Flywheel, swing: Quantity, omega: Quantity, has
         found = bench.stated(asked.J_F, np.maximum(found.value, 0.0))
     bench.worked(asked.GD2, FOUR * magnitude("g", GRAVITY, "m/s^2") * found)
     if wheel.shaft is not None:
-        other = magnitude("n_2", abs(wheel.shaft.si) * 30 / pi, "r/min")
-        n = magnitude("n", wheel.speed * 30 / pi, "r/min")
+        other = turns_a_minute("n_2", abs(wheel.shaft.si))
+        n = turns_a_minute("n", wheel.speed)
         board.step(
             Words("飞轮装在转速为 $n_2$ 的轴上时，动能不变：", "On the shaft of speed $n_2$, with the same energy:")
         )

@@ -13,7 +13,8 @@ from ....devices.dynamics.rim import Rim
 from ....plane import nominal
 from ....words import Words
 from ..bench import Bench
-from .inertia import FOUR, PI
+from ..speeds import PI
+from .inertia import FOUR
 
 HALF = Quantity(Txt("0.5"), 0.5, "")
 
