@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from .labels.obstacles import Complexes, Floats, Obstacles
+from .labels.obstacles import Complexes, Floats, Indices, Obstacles
 from .labels.rivals import Named, misled
 from .labels.spots import Spots, spots
 from .labels.want import Spot, Want
@@ -17,6 +17,7 @@ from .standing import Trial
 
 OUTSIDE, BEYOND_FRAME = 0.25, 60.0  # a mm beyond the drawn lines, beyond the allowed frame
 IN_CROWD = 0.3  # so much of its price has what a leader crosses in a crowd: better that than a letter on a line
+BATCH = 96  # places that are weighed together, the cheapest first
 FREE = 6.0  # dearer than the cheapest place by less than this is free to choose
 
 
@@ -29,6 +30,20 @@ class Around:
     drawn: Rect
     frame: Rect | None
     unnamed: tuple[Spot, ...] = ()  # points without a letter
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Batch:
+    """Places of a label that cost about the same by themselves."""
+
+    numbers: Indices  # of each place among all of the label
+    total: Floats
+    trial: Trial  # as they are weighed against the other labels
+
+    @property
+    def least(self) -> float:
+        """None of them costs less, wherever the other labels stand."""
+        return float(self.total[0])
 
 
 @dataclass(eq=False)
@@ -76,9 +91,21 @@ class Places:
         return result
 
     @cached_property
-    def trial(self) -> Trial:
-        """As they are weighed against the other labels."""
-        return Trial(self.spots.centre, self.half, self.spots.foot if self.led else None)
+    def _by_price(self) -> Indices:
+        return np.argsort(self.total, kind="stable")
+
+    @cached_property
+    def batches(self) -> tuple[Batch, ...]:
+        """All of them, the cheapest first."""
+        parted = (self._by_price[k : k + BATCH] for k in range(0, len(self.total), BATCH))
+        return tuple(Batch(some + self.first, self.total[some], self._trial(some)) for some in parted)
+
+    def _trial(self, some: Indices) -> Trial:
+        return Trial(self.spots.centre[some], self.half, self.spots.foot[some] if self.led else None)
+
+    def among(self, at: int) -> tuple[int, int]:
+        """In which batch a place is, and which of its places it is there."""
+        return divmod(int(np.flatnonzero(self._by_price == at)[0]), BATCH)
 
     @property
     def leaders(self) -> tuple[Complexes, Complexes]:

@@ -7,13 +7,11 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import inf, isnan
 
-import numpy as np
-
 from ..prices import Around, Row, price
 from ..scene import Item, Layer, Rect, Stroke, TextBox
 from ..standing import Meeting, Standing
 from ..style import THIN, Hue
-from .obstacles import Obstacles
+from .obstacles import Floats, Obstacles
 from .want import Piece, Spot, Want
 
 BAD = 38.0  # a label that costs more than this by where it stands is on something
@@ -81,7 +79,7 @@ class _Table:
 
     around: Around
     rows: tuple[Row, ...]
-    meetings: dict[tuple[int, int], Meeting] = field(default_factory=dict)
+    meetings: dict[tuple[int, int, int], Meeting] = field(default_factory=dict)
 
     @classmethod
     def of(cls, around: Around) -> _Table:
@@ -102,11 +100,12 @@ class _Table:
         """How far apart the middles of two labels stand."""
         return float(abs(self.standing.centre[i] - self.standing.centre[k]))
 
-    def _meeting(self, i: int, k: int) -> Meeting:
-        """Of label i with the others: at its places beside what it names (0), or on a leader (1)."""
-        if (i, k) not in self.meetings:
-            self.meetings[i, k] = Meeting(self.rows[i].parts[k].trial, i, len(self.rows))
-        return self.meetings[i, k]
+    def _meeting(self, i: int, k: int, n: int, standing: Standing) -> Floats:
+        """What the others cost label i at a batch of its places beside what it names (k = 0), or on a leader (1)."""
+        if (i, k, n) not in self.meetings:
+            self.meetings[i, k, n] = Meeting(self.rows[i].parts[k].batches[n].trial, i, len(self.rows))
+        self.meetings[i, k, n].look(standing)
+        return self.meetings[i, k, n].cost
 
     @cached_property
     def standing(self) -> Standing:
@@ -128,13 +127,14 @@ class _Table:
         """Label i takes its cheapest place among the others where they are, of equal ones the first."""
         best, number = inf, -1
         for k, part in enumerate(self.rows[i].parts):
-            if part.least < best:
-                meeting = self._meeting(i, k)
-                meeting.look(standing)
-                cost = part.total + meeting.cost
-                at = int(np.argmin(cost))
-                if cost[at] < best:
-                    best, number = float(cost[at]), part.first + at
+            if part.least >= best:
+                continue
+            for n, batch in enumerate(part.batches):
+                if batch.least > best:
+                    break
+                cost = batch.total + self._meeting(i, k, n, standing)
+                low = float(cost.min())
+                best, number = min((best, number), (low, int(batch.numbers[cost == low].min())))
         if number != standing.chosen[i]:
             part, at = self.rows[i].of_number(number)
             standing.put(i, number, complex(part.spots.centre[at]), part.half, complex(part.spots.foot[at]))
@@ -147,9 +147,8 @@ class _Table:
     def _trouble(self, i: int) -> float:
         k = int(self.standing.chosen[i])
         part, at = self.rows[i].of_number(k)
-        meeting = self._meeting(i, int(part.led))
-        meeting.look(self.standing)
-        return float(part.hard[at] + meeting.cost[at])
+        batch, place = part.among(at)
+        return float(part.hard[at] + self._meeting(i, int(part.led), batch, self.standing)[place])
 
     def placed(self, i: int) -> Placed:
         """Label i at its chosen place."""
