@@ -1,4 +1,5 @@
-"""Chapter 7, drawn beside exact over the cycle: the same drawing by the same hand every 15°."""
+"""Chapter 7, drawn beside exact over the cycle: the same drawing by the same hand every 15°, at the same scales where
+the figures go on a sheet."""
 
 from __future__ import annotations
 
@@ -9,9 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....algebra.quantity import number
+from ....board.paper.sizes import unfit
 from ....errors import VecpolyError
 from ....findings.study.study import Study
-from ....solution import solve
+from ....problem.problem import Problem
+from ....solution import Solution, scales_of, solve
 from ....words import Words
 from ..analysis.force_words import refusals
 from ..numbering import SMALL, Press
@@ -78,9 +81,7 @@ def compared(study: Study) -> Compared:
     wanted = tuple(ask for ask in study.problem.asks if ask.rel.key in keys)
     for phi in _phis(study) if study.drawn else ():
         try:
-            answers = solve(
-                replace(at_position(study, phi), asks=wanted), by=study.solution.construction.hand, repeats=0
-            ).answers
+            answers = _drawn(study, replace(at_position(study, phi), asks=wanted)).answers
         except VecpolyError:
             refused.append(phi)
             continue
@@ -91,6 +92,15 @@ def compared(study: Study) -> Compared:
         }
         stations.append(Station(phi, {k: a.drawn for k, a in told.items()}, {k: a.exact for k, a in told.items()}, gap))
     return Compared(tuple(stations), tuple(refused), keys if stations else ())
+
+
+def _drawn(study: Study, there: Problem) -> Solution:
+    """The drawing at another position; at its own scales where those of the given one make a figure too small or too
+    large for a sheet."""
+    given = study.solution.construction
+    held = solve(replace(there, scales=scales_of(given)), by=given.hand, repeats=0)
+    figures = held.construction.figures
+    return solve(there, by=given.hand, repeats=0) if unfit(figures, {one.view for one in figures}) else held
 
 
 def _phis(study: Study) -> list[float]:
