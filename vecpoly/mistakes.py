@@ -49,8 +49,8 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
             yield Slip(Mistake.FORWARDS, act.key)
         case Locate() if any(isinstance(met := acts[n], Meet) and met.other is not None for n in act.inputs):
             yield Slip(Mistake.OTHER_MEETING, _name(act, acts))
-        case Compute(mistake=Mistake() as mistake):
-            yield Slip(mistake, _name(act, acts), act.instead)
+        case Compute(chances=chances):
+            yield from (Slip(mistake, _name(act, acts), instead) for mistake, instead in chances)
         case Judge(crosses=False):
             yield Slip(Mistake.COUNTED, _name(act, acts))
         case Touch(free=False) if act.key:

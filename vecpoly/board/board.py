@@ -15,7 +15,6 @@ import numpy as np
 from ..algebra.formula import Node, letters_node, plain
 from ..algebra.quantity import Expr, Quantity, magnitude, paper
 from ..algebra.worked import worked
-from ..errors import NotAskedError
 from ..names import ascii_key
 from ..plane import Points, Reals, around, nominal, shoelace
 from ..plane.derived import variable
@@ -28,10 +27,12 @@ from .construction import EquationTable, Listing, Reading, Scale
 from .hand import Hand
 from .hand import hand as hand_of
 from .otherwise.amended import AS_DRAWN, Amended, plain_letters
-from .otherwise.slip import Mistake
+from .otherwise.formulas import wrongly
+from .otherwise.slip import Chance, Mistake
 from .otherwise.wrongly import FACTOR
 from .place import Place, View
 from .ruler import Ruler
+from .said.unreadable import unreadable
 from .strokes import NO_ARROW, NO_LENGTH, amount, spot
 
 __all__ = ["NO_ARROW", "NO_LENGTH", "Board", "Scratch", "letters_node", "spot"]
@@ -153,23 +154,26 @@ class Board(Compass):
         """Write down what was found of a quantity (SI), and from what; each: the same by every hand."""
         self.gave(each, done.Answer(head=self.head(*found, key=key), value=value, unit=unit))
 
-    def conclude(
-        self, key: str, value: Reals, unit: str, *, mistake: Mistake | None = None, instead: str = ""
-    ) -> Reals:
+    def conclude(self, key: str, value: Reals, unit: str, *, chances: tuple[Chance, ...] = ()) -> Reals:
         """A value follows from others (SI): ω of a link, with its sense;
         goes on with somebody's own where there is one."""
         value = self.amended.value(self.here, key, value)
         head = self.head(value, key=key)
-        act = done.Compute(head=head, value=amount(value), unit=unit, mistake=mistake, instead=instead)
-        return self.gave(value, act)
+        return self.gave(value, done.Compute(head=head, value=amount(value), unit=unit, chances=chances))
 
     def divide(self, symbols: tuple[str, str], parts: tuple[Expr, Expr], unit_text: str) -> tuple[Quantity, Quantity]:
         """Write the two shares of a quantity into the step; somebody may take each of them for the other."""
         one, other = (ascii_key(symbol) for symbol in symbols)
         hands = [hand for hand, slip in self.amended.wrong(self.here, one) if slip.mistake is Mistake.SWAPPED]
         swapped = [[(hand, rest.value) for hand in hands] for rest in reversed(parts)]
-        first = self.compute(symbols[0], parts[0], unit_text, swapped[0], mistake=Mistake.SWAPPED, instead=other)
+        chance = Chance(Mistake.SWAPPED, other)
+        first = self.compute(symbols[0], parts[0], unit_text, swapped[0], chances=(chance,))
         return first, self.compute(symbols[1], parts[1], unit_text, swapped[1])
+
+    def formula(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
+        """The same of a formula that is worked, not read: somebody may mistake one thing in it."""
+        chances, others = wrongly(expr, self.amended.wrong(self.here, ascii_key(symbol)))
+        return self.compute(symbol, expr, unit_text, others, chances=chances)
 
     def compute(
         self,
@@ -178,13 +182,12 @@ class Board(Compass):
         unit_text: str,
         others: Sequence[tuple[int | None, Reals]] = (),
         *,
-        mistake: Mistake | None = None,
-        instead: str = "",
+        chances: tuple[Chance, ...] = (),
     ) -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result;
         NotAskedError where it is 0/0.
 
-        others: the hands that go on with another value; mistake, instead: what may be done wrongly with it.
+        others: the hands that go on with another value; chances: what may be done wrongly with it.
         """
         key = ascii_key(symbol)
         wrong = [
@@ -193,17 +196,10 @@ class Board(Compass):
         factors = [(hand, factor * expr.value) for hand, factor in wrong]
         value = self.amended.altered(expr.value, [*factors, *others])
         if not np.isfinite(nominal(value)):
-            raise NotAskedError(
-                Words(
-                    f"{symbol} 无从量取：图上相应的线段没有长度；请检查各长度是否相差过大，或用 vecpoly exact",
-                    f"{symbol} cannot be read: its lines on paper have no length; check whether the given "
-                    "lengths are too unlike, or use 'vecpoly exact'",
-                ),
-                code="unreadable",
-            )
+            raise unreadable(symbol)
         if wrong:
             self._slipped.add(key)
-        result = magnitude(symbol, self.conclude(key, value, unit_text, mistake=mistake, instead=instead), unit_text)
+        result = magnitude(symbol, self.conclude(key, value, unit_text, chances=chances), unit_text)
         self.write_worked(result.node, expr, unit_text)
         self.ledger.sizes[key] = result
         return result

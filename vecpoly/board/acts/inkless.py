@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from ...foundation.slotted import dataclass
 from ...words import Words
-from ..otherwise.slip import Mistake
+from ..otherwise.slip import Chance
 from .base import Done
 
 FOUND_ON = "construction"  # owner of a point that is found by a construction on the diagram, as a centre is
@@ -157,14 +157,13 @@ class Gauge(Done):
 class Compute(Done):
     """Symbol = formula = numbers = result.
 
-    mistake: what may be done wrongly with it; instead: of two shares, the key of the one for which this may be taken.
+    chances: what may be done wrongly with it.
     """
 
     verb: ClassVar[Words | None] = Words("计算", "compute")
     value: float
     unit: str
-    mistake: Mistake | None = None
-    instead: str = ""
+    chances: tuple[Chance, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

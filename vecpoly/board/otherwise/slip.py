@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from typing import NamedTuple
 
 from ...foundation.slotted import dataclass
 from ...words import Words
@@ -28,6 +29,13 @@ class Mistake(StrEnum):
     DEGREES = "degrees"  # an area under M over φ taken with degrees for radians
     PER_MINUTE = "per minute"  # n (r/min) taken for ω
     COUNTED = "counted as a crossing"  # where two lines only touch, so that the next area has the wrong sign
+    WITH_FRAME = "counted with the frame"  # the moving links
+    AS_ONE = "counted as one"  # a compound hinge as a single revolute
+    OMITTED = "left out of its formula"  # a term
+    SIGN = "of the wrong sign in its formula"  # a term
+    INVERTED = "upside down in its formula"  # a ratio, or an efficiency multiplied by in place of divided by
+    UNSQUARED = "not squared in its formula"
+    COFUNCTION = "sine for cosine in its formula"  # or the other way round
 
     @property
     def words(self) -> Words:
@@ -53,7 +61,23 @@ _WORDS = {
     Mistake.DEGREES: "转角未化为弧度",
     Mistake.PER_MINUTE: "把转速 n 当作角速度",
     Mistake.COUNTED: "把同号相邻当作变号",
+    Mistake.WITH_FRAME: "把机架计入活动构件",
+    Mistake.AS_ONE: "把复合铰链按一个转动副计",
+    Mistake.OMITTED: "的算式中漏了一项",
+    Mistake.SIGN: "的算式中有一项符号取反",
+    Mistake.INVERTED: "的算式中分子与分母颠倒",
+    Mistake.UNSQUARED: "的算式中漏了平方",
+    Mistake.COFUNCTION: "的算式中正弦与余弦取错",
 }
+# whose words tell of what
+TOLD_OF = (Mistake.AS_ONE, Mistake.OMITTED, Mistake.SIGN, Mistake.INVERTED, Mistake.UNSQUARED, Mistake.COFUNCTION)
+
+
+class Chance(NamedTuple):
+    """A mistake that may be made with what is computed; instead: what is taken for it, or mistaken in its formula."""
+
+    mistake: Mistake
+    instead: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +85,8 @@ class Slip:
     """A mistake, and of what:
     the key of a quantity, with its figure where it stands on several (``force 23:R_32``), or the letter of a point.
 
-    instead: of a coincident point, or of a centre on a line, the letter of the one taken for it.
+    instead: of a coincident point, or of a centre on a line, the letter of the one taken for it; of a formula the term,
+    ratio or factor that is mistaken.
     """
 
     mistake: Mistake
@@ -73,7 +98,10 @@ class Slip:
         """The mistake, of what, and on which figure: e 方向画反（mechanism rho_min）."""
         figure, _, key = self.key.rpartition(":")
         there = Words(f"（{figure}）", f" ({figure})") if figure else Words.same("")
-        return Words.same(f"{key} ") + self.mistake.words + there
+        what = Words.same("")
+        if self.mistake in TOLD_OF:
+            what = Words(f"（{self.instead}）", f" ({self.instead})")
+        return Words.same(f"{key} ") + self.mistake.words + what + there
 
     def __str__(self) -> str:
         return f"{self.key} {self.mistake.value}" + (f" ({self.instead})" if self.instead else "")

@@ -35,6 +35,10 @@ def as_taken(mistake: Mistake, vector: Points, scale: float) -> Points:
             return vector
         case Mistake.COMPLEMENT | Mistake.OTHER_SIDE | Mistake.FORWARDS | Mistake.COUNTED | Mistake.SWAPPED:
             return vector
+        case Mistake.WITH_FRAME | Mistake.AS_ONE:
+            return vector
+        case Mistake.OMITTED | Mistake.SIGN | Mistake.INVERTED | Mistake.UNSQUARED | Mistake.COFUNCTION:
+            return vector
         case _:
             assert_never(mistake)
 

@@ -125,7 +125,8 @@ def _unit(found: Verdicts, one: Graded, rules: Rules) -> Iterator[Message]:
 
 
 def _digits(found: Verdicts, one: Graded, digits: int, rules: Rules) -> Iterator[Message]:
-    if not found.outcome[one.key].answered or one.kind is Kind.YES_NO or not digits:
+    is_count = one.unit == "" and one.exact == round(one.exact)
+    if not found.outcome[one.key].answered or one.kind is Kind.YES_NO or is_count or not digits:
         return
     if digits < rules.few_digits and abs(_gap(found, one)) > 1e-9 * abs(one.exact):
         yield message(Told.FEW_DIGITS, n=str(digits))

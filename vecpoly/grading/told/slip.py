@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 
-from ...board.otherwise.slip import Mistake, Slip
+from ...board.otherwise.slip import TOLD_OF, Mistake, Slip
 from ...errors import UnknownNameError
-from ...names import parse_rel
+from ...names import Kind, parse_rel
 from ...words import Words
 from .catalogue import Told
 from .message import Message, message
@@ -31,6 +32,13 @@ _SAID = {
     Mistake.DEGREES: Words("转角比例尺以度代弧度", "taken with degrees in place of radians"),
     Mistake.PER_MINUTE: Words("把转速 n（r/min）当作角速度", "the speed n in r/min, taken for rad/s"),
     Mistake.COUNTED: Words("把同号相邻的面积当作变号", "counted as a crossing, though the sign does not change"),
+    Mistake.WITH_FRAME: Words("把机架计入活动构件", "counted with the frame among the moving links"),
+    Mistake.AS_ONE: Words("把复合铰链 {of} 按一个转动副计", "counted with the multiple joint {of} as one revolute"),
+    Mistake.OMITTED: Words("的算式中漏了 {of}", "worked without {of}"),
+    Mistake.SIGN: Words("的算式中 {of} 的符号取反", "worked with the other sign of {of}"),
+    Mistake.INVERTED: Words("的算式中 {of} 用了倒数", "worked with {of} upside down"),
+    Mistake.UNSQUARED: Words("的算式中 {of} 漏了平方", "worked with {of}, not squared"),
+    Mistake.COFUNCTION: Words("的算式中 {of} 的正弦与余弦取错", "worked with the other of sine and cosine in {of}"),
 }
 
 
@@ -43,18 +51,27 @@ def told_of(slip: Slip, also: Sequence[Slip] = ()) -> Message:
     key = slip.key.rpartition(":")[2]
     if key.startswith("ak_") and slip.mistake in (Mistake.DROPPED, Mistake.HALVED):
         return message(Told.CORIOLIS if slip.mistake is Mistake.DROPPED else Told.CORIOLIS_2, what=symbol_of(key))
-    return message(Told.SLIP, what=symbol_of(key), mistake=_SAID[slip.mistake])
+    return message(Told.SLIP, what=symbol_of(key), mistake=_done(slip))
+
+
+def _done(slip: Slip) -> Words:
+    """What was done wrongly, and within a formula with what."""
+    said = _SAID[slip.mistake]
+    if slip.mistake not in TOLD_OF:
+        return said
+    of = f"${slip.instead}$"
+    return Words(said.zh.format(of=of), said.en.format(of=of))
 
 
 def _said(slip: Slip) -> Words:
-    what, mistake = symbol_of(slip.key.rpartition(":")[2]), _SAID[slip.mistake]
+    what, mistake = symbol_of(slip.key.rpartition(":")[2]), _done(slip)
     return Words(f"${what}$ {mistake.zh}", f"${what}$ is {mistake.en}")
 
 
 def symbol_of(key: str) -> str:
     """A key as it is printed: ``a^k_{C2C3}``, ``R_{32}``, ``bc2``."""
-    try:
-        return parse_rel(key).symbol
-    except UnknownNameError:
-        head, low, body = key.partition("_")
-        return f"{head}_{{{body}}}" if low and body else head
+    with suppress(UnknownNameError):
+        if (rel := parse_rel(key)).kind is not Kind.P:  # p_L is a number of lower pairs
+            return rel.symbol
+    head, low, body = key.partition("_")
+    return f"{head}_{{{body}}}" if low and body else head

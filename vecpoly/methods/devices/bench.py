@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -12,7 +13,8 @@ from ...algebra.quantity import Expr, Quantity, magnitude
 from ...algebra.worked import stated, worked
 from ...board.board import NO_LENGTH, Board
 from ...board.construction import LineOfAction, Place, Reading, Scale
-from ...names import Named
+from ...board.otherwise.slip import Chance
+from ...names import Named, ascii_key
 from ...plane import Points, Reals, nominal
 from ...words import Words
 
@@ -73,7 +75,7 @@ class Bench:
 
     def worked(self, named: Named, expr: Expr) -> Quantity:
         """Compute a quantity from others; written into the step as symbol = formula = numbers = result."""
-        return self._computed(named, expr, self.board.compute(named.symbol, expr, named.unit))
+        return self._computed(named, expr, self.board.formula(named.symbol, expr, named.unit))
 
     def divided(self, named: tuple[Named, Named], parts: tuple[Expr, Expr]) -> tuple[Quantity, Quantity]:
         """Compute the two shares of a quantity; a reader may take each for the other."""
@@ -109,6 +111,15 @@ class Bench:
             value,
         )
         return result
+
+    def counted(self, named: Named, value: float, otherwise: Mapping[Chance, float]) -> Quantity:
+        """Keep a number that was counted, and what others make of it who count wrongly."""
+        board, key = self.board, ascii_key(named.symbol)
+        slipped = ((hand, Chance(slip.mistake, slip.instead)) for hand, slip in board.amended.wrong(board.here, key))
+        wrong = [(hand, otherwise[chance]) for hand, chance in slipped if chance in otherwise]
+        return self.stated(
+            named, board.conclude(key, board.amended.altered(value, wrong), named.unit, chances=tuple(otherwise))
+        )
 
     def judged(self, named: Named, yes: Reals, remark: Words) -> None:
         """Keep the answer to a question, 1 yes and 0 no; the sentence that answers it goes into the step."""

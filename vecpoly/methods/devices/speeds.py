@@ -7,7 +7,7 @@ from math import pi
 from ...algebra.formula import Txt
 from ...algebra.quantity import Quantity, magnitude
 from ...board.board import Board
-from ...board.otherwise.slip import Mistake
+from ...board.otherwise.slip import Chance, Mistake
 
 PI, THIRTY = Quantity(Txt("π"), pi, ""), Quantity(Txt("30"), 30.0, "")
 
@@ -19,4 +19,6 @@ def turns_a_minute(symbol: str, rate: float) -> Quantity:
 
 def angular_velocity(board: Board, symbol: str, rate: float) -> Quantity:
     """ω = π n / 30, of the speed n (r/min) at this rate (rad/s)."""
-    return board.compute(symbol, PI * turns_a_minute("n", rate) / THIRTY, "rad/s", mistake=Mistake.PER_MINUTE)
+    return board.compute(
+        symbol, PI * turns_a_minute("n", rate) / THIRTY, "rad/s", chances=(Chance(Mistake.PER_MINUTE),)
+    )

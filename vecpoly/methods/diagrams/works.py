@@ -6,7 +6,7 @@ from ...algebra.quantity import Expr, Quantity, Sum
 from ...board.acts import Way
 from ...board.board import Board
 from ...board.construction import Place
-from ...board.otherwise.slip import Mistake
+from ...board.otherwise.slip import Chance, Mistake
 from ...plane import nominal
 from .graph import Graph, axis
 from .lobes import Lobe, lobes_between
@@ -14,7 +14,7 @@ from .lobes import Lobe, lobes_between
 
 def work_scale(board: Board, place: Place) -> Quantity:
     """μ_A = μ_M μ_φ (J/mm²), μ_φ in radians."""
-    return board.compute("μ_A", board.mu(place) * board.mu_across(place), "J/mm^2", mistake=Mistake.DEGREES)
+    return board.compute("μ_A", board.mu(place) * board.mu_across(place), "J/mm^2", chances=(Chance(Mistake.DEGREES),))
 
 
 def equal_height(board: Board, place: Place, graph: Graph, way: Way) -> Expr:

@@ -53,7 +53,7 @@ def remedies(bench: Bench, device: Structure, found: Count) -> None:
         draw_chain(board, place, device, remedy.chain, drivers)
         counted = count(remedy.chain, drivers)
         n, low, high = len(remedy.chain.links), remedy.chain.lower, remedy.chain.higher
-        board.compute(
+        board.formula(
             "F",
             Times(3, magnitude("n", float(n), ""))
             - Times(2, magnitude("p_L", float(low), ""))

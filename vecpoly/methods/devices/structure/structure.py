@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from ....algebra.quantity import Expr, Quantity, Times, magnitude
 from ....board.construction import Pane, View
+from ....board.otherwise.slip import Chance, Mistake
 from ....devices.structure import Structure
 from ....devices.structure_named import DETERMINED, F_LOCAL, P_H, P_L, P_REDUNDANT, F, N
 from ....devices.structure_pairs import Form, Pair
@@ -92,8 +93,8 @@ def _freedom(bench: Bench, device: Structure, found: Count, place: Pane) -> None
         )
     )
     n, low, high = (
-        bench.stated(N, float(len(chain.links))),
-        bench.stated(P_L, float(chain.lower)),
+        bench.counted(N, float(len(chain.links)), {Chance(Mistake.WITH_FRAME): len(chain.links) + 1.0}),
+        bench.counted(P_L, float(chain.lower), _as_one(found)),
         bench.stated(P_H, float(chain.higher)),
     )
     local, redundant = _local(bench, device, found), _redundant(bench, found)
@@ -101,6 +102,12 @@ def _freedom(bench: Bench, device: Structure, found: Count, place: Pane) -> None
     bench.worked(F, Times(3, n) - Times(2, low) - high - local + redundant)
     if found.rollers or found.repeated:
         _check(bench, found)
+
+
+def _as_one(found: Count) -> dict[Chance, float]:
+    """What p_L is where a compound hinge counts as a single revolute."""
+    lower = float(found.given.lower)
+    return {Chance(Mistake.AS_ONE, pair.letter): lower - pair.count + 1 for pair in found.compound}
 
 
 def _compound(bench: Bench, device: Structure, found: Count, place: Pane) -> None:
@@ -136,7 +143,7 @@ def _check(bench: Bench, found: Count) -> None:
             "constraints:",
         )
     )
-    bench.board.compute("F", _gruebler(float(len(rest.links)), float(rest.lower), float(rest.higher)), "")
+    bench.board.formula("F", _gruebler(float(len(rest.links)), float(rest.lower), float(rest.higher)), "")
 
 
 def _gruebler(n: float, low: float, high: float) -> Expr:
@@ -195,7 +202,7 @@ def _redundant(bench: Bench, found: Count) -> Quantity:
             terms = terms - Times(3, magnitude("n′", float(len(part.links)), ""))
         if len(found.repeated) == 1:
             return bench.worked(P_REDUNDANT, terms)
-        board.compute("p′", terms, "")
+        board.formula("p′", terms, "")
     board.step(Words("虚约束总数：", "In all:"))
     return bench.stated(P_REDUNDANT, float(found.redundant))
 
