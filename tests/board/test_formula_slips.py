@@ -7,7 +7,8 @@ import pytest
 from typer.testing import CliRunner
 
 import vecpoly
-from tests.drawn_library import IDS, drawn
+from tests.drawn_library import IDS, drawn, ids
+from tests.each import each
 from vecpoly.board.acts import Area, Measure
 from vecpoly.board.otherwise.amended import Amended
 from vecpoly.board.otherwise.slip import TOLD_OF, Mistake, Slip
@@ -81,13 +82,21 @@ def test_polygons_have_the_mistakes_of_drawing_alone(name: str) -> None:
     assert not any(one.mistake in TOLD_OF for one in slips_of(drawn(name).construction.acts))
 
 
-def test_all_hands_at_once_make_each_its_own() -> None:
-    problem = load("hoist")
+@pytest.mark.parametrize("name", ["5-6", "5-7", "hoist"])
+def test_all_hands_at_once_make_each_its_own(name: str) -> None:
+    problem = load(name)
     slips = vecpoly.slips(problem)
     found = by_hands(problem, answer_key(problem), Amended(each=slips))
     for i, slip in enumerate(slips):
-        alone = made("hoist", slip)
+        alone = made(name, slip)
         assert {key: found[key][i] for key in alone} == pytest.approx(alone), slip
+
+
+@each(ids(mechanisms=False))
+def test_every_device_is_drawn_by_all_who_mistake_a_formula_of_it(name: str) -> None:
+    slips = tuple(one for one in slips_of(drawn(name).construction.acts) if one.mistake in TOLD_OF)
+    found = by_hands(load(name), answer_key(load(name)), Amended(each=slips))
+    assert all(len(values) == len(slips) for values in found.values())
 
 
 @pytest.mark.parametrize(("lang", "said"), [("en", "worked with i_31, not squared"), ("zh", "的算式中 i_31 漏了平方")])

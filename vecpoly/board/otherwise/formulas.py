@@ -86,7 +86,7 @@ def _of_fraction(num: Expr, den: Expr) -> Iterator[Wrong]:
     """A ratio of two of a kind is turned upside down, a pure number multiplied by in place of divided by."""
     if _units(num) == _units(den):
         yield Mistake.INVERTED, _name(Quotient(num, den)), Quotient(den, num)
-    elif not any(_units(den)) and _has_a_name(den):
+    elif not any(_units(den)) and _has_a_name(den) and not isinstance(den, Sum):
         yield Mistake.INVERTED, _name(den), Product((num, den))
     yield from ((m, of, Quotient(one, den)) for m, of, one in _of(num))
     yield from ((m, of, Quotient(num, one)) for m, of, one in _of(den))

@@ -10,6 +10,7 @@ from ...board.construction import View
 from ...devices.power_train import ETA, POWER, POWER_OUT, PowerTrain, eta_prime, out, share
 from ...devices.train import Part, Train, ends, partings
 from ...names import Named
+from ...plane import nominal
 from ...words import Words
 from .bench import Bench
 from .registry import device_method
@@ -75,7 +76,7 @@ def draw_power_train(bench: Bench, device: PowerTrain) -> None:
     power = bench.worked(POWER, useful / eta)
     if len(device.letters) > 1:
         _shares(way)
-    _flow(way, device.train, POWER.symbol, float(power.value))
+    _flow(way, device.train, POWER.symbol, float(nominal(power.value)))
     board.step(
         Words(
             "把各处的功率标在传动简图上：功率由电动机到工作机逐级减小，相邻两处之差即为该级的损失。",

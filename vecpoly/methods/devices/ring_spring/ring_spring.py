@@ -76,7 +76,7 @@ def _lines(it: Faces, phi: float, sense: int) -> tuple[Points, Points]:
 
 def _push(bench: Bench, device: RingSpring, it: Faces, phi: Quantity) -> Quantity:
     """The polygon of compression, measured after both wedges are drawn apart."""
-    board, along = bench.board, _lines(it, float(phi.value), 1)
+    board, along = bench.board, _lines(it, float(nominal(phi.value)), 1)
     board.section(Words("压缩行程：$F$ 为驱动力", "Compression: $F$ drives"))
     _wedges_apart(bench, it, *along)
     ends = _polygon(bench, device, along, PUSH, Words.same(""))
@@ -153,7 +153,7 @@ def _release(bench: Bench, device: RingSpring, it: Faces, phi: Quantity, ideal: 
         "回弹时各相对滑动反向，反力都偏到法线的另一侧。",
         "On release all sliding is reversed, and the reactions are turned to the other side of the normals. ",
     )
-    ends = _polygon(bench, device, _lines(it, float(phi.value), -1), RELEASE, lead)
+    ends = _polygon(bench, device, _lines(it, float(nominal(phi.value)), -1), RELEASE, lead)
     board.step(
         Words(
             "量得 $F'$。回弹时 $F'$ 为阻力，效率等于实际阻力与理想阻力之比；以 $−φ$ 代 $φ$ 得 $F' = Q cot(α + φ)$，"

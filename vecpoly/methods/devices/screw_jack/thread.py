@@ -13,7 +13,7 @@ from ....algebra.worked import keyed_in, stated, worked
 from ....board.construction import View
 from ....devices.screw_jack import ALPHA, PHI, PHI_V, RATIOS, TAN_ALPHA, ScrewJack
 from ....names import Named
-from ....plane import Points
+from ....plane import Points, nominal
 from ....words import Words
 from ..bench import NO_SCALE, Bench
 from ..equilibrium import OFF_N, balance, given, letter, sought
@@ -53,9 +53,11 @@ def unroll(bench: Bench, device: ScrewJack) -> Thread:
     pitch = millimetres("p", device.p.si)
     lead = board.compute("L", Times(device.starts, pitch), "mm") if device.starts > 1 else pitch
     tan = bench.worked(TAN_ALPHA, lead / (Quantity(Txt("π"), pi, "") * mean))
-    steep = float(np.degrees(np.arctan(tan.value)))
+    steep = float(np.degrees(np.arctan(nominal(tan.value))))
     alpha = bench.stated(ALPHA, steep, _arctan(named("α"), magnitude(TAN_ALPHA.symbol, tan.value, "")))
-    along = unrolled(bench, sketch, float(mean.value), float(lead.value), "p" if device.starts == 1 else "L")
+    along = unrolled(
+        bench, sketch, float(nominal(mean.value)), float(nominal(lead.value)), "p" if device.starts == 1 else "L"
+    )
     return Thread(mean=mean, alpha=alpha, phi=_friction(bench, device), along=along)
 
 
