@@ -82,7 +82,7 @@ def test_polygons_have_the_mistakes_of_drawing_alone(name: str) -> None:
     assert not any(one.mistake in TOLD_OF for one in slips_of(drawn(name).construction.acts))
 
 
-@pytest.mark.parametrize("name", ["5-6", "5-7", "hoist"])
+@pytest.mark.parametrize("name", ["4-1", "5-6", "5-7", "hoist"])
 def test_all_hands_at_once_make_each_its_own(name: str) -> None:
     problem = load(name)
     slips = vecpoly.slips(problem)

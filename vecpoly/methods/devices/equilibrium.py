@@ -14,7 +14,7 @@ from ...board.construction import Pane, Place
 from ...board.paper.marks import Point
 from ...errors import EquilibriumError, LockedError
 from ...names import Named
-from ...plane import Points, dot, nominal
+from ...plane import Points, Reals, dot, nominal
 from ...vector.close import Closed, close
 from ...vector.equation import KNOWN, Equation, Term
 from ...words import Words
@@ -23,7 +23,7 @@ from .bench import Bench
 OFF_N, ALONG_N = Words("与 $n$ 成 $φ$", "$φ$ from $n$"), Words("沿 $n$", "along $n$")
 
 
-def given(bench: Bench, place: Place, named: Named, newtons: float, along: Points, tip: str = "") -> Term:
+def given(bench: Bench, place: Place, named: Named, newtons: Reals, along: Points, tip: str = "") -> Term:
     """A force known wholly, laid off to scale."""
     return Term(
         rel=named,

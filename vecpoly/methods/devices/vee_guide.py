@@ -13,7 +13,6 @@ from ...board.paper.marks import Dot, Role
 from ...devices.vee_guide import F_VEE, F_WHOLE, FLANK, FRICTION, FRICTION_FLAT, FRICTION_V, ON_FLAT, ON_V, VeeGuide
 from ...diagram.single import number as number_of
 from ...names import Named
-from ...plane import nominal
 from ...words import Words
 from .bench import Bench
 from .equilibrium import balance, given, letter, sought
@@ -163,7 +162,7 @@ def _flanks(bench: Bench, device: VeeGuide, on_v: Quantity) -> Quantity:
         bench,
         plan,
         0j,
-        given(bench, plan, ON_V, float(nominal(on_v.value)), -1j),
+        given(bench, plan, ON_V, on_v.value, -1j),
         *(
             sought(side, way, Words("⊥右侧面" if i == 0 else "⊥左侧面", "⊥ right flank" if i == 0 else "⊥ left flank"))
             for i, (side, way) in enumerate(zip(sides, ways, strict=True))

@@ -53,7 +53,7 @@ def unroll(bench: Bench, device: ScrewJack) -> Thread:
     pitch = millimetres("p", device.p.si)
     lead = board.compute("L", Times(device.starts, pitch), "mm") if device.starts > 1 else pitch
     tan = bench.worked(TAN_ALPHA, lead / (Quantity(Txt("π"), pi, "") * mean))
-    steep = float(np.degrees(np.arctan(nominal(tan.value))))
+    steep = np.degrees(np.arctan(tan.value))
     alpha = bench.stated(ALPHA, steep, _arctan(named("α"), magnitude(TAN_ALPHA.symbol, tan.value, "")))
     along = unrolled(
         bench, sketch, float(nominal(mean.value)), float(nominal(lead.value)), "p" if device.starts == 1 else "L"
