@@ -36,21 +36,23 @@ def _is_other(wrong: Expr, right: Expr) -> bool:
 
 def mistaken(expr: Expr) -> Iterator[Wrong]:
     """Every formula with one mistake; none of what is read on paper, whose lines have mistakes of their own."""
-    if not _is_read(expr):
+    if not any(isinstance(one.node, Over) for one in _leaves(expr)):
         yield from _of(expr)
 
 
-def _is_read(expr: Expr) -> bool:
-    """Whether a length on paper stands in a formula."""
+def _leaves(expr: Expr) -> Iterator[Quantity]:
+    """The quantities and numbers of which a formula is made."""
     match expr:
-        case Quantity(node=node):
-            return isinstance(node, Over)
+        case Quantity():
+            yield expr
         case Product(factors=parts) | Sum(terms=parts):
-            return any(map(_is_read, parts))
+            for part in parts:
+                yield from _leaves(part)
         case Quotient(num=num, den=den):
-            return _is_read(num) or _is_read(den)
+            yield from _leaves(num)
+            yield from _leaves(den)
         case Powered(base=body) | Times(body=body) | Of(angle=body) | Rooted(body=body):
-            return _is_read(body)
+            yield from _leaves(body)
         case _:
             assert_never(expr)
 
@@ -86,7 +88,7 @@ def _of_fraction(num: Expr, den: Expr) -> Iterator[Wrong]:
     """A ratio of two of a kind is turned upside down, a pure number multiplied by in place of divided by."""
     if _units(num) == _units(den):
         yield Mistake.INVERTED, _name(Quotient(num, den)), Quotient(den, num)
-    elif not any(_units(den)) and _has_a_name(den) and not isinstance(den, Sum):
+    elif not any(_units(den)) and not isinstance(den, Sum) and not all(isinstance(q.node, Txt) for q in _leaves(den)):
         yield Mistake.INVERTED, _name(den), Product((num, den))
     yield from ((m, of, Quotient(one, den)) for m, of, one in _of(num))
     yield from ((m, of, Quotient(num, one)) for m, of, one in _of(den))
@@ -108,21 +110,6 @@ def _of_sum(expr: Sum) -> Iterator[Wrong]:
         if i and may_turn:
             yield Mistake.SIGN, _name(term), Sum(terms, (*signs[before], -sign, *signs[after]))
         yield from ((m, of, Sum((*terms[before], one, *terms[after]), signs)) for m, of, one in _of(term))
-
-
-def _has_a_name(expr: Expr) -> bool:
-    """Whether a quantity stands in a formula, not numbers alone."""
-    match expr:
-        case Quantity(node=node):
-            return not isinstance(node, Txt)
-        case Product(factors=parts) | Sum(terms=parts):
-            return any(map(_has_a_name, parts))
-        case Quotient(num=num, den=den):
-            return _has_a_name(num) or _has_a_name(den)
-        case Powered(base=body) | Times(body=body) | Of(angle=body) | Rooted(body=body):
-            return _has_a_name(body)
-        case _:
-            assert_never(expr)
 
 
 def _units(expr: Expr) -> tuple[str, ...]:
