@@ -95,7 +95,7 @@ def _paper(desk: Desk, seen: Survey, kept: set[Pair], sharing: float) -> Paper:
     while True:
         corners = box_of([low, high, *(spots[pair] for pair in inside)])
         fitting = replace(mu, value=max(mu.value, round_up(mu.value * too_large(corners))))
-        shared = size / too_large(corners) >= sharing or is_same(fitting, mu, wished)
+        shared = is_shared(size / too_large(corners) >= sharing, fitting, mu, wished)
         if shared or set(inside) <= kept or size * mu.value / fitting.value >= min(LEAST, size):
             break
         inside.pop()
@@ -111,9 +111,12 @@ def _paper(desk: Desk, seen: Survey, kept: set[Pair], sharing: float) -> Paper:
     )
 
 
-def is_same(fitting: Scale, mu: Scale, wished: Scale | None) -> bool:
-    """Whether all fits at the diagram's scale as it is, and the sheet wishes no other."""
-    return isclose(fitting.value, mu.value) and (wished is None or isclose(wished.value, mu.value))
+def is_shared(large: bool, fitting: Scale, mu: Scale, wished: Scale | None) -> bool:
+    """Whether both figures have one μ_l: the mechanism is large enough at it, or all fits the diagram as it is. Where
+    the sheet wishes another it was laid out for two, and two they stay."""
+    if wished is not None and not isclose(wished.value, mu.value):
+        return False
+    return (large and wished is None) or isclose(fitting.value, mu.value)
 
 
 def apart(scale: Scale, mu: Scale) -> Scale:

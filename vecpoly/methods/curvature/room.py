@@ -13,7 +13,7 @@ from ...board.place import Pane
 from ...errors import NotAskedError, VecpolyError
 from ...plane import Points, nominal
 from ...words import Words
-from ..centres.size import MARGIN, Paper, apart, is_same, too_large
+from ..centres.size import MARGIN, Paper, apart, is_shared, too_large
 from ..desk import Desk
 from ..positions.placed import placed_as_told
 from .state import CurvatureFigure
@@ -84,7 +84,7 @@ def fitted(desk: Desk, box: Box, sharing: float, name: str = NAME) -> Paper | No
     mu = desk.board.scales[View.MECHANISM]
     wished = desk.board.scales.get(Pane(View.MECHANISM, name))
     own = replace(mu, value=max(mu.value, round_up(mu.value * too_large(box), SCALES)))
-    shared = size / too_large(box) >= sharing or is_same(own, mu, wished)
+    shared = is_shared(size / too_large(box) >= sharing, own, mu, wished)
     tried = (mu,) if shared else tuple(apart(one, mu) for one in (wished, own) if one is not None)
     fitting = (one for one in tried if size * mu.value / one.value >= min(LEAST, size))
     if (scale := next(fitting, None)) is None:
