@@ -170,3 +170,11 @@ def test_positions_of_the_mechanism_are_drawn_thin_and_its_own_thick_with_all_it
     texts = [item for item in plot.scene.items if isinstance(item, TextBox)]
     assert len(texts) >= 3 + 2 and plot.width <= 150.5 and plot.height <= 105.5
     assert style.number(2 * pi) and plot.width > 60.0
+
+
+def test_where_a_curve_is_cut_at_its_axes_no_dot_stands_beyond_them() -> None:
+    at = style.axes(style.sheet(100.0, 60.0), 15.0, 15.0, 70.0, 35.0)
+    at.set_xlim(0.0, 360.0)
+    at.set_ylim(-2.0, 2.0)
+    style.dots(at, [0.0, 90.0, 180.0, 360.0, 361.0], [2.0, 1e6, -2.0 - 1e-9, 0.5, 0.0], style.PENS[0].hue)
+    assert [line.get_xdata().tolist() for line in at.lines] == [[0.0, 180.0, 360.0]]

@@ -90,10 +90,12 @@ def zero_line(at: Any, limit: tuple[float, float]) -> None:
 
 
 def dots(at: Any, x: Any, y: Any, hue: Hue, size: float = 1.0, hollow: bool = False) -> None:
-    """Small round marks, size in mm across."""
+    """Small round marks, size in mm across; beyond the axes, where the curve is cut too, there are none."""
+    across, up = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
+    inside = _within(across, *at.get_xlim()) & _within(up, *at.get_ylim())
     at.plot(
-        x,
-        y,
+        across[inside],
+        up[inside],
         linestyle="none",
         marker="o",
         markersize=size * MM,
@@ -102,6 +104,12 @@ def dots(at: Any, x: Any, y: Any, hue: Hue, size: float = 1.0, hollow: bool = Fa
         markeredgewidth=0.2 * MM,
         clip_on=False,
     )
+
+
+def _within(values: Any, low: float, high: float) -> Any:
+    """Which values are not beyond an axis, or by a rounding only."""
+    rim = 1e-6 * abs(high - low)
+    return (values >= min(low, high) - rim) & (values <= max(low, high) + rim)
 
 
 def text(
