@@ -14,6 +14,7 @@ from vecpoly.typeset import Box, Glyphs, Rule, layout, layout_words, svg_group
 from vecpoly.typeset.box import MM
 from vecpoly.typeset.fonts import MISSING, Face, glyph, load, missing
 from vecpoly.typeset.layout import segments
+from vecpoly.typeset.runs import latin
 
 EM = 4.0
 
@@ -217,3 +218,10 @@ def test_widths_agree_with_mathtext(node: Node, tex: str) -> None:
     with rc_context({"mathtext.fontset": "stix"}):
         parsed = MathTextParser("path").parse(f"${tex}$", dpi=72, prop=FontProperties(size=1000))
     assert layout(node, 1000 / MM).width * MM == pytest.approx(parsed[0], rel=0.15)
+
+
+@pytest.mark.parametrize(
+    ("typed", "set_"), [("frame's", "frame’s"), ("'s", "’s"), ("links'", "links’"), ("A'", "A'"), ("'zero'", "'zero'")]
+)
+def test_an_apostrophe_is_curved_and_other_signs_stay_as_typed(typed: str, set_: str) -> None:
+    assert text(latin(typed, EM, False)) == set_

@@ -48,9 +48,12 @@ def raised(text: str) -> str:
     return _RAISED.sub(lambda found: found[2] or found[1].translate(_HIGH), text)
 
 
+_APOSTROPHE = pattern(r"(?<=[a-z0-9])'(?=[a-z])|^'(?=s\b)|(?<=[a-z]s)'(?= |$)")
+
+
 def latin(text: str, em: float, bold: bool) -> Box:
-    """A word of running text; the exponent of a unit (``m/s^2``) is raised."""
-    face = roman_or_italic(False, bold)
+    """A word of running text; the exponent of a unit (``m/s^2``) is raised, an apostrophe is curved."""
+    face, text = roman_or_italic(False, bold), _APOSTROPHE.sub("’", text)
     parts: list[Box] = []
     end = 0
     for found in _RAISED.finditer(text):
