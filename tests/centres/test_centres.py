@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 from tests.laws import few, often
 from vecpoly import Problem, load, loads, oracle
+from vecpoly.algebra.formula import plain
 from vecpoly.board.construction import Construction, Pane, View
 from vecpoly.board.paper.marks import Point, Role, Segment, Vector
 from vecpoly.check.printed.answers import check_problem
@@ -536,3 +537,9 @@ def test_the_frame_is_the_last_link_and_absolute_centres_have_no_velocity() -> N
         place = Centres(mech).place(link, FRAME)
         assert isinstance(place, complex) and abs(complex(motion.moving(link).velocity_at(np.array([place]))[0])) < 1e-9
         assert float(motion.value(omega(link)).real) != 0
+
+
+@pytest.mark.parametrize("name", ["3-1a", "3-1b", "3-1c", "3-1d", "3-1e"])
+def test_a_centre_at_infinity_is_told_where_it_is_found_and_not_with_the_diagram(name: str) -> None:
+    told = [step for step in load(name).solve().construction.steps if any("∞" in plain(line) for line in step.formulas)]
+    assert told and all("infinity" in step.words.en and "$P_{" in step.words.en for step in told)

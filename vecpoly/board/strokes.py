@@ -10,6 +10,7 @@ import numpy as np
 from ..names import ascii_key
 from ..plane import Line, Points, Reals, nominal
 from ..plane.derived import Derived
+from ..plane.traced import Acts
 from ..words import Words
 from . import acts as done
 from .ledger import Stood
@@ -45,10 +46,11 @@ class Strokes(Log):
         """Rule a line from a to b; key: of the quantity that acts along it."""
         self.log(done.Join(head=self.head(a, b, on=view, key=key), a=spot(a), b=spot(b), role=role))
 
-    def arrow(self, view: Place, a: Points, b: Points, role: Role, *, key: str = "", label: str = "") -> None:
-        """Draw the vector `key` (by default that of its label) from a to b; one without length leaves no ink."""
+    def arrow(self, view: Place, a: Points, b: Points, role: Role, *, key: str = "", label: str = "") -> Acts:
+        """Draw the vector `key` (by default that of its label) from a to b; one without length leaves no ink. Gives
+        what is to be known by whatever follows from the arrow."""
         shown = bool(abs(spot(b) - spot(a)) > NO_ARROW)
-        self._arrow(view, a, b, role, key or ascii_key(label), label, shown)
+        return self._arrow(view, a, b, role, key or ascii_key(label), label, shown)
 
     def arrow_once(self, view: Place, a: Points, b: Points, *, key: str = "") -> None:
         """Draw the result vector from a to b unless a vector stands there already."""
@@ -60,11 +62,12 @@ class Strokes(Log):
         """Whether a vector stands there already."""
         return self._ends[view].has(start, end)
 
-    def _arrow(self, view: Place, a: Points, b: Points, role: Role, key: str, label: str, shown: bool) -> None:
+    def _arrow(self, view: Place, a: Points, b: Points, role: Role, key: str, label: str, shown: bool) -> Acts:
         head = self.head(a, b, on=view, key=key)
-        self.log(done.Arrow(head=head, a=spot(a), b=spot(b), role=role, label=label, shown=shown))
+        drawn = self.log(done.Arrow(head=head, a=spot(a), b=spot(b), role=role, label=label, shown=shown))
         if key:
             self.ledger.vectors[view, key] = Stood(a, b)
+        return drawn
 
     def right_angle(self, view: Place, at: Points, u: Points, v: Points) -> None:
         """Mark a right angle."""

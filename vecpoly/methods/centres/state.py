@@ -13,6 +13,7 @@ from ...board.place import Place
 from ...mechanism.asked.centres import Pair, centre, pair_of, real_links
 from ...mechanism.model import Mechanism
 from ...plane import Line, Points, nominal
+from ...plane.traced import Acts, acts_of, traced
 from ..desk import Desk
 from .geometry import Centre
 from .places import place_read
@@ -83,16 +84,18 @@ class CentreFigure:
         """Letter a centre: a point, or an arrow from `start` towards infinity;
         one off the paper is lettered at its lines."""
         found = self.known.of(*pair)
-        if found.endless:
-            self.point_out(start, self._outwards(start, found.way()), self.letters(*pair))
+        if found.along is not None:  # from now on its direction is that of its arrow
+            arrow = self.point_out(start, self._outwards(start, found.way()), self.letters(*pair))
+            self.known.centres[pair] = Centre(along=traced(found.along, acts_of(found.along) | arrow))
         elif pair not in self.paper.far:
             self.board.plot(self.pane, found.spot(), self.letters(*pair), dot)
 
-    def point_out(self, start: complex, way: complex, label: str) -> None:
+    def point_out(self, start: complex, way: complex, label: str) -> Acts:
         """An arrow away from the figure, with a letter at its tip."""
         tip = start + way * (GAP + ARROW)
-        self.board.arrow(self.pane, start + way * GAP, tip, Role.DIRECTION)
+        arrow = self.board.arrow(self.pane, start + way * GAP, tip, Role.DIRECTION)
         self.board.plot(self.pane, tip + way * TO_LETTER, label, Dot.NONE)
+        return arrow
 
     def rule(self, line: Line, here: Centre, *on: Centre, whole: bool = False) -> None:
         """A thin line through these centres, a little beyond the outermost;
