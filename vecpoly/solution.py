@@ -13,7 +13,7 @@ import numpy as np
 from .amend import Length, Spot, amend, found_all
 from .answer import YES_NO, Answer, plain, reading_json, small_table, told_short
 from .board.construction import Construction, LineOfAction, Reading
-from .board.hand import Hand, hand
+from .board.hand import Hand, hand, scatter
 from .board.otherwise.amended import Amended
 from .board.otherwise.slip import Slip
 from .board.paper.sizes import unfit
@@ -206,7 +206,7 @@ def _expected(scalars: Any) -> float:
     repeated = np.asarray(scalars)
     found = repeated[1:][np.isfinite(repeated[1:])] if repeated.ndim else repeated[None]
     # no repeated hand closes the polygon: nothing can be promised
-    return 3.0 * float(np.std(found)) if found.size else inf
+    return 3.0 * scatter(found) if found.size else inf
 
 
 def _answer(

@@ -10,11 +10,10 @@ import pytest
 
 from vecpoly import load, loads, solve
 from vecpoly.board.acts import Measure
-from vecpoly.board.hand import hand
+from vecpoly.board.hand import hand, scatter
 from vecpoly.errors import UnknownNameError, VecpolyError
 from vecpoly.grading.allowance import CAD, STUDENT
 from vecpoly.grading.derive.keyed import answer_key
-from vecpoly.grading.derive.tolerance import spread
 from vecpoly.grading.key import AnswerKey, Kind
 
 SEVERAL = ("3-9", "3-12", "A-27", "3-2", "4-3a", "4-5", "C-inertia", "5-2", "tipper", "slider-crank-dynamic")
@@ -129,6 +128,6 @@ def test_a_length_without_letters_is_asked_of_nobody() -> None:
 
 def test_the_scatter_of_hands_that_run_away_is_a_number_and_any_other_is_numpy_s_to_the_bit() -> None:
     near = np.array([2.1, 1.9, 2.05, 0.0, -3e-9])
-    assert spread(near) == np.std(near) and spread(near[3:4]) == 0.0
+    assert scatter(near) == np.std(near) and scatter(near[3:4]) == 0.0
     with np.errstate(over="raise"):
-        assert spread(near * 1e200) == pytest.approx(np.std(near) * 1e200)
+        assert scatter(near * 1e200) == pytest.approx(np.std(near) * 1e200)

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import pi
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..errors import UnknownNameError
 from ..foundation.arguments import whole_number
@@ -150,3 +151,10 @@ def hand(name: str, *, seed: int = 0, repeats: int = 0) -> Hand:
     whole_number("seed", seed, 0, SEED)
     first, others = _SKILLS[name]
     return Hand(name, first, others, repeats, np.random.Generator(np.random.PCG64(seed)))
+
+
+def scatter(found: NDArray[Any]) -> float:
+    """The standard deviation of what hands found, all of it finite, but near a singular figure beyond all bounds
+    (10^200), where a square overflows: that of the values by a power of two, which changes no digit."""
+    size = np.ldexp(0.5, np.frexp(np.abs(found).max(initial=0.0))[1])
+    return float(np.std(found / size) * size)

@@ -108,8 +108,8 @@ def dots(at: Any, x: Any, y: Any, hue: Hue, size: float = 1.0, hollow: bool = Fa
 
 def _within(values: Any, low: float, high: float) -> Any:
     """Which values are not beyond an axis, or by a rounding only."""
-    rim = 1e-6 * abs(high - low)
-    return (values >= min(low, high) - rim) & (values <= max(low, high) + rim)
+    rim = 1e-6 * (high - low)
+    return (low - rim <= values) & (values <= high + rim)
 
 
 def text(

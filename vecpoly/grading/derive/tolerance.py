@@ -11,6 +11,7 @@ import numpy as np
 
 from ...board.acts import Act
 from ...board.acts import Answer as Wrote
+from ...board.hand import scatter
 from ...methods.drawn import Drawn
 from ..allowance import Allowance
 from ..key import Graded, Kind
@@ -37,7 +38,7 @@ class Scatter:
             return 0.0
         found = np.asarray(repeats, dtype=complex if place else float)[1:]
         closed = found[np.isfinite(found)]
-        return spread(closed) if closed.size >= (1 - LOST) * found.size else inf
+        return scatter(closed) if closed.size >= (1 - LOST) * found.size else inf
 
     def turned(self, act: Act) -> float:
         """σ of the direction of a vector (deg); 0 where its direction by every hand is not known."""
@@ -85,13 +86,6 @@ class Scatter:
         if size <= COMPUTED * largest:
             return rule.arithmetic * largest
         return max(size * rule.floor / mm if mm else 0.0, rule.arithmetic * size)
-
-
-def spread(found: Any) -> float:
-    """The standard deviation, also of what a hand near a singular figure computes beyond all bounds (10^200): of the
-    values by a power of two, which changes no digit."""
-    size = np.ldexp(0.5, np.frexp(np.abs(found).max(initial=0.0))[1])
-    return float(np.std(found / size) * size)
 
 
 def with_tolerance(one: Graded, act: Act, scatter: Scatter) -> Graded:

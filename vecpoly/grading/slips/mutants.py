@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pydantic import TypeAdapter
 
 from ...answer import bearing
+from ...board.hand import scatter
 from ...board.otherwise.amended import Amended, Own
 from ...board.otherwise.slip import Mistake, Slip
 from ...errors import VecpolyError
@@ -135,7 +136,7 @@ def _among(one: Graded, value: Value, found: NDArray[Any] | None) -> Value:
     closed = _compared(one, found[np.isfinite(found)])
     if not closed.size:
         return value
-    mean, sigma = np.mean(closed), float(np.std(closed))
+    mean, sigma = np.mean(closed), scatter(closed)
     aside = one.kind is not Kind.PLACE and abs(mean - value.value) > sigma
     return replace(value, value=float(np.real(mean)) if aside else value.value, sigma=sigma)
 

@@ -112,11 +112,9 @@ def _paper(desk: Desk, seen: Survey, kept: set[Pair], sharing: float) -> Paper:
 
 
 def is_shared(large: bool, fitting: Scale, mu: Scale, wished: Scale | None) -> bool:
-    """Whether both figures have one μ_l: the mechanism is large enough at it, or all fits the diagram as it is. Where
-    the sheet wishes another it was laid out for two, and two they stay."""
-    if wished is not None and not isclose(wished.value, mu.value):
-        return False
-    return (large and wished is None) or isclose(fitting.value, mu.value)
+    """Whether both figures have one μ_l: the mechanism is large enough at it, or all fits the diagram as it is, and the
+    sheet was not laid out for another."""
+    return (wished is None or isclose(wished.value, mu.value)) and (large or isclose(fitting.value, mu.value))
 
 
 def apart(scale: Scale, mu: Scale) -> Scale:

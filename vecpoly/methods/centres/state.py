@@ -85,12 +85,13 @@ class CentreFigure:
         one off the paper is lettered at its lines."""
         found = self.known.of(*pair)
         if found.along is not None:  # from now on its direction is that of its arrow
-            arrow = self.point_out(start, self._outwards(start, found.way()), self.letters(*pair))
-            self.known.centres[pair] = Centre(along=traced(found.along, acts_of(found.along) | arrow))
+            way = traced(self._outwards(start, found.way()), acts_of(found.along))
+            arrow = self.point_out(start, way, self.letters(*pair))
+            self.known.centres[pair] = Centre(along=traced(found.along, arrow))
         elif pair not in self.paper.far:
             self.board.plot(self.pane, found.spot(), self.letters(*pair), dot)
 
-    def point_out(self, start: complex, way: complex, label: str) -> Acts:
+    def point_out(self, start: complex, way: Points, label: str) -> Acts:
         """An arrow away from the figure, with a letter at its tip."""
         tip = start + way * (GAP + ARROW)
         arrow = self.board.arrow(self.pane, start + way * GAP, tip, Role.DIRECTION)

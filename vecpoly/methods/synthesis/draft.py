@@ -13,6 +13,7 @@ from ...algebra.quantity import Expr, Quantity, magnitude
 from ...algebra.worked import stated
 from ...board.candidates import Candidate
 from ...board.construction import Place, Reading, View
+from ...board.hand import scatter
 from ...designs.base import MOST, Design, numbered
 from ...designs.verdict import Verdict
 from ...foundation.frozen import FrozenMap
@@ -199,7 +200,7 @@ def _spread(values: Reals) -> float:
     """3σ of the repeated hands; of none 0."""
     repeated = np.asarray(values, dtype=float)
     others = repeated[1:][np.isfinite(repeated[1:])] if repeated.ndim else np.empty(0)
-    return 3.0 * float(np.std(others)) if others.size else 0.0
+    return 3.0 * scatter(others) if others.size else 0.0
 
 
 def _reading(named: Named, value: Reals) -> Reading:

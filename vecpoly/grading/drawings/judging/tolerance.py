@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ....board.acts import Locate, Measure
+from ....board.hand import scatter
 from ....board.otherwise.amended import AS_DRAWN
 from ....methods.drawn import Drawn
 from ....problem.problem import Problem
@@ -85,7 +86,7 @@ def _spread(found: Any) -> float:
     if np.ndim(found) == 0:
         return 0.0
     repeats = found[1:][np.isfinite(found[1:])]
-    return float(np.std(repeats)) if repeats.size else 0.0
+    return scatter(repeats) if repeats.size else 0.0
 
 
 def _degrees(shape: Shape, edge: Edge, drawn: Drawn, rule: Allowance) -> float:
