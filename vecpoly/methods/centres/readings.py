@@ -12,6 +12,7 @@ from ...mechanism.asked.centres import ENDLESS, Pair, centre, centre_speed, link
 from ...mechanism.model import FRAME
 from ...names import Kind, Rel
 from ...plane import Points, Reals, nominal, unit
+from ...plane.traced import acts_of, traced
 from ...problem.asked.asks import AskNamed, AskPoint, AskRel
 from ...problem.problem import Problem
 from ...words import Words
@@ -137,4 +138,4 @@ def _upright(angle: Reals) -> Reals:
     first = float(nominal(degrees)) % 180.0
     first = 0.0 if 180.0 - first < 1e-7 else first
     near: Reals = first + (degrees - first + 90.0) % 180.0 - 90.0
-    return near if np.ndim(near) else first
+    return near if np.ndim(near) else traced(first, acts_of(angle))
