@@ -100,6 +100,20 @@ def test_a_formula_has_the_value_that_one_computes(text: str, x: float, value: f
     assert Formula(text)(x) == pytest.approx(value)
 
 
+@pytest.mark.parametrize("phi", [(-20, 20, 70), (70, 20, -20), (-20, 20.000001, 70), (330, 30, 75)])
+def test_a_crank_that_stands_alike_above_and_below_the_frame_has_its_generator(phi: tuple[float, ...]) -> None:
+    """The first position as seen from the second asks for C in D, whatever the crank is: another one is kept."""
+    psi = {-20: 30, 20: 55, 20.000001: 55, 70: 90, 330: 30, 30: 55, 75: 90}
+    problem = posed("function-generator", AD="100 mm", pairs=[f"{one} deg -> {psi[one]} deg" for one in phi])
+    assert isinstance(problem.subject, Design)
+    found, (exact,) = solved(problem), linkages(problem.subject)
+    values = drawn(found)
+    assert not found.suspect
+    assert {key: values[key] for key in ("AB", "BC", "CD")} == pytest.approx(
+        {key: exact.values[key] for key in ("AB", "BC", "CD")}, rel=1e-9
+    )
+
+
 angles = st.tuples(st.floats(15, 60), st.floats(10, 60), st.floats(10, 60))
 
 

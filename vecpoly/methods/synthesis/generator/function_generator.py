@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -30,6 +31,7 @@ from ..registry import design_method
 from .chebyshev import Pair, precision_pairs
 from .error import error_curve, passes
 from .trials import crank_length
+from .trying import kept_position
 
 REACH = 0.4  # of the frame: to the point that marks the line of a link
 _B = Find(pin="B", on="AM", known="C", lies=On())
@@ -46,8 +48,9 @@ def draw_function_generator(draft: Draft, design: FunctionGenerator) -> None:
     """Precision points, the crank, C, the linkage, its error."""
     pairs = precision_pairs(draft, design) if design.pairs is None else _angles(draft, design)
     sheet = _laid_out(draft, design, pairs)
-    crank = crank_length(sheet, tuple((float(nominal(phi)), float(nominal(psi))) for phi, psi in pairs))
-    sheet = find(_with_crank(sheet, crank), _C)
+    angles = tuple((float(nominal(phi)), float(nominal(psi))) for phi, psi in pairs)
+    kept = kept_position(angles)
+    sheet = find(_with_crank(sheet, crank_length(sheet, angles, kept)), replace(_C, kept=kept))
     verdict = judged(sheet)
     if verdict is Verdict.VALID and design.function is not None and not passes(sheet, design):
         verdict = Verdict.RANGE

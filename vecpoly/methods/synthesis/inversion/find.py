@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import assert_never
 
 import numpy as np
@@ -19,6 +19,7 @@ from .sheet import Places, Sheet, lettered
 
 PARALLEL = 1e-7  # sine below which a bisector meets nothing
 ONE = 1e-7  # mm: places nearer than this are one
+NEAR = 0.1  # of the farthest two: places nearer than so are not bisected where others can be
 
 
 def find(sheet: Sheet, stage: Find) -> Sheet:
@@ -80,14 +81,21 @@ def _letters(sheet: Sheet, stage: Find) -> tuple[str, ...]:
 def _met(sheet: Sheet, stage: Find, seen: Places) -> Points:
     """Where the bisectors meet each other, or the line that carries the pin."""
     board, letters = sheet.draft.board, _letters(sheet, stage)
-    pairs = [f"${one} {two}$" for one, two in pairwise(letters)]
+    pairs = [(n, n + 1) for n in range(len(seen) - 1)] if stage.lies is None else [_apart(seen)]
+    named = [f"${letters[one]} {letters[two]}$" for one, two in pairs]
     where = stage.pin if stage.on == FRAME else f"{stage.pin}_{stage.kept + 1}"
-    board.step(_bisecting(sheet, stage, pairs, where), SHEET)
-    for one, two in pairwise(seen):
+    board.step(_bisecting(sheet, stage, named, where), SHEET)
+    for one, two in ((seen[i], seen[j]) for i, j in pairs):
         if abs(complex(nominal(two - one))) < ONE:
             raise coincident(stage)
         board.join(SHEET, one, two, Role.CONSTRUCTION)
     return _by_line(sheet, stage, seen) if stage.lies is not None else _by_bisectors(sheet, stage, seen)
+
+
+def _apart(seen: Places) -> tuple[int, int]:
+    """Two places for one bisector: the first two, unless others are much farther apart."""
+    spans = {pair: abs(complex(nominal(seen[pair[1]] - seen[pair[0]]))) for pair in combinations(range(len(seen)), 2)}
+    return (0, 1) if spans[0, 1] >= NEAR * max(spans.values()) else max(spans, key=lambda pair: spans[pair])
 
 
 def _bisecting(sheet: Sheet, stage: Find, pairs: list[str], where: str) -> Words:
@@ -129,7 +137,8 @@ def _by_bisectors(sheet: Sheet, stage: Find, seen: Places) -> Points:
 
 def _by_line(sheet: Sheet, stage: Find, seen: Places) -> Points:
     board = sheet.draft.board
-    line, bisector = _line(sheet, stage), board.bisector(SHEET, seen[0], seen[1])
+    one, two = _apart(seen)
+    line, bisector = _line(sheet, stage), board.bisector(SHEET, seen[one], seen[two])
     if abs(float(nominal(cross(line.along, bisector.along)))) < PARALLEL:
         raise parallel(stage, complex(nominal(line.along)))
     at = board.meet(bisector, line, Words(f"求 ${stage.pin}$", f"finding ${stage.pin}$"))
