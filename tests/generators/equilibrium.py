@@ -24,7 +24,8 @@ from vecpoly.mechanism.loads import GRAVITY, Force, Load, Loads
 from vecpoly.mechanism.model import FRAME, Mechanism, Prismatic, Revolute
 from vecpoly.solution import Solution
 
-STEP = 2e-3
+STEP, FINEST = 2e-3, 2e-5  # of the drive (rad, or sizes of the mechanism): finer where places run away within a step
+ROUGH = 0.1  # of the inertia forces: differences that are off by more tell nothing
 AGREE = 1e-7  # of the largest force, and of that times the mechanism's size
 STILL = 1e-6  # of the largest rate: slower pairs tell no sense
 _OFFSETS = np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
@@ -111,7 +112,7 @@ def in_equilibrium(solution: Solution) -> str:
     mech, loads = problem.mechanism, problem.loads
     assert loads is not None
     try:
-        moving, coarse = Moving.of(mech), Moving.of(mech, 2 * STEP)
+        moving, coarse = _told_by_differences(mech, loads)
     except VecpolyError:
         return ""  # too near the end of the range for five positions
     forces = solution.as_json()["forces"]
@@ -125,14 +126,29 @@ def in_equilibrium(solution: Solution) -> str:
     return next(found, "") or ("" if loads.friction else _power((moving, coarse), loads, forces, slack))
 
 
+def _told_by_differences(mech: Mechanism, loads: Loads, step: float = STEP) -> tuple[Moving, Moving]:
+    """Five positions, and five twice as far apart; nearer where the accelerations of both are not alike."""
+    fine, coarse = Moving.of(mech, step), Moving.of(mech, 2 * step)
+    if step <= FINEST or _slack(fine, coarse, loads) <= ROUGH * _inertia_forces(fine, loads):
+        return fine, coarse
+    return _told_by_differences(mech, loads, step / 10)
+
+
+def _inertia_forces(moving: Moving, loads: Loads, less: Moving | None = None) -> float:
+    """The sum of their sizes (N), couples over the size of the mechanism; less: of what they differ from these."""
+    found = 0.0
+    for mass in loads.masses if loads.inertia else ():
+        at = moving.mech.link(mass.link).points[mass.centre]
+        a, alpha = moving.acceleration(mass.link, at), moving.alpha(mass.link)
+        if less is not None:
+            a, alpha = a - less.acceleration(mass.link, at), alpha - less.alpha(mass.link)
+        found += mass.mass * abs(a) + mass.inertia * abs(alpha) / moving.mech.scale
+    return found
+
+
 def _slack(fine: Moving, coarse: Moving, loads: Loads) -> float:
     """How far inertia forces (N) may be off, since differences are differences."""
-    off = 0.0
-    for mass in loads.masses if loads.inertia else ():
-        at = fine.mech.link(mass.link).points[mass.centre]
-        off += mass.mass * abs(fine.acceleration(mass.link, at) - coarse.acceleration(mass.link, at))
-        off += mass.inertia * abs(fine.alpha(mass.link) - coarse.alpha(mass.link)) / fine.mech.scale
-    return 4 * off
+    return 4 * _inertia_forces(fine, loads, less=coarse)
 
 
 def _bodies(moving: Moving, loads: Loads, forces: dict[str, Any], way: str, slack: float) -> Iterator[str]:
