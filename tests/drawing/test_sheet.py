@@ -12,7 +12,7 @@ from vecpoly.board.paper.marks import Role, Segment
 from vecpoly.drawing.backends.pdf import to_pdf
 from vecpoly.drawing.scene import Rect, rect_of
 from vecpoly.drawing.sheets.sheet import sheets
-from vecpoly.drawing.sheets.space import FRAME, STRIP, slots, usable
+from vecpoly.drawing.sheets.space import FRAME, STRIP
 from vecpoly.drawing.sheets.spreading import sunk
 from vecpoly.errors import VecpolyError
 from vecpoly.words import Words
@@ -98,15 +98,6 @@ def test_a_wide_figure_turns_the_sheet() -> None:
 def test_a_figure_larger_than_any_sheet_is_refused_with_its_extents() -> None:
     with pytest.raises(VecpolyError, match=r"mechanism figure measures 40\d × "):
         sheets(construction((400, 100)))
-
-
-@pytest.mark.parametrize("n", [1, 2, 3])
-def test_figures_that_fill_their_slots_share_one_sheet(n: int) -> None:
-    assert len(sheets(construction(*slots(n)))) == 1
-
-
-def test_slots_lie_within_the_usable_page() -> None:
-    assert all(w < usable()[0] and h < usable()[1] for w, h in slots(3)) and slots(0) == ()
 
 
 def test_both_languages_fill_the_strip_without_running_over() -> None:

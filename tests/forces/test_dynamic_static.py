@@ -187,7 +187,7 @@ def drawn(mech: Mechanism, loads: Loads, by: str = "exact", repeats: int = 0) ->
         if key not in still and (loads.friction or not key.endswith("_0"))
     )
     problem = Problem(id="random", title=Words("", ""), subject=mech, asks=asks, loads=loads)
-    return construct(problem, hand(by, repeats=repeats), {})[0]
+    return construct(problem, hand(by, repeats=repeats))[0]
 
 
 # -- this file's own statics: three equations a link, frictionless, kinematics from the oracle
@@ -482,7 +482,7 @@ def test_an_unsteady_hand_scatters_about_the_exact_answer() -> None:
         if key.startswith(("M_1", "R_", "F_I", "h_")) and not key.endswith("_0")
     )
     problem = Problem(id="random", title=Words("", ""), subject=mech, asks=data, loads=loads)
-    sheet = construct(problem, hand("pencil", repeats=200), {})
+    sheet = construct(problem, hand("pencil", repeats=200))
     construction, repeats = sheet.construction, sheet.repeats
     exact = drawn(mech, loads).readings
     for key in ("M_1", "M_1_lever", "M_1_power", "R_12", "R_43", "F_I2"):

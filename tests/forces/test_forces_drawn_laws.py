@@ -91,7 +91,7 @@ def drawn(kind: str, given: dict[str, object], share: float) -> Construction:
     """The construction by the exact hand; positions that cannot be assembled, and locked ones, are left out."""
     text = problem(kind, given, share)
     try:
-        return construct(text, hand("exact"), {})[0]
+        return construct(text, hand("exact"))[0]
     except (AssemblyError, LockedError, NoSlipSenseError, EquilibriumError):
         assume(False)
         raise
@@ -116,7 +116,7 @@ def test_action_and_reaction_are_equal_and_opposite_on_one_line(kind: str, given
         given=every.given,
     )
     try:
-        readings = construct(everything, hand("exact"), {})[0].readings
+        readings = construct(everything, hand("exact"))[0].readings
     except (AssemblyError, EquilibriumError):
         assume(False)
     for key, one in readings.items():
@@ -171,7 +171,7 @@ loads: {{F: {{on: 3, at: C, size: {given["size"]} N, direction: {180 + turn} deg
 friction: {{A: {{rho: 3 mm}}, B: {{rho: 2 mm}}, C: {{rho: 2 mm}}, 3-4: {{phi: 6 deg}}}}
 """
     try:
-        return dict(construct(loads(text), hand("exact"), {})[0].readings)
+        return dict(construct(loads(text), hand("exact"))[0].readings)
     except (AssemblyError, EquilibriumError):
         assume(False)
         raise
@@ -186,7 +186,7 @@ def test_another_force_scale_changes_millimetres_and_no_answer(kind: str, given:
         + kind % given
         + FRICTION[kind] % ((3.0,) * (FRICTION[kind].count("%") - 1) + (0.12,))
     )
-    two, *_ = construct(loads(text), hand("exact"), {})
+    two, *_ = construct(loads(text), hand("exact"))
     for key, reading in one.readings.items():
         assert abs(_value(two.readings[key]) - _value(reading)) <= 1e-9 * max(1.0, abs(_value(reading))), key
 
@@ -204,7 +204,7 @@ def _value(reading: Reading) -> complex:
     [("4-3a", "4-3a"), ("4-3b", "4-3b"), ("4-3c", "4-3c"), ("4-3d", "4-3d_cw"), ("4-4", "4-4"), ("4-7", "4-7")],
 )
 def test_the_exact_hand_draws_the_numbers_of_the_case(name: str, case: str) -> None:
-    readings = construct(load(name), hand("exact"), {})[0].readings
+    readings = construct(load(name), hand("exact"))[0].readings
     values = {
         key: complex(*value) if isinstance(value, list) else value for key, value in CASES[case]["values"].items()
     }

@@ -10,7 +10,7 @@ from vecpoly.board.board import Board
 from vecpoly.board.hand import hand
 from vecpoly.mechanism.asked.forces import pairs
 from vecpoly.methods.draw import draw
-from vecpoly.methods.plan import _choose_scales
+from vecpoly.methods.scaling import scaled
 from vecpoly.names import Named, reaction
 from vecpoly.printed.digits import drawn_number
 from vecpoly.problem.load import load
@@ -40,7 +40,7 @@ def by_every_hand(name: str) -> tuple[dict[str, np.ndarray], list[tuple[str, str
     """Every force by 400 pencil hands, and the keys of actions and reactions."""
     problem = load(name)
     with np.errstate(all="ignore"):
-        desk = draw(problem, Board(hand("pencil", repeats=HANDS), _choose_scales(problem, {}, None)[0]))
+        desk = draw(problem, Board(hand("pencil", repeats=HANDS), scaled(problem).scales))
     mech = problem.mechanism
     keys = [
         (reaction(mech.number(a), mech.number(b)).key, reaction(mech.number(b), mech.number(a)).key)

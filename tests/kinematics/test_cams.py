@@ -18,9 +18,7 @@ from vecpoly.board.board import Board
 from vecpoly.board.construction import Scale, View
 from vecpoly.board.hand import hand
 from vecpoly.board.paper.marks import Arc, Disc, FixedGuide, Point, Role, Segment
-from vecpoly.drawing.sheets.space import slots
 from vecpoly.errors import AssemblyError, DeadPointError, ProblemFileError
-from vecpoly.figures import views
 from vecpoly.mechanism.groups.assur import decompose
 from vecpoly.mechanism.groups.mobility import mobility
 from vecpoly.methods.desk import Desk
@@ -30,7 +28,6 @@ from vecpoly.names import parse_rel
 from vecpoly.oracle.closed.contact import touching
 from vecpoly.problem.asked.asks import AskRel
 
-PLACES = dict(zip(views(), slots(3), strict=False))
 LEVER = """
 id: lever
 title: disc and lever
@@ -97,7 +94,7 @@ def asking(problem: Problem, keys: str) -> Problem:
 
 
 def drawn(problem: Problem, keys: str) -> dict[str, complex]:
-    readings = construct(asking(problem, keys), hand("exact"), PLACES)[0].readings
+    readings = construct(asking(problem, keys), hand("exact"))[0].readings
     return {key: r.scalar if r.vector is None else r.vector for key, r in readings.items()}
 
 
@@ -187,7 +184,7 @@ def test_a_contact_is_one_higher_pair_and_its_substitute_is_no_link(problem: Pro
 )
 def test_the_replaced_mechanism_is_made_of_the_textbooks_groups(problem: Problem, kind: str) -> None:
     assert [group.kind for group in decompose(problem.mechanism)] == [kind]
-    steps = construct(asking(problem, "a_O1 alpha_2" if kind == "RPR" else "alpha_2"), hand("exact"), PLACES)[0].steps
+    steps = construct(asking(problem, "a_O1 alpha_2" if kind == "RPR" else "alpha_2"), hand("exact"))[0].steps
     told = [step for step in steps if "高副低代" in step.words.zh and kind in step.words.zh and kind in step.words.en]
     assert [step.section.en.split()[0] for step in told] == ["Position", "Acceleration"], (
         "said where it is made, and where it is no matter of course"
@@ -340,7 +337,7 @@ branch: [E left of C]
 
 
 def test_the_diagram_of_a_cam_shows_profile_base_circle_normal_and_the_dashed_substitute() -> None:
-    figure = construct(asking(load("4-4"), "omega_2"), hand("exact"), PLACES)[0].figures[0]
+    figure = construct(asking(load("4-4"), "omega_2"), hand("exact"))[0].figures[0]
     mm = 1 / figure.scale.value
     assert sorted(m.radius for m in figure.marks if isinstance(m, Disc)) == pytest.approx([0.011 * mm, 0.048 * mm])
     rings = [m.radius for m in figure.marks if isinstance(m, Arc) and m.role is Role.CENTRE]
@@ -355,9 +352,9 @@ def test_the_diagram_of_a_cam_shows_profile_base_circle_normal_and_the_dashed_su
 
 @pytest.mark.parametrize("problem", [round_tappet(), flat_tappet()])
 def test_a_translating_follower_has_a_stem_between_two_fixed_guides(problem: Problem) -> None:
-    marks = construct(asking(problem, "omega_2"), hand("exact"), PLACES)[0].figures[0].marks
+    marks = construct(asking(problem, "omega_2"), hand("exact"))[0].figures[0].marks
     left, right = (m for m in marks if isinstance(m, FixedGuide))
-    scale = 0.015 / construct(asking(problem, "omega_2"), hand("exact"), PLACES)[0].figures[0].scale.value
+    scale = 0.015 / construct(asking(problem, "omega_2"), hand("exact"))[0].figures[0].scale.value
     assert (left.a + right.b).real / 2 == pytest.approx(scale)
     assert min(left.a.imag, left.b.imag) > max(m.centre.imag + m.radius for m in marks if isinstance(m, Disc)) - 1e-9
 
@@ -365,7 +362,7 @@ def test_a_translating_follower_has_a_stem_between_two_fixed_guides(problem: Pro
 def test_every_hand_draws_the_contact_near_its_place() -> None:
     problem = load("4-4")
     for who in ("drafting", "pencil"):
-        reading = construct(asking(problem, "p_K omega_2"), hand(who), PLACES)[0].readings["p_K"]
+        reading = construct(asking(problem, "p_K omega_2"), hand(who))[0].readings["p_K"]
         assert (
             reading.vector is not None and abs(reading.vector - (0.01913780887032256 + 0.058327516134944794j)) < 0.003
         )

@@ -69,7 +69,7 @@ def test_a_branch_that_no_assembly_fulfils_is_refused() -> None:
 
 def test_a_group_that_cannot_be_joined_is_refused() -> None:
     with pytest.raises(AssemblyError):
-        construct(loads(CLASS_III.replace("FG: 120", "FG: 20")), hand("exact"), {})
+        construct(loads(CLASS_III.replace("FG: 120", "FG: 20")), hand("exact"))
 
 
 # -- dead points, other classes
@@ -92,7 +92,7 @@ guesses: {C: [0 mm, 120 mm], E: [100 mm, 120 mm], F: [180 mm, 130 mm]}
 find: [v_C, omega_3]
 """
     with pytest.raises((DeadPointError, AssemblyError)):
-        construct(loads(text), hand("exact"), {})
+        construct(loads(text), hand("exact"))
 
 
 def test_two_parallel_legs_leave_another_pair_for_the_special_point() -> None:
@@ -118,10 +118,10 @@ def test_class_iv_is_refused_with_the_input_that_would_do() -> None:
     with pytest.raises(
         NoMethodError, match=r"class IV group 2, 3, 4, 5.*with link 5 as the input it can be drawn"
     ) as refused:
-        construct(loads(CLASS_IV), hand("exact"), {})
+        construct(loads(CLASS_IV), hand("exact"))
     assert "若改以构件 5 为原动件" in refused.value.words.zh and refused.value.code == "no-method"
 
 
 def test_two_central_links_are_refused_by_name() -> None:
     with pytest.raises(NoMethodError, match="is not one central link on three legs"):
-        construct(loads(TWO_PLATES), hand("exact"), {})
+        construct(loads(TWO_PLATES), hand("exact"))

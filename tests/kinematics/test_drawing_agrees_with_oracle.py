@@ -14,9 +14,7 @@ from tests.laws import often
 from vecpoly import oracle
 from vecpoly.board.hand import hand
 from vecpoly.check.nudged import nudged
-from vecpoly.drawing.sheets.space import slots
 from vecpoly.errors import AssemblyError, DeadPointError, VecpolyError
-from vecpoly.figures import views
 from vecpoly.mechanism.model import ByOffsets, Drive, Link, Mechanism, Prismatic, Revolute, Side, SideOf
 from vecpoly.methods.plan import construct
 from vecpoly.names import parse_rel
@@ -24,7 +22,6 @@ from vecpoly.problem.asked.asks import AskRel
 from vecpoly.problem.problem import Problem
 from vecpoly.words import Words
 
-PLACES = dict(zip(views(), slots(3), strict=False))
 lengths = st.floats(0.02, 0.3)
 angles = st.floats(-pi, pi)
 rates = st.sampled_from([-12.0, -1.0, 3.0, 10.0])
@@ -44,7 +41,7 @@ def agree(mech: Mechanism, keys: str) -> None:
         assume(False)  # within a hair of a dead point either may still find its way
     except AssemblyError:
         with pytest.raises(VecpolyError):
-            construct(problem, hand("exact"), PLACES)
+            construct(problem, hand("exact"))
         return
     size = {stem: max(abs(v) for k, v in truth.items() if k[0] == stem) for stem in {k[0] for k in truth}}
     try:
@@ -64,7 +61,7 @@ def agree(mech: Mechanism, keys: str) -> None:
 
 def readings(problem: Problem) -> dict[str, complex]:
     """What the exact hand reads."""
-    found = construct(problem, hand("exact"), PLACES)[0].readings
+    found = construct(problem, hand("exact"))[0].readings
     return {key: complex(one.scalar) if one.vector is None else one.vector for key, one in found.items()}
 
 

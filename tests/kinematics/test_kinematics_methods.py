@@ -10,13 +10,12 @@ from pathlib import Path
 import pytest
 
 from vecpoly.board.hand import hand
-from vecpoly.drawing.sheets.space import slots
-from vecpoly.figures import views
+from vecpoly.drawing.sheets.paper import DrawingPaper
+from vecpoly.methods import scaling
 from vecpoly.methods.plan import construct
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Scales
 
-PLACES = dict(zip(views(), slots(3), strict=False))
 KNOWN: dict[str, dict[str, float | list[float]]] = json.loads(
     (Path(__file__).resolve().parents[1] / "data" / "ch3.json").read_text(encoding="utf-8")
 )
@@ -30,7 +29,7 @@ def cases() -> Iterator[tuple[str, str]]:
 
 @pytest.fixture(scope="module")
 def drawn() -> dict[str, object]:
-    return {name: construct(load(name), hand("exact"), PLACES)[0] for name in KNOWN}
+    return {name: construct(load(name), hand("exact"))[0] for name in KNOWN}
 
 
 @pytest.mark.parametrize(("name", "key"), list(cases()))
@@ -48,7 +47,7 @@ def test_another_scale_changes_millimetres_and_not_answers(name: str) -> None:
     problem = load(name)
     coarse = replace(problem, scales=Scales({"mu_l": 0.004, "mu_v": 0.02, "mu_a": 0.1}))
     fine = replace(problem, scales=Scales({"mu_l": 0.001, "mu_v": 0.007, "mu_a": 0.03}))
-    one, two = (construct(p, hand("exact"), PLACES)[0].readings for p in (coarse, fine))
+    one, two = (construct(p, hand("exact"))[0].readings for p in (coarse, fine))
     for key, reading in one.items():
         assert reading.scalar == pytest.approx(two[key].scalar, rel=1e-9, abs=1e-12)
         if reading.mm and (other := two[key].mm) and key.startswith("v"):
@@ -56,20 +55,20 @@ def test_another_scale_changes_millimetres_and_not_answers(name: str) -> None:
 
 
 def test_the_swinging_block_asks_for_an_expanded_link_where_the_guide_is_offset() -> None:
-    steps = construct(load("3-10"), hand("exact"), PLACES)[0].steps
+    steps = construct(load("3-10"), hand("exact"))[0].steps
     assert any("扩大构件" in step.words.zh and "expand" in step.words.en.lower() for step in steps)
 
 
 @pytest.mark.parametrize(("name", "why"), [("3-7b", "ω_3"), ("3-7c", "相对速度"), ("3-7d", "不存在")])
 def test_a_vanishing_coriolis_term_is_explained(name: str, why: str) -> None:
-    reading = construct(load(name), hand("exact"), PLACES)[0].readings["ak_B3B2"]
+    reading = construct(load(name), hand("exact"))[0].readings["ak_B3B2"]
     assert reading.scalar == 0
     assert reading.remark is not None and why in reading.remark.zh
 
 
 def test_every_equation_has_exactly_two_question_marks_per_solved_side() -> None:
     for name in KNOWN:
-        for step in construct(load(name), hand("exact"), PLACES)[0].steps:
+        for step in construct(load(name), hand("exact"))[0].steps:
             if step.equation is None:
                 continue
             cells = zip(step.equation.directions, step.equation.magnitudes, strict=True)
@@ -79,7 +78,28 @@ def test_every_equation_has_exactly_two_question_marks_per_solved_side() -> None
 
 @pytest.mark.parametrize("name", list(KNOWN))
 def test_readings_are_rounded_once_to_the_hand_s_graduation(name: str) -> None:
-    readings = construct(load(name), hand("drafting"), PLACES)[0].readings
+    readings = construct(load(name), hand("drafting"))[0].readings
     for reading in readings.values():
         if reading.mm is not None:
             assert reading.mm * 10 == pytest.approx(round(reading.mm * 10), abs=1e-6)
+
+
+def test_a_problem_drawn_by_another_hand_is_sketched_once_and_keeps_its_scales(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem, paper = replace(load("3-12"), id="sketched once"), DrawingPaper()
+    first = construct(problem, hand("exact"), paper)
+    monkeypatch.setattr(scaling, "draw", lambda *_: pytest.fail("it was sketched anew"))
+    again = construct(replace(problem), hand("pencil", seed=3), paper)
+    assert [one.scale for one in again.construction.figures] == [one.scale for one in first.construction.figures]
+    assert again.ideal == first.ideal and again.motion == first.motion
+
+
+def test_another_scale_given_or_another_paper_is_no_longer_the_same_drawing() -> None:
+    problem = load("3-12")
+    given = replace(problem, scales=Scales({"mu_v": 0.02}))
+    a4, letter = DrawingPaper(), DrawingPaper(problem.on("letter").paper)
+    mu = [
+        [one.scale.value for one in construct(*drawn).construction.figures]
+        for drawn in ((problem, hand("exact"), a4), (given, hand("exact"), a4), (problem, hand("exact"), letter))
+    ]
+    assert mu[0][1] != mu[1][1] == 0.02
+    assert mu[0] != mu[2]

@@ -15,11 +15,30 @@ from ..board.strokes import amount, spot
 from ..errors import NoMethodError
 from ..names import Key, Kind, Rel
 from ..plane import Points, Reals, nominal
+from ..problem.asked.asks import AskNamed
+from ..problem.problem import Problem
 from ..words import Words
 from .desk import Desk
 from .standing import computed, standing
 
 Repeats = dict[str, Reals]  # key -> what the reading's `scalar` is by every hand
+
+
+def answered(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]:
+    """All that the problem asks, read off the paper: the readings, and their scalars by all hands.
+
+    Raises NoMethodError where one is not on the paper.
+    """
+    readings: dict[str, Reading] = {}
+    repeats: Repeats = {}
+    for ask in problem.asks:
+        if isinstance(ask, AskNamed) or ask.rel.key in desk.board.readings:
+            reading, scalars = named_answer(desk, ask.rel)
+        else:
+            reading, scalars = answer(desk, ask.rel)
+        readings[reading.key] = reading
+        repeats[reading.key] = np.asarray(scalars, dtype=float)
+    return readings, repeats
 
 
 def answer(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:

@@ -22,6 +22,8 @@ Size = tuple[float, float]
 class Paper(Protocol):
     """How much room there is: all that a drawing may know of the sheet (mm)."""
 
+    def __hash__(self) -> int: ...  # scales that were chosen for it are remembered
+
     def room(self, view: View, count: int = 1) -> Size:
         """What each of so many figures of a kind should fill."""
         ...

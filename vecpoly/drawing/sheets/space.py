@@ -43,23 +43,6 @@ def rooms(on: Paper) -> tuple[tuple[float, float], ...]:
     return tuple(room_inside(across, on.format) for across in on.ways)
 
 
-def slots(n_figures: int) -> tuple[tuple[float, float], ...]:
-    """Width and height that the bare lines of each figure should fill, the mechanism first.
-
-    One: the whole of an A4 portrait. Two: one above the other. Three: the mechanism above, two polygons side by side.
-    More: pages of their own beyond the third.
-    """
-    if n_figures < 1:
-        return ()
-    width, height = usable()
-    rows = 1 if n_figures == 1 else 2
-    deep = (height - (rows - 1) * CLEAR) / rows - CAPTION - 2 * LETTERING / 2
-    wide, half = width - 2 * LETTERING, (width - CLEAR) / 2 - 2 * LETTERING
-    if n_figures < 3:
-        return ((wide, deep),) * n_figures
-    return ((wide, deep), (half, deep), (half, deep), *slots(n_figures - 3))
-
-
 def room(view: View, count: int = 1, of: Format = A4) -> tuple[float, float]:
     """Width and height (mm) that the bare lines of each of `count` figures of a kind should fill.
 

@@ -20,4 +20,4 @@ class Analysis:
 
     def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended, sketch: Desk | None = None) -> Drawn:
         """Each figure as large as the sheets allow."""
-        return construct(problem, by, {}, paper.compose, amended, sketch)
+        return construct(problem, by, paper, amended, sketch)
