@@ -4,7 +4,7 @@ in the terminal, on paper, in JSON, by exit code."""
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import cache
 from math import inf, nan
@@ -16,7 +16,6 @@ import pytest
 from typer.testing import CliRunner
 
 import vecpoly
-import vecpoly.methods.plan as plan
 from tests.drawn_library import DRAFTED, drafted, drawn, ids
 from vecpoly import load, loads, solve
 from vecpoly.answer import YES_NO
@@ -26,7 +25,9 @@ from vecpoly.cli.errors import SUSPECT
 from vecpoly.designs.base import Design
 from vecpoly.drawing.sheets.titleblock import LABELS as STRIP
 from vecpoly.errors import DeadPointError, NotAskedError, VecpolyError
+from vecpoly.methods import answers
 from vecpoly.methods.answers import answer
+from vecpoly.methods.scaling import scaled
 from vecpoly.solution import Solution, fewer_digits
 from vecpoly.words import Lang
 
@@ -45,8 +46,8 @@ find: [v_C, a_C, omega_3, alpha_3]
 
 
 @pytest.fixture
-def spoilt(monkeypatch: pytest.MonkeyPatch) -> Callable[[Spoil], None]:
-    """Make a method read v_E of 3-9 otherwise, by every hand."""
+def spoilt(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[Spoil], None]]:
+    """Make a method read v_E of 3-9 otherwise, by every hand; sketches are forgotten, before and after."""
     honest = answer
 
     def spoil(by: Spoil) -> None:
@@ -58,9 +59,11 @@ def spoilt(monkeypatch: pytest.MonkeyPatch) -> Callable[[Spoil], None]:
             vector = by(reading.vector)
             return replace(reading, vector=vector, scalar=abs(vector)), scalars / reading.scalar * abs(vector)
 
-        monkeypatch.setattr(plan, "answer", read)
+        monkeypatch.setattr(answers, "answer", read)
 
-    return spoil
+    scaled.cache_clear()
+    yield spoil
+    scaled.cache_clear()
 
 
 @cache
