@@ -9,6 +9,7 @@ from typer.testing import CliRunner
 import vecpoly
 from tests.drawn_library import IDS, drawn, ids
 from tests.each import each
+from tests.laws import few
 from vecpoly.board.acts import Area, Measure
 from vecpoly.board.otherwise.amended import Amended
 from vecpoly.board.otherwise.slip import TOLD_OF, Mistake, Slip
@@ -92,7 +93,7 @@ def test_all_hands_at_once_make_each_its_own(name: str) -> None:
         assert {key: found[key][i] for key in alone} == pytest.approx(alone), slip
 
 
-@each(ids(mechanisms=False))
+@each(few(ids(mechanisms=False), 4))
 def test_every_device_is_drawn_by_all_who_mistake_a_formula_of_it(name: str) -> None:
     slips = tuple(one for one in slips_of(drawn(name).construction.acts) if one.mistake in TOLD_OF)
     found = by_hands(load(name), answer_key(load(name)), Amended(each=slips))

@@ -128,7 +128,7 @@ def test_the_accelerations_of_problem_16_lack_the_divisor_of_their_dyad() -> Non
             ("B_table_1A", "B-26.5", 24.0, 26.5),
             ("B_table_1B", "B-29.5", 29.5, 24.0),
         ],
-        2,
+        3,
     ),
 )
 def test_the_six_bar_tables_were_computed_with_two_crank_lengths(

@@ -30,7 +30,7 @@ def numbers(text: str, kind: str, lang: Lang) -> Iterator[tuple[str, int]]:
             yield match[2], n
 
 
-@pytest.mark.parametrize(("name", "lang"), few(REPORTS, 5))
+@pytest.mark.parametrize(("name", "lang"), few(REPORTS, 8))
 def test_every_table_and_figure_is_called_in_the_text_before_it(name: str, lang: Lang) -> None:
     solution = drafted(name)
     assert solution is not None

@@ -13,7 +13,7 @@ from ruamel.yaml import YAML
 from vecpoly.foundation.data import data_dir
 from vecpoly.solution import Solution
 
-from .equilibrium import in_equilibrium
+from .acting.laws import balanced_by_hand
 from .family import family
 
 Data = dict[str, Any]  # every scalar as its text
@@ -91,9 +91,9 @@ def different(rng: np.random.Generator, data: Data) -> Data:
 
 
 def right_forces(solution: Solution) -> str:
-    """Bodies in equilibrium, where forces were found."""
+    """Bodies in equilibrium, where forces were found, springs and loads by a law with them."""
     return (
-        in_equilibrium(solution)
+        balanced_by_hand(solution)
         if "forces" in solution.as_json() and getattr(solution.problem, "loads", None) is not None
         else ""
     )

@@ -122,7 +122,7 @@ def columns_of(name: str) -> list[str]:
 
 
 COURSES = few(("3-9", "4-3a"), 2)
-PAGES = [*((name, "solution") for name in few(IDS, 12)), *((name, "course") for name in COURSES)]
+PAGES = [*((name, "solution") for name in few(IDS, 24)), *((name, "course") for name in COURSES)]
 
 
 @pytest.mark.parametrize(("name", "style"), PAGES)

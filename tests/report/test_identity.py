@@ -77,7 +77,7 @@ def test_many_problems_are_told_by_the_first_and_the_last_and_a_long_name_is_cut
 
 
 def test_a_cover_bears_no_number_and_the_page_behind_it_is_the_second() -> None:
-    with pdfplumber.open(BytesIO(report("3-9", "en", "course"))) as document:
+    with pdfplumber.open(BytesIO(report("3-9", "zh", "course"))) as document:
         count = len(document.pages)
         last = [page.extract_text().splitlines()[-1] for page in document.pages[:2]]
     assert f"/ {count}" not in last[0] and f"2 / {count}" in last[1]

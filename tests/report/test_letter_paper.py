@@ -9,6 +9,7 @@ import pikepdf
 import pytest
 from typer.testing import CliRunner
 
+from tests.laws import few
 from vecpoly import load, loads, solve
 from vecpoly.cli import app
 from vecpoly.drawing.sheets.sheet import sheets
@@ -29,12 +30,12 @@ def sizes(pdf: bytes) -> set[tuple[float, float]]:
 
 @pytest.mark.parametrize("style", ["solution", "question"])
 def test_every_page_of_a_report_on_letter_paper_is_letter(style: str) -> None:
-    solutions = [solve(load(name).on("letter"), repeats=0) for name in NAMES]
+    solutions = [solve(load(name).on("letter"), repeats=0) for name in few(NAMES, 3)]
     assert sizes(report_bytes(solutions, style=style)) <= SIZES
 
 
 def test_a_course_report_is_printed_on_letter_paper_with_its_cover() -> None:
-    solution = solve(load("A-27").on("letter"), repeats=0)
+    solution = solve(load("3-1a").on("letter"), repeats=0)
     assert sizes(report_bytes([solution], style="course", lang="en")) <= SIZES
 
 

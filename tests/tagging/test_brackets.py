@@ -23,7 +23,7 @@ from vecpoly.words import Lang
 CLOSES = {"EMC": "BMC", "ET": "BT", "Q": "q"}
 META = Metadata(title="t", subject="t", keywords=(), lang="zh")
 LETTERED = "3-4b"  # the image of the triangle BDC
-NAMES = tuple(dict.fromkeys((LETTERED, *few(IDS, 24))))
+NAMES = tuple(dict.fromkeys((LETTERED, *few(IDS, 48))))
 
 
 def streams(data: bytes) -> Iterator[Any]:
