@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from itertools import groupby
+from math import isfinite
 
 import pytest
 
 from tests.drawn_library import DRAFTED, drafted
 from tests.each import each
 from vecpoly.algebra.formula import plain
-from vecpoly.printed.digits import COARSE, coarse, on_paper, rounded
+from vecpoly.algebra.rounding import read_back
+from vecpoly.printed.digits import COARSE, coarse, drawn_number, on_paper, rounded
 from vecpoly.printed.units import printed_unit
 from vecpoly.problem.load import load
 from vecpoly.report.answers.box import answer_box
@@ -114,6 +116,30 @@ def test_no_answer_is_rounded_by_more_than_a_quarter_of_what_its_reading_leaves_
         assert abs(abs(number(line.result)) - abs(drawn)) <= max(5.1e-4 * abs(drawn), 0.25 * open_), line.result
 
 
+@each(DRAFTED)
+def test_the_last_digit_of_an_answer_is_worth_what_was_read_and_zeros_are_kept(name: str) -> None:
+    solution = drafted(name)
+    for answer in solution.answers.values() if solution is not None else ():
+        deg = answer.reading.unit == "deg"
+        if answer.is_place or answer.computed or answer.undefined or answer.reading.unit == YES_NO or deg:
+            continue
+        told, error = drawn_number(answer), printed_unit(answer.reading.unit)[0] * answer.expected_error
+        size, half = read_back(told)
+        if answer.reading.mm is None and size and isfinite(error) and abs(size) < 1e3:
+            assert 2 * half >= 0.03 * error, f"{answer.key}: {told} has digits that nothing was read to: ±{error:.2g}"
+            assert half <= error or "." not in told or "×" in told or len(told) > 4, (
+                f"{answer.key}: {told} ±{error:.2g}"
+            )
+
+
+def test_a_line_goes_on_with_the_numbers_that_are_printed_before_it() -> None:
+    steps = solve(load("3-5")).construction.steps
+    lines = [plain(line).replace("\u2009", " ") for step in steps for line in step.formulas]
+    assert "a^n_FE = ω_4^2 l_EF = 1.127^2 × 0.6 = 0.762 m/s^2" in lines
+    assert "e^′n^′_4 = (a^n_FE)/(μ_a) = (0.762)/(0.06) = 12.7 mm" in lines
+    assert any(line.endswith(" = 5.30 rad/s^2") for line in lines), "a zero that was read is told"
+
+
 def test_a_vector_is_told_with_scale_length_number_unit_and_direction() -> None:
     solution = solve(load("3-9"))
     assert line_of(solution, "v_E") == "v_E = μ_v·28.8 mm = 0.1728 m/s（∠−47.7°）"
@@ -133,8 +159,8 @@ def test_a_vector_along_an_axis_is_told_with_an_arrow() -> None:
 
 def test_a_length_ends_with_millimetres_as_in_the_table() -> None:
     solution = solve(load("5-3"))
-    assert line_of(solution, "h") == "h = μ_l′·2.4 mm = 1.92 mm"
-    assert rows_of(solution, "zh")["$h$"][:5] == ("$h$", "mm", "2.4（过短）", "$μ_l′$", "1.92")
+    assert line_of(solution, "h") == "h = μ_l′·2.4 mm = 1.9 mm"
+    assert rows_of(solution, "zh")["$h$"][:5] == ("$h$", "mm", "2.4（过短）", "$μ_l′$", "1.9")
 
 
 def test_a_coarse_reading_is_told_to_be_so_and_no_other() -> None:

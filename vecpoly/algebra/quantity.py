@@ -56,11 +56,13 @@ class Algebra:
 
 @dataclass(frozen=True, slots=True)
 class Quantity(Algebra):
-    """A named value, leaf of an expression: its symbol `node`, `value` in SI (`deg`: degrees), `unit` as printed."""
+    """A named value, leaf of an expression: its symbol `node`, `value` in SI (`deg`: degrees), `unit` as printed;
+    told: its number with the digits with which it is printed elsewhere."""
 
     node: Node
     value: Reals
     unit: str
+    told: str = ""
 
     def symbol(self) -> Node:
         """The leaf's symbol."""
@@ -70,7 +72,8 @@ class Quantity(Algebra):
         """The leaf's number; a scale or a negative number would stand in brackets."""
         value = float(nominal(self.value))
         whole = isinstance(self.node, Over) and value and not value % 1  # a length on paper, read to a tenth
-        text = number(value, self.figures(digits)) + (".0" if whole else "°" if self.unit == "deg" else "")
+        text = self.told or number(value, self.figures(digits)) + (".0" if whole else "")
+        text += "°" if self.unit == "deg" else ""
         return Txt(f"({text})" if value < 0 else text)
 
     def figures(self, digits: int) -> int:
