@@ -17,6 +17,7 @@ from vecpoly.printed.units import printed_unit
 from vecpoly.problem.load import load
 from vecpoly.report.answers.box import answer_box
 from vecpoly.report.answers.line import answer_line, result_of
+from vecpoly.report.answers.notes import remark_of
 from vecpoly.report.answers.order import solution_of
 from vecpoly.report.answers.tables import counted, readings_tables
 from vecpoly.report.flow.results.box import AnswerBox
@@ -224,6 +225,30 @@ def test_the_cells_of_a_box_begin_at_the_edges_of_two_or_three_columns_and_keep_
         wide = edges[1] - edges[0] if len(edges) > 1 else 170.0
         assert all(cell.width <= wide + 1e-6 for row in rows for _, cell, _ in row), name
         assert all(x == edge for row in rows for (x, _, _), edge in zip(row, edges, strict=False))
+
+
+@each(DRAFTED)
+def test_notes_stand_under_the_columns_each_once(name: str) -> None:
+    solution = drafted(name)
+    for lang in LANGS if solution is not None else ():
+        assert solution is not None
+        box = answer_box(solution, lang)
+        assert len(set(box.notes)) == len(box.notes)
+        for answer in solution.answers.values():
+            if (coarse(answer) or 0.0) >= COARSE or answer.short or answer.reading.remark is not None:
+                text = remark_of(answer, lang) or f"${answer.reading.symbol}$"
+                assert any(text.lower() in note.lower() for note in box.notes), answer.key
+        box.wrap(170.0 * MM, 1e4)
+        told = [row[0][2] for row in box._rows if row[0][2] is not box._named]
+        last = max(n for n, one in enumerate(told) if one.node is not None)
+        assert all(one.node is not None or one.after.startswith(("解 ", "Solution ")) for one in told[:last])
+        assert {one.after for one in told[last + 1 :]} == {*box.notes, *box.said}
+
+
+def test_as_many_rows_of_two_columns_are_more_even_than_of_three() -> None:
+    box = answer_box(solve(load("8-4")), "zh")
+    box.wrap(170.0 * MM, 1e4)
+    assert max(len(row) for row in box._rows) == 2
 
 
 @each(DRAFTED)
