@@ -11,10 +11,9 @@ from .units import printed_unit
 
 TENTH = 0.1  # mm: what a rule is read to
 _HALF = TENTH / 2
-SHARE = 0.3  # of the expected error: what is smaller says nothing
+SHARE, SHARE_OF_READ = 0.3, 0.1  # of the expected error: what is smaller says nothing; of a length that was read well
 MOST = 4  # significant digits of an answer; an exact value has one more
 LEAST = 1e-4  # smaller numbers are told by powers of ten
-_TWO = 2.0  # a step that begins with a one has one more digit
 _GRID = 1e-6  # of a tenth: a reading that lies on one
 _SAME = 1e-9  # share by which a number read to a tenth may differ from itself
 _FINEST = 2  # decimals of a place, at most
@@ -53,16 +52,17 @@ def decimals(answer: Answer) -> int | None:
     What was worked out has the zeros that its expected error leaves it; an angle has the tenth of the protractor.
     """
     factor = printed_unit(answer.reading.unit)[0]
-    read, known = factor * _read_to(answer), factor * _known_to(answer)
-    if answer.reading.unit == YES_NO or not max(read, known) or not isfinite(answer.drawn):
+    read, error = factor * _read_to(answer), factor * _error(answer)
+    well = answer.reading.mm is not None and coarse(answer) is None
+    step = max(read, error * (SHARE_OF_READ if well else SHARE))
+    if answer.reading.unit == YES_NO or not step or not isfinite(answer.drawn):
         return None
-    places, drawn = _places(max(read, known)), factor * answer.drawn
+    places, drawn = _places(step), factor * answer.drawn
     if answer.reading.mm is None:
-        least = 1 if answer.reading.unit == "deg" else _places(known / SHARE)
+        least = 1 if answer.reading.unit == "deg" else _places(error)
         finest = max(places, least)
         return next((n for n in range(0 if answer.computed else least, finest) if _is_on(drawn, n)), finest)
-    finer = known < read < _TWO * 10**-places and not _is_on(drawn, places)  # 37.1 mm at 1.5 to 1 are 55.65 mm
-    return places + finer
+    return places
 
 
 def _places(step: float) -> int:
@@ -82,10 +82,8 @@ def _read_to(answer: Answer) -> float:
     return TENTH * abs(answer.drawn) / mm
 
 
-def _known_to(answer: Answer) -> float:
-    if answer.computed or not isfinite(answer.expected_error):
-        return 0.0
-    return SHARE * answer.expected_error
+def _error(answer: Answer) -> float:
+    return answer.expected_error if not answer.computed and isfinite(answer.expected_error) else 0.0
 
 
 def on_paper(answer: Answer) -> str:
