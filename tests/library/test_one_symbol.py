@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tests.drawn_library import IDS, drawn
 from tests.each import each
-from tests.library.test_printed_sums import sums
+from tests.pocket import sums
 from vecpoly.algebra.formula import plain
 from vecpoly.algebra.rounding import read_back
 

@@ -28,13 +28,13 @@ def worked(result: Node, expr: Expr, unit: str, shown: str = "") -> Row:
     return Row((result, Txt(" = "), expr.symbol(), Txt(" = "), keyed_in(expr, shown), end), expr)
 
 
-def told_again(line: Row, end: Txt, shown: str, told: Callable[[Quantity], Quantity]) -> Row:
-    """The line with another end, of which `shown` is the number; told: a quantity as it is printed elsewhere.
+def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], str]) -> Row:
+    """The line with another end, of which `shown` is the number; told: how a symbol's value is printed elsewhere.
 
     Its numbers are those with which a reader gets this end: as they are told elsewhere, or with guard figures.
     """
     own = cast("Expr", line.worked)
-    other = _each(own, told)
+    other = _each(own, lambda one: replace(one, told=told(one.node, float(nominal(one.value))) or one.told))
     expr = other if _reproduces(other, figures_for(other, shown), shown) else own
     return Row((*line.items[:_NUMBERS], keyed_in(expr, shown), end))
 

@@ -8,12 +8,10 @@ from functools import cache
 from math import isclose, isfinite, log10
 
 from ..algebra.formula import Node, Row, Txt, named
-from ..algebra.quantity import Quantity
 from ..algebra.worked import told_again
 from ..answer import YES_NO, Answer
 from ..board.construction import Construction, Step
 from ..foundation.slotted import replace
-from ..plane import nominal
 from .digits import MOST, coordinates, decimals, rounded
 from .places import place_parts
 from .units import printed_unit
@@ -66,12 +64,11 @@ class Told:
         number = _NUMBER.match(last.text.split(_EQUALS)[1])
         return Row((*line.items[:-1], last)) if number is None else told_again(line, last, number[0], self._told)
 
-    def _told(self, quantity: Quantity) -> Quantity:
-        """The quantity as its answer is printed; another, or one that is gone on with otherwise, as it is."""
-        answer, value = self._by_symbol.get(quantity.node), float(nominal(quantity.value))
-        if answer is None or not isclose(abs(value), abs(answer.drawn), rel_tol=1e-9):
-            return quantity
-        return replace(quantity, told=_digits(answer, value, 1.0))
+    def _told(self, symbol: Node, value: float) -> str:
+        """The number as its answer is printed; nothing of another, or of one that is gone on with otherwise."""
+        answer = self._by_symbol.get(symbol)
+        same = answer is not None and isclose(abs(value), abs(answer.drawn), rel_tol=1e-9)
+        return _digits(answer, value, 1.0) if answer is not None and same else ""
 
 
 def _with_lines(step: Step, lines: tuple[Node, ...]) -> Step:
