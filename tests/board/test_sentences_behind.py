@@ -22,6 +22,7 @@ GLUED = re.compile(r"[.;:][A-Z][a-z]|  |: \([A-Z]|: (?:The|It|Candidate) ")
         ("Measure the arm:", " (Too short.)", "Measure the arm. (Too short.)"),
         ("They meet", "; so does $b$.", "They meet; so does $b$."),
         ("Draw it.", "", "Draw it."),
+        ("Meet. (At only 12°.)", " (At only 12°.)", "Meet. (At only 12°.)"),
     ],
 )
 def test_a_colon_before_another_sentence_is_a_full_stop_and_one_blank_parts_the_two(
