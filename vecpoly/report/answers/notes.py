@@ -56,7 +56,7 @@ def _hardly(answers: Sequence[Answer], lang: Lang) -> Iterator[str]:
     lost = [f"${one.reading.symbol}$" for one in answers if is_hopeless(one)]
     instead = f"（{INSTEAD.zh}）" if lang == "zh" else f" ({INSTEAD.en})"
     heads = (
-        f"{Words('图上', 'on paper ').of(lang)}{TOO_SHORT.of(lang)}",
+        Words(f"图上{TOO_SHORT.zh}", f"{TOO_SHORT.en} on paper").of(lang),
         COARSE.of(lang),
         UNREADABLE.of(lang) + instead,
     )
