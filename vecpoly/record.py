@@ -167,7 +167,9 @@ def _plain(thing: Any) -> Any:
                 "set": sorted(thing.model_fields_set),
                 "items": {key: _plain(value) for key, value in thing},
             }
-    return {"is": _name(thing)} | {one.name: _plain(getattr(thing, one.name)) for one in fields(thing)}
+    told = {"is": _name(thing)}
+    kept = (one.name for one in fields(thing) if one.metadata.get("kept", True))
+    return told | {name: _plain(getattr(thing, name)) for name in kept}
 
 
 def _thing(data: Any) -> Any:

@@ -22,6 +22,7 @@ from vecpoly.findings.study.study import Study, study
 from vecpoly.problem.load import load
 from vecpoly.report.answers.tables import readings_tables
 from vecpoly.report.content import Objects
+from vecpoly.report.course.analysis import stated
 from vecpoly.report.course.checks import book, comparison
 from vecpoly.report.course.checks.influences import CHANGE, influences, lost_range, targets
 from vecpoly.report.course.checks.tolerances import judged, largest, section
@@ -244,3 +245,12 @@ def test_a_rate_that_vanishes_has_no_sense_and_no_deviation_in_per_cent() -> Non
     (table,) = readings_tables(replace(it, answers=answers), "en")
     assert table.header[-1] == "Expected error /(rad/s^2)" and "Deviation /%" not in table.header
     assert not any("cw" in cell for cell in table.rows[0]) and table.rows[0][-2] == "0"
+
+
+@pytest.mark.parametrize("name", ["A-27", "3-5"])
+def test_the_conclusion_tells_what_was_drawn_with_the_digits_of_the_table(name: str) -> None:
+    it = studied(name)
+    (said,) = stated.stated(it)
+    rows = {re.sub("[{}]", "", row[0]): row for table in readings_tables(it.given, "en") for row in table.rows}
+    found = re.findall(r"(\$[vaωα][^$]*\$)[^=;$]* = −?([\d.]+)/", re.sub("[{}]", "", said.en))
+    assert found and all(drawn in rows[symbol] for symbol, drawn in found), found

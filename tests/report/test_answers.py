@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import re
 from itertools import groupby
+from math import isfinite
 
 import pytest
 
 from tests.drawn_library import DRAFTED, drafted
 from tests.each import each
 from vecpoly.algebra.formula import plain
-from vecpoly.printed.digits import COARSE, coarse, on_paper, rounded
+from vecpoly.algebra.rounding import read_back
+from vecpoly.printed.digits import COARSE, coarse, decimals, drawn_number, on_paper, rounded
 from vecpoly.printed.units import printed_unit
 from vecpoly.problem.load import load
 from vecpoly.report.answers.box import answer_box
 from vecpoly.report.answers.line import answer_line, result_of
+from vecpoly.report.answers.notes import remark_of
 from vecpoly.report.answers.order import solution_of
 from vecpoly.report.answers.tables import counted, readings_tables
 from vecpoly.report.flow.results.box import AnswerBox
@@ -114,6 +117,42 @@ def test_no_answer_is_rounded_by_more_than_a_quarter_of_what_its_reading_leaves_
         assert abs(abs(number(line.result)) - abs(drawn)) <= max(5.1e-4 * abs(drawn), 0.25 * open_), line.result
 
 
+@each(DRAFTED)
+def test_the_last_digit_of_an_answer_is_worth_what_was_read_and_zeros_are_kept(name: str) -> None:
+    solution = drafted(name)
+    for answer in solution.answers.values() if solution is not None else ():
+        deg = answer.reading.unit == "deg"
+        if answer.is_place or answer.computed or answer.undefined or answer.reading.unit == YES_NO or deg:
+            continue
+        told, error = drawn_number(answer), printed_unit(answer.reading.unit)[0] * answer.expected_error
+        size, half = read_back(told)
+        if answer.reading.mm is None and size and isfinite(error) and abs(size) < 1e3:
+            assert 2 * half >= 0.03 * error, f"{answer.key}: {told} has digits that nothing was read to: ±{error:.2g}"
+            assert half <= error or "." not in told or "×" in told or len(told) > 4, (
+                f"{answer.key}: {told} ±{error:.2g}"
+            )
+
+
+@each(DRAFTED)
+def test_what_was_read_to_one_scale_has_one_count_of_decimals(name: str) -> None:
+    solution = drafted(name)
+    found = dict[tuple[str, str], set[int | None]]()
+    for answer in solution.answers.values() if solution is not None else ():
+        reading, mm = answer.reading, answer.reading.mm
+        tenth = abs(0.1 * answer.drawn / mm) if mm else 0.0
+        if not answer.is_place and coarse(answer) is None and 0.1 * answer.expected_error <= tenth:
+            found.setdefault((reading.unit, f"{tenth:.4g}"), set()).add(decimals(answer))
+    assert all(len(places) == 1 for places in found.values()), found
+
+
+def test_a_line_goes_on_with_the_numbers_that_are_printed_before_it() -> None:
+    steps = solve(load("3-5")).construction.steps
+    lines = [plain(line).replace("\u2009", " ") for step in steps for line in step.formulas]
+    assert "a^n_FE = ω_4^2 l_EF = 1.127^2 × 0.6 = 0.762 m/s^2" in lines
+    assert "e^′n^′_4 = (a^n_FE)/(μ_a) = (0.762)/(0.06) = 12.7 mm" in lines
+    assert any(line.endswith(" = 5.30 rad/s^2") for line in lines), "a zero that was read is told"
+
+
 def test_a_vector_is_told_with_scale_length_number_unit_and_direction() -> None:
     solution = solve(load("3-9"))
     assert line_of(solution, "v_E") == "v_E = μ_v·28.8 mm = 0.1728 m/s（∠−47.7°）"
@@ -133,8 +172,8 @@ def test_a_vector_along_an_axis_is_told_with_an_arrow() -> None:
 
 def test_a_length_ends_with_millimetres_as_in_the_table() -> None:
     solution = solve(load("5-3"))
-    assert line_of(solution, "h") == "h = μ_l′·2.4 mm = 1.92 mm"
-    assert rows_of(solution, "zh")["$h$"][:5] == ("$h$", "mm", "2.4（过短）", "$μ_l′$", "1.92")
+    assert line_of(solution, "h") == "h = μ_l′·2.4 mm = 1.9 mm"
+    assert rows_of(solution, "zh")["$h$"][:5] == ("$h$", "mm", "2.4（过短）", "$μ_l′$", "1.9")
 
 
 def test_a_coarse_reading_is_told_to_be_so_and_no_other() -> None:
@@ -198,6 +237,30 @@ def test_the_cells_of_a_box_begin_at_the_edges_of_two_or_three_columns_and_keep_
         wide = edges[1] - edges[0] if len(edges) > 1 else 170.0
         assert all(cell.width <= wide + 1e-6 for row in rows for _, cell, _ in row), name
         assert all(x == edge for row in rows for (x, _, _), edge in zip(row, edges, strict=False))
+
+
+@each(DRAFTED)
+def test_notes_stand_under_the_columns_each_once(name: str) -> None:
+    solution = drafted(name)
+    for lang in LANGS if solution is not None else ():
+        assert solution is not None
+        box = answer_box(solution, lang)
+        assert len(set(box.notes)) == len(box.notes)
+        for answer in solution.answers.values():
+            if (coarse(answer) or 0.0) >= COARSE or answer.short or answer.reading.remark is not None:
+                text = remark_of(answer, lang) or f"${answer.reading.symbol}$"
+                assert any(text.lower() in note.lower() for note in box.notes), answer.key
+        box.wrap(170.0 * MM, 1e4)
+        told = [row[0][2] for row in box._rows if row[0][2] is not box._named]
+        last = max(n for n, one in enumerate(told) if one.node is not None)
+        assert all(one.node is not None or one.after.startswith(("解 ", "Solution ")) for one in told[:last])
+        assert {one.after for one in told[last + 1 :]} == {*box.notes, *box.said}
+
+
+def test_as_many_rows_of_two_columns_are_more_even_than_of_three() -> None:
+    box = answer_box(solve(load("8-4")), "zh")
+    box.wrap(170.0 * MM, 1e4)
+    assert max(len(row) for row in box._rows) == 2
 
 
 @each(DRAFTED)

@@ -9,8 +9,10 @@ from vecpoly.algebra.formula import Txt
 from vecpoly.report.flow.blocks import SMALLEST, Divider, Drawing, Heading, Plate, SheetPage
 from vecpoly.report.flow.doc import Metadata, ReportDoc
 from vecpoly.report.flow.formula import Formula
+from vecpoly.report.flow.paging.tight import settled
 from vecpoly.report.flow.para import Para, numbered
 from vecpoly.report.flow.table import DataTable
+from vecpoly.tagging.tag import Role, Tag
 
 META = Metadata(title="t", lang="en")
 
@@ -83,6 +85,29 @@ def step(formulas: int) -> list[Para | Formula]:
 def test_no_formula_is_parted_from_its_sentence_where_the_step_leaves_no_hole(count: int) -> None:
     doc = laid_out(*lines(count), *step(3), *lines(5))
     assert not isinstance(doc.heads.get(2), Formula)
+
+
+@pytest.mark.parametrize("count", range(21, 36))
+def test_a_step_goes_to_the_next_page_as_a_whole_rather_than_be_parted_though_it_leaves_a_third(count: int) -> None:
+    doc = laid_out(*lines(count), *step(14), *lines(5))
+    assert not isinstance(doc.heads.get(2), Formula) and not doc.parted
+
+
+@pytest.mark.parametrize("count", range(21, 36))
+def test_a_step_keeps_the_table_that_fits_on_its_page(count: int) -> None:
+    sentence, table = numbered("1.", "A sentence.", "en"), DataTable(["a", "b"], [["1", "2"]] * 12, lang="en")
+    sentence.keepWithNext = 1
+    table.put_within(Tag(Role.BODY))
+    doc = laid_out(*lines(count), sentence, table, *lines(5))
+    assert not isinstance(doc.heads.get(2), DataTable)
+
+
+def test_a_text_is_set_more_tightly_where_that_brings_a_step_back_that_left_a_gap() -> None:
+    story = [*lines(28), *step(14), *lines(52)]
+    plain = laid_out(*story)
+    assert plain.gaps == 1 and isinstance(plain.heads[2], Para)
+    mended = laid_out(*settled(story, META))
+    assert not mended.gaps and not mended.parted
 
 
 def test_a_long_step_is_parted_behind_a_formula_where_it_would_leave_a_hole() -> None:

@@ -9,9 +9,11 @@ from pypdf import PdfReader
 from reportlab.platypus.flowables import PageBreak
 
 import vecpoly
+from tests.drawn_library import drawn
 from vecpoly.report.document import report_bytes
 from vecpoly.report.flow.blocks import Callout, Drawing
 from vecpoly.report.flow.doc import Metadata, ReportDoc
+from vecpoly.report.flow.equation import EquationFlow
 from vecpoly.report.flow.paging.tight import DEGREES, saved, tightened
 from vecpoly.report.flow.table import DataTable
 from vecpoly.words import Lang
@@ -77,3 +79,10 @@ def test_a_table_that_was_put_off_to_the_next_page_is_set_again() -> None:
     boxes = [*story(most - 2), table, *story(2)]
     for _ in range(2):
         assert len(PdfReader(BytesIO(saved(boxes, META))).pages) in (1, 2)
+
+
+def test_the_rows_of_an_equation_keep_clear_of_the_line_below_however_tightly_they_are_set() -> None:
+    table = next(step.equation for step in drawn("3-5").construction.steps if step.equation is not None)
+    block = EquationFlow(table, "en")
+    block.tighten(DEGREES[-1])
+    assert block.spaceBefore < 3.0 and block.spaceAfter > 5.0

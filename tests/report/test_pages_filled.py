@@ -44,7 +44,7 @@ def sparse(doc: ReportDoc) -> list[int]:
 def test_only_the_last_page_of_a_report_may_be_mostly_white(name: str) -> None:
     lang: Lang = "zh" if name in SHORT or len(name) % 2 else "en"
     doc = laid_out([drawn(name).solution], lang)
-    assert not sparse(doc) and not doc.widows
+    assert not sparse(doc) and not doc.widows and not doc.parted
 
 
 def test_a_problem_begins_on_the_page_on_which_another_ends_early() -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from dataclasses import field
 
 from ..foundation.slotted import dataclass
 
@@ -30,9 +31,13 @@ class Txt:
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """Nodes side by side."""
+    """Nodes side by side; worked: the expression whose numbers a line shows, for as long as their digits are open."""
 
     items: tuple[Node, ...]
+    worked: object = field(default=None, compare=False, repr=False, metadata={"kept": False})
+
+    def __getstate__(self) -> list[object]:
+        return [self.items, None]
 
 
 @dataclass(frozen=True, slots=True)

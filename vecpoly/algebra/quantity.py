@@ -56,21 +56,21 @@ class Algebra:
 
 @dataclass(frozen=True, slots=True)
 class Quantity(Algebra):
-    """A named value, leaf of an expression: its symbol `node`, `value` in SI (`deg`: degrees), `unit` as printed."""
+    """A leaf: its symbol `node`, `value` in SI (`deg`: degrees), `unit` as printed, its number if it is `told`."""
 
     node: Node
     value: Reals
     unit: str
+    told: str = ""
 
     def symbol(self) -> Node:
-        """The leaf's symbol."""
         return self.node
 
     def numbers(self, digits: int = FIGURES) -> Node:
         """The leaf's number; a scale or a negative number would stand in brackets."""
         value = float(nominal(self.value))
-        whole = isinstance(self.node, Over) and value and not value % 1  # a length on paper, read to a tenth
-        text = number(value, self.figures(digits)) + (".0" if whole else "°" if self.unit == "deg" else "")
+        whole = bool(isinstance(self.node, Over) and value and not value % 1)  # a length on paper, read to a tenth
+        text = (self.told or number(value, self.figures(digits)) + ".0" * whole) + "°" * (self.unit == "deg")
         return Txt(f"({text})" if value < 0 else text)
 
     def figures(self, digits: int) -> int:
@@ -78,7 +78,7 @@ class Quantity(Algebra):
         return max(digits, _OF_PI) if plain(self.node) == "π" else digits
 
     def squared(self) -> Powered:
-        """This quantity to the power of two."""
+        """To the power of two."""
         return Powered(self, 2)
 
     def cubed(self) -> Powered:

@@ -6,14 +6,17 @@ result: 1063.6 × 0.076 = 80.83, for 1064 × 0.076 is 80.86.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from math import isfinite, nan
+from typing import cast
 
 from ..foundation.slotted import replace
 from ..plane import nominal
 from .formula import Node, Row, Txt
 from .quantity import FIGURES, Expr, Of, Powered, Product, Quantity, Quotient, Rooted, Sum, Times, number
 from .rounding import TIES, WHOLE, as_printed, guarded, half_unit, read_back, to_figures
+
+_NUMBERS = 4  # parts of a line before its numbers: symbol = formula =
 
 
 def worked(result: Node, expr: Expr, unit: str, shown: str = "") -> Row:
@@ -22,7 +25,18 @@ def worked(result: Node, expr: Expr, unit: str, shown: str = "") -> Row:
     end = Txt(f" = {_with_unit(shown or number(value), unit)}")
     if isinstance(expr, Quantity):
         return Row((result, end))
-    return Row((result, Txt(" = "), expr.symbol(), Txt(" = "), keyed_in(expr, shown), end))
+    return Row((result, Txt(" = "), expr.symbol(), Txt(" = "), keyed_in(expr, shown), end), expr)
+
+
+def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], str]) -> Row:
+    """The line with another end, of which `shown` is the number; told: how a symbol's value is printed elsewhere.
+
+    Its numbers are those with which a reader gets this end: as they are told elsewhere, or with guard figures.
+    """
+    own = cast("Expr", line.worked)
+    other = _each(own, lambda one: replace(one, told=told(one.node, float(nominal(one.value))) or one.told))
+    expr = other if _reproduces(other, figures_for(other, shown), shown) else own
+    return Row((*line.items[:_NUMBERS], keyed_in(expr, shown), end))
 
 
 def stated(quantity: Quantity) -> Row:
@@ -41,12 +55,18 @@ def figures_for(expr: Expr, shown: str = "", least: int = FIGURES) -> int:
     if not isfinite(value):
         return least
     told = (read_back(shown),) if shown else tuple(_results(value))
+    return guarded(least, lambda digits: _gives(expr, digits, told))
 
-    def holds(digits: int) -> bool:
-        reckoned = _reckoned(expr, digits)
-        return all(abs(reckoned - result) <= half * TIES for result, half in told)
 
-    return guarded(least, holds)
+def _reproduces(expr: Expr, digits: int, shown: str) -> bool:
+    """Whether who keys in its numbers with so many figures gets this result."""
+    return _gives(expr, digits, (read_back(shown),))
+
+
+def _gives(expr: Expr, digits: int, told: Iterable[tuple[float, float]]) -> bool:
+    """Whether they give every one of these results, each to half a unit of its last place."""
+    reckoned = _reckoned(expr, digits)
+    return all(abs(reckoned - result) <= half * TIES for result, half in told)
 
 
 def _results(value: float) -> Iterator[tuple[float, float]]:
@@ -69,33 +89,36 @@ def spot_in_mm(at: complex) -> str:
 def _reckoned(expr: Expr, digits: int) -> float:
     """What a calculator shows for the expression with its numbers printed to so many figures; NaN: an error."""
     try:
-        return float(nominal(_printed(expr, digits).value))
+        return float(nominal(_each(expr, lambda one: _rounded(one, digits)).value))
     except ZeroDivisionError:  # two printed numbers may be one, where those that are printed differ
         return nan
 
 
-def _printed(expr: Expr, digits: int) -> Expr:
-    """The expression of the numbers as they are printed."""
+def _each(expr: Expr, made: Callable[[Quantity], Quantity]) -> Expr:
+    """The expression of what is made of each of its quantities."""
     match expr:
         case Quantity():
-            return _rounded(expr, digits)
+            return made(expr)
         case Product(factors):
-            return Product(tuple(_printed(factor, digits) for factor in factors))
+            return Product(tuple(_each(factor, made) for factor in factors))
         case Quotient(num, den):
-            return Quotient(_printed(num, digits), _printed(den, digits))
+            return Quotient(_each(num, made), _each(den, made))
         case Sum(terms, signs):
-            return Sum(tuple(_printed(term, digits) for term in terms), signs)
+            return Sum(tuple(_each(term, made) for term in terms), signs)
         case Powered(base, exponent):
-            return Powered(_rounded(base, digits), exponent)
+            return Powered(made(base), exponent)
         case Times(factor, body):
-            return Times(factor, _printed(body, digits))
+            return Times(factor, _each(body, made))
         case Of(name, angle):
-            return Of(name, _printed(angle, digits))
+            return Of(name, _each(angle, made))
         case Rooted(body):
-            return Rooted(_printed(body, digits))
+            return Rooted(_each(body, made))
 
 
 def _rounded(quantity: Quantity, digits: int) -> Quantity:
+    """As it is printed to so many figures."""
+    if quantity.told:
+        return replace(quantity, value=read_back(quantity.told)[0])
     return replace(quantity, value=as_printed(float(nominal(quantity.value)), quantity.figures(digits)))
 
 

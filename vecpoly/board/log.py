@@ -25,6 +25,7 @@ from .paper.ink import ends_of, leaves_ink, marks_of
 from .paper.marks import Mark
 from .paper.symbols import Symbol
 from .place import Pane, Place, View, view_of, views
+from .said.behind import behind
 from .said.short import Short, remarked, too_short
 
 Found = TypeVar("Found", Points, Reals)
@@ -58,12 +59,9 @@ class Log:
         self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=words, view=view))
 
     def remark(self, words: Words) -> None:
-        """Add a sentence to the step; one in brackets ends a sentence that would lead to the formulas by a colon."""
+        """Add a sentence to the step."""
         last = self.steps[-1]
-        said, more = last.words, words
-        zh = said.zh[:-1] + "。" if said.zh.endswith("：") and more.zh.startswith("（") else said.zh
-        en = said.en[:-1] + "." if said.en.endswith(":") and more.en.lstrip().startswith("(") else said.en
-        self.steps[-1] = replace(last, words=Words(zh, en) + more)
+        self.steps[-1] = replace(last, words=behind(last.words, words))
 
     def weigh(self, letters: str, mm: float, place: Place | None) -> None:
         """Remember a length that is read though it is too short; one that no rule shows is none."""

@@ -142,12 +142,20 @@ def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
         mm=float(nominal(on_paper.value)),
         line=line,
         scale=scale.symbol,
-        formula=worked(symbol, board.mu(view) * on_paper, rel.kind.unit)
+        formula=worked(_as_drawn(desk, rel), board.mu(view) * on_paper, rel.kind.unit)
         if known is None
         else stated(replace(known, node=symbol)),
         remark=_vanishing(desk, rel, exact_zero),
     )
     return reading, size
+
+
+def _as_drawn(desk: Desk, rel: Rel) -> Node:
+    """The symbol; where the equation has the point under the number of a link, that too: v_D = v_D4."""
+    drawn = f"{rel.kind.stem}_{{{desk.show(desk.canonical(rel.to))}}}"
+    if rel.ref is not None or rel.kind not in (Kind.V, Kind.A) or drawn == rel.symbol:
+        return sym(rel.symbol)
+    return Row((sym(rel.symbol), Txt(" = "), sym(drawn)))
 
 
 def _vanishing(desk: Desk, rel: Rel, zero: bool) -> Words | None:

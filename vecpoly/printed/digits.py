@@ -10,10 +10,10 @@ from ..answer import YES_NO, Answer
 from .units import printed_unit
 
 TENTH = 0.1  # mm: what a rule is read to
-SHARE, SHARE_OF_COARSE = 0.1, 0.25  # of the expected error: what is smaller says nothing
+_HALF = TENTH / 2
+SHARE, SHARE_OF_READ = 0.3, 0.1  # of the expected error: what is smaller says nothing; of a length that was read well
 MOST = 4  # significant digits of an answer; an exact value has one more
 LEAST = 1e-4  # smaller numbers are told by powers of ten
-_TWO = 2.0  # a step that begins with a one has one more digit
 _GRID = 1e-6  # of a tenth: a reading that lies on one
 _SAME = 1e-9  # share by which a number read to a tenth may differ from itself
 _FINEST = 2  # decimals of a place, at most
@@ -49,18 +49,25 @@ def rounded(value: float, places: int | None, most: int) -> str:
 def decimals(answer: Answer) -> int | None:
     """So many that the last one is worth what was read; None of what is computed or counted.
 
-    What was worked out has no zeros to which nothing was read; an angle has the tenth of the protractor.
+    What was worked out has the zeros that its expected error leaves it; an angle has the tenth of the protractor.
     """
-    step = printed_unit(answer.reading.unit)[0] * max(_read_to(answer), _known_to(answer))
+    factor = printed_unit(answer.reading.unit)[0]
+    read, error = factor * _read_to(answer), factor * _error(answer)
+    well = answer.reading.mm is not None and coarse(answer) is None
+    step = max(read, error * (SHARE_OF_READ if well else SHARE))
     if answer.reading.unit == YES_NO or not step or not isfinite(answer.drawn):
         return None
-    places = max(0, -floor(log10(step) + 1e-9))
-    drawn = printed_unit(answer.reading.unit)[0] * answer.drawn
+    places, drawn = _places(step), factor * answer.drawn
     if answer.reading.mm is None:
-        least = min(1, places) if answer.reading.unit == "deg" and not answer.computed else 0
-        return next((n for n in range(least, places) if _is_on(drawn, n)), places)
-    finer = step < _TWO * 10**-places and not _is_on(drawn, places)  # 37.1 mm at 1.5 to 1 are 55.65 mm
-    return places + finer
+        least = 1 if answer.reading.unit == "deg" else _places(error)
+        finest = max(places, least)
+        return next((n for n in range(0 if answer.computed else least, finest) if _is_on(drawn, n)), finest)
+    return places
+
+
+def _places(step: float) -> int:
+    """The decimals with which a number is told to such a step."""
+    return max(0, -floor(log10(step) + 1e-9)) if step else 0
 
 
 def _is_on(value: float, places: int) -> bool:
@@ -68,17 +75,15 @@ def _is_on(value: float, places: int) -> bool:
 
 
 def _read_to(answer: Answer) -> float:
-    """What a tenth of a millimetre is worth; nothing where the hand reads finer."""
+    """What a tenth of a millimetre is worth, of half the sum of two lengths too; nothing where the hand reads finer."""
     mm = answer.reading.mm
-    if not mm or not isfinite(mm) or not isfinite(answer.drawn) or abs(mm / TENTH - round(mm / TENTH)) > 1e-6:
+    if not mm or not isfinite(mm) or not isfinite(answer.drawn) or abs(mm / _HALF - round(mm / _HALF)) > 1e-6:
         return 0.0
     return TENTH * abs(answer.drawn) / mm
 
 
-def _known_to(answer: Answer) -> float:
-    if answer.computed or not isfinite(answer.expected_error):
-        return 0.0
-    return (SHARE if coarse(answer) is None else SHARE_OF_COARSE) * answer.expected_error
+def _error(answer: Answer) -> float:
+    return answer.expected_error if not answer.computed and isfinite(answer.expected_error) else 0.0
 
 
 def on_paper(answer: Answer) -> str:

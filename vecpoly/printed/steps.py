@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from math import isfinite, log10
+from collections.abc import Iterable, Mapping
+from functools import cache
+from math import isclose, isfinite, log10
 
-from ..algebra.formula import Node, Row, Txt
+from ..algebra.formula import Node, Row, Txt, named
+from ..algebra.worked import told_again
 from ..answer import YES_NO, Answer
 from ..board.construction import Construction, Step
 from ..foundation.slotted import replace
@@ -19,34 +21,62 @@ _EQUALS = " = "
 
 
 def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tuple[Construction, dict[str, Answer]]:
-    """The construction and the answers, every line of an asked quantity ending as that is printed."""
-    told, ends, again = dict(answers), dict[Node, Row](), dict[tuple[Node, Node], Txt]()
-    for key, answer in answers.items():
+    """The construction and the answers: every line of an asked quantity ends as that is printed, and every line goes on
+    with asked quantities as they are printed, as far as its result allows."""
+    ends, again = dict[Node, Txt](), dict[tuple[Node, Node], Txt]()
+    for answer in answers.values():
         line = answer.reading.formula
-        if not isinstance(line, Row) or (end := printed_end(line, answer)) is None:
-            continue
-        ends[line] = _ended(line, end)
-        again[line.items[0], line.items[-1]] = end
-        told[key] = replace(answer, reading=replace(answer.reading, formula=ends[line]))
-    own = {answer.reading.formula for answer in answers.values()}
+        if isinstance(line, Row) and (end := printed_end(line, answer)) is not None:
+            ends[line] = again[line.items[0], line.items[-1]] = end
+    own, told = {answer.reading.formula for answer in answers.values()}, Told(answers.values())
 
+    @cache
     def printed(line: Node) -> Node:
         """The line asked, and any that evaluates the same again, with its end."""
-        if line in own or not isinstance(line, Row):
-            return ends.get(line, line)
-        end = again.get((line.items[0], line.items[-1]))
-        return line if end is None else _ended(line, end)
+        if not isinstance(line, Row):
+            return line
+        end = ends.get(line) or (None if line in own else again.get((line.items[0], line.items[-1])))
+        return told.line(line, end)
 
     steps = (_with_lines(step, tuple(map(printed, step.formulas))) for step in construction.steps)
-    return replace(construction, steps=tuple(steps)), told
+    lines = {key: one.reading.formula for key, one in answers.items()}
+    found = {key: printed(line) if line is not None else None for key, line in lines.items()}
+    return replace(construction, steps=tuple(steps)), {
+        key: replace(one, reading=replace(one.reading, formula=found[key])) if found[key] is not lines[key] else one
+        for key, one in answers.items()
+    }
 
 
-def _ended(line: Row, end: Txt) -> Row:
-    return Row((*line.items[:-1], end))
+class Told:
+    """The numbers of asked quantities as they are printed, for lines that go on with them."""
+
+    def __init__(self, answers: Iterable[Answer]) -> None:
+        asked = (one for one in answers if not one.is_place and not one.undefined and one.reading.unit != YES_NO)
+        self._by_symbol = {named(one.reading.symbol): one for one in asked if isfinite(one.drawn)}
+
+    def line(self, line: Row, end: Txt | None) -> Row:
+        """The line with this end, or with its own; what is not worked out, or goes on with nothing asked, as it is."""
+        if end is None and line.worked is None:
+            return line
+        last = end or line.items[-1]
+        if line.worked is None or not isinstance(last, Txt) or _EQUALS not in last.text:
+            return Row((*line.items[:-1], last))
+        number = _NUMBER.match(last.text.split(_EQUALS)[1])
+        return Row((*line.items[:-1], last)) if number is None else told_again(line, last, number[0], self._told)
+
+    def _told(self, symbol: Node, value: float) -> str:
+        """The number as its answer is printed; nothing of another, or of one that is gone on with otherwise."""
+        answer = self._by_symbol.get(symbol)
+        same = answer is not None and isclose(abs(value), abs(answer.drawn), rel_tol=1e-9)
+        return _digits(answer, value, 1.0) if answer is not None and same else ""
 
 
 def _with_lines(step: Step, lines: tuple[Node, ...]) -> Step:
-    return step if lines == step.formulas else replace(step, formulas=lines)
+    return step if lines == step.formulas and not any(map(_is_open, step.formulas)) else replace(step, formulas=lines)
+
+
+def _is_open(line: Node) -> bool:
+    return isinstance(line, Row) and line.worked is not None
 
 
 def printed_end(line: Row, answer: Answer) -> Txt | None:
@@ -70,7 +100,11 @@ def _with_digits(part: str, answer: Answer) -> str:
     scale = {"": 1.0, "°": 1.0, printed: factor, unit: 1.0}.get(rest)
     if scale is None:
         return part
-    places = decimals(answer)
-    kept = None if places is None else max(0, places + round(log10(factor / scale)))
-    text = rounded(abs(scale * answer.drawn), kept, MOST)
+    text = _digits(answer, abs(scale * answer.drawn), scale)
     return f"{found[1] if text != '0' else ''}{text}{part[found.end() :]}"
+
+
+def _digits(answer: Answer, value: float, scale: float) -> str:
+    """A value with the digits of the answer, in a unit of which the SI unit has so many."""
+    places, factor = decimals(answer), printed_unit(answer.reading.unit)[0]
+    return rounded(value, None if places is None else max(0, places + round(log10(factor / scale))), MOST)

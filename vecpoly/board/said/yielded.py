@@ -55,7 +55,8 @@ def in_mm(line: Node, reading: Reading) -> Node:
     if not (isinstance(line, Row) and isinstance(end := line.items[-1], Txt) and end.text.endswith(" m")):
         return line
     mm = number(1e3 * reading.scalar)
-    return Row((*line.items[:-1], Txt(f" = {mm} mm" if len(line.items) < _WORKED else f"{end.text} = {mm} mm")))
+    ends = Txt(f" = {mm} mm" if len(line.items) < _WORKED else f"{end.text} = {mm} mm")
+    return Row((*line.items[:-1], ends), line.worked)
 
 
 class _Line:

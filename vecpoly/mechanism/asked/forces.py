@@ -37,9 +37,10 @@ def spring_named(spring: Elastic) -> Named:
 
 
 def without_friction(named: Named) -> Named:
-    """The same reaction or balancing load without friction: R_12,0, M_10."""
+    """The same reaction or balancing load without friction: R_12,0, M_1,0."""
     stem, _, sub = named.key.partition("_")
-    symbol = f"{named.symbol[:-1]},0}}" if named.is_vector else f"{stem}_{{{sub}0}}"
+    zero = f"{sub},0" if sub[-1:].isdigit() else f"{sub}0"  # M_1,0 and not M_10, which would be of a link 10
+    symbol = f"{named.symbol[:-1]},0}}" if named.is_vector else f"{stem}_{{{zero}}}"
     return Named(f"{named.key}_0", symbol, named.unit, named.is_vector)
 
 

@@ -146,7 +146,9 @@ def _taken(way: _Way, train: Train) -> Quantity:
     letters, factors = way.letters(train), _etas(way, train)
     if train[-1].parallel is not None:
         factors.append(_parting(way, train[-1]))
-    way.bench.board.step(Words(f"支路 ${letters}$ 的输入功率：", f"The input of branch ${letters}$ is:"))
+    way.bench.board.step(
+        Words(f"支路 ${letters}$ 在分路处的输入功率：", f"The input of branch ${letters}$, where the train parts, is:")
+    )
     way.taken[letters] = way.bench.board.compute(_taken_symbol(letters), way.useful(train) / _product(factors), "kW")
     return way.taken[letters]
 

@@ -86,7 +86,7 @@ class Statics(Rubbing):
 
     @property
     def unknown_named(self) -> Named:
-        """The balancing load's name in this pass: M_1, or M_10 without friction."""
+        """The balancing load's name in this pass: M_1, or M_1,0 without friction."""
         name = load_named(self.unknown)
         return without_friction(name) if self.preliminary else name
 

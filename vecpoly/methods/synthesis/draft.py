@@ -45,7 +45,7 @@ class Draft(Bench):
 
     numbers: the number of each candidate in the order in which they are found, as a first sketch tells it, and how many
     of them are valid. sketched: the candidates of that sketch, at the scale of this sheet. asked: the keys that are to
-    be read. take: the number of the solution that is taken.
+    be read. take: the number of the solution that is taken. rejected: whether the candidate found next is no solution.
     """
 
     numbers: tuple[int, ...] = ()
@@ -53,6 +53,7 @@ class Draft(Bench):
     valid: int = 0
     take: int = 1
     asked: frozenset[str] = frozenset()
+    rejected: bool = False
     found: list[Found] = field(default_factory=list)
 
     # -- numbers and letters ---------------------------------------------------------------------------------
@@ -79,14 +80,16 @@ class Draft(Bench):
         return subscripted(f"{head}{'′' * (self.number - 1)}{sub}") if sub else head + "′" * (self.number - 1)
 
     def of_this(self, named: Named) -> Named:
-        """A quantity of the candidate that is found next, under its number; printed without where it is alone."""
+        """A quantity of the candidate that is found next, under its number; printed without where it is the only
+        solution."""
         one = numbered(named, self.number)
-        return replace(one, symbol=named.symbol) if self.alone else one
+        return replace(one, symbol=named.symbol) if self.alone and not self.rejected else one
 
     def candidate(self, verdict: Verdict, order: tuple[Reals, ...], **pins: Points) -> None:
         """A candidate is finished; the next has another number."""
         by = tuple(float(nominal(value)) for value in order)
         self.found.append(Found(number=self.number, pins=pins, verdict=verdict, order=by))
+        self.rejected = False
 
     def paired(self, found: Sequence[Mapping[str, Points]]) -> None:
         """What is about to be found, by its pins, where a hand finds more or fewer than the sketch: each has the number

@@ -7,8 +7,8 @@ from math import pi
 
 import numpy as np
 
-from ...algebra.quantity import Quantity, magnitude
-from ...algebra.worked import stated
+from ...algebra.formula import Row, Txt, named
+from ...algebra.quantity import Quantity
 from ...board.construction import View
 from ...board.paper.marks import Dot, Role
 from ...board.place import Pane
@@ -76,7 +76,7 @@ def _extreme(
     c = board.locate(place, f"C{marks}", board.either(c))
     angle = draft.angle(c, b, d)
     gamma = np.minimum(angle, 180.0 - angle)
-    board.write(stated(magnitude(f"γ{marks}", gamma, "deg")))
+    board.write(Row((named(f"γ{marks}"), Txt(f" = {float(nominal(gamma)):.1f}°"))))  # as the protractor is read
     return Extreme(marks=marks, b=b, c=c, gamma=gamma)
 
 

@@ -1,4 +1,5 @@
-"""The box of answers of a problem: what was asked, one quantity a cell, then what was concluded beside them."""
+"""The box of answers of a problem: what was asked, one quantity a cell, then the notes on them and what was concluded
+beside them."""
 
 from __future__ import annotations
 
@@ -8,6 +9,7 @@ from ...solution import Answer, Solution
 from ...words import Lang
 from ..flow.results.box import AnswerBox
 from .line import answer_line
+from .notes import notes_of
 from .order import arranged
 
 
@@ -16,9 +18,10 @@ def answer_box(
 ) -> AnswerBox:
     """Every asked quantity once, by solutions or kinds; said: conclusions that are no quantity."""
     parts = arranged(answers or solution.answers.values())
+    notes = notes_of([one for part in parts for one in part.answers], lang)
     lines = [
         answer_line(one, solution, lang, group=number, heading=part.heading(lang))
         for number, part in enumerate(parts)
         for one in part.answers
     ]
-    return AnswerBox(lines, tuple(said), lang)
+    return AnswerBox(lines, tuple(said), lang, notes)

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import degrees, isclose, isinf, isnan
+from math import degrees, isclose
 
 from ...algebra.formula import Node, Row, Txt, row
-from ...printed.digits import coarse, coordinates, drawn_number, on_paper
+from ...printed.digits import coordinates, drawn_number, on_paper
 from ...printed.places import place_parts
 from ...printed.units import printed_unit
 from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution, told_short
 from ...words import Lang, Words
 from ..values import called, direction_of_load, is_efficiency, unit_after, value
+from .notes import COARSE, INSTEAD, UNREADABLE, error_of, is_hopeless, remark_of
 
 SQUARE = {"0.0": "→", "90.0": "↑", "180.0": "←", "-180.0": "←", "-90.0": "↓", "-0.0": "→"}
-_HOPELESS = 0.5  # share of a value: with a reading error above it, nothing was read
 _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
 
 
@@ -127,19 +127,7 @@ def _angle(turn: float) -> str:
 
 def _after(answer: Answer, lang: Lang) -> str:
     """The conclusion that the construction came to, whether its length can be measured, how coarse the reading is."""
-    said = [answer.reading.remark.of(lang).strip().rstrip("。.")] if answer.reading.remark is not None else []
-    if answer.short:
-        said.append(told_short(answer).of(lang))
-    share = coarse(answer)
-    if share is not None:
-        said.append(_coarse(share).of(lang))
-    return ("；" if lang == "zh" else "; ").join(said)
-
-
-def _coarse(share: float) -> Words:
-    if share >= _HOPELESS or isinf(share) or isnan(share):
-        return Words(
-            "此值过小，按本图的比例尺读不准：应放大比例尺或用计算求得",
-            "too small to be read at this scale: draw it larger, or compute it",
-        )
-    return Words(f"读数误差可达 ±{100 * share:.0f} %", f"reading error up to ±{100 * share:.0f} %")
+    said = [remark_of(answer, lang), told_short(answer).of(lang) if answer.short else ""]
+    said += [f"{UNREADABLE.of(lang)}{Words('：', ': ').of(lang)}{INSTEAD.of(lang)}" if is_hopeless(answer) else ""]
+    said += [f"{COARSE.of(lang)} {error_of(answer)}" if error_of(answer) else ""]
+    return Words("；", "; ").of(lang).join(filter(None, said))

@@ -24,7 +24,7 @@ from .base import Block
 from .contents import page_form, tell_contents
 from .furniture import COLUMN, FOOT, MARGIN, SHEET_FOOT, SMALL, TOTAL, beside, foot, head
 from .paging.floating import Floating, template_of
-from .paging.together import HeldTogether, led
+from .paging.together import HOLE, HeldTogether, led
 from .style import BODY, GREY
 
 LEFTOVER = 0.45  # of a page of text: less is what was left over, and may be saved
@@ -176,6 +176,11 @@ class ReportDoc(Floating):
     def ends(self) -> tuple[tuple[int, float], ...]:
         """Of each part: its pages of text, and how full the last one is."""
         return tuple(self._filled)
+
+    @property
+    def gaps(self) -> int:
+        """How many pages of text end early, for a block that goes to the next one as a whole."""
+        return sum(full < 1 - HOLE for full in self.filled) - sum(full < 1 - HOLE for _, full in self.ends)
 
     def made(self) -> tuple[bytes, int, tuple[str, ...]]:
         """The document as bytes, how many pages it has, and the characters that no font has."""

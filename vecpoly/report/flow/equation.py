@@ -17,11 +17,12 @@ from ...typeset.layout import layout
 from ...typeset.runs import run
 from ...typeset.words import layout_words
 from ...words import Lang, Words, bare
-from .base import Block
+from .base import Block, Tightness
 from .style import BODY
 
 CAPTIONS = (Words("方向", "Direction"), Words("大小", "Magnitude"))
 _ROW_SKIP = 1.7  # mm between the rows
+_CLEAR = 5.5  # pt below the rows, however tightly they are set
 _LEAST = 0.75  # how far a wide equation may be made smaller before it is broken
 
 
@@ -75,6 +76,11 @@ class EquationFlow(Block):
         super().__init__(6.0, 8.0)
         self.table, self.lang, self._size = table, lang, size
         self._grids: dict[float, _Grid] = {}  # by width; one for the table and all its copies
+
+    def tighten(self, degree: Tightness) -> None:
+        """Its last row never so near to the line below that it looks like one more."""
+        super().tighten(degree)
+        self.spaceAfter = max(self.spaceAfter, _CLEAR)
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column."""

@@ -75,7 +75,7 @@ def _judged(bench: Bench, device: EccentricClamp, arm: Quantity) -> None:
             "$R′_{21}$ passes outside the friction circle and the clamp is not self-locking",
         )
     )
-    text = f"$h$ = {number(1e3 * float(nominal(arm.value)))} mm {sign} $ρ$ = {number(1e3 * device.radius)} mm"
+    text = f"$h {sign} ρ$ = {number(1e3 * device.radius)} mm"  # the number of h stands in its line
     if float(nominal(arm.value)) < 0:
         bench.board.remark(
             Words("$h$ 为负，$R′_{21}$ 之矩使机构夹紧。", " $h$ is negative: the moment of $R′_{21}$ closes the clamp.")

@@ -135,7 +135,7 @@ def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]
         Words(
             f"行星轮的速度线过两已知点的矢端，它与 ${letter}$ 高度的水平线的交点即 ${letter}$ 的速度的矢端。量得：",
             f"The planet's line passes through the two known tips; where it meets the level of ${letter}$ is the tip "
-            f"of the velocity of ${letter}$. It is read as:",
+            f"of the velocity of ${letter}$. Read it off:",
         ),
         RADII,
     )

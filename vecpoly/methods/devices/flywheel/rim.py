@@ -44,7 +44,7 @@ def rim_of(bench: Bench, rim: Rim, inertia: Quantity, omega: Quantity) -> None:
 
 def _speed(bench: Bench, rim: Rim, h: Quantity, omega: Quantity) -> None:
     board = bench.board
-    board.step(Words("轮缘外圆的线速度：", "The speed of the outside of the rim:"))
+    board.step(Words("求轮缘外圆的线速度：", "Find the speed of the outside of the rim:"))
     outer = magnitude("R_2", rim.D.si / 2 + h.value / 2e3, "m")
     v = bench.worked(asked.RIM_SPEED, omega * outer)
     if rim.v_max is not None:

@@ -23,7 +23,7 @@ from .rack import VIEW, Rack, contact, place_rack
 from .start import crossing, cuts_in
 
 TALL, WIDE, PITCHES = 130.0, 158.0, 1.25  # mm: the tip radius, the figure; of the circles to either side
-DEGREE = Quantity(Txt("57.30°"), degrees(1.0), "deg")
+DEGREE = Quantity(Txt("57.296°"), degrees(1.0), "deg", "57.296")
 THIN = 0.25  # modules: a tip that is thinner breaks
 TWO = Quantity(Txt("2"), 2.0, "")
 

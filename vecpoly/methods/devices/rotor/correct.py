@@ -65,7 +65,9 @@ def _drilled(bench: Bench, rotor: Rotor, end: str, polygon: Polygon, needed: Qua
     each = needed
     if plane.spread is not None:
         gamma = magnitude("γ", degrees(plane.spread.si), "deg")
-        each = board.compute("m_1", needed / (magnitude("2", 2.0, "") * Of("cos", gamma)), rotor.weighing.mass)
+        each = board.compute(
+            f"m_{{h{end}}}", needed / (magnitude("2", 2.0, "") * Of("cos", gamma)), rotor.weighing.mass
+        )
     _size_of_hole(bench, rotor, end, each, plane)
 
 

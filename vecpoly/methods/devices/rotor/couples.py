@@ -77,7 +77,7 @@ def _how(rotor: Rotor, names: list[str]) -> Words:
             f"{one}、{other} 的力偶大小已知而方向未知：自链的两端以其长度为半径作弧，两交点 $p_1$、$p_2$ 给出两个互为"
             "镜像的解。",
             f" Of {one} and {other} the couples are known in size, not in direction: arcs with these radii about the "
-            "ends of the chain meet at $p_1$ and $p_2$, two mirrored answers.",
+            "ends of the chain meet at $p_1$ and $p_2$, two mirrored solutions.",
         )
     if not arcs:
         return Words(

@@ -62,14 +62,8 @@ def _couples(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[
 def _told(bench: Bench, rotor: Rotor, place: Pane, which: str, solution: Solution) -> None:
     """What the couple polygon gives: directions by protractor, masses by length."""
     board, here = bench.board, rotor.masses[reference(rotor.masses)].place
-    title = Words(f"解 {which[1:]}：", f"Answer {which[1:]}: ") if which else Words("", "")
-    board.step(
-        title
-        + Words(
-            "由力偶多边形量得：", "from the couple polygon are read:" if which else "From the couple polygon are read:"
-        ),
-        place,
-    )
+    title = Words(f"解 {which[1:]}：", f"Solution {which[1:]}. ") if which else Words("", "")
+    board.step(title + Words("由力偶多边形量得：", "Read from the couple polygon:"), place)
     for name, vector in solution.vectors.items():
         mass = rotor.masses[name]
         arm = mass.place - here
@@ -108,7 +102,7 @@ def _products(
     board, unit, view = bench.board, rotor.weighing, polygon_view(rotor)
     board.section(Words("质径积多边形", "Mass–radius polygon"))
     tail = f"（解 {which[1:]}）" if which else ""
-    place = board.open_pane(view, which[1:], view.title + Words(tail, f", answer {which[1:]}" if which else ""))
+    place = board.open_pane(view, which[1:], view.title + Words(tail, f", solution {which[1:]}" if which else ""))
     board.step(
         Words(
             f"各质径积的方向现已全知，按 ${view.mu.symbol}$ 首尾相接，封闭边即参考平面内质量 {first} 的质径积：",

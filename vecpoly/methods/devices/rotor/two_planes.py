@@ -46,7 +46,7 @@ def _sum(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> Polygon:
         Words(
             f"先看静平衡：按 ${view.mu.symbol}$ 把各质径积首尾相接，其和 $W_S$ 由极点 $O$ 指向末端。量得：",
             f"First static balance: to the scale ${view.mu.symbol}$ lay all products off head to tail. Their sum $W_S$ "
-            "leads from the pole $O$ to the last tip. It is read as:",
+            "leads from the pole $O$ to the last tip. Read it off:",
         ),
         place,
     )
@@ -102,7 +102,7 @@ def _plane(bench: Bench, rotor: Rotor, end: str, laid: list[Laid], whole: float)
     board.step(
         Words(
             f"平面 {end}：把各分量首尾相接，封闭边即 ${closing.symbol}$。量得：",
-            f"Plane {end}: lay its shares off head to tail; the closing side is ${closing.symbol}$. It is read as:",
+            f"Plane {end}: lay its shares off head to tail; the closing side is ${closing.symbol}$. Read it off:",
         ),
         place,
     )

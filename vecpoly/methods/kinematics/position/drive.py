@@ -55,7 +55,7 @@ def _said(desk: Desk, drive: Drive, pivot: str, others: list[str]) -> Words:
             f"以 ${pivot}$ 为圆心、$r_{gear.link}/μ_l$ 为半径作齿轮 {gear.link} 的节圆。",
             f"about ${pivot}$ draw the pitch circle of gear {gear.link} with the radius $r_{gear.link}/μ_l$.",
         )
-    return first + _at_angle(drive, pivot, others, f" = {number(math.degrees(drive.position), 6)}°")
+    return first + _at_angle(drive, pivot, others, f" = {number(math.degrees(drive.position), 5)}°")
 
 
 def _at_angle(drive: Drive, pivot: str, others: list[str], phi: str) -> Words:

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from ....board.said.behind import behind
 from ....designs.inversion.loops import Hinged, Loop, Sliding
 from ....designs.inversion.plan import Find, On
 from ....designs.quantities import TURN_AB, TURN_AD, TURN_DC
@@ -39,8 +40,9 @@ def joined(sheet: Sheet, verdict: Verdict) -> None:
         drawn(draft, thick, *thin, verdict=verdict)
         if isinstance(loop, Sliding):
             slider(draft, sheet.pins[loop.c], loop.along)
+    draft.rejected = verdict is not Verdict.VALID
     rejected(draft, verdict)
-    _lengths(sheet, verdict)
+    _lengths(sheet)
     _ahead(sheet)
     _turned(sheet)
 
@@ -53,21 +55,22 @@ def closed(sheet: Sheet, verdict: Verdict) -> None:
 def _told(sheet: Sheet, verdict: Verdict) -> Words:
     told = Words(
         "连接各铰链，第一位置画粗实线，其余位置画虚线；由图量得各构件长度：",
-        "Join the pins: thick in the first position, dashed in the others. The lengths, as measured:",
+        "Join the pins: thick in the first position, dashed in the others. Measure the lengths:",
     )
     if verdict is not Verdict.VALID:
         return told
     if not sheet.plan.either:
-        return told + _kinds(sheet)
+        return behind(told, kinds) if (kinds := _kinds(sheet)).en else told
     first, last = drives(sheet, sheet.plan.loops[0])
     if first is last is Verdict.VALID:
         return told
     able, other, why = ("CD", "AB", first) if last is Verdict.VALID else ("AB", "CD", last)
     zh, en = ("经过死点", "meets a dead point") if why is Verdict.BRANCH else ("次序不对", "comes in another order")
-    return told + Words(
+    driver = Words(
         f"（须以 ${able}$ 为原动件；若以 ${other}$ 为原动件，则在各位置之间{zh}。）",
         f" (${able}$ must drive it: ${other}$ as the driver {en} between the positions.)",
     )
+    return behind(told, driver)
 
 
 def _kinds(sheet: Sheet) -> Words:
@@ -88,7 +91,7 @@ def _chain(sheet: Sheet, loop: Loop, n: int) -> tuple[Points, ...]:
     return tuple(sheet.pins[letter][n] for letter in letters)
 
 
-def _lengths(sheet: Sheet, verdict: Verdict) -> None:
+def _lengths(sheet: Sheet) -> None:
     """What is given, and every other length of the linkage off the rule."""
     draft, given = sheet.draft, sheet.plan.given_bars
     for one, two in sheet.plan.bars():

@@ -12,6 +12,7 @@ from ....findings.output_links import ends
 from ....findings.shown import shown
 from ....findings.study.study import Study
 from ....mechanism.model import Prismatic
+from ....printed.digits import drawn_number
 from ....solution import Answer
 from ....words import Words
 
@@ -65,7 +66,8 @@ def _told(study: Study, key: str) -> Words:
     text = shown(study, key, size)
     if answer is not None:
         number, _, unit = text.partition(" ")
-        text = f"{shown(study, key, answer.drawn).partition(' ')[0]}/{number} {unit}"
+        sign = "−" if shown(study, key, answer.drawn).startswith("−") else ""
+        text = f"{sign}{drawn_number(answer).lstrip('−')}/{number} {unit}"
     block = output_pins(study).get(key.partition("_")[2])
     name = Words(
         f"（构件 {study.name(block)}）" if block else " ", f" (of link {study.name(block)}) " if block else " "

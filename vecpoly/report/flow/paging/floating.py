@@ -24,6 +24,7 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
     _figures: list[Drawing]  # that the next page opens with
     filled: list[float]  # how full each page of text is
     heads: dict[int, Any]  # what each page opens with
+    parted: int  # steps that a page break parts
 
     @property
     def widows(self) -> list[int]:
@@ -33,6 +34,7 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
     def float(self, story: list[Any]) -> list[Any]:
         """The story, at the end of which nothing is left waiting."""
         self._ahead, self._waiting, self._figures, self.filled, self.heads = [], [], [], [], {}
+        self.parted = 0
         return [*story, _Rest()] if any(_floats(item) for item in story) else story
 
     def handle_flowable(self, flowables: list[Any]) -> None:

@@ -43,20 +43,27 @@ def settled(story: Sequence[Any], meta: Metadata) -> list[Any]:
         story = _set(story, chosen)
         plain = ReportDoc(story, meta)
         plain.counted()
-    return fresh(_unwidowed(*run_on(story, plain)))
+    return fresh(_mended(*run_on(story, plain)))
 
 
-def _unwidowed(story: list[Any], doc: ReportDoc) -> Sequence[Any]:
-    """The story, tightened as little as will do where a box opens one of its pages; doc: it, laid out."""
-    if not doc.widows:
-        return story
+def _mended(story: list[Any], doc: ReportDoc) -> Sequence[Any]:
+    """The story, tightened as little as will do where a box opens one of its pages, a page break parts a step, or a
+    step leaves a hole; doc: it, laid out."""
+    faults, found = _faults(doc), story
     for degree in DEGREES:
+        if not any(faults):
+            break
         closer = tightened(story, degree)
-        doc = ReportDoc(closer, doc.metadata)
-        doc.counted()
-        if not doc.widows:
-            return fresh(closer)
-    return story
+        tried = ReportDoc(closer, doc.metadata)
+        tried.counted()
+        if _faults(tried) < faults:
+            faults, found = _faults(tried), closer
+    return found
+
+
+def _faults(doc: ReportDoc) -> tuple[int, int, int]:
+    """What there is to be mended on the pages, the worst first."""
+    return len(doc.widows), doc.parted, doc.gaps
 
 
 def tightened(story: Sequence[Any], degree: Tightness = DEGREES[1]) -> list[Any]:

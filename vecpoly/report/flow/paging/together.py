@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from copy import copy
 from typing import Any
 
-from reportlab.platypus.doctemplate import FrameBreak
+from reportlab.platypus.doctemplate import ActionFlowable, FrameBreak
 from reportlab.platypus.flowables import KeepTogether, _listWrapOn
 
 from ..blocks import Divider, Heading
@@ -15,24 +15,30 @@ from ..para import Para
 from ..table import DataTable
 
 HOLE = 0.18  # of a page: less may be left white below a step that goes to the next page as a whole
+GAP = 0.42  # of a page: a step that would leave more is parted; what leaves more than a hole asks for a tighter text
 _LINE = {"zh": 44, "en": 92}  # letters of a paragraph that takes one line
 
 
 class HeldTogether(KeepTogether):  # type: ignore[misc]
-    """Blocks on one page, where that leaves no hole; a table or a text behind others may be parted."""
+    """Blocks on one page, where that leaves no gap; a table or text that stands last may be parted, not in a step."""
 
     def split(self, width: float, height: float) -> list[Any]:
         """As they are where the first lines of the last one fit below the others, else on the next page; where that
-        would leave a hole, parted behind a formula."""
+        would leave a gap, parted behind a formula."""
         found: list[Any] = super().split(width, height)
         if not isinstance(found[0], type(FrameBreak)):
             return found
-        if self._last_parted(width, height):
+        gap = height > GAP * getattr(getattr(self, "_frame", None), "_aH", 0.0)
+        if (gap or not self._tabled) and self._last_parted(width, height):
             return found[1:]
-        if height <= HOLE * getattr(getattr(self, "_frame", None), "_aH", 0.0):
-            return found
-        count = self._first_ones(width, height)
-        return [*self._content[:count], *found[:1], *self._content[count:]] if count else found
+        count = self._first_ones(width, height) if gap else 0
+        return [*self._content[:count], *found[:1], Parted(), *self._content[count:]] if count else found
+
+    @property
+    def _tabled(self) -> bool:
+        """Whether they are a step with its table."""
+        last = self._content[-1]
+        return isinstance(last, DataTable) and last.tag.within is not None
 
     def _last_parted(self, width: float, height: float) -> bool:
         """Whether all but the last fit here, and the first lines of that."""
@@ -51,6 +57,17 @@ class HeldTogether(KeepTogether):  # type: ignore[misc]
             n for n in range(len(self._content) - 1, 1, -1) if not isinstance(self._content[n - 1], (Para, Divider))
         )
         return next((n for n in ends if _listWrapOn(self._content[:n], width, self.canv)[1] <= height), 0)
+
+
+class Parted(ActionFlowable):  # type: ignore[misc]
+    """Where a page break parts a step: the document counts them."""
+
+    def __init__(self) -> None:
+        super().__init__(())
+
+    def apply(self, doc: Any) -> None:
+        """One more."""
+        doc.parted += 1
 
 
 def led(story: Sequence[Any]) -> list[Any]:

@@ -15,7 +15,7 @@ from ....words import Lang, Words
 from ...answers.line import AnswerLine
 from ..base import Block, Tightness
 from ..style import CELL
-from .grid import GridRow, Told, columns, laid, sentence
+from .grid import SMALL, GridRow, Told, columns, laid, sentence
 
 TITLE = Words("答", "Answer")
 _PAD, _SKIP = 2.6, 1.7  # mm: inside the frame, between rows
@@ -27,14 +27,16 @@ _FRAME = 0.6  # pt
 
 
 class AnswerBox(Block):
-    """lines: one a quantity; said: sentences that are answers of their own."""
+    """lines: one a quantity; notes on them, in small type; said: sentences that are answers of their own."""
 
     role = Role.DIV
     pieces = True
 
-    def __init__(self, lines: Sequence[AnswerLine], said: Sequence[str] = (), lang: Lang = "zh") -> None:
+    def __init__(
+        self, lines: Sequence[AnswerLine], said: Sequence[str] = (), lang: Lang = "zh", notes: Sequence[str] = ()
+    ) -> None:
         super().__init__(7.0, 8.0)
-        self.lines, self.said, self.lang = tuple(lines), tuple(said), lang
+        self.lines, self.said, self.notes, self.lang = tuple(lines), tuple(said), tuple(notes), lang
         self._em, self._skip = CELL.em, _SKIP
         self._title = layout_words(TITLE.of(lang), self._em, True)
         self._rows: tuple[GridRow, ...] = ()
@@ -88,10 +90,13 @@ class AnswerBox(Block):
             yield ((0.0, layout_words(text, self._em, True), Told(None, after=text)),)
 
     def _sentences(self, room: float) -> Iterator[GridRow]:
-        for text in self.said:
+        """The notes, a little white before them, and what is said beside."""
+        every = [(text, SMALL * self._em) for text in self.notes] + [(text, self._em) for text in self.said]
+        for number, (text, em) in enumerate(every):
             told = Told(None, after=text)
-            for box in sentence(text, self._em, room, self.lang == "zh"):
-                yield ((0.0, box, told),)
+            for nth, box in enumerate(sentence(text, em, room, self.lang == "zh")):
+                row = ((0.0, box, told),)
+                yield _lower(row) if self.notes and not number + nth else row
 
     def split(self, width: float, height: float) -> list[Block]:
         """Whole answers to each page, of a box too tall to be kept together."""

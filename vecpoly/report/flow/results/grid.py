@@ -1,9 +1,11 @@
-"""Cells of the box of answers: each quantity with what is said of it, in columns of one width."""
+"""Cells of the box of answers: each quantity a line, in columns of one width."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import ceil
 
 from ....algebra.formula import Node
 from ....tagging.copied import copied
@@ -21,8 +23,7 @@ MOST = 3  # columns
 GUTTER = 4.0  # mm between two of them
 _BLANK = 1.2  # mm between what a quantity is called and its line
 _LEAD = 0.9  # mm between the lines of a cell
-_SMALL = 0.88  # of the type: what is said of a quantity, under it
-_IN = 1.2  # em: so far in
+SMALL = 0.88  # of the type: notes on the quantities, under them
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -49,17 +50,19 @@ GridRow = tuple[tuple[float, Box, Told], ...]  # boxes on one base line, with th
 
 
 def columns(lines: Sequence[AnswerLine], em: float, room: float) -> int:
-    """So many columns that no line is wider than its own; two at least, where there is more than one line."""
+    """So many columns that no line is wider than its own; two at least, where there is more than one line, and no more
+    where these take as many rows."""
     if len(lines) < 2:
         return 1
-    widest = max(_head(one, em).width for one in lines)
-    return MOST if len(lines) > 2 and widest <= _wide(room, MOST) else 2
+    widest, sizes = max(_head(one, em).width for one in lines), Counter(one.group for one in lines).values()
+    rows = {count: sum(ceil(size / count) for size in sizes) for count in (2, MOST)}
+    return MOST if rows[MOST] < rows[2] and widest <= _wide(room, MOST) else 2
 
 
 def laid(lines: Sequence[AnswerLine], count: int, em: float, room: float) -> Iterator[GridRow]:
     """The lines in so many columns of this room (mm), each at the left edge of its own, in reading order."""
     wide = _wide(room, count)
-    made = [(_cell(one, em, wide), Told(one.node, one.before, one.after)) for one in lines]
+    made = [(_cell(one, em, wide), Told(one.node, one.before)) for one in lines]
     for start in range(0, len(made), count):
         row = made[start : start + count]
         yield tuple((n * (wide + GUTTER), box, told) for n, (box, told) in enumerate(row))
@@ -86,15 +89,11 @@ def _called(one: AnswerLine, em: float) -> tuple[Box, ...]:
 
 
 def _cell(one: AnswerLine, em: float, wide: float) -> Box:
-    """The line, broken where it is too wide, and in small type under it what is said of it."""
+    """The line, broken where it is too wide."""
     called = _called(one, em)
     taken = sum(box.width for box in called)
     (start, first), *rest = broken(one.node, em, wide - taken)
-    small = em * _SMALL
-    chinese = any(char >= "\u2e80" for char in one.after)
-    notes = sentence(one.after, small, wide - _IN * em, chinese) if one.after else ()
-    under = [*((taken + x, box) for x, box in rest), *((_IN * em, box) for box in notes)]
-    return _stacked([(start, beside((*called, first))), *under])
+    return _stacked([(start, beside((*called, first))), *((taken + x, box) for x, box in rest)])
 
 
 def _stacked(lines: Sequence[tuple[float, Box]]) -> Box:

@@ -1,0 +1,43 @@
+"""A sentence added to a step stands behind what the step says, in good order in both languages."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tests.drawn_library import IDS, drawn
+from tests.each import each
+from vecpoly.board.said.behind import behind
+from vecpoly.words import Words
+
+GLUED = re.compile(r"[.;:][A-Z][a-z]|  |: \([A-Z]|: (?:The|It|Candidate) ")
+
+
+@pytest.mark.parametrize(
+    ("said", "more", "together"),
+    [
+        ("Measure the gap:", "The gap is 0.1 mm.", "Measure the gap. The gap is 0.1 mm."),
+        ("It is 2 mm.", "The sum is zero.", "It is 2 mm. The sum is zero."),
+        ("Measure the arm:", " (Too short.)", "Measure the arm. (Too short.)"),
+        ("They meet", "; so does $b$.", "They meet; so does $b$."),
+        ("Draw it.", "", "Draw it."),
+        ("Meet. (At only 12°.)", " (At only 12°.)", "Meet. (At only 12°.)"),
+    ],
+)
+def test_a_colon_before_another_sentence_is_a_full_stop_and_one_blank_parts_the_two(
+    said: str, more: str, together: str
+) -> None:
+    assert behind(Words("", said), Words("", more)).en == together
+
+
+def test_no_blank_stands_between_two_chinese_sentences() -> None:
+    assert behind(Words("量得：", "Measure:"), Words(" 舍去。", " It is rejected.")).zh == "量得。舍去。"
+    assert behind(Words("故", "so"), Words(" $ω_3$ = 0。", " $ω_3$ = 0.")).zh == "故 $ω_3$ = 0。"
+
+
+@each(IDS)
+def test_no_sentence_of_a_step_runs_into_the_one_before(name: str) -> None:
+    for step in drawn(name).construction.steps:
+        assert not GLUED.search(step.words.en), step.words.en
+        assert "：（" not in step.words.zh and "： " not in step.words.zh, step.words.zh

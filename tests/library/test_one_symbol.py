@@ -1,0 +1,26 @@
+"""In the lines of a problem one symbol stands for one quantity: wherever it is evaluated it has one value."""
+
+from __future__ import annotations
+
+from tests.drawn_library import IDS, drawn
+from tests.each import each
+from tests.pocket import sums
+from vecpoly.algebra.formula import plain
+from vecpoly.algebra.rounding import read_back
+
+SAME = 0.02  # share by which a value found in two ways may differ, by drawing and by formula
+PER_SOLUTION = ("γ′", "γ″")  # of the two positions of each linkage that is found, in figures of its own
+
+
+@each(IDS)
+def test_a_symbol_has_one_value_wherever_it_is_evaluated(name: str) -> None:
+    found: dict[tuple[str, str], tuple[float, str]] = {}
+    for step in drawn(name).construction.steps:
+        for line in map(plain, step.formulas):
+            symbol, end = line.split(" = ")[0], line.rsplit(" = ", 1)[-1]
+            number, _, unit = end.partition(" ")
+            if not unit or symbol in PER_SOLUTION or not list(sums(line)):
+                continue
+            size = abs(read_back(number)[0])
+            before, text = found.setdefault((symbol, unit), (size, line))
+            assert abs(before - size) <= SAME * max(before, size), f"{text}; {line}"

@@ -1,0 +1,72 @@
+"""The notes at the foot of the box of answers: what was concluded, and what could hardly be read; each is said once, of
+all the quantities of which it holds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from math import isfinite
+
+from ...board.said.short import TOO_SHORT
+from ...printed.digits import coarse, on_paper
+from ...solution import YES_NO, Answer
+from ...words import Lang, Words
+
+HOPELESS = 0.5  # share of a value: with a reading error above it, nothing was read
+UNREADABLE = Words("此值过小，按本图的比例尺读不准", "too small to be read at this scale")
+INSTEAD = Words("应放大比例尺或用计算求得", "draw it larger, or compute it")
+COARSE = Words("读数误差可达", "reading error up to")
+
+
+def notes_of(answers: Sequence[Answer], lang: Lang) -> tuple[str, ...]:
+    """The notes of these answers, a line each."""
+    return (*_remarks(answers, lang), *_hardly(answers, lang))
+
+
+def remark_of(answer: Answer, lang: Lang) -> str:
+    """The conclusion that the construction came to, with no full stop; nothing of most."""
+    return answer.reading.remark.of(lang).strip().rstrip("。.") if answer.reading.remark is not None else ""
+
+
+def is_hopeless(answer: Answer) -> bool:
+    """Whether its reading may be off by so much that nothing was read."""
+    share = coarse(answer)
+    return share is not None and not (isfinite(share) and share < HOPELESS)
+
+
+def error_of(answer: Answer) -> str:
+    """By how much a coarse reading may be off, of its value: ±17 %; nothing where that need not be told."""
+    share = coarse(answer)
+    return "" if share is None or is_hopeless(answer) else f"±{100 * share:.0f} %"
+
+
+def _remarks(answers: Iterable[Answer], lang: Lang) -> Iterator[str]:
+    found = dict[str, list[str]]()
+    for one in answers:
+        if text := remark_of(one, lang):
+            found.setdefault(text, []).append("" if one.reading.unit == YES_NO else f"${one.reading.symbol}$")
+    for text, symbols in found.items():
+        named = _listed(filter(None, symbols), lang)
+        yield f"{named}{_COLON[lang]}{text}" if named else text[:1].upper() + text[1:]
+
+
+def _hardly(answers: Sequence[Answer], lang: Lang) -> Iterator[str]:
+    """What is too short on paper, read coarsely, or not to be read at all."""
+    short = [f"${one.reading.symbol}$ {on_paper(one)} mm" for one in answers if one.short]
+    off = [f"${one.reading.symbol}$ {error_of(one)}" for one in answers if error_of(one)]
+    lost = [f"${one.reading.symbol}$" for one in answers if is_hopeless(one)]
+    instead = f"（{INSTEAD.zh}）" if lang == "zh" else f" ({INSTEAD.en})"
+    heads = (
+        Words(f"图上{TOO_SHORT.zh}", f"{TOO_SHORT.en} on paper").of(lang),
+        COARSE.of(lang),
+        UNREADABLE.of(lang) + instead,
+    )
+    for head, symbols in zip(heads, (short, off, lost), strict=True):
+        if symbols:
+            yield f"{head[0].upper()}{head[1:]}{_COLON[lang]}{_listed(symbols, lang)}"
+
+
+_COLON: dict[Lang, str] = {"zh": "：", "en": ": "}
+
+
+def _listed(symbols: Iterable[str], lang: Lang) -> str:
+    return Words("、", ", ").of(lang).join(symbols)
