@@ -27,8 +27,8 @@ def read_again(solution: Solution, rng: np.random.Generator) -> str:
 
 
 def _same(again: Solution, solution: Solution) -> bool:
-    """Whether all that was drawn is there again: equal, or, where a number is undefined (η = 0/0) and so equals nothing,
-    written alike to the last digit."""
+    """Whether all that was drawn is there again: equal, or, where a number is undefined (η = 0/0) and so equals
+    nothing, written alike to the last digit."""
     one, other = again.construction, solution.construction
     return one == other or ("nan" in repr(one) and repr(one) == repr(other))
 
