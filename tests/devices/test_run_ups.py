@@ -168,3 +168,9 @@ def test_kloss_is_symmetric_about_its_greatest_moment() -> None:
     motor = Kloss(greatest=10.0, slip=0.25, synchronous=100.0, text="")
     at = {share: 2 * motor.greatest / (share + 1 / share) for share in (0.5, 1.0, 2.0)}
     assert at[0.5] == at[2.0] < at[1.0] == motor.greatest
+
+
+@pytest.mark.parametrize("read", ["0 mm", "60 mm"])
+def test_a_steady_speed_misread_so_far_that_no_area_is_left_is_refused_with_its_numbers(read: str) -> None:
+    with pytest.raises(NotAskedError, match="read O S again"):
+        solve(load("motor-run-up"), by="exact", repeats=0, readings={"OS": read})

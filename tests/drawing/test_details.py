@@ -11,7 +11,8 @@ from vecpoly.board.construction import Construction, Figure, Scale, View
 from vecpoly.board.paper.marks import Dot, Mark, Point, Role, Vector
 from vecpoly.board.ruler import READABLE
 from vecpoly.drawing.details.apart import all_detailed, detailed, is_detail, numeral
-from vecpoly.drawing.details.knots import FACTORS, FULL, knots
+from vecpoly.drawing.details.knot import FACTORS, FULL
+from vecpoly.drawing.details.knots import knots
 from vecpoly.drawing.details.room import WHITE, Grow
 from vecpoly.drawing.scene import Fill, Rect, Scene, Stroke
 from vecpoly.drawing.sheets.nested import nested

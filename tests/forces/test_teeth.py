@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 import vecpoly
 from tests.laws import often
-from vecpoly.errors import ProblemFileError
+from vecpoly.errors import LockedError, ProblemFileError
 from vecpoly.solution import Solution, solve
 
 TWO_GEARS = """
@@ -138,3 +138,36 @@ def test_a_pin_with_friction_that_bears_nothing_is_no_lock() -> None:
     assert found.answers["M_1"].drawn == pytest.approx(-tangential * 0.022)
     assert abs(vector(found, "R_12")) == pytest.approx(tangential / cos(radians(20)))
     assert abs(vector(found, "R_23")) == pytest.approx(0.0, abs=1e-9)
+
+
+# Gear 3 runs idle: the load passes through B. Its bearing has a friction circle larger than its pitch circle.
+IDLE_GEAR = """
+id: idle-gear
+title: an idle gear on a rack
+frame: {A: [0 mm, 0 mm], D: [-116 mm, 84 mm]}
+links:
+  1: {AB: 27 mm}
+  2: {rack: {through: B, left: -11 mm}}
+  3: {gear: D, radius: 21 mm}
+joints: [3 rolls on 2 at C]
+input: {link: 1, phi: 207 deg, omega: 4 rad/s cw}
+loads:
+  F: {on: 2, at: B, size: 744 N, direction: 27 deg}
+  M_1: {on: 1, size: "?"}
+friction: {A: {rho: 5 mm}, D: {rho: 22 mm}}
+find: [M_1, R_12, R_23, R_43]
+"""
+
+
+def test_a_gear_that_passes_on_nothing_is_not_locked_however_large_its_friction_circle() -> None:
+    """Where nothing presses nothing rubs: only the crank's own bearing takes its toll, 744 N · 5 mm."""
+    solution = solve(vecpoly.loads(IDLE_GEAR), by="exact", repeats=0)
+    assert solution.answers["M_1"].drawn == pytest.approx(-3.72, rel=1e-9)
+    assert [abs(vector(solution, key)) for key in ("R_23", "R_43")] == [0.0, 0.0]
+    told = [step.words.en for step in solution.construction.steps if "could pass on no force" in step.words.en]
+    assert len(told) == 1 and "along $DC$" in told[0]
+
+
+def test_a_gear_that_must_turn_against_such_a_bearing_is_locked() -> None:
+    with pytest.raises(LockedError, match="friction"):
+        solve(vecpoly.loads(IDLE_GEAR.replace("  M_1", "  M_2: {on: 2, size: 1 N*m}\n  M_1")), by="exact", repeats=0)

@@ -28,6 +28,8 @@ STEP, FINEST = 2e-3, 2e-5  # of the drive (rad, or sizes of the mechanism): fine
 ROUGH = 0.1  # of the inertia forces: differences that are off by more tell nothing
 AGREE = 1e-7  # of the largest force, and of that times the mechanism's size
 STILL = 1e-6  # of the largest rate: slower pairs tell no sense
+LEAP = 0.4  # of a rate: how far two of its differences may disagree; at the very end of a range they do by 0.37
+ROUNDING = 1e-9  # rad, of links that only translate
 _OFFSETS = np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
 _FIRST, _SECOND = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12, np.array([-1.0, 16.0, -30.0, 16.0, -1.0]) / 12
 
@@ -58,6 +60,14 @@ class Moving:
         """Raises a VecpolyError near the ends of the range."""
         step *= mech.scale if mech.drive.slide else 1.0
         return cls(mech, oracle.solve(mech, mech.drive.position + _OFFSETS * step, order=0), step)
+
+    @property
+    def leaps(self) -> bool:
+        """Whether the five positions belong to two assemblies, as beside a turning point that the drive does not meet:
+        then the outer two of them tell other rates than the inner two, and differences tell nothing."""
+        angles = np.array([self._angles(link) for link in _links(self.mech)])
+        inner, outer = (angles[:, 3] - angles[:, 1]) / 2, (angles[:, 4] - angles[:, 0]) / 4
+        return bool(np.max(abs(outer - inner)) > LEAP * np.max(abs(inner)) + ROUNDING)
 
     def path(self, link: str, local: complex) -> np.ndarray:
         """The five places of a point of a link."""
@@ -115,6 +125,8 @@ def in_equilibrium(solution: Solution) -> str:
         moving, coarse = _told_by_differences(mech, loads)
     except VecpolyError:
         return ""  # too near the end of the range for five positions
+    if moving.leaps:
+        return ""
     forces = solution.as_json()["forces"]
     ways = ["", "_0"] if loads.friction else [""]
     slack = _slack(moving, coarse, loads)

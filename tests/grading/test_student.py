@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from vecpoly import check_answers, load
+from vecpoly import check_answers, load, loads
 from vecpoly.errors import ArgumentError, UnknownNameError, VecpolyError
 
 
@@ -56,3 +56,18 @@ def test_what_no_drawing_can_tell_from_another_value_is_said_to_be_so() -> None:
     doubtful, sound = check_answers(load("8-15"), ["BC=214 mm", "AD=283 mm"]).answers
     assert doubtful.is_right and "scatter by ±76 mm (35 %)" in doubtful.messages[-1].words.en
     assert sound.is_right and "scatter" not in "".join(said.words.en for said in sound.messages)
+
+
+@pytest.mark.parametrize(("text", "right"), [("168.4°", True), ("348.4°", True), ("-11.6°", True), ("150°", False)])
+def test_of_a_centre_at_infinity_the_direction_is_checked_whichever_way_round_it_is_told(
+    text: str, right: bool
+) -> None:
+    assert check_answers(load("3-1d"), {"P_23": text}).right is right
+
+
+def test_the_direction_of_a_line_near_180_degrees_scatters_no_more_than_any_other() -> None:
+    guide = "id: x\ntitle: x\nframe: {A: [0 mm, 0 mm]}\nlinks: {1: {AB: 40 mm}, 2: {BC: 120 mm}, 3: {block: C}}\n"
+    guide += "joints: [3 slides on line through A at 90.0 deg]\nbranch: [C above B]\nmethod: centres\n"
+    guide += "input: {link: 1, phi: 20 deg, omega: 10 rad/s ccw}\nfind: [P_34]\n"
+    answers = [check_answers(loads(guide), {"P_34": text}) for text in ("0.2°", "179.8°", "10°")]
+    assert [one.right for one in answers] == [True, True, False]

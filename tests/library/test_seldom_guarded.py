@@ -23,7 +23,8 @@ from vecpoly.cycle.facts.path import Path, Shape, path
 from vecpoly.cycle.facts.path_words import path_sentences
 from vecpoly.cycle.whole_cycle import cycle
 from vecpoly.drawing.details.apart import ROMAN, detailed
-from vecpoly.drawing.details.knots import Knot, knots
+from vecpoly.drawing.details.knot import Knot
+from vecpoly.drawing.details.knots import knots
 from vecpoly.errors import NoMethodError, NotAskedError
 from vecpoly.problem.load import loads
 from vecpoly.solution import solve

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from tests.lawful import CARD, COIL, CUT, ENGINE, PLAIN, SPRING, slider
 from tests.laws import few, often
+from vecpoly import loads
 from vecpoly.errors import EquilibriumError, VecpolyError
 from vecpoly.oracle import solve
 from vecpoly.oracle.forces import forces
@@ -121,6 +122,44 @@ def test_the_corners_are_where_the_windows_open_and_close_and_tables_bend() -> N
     assert problem.loads is not None
     gone = [(CRANK + ROD - travel(float(q))) / (2 * CRANK) for q in corners(problem.mechanism, problem.loads)]
     assert sorted(round(part, 9) for part in gone) == pytest.approx([0, 0.05, 0.05, 0.95, 0.95, 1], abs=1e-8)
+
+
+# C passes where DC lies along 82° at full speed: it turns back in that direction, and F goes on to do work there.
+ACROSS = """
+id: across
+title: a load that ends while its point moves on
+frame: {A: [0 mm, 0 mm], D: [146.777 mm, 0 mm]}
+links: {1: {AB: 64.968 mm}, 2: {BC: 208.173 mm}, 3: {DC: 198.463 mm}}
+branch: [C below AD]
+input: {link: 1, phi: 182 deg, omega: 108 r/min cw}
+loads:
+  F: {on: 3, at: C, size: 764 N, direction: 13 deg, while: C moves along 82 deg}
+  M_c: {on: 1, size: constant}
+find: [M_c]
+"""
+
+
+def test_a_corner_where_a_point_turns_back_is_found_to_the_last_digit_though_it_moves_across() -> None:
+    problem = loads(ACROSS)
+    assert problem.loads is not None
+    places = corners(problem.mechanism, problem.loads)
+    motion = solve(problem.mechanism, places)
+    ray = motion.body("3").point(0.198463 + 0j) - 0.146777
+    square, still = np.sin(np.angle(ray) - np.radians(82)), motion.omega("3") / RATE
+    assert len(places) == 4
+    assert sorted(np.minimum(abs(square), abs(still))) == pytest.approx([0, 0, 0, 0], abs=1e-13)
+
+
+def test_the_constant_moment_does_the_work_of_a_load_that_ends_while_its_point_moves_on() -> None:
+    problem = loads(ACROSS)
+    assert problem.loads is not None
+    places = solve(problem.mechanism, corners(problem.mechanism, problem.loads)).body("3").point(0.198463 + 0j)
+    lowest = 0.146777 - 0.198463 * np.exp(1j * np.radians(82))
+    places = np.where(abs(places - lowest) < 1e-6, lowest, places)
+    force, gone = 764 * np.exp(1j * np.radians(13)), np.real(places * np.exp(-1j * np.radians(82)))
+    rises = [(a, b) for n, a in enumerate(places) for b in [places[n - 1]] if gone[n] < gone[n - 1]]  # it turns cw
+    work = sum(float(np.real((b - a) * np.conj(force))) for a, b in rises)
+    assert constant_size(problem.mechanism, problem.loads) == pytest.approx(work / (2 * np.pi), rel=1e-12)
 
 
 def test_a_table_over_two_turns_makes_the_period_two_turns() -> None:

@@ -28,7 +28,13 @@ class Kind(StrEnum):
     SIGNED = "signed"  # a size and a sense of turning
     SCALAR = "scalar"  # a number, with its sign
     PLACE = "place"  # two coordinates
+    LINE = "line"  # the direction of a line, without a sense: of a centre at infinity (deg)
     YES_NO = "yes/no"
+
+
+def beside(degrees: Any, other: float) -> Any:
+    """The direction of a line, or of many, written so that it is nearest to another: 181° beside 179°, for 1°."""
+    return other + (degrees - other + 90.0) % 180.0 - 90.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -145,8 +145,10 @@ class Diagram:
         return (*self.mech.link(link).points, *rolls)
 
     def bar(self, link: str, p: str, q: str) -> str:
-        """Two letters of a link in the order in which the problem names them: EF, not FE."""
-        return "".join(name for name in self.mech.link(link).points if name in (p, q))
+        """Two letters of a link in the order in which the problem names them: EF, not FE; that of a pitch point last,
+        which no link has for its own."""
+        own = [name for name in self.mech.link(link).points if name in (p, q)]
+        return "".join(own + [name for name in (p, q) if name not in own])
 
     def towards(self, p: str, q: str) -> Points:
         """Direction of the drawn line from P to Q."""

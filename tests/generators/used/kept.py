@@ -20,10 +20,17 @@ def read_again(solution: Solution, rng: np.random.Generator) -> str:
     """A record holds all that there is, and its problem is solved as before."""
     text = to_json(solution)
     again = from_json(text, Solution)
-    if to_json(again) != text or again.problem != solution.problem or again.construction != solution.construction:
+    if to_json(again) != text or again.problem != solution.problem or not _same(again, solution):
         return "the record holds something else"
     json.dumps(solution.as_json(), allow_nan=False)
     return unlike(solution, solved(again.problem))
+
+
+def _same(again: Solution, solution: Solution) -> bool:
+    """Whether all that was drawn is there again: equal, or, where a number is undefined (η = 0/0) and so equals
+    nothing, written alike to the last digit."""
+    one, other = again.construction, solution.construction
+    return one == other or ("nan" in repr(one) and repr(one) == repr(other))
 
 
 @used

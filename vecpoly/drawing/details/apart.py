@@ -12,7 +12,8 @@ import numpy as np
 from ...board.construction import Figure
 from ...board.paper.marks import Arc, Dot, Mark, Point, Role, Segment, Vector
 from ...words import Words
-from .knots import MOST, Knot, knots
+from .knot import Knot
+from .knots import MOST, knots
 from .within import unlettered, within
 
 ROMAN = "ⅠⅡⅢⅣⅤⅥⅦⅧⅨⅩⅪⅫ"

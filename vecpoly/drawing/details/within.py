@@ -29,7 +29,8 @@ from ...board.paper.marks import (
     Vector,
 )
 from ..symbols.shapes import arc, circle
-from .knots import APART, Knot
+from .knot import Knot
+from .knots import APART
 
 REACH = 2.0  # mm from the ring within which the letter at the end of a direction line stands on it
 SYMBOL = 6.0  # mm that the symbol of a pivot or a block stands out from its place

@@ -12,7 +12,8 @@ from ...board.paper.extent import bounds
 from ...board.paper.marks import Role, Segment, Vector
 from ...board.paper.scales import Sketched
 from ...foundation.slotted import dataclass
-from ..details.knots import MOST, Crowd, Knot
+from ..details.knot import Knot
+from ..details.knots import MOST, Crowd
 from ..details.room import Grow, Room, Spots, filled, reach_of, spread
 from ..rect import Rect
 from .lettering import SHORTEST, UNDER

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import degrees, hypot
 
 from ..allowance import Allowance
-from ..key import Graded, Kind
+from ..key import Graded, Kind, beside
 from .measured import Measured
 from .outcome import Outcome
 
@@ -31,6 +31,8 @@ def gap(value: float, graded: Graded, target: Target) -> float:
     """How far a value is off, by size where its sense is told apart."""
     if graded.kind in (Kind.VECTOR, Kind.SIGNED, Kind.READING):
         return abs(value) - abs(target.value)
+    if graded.kind is Kind.LINE:
+        return float(beside(value, target.value)) - target.value
     if graded.unit == "deg":
         return (value - target.value + 180.0) % 360.0 - 180.0
     return value - target.value

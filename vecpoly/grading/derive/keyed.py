@@ -119,7 +119,7 @@ class _Found:
 def _kind(answer: Answer) -> Kind:
     """How an answer is compared."""
     if answer.is_place:
-        return Kind.PLACE
+        return Kind.LINE if answer.exact_vector is None else Kind.PLACE
     if answer.reading.unit == YES_NO:
         return Kind.YES_NO
     if answer.exact_vector is not None:

@@ -14,7 +14,7 @@ from ...board.acts import Answer as Wrote
 from ...board.hand import scatter
 from ...methods.drawn import Drawn
 from ..allowance import Allowance
-from ..key import Graded, Kind
+from ..key import Graded, Kind, beside
 
 LOST = 0.1  # share of hands that cannot close a figure, beyond which nothing can be promised
 COMPUTED = 1e-9  # of the largest of its unit: less is zero
@@ -29,14 +29,15 @@ class Scatter:
     allowance: Allowance
     scales: Mapping[str, float]
 
-    def sigma(self, act: Act, *, place: bool = False) -> float:
+    def sigma(self, act: Act, *, place: bool = False, line: bool = False) -> float:
         """σ of what an act gave (SI, readings in mm), of a place of its distance from the nominal one; infinite where
         too many hands find nothing."""
         own: Any = self.drawn.hands.get(act.number)
         repeats = self.drawn.repeats.get(act.key) if isinstance(act, Wrote) and not place else own
         if repeats is None or np.ndim(repeats) == 0:
             return 0.0
-        found = np.asarray(repeats, dtype=complex if place else float)[1:]
+        nominal, *others = np.asarray(repeats, dtype=complex if place else float)
+        found = np.array(beside(np.array(others), nominal) if line else others)  # 179° and 1° are 2° apart
         closed = found[np.isfinite(found)]
         return scatter(closed) if closed.size >= (1 - LOST) * found.size else inf
 
@@ -90,4 +91,8 @@ class Scatter:
 
 def with_tolerance(one: Graded, act: Act, scatter: Scatter) -> Graded:
     """The quantity with the scatter of the act that gave it."""
-    return replace(one, sigma=scatter.sigma(act, place=one.kind is Kind.PLACE), turned=scatter.turned(act))
+    return replace(
+        one,
+        sigma=scatter.sigma(act, place=one.kind is Kind.PLACE, line=one.kind is Kind.LINE),
+        turned=scatter.turned(act),
+    )

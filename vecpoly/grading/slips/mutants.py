@@ -20,7 +20,7 @@ from ...errors import VecpolyError
 from ...mechanism.model import Mechanism
 from ...mistakes import slips
 from ...problem.problem import Problem
-from ..key import AnswerKey, Graded, Kind
+from ..key import AnswerKey, Graded, Kind, beside
 from ..redraw import ByHand, by_hands
 
 TURNING = (Mistake.REVERSED, Mistake.DROPPED, Mistake.TURNED, Mistake.OTHER_MEETING)  # by which a motion may turn round
@@ -148,6 +148,8 @@ def _compared(one: Graded, found: Any) -> Any:
             return np.abs(found)
         case Kind.SIGNED | Kind.SCALAR | Kind.YES_NO:
             return np.real(found)
+        case Kind.LINE:
+            return beside(np.real(found), one.exact)
         case Kind.PLACE:
             return found
         case _:
@@ -162,6 +164,8 @@ def _value(one: Graded, found: Any) -> Value | None:
     """What a hand found; None where its figure does not close."""
     if not np.isfinite(found) or abs(found) > FAR * max(abs(one.exact), one.allowed):
         return None
+    if one.kind is Kind.LINE:
+        return Value(value=float(beside(np.real(found), one.exact)))
     if np.iscomplexobj(found) and one.kind is Kind.PLACE:
         return Value(value=float(abs(found)), at=(float(found.real), float(found.imag)))
     if np.iscomplexobj(found) and one.kind is Kind.VECTOR:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import atan, tan
 
 from ...errors import NoSlipSenseError
 from ...mechanism.loads import Loads
@@ -56,13 +57,20 @@ class Rubbing:
         )
 
     def phi(self, joint: Prismatic | Contact) -> float:
-        """Friction angle of a slide or a contact (rad); 0 in a pass without friction."""
+        """Friction angle of a slide or a contact (rad); 0 in a pass without friction.
+
+        A share of the friction is one of f = tan φ, as it is one of ρ = f r: slides that are steeper than that against
+        the pins would help where they bind, and others bind where they help.
+        """
         friction = self.loads.friction
         if not self.rubbing or (isinstance(joint, Prismatic) and (joint.block, joint.guide) in self.bare):
             return 0.0
-        if isinstance(joint, Contact):
-            return self.share * friction.contacts.get(joint.point, 0.0)
-        return self.share * friction.slides.get((joint.block, joint.guide), 0.0)
+        whole = (
+            friction.contacts.get(joint.point, 0.0)
+            if isinstance(joint, Contact)
+            else friction.slides.get((joint.block, joint.guide), 0.0)
+        )
+        return whole if self.share == 1.0 else atan(self.share * tan(whole))
 
     def turning(self, link: str, against: str) -> float:
         """ω of a link relative to another, as drawn (rad/s)."""

@@ -11,7 +11,9 @@ from ....algebra.quantity import Quantity, number
 from ....board.construction import Listing, Pane, View
 from ....board.paper.marks import Dot, Role
 from ....devices.dynamics.run_up import RunUp
+from ....errors import NotAskedError
 from ....plane import Points, Reals, nominal
+from ....words import Words
 from ...diagrams.axes import Axes, draw_axes
 from ...diagrams.lobes import middle_of
 from ...diagrams.strip import root, summed
@@ -82,8 +84,27 @@ def inverse_curve(bench: Bench, device: RunUp, course: Course, shift: Reals) -> 
     board.hatch(place, outline, rising=True)
     board.plot(place, middle_of(outline), "A", Dot.NONE)
     true = summed([1.0] * len(parts), parts) + shift * last.imag / scale.right.value
+    _refuse_no_area(course, float(nominal(shift)), float(nominal(true)))
     area = board.area(place, outline, "A", curved=true)
     return Timed(place=place, area=area, true=true, parts=tuple(parts))
+
+
+def _refuse_no_area(course: Course, shift: float, area: float) -> None:
+    """NotAskedError where the speed that was read ends the run so early that nothing is left of the area."""
+    if area > 0.0:
+        return
+    goal = course.goal + shift
+    raise NotAskedError(
+        Words(
+            f"按读得的稳定转速，起动至 {goal:.4g} rad/s 为止，而曲线画至 {course.goal:.4g} rad/s：相差过大，"
+            f"$1/ΔM$ 曲线下余下的面积为 {area:.4g} mm²，求不出时间；请重读 $OS$",
+            f"by the steady speed that was read the run ends at {goal:.4g} rad/s, and the curve of 1/ΔM is drawn to "
+            f"{course.goal:.4g} rad/s: so far beside it {area:.4g} mm² are left of the area below, and no time "
+            "follows; read O S again",
+        ),
+        code="no-area",
+        numbers={"goal": goal, "drawn": course.goal, "area": area},
+    )
 
 
 def speed_curve(

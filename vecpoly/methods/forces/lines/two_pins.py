@@ -37,6 +37,8 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
     if st.ideal is None:
         return _without_friction(st, two, (p, q))
     on = _exerted(st.ideal, two)
+    if abs(complex(nominal(on))) < NO_LENGTH and _overlap(st, two, (p, q)):
+        return _passing_nothing(st, two, (p, q))
     compressed = float(nominal(dot(on, at_p - at_q))) > 0
     board.step(_pressed(st, two, compressed, (p, q)), View.MECHANISM)
     line = board.tangent_to_both(
@@ -72,6 +74,33 @@ def _without_friction(st: Statics, two: TwoForce, pins: tuple[str, str]) -> Line
     if st.preliminary:
         _draw(st, line, (at_p, at_q), st.named(two.on, two.link))
     return line
+
+
+def _overlap(st: Statics, two: TwoForce, pins: tuple[str, str]) -> bool:
+    """Whether the friction circles have no common tangent against the turning at both pins."""
+    (p, q), senses = pins, (st.moment_sense(pins[0], two.on, two.link), st.moment_sense(pins[1], two.by, two.link))
+    arms = senses[0] * st.rho(p) + senses[1] * st.rho(q)
+    return abs(arms) >= abs(complex(nominal(st.desk.at[q] - st.desk.at[p])))
+
+
+def _passing_nothing(st: Statics, two: TwoForce, pins: tuple[str, str]) -> Line:
+    """The line through both pins, of a link that passes on no force: where nothing presses friction locks nothing.
+
+    Where a force is found along it after all the next round knows its sense, and that there is no tangent.
+    """
+    number, bar, symbol = st.mech.number(two.link), st.desk.bar(two.link, *pins), st.named(two.link, two.on).symbol
+    st.board.step(
+        Words(
+            f"构件 {number} 不受外力，为二力杆。摩擦圆过大，无公切线，不能传力；而此处也不须传力：作用线取 ${bar}$，"
+            f"得 ${symbol}$ = 0，两端无压力，亦无摩擦。",
+            f"No load acts on link {number}: it is a two-force link. With friction as large as here no line touches as "
+            f"both ends ask, and it could pass on no force; but none is asked of it: along ${bar}$ one finds "
+            f"${symbol}$ = 0, and where nothing presses nothing rubs.",
+        ),
+        View.MECHANISM,
+    )
+    at_p, at_q = (st.desk.at[pin] for pin in pins)
+    return Line(at_p, unit(at_p - at_q))
 
 
 def _exerted(st: Statics, two: TwoForce) -> Points:

@@ -15,6 +15,7 @@ from ..state import Statics
 from .secant import Couples
 
 FAR = 0.25  # of the largest reaction: what one changes by from one share of the friction to the next
+CLOSE = 0.01  # the same, from one side of a kink to the other
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,7 +31,7 @@ class Reached:
     side: int = 1
 
 
-def is_far(found: Statics, guide: Statics) -> bool:
+def is_far(found: Statics, guide: Statics, far: float = FAR) -> bool:
     """Whether a reaction changed by much of the largest one."""
     sizes = [abs(complex(nominal(force.vector))) for force in found.acting.values()]
     before = {key: guide.push(*key) for key in found.acting}
@@ -39,12 +40,14 @@ def is_far(found: Statics, guide: Statics) -> bool:
         for key, force in found.acting.items()
         if (old := before[key]) is not None
     ]
-    return max(changes, default=0.0) > FAR * max(sizes, default=0.0)
+    return max(changes, default=0.0) > far * max(sizes, default=0.0)
 
 
 def determinant(answer: np.ndarray) -> float:
     """det(1 − G): 1 with no friction, where the couples that come out do not answer those put in. Along one equilibrium
-    it never passes 0, but ∞ it may, where with these couples held fast a link could not be balanced."""
+    it never passes 0, but ∞ it may, where with these couples held fast a link could not be balanced; and where a
+    reaction changes sides it may leap past either. An equilibrium that is led back there has no neighbour beyond, so
+    one that is found close by beyond is the same, grown."""
     return float(np.linalg.det(np.eye(len(answer)) - answer))
 
 

@@ -24,7 +24,7 @@ from ..acting import Acting
 from ..couples import pin_couples
 from ..senses import velocity_of
 from ..state import Statics
-from .branch import Reached, bearing_nothing, determinant, foreseen, is_far, is_past_pole
+from .branch import CLOSE, Reached, bearing_nothing, determinant, foreseen, is_far, is_past_pole
 from .secant import Couples, gap, secant
 from .trial import on_trial, tried
 
@@ -34,6 +34,7 @@ ROUNDS = 30  # for each share of the friction
 SHARE = 0.25  # of the friction at a time
 ONCE = 1  # with all of it at once: where every reaction keeps the side on which it presses without friction
 FINEST = 0.01
+KINK = 1e-4  # the same, where det(1 − G) leaps to the other sign: whether the reactions go on without a leap
 NEAR = 1e-3  # the same, where what side every reaction takes is told
 NUDGE = 1e-7  # of the largest couple: by how much one is changed to see what the others do
 SETTLED = 1e-12  # change of the couples between two rounds, of the largest couple
@@ -92,10 +93,11 @@ def _raised(
             continue
         answering = last.answering if not answer.size else _answering(last, found, rubbed, walk, couples, answer)
         turned, far = answering * last.side <= 0, is_far(found, guide)
-        if FINEST <= stride <= SHARE and (turned or far):
-            stride /= 2  # too far to be sure that it is the same equilibrium, grown
+        leapt = turned and not far and not is_past_pole(last.answering, answering)
+        if (KINK if leapt else FINEST) <= stride <= (1.0 if leapt else SHARE) and (turned or far):
+            stride = min(stride / 2, SHARE)  # too far to be sure that it is the same equilibrium, grown
             continue
-        if turned and (far or not is_past_pole(last.answering, answering)):
+        if turned and (far or (leapt and is_far(found, guide, CLOSE))):
             raise _locked(start)
         guide, stride = found, min(2 * stride, SHARE) if stride < SHARE else stride
         side = -last.side if turned else last.side

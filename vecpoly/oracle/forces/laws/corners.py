@@ -14,7 +14,7 @@ from ....mechanism.loads import Load, Loads
 from ....mechanism.model import Mechanism
 from ...state import Reals
 from .drives import drive_range, unit_drive
-from .stands import Stands
+from .stands import ROUNDING, Stands
 from .strokes import STEPS, zeros
 
 SAME = 1e-12  # rad, or of the range: corners nearer than this are one
@@ -29,7 +29,10 @@ def corners(mech: Mechanism, loads: Loads) -> Reals:
     low, high, whole = drive_range(mech)
     moving = mech if mech.drive.rate else unit_drive(mech)
     grid = np.linspace(low, high, STEPS + 1)
-    once = [zeros(partial(_at, moving, watched), grid) for watched in _watched(loads)]
+    once = [
+        zeros(partial(_at, moving, watched), grid, partial(_at, moving, watched, rounding=0.0))
+        for watched in _watched(loads)
+    ]
     turns = loads.turns if whole else 1
     found = [part + 2 * np.pi * k for part in once for k in range(turns)]
     found += [np.array(list(_of_the_drive(load, low, high + 2 * np.pi * (turns - 1), whole))) for load in loads.all]
@@ -37,10 +40,10 @@ def corners(mech: Mechanism, loads: Loads) -> Reals:
     return np.asarray(places[np.append(True, np.diff(places) > SAME * max(high - low, 1e-300))[: len(places)]])
 
 
-def _at(mech: Mechanism, watched: Watched, q: Reals) -> Reals:
+def _at(mech: Mechanism, watched: Watched, q: Reals, rounding: float = ROUNDING) -> Reals:
     from ... import solve
 
-    found = watched(Stands(mech, solve(mech, q, order=1, strict=False).bodies, q))
+    found = watched(Stands(mech, solve(mech, q, order=1, strict=False).bodies, q, rounding))
     return np.broadcast_to(found, q.shape)
 
 

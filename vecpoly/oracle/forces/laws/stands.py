@@ -24,11 +24,16 @@ ROUNDING = 1e-9  # of the mechanism's scale of rates: below it nothing moves
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Stands:
-    """The mechanism at the positions q of its drive (rad, or m), with the motion of its links there."""
+    """The mechanism at the positions q of its drive (rad, or m), with the motion of its links there.
+
+    rounding: of the mechanism's scale of rates, what counts as rest; 0 where a change of sense is sought to the last
+    digit: the point may well move the other way meanwhile, and there a load does work.
+    """
 
     mech: Mechanism
     bodies: Bodies
     q: Reals
+    rounding: float = ROUNDING
 
     def drive(self) -> Reals:
         """The drive's own coordinate."""
@@ -81,7 +86,7 @@ class Stands:
         return abs(drive.rate) * (1.0 if drive.slide else self.mech.scale)
 
     def _quiet(self, rate: Reals, pace: float) -> Reals:
-        return np.where(np.abs(rate) <= ROUNDING * pace, 0.0, rate)
+        return np.where(np.abs(rate) <= self.rounding * pace, 0.0, rate)
 
     def _along(self, vector: Points, direction: float) -> Reals:
         return np.asarray(np.real(vector * complex(np.exp(-1j * direction))), np.float64)

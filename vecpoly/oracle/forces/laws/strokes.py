@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ....errors import EquilibriumError
 from ....mechanism.laws.told import no_stroke
@@ -33,11 +34,22 @@ def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[fl
     return least, most
 
 
-def zeros(f: Callable[[Reals], Reals], grid: Reals) -> Reals:
-    """Where a function changes its sign on this grid, by halving; a value that is 0 counts with those above."""
+def zeros(f: Callable[[Reals], Reals], grid: Reals, fine: Callable[[Reals], Reals] | None = None) -> Reals:
+    """Where a function changes its sign on this grid, by halving; a value that is 0 counts with those above.
+
+    fine: the same function with nothing taken for 0, for where it passes from one side to the other and does not rest:
+    between the two its sign is certain, however near.
+    """
     found = f(grid)
     values, known = found >= 0, np.isfinite(found)
     at = np.flatnonzero((values[:-1] != values[1:]) & known[:-1] & known[1:])
+    passes = found[at] * found[at + 1] < 0
+    sharp = _halved(f if fine is None else fine, grid, at[passes], values)
+    return np.sort(np.concatenate([sharp, _halved(f, grid, at[~passes], values)]))
+
+
+def _halved(f: Callable[[Reals], Reals], grid: Reals, at: NDArray[np.intp], values: NDArray[np.bool_]) -> Reals:
+    """The changes of sign behind these places of the grid."""
     left, right, first = grid[at], grid[at + 1], values[at]
     for _ in range(HALVINGS if len(at) else 0):
         middle = (left + right) / 2

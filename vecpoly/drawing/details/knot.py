@@ -1,0 +1,69 @@
+"""A circle about a crowded place, and what of it is too near to be told apart on the figure itself."""
+
+from __future__ import annotations
+
+from ...board.ruler import READABLE
+from ...foundation.slotted import dataclass
+
+FACTORS = (2.0, 2.5, 4.0, 5.0, 10.0, 20.0)  # GB/T 14690
+FULL = 58.0  # mm across that a detail is at most
+EDGE, TIGHT = 9.0, 0.8  # mm between the crowd and the ring about it: in the detail, at least on the figure
+SMALLEST = 1.0  # mm: radius of a circle that can be seen
+WIDE, LONG = 8.0, 6.0  # mm in the detail: between letters, of a vector, if there is room;
+LEGIBLE = 5.0  # mm between letters in the detail, at least
+SEEN = 3  # what a knot is worth at least: three pairs of letters, or one vector
+
+
+@dataclass(frozen=True, slots=True)
+class Knot:
+    """A circle about a crowded place, and how many times it is to be enlarged."""
+
+    centre: complex
+    radius: float
+    factor: float
+
+    def holds(self, at: complex) -> bool:
+        """Whether a point lies within."""
+        return abs(at - self.centre) <= self.radius
+
+    def moved(self, at: complex) -> complex:
+        """A point as it lies in the detail."""
+        return (at - self.centre) * self.factor
+
+    def meets(self, other: Knot) -> bool:
+        """Whether the circles overlap."""
+        return abs(self.centre - other.centre) < self.radius + other.radius
+
+
+@dataclass(frozen=True, slots=True)
+class Trouble:
+    """Two places that are too near: the ends of a short vector, or two letters."""
+
+    a: complex
+    b: complex
+    vector: bool
+
+    @property
+    def length(self) -> float:
+        """How far apart they are, mm."""
+        return abs(self.b - self.a)
+
+    @property
+    def worth(self) -> int:
+        """How much it is to draw them apart."""
+        return SEEN if self.vector else 1
+
+    def solved(self, factor: float, *, well: bool = False) -> bool:
+        """Whether they are far enough apart so many times larger."""
+        least = (LONG if well else READABLE) if self.vector else (WIDE if well else LEGIBLE)
+        return self.length * factor >= least
+
+
+def ring(bare: float, factor: float) -> float:
+    """Radius (mm) of the ring about a crowd in a circle of this radius, to be enlarged so many times."""
+    return max(SMALLEST, bare + max(TIGHT, EDGE / factor))
+
+
+def finds_room(bare: float, factor: float) -> bool:
+    """Whether such a detail is not too large. The larger the factor, the larger the detail."""
+    return 2 * ring(bare, factor) * factor <= FULL
