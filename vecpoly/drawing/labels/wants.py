@@ -47,6 +47,7 @@ from ..symbols.angles import TAIL, narrow
 from ..symbols.bodies import foot_of
 from ..symbols.shapes import HATCH, NEAR
 from .bows import along, bow
+from .dimensions import dimension_line, over
 from .notes import lines
 from .want import Piece, Spot, Thing, Want
 
@@ -154,6 +155,8 @@ def _points(marks: tuple[Mark, ...], taken: list[Spot], tones: Tones) -> Iterabl
             pieces.append(_piece(mark.label, line_hue(mark.key, tones, Hue.BLACK), mark.step, x))
         if any(mark.dot is not Dot.NONE for mark in group):
             yield Want(tuple(pieces), (at,), (0j,), _keep(at, taken), (at, at), thing=Thing.POINT)
+        elif (measured := dimension_line(at, marks)) is not None:
+            yield over(measured, tuple(pieces))
         elif group[0].label[:1].islower() and (line := _through(at, lines)) is not None:
             yield _line_want(line.a, line.b, THIN / 2, tuple(pieces), Thing.END)
         else:
