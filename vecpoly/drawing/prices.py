@@ -103,6 +103,10 @@ class Places:
     def _trial(self, some: Indices) -> Trial:
         return Trial(self.spots.centre[some], self.half, self.spots.foot[some] if self.led else None)
 
+    def cheapest(self, below: float, count: int) -> list[int]:
+        """So many of the cheapest places by themselves, those that cost less than this."""
+        return [int(at) for at in self._by_price[:count] if self.total[at] < below] if self.least < below else []
+
     def among(self, at: int) -> tuple[int, int]:
         """In which batch a place is, and which of its places it is there."""
         return divmod(int(np.flatnonzero(self._by_price == at)[0]), BATCH)

@@ -49,9 +49,9 @@ from ..symbols.shapes import HATCH, NEAR
 from .bows import along, bow
 from .dimensions import dimension_line, over
 from .notes import lines
+from .numbers import FRACTIONS, along_line, number_of_link
 from .want import Piece, Spot, Thing, Want
 
-FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 _RADIUS = {
     Dot.JOINT: JOINT_RADIUS,
     Dot.MULTIPLE: MULTIPLE_RADIUS,
@@ -76,10 +76,10 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
                 found.append(_vector(mark, mark_hue(mark, view, label, tones)))
             case LinkNumber(a=a, number=number) if (ground := _ground(mark, marks)) is not None:
                 a, b = foot_of(ground)
-                found.append(_line_want(a, b, HATCH, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
+                found.append(along_line(a, b, HATCH, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
             case LinkNumber(a=a, b=b, number=number):
                 keep = LINK / 2 if abs(b - a) > NEAR else max(_keep(a, taken), _disc(a, marks))
-                found.append(_line_want(a, b, keep, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
+                found.append(number_of_link(mark, _piece(number, Hue.BLACK, mark.step), marks, keep))
             case TurnArrow(label=label) if label:
                 hue = mark_hue(mark, view, label, tones)
                 found.append(bow(mark, _piece(label, hue, mark.step), marks, FRACTIONS))
@@ -158,7 +158,7 @@ def _points(marks: tuple[Mark, ...], taken: list[Spot], tones: Tones) -> Iterabl
         elif (measured := dimension_line(at, marks)) is not None:
             yield over(measured, tuple(pieces))
         elif group[0].label[:1].islower() and (line := _through(at, lines)) is not None:
-            yield _line_want(line.a, line.b, THIN / 2, tuple(pieces), Thing.END)
+            yield along_line(line.a, line.b, THIN / 2, tuple(pieces), Thing.END)
         else:
             yield _end(tuple(pieces), at, _keep(at, taken), ruled.get(at))
 
@@ -216,15 +216,7 @@ def _disc(at: complex, marks: tuple[Mark, ...]) -> float:
 
 
 def _vector(mark: Vector, hue: Hue) -> Want:
-    return _line_want(mark.a, mark.b, RESULT / 2, (_piece(mark.label, hue, mark.step),), Thing.VECTOR)
-
-
-def _line_want(a: complex, b: complex, radius: float, pieces: tuple[Piece, ...], thing: Thing) -> Want:
-    if abs(b - a) < NEAR:
-        return Want(pieces, (a,), (0j,), radius, (a, a), thing=thing)
-    n = 1j * (b - a) / abs(b - a)
-    feet = tuple(a + (b - a) * f for f in FRACTIONS)
-    return Want(pieces, feet, (n,) * len(feet), radius, (a, b), thing=thing)
+    return along_line(mark.a, mark.b, RESULT / 2, (_piece(mark.label, hue, mark.step),), Thing.VECTOR)
 
 
 def _outside(mark: AngleMark, piece: Piece) -> Want:
