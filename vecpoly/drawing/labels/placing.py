@@ -166,7 +166,7 @@ class _Table:
         """Label i takes its cheapest place among the others where they are, of equal ones the first."""
         best, number = inf, -1
         for k, part in enumerate(self.rows[i].parts):
-            if part.least >= best:
+            if part.above(best):
                 continue
             for n, batch in enumerate(part.batches):
                 if batch.least > best:
