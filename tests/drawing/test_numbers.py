@@ -67,3 +67,16 @@ def test_a_block_between_the_links_of_a_mechanism_needs_no_leader_for_its_number
     blocks = {mark.owner for mark in mechanism.marks if isinstance(mark, Block)}
     numbered = [label for label in drawing(mechanism).labels if label.want.thing is Thing.LINK and label.want.bow]
     assert len(numbered) == len(blocks) and all(label.foot is None for label in numbered)
+
+
+@pytest.mark.parametrize("name", ["rack-lift", "stepped-planet", "travel-doubler", "watt-line"])
+def test_numbers_keep_off_the_joints_of_other_links(name: str) -> None:
+    mechanism = drawn(name).construction.figure(View.MECHANISM)
+    assert mechanism is not None
+    labels = drawing(mechanism).labels
+    joints = [label.want.own[0] for label in labels if label.want.thing is Thing.POINT]
+    for number in (label for label in labels if label.want.thing is Thing.LINK):
+        for joint in joints:
+            off, rect = joint - number.centre, number.rect
+            beyond = complex(max(abs(off.real) - rect.width / 2, 0.0), max(abs(off.imag) - rect.height / 2, 0.0))
+            assert abs(beyond) > 2.3, (joint, number.centre)
