@@ -91,3 +91,15 @@ def test_the_letters_of_distances_stand_over_their_lines(name: str) -> None:
     assert lengths
     for label in lengths:
         assert label.foot is None and 0 < label.centre.imag - label.want.own[0].imag < 4
+
+
+@pytest.mark.parametrize("name", ["6-4", "6-5", "6-7", "rotor-dalby", "engine-four"])
+def test_the_names_of_planes_stand_in_line_with_them(name: str) -> None:
+    figure = drawn(name).construction.figure(View.MECHANISM)
+    assert figure is not None
+    tops = {m.b for m in figure.marks if isinstance(m, Segment) and m.role in (Role.CENTRE, Role.HIDDEN)}
+    names = [label for label in drawing(figure).labels if label.want.own[0] in tops]
+    assert len(names) > 2
+    for label in names:
+        at = label.want.own[0]
+        assert abs(label.centre.real - at.real) < 0.1 and 0 < label.centre.imag - at.imag < 4

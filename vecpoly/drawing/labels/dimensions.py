@@ -1,14 +1,19 @@
-"""The letter of a dimension line: over it, or to its left, as drawings are read from below and from the right."""
+"""The letter of a dimension line: over it, or to its left, as drawings are read from below and from the right.
+The name of a centre line or of a plane: in line with it."""
 
 from __future__ import annotations
 
-from ...board.paper.marks import Mark, Role, Vector
+import cmath
+import math
+
+from ...board.paper.marks import Mark, Role, Segment, Vector
 from ..style import THIN
 from ..symbols.shapes import NEAR
 from .want import Piece, Thing, Want
 
 ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74)  # where along the line it may stand
 LEVEL = 1e-9
+ROUND = tuple(sign * math.radians(turn) for turn in (0, 30, 60, 90, 120, 150) for sign in (1, -1))[1:]
 
 
 def dimension_line(at: complex, marks: tuple[Mark, ...]) -> Vector | None:
@@ -24,3 +29,10 @@ def over(line: Vector, pieces: tuple[Piece, ...]) -> Want:
     feet = tuple(line.a + (line.b - line.a) * part for part in ALONG)
     normals = (up,) * len(feet) + (-up,) * len(feet)
     return Want(pieces, feet * 2, normals, THIN / 2, (line.a, line.b), one_sided=True, thing=Thing.END)
+
+
+def beyond_end(pieces: tuple[Piece, ...], at: complex, line: Segment) -> Want:
+    """A name at an end of a line, first of all in line with it."""
+    u = (2 * at - line.a - line.b) / abs(line.b - line.a)
+    ways = tuple(u * cmath.rect(1.0, turn) for turn in ROUND)
+    return Want(pieces, (at,) * len(ways), ways, THIN / 2, (at, at), one_sided=True, thing=Thing.END)

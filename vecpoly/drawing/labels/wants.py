@@ -47,7 +47,7 @@ from ..symbols.angles import TAIL, narrow
 from ..symbols.bodies import foot_of
 from ..symbols.shapes import HATCH, NEAR
 from .bows import along, bow
-from .dimensions import dimension_line, over
+from .dimensions import beyond_end, dimension_line, over
 from .notes import lines
 from .numbers import FRACTIONS, along_line, number_of_link
 from .want import Piece, Spot, Thing, Want
@@ -63,6 +63,7 @@ _RADIUS = {
 ASIDE = (0.0, 1.0, -1.0, 2.0, -2.0)  # mm along its axis by which a number may stand beside its tick
 INNER = 0.3  # of a line: a letter nearer to an end is the name of the end
 MEASURED = (Role.CONSTRUCTION, Role.IDEAL)
+NAMED = (Role.CENTRE, Role.HIDDEN)  # lines that have a name at an end
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
 
@@ -137,6 +138,9 @@ def _points(marks: tuple[Mark, ...], taken: list[Spot], tones: Tones) -> Iterabl
     groups: list[tuple[complex, list[Point]]] = []
     lines = [mark for mark in marks if isinstance(mark, Segment)]
     ruled = {mark.b: mark for mark in lines if mark.role is Role.DIRECTION}
+    named = {
+        end: mark for mark in lines if mark.role in NAMED and abs(mark.b - mark.a) > NEAR for end in (mark.a, mark.b)
+    }
     for mark in marks:
         if isinstance(mark, Point) and mark.label:
             home = next((g for at, g in groups if abs(at - mark.at) < NEAR), None)
@@ -160,7 +164,9 @@ def _points(marks: tuple[Mark, ...], taken: list[Spot], tones: Tones) -> Iterabl
         elif group[0].label[:1].islower() and (line := _through(at, lines)) is not None:
             yield along_line(line.a, line.b, THIN / 2, tuple(pieces), Thing.END)
         else:
-            yield _end(tuple(pieces), at, _keep(at, taken), ruled.get(at))
+            keep = _keep(at, taken)
+            bare = at in named and at not in ruled and not keep
+            yield beyond_end(tuple(pieces), at, named[at]) if bare else _end(tuple(pieces), at, keep, ruled.get(at))
 
 
 def _through(at: complex, lines: Iterable[Segment]) -> Segment | None:
