@@ -8,6 +8,7 @@ from math import atan2, pi
 import pytest
 
 import vecpoly
+from tests.drawn_library import drawn
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import Mark, Point, Role, Segment, TurnArrow
 
@@ -43,7 +44,15 @@ def test_two_parallel_forces_are_laid_off_interchanged_and_their_resultant_divid
     at = one + (two - one) * 17658 / (17658 + 9000)  # Q EX = G XS
     assert _lines_through(at, marks) >= {90}
     assert [step for step in solution.construction.steps if "互换截取" in step.words.zh]
-    assert "P" in points
+    assert any(letter.startswith("P_") for letter in points)
+
+
+@pytest.mark.parametrize("name", ["shaper-cut", "six-bar-dynamic"])
+def test_the_resultants_of_two_links_have_two_letters(name: str) -> None:
+    figure = drawn(name).construction.figure(View.MECHANISM)
+    assert figure is not None
+    letters = [mark.label for mark in figure.marks if isinstance(mark, Point) and mark.label.startswith("P")]
+    assert letters == ["P_{5}", "P_{3}"]
 
 
 def test_an_inner_couple_stands_on_its_link_and_not_on_the_group() -> None:

@@ -128,3 +128,10 @@ def test_the_mechanism_stands_once_more_under_its_centres_drawn_to_their_scale(n
     for there, here in fixed.values():
         assert len(there) == len(here) and all(min(abs(a - b) for b in here) < SEEN for a in there)
     assert any(there for there, _ in fixed.values())
+
+
+@each(IDS)
+def test_a_common_normal_is_lettered_at_its_two_ends_and_nowhere_else(name: str) -> None:
+    ends = [mark.at for mark in figure(name).marks if isinstance(mark, Point) and mark.label == "n"]
+    contacts = [d for d in direct_centres(desk_of(name)) if d.centre is None]
+    assert len(ends) <= 2 * max(len(contacts), 1)

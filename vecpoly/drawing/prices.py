@@ -10,7 +10,7 @@ import numpy as np
 
 from .labels.obstacles import Complexes, Floats, Indices, Obstacles
 from .labels.rivals import Named, misled
-from .labels.spots import Spots, spots
+from .labels.spots import Spots, beside, on_leaders, price_of_leader
 from .labels.want import Spot, Want
 from .scene import Rect
 from .standing import Trial
@@ -51,11 +51,15 @@ class Places:
     """Some places of a label, all beside what it names or all on a leader; `first`: the number of the first of them."""
 
     want: Want
-    spots: Spots
     first: int
     led: bool
     around: Around
     _hard: Floats | None = None
+
+    @cached_property
+    def spots(self) -> Spots:
+        """Where they are."""
+        return on_leaders(self.want) if self.led else beside(self.want, self.around.drawn.centre)
 
     @cached_property
     def half(self) -> complex:
@@ -66,9 +70,13 @@ class Places:
     def _outside(self) -> Floats:
         return OUTSIDE * beyond(self.want, self.spots.centre, self.around.drawn)
 
+    def above(self, price: float) -> bool:
+        """Whether no place here costs less than this, even where it stands on nothing; of leaders that is mostly known
+        before their places are."""
+        return (self.led and price_of_leader(self.want) >= price) or self._least >= price
+
     @cached_property
-    def least(self) -> float:
-        """No place here costs less: what they cost if they stand on nothing."""
+    def _least(self) -> float:
         return float((self.spots.cost + self._outside).min())
 
     @property
@@ -103,6 +111,10 @@ class Places:
     def _trial(self, some: Indices) -> Trial:
         return Trial(self.spots.centre[some], self.half, self.spots.foot[some] if self.led else None)
 
+    def cheapest(self, below: float, count: int) -> list[int]:
+        """So many of the cheapest places by themselves, those that cost less than this."""
+        return [int(at) for at in self._by_price[:count] if self.total[at] < below] if not self.above(below) else []
+
     def among(self, at: int) -> tuple[int, int]:
         """In which batch a place is, and which of its places it is there."""
         return divmod(int(np.flatnonzero(self._by_price == at)[0]), BATCH)
@@ -130,16 +142,12 @@ class Row:
     @classmethod
     def of(cls, want: Want, around: Around) -> Row:
         """Not priced yet."""
-        found = spots(want, around.drawn.centre)
-        n = found.near
-        return cls(
-            Places(want, found.part(slice(None, n)), 0, False, around),
-            Places(want, found.part(slice(n, None)), n, True, around),
-        )
+        near = Places(want, 0, False, around)
+        return cls(near, Places(want, len(near.spots.centre), True, around))
 
     def eased(self, want: Want, around: Around) -> Row:
         """With the places on a leader that the label has in a crowd; those beside what it names are the same."""
-        return Row(self.near, Row.of(want, around).led)
+        return Row(self.near, Places(want, self.led.first, True, around))
 
     def of_number(self, k: int) -> tuple[Places, int]:
         """Among which places this one is, and its number there."""
@@ -149,7 +157,7 @@ class Row:
     @property
     def dear(self) -> bool:
         """Whether a leader is to be thought of, too, before it is said how free the label is."""
-        return self.led.least < float(self.near.total.min()) + FREE
+        return not self.led.above(float(self.near.total.min()) + FREE)
 
     @property
     def freedom(self) -> int:

@@ -113,6 +113,10 @@ class Meeting:
         self._seen, self.cost = now, self._each.sum(axis=1)
         return True
 
+    def whom(self, place: int) -> list[int]:
+        """The other labels that make this place dear, as they were last seen."""
+        return [int(k) for k in np.flatnonzero(self._each[place])]
+
 
 def _struck(foot: Complexes, end: Complexes, centre: Complexes, half: Complexes | complex) -> Floats:
     """1 where a leader from foot to end runs through a label, else 0."""

@@ -12,6 +12,7 @@ import numpy as np
 from ...board.construction import Figure
 from ...board.paper.marks import Arc, Dot, Mark, Point, Role, Segment, Vector
 from ...words import Words
+from ..symbols.around import RING
 from .knot import Knot
 from .knots import MOST, knots
 from .within import unlettered, within
@@ -84,7 +85,9 @@ def _ringed(figure: Figure, knot: Knot, name: str, inner: Sequence[Mark]) -> tup
 def _circle(centre: complex, radius: float, about: Sequence[Mark]) -> Arc:
     """A thin circle, that stands from the step on in which something stands inside."""
     step = min((mark.step for mark in about), default=0)
-    return Arc(centre=centre, radius=radius, start=0.0, sweep=2 * math.pi, role=Role.CONSTRUCTION, step=step)
+    return Arc(
+        centre=centre, radius=radius, start=0.0, sweep=2 * math.pi, role=Role.CONSTRUCTION, step=step, owner=RING
+    )
 
 
 def _outwards(figure: Figure, knot: Knot) -> complex:

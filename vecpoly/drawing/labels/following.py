@@ -68,7 +68,7 @@ class Follower:
         """The cheapest place among lines, other things to name and the letters that stand already."""
         best, number = inf, 0
         for part in Row.of(want, around).parts:
-            if part.least < best:
+            if not part.above(best):
                 cost = part.total + _clashes(part, others)
                 at = int(np.argmin(cost))
                 if cost[at] < best:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import inf, isnan
 
-from ..prices import Around, Row, price
+from ..prices import Around, Places, Row, price
 from ..scene import Item, Layer, Rect, Stroke, TextBox
 from ..standing import Meeting, Standing
 from ..style import THIN, Hue
@@ -16,6 +16,8 @@ from .want import Piece, Spot, Want
 
 BAD = 38.0  # a label that costs more than this by where it stands is on something
 PASSES = 8
+DEAR, GAIN = 24.0, 6.0  # what a label costs that fares badly; what must be won for others to move
+TRIED, FEW = 6, 2  # places that it tries; others that may have to move for one
 CROWDS = (0.0, 12.0, 25.0, 40.0)  # mm about a label in trouble within which labels may go farther off, if need be
 
 
@@ -121,13 +123,50 @@ class _Table:
                 self._choose(i, standing)
             if (standing.chosen == before).all():
                 break
+        self._make_room(standing)
         return standing
+
+    def _make_room(self, standing: Standing) -> None:
+        """A label that fares badly takes a place where another stands, if that one finds a place for less than is
+        won."""
+        for i, row in enumerate(self.rows):
+            now = self._cost(i, standing)
+            if now < DEAR:
+                continue
+            for part in row.parts:
+                better = part.cheapest(now - GAIN, TRIED)
+                if any(self._makes_room(i, part, at, now, standing) for at in better):
+                    break
+
+    def _makes_room(self, i: int, part: Places, at: int, now: float, standing: Standing) -> bool:
+        """Whether label i stands better at this place together with those that have to move; if not they stay."""
+        batch, place = part.among(at)
+        self._meeting(i, int(part.led), batch, standing)
+        others = self.meetings[i, int(part.led), batch].whom(place)
+        if not 0 < len(others) <= FEW:
+            return False
+        numbers = {k: int(standing.chosen[k]) for k in (i, *others)}
+        before = now + sum(self._cost(k, standing) for k in others)
+        self._put(i, part.first + at, standing)
+        for k in others:
+            self._choose(k, standing)
+        if sum(self._cost(k, standing) for k in numbers) < before - GAIN:
+            return True
+        for k, number in numbers.items():
+            self._put(k, number, standing)
+        return False
+
+    def _cost(self, i: int, standing: Standing) -> float:
+        """What label i costs where it stands, the others included."""
+        part, at = self.rows[i].of_number(int(standing.chosen[i]))
+        batch, place = part.among(at)
+        return float(part.total[at] + self._meeting(i, int(part.led), batch, standing)[place])
 
     def _choose(self, i: int, standing: Standing) -> None:
         """Label i takes its cheapest place among the others where they are, of equal ones the first."""
         best, number = inf, -1
         for k, part in enumerate(self.rows[i].parts):
-            if part.least >= best:
+            if part.above(best):
                 continue
             for n, batch in enumerate(part.batches):
                 if batch.least > best:
@@ -136,8 +175,11 @@ class _Table:
                 low = float(cost.min())
                 best, number = min((best, number), (low, int(batch.numbers[cost == low].min())))
         if number != standing.chosen[i]:
-            part, at = self.rows[i].of_number(number)
-            standing.put(i, number, complex(part.spots.centre[at]), part.half, complex(part.spots.foot[at]))
+            self._put(i, number, standing)
+
+    def _put(self, i: int, number: int, standing: Standing) -> None:
+        part, at = self.rows[i].of_number(number)
+        standing.put(i, number, complex(part.spots.centre[at]), part.half, complex(part.spots.foot[at]))
 
     @cached_property
     def troubles(self) -> tuple[float, ...]:

@@ -16,6 +16,7 @@ from .want import Spot, Thing, Want
 WRONG = 55.0  # nearer to another than to its own, with no leader to tell
 DOUBTFUL = 0.6  # mm: nearly as near
 REACH = 20.0  # mm from what it names within which a label without a leader stands
+PRESSED, CLEAR = 9.0, 3.2  # a number that stands on a joint; mm from its middle beyond which that costs nothing
 ON = 0.3  # mm: a point so near to a line is on it
 
 
@@ -67,13 +68,22 @@ def misled(want: Want, named: Named, centre: Complexes) -> Floats:
     at = np.array(want.course, dtype=complex)
     far = np.abs(at - at.mean()).max() + REACH
     near = np.abs(_on(np.full(len(named.a), at.mean()), named.a, named.b) - at.mean()) < far
-    rival = named.rivals(want) & near
+    rival, half = named.rivals(want) & near, complex(want.width / 2, want.height / 2)
+    pressed = _pressed(named, half, centre) if want.thing is Thing.LINK else np.zeros(len(centre))
     if not rival.any():
-        return np.zeros(len(centre))
-    half = complex(want.width / 2, want.height / 2)
+        return pressed
     own = distance(centre, half, at[:-1], at[1:]).min(axis=1) - want.radius
     other = distance(centre, half, named.a[rival], named.b[rival]) - named.radius[rival]
-    return _cost(own, other.min(axis=1))
+    return _cost(own, other.min(axis=1)) + pressed
+
+
+def _pressed(named: Named, half: complex, centre: Complexes) -> Floats:
+    """What each place of a number costs that stands close to a joint, even if it cannot be taken for its letter."""
+    at = named.points[~np.isnan(named.points.real)]
+    if not len(at):
+        return np.zeros(len(centre))
+    result: Floats = PRESSED * np.clip(1.0 - distance(centre, half, at, at).min(axis=1) / CLEAR, 0.0, 1.0)
+    return result
 
 
 def misled_here(named: Named, at: Mapping[int, complex]) -> Floats:

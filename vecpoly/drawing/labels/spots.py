@@ -31,41 +31,66 @@ class Spots:
     cost: Floats
     foot: Complexes
     root: Complexes  # of the thing that is named, where the place is nearest to it
-    near: int  # so many of them, the first, stand beside what is named, the others on a leader
 
-    def part(self, some: slice) -> Spots:
-        """Some of them."""
-        return Spots(self.centre[some], self.cost[some], self.foot[some], self.root[some], self.near)
+    @property
+    def parts(self) -> tuple[Complexes, Floats, Complexes, Complexes]:
+        """All that is known of them."""
+        return self.centre, self.cost, self.foot, self.root
 
 
 def spots(want: Want, middle: complex) -> Spots:
     """All the places to be tried for a label; `middle`: of the figure, from which letters tend away."""
-    half, all_round = complex(want.width / 2, want.height / 2), want.normals[0] == 0
+    near, led = beside(want, middle), on_leaders(want)
+    joined = (np.concatenate(pair) for pair in zip(near.parts, led.parts, strict=True))
+    return Spots(*joined)
+
+
+def beside(want: Want, middle: complex) -> Spots:
+    """The places beside what the label names."""
+    half, all_round = _half(want), _all_round(want)
     feet, number = np.array(want.feet)[:, None], np.arange(len(want.feet))[:, None] / len(want.feet)
     normals = np.array(want.normals)[:, None]
     sides = DIRECTIONS[None] if all_round else normals if want.one_sided else np.hstack([normals, -normals])
     away, reach = feet - middle, np.abs(feet - middle)
     away = np.where(reach > 1, away / np.maximum(reach, 1.0), 0j)
     base = PER_FRACTION * number + 1.0 * (1 - (sides * away.conjugate()).real)
-    gap, far = np.array(GAPS)[:, None], np.array(FARTHER if want.farther else FAR)[:, None, None]
+    gap = np.array(GAPS)[:, None]
     near = feet[..., None] + _offset(sides[:, None], want.radius + gap, half, all_round)
-    led = feet[:LED] + _offset(DIRECTIONS, want.radius + far, half, True)
-    at = np.broadcast_to(feet[:LED] + DIRECTIONS * (want.radius if all_round else 0.0), led.shape)
-    led_by = LEADER * (SOONER if want.farther else 1.0) + (LETTERED if want.thing is Thing.POINT else 0.0)
-    dear = led_by + PER_DISTANCE * far + PER_FRACTION * number[:LED]
     return Spots(
-        np.concatenate([near.ravel(), led.ravel()]),
-        np.concatenate([(base[:, None] + PER_DISTANCE * gap).ravel(), np.broadcast_to(dear, led.shape).ravel()]),
-        np.concatenate([np.full(near.size, complex(math.nan, math.nan)), at.ravel()]),
-        np.concatenate([np.broadcast_to(feet[..., None], near.shape).ravel(), at.ravel()]),
-        near.size,
+        near.ravel(),
+        (base[:, None] + PER_DISTANCE * gap).ravel(),
+        np.full(near.size, complex(math.nan, math.nan)),
+        np.broadcast_to(feet[..., None], near.shape).ravel(),
     )
+
+
+def on_leaders(want: Want) -> Spots:
+    """The places farther off."""
+    feet, number = np.array(want.feet[:LED])[:, None], np.arange(len(want.feet))[:LED, None] / len(want.feet)
+    far = np.array(FARTHER if want.farther else FAR)[:, None, None]
+    led = feet + _offset(DIRECTIONS, want.radius + far, _half(want), True)
+    at = np.broadcast_to(feet + DIRECTIONS * (want.radius if _all_round(want) else 0.0), led.shape).ravel()
+    dear = np.broadcast_to(price_of_leader(want) + PER_DISTANCE * far + PER_FRACTION * number, led.shape)
+    return Spots(led.ravel(), dear.ravel(), at, at)
+
+
+def price_of_leader(want: Want) -> float:
+    """What resorting to a leader costs a label, however short it is."""
+    return LEADER * (SOONER if want.farther else 1.0) + (LETTERED if want.thing is Thing.POINT else 0.0)
+
+
+def _half(want: Want) -> complex:
+    return complex(want.width / 2, want.height / 2)
+
+
+def _all_round(want: Want) -> bool:
+    return want.normals[0] == 0
 
 
 def spot(want: Want, index: int) -> tuple[complex, complex | None] | None:
     """One of these places alone, by its number: the middle of the label and the foot of its leader;
     None where there are not so many."""
-    half, all_round = complex(want.width / 2, want.height / 2), want.normals[0] == 0
+    half, all_round = _half(want), _all_round(want)
     sides = len(DIRECTIONS) if all_round else 1 if want.one_sided else 2
     number, rest = divmod(index, len(GAPS) * sides)
     if number < len(want.feet):

@@ -47,10 +47,11 @@ from ..symbols.angles import TAIL, narrow
 from ..symbols.bodies import foot_of
 from ..symbols.shapes import HATCH, NEAR
 from .bows import along, bow
+from .dimensions import beyond_end, dimension_line, over
 from .notes import lines
+from .numbers import FRACTIONS, along_line, number_of_link
 from .want import Piece, Spot, Thing, Want
 
-FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 _RADIUS = {
     Dot.JOINT: JOINT_RADIUS,
     Dot.MULTIPLE: MULTIPLE_RADIUS,
@@ -62,6 +63,7 @@ _RADIUS = {
 ASIDE = (0.0, 1.0, -1.0, 2.0, -2.0)  # mm along its axis by which a number may stand beside its tick
 INNER = 0.3  # of a line: a letter nearer to an end is the name of the end
 MEASURED = (Role.CONSTRUCTION, Role.IDEAL)
+NAMED = (Role.CENTRE, Role.HIDDEN)  # lines that have a name at an end
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
 
@@ -75,10 +77,10 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
                 found.append(_vector(mark, mark_hue(mark, view, label, tones)))
             case LinkNumber(a=a, number=number) if (ground := _ground(mark, marks)) is not None:
                 a, b = foot_of(ground)
-                found.append(_line_want(a, b, HATCH, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
+                found.append(along_line(a, b, HATCH, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
             case LinkNumber(a=a, b=b, number=number):
                 keep = LINK / 2 if abs(b - a) > NEAR else max(_keep(a, taken), _disc(a, marks))
-                found.append(_line_want(a, b, keep, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
+                found.append(number_of_link(mark, _piece(number, Hue.BLACK, mark.step), marks, keep))
             case TurnArrow(label=label) if label:
                 hue = mark_hue(mark, view, label, tones)
                 found.append(bow(mark, _piece(label, hue, mark.step), marks, FRACTIONS))
@@ -136,6 +138,9 @@ def _points(marks: tuple[Mark, ...], taken: list[Spot], tones: Tones) -> Iterabl
     groups: list[tuple[complex, list[Point]]] = []
     lines = [mark for mark in marks if isinstance(mark, Segment)]
     ruled = {mark.b: mark for mark in lines if mark.role is Role.DIRECTION}
+    named = {
+        end: mark for mark in lines if mark.role in NAMED and abs(mark.b - mark.a) > NEAR for end in (mark.a, mark.b)
+    }
     for mark in marks:
         if isinstance(mark, Point) and mark.label:
             home = next((g for at, g in groups if abs(at - mark.at) < NEAR), None)
@@ -154,10 +159,14 @@ def _points(marks: tuple[Mark, ...], taken: list[Spot], tones: Tones) -> Iterabl
             pieces.append(_piece(mark.label, line_hue(mark.key, tones, Hue.BLACK), mark.step, x))
         if any(mark.dot is not Dot.NONE for mark in group):
             yield Want(tuple(pieces), (at,), (0j,), _keep(at, taken), (at, at), thing=Thing.POINT)
+        elif (measured := dimension_line(at, marks)) is not None:
+            yield over(measured, tuple(pieces))
         elif group[0].label[:1].islower() and (line := _through(at, lines)) is not None:
-            yield _line_want(line.a, line.b, THIN / 2, tuple(pieces), Thing.END)
+            yield along_line(line.a, line.b, THIN / 2, tuple(pieces), Thing.END)
         else:
-            yield _end(tuple(pieces), at, _keep(at, taken), ruled.get(at))
+            keep = _keep(at, taken)
+            bare = at in named and at not in ruled and not keep
+            yield beyond_end(tuple(pieces), at, named[at]) if bare else _end(tuple(pieces), at, keep, ruled.get(at))
 
 
 def _through(at: complex, lines: Iterable[Segment]) -> Segment | None:
@@ -213,15 +222,7 @@ def _disc(at: complex, marks: tuple[Mark, ...]) -> float:
 
 
 def _vector(mark: Vector, hue: Hue) -> Want:
-    return _line_want(mark.a, mark.b, RESULT / 2, (_piece(mark.label, hue, mark.step),), Thing.VECTOR)
-
-
-def _line_want(a: complex, b: complex, radius: float, pieces: tuple[Piece, ...], thing: Thing) -> Want:
-    if abs(b - a) < NEAR:
-        return Want(pieces, (a,), (0j,), radius, (a, a), thing=thing)
-    n = 1j * (b - a) / abs(b - a)
-    feet = tuple(a + (b - a) * f for f in FRACTIONS)
-    return Want(pieces, feet, (n,) * len(feet), radius, (a, b), thing=thing)
+    return along_line(mark.a, mark.b, RESULT / 2, (_piece(mark.label, hue, mark.step),), Thing.VECTOR)
 
 
 def _outside(mark: AngleMark, piece: Piece) -> Want:

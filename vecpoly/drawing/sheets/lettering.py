@@ -36,7 +36,8 @@ def beside_title(figure: Figure) -> float:
 
 def _title(figure: Figure) -> float:
     """How long the title is in one line, or the scale below it."""
-    return max(CHINESE * len(figure.title.zh), LATIN * len(figure.title.en), SHORTEST)
+    zh, en = (len(title.replace("$", "")) for title in (figure.title.zh, figure.title.en))
+    return max(CHINESE * zh, LATIN * en, SHORTEST)
 
 
 def _bare(figure: Figure) -> Size:

@@ -15,6 +15,7 @@ from ..style import JOINT_RADIUS, POLE_RADIUS
 from .shapes import NEAR
 
 CENTRED = 6.0  # mm: a circle with a larger radius has its centre marked
+RING = "detail"  # whose the ring about a detail is: it shows a place, and has no centre to be marked
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -44,7 +44,7 @@ from ..scene import Fill, Item, Layer, Stroke
 from ..style import DOT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
 from . import bodies, shapes, solids
 from .angles import draw_angle, draw_square, draw_turn
-from .around import Surroundings
+from .around import RING, Surroundings
 from .shapes import NEAR
 
 
@@ -130,7 +130,8 @@ def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
             line = Stroke(
                 points=points, width=p.width, dash=p.dash, hue=p.hue, closed=full, layer=layer, step=mark.step
             )
-            return (line, *bodies.cross(centre, mark.step)) if full and around.bare(centre, radius) else (line,)
+            bare = full and mark.owner != RING and around.bare(centre, radius)
+            return (line, *bodies.cross(centre, mark.step)) if bare else (line,)
         case Curve(points=points, role=role):
             p = pen(role, Hue.BLACK)
             layer = Layer.THIN if p.width == THIN else Layer.LINE

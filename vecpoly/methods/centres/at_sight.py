@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from ...board.paper.marks import Dot, Role
+from ...board.board import NO_LENGTH
+from ...board.paper.marks import Dot, Point, Role
 from ...mechanism.model import Contact, Prismatic, Rolling
-from ...plane import nominal
+from ...plane import cross, nominal
 from ...words import Words
 from .direct import Direct, of_kind, pins, spot
 from .state import CentreFigure
@@ -36,9 +37,15 @@ def _normal(fig: CentreFigure, one: Direct) -> None:
     assert one.normal is not None
     at, along = spot(one), complex(nominal(one.normal.along))
     fig.board.join(fig.pane, at - along * NORMAL, at + along * NORMAL, role=Role.DIRECTION)
-    for way in (along, -along):
+    for way in () if _named_already(fig, at, along) else (along, -along):
         fig.board.plot(fig.pane, at + way * NORMAL, "n", Dot.NONE)
     fig.board.plot(fig.pane, at, one.where, Dot.POINT)
+
+
+def _named_already(fig: CentreFigure, at: complex, along: complex) -> bool:
+    """Whether the figure has the normal with its letter, as that of a cam has."""
+    letters = (m for m in fig.board.marks(fig.pane) if isinstance(m, Point) and m.label == "n")
+    return any(abs(float(cross(m.at - at, along))) < NO_LENGTH for m in letters)
 
 
 def _words(fig: CentreFigure, found: tuple[Direct, ...]) -> Words:

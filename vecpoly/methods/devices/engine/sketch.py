@@ -12,11 +12,11 @@ from ....devices.balancing.engine import InlineEngine
 from ....diagram.single import disc, outline, rod
 from ....words import Words
 from ..bench import Bench
-from ..rotor.scales import END_VIEW
-from ..rotor.sketch import AXIS, LUMP, RUN, SHAFT
+from ..rotor.along import RUN, SHAFT
+from ..rotor.scales import AXIS, END_VIEW, LUMP
 
 LONG, TALL = 105.0, 15.0  # mm: along the shaft; a crank as drawn, where the scale of the shaft makes it too short
-ABOVE = 7.0  # mm: numbers of the cylinders over the highest crank
+ABOVE, BELOW = 7.0, 4.0  # mm: numbers of the cylinders over the highest crank; their planes under the lowest
 
 
 def crankshaft(bench: Bench, engine: InlineEngine) -> None:
@@ -27,10 +27,10 @@ def crankshaft(bench: Bench, engine: InlineEngine) -> None:
     high = max(engine.r.si / mm, TALL)
     board.step(
         Words(
-            "按 $μ_l$ 画出曲轴的轴向简图（缸心线向上，曲柄画其投影，半径方向不按比例），虚线为中间平面。",
+            "按 $μ_l$ 画出曲轴的轴向简图（缸心线向上，曲柄画其投影，半径方向不按比例），点画线为各缸平面，"
+            "虚线为中间平面。",
             "Draw the crankshaft along its axis to the scale $μ_l$ (cranks by their projections, radially to no "
-            "scale); "
-            "dashed: the middle plane.",
+            "scale); chain lines: the planes of the cylinders, dashed: the middle plane.",
         ),
         view,
     )
@@ -45,6 +45,7 @@ def crankshaft(bench: Bench, engine: InlineEngine) -> None:
             way = up / abs(up)
             board.depict(view, rod(f"crank {i}", foot + way * SHAFT, foot + up - way * LUMP))
         board.depict(view, disc(f"crank {i}", foot + up, LUMP))
+        board.join(view, foot - 1j * (high + BELOW), foot + 1j * (high + ABOVE), Role.CENTRE)
         board.plot(view, foot + 1j * (high + ABOVE), str(i), Dot.NONE)
 
 

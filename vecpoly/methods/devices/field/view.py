@@ -13,8 +13,7 @@ from ....devices.balancing.vibration import MICRON
 from ....diagram.single import disc
 from ....words import Words
 from ..bench import Bench
-from ..rotor.scales import END_VIEW
-from ..rotor.sketch import AXIS, LUMP
+from ..rotor.scales import AXIS, END_VIEW, LUMP
 
 
 def vibrations(device: FieldBalancing) -> View:

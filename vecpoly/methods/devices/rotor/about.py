@@ -13,6 +13,7 @@ from ....names import Named
 from ....plane import Points, nominal
 from ....words import Words
 from ..bench import Bench
+from .along import THIRD, third_plane
 from .polygon import Laid, Polygon, summed
 from .scales import COUPLES
 
@@ -28,19 +29,21 @@ def about_a_third_plane(
     board = bench.board
     here = (max(rotor.stations) + min(rotor.stations)) / 2
     board.section(Words("校核", "Check"))
-    place = board.open_pane(COUPLES, "III", Words("对第三平面的力偶多边形", "Couples about a third plane"))
+    title = Words(f"对平面 ${THIRD}$ 的力偶多边形", f"Couples about plane ${THIRD}$")
+    place = board.open_pane(COUPLES, "III", title)
     board.step(
         Words(
-            f"校核：对 $z$ = {number(1e3 * here)} mm 的第三平面取矩，按 $μ_{{Wl}}$ 作各力偶 $W l$（矢量转过 90°，沿 "
-            "$W$ 的方向画；"
+            f"校核：对 $z$ = {number(1e3 * here)} mm 处的第三平面 ${THIRD}$（画入轴向简图）取矩，按 $μ_{{Wl}}$ "
+            "作各力偶 $W l$（矢量转过 90°，沿 $W$ 的方向画；"
             "平面左侧的反向），连同已量得的平衡质径积。多边形应封闭；量其缺口：",
-            f"Check: take moments about a third plane, at $z$ = {number(1e3 * here)} mm. To the scale $μ_{{Wl}}$ "
-            "draw the "
+            f"Check: take moments about a third plane ${THIRD}$, at $z$ = {number(1e3 * here)} mm (drawn into the view "
+            "along the axis). To the scale $μ_{Wl}$ draw the "
             "couples $W l$, turned by 90° so that they lie along $W$ (to the left of the plane: reversed), with the "
             "balancing products as they were read. The polygon should close; measure the gap:",
         ),
         place,
     )
+    third_plane(bench, rotor, here)
     laid = [*_of_masses(rotor, sizes, here), *_of_corrections(bench, rotor, polygons, found, here)]
     closed = summed(bench, place, laid, None, known=False)
     gap = board.measure(0j * closed.tip, closed.tip, f"O {closed.letter}")

@@ -16,6 +16,7 @@ from ....plane import Points, Reals, nominal
 from ....words import Words
 from ..bench import Bench
 from .couples import Solution, close_couples
+from .ends import solved_from_its_end
 from .polygon import Laid, chain, read_closing, stated_bearing
 from .products import radius
 from .scales import COUPLES, polygon_view
@@ -31,6 +32,7 @@ def dalby(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> None:
     for which, solution in zip(answers_of(rotor.masses), solutions, strict=True):
         _told(bench, rotor, place, which, solution)
         _products(bench, rotor, sizes, first, which, solution)
+        solved_from_its_end(bench, rotor, which)
 
 
 def _couples(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[str, Quantity]:

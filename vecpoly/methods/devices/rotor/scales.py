@@ -15,6 +15,9 @@ from ....problem.problem import Scales
 
 END_VIEW, COUPLES = view_named("end-view"), view_named("couples")
 LONG, WIDE, POLYGON = 110.0, 64.0, 84.0  # mm: along the shaft; across the end view; across the largest polygon
+ONE_OF_THREE = 44.0  # mm: across each end view, where both planes have one too
+AXIS, LUMP = 7.0, 2.0  # mm: the axes run on; radius of a mass as drawn
+FEW = 5  # masses whose angles and distances are written into the figures
 
 
 def polygon_view(rotor: Rotor) -> View:
@@ -27,11 +30,16 @@ def rotor_scales(rotor: Rotor, given: Scales) -> Mapping[View, Scale]:
     view, radius = polygon_view(rotor), widest(rotor)
     found = {
         View.MECHANISM: given.of(View.MECHANISM.mu) or fitting(max(rotor.length, radius / 4) / LONG),
-        END_VIEW: given.of(END_VIEW.mu) or fitting(2 * radius / WIDE),
+        END_VIEW: given.of(END_VIEW.mu) or fitting(2 * radius / (ONE_OF_THREE if has_plane_views(rotor) else WIDE)),
         view: given.of(view.mu) or fitting(_largest(rotor) * rotor.weighing.products / POLYGON),
         COUPLES: given.of(COUPLES.mu) or fitting(_couples(rotor) / POLYGON),
     }
     return {kind: Scale.of(kind, value) for kind, value in found.items()}
+
+
+def has_plane_views(rotor: Rotor) -> bool:
+    """Whether each plane of correction is seen from its end, with the parts of the masses: those have radii."""
+    return not rotor.static and not rotor.sought and all(mass.r is not None for mass in rotor.masses.values())
 
 
 def fitting(least: float) -> float:

@@ -13,6 +13,7 @@ from ....words import Words
 from ..bench import Bench
 from .about import about_a_third_plane
 from .correct import corrected
+from .ends import planes_from_their_end
 from .grade import permitted_circles
 from .polygon import Laid, Polygon, chain, read_closing, summed
 from .scales import polygon_view
@@ -81,6 +82,7 @@ def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[s
         turn = degrees(rotor.masses[name].at.si)
         for end, named, share in zip((one, other), pair, found, strict=True):
             laid[end].append(Laid(named=named, size=sign * share.value, degrees=turn))
+    planes_from_their_end(bench, rotor)
     return laid
 
 

@@ -13,13 +13,13 @@ from ....words import Words
 from ...registry import Stage, method
 from ..lines.links_of_group import Held
 from ..lines.meeting import (
-    RESULTANT,
     draw_meeting,
     draw_resultant,
     in_point,
     known_forces,
     line_of_load,
     meeting_letter,
+    resultant_of,
 )
 from ..lines.parallel_forces import PARALLEL, about_pin, keep_pin, off_sheet
 from ..lines.resultant import Resultant, resultant
@@ -60,10 +60,10 @@ def _by_meeting(st: Statics, held: Held, load: Resultant, line: Line) -> None:
     number, frame, pin = st.mech.number(held.link), st.named(FRAME, held.link), st.desk.at[held.joint.point]
     letter, known, sought = (
         meeting_letter(st, lines_meet(load.line, line), pin),
-        known_forces(load),
+        known_forces(st, held.link, load),
         f"${st.unknown_named.symbol}$",
     )
-    spot, short = in_point(letter), known if len(load.forces) == 1 else Words.same(f"${RESULTANT}$")
+    spot, short = in_point(letter), known if len(load.forces) == 1 else Words.same(f"${resultant_of(st, held.link)}$")
     there = Words(f" ${letter}$" if letter else "此点", f"${letter}$" if letter else "it")
     joined = Words("", "") if len(load.forces) == 1 else Words(f"先求{known.zh}；", f"find {known.en}; ")
     st.board.step(
@@ -76,7 +76,7 @@ def _by_meeting(st: Statics, held: Held, load: Resultant, line: Line) -> None:
         ),
         View.MECHANISM,
     )
-    draw_resultant(st, load)
+    draw_resultant(st, held.link, load)
     x = st.board.meet(load.line, line, f"link {number}: load and balancing force")
     u, sense = direction_through(st, held.joint, FRAME, held.link, x)
     touch = st.at_joint(held.joint, Line(x, u))

@@ -12,7 +12,6 @@ from ....words import Words
 from ..state import OFF_SHEET, Statics
 from .resultant import Resultant
 
-RESULTANT = "P"  # symbol of several known forces joined into one
 LETTERS = "KOTXYZNU"
 PAST = 12.0  # mm that a line of action is drawn past its ends
 LONGEST = 260.0  # mm: a line of action longer than this is drawn at its pin only
@@ -74,7 +73,12 @@ def _draw_stub(st: Statics, touch: Points, u: Points, named: Named) -> None:
     st.board.plot(View.MECHANISM, touch + u * STUB, named.symbol, Dot.NONE, key=named.key)
 
 
-def draw_resultant(st: Statics, load: Resultant) -> None:
+def resultant_of(st: Statics, link: str) -> str:
+    """P_5: the symbol of the known forces of link 5 joined into one."""
+    return f"P_{{{st.mech.number(link)}}}"
+
+
+def draw_resultant(st: Statics, link: str, load: Resultant) -> None:
     """Parallel forces laid off interchanged, and the line of action of several known forces joined into one."""
     if st.preliminary or load.is_couple or len(load.forces) < 2:
         return
@@ -85,7 +89,7 @@ def draw_resultant(st: Statics, load: Resultant) -> None:
             board.join(View.MECHANISM, start, end, Role.CONSTRUCTION)
     along = load.line.along
     board.join(View.MECHANISM, load.at - along * PAST, load.at + along * PAST, Role.DIRECTION)
-    board.plot(View.MECHANISM, load.at - along * PAST, RESULTANT, Dot.NONE)
+    board.plot(View.MECHANISM, load.at - along * PAST, resultant_of(st, link), Dot.NONE)
 
 
 def line_of_load(load: Resultant) -> Other:
@@ -93,14 +97,14 @@ def line_of_load(load: Resultant) -> Other:
     return load.forces[0].named.key if len(load.forces) == 1 else "", load.at
 
 
-def known_forces(load: Resultant) -> Words:
-    """The one known force, or the resultant P of several and how its line is found."""
+def known_forces(st: Statics, link: str, load: Resultant) -> Words:
+    """The one known force, or the resultant of several and how its line is found."""
     if len(load.forces) == 1:
         return load.symbols
-    joined, joined_en = load.found
+    (joined, joined_en), symbol = load.found, resultant_of(st, link)
     return Words(
-        f"已知力 {load.symbols.zh} 的合力 ${RESULTANT}$（{joined}）",
-        f"the resultant ${RESULTANT}$ of {load.symbols.en} ({joined_en})",
+        f"已知力 {load.symbols.zh} 的合力 ${symbol}$（{joined}）",
+        f"the resultant ${symbol}$ of {load.symbols.en} ({joined_en})",
     )
 
 

@@ -25,6 +25,7 @@ from .arms import size_of
 from .couples_on_guides import balance_on_guide
 from .letters import arm_about_point
 from .links_of_group import Held
+from .meeting import resultant_of
 from .resultant import Resultant
 
 PARALLEL = 1e-6  # sine below which a load and a line of action are parallel
@@ -137,7 +138,7 @@ def about_pin(st: Statics, held: Held, load: Resultant, line: Line, named: Named
         )
     st.board.remark(pin_words(st, pin, held.parent, held.link, touch))
     st.board.remark(_about(st, held, pin, sense))
-    size = np.sign(_needed(st, load, line, touch)) * _written(st, load, (line, touch), named)
+    size = np.sign(_needed(st, load, line, touch)) * _written(st, held.link, load, (line, touch), named)
     return Balanced(size=size, rest=-(load.vector + u * st.mm(size)), touch=touch, sense=sense)
 
 
@@ -209,7 +210,7 @@ def keep_pin(st: Statics, held: Held, found: Balanced) -> None:
     )
 
 
-def _written(st: Statics, load: Resultant, where: tuple[Line, Points], named: Named) -> Reals:
+def _written(st: Statics, link: str, load: Resultant, where: tuple[Line, Points], named: Named) -> Reals:
     """F = P a / b, or M / b, with the arms measured."""
     (line, touch), board = where, st.board
     b = board.mu(View.MECHANISM) * _arm(st, line, touch, arm_about_point(named.symbol))
@@ -221,9 +222,9 @@ def _written(st: Statics, load: Resultant, where: tuple[Line, Points], named: Na
         force = (
             size_of(st, load.forces[0])
             if len(load.forces) == 1
-            else magnitude("P", np.abs(load.vector) * st.scale.value, "N")
+            else magnitude(resultant_of(st, link), np.abs(load.vector) * st.scale.value, "N")
         )
-        letter = arm_about_point(load.forces[0].named.symbol) if len(load.forces) == 1 else "h_{P}"
+        letter = arm_about_point(load.forces[0].named.symbol if len(load.forces) == 1 else resultant_of(st, link))
         expr = force * (board.mu(View.MECHANISM) * _arm(st, load.line, touch, letter)) / b
     return board.compute(named.symbol, expr, "N").value
 

@@ -17,7 +17,7 @@ from ..readings import write_sizes
 from ..senses import inclined, pin_words, slide_words
 from ..state import Statics
 from .links_of_group import Held
-from .meeting import RESULTANT, draw_meeting, draw_resultant, known_forces, line_of_load, meeting_letter
+from .meeting import draw_meeting, draw_resultant, known_forces, line_of_load, meeting_letter, resultant_of
 from .parallel_forces import PARALLEL, balance_parallel, off_sheet
 from .resultant import Resultant
 
@@ -33,7 +33,7 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
         return
     letter = meeting_letter(st, lines_meet(load.line, line), line.at)
     st.board.step(_taken(st, held, load, line, by, letter), View.MECHANISM)
-    draw_resultant(st, load)
+    draw_resultant(st, link, load)
     x = st.board.meet(
         load.line,
         line,
@@ -69,8 +69,8 @@ def _taken(st: Statics, held: Held, load: Resultant, line: Line, by: str, letter
             f"Isolate link {number}: {known.en}, {one} and {two} are in equilibrium; {known.en} "
             f"and {one} pass through ${pin}$, so {two} must pass through it too.",
         )
-    known, single = known_forces(load), len(load.forces) == 1 and not np.any(st.moment(held.link))
-    short = known if single else Words.same(f"${RESULTANT}$")
+    known, single = known_forces(st, held.link, load), len(load.forces) == 1 and not np.any(st.moment(held.link))
+    short = known if single else Words.same(f"${resultant_of(st, held.link)}$")
     spot = f" ${letter}$" if letter else ""
     point = Words(spot or "此点", spot.strip() or "it")
     return Words(

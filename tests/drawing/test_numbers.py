@@ -1,0 +1,82 @@
+"""Numbers of links: along bars clear of their joints, beside the outlines of blocks; and labels that make room."""
+
+from __future__ import annotations
+
+import cmath
+
+import pytest
+
+from tests.drawing.test_labels import figure
+from tests.drawn_library import drawn
+from vecpoly.board.construction import View
+from vecpoly.board.paper.marks import Arc, Block, Dot, LinkNumber, Mark, Passing, Point, Role, Segment, Slot
+from vecpoly.drawing.details.apart import all_detailed
+from vecpoly.drawing.figure import drawing
+from vecpoly.drawing.labels.placing import Placed
+from vecpoly.drawing.labels.want import Thing
+from vecpoly.drawing.scene import Stroke
+from vecpoly.drawing.symbols.bodies import block_corners
+
+
+def numbers(*marks: Mark) -> list[Placed]:
+    return [label for label in drawing(figure(*marks)).labels if label.want.thing is Thing.LINK]
+
+
+@pytest.mark.parametrize("at", [0.3, 0.5, 0.7])
+def test_the_number_of_a_bar_stands_beside_its_longest_piece_and_not_at_the_joint_in_its_middle(at: float) -> None:
+    end = cmath.rect(60, 1.4)
+    bar = Segment(a=0j, b=end, role=Role.LINK, owner="link 2")
+    pins = [Point(at=z, label=letter, dot=Dot.JOINT) for letter, z in (("B", 0j), ("C", end), ("E", at * end))]
+    (number,) = numbers(bar, *pins, Passing(at=at * end, along=end / abs(end)), LinkNumber(a=0j, b=end, number="2"))
+    share = (number.centre / end).real
+    longest = [(low, high) for low, high in ((0.0, at), (at, 1.0)) if high - low > 0.5 - 1e-9]
+    assert number.foot is None and any(abs(share - (low + high) / 2) < 0.2 * (high - low) for low, high in longest)
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.5, 1.2, 2.4])
+def test_the_number_of_a_block_in_a_slot_stands_outside_the_slot_beside_the_block(turn: float) -> None:
+    u = cmath.exp(1j * turn)
+    block = Block(at=0j, along=u, owner="link 4")
+    slot, pin = Slot(a=-20 * u, b=20 * u, owner="link 5"), Point(at=0j, label="D", dot=Dot.JOINT)
+    (number,) = numbers(slot, block, pin, LinkNumber(a=0j, b=0j, number="4", owner="link 4"))
+    assert number.foot is None
+    corners = block_corners(block)
+    assert min(abs(number.centre - corner) for corner in corners) < 6.0
+    assert abs((number.centre * u.conjugate()).imag) > abs((corners[0] * u.conjugate()).imag)
+
+
+def test_the_ring_of_a_detail_has_no_cross_in_its_centre() -> None:
+    figures = drawn("3-1d").construction.figures
+    details = [one for some in all_detailed(figures) for one in some[1:]]
+    assert details
+    for one in details:
+        strokes = [item for item in drawing(one).scene.items if isinstance(item, Stroke)]
+        assert not any(abs(sum(s.points)) < 1e-9 and abs(s.points[0]) < 3 and len(s.points) == 2 for s in strokes)
+
+
+def test_a_circle_of_the_construction_keeps_its_cross() -> None:
+    circle = Arc(centre=0j, radius=20.0, start=0.0, sweep=cmath.tau, role=Role.CONSTRUCTION)
+    strokes = [item for item in drawing(figure(circle)).scene.items if isinstance(item, Stroke)]
+    assert sum(len(stroke.points) == 2 for stroke in strokes) == 2
+
+
+@pytest.mark.parametrize("name", ["A-16", "A-27", "3-12", "oldham-coupling"])
+def test_a_block_between_the_links_of_a_mechanism_needs_no_leader_for_its_number(name: str) -> None:
+    mechanism = drawn(name).construction.figure(View.MECHANISM)
+    assert mechanism is not None
+    blocks = {mark.owner for mark in mechanism.marks if isinstance(mark, Block)}
+    numbered = [label for label in drawing(mechanism).labels if label.want.thing is Thing.LINK and label.want.bow]
+    assert len(numbered) == len(blocks) and all(label.foot is None for label in numbered)
+
+
+@pytest.mark.parametrize("name", ["rack-lift", "stepped-planet", "travel-doubler", "watt-line"])
+def test_numbers_keep_off_the_joints_of_other_links(name: str) -> None:
+    mechanism = drawn(name).construction.figure(View.MECHANISM)
+    assert mechanism is not None
+    labels = drawing(mechanism).labels
+    joints = [label.want.own[0] for label in labels if label.want.thing is Thing.POINT]
+    for number in (label for label in labels if label.want.thing is Thing.LINK):
+        for joint in joints:
+            off, rect = joint - number.centre, number.rect
+            beyond = complex(max(abs(off.real) - rect.width / 2, 0.0), max(abs(off.imag) - rect.height / 2, 0.0))
+            assert abs(beyond) > 2.3, (joint, number.centre)

@@ -1,0 +1,53 @@
+"""Names along lines; and the numbers of links: along a bar clear of its joints, beside the outline of a block."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from ...board.paper.marks import Block, Dot, LinkNumber, Mark, Passing, Point
+from ..style import RESULT
+from ..symbols.bodies import block_corners
+from ..symbols.shapes import NEAR
+from .want import Piece, Thing, Want
+
+FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
+ON = 0.3  # mm: a joint so near to a bar, as an unsteady hand finds it, lies on it
+
+
+def along_line(a: complex, b: complex, radius: float, pieces: tuple[Piece, ...], thing: Thing) -> Want:
+    """A name on either side of a line, first of all beside its middle."""
+    if abs(b - a) < NEAR:
+        return Want(pieces, (a,), (0j,), radius, (a, a), thing=thing)
+    n = 1j * (b - a) / abs(b - a)
+    feet = tuple(a + (b - a) * f for f in FRACTIONS)
+    return Want(pieces, feet, (n,) * len(feet), radius, (a, b), thing=thing)
+
+
+def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Want:
+    """The number of a link: of a block beside its outline, of a bar beside its longest piece between two joints."""
+    a, b = mark.a, mark.b
+    if abs(b - a) < NEAR:
+        blocks = (m for m in marks if isinstance(m, Block) and m.owner == mark.owner and abs(m.at - a) < NEAR)
+        block = next(blocks, None)
+        return along_line(a, b, keep, (piece,), Thing.LINK) if block is None else _beside_block(block, piece)
+    ends = sorted({0.0, 1.0, *_joints_between(a, b, marks)})
+    start, end = max(pairwise(ends), key=lambda part: part[1] - part[0])
+    want = along_line(a + (b - a) * start, a + (b - a) * end, keep, (piece,), Thing.LINK)
+    return Want(want.pieces, want.feet, want.normals, want.radius, (a, b), thing=Thing.LINK)
+
+
+def _joints_between(a: complex, b: complex, marks: tuple[Mark, ...]) -> list[float]:
+    """Where along a -> b joints are drawn on it, as shares of its length."""
+    found = []
+    for mark in marks:
+        if isinstance(mark, Passing | Block) or (isinstance(mark, Point) and mark.dot in (Dot.JOINT, Dot.MULTIPLE)):
+            along = (mark.at - a) / (b - a)
+            if abs(along.imag * (b - a)) < ON and ON < along.real * abs(b - a) < abs(b - a) - ON:
+                found.append(along.real)
+    return found
+
+
+def _beside_block(block: Block, piece: Piece) -> Want:
+    corners = block_corners(block)
+    outline = (*corners, corners[0])
+    return Want((piece,), corners, (0j,) * 4, RESULT / 2, (corners[0], corners[1]), thing=Thing.LINK, bow=outline)
