@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterable, Iterator
 from math import isfinite, nan
 from typing import cast
 
+import numpy as np
+
 from ..foundation.slotted import replace
 from ..plane import nominal
 from .formula import Node, Row, Txt
@@ -51,11 +53,17 @@ def keyed_in(expr: Expr, shown: str = "") -> Node:
 
 def figures_for(expr: Expr, shown: str = "", least: int = FIGURES) -> int:
     """So many figures of its numbers that a reader who keys them in gets the result as it is printed (`shown`)."""
-    value = float(nominal(expr.value))
+    value = _by_one(expr)
     if not isfinite(value):
         return least
     told = (read_back(shown),) if shown else tuple(_results(value))
     return guarded(least, lambda digits: _gives(expr, digits, told))
+
+
+def _by_one(expr: Expr) -> float:
+    """The value by the nominal hand alone; not finite where it divides by nothing."""
+    with np.errstate(all="ignore"):
+        return float(nominal(_each(expr, lambda one: replace(one, value=np.float64(nominal(one.value)))).value))
 
 
 def _reproduces(expr: Expr, digits: int, shown: str) -> bool:
