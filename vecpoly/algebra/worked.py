@@ -35,9 +35,14 @@ def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], st
 
     Its numbers are those with which a reader gets this end: as they are told elsewhere, or with guard figures.
     """
-    own = cast("Expr", line.worked)
-    other = _each(own, lambda one: replace(one, told=told(one.node, float(nominal(one.value))) or one.told))
-    expr = other if _reproduces(other, figures_for(other, shown), shown) else own
+    own, again = cast("Expr", line.worked), dict[Node, str]()
+
+    def as_told(one: Quantity) -> Quantity:
+        again[one.node] = told(one.node, float(nominal(one.value)))
+        return replace(one, told=again[one.node] or one.told)
+
+    other = _each(own, as_told)
+    expr = other if any(again.values()) and _reproduces(other, figures_for(other, shown), shown) else own
     return Row((*line.items[:_NUMBERS], keyed_in(expr, shown), end))
 
 
