@@ -28,6 +28,7 @@ from ...registry import Stage, method
 from ..lines.letters import arm_about_pole, pair_symbol
 from ..lines.pairs import Pair, pair_of
 from ..readings import keep_nothing, keep_value
+from ..senses import TURN
 from ..state import Statics
 
 _SOURCE = "机械原理, Zhukovsky's lever"
@@ -115,7 +116,8 @@ def _term(st: Statics, pane: Pane, tips: Tips, load: Load, size: Reals, sense: i
     force = st.board.compute(
         pair_symbol(named.symbol), magnitude(named.symbol, size, "N·m") / st.desk.length(pair.p, pair.q), "N"
     )
-    return _moment(force, _pair_arm(st, pane, tips, pair, sense, named))
+    _draw_pair(st, pane, tips, pair, sense, named)
+    return _moment(force, _pair_arm(st, tips, pair, sense))
 
 
 def _say_pair(st: Statics, pair: Pair, named: Named) -> None:
@@ -152,60 +154,93 @@ def _force_arm(st: Statics, pane: Pane, tips: Tips, at: At, along: Points, named
     return arm
 
 
-def _pair_arm(st: Statics, pane: Pane, tips: Tips, pair: Pair, sense: int, named: Named) -> Arm:
+def _pair_arm(st: Statics, tips: Tips, pair: Pair, sense: int) -> Arm:
     """Two opposite forces at the tips of two points of the link; the arm of the pair is the distance of the tips."""
     one, two = (_tip(st, tips, At(letter, pair.link)) for letter in (pair.p, pair.q))
-    along = 1j * sense * st.desk.towards(pair.p, pair.q)
     letters = " ".join(
         st.desk.start_label(View.VELOCITY, st.desk.canonical(At(letter, pair.link))) for letter in (pair.p, pair.q)
     )
-    side = cross(two - one, along)
-    for at, way in ((two, along), (one, -along)):
-        _draw_force(st, pane, at, way, pair_symbol(named.symbol))
+    side = cross(two - one, 1j * sense * st.desk.towards(pair.p, pair.q))
     return Arm(
         mm=st.board.measure(one, two, letters), sign=np.where(np.abs(two - one) < NO_LENGTH, 0, np.sign(side))[()]
     )
 
 
+def _draw_pair(st: Statics, pane: Pane, tips: Tips, pair: Pair, sense: int, named: Named) -> None:
+    along = 1j * sense * st.desk.towards(pair.p, pair.q)
+    for letter, way in ((pair.q, along), (pair.p, -along)):
+        _draw_force(st, pane, _tip(st, tips, At(letter, pair.link)), way, pair_symbol(named.symbol))
+
+
 def _balance(st: Statics, pane: Pane, tips: Tips, load: Load, moments: list[Sum]) -> None:
     """The balancing force, or the pair of forces of the balancing moment, from Σ M_p = 0."""
+    if isinstance(load, Moment):
+        _balance_pair(st, pane, tips, load, moments)
+        return
     named, plain = quantities(st.mech, st.loads)[f"{load.name}_lever"], load_named(load)
-    pair = pair_of(st, load.link) if isinstance(load, Moment) else None
-    arm: Arm | None
-    if isinstance(load, Force):
-        arm = _force_arm(st, pane, tips, At(load.point, load.link), complex(np.exp(1j * load.direction)), plain)
-    else:
-        arm = _pair_arm(st, pane, tips, pair, 1, plain) if pair is not None else None
-    if arm is None or not arm.way:
-        raise EquilibriumError(
-            Words(
-                f"平衡载荷 {load.name} 对速度多边形极点的力臂为零，在此位置不作功；请另取原动件位置或另选平衡载荷",
-                f"the balancing load {load.name} has no arm about the pole of the velocity polygon: it does no "
-                "work in this position; choose another input position or another balancing load",
-            )
-        )
-    if pair is not None:
-        _say_pair(st, pair, plain)
-    st.board.remark(
-        Words(
-            "量各力对极点 $p$ 的力臂，由 $Σ M_p$ = 0 得（逆时针为正）：",
-            " Measure the arms about $p$; $Σ M_p$ = 0 gives (counter-clockwise positive):",
-        )
-    )
+    arm = _force_arm(st, pane, tips, At(load.point, load.link), complex(np.exp(1j * load.direction)), plain)
+    if not arm.way:
+        raise _idle(load)
+    _say_sum(st, Words.same(""))
     if not moments:
         keep_nothing(st, named)
         return
-    total = Sum(tuple(m.terms[0] for m in moments), tuple(-arm.way * m.signs[0] for m in moments))
-    if pair is None:
-        _result(st, named, total / arm.mm)
+    _result(st, named, _against(moments, arm.way) / arm.mm)
+
+
+def _balance_pair(st: Statics, pane: Pane, tips: Tips, load: Moment, moments: list[Sum]) -> None:
+    """The pair is drawn as it turns, so that its size is positive and the moment has its sense."""
+    named, plain, pair = quantities(st.mech, st.loads)[f"{load.name}_lever"], load_named(load), pair_of(st, load.link)
+    arm = _pair_arm(st, tips, pair, 1) if pair is not None else None
+    if pair is None or arm is None or not arm.way:
+        raise _idle(load)
+    _say_pair(st, pair, plain)
+    if not moments:
+        _say_sum(st, Words.same(""))
+        keep_nothing(st, named)
         return
-    force = st.board.compute(pair_symbol(plain.symbol), total / arm.mm, "N")
-    _result(st, named, force * st.desk.length(pair.p, pair.q))
+    sense = -1 if nominal(_against(moments, arm.way).value) < 0 else 1
+    _draw_pair(st, pane, tips, pair, sense, plain)
+    number, symbol = st.mech.number(load.link), pair_symbol(plain.symbol)
+    _say_sum(
+        st,
+        Words(
+            f" ${symbol}$，其使构件 {number} {TURN[sense].zh}转动，故 ${named.symbol}$ 为{TURN[sense].zh}方向",
+            f" ${symbol}$, which turns link {number} {TURN[sense].en}; so does ${named.symbol}$",
+        ),
+    )
+    force = st.board.compute(symbol, _against(moments, sense * arm.way) / arm.mm, "N")
+    _result(st, named, force * st.desk.length(pair.p, pair.q), sense)
 
 
-def _result(st: Statics, named: Named, expr: Expr) -> None:
+def _against(moments: list[Sum], way: int) -> Sum:
+    """What balances the moments about the pole, counted this way round."""
+    return Sum(tuple(m.terms[0] for m in moments), tuple(-way * m.signs[0] for m in moments))
+
+
+def _say_sum(st: Statics, found: Words) -> None:
+    st.board.remark(
+        Words(
+            f"量各力对极点 $p$ 的力臂，由 $Σ M_p$ = 0（逆时针为正）得{found.zh}：",
+            f" Measure the arms about $p$; $Σ M_p$ = 0 (counter-clockwise positive) gives{found.en}:",
+        )
+    )
+
+
+def _idle(load: Load) -> EquilibriumError:
+    return EquilibriumError(
+        Words(
+            f"平衡载荷 {load.name} 对速度多边形极点的力臂为零，在此位置不作功；请另取原动件位置或另选平衡载荷",
+            f"the balancing load {load.name} has no arm about the pole of the velocity polygon: it does no "
+            "work in this position; choose another input position or another balancing load",
+        )
+    )
+
+
+def _result(st: Statics, named: Named, expr: Expr, sense: int = 1) -> None:
+    """sense: how a moment turns, whose line has its size alone."""
     st.board.write_worked(sym(named.symbol), expr, named.unit)
-    keep_value(st, named, expr.value, expr)
+    keep_value(st, named, sense * expr.value, expr)
 
 
 def _tip(st: Statics, tips: Tips, at: At) -> Points:
