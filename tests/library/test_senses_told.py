@@ -1,5 +1,5 @@
-"""One quantity, one sign: what is told with a sense is printed as a size, and where a sum needs signs the positive sense
-is told."""
+"""One quantity, one sign: what is told with a sense is printed as a size; where a sum needs signs the positive sense is
+told."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ import re
 from tests.drawn_library import IDS, drawn
 from tests.each import each
 from vecpoly.algebra.formula import plain
+from vecpoly.problem.load import load
+from vecpoly.report.answers.line import short_line
+from vecpoly.report.answers.tables import way
 
 LESS = re.compile(r"= −[\d.×^{}−]+ (N·m|rad/s)$")  # a line that ends so
 
@@ -32,3 +35,17 @@ def test_a_moment_has_one_sense_by_whichever_way_it_is_found(name: str) -> None:
     steps = [step.words.en for step in solution.construction.steps if "virtual power" in step.words.en]
     turn = {"cw": "clockwise:", "ccw": "counter-clockwise:"}[solution.answers["M_1_power"].sense or ""]
     assert steps and all(words.endswith(f"is {turn}") for words in steps)
+
+
+@each(IDS)
+def test_directions_of_vectors_are_told_from_0_to_360_degrees(name: str) -> None:
+    solution = drawn(name).solution
+    for answer in solution.answers.values():
+        if answer.drawn_vector is not None and not answer.is_place:
+            told = f"{plain(short_line(answer, solution, 'en'))} {way(answer, solution.problem, 'en')}"
+            assert not re.search(r"−[\d.]+°", told), told
+
+
+def test_a_load_told_clockwise_has_the_direction_that_stands_in_the_table() -> None:
+    given = " ".join(one.of("en") for one in load("winch-gears").given.loads)
+    assert "direction 270°" in given and "−90" not in given, given

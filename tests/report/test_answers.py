@@ -155,8 +155,8 @@ def test_a_line_goes_on_with_the_numbers_that_are_printed_before_it() -> None:
 
 def test_a_vector_is_told_with_scale_length_number_unit_and_direction() -> None:
     solution = solve(load("3-9"))
-    assert line_of(solution, "v_E") == "v_E = μ_v·28.8 mm = 0.1728 m/s（∠−47.7°）"
-    assert line_of(solution, "v_E", "en") == "v_E = μ_v·28.8 mm = 0.1728 m/s (∠−47.7°)"
+    assert line_of(solution, "v_E") == "v_E = μ_v·28.8 mm = 0.1728 m/s（∠312.3°）"
+    assert line_of(solution, "v_E", "en") == "v_E = μ_v·28.8 mm = 0.1728 m/s (∠312.3°)"
 
 
 def test_what_turns_is_told_with_its_sense_and_never_with_a_sign() -> None:
