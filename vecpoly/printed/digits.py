@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from math import floor, isfinite, log10
 
+from ..algebra.formula import Row
 from ..algebra.quantity import number
 from ..algebra.rounding import to_places
 from ..answer import YES_NO, Answer
+from .lengths import is_length
 from .units import printed_unit
 
 TENTH = 0.1  # mm: what a rule is read to
@@ -49,10 +51,14 @@ def rounded(value: float, places: int | None, most: int) -> str:
 def decimals(answer: Answer) -> int | None:
     """So many that the last one is worth what was read; None of what is computed or counted.
 
-    What was worked out has the zeros that its expected error leaves it; an angle has the tenth of the protractor.
+    What was worked out has the zeros that its expected error leaves it; an angle has the tenth of the protractor. What
+    is read off as a length has as many as the others that are read to its scale: how far it may be off stands beside.
     """
     factor = printed_unit(answer.reading.unit)[0]
     read, error = factor * _read_to(answer), factor * _error(answer)
+    line = answer.reading.formula
+    if read and isinstance(line, Row) and is_length(line):
+        return _places(read)
     well = answer.reading.mm is not None and coarse(answer) is None
     step = max(read, error * (SHARE_OF_READ if well else SHARE))
     if answer.reading.unit == YES_NO or not step or not isfinite(answer.drawn):
