@@ -172,8 +172,8 @@ def test_a_vector_along_an_axis_is_told_with_an_arrow() -> None:
 
 def test_a_length_ends_with_millimetres_as_in_the_table() -> None:
     solution = solve(load("5-3"))
-    assert line_of(solution, "h") == "h = μ_l′·2.4 mm = 1.9 mm"
-    assert rows_of(solution, "zh")["$h$"][:5] == ("$h$", "mm", "2.4（过短）", "$μ_l′$", "1.9")
+    assert line_of(solution, "h") == "h = μ_l′·2.4 mm = 1.92 mm"
+    assert rows_of(solution, "zh")["$h$"][:5] == ("$h$", "mm", "2.4（过短）", "$μ_l′$", "1.92")
 
 
 def test_a_coarse_reading_is_told_to_be_so_and_no_other() -> None:

@@ -58,20 +58,20 @@ def decimals(answer: Answer) -> int | None:
     read, error = factor * _read_to(answer), factor * _error(answer)
     line = answer.reading.formula
     if read and isinstance(line, Row) and is_length(line):
-        return _places(read)
+        return places_of(read)
     well = answer.reading.mm is not None and coarse(answer) is None
     step = max(read, error * (SHARE_OF_READ if well else SHARE))
     if answer.reading.unit == YES_NO or not step or not isfinite(answer.drawn):
         return None
-    places, drawn = _places(step), factor * answer.drawn
+    places, drawn = places_of(step), factor * answer.drawn
     if answer.reading.mm is None:
-        least = 1 if answer.reading.unit == "deg" else _places(error)
+        least = 1 if answer.reading.unit == "deg" else places_of(error)
         finest = max(places, least)
         return next((n for n in range(0 if answer.computed else least, finest) if _is_on(drawn, n)), finest)
     return places
 
 
-def _places(step: float) -> int:
+def places_of(step: float) -> int:
     """The decimals with which a number is told to such a step."""
     return max(0, -floor(log10(step) + 1e-9)) if step else 0
 
