@@ -139,9 +139,9 @@ def told_short(answer: Answer) -> Words:
 
 
 def bearing(vector: complex) -> float:
-    """The direction of a vector in degrees, above −180 and up to 180: west is 180 however it was rounded."""
-    turn = degrees(cmath.phase(vector))
-    return 180.0 if turn < -180 + 1e-9 else turn
+    """The direction of a vector in degrees, from 0 and below 360: east is 0 however it was rounded."""
+    turn = degrees(cmath.phase(vector)) % 360.0
+    return 0.0 if turn > 360.0 - 1e-9 else turn
 
 
 def place_of(at: complex) -> list[float]:

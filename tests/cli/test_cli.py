@@ -47,7 +47,7 @@ def test_solve_json_has_the_promised_shape(run: Run) -> None:
     assert (data["id"], data["hand"]) == ("3-9", "exact")
     speed, turn = data["answers"]["v_E"], data["answers"]["omega_3"]
     assert speed["unit"] == "m/s" and speed["drawn"] == pytest.approx(0.172678, rel=1e-5)
-    assert speed["direction_deg"] == pytest.approx(-47.6527, rel=1e-5)
+    assert speed["direction_deg"] == pytest.approx(312.3473, rel=1e-5)
     assert speed["reading_mm"] == pytest.approx(28.7796, rel=1e-5)
     assert turn["exact"] == pytest.approx(-1.99524, rel=1e-5) and turn["sense"] == "cw"
     assert speed["expected_error"] > 0 and "direction_deg" not in turn

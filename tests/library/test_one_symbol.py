@@ -9,7 +9,6 @@ from vecpoly.algebra.formula import plain
 from vecpoly.algebra.rounding import read_back
 
 SAME = 0.02  # share by which a value found in two ways may differ, by drawing and by formula
-PER_SOLUTION = ("γ′", "γ″")  # of the two positions of each linkage that is found, in figures of its own
 
 
 @each(IDS)
@@ -19,8 +18,19 @@ def test_a_symbol_has_one_value_wherever_it_is_evaluated(name: str) -> None:
         for line in map(plain, step.formulas):
             symbol, end = line.split(" = ")[0], line.rsplit(" = ", 1)[-1]
             number, _, unit = end.partition(" ")
-            if not unit or symbol in PER_SOLUTION or not list(sums(line)):
+            if not unit or not list(sums(line)):
                 continue
             size = abs(read_back(number)[0])
             before, text = found.setdefault((symbol, unit), (size, line))
             assert abs(before - size) <= SAME * max(before, size), f"{text}; {line}"
+
+
+@each(IDS)
+def test_an_angle_that_is_read_has_a_symbol_of_its_own_in_each_solution(name: str) -> None:
+    found: dict[str, str] = {}
+    for step in drawn(name).construction.steps:
+        for line in map(plain, step.formulas):
+            symbol, end = line.split(" = ")[0], line.rsplit(" = ", 1)[-1]
+            if end.endswith("°"):
+                assert "{" not in symbol, f"{symbol} is no symbol"
+                assert found.setdefault(symbol, end) == end, f"{line}; before: {found[symbol]}"

@@ -156,8 +156,8 @@ def test_a_line_goes_on_with_the_numbers_that_are_printed_before_it() -> None:
 
 def test_a_vector_is_told_with_scale_length_number_unit_and_direction() -> None:
     solution = solve(load("3-9"))
-    assert line_of(solution, "v_E") == "v_E = μ_v·28.8 mm = 0.1728 m/s（∠−47.7°）"
-    assert line_of(solution, "v_E", "en") == "v_E = μ_v·28.8 mm = 0.1728 m/s (∠−47.7°)"
+    assert line_of(solution, "v_E") == "v_E = μ_v·28.8 mm = 0.1728 m/s（∠312.3°）"
+    assert line_of(solution, "v_E", "en") == "v_E = μ_v·28.8 mm = 0.1728 m/s (∠312.3°)"
 
 
 def test_what_turns_is_told_with_its_sense_and_never_with_a_sign() -> None:
@@ -173,8 +173,8 @@ def test_a_vector_along_an_axis_is_told_with_an_arrow() -> None:
 
 def test_a_length_ends_with_millimetres_as_in_the_table() -> None:
     solution = solve(load("5-3"))
-    assert line_of(solution, "h") == "h = μ_l′·2.4 mm = 1.9 mm"
-    assert rows_of(solution, "zh")["$h$"][:5] == ("$h$", "mm", "2.4（过短）", "$μ_l′$", "1.9")
+    assert line_of(solution, "h") == "h = μ_l′·2.4 mm = 1.92 mm"
+    assert rows_of(solution, "zh")["$h$"][:5] == ("$h$", "mm", "2.4（过短）", "$μ_l′$", "1.92")
 
 
 def test_a_coarse_reading_is_told_to_be_so_and_no_other() -> None:

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..foundation.slotted import replace
 from ..plane import nominal
-from .formula import Node, Row, Txt
+from .formula import Node, Row, Txt, plain
 from .quantity import FIGURES, Expr, Of, Powered, Product, Quantity, Quotient, Rooted, Sum, Times, number
 from .rounding import TIES, WHOLE, as_printed, guarded, half_unit, read_back, to_figures
 
@@ -35,6 +35,19 @@ def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], st
 
     Its numbers are those with which a reader gets this end: as they are told elsewhere, or with guard figures.
     """
+    return Row((*line.items[:_NUMBERS], keyed_in(_as_told(line, shown, told), shown), end))
+
+
+def numbers_of(line: Row, shown: str, told: Callable[[Node, float], str]) -> Iterator[tuple[Node, float, str]]:
+    """The quantities of the line that `told_again` gives: symbol, value, number without sign and brackets."""
+    expr = _as_told(line, shown, told)
+    digits = figures_for(expr, shown)
+    for one in _quantities(expr):
+        yield one.node, float(nominal(one.value)), plain(one.numbers(digits)).strip("()−°")
+
+
+def _as_told(line: Row, shown: str, told: Callable[[Node, float], str]) -> Expr:
+    """The line's expression with the numbers told elsewhere, unless they give another end."""
     own, again = cast("Expr", line.worked), dict[Node, str]()
 
     def as_told(one: Quantity) -> Quantity:
@@ -42,8 +55,7 @@ def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], st
         return replace(one, told=again[one.node] or one.told)
 
     other = _each(own, as_told)
-    expr = other if any(again.values()) and _reproduces(other, figures_for(other, shown), shown) else own
-    return Row((*line.items[:_NUMBERS], keyed_in(expr, shown), end))
+    return other if any(again.values()) and _reproduces(other, figures_for(other, shown), shown) else own
 
 
 def stated(quantity: Quantity) -> Row:
@@ -126,6 +138,29 @@ def _each(expr: Expr, made: Callable[[Quantity], Quantity]) -> Expr:
             return Of(name, _each(angle, made))
         case Rooted(body):
             return Rooted(_each(body, made))
+
+
+def _quantities(expr: Expr) -> list[Quantity]:
+    """Every quantity in it."""
+    found: list[Quantity] = []
+
+    def noted(one: Quantity) -> Quantity:
+        found.append(one)
+        return one
+
+    _each(expr, noted)
+    return found
+
+
+def size_of(line: Row) -> float:
+    """What a line that is worked out comes to, without its sign."""
+    return abs(float(nominal(cast("Expr", line.worked).value)))
+
+
+def scale_of(line: Row) -> float | None:
+    """The scale before the lengths of a line such as l = μ_l AB; None of a line that begins with no such factor."""
+    factors: tuple[Expr, ...] = line.worked.factors if isinstance(line.worked, Product) else ()
+    return abs(float(nominal(factors[0].value))) if factors and isinstance(factors[0], Quantity) else None
 
 
 def _rounded(quantity: Quantity, digits: int) -> Quantity:

@@ -90,6 +90,8 @@ def way(answer: Answer, lang: Lang) -> str:
     if answer.is_place:
         return "—"
     if answer.drawn_vector is not None:
+        from ..printed.angles import bearing_told
+
         turn = answer.direction
-        return "—" if turn is None else f"{turn:.1f}°".replace("-", "−")
+        return "—" if turn is None else bearing_told(turn)
     return _SENSE[answer.sense][lang] if answer.sense and abs(answer.drawn) >= _NOISE else "—"

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from math import floor, isfinite, log10
 
+from ..algebra.formula import Row
 from ..algebra.quantity import number
 from ..algebra.rounding import to_places
 from ..answer import YES_NO, Answer
+from .lengths import is_length
 from .units import printed_unit
 
 TENTH = 0.1  # mm: what a rule is read to
@@ -49,23 +51,27 @@ def rounded(value: float, places: int | None, most: int) -> str:
 def decimals(answer: Answer) -> int | None:
     """So many that the last one is worth what was read; None of what is computed or counted.
 
-    What was worked out has the zeros that its expected error leaves it; an angle has the tenth of the protractor.
+    What was worked out has the zeros that its expected error leaves it; an angle has the tenth of the protractor. What
+    is read off as a length has as many as the others that are read to its scale: how far it may be off stands beside.
     """
     factor = printed_unit(answer.reading.unit)[0]
     read, error = factor * _read_to(answer), factor * _error(answer)
+    line = answer.reading.formula
+    if read and isinstance(line, Row) and is_length(line):
+        return places_of(read)
     well = answer.reading.mm is not None and coarse(answer) is None
     step = max(read, error * (SHARE_OF_READ if well else SHARE))
     if answer.reading.unit == YES_NO or not step or not isfinite(answer.drawn):
         return None
-    places, drawn = _places(step), factor * answer.drawn
+    places, drawn = places_of(step), factor * answer.drawn
     if answer.reading.mm is None:
-        least = 1 if answer.reading.unit == "deg" else _places(error)
+        least = 1 if answer.reading.unit == "deg" else places_of(error)
         finest = max(places, least)
         return next((n for n in range(0 if answer.computed else least, finest) if _is_on(drawn, n)), finest)
     return places
 
 
-def _places(step: float) -> int:
+def places_of(step: float) -> int:
     """The decimals with which a number is told to such a step."""
     return max(0, -floor(log10(step) + 1e-9)) if step else 0
 

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping
-from math import isclose, isfinite, log10
+from collections.abc import Mapping
+from math import isfinite
 
-from ..algebra.formula import Node, Row, Txt, named
-from ..algebra.worked import told_again
+from ..algebra.formula import Node, Row, Txt
 from ..answer import YES_NO, Answer
 from ..board.construction import Construction, Step
 from ..foundation.slotted import replace
-from .digits import MOST, coordinates, decimals, rounded
+from .digits import coordinates
 from .places import place_parts
+from .told import EQUALS, NUMBER, Told, number_of
 from .units import printed_unit
-
-_NUMBER = re.compile(r"(−?)\d+(?:\.\d+)?(?:×10\^\{−?\d+\})?")  # as `number` writes it
-_EQUALS = " = "
 
 
 def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tuple[Construction, dict[str, Answer]]:
@@ -27,11 +23,16 @@ def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tup
         line = answer.reading.formula
         if isinstance(line, Row) and (end := printed_end(line, answer)) is not None:
             ends[line.items[0], line.items[-1]] = end
+
+    def end_of(line: Row) -> Txt | None:
+        """Of the line asked, and of any that evaluates the same again; None: its own."""
+        return ends.get((line.items[0], line.items[-1]))
+
     told = Told(answers.values())
+    told.carry([(line, end_of(line)) for step in construction.steps for line in step.formulas if isinstance(line, Row)])
 
     def printed(line: Node) -> Node:
-        """The line asked, and any that evaluates the same again, with its end."""
-        return told.line(line, ends.get((line.items[0], line.items[-1]))) if isinstance(line, Row) else line
+        return told.line(line, end_of(line)) if isinstance(line, Row) else line
 
     steps = (_with_lines(step, tuple(map(printed, step.formulas))) for step in construction.steps)
     lines = {key: one.reading.formula for key, one in answers.items()}
@@ -40,30 +41,6 @@ def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tup
         key: replace(one, reading=replace(one.reading, formula=found[key])) if found[key] is not lines[key] else one
         for key, one in answers.items()
     }
-
-
-class Told:
-    """The numbers of asked quantities as they are printed, for lines that go on with them."""
-
-    def __init__(self, answers: Iterable[Answer]) -> None:
-        asked = (one for one in answers if not one.is_place and not one.undefined and one.reading.unit != YES_NO)
-        self._by_symbol = {named(one.reading.symbol): one for one in asked if isfinite(one.drawn)}
-
-    def line(self, line: Row, end: Txt | None) -> Row:
-        """The line with this end, or with its own; what is not worked out, or goes on with nothing asked, as it is."""
-        if end is None and line.worked is None:
-            return line
-        last = end or line.items[-1]
-        if line.worked is None or not isinstance(last, Txt) or _EQUALS not in last.text:
-            return Row((*line.items[:-1], last))
-        number = _NUMBER.match(last.text.split(_EQUALS)[1])
-        return Row((*line.items[:-1], last)) if number is None else told_again(line, last, number[0], self._told)
-
-    def _told(self, symbol: Node, value: float) -> str:
-        """The number as its answer is printed; nothing of another, or of one that is gone on with otherwise."""
-        answer = self._by_symbol.get(symbol)
-        same = answer is not None and isclose(abs(value), abs(answer.drawn), rel_tol=1e-9)
-        return _digits(answer, value, 1.0) if answer is not None and same else ""
 
 
 def _with_lines(step: Step, lines: tuple[Node, ...]) -> Step:
@@ -77,29 +54,23 @@ def _is_open(line: Node) -> bool:
 def printed_end(line: Row, answer: Answer) -> Txt | None:
     """The end of a line with the digits of the answer; None of what has none: a question, no number."""
     end, unit = line.items[-1], answer.reading.unit
-    if not isinstance(end, Txt) or _EQUALS not in end.text or unit == YES_NO or not isfinite(answer.drawn):
+    if not isinstance(end, Txt) or EQUALS not in end.text or unit == YES_NO or not isfinite(answer.drawn):
         return None
     if answer.is_place:
         at = answer.drawn_vector
-        return None if at is None else Txt(f"{_EQUALS}({', '.join(place_parts(at, coordinates(answer)))}) mm")
-    first, *parts = end.text.split(_EQUALS)
-    return Txt(_EQUALS.join((first, *(_with_digits(part, answer) for part in parts))))
+        return None if at is None else Txt(f"{EQUALS}({', '.join(place_parts(at, coordinates(answer)))}) mm")
+    first, *parts = end.text.split(EQUALS)
+    return Txt(EQUALS.join((first, *(_with_digits(part, answer) for part in parts))))
 
 
 def _with_digits(part: str, answer: Answer) -> str:
     """A number with its unit, in the unit that is printed or in the SI unit before it; its sign stays."""
-    found, unit = _NUMBER.match(part), answer.reading.unit
+    found, unit = NUMBER.match(part), answer.reading.unit
     if found is None:
         return part
     rest, (factor, printed) = part[found.end() :].strip(), printed_unit(unit)
     scale = {"": 1.0, "°": 1.0, printed: factor, unit: 1.0}.get(rest)
     if scale is None:
         return part
-    text = _digits(answer, abs(scale * answer.drawn), scale)
+    text = number_of(answer, abs(scale * answer.drawn), scale)
     return f"{found[1] if text != '0' else ''}{text}{part[found.end() :]}"
-
-
-def _digits(answer: Answer, value: float, scale: float) -> str:
-    """A value with the digits of the answer, in a unit of which the SI unit has so many."""
-    places, factor = decimals(answer), printed_unit(answer.reading.unit)[0]
-    return rounded(value, None if places is None else max(0, places + round(log10(factor / scale))), MOST)

@@ -73,9 +73,13 @@ class Bench:
         )
         return magnitude(named.symbol, size, named.unit)
 
-    def worked(self, named: Named, expr: Expr) -> Quantity:
-        """Compute a quantity from others; written into the step as symbol = formula = numbers = result."""
-        return self._computed(named, expr, self.board.formula(named.symbol, expr, named.unit))
+    def worked(self, named: Named, expr: Expr, sense: int = 1) -> Quantity:
+        """Compute a quantity from others; written into the step as symbol = formula = numbers = result.
+
+        sense: how it turns, where the line gives its size alone.
+        """
+        size = self.board.formula(named.symbol, expr, named.unit)
+        return self._computed(named, expr, size if sense == 1 else replace(size, value=sense * size.value))
 
     def divided(self, named: tuple[Named, Named], parts: tuple[Expr, Expr]) -> tuple[Quantity, Quantity]:
         """Compute the two shares of a quantity; a reader may take each for the other."""

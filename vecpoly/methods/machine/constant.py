@@ -45,9 +45,10 @@ def _say_positions(period: Period) -> None:
     board, count = period.board, len(period.read) - 1
     board.step(
         Words(
-            f"取原动件的 {count} 个等分位置，在各位置作速度多边形，由功率求得各已知力（矩）的等效力矩 $M_e$，列成表。",
+            f"取原动件的 {count} 个等分位置，在各位置作速度多边形，由功率求得各已知力（矩）的等效力矩 $M_e$（逆时针"
+            "为正），列成表。",
             f"In {count} equal positions of the driving link draw the velocity polygon; the powers give the equivalent "
-            "moment $M_e$ of the given loads, which the table lists.",
+            "moment $M_e$ of the given loads (counter-clockwise positive), which the table lists.",
         )
     )
     step = period.curve.period / count

@@ -10,7 +10,7 @@ from ...board.board import NO_LENGTH
 from ...board.construction import Listing, View
 from ...mechanism.asked.machine import Equivalent
 from ...mechanism.loads import Mass
-from ...names import At, omega
+from ...names import At, Named, omega
 from ...plane import Reals, nominal
 from ...words import Words
 from ..desk import POLE
@@ -18,6 +18,7 @@ from ..forces.balance.power_terms import works
 from ..forces.balance.virtual_power import written_power
 from ..forces.friction import STILL
 from ..forces.readings import keep_nothing, keep_value
+from ..forces.senses import TURN
 from ..forces.state import Statics
 from ..kinematics.image import found_tip
 from ..registry import Stage, method
@@ -173,15 +174,25 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
         keep_nothing(st, to.load)
         return
     total = sum((part.value for part in parts), np.zeros(()))
-    expr = Sum(tuple(moving), (1,) * len(moving)) / moved.size
-    _keep_load(st, to, total / (moved.size.value * moved.sign), expr)
+    _keep_load(st, to, moved, moving, total / (moved.size.value * moved.sign))
 
 
-def _keep_load(st: Statics, to: Equivalent, value: Reals, expr: Expr) -> None:
-    named = to.load
+def _keep_load(st: Statics, to: Equivalent, moved: Motion, moving: list[Quantity], value: Reals) -> None:
+    """F_e with its sign along the motion; M_e as a size with its sense."""
+    named, sense = to.load, int(np.sign(nominal(value)))
+    way = 1
+    if not to.slide and sense:
+        way = sense * int(nominal(moved.sign))
+        st.board.remark(_turned(named, moved, way, TURN[sense]))
+    expr = Sum(tuple(moving), (way,) * len(moving)) / moved.size
     st.board.compute(named.symbol, expr, named.unit)
-    sense = float(nominal(value))
-    if not to.slide:
-        way = ("逆时针", "counter-clockwise") if sense > 0 else ("顺时针", "clockwise")
-        st.board.remark(Words(f"${named.symbol}$ 为{way[0]}方向。", f" ${named.symbol}$ acts {way[1]}."))
     keep_value(st, named, value, expr)
+
+
+def _turned(named: Named, moved: Motion, way: int, turn: Words) -> Words:
+    sum_of = Words("正", "positive") if way > 0 else Words("负", "negative")
+    beside = Words("同向", "turns with") if way > 0 else Words("反向", "turns against")
+    return Words(
+        f"各功率之和为{sum_of.zh}，故 ${named.symbol}$ 与 ${moved.symbol}$ {beside.zh}，为{turn.zh}方向：",
+        f" The powers sum to a {sum_of.en} value, so ${named.symbol}$ {beside.en} ${moved.symbol}$ and is {turn.en}:",
+    )

@@ -27,9 +27,11 @@ BEYOND = 14.0  # mm of the coupler's line beyond C
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Extreme:
-    """A position with the crank on the line of the frame: its letters' primes, B and C, and the transmission angle."""
+    """A position with the crank on the line of the frame: its letters' primes, B and C, and the transmission angle: its
+    symbol, with the number of the solution, and its size."""
 
     marks: str
+    symbol: str
     b: Points
     c: Points
     gamma: Reals
@@ -76,8 +78,10 @@ def _extreme(
     c = board.locate(place, f"C{marks}", board.either(c))
     angle = draft.angle(c, b, d)
     gamma = np.minimum(angle, 180.0 - angle)
-    board.write(Row((named(f"γ{marks}"), Txt(f" = {float(nominal(gamma)):.1f}°"))))  # as the protractor is read
-    return Extreme(marks=marks, b=b, c=c, gamma=gamma)
+    primed = "γ" + marks.replace("″", "′′")  # as a symbol has them, which may have a number behind
+    symbol = draft.of_this(Named(primed, primed, "deg")).symbol
+    board.write(Row((named(symbol), Txt(f" = {float(nominal(gamma)):.1f}°"))))  # as the protractor is read
+    return Extreme(marks=marks, symbol=symbol, b=b, c=c, gamma=gamma)
 
 
 def _marked(draft: Draft, place: Pane, d: Points, one: Extreme) -> None:
@@ -86,7 +90,7 @@ def _marked(draft: Draft, place: Pane, d: Points, one: Extreme) -> None:
     beyond = one.c + BEYOND * unit(one.c - one.b)
     if not acute:
         draft.board.join(place, one.c, beyond, Role.CONSTRUCTION)
-    marked(draft, one.c, (one.b if acute else beyond, d), valued(f"γ{one.marks}", one.gamma), place=place)
+    marked(draft, one.c, (one.b if acute else beyond, d), valued(one.symbol, one.gamma), place=place)
 
 
 def _linkages(draft: Draft, place: Pane, ends: tuple[Points, Points], both: list[Extreme]) -> None:

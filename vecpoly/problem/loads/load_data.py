@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from decimal import Decimal
 from typing import assert_never
 
 from ...foundation.slotted import replace
@@ -32,15 +34,22 @@ def _lawful(load: Load, spec: LoadSpec) -> Datum:
     when = told_windows(load, spec)
     match size:
         case Table():
-            where = _on(load, spec.direction or "")
+            where = _on(load, _direction(spec))
             return Datum(words=told_table(load, size, spec) + where + when)
         case Motor():
             return told_motor(load, spec)
         case None:
-            plain = _told(load, written(str(spec.size)), spec.direction or "")
+            plain = _told(load, written(str(spec.size)), _direction(spec))
             return replace(plain, words=plain.words + when) if plain.words is not None else plain
         case other:
             assert_never(other)
+
+
+def _direction(spec: LoadSpec) -> str:
+    """As it is written; one told clockwise is told counter-clockwise, as all directions of vectors are."""
+    text = spec.direction or ""
+    clockwise = re.fullmatch(r"\s*[-−]\s*(\d+(?:\.\d+)?)(\s*(?:deg|°))\s*", text)
+    return f"{360 - Decimal(clockwise[1])}{clockwise[2]}" if clockwise else text
 
 
 def _on(load: Load, direction: str) -> Words:

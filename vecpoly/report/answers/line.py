@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from math import degrees, isclose
 
 from ...algebra.formula import Node, Row, Txt, row
+from ...printed.angles import bearing_told
 from ...printed.digits import coordinates, drawn_number, on_paper
 from ...printed.places import place_parts
 from ...printed.units import printed_unit
@@ -15,7 +16,7 @@ from ...words import Lang, Words
 from ..values import called, direction_of_load, is_efficiency, unit_after, value
 from .notes import COARSE, INSTEAD, UNREADABLE, error_of, is_hopeless, remark_of
 
-SQUARE = {"0.0": "→", "90.0": "↑", "180.0": "←", "-180.0": "←", "-90.0": "↓", "-0.0": "→"}
+SQUARE = {"0.0°": "→", "90.0°": "↑", "180.0°": "←", "270.0°": "↓"}
 _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
 
 
@@ -117,8 +118,8 @@ def _direction(answer: Answer, problem: Problem, lang: Lang) -> str:
 
 
 def _pointing(turn: float) -> str:
-    turn = (turn + 180.0) % 360.0 - 180.0
-    return SQUARE.get(f"{turn:.1f}") or f"∠{_angle(turn)}"
+    told = bearing_told(turn)
+    return SQUARE.get(told) or f"∠{told}"
 
 
 def _angle(turn: float) -> str:

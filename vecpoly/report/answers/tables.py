@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import degrees, isfinite
 
 from ...algebra.rounding import places_of, read_back
+from ...printed.angles import bearing_told
 from ...printed.digits import coordinates, drawn_number, exact_number, on_paper
 from ...printed.places import place_parts
 from ...printed.units import printed_unit
@@ -172,10 +173,10 @@ def _deviation(answer: Answer) -> str:
 def way(answer: Answer, problem: Problem, lang: Lang) -> str:
     """Direction in degrees, the sense of turning, or the line along which a force is counted."""
     if answer.drawn_vector is not None:
-        return NOTHING if answer.direction is None else angle(answer.direction)
+        return NOTHING if answer.direction is None else bearing_told(answer.direction)
     fixed = direction_of_load(problem, answer.key)
     if fixed is not None:
-        return Words(f"沿 {angle(degrees(fixed))}", f"along {angle(degrees(fixed))}").of(lang)
+        return Words(f"沿 {bearing_told(degrees(fixed))}", f"along {bearing_told(degrees(fixed))}").of(lang)
     return _SENSE[answer.sense].of(lang) if answer.sense and _clean(answer) else NOTHING
 
 

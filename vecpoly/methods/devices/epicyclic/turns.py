@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ....algebra.quantity import Quantity, magnitude
+from ....board.board import NO_LENGTH
 from ....board.paper.marks import Dot, Role
 from ....devices.gears.epicyclic import Epicyclic
 from ....names import Named
 from ....plane import Line, Points, nominal, unit
-from ....words import Words
+from ....words import Words, joined
 from ..bench import Bench
 from .letters import turning
 from .scales import RADII, TURNS
@@ -24,10 +25,10 @@ def angular_velocities(bench: Bench, train: Epicyclic, tips: Mapping[str, Points
     board.step(
         Words(
             "在水平线下方取极点 $Π$，极距 $ΠF$ = $μ_v$/($μ_l$ $μ_ω$)；过 $Π$ 作各构件速度线的平行线，在水平线上截得各"
-            "角速度（$F$ 以右为逆时针）：",
+            "角速度：$F$ 以右为逆时针，以左为顺时针。",
             "Below a level line take the pole $Π$ at the distance $ΠF$ = $μ_v$/($μ_l$ $μ_ω$). Rays through $Π$ "
-            "parallel to the lines of the links cut off their angular velocities on the level, to the right of $F$ "
-            "those counter-clockwise:",
+            "parallel to the lines of the links cut off their angular velocities on the level: those to the right "
+            "of $F$ are counter-clockwise, those to the left clockwise.",
         ),
         TURNS,
     )
@@ -44,11 +45,12 @@ def angular_velocities(bench: Bench, train: Epicyclic, tips: Mapping[str, Points
     reach = [0.0, *(float(nominal(at).real) for at in cuts.values())]
     board.join(TURNS, complex(min(reach) - 6, 0), complex(max(reach) + 6, 0), Role.CONSTRUCTION)
     found = {key: _read(bench, key, at) for key, at in cuts.items()}
+    _senses(bench, cuts)
     for key, at in cuts.items():
         if train.omegas.get(key) is None:
             turning(bench, train, key, float(nominal(at).real))
     if train.ratio is not None and train.driver is not None:
-        board.step(Words("传动比：", "The ratio:"))
+        board.step(Words("传动比（角速度以逆时针为正）：", "The ratio (counter-clockwise positive):"))
         bench.worked(train.ratio, found[train.driver] / found[train.sought])
 
 
@@ -65,9 +67,18 @@ def _cut(bench: Bench, pole: Points, level: Line, key: str, line: Points) -> Poi
 def _read(bench: Bench, key: str, at: Points) -> Quantity:
     board = bench.board
     on_paper = board.measure(0j, at, f"F {key}")
-    sign = 1 if float(nominal(at).real) >= 0 else -1
     scale = board.scale_of(TURNS)
     named = Named(f"omega_{key}", f"ω_{key}", "rad/s")
-    found = bench.worked(named, magnitude(scale.symbol, sign * scale.value, scale.per_mm) * on_paper)
+    sense = -1 if float(nominal(at).real) < 0 else 1
+    found = bench.worked(named, magnitude(scale.symbol, scale.value, scale.per_mm) * on_paper, sense)
     bench.read_off(named, TURNS, on_paper, f"F {key}")
     return found
+
+
+def _senses(bench: Bench, cuts: Mapping[str, Points]) -> None:
+    """How each turns: the lines have the sizes alone."""
+    for side, turn in ((1, Words("逆时针", "counter-clockwise")), (-1, Words("顺时针", "clockwise"))):
+        found = [Words.same(f"$ω_{key}$") for key, at in cuts.items() if side * float(nominal(at).real) > NO_LENGTH]
+        if found:
+            names, verb = joined(found), "is" if len(found) == 1 else "are"
+            bench.board.remark(Words(f"{names.zh} 为{turn.zh}方向。", f" {names.en} {verb} {turn.en}."))

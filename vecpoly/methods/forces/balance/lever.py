@@ -7,8 +7,6 @@ becomes two opposite forces M / l, square to the line of two points of its link 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ....algebra.formula import sym
@@ -19,34 +17,19 @@ from ....board.paper.marks import Dot, Role
 from ....errors import EquilibriumError
 from ....mechanism.asked.forces import load_named, quantities
 from ....mechanism.loads import Force, Load, Moment
-from ....names import At, Named, ascii_key
-from ....plane import Line, Points, Reals, cross, foot, nominal, unit
+from ....names import At, Named
+from ....plane import Reals, nominal, unit
 from ....words import Words
 from ...desk import POLE
-from ...kinematics.image import found_tip
 from ...registry import Stage, method
-from ..lines.letters import arm_about_pole, pair_symbol
+from ..lines.letters import pair_symbol
 from ..lines.pairs import Pair, pair_of
 from ..readings import keep_nothing, keep_value
+from ..senses import TURN
 from ..state import Statics
+from .lever_arms import Arm, Tips, draw_pair, force_arm, pair_arm
 
 _SOURCE = "机械原理, Zhukovsky's lever"
-ARROW = 16.0  # mm: forces on the lever show direction only
-Tips = dict[At, Points]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Arm:
-    """A force or a pair of forces on the lever:
-    its arm about the pole (mm) and the sense of its moment by all hands."""
-
-    mm: Quantity
-    sign: Reals
-
-    @property
-    def way(self) -> int:
-        """Sense by the nominal hand, 0 where there is no arm."""
-        return int(nominal(self.sign))
 
 
 @method(
@@ -91,7 +74,7 @@ def _given(st: Statics, pane: Pane, tips: Tips) -> list[Sum]:
         for acting in st.inertia.get(mass.link, []):
             size = magnitude(acting.named.symbol, np.abs(acting.vector) * st.scale.value, "N")
             found += _moment(
-                size, _force_arm(st, pane, tips, At(mass.centre, mass.link), unit(acting.vector), acting.named)
+                size, force_arm(st, pane, tips, At(mass.centre, mass.link), unit(acting.vector), acting.named)
             )
         couple = st.board.found.get(f"M_I{mass.link}", 0.0)
         if nominal(couple):
@@ -106,7 +89,7 @@ def _term(st: Statics, pane: Pane, tips: Tips, load: Load, size: Reals, sense: i
     if isinstance(load, Force):
         along = sense * st.along(load)
         return _moment(
-            magnitude(named.symbol, size, "N"), _force_arm(st, pane, tips, At(load.point, load.link), along, named)
+            magnitude(named.symbol, size, "N"), force_arm(st, pane, tips, At(load.point, load.link), along, named)
         )
     pair = pair_of(st, load.link)
     if pair is None:
@@ -115,7 +98,8 @@ def _term(st: Statics, pane: Pane, tips: Tips, load: Load, size: Reals, sense: i
     force = st.board.compute(
         pair_symbol(named.symbol), magnitude(named.symbol, size, "N·m") / st.desk.length(pair.p, pair.q), "N"
     )
-    return _moment(force, _pair_arm(st, pane, tips, pair, sense, named))
+    draw_pair(st, pane, tips, pair, sense, named)
+    return _moment(force, pair_arm(st, tips, pair, sense))
 
 
 def _say_pair(st: Statics, pair: Pair, named: Named) -> None:
@@ -134,88 +118,75 @@ def _moment(size: Quantity, arm: Arm) -> list[Sum]:
     return [Sum((size * arm.mm,), (arm.way,))] if arm.way else []
 
 
-def _force_arm(st: Statics, pane: Pane, tips: Tips, at: At, along: Points, named: Named) -> Arm:
-    """The perpendicular from the pole to the force at the tip of its point, measured."""
-    tip = _tip(st, tips, at)
-    end = foot(Line(tip, along), 0j)
-    side = cross(tip, along)
-    square = abs(nominal(end - tip)) < NO_LENGTH  # then the ray itself is the arm
-    letters = (
-        f"{POLE[View.VELOCITY]} {st.desk.tip_label(View.VELOCITY, st.desk.canonical(at))}"
-        if square
-        else arm_about_pole(named.symbol)
-    )
-    arm = Arm(mm=st.board.measure(0j, end, letters), sign=np.where(np.abs(side) < NO_LENGTH, 0, np.sign(side))[()])
-    _draw_force(st, pane, tip, along, named.symbol)
-    if arm.way and not square:
-        _draw_arm(st, pane, tip, end, letters)
-    return arm
-
-
-def _pair_arm(st: Statics, pane: Pane, tips: Tips, pair: Pair, sense: int, named: Named) -> Arm:
-    """Two opposite forces at the tips of two points of the link; the arm of the pair is the distance of the tips."""
-    one, two = (_tip(st, tips, At(letter, pair.link)) for letter in (pair.p, pair.q))
-    along = 1j * sense * st.desk.towards(pair.p, pair.q)
-    letters = " ".join(
-        st.desk.start_label(View.VELOCITY, st.desk.canonical(At(letter, pair.link))) for letter in (pair.p, pair.q)
-    )
-    side = cross(two - one, along)
-    for at, way in ((two, along), (one, -along)):
-        _draw_force(st, pane, at, way, pair_symbol(named.symbol))
-    return Arm(
-        mm=st.board.measure(one, two, letters), sign=np.where(np.abs(two - one) < NO_LENGTH, 0, np.sign(side))[()]
-    )
-
-
 def _balance(st: Statics, pane: Pane, tips: Tips, load: Load, moments: list[Sum]) -> None:
     """The balancing force, or the pair of forces of the balancing moment, from Σ M_p = 0."""
+    if isinstance(load, Moment):
+        _balance_pair(st, pane, tips, load, moments)
+        return
     named, plain = quantities(st.mech, st.loads)[f"{load.name}_lever"], load_named(load)
-    pair = pair_of(st, load.link) if isinstance(load, Moment) else None
-    arm: Arm | None
-    if isinstance(load, Force):
-        arm = _force_arm(st, pane, tips, At(load.point, load.link), complex(np.exp(1j * load.direction)), plain)
-    else:
-        arm = _pair_arm(st, pane, tips, pair, 1, plain) if pair is not None else None
-    if arm is None or not arm.way:
-        raise EquilibriumError(
-            Words(
-                f"平衡载荷 {load.name} 对速度多边形极点的力臂为零，在此位置不作功；请另取原动件位置或另选平衡载荷",
-                f"the balancing load {load.name} has no arm about the pole of the velocity polygon: it does no "
-                "work in this position; choose another input position or another balancing load",
-            )
-        )
-    if pair is not None:
-        _say_pair(st, pair, plain)
-    st.board.remark(
-        Words(
-            "量各力对极点 $p$ 的力臂，由 $Σ M_p$ = 0 得（逆时针为正）：",
-            " Measure the arms about $p$; $Σ M_p$ = 0 gives (counter-clockwise positive):",
-        )
-    )
+    arm = force_arm(st, pane, tips, At(load.point, load.link), complex(np.exp(1j * load.direction)), plain)
+    if not arm.way:
+        raise _idle(load)
+    _say_sum(st, Words.same(""))
     if not moments:
         keep_nothing(st, named)
         return
-    total = Sum(tuple(m.terms[0] for m in moments), tuple(-arm.way * m.signs[0] for m in moments))
-    if pair is None:
-        _result(st, named, total / arm.mm)
+    _result(st, named, _against(moments, arm.way) / arm.mm)
+
+
+def _balance_pair(st: Statics, pane: Pane, tips: Tips, load: Moment, moments: list[Sum]) -> None:
+    """The pair is drawn as it turns, so that its size is positive and the moment has its sense."""
+    named, plain, pair = quantities(st.mech, st.loads)[f"{load.name}_lever"], load_named(load), pair_of(st, load.link)
+    arm = pair_arm(st, tips, pair, 1) if pair is not None else None
+    if pair is None or arm is None or not arm.way:
+        raise _idle(load)
+    _say_pair(st, pair, plain)
+    if not moments:
+        _say_sum(st, Words.same(""))
+        keep_nothing(st, named)
         return
-    force = st.board.compute(pair_symbol(plain.symbol), total / arm.mm, "N")
-    _result(st, named, force * st.desk.length(pair.p, pair.q))
+    sense = -1 if nominal(_against(moments, arm.way).value) < 0 else 1
+    draw_pair(st, pane, tips, pair, sense, plain)
+    number, symbol = st.mech.number(load.link), pair_symbol(plain.symbol)
+    _say_sum(
+        st,
+        Words(
+            f" ${symbol}$，其使构件 {number} {TURN[sense].zh}转动，故 ${named.symbol}$ 为{TURN[sense].zh}方向",
+            f" ${symbol}$, which turns link {number} {TURN[sense].en}; so does ${named.symbol}$",
+        ),
+    )
+    force = st.board.compute(symbol, _against(moments, sense * arm.way) / arm.mm, "N")
+    _result(st, named, force * st.desk.length(pair.p, pair.q), sense)
 
 
-def _result(st: Statics, named: Named, expr: Expr) -> None:
+def _against(moments: list[Sum], way: int) -> Sum:
+    """What balances the moments about the pole, counted this way round."""
+    return Sum(tuple(m.terms[0] for m in moments), tuple(-way * m.signs[0] for m in moments))
+
+
+def _say_sum(st: Statics, found: Words) -> None:
+    st.board.remark(
+        Words(
+            f"量各力对极点 $p$ 的力臂，由 $Σ M_p$ = 0（逆时针为正）得{found.zh}：",
+            f" Measure the arms about $p$; $Σ M_p$ = 0 (counter-clockwise positive) gives{found.en}:",
+        )
+    )
+
+
+def _idle(load: Load) -> EquilibriumError:
+    return EquilibriumError(
+        Words(
+            f"平衡载荷 {load.name} 对速度多边形极点的力臂为零，在此位置不作功；请另取原动件位置或另选平衡载荷",
+            f"the balancing load {load.name} has no arm about the pole of the velocity polygon: it does no "
+            "work in this position; choose another input position or another balancing load",
+        )
+    )
+
+
+def _result(st: Statics, named: Named, expr: Expr, sense: int = 1) -> None:
+    """sense: how a moment turns, whose line has its size alone."""
     st.board.write_worked(sym(named.symbol), expr, named.unit)
-    keep_value(st, named, expr.value, expr)
-
-
-def _tip(st: Statics, tips: Tips, at: At) -> Points:
-    """A tip of the velocity polygon turned by 90° clockwise, carried over once."""
-    own = st.desk.canonical(at)
-    if own not in tips:
-        there = found_tip(st.desk, View.VELOCITY, at)
-        moved = abs(complex(nominal(there))) > NO_LENGTH
-        tips[own] = st.board.hand.carry_vector(-1j * there) if moved else 0j
-    return tips[own]
+    keep_value(st, named, sense * expr.value, expr)
 
 
 def _draw_polygon(st: Statics, pane: Pane, tips: Tips) -> None:
@@ -225,15 +196,3 @@ def _draw_polygon(st: Statics, pane: Pane, tips: Tips) -> None:
         if abs(complex(nominal(tip))) > NO_LENGTH:
             st.board.arrow(pane, 0j, tip, Role.GIVEN)
             st.board.plot(pane, tip, st.desk.tip_label(View.VELOCITY, at))
-
-
-def _draw_force(st: Statics, pane: Pane, tip: Points, along: Points, symbol: str) -> None:
-    st.board.arrow(pane, tip, tip + ARROW * along, Role.RESULT, key=ascii_key(symbol), label=symbol)
-
-
-def _draw_arm(st: Statics, pane: Pane, tip: Points, end: Points, letter: str) -> None:
-    st.board.join(pane, 0j, end, Role.CONSTRUCTION)
-    st.board.plot(pane, end / 2, letter, Dot.NONE)
-    if abs(nominal(end - tip)) > 1.0:
-        st.board.join(pane, tip, end, Role.CONSTRUCTION)
-        st.board.right_angle(pane, end, -unit(end), unit(tip - end))

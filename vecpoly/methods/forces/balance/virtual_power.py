@@ -3,19 +3,22 @@ no reaction appears."""
 
 from __future__ import annotations
 
+import numpy as np
+
 from ....algebra.formula import sym
 from ....algebra.quantity import Quantity, Sum, magnitude
 from ....board.construction import View
 from ....mechanism.asked.forces import quantities
-from ....mechanism.loads import Load
+from ....mechanism.loads import Load, Moment
 from ....names import Named
-from ....plane import nominal
+from ....plane import Reals, nominal
 from ....words import Words
 from ...registry import Stage, method
 from ..lines.letters import power_symbol
 from ..readings import keep_nothing, keep_value
+from ..senses import TURN
 from ..state import Statics
-from .power_terms import Work, draw_rate, idle, rate_of, works
+from .power_terms import Rate, Work, draw_rate, idle, rate_of, works
 
 _SOURCE = "机械原理, principle of virtual power: the powers of all given forces, inertia included, sum to zero"
 
@@ -55,10 +58,30 @@ def balancing_by_power(st: Statics, load: Load | None) -> None:
     if not moving:
         keep_nothing(st, named)
         return
-    expr = Sum(tuple(moving), (-rate.way,) * len(moving)) / rate.expr
+    total = sum((part.value for part in parts), np.zeros(()))
+    value = -total / (rate.sign * rate.expr.value)
+    way = _told(st, load, named, rate, value) if isinstance(load, Moment) else rate.way
+    expr = Sum(tuple(moving), (-way,) * len(moving)) / rate.expr
     st.board.write_worked(sym(named.symbol), expr, named.unit)
-    total = sum(part.value for part in parts)
-    keep_value(st, named, -total / (rate.sign * rate.expr.value), expr)
+    keep_value(st, named, value, expr)
+
+
+def _told(st: Statics, load: Moment, named: Named, rate: Rate, value: Reals) -> int:
+    """How the moment turns, told: its line has its size alone. +1 where it turns with ω, whose power it then adds."""
+    sense, turns = int(np.sign(nominal(value))), f"ω_{st.mech.number(load.link)}"
+    driving = sense == rate.way
+    if not sense:  # the powers cancel out
+        return rate.way
+    known = Words("负", "negative") if driving else Words("正", "positive")
+    beside = Words("同向", "turns with") if driving else Words("反向", "turns against")
+    st.board.remark(
+        Words(
+            f"各已知功率之和为{known.zh}，故 ${named.symbol}$ 与 ${turns}$ {beside.zh}，为{TURN[sense].zh}方向：",
+            f" The known powers sum to a {known.en} value, so ${named.symbol}$ {beside.en} ${turns}$ and is "
+            f"{TURN[sense].en}:",
+        )
+    )
+    return 1 if driving else -1
 
 
 def written_power(st: Statics, work: Work) -> Quantity:

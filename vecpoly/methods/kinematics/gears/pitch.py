@@ -184,6 +184,7 @@ def _relative(desk: Desk, link: str, other: str) -> Quantity:
         return own
     if desk.turns[omega(link)].never:
         return magnitude(f"ω_{other}", desk.turns[omega(other)].value, "rad/s")
+    desk.board.remark(Words("角速度以逆时针为正。", " Angular velocities are positive counter-clockwise."))
     return desk.board.compute(
         f"ω_{{{link}{other}}}", own - magnitude(f"ω_{other}", desk.turns[omega(other)].value, "rad/s"), "rad/s"
     )

@@ -1,0 +1,55 @@
+"""Numbers that stand in several lines: alike in all; one count of decimals where they are read to one scale."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.drawn_library import DRAFTED, drafted
+from tests.each import each
+from vecpoly.algebra.formula import Row, plain
+from vecpoly.printed.digits import decimals
+from vecpoly.printed.lengths import is_length
+from vecpoly.problem.load import load
+from vecpoly.solution import Solution, solve
+
+WORKED = 4  # parts of a line symbol = formula = numbers = result
+
+
+def lines_of(solution: Solution) -> list[list[str]]:
+    """The parts of every line of the steps that is worked out."""
+    every = (plain(one).replace("\u2009", " ") for step in solution.construction.steps for one in step.formulas)
+    return [parts for parts in (line.split(" = ") for line in every) if len(parts) == WORKED]
+
+
+@each((*DRAFTED, "8-18", "function-log", "8-15"))
+def test_what_is_read_to_one_scale_has_one_count_of_decimals(name: str) -> None:
+    solution = drafted(name)
+    found: dict[tuple[str, str], set[int | None]] = {}  # by unit and what a millimetre is worth
+    for answer in solution.answers.values() if solution is not None else ():
+        line = answer.reading.formula
+        if isinstance(line, Row) and is_length(line) and answer.reading.mm and not answer.is_place:
+            worth = f"{abs(answer.drawn) / answer.reading.mm:.6g}"
+            found.setdefault((answer.reading.unit, worth), set()).add(decimals(answer))
+    assert all(len(counts) == 1 for counts in found.values()), found
+
+
+@pytest.mark.parametrize(("name", "symbol", "end"), [("3-12", "l_ED", "0.10375 m"), ("A-27", "ω_2", "14.4857 rad/s")])
+def test_a_number_that_is_not_asked_has_the_figures_that_later_lines_need(name: str, symbol: str, end: str) -> None:
+    ends = [parts[-1] for parts in lines_of(solve(load(name))) if parts[0] == symbol]
+    assert ends == [end]
+
+
+@each(DRAFTED)
+def test_what_is_laid_off_is_divided_as_it_is_printed(name: str) -> None:
+    solution = drafted(name)
+    if solution is None:
+        return
+    ends = {parts[0]: parts[-1].split(" ")[0] for parts in lines_of(solution)}
+    for parts in lines_of(solution):
+        of, scale = parts[1].strip("()").split(")/(") if parts[1].count(")/(") == 1 else ("", "")
+        if (
+            scale.startswith("μ_")
+            and of in ends
+            and of not in {one.reading.symbol for one in solution.answers.values()}
+        ):
+            assert parts[2].startswith(f"({ends[of]})"), f"{of} = {ends[of]}: {' = '.join(parts)}"

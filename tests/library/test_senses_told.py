@@ -1,0 +1,51 @@
+"""One quantity, one sign: what is told with a sense is printed as a size; where a sum needs signs the positive sense is
+told."""
+
+from __future__ import annotations
+
+import re
+
+from tests.drawn_library import IDS, drawn
+from tests.each import each
+from vecpoly.algebra.formula import plain
+from vecpoly.problem.load import load
+from vecpoly.report.answers.line import short_line
+from vecpoly.report.answers.tables import way
+
+LESS = re.compile(r"= −[\d.×^{}−]+ (N·m|rad/s)$")  # a line that ends so
+
+
+@each(IDS)
+def test_what_turns_is_worked_out_as_the_size_that_stands_beside_its_sense(name: str) -> None:
+    for answer in drawn(name).solution.answers.values():
+        if answer.sense is not None and answer.reading.formula is not None:
+            assert not LESS.search(plain(answer.reading.formula)), plain(answer.reading.formula)
+
+
+@each(IDS)
+def test_a_step_whose_line_ends_below_zero_tells_which_sense_is_positive(name: str) -> None:
+    for step in drawn(name).construction.steps:
+        for line in filter(LESS.search, map(plain, step.formulas)):
+            assert "逆时针为正" in step.words.zh and "positive counter-clockwise" in step.words.en, line
+
+
+@each(("winch-gears", "slider-crank-dynamic", "return-spring"))
+def test_a_moment_has_one_sense_by_whichever_way_it_is_found(name: str) -> None:
+    solution = drawn(name).solution
+    steps = [step.words.en for step in solution.construction.steps if "virtual power" in step.words.en]
+    turn = {"cw": "clockwise:", "ccw": "counter-clockwise:"}[solution.answers["M_1_power"].sense or ""]
+    assert steps and all(words.endswith(f"is {turn}") for words in steps)
+
+
+@each(IDS)
+def test_directions_of_vectors_are_told_from_0_to_360_degrees(name: str) -> None:
+    solution = drawn(name).solution
+    for answer in solution.answers.values():
+        if answer.drawn_vector is not None and not answer.is_place:
+            told = f"{plain(short_line(answer, solution, 'en'))} {way(answer, solution.problem, 'en')}"
+            assert not re.search(r"−[\d.]+°", told), told
+
+
+def test_a_load_told_clockwise_has_the_direction_that_stands_in_the_table() -> None:
+    given = " ".join(one.of("en") for one in load("winch-gears").given.loads)
+    assert "direction 270°" in given and "−90" not in given, given

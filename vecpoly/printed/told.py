@@ -1,0 +1,109 @@
+"""Numbers that stand in one line and are gone on with in others: printed alike in all of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from math import isclose, isfinite, log10
+
+from ..algebra.formula import Node, Row, Sym, Txt, named
+from ..algebra.worked import numbers_of, scale_of, size_of, told_again
+from ..answer import YES_NO, Answer
+from .digits import MOST, TENTH, decimals, places_of, rounded
+from .lengths import is_length
+from .units import printed_unit
+
+NUMBER = re.compile(r"(−?)\d+(?:\.\d+)?(?:×10\^\{−?\d+\})?")  # as `number` writes it
+EQUALS = " = "
+_FINE = 6  # figures of a number that is carried on, at most
+
+
+class Told:
+    """The numbers of asked quantities as they are printed; of others as the lines need them that go on with them."""
+
+    def __init__(self, answers: Iterable[Answer]) -> None:
+        asked = (one for one in answers if not one.is_place and not one.undefined and one.reading.unit != YES_NO)
+        self._by_symbol = {named(one.reading.symbol): one for one in asked if isfinite(one.drawn)}
+        self._carried: dict[Node, tuple[float, str]] = {}  # of what is not asked: its size, its number
+
+    def carry(self, lines: Sequence[tuple[Row, Txt | None]]) -> None:
+        """Learn how what is not asked is printed: from the last line to the first, for a number that is told to more
+        figures needs more figures of those that it is worked out from. None: the line has its own end."""
+        needed: dict[Node, tuple[float, str]] = {}
+        for line, end in reversed(lines):
+            if line.worked is None:
+                continue
+            if end is None:
+                self._own(line, needed)
+            shown = number_at_the_end(self._end(line, end))
+            if shown is None:
+                continue
+            for symbol, value, text in numbers_of(line, shown, self._told):
+                if isinstance(symbol, Sym) and _figures(text) > _figures(needed.get(symbol, (0.0, ""))[1]):
+                    needed[symbol] = abs(value), text
+
+    def _own(self, line: Row, needed: dict[Node, tuple[float, str]]) -> None:
+        """The number of a line that is not asked: to the scale that it is read to, or as fine as it is gone on with."""
+        symbol, shown = line.items[0], number_at_the_end(line.items[-1])
+        if shown is None or not isinstance(symbol, Sym) or symbol in self._by_symbol:
+            return
+        size = size_of(line)
+        text = _to_scale(line, size) or shown.lstrip("−")
+        wanted, finer = needed.get(symbol, (size, text))
+        if isclose(wanted, size, rel_tol=1e-9) and _figures(text) < _figures(finer) <= _FINE:
+            text = finer
+        self._carried[symbol] = size, text
+
+    def _end(self, line: Row, end: Txt | None) -> Node:
+        """The end of a line: this one, or its own with the number as it is carried on."""
+        last = end or line.items[-1]
+        carried = self._carried.get(line.items[0]) if end is None else None
+        if carried is None or not isinstance(last, Txt) or line.worked is None:
+            return last
+        size, text = carried
+        if not isclose(size, size_of(line), rel_tol=1e-9):
+            return last
+        return Txt(NUMBER.sub(lambda found: found[1] + text, last.text, count=1))
+
+    def line(self, line: Row, end: Txt | None) -> Row:
+        """The line with this end, or with its own; what is not worked out, or goes on with nothing asked, as it is."""
+        if end is None and line.worked is None:
+            return line
+        last = self._end(line, end)
+        shown = number_at_the_end(last)
+        if line.worked is None or not isinstance(last, Txt) or EQUALS not in last.text:
+            return Row((*line.items[:-1], last))
+        return Row((*line.items[:-1], last)) if shown is None else told_again(line, last, shown, self._told)
+
+    def _told(self, symbol: Node, value: float) -> str:
+        """The number as it is printed elsewhere; nothing of another, or of one that is gone on with otherwise."""
+        answer = self._by_symbol.get(symbol)
+        if answer is not None:
+            return number_of(answer, value, 1.0) if isclose(abs(value), abs(answer.drawn), rel_tol=1e-9) else ""
+        size, text = self._carried.get(symbol, (0.0, ""))
+        return ("−" if value < 0 else "") + text if text and isclose(abs(value), size, rel_tol=1e-9) else ""
+
+
+def number_at_the_end(end: Node) -> str | None:
+    """The number with which a line ends; None where it ends with none."""
+    if not isinstance(end, Txt) or EQUALS not in end.text:
+        return None
+    found = NUMBER.match(end.text.split(EQUALS)[1])
+    return found[0] if found else None
+
+
+def number_of(answer: Answer, value: float, scale: float) -> str:
+    """A value with the digits of the answer, in a unit of which the SI unit has so many."""
+    places, factor = decimals(answer), printed_unit(answer.reading.unit)[0]
+    return rounded(value, None if places is None else max(0, places + round(log10(factor / scale))), MOST)
+
+
+def _to_scale(line: Row, size: float) -> str:
+    """A length that was read on paper, with the decimals of its scale; nothing of another line."""
+    scale = scale_of(line) if is_length(line) else None
+    return rounded(size, places_of(TENTH * scale), MOST) if scale else ""
+
+
+def _figures(text: str) -> int:
+    """How many significant figures a number has."""
+    return len(text.partition("×")[0].replace(".", "").lstrip("0"))
