@@ -29,7 +29,6 @@ from vecpoly.cycle import (
     facts,
     path,
     path_sentences,
-    path_sentences,
     sentences,
     table,
     xlsx_bytes,

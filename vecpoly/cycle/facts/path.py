@@ -70,7 +70,7 @@ class Path:
 
     @property
     def passes(self) -> int | None:
-        """How often an arc, a circle or a straight piece is run along; None where its parts are not run equally often."""
+        """How often an arc, a circle or a straight piece is run along; None where its parts are run unequally often."""
         if not self.once or not isfinite(self.length):
             return None
         times = self.length / self.once

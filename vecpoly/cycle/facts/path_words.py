@@ -102,7 +102,11 @@ def _circle(cycle: Cycle, found: Path) -> Words:
     middle, radius = (found.low + found.high) / 2, (found.high - found.low).real / 2
     pivot, times = _pivot(cycle, middle, 1e-5) or _point(middle), found.passes or 1
     way = _mm(tau * radius)
-    laps = Words(f"，走过 {times} 周", f", run round {_TIMES.get(times, f'{times} times')}") if times > 1 else Words("", "")
+    laps = (
+        Words(f"，走过 {times} 周", f", run round {_TIMES.get(times, f'{times} times')}")
+        if times > 1
+        else Words("", "")
+    )
     return Words(
         f"点 ${found.point}$ 的轨迹为以 {pivot} 为圆心、半径 {_mm(radius)} mm 的整圆，长 {way} mm{laps.zh}。",
         f"Point ${found.point}$ moves on a circle of radius {_mm(radius)} mm about {pivot}, {way} mm long{laps.en}.",
