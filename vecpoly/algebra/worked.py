@@ -154,7 +154,7 @@ def _quantities(expr: Expr) -> list[Quantity]:
 
 def size_of(line: Row) -> float:
     """What a line that is worked out comes to, without its sign."""
-    return abs(float(nominal(cast("Expr", line.worked).value)))
+    return abs(_by_one(cast("Expr", line.worked)))
 
 
 def scale_of(line: Row) -> float | None:
