@@ -1,4 +1,5 @@
-"""A problem drawn again after a small change, scales held and letters carried on, against its solution alone."""
+"""A problem drawn again after a small change, scales held and letters carried on, against its solution alone; and the
+same problem drawn by another hand, its scales remembered."""
 
 from __future__ import annotations
 
@@ -23,14 +24,15 @@ def run() -> str:
 def _one(problem: Problem, aim: int) -> str:
     steps = count(1)
     last = redraw(solve(problem, repeats=0, precise=False), problem)
-    again, alone = best(
+    again, alone, known = best(
         lambda: redraw(last, turned(problem, 1e-4 * next(steps))),
+        lambda: solve(turned(problem, 1e-4 * next(steps)), repeats=0, precise=False),
         lambda: solve(problem, repeats=0, precise=False),
         runs=20,
     )
     return (
         f"{problem.id} {again * 1e3:.1f} ms (aim ≤ {aim}) = {again / alone:.2f} × solving it alone "
-        f"({alone * 1e3:.1f} ms)"
+        f"({alone * 1e3:.1f} ms), solved once more {known / alone:.2f} ×"
     )
 
 

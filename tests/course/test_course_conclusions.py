@@ -152,7 +152,7 @@ def test_the_conclusion_opens_with_what_was_asked() -> None:
     v, a = complex(here.velocity("F")), complex(here.acceleration("F"))
     assert v.real < 0 < a.real
     drawn = it.given.answers["v_F"].drawn
-    assert f"{drawn:.4g}/{abs(v):.4g} m/s，向左" in first.zh and f"/{abs(a):.4g} m/s²，向右" in first.zh
+    assert f"{drawn:.4g}/{abs(v):.4g} m/s，向左" in first.zh and f"/{abs(a):.4f} m/s²，向右" in first.zh
     assert sum("0.7394" in w.zh for w in conclusion(it, conditioning(it), NONE, (), "")) == 1
 
 

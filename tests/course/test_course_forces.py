@@ -27,6 +27,7 @@ from vecpoly.mechanism.loads import Force, Friction, Loads, Moment
 from vecpoly.problem.load import load
 from vecpoly.report.course.analysis.force_words import one_sided, refusals, results, role_note
 from vecpoly.report.course.analysis.forces import conclusion, forces
+from vecpoly.report.course.analysis.stated import stated
 from vecpoly.report.course.modelling.forces import forces_group
 from vecpoly.report.course.results.drawn_views import drawn_views
 
@@ -202,11 +203,29 @@ def test_every_position_that_cannot_be_drawn_has_its_reason() -> None:
 
 
 def test_the_conclusion_gives_what_was_asked_for() -> None:
-    given_, over, locked = conclusion(studied("4-3a"))
-    for text in ("$R_{32}$ = $R_{12}$ = $R_{41}$ = 1004 N", "$M$ = 64.25 N·m（顺时针）", "$η$ = 79.5 %"):
+    (given_,) = stated(studied("4-3a"))
+    for text in ("$R_{32}$ = 1005/1004.3 N，方向角 162.4°；$R_{12}$ = ", "$M$ = 64.32/64.254 N·m，顺时针"):
         assert text in given_.zh
+    over, locked = conclusion(studied("4-3a"))
     assert "100.1 N·m（285.2°）" in over.zh and "0.8377" in over.zh and "162.60°～174.26°" in locked.zh
     assert tuple(conclusion(studied("A-27"))) == () == tuple(forces(studied("A-27")))
+
+
+@pytest.mark.parametrize("name", ["press-flywheel", "A-27", "4-3a", "3-1a"])
+def test_the_conclusion_lists_what_is_asked_and_nothing_else_in_the_order_asked(name: str) -> None:
+    """The press asks for J_e ... φ_min and no rates; a sense stands for a sign, a point has its coordinates."""
+    it = studied(name)
+    (said,) = stated(it)
+    listed = said.en.partition("exact): ")[2].rstrip(".").split("; ")
+    symbols = [f"${it.given.answers[ask.rel.key].reading.symbol}$" for ask in it.given.problem.asks]
+    assert [text[: text.index("$", 1) + 1] for text in listed] == symbols
+    assert not any("= −" in text for text in listed if "clockwise" in text)
+
+
+def test_a_rate_that_turns_clockwise_is_told_by_its_sense_and_a_point_by_its_place() -> None:
+    (rates,), (places,) = stated(studied("3-9")), stated(studied("A-27"))
+    assert "$α_3$ = 8.439/8.4187 rad/s², clockwise" in rates.en
+    assert "$F$ (−130.0, 164.4)/(−130.04, 164.35) mm" in places.zh
 
 
 def test_a_slider_that_drives_has_dead_points_and_a_transmission_angle_of_its_own() -> None:

@@ -221,6 +221,20 @@ def test_a_rocker_pin_goes_there_and_back_on_an_arc_and_a_slider_on_a_line() -> 
     assert facts(slider).strokes[0].ratio == pytest.approx(1.0, abs=1e-9)
 
 
+def test_the_length_told_of_an_arc_or_a_line_is_its_own_and_the_way_there_and_back_is_told_apart() -> None:
+    rocker, slider = cycle(four_bar(0.05, 0.2, 0.15, 0.18)), cycle(slider_crank(0.05, 0.2, 0.0))
+    (swing,) = facts(rocker).strokes
+    arc, line, circle = path(rocker, "C"), path(slider, "C"), path(rocker, "B")
+    assert arc.once == pytest.approx(0.15 * swing.swing, rel=1e-9) and line.once == pytest.approx(0.1, rel=1e-9)
+    assert (arc.passes, line.passes, circle.passes) == (2, 2, 1)
+    (of_line,) = path_sentences(slider, line)
+    said = "Point $C$ moves on a straight line 100 mm long, passed twice a cycle, to and fro: 200 mm in all."
+    assert of_line.en == said
+    assert of_line.zh == "点 $C$ 的轨迹为一段直线，长 100 mm，每循环往复走过 2 次，路程共 200 mm。"
+    (of_arc,) = path_sentences(rocker, arc)
+    assert f"arc {1e3 * 0.15 * swing.swing:.1f} mm long" in of_arc.en
+
+
 def test_a_nephroid_has_two_cusps_and_the_length_24_r() -> None:
     turn = cycle(nephroid())
     found = path(turn, "P")

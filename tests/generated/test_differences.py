@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.generators.equilibrium import Moving
+from tests.generators.moving import Moving
 from vecpoly import loads, oracle
 
 # 0.06° before this position the loop of links 2 to 5 cannot be closed; 0.11° before it can, in another assembly.

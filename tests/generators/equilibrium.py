@@ -18,20 +18,15 @@ from typing import Any
 
 import numpy as np
 
-from vecpoly import oracle
 from vecpoly.errors import VecpolyError
 from vecpoly.mechanism.loads import GRAVITY, Force, Load, Loads
 from vecpoly.mechanism.model import FRAME, Mechanism, Prismatic, Revolute
 from vecpoly.solution import Solution
 
-STEP, FINEST = 2e-3, 2e-5  # of the drive (rad, or sizes of the mechanism): finer where places run away within a step
-ROUGH = 0.1  # of the inertia forces: differences that are off by more tell nothing
+from .moving import Moving, links_of, reaction_key, slack_of, told_by_differences
+
 AGREE = 1e-7  # of the largest force, and of that times the mechanism's size
 STILL = 1e-6  # of the largest rate: slower pairs tell no sense
-LEAP = 0.4  # of a rate: how far two of its differences may disagree; at the very end of a range they do by 0.37
-ROUNDING = 1e-9  # rad, of links that only translate
-_OFFSETS = np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
-_FIRST, _SECOND = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12, np.array([-1.0, 16.0, -30.0, 16.0, -1.0]) / 12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,89 +42,20 @@ class Push:
         return (self.at.conjugate() * self.force).imag + self.couple
 
 
-@dataclass(frozen=True, slots=True)
-class Moving:
-    """Places, velocities and accelerations by central differences of five positions."""
-
-    mech: Mechanism
-    motion: Any
-    step: float
-
-    @classmethod
-    def of(cls, mech: Mechanism, step: float = STEP) -> Moving:
-        """Raises a VecpolyError near the ends of the range."""
-        step *= mech.scale if mech.drive.slide else 1.0
-        return cls(mech, oracle.solve(mech, mech.drive.position + _OFFSETS * step, order=0), step)
-
-    @property
-    def leaps(self) -> bool:
-        """Whether the five positions belong to two assemblies, as beside a turning point that the drive does not meet:
-        then the outer two of them tell other rates than the inner two, and differences tell nothing."""
-        angles = np.array([self._angles(link) for link in _links(self.mech)])
-        inner, outer = (angles[:, 3] - angles[:, 1]) / 2, (angles[:, 4] - angles[:, 0]) / 4
-        return bool(np.max(abs(outer - inner)) > LEAP * np.max(abs(inner)) + ROUNDING)
-
-    def path(self, link: str, local: complex) -> np.ndarray:
-        """The five places of a point of a link."""
-        if link == FRAME:
-            return np.full(5, local)
-        return np.asarray(self.motion.origin(link) + np.exp(1j * self.motion.angle(link)) * local)
-
-    def place(self, link: str, local: complex) -> complex:
-        """Now."""
-        return complex(self.path(link, local)[2])
-
-    def velocity(self, link: str, local: complex) -> complex:
-        """m/s."""
-        return self._first(self.path(link, local)) * self.mech.drive.rate
-
-    def acceleration(self, link: str, local: complex) -> complex:
-        """m/s²."""
-        path, drive = self.path(link, local), self.mech.drive
-        return complex(path @ _SECOND) / self.step**2 * drive.rate**2 + self._first(path) * drive.accel
-
-    def omega(self, link: str) -> float:
-        """rad/s."""
-        return 0.0 if link == FRAME else self._first(self._angles(link)).real * self.mech.drive.rate
-
-    def alpha(self, link: str) -> float:
-        """rad/s²."""
-        angles, drive = self._angles(link), self.mech.drive
-        return (complex(angles @ _SECOND) / self.step**2).real * drive.rate**2 + self._first(angles).real * drive.accel
-
-    def local(self, link: str, place: complex) -> complex:
-        """The point of a link that is here now."""
-        if link == FRAME:
-            return place
-        return complex((place - self.motion.origin(link)[2]) * np.exp(-1j * self.motion.angle(link)[2]))
-
-    def _angles(self, link: str) -> np.ndarray:
-        return np.unwrap(self.motion.angle(link))
-
-    def _first(self, path: np.ndarray) -> complex:
-        return complex(path @ _FIRST) / self.step
-
-
-def reaction_key(mech: Mechanism, by: str, on: str) -> str:
-    """R_12; R_1_11 where a number has two digits."""
-    numbers = mech.number(by), mech.number(on)
-    return "R_" + ("_" if max(map(len, numbers)) > 1 else "").join(numbers)
-
-
 def in_equilibrium(solution: Solution) -> str:
     """What is wrong with the exported forces, "" where nothing is."""
     problem = solution.problem
     mech, loads = problem.mechanism, problem.loads
     assert loads is not None
     try:
-        moving, coarse = _told_by_differences(mech, loads)
+        moving, coarse = told_by_differences(mech, loads)
     except VecpolyError:
         return ""  # too near the end of the range for five positions
     if moving.leaps:
         return ""
     forces = solution.as_json()["forces"]
     ways = ["", "_0"] if loads.friction else [""]
-    slack = _slack(moving, coarse, loads)
+    slack = slack_of(moving, coarse, loads)
     found = (
         wrong
         for way in ways
@@ -138,36 +64,12 @@ def in_equilibrium(solution: Solution) -> str:
     return next(found, "") or ("" if loads.friction else _power((moving, coarse), loads, forces, slack))
 
 
-def _told_by_differences(mech: Mechanism, loads: Loads, step: float = STEP) -> tuple[Moving, Moving]:
-    """Five positions, and five twice as far apart; nearer where the accelerations of both are not alike."""
-    fine, coarse = Moving.of(mech, step), Moving.of(mech, 2 * step)
-    if step <= FINEST or _slack(fine, coarse, loads) <= ROUGH * _inertia_forces(fine, loads):
-        return fine, coarse
-    return _told_by_differences(mech, loads, step / 10)
-
-
-def _inertia_forces(moving: Moving, loads: Loads, less: Moving | None = None) -> float:
-    """The sum of their sizes (N), couples over the size of the mechanism; less: of what they differ from these."""
-    found = 0.0
-    for mass in loads.masses if loads.inertia else ():
-        at = moving.mech.link(mass.link).points[mass.centre]
-        a, alpha = moving.acceleration(mass.link, at), moving.alpha(mass.link)
-        if less is not None:
-            a, alpha = a - less.acceleration(mass.link, at), alpha - less.alpha(mass.link)
-        found += mass.mass * abs(a) + mass.inertia * abs(alpha) / moving.mech.scale
-    return found
-
-
-def _slack(fine: Moving, coarse: Moving, loads: Loads) -> float:
-    """How far inertia forces (N) may be off, since differences are differences."""
-    return 4 * _inertia_forces(fine, loads, less=coarse)
-
-
 def _bodies(moving: Moving, loads: Loads, forces: dict[str, Any], way: str, slack: float) -> Iterator[str]:
     """Bodies that are in no equilibrium."""
     mech = moving.mech
     pushes = {
-        name: [*_reactions(mech, forces, name, way), *_given(moving, loads, forces, name, way)] for name in _links(mech)
+        name: [*_reactions(mech, forces, name, way), *_given(moving, loads, forces, name, way)]
+        for name in links_of(mech)
     }
     largest = max((abs(p.force) for ps in pushes.values() for p in ps), default=0.0)
     largest = max([largest, *(abs(p.couple) / mech.scale for ps in pushes.values() for p in ps)])
@@ -180,17 +82,12 @@ def _bodies(moving: Moving, loads: Loads, forces: dict[str, Any], way: str, slac
             yield f"link {name}{way}: the moments sum to {moment:.6g} N·m"
 
 
-def _links(mech: Mechanism) -> tuple[str, ...]:
-    """The links that the problem has: no blocks that are thought about pins in slots."""
-    return tuple(name for name in mech.bodies if name[0].isdigit())
-
-
 def _reactions(mech: Mechanism, forces: dict[str, Any], name: str, way: str) -> Iterator[Push]:
     letters = {
         "",
         *(joint.pin for joint in mech.joints if isinstance(joint, Prismatic) and joint.pin_in_slot),
     }  # of two pins of one link in slots of another
-    for other, letter in product((*_links(mech), FRAME), letters):
+    for other, letter in product((*links_of(mech), FRAME), letters):
         found = forces.get(f"{reaction_key(mech, other, name)}{letter}{way}")
         if found is not None and "point" in found:
             yield Push(force=_vector(found), at=complex(*found["point"]), couple=found.get("couple") or 0.0)
@@ -250,7 +147,7 @@ def _laws(moving: Moving, loads: Loads, forces: dict[str, Any], way: str) -> Ite
     slides in which it does not lean as it should."""
     mech = moving.mech
     for joint in mech.joints:
-        if isinstance(joint, Revolute) and {joint.a, joint.b} <= {*_links(mech), FRAME}:
+        if isinstance(joint, Revolute) and {joint.a, joint.b} <= {*links_of(mech), FRAME}:
             rho = 0.0 if way else loads.friction.pins.get(joint.point, 0.0)
             yield from _pin(moving, forces, joint, rho, way)
         elif isinstance(joint, Prismatic) and joint.pin_in_slot and joint.block not in mech.substitutes:
@@ -332,7 +229,7 @@ def _power(both: tuple[Moving, Moving], loads: Loads, forces: dict[str, Any], sl
     """Σ P = 0 of all that acts from outside."""
     (moving, coarse), parts, largest = both, [], 0.0
     mech = moving.mech
-    for name in _links(mech):
+    for name in links_of(mech):
         for push in _given(moving, loads, forces, name, ""):
             largest = max(largest, abs(push.force), abs(push.couple) / mech.scale)
             parts.append(
@@ -341,7 +238,7 @@ def _power(both: tuple[Moving, Moving], loads: Loads, forces: dict[str, Any], sl
                 else 0.0
             )
             parts.append(push.couple * moving.omega(name))
-    points = [(name, at) for name in _links(mech) for at in mech.link(name).points.values()]
+    points = [(name, at) for name in links_of(mech) for at in mech.link(name).points.values()]
     speed, off = (
         max(abs(moving.velocity(*one)) for one in points),
         max(abs(moving.velocity(*one) - coarse.velocity(*one)) for one in points),

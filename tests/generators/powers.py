@@ -14,8 +14,9 @@ from vecpoly.solution import Solution
 
 from .class_iii import class_iii
 from .drives import inside
-from .equilibrium import STEP, Moving, _power, _slack, in_equilibrium
+from .equilibrium import _power, in_equilibrium
 from .family import families, family
+from .moving import STEP, Moving, slack_of
 
 
 def no_power_is_left(solution: Solution) -> str:
@@ -26,7 +27,7 @@ def no_power_is_left(solution: Solution) -> str:
         both = Moving.of(mech), Moving.of(mech, 2 * STEP)
     except VecpolyError:
         return ""  # too near the end of the range
-    return _power(both, acting, solution.as_json()["forces"], _slack(*both, acting))
+    return _power(both, acting, solution.as_json()["forces"], slack_of(*both, acting))
 
 
 def every_reaction(solution: Solution) -> str:

@@ -15,8 +15,9 @@ from vecpoly.mechanism.groups.assur import hinges, is_held
 from vecpoly.mechanism.model import Circle, Mechanism, Rack, Rolling
 from vecpoly.solution import Solution
 
-from .equilibrium import Moving, _vector, in_equilibrium, reaction_key
+from .equilibrium import _vector, in_equilibrium
 from .family import families, family
+from .moving import Moving, reaction_key
 from .powers import loaded, no_power_is_left
 
 

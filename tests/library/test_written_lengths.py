@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
-from tests.drawn_library import drawn
+from tests.drawn_library import drawn, ids
+from tests.each import each
 from vecpoly.algebra.formula import plain
 from vecpoly.board.construction import Construction, View
 from vecpoly.board.paper.marks import Point
 from vecpoly.board.place import Place
 from vecpoly.problem.library import library
 
+POLYGONS = {"v": View.VELOCITY, "a": View.ACCELERATION}
+READ = re.compile(
+    r"= \(?μ_([va])\s*([a-z][^=/×A-Z()]*)\)?(?:/\(l_\w+\))? = \(?[\d.]+ × ([\d.]++)(?!×)"
+)  # off a polygon, and how long
 LENGTH = re.compile(r"([a-z][^=]*) = .*/.*= ([\d.]+) mm$")
+NEARLY = 0.06  # mm: a length is written with four figures
 Letter = tuple[str, str, int]  # the letter, its index, its primes
 
 
@@ -35,6 +42,14 @@ def lettered(construction: Construction, view: View) -> dict[Letter, list[comple
             if part.strip()[:1].islower():
                 found.setdefault(letter(part.strip()), []).append(mark.at)
     return found
+
+
+def lengths_read(name: str) -> Iterator[tuple[str, tuple[Letter, Letter], float, str]]:
+    """Of each length that a step takes off a polygon: v or a, its letters, how long (mm), and the line."""
+    for line in (plain(node) for step in drawn(name).construction.steps for node in step.formulas):
+        for scale, written, length in READ.findall(line):
+            one, two = re.findall(r"[a-z][^a-z]*", written.replace("\u2009", "").replace(" ", ""))
+            yield scale, (letter(one), letter(two)), float(length), line
 
 
 def test_every_length_that_is_written_lies_between_its_letters() -> None:
@@ -63,3 +78,19 @@ def test_every_length_that_is_written_lies_between_its_letters() -> None:
                     other.append((entry.id, step.number, line))
     assert written > 250
     assert other == []
+
+
+@each(ids())
+def test_a_length_that_is_read_has_the_letters_that_stand_at_its_ends(name: str) -> None:
+    construction = drawn(name).construction
+    places = {scale: lettered(construction, view) for scale, view in POLYGONS.items()}
+    for scale, letters, length, line in lengths_read(name):
+        one, two = (places[scale].get(end, [0j] if end[0] == "p" else []) for end in letters)
+        assert any(abs(abs(p - q) - length) < NEARLY for p in one for q in two), line
+
+
+@each(ids())
+def test_two_lengths_of_a_polygon_have_not_the_same_letters(name: str) -> None:
+    found: dict[tuple[str, frozenset[Letter]], float] = {}
+    for scale, letters, length, line in lengths_read(name):
+        assert abs(found.setdefault((scale, frozenset(letters)), length) - length) < NEARLY, line

@@ -127,7 +127,8 @@ def test_the_last_digit_of_an_answer_is_worth_what_was_read_and_zeros_are_kept(n
         told, error = drawn_number(answer), printed_unit(answer.reading.unit)[0] * answer.expected_error
         size, half = read_back(told)
         if answer.reading.mm is None and size and isfinite(error) and abs(size) < 1e3:
-            assert 2 * half >= 0.03 * error, f"{answer.key}: {told} has digits that nothing was read to: ±{error:.2g}"
+            ones = half == 0.5  # a whole number is told to its ones, whatever was read: no one writes 4.4·10²
+            assert ones or 2 * half >= 0.03 * error, f"{answer.key}: {told} has digits past what was read: ±{error:.2g}"
             assert half <= error or "." not in told or "×" in told or len(told) > 4, (
                 f"{answer.key}: {told} ±{error:.2g}"
             )

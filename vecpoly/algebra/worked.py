@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterable, Iterator
 from math import isfinite, nan
 from typing import cast
 
+import numpy as np
+
 from ..foundation.slotted import replace
 from ..plane import nominal
 from .formula import Node, Row, Txt, plain
@@ -46,9 +48,14 @@ def numbers_of(line: Row, shown: str, told: Callable[[Node, float], str]) -> Ite
 
 def _as_told(line: Row, shown: str, told: Callable[[Node, float], str]) -> Expr:
     """The line's expression with the numbers told elsewhere, unless they give another end."""
-    own = cast("Expr", line.worked)
-    other = _each(own, lambda one: replace(one, told=told(one.node, float(nominal(one.value))) or one.told))
-    return other if _reproduces(other, figures_for(other, shown), shown) else own
+    own, again = cast("Expr", line.worked), dict[Node, str]()
+
+    def as_told(one: Quantity) -> Quantity:
+        again[one.node] = told(one.node, float(nominal(one.value)))
+        return replace(one, told=again[one.node] or one.told)
+
+    other = _each(own, as_told)
+    return other if any(again.values()) and _reproduces(other, figures_for(other, shown), shown) else own
 
 
 def stated(quantity: Quantity) -> Row:
@@ -63,11 +70,17 @@ def keyed_in(expr: Expr, shown: str = "") -> Node:
 
 def figures_for(expr: Expr, shown: str = "", least: int = FIGURES) -> int:
     """So many figures of its numbers that a reader who keys them in gets the result as it is printed (`shown`)."""
-    value = float(nominal(expr.value))
+    value = _by_one(expr)
     if not isfinite(value):
         return least
     told = (read_back(shown),) if shown else tuple(_results(value))
     return guarded(least, lambda digits: _gives(expr, digits, told))
+
+
+def _by_one(expr: Expr) -> float:
+    """The value by the nominal hand alone; not finite where it divides by nothing."""
+    with np.errstate(all="ignore"):
+        return float(nominal(_each(expr, lambda one: replace(one, value=np.float64(nominal(one.value)))).value))
 
 
 def _reproduces(expr: Expr, digits: int, shown: str) -> bool:

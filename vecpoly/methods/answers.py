@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..algebra.formula import Node, Row, Txt, letters_node, sym
-from ..algebra.quantity import magnitude, paper
+from ..algebra.quantity import Quantity, magnitude, paper
 from ..algebra.worked import spot_in_mm, stated, worked
 from ..board.board import NO_LENGTH
 from ..board.construction import Reading, View
@@ -132,7 +132,6 @@ def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     values = size * np.exp(1j * direction)
     exact_zero = abs(complex(nominal(end - start))) < NO_LENGTH
     board.answer(rel.key, 0j if exact_zero else spot(values), rel.kind.unit, start, end, size, direction, each=values)
-    symbol = sym(rel.symbol)
     reading = Reading(
         key=rel.key,
         symbol=rel.symbol,
@@ -142,12 +141,19 @@ def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
         mm=float(nominal(on_paper.value)),
         line=line,
         scale=scale.symbol,
-        formula=worked(_as_drawn(desk, rel), board.mu(view) * on_paper, rel.kind.unit)
-        if known is None
-        else stated(replace(known, node=symbol)),
+        formula=_line(desk, rel, view, on_paper, known, exact_zero),
         remark=_vanishing(desk, rel, exact_zero),
     )
     return reading, size
+
+
+def _line(desk: Desk, rel: Rel, view: View, on_paper: Quantity, known: Quantity | None, zero: bool) -> Row:
+    """v_C = μ_v pc = ... = 0.65 m/s; of what was computed, and of what has no length to be read, the size alone."""
+    if zero:
+        return stated(replace(magnitude("", 0.0, rel.kind.unit), node=_as_drawn(desk, rel)))
+    if known is not None:
+        return stated(replace(known, node=sym(rel.symbol)))
+    return worked(_as_drawn(desk, rel), desk.board.mu(view) * on_paper, rel.kind.unit)
 
 
 def _as_drawn(desk: Desk, rel: Rel) -> Node:

@@ -10,6 +10,7 @@ from ..names import At, Kind, Rel
 from ..plane import Points
 from ..words import Words
 from .desk import Desk, polygon_of
+from .lettered import lettered
 
 Standing = tuple[View, Points, Points, str]  # figure, start, end, letters
 
@@ -62,13 +63,13 @@ def _drawn(desk: Desk, rel: Rel | None) -> Standing | None:
         return None
     own, view = _own(desk, rel), polygon_of(rel)
     if (stood := desk.stands(_as_drawn(desk, own))) is not None:
-        return view, *stood.ends, _letters(desk, view, own)
+        return _lettered(desk, view, own, stood.ends)
     if rel.kind in (Kind.V, Kind.A) and desk.has_tip(view, own.to) and (own.ref is None or desk.has_tip(view, own.ref)):
         start = 0j if own.ref is None else desk.tip(view, own.ref)
-        return view, start, desk.tip(view, own.to), _letters(desk, view, own)
+        return _lettered(desk, view, own, (start, desk.tip(view, own.to)))
     whole = Rel(Kind.A, own.to, own.ref)  # where no link turns, a^r is all the relative acceleration there is
     if rel.kind is Kind.AR and (stood := desk.stands(whole)) is not None:
-        return view, *stood.ends, _letters(desk, view, whole)
+        return _lettered(desk, view, whole, stood.ends)
     if rel.kind is Kind.AK and desk.stands(Rel(Kind.V, own.to, own.ref)) is not None:
         return View.ACCELERATION, 0j, 0j, "—"
     return None
@@ -107,9 +108,14 @@ def _sliding(desk: Desk, rel: Rel) -> Standing | None:
     return None
 
 
+def _lettered(desk: Desk, view: View, rel: Rel, ends: tuple[Points, Points]) -> Standing:
+    return view, *ends, lettered(desk, view, ends, _letters(desk, view, rel))
+
+
 def _letters(desk: Desk, view: View, rel: Rel) -> str:
-    end = desk.tip_label(view, rel.to)
+    """The letters that the ends have as a rule, v_B → p b: which stand there depends on what was drawn before."""
+    start, end = desk.start_label(view, rel.ref), desk.tip_label(view, rel.to)
     if rel.kind in (Kind.V, Kind.A):
-        return f"{desk.start_label(view, rel.ref)} {end}"
+        return f"{start} {end}"
     k = desk.k_tip(Rel(Kind.AK, rel.to, rel.ref))
-    return {Kind.AN: "n′", Kind.AT: f"n′ {end}", Kind.AK: k, Kind.AR: f"{k} {end}"}[rel.kind]
+    return {Kind.AN: f"{start} n′", Kind.AT: f"n′ {end}", Kind.AK: f"{start} {k}", Kind.AR: f"{k} {end}"}[rel.kind]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache
 from math import isfinite
 
 from ..algebra.formula import Node, Row, Txt
@@ -19,22 +18,21 @@ from .units import printed_unit
 def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tuple[Construction, dict[str, Answer]]:
     """The construction and the answers: every line of an asked quantity ends as that is printed, and every line goes on
     with asked quantities as they are printed, as far as its result allows."""
-    ends, again = dict[Node, Txt](), dict[tuple[Node, Node], Txt]()
+    ends = dict[tuple[Node, Node], Txt]()  # by the symbol of a line and its end as worked
     for answer in answers.values():
         line = answer.reading.formula
         if isinstance(line, Row) and (end := printed_end(line, answer)) is not None:
-            ends[line] = again[line.items[0], line.items[-1]] = end
-    own, told = {answer.reading.formula for answer in answers.values()}, Told(answers.values())
-    every = dict.fromkeys(line for step in construction.steps for line in step.formulas if isinstance(line, Row))
-    told.carry([(line, ends.get(line)) for line in every])
+            ends[line.items[0], line.items[-1]] = end
 
-    @cache
+    def end_of(line: Row) -> Txt | None:
+        """Of the line asked, and of any that evaluates the same again; None: its own."""
+        return ends.get((line.items[0], line.items[-1]))
+
+    told = Told(answers.values())
+    told.carry([(line, end_of(line)) for step in construction.steps for line in step.formulas if isinstance(line, Row)])
+
     def printed(line: Node) -> Node:
-        """The line asked, and any that evaluates the same again, with its end."""
-        if not isinstance(line, Row):
-            return line
-        end = ends.get(line) or (None if line in own else again.get((line.items[0], line.items[-1])))
-        return told.line(line, end)
+        return told.line(line, end_of(line)) if isinstance(line, Row) else line
 
     steps = (_with_lines(step, tuple(map(printed, step.formulas))) for step in construction.steps)
     lines = {key: one.reading.formula for key, one in answers.items()}

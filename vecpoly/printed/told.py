@@ -15,7 +15,7 @@ from .units import printed_unit
 
 NUMBER = re.compile(r"(−?)\d+(?:\.\d+)?(?:×10\^\{−?\d+\})?")  # as `number` writes it
 EQUALS = " = "
-_FINE = 6  # figures of a number that is carried on, at most
+_FINE = 5  # figures of a number that is carried on, at most
 
 
 class Told:

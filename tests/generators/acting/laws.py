@@ -15,7 +15,7 @@ from vecpoly.mechanism.loads import Force, Load, Loads, Moment
 from vecpoly.mechanism.model import FRAME, Mechanism
 from vecpoly.solution import Solution
 
-from .. import equilibrium
+from .. import moving
 from ..equilibrium import in_equilibrium
 from ..family import family
 from ..forces import free, friction, masses, moment, simple, some, written
@@ -34,14 +34,14 @@ def balanced_by_hand(solution: Solution) -> str:
     problem = solution.problem
     assert problem.loads is not None
     try:
-        at = equilibrium.Moving.of(problem.mechanism)
+        at = moving.Moving.of(problem.mechanism)
         plain = _plain(at, problem.loads)
     except (VecpolyError, Unsure):
         return ""
     return in_equilibrium(replace(solution, problem=replace(problem, loads=plain)))
 
 
-def _plain(at: equilibrium.Moving, loads: Loads) -> Loads:
+def _plain(at: moving.Moving, loads: Loads) -> Loads:
     """The same loads, each of constant size."""
     found: list[Load] = [_sized(at, load) for load in loads.all]
     for spring in loads.springs:
@@ -51,7 +51,7 @@ def _plain(at: equilibrium.Moving, loads: Loads) -> Loads:
     return replace(loads, forces=forces, moments=moments, springs=())
 
 
-def _sized(at: equilibrium.Moving, load: Load) -> Load:
+def _sized(at: moving.Moving, load: Load) -> Load:
     if load.law is None:
         return load
     acts = all(_within(at, window) for window in load.law.windows)
@@ -70,7 +70,7 @@ def _sized(at: equilibrium.Moving, load: Load) -> Load:
     return replace(load, law=None, size=size if acts else 0.0)
 
 
-def _within(at: equilibrium.Moving, window: Window) -> bool:
+def _within(at: moving.Moving, window: Window) -> bool:
     match window:
         case During(low=low, high=high, period=period):
             return bool((at.mech.drive.position - low) % period < (high - low) % period)
@@ -92,7 +92,7 @@ def _sure(value: float) -> float:
     return value
 
 
-def _travel(at: equilibrium.Moving, link: str, point: str, way: float) -> tuple[float, float]:
+def _travel(at: moving.Moving, link: str, point: str, way: float) -> tuple[float, float]:
     """How far the point has gone, and its stroke, from two thousand positions: to a millionth."""
     mech = at.mech
     q = _range(mech)
@@ -114,9 +114,9 @@ def _range(mech: Mechanism) -> np.ndarray:
     return np.array([own])
 
 
-def _ends(at: equilibrium.Moving, spring: Elastic) -> list[Load]:
+def _ends(at: moving.Moving, spring: Elastic) -> list[Load]:
     """What a spring does to the links at its ends; its rate by differences nearer than those of accelerations."""
-    at = equilibrium.Moving.of(at.mech, NEARER)
+    at = moving.Moving.of(at.mech, NEARER)
     if isinstance(spring, Coil):
         turn = _angle(at, spring.link) - _angle(at, spring.against) - spring.free
         turn = (turn + np.pi) % (2 * np.pi) - np.pi
@@ -137,7 +137,7 @@ def _ends(at: equilibrium.Moving, spring: Elastic) -> list[Load]:
     ]
 
 
-def _angle(at: equilibrium.Moving, link: str) -> float:
+def _angle(at: moving.Moving, link: str) -> float:
     return 0.0 if link == FRAME else float(at.motion.angle(link)[2])
 
 

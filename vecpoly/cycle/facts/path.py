@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise
+from math import isfinite, tau
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from .crossings import crossings
 Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]
 STEPS = 1440
+_WHOLE = 1e-6
 FAR = 1e3  # times the mechanism's size: a point beyond it runs off to infinity
 
 
@@ -44,8 +46,9 @@ class Crossing:
 class Path:
     """The path of a point.
 
-    length: m, there and back where it is swept to and fro, ∞ where it runs off to infinity; closed: whether it ends
-    where it began; crossings: self-intersections;
+    length: m, the way travelled: there and back where it is swept to and fro, ∞ where it runs off to infinity; once: m,
+    the length of the arc, circle or straight piece itself, None of another shape; closed: whether it ends where it
+    began; crossings: self-intersections;
     cusps: where the point stands still for a moment and turns back, (place in m, position of the drive); turning: how
     often the tangent turns
     round (counter-clockwise positive, as the drive moves), None of a path with cusps or an open one; inflections:
@@ -63,6 +66,15 @@ class Path:
     low: complex
     high: complex
     inflections: tuple[float, ...] = ()
+    once: float | None = None
+
+    @property
+    def passes(self) -> int | None:
+        """How often an arc, a circle or a straight piece is run along; None where its parts are run unequally often."""
+        if not self.once or not isfinite(self.length):
+            return None
+        times = self.length / self.once
+        return round(times) if abs(times - round(times)) < _WHOLE * times else None
 
 
 def path(cycle: Cycle, point: str) -> Path:
@@ -93,7 +105,8 @@ def path(cycle: Cycle, point: str) -> Path:
     length = _length(even, point, phi, p, v, speeds.zeros)
     if shape is not Shape.CURVE:
         turns = round(_turned(even, point, phi, v)) if shape is Shape.CIRCLE and closed else None
-        return Path(point, shape, length, closed, (), (), turns, low, high)
+        once = _once(even, point, shape, phi, speeds.zeros)
+        return Path(point, shape, length, closed, (), (), turns, low, high, once=once)
     cusps = _cusps(even, point, v, speeds.minima)
     smooth = closed and not cusps and even.whole and bool(np.isfinite(v).all()) and not _kinks(even, point, speeds)
     turning = round(_turned(even, point, phi, v)) if smooth else None
@@ -111,19 +124,38 @@ def _endless(point: str, p: Points) -> Path:
 
 def shape_of(p: Points, v: Points, size: float) -> Shape:
     """Straight, on a circle, or neither, to 1e-9 of the mechanism's size."""
-    middle = p.mean()
-    away = p - middle
-    axis = np.exp(0.5j * np.angle((away**2).sum()))
-    if np.abs((away * axis.conjugate()).imag).max() < 1e-9 * size:
+    away = p - p.mean()
+    if np.abs((away * _axis(away).conjugate()).imag).max() < 1e-9 * size:
         return Shape.LINE
-    rows = np.stack([2 * away.real, 2 * away.imag, np.ones(len(away))], axis=1)
-    x, y, c = np.linalg.lstsq(rows, np.abs(away) ** 2, rcond=None)[0]
-    radius = np.sqrt(max(c + x * x + y * y, 0.0))
-    if np.abs(np.abs(away - complex(x, y)) - radius).max() > 1e-9 * max(size, radius):
+    centre, radius = _round(away)
+    if np.abs(np.abs(away - centre) - radius).max() > 1e-9 * max(size, radius):
         return Shape.CURVE
-    sense = ((away - complex(x, y)).conj() * v).imag
+    sense = ((away - centre).conj() * v).imag
     known = sense[np.isfinite(sense)]
     return Shape.CIRCLE if (known > 0).all() or (known < 0).all() else Shape.ARC
+
+
+def _axis(away: Points) -> complex:
+    """The direction in which points about their mean are spread most."""
+    return complex(np.exp(0.5j * np.angle((away**2).sum())))
+
+
+def _round(away: Points) -> tuple[complex, float]:
+    """Centre and radius of the circle through points about their mean, by least squares."""
+    rows = np.stack([2 * away.real, 2 * away.imag, np.ones(len(away))], axis=1)
+    x, y, c = np.linalg.lstsq(rows, np.abs(away) ** 2, rcond=None)[0]
+    return complex(x, y), float(np.sqrt(max(c + x * x + y * y, 0.0)))
+
+
+def _once(cycle: Cycle, point: str, shape: Shape, phi: Reals, still: tuple[Spot, ...]) -> float:
+    """The length of the arc, circle or straight piece itself, however often it is run along: m."""
+    phi = np.sort([*phi, *(spot.phi for spot in still)])
+    p = np.asarray(sample(cycle.mech, None, phi).value(f"p_{point}"), np.complex128)
+    away = p - p.mean()
+    if shape is Shape.LINE:
+        return float(np.ptp((away * _axis(away).conjugate()).real))
+    centre, radius = _round(away)
+    return float(radius * min(np.ptp(np.unwrap(np.angle(away - centre))), tau))
 
 
 def _length(cycle: Cycle, point: str, phi: Reals, p: Points, v: Points, still: tuple[Spot, ...]) -> float:

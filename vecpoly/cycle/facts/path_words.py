@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import isfinite
+from math import isfinite, tau
 
 from ...words import Words
 from ..cycle import Cycle
@@ -14,12 +14,13 @@ from .shown import number, shown, where
 _SHAPES = {
     Shape.STILL: Words("静止不动", "stands still"),
     Shape.CIRCLE: Words("为整圆", "moves on a circle"),
-    Shape.LINE: Words("为一段直线（往复）", "moves to and fro on a straight line"),
-    Shape.ARC: Words("为一段圆弧（往复）", "moves to and fro on a circular arc"),
+    Shape.LINE: Words("为一段直线", "moves on a straight line"),
+    Shape.ARC: Words("为一段圆弧", "moves on a circular arc"),
     Shape.CURVE: Words("为连杆曲线", "traces a coupler curve"),
 }
 
 
+_TIMES = {1: "once", 2: "twice"}
 _ENDLESS = Words("，在原动件行程的端部伸向无穷远。", ", and runs off to infinity towards an end of the input's range.")
 
 
@@ -28,11 +29,11 @@ def path_sentences(cycle: Cycle, found: Path) -> tuple[Words, ...]:
     if found.shape is Shape.CIRCLE:
         return (_circle(cycle, found),)
     if found.shape is Shape.CURVE and isfinite(found.length):
-        return (_shape(found), *_curve(cycle, found))
-    return (_shape(found),)
+        return (_shape(cycle, found), *_curve(cycle, found))
+    return (_shape(cycle, found),)
 
 
-def _shape(found: Path) -> Words:
+def _shape(cycle: Cycle, found: Path) -> Words:
     """What kind of line it is, and how long."""
     point, kind = f"${found.point}$", _SHAPES[found.shape]
     start = Words(
@@ -43,7 +44,25 @@ def _shape(found: Path) -> Words:
         return start + _ENDLESS
     if not found.length:
         return start + Words("。", ".")
-    return start + Words(f"，长 {_mm(found.length)} mm。", f", {_mm(found.length)} mm long.")
+    if found.once is None:
+        return start + Words(f"，长 {_mm(found.length)} mm。", f", {_mm(found.length)} mm long.")
+    return _swept(cycle, found, start)
+
+
+def _swept(cycle: Cycle, found: Path, start: Words) -> Words:
+    """How long an arc or a straight piece is itself, and how often it is run along: 2 × 104 mm there and back."""
+    assert found.once is not None
+    start += Words(f"，长 {_mm(found.once)} mm", f" {_mm(found.once)} mm long")
+    if found.passes == 1:
+        return start + Words("。", ".")
+    whole, all_ = cycle.whole, _mm(found.length)
+    span = Words("每循环" if whole else "在这一范围内", "a cycle" if whole else "in this range")
+    if not found.passes:
+        return start + Words(f"，{span.zh}往复走过的路程共 {all_} mm。", f", to and fro, {all_} mm {span.en} in all.")
+    return start + Words(
+        f"，{span.zh}往复走过 {found.passes} 次，路程共 {all_} mm。",
+        f", passed {_TIMES.get(found.passes, f'{found.passes} times')} {span.en}, to and fro: {all_} mm in all.",
+    )
 
 
 def _curve(cycle: Cycle, found: Path) -> Iterator[Words]:
@@ -81,11 +100,16 @@ def _pivot(cycle: Cycle, at: complex, within: float) -> str:
 def _circle(cycle: Cycle, found: Path) -> Words:
     """Its centre and radius."""
     middle, radius = (found.low + found.high) / 2, (found.high - found.low).real / 2
-    pivot = _pivot(cycle, middle, 1e-5) or _point(middle)
+    pivot, times = _pivot(cycle, middle, 1e-5) or _point(middle), found.passes or 1
+    way = _mm(tau * radius)
+    laps = (
+        Words(f"，走过 {times} 周", f", run round {_TIMES.get(times, f'{times} times')}")
+        if times > 1
+        else Words("", "")
+    )
     return Words(
-        f"点 ${found.point}$ 的轨迹为以 {pivot} 为圆心、半径 {_mm(radius)} mm 的整圆，长 {_mm(found.length)} mm。",
-        f"Point ${found.point}$ moves on a circle of radius {_mm(radius)} mm about {pivot}, "
-        f"{_mm(found.length)} mm long.",
+        f"点 ${found.point}$ 的轨迹为以 {pivot} 为圆心、半径 {_mm(radius)} mm 的整圆，长 {way} mm{laps.zh}。",
+        f"Point ${found.point}$ moves on a circle of radius {_mm(radius)} mm about {pivot}, {way} mm long{laps.en}.",
     )
 
 
@@ -113,7 +137,7 @@ def _turning(turning: int, crosses: int) -> Words:
         start = Words("沿曲线一周，切线转过的净角度为 0°", "In one round its tangent turns through 0° in all")
     else:
         sense = Words("逆时针" if turning > 0 else "顺时针", "counter-clockwise" if turning > 0 else "clockwise")
-        times = {1: "once", 2: "twice"}.get(abs(turning), f"{abs(turning)} times")
+        times = _TIMES.get(abs(turning), f"{abs(turning)} times")
         start = Words(
             f"沿曲线一周，切线{sense.zh}转过 {360 * abs(turning)}°",
             f"In one round its tangent turns {times} {sense.en}",

@@ -24,7 +24,7 @@ class Piece:
 class Thing(Enum):
     """What a label can be taken to name when it stands beside it."""
 
-    OTHER, POINT, LINK, VECTOR, END, DIRECTION, ARC = range(7)
+    OTHER, POINT, LINK, VECTOR, END, DIRECTION, ARC, ACTION = range(8)
 
 
 @dataclass(frozen=True, slots=True)

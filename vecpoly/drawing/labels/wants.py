@@ -46,6 +46,7 @@ from ..style import (
 from ..symbols.angles import TAIL, narrow
 from ..symbols.bodies import foot_of
 from ..symbols.shapes import HATCH, NEAR
+from .actions import along_action, line_of_action
 from .bows import along, bow
 from .dimensions import beyond_end, dimension_line, over
 from .notes import lines
@@ -159,6 +160,8 @@ def _points(marks: tuple[Mark, ...], taken: list[Spot], tones: Tones) -> Iterabl
             pieces.append(_piece(mark.label, line_hue(mark.key, tones, Hue.BLACK), mark.step, x))
         if any(mark.dot is not Dot.NONE for mark in group):
             yield Want(tuple(pieces), (at,), (0j,), _keep(at, taken), (at, at), thing=Thing.POINT)
+        elif (action := line_of_action(group[0], lines)) is not None:
+            yield along_action(tuple(pieces), at, action)
         elif (measured := dimension_line(at, marks)) is not None:
             yield over(measured, tuple(pieces))
         elif group[0].label[:1].islower() and (line := _through(at, lines)) is not None:

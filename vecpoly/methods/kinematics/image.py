@@ -40,7 +40,7 @@ def imaged(desk: Desk, view: View, link: str, at: At) -> None:
     held = known_tips(desk, view, link)
     turn = desk.turns[omega(link)]
     if turn.never and held:
-        desk.put_tip(view, at, desk.tip(view, held[0][1]))
+        desk.board.plot(view, desk.put_tip(view, at, desk.tip(view, held[0][1])), desk.tip_label(view, at))
     elif len(held) >= 2:
         _by_image(desk, view, link, at, held)
     elif held and abs(complex(nominal(desk.where(at) - desk.where(held[0][1])))) < _ONE_PLACE:

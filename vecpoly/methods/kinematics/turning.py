@@ -13,6 +13,7 @@ from ...plane import Points, Reals, cross, nominal
 from ...plane.geometry import dot
 from ...words import Words
 from ..desk import Desk, Turn
+from ..lettered import lettered
 
 ALONG = 1e-9  # what a vector along a link has across it, over its length: nothing but rounding
 
@@ -30,7 +31,8 @@ def angular_acceleration(
     desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str
 ) -> None:
     """α = a^t / l from the tangential acceleration of `point` about `about`."""
-    rate = _rate(desk, View.ACCELERATION, f"α_{link}", "rad/s^2", about, point, ends, letters)
+    standing = lettered(desk, View.ACCELERATION, ends, letters)
+    rate = _rate(desk, View.ACCELERATION, f"α_{link}", "rad/s^2", about, point, ends, standing)
     desk.turns[alpha(link)] = Turn(desk.board.conclude(alpha(link).key, rate, "rad/s^2"))
     desk.board.remark(_sense(f"α_{link}", symbol, point, nominal(desk.turns[alpha(link)].value)))
 

@@ -84,7 +84,7 @@ def _inertia(st: Statics, to: Equivalent, moved: Motion) -> None:
         found = [_moving(st, mass, moved), _turning(st, mass, moved)]
         terms += [term for _, term in found if term is not None]
         rows.append(_row(st, mass, found))
-    st.board.tabulate(_table(moved, rows))
+    st.board.tabulate(_table(moved, rows, to.inertia.unit))
     if not terms:
         keep_nothing(st, to.inertia)
         return
@@ -135,15 +135,22 @@ def _written(value: Expr | None) -> str:
     return "0" if value is None else number(float(nominal(value.value)))
 
 
-def _table(moved: Motion, rows: list[_Row]) -> Listing:
+def _table(moved: Motion, rows: list[_Row], unit: str) -> Listing:
+    """Symbols over their units; unit: of every part of the sum."""
+    speeds, turns = f"$v_S/{moved.symbol}$", f"$ω_i/{moved.symbol}$"
     head = (
         Words("构件", "link"),
-        Words.same(f"$v_S/{moved.symbol}$"),
-        Words.same(f"$ω_i/{moved.symbol}$"),
-        Words.same(f"$m$ ($v_S/{moved.symbol}$)²"),
-        Words.same(f"$J_S$ ($ω_i/{moved.symbol}$)²"),
+        _in(f"({speeds})", moved.of_speeds) if moved.of_speeds else Words.same(speeds),
+        _in(f"({turns})", moved.of_turns) if moved.of_turns else Words.same(turns),
+        _in(f"$m$ ({speeds})²", unit),
+        _in(f"$J_S$ ({turns})²", unit),
     )
     return Listing(head=head, rows=tuple(rows), blocks=1)
+
+
+def _in(symbol: str, unit: str) -> Words:
+    text = unit.replace("^2", "²")
+    return Words.same(f"{symbol}/({text})" if {*"·/"} & {*text} else f"{symbol}/{text}")
 
 
 def _load(st: Statics, to: Equivalent, moved: Motion) -> None:

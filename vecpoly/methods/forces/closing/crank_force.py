@@ -80,7 +80,7 @@ def _by_meeting(st: Statics, held: Held, load: Resultant, line: Line) -> None:
     x = st.board.meet(load.line, line, f"link {number}: load and balancing force")
     u, sense = direction_through(st, held.joint, FRAME, held.link, x)
     touch = st.at_joint(held.joint, Line(x, u))
-    draw_meeting(st, x, (line_of_load(load), (st.unknown_named.key, line.at)), (u, touch), (letter, frame))
+    draw_meeting(st, x, (line_of_load(load), (st.unknown_named, line.at)), (u, touch), (letter, frame))
     close_polygon(st, held, load, line, (u, touch, sense))
 
 

@@ -12,7 +12,7 @@ from ....board.paper.marks import Dot, Role
 from ....mechanism.loads import Moment
 from ....mechanism.model import FRAME, Revolute
 from ....names import Named
-from ....plane import Line, Points, Reals, dot, foot, nominal, unit
+from ....plane import Points, Reals, dot, foot, nominal, unit
 from ....words import Words
 from ...registry import Stage, method
 from ..acting import Drawn
@@ -20,6 +20,7 @@ from ..bodies.link_polygon import answered
 from ..lines.arms import moments_at
 from ..lines.beside import clear_of
 from ..lines.links_of_group import Held
+from ..lines.meeting import line_of_load, name_once
 from ..lines.resultant import Resultant, resultant
 from ..readings import keep_arm, keep_nothing, keep_value, measured
 from ..senses import TURN, pin_words
@@ -113,7 +114,7 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
         )
     )
     value = st.board.compute(named.symbol, size * arm, "N·m")
-    _leave(st, line, (at, across), st.named(FRAME, held.link))
+    _leave(st, load, (at, across), st.named(FRAME, held.link))
     signed = -np.sign(couple) * value.value
     keep_value(st, named, signed, size * arm)
     if not st.preliminary:
@@ -141,12 +142,14 @@ def _size(st: Statics, load: Resultant, held: Held, drawn: Drawn | None) -> Quan
     return magnitude(named.symbol, expr.value, "N")
 
 
-def _leave(st: Statics, line: Line, arm: tuple[Points, Points], frame: Named) -> None:
+def _leave(st: Statics, load: Resultant, arm: tuple[Points, Points], frame: Named) -> None:
     """The two parallel lines and the arm on the diagram; the arm without friction stands beside that with it."""
-    board, u, role, (at, across) = st.board, line.along, st.ruled(Role.DIRECTION), arm
+    board, line, role, (at, across) = st.board, load.line, st.ruled(Role.DIRECTION), arm
+    (known, _), u = line_of_load(load), line.along
     reach, aside = u * dot(u, line.at - across), clear_of(st, at, across, u) if st.preliminary else 0.0
     here, there, along = at + u * aside, across + u * aside, np.sign(aside) or -1.0
-    board.join(View.MECHANISM, across + reach + u * 4.0, there + u * along * 10.0, role)
+    board.join(View.MECHANISM, across + reach + u * 4.0, there + u * along * 10.0, role, key=known.key if known else "")
+    name_once(st, known, there + u * along * 10.0)
     board.join(View.MECHANISM, at - u * along * 16.0, here + u * along * (10.0 if aside else 16.0), role, key=frame.key)
     board.plot(View.MECHANISM, at - u * along * 16.0, frame.symbol, Dot.NONE, key=frame.key)
     if abs(nominal(across - at)) > 1.0:

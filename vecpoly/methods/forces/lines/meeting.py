@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from ....board.construction import View
 from ....board.paper.extent import bounds, lasting
-from ....board.paper.marks import Dot, Point, Role
+from ....board.paper.marks import Dot, Point, Role, Vector
+from ....board.paper.tones import whose
 from ....names import Named
 from ....plane import Points, dot, nominal, unit
 from ....words import Words
@@ -16,7 +17,7 @@ LETTERS = "KOTXYZNU"
 PAST = 12.0  # mm that a line of action is drawn past its ends
 LONGEST = 260.0  # mm: a line of action longer than this is drawn at its pin only
 STUB = 22.0  # mm that it then has to both sides
-Other = tuple[str, Points]  # the key of a force, and a point of its line
+Other = tuple[Named | None, Points]  # a force, where it is one, and a point of its line
 BEYOND = 30.0  # mm that a meeting point without friction may lie outside the figure
 
 
@@ -62,9 +63,26 @@ def draw_meeting(
     board.join(View.MECHANISM, x + u * low, x + u * high, role, key=named.key)
     board.plot(View.MECHANISM, x, letter, Dot.POINT, key=letter if st.preliminary else "")
     board.plot(View.MECHANISM, x + u * (low if abs(low) > abs(high) else high), named.symbol, Dot.NONE, key=named.key)
-    for key, at in others:
+    for one, at in others:
         if 1.0 < abs(nominal(at - x)) < LONGEST:
-            board.join(View.MECHANISM, at, x + unit(x - at) * 6.0, role, key=key)
+            end = x + unit(x - at) * 6.0
+            board.join(View.MECHANISM, at, end, role, key=one.key if one else "")
+            name_once(st, one, end)
+
+
+def name_once(st: Statics, one: Named | None, end: Points) -> None:
+    """The name of a reaction at an end of its line, where the diagram does not name it yet."""
+    if one and not _is_named(st, one):
+        st.board.plot(View.MECHANISM, end, one.symbol, Dot.NONE, key=one.key)
+
+
+def _is_named(st: Statics, one: Named) -> bool:
+    """Whether the diagram names this force already, or that which it stands for: a load, the same in the same joint."""
+    marks = st.board.marks(View.MECHANISM)
+    named = {mark.key for mark in marks if isinstance(mark, Point | Vector) and mark.label and mark.key}
+    return not one.key.startswith("R_") or any(
+        whose(key) == whose(one.key) and key.endswith("_0") == one.key.endswith("_0") for key in named
+    )
 
 
 def _draw_stub(st: Statics, touch: Points, u: Points, named: Named) -> None:
@@ -94,7 +112,7 @@ def draw_resultant(st: Statics, link: str, load: Resultant) -> None:
 
 def line_of_load(load: Resultant) -> Other:
     """The line of the known load; the resultant of several is no force of its own."""
-    return load.forces[0].named.key if len(load.forces) == 1 else "", load.at
+    return load.forces[0].named if len(load.forces) == 1 else None, load.at
 
 
 def known_forces(st: Statics, link: str, load: Resultant) -> Words:

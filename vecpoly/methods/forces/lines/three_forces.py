@@ -47,7 +47,7 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
     draw_meeting(
         st,
         x,
-        (line_of_load(load), (st.named(by, link).key, line.at)),
+        (line_of_load(load), (st.named(by, link), line.at)),
         (u, st.at_joint(held.joint, Line(x, u))),
         (lettered, st.named(held.parent, link)),
     )

@@ -1,19 +1,16 @@
 """Chapters 8 and 9, the forces: jumps, self-locking, dead points and transmission of the load that drives;
-what was asked for."""
+the greatest values."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from math import degrees
 
-from ....algebra.quantity import number
 from ....cycle.facts.duties import Cause, Duty, duties, idle
 from ....findings.load_drive import Driven, driven
 from ....findings.shown import shown
 from ....findings.study.study import Study
 from ....mechanism.loads import Loads
-from ....printed.units import printed_unit
-from ....solution import Answer
 from ....words import Words
 from .duties import best, listed, merged, ranges, told
 from .force_words import jumps
@@ -100,17 +97,10 @@ def _driven(study: Study, found: Driven) -> Words:
 
 
 def conclusion(study: Study) -> Iterator[Words]:
-    """The answers at the given position, the greatest values stretch by stretch, and where it locks."""
+    """The greatest values stretch by stretch, and where it locks."""
     loads = study.problem.loads
     if loads is None:
         return
-    answers = {key: a for key, a in study.given.answers.items() if is_force(key)}
-    if answers:
-        told_here = _grouped(answers)
-        yield Words(
-            f"题设位置（{study.where(study.mech.drive.position)}）：{'，'.join(w.zh for w in told_here)}。",
-            f"In the given position, {study.where(study.mech.drive.position)}: {', '.join(w.en for w in told_here)}.",
-        )
     parts = [_part(study, loads, d) for d in duties(study.whole) if not d.cause]
     if len(parts) > _FEW:
         parts = [_overall(study, key) for key in told(study)]
@@ -135,33 +125,6 @@ def _overall(study: Study, key: str) -> Words:
     return Words(
         f"${symbol}$ 在 {low}（{a}）至 {high}（{b}）之间", f"${symbol}$ lies between {low} ({a}) and {high} ({b})"
     )
-
-
-def is_force(key: str) -> bool:
-    """Whether a key names no quantity of motion or mass."""
-    return key.partition("_")[0] not in ("p", "v", "a", "an", "at", "ak", "ar", "omega", "alpha", "m", "J")
-
-
-def _grouped(answers: dict[str, Answer]) -> list[Words]:
-    """$R_{32}$ = $R_{12}$ = 1004 N, $M$ = 64.25 N·m (clockwise); equal sizes in one chain."""
-    chains: dict[str, list[str]] = {}
-    senses: dict[str, Words] = {}
-    for key, answer in answers.items():
-        factor, unit = printed_unit(answer.reading.unit)
-        size = abs(answer.exact) if answer.turns or answer.exact_vector is not None else answer.exact
-        text = f"{100 * size:.1f} %" if key.partition("_")[0] == "eta" else f"{number(factor * size, 4)} {unit}".strip()
-        sense = Words.same("")
-        if answer.turns and answer.exact:
-            sense = (
-                Words("（逆时针）", " (counter-clockwise)") if answer.exact > 0 else Words("（顺时针）", " (clockwise)")
-            )
-        mark = f"{text}|{sense.en}"
-        chains.setdefault(mark, []).append(f"${answer.reading.symbol}$")
-        senses[mark] = sense
-    chained = [
-        (" = ".join(dict.fromkeys(names)), mark.partition("|")[0], senses[mark]) for mark, names in chains.items()
-    ]
-    return [Words(f"{names} = {text}{sense.zh}", f"{names} = {text}{sense.en}") for names, text, sense in chained]
 
 
 def _part(study: Study, loads: Loads, duty: Duty) -> Words:

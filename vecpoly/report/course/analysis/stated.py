@@ -1,20 +1,25 @@
-"""What was asked at the given position: drawn and exact values of the output, in a sentence."""
+"""What was asked at the given position: all of it in the order asked, drawn and exact, in a sentence."""
 
 from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
-from math import degrees
 
 import numpy as np
 
+from ....answer import bearing
 from ....findings.output_links import ends
 from ....findings.shown import shown
 from ....findings.study.study import Study
 from ....mechanism.model import Prismatic
-from ....printed.digits import drawn_number
-from ....solution import Answer
+from ....names import Kind, Rel
+from ....printed.digits import coordinates, drawn_number, exact_number
+from ....printed.places import place_parts
+from ....printed.units import printed_unit
+from ....solution import YES_NO, Answer
 from ....words import Words
+from ...answers.tables import angle
+from ...values import called, direction_of_load, unit_after, value
 
 _AXES = {
     0: Words("向右", "to the right"),
@@ -23,20 +28,30 @@ _AXES = {
     270: Words("向下", "downwards"),
 }
 _NEAR = 0.05  # degrees
+_COMMA, _DRAWN, _EXACT = (
+    Words("，", ", "),
+    Words("（图解值/解析值）", " (drawn / exact)"),
+    Words("（解析值）", " (exact)"),
+)
+RATES = (Kind.V, Kind.A, Kind.OMEGA, Kind.ALPHA)
 
 
 def stated(study: Study) -> Iterator[Words]:
-    """The velocities and accelerations asked for of the output links and points, at the given position."""
-    keys = _keys(study)
-    if not keys or study.sense_only:
+    """All that is asked, in the order asked: size and sense, as drawn and exact, in the given position."""
+    told = [said for ask in study.given.problem.asks if (said := _asked(study, ask.rel.key)) is not None]
+    if not told:
         return
-    told = [_told(study, key) for key in keys]
-    at, drawn = study.where(study.mech.drive.position), any(key in study.given.answers for key in keys)
-    how = Words("（图解值/解析值）", " (drawn / exact)") if drawn else Words("（解析值）", " (exact)")
+    at, how = study.where(study.mech.drive.position), _DRAWN if study.given.answers else _EXACT
+    rate = f"$|ω_{{{study.mech.drive.link}}}|$ = 1 rad/s"
+    taken = Words(f"，按 {rate}", f", at {rate}") if study.sense_only and _has_rates(study) else Words("", "")
     yield Words(
-        f"题设位置（{at}）所求各量{how.zh}：{'；'.join(w.zh for w in told)}。",
-        f"Required quantities in the given position, {at}{how.en}: {'; '.join(w.en for w in told)}.",
+        f"题设位置（{at}{taken.zh}）所求各量{how.zh}：{'；'.join(w.zh for w in told)}。",
+        f"Required quantities in the given position, {at}{taken.en}{how.en}: {'; '.join(w.en for w in told)}.",
     )
+
+
+def _has_rates(study: Study) -> bool:
+    return any(isinstance(ask.rel, Rel) and ask.rel.kind in RATES for ask in study.given.problem.asks)
 
 
 def output_pins(study: Study) -> dict[str, str]:
@@ -49,37 +64,80 @@ def output_pins(study: Study) -> dict[str, str]:
     }
 
 
-def _keys(study: Study) -> list[str]:
-    """Of what is asked for: the output links' ω and α, and v and a of an output block, else of the points shown."""
-    sliding = output_pins(study)
-    names = {*ends(study), *(sliding or study.points)}
-    return [key for key in study.outputs if key.partition("_")[2] in names]
+def _asked(study: Study, key: str) -> Words | None:
+    """$v_F$ = 0.319/0.3189 m/s, to the left; None of what is neither drawn nor a column of the cycle."""
+    answer = study.given.answers.get(key)
+    if answer is None:
+        return _computed(study, key) if any(column.key == key for column in study.whole.columns) else None
+    symbol = f"${answer.reading.symbol}$"
+    if answer.reading.unit == YES_NO or answer.undefined:
+        name = Words(called(answer.reading.symbol, key, "zh"), called(answer.reading.symbol, key, "en"))
+        return name + Words("：", ": ") + Words(value(answer.exact, YES_NO, "zh"), value(answer.exact, YES_NO, "en"))
+    if answer.is_place:
+        return _place(answer)
+    if _nothing(study, answer):
+        return Words.same(f"{symbol} ≈ 0")
+    block = output_pins(study).get(key.partition("_")[2]) if key[0] in "va" else None
+    number = study.name(block) if block else ""
+    name = Words(f"（构件 {number}）" if block else " ", f" (of link {number}) " if block else " ")
+    return Words.same(symbol) + name + Words.same(f"= {_numbers(answer)}") + _sense(study, answer)
 
 
-def _told(study: Study, key: str) -> Words:
-    """$v_F$ = 0.319/0.3189 m/s, to the left."""
-    info, answer = study.whole.info(key), study.given.answers.get(key)
+def _place(answer: Answer) -> Words:
+    """$F$ (−130.0, 164.4)/(−130.04, 164.35) mm; one at infinity by its direction."""
+    symbol, drawn, exact = f"${answer.reading.symbol}$", answer.drawn_vector, answer.exact_vector
+    if drawn is None or exact is None:
+        turn = angle(answer.exact)
+        return Words(f"{symbol} 在无穷远处，方向角 {turn}", f"{symbol} at infinity, at {turn} from $x$")
+    finer = coordinates(answer)
+    texts = [f"({', '.join(place_parts(at, n))})" for at, n in ((drawn, finer), (exact, finer + 1))]
+    same = answer.computed or place_parts(drawn, finer + 1) == place_parts(exact, finer + 1)
+    return Words.same(f"{symbol} {texts[0] if same else '/'.join(texts)} mm")
+
+
+def _numbers(answer: Answer) -> str:
+    """Sizes as drawn and exact, with the unit: what the sense tells has no sign."""
+    drawn, exact = drawn_number(answer), exact_number(answer, answer.exact)
+    if answer.turns:
+        drawn, exact = drawn.lstrip("−"), exact.lstrip("−")
+    unit = unit_after(printed_unit(answer.reading.unit)[1]).replace("^2", "²")
+    both = drawn if answer.computed or drawn == exact else f"{drawn}{'°' if unit == '°' else ''}/{exact}"
+    return both + unit
+
+
+def _sense(study: Study, answer: Answer) -> Words:
+    """Which way: the direction of a vector, the sense of what turns, the line along which a force is counted."""
+    fixed = direction_of_load(study.problem, answer.key)
+    if answer.exact_vector is not None:
+        return _COMMA + _direction(answer.exact_vector)
+    if fixed is not None:
+        return _COMMA + _direction(cmath.rect(1.0, fixed))
+    return _COMMA + _turning(answer.exact) if answer.turns else Words("", "")
+
+
+def _turning(size: float) -> Words:
+    return Words("逆时针", "counter-clockwise") if size > 0 else Words("顺时针", "clockwise")
+
+
+def _nothing(study: Study, answer: Answer) -> bool:
+    """Whether it is nothing: beside its largest in the cycle, where it has one."""
+    if any(column.key == answer.key for column in study.whole.columns):
+        return _vanishes(study, answer.key, answer.exact, answer)
+    return abs(answer.exact) < 1e-9 * max(1.0, answer.expected_error) and drawn_number(answer) == "0"
+
+
+def _computed(study: Study, key: str) -> Words:
+    """The same of what is not drawn, off the cycle."""
+    info = study.whole.info(key)
     exact = complex(np.ravel(study.here.value(key))[0])
     size = abs(exact) if info.is_vector else exact.real
-    if _vanishes(study, key, size, answer):
-        return Words(f"${info.symbol}$ ≈ 0", f"${info.symbol}$ ≈ 0")
-    text = shown(study, key, size)
-    if answer is not None:
-        number, _, unit = text.partition(" ")
-        sign = "−" if shown(study, key, answer.drawn).startswith("−") else ""
-        text = f"{sign}{drawn_number(answer).lstrip('−')}/{number} {unit}"
-    block = output_pins(study).get(key.partition("_")[2])
-    name = Words(
-        f"（构件 {study.name(block)}）" if block else " ", f" (of link {study.name(block)}) " if block else " "
+    if _vanishes(study, key, size, None):
+        return Words.same(f"${info.symbol}$ ≈ 0")
+    turns = key.partition("_")[0] in ("omega", "alpha")
+    sense = (
+        _COMMA + (_direction(exact) if info.is_vector else _turning(size)) if info.is_vector or turns else Words("", "")
     )
-    towards = (
-        _direction(exact)
-        if info.is_vector
-        else Words("逆时针", "counter-clockwise")
-        if size > 0
-        else Words("顺时针", "clockwise")
-    )
-    return Words(f"${info.symbol}${name.zh}= {text}，{towards.zh}", f"${info.symbol}${name.en}= {text}, {towards.en}")
+    return Words.same(f"${info.symbol}$ = {shown(study, key, abs(size) if turns else size)}") + sense
 
 
 def _vanishes(study: Study, key: str, size: float, answer: Answer | None) -> bool:
@@ -91,6 +149,6 @@ def _vanishes(study: Study, key: str, size: float, answer: Answer | None) -> boo
 
 def _direction(vector: complex) -> Words:
     """Along an axis in words, else the angle from +x."""
-    angle = degrees(cmath.phase(vector)) % 360
-    axis = next((a for a in _AXES if abs((angle - a + 180) % 360 - 180) < _NEAR), None)
-    return _AXES[axis] if axis is not None else Words(f"方向角 {angle:.1f}°", f"at {angle:.1f}° from $x$")
+    turn = bearing(vector)
+    axis = next((a for a in _AXES if abs((turn - a + 180) % 360 - 180) < _NEAR), None)
+    return _AXES[axis] if axis is not None else Words(f"方向角 {angle(turn)}", f"at {angle(turn)} from $x$")

@@ -84,7 +84,10 @@ def _range(study: Study, to: Equivalent) -> Words:
 
 
 def conclusion(study: Study, run: Running) -> list[Words]:
-    """ΔW_max, and the flywheel."""
+    """ΔW_max, and the flywheel; nothing where both are asked, and told as such."""
+    asked = {ask.rel.key for ask in study.given.problem.asks}
+    if "dW_max" in asked and (run.found is None or not asked.isdisjoint({"J_F", "J_F_areas"})):
+        return []
     work_ = number(run.surplus, 4)
     if run.found is None or run.steady is None or run.steady.delta is None or run.by_areas is None:
         return [Words(f"最大盈亏功 $ΔW_{{max}}$ = {work_} J。", f"The greatest surplus of work is {work_} J.")]
