@@ -101,6 +101,11 @@ class Answer:
             return None
         return "ccw" if self.drawn > 0 else "cw"
 
+    @property
+    def counted(self) -> float:
+        """+1, or −1 of what turns clockwise: printed beside its sense it is counted that way round."""
+        return -1.0 if self.sense == "cw" else 1.0
+
     def as_json(self) -> dict[str, Any]:
         """The answer as plain data, in the shape that `vecpoly solve --json` prints."""
         data: dict[str, Any] = {"unit": self.reading.unit, "drawn": self.drawn, "exact": self.exact}

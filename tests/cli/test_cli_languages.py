@@ -164,11 +164,12 @@ def test_json_has_no_rounding_noise_and_one_west(run: Run) -> None:
         assert "-180.0" not in floats
 
 
-def test_west_is_180_degrees_however_it_was_rounded() -> None:
+def test_directions_go_from_0_to_below_360_degrees_however_they_were_rounded() -> None:
     from vecpoly.answer import bearing
 
-    assert bearing(complex(-1, -1e-17)) == bearing(complex(-1, 1e-17)) == bearing(-1 + 0j) == 180.0
-    assert bearing(complex(-1, -1e-3)) < -179
+    assert bearing(complex(-1, -1e-17)) == bearing(complex(-1, 1e-17)) == pytest.approx(180.0)
+    assert all(bearing(complex(1, off)) == pytest.approx(0.0, abs=1e-9) for off in (-1e-17, 0.0, 1e-17))
+    assert bearing(complex(-1, -1e-3)) > 180 and bearing(complex(1, -1e-3)) < 360
 
 
 def test_characters_that_no_face_has_are_named_before_they_are_printed(run: Run) -> None:

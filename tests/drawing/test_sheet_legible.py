@@ -8,12 +8,17 @@ from dataclasses import replace
 
 import pytest
 
+from tests.drawn_library import drawn
+from tests.drawn_sheets import laid, share
 from vecpoly.board.construction import Construction, Figure, Scale, View
 from vecpoly.board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment, Vector
 from vecpoly.board.paper.scales import Sketched, finer
 from vecpoly.drawing.details.apart import detailed
 from vecpoly.drawing.details.knots import knots
+from vecpoly.drawing.sheets.composing import CRAMPED
+from vecpoly.drawing.sheets.paper import nearest_pins
 from vecpoly.drawing.sheets.sheet import bound, sheets
+from vecpoly.drawing.sheets.space import SPARSE
 from vecpoly.problem.load import load
 from vecpoly.solution import solve
 from vecpoly.words import Words
@@ -121,3 +126,18 @@ def test_lines_narrower_than_their_title_grow_into_the_white_beside_it() -> None
     assert one.at(1.25) == pytest.approx((80.0, 62.0))
     assert one.at(1.0) == pytest.approx((90.0, 70.0))
     assert one.at(4.0) == pytest.approx((60.0, 40.0))
+
+
+@pytest.mark.parametrize("name", ["4-4", "4-7", "shaper-cut"])
+def test_about_a_short_crank_forces_have_the_room_of_one_sheet_more(name: str) -> None:
+    diagram = drawn(name).figures(View.MECHANISM)[0]
+    assert nearest_pins(diagram, 1.0) >= CRAMPED
+
+
+def test_no_sheet_more_is_drawn_for_a_crank_that_would_hardly_be_larger_on_it() -> None:
+    assert len(laid("4-5")) == 2
+
+
+@pytest.mark.parametrize("name", ["4-4", "4-7", "shaper-cut", "plate-on-crank", "plate-two-slides"])
+def test_the_sheet_more_is_not_left_white(name: str) -> None:
+    assert all(share(sheet) > SPARSE for sheet in laid(name))

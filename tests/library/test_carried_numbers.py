@@ -33,8 +33,10 @@ def test_what_is_read_to_one_scale_has_one_count_of_decimals(name: str) -> None:
     assert all(len(counts) == 1 for counts in found.values()), found
 
 
-@pytest.mark.parametrize(("name", "symbol", "end"), [("3-12", "l_ED", "0.10375 m"), ("A-27", "ω_2", "14.4857 rad/s")])
-def test_a_number_that_is_not_asked_has_the_figures_that_later_lines_need(name: str, symbol: str, end: str) -> None:
+@pytest.mark.parametrize(("name", "symbol", "end"), [("3-12", "l_ED", "0.10375 m"), ("A-27", "ω_2", "14.49 rad/s")])
+def test_a_number_that_is_not_asked_has_the_figures_that_later_lines_need_up_to_five(
+    name: str, symbol: str, end: str
+) -> None:
     ends = [parts[-1] for parts in lines_of(solve(load(name))) if parts[0] == symbol]
     assert ends == [end]
 

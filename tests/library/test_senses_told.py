@@ -49,3 +49,9 @@ def test_directions_of_vectors_are_told_from_0_to_360_degrees(name: str) -> None
 def test_a_load_told_clockwise_has_the_direction_that_stands_in_the_table() -> None:
     given = " ".join(one.of("en") for one in load("winch-gears").given.loads)
     assert "direction 270°" in given and "−90" not in given, given
+
+
+def test_an_equivalent_force_tells_which_way_it_is_positive() -> None:
+    told = [step.words for step in drawn("7-1").construction.steps if "F_{e5}" in step.words.en]
+    assert [words.en for words in told if "$F_{e5}$ is positive along $v_F$" in words.en]
+    assert [words.zh for words in told if "$F_{e5}$ 以 $v_F$ 的指向为正" in words.zh]

@@ -34,7 +34,7 @@ def number(value: float, digits: int = 5) -> str:
 
 
 def drawn(answer: Answer, lang: Lang) -> str:
-    """The value read off the drawing."""
+    """The value read off the drawing; of what turns its size, beside which the sense stands."""
     return _value(answer, answer.drawn, answer.drawn_vector, lang)
 
 
@@ -48,7 +48,7 @@ def _value(answer: Answer, size: float, vector: complex | None, lang: Lang) -> s
         return f"({number(vector.real)}, {number(vector.imag)})"
     if answer.is_place:
         return f"∞, {number(size)}"
-    return scalar(size, answer.reading.unit, lang)
+    return scalar(answer.counted * size, answer.reading.unit, lang)
 
 
 def beside(text: str, name: str) -> str:

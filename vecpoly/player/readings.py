@@ -54,9 +54,13 @@ def _cells(answer: Answer, solution: Solution, faces: Faces) -> Cells:
         return _place(answer, faces)
     ways = html(Words(*(way(answer, solution.problem, lang) for lang in LANGS)), faces)
     unit = answer.reading.unit
-    shown = html(Words(*(value(_clean(answer.drawn), unit, lang, answer.key) for lang in LANGS)), faces)
+    shown = html(
+        Words(*(value(_clean(answer.counted * answer.drawn), unit, lang, answer.key) for lang in LANGS)), faces
+    )
     exact = (
-        value(answer.exact, YES_NO, "en") if unit == YES_NO else number(_clean(printed_unit(unit)[0] * answer.exact), 5)
+        value(answer.exact, YES_NO, "en")
+        if unit == YES_NO
+        else number(_clean(printed_unit(unit)[0] * answer.counted * answer.exact), 5)
     )
     return shown.zh, shown.en, ways.zh, ways.en, words_html(exact, faces)
 

@@ -35,7 +35,7 @@ def exact_number(answer: Answer, exact: float) -> str:
 
 def _towards(answer: Answer) -> float:
     """To the printed unit; what turns clockwise is counted that way, for its sense stands beside it."""
-    return printed_unit(answer.reading.unit)[0] * (-1.0 if answer.sense == "cw" else 1.0)
+    return printed_unit(answer.reading.unit)[0] * answer.counted
 
 
 def rounded(value: float, places: int | None, most: int) -> str:

@@ -28,6 +28,9 @@ PER_LETTER, PLAIN = 8.0, 100.0  # mm: a diagram beside polygons is as large as i
 READ = 10.0  # mm: a vector as long is read to 1 %; a figure with a shorter one counts as smaller than it is
 ENOUGH = 0.62  # of the usual size: no figure need be smaller for a plate
 ROOM, CROWDED = 5.0, 0.85  # mm that a letter asks for; but of the usual size at most
+CRAMPED = 12.0  # mm between the nearest two pins of a mechanism: about a shorter crank its forces find no room
+LARGER = 1.3  # times as large it is then, at least: 1.5 for 2, 3 for 4; a sheet more for less is not worth its while
+TAKEN = 0.45  # planned share of all sheets that figures take where one more is drawn for that
 LOST = SPARSE + 0.08  # planned share of a page that may turn out too small
 
 Scales = dict[Place, float]
@@ -58,9 +61,23 @@ def _composed(figures: Sequence[Sketched], kinds: set[Place], there: Scales, on:
     if not made:
         return {kind: start[kind] for kind in kinds}
     trial, best = max(made, key=lambda one: one[0].worth(one[1])) if len(made) > 1 else made[0]
+    if View.FORCE in kinds and trial.crank(best) < CRAMPED:
+        best = _roomier(trials, trial, best, start)
     if on.way is None and trial.share(best) < LOST:
         best = _lower(trial, best, start)
     return {kind: best[kind] for kind in kinds}
+
+
+def _roomier(trials: Sequence[Composing], page: Composing, best: Scales, start: Scales) -> Scales:
+    """The scales with one sheet more, where the mechanism is drawn larger on it and the sheets are not left white; else
+    as they are: about a short crank the lines and letters of its forces find no room."""
+    sheets = page.needed(best) + 1
+    made = [(one, found) for one in trials if (found := one.grown(start, sheets)) is not None]
+    made = [(one, found) for one, found in made if one.taken(found, sheets) >= TAKEN]
+    one, found = max(
+        made, key=lambda pair: (min(CRAMPED, pair[0].crank(pair[1])), pair[0].filled(pair[1])), default=(page, best)
+    )
+    return found if one.crank(found) >= LARGER * page.crank(best) else best
 
 
 def _lower(page: Composing, best: Scales, start: Scales) -> Scales:
@@ -181,10 +198,21 @@ class Composing:
         at = scales[kind]
         return max(one.scale / at * max(one.size) for one in self.figures if one.of == kind)
 
-    def grown(self, start: Scales) -> Scales | None:
-        """Finer scales, as far as they ask for no further sheet; None where a figure fits none."""
-        scales, sheets = dict(start), self.needed(start)
-        if sheets > len(self.figures):
+    def crank(self, scales: Mapping[Place, float]) -> float:
+        """How far the nearest two pins of the mechanism are drawn apart (mm)."""
+        diagrams = (one for one in self.figures if one.of is View.MECHANISM and one.short)
+        return min((one.scale / scales[View.MECHANISM] * one.short for one in diagrams), default=CRAMPED)
+
+    def taken(self, scales: Mapping[Place, float], sheets: int) -> float:
+        """What the figures take of so many sheets."""
+        area = sum((wide + self.clear) * (high + self.clear) for wide, high in self.sizes(scales))
+        return area / (sheets * self.page[0] * self.page[1])
+
+    def grown(self, start: Scales, most: int = 0) -> Scales | None:
+        """Finer scales, as far as they ask for no further sheet, or for no more than so many; None where a figure fits
+        none."""
+        scales, sheets = dict(start), max(most, self.needed(start))
+        if sheets > max(most, len(self.figures)):
             return None
         growing, waiting = set(self.kinds), set[Place]()
         while growing:

@@ -8,7 +8,7 @@ from math import isclose
 
 from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
-from ...board.paper.marks import FixedGuide, LinkNumber, Vector
+from ...board.paper.marks import Disc, Dot, FixedGuide, LinkNumber, Point, Vector
 from ...board.paper.scales import Sketched
 from ...board.place import Pane, Place
 from ...foundation.slotted import dataclass
@@ -65,8 +65,19 @@ def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:
 
 
 def _shortest(figure: Figure, size: float) -> float:
-    """The shortest vector of a polygon (mm), but for those that are drawn apart at any scale; 0 where it has none."""
+    """The shortest vector of a polygon (mm), but for those that are drawn apart at any scale; of a mechanism how far
+    its nearest two pins are apart, as those of short cranks and eccentrics are; 0 where it has none."""
+    if figure.view is View.MECHANISM and not figure.aside:
+        return nearest_pins(figure, TINY * size)
     if figure.view.bodies:
         return 0.0  # arrows there are no lengths
     lengths = (abs(mark.b - mark.a) for mark in figure.marks if isinstance(mark, Vector))
     return min((length for length in lengths if length > TINY * size), default=0.0)
+
+
+def nearest_pins(figure: Figure, least: float) -> float:
+    """From a pin to the next, or to the centre of a disc that turns about it; pins that all but coincide are one."""
+    pins = [mark.at for mark in figure.marks if isinstance(mark, Point) and mark.dot in (Dot.JOINT, Dot.MULTIPLE)]
+    discs = [mark.centre for mark in figure.marks if isinstance(mark, Disc)]
+    ways = [abs(pin - other) for n, pin in enumerate(pins) for other in (*pins[n + 1 :], *discs)]
+    return min((way for way in ways if way > least), default=0.0)

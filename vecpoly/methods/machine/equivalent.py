@@ -168,6 +168,11 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
         ),
         View.VELOCITY,
     )
+    if to.slide:
+        symbol = f"${to.load.symbol}$"
+        st.board.remark(
+            Words(f"{symbol} 以 ${moved.symbol}$ 的指向为正。", f" {symbol} is positive along ${moved.symbol}$.")
+        )
     parts = [written_power(st, work) for work in given]
     moving = [part for part in parts if nominal(part.value)]
     if not moving:
