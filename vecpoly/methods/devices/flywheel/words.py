@@ -60,6 +60,14 @@ def extremes(top: str, bottom: str) -> Words:
     )
 
 
+def read_off_bar(top: str, bottom: str, between: float) -> Words:
+    """What the energies themselves give for the swing that is read off the bar."""
+    difference = f"$E_{{{top}}}$ − $E_{{{bottom}}}$ = {number(between)} J"
+    return Words(
+        f"图上量得；由各点能量相减，{difference}", f"read off the bar; by the energies themselves {difference}"
+    )
+
+
 BAR_SECTION = Words("能量指示图", "Energy indicator bar")
 BAR = Words(
     "取能量比例尺 $μ_E$，从基线起顺次画各功：盈功向上，亏功向下；一个周期后应回到基线。",
