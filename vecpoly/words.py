@@ -31,6 +31,11 @@ class Words:
         return Words(self.zh + other.zh, self.en + other.en)
 
 
+def begun(words: Words) -> Words:
+    """The same where a sentence begins with it: Gear 3 rolls ..."""
+    return Words(words.zh, words.en[:1].upper() + words.en[1:])
+
+
 def joined(names: Sequence[Words]) -> Words:
     """Their names, the last joined by 和 / and; nothing of none."""
     if len(names) < 2:

@@ -255,3 +255,9 @@ def test_a_graded_sheet_knows_the_areas_and_names_degrees_for_radians() -> None:
     assert set(areas) == {"S1", "A1", "A2", "A3"} and all(0 < one.allowed < 0.2 * one.exact for one in areas.values())
     told = str(check_answers(load("7-5"), {"dW_max": "5104", "J_F": "121"}))
     assert "mu_A" in told and re.search("degrees in place of radians|以度代弧度", told)
+
+
+@pytest.mark.parametrize(("name", "difference"), [("7-6", "$E_{b}$ − $E_{e}$ = 3500 J"), ("flywheel-rim", "= 6480 J")])
+def test_beside_exact_energies_the_swing_is_told_to_be_read(name: str, difference: str) -> None:
+    remark = solve(load(name)).answers["dW_max"].reading.remark
+    assert remark is not None and difference in remark.en and remark.en.startswith("read off the bar")

@@ -327,7 +327,7 @@ def test_the_side_of_a_rack_may_be_said_before_or_after_it(form: str) -> None:
         load("3-13")
         .text.split("find:")[0]
         .replace("3 rolls on y = 0 mm at D, 4 rolls on 3 at H", f'"{form}"')
-        .replace("  4: {gear: E, radius: 30 mm}\n  6: {EF: 85 mm}\n", "")
+        .replace("  4: {gear: E, radius: 30 mm}\n  5: {CE: 90 mm}\n  6: {EF: 85 mm}\n", "")
     )
     joint = next(
         j for j in loads(text.replace(", E left of CF", "") + "find: [v_C]").mechanism.joints if isinstance(j, Rolling)

@@ -22,11 +22,12 @@ ENGLISH = (
     r"\bway back\b", r"\bthe work [12]\b", r"mixed train", r"parallel and mixed", r"\breproduced\b",
     r"drawing slip", r"^last digit$", r"turns steadily", r"common tolerances", r"most matters",
     r"Asked in the given", r"whose logarithm", r"\bPrinted answers\b", r"\bThe printed answers\b",
-    r"turn of the drive\b",
+    r"turn of the drive\b", r"(?:the|of|allowed) unevenness", r"coefficient of fluctuation", r"carrier mechanism",
+    r"\bthrough the meeting\b(?! point)", r"link \S+, expanded\b",
 )  # fmt: skip
 CHINESE = (
     r"相应一侧", r"在同样的驱动下", r"等值、反向，沿", r"的垂足距", r"性态", r"分子大", r"分母小",
-    r"带随机误差的手", r"以末位数字为准", r"设计任务", r"(?<!接)[内外]副", r"铰接于槽中",
+    r"带随机误差的手", r"以末位数字为准", r"设计任务", r"(?<!接)[内外]副", r"铰接于槽中", r"（扩大）",
 )  # fmt: skip
 
 

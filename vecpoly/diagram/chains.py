@@ -57,11 +57,15 @@ class Chained(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Sketched:
-    """A chain on paper (mm), and the numbers of its links as printed; ringed: whether compound hinges are marked."""
+    """A chain on paper (mm), and the numbers of its links as printed; ringed: whether compound hinges are marked.
+
+    whole: the chain that was given, where this is what is left of it: each guide has the side that it has there.
+    """
 
     chain: Chained
     number: Callable[[str], str]
     ringed: bool = False
+    whole: Chained | None = None
 
     def drawn(self, links: tuple[str, ...], *, frame: bool) -> Iterator[Symbol]:
         """These links with their joints, and with the frame where they stand on it."""
@@ -124,14 +128,21 @@ class Sketched:
         own = joint(pair.letter)
         if pair.slides:
             yield from self._slide(pair, frame)
-            if not any(abs(p.at - pair.at) < NEAR for p in self.chain.pairs if p.hinged):
-                yield Symbol.of(own, (Point(at=pair.at, label=subscripted(pair.letter), dot=Dot.NONE),))
+            yield Symbol.of(own, (Point(at=self._lettered(pair), label=subscripted(pair.letter), dot=Dot.NONE),))
             return
         if frame and FRAME in pair.links:
             ground = (Ground(at=pair.at, down=self.down(pair)),)
             yield Symbol.of(FIXED, ground if pair.hinged else profile(pair, FRAME))
         dot = (Dot.MULTIPLE if self.ringed and len(pair.links) > 2 else Dot.JOINT) if pair.hinged else Dot.POINT
         yield Symbol.of(own, (Point(at=pair.at, label=subscripted(pair.letter), dot=dot),))
+
+    def _lettered(self, pair: Joined) -> complex:
+        """Where a sliding pair has its letter: at the block; where that has a pin, at the free end of the guide."""
+        pinned = [p for p in self.chain.pairs if p.hinged and abs(p.at - pair.at) < NEAR]
+        links = {link for p in pinned for link in p.links if link not in (FRAME, *pair.links)}
+        ways = sum((p.at - pair.at for link in links for p in self.chain.at(link)), 0j)
+        ahead = -1 if (pair.along.conjugate() * ways).real > 0 else 1
+        return pair.at + ahead * pair.along * HALF_GUIDE if pinned else pair.at
 
     def _slide(self, pair: Joined, frame: bool) -> Iterator[Symbol]:
         """A block on a fixed guide, a sleeve on a rod, a rod in a fixed sleeve."""
@@ -161,16 +172,13 @@ class Sketched:
 
     def _leans_right(self, pair: Joined) -> bool:
         """Whether what hangs on the block lies to the right of its guide, where the hatching would be."""
+        given = next((p for p in self.whole.pairs if p.letter == pair.letter), None) if self.whole else None
+        chain, pair = (self.whole, given) if self.whole and given else (self.chain, pair)
         block = pair.links[0]
-        beside = [p.at for p in self.chain.at(block)]
-        pinned = (p for p in self.chain.at(block) if p.hinged and abs(p.at - pair.at) < NEAR)
+        beside = [p.at for p in chain.at(block)]
+        pinned = (p for p in chain.at(block) if p.hinged and abs(p.at - pair.at) < NEAR)
         beside += [
-            q.at
-            for p in pinned
-            for link in p.links
-            if link not in (FRAME, block)
-            for q in self.chain.at(link)
-            if q is not p
+            q.at for p in pinned for link in p.links if link not in (FRAME, block) for q in chain.at(link) if q is not p
         ]
         away = ((z - pair.at) / max(abs(z - pair.at), 1.0) for z in beside)
         return sum((pair.along.conjugate() * z).imag for z in away) < 0

@@ -15,7 +15,7 @@ PROJECT = {
     "round": "杆长圆整到多少，如 1 mm / to what the lengths are rounded, e.g. 1 mm",
     "also": "另外作图的位置 / further positions that are drawn",
     "works": "只作用于一部分行程的载荷 / a load that acts on a part of a stroke only",
-    "unevenness": "许用不均匀系数，如 1/20 / the coefficient of unevenness, e.g. 1/20",
+    "unevenness": "许用不均匀系数，如 1/20 / the coefficient of speed fluctuation, e.g. 1/20",
     "load": "载荷的名称 / the name of the load",
     "from": "自行程的百分之几起 / from which share of the stroke",
     "to": "到行程的百分之几止 / to which share of the stroke",

@@ -18,6 +18,7 @@ from ..mechanism.model import Mechanism
 from ..problem.asked.asks import AskCoriolis, AskNamed
 from ..solution import Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
+from .answers.asked_in_words import answered_in_words
 from .formulas import beside
 from .statement.asked import asked
 from .statement.structure import numbering, structure
@@ -100,7 +101,12 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
     ]
     moved = [told(one).of(lang) for one in solution.verification if one.broken is not None]  # others: in a table
     shaken = shaking_of(solution.problem, {key: one.drawn for key, one in solution.answers.items()})
-    return [*dict.fromkeys(coriolis), *moved, *([shaken.of(lang)] if shaken is not None else [])]
+    return [
+        *answered_in_words(solution, lang),
+        *dict.fromkeys(coriolis),
+        *moved,
+        *([shaken.of(lang)] if shaken is not None else []),
+    ]
 
 
 def cautions(solution: Solution, lang: Lang) -> list[str]:

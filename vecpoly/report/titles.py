@@ -54,10 +54,12 @@ def subject(solutions: Sequence[Solution]) -> Words:
 
 
 def kind_of(problem: Problem) -> Kind:
-    """Kinematics, forces, structure, cams, gears, or efficiency and self-locking."""
+    """Kinematics, forces, structure, cams, gears, motion of machines, balance, or efficiency and self-locking."""
     if isinstance(problem.subject, Mechanism):
         if problem.counterweights is not None and problem.loads is None:
             return Kind.BALANCE
+        if problem.machine is not None and problem.loads is None:
+            return Kind.MOTION
         return Kind.KINEMATICS if problem.loads is None else Kind.FORCES
     if isinstance(problem.subject, Design):
         return Kind.SYNTHESIS

@@ -100,10 +100,12 @@ class Bench:
         )
         return result
 
-    def read_off(self, named: Named, place: Place, on_paper: Quantity, letters: str) -> None:
-        """Note the length on paper from which a quantity was computed."""
-        mm, scale = float(nominal(on_paper.value)), self.board.scale_of(place).symbol
-        self.board.revise(replace(self.board.readings[named.key], mm=mm, line=letters, scale=scale))
+    def read_off(
+        self, named: Named, place: Place, on_paper: Quantity, letters: str, scale: Scale | None = None, factor: str = ""
+    ) -> None:
+        """Note the length on paper from which a quantity was computed. scale: of an axis with its own."""
+        mm, mu = float(nominal(on_paper.value)), (scale or self.board.scale_of(place)).symbol
+        self.board.revise(replace(self.board.readings[named.key], mm=mm, line=letters, scale=mu, factor=factor))
 
     def stated(self, named: Named, value: Reals, formula: Node | None = None) -> Quantity:
         """Keep a value found in another way: by formula given here, or as it stands."""

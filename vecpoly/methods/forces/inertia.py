@@ -92,6 +92,7 @@ def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
         mm=float(nominal(on_paper.value)),
         line=letters,
         scale=board.scales[View.ACCELERATION].symbol,
+        factor=f"m_{link}",
         formula=worked(size.node, expr, "N"),
     )
     st.keep(reading, size.value)

@@ -20,6 +20,7 @@ from ...foundation.frozen import FrozenMap
 from ...names import Named, subscripted
 from ...plane import Points, Reals, nominal
 from ...plane.traced import bare
+from ...words import Words
 from ..devices.bench import Bench
 
 ONE, TWO = Quantity(Txt("1"), 1.0, ""), Quantity(Txt("2"), 2.0, "")
@@ -61,7 +62,9 @@ class Draft(Bench):
     @property
     def number(self) -> int:
         """The number of the candidate that is found next."""
-        n = len(self.found)
+        return self._number(len(self.found))
+
+    def _number(self, n: int) -> int:
         return self.numbers[n] if n < len(self.numbers) else n + 1
 
     @property
@@ -74,10 +77,10 @@ class Draft(Bench):
         """Whether a solution has been found already."""
         return any(one.verdict is Verdict.VALID for one in self.found)
 
-    def letter(self, letter: str) -> str:
-        """A letter of the candidate that is found next: B1 as B_1, of the second B′_1."""
-        head, sub = letter[0], letter[1:]
-        return subscripted(f"{head}{'′' * (self.number - 1)}{sub}") if sub else head + "′" * (self.number - 1)
+    def letter(self, letter: str, after: int = 0) -> str:
+        """A letter of the candidate that is found next, or so many after it: B1 as B_1, of the second B′_1."""
+        head, sub, primes = letter[0], letter[1:], "′" * (self._number(len(self.found) + after) - 1)
+        return subscripted(f"{head}{primes}{sub}") if sub else head + primes
 
     def of_this(self, named: Named) -> Named:
         """A quantity of the candidate that is found next, under its number; printed without where it is the only
@@ -151,6 +154,7 @@ class Draft(Bench):
 
         Who has made a mistake may have none that is valid, and reads what is there.
         """
+        self._say_order([one.number for one in self.found])
         valid = sorted(one.number for one in self.found if one.verdict is Verdict.VALID)
         valid = valid or sorted(one.number for one in self.found)
         taken = valid[design.take - 1] if design.take <= len(valid) else 0
@@ -160,6 +164,16 @@ class Draft(Bench):
             for key, number in ((named, taken), *((numbered(named, n), n) for n in range(1, MOST + 1))):
                 if key.key in self.asked and key.key not in self.board.readings:
                     self._copy(numbered(named, number) if number else named, named, key)
+
+    def _say_order(self, numbers: list[int]) -> None:
+        """Why what was found first is not number 1, where it is not."""
+        if numbers != sorted(numbers):
+            self.board.remark(
+                Words(
+                    "（各解按 $AB$ 由短到长编号，舍去的候选解排在最后。）",
+                    " (Solutions are numbered by $AB$, the shortest first; rejected candidates come last.)",
+                )
+            )
 
     def _copy(self, source: Named, shared: Named, named: Named) -> None:
         """Keep an answer under another key; what was not found is no number."""

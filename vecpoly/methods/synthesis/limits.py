@@ -65,8 +65,13 @@ def _four_bar(draft: Draft, limits: Limits) -> None:
     """AB and BC; then CD, AD, the swing and γ_min."""
     board, (of_a, _, of_far) = draft.board, limits.letters
     if board.here is not SHEET:  # the last solution went on to a figure of its own
-        told = Words("另一交点给出另一个解，同样量取：", "The other meeting gives another solution; read it likewise:")
-        board.step(told, SHEET)
+        board.step(
+            Words(
+                f"另一交点给出另一个解（解 {draft.number}），同样量取：",
+                f"The other meeting gives another solution (solution {draft.number}); read it likewise:",
+            ),
+            SHEET,
+        )
     crank, coupler = crank_and_coupler(draft, limits)
     if CD.key not in board.readings:
         draft.length(draft.of_this(CD), board.measure(limits.d, limits.extended, f"D {of_far}"), f"D {of_far}")

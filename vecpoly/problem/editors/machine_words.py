@@ -6,10 +6,11 @@ from ...words import Words
 
 MACHINE = {
     "Problem.machine": Words(
-        "机器如何运转：平均转速与不均匀系数，或初始状态", "how the machine runs: mean speed and unevenness, or a start"
+        "机器如何运转：平均转速与不均匀系数，或初始状态",
+        "how the machine runs: mean speed and coefficient of speed fluctuation, or a start",
     ),
     "MachineSpec.n": Words("平均转速：60 r/min", "the mean speed: 60 r/min"),
-    "MachineSpec.delta": Words("许用不均匀系数：0.05", "the allowed coefficient of unevenness: 0.05"),
+    "MachineSpec.delta": Words("许用不均匀系数：0.05", "the allowed coefficient of speed fluctuation: 0.05"),
     "MachineSpec.J_F": Words("已有的飞轮转动惯量：6 kg*m^2", "the flywheel that is there: 6 kg*m^2"),
     "MachineSpec.start": Words("初始状态：{phi: 30 deg, omega: 0 rad/s}", "where and how fast it starts"),
     "MachineSpec.until": Words("原动件转过多大角度为止：360 deg", "how far the drive is followed: 360 deg"),

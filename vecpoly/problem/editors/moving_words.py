@@ -12,7 +12,7 @@ MOVING = {
     "flywheel.mu_A": Words("面积比例尺", "the work of a square millimetre"),
     "flywheel.powers": Words("各段的转角和功率", "angles, each with its power"),
     "flywheel.n": Words("平均转速", "the mean speed"),
-    "flywheel.delta": Words("许用速度不均匀系数", "the allowed coefficient of fluctuation"),
+    "flywheel.delta": Words("许用速度不均匀系数", "the allowed coefficient of speed fluctuation"),
     "flywheel.J": Words(
         "飞轮以外（没有 delta 时：全部）的转动惯量",
         "moment of inertia without the flywheel; without delta: of all that turns",

@@ -45,6 +45,10 @@ def read_rolling(text: str, bodies: Bodies) -> Rolling:
         )
     _own_letter(m["point"], bodies)
     gear, on = _circle(m["gear"], bodies), _partner(m["on"], bodies)
+    if line := re.fullmatch(r"([xy]) = (.+)", m["on"]):
+        bodies.draft(gear.link).say(
+            Words(f"固定齿条节线 ${line[1]}$ = {line[2]}", f"pitch line of the fixed rack ${line[1]}$ = {line[2]}")
+        )
     if gear.link == on.link:
         raise FaultError(Words(f"构件 {gear.link} 不能在自身上滚动", f"link {gear.link} cannot roll on itself"))
     side = _side(m)

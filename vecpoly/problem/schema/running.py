@@ -22,7 +22,7 @@ class MachineSpec(_Said):
     """How a machine runs: at a mean speed, as evenly as is allowed or as its flywheel makes it; or from a state."""
 
     n: Number | None = Field(None, description="mean speed, 60 r/min")
-    delta: Number | None = Field(None, description="allowed unevenness, 0.05")
+    delta: Number | None = Field(None, description="allowed coefficient of speed fluctuation, 0.05")
     J_F: Number | None = Field(None, description="the flywheel that is there, 6 kg*m^2")
     start: StartSpec | None = Field(None, description="{phi: 30 deg, omega: 0 rad/s}")
     until: Number | None = Field(None, description="how far the driving link is followed, 360 deg; or: steady")

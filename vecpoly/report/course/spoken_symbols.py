@@ -21,7 +21,7 @@ _ROWS: tuple[tuple[str, Row], ...] = (
     ("$E$", ("$E$", Words("动能的增量", "change of the kinetic energy"), "J")),
     ("$ΔW", ("$ΔW$", Words("盈亏功", "surplus or deficit of work"), "J")),
     ("$ω_m", ("$ω_m$", Words("平均角速度", "mean angular velocity"), "rad/s")),
-    ("$δ$", ("$δ$", Words("速度不均匀系数", "coefficient of fluctuation of speed"), "—")),
+    ("$δ$", ("$δ$", Words("速度不均匀系数", "coefficient of speed fluctuation"), "—")),
     ("$J_F$", ("$J_F$", Words("飞轮的转动惯量", "moment of inertia of the flywheel"), "kg·m²")),
     ("$F_I$", ("$F_I$", Words("总惯性力", "resultant inertia force"), "N")),
     ("$M_I$", ("$M_I$", Words("总惯性力矩", "resultant inertia moment"), "N·m")),

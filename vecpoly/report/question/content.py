@@ -12,6 +12,7 @@ from ...words import Lang, Words
 from ..content import Objects
 from ..flow.blocks import Heading
 from .blanks import empty_table, equation_rows, working_room
+from .known import stands
 from .working import working
 
 WORKING = Words("计算过程", "Working")
@@ -20,7 +21,7 @@ _READ, _FOUND = Words("量取结果", "Readings"), Words("结果", "Results")
 
 def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     """Names of the rows for vector equations, and of the squares with the table of results at their foot; whether a
-    polygon is drawn from a pole, and whether a diagram has axes.
+    polygon is drawn from a pole, whether a diagram has axes, and whether pivots or guides stand in a frame.
 
     Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
     """
@@ -33,4 +34,5 @@ def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]
         "working": [objects.add("work", one) for one in working(WORKING.of(lang), working_room(solution), foot, lang)],
         "poles": any(isinstance(mark, Point) and mark.dot is Dot.POLE for figure in figures for mark in figure.marks),
         "axes": any(figure.view.across is not None for figure in figures),
+        "placed": any(stands(solution.construction, figure, solution.problem) for figure in figures),
     }

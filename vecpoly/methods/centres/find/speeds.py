@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ....algebra.formula import sym
+from ....algebra.formula import plain, sym
 from ....algebra.quantity import Expr
 from ....algebra.worked import worked
 from ....board.construction import Reading
@@ -115,7 +115,11 @@ def _turning(motions: Motions, link: str, spot: Spot, blank: Reading) -> tuple[R
     reading = replace(blank, formula=worked(sym(blank.symbol), expr, "m/s"))
     if paper is not None:
         reading = replace(
-            reading, mm=float(nominal(paper.value)), line=f"{own.letter} {spot.letter}", scale=fig.paper.scale.symbol
+            reading,
+            mm=float(nominal(paper.value)),
+            line=f"{own.letter} {spot.letter}",
+            scale=fig.paper.scale.symbol,
+            factor=plain(motions.sizes[link].symbol()),
         )
     if apart(own, spot) < CLOSE:
         return reading, 0j

@@ -6,13 +6,14 @@ import numpy as np
 
 from ....algebra.quantity import Quantity
 from ....devices.dynamics.asked import DW, PHI_MAX, PHI_MIN
-from ....plane import Reals
-from ...diagrams.indicator import indicator
+from ....foundation.slotted import replace
+from ....plane import Reals, nominal
+from ...diagrams.indicator import Bar, indicator
 from ..bench import Bench
 from ..cam.read.readings import noted
 from .pieces import Pieces
 from .scales import INDICATOR, TORQUE
-from .words import BAR, BAR_SECTION, extremes
+from .words import BAR, BAR_SECTION, extremes, read_off_bar
 
 
 def energy_bar(bench: Bench, pieces: Pieces) -> Quantity:
@@ -24,6 +25,8 @@ def energy_bar(bench: Bench, pieces: Pieces) -> Quantity:
     board.remark(extremes(bar.letters[bar.top], bar.letters[bar.bottom]))
     swing = bench.worked(DW, board.mu(INDICATOR) * bar.swing)
     bench.read_off(DW, INDICATOR, bar.swing, f"{bar.letters[bar.bottom]} {bar.letters[bar.top]}")
+    if not pieces.ends:
+        _told_as_read(bench, pieces, bar)
     for named, number in ((PHI_MAX, bar.top), (PHI_MIN, bar.bottom)):
         if pieces.ends:
             mm = 0.0 * pieces.ends[number].real
@@ -31,6 +34,14 @@ def energy_bar(bench: Bench, pieces: Pieces) -> Quantity:
                 mm = board.measure(0j, pieces.ends[number].real + 0j, f"O {bar.letters[number]}").value
             noted(bench, named, *_angle(bench, mm), f"O {bar.letters[number]}", "μ_{φ}")
     return swing
+
+
+def _told_as_read(bench: Bench, pieces: Pieces, bar: Bar) -> None:
+    """Beside energies that are exact the one that is read is told to be so, with their difference."""
+    first, last = sorted((bar.bottom, bar.top))
+    between = abs(float(nominal(sum(pieces.works[first:last], start=np.float64(0.0)))))
+    words = read_off_bar(bar.letters[bar.top], bar.letters[bar.bottom], between)
+    bench.board.revise(replace(bench.board.readings[DW.key], remark=words))
 
 
 def _angle(bench: Bench, mm: Reals) -> tuple[Reals, Reals]:

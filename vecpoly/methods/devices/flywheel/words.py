@@ -60,6 +60,14 @@ def extremes(top: str, bottom: str) -> Words:
     )
 
 
+def read_off_bar(top: str, bottom: str, between: float) -> Words:
+    """What the energies themselves give for the swing that is read off the bar."""
+    difference = f"$E_{{{top}}}$ − $E_{{{bottom}}}$ = {number(between)} J"
+    return Words(
+        f"图上量得；由各点能量相减，{difference}", f"read off the bar; by the energies themselves {difference}"
+    )
+
+
 BAR_SECTION = Words("能量指示图", "Energy indicator bar")
 BAR = Words(
     "取能量比例尺 $μ_E$，从基线起顺次画各功：盈功向上，亏功向下；一个周期后应回到基线。",
@@ -67,7 +75,7 @@ BAR = Words(
     "downwards where it is lost; after a period they come back to the base line.",
 )
 INERTIA_SECTION = Words("飞轮的转动惯量", "Moment of inertia of the flywheel")
-UNEVEN_SECTION = Words("速度不均匀系数", "Coefficient of fluctuation")
+UNEVEN_SECTION = Words("速度不均匀系数", "Coefficient of speed fluctuation")
 SPEED_SECTION = Words("平均角速度", "Mean angular velocity")
 SPEED = Words("由平均转速求平均角速度：", "The mean angular velocity from the mean speed:")
 POWERS = Words(
@@ -78,4 +86,4 @@ ENOUGH = Words(
     "已有的转动惯量足以使 $δ$ 不超过许用值，不需要飞轮。",
     " What turns already keeps $δ$ below what is allowed: no flywheel is needed.",
 )
-UNEVEN = Words("速度不均匀系数与最大、最小转速：", "The coefficient of fluctuation, and the extreme speeds:")
+UNEVEN = Words("速度不均匀系数与最大、最小转速：", "The coefficient of speed fluctuation, and the extreme speeds:")

@@ -105,7 +105,7 @@ def nut_polygon(bench: Bench, device: ScrewJack, jack: Thread) -> Quantity:
     reading = board.measure(*ends, "b c")
     measured = board.compute(push.symbol, board.mu(plan) * reading, "N")
     m2 = bench.worked(RATIOS[1], measured * jack.mean / Times(2, magnitude(load.symbol, device.trial, "N")))
-    bench.read_off(RATIOS[1], plan, reading, "b c")
+    bench.read_off(RATIOS[1], plan, reading, "b c", factor=f"d_2/(2{load.symbol}) ·")
     board.compute(RATIOS[1].symbol, jack.mean * Of("tan", jack.alpha + jack.phi) / plain(2), "mm")
     return m2
 

@@ -29,7 +29,7 @@ def draw_chain(
 ) -> None:
     """All links and the frame, and the arrows of the drivers; ringed: whether compound hinges are marked."""
     scaled = _on_paper(board, place, chain)
-    it = Sketched(scaled, device.number, ringed)
+    it = Sketched(scaled, device.number, ringed, _on_paper(board, place, device.chain))
     board.depict(place, *it.drawn(chain.links, frame=True))
     for link in drivers:
         _draw_driver(board, place, scaled.at(link))
@@ -48,7 +48,9 @@ def draw_apart(
 ) -> None:
     """These links alone, with the halves of the joints by which they hang on the rest;
     `frame`: with the frame where they stand on it."""
-    board.depict(place, *Sketched(_on_paper(board, place, chain), device.number).drawn(links, frame=frame))
+    whole = _on_paper(board, place, device.chain)
+    it = Sketched(_on_paper(board, place, chain), device.number, whole=whole)
+    board.depict(place, *it.drawn(links, frame=frame))
 
 
 def draw_replaced(board: Board, place: Pane, device: Structure, pair: Pair) -> None:

@@ -10,7 +10,7 @@ from ....devices.structure import Structure
 from ....devices.structure_named import DETERMINED, F_LOCAL, P_H, P_L, P_REDUNDANT, F, N
 from ....devices.structure_pairs import Form, Pair
 from ....names import subscripted
-from ....words import Words
+from ....words import Words, begun
 from ..bench import Bench
 from ..registry import device_method
 from .apart import draw_groups, no_groups
@@ -191,7 +191,7 @@ def _redundant(bench: Bench, found: Count) -> Quantity:
         )
         return bench.stated(P_REDUNDANT, 0.0)
     for part in found.repeated:
-        board.step(part.why + brings(part))
+        board.step(begun(part.why) + brings(part))
         high = magnitude("p′_H", float(abs(part.higher)), "")
         terms = (
             Times(2, magnitude("p′_L", float(part.lower), "")) + high

@@ -72,13 +72,14 @@ def _taken(st: Statics, held: Held, load: Resultant, line: Line, by: str, letter
     known, single = known_forces(st, held.link, load), len(load.forces) == 1 and not np.any(st.moment(held.link))
     short = known if single else Words.same(f"${resultant_of(st, held.link)}$")
     spot = f" ${letter}$" if letter else ""
-    point = Words(spot or "此点", spot.strip() or "it")
+    point = Words(spot or "此点", spot.strip() or "this point")
+    where = f"in{spot}" if spot else "in one point"
     return Words(
         f"取构件 {number} 为分离体：受{' ' if single else ''}{known.zh}、{one}、{two} 三力而平衡，"
         f"三力必汇交于一点；先求 {short.zh} 与 {one} 作用线的交点{spot}，{two} 过{point.zh}。",
         f"Isolate link {number}: three forces, {known.en}, {one} and {two}, are in equilibrium and "
         f"therefore concurrent: the lines of {short.en} and {one} "
-        f"cross{' in' + spot if spot else ''}; {two} passes through {point.en}.",
+        f"meet {where}; {two} passes through {point.en}.",
     )
 
 
@@ -153,7 +154,9 @@ def polygon(
 
 def _lies(st: Statics, held: Held, meets: str) -> Words:
     """What is known of the line of the parent's reaction."""
-    through = Words(f"过 ${meets}$" if meets else "过交点", f"through ${meets}$" if meets else "through the meeting")
+    through = Words(
+        f"过 ${meets}$" if meets else "过交点", f"through ${meets}$" if meets else "through the meeting point"
+    )
     if isinstance(held.joint, Prismatic):
         return Words("与法线成$φ$", "$φ$ off the normal") if st.phi(held.joint) else Words("⊥导路", "⊥guide")
     if isinstance(held.joint, Revolute) and st.rho(held.joint.point):

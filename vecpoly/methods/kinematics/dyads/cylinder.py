@@ -100,9 +100,9 @@ def _opening(desk: Desk, view: View, ram: Ram) -> Words:
     name, under = desk.name(At(c)), desk.name(At(c, ram.near))
     kind, kind_en = QUANTITY[view].zh, QUANTITY[view].en
     return Words(
-        f"${name}$ 与构件 {ram.near}（扩大）上的 ${under}$ 为重合点，其相对{kind}沿 ${d}{c}$，由油缸给定；"
+        f"${name}$ 与扩大的构件 {ram.near} 上的 ${under}$ 为重合点，其相对{kind}沿 ${d}{c}$，由油缸给定；"
         f"列{kind}矢量方程并作图。",
-        f"${name}$ and the point ${under}$ of link {ram.near}, expanded, coincide; their relative "
+        f"${name}$ and the point ${under}$ of the expanded link {ram.near} coincide; their relative "
         f"{kind_en} along ${d}{c}$ is given by the cylinder. Write the {kind_en} equation and draw "
         "it.",
     )

@@ -10,9 +10,9 @@ from ....errors import NoMethodError
 from ....foundation.slotted import dataclass
 from ....mechanism.gearing import reach
 from ....mechanism.groups.assur import Dyad
-from ....mechanism.model import Circle, Joint, Prismatic, Rack, Revolute, Rolling, Side
+from ....mechanism.model import FRAME, Circle, Joint, Prismatic, Rack, Revolute, Rolling, Side
 from ....plane import Line, Points, unit
-from ....words import Words
+from ....words import Words, begun
 from ...desk import Desk
 from ...registry import Stage, method
 from ..gears.pitch import letter_pitch_points, wheel
@@ -76,8 +76,11 @@ def _located(desk: Desk, d: Dyad) -> None:
     sides = ((d.outer_j, d.link_j, d.parent_j), (d.outer_k, d.link_k, d.parent_k))
     told = [led(desk, joint, link, c) for joint, link, _ in sides]
     board.step(
-        Words(
-            "；".join(w.zh for w in told) + f"；两者交于 ${c}$", "; ".join(w.en for w in told) + f"; they meet at ${c}$"
+        begun(
+            Words(
+                "；".join(w.zh for w in told) + f"；两者交于 ${c}$",
+                "; ".join(w.en for w in told) + f"; they meet at ${c}$",
+            )
         ),
         View.MECHANISM,
     )
@@ -211,8 +214,16 @@ def led(desk: Desk, joint: Joint, link: str, c: str) -> Words:
                     f"gear {link} rolls on the rack: its centre ${centre}$ keeps to the parallel at $r_{link}/μ_l$",
                 )
             other = joint.on if joint.gear.link == link else joint.gear
-            size = f"{1e3 * reach(joint):.6g} mm"
+            size = f"{_centre_distance(joint)}{1e3 * reach(joint):.6g} mm"
             return Words(
-                f"齿轮 {link} 的轮心 ${centre}$ 与 ${other.centre}$ 的中心距保持为 {size}，画弧",
-                f"the centre ${centre}$ of gear {link} stays {size} from ${other.centre}$: swing that arc",
+                f"齿轮 {link} 保持啮合，轮心 ${centre}$ 与 ${other.centre}$ 的中心距为 {size}，"
+                f"以 ${other.centre}$ 为圆心画弧",
+                f"gear {link} stays in mesh: the centres are {size} apart: swing that arc about ${other.centre}$",
             )
+
+
+def _centre_distance(joint: Rolling) -> str:
+    """$r_3$ + $r_4$ = of two gears outside each other; of others the number alone tells it."""
+    if not isinstance(joint.on, Circle) or joint.internal or FRAME in (joint.gear.link, joint.on.link):
+        return ""
+    return f"$r_{joint.on.link}{joint.on.mark}$ + $r_{joint.gear.link}{joint.gear.mark}$ = "

@@ -55,10 +55,9 @@ def _other_limits(draft: Draft, pins: tuple[Points, Points, Points], radius: Rea
     for way, side in zip((towards, -towards)[: 1 if level else 2], SIDES, strict=False):
         board.step(
             Words(
-                f"过 $A$ 在{side[0]}作与 $AC_1$ 成 $θ$ 角的射线，以 $D$ 为圆心、$DC_1$ 为半径作圆；二者的交点即另一极"
-                f"限位置 $C_2$。",
+                f"过 $A$ 在{side[0]}作与 $AC_1$ 成 $θ$ 角的射线，以 $D$ 为圆心、$DC_1$ 为半径作圆，求另一极限位置。",
                 f"Through $A$ draw a ray at $θ$ to $AC_1$ {side[1]}, and the circle about $D$ with the radius $DC_1$; "
-                "they meet in the other limit position $C_2$.",
+                "the other limit position lies where they meet.",
             ),
             SHEET,
         )
@@ -83,10 +82,26 @@ def _meetings(draft: Draft, ray: Line, pins: tuple[Points, Points, Points], radi
         return
     ends = board.arc_on_line(ray, d, radius, Words("求 $C_2$", "finding $C_2$"))
     away = max(ends, key=lambda at: abs(complex(nominal(at - c1))))
-    for c2 in (away,) if level else ends:  # the ray at θ = 0 goes through C₁ itself
+    found = (away,) if level else tuple(sorted(ends, key=lambda at: _crank(pins, at)))  # at θ = 0 it goes through C₁
+    board.remark(_named(draft, len(found)))
+    for c2 in found:
         letter = draft.letter("C2")
         c2 = pin(draft, letter, c2)
         board.rule(SHEET, ray, c2)
         ahead = float(nominal(dot(ray.along, c2 - a))) > 0
         verdict = judged(a, d, c1, c2) if ahead else Verdict.FAR_ARC
         settled(draft, limits_of(a, d, c1, c2, ("A", "C_1", letter)), verdict)
+
+
+def _crank(pins: tuple[Points, Points, Points], c2: Points) -> float:
+    """Twice the crank that a meeting gives, as it stands on the sheet: solutions are numbered by their cranks."""
+    a, _, c1 = pins
+    return abs(float(nominal(np.abs(c2 - a) - np.abs(c1 - a))))
+
+
+def _named(draft: Draft, count: int) -> Words:
+    """The letters of the meetings, each with the primes of its solution."""
+    letters = [f"${draft.letter('C2', after)}$" for after in range(count)]
+    if count == 1:
+        return Words(f"交点为 {letters[0]}。", f" The meeting is {letters[0]}.")
+    return Words(f"两交点为 {'、'.join(letters)}。", f" The two meetings are {' and '.join(letters)}.")

@@ -132,4 +132,4 @@ def _measured(draft: Draft, curve: Chart, places: list[complex], base: float) ->
         on_paper = board.measure(np.complex128(one), np.complex128(other), letters)
         size = magnitude(mu.symbol, mu.value, "mm/mm") * on_paper
         draft.worked(draft.of_this(named), size)
-        draft.read_off(draft.of_this(named), curve.place, on_paper, letters)
+        draft.read_off(draft.of_this(named), curve.place, on_paper, letters, mu)

@@ -47,7 +47,8 @@ def _needed(study: Study, run: Running, cuts: Tangents) -> Words:
         f"$ΔW_{{max}}$/($ω_m^2$[$δ$])；计及 $J_e$ 的变化时，在能量–质量图上作斜率为 $ω_{{max}}^2$/2 = "
         f"{number(cuts.steep, 5)} 和 $ω_{{min}}^2$/2 = {number(cuts.flat, 5)} 的两条切线，切点在 {upper} 和 {lower}，"
         f"两切线在 $E$ 轴上的截距之差除以 $ω_m^2$[$δ$] 即为 $J_F$ 的精确值。",
-        f"The mean speed is $ω_m$ = {opening[0]} rad/s, the unevenness allowed [$δ$] = {opening[1]}. With the changes "
+        f"The mean speed is $ω_m$ = {opening[0]} rad/s, the coefficient of speed fluctuation "
+        f"allowed [$δ$] = {opening[1]}. With the changes "
         "of $J_e$ left "
         f"out $J_F$ = $ΔW_{{max}}$/($ω_m^2$[$δ$]). With them, two tangents are laid on the loop of $E$ over $J_e$, "
         "with the slopes "
@@ -72,7 +73,8 @@ def _given(study: Study, run: Running) -> Words:
     return opening + Words(
         f"$ω_{{max}}$ = {speeds[0]} rad/s（{fast}），$ω_{{min}}$ = {speeds[1]} rad/s（{slow}），不均匀系数 $δ$ = "
         f"{delta}。",
-        f"$ω_{{max}}$ = {speeds[0]} rad/s ({fast}), $ω_{{min}}$ = {speeds[1]} rad/s ({slow}): the unevenness is $δ$ = "
+        f"$ω_{{max}}$ = {speeds[0]} rad/s ({fast}), $ω_{{min}}$ = {speeds[1]} rad/s ({slow}): the coefficient of speed "
+        f"fluctuation is $δ$ = "
         f"{delta}.",
     )
 

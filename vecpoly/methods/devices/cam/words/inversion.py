@@ -69,8 +69,8 @@ def turning(cam: Cam) -> Words:
         )
     return opened + Words(
         "各分点的导路都切于偏距圆；自基圆沿导路向外量位移线图上的 $s$，得 $B_1$、$B_2$…，连成理论廓线。",
-        "touching the offset circle at each station. Lay off the $s$ of the diagram outwards from the base circle "
-        "along it: the points $B_1$, $B_2$ ... give the pitch curve.",
+        "At each station it touches the offset circle; along it lay off the $s$ of the diagram outwards from the base "
+        "circle: the points $B_1$, $B_2$ ... give the pitch curve.",
     )
 
 

@@ -12,7 +12,7 @@ from .....board.construction import View
 from .....devices.cams.cam import Cam
 from .....devices.cams.motion import Law, Piece
 from .....plane import nominal
-from .....words import Words
+from .....words import Words, begun
 from ...bench import trial_board
 from ..laws import lift, stretches
 
@@ -44,7 +44,7 @@ def how_drawn(cam: Cam) -> Words:
     laws = dict.fromkeys(piece.law for piece in cam.pieces if piece.law is not None)
     zh = "；".join(f"{law.called.zh}：{_HOW[law].zh}" for law in laws)
     en = "; ".join(f"{law.called.en}: {_HOW[law].en}" for law in laws)
-    return Words(zh, en)
+    return begun(Words(zh, en))
 
 
 def shocks(board: Board, place: View, cam: Cam) -> Words:

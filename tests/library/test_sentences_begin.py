@@ -1,0 +1,16 @@
+"""English sentences of a step begin with a capital, whatever they are put together from."""
+
+from __future__ import annotations
+
+import re
+
+from tests.drawn_library import IDS, drawn
+from tests.each import each
+
+SMALL = re.compile(r"(?:^|(?<!\.\.)\. )[a-z]\w+")  # B_1, B_2 ... give the curve: no end of a sentence
+
+
+@each(IDS)
+def test_a_sentence_of_a_step_begins_with_a_capital(name: str) -> None:
+    for step in drawn(name).construction.steps:
+        assert not SMALL.search(step.words.en.strip()), step.words.en
