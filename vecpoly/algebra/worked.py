@@ -14,11 +14,11 @@ import numpy as np
 
 from ..foundation.slotted import replace
 from ..plane import nominal
-from .formula import Node, Row, Txt
+from .formula import Node, Row, Txt, plain
 from .quantity import FIGURES, Expr, Of, Powered, Product, Quantity, Quotient, Rooted, Sum, Times, number
 from .rounding import TIES, WHOLE, as_printed, guarded, half_unit, read_back, to_figures
 
-_NUMBERS = 4  # parts of a line before its numbers: symbol = formula =
+_END = 2  # parts with which a line ends: its numbers, and = result
 
 
 def worked(result: Node, expr: Expr, unit: str, shown: str = "") -> Row:
@@ -27,7 +27,17 @@ def worked(result: Node, expr: Expr, unit: str, shown: str = "") -> Row:
     end = Txt(f" = {_with_unit(shown or number(value), unit)}")
     if isinstance(expr, Quantity):
         return Row((result, end))
-    return Row((result, Txt(" = "), expr.symbol(), Txt(" = "), keyed_in(expr, shown), end), expr)
+    formula = expr.symbol()
+    said = () if _bare(formula) == _bare(result) else (Txt(" = "), formula)  # a ratio is called what it is
+    return Row((result, *said, Txt(" = "), keyed_in(expr, shown), end), expr)
+
+
+def _bare(node: Node) -> str:
+    """What it says, as one fraction or in one line."""
+    return plain(node).translate(_BRACKETS)
+
+
+_BRACKETS = {ord(sign): None for sign in "()"}
 
 
 def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], str]) -> Row:
@@ -43,7 +53,7 @@ def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], st
 
     other = _each(own, as_told)
     expr = other if any(again.values()) and _reproduces(other, figures_for(other, shown), shown) else own
-    return Row((*line.items[:_NUMBERS], keyed_in(expr, shown), end))
+    return Row((*line.items[:-_END], keyed_in(expr, shown), end))
 
 
 def stated(quantity: Quantity) -> Row:
