@@ -56,6 +56,19 @@ def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], st
     return Row((*line.items[:-_END], keyed_in(expr, shown), end))
 
 
+def forms(expr: Expr, shown: str = "") -> tuple[tuple[Node, float, str], ...]:
+    """Each quantity of a line as it stands there: its symbol, its value, its number with the guard figures."""
+    digits, found = figures_for(expr, shown), list[tuple[Node, float, str]]()
+
+    def seen(one: Quantity) -> Quantity:
+        value = float(nominal(one.value))
+        found.append((one.node, value, number(value, one.figures(digits))))
+        return one
+
+    _each(expr, seen)
+    return tuple(found)
+
+
 def stated(quantity: Quantity) -> Row:
     """symbol = value with unit."""
     return Row((quantity.node, Txt(f" = {_with_unit(number(float(nominal(quantity.value))), quantity.unit)}")))

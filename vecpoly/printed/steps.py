@@ -5,9 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from math import isclose, isfinite, log10
+from typing import cast
 
 from ..algebra.formula import Node, Row, Txt, named
-from ..algebra.worked import told_again
+from ..algebra.quantity import Expr
+from ..algebra.worked import forms, told_again
 from ..answer import YES_NO, Answer
 from ..board.construction import Construction, Step
 from ..foundation.slotted import replace
@@ -17,6 +19,7 @@ from .units import printed_unit
 
 _NUMBER = re.compile(r"(−?)\d+(?:\.\d+)?(?:×10\^\{−?\d+\})?")  # as `number` writes it
 _EQUALS = " = "
+_KEPT = 9  # figures by which a value is known again
 
 
 def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tuple[Construction, dict[str, Answer]]:
@@ -27,7 +30,8 @@ def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tup
         line = answer.reading.formula
         if isinstance(line, Row) and (end := printed_end(line, answer)) is not None:
             ends[line.items[0], line.items[-1]] = end
-    told = Told(answers.values())
+    every = [line for step in construction.steps for line in step.formulas if isinstance(line, Row)]
+    told = Told(answers.values(), [(line, ends.get((line.items[0], line.items[-1]))) for line in every])
 
     def printed(line: Node) -> Node:
         """The line asked, and any that evaluates the same again, with its end."""
@@ -43,27 +47,56 @@ def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tup
 
 
 class Told:
-    """The numbers of asked quantities as they are printed, for lines that go on with them."""
+    """The numbers of asked quantities as they are printed, for lines that go on with them; any other has one form in
+    all lines, with the guard figures of that which needs the most."""
 
-    def __init__(self, answers: Iterable[Answer]) -> None:
+    def __init__(self, answers: Iterable[Answer], lines: Iterable[tuple[Row, Txt | None]]) -> None:
         asked = (one for one in answers if not one.is_place and not one.undefined and one.reading.unit != YES_NO)
         self._by_symbol = {named(one.reading.symbol): one for one in asked if isfinite(one.drawn)}
+        self._one_form = _one_form(lines)
 
     def line(self, line: Row, end: Txt | None) -> Row:
         """The line with this end, or with its own; what is not worked out, or goes on with nothing asked, as it is."""
         if end is None and line.worked is None:
             return line
         last = end or line.items[-1]
-        if line.worked is None or not isinstance(last, Txt) or _EQUALS not in last.text:
+        number = _result(last)
+        if line.worked is None or not isinstance(last, Txt) or not number:
             return Row((*line.items[:-1], last))
-        number = _NUMBER.match(last.text.split(_EQUALS)[1])
-        return Row((*line.items[:-1], last)) if number is None else told_again(line, last, number[0], self._told)
+        return told_again(line, last, number, self._told)
 
     def _told(self, symbol: Node, value: float) -> str:
-        """The number as its answer is printed; nothing of another, or of one that is gone on with otherwise."""
+        """The number as its answer is printed; of another as all lines have it; nothing of what stands in one form."""
         answer = self._by_symbol.get(symbol)
         same = answer is not None and isclose(abs(value), abs(answer.drawn), rel_tol=1e-9)
-        return _digits(answer, value, 1.0) if answer is not None and same else ""
+        return (
+            _digits(answer, value, 1.0)
+            if answer is not None and same
+            else self._one_form.get(_known(symbol, value), "")
+        )
+
+
+def _result(last: Node) -> str:
+    """The number with which a line ends."""
+    if not isinstance(last, Txt) or _EQUALS not in last.text:
+        return ""
+    found = _NUMBER.match(last.text.split(_EQUALS)[1])
+    return found[0] if found else ""
+
+
+def _known(symbol: Node, value: float) -> tuple[Node, str]:
+    """A quantity with its value, by which it is known again."""
+    return symbol, f"{value:.{_KEPT}g}"
+
+
+def _one_form(lines: Iterable[tuple[Row, Txt | None]]) -> dict[tuple[Node, str], str]:
+    """The longest number of each quantity that would stand in several forms in these lines."""
+    found: dict[tuple[Node, str], set[str]] = {}
+    for line, end in lines:
+        if line.worked is not None and (shown := _result(end or line.items[-1])):
+            for symbol, value, text in forms(cast("Expr", line.worked), shown):
+                found.setdefault(_known(symbol, value), set()).add(text)
+    return {known: max(texts, key=len) for known, texts in found.items() if len(texts) > 1}
 
 
 def _with_lines(step: Step, lines: tuple[Node, ...]) -> Step:
