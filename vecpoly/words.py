@@ -46,6 +46,14 @@ def joined(names: Sequence[Words]) -> Words:
     )
 
 
+def stopped(text: str, lang: Lang) -> str:
+    """A sentence with its full stop, where it has none."""
+    return text if text.rstrip(" ")[-1:] in _STOPS else text + ("。" if lang == "zh" else ".")
+
+
+_STOPS = tuple("。！？.!?")
+
+
 def bare(text: str) -> str:
     """A sentence without the signs of its symbols: a_C for $a_{C}$."""
     return text.translate(_MARKS)

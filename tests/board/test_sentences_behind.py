@@ -36,6 +36,18 @@ def test_no_blank_stands_between_two_chinese_sentences() -> None:
     assert behind(Words("故", "so"), Words(" $ω_3$ = 0。", " $ω_3$ = 0.")).zh == "故 $ω_3$ = 0。"
 
 
+def test_a_full_stop_is_not_said_already_because_another_sentence_has_one() -> None:
+    said = Words("机架为 1。机构的运动确定", "The frame is 1. The motion is determined")
+    assert behind(said, Words("。", ".")) == Words(said.zh + "。", said.en + ".")
+
+
+@each(IDS)
+def test_every_step_ends_with_a_full_stop_or_leads_to_a_formula_by_a_colon(name: str) -> None:
+    for step in drawn(name).construction.steps:
+        assert step.words.zh[-1:] in tuple("。：；）"), step.words.zh
+        assert step.words.en[-1:] in tuple(".:;)"), step.words.en
+
+
 @each(IDS)
 def test_no_sentence_of_a_step_runs_into_the_one_before(name: str) -> None:
     for step in drawn(name).construction.steps:

@@ -7,10 +7,14 @@ from functools import cache
 import pytest
 
 from tests.laws import few
-from tests.studies import solved
+from tests.studies import solved, studied
+from vecpoly.board.paper.tones import whose
+from vecpoly.drawing.hues import ink_of
+from vecpoly.figures.hue import Hue
 from vecpoly.report.answers.tables import readings_at
 from vecpoly.report.content import Objects
 from vecpoly.report.course.document import course
+from vecpoly.report.course.results.drawings import chosen
 from vecpoly.report.course.spoken_symbols import used, words_in
 from vecpoly.report.flow.table import DataTable
 from vecpoly.report.tables import inks_of
@@ -55,3 +59,26 @@ def test_a_symbol_is_listed_where_a_table_or_a_sentence_has_it_and_only_there() 
     table = DataTable(["$J_F$ /(kg·m²)"], [["1"]], lang="en", caption="")
     assert [row[0] for row in used(words_in({"a": ["x $δ$ y"], "t": table}))] == ["$δ$", "$J_F$"]
     assert not [*used(words_in([1, None, "delta"]))]
+
+
+@pytest.mark.parametrize(("name", "key", "drawn"), [("3-12", "v_D", "v_D4"), ("excavator-boom", "a_C", "a_C3")])
+def test_a_point_under_the_number_of_a_link_has_the_ink_of_that_vector_in_the_tables(
+    name: str, key: str, drawn: str
+) -> None:
+    it = solved(name)
+    (ink,) = inks_of(it, [key])
+    assert ink == ink_of(drawn, it.construction.tones).value != Hue.BLACK.value
+
+
+def test_what_one_mass_of_a_rotor_gives_has_one_ink() -> None:
+    """Its W, the parts of that in the planes, and its couple; the correction in another plane is another vector."""
+    assert whose("W_1") == whose("W_1I") == whose("W_1II") == whose("C_1") != whose("W_2")
+    assert whose("W_bI") == whose("C_bI") != whose("W_bII") and whose("W_S") == "W_S"
+    tones = solved("6-4").construction.tones
+    assert len({ink_of(key, tones) for key in ("W_1", "W_1I", "C_1")}) == 1
+
+
+def test_a_vector_has_the_ink_of_the_given_position_at_all_others() -> None:
+    it = studied("press-flywheel")
+    tones = [one.solution.construction.tones for one in chosen(it, "en")]
+    assert len(tones) > 2 and all(dict(tones[0]).items() <= dict(other).items() for other in tones)

@@ -18,7 +18,7 @@ from vecpoly.board.paper.marks import Point, Segment, TurnArrow, Vector
 from vecpoly.board.paper.tones import HUES, MANY, key_of, known_as, whose
 from vecpoly.drawing.beside import beside
 from vecpoly.drawing.figure import draw_figure
-from vecpoly.drawing.hues import dash_of, hue_of, ink_of, is_hollow, mark_hue
+from vecpoly.drawing.hues import dash_of, hue_of, ink_called, ink_of, is_hollow, mark_hue
 from vecpoly.drawing.scene import Scene, Stroke, TextBox
 from vecpoly.drawing.style import THIN
 from vecpoly.drawing.symbols.around import Surroundings
@@ -76,8 +76,9 @@ def test_a_vector_has_one_hue_in_equations_polygons_free_bodies_and_tables(name:
     rows = [ink for table in readings_tables(one.solution, "zh") for ink in table.inks]
     for key, row in zip(keys, rows, strict=True):
         seen.setdefault(known_as(key, answers[key].reading.symbol), set()).update(_named({row}))
-    tones = one.construction.tones
-    assert {key: {ink_of(key, tones).name} for key in seen} == seen
+    tones, read = one.construction.tones, {key: answer.reading for key, answer in answers.items()}
+    told = {key: ink_called(key, read[key].symbol, tones, read[key].formula) for key in seen if key in read}
+    assert {key: {told.get(key, ink_of(key, tones)).name} for key in seen} == seen
     assert len({ink for inks in seen.values() for ink in inks} - {"black"}) >= 4
 
 

@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 import pytest
 
 from vecpoly.algebra.formula import Frac, Node, Over, Power, Root, Row, Sym, Txt, Vec, row, sym
+from vecpoly.report.flow.cells import Kind, cells, joined
 from vecpoly.typeset import Box, Glyphs, Rule, layout, layout_words, svg_group
 from vecpoly.typeset.box import MM
 from vecpoly.typeset.fonts import MISSING, Face, glyph, load, missing
@@ -225,3 +226,19 @@ def test_widths_agree_with_mathtext(node: Node, tex: str) -> None:
 )
 def test_an_apostrophe_is_curved_and_other_signs_stay_as_typed(typed: str, set_: str) -> None:
     assert text(latin(typed, EM, False)) == set_
+
+
+@pytest.mark.parametrize("text", ["80.8 N·m（顺时针，不计摩擦）", "80.8 N·m（顺时针， 不计摩擦）"])
+def test_full_width_marks_in_a_formula_bring_their_own_white_and_get_no_more(text: str) -> None:
+    """A comma and a bracket between Chinese characters take one em each, however they were written."""
+    box = layout(row(text), 10.0)
+    found = {item.text: item for item in box.items if isinstance(item, Glyphs)}
+    start = min(item.x for text, item in found.items() if "顺" in text or "（" in text)
+    assert box.width - start == pytest.approx(10.0 * len("（顺时针，不计摩擦）"), abs=0.1)
+
+
+def test_the_number_of_a_class_is_a_chinese_character_in_running_text_and_in_a_title() -> None:
+    kinds = [cell.kind for cell in cells("含 Ⅲ 级杆组", 10.0, True)]
+    assert Kind.WORD not in kinds and joined(cells("含 Ⅲ 级", 10.0, True), 10.0).width == pytest.approx(30.0)
+    fonts = {item.font for item in layout_words("含Ⅲ级", 10.0, True).items if isinstance(item, Glyphs)}
+    assert len(fonts) == 1

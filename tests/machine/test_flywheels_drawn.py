@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
 import vecpoly
 from tests.laws import few
 from tests.machine.engines import DATA, PRESS, machine
+from tests.studies import solved
+from vecpoly.algebra.formula import plain
+from vecpoly.board.paper.marks import Point
 from vecpoly.errors import EquilibriumError, NoMethodError
 from vecpoly.problem.load import loads
 from vecpoly.solution import Solution, solve
@@ -104,3 +109,26 @@ WINDOWS = ("while: C moves down, between: [50 %, 51 %]", "during: [61 deg, 64 de
 def test_a_load_that_acts_or_rests_for_a_moment_only_is_not_overlooked(window: str) -> None:
     found = solve(loads(SHORT.replace("WINDOW", window)), by="exact", repeats=0, precise=False).answers["M_c"]
     assert found.drawn == pytest.approx(found.exact, rel=1e-9)
+
+
+def test_what_the_steps_of_the_moments_name_stands_in_the_figure() -> None:
+    """M_er, M_d, the area S_1 over the period OT; each ray by the numbers of its strips, each strip once."""
+    figures = solved("press-flywheel").construction.figures
+    moments, rays = (
+        [m.label for m in one.marks if isinstance(m, Point) and m.label]
+        for one in figures
+        if one.title.en in ("Diagram of moments", "Pole and rays")
+    )
+    assert {"M_{er}", "M_d", "S_1", "O", "T"} <= {label.replace("M_{d}", "M_d") for label in moments}
+    strips = [run.split("–") for label in rays if label[0].isdigit() for run in label.split(", ")]
+    told = [n for run in strips for n in range(int(run[0]), int(run[-1]) + 1)]
+    assert sorted(told) == list(range(1, len(told) + 1)) and len(told) > 20
+
+
+def test_works_that_add_up_leave_no_misreading_and_a_ratio_is_not_told_twice() -> None:
+    steps = solved("press-flywheel").construction.steps
+    assert not any("misreading of 0 J" in step.words.en for step in steps)
+    lines = [plain(line) for step in steps for line in step.formulas]
+    assert any(line.startswith("ω_2/ω_1 = (1.13") for line in lines)
+    parts = [line.split(" = ") for line in lines]
+    assert not any(one == two for line in parts for one, two in pairwise(line))

@@ -5,6 +5,8 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.studies import solved
+from vecpoly.algebra.formula import plain
 from vecpoly.report.flow.results.decimal import aligned
 from vecpoly.report.flow.table import DataTable
 from vecpoly.report.tables import padded, trimmed
@@ -51,3 +53,11 @@ def test_a_table_is_as_wide_as_its_aligned_numbers() -> None:
         table.wrap(500.0, 500.0)
     (one,), (two,) = narrow.set_in(500.0).widths, wide.set_in(500.0).widths
     assert two > one
+
+
+def test_a_value_with_which_several_lines_go_on_has_one_form_in_all_of_them() -> None:
+    """ω_1 = 12.566 also where 12.57 would do, since another line needs it."""
+    lines = [plain(line) for step in solved("press-flywheel").construction.steps for line in step.formulas]
+    with_it = [line for line in lines if "12.5" in line]
+    assert len(with_it) > 5 and all("12.566" in line for line in with_it)
+    assert any("ω_1\u2009l_AB = 12.566 × 0.1 = 1.257" in line for line in with_it)

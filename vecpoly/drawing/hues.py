@@ -7,8 +7,9 @@ apart, is known by its letters, its shaft, and without friction by its dashes.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
+from ..algebra.formula import Node, Row, Sym, plain
 from ..board.construction import View
 from ..board.paper.marks import Mark
 from ..board.paper.tones import HUES, key_of, known_as, whose
@@ -33,10 +34,18 @@ def ink_of(key: str, tones: Tones) -> Hue:
     return hue_of(tones.get(whose(key), 0)) if tones else Hue.BLACK
 
 
-def ink_called(key: str, symbol: str, tones: Tones) -> Hue:
-    """The ink of a quantity by its symbol, as equations and figures have it, else by its key."""
-    known = known_as(key, symbol)
-    return ink_of(known if tones and whose(known) in tones else key, tones)
+def ink_called(key: str, symbol: str, tones: Tones, line: Node | None = None) -> Hue:
+    """The ink of a quantity by its symbol, as equations and figures have it, else by its key, else by the other name
+    that its line gives it: v_D = v_D4 = μ_v·pd_4."""
+    names = (known_as(key, symbol), key, *_other_names(line))
+    return ink_of(next((name for name in names if tones and whose(name) in tones), key), tones)
+
+
+def _other_names(line: Node | None) -> Iterator[str]:
+    """What a line says that its quantity is, before it is worked out."""
+    head = line.items[0] if isinstance(line, Row) and line.items else None
+    if isinstance(head, Row):
+        yield from (known_as("", plain(item)) for item in head.items if isinstance(item, Sym))
 
 
 def mark_hue(mark: Mark, view: View, label: str, tones: Tones) -> Hue:

@@ -27,13 +27,9 @@ def names(solution: Solution, faces: Faces) -> tuple[tuple[Words, Words], ...]:
     found = []
     for key, answer in solution.answers.items():
         symbol = Words(*(called(answer.reading.symbol, key, lang) for lang in LANGS))
-        shown = html(symbol, faces)
-        found.append(
-            (
-                Words(*(inked(shown.of(lang), ink_called(key, answer.reading.symbol, tones)) for lang in LANGS)),
-                heard(symbol),
-            )
-        )
+        shown, read = html(symbol, faces), answer.reading
+        ink = ink_called(key, read.symbol, tones, read.formula)
+        found.append((Words(*(inked(shown.of(lang), ink) for lang in LANGS)), heard(symbol)))
     return tuple(found)
 
 

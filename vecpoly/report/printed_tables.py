@@ -10,7 +10,7 @@ from ..check.table.told.amounts import amount, rows_at, which
 from ..check.table.weigh import Level
 from ..check.table.whole import ColumnCheck, TableCheck, check_table
 from ..problem.problem import Problem
-from ..words import Lang, Words
+from ..words import Lang, Words, stopped
 
 # title, header, rows, alignment → name for the template
 Put = Callable[[Words, Sequence[str], Sequence[tuple[str, ...]], str], str]
@@ -100,7 +100,8 @@ def _said(one: ColumnCheck, sharing: int) -> bool:
 
 
 def _run_on(texts: list[str], lang: Lang) -> str:
-    """Several remarks in one box, numbered."""
+    """Several remarks in one box, numbered, each with its full stop."""
+    texts = [stopped(text, lang) for text in texts]
     return (
         texts[0]
         if len(texts) == 1

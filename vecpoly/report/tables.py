@@ -32,7 +32,11 @@ FEW = 6  # rows of a table that stays one block
 def inks_of(solution: Solution, keys: Iterable[str]) -> tuple[Rgb | None, ...]:
     """The ink in which each of these vectors is drawn; none for what is black."""
     tones, answers = solution.construction.tones, solution.answers
-    found = (ink_called(key, answers[key].reading.symbol if key in answers else "", tones) for key in keys)
+    read = {key: answers[key].reading for key in answers}
+    found = (
+        ink_called(key, read[key].symbol, tones, read[key].formula) if key in read else ink_called(key, "", tones)
+        for key in keys
+    )
     return tuple(None if hue == Hue.BLACK else hue.value for hue in found)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from ..check.printed.answers import PrintedCheck
 from ..check.printed.verdict import Verdict
 from ..solution import Solution
-from ..words import Lang, Words
+from ..words import Lang, Words, stopped
 from .tables import percent, symbol_of
 
 _HEADINGS = {
@@ -49,7 +49,8 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
 
 
 def _listed(texts: Sequence[str], lang: Lang) -> str:
-    """One text, or several numbered ones run on."""
+    """One text, or several numbered ones run on, each with its full stop."""
+    texts = [stopped(text, lang) for text in texts]
     if len(texts) == 1:
         return texts[0]
     gap = "　" if lang == "zh" else "  "

@@ -67,6 +67,7 @@ _KINDS = {
     "comma": Kind.COMMA,
     "han": Kind.HAN,
 }
+_FULL = frozenset("，、；：。（）")  # full-width marks bring their own white
 _AFTER_WHAT_IS_NO_TERM = {None, Kind.RELATION, Kind.BINARY, Kind.SIGN, Kind.OPEN, Kind.COMMA}
 _AFTER_WHAT_IS_NO_TERM |= {Kind.TIGHT, Kind.DOT, Kind.PREFIX}
 _LETTER_LIKE = {Kind.SYMBOL, Kind.NUMBER, Kind.WORD, Kind.CLOSE}
@@ -183,6 +184,8 @@ def space(left: Atom, right: Atom) -> float:
     a, b = left.kind, right.kind
     if Kind.RELATION in (a, b):
         return THICK
+    if left.body in _FULL or right.body in _FULL:
+        return 0.0
     if Kind.BINARY in (a, b):
         return MEDIUM
     if Kind.DOT in (a, b):

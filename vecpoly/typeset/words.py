@@ -8,7 +8,8 @@ from .fonts import Face
 from .layout import layout
 from .runs import latin, run
 
-_QUOTES = frozenset("“”‘’—…·")
+ROMAN = frozenset("ⅠⅡⅢⅣⅤⅥⅦⅧⅨⅩ")  # numbers of classes and of planes: a Chinese character each
+_QUOTES = frozenset("“”‘’—…·") | ROMAN
 
 
 def is_han(char: str) -> bool:

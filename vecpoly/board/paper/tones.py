@@ -2,8 +2,9 @@
 
 One and the same motion, or force, has one tone wherever it appears: in its equation, in the polygons, on the diagram,
 on free bodies. v_CB, a^n_CB and a^t_CB are the motion of C about B; R_12 and R_21 are the force in one joint, with
-friction or without. What stands in one figure or in one equation has different tones: first one of as many as there are
-hues, then one of a second series with the same hues and another line; where these run out too, it has none.
+friction or without; W_1, W_1I and C_1 are what one mass of a rotor gives. What stands in one figure or in one equation
+has different tones: first one of as many as there are hues, then one of a second series with the same hues and another
+line; where these run out too, it has none.
 """
 
 from __future__ import annotations
@@ -25,18 +26,22 @@ MANY = 2 * HUES
 _MOTION = pattern(r"\b[va][nktr]?_")
 _POINTS = pattern(r"([A-Z]'?\d*)([A-Z]'?\d*)")
 _JOINT = pattern(r"R[nt]?('*)_([A-Z]?\d)([A-Z]?\d)(?:(_r)|\b)")
+_MASS = pattern(r"[WC]_(\d+|b)(I*)")  # of a mass of a rotor: whole, its part in a plane, the couple that it makes
 _PRIME = "'"  # of the other sense of motion, in symbols; in keys it is _r
 _PART = pattern(r"([_,](0|[nt]))+$")
 
 
 @lru_cache(maxsize=4096)
 def whose(key: str) -> str:
-    """What a key is a part of: ``motion B-C`` of v_CB and at_CB, ``joint 1-2`` of R_21 and R_12_0, else the key."""
+    """What a key is a part of: ``motion B-C`` of v_CB and at_CB, ``joint 1-2`` of R_21 and R_12_0, ``mass 1`` of W_1,
+    W_1I and C_1, else the key."""
     bare = _PART.sub("", key).strip("()")
     if _MOTION.match(bare):
         points = _MOTION.sub("", bare)
         pair = _POINTS.fullmatch(points)
         return f"motion {'-'.join(sorted(pair.groups())).strip('-') if pair else points}"
+    if (mass := _MASS.fullmatch(bare)) is not None:
+        return f"mass {mass[1]}{mass[2] if mass[1] == 'b' else ''}"
     joint = _JOINT.match(bare)
     if joint is None:
         return bare

@@ -58,8 +58,8 @@ def _count(desk: Desk) -> None:
     number = desk.mech.frame_number
     desk.board.step(
         Words(
-            f"机构（含机架 {number}）共有 $K$ = {k} 个构件，瞬心数目为",
-            f"With the frame, {number}, the mechanism has $K$ = {k} links; the number of their centres is",
+            f"机构（含机架 {number}）共有 $K$ = {k} 个构件，瞬心数目为：",
+            f"With the frame, {number}, the mechanism has $K$ = {k} links; the number of their centres is:",
         )
     )
     desk.board.write(Row((*row("N = K(K − 1)/2").items, Txt(f" = {k} × {k - 1}/2 = {n}"))))

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from ...board.board import Board
 from ...board.construction import Place
-from ...board.paper.marks import Role
+from ...board.paper.marks import Dot, Role
 from ...plane import Line, Points, Reals, nominal, unit
 
 SAME = 1e-9  # mm to the right: corners nearer than this stand over each other
@@ -74,6 +74,13 @@ def trace(board: Board, place: Place, graph: Graph, role: Role = Role.RESULT) ->
     """Join the corners."""
     for a, b in pairwise(graph.corners):
         board.join(place, a, b, role)
+
+
+def name_curve(board: Board, place: Place, graph: Graph, symbol: str) -> None:
+    """Its name, beside the middle of what is highest of it."""
+    highest = max(range(len(graph.ys)), key=lambda n: abs(graph.ys[n]))
+    a, b = (graph.corners[min(n, len(graph.ys) - 1)] for n in (highest, highest + 1))
+    board.plot(place, (a + b) / 2, symbol, Dot.NONE)
 
 
 def axis(graph: Graph) -> Graph:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -21,6 +22,7 @@ RAYS = Words("极点与射线", "Pole and rays")
 TITLE = Words("能量线图（图解积分）", "Energy over the angle (graphical integration)")
 STRIP = np.radians(15.0)
 SAME = 1e-9
+TOLD = 2.0  # mm: rays that end nearer to each other share their label
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,6 +87,31 @@ def _rays(period: Period, pane: Pane, pole: complex, heights: list[Points]) -> N
     board.join(pane, pole, 0j, Role.DIRECTION)
     for height in heights:
         board.join(pane, pole, height, Role.CONSTRUCTION)
+    for at, strips in _named(spots):
+        board.plot(pane, at, strips, Dot.NONE)
+
+
+def _named(spots: list[complex]) -> Iterator[tuple[complex, str]]:
+    """Each ray by the numbers of its strips, whose chord is parallel to it; of rays that lie too close all."""
+    rays: list[tuple[complex, list[int]]] = []
+    for number, at in sorted(enumerate(spots, 1), key=lambda one: one[1].imag):
+        if rays and abs(at - rays[-1][0]) < TOLD:
+            rays[-1][1].append(number)
+        else:
+            rays.append((at, [number]))
+    for at, strips in rays:
+        yield at, _runs(sorted(strips))
+
+
+def _runs(numbers: list[int]) -> str:
+    """1–5, 9: what follows one upon the other joined."""
+    runs: list[list[int]] = []
+    for number in numbers:
+        if runs and runs[-1][-1] == number - 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    return ", ".join(f"{run[0]}–{run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs)
 
 
 def _say(period: Period, sizes: Sizes, pane: Pane) -> None:
@@ -92,10 +119,11 @@ def _say(period: Period, sizes: Sizes, pane: Pane) -> None:
     board.step(
         Words(
             f"图解积分：将力矩线图分成窄条，取各条中盈余力矩的平均高度；极距 $H$ = {sizes.pole:g} mm，自极点 $P$ 引射线"
-            "至各平均高度在 $M$ 轴上的投影，在 $E$–$φ$ 图中依次作其平行线。",
+            "至各平均高度在 $M$ 轴上的投影（射线旁注窄条的序号），在 $E$–$φ$ 图中依次作其平行线。",
             f"Graphical integration: divide the diagram of moments into strips and take the mean height of the surplus "
             f"moment in each. With the pole distance $H$ = {sizes.pole:g} mm draw rays from the pole $P$ to these "
-            "heights on the $M$ axis, and chords parallel to them in the $E$–$φ$ diagram.",
+            "heights on the $M$ axis, each by the number of its strip, and chords parallel to them in the $E$–$φ$ "
+            "diagram.",
         ),
         pane,
     )

@@ -10,14 +10,14 @@ import numpy as np
 from ...algebra.quantity import Quantity, number
 from ...board.acts import Way
 from ...board.construction import Listing, Pane
-from ...board.paper.marks import Role
+from ...board.paper.marks import Dot, Role
 from ...mechanism.asked.machine import DW
 from ...names import Named
 from ...plane import Points, Reals
 from ...words import Words
 from ..diagrams.axes import Axes, angle_ticks, draw_axes
-from ..diagrams.graph import Graph, axis, level, trace
-from ..diagrams.indicator import indicator, shared_out
+from ..diagrams.graph import Graph, axis, level, name_curve, trace
+from ..diagrams.indicator import SMALL, indicator, shared_out
 from ..diagrams.lobes import Lobes, lobes_between
 from ..diagrams.works import equal_height, work_scale
 from .period import Period, kept, shown
@@ -55,6 +55,7 @@ def draw_moments(period: Period, sizes: Sizes, constant: Named | None) -> Moment
     loads = _graph(period, pane, 1.0 if drives else -1.0)
     _axes(period, pane, loads, abs(curve.mean))
     trace(board, pane, loads)
+    name_curve(board, pane, loads, f"M_{{e{which[0]}}}")
     other = axis(loads) if constant is None else _constant(period, pane, loads, constant, drives=drives)
     return Moments(pane=pane, loads=loads, other=other, drives=drives)
 
@@ -104,10 +105,10 @@ def _constant(period: Period, pane: Pane, loads: Graph, named: Named, *, drives:
     board, symbol = period.board, named.symbol
     board.step(
         Words(
-            f"一个周期内驱动功等于阻力功：量出曲线与 $φ$ 轴之间的面积（轴下为负），化为等面积的矩形，其高即为 "
-            f"${symbol}$。",
-            "Over the period the work given equals the work taken: measure the area between the curve and the $φ$ "
-            f"axis (negative below it) and make it a rectangle; its height is ${symbol}$.",
+            f"一个周期 $OT$ 内驱动功等于阻力功：量出曲线与 $φ$ 轴之间的面积 $S$（轴下为负），化为等面积的矩形，其高即"
+            f"为 ${symbol}$。",
+            "Over the period $OT$ the work given equals the work taken: measure the area $S$ between the curve and "
+            f"the $φ$ axis (negative below it) and make it a rectangle; its height is ${symbol}$.",
         ),
         pane,
     )
@@ -115,6 +116,7 @@ def _constant(period: Period, pane: Pane, loads: Graph, named: Named, *, drives:
     size = kept(board, named, equal_height(board, pane, loads, Way.SQUARES), sense)
     line = level(board, loads.xs[-1], board.lay_off(0j, 1j, board.to_paper(pane, size.value)))
     trace(board, pane, line, Role.RESULT)
+    board.plot(pane, line.corners[1], symbol, Dot.NONE)
     return line
 
 
@@ -136,13 +138,18 @@ def draw_surplus(period: Period, sizes: Sizes, moments: Moments) -> Quantity:
     works = [lobe.sign * lobe.area.value * scale.value for lobe in lobes.lobes]
     left, even = shared_out(works)
     board.tabulate(_table(lobes, works))
-    board.remark(
-        Words(
-            f"各功之和应为零，读数之差 {number(shown(left))} J 按大小分摊。",
-            f" They should add up to nothing; the misreading of {number(shown(left))} J is shared out by their sizes.",
-        )
-    )
+    board.remark(_missed(shown(left), sum(abs(shown(work)) for work in works)))
     return _bar(period, sizes, even, lobes.letters)
+
+
+def _missed(left: float, whole: float) -> Words:
+    """What the works miss zero by, which is shared out; nothing where they add up."""
+    if abs(left) <= SMALL * whole:
+        return Words("各功之和为零。", " They add up to nothing, as they should.")
+    return Words(
+        f"各功之和应为零，读数之差 {number(left)} J 按大小分摊。",
+        f" They should add up to nothing; the misreading of {number(left)} J is shared out by their sizes.",
+    )
 
 
 def _letters(upper: Graph, lower: Graph, period: Period) -> tuple[str, ...]:

@@ -16,14 +16,14 @@ from ...typeset.box import Box, beside
 from ...typeset.fonts import Face, glyph
 from ...typeset.layout import layout, pieces, segments
 from ...typeset.runs import latin, raised, run
-from ...typeset.words import is_han
+from ...typeset.words import ROMAN, is_han
 from .text.held import held
 
 NO_START = frozenset("，。、；：？！）〕］｝》〉」』】”’…—·～℃％")
 NO_END = frozenset("（〔［｛《〈「『【“‘￥№")
 _LATIN_NO_START = frozenset(",.;:!?)]}%")
 _LATIN_NO_END = frozenset("([{")
-_AMBIGUOUS = frozenset("“”‘’—…·")  # full width in Chinese text, narrow in English
+_AMBIGUOUS = frozenset("“”‘’—…·") | ROMAN  # full width in Chinese text, narrow in English
 _BOLD = re.compile(r"\*\*(.+?)\*\*", re.DOTALL)
 AUTO = 0.2  # space between Chinese and Latin, em
 _ADDRESS = 30  # letters

@@ -15,7 +15,7 @@ from ....devices.dynamics.flywheel import Flywheel
 from ....devices.dynamics.given import Torques
 from ....plane import Reals
 from ...diagrams.axes import Axes, angle_ticks, draw_axes
-from ...diagrams.graph import Graph, level, plotted, trace
+from ...diagrams.graph import Graph, level, name_curve, plotted, trace
 from ...diagrams.lobes import Lobes, lobes_between
 from ...diagrams.works import equal_height, work_scale
 from ..bench import Bench
@@ -73,9 +73,7 @@ def _rows(bench: Bench, wheel: Flywheel, load: Torques, omega: Quantity) -> dict
 def _curve(bench: Bench, key: str, rows: Rows) -> Graph:
     graph = plotted(bench.board, TORQUE, rows)
     trace(bench.board, TORQUE, graph)
-    highest = max(range(len(graph.ys)), key=lambda n: abs(graph.ys[n]))
-    a, b = (graph.corners[min(max(n, 0), len(graph.ys) - 1)] for n in (highest, highest + 1))
-    bench.board.plot(TORQUE, (a + b) / 2, f"M_{key}", Dot.NONE)
+    name_curve(bench.board, TORQUE, graph, f"M_{key}")
     return graph
 
 

@@ -150,9 +150,9 @@ def _by_sines(bench: Bench, device: Incline, it: Slope) -> None:
     alpha, phi, beta = it.alpha, it.phi, angle("β", device.beta.si)
     bench.board.step(
         Words(
-            "用正弦定理核对：三角形 $abc$ 中，$∠a = α + φ$，$∠c = 90° + β − α − φ$，故",
+            "用正弦定理核对：三角形 $abc$ 中，$∠a = α + φ$，$∠c = 90° + β − α − φ$，故：",
             "Check by the sine rule: in the triangle $abc$ the angles are $∠a = α + φ$ and "
-            "$∠c = 90° + β − α − φ$, so that",
+            "$∠c = 90° + β − α − φ$, so that:",
         )
     )
     bench.worked(BY_SINES, magnitude("Q", device.Q.si, "N") * Of("sin", alpha + phi) / Of("cos", beta - alpha - phi))

@@ -57,8 +57,8 @@ def _drilled(bench: Bench, rotor: Rotor, end: str, polygon: Polygon, needed: Qua
     board.step(
         Words(
             "去重与加重等效：孔钻在 $W_b$ 的对侧。" + (_TWO.zh if plane.spread is not None else ""),
-            "Taking mass away is the same as adding it on the opposite side: the hole is drilled opposite to $W_b$. "
-            + (_TWO.en if plane.spread is not None else ""),
+            "Taking mass away is the same as adding it on the opposite side: the hole is drilled opposite to $W_b$."
+            + (" " + _TWO.en if plane.spread is not None else ""),
         )
     )
     stated_bearing(bench, hole_bearing(end), polygon.tip, polygon.least)

@@ -63,7 +63,7 @@ def _given(draft: Draft, design: DragLink) -> tuple[Points, Points, Points, Poin
     board.step(
         Words(
             "从动曲柄转过 180° 时主动曲柄转过的角度：",
-            "While the driven crank turns by 180° the driving one turns through",
+            "While the driven crank turns by 180° the driving one turns through:",
         ),
         SHEET,
     )

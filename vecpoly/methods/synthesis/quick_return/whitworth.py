@@ -37,10 +37,10 @@ def draw_whitworth(draft: Draft, design: Whitworth) -> None:
     board.section(Words("曲柄圆的分割", "Dividing the crank circle"))
     board.step(
         Words(
-            "滑块导路过 $C$ 且垂直于 $AC$，导杆与导路重合时滑块在极限位置，此时 $B$ 在导路上；快行程中曲柄转过",
+            "滑块导路过 $C$ 且垂直于 $AC$，导杆与导路重合时滑块在极限位置，此时 $B$ 在导路上；快行程中曲柄转过：",
             "The slider runs on the line through $C$ square to $AC$; it stands in its limits where the bar lies on "
             "that "
-            "line, and so does $B$ then. During the quick stroke the crank turns through",
+            "line, and so does $B$ then. During the quick stroke the crank turns through:",
         ),
         SHEET,
     )

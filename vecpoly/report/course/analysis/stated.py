@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
+from math import degrees
 
 import numpy as np
 
-from ....answer import bearing
 from ....findings.output_links import ends
 from ....findings.shown import shown
 from ....findings.study.study import Study
@@ -149,6 +149,6 @@ def _vanishes(study: Study, key: str, size: float, answer: Answer | None) -> boo
 
 def _direction(vector: complex) -> Words:
     """Along an axis in words, else the angle from +x."""
-    turn = bearing(vector)
+    turn = degrees(cmath.phase(vector))
     axis = next((a for a in _AXES if abs((turn - a + 180) % 360 - 180) < _NEAR), None)
     return _AXES[axis] if axis is not None else Words(f"方向角 {angle(turn)}", f"at {angle(turn)} from $x$")

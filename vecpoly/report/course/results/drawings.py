@@ -77,7 +77,9 @@ def _in_order(drawn: list[Drawn], study: Study, lang: Lang) -> list[Drawn]:
 def _drawn(study: Study, phi: float, why: Words, lang: Lang, same_scale: bool) -> Drawn | None:
     """The drawing at this position; none at a dead point, or where a figure is larger than a sheet."""
     try:
-        solution = solve(at_position(study, phi, same_scale=same_scale), by=study.solution.construction.hand, repeats=0)
+        given = study.solution.construction
+        found = solve(at_position(study, phi, same_scale=same_scale), by=given.hand, repeats=0)
+        solution = found.toned({**found.construction.tones, **given.tones})  # one vector, one ink in all positions
         return Drawn(phi, why, solution, _sheets(study, phi, solution, lang))
     except VecpolyError:
         return None
