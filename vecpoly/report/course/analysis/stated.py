@@ -13,6 +13,7 @@ from ....findings.shown import shown
 from ....findings.study.study import Study
 from ....mechanism.model import Prismatic
 from ....names import Kind, Rel
+from ....printed.angles import bearing_told
 from ....printed.digits import coordinates, drawn_number, exact_number
 from ....printed.places import place_parts
 from ....printed.units import printed_unit
@@ -151,4 +152,6 @@ def _direction(vector: complex) -> Words:
     """Along an axis in words, else the angle from +x."""
     turn = degrees(cmath.phase(vector))
     axis = next((a for a in _AXES if abs((turn - a + 180) % 360 - 180) < _NEAR), None)
-    return _AXES[axis] if axis is not None else Words(f"方向角 {angle(turn)}", f"at {angle(turn)} from $x$")
+    return (
+        _AXES[axis] if axis is not None else Words(f"方向角 {bearing_told(turn)}", f"at {bearing_told(turn)} from $x$")
+    )
