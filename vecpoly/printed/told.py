@@ -41,6 +41,8 @@ class Told:
             for symbol, value, text in numbers_of(line, shown, self._told):
                 if isinstance(symbol, Sym) and _figures(text) > _figures(needed.get(symbol, (0.0, ""))[1]):
                     needed[symbol] = abs(value), text
+        given = needed.keys() - self._carried.keys() - self._by_symbol.keys()  # no line of the steps works these out
+        self._carried |= {symbol: needed[symbol] for symbol in given if _figures(needed[symbol][1]) <= _FINE}
 
     def _own(self, line: Row, needed: dict[Node, tuple[float, str]]) -> None:
         """The number of a line that is not asked: to the scale that it is read to, or as fine as it is gone on with."""
