@@ -75,12 +75,17 @@ def turning(cam: Cam) -> Words:
             "On each guide lay off $s$ outwards from the base circle and draw the perpendicular: the face in its "
             "places.",
         )
+    return opened + _along_guides(cam)
+
+
+def _along_guides(cam: Cam) -> Words:
+    """How the points of the pitch curve are found on the guides."""
     way = (
         Words("都切于偏距圆", "touches the offset circle")
         if cam.follower.e
         else Words("都过 $O$", "passes through $O$")
     )
-    return opened + Words(
+    return Words(
         f"各分点的导路{way.zh}；自基圆沿导路向外量位移线图上的 $s$，得 $B_1$、$B_2$…（图上标作 1、2…），连成理论廓线。",
         f"At each station it {way.en}; along it lay off the $s$ of the diagram outwards from the base circle: the "
         "points $B_1$, $B_2$ ... (1, 2 ... in the figure) give the pitch curve.",
