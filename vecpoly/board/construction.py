@@ -174,8 +174,7 @@ class Reading:
 
     key: ASCII symbol; symbol: textbook notation; vector: value as x + iy (SI), None for ω, α; scalar: signed value for
     ω, α (ccw positive), magnitude for vectors; mm: length measured on paper (None where computed only); line: the paper
-    length's letters (``pe``); scale: symbol of the scale used; factor: what the length is multiplied by besides, ω_4 of
-    v = ω_4 μ_l PI; formula: symbol = formula = numbers = result.
+    length's letters (``pe``); scale: symbol of the scale used; factor: by what besides (ω_4); formula: symbol = ... .
     """
 
     key: str

@@ -56,7 +56,10 @@ def displacement(bench: Bench, cam: Cam) -> tuple[Station, ...]:
             f"{'$μ_{ψ}$' if cam.arm else '$μ_s$'}. ",
         )
         + how_drawn(cam)
-        + Words("。", "."),
+        + Words(
+            "。分点 1、2…在曲线上的对应点为 1′、2′…（图上只标分点）。",
+            ". On the curve above the stations 1, 2 ... lie 1′, 2′ ..., which the figure does not letter.",
+        ),
         place,
     )
     _axes(bench, place, cam, symbol)

@@ -22,7 +22,7 @@ from .extremes import Spot, best, parting, reaching
 from .inversion import VIEW, Cut
 from .laws import lift
 from .pose import Pose, osculating, pose
-from .pressure import copied, posed
+from .pressure import MOST_BENT, copied, lettered, posed
 from .read.readings import length
 
 
@@ -30,7 +30,7 @@ def under_a_face(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot:
     """ρ_min: the centre of curvature on the normal through the instant centre."""
     board = bench.board
     board.step(_told(cam, spot), place)
-    it = posed(bench, cam, place, spot)
+    it = posed(bench, cam, place, spot, MOST_BENT)
     copied(bench, place, cuts, spot, edge=True)
     touch = board.meet(board.parallel(it.pole, it.way), board.parallel(it.b, 1j * it.way), "")
     centre, _ = osculating(board, cam, it)
@@ -70,8 +70,8 @@ def _told(cam: Cam, spot: Spot) -> Words:
     """Where the radius is least, and where the centre of curvature lies."""
     at = number(degrees(spot.phi))
     opened = Words(
-        f"经试作，廓线的曲率半径在 $φ$ = {at}° 处最小。",
-        f"By trial the radius of the profile is least at $φ$ = {at}°. ",
+        f"经试作，廓线的曲率半径在 $φ$ = {at}° 处{lettered(cam, spot, MOST_BENT).zh}最小。",
+        f"By trial the radius of the profile is least at $φ$ = {at}°{lettered(cam, spot, MOST_BENT).en}. ",
     )
     if cam.arm:
         return opened + Words(

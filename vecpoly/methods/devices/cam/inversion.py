@@ -64,7 +64,11 @@ def _given(bench: Bench, cam: Cam) -> None:
         ray = 1j * cam.side * first.way if cam.follower.flat else first.base - first.start
         bench.stated(PSI0, acute(bench, -first.start, unit(ray)))
     elif not cam.follower.flat:
-        length(bench, S0, VIEW, first.start, first.base, "C_0 B_0")
+        length(bench, S0, VIEW, first.start, first.base, "C_0 B_0" if cam.follower.e else "O B_0")
+    if not cam.follower.flat:
+        board.plot(VIEW, first.base, "B_0", Dot.NONE)
+    if cam.follower.e and not cam.arm:
+        board.plot(VIEW, first.start, "C_0", Dot.POINT)
 
 
 def draw_follower(board: Board, cam: Cam, it: Pose) -> None:
@@ -112,7 +116,7 @@ def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
     else:
         board.locate(VIEW, f"B_{station.number}", it.b)
     numbered = len(cam.places) <= CROWDED or station.number % 2 == 0
-    number = f"{station.number}" if numbered else ""
+    number = f"{station.number}" if numbered and (station.number or cam.follower.flat) else ""  # 0 is B_0
     if cam.arm and station.number:  # beside its pivot there is more room than on the pitch curve
         board.plot(VIEW, it.start, number, Dot.NONE)
     board.plot(VIEW, it.b, "" if cam.arm else number, Dot.POINT)

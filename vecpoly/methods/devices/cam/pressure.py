@@ -31,6 +31,7 @@ ARC, OVER, NEAR = 22.0, 16.0, pi / 5  # mm: of the angle mark, beyond B; rad: ho
 APART = 95.0  # mm from O to a guided follower on a figure apart
 ARMED = 78.0  # mm from O to the pivot of an arm, which is drawn there too
 SAME = 1e-6  # rad: so near to a station it is that station
+MOST_SLANTING, MOST_BENT = {1: "m_1", -1: "m_2"}, "m_3"  # the places of the extremes on the diagram
 
 
 def pressure_angles(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
@@ -54,18 +55,21 @@ def _greatest(bench: Bench, cam: Cam, cuts: Sequence[Cut], way: int, named: Name
     pieces = [piece for piece in cam.pieces if piece.rises == way]
     spot = best(board, place_of(cam), pieces, slanting(cam))
     place = board.open_pane(View.MECHANISM, named.key, title, detail(board, cam))
+    letter = MOST_SLANTING[way]
+    at = lettered(cam, spot, letter)
     part = Words("摆杆", "arm") if cam.arm else Words("导路", "guide")
     board.step(
         Words(
-            f"比较各分点的压力角，在最大值附近加密试作，最大压力角在 $φ$ = {number(degrees(spot.phi))}° 处。作该位置的"
-            f"{part.zh}、瞬心 $P$ 和法线 $BP$，量法线与从动件运动方向的夹角：",
+            f"比较各分点的压力角，在最大值附近加密试作，最大压力角在 $φ$ = {number(degrees(spot.phi))}° 处"
+            f"{at.zh}。作该位置的{part.zh}、瞬心 $P$ 和法线 $BP$，量法线与从动件运动方向的夹角：",
             "Compare the stations and try more places near the greatest: it is at $φ$ = "
-            f"{number(degrees(spot.phi))}°. Draw the {part.en} there, the instant centre $P$ and the normal $BP$, and "
+            f"{number(degrees(spot.phi))}°{at.en}. Draw the {part.en} there, the instant centre $P$ and the normal "
+            "$BP$, and "
             "read the angle between the normal and the follower's motion:",
         ),
         place,
     )
-    it = posed(bench, cam, place, spot)
+    it = posed(bench, cam, place, spot, letter)
     copied(bench, place, cuts, spot)
     show(bench, place, cam, it)
     outward = it.normal * -1
@@ -77,12 +81,25 @@ def _greatest(bench: Bench, cam: Cam, cuts: Sequence[Cut], way: int, named: Name
     return value
 
 
-def posed(bench: Bench, cam: Cam, place: Pane, spot: Spot) -> Pose:
-    """The follower where trial has found the extreme, its station drawn on the diagram too."""
+def lettered(cam: Cam, spot: Spot, letter: str) -> Words:
+    """Which letter an extreme between two stations has on the diagram."""
+    return (
+        Words(f"（位移线图上的 ${letter}$）", f" (${letter}$ on the diagram)")
+        if _between(cam, spot)
+        else Words.same("")
+    )
+
+
+def _between(cam: Cam, spot: Spot) -> bool:
+    return all(abs(spot.phi - phi) > SAME for phi, _ in cam.places)
+
+
+def posed(bench: Bench, cam: Cam, place: Pane, spot: Spot, letter: str) -> Pose:
+    """The follower where trial has found the extreme, its station drawn on the diagram too, under this letter."""
     board = bench.board
-    at = lift(board, place_of(cam), spot.piece, spot.phi, late=spot.late, letters="m m′")
-    if all(abs(spot.phi - phi) > SAME for phi, _ in cam.places):
-        board.plot(place_of(cam), at.foot, "m", Dot.NONE)
+    at = lift(board, place_of(cam), spot.piece, spot.phi, late=spot.late, letters=f"{letter} {letter}′")
+    if _between(cam, spot):
+        board.plot(place_of(cam), at.foot, letter, Dot.NONE)
     return pose(bench.board, place, cam, spot.phi, at)
 
 

@@ -36,18 +36,18 @@ def laid_out(draft: Draft, plan: Plan) -> Sheet:
 
 
 def _told(plan: Plan) -> Words:
-    zh, en = ["选 $μ_l$，"], ["Choose $μ_l$ and draw "]
-    if any(one.on == FRAME for one in plan.pins):
-        letters = "、".join(f"${one.letter}$" for one in plan.pins if one.on == FRAME)
-        zh.append(f"画出固定铰链 {letters}、")
-        en.append(f"the pivots {letters.replace('、', ', ')}, ")
+    zh, en = ["选 $μ_l$，画出"], ["Choose $μ_l$ and draw "]
+    if fixed := [f"${one.letter}$" for one in plan.pins if one.on == FRAME]:
+        zh.append(f"固定铰链 {'、'.join(fixed)}、")
+        en.append(f"the pivot{'s' * (len(fixed) > 1)} {', '.join(fixed)}, ")
     if plan.slides:
         letters = "、".join(f"${slide.letter}$" for slide in plan.slides)
         zh.append(f"滑块铰链 {letters} 的各位置、")
         en.append(f"the places of the slider's pin {letters.replace('、', ', ')}, ")
     for body in plan.bodies:
-        zh.append(f"{_body_zh(body)}、")
-        en.append(f"{_body_en(body)}, ")
+        marks = _lines(plan, body)
+        zh.append(f"{_body_zh(body)}{'（' + '、'.join(marks) + '）' if marks else ''}、")
+        en.append(f"{_body_en(body)}{' (' + ', '.join(marks) + ')' if marks else ''}, ")
     return Words("".join(zh).rstrip("、") + "。", "".join(en).rstrip(", ") + ".")
 
 
@@ -59,6 +59,17 @@ def _body_en(body: Body) -> str:
     if _free(body):
         return f"the {len(body.positions)} positions of the body ${body.name}$"
     return f"the positions of the line ${body.name}$"
+
+
+def _lines(plan: Plan, body: Body) -> list[str]:
+    """The letters of its line in every position, where no pins of it have any: AM_1, AM_2; P_1Q_1."""
+    own = sum(one.on == body.name for one in plan.pins)
+    if own > 1 or (own and not _free(body)):
+        return []
+    mark, moves = mark_of(plan, body), body.name[0] in {slide.letter for slide in plan.slides}
+    start = "P" if _free(body) else body.name[0]
+    starts = (f"{start}_{{{n}}}" if _free(body) or moves else start for n in range(1, plan.count + 1))
+    return [f"${start}{mark}_{{{n}}}$" for n, start in enumerate(starts, 1)]
 
 
 def _free(body: Body) -> bool:

@@ -30,6 +30,12 @@ def opening(cam: Cam) -> Words:
             "To the scale $μ_l$ draw the base circle of radius $r_0$. The guide passes through $O$; the face, at "
             "right angles to it, touches the base circle at the start.",
         )
+    if not cam.follower.e:
+        return Words(
+            "按 $μ_l$ 作基圆（半径 $r_0$）；导路过 $O$，交基圆于 $B_0$，量得 $s_0$。",
+            "To the scale $μ_l$ draw the base circle of radius $r_0$. The guide passes through $O$ and meets the base "
+            "circle in $B_0$; $s_0$ is read there.",
+        )
     return Words(
         "按 $μ_l$ 作基圆（半径 $r_0$）和偏距圆（半径 $e$）；导路切偏距圆于 $C_0$，交基圆于 $B_0$，量得 $s_0$。",
         "To the scale $μ_l$ draw the base circle of radius $r_0$ and the offset circle of radius $e$. The guide "
@@ -57,9 +63,11 @@ def turning(cam: Cam) -> Words:
                 "the $ψ$ of the diagram: the face in its places.",
             )
         return opened + Words(
-            "在各分点以 $AB$ 为半径作弧交基圆，自该处转过位移线图上的 $ψ$ 得 $B_1$、$B_2$…，连成理论廓线。",
+            "在各分点以 $AB$ 为半径作弧交基圆，自该处转过位移线图上的 $ψ$ 得 $B_1$、$B_2$…"
+            "（图上只在 $A$ 的各位置标出 1、2…），连成理论廓线。",
             "At each station the arc of radius $AB$ meets the base circle; from there the arm is turned by the $ψ$ "
-            "of the diagram. The points $B_1$, $B_2$ ... give the pitch curve.",
+            "of the diagram. The points $B_1$, $B_2$ ... (the figure has 1, 2 ... at the places of $A$) give the pitch "
+            "curve.",
         )
     if cam.follower.flat:
         return opened + Words(
@@ -67,10 +75,20 @@ def turning(cam: Cam) -> Words:
             "On each guide lay off $s$ outwards from the base circle and draw the perpendicular: the face in its "
             "places.",
         )
-    return opened + Words(
-        "各分点的导路都切于偏距圆；自基圆沿导路向外量位移线图上的 $s$，得 $B_1$、$B_2$…，连成理论廓线。",
-        "At each station it touches the offset circle; along it lay off the $s$ of the diagram outwards from the base "
-        "circle: the points $B_1$, $B_2$ ... give the pitch curve.",
+    return opened + _along_guides(cam)
+
+
+def _along_guides(cam: Cam) -> Words:
+    """How the points of the pitch curve are found on the guides."""
+    way = (
+        Words("都切于偏距圆", "touches the offset circle")
+        if cam.follower.e
+        else Words("都过 $O$", "passes through $O$")
+    )
+    return Words(
+        f"各分点的导路{way.zh}；自基圆沿导路向外量位移线图上的 $s$，得 $B_1$、$B_2$…（图上标作 1、2…），连成理论廓线。",
+        f"At each station it {way.en}; along it lay off the $s$ of the diagram outwards from the base circle: the "
+        "points $B_1$, $B_2$ ... (1, 2 ... in the figure) give the pitch curve.",
     )
 
 
@@ -79,9 +97,8 @@ def enveloped(cam: Cam) -> Words:
     if cam.follower.flat:
         first = Words("平底各位置的包络线即凸轮廓线。", "The envelope of the face is the profile. ")
         last = Words(
-            "，与平底的交点即切点 $T$。量各切点到 $O$ 的距离 $r$，与位移线图上读得的值一并列表：",
-            "; it meets the face where they touch, in $T$. The distances $r$ from $O$, with what is read off the "
-            "diagram:",
+            "，与平底的交点即切点。量各切点到 $O$ 的距离 $r$，与位移线图上读得的值一并列表：",
+            "; it meets the face where they touch. The distances $r$ from $O$, with what is read off the diagram:",
         )
     elif cam.follower.roller:
         first = Words(
@@ -89,9 +106,9 @@ def enveloped(cam: Cam) -> Words:
             "Circles of the roller about the points of the pitch curve; their inner envelope is the profile. ",
         )
         last = Words(
-            "，沿法线向内量 $r_r$ 得切点 $T$。量各切点到 $O$ 的距离 $r$ 和法线与从动件运动方向所夹的压力角 $α$，"
+            "，沿法线向内量 $r_r$ 得切点。量各切点到 $O$ 的距离 $r$ 和法线与从动件运动方向所夹的压力角 $α$，"
             "与位移线图上读得的值一并列表：",
-            "; $r_r$ inwards along it leads to the point of contact $T$. The distances $r$ of these points from $O$ "
+            "; $r_r$ inwards along it leads to the point of contact. The distances $r$ of these points from $O$ "
             "and the pressure angles $α$ between normal and motion, with what is read off the diagram:",
         )
     else:
