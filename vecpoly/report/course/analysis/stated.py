@@ -42,7 +42,7 @@ def stated(study: Study) -> Iterator[Words]:
     told = [said for ask in study.given.problem.asks if (said := _asked(study, ask.rel.key)) is not None]
     if not told:
         return
-    at, how = study.where(study.mech.drive.position), _DRAWN if study.given.answers else _EXACT
+    at, how = study.where(study.mech.drive.position), _DRAWN if study.solution.answers else _EXACT
     rate = f"$|ω_{{{study.mech.drive.link}}}|$ = 1 rad/s"
     taken = Words(f"，按 {rate}", f", at {rate}") if study.sense_only and _has_rates(study) else Words("", "")
     yield Words(
@@ -67,7 +67,7 @@ def output_pins(study: Study) -> dict[str, str]:
 
 def _asked(study: Study, key: str) -> Words | None:
     """$v_F$ = 0.319/0.3189 m/s, to the left; None of what is neither drawn nor a column of the cycle."""
-    answer = study.given.answers.get(key)
+    answer = study.solution.answers.get(key)
     if answer is None:
         return _computed(study, key) if any(column.key == key for column in study.whole.columns) else None
     symbol = f"${answer.reading.symbol}$"
