@@ -18,7 +18,7 @@ from .formula import Node, Row, Txt, plain
 from .quantity import FIGURES, Expr, Of, Powered, Product, Quantity, Quotient, Rooted, Sum, Times, number
 from .rounding import TIES, WHOLE, as_printed, guarded, half_unit, read_back, to_figures
 
-_NUMBERS = 4  # parts of a line before its numbers: symbol = formula =
+_END = 2  # parts with which a line ends: its numbers, and = result
 
 
 def worked(result: Node, expr: Expr, unit: str, shown: str = "") -> Row:
@@ -27,7 +27,17 @@ def worked(result: Node, expr: Expr, unit: str, shown: str = "") -> Row:
     end = Txt(f" = {_with_unit(shown or number(value), unit)}")
     if isinstance(expr, Quantity):
         return Row((result, end))
-    return Row((result, Txt(" = "), expr.symbol(), Txt(" = "), keyed_in(expr, shown), end), expr)
+    formula = expr.symbol()
+    said = () if isinstance(expr, Quotient) and _bare(formula) == _bare(result) else (Txt(" = "), formula)
+    return Row((result, *said, Txt(" = "), keyed_in(expr, shown), end), expr)
+
+
+def _bare(node: Node) -> str:
+    """What it says, as one fraction or in one line: a ratio that is called what it is needs no formula."""
+    return plain(node).translate(_BRACKETS)
+
+
+_BRACKETS = {ord(sign): None for sign in "()"}
 
 
 def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], str]) -> Row:
@@ -35,7 +45,7 @@ def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], st
 
     Its numbers are those with which a reader gets this end: as they are told elsewhere, or with guard figures.
     """
-    return Row((*line.items[:_NUMBERS], keyed_in(_as_told(line, shown, told), shown), end))
+    return Row((*line.items[:-_END], keyed_in(_as_told(line, shown, told), shown), end))
 
 
 def numbers_of(line: Row, shown: str, told: Callable[[Node, float], str]) -> Iterator[tuple[Node, float, str]]:
