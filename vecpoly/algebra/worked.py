@@ -80,10 +80,13 @@ def keyed_in(expr: Expr, shown: str = "") -> Node:
 
 def figures_for(expr: Expr, shown: str = "", least: int = FIGURES) -> int:
     """So many figures of its numbers that a reader who keys them in gets the result as it is printed (`shown`)."""
-    value = _by_one(expr)
-    if not isfinite(value):
+    told: tuple[tuple[float, float], ...]
+    if any(map(str.isdigit, shown)):
+        told = (read_back(shown),)
+    elif isfinite(value := _by_one(expr)):
+        told = tuple(_results(value))
+    else:
         return least
-    told = (read_back(shown),) if shown else tuple(_results(value))
     return guarded(least, lambda digits: _gives(expr, digits, told))
 
 
