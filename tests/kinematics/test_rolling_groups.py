@@ -36,5 +36,5 @@ def test_the_distance_of_centres_that_is_swung_is_told_in_millimetres(kind: str)
     rule, distances = FOUND[kind]
     told = solve(loads(HEAD + rule), by="exact", repeats=0).construction.steps[1].words
     for centre, size in distances.items():
-        assert f"stays {size} mm from ${centre}$" in told.en
-        assert f"与 ${centre}$ 的中心距保持为 {size} mm" in told.zh
+        assert f"{size} mm apart: swing that arc about ${centre}$" in told.en
+        assert f"{size} mm，以 ${centre}$ 为圆心画弧" in told.zh
