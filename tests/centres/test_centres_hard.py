@@ -26,6 +26,30 @@ from vecpoly.report.statement.structure import structure
 from vecpoly.solution import Solution
 
 C3 = load("class-iii")
+# blocks on blocks, of which several translate
+ALL_BUT_ALIKE = """
+id: x
+title: blocks that translate alike
+frame: {B: [-35.3100558 mm, -173.311347 mm]}
+links:
+  1: {block: A, D: {AD: 154.000617 mm, angle: -3.8016629 deg from line}, I: {AI: 32.9 mm, angle: 9.1189 deg from line}}
+  2: {block: C, E: {CE: 114.098275 mm, angle: 0 deg from line}}
+  3: {block: C, F: {along: line, at: 70.8509245 mm, left: 37.5112297 mm}}
+  4: {block: G}
+  5: {block: G, H: {along: G, at: 152.581554 mm}}
+  6: {HJ: 368.713027 mm, K: {along: JH, at: 143.343988 mm}}
+  7: {JI: 196.260553 mm, L: {JL: 25.7162972 mm, angle: 180 deg from JI}}
+joints:
+  - 1 slides on line through B at -43.3508784 deg with A 17.6629512 mm left
+  - 2 slides on AD of 1 with C 5.19233854 mm left
+  - 3 slides on x = -144.919819 mm with C 28.8007414 mm right turned 98.4232441 deg
+  - 5 slides on CF of 3 with G 52.8968969 mm right
+  - 4 slides on DA of 1 with G 84.6130425 mm right
+input: {link: 1, s: -60.4212733 mm, v: 0.5 m/s, a: 0 m/s^2}
+branch: [J left of HA]
+method: centres
+find: [omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7]
+"""
 
 
 def at(problem: str, phi: float, find: str = "centres", **more: str) -> Solution:
@@ -218,3 +242,11 @@ def test_coordinates_that_vanish_are_told_as_zero() -> None:
     place = Centres(load("3-1e").mechanism).place("2", "3")
     assert isinstance(place, complex) and place.real == 0.0
     assert np.isfinite(place.imag)
+
+
+def test_links_that_translate_and_have_a_common_centre_in_reach_have_one_velocity() -> None:
+    solution = loads(ALL_BUT_ALIKE).solve(by="exact")
+    said = " ".join(step.words.en for step in solution.construction.steps)
+    assert "both translate and have one velocity" in said
+    assert not solution.suspect
+    assert all(abs(one.deviation) < 1e-9 for one in solution.answers.values())

@@ -93,7 +93,9 @@ class Motions:
 
     def _from(self, via: str, link: str) -> None:
         own, common = self.fig.known.of(link, FRAME), self.fig.known.of(via, link)
-        if own.endless:
+        if own.endless and via in self.glides:
+            self._gliding_alike(via, link)
+        elif own.endless:
             self._translating(via, link)
         elif common.endless:
             self._alike(via, link)
@@ -169,6 +171,19 @@ class Motions:
         self.turns[link], self.sizes[link] = 0.0, size
         way = 1j * unit(common.at - base.at) * np.sign(nominal(self.turns[via])) if apart(base, common) > CLOSE else 0j
         self.glides[link] = way * size.value
+        self._read(link, 0.0, None)
+
+    def _gliding_alike(self, via: str, link: str) -> None:
+        """v_j = v_i: both links translate, and at P_ij they have one velocity."""
+        p = self.fig.letters(via, link)
+        self.fig.board.step(
+            Words(
+                f"构件 {link}、{via} 均作平动，在 ${p}$ 处速度相同：$v_{link}$ = $v_{via}$。",
+                f"Links {link} and {via} both translate and have one velocity at ${p}$: $v_{link}$ = $v_{via}$.",
+            ),
+            self.fig.pane,
+        )
+        self.turns[link], self.sizes[link], self.glides[link] = 0.0, self.sizes[via], self.glides[via]
         self._read(link, 0.0, None)
 
     # -- lengths ------------------------------------------------------------------------------------------------
