@@ -26,15 +26,18 @@ from vecpoly.drawing.sheets.space import CAPTION, CLEAR, room_inside
 from vecpoly.figures import View
 from vecpoly.problem.load import load
 from vecpoly.report.document import markup, report_bytes
+from vecpoly.report.flow.base import Tightness
 from vecpoly.report.flow.furniture import COLUMN
+from vecpoly.report.flow.paging.tight import DEGREES
 from vecpoly.report.picture import to_scale
 from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.frames import frames
 from vecpoly.report.question.sketch import sketched
-from vecpoly.report.question.working import SQUARE
+from vecpoly.report.question.working import SQUARE, working
 from vecpoly.report.statement.asked import asked, in_order
 from vecpoly.solution import solve
 from vecpoly.typeset.box import MM
+from vecpoly.words import Lang
 
 DRAWN = Later(lambda: [name for name in IDS if frames(drawn(name).construction, drawn(name).problem)[1]])
 
@@ -138,6 +141,22 @@ def test_the_squares_leave_no_page_of_text_empty_and_the_results_stand_at_the_fo
         rows = [c["top"] for c in last.chars if c["text"] in "量Q"]
         grid = [line["bottom"] for line in last.lines if abs(line["width"]) < 0.1 and line["height"] > 5 * SQUARE]
         assert rows and min(rows) > max(grid, default=0.0)
+
+
+@pytest.mark.parametrize("degree", DEGREES)
+def test_squares_that_a_page_break_parts_take_no_more_room_than_they_were_given(degree: Tightness) -> None:
+    (whole,) = working("Working", 199.0, (), "en")
+    whole.tighten(degree)
+    for room in (71.5 * MM, 75.2 * MM, 75.3 * MM, 120.0 * MM):
+        first, rest = whole.split(COLUMN, room)
+        assert first.wrap(COLUMN, room)[1] <= room + 0.02
+        assert (first.getSpaceBefore(), rest.getSpaceAfter()) == (whole.getSpaceBefore(), whole.getSpaceAfter())
+
+
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_a_question_whose_squares_are_set_tightly_is_printed(lang: Lang) -> None:
+    """A part of them was given the white of a text that is not tight: it had no room, and no sheet was made."""
+    assert report_bytes([drawn("class-iii").solution], lang=lang, style="question").startswith(b"%PDF")
 
 
 def test_what_a_counting_problem_asks_is_not_given_as_a_list() -> None:

@@ -74,7 +74,8 @@ class Working(Block):
             return []
         rest = Working(_ON[self._lang].format(self.name), max(self._need - room, LEAST_ROOM), self._foot, self._lang)
         rest.name = self.name
-        return [Working(self.outline, int(room / SQUARE) * SQUARE, (), self._lang), rest]
+        first = Working(self.outline, int(room / SQUARE) * SQUARE, (), self._lang)
+        return [first.made_of(self, first=True), rest.made_of(self, first=False)]
 
     def draw(self) -> None:
         """The heading, the squares, the foot."""
