@@ -16,7 +16,7 @@ from ..foundation.slotted import replace
 from ..plane import Points, Reals
 from ..plane.traced import Acts, acts_of, bare, traced
 from ..words import Words
-from .acts import Act, Arrow, Depict, Head, LayOff
+from .acts import Act, Arrow, Depict, Head, LayOff, Plot
 from .apart import all_apart, named_apart
 from .construction import EquationTable, Figure, Listing, Scale, Step
 from .ledger import Ledger
@@ -43,6 +43,7 @@ class Log:
         self._marks: dict[Place, list[Mark]] = {view: [] for view in views()}  # of acts up to when they were looked at
         self._left = defaultdict[Place, list[Act]](list)  # acts since then that leave marks
         self._ends = defaultdict[Place, Ends](Ends)  # of the vectors there
+        self._letters = defaultdict[Place, list[Plot]](list)  # the points that are lettered there
         self.composed = set[Pane]()  # panes whose own scale is chosen with those of the kinds, if it is not told yet
         self._titles: dict[Place, Words] = {}
         self._section = Words.same("")
@@ -131,6 +132,8 @@ class Log:
             if isinstance(act, Arrow | Depict):
                 for ends in ends_of(act):
                     self._ends[act.head.place].add(*ends)
+            elif isinstance(act, Plot) and act.label:
+                self._letters[act.head.place].append(act)
 
     def depict(self, view: Place, *symbols: Symbol) -> None:
         """Draw symbols of links, joints, bodies; how one looks is told by `diagram`, not here."""

@@ -62,6 +62,10 @@ class Strokes(Log):
         """Whether a vector stands there already."""
         return self._ends[view].has(start, end)
 
+    def letters_at(self, view: Place, at: complex) -> tuple[str, ...]:
+        """The letters of a place so far, in the order in which they were given."""
+        return tuple(one.label for one in self._letters[view] if abs(one.at - at) < NO_ARROW)
+
     def _arrow(self, view: Place, a: Points, b: Points, role: Role, key: str, label: str, shown: bool) -> Acts:
         head = self.head(a, b, on=view, key=key)
         drawn = self.log(done.Arrow(head=head, a=spot(a), b=spot(b), role=role, label=label, shown=shown))

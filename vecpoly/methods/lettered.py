@@ -5,9 +5,6 @@ Which letter an end has depends on what was drawn before: n′_3 where two norma
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from ..board.acts.leaving import Plot
 from ..board.construction import View
 from ..board.strokes import NO_ARROW, spot
 from ..plane import Points
@@ -22,16 +19,8 @@ def lettered(desk: Desk, view: View, ends: tuple[Points, Points], expected: str)
 
 def _letter(desk: Desk, view: View, end: Points, expected: str) -> str:
     """Of several letters at one place the expected one, else one of its kind: n′_3 for n′."""
-    there = tuple(_standing(desk, view, spot(end)))
+    at = spot(end)
+    there = ((POLE[view],) if abs(at) < NO_ARROW else ()) + desk.board.letters_at(view, at)  # the pole has its own
     if expected in there:
         return expected
     return next((letter for letter in there if letter[0] == expected[0]), there[0] if there else expected)
-
-
-def _standing(desk: Desk, view: View, at: complex) -> Iterator[str]:
-    """The letters lettered at a place so far; the pole has its own from the beginning."""
-    if abs(at) < NO_ARROW:
-        yield POLE[view]
-    for act in desk.board.acts:
-        if isinstance(act, Plot) and act.head.place is view and act.label and abs(act.at - at) < NO_ARROW:
-            yield act.label

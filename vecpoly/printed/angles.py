@@ -5,6 +5,6 @@ from __future__ import annotations
 WHOLE = 360.0  # degrees
 
 
-def bearing_told(turn: float) -> str:
-    """A direction (degrees) to a tenth: −150.04 is 210.0°, and 359.96 is 0.0°."""
-    return f"{round(turn % WHOLE, 1) % WHOLE:.1f}°"
+def bearing_told(turn: float, places: int = 1) -> str:
+    """A direction (degrees) to so many places: −150.04 is 210.0°, and 359.96 is 0.0°."""
+    return f"{round(turn % WHOLE, places) % WHOLE:.{places}f}°"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import isfinite
+from operator import is_
 
 from ..algebra.formula import Node, Row, Txt
 from ..answer import YES_NO, Answer
@@ -28,27 +29,24 @@ def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tup
         """Of the line asked, and of any that evaluates the same again; None: its own."""
         return ends.get((line.items[0], line.items[-1]))
 
+    lines = [line for step in construction.steps for line in step.formulas]
     told = Told(answers.values())
-    told.carry([(line, end_of(line)) for step in construction.steps for line in step.formulas if isinstance(line, Row)])
-
-    def printed(line: Node) -> Node:
-        return told.line(line, end_of(line)) if isinstance(line, Row) else line
-
-    steps = (_with_lines(step, tuple(map(printed, step.formulas))) for step in construction.steps)
-    lines = {key: one.reading.formula for key, one in answers.items()}
-    found = {key: printed(line) if line is not None else None for key, line in lines.items()}
-    return replace(construction, steps=tuple(steps)), {
-        key: replace(one, reading=replace(one.reading, formula=found[key])) if found[key] is not lines[key] else one
-        for key, one in answers.items()
-    }
+    told.carry([(line, end_of(line)) for line in lines if isinstance(line, Row)])
+    lines += [one.reading.formula for one in answers.values() if one.reading.formula is not None]
+    once = {id(line): line for line in lines if isinstance(line, Row)}  # a line asked stands in its step, too
+    made = {key: told.line(line, end_of(line)) for key, line in once.items()}
+    steps = tuple(_with_lines(step, made) for step in construction.steps)
+    return replace(construction, steps=steps), {key: _with_line(one, made) for key, one in answers.items()}
 
 
-def _with_lines(step: Step, lines: tuple[Node, ...]) -> Step:
-    return step if lines == step.formulas and not any(map(_is_open, step.formulas)) else replace(step, formulas=lines)
+def _with_line(answer: Answer, made: Mapping[int, Row]) -> Answer:
+    line = made.get(id(answer.reading.formula))
+    return answer if line is None else replace(answer, reading=replace(answer.reading, formula=line))
 
 
-def _is_open(line: Node) -> bool:
-    return isinstance(line, Row) and line.worked is not None
+def _with_lines(step: Step, made: Mapping[int, Row]) -> Step:
+    lines = tuple(made.get(id(line), line) for line in step.formulas)
+    return step if all(map(is_, lines, step.formulas)) else replace(step, formulas=lines)
 
 
 def printed_end(line: Row, answer: Answer) -> Txt | None:

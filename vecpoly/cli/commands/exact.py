@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import isnan
+import cmath
+from math import degrees, isnan
 from typing import TYPE_CHECKING, Any
 
 from ...names import is_centre, is_place, written_unit
@@ -81,7 +82,7 @@ def _line(line: ActsAt | None) -> dict[str, Any]:
 
 
 def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> None:
-    from ...answer import bearing
+    from ...printed.angles import bearing_told
 
     title = f"{problem.id}  {bare(problem.title.of(lang))}"
     made = table(title, [(name, "right" if i == 1 else "left") for i, name in enumerate(_COLUMNS[lang])])
@@ -94,7 +95,7 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
         elif is_place(ask.rel):
             size = f"({number(value.real, 7)}, {number(value.imag, 7)})"
         else:
-            size, way = number(abs(value), 7), f"{bearing(value):.3f}°" if value else "—"
+            size, way = number(abs(value), 7), bearing_told(degrees(cmath.phase(value)), 3) if value else "—"
         add(made, (symbol(ask.rel.key), size, written_unit(ask.rel.unit), way))
     show(made)
     from ...check.ending import ending_of

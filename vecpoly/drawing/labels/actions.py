@@ -3,18 +3,16 @@ included."""
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Iterable
 
 from ...board.paper.marks import Point, Role, Segment
 from ..style import THIN
 from ..symbols.shapes import NEAR
+from .dimensions import fan
 from .want import Piece, Thing, Want
 
 _LINES = (Role.DIRECTION, Role.IDEAL)
 _APART = 4.0  # mm between two places along the line
-_ROUND = tuple(sign * math.radians(turn) for turn in (0, 30, 60) for sign in (1, -1))[1:]  # about its prolongation
 
 
 def line_of_action(point: Point, lines: Iterable[Segment]) -> Segment | None:
@@ -27,9 +25,9 @@ def along_action(pieces: tuple[Piece, ...], at: complex, line: Segment) -> Want:
     """First of all at the end where it was put, beyond it or beside it; then at the other end, then farther in."""
     far = line.b if abs(line.a - at) < NEAR else line.a
     length, u = abs(far - at), (far - at) / abs(far - at)
-    beyond = [(end, way * cmath.rect(1.0, turn)) for end, way in ((at, -u), (far, u)) for turn in _ROUND]
+    beyond = [(end, way) for end, ahead in ((at, -u), (far, u)) for way in fan(ahead, 60)]
     inward = [_APART * k for k in range(1 + int(length / 2 / _APART))]
     beside = [(end + way * by, side * u) for by in inward for end, way in ((at, u), (far, -u)) for side in (1j, -1j)]
-    half = len(_ROUND)
+    half = len(beyond) // 2
     feet, normals = zip(*beyond[:half], *beside[:2], *beyond[half:], *beside[2:], strict=True)
     return Want(pieces, feet, normals, THIN / 2, (line.a, line.b), one_sided=True, thing=Thing.ACTION)

@@ -13,7 +13,6 @@ from .want import Piece, Thing, Want
 
 ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74)  # where along the line it may stand
 LEVEL = 1e-9
-ROUND = tuple(sign * math.radians(turn) for turn in (0, 30, 60, 90, 120, 150) for sign in (1, -1))[1:]
 
 
 def dimension_line(at: complex, marks: tuple[Mark, ...]) -> Vector | None:
@@ -31,8 +30,14 @@ def over(line: Vector, pieces: tuple[Piece, ...]) -> Want:
     return Want(pieces, feet * 2, normals, THIN / 2, (line.a, line.b), one_sided=True, thing=Thing.END)
 
 
+def fan(ahead: complex, widest: int) -> tuple[complex, ...]:
+    """This direction, and by 30° each those to both sides of it, the nearest first."""
+    turns = (sign * math.radians(turn) for turn in range(30, widest + 1, 30) for sign in (1, -1))
+    return (ahead, *(ahead * cmath.rect(1.0, turn) for turn in turns))
+
+
 def beyond_end(pieces: tuple[Piece, ...], at: complex, line: Segment) -> Want:
     """A name at an end of a line, first of all in line with it."""
     u = (2 * at - line.a - line.b) / abs(line.b - line.a)
-    ways = tuple(u * cmath.rect(1.0, turn) for turn in ROUND)
+    ways = fan(u, 150)
     return Want(pieces, (at,) * len(ways), ways, THIN / 2, (at, at), one_sided=True, thing=Thing.END)

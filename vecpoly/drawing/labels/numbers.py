@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 from ...board.paper.marks import Block, Dot, LinkNumber, Mark, Passing, Point
@@ -33,7 +34,7 @@ def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep
     ends = sorted({0.0, 1.0, *_joints_between(a, b, marks)})
     start, end = max(pairwise(ends), key=lambda part: part[1] - part[0])
     want = along_line(a + (b - a) * start, a + (b - a) * end, keep, (piece,), Thing.LINK)
-    return Want(want.pieces, want.feet, want.normals, want.radius, (a, b), thing=Thing.LINK)
+    return replace(want, own=(a, b))
 
 
 def _joints_between(a: complex, b: complex, marks: tuple[Mark, ...]) -> list[float]:

@@ -21,6 +21,17 @@ from .state import Statics
 TURN = {1: Words("逆时针", "counter-clockwise"), -1: Words("顺时针", "clockwise")}
 
 
+def told_by_powers(powers: Words, positive: bool, symbols: tuple[str, str], sense: int, *, along: bool) -> Words:
+    """Which way a moment turns, by the sum of these powers: along or against the ω beside it. symbols: of both."""
+    sign = Words("正", "positive") if positive else Words("负", "negative")
+    beside = Words("同向", "turns with") if along else Words("反向", "turns against")
+    moment, turns = symbols
+    return Words(
+        f"{powers.zh}之和为{sign.zh}，故 ${moment}$ 与 ${turns}$ {beside.zh}，为{TURN[sense].zh}方向：",
+        f" {powers.en} sum to a {sign.en} value, so ${moment}$ {beside.en} ${turns}$ and is {TURN[sense].en}:",
+    )
+
+
 def pin_words(st: Statics, point: str, by: str, on: str, touch: Points) -> Words:
     """Why the reaction touches the friction circle on its side, and which side that is:
     ω of the one link against the other, and the moment against it; touch: where the line touches the circle."""

@@ -11,6 +11,7 @@ import numpy as np
 from ...algebra.quantity import magnitude
 from ...board.construction import Pane
 from ...board.paper.marks import Dot, Role
+from ...foundation.runs import runs
 from ...plane import Line, Points, Reals, nominal, unit
 from ...words import Words
 from ..diagrams.axes import BEYOND, Axes, angle_ticks, draw_axes
@@ -100,18 +101,7 @@ def _named(spots: list[complex]) -> Iterator[tuple[complex, str]]:
         else:
             rays.append((at, [number]))
     for at, strips in rays:
-        yield at, _runs(sorted(strips))
-
-
-def _runs(numbers: list[int]) -> str:
-    """1–5, 9: what follows one upon the other joined."""
-    runs: list[list[int]] = []
-    for number in numbers:
-        if runs and runs[-1][-1] == number - 1:
-            runs[-1].append(number)
-        else:
-            runs.append([number])
-    return ", ".join(f"{run[0]}–{run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs)
+        yield at, ", ".join(f"{run[0]}–{run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs(sorted(strips)))
 
 
 def _say(period: Period, sizes: Sizes, pane: Pane) -> None:

@@ -10,7 +10,7 @@ from ...board.board import NO_LENGTH
 from ...board.construction import Listing, View
 from ...mechanism.asked.machine import Equivalent
 from ...mechanism.loads import Mass
-from ...names import At, Named, omega
+from ...names import At, omega, written_unit
 from ...plane import Reals, nominal
 from ...words import Words
 from ..desk import POLE
@@ -18,7 +18,7 @@ from ..forces.balance.power_terms import works
 from ..forces.balance.virtual_power import written_power
 from ..forces.friction import STILL
 from ..forces.readings import keep_nothing, keep_value
-from ..forces.senses import TURN
+from ..forces.senses import told_by_powers
 from ..forces.state import Statics
 from ..kinematics.image import found_tip
 from ..registry import Stage, method
@@ -149,7 +149,7 @@ def _table(moved: Motion, rows: list[_Row], unit: str) -> Listing:
 
 
 def _in(symbol: str, unit: str) -> Words:
-    text = unit.replace("^2", "²")
+    text = written_unit(unit)
     return Words.same(f"{symbol}/({text})" if {*"·/"} & {*text} else f"{symbol}/{text}")
 
 
@@ -188,16 +188,8 @@ def _keep_load(st: Statics, to: Equivalent, moved: Motion, moving: list[Quantity
     way = 1
     if not to.slide and sense:
         way = sense * int(nominal(moved.sign))
-        st.board.remark(_turned(named, moved, way, TURN[sense]))
+        powers = Words("各功率", "The powers")
+        st.board.remark(told_by_powers(powers, way > 0, (named.symbol, moved.symbol), sense, along=way > 0))
     expr = Sum(tuple(moving), (way,) * len(moving)) / moved.size
     st.board.compute(named.symbol, expr, named.unit)
     keep_value(st, named, value, expr)
-
-
-def _turned(named: Named, moved: Motion, way: int, turn: Words) -> Words:
-    sum_of = Words("正", "positive") if way > 0 else Words("负", "negative")
-    beside = Words("同向", "turns with") if way > 0 else Words("反向", "turns against")
-    return Words(
-        f"各功率之和为{sum_of.zh}，故 ${named.symbol}$ 与 ${moved.symbol}$ {beside.zh}，为{turn.zh}方向：",
-        f" The powers sum to a {sum_of.en} value, so ${named.symbol}$ {beside.en} ${moved.symbol}$ and is {turn.en}:",
-    )

@@ -7,6 +7,7 @@ from math import floor, log10
 
 import numpy as np
 
+from ....foundation.runs import runs
 from ..columns import Table, shown_position
 from ..weigh import Column, Mask
 
@@ -27,18 +28,13 @@ def amount(column: Column, value: float) -> str:
 
 def rows_at(table: Table, rows: Sequence[int]) -> str:
     """Positions of the drive: 0°, 40°; runs of neighbouring rows as 0°–60°."""
-    runs: list[list[int]] = []
-    for k in rows:
-        if runs and k == runs[-1][-1] + 1:
-            runs[-1].append(k)
-        else:
-            runs.append([k])
-    ends = [[run[0], run[-1]] if len(run) > 2 else run for run in runs]
+    parts = runs(rows)
+    ends = [[run[0], run[-1]] if len(run) > 2 else run for run in parts]
     texts = [
         "–".join(shown_position(float(table.printed[k]), table.slide) for k in end)
         if len(run) > 2
         else ", ".join(shown_position(float(table.printed[k]), table.slide) for k in end)
-        for run, end in zip(runs, ends, strict=True)
+        for run, end in zip(parts, ends, strict=True)
     ]
     return ", ".join(texts[:MANY]) + (" …" if len(texts) > MANY else "")
 

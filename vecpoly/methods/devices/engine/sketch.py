@@ -12,8 +12,8 @@ from ....devices.balancing.engine import InlineEngine
 from ....diagram.single import disc, outline, rod
 from ....words import Words
 from ..bench import Bench
-from ..rotor.along import RUN, SHAFT
 from ..rotor.scales import AXIS, END_VIEW, LUMP
+from ..rotor.views.along import RUN, SHAFT
 
 LONG, TALL = 105.0, 15.0  # mm: along the shaft; a crank as drawn, where the scale of the shaft makes it too short
 ABOVE, BELOW = 7.0, 4.0  # mm: numbers of the cylinders over the highest crank; their planes under the lowest

@@ -13,9 +13,9 @@ from ....names import Named
 from ....plane import Points, nominal
 from ....words import Words
 from ..bench import Bench
-from .along import THIRD, third_plane
 from .polygon import Laid, Polygon, summed
 from .scales import COUPLES
+from .views.along import THIRD, third_plane
 
 
 def about_a_third_plane(

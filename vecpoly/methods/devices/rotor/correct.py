@@ -21,7 +21,7 @@ from .places import at_places
 from .polygon import Polygon, in_plane, stated_bearing
 from .products import QUARTER, density, radius
 from .rounding import rounded_weight
-from .sketch import added
+from .views.sketch import added
 
 
 def corrected(

@@ -16,10 +16,10 @@ from ....plane import Points, Reals, nominal
 from ....words import Words
 from ..bench import Bench
 from .couples import Solution, close_couples
-from .ends import solved_from_its_end
 from .polygon import Laid, chain, read_closing, stated_bearing
 from .products import radius
 from .scales import COUPLES, polygon_view
+from .views.ends import solved_from_its_end
 
 
 def dalby(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> None:

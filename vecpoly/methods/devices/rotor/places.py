@@ -21,7 +21,7 @@ from ..equilibrium import signed
 from .polygon import Polygon, heading, in_plane
 from .products import radius
 from .rounding import rounded_shares
-from .sketch import placed
+from .views.sketch import placed
 
 ALIKE = 1e-6  # sine of the angle between two places along which nothing can be resolved
 

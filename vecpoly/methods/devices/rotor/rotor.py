@@ -9,9 +9,9 @@ from ..registry import device_method
 from .dalby import dalby
 from .products import products
 from .scales import rotor_scales
-from .sketch import sketch
 from .static import in_one_plane
 from .two_planes import in_two_planes
+from .views.sketch import sketch
 
 
 @device_method(

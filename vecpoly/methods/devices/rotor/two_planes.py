@@ -13,12 +13,12 @@ from ....words import Words
 from ..bench import Bench
 from .about import about_a_third_plane
 from .correct import corrected
-from .ends import planes_from_their_end
 from .grade import permitted_circles
 from .polygon import Laid, Polygon, chain, read_closing, summed
 from .scales import polygon_view
 from .static import laid_whole
 from .verdict import told_kind
+from .views.ends import planes_from_their_end
 
 
 def in_two_planes(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> None:

@@ -16,7 +16,7 @@ from ....words import Words
 from ...registry import Stage, method
 from ..lines.letters import power_symbol
 from ..readings import keep_nothing, keep_value
-from ..senses import TURN
+from ..senses import told_by_powers
 from ..state import Statics
 from .power_terms import Rate, Work, draw_rate, idle, rate_of, works
 
@@ -72,15 +72,8 @@ def _told(st: Statics, load: Moment, named: Named, rate: Rate, value: Reals) -> 
     driving = sense == rate.way
     if not sense:  # the powers cancel out
         return rate.way
-    known = Words("负", "negative") if driving else Words("正", "positive")
-    beside = Words("同向", "turns with") if driving else Words("反向", "turns against")
-    st.board.remark(
-        Words(
-            f"各已知功率之和为{known.zh}，故 ${named.symbol}$ 与 ${turns}$ {beside.zh}，为{TURN[sense].zh}方向：",
-            f" The known powers sum to a {known.en} value, so ${named.symbol}$ {beside.en} ${turns}$ and is "
-            f"{TURN[sense].en}:",
-        )
-    )
+    powers = Words("各已知功率", "The known powers")
+    st.board.remark(told_by_powers(powers, not driving, (named.symbol, turns), sense, along=driving))
     return 1 if driving else -1
 
 

@@ -3,6 +3,8 @@ gear's centre or a parallel to the rack."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ....board.construction import View
@@ -74,16 +76,7 @@ def _located(desk: Desk, d: Dyad) -> None:
     assert isinstance(d.inner, Revolute)
     c, board = d.inner.point, desk.board
     sides = ((d.outer_j, d.link_j, d.parent_j), (d.outer_k, d.link_k, d.parent_k))
-    told = [led(desk, joint, link, c) for joint, link, _ in sides]
-    board.step(
-        begun(
-            Words(
-                "；".join(w.zh for w in told) + f"；两者交于 ${c}$",
-                "; ".join(w.en for w in told) + f"; they meet at ${c}$",
-            )
-        ),
-        View.MECHANISM,
-    )
+    board.step(meeting([led(desk, joint, link, c) for joint, link, _ in sides], c), View.MECHANISM)
     one, two = (locus_of(desk, joint, link, c) for joint, link, _ in sides)
     if isinstance(one, Line) and isinstance(two, Line):
         desk.letter(c, board.meet(one, two, _at(d, c)))
@@ -192,6 +185,16 @@ def settle_on(desk: Desk, joint: Joint, link: str, c: str, locus: Locus) -> None
             else:
                 desk.settle_turned(link, c, standing(desk, link))
             desk.board.remark(said_standing(desk, link))
+
+
+def meeting(told: Sequence[Words], c: str) -> Words:
+    """That the lines by which a point is led meet there."""
+    return begun(
+        Words(
+            "；".join(one.zh for one in told) + f"；两者交于 ${c}$",
+            "; ".join(one.en for one in told) + f"; they meet at ${c}$",
+        )
+    )
 
 
 def led(desk: Desk, joint: Joint, link: str, c: str) -> Words:

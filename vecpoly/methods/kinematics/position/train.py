@@ -14,7 +14,7 @@ from ...desk import Desk
 from ...registry import Stage, method
 from ..gears.pitch import letter_pitch_points, rolling_in, wheel
 from .assembly import choose, said
-from .rolling import crossings, led, locus_of, settle_on
+from .rolling import crossings, led, locus_of, meeting, settle_on
 from .standing import said_standing, standing, start_of
 
 
@@ -90,13 +90,7 @@ def _arced(desk: Desk, group: Group, waiting: list[str]) -> bool:
         if not shared or leads[0] is None or leads[1] is None or _idle(group, shared[0], (leads[0], leads[1])):
             continue
         c, sides = shared[0], ((leads[0], one), (leads[1], two))
-        told = [led(desk, joint, link, c) for joint, link in sides]
-        desk.board.remark(
-            Words(
-                "；".join(w.zh for w in told) + f"；两者交于 ${c}$",
-                " " + "; ".join(w.en for w in told).capitalize() + f"; they meet at ${c}$",
-            )
-        )
+        desk.board.remark(meeting([led(desk, joint, link, c) for joint, link in sides], c))
         loci = [locus_of(desk, joint, link, c) for joint, link in sides]
         found, why = choose(
             desk,

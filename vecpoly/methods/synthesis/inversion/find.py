@@ -89,7 +89,10 @@ def _met(sheet: Sheet, stage: Find, seen: Places) -> Points:
         if abs(complex(nominal(two - one))) < ONE:
             raise coincident(stage)
         board.join(SHEET, one, two, Role.CONSTRUCTION)
-    return _by_line(sheet, stage, seen) if stage.lies is not None else _by_bisectors(sheet, stage, seen)
+    if stage.lies is None:
+        return _by_bisectors(sheet, stage, seen)
+    [(one, two)] = pairs
+    return _by_line(sheet, stage, seen[one], seen[two])
 
 
 def _apart(seen: Places) -> tuple[int, int]:
@@ -135,10 +138,9 @@ def _by_bisectors(sheet: Sheet, stage: Find, seen: Places) -> Points:
     return at
 
 
-def _by_line(sheet: Sheet, stage: Find, seen: Places) -> Points:
+def _by_line(sheet: Sheet, stage: Find, one: Points, two: Points) -> Points:
     board = sheet.draft.board
-    one, two = _apart(seen)
-    line, bisector = _line(sheet, stage), board.bisector(SHEET, seen[one], seen[two])
+    line, bisector = _line(sheet, stage), board.bisector(SHEET, one, two)
     if abs(float(nominal(cross(line.along, bisector.along)))) < PARALLEL:
         raise parallel(stage, complex(nominal(line.along)))
     at = board.meet(bisector, line, Words(f"求 ${stage.pin}$", f"finding ${stage.pin}$"))

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from math import pi, sin
 
-from ....board.construction import View
-from ....board.paper.marks import Dot, Role
-from ....devices.balancing.asked import product_of
-from ....devices.balancing.mass import RotorMass
-from ....devices.balancing.plane import RotorPlane
-from ....devices.balancing.rotor import Rotor
-from ....diagram.single import disc, outline, rod
-from ....words import Words
-from ..bench import Bench
-from ..sketches.dimensions import dimension
-from .scales import AXIS, FEW, LUMP, widest
+from .....board.construction import View
+from .....board.paper.marks import Dot, Role
+from .....devices.balancing.asked import product_of
+from .....devices.balancing.mass import RotorMass
+from .....devices.balancing.plane import RotorPlane
+from .....devices.balancing.rotor import Rotor
+from .....diagram.single import disc, outline, rod
+from .....words import Words
+from ...bench import Bench
+from ...sketches.dimensions import dimension
+from ..scales import AXIS, FEW, LUMP, widest
 
 SHAFT, RUN = 1.6, 9.0  # mm: half the shaft, how far it runs on
 LOW, TALL = 9.0, 17.0  # mm: arms shorter than LOW on the scale of the shaft are drawn TALL, to no scale

@@ -6,20 +6,20 @@ from cmath import rect
 from dataclasses import replace
 from math import degrees, isnan, tau
 
-from ....board.construction import Place
-from ....board.paper.marks import Dot, Role
-from ....board.place import Pane
-from ....devices.balancing.asked import mass_of, product_of
-from ....devices.balancing.mass import RotorMass
-from ....devices.balancing.plane import RotorPlane
-from ....devices.balancing.rotor import Rotor
-from ....devices.balancing.sought import found_bearing, found_mass
-from ....diagram.single import disc, rod
-from ....plane import nominal
-from ....words import Words
-from ..bench import Bench
-from .polygon import heading
-from .scales import AXIS, END_VIEW, FEW, LUMP, has_plane_views, widest
+from .....board.construction import Place
+from .....board.paper.marks import Dot, Role
+from .....board.place import Pane
+from .....devices.balancing.asked import mass_of, product_of
+from .....devices.balancing.mass import RotorMass
+from .....devices.balancing.plane import RotorPlane
+from .....devices.balancing.rotor import Rotor
+from .....devices.balancing.sought import found_bearing, found_mass
+from .....diagram.single import disc, rod
+from .....plane import nominal
+from .....words import Words
+from ...bench import Bench
+from ..polygon import heading
+from ..scales import AXIS, END_VIEW, FEW, LUMP, has_plane_views, widest
 
 FIRST, STEP = 8.0, 4.5  # mm: radius of the first angle, from one to the next
 NO_PART = 1e-12  # of a mass: so small a part falls to a plane only by rounding

@@ -6,14 +6,14 @@ from math import degrees, radians, tau
 
 import numpy as np
 
-from ....devices.balancing.plane import RotorPlane
-from ....devices.balancing.rotor import Rotor
-from ....plane import nominal
-from ....words import Words
-from ..bench import Bench
+from .....devices.balancing.plane import RotorPlane
+from .....devices.balancing.rotor import Rotor
+from .....plane import nominal
+from .....words import Words
+from ...bench import Bench
+from ..polygon import Polygon
 from .along import added_beside, along
 from .ends import added_seen, from_its_end
-from .polygon import Polygon
 
 
 def sketch(bench: Bench, rotor: Rotor) -> None:

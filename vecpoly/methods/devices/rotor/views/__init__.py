@@ -1,0 +1,1 @@
+"""A rotor as it is seen: along its axis, and each plane from its end."""
