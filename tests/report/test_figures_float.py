@@ -6,7 +6,7 @@ import pytest
 from reportlab.platypus.flowables import PageBreak
 
 from vecpoly.algebra.formula import Txt
-from vecpoly.report.flow.blocks import SMALLEST, Divider, Drawing, Heading, Plate
+from vecpoly.report.flow.blocks import SMALLEST, Divider, Drawing, Heading, Plate, SheetPage
 from vecpoly.report.flow.doc import Metadata, ReportDoc
 from vecpoly.report.flow.formula import Formula
 from vecpoly.report.flow.paging.tight import settled
@@ -55,6 +55,13 @@ def test_figures_keep_their_order_and_stand_before_the_next_problem() -> None:
     assert [type(doc.heads[page]) for page in (1, 2, 3)] == [Para, Drawing, Para] and doc.heads[2].size == first.size
     ended = laid_out(*lines(27), first, *lines(2))
     assert isinstance(ended.heads[2], Drawing) and ended.page == 2
+
+
+def test_a_figure_that_waits_is_not_drawn_on_a_sheet() -> None:
+    sheet = SheetPage(lambda *_: None, title="s")
+    sheet.behind = 1
+    doc = laid_out(sheet, *lines(27), sketch(), *lines(20))
+    assert [type(doc.heads[page]) for page in (1, 2, 3)] == [Para, SheetPage, Drawing]
 
 
 def test_a_rule_between_two_problems_neither_ends_a_page_nor_begins_one() -> None:

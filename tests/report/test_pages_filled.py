@@ -1,5 +1,4 @@
-"""No page of a report is mostly white but one with which a text ends, and no box opens a page: measured where the story
-is laid out."""
+"""No page of a report is mostly white but its last, and no box opens a page: measured where the story is laid out."""
 
 from __future__ import annotations
 
@@ -35,14 +34,14 @@ def laid_out(solutions: list[Solution], lang: Lang) -> ReportDoc:
 
 
 def sparse(doc: ReportDoc) -> list[int]:
-    """Pages of text that hold little, but for the last of all and those before a sheet."""
-    text = [page for page in sorted(doc.heads) if not isinstance(doc.heads[page], SheetPage)]
-    ends = {page for page in text if isinstance(doc.heads.get(page + 1), SheetPage | None)}
-    return [page for page, full in zip(text, doc.filled, strict=True) if full < FULL and page not in ends]
+    """Pages of text that hold little, but for the last page of all."""
+    ends_in_text = not isinstance(doc.heads[max(doc.heads)], SheetPage)
+    told = doc.filled[:-1] if ends_in_text else doc.filled
+    return [number for number, full in enumerate(told, start=1) if full < FULL]
 
 
 @each(NAMES)
-def test_only_a_page_with_which_a_text_ends_may_be_mostly_white(name: str) -> None:
+def test_only_the_last_page_of_a_report_may_be_mostly_white(name: str) -> None:
     lang: Lang = "zh" if name in SHORT or len(name) % 2 else "en"
     doc = laid_out([drawn(name).solution], lang)
     assert not sparse(doc) and not doc.widows and not doc.parted
@@ -62,13 +61,41 @@ def sheet() -> SheetPage:
     return SheetPage(lambda canvas, x, y: None, title="s")
 
 
+def test_a_sheet_stands_before_the_page_that_holds_little_of_the_text_before_it() -> None:
+    plain = ReportDoc([*text(45), sheet()], META)
+    plain.counted()
+    assert len(plain.filled) == 2 and plain.filled[1] < FULL and sparse(plain) == [2]
+    moved, _ = run_on(plain.story, plain)
+    assert isinstance(moved[1], SheetPage) and moved[1].behind == 1
+    after = ReportDoc(moved, META)
+    assert after.counted() == 3 and isinstance(after.heads[2], SheetPage) and not sparse(after)
+
+
 def test_a_text_that_fills_its_pages_keeps_its_sheet_behind_it() -> None:
     doc = ReportDoc([*text(25), sheet()], META)
     doc.counted()
     assert doc.filled[0] > FULL and run_on(doc.story, doc)[0] == doc.story
 
 
+def test_a_sheet_that_waits_for_more_pages_than_the_text_has_stands_at_its_end() -> None:
+    late = sheet()
+    late.behind = 5
+    doc = ReportDoc([late, *text(10)], META)
+    assert doc.counted() == 2 and isinstance(doc.heads[2], SheetPage)
+
+
 def test_nothing_but_a_rule_parts_two_problems_of_one_page() -> None:
-    one = laid_out([drawn(name).solution for name in ("7-6", "8-5")], "zh")
+    one = laid_out([drawn(name).solution for name in ("3-1a", "8-5")], "zh")
     kinds = [type(item) for item in one.story]
     assert kinds.count(Divider) == 1
+
+
+def test_behind_a_cover_too_it_is_the_text_with_little_that_shares_its_page() -> None:
+    cover, first, second = sheet(), sheet(), sheet()
+    doc = ReportDoc([cover, *text(45), first, *text(25), second], META)
+    doc.counted()
+    assert sparse(doc) == [2]
+    moved, after = run_on(doc.story, doc)
+    sheets = [item for item in moved if isinstance(item, SheetPage)]
+    assert [item.behind for item in sheets] == [0, 1, 0] and moved[2] is sheets[1]
+    assert moved[-1] is second and not sparse(after)

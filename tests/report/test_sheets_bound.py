@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from io import BytesIO
 from typing import Any
 
-import pytest
 from pypdf import PdfReader
 
-from tests.studies import course_report, solved
-from vecpoly.report.document import report_bytes
+from tests.studies import course_report
 from vecpoly.report.flow.blocks import Heading, SheetPage
 from vecpoly.report.flow.contents import Contents
 from vecpoly.report.flow.cover import Cover
@@ -34,25 +33,7 @@ def test_a_sheet_behind_a_full_page_stays_where_it_is_whatever_a_cover_and_conte
     assert len(doc.ends) == 2 and doc.ends[0][1] > FULL > doc.ends[1][1]
     found, _ = run_on(story, doc)
     assert [type(one) for one in found] == [type(one) for one in story]
-
-
-def test_no_sheet_parts_a_text_however_little_its_last_page_holds() -> None:
-    """The whole text first, then its sheets; what comes next begins behind them."""
-    for last in range(1, 12):
-        story = [*chapter(1, 12 + last), SheetPage(lambda *_: None, title="Sheet"), *chapter(2, 2)]
-        doc = ReportDoc(story, META)
-        doc.counted()
-        found, after = run_on(story, doc)
-        assert found == story
-        heads = [isinstance(after.heads[page], SheetPage) for page in sorted(after.heads)]
-        assert heads.count(True) == 1 and heads[-2:] == [True, False]
-
-
-@pytest.mark.parametrize("name", ["3-12", "4-3a", "excavator-boom", "winch-gears"])
-def test_the_answer_and_its_tables_stand_before_the_sheets(name: str) -> None:
-    reader = PdfReader(BytesIO(report_bytes([solved(name)], lang="en")))
-    sheets = [reader.get_destination_page_number(one) for one in _flat(reader.outline) if str(one.title)[:5] == "Sheet"]
-    assert sheets and sheets == list(range(len(reader.pages) - len(sheets), len(reader.pages)))
+    assert not any(getattr(one, "behind", 0) for one in found)
 
 
 def test_contents_take_the_room_of_their_entries_when_pages_are_only_counted() -> None:
@@ -69,6 +50,18 @@ def test_the_sheets_of_a_course_report_stand_between_chapters_six_and_seven() ->
     begin = page["6 Graphical solution"]
     end = next(at for title, at in page.items() if title.startswith("7 "))
     assert all(begin <= at < end for title, at in page.items() if title.startswith("Figure 6-"))
+
+
+def test_the_contents_name_the_pages_also_where_a_sheet_floats() -> None:
+    sheet = SheetPage(lambda *_: None, title="Sheet")
+    sheet.behind = 2
+    heads = [item for n in range(1, 5) for item in chapter(n, 9)]
+    reader = PdfReader(BytesIO(ReportDoc([Contents("en"), sheet, *heads], META).made()[0]))
+    texts = [page.extract_text() for page in reader.pages]
+    listed = dict(re.findall(r"(\d Chapter)[ .·]*\n?(\d+)", texts[0]))
+    outline = {str(one.title): reader.get_destination_page_number(one) + 1 for one in _flat(reader.outline)}
+    assert outline["Sheet"] == 3 and {name: str(at) for name, at in outline.items() if name != "Sheet"} == listed
+    assert all(name in texts[at - 1] for name, at in outline.items() if name != "Sheet")
 
 
 def _flat(outline: list[Any]) -> list[Any]:

@@ -189,6 +189,8 @@ class Plate(Drawing):
 class SheetPage(Block):
     """A whole A4 page drawn by a callback at the paper's lower left corner, in true millimetres.
 
+    behind: it stands after so many pages of the text that goes on behind it; none where it stands in its place.
+
     told: the callback says itself what is what on it; else the page is one figure, which `alt` tells of.
     """
 
@@ -199,7 +201,7 @@ class SheetPage(Block):
     def __init__(self, draw: Draw, *, wide: bool = False, title: str = "", alt: str = "", told: bool = False) -> None:
         super().__init__()
         self._draw, self.wide, self.outline, self.alt = draw, wide, title, alt
-        self._told, self.level = told, 2
+        self._told, self.level, self.behind = told, 2, 0
         self.tag, self.goal = Tag(Role.FIGURE, alt=alt or title), goal_of(title)
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:

@@ -1,7 +1,9 @@
-"""Figures that open the next page where the text has no room for them."""
+"""Sheets that stand behind some pages of a text that goes on behind them, as plates are bound into a book; figures that
+open the next page where the text has no room for them."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from copy import copy
 from typing import Any
 
@@ -14,9 +16,11 @@ _ENDS = (NextPageTemplate, PageBreak, Divider)  # behind these no figure of what
 
 
 class Floating(BaseDocTemplate):  # type: ignore[misc]
-    """A document whose text runs on where a figure that floats has no room, which opens the next page."""
+    """A document whose text may turn its pages round a sheet, `SheetPage.behind` pages after where it was met; it runs
+    on where a figure that floats has no room, which opens the next page."""
 
     _ahead: list[Any]  # what is still to be set
+    _waiting: list[tuple[SheetPage, int]]
     _figures: list[Drawing]  # that the next page opens with
     filled: list[float]  # how full each page of text is
     heads: dict[int, Any]  # what each page opens with
@@ -29,7 +33,7 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
 
     def float(self, story: list[Any]) -> list[Any]:
         """The story, at the end of which nothing is left waiting."""
-        self._ahead, self._figures, self.filled, self.heads = [], [], [], {}
+        self._ahead, self._waiting, self._figures, self.filled, self.heads = [], [], [], [], {}
         self.parted = 0
         return [*story, _Rest()] if any(_floats(item) for item in story) else story
 
@@ -41,7 +45,11 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
         self._ahead = flowables
         self._set_figures(flowables)
         first = flowables[0]
-        if isinstance(first, Drawing) and first.floats and self._waits(flowables, first):
+        if isinstance(first, SheetPage) and first.behind:
+            own = copy(flowables.pop(0))
+            own.behind = 0
+            self._waiting.append((own, first.behind))
+        elif isinstance(first, Drawing) and first.floats and self._waits(flowables, first):
             self._figures.append(flowables.pop(0))
         elif isinstance(first, Divider) and self._opens:
             del flowables[0]
@@ -73,19 +81,27 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
         return False
 
     def handle_pageEnd(self) -> None:
-        """How full a page of text is."""
+        """After a page of text, the sheets that stand behind it."""
         if self.pageTemplate.id == "text":
             self.filled.append(1 - (self.frame._y - self.frame._y1p) / self.frame._aH)
+        if self.pageTemplate.id == "text" and self._waiting:
+            self._waiting = [(sheet, pages - 1) for sheet, pages in self._waiting]
+            due = [sheet for sheet, pages in self._waiting if pages <= 0]
+            self._waiting = [(sheet, pages) for sheet, pages in self._waiting if pages > 0]
+            if due:
+                NextPageTemplate(template_of(due[0])).apply(self)
+                self._ahead[:0] = _between(due)[2:]
         super().handle_pageEnd()
 
     def rest(self) -> None:
-        """All figures that are still waiting, here."""
+        """All figures and sheets that are still waiting, here."""
         figures, self._figures = self._figures, []
-        self._ahead[:0] = map(_settled, figures)
+        due, self._waiting = [sheet for sheet, _ in self._waiting], []
+        self._ahead[:0] = [*map(_settled, figures), *_between(due)[:-2]]
 
 
 def _floats(item: Any) -> bool:
-    return isinstance(item, Drawing) and item.floats
+    return (isinstance(item, SheetPage) and item.behind > 0) or (isinstance(item, Drawing) and item.floats)
 
 
 def _settled(figure: Drawing) -> Drawing:
@@ -102,13 +118,19 @@ class _Rest(ActionFlowable):  # type: ignore[misc]
         super().__init__(())
 
     def apply(self, doc: Floating) -> None:
-        """Let no figure wait longer."""
+        """Let no sheet wait longer."""
         doc.rest()
+
+
+def _between(sheets: Sequence[SheetPage]) -> list[Any]:
+    """Sheets with the turns of the page round them, text before and behind."""
+    turned = [item for one in sheets for item in (NextPageTemplate(template_of(one)), PageBreak(), one)]
+    return [*turned, NextPageTemplate("text"), PageBreak()] if sheets else []
 
 
 def template_of(item: Any) -> str:
     """The page on which something of the story stands."""
-    if not isinstance(item, SheetPage):
+    if not isinstance(item, SheetPage) or item.behind:
         return "text"
     if not item.numbered:
         return "cover"

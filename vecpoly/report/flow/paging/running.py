@@ -1,5 +1,5 @@
-"""A part of a report whose last page of text holds little shares it, and what comes next begins on it; one that has
-sheets does not: they stand behind the whole of its text, and parting the text of the next is no better."""
+"""A part of a report whose last page of text holds little shares it: its sheets stand before that page, and what comes
+next begins on it."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from reportlab.platypus.flowables import PageBreak
 from ..base import Block
 from ..blocks import Divider, SheetPage
 from ..doc import ReportDoc
+from .together import led
 
 ROUNDS = 8  # what begins on a page of another may end on one that holds little
 FULL = 0.8  # of the last page of a part: what is less is shared with what comes next
@@ -39,15 +40,32 @@ def fresh(story: Sequence[Any]) -> list[Any]:
 
 
 def _shared(story: Sequence[Any], ends: Sequence[tuple[int, float]]) -> list[Any] | None:
-    """One round: every part that ends on a sparse page, with no sheet behind it."""
+    """One round: every part that ends on a sparse page; ends: pages of each, and how full the last one is."""
     out: list[Any] = []
     parts, told = split(story), iter(ends)
     for number, (text, behind) in enumerate(parts):
-        full = next(told, (0, 1.0))[1] if text else 1.0
-        sheets = any(isinstance(item, SheetPage) for item in behind)
-        kept = full >= FULL or sheets or number == len(parts) - 1
-        out += [*text, *(behind if kept else [Divider()])]
+        pages, full = next(told, (0, 1.0)) if text else (0, 1.0)
+        last, changed = number == len(parts) - 1, len(out) != sum(len(a) + len(b) for a, b in parts[:number])
+        sheets = [item for item in behind if isinstance(item, SheetPage)]
+        if full >= FULL or (last and (not sheets or pages < 2 or changed)):
+            out += [*text, *behind]
+            continue
+        head = _opening(text)
+        floating = (_behind(sheet, max(pages - 1, 1)) for sheet in sheets)
+        out += [*text[:head], *floating, *text[head:], *([] if last else [Divider()])]
     return out if len(out) != len(story) or any(a is not b for a, b in zip(out, story, strict=True)) else None
+
+
+def _opening(text: Sequence[Any]) -> int:
+    """How many blocks stand together where it begins: its heading, and what is not parted from that."""
+    held = led(text)
+    return 1 + next((at for at, item in enumerate(held) if not getattr(item, "keepWithNext", 0)), len(held) - 1)
+
+
+def _behind(sheet: SheetPage, pages: int) -> SheetPage:
+    own = copy(sheet)
+    own.behind = pages
+    return own
 
 
 def split(story: Sequence[Any]) -> list[tuple[list[Any], list[Any]]]:
@@ -66,4 +84,4 @@ def split(story: Sequence[Any]) -> list[tuple[list[Any], list[Any]]]:
 
 def turns(item: Any) -> bool:
     """Whether the text ends before it, and goes on on another page."""
-    return isinstance(item, (PageBreak, SheetPage))
+    return isinstance(item, PageBreak) or (isinstance(item, SheetPage) and not item.behind)
