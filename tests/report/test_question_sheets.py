@@ -9,7 +9,7 @@ from io import BytesIO
 import pdfplumber
 import pytest
 
-from tests.drawn_library import IDS, drawn
+from tests.drawn_library import IDS, drawn, given
 from tests.each import Later, each
 from vecpoly.board.acts import Compute, Measure, Meet
 from vecpoly.board.chain import needed
@@ -129,7 +129,7 @@ def overlaps(a: Rect, b: Rect) -> bool:
 
 @pytest.mark.parametrize(("name", "lang"), [("3-5", "zh"), ("7-3", "en"), ("2-7", "en"), ("8-5", "zh")])
 def test_the_squares_leave_no_page_of_text_empty_and_the_results_stand_at_the_foot(name: str, lang: str) -> None:
-    data = report_bytes([solve(load(name), repeats=0)], lang=lang, style="question")  # type: ignore[arg-type]
+    data = report_bytes([solve(given(name), repeats=0)], lang=lang, style="question")  # type: ignore[arg-type]
     with pdfplumber.open(BytesIO(data)) as document:
         text = [page for page in document.pages if "50 mm" not in page.extract_text()]
         for page in text:
@@ -164,7 +164,7 @@ def test_what_a_counting_problem_asks_is_not_given_as_a_list() -> None:
         assert "Given" not in pdf.pages[0].extract_text()
 
 
-CAMS = tuple(name for name in IDS if isinstance(load(name).subject, Cam))
+CAMS = tuple(name for name in IDS if isinstance(given(name).subject, Cam))
 
 
 @each(CAMS)
@@ -207,7 +207,7 @@ def test_a_moment_of_inertia_has_no_blank_for_its_direction() -> None:
     assert rows["$J_{e}$"][-1] == "—" and "—" not in rows["$M_{e}$"]
 
 
-DESIGNS = Later(lambda: [name for name in IDS if isinstance(load(name).subject, Design)])
+DESIGNS = Later(lambda: [name for name in IDS if isinstance(given(name).subject, Design)])
 
 
 @each(DESIGNS)

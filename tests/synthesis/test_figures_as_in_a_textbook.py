@@ -5,14 +5,13 @@ from __future__ import annotations
 
 import pytest
 
-from tests.drawn_library import IDS, Drawn, drawn
+from tests.drawn_library import IDS, Drawn, drawn, given
 from tests.each import Later, each
 from vecpoly.algebra.quantity import number
 from vecpoly.board.paper.marks import AngleMark, Arc, Block, FixedGuide, Ground, Mark, Role, Segment
 from vecpoly.designs.base import Design
-from vecpoly.problem.load import load
 
-DESIGNS = Later(lambda: (name for name in IDS if isinstance(load(name).subject, Design)))
+DESIGNS = Later(lambda: (name for name in IDS if isinstance(given(name).subject, Design)))
 FULL = 2.0  # mm: a shorter line tells nothing
 ANGLES = ("theta", "psi", "gamma_min", "alpha_max")
 
