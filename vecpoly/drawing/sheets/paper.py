@@ -61,7 +61,7 @@ def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:
         letters=sum(1 for mark in figure.marks if getattr(mark, "label", "") or isinstance(mark, LinkNumber)),
         spare=beside_title(figure),
         short=_shortest(figure, max(w, h)),
-        linked=linked(figure),
+        linked=linked(figure) if figure.scale.symbol else 0.0,  # parts of a sketch may be small
     )
 
 
