@@ -78,6 +78,20 @@ def test_a_sheet_is_no_reason_to_leave_a_page_mostly_white_or_to_take_another() 
     assert long.page == 3 and isinstance(long.heads[3], Para) and long.filled[0] > 0.9
 
 
+def test_of_several_parts_one_has_its_sheet_before_a_page_that_opens_with_a_section_not_with_a_piece_of_a_table() -> (
+    None
+):
+    table = DataTable(["a", "b"], [["1", "2"]] * 36, None, "cc", lang="en")
+    sheet = SheetPage(lambda *_: None, title="Sheet")
+    story = [*lines(35), head("Check"), *lines(20), table, sheet, *lines(60)]
+    doc = ReportDoc(story, META)
+    doc.counted()
+    assert [type(doc.heads[page]) for page in (1, 2, 3)] == [Para, Heading, DataTable]
+    found, after = run_on(story, doc)
+    assert [item.behind for item in found if isinstance(item, SheetPage)] == [1]
+    assert isinstance(after.heads[2], SheetPage) and isinstance(after.heads[3], Heading)
+
+
 def test_contents_take_the_room_of_their_entries_when_pages_are_only_counted() -> None:
     heads = [item for n in range(60) for item in chapter(n, 1)]
     pages = ReportDoc([Contents("en"), *heads], META).counted()

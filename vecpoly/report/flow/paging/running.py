@@ -13,7 +13,7 @@ from ..base import Block
 from ..blocks import Divider, Heading, SheetPage
 from ..doc import ReportDoc
 from ..para import Para
-from .together import led
+from .together import first_of, led
 
 ROUNDS = 8  # what begins on a page of another may end on one that holds little
 FULL = 0.8  # of the last page of a part: what is less is shared with what comes next
@@ -61,7 +61,7 @@ def _shared(story: Sequence[Any], doc: ReportDoc) -> list[Any] | None:
 
 def _opened(doc: ReportDoc) -> list[Any]:
     """What each page of text opens with."""
-    return [head for _, head in sorted(doc.heads.items()) if not isinstance(head, SheetPage)]
+    return [first_of(head) for _, head in sorted(doc.heads.items()) if not isinstance(head, SheetPage)]
 
 
 def _after(heads: Sequence[Any]) -> int:

@@ -10,6 +10,7 @@ from typing import Any
 from ..blocks import Heading, SheetPage
 from ..doc import ReportDoc
 from .running import fresh
+from .together import first_of
 
 HALF = 0.5  # of a page that text before the sheets fills at least, and the last page where it stands alone behind them
 
@@ -31,7 +32,7 @@ def sectioned(story: list[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
 
 def _stands(doc: ReportDoc) -> bool:
     """Whether the last page opens with a heading, and holds something."""
-    return isinstance(doc.heads.get(doc.page), Heading) and doc.filled[-1] >= HALF
+    return isinstance(first_of(doc.heads.get(doc.page)), Heading) and doc.filled[-1] >= HALF
 
 
 def _heads(text: Sequence[Any]) -> Iterator[int]:
