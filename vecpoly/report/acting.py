@@ -51,7 +51,7 @@ def _springs(mech: Mechanism, loads: Loads, spots: dict[str, complex]) -> tuple[
 
 
 def _arrow(mech: Mechanism, load: Load, spots: dict[str, complex], figure: Figure) -> Mark | None:
-    """The arrow of one load; none for a moment that is sought, whose sense is not known yet."""
+    """The arrow of one load; none for a moment that is sought, unless told to drive the input or to resist."""
     symbol = load_named(load).symbol
     if isinstance(load, Force) and load.against:
         return _thrust(load, spots, symbol)
@@ -100,11 +100,20 @@ def _moment(mech: Mechanism, load: Moment, spots: dict[str, complex], symbol: st
     opposite the driving arrow where both turn about one pivot."""
     letters = [p for p in mech.link(load.link).points if p in spots]
     centre = next((p for p in letters if p in mech.frame), letters[0] if letters else None)
-    if load.size is None or centre is None:
+    if centre is None:
         return None
     at = spots[centre]
     driving = next((m for m in figure.marks if isinstance(m, TurnArrow) and abs(m.at - at) < 1e-6), None)
+    ccw = _sense(load, driving)
     start = pi / 4 if driving is None else driving.start + pi
-    return TurnArrow(
-        at=at, radius=TURN_RADIUS if driving is None else BESIDE, start=start, ccw=load.size > 0, label=symbol, step=1
-    )
+    size = TURN_RADIUS if driving is None else BESIDE
+    return None if ccw is None else TurnArrow(at=at, radius=size, start=start, ccw=ccw, label=symbol, step=1)
+
+
+def _sense(load: Moment, driving: TurnArrow | None) -> bool | None:
+    """Whether it turns counter-clockwise: as given; as the input is told to turn, or against that."""
+    if load.size is not None:
+        return load.size > 0
+    if driving is None or not load.role:
+        return None
+    return driving.ccw is (load.role == "driving")
