@@ -7,11 +7,13 @@ from collections.abc import Iterable, Iterator
 
 from tests.drawn_library import IDS, drawn
 from tests.each import each
-from vecpoly.board.construction import Figure
+from vecpoly.board.construction import Figure, View
+from vecpoly.board.paper.marks import Point, Vector
 from vecpoly.devices.balancing.engine import InlineEngine
 from vecpoly.devices.cams.cam import Cam
 from vecpoly.devices.eccentric_clamp import EccentricClamp
 from vecpoly.mechanism.asked.forces import load_symbol
+from vecpoly.mechanism.loads import Force
 from vecpoly.problem.load import load
 from vecpoly.report.content import statement
 from vecpoly.report.question.sketch import sketched
@@ -84,6 +86,22 @@ def test_a_load_that_is_given_is_drawn_on_the_figure_of_the_statement(name: str)
     here = letters([pictured(name)])
     acting = [one.name for one in loads.all if one.size is not None]
     assert {plain(load_symbol(one)) for one in acting} <= here
+
+
+@each(LOADED)
+def test_a_force_that_is_given_pulls_at_its_point_or_presses_on_it_alike_on_all_figures(name: str) -> None:
+    one, loads = drawn(name), drawn(name).problem.loads
+    here = [pictured(name), *(f for f in one.construction.figures if f.view in (View.MECHANISM, View.BODY))]
+    for load in loads.forces if loads is not None else ():
+        ways = {way for figure in here if figure is not None and (way := pulls(figure, load)) is not None}
+        assert load.against or len(ways) < 2, load.name
+
+
+def pulls(figure: Figure, load: Force) -> bool | None:
+    """Whether the arrow of a load begins at its point; None where one of the two is not drawn."""
+    at = next((m.at for m in figure.marks if isinstance(m, Point) and m.label == load.point), None)
+    arrow = next((m for m in figure.marks if isinstance(m, Vector) and m.label == load_symbol(load.name)), None)
+    return None if at is None or arrow is None else abs(arrow.a - at) < abs(arrow.b - at)
 
 
 SIZED = tuple(name for name in IDS if isinstance(load(name).subject, Cam | EccentricClamp | InlineEngine))

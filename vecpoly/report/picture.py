@@ -38,7 +38,7 @@ def picture(problem: Problem, construction: Construction, width: float, height: 
     if loads is None:
         return reduced(figure, marks, width, height)
     plain = reduced(figure, marks, width - 30.0, height - 20.0)
-    return replace(plain, marks=plain.marks + acting(problem.subject, loads, plain))
+    return replace(plain, marks=plain.marks + acting(problem.subject, loads, plain, figure))
 
 
 def _from_its_end(construction: Construction) -> Figure | None:

@@ -65,10 +65,10 @@ def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[s
     over = [name for name in rotor.masses if min(share[name] for share in rotor.shares.values()) < -1e-12]
     board.step(
         Words(
-            f"把每个质径积按杠杆关系分解到平面 ${one}$ 和 ${other}$：$l_i$ 为质量 $i$ 到平面 ${one}$ 的距离，$L$ 为两平面的"
-            "距离。",
-            f"Share every product between the planes ${one}$ and ${other}$ by the lever: $l_i$ is the distance of mass $i$ "
-            f"from plane ${one}$, $L$ that of the two planes.",
+            f"把每个质径积按杠杆关系分解到平面 ${one}$ 和 ${other}$：$l_i$ 为质量 $i$ 到平面 ${one}$ 的距离，"
+            "$L$ 为两平面的距离。",
+            f"Share every product between the planes ${one}$ and ${other}$ by the lever: $l_i$ is the distance of mass "
+            f"$i$ from plane ${one}$, $L$ that of the two planes.",
         )
         + _overhung(over)
     )

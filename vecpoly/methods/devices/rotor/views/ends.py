@@ -101,8 +101,8 @@ def solved_from_its_end(bench: Bench, rotor: Rotor, which: str) -> None:
 
 def _parts_in(one: str, other: str) -> Words:
     return Words(
-        f"画出平面 ${one}$ 的端视图：各质量在两平面内的分量 $m_{{i{one}}}$ = $m_i$($L$ − $l_i$)/$L$、$m_{{i{other}}}$ = "
-        f"$m_i l_i$/$L$ 位于原来的半径和方位上。",
+        f"画出平面 ${one}$ 的端视图：各质量在两平面内的分量 $m_{{i{one}}}$ = $m_i$($L$ − $l_i$)/$L$、"
+        f"$m_{{i{other}}}$ = $m_i l_i$/$L$ 位于原来的半径和方位上。",
         f"Draw plane ${one}$ from its end: the parts of the masses in the two planes, $m_{{i{one}}}$ = "
         f"$m_i$($L$ − $l_i$)/$L$ and $m_{{i{other}}}$ = $m_i l_i$/$L$, sit at the radius and in the direction of the "
         "mass itself.",
