@@ -45,28 +45,31 @@ def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], st
 
     Its numbers are those with which a reader gets this end: as they are told elsewhere, or with guard figures.
     """
-    return Row((*line.items[:-_END], keyed_in(_as_told(line, shown, told), shown), end))
+    expr, digits = _as_told(line, shown, told)
+    return Row((*line.items[:-_END], expr.numbers(digits), end))
 
 
 def numbers_of(line: Row, shown: str, told: Callable[[Node, float], str]) -> Iterator[tuple[Node, float, str]]:
     """The quantities of the line that `told_again` gives: symbol, value, number without sign and brackets."""
-    expr = _as_told(line, shown, told)
-    digits = figures_for(expr, shown)
+    expr, digits = _as_told(line, shown, told)
     for one in _quantities(expr):
         yield one.node, float(nominal(one.value)), plain(one.numbers(digits)).strip("()−°")
 
 
-def _as_told(line: Row, shown: str, told: Callable[[Node, float], str]) -> Expr:
-    """The line's expression with the numbers told elsewhere, unless they give another end."""
+def _as_told(line: Row, shown: str, told: Callable[[Node, float], str]) -> tuple[Expr, int]:
+    """The line's expression with the numbers told elsewhere, unless they give another end; and how many figures the
+    other numbers have."""
     own = cast("Expr", line.worked)
 
     def told_of(one: Quantity) -> str:
         return told(one.node, float(nominal(one.value)))
 
-    if not any(map(told_of, _quantities(own))):
-        return own
-    other = _each(own, lambda one: replace(one, told=told_of(one) or one.told))
-    return other if _reproduces(other, figures_for(other, shown), shown) else own
+    if any(map(told_of, _quantities(own))):
+        other = _each(own, lambda one: replace(one, told=told_of(one) or one.told))
+        digits = figures_for(other, shown)
+        if _gives(other, digits, (read_back(shown),)):
+            return other, digits
+    return own, figures_for(own, shown)
 
 
 def stated(quantity: Quantity) -> Row:
@@ -95,11 +98,6 @@ def _by_one(expr: Expr) -> float:
     """The value by the nominal hand alone; not finite where it divides by nothing."""
     with np.errstate(all="ignore"):
         return float(nominal(expr.reckoned(lambda one: np.float64(nominal(one.value)))))
-
-
-def _reproduces(expr: Expr, digits: int, shown: str) -> bool:
-    """Whether who keys in its numbers with so many figures gets this result."""
-    return _gives(expr, digits, (read_back(shown),))
 
 
 def _gives(expr: Expr, digits: int, told: Iterable[tuple[float, float]]) -> bool:
