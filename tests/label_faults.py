@@ -7,12 +7,15 @@ from itertools import combinations
 
 import numpy as np
 import shapely
+import shapely.ops
 from numpy.typing import NDArray
 
 from vecpoly.drawing.figure import Drawing
+from vecpoly.drawing.labels.ground import is_ground
 from vecpoly.drawing.labels.placing import Placed
 from vecpoly.drawing.labels.want import Spot, Thing
 from vecpoly.drawing.scene import Fill, Item, Rect, Stroke, TextBox
+from vecpoly.drawing.standing import APART, FRACTION
 from vecpoly.typeset import Glyphs
 
 LEVEL = 0.3  # mm by which two labels overlap in height, or in width, to be in one line, or over each other
@@ -79,6 +82,35 @@ def crammed(drawn: Drawing) -> list[str]:
         if (dy < -LEVEL and dx < BESIDE) or (dx < -LEVEL and dy < OVER):
             found.append(f"{_text(label)} and {_text(other)} stand {max(dx, dy):.1f} mm apart")
     return found
+
+
+def fractions(drawn: Drawing) -> list[str]:
+    """Every letter of a point and number of a link that stand over each other, and are read as a fraction."""
+    found: list[str] = []
+    for label, other in combinations([one for one in drawn.labels if one.foot is None], 2):
+        if {label.want.thing, other.want.thing} == {Thing.POINT, Thing.LINK}:
+            r, q = label.rect, other.rect
+            dx, dy = max(r.x0, q.x0) - min(r.x1, q.x1), max(r.y0, q.y0) - min(r.y1, q.y1)
+            if dx < -APART and dy < FRACTION:
+                found.append(f"{_text(label)} and {_text(other)} stand over each other, {dy:.1f} mm apart")
+    return found
+
+
+def parted(drawn: Drawing) -> list[str]:
+    """Every label without a leader that a straight line parts from what it names."""
+    lines = [item for item in drawn.obstacles if isinstance(item, Stroke) and len(item.points) == 2 and not item.closed]
+    ruled = [shapely.LineString([(z.real, z.imag) for z in item.points]) for item in lines if not is_ground(item)]
+    return [_text(label) for label in drawn.labels if label.foot is None and _is_parted(label, ruled)]
+
+
+def _is_parted(label: Placed, ruled: Sequence[shapely.LineString]) -> bool:
+    mine, keep = _line(label), label.want.radius + ON
+    near, end = (complex(p.x, p.y) for p in shapely.ops.nearest_points(mine, _box(label.rect)))
+    if abs(end - near) <= keep:
+        return False
+    start = near + (end - near) / abs(end - near) * keep
+    way = shapely.LineString([(start.real, start.imag), (end.real, end.imag)])
+    return any(way.intersects(line) and mine.hausdorff_distance(line) > ON for line in ruled)
 
 
 def leaders(drawn: Drawing) -> list[Stroke]:

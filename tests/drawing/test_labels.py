@@ -13,7 +13,7 @@ import shapely
 
 from tests.drawn_library import DRAFTED, drafted
 from tests.each import each
-from tests.label_faults import astray, crammed, faults, leaders
+from tests.label_faults import astray, crammed, faults, fractions, leaders, parted
 from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.paper.marks import AngleMark, Dot, Hatched, LinkNumber, Point, Role, Segment, Vector
 from vecpoly.drawing.figure import Drawing, drawing
@@ -26,6 +26,7 @@ from vecpoly.typeset.box import MM
 from vecpoly.words import Words
 
 LONGEST = 31.0  # mm
+ACROSS = 0.015  # of all labels: parted from their things, where a leader would cross more
 SCALE = Scale(symbol="μ_v", value=0.006, unit="m/s")
 
 
@@ -168,6 +169,24 @@ def test_an_angle_is_named_beside_its_arc_and_not_as_the_joint_on_it() -> None:
 def test_no_two_labels_of_the_library_are_read_as_one(name: str) -> None:
     for one in _drawn(name):
         assert crammed(one) == []
+
+
+@each(DRAFTED)
+def test_no_number_of_a_link_and_letter_of_a_point_are_read_as_a_fraction(name: str) -> None:
+    for drawn in _drawn(name):
+        assert fractions(drawn) == []
+
+
+@pytest.mark.parametrize("turn", range(8))
+def test_a_letter_stands_on_its_side_of_a_line_that_runs_close_by_its_point(turn: int) -> None:
+    way = cmath.exp(1j * math.pi * turn / 4)
+    line = Segment(a=way * (1.5 - 20j), b=way * (1.5 + 20j), role=Role.CONSTRUCTION)
+    assert parted(drawing(figure(Point(at=0j, label="C", dot=Dot.POINT), line))) == []
+
+
+def test_hardly_any_label_lies_across_another_line_from_what_it_names() -> None:
+    drawn = [one for name in DRAFTED for one in _drawn(name)]
+    assert sum(len(parted(one)) for one in drawn) <= ACROSS * sum(len(one.labels) for one in drawn)
 
 
 @each(DRAFTED)

@@ -109,7 +109,7 @@ class Places:
         return tuple(Batch(some + self.first, self.total[some], self._trial(some)) for some in parted)
 
     def _trial(self, some: Indices) -> Trial:
-        return Trial(self.spots.centre[some], self.half, self.spots.foot[some] if self.led else None)
+        return Trial(self.spots.centre[some], self.half, self.spots.foot[some] if self.led else None, self.want.thing)
 
     def cheapest(self, below: float, count: int) -> list[int]:
         """So many of the cheapest places by themselves, those that cost less than this."""
@@ -204,8 +204,9 @@ def _parted(obstacles: Obstacles, near: Sequence[Places]) -> list[Floats]:
         return []
     counts = [len(part.spots.centre) for part in near]
     own, groups = _repeated([part.want.own for part in near], counts), _groups(counts)
+    keep = np.repeat([part.want.radius for part in near], counts)
     root, centre = (np.concatenate(ends) for ends in zip(*((p.spots.root, p.spots.centre) for p in near), strict=True))
-    cost = obstacles.parted(root, centre, (own[:, 0], own[:, 1]), groups)
+    cost = obstacles.parted(root, keep, centre, (own[:, 0], own[:, 1]), groups)
     return [cost[some] for some in groups]
 
 

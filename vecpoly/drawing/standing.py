@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .labels.obstacles import Complexes, Floats, Indices, clip, crossed
+from .labels.want import Thing
 from .scene import Rect
 
 APART = 0.7  # mm between two labels
 AS_ONE, MISREAD = 1.8, 39.0  # mm side by side below which two labels are read as one, and what that costs
 STACK, STACKED = 1.3, 12.0  # mm one over the other below which they look like a fraction, and what that costs
+FRACTION, READ_SO = 3.2, 30.0  # the same of the letter of a point and the number of a link: D over 4
 TIGHT = 0.9  # mm one over the other below which they are taken for one
 OVERLAP, PER_AREA = 120.0, 8.0
 LEADER_ON_LABEL, LEADERS_CROSS = 60.0, 80.0
@@ -26,6 +30,7 @@ class Trial:
     centre: Complexes
     half: complex
     foot: Complexes | None
+    thing: Thing = Thing.OTHER
 
     @property
     def span(self) -> Rect:
@@ -48,11 +53,14 @@ class Standing:
     foot: Complexes
     low: Complexes  # lower left corner of all that belongs to it
     high: Complexes
+    things: NDArray[np.object_]  # what each names
 
     @classmethod
-    def nowhere(cls, count: int) -> Standing:
+    def nowhere(cls, things: Sequence[Thing]) -> Standing:
         """No label has a place yet."""
-        return cls(np.full(count, AWAY), *(np.full(count, NOWHERE) for _ in range(5)))
+        named = np.array(things, dtype=object)
+        centre, half, foot, low, high = np.full((5, len(things)), NOWHERE)
+        return cls(np.full(len(things), AWAY), centre, half, foot, low, high, named)
 
     def put(self, i: int, place: int, centre: complex, half: complex, foot: complex) -> None:
         """Label i stands here; foot: of its leader, nan where it has none."""
@@ -65,7 +73,7 @@ class Standing:
         """Of each label, but this one, its place where that reaches into a rectangle, or nearly; else AWAY."""
         low, high = self.low, self.high
         across = (low.real < span.x1 + AS_ONE) & (high.real > span.x0 - AS_ONE)
-        across &= (low.imag < span.y1 + AS_ONE) & (high.imag > span.y0 - AS_ONE)
+        across &= (low.imag < span.y1 + FRACTION) & (high.imag > span.y0 - FRACTION)
         across[but] = False
         return np.where(across, self.chosen, AWAY)
 
@@ -81,6 +89,8 @@ class Standing:
         cost += np.where((dx <= 0) & (dx > APART - AS_ONE) & level, MISREAD, 0.0)
         over = (dy <= 0) & (dx > APART)
         cost += np.where(over & (dy > APART - STACK), np.where(dy > APART - TIGHT, MISREAD, STACKED), 0.0)
+        fraction = over & (dy > APART - FRACTION)
+        cost += np.where(fraction & self._as_fraction(trial.thing, others), READ_SO, 0.0)
         if trial.foot is not None:
             cost += LEADER_ON_LABEL * _struck(trial.foot[:, None], mine, c, size)
         theirs = np.flatnonzero(~np.isnan(led.real))
@@ -89,6 +99,11 @@ class Standing:
             if trial.foot is not None:
                 cost[:, theirs] += LEADERS_CROSS * crossed(trial.foot[:, None], mine, led[theirs], c[theirs])
         return cost
+
+    def _as_fraction(self, thing: Thing, others: Indices) -> NDArray[np.bool_]:
+        """Which of them make a fraction with a label of this kind: a letter over a number, a number over a letter."""
+        pair = {Thing.POINT: Thing.LINK, Thing.LINK: Thing.POINT}.get(thing)
+        return np.array([other is pair for other in self.things[others]], dtype=bool)
 
 
 class Meeting:

@@ -14,6 +14,7 @@ from ..board.paper.marks import Role, Segment
 from ..check.found_words import ill_conditioned, told
 from ..check.shaking import shaking_of
 from ..check.structure import dependence
+from ..drawing.beside import beside as drawn_apart
 from ..mechanism.model import Mechanism
 from ..problem.asked.asks import AskCoriolis, AskNamed
 from ..solution import Answer, Solution, fewer_digits
@@ -61,6 +62,7 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
         "scales": scales(solution, lang),
         "hued": "hued" if solution.construction.tones else "",
         "dashed": "dashed" if _has_dashes(solution) else "",
+        "doubled": "doubled" if _has_doubled(solution) else "",
     }
 
 
@@ -68,6 +70,11 @@ def _has_dashes(solution: Solution) -> bool:
     """Whether the construction without friction stands beside that with it."""
     marks = (mark for figure in solution.construction.figures for mark in figure.marks)
     return any(isinstance(mark, Segment) and mark.role is Role.IDEAL for mark in marks)
+
+
+def _has_doubled(solution: Solution) -> bool:
+    """Whether vectors that lie on one line are drawn side by side."""
+    return any(drawn_apart(figure.view, figure.marks) is not figure.marks for figure in solution.construction.figures)
 
 
 _LONG = re.compile(r"(?<![\w.])(\d+\.\d+)(?= (mm)|[^\d.]|$)")

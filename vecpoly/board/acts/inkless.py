@@ -153,6 +153,11 @@ class Gauge(Done):
     angle: float
 
 
+def is_reading(act: Done) -> bool:
+    """Whether something is read off the paper: with rule, protractor or planimeter."""
+    return isinstance(act, Measure | Area | Gauge)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Compute(Done):
     """Symbol = formula = numbers = result.

@@ -29,7 +29,8 @@ GAP = 0.45  # mm between lettering and a line
 ROOM = 1.1  # mm beyond which a neighbour no longer confuses
 COARSE = 0.08  # mm sagitta that is fine enough for keeping clear
 ON_LINE, PER_MM, NEARBY = 40.0, 6.0, 0.7
-PARTED = 9.0  # a thick line between a label and what it names
+PARTED, PARTED_BY_THIN = 20.0, 20.0  # a thick line between a label and what it names, a thin one
+BESIDE = 0.25  # mm off what is named: what lies nearer is part of it
 ON_SOLID, ON_TINT = 90.0, 0.8
 CROSSING, OVER_BAR, CROSSING_SOLID = 8.4, 14.0, 30.0  # a leader over a thin line, a thick one, an arrowhead or a joint
 
@@ -137,16 +138,16 @@ class Obstacles:
         np.add.at(total, box, np.where(self.solid[polygon], ON_SOLID, ON_TINT))
         return total
 
-    def parted(self, root: Complexes, centre: Complexes, own: Own, groups: Groups) -> Floats:
-        """What each of many places costs for the thick lines between it and what its label names."""
-        start = root + 0.05 * (centre - root)
+    def parted(self, root: Complexes, keep: Floats, centre: Complexes, own: Own, groups: Groups) -> Floats:
+        """What each of many places costs for the lines between it and what its label names; keep: the radius of what is
+        drawn there."""
+        start = root + (centre - root) * np.minimum((keep + BESIDE) / np.abs(centre - root), 1.0)
         place, piece = Bounds.between(start, centre).over(self.spans, groups)
-        thick = self.half[piece] > THIN / 2
-        place, piece = place[thick], piece[thick]
         a, b = self.a[piece], self.b[piece]
         met = crossed(start[place], centre[place], a, b) & ~_along(a, b, own, place)
+        place, thick = place[met], self.half[piece[met]] > THIN / 2
         total = np.zeros(len(centre))
-        total[place[met]] = PARTED
+        np.maximum.at(total, place, np.where(thick, PARTED, PARTED_BY_THIN))
         return total
 
     def crossings(self, foot: Complexes, end: Complexes, own: Own, groups: Groups) -> Floats:

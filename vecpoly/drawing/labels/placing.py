@@ -112,7 +112,7 @@ class _Table:
     @cached_property
     def standing(self) -> Standing:
         """The most constrained label chooses first; then each reconsiders until none moves."""
-        standing = Standing.nowhere(len(self.rows))
+        standing = Standing.nowhere([want.thing for want in self.around.wanted])
         price([row.near for row in self.rows if not row.near.known])
         price([row.led for row in self.rows if row.dear and not row.led.known])
         freedom = [row.freedom for row in self.rows]

@@ -21,6 +21,7 @@ LEADER = 22.0  # what resorting to a leader line costs
 LETTERED = 12.0  # what it costs beyond that for the letter of a point: first of all that stands beside its own
 SOONER = 0.4  # of that in a crowd: a leader tells better than a place beside something else
 PER_DISTANCE, PER_FRACTION = 1.2, 6.0
+LEVEL, OFF_LEVEL = GAPS[1], 24.0  # where the numbers of an axis stand, and what a mm off that line costs
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +59,7 @@ def beside(want: Want, middle: complex) -> Spots:
     near = feet[..., None] + _offset(sides[:, None], want.radius + gap, half, all_round)
     return Spots(
         near.ravel(),
-        (base[:, None] + PER_DISTANCE * gap).ravel(),
+        (base[:, None] + PER_DISTANCE * gap + OFF_LEVEL * want.level * np.abs(gap - LEVEL)).ravel(),
         np.full(near.size, complex(math.nan, math.nan)),
         np.broadcast_to(feet[..., None], near.shape).ravel(),
     )

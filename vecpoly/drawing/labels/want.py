@@ -39,6 +39,7 @@ class Want:
     one_sided: bool = False
     thing: Thing = Thing.OTHER
     farther: bool = False  # whether its leader may be longer than is usual: a crowd leaves it no other place
+    level: bool = False  # whether it stands on one line with its like, as the numbers of an axis do
     bow: tuple[complex, ...] = ()  # of an arc's label the arc, by points
 
     width: float = field(init=False)  # of the whole label, mm

@@ -62,6 +62,7 @@ _RADIUS = {
     Dot.NONE: 0.0,
 }
 ASIDE = (0.0, 1.0, -1.0, 2.0, -2.0)  # mm along its axis by which a number may stand beside its tick
+TICK = 8.0  # mm: a longer line at an axis is no tick, as an ordinate
 INNER = 0.3  # of a line: a letter nearer to an end is the name of the end
 MEASURED = (Role.CONSTRUCTION, Role.IDEAL)
 NAMED = (Role.CENTRE, Role.HIDDEN)  # lines that have a name at an end
@@ -103,12 +104,13 @@ def _note(mark: Note, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Wan
     at, side = mark.at, mark.side
     if not side:
         return Want((piece,), (at,), (0j,), keep, (at, at), one_sided=False)
-    ticks = (m for m in marks if isinstance(m, Segment) and min(abs(m.a - at), abs(m.b - at)) < NEAR)
+    short = (m for m in marks if isinstance(m, Segment) and abs(m.b - m.a) < TICK)
+    ticks = (m for m in short if min(abs(m.a - at), abs(m.b - at)) < NEAR)
     over = next((m.a + m.b - at for m in ticks if ((m.a + m.b - 2 * at) * side.conjugate()).real < -NEAR), at)
     ends = ((at, side), (over, -side)) if over != at else ((at, side),)
     feet = tuple(end + 1j * side * by for end, _ in ends for by in ASIDE)
     ways = tuple(way for _, way in ends for _ in ASIDE)
-    return Want((piece,), feet, ways, keep, (at, at), one_sided=True)
+    return Want((piece,), feet, ways, keep, (at, at), one_sided=True, level=True)
 
 
 def _ground(number: LinkNumber, marks: tuple[Mark, ...]) -> Ground | None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 
+from ...board.acts.inkless import is_reading
 from ...board.construction import Construction, Figure, View
 from ...errors import VecpolyError
 from ...foundation.stock import A4, ANY_A4, Format, Paper
@@ -177,14 +178,16 @@ def hung(
 
 
 def _numbered(pages: Sequence[Page[Drawn]], construction: Construction, lang: Lang, title: Words) -> tuple[Sheet, ...]:
-    warning = construction.warning
+    warning, read = construction.warning, not construction.acts or any(map(is_reading, construction.acts))
     if warning is not None:
         pages = [(group, lined(group, layout)) for page in pages for group, layout in under_box(*page)]
     return tuple(
         placed(
             group,
             layout,
-            Strip(problem=construction.problem, title=title, hand=construction.hand, number=n, total=len(pages)),
+            Strip(
+                problem=construction.problem, title=title, hand=construction.hand, number=n, total=len(pages), read=read
+            ),
             lang,
             warning,
         )

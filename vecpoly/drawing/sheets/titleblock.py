@@ -34,17 +34,23 @@ HANDS = {
     "pencil": Words("作图：铅笔，读至 0.5 mm", "Drawn in pencil, read to 0.5 mm"),
     TO_BE_DRAWN: Words("请用仪器作图，量至 0.1 mm", "To be drawn with instruments, read to 0.1 mm"),
 }
+NOTHING_READ = {
+    "drafting": Words("作图：仪器绘图", "Drawn with instruments"),
+    "pencil": Words("作图：铅笔", "Drawn in pencil"),
+    TO_BE_DRAWN: Words("请用仪器作图", "To be drawn with instruments"),
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Strip:
-    """What the title strip says."""
+    """What the title strip says; read: whether anything is measured on the drawing."""
 
     problem: str
     title: Words
     hand: str
     number: int
     total: int
+    read: bool = True
     name: Words = UNNAMED  # of the sheet as a figure of a report
 
 
@@ -78,7 +84,8 @@ def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang, lower: float, *, n
     """What the sheet is, and by which hand; lower: the share of the strip that the lower row takes."""
     title, name = strip.title.of(lang), label(strip.problem).of(lang)
     full = "　".join(filter(None, (strip.name.of(lang), name or ("" if title else strip.problem), title)))
-    hand = HANDS.get(strip.hand, Words(f"作图：{strip.hand}", f"Drawn {strip.hand}")).of(lang)
+    hands = HANDS if strip.read else HANDS | NOTHING_READ
+    hand = hands.get(strip.hand, Words(f"作图：{strip.hand}", f"Drawn {strip.hand}")).of(lang)
     sheet = LABELS["sheet"].of(lang).format(n=strip.number, total=strip.total)
     room = x1 - frame.x0 - 4
     right, low = layout_words(sheet if numbered else "", NOTE), frame.y0 + lower / 2 * STRIP

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from ...algebra.formula import Node, Row, Txt, sym
 from ...algebra.quantity import Expr, Product, Quantity, magnitude, number
-from ...algebra.worked import worked
+from ...algebra.worked import stated, worked
 from ...board.board import NO_LENGTH
 from ...board.construction import LineOfAction, Reading, View
 from ...mechanism.asked.forces import apart, pairs
@@ -137,6 +139,8 @@ def _reaction(st: Statics, force: Acting, side: tuple[Points, Points, str]) -> N
 def _formula(st: Statics, force: Acting, on_paper: Quantity) -> Node:
     """R = μ_F × length; of a force that was computed and laid off, not read, what it was computed as: R_43 = R_45."""
     name = sym(force.named.symbol)
+    if force.drawn is None and force.computed is None and not nominal(np.abs(force.vector)):
+        return stated(magnitude(force.named.symbol, 0.0, "N"))
     if force.computed is None:
         return worked(name, st.board.mu(View.FORCE) * on_paper, "N")
     end = worked(name, magnitude(force.named.symbol, force.computed, "N"), "N").items[-1]

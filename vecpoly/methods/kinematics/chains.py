@@ -63,7 +63,7 @@ def solve(desk: Desk, view: View, eq: Equation, to: At) -> Closed:
 
 def letters(desk: Desk, view: View, start: At | None, end: At) -> str:
     """Letters of a paper length: ``p c_2`` or ``b c_2``."""
-    return f"{desk.start_label(view, start)} {desk.tip_label(view, end)}"
+    return " ".join(desk.start_label(view, at) for at in (start, end))
 
 
 def never_turns(desk: Desk, link: str) -> None:

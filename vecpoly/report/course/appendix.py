@@ -8,9 +8,12 @@ from typing import Any
 import numpy as np
 
 from ...findings.study.study import Study
+from ...mechanism.joints import Revolute
+from ...mechanism.model import FRAME
 from ...words import Words, joined
 from ..flow.listing import Listing
 from .numbering import TINY, Press
+from .one_language import in_one_language
 from .results.tabled import tabled
 
 _COLUMNS = 12
@@ -22,7 +25,7 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
     press.chapter = "A"
     text = study.problem.text
     return {
-        "file": press.objects.add("listing", Listing(text)) if text else "",
+        "file": press.objects.add("listing", Listing(in_one_language(text, press.lang))) if text else "",
         "tables": list(_tables(study, press)),
         "sparse": study.dense,
     }
@@ -30,7 +33,8 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
 
 def _tables(study: Study, press: Press) -> Iterator[str]:
     """The points that chapter 5 leaves out, two or three to a table; slides and transmission angles."""
-    rest = [c.key[2:] for c in study.whole.columns if c.key.startswith("p_") and c.key[2:] not in study.points]
+    shown = {*study.points, *_circling(study)}
+    rest = [c.key[2:] for c in study.whole.columns if c.key.startswith("p_") and c.key[2:] not in shown]
     parts, abreast = (("p_{}", "v_{}.abs", "a_{}.abs"), 3) if study.dense else (("p_{}", "v_{}", "a_{}"), 2)
     groups = [rest[i : i + abreast] for i in range(0, len(rest), abreast)]
     last = groups.pop() if len(groups) > 1 and len(groups[-1]) < abreast else []  # a small table fills the last page
@@ -51,6 +55,13 @@ def _tables(study: Study, press: Press) -> Iterator[str]:
         yield tabled(study, press, some, _title(study, some, bool(slides)), TINY, _every(study))
     if last:
         yield _points(study, press, last, parts)
+
+
+def _circling(study: Study) -> tuple[str, ...]:
+    """The points of a crank on a pivot of the frame: each runs round a circle, which needs no table."""
+    mech = study.problem.mechanism
+    turns = any(isinstance(one, Revolute) and {mech.drive.link, FRAME} == {one.a, one.b} for one in mech.joints)
+    return tuple(mech.link(mech.drive.link).points) if turns else ()
 
 
 def _title(study: Study, keys: list[str], slides: bool) -> Words:

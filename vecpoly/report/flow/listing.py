@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from ...tagging.tag import Role
 from ...tagging.tree import artifact, tree_of
 from ...typeset.box import MM, Box
@@ -15,6 +17,8 @@ from .style import GREY
 _SIZE, _LEADING = 8.0, 11.2  # pt
 _MARGIN = 22.0  # pt for the numbers
 _CELL = 0.602  # em, the advance of the face
+_ENTRY = re.compile(r"\s*(- |#|[^\s:]+:(\s|$))")
+_LONG = 30  # lines of one string: more than these a page break may part
 _LEAST = 3  # lines that a page break leaves together
 
 
@@ -45,8 +49,11 @@ class Listing(Block):
         """Whole lines to each page."""
         self.wrap(width, height)
         room = height - self.getSpaceBefore()  # the frame may leave that out here and ask for it of the part
-        count = min(int((room - 4.0) / _LEADING), len(self._lines) - _LEAST)
-        if count < _LEAST:
+        fit = min(int((room - 4.0) / _LEADING), len(self._lines) - _LEAST)
+        if fit < _LEAST:
+            return []
+        count = next((n for n in range(fit, _LEAST - 1, -1) if _begins(*self._lines[n])), fit if fit > _LONG else 0)
+        if not count:
             return []
         head, tail = Listing(lines=self._lines[:count]), Listing(lines=self._lines[count:])
         return [head.made_of(self, first=True), tail.made_of(self, first=False)]
@@ -68,6 +75,11 @@ class Listing(Block):
         for i, (_, text) in enumerate(self._lines, 1):
             ink.box(_set(text), _MARGIN, y - i * _LEADING + 3.0)
         ink.flush()
+
+
+def _begins(number: str, text: str) -> bool:
+    """Whether a line begins a key or an entry: a page never begins inside a string."""
+    return bool(number) and _ENTRY.match(text) is not None
 
 
 def _set(text: str, factor: float = 1.0) -> Box:

@@ -11,7 +11,7 @@ from ....algebra.formula import plain, sym
 from ....algebra.quantity import Expr
 from ....algebra.worked import worked
 from ....board.construction import Reading
-from ....board.paper.marks import Role, Segment
+from ....board.paper.marks import Dot, Point, Role, Segment
 from ....errors import NoMethodError
 from ....mechanism.asked.centres import Pair, centre_speed, real_links
 from ....mechanism.model import FRAME
@@ -108,6 +108,8 @@ def _turning(motions: Motions, link: str, spot: Spot, blank: Reading) -> tuple[R
     )
     known = given(fig, own, spot)
     paper = measured(fig, own, spot) if known is None else None
+    if paper is not None and fig.paper.holds(complex(nominal(spot.at))):
+        _letter(fig, spot)
     length: Expr = (
         known if known is not None else board.mu(fig.pane) * paper if paper is not None else board.mu(fig.pane)
     )
@@ -127,6 +129,14 @@ def _turning(motions: Motions, link: str, spot: Spot, blank: Reading) -> tuple[R
     at_rest = np.abs(bare(from_centre)) == 0.0  # whoever errs may be led to the centre itself
     way = 1j * unit(from_centre + at_rest if np.any(at_rest) else from_centre) * np.sign(nominal(motions.turns[link]))
     return reading, expr.value * np.exp(1j * board.gauge(0j, way))
+
+
+def _letter(fig: CentreFigure, spot: Spot) -> None:
+    """What is measured to a point stands on the figure with the letter of that point."""
+    at = complex(nominal(spot.at))
+    named = (mark for mark in fig.board.marks(fig.pane) if isinstance(mark, Point) and mark.label == spot.letter)
+    if not any(abs(mark.at - at) < CLOSE for mark in named):
+        fig.board.plot(fig.pane, spot.at, spot.letter, Dot.POINT)
 
 
 def _where(motions: Motions, at: At) -> tuple[str, Points]:

@@ -23,6 +23,9 @@ BEYOND, TICK = 8.0, 8.0  # mm: the axes run on; marks under the ends of pieces
 CROWDED = 20  # stations on the axis: of more only every other is numbered
 
 
+BELOW = -1j  # numbers of an axis stand under it, on one line
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Station:
     """An angle of the cam, the piece that ends there or goes on, and what was found on the diagram."""
@@ -68,7 +71,7 @@ def displacement(bench: Bench, cam: Cam) -> tuple[Station, ...]:
         for n, (phi, piece) in enumerate(cam.places)
     )
     for station in found[:: 1 if len(found) <= CROWDED else 2]:
-        board.plot(place, station.lift.foot, f"{station.number}", Dot.NONE)
+        board.note(place, station.lift.foot, Words.same(f"{station.number}"), BELOW)
     _curve(bench, place, cam, found)
     board.remark(shocks(board, place, cam))
     _read(bench, place, cam, found)
@@ -84,7 +87,7 @@ def _axes(bench: Bench, place: View, cam: Cam, symbol: str) -> None:
     for piece in cam.pieces:
         at = piece.end / scale.right.value
         board.join(place, at + 0j, at - TICK * 1j, Role.CONSTRUCTION)
-        board.plot(place, at - TICK * 1j, f"{degrees(piece.end):g}°", Dot.NONE)
+        board.note(place, at - TICK * 1j, Words.same(f"{degrees(piece.end):g}°"), BELOW)
 
 
 def _curve(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> None:

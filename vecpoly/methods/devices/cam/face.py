@@ -100,16 +100,25 @@ def reach(bench: Bench, cam: Cam) -> None:
 def _along_the_arm(bench: Bench, cam: Cam) -> None:
     """The least and the greatest distance of the contact from the foot of A on the face."""
     board = bench.board
-    for sign, named, told in (
-        (-1, NEAREST, Words("切点离 $A$ 在平底上的垂足最近", "The contact is nearest to the foot of $A$ on the face")),
-        (1, FARTHEST, Words("切点离该垂足最远", "It is farthest from it")),
+    for mark, sign, named, told in (
+        (
+            "_1",
+            -1,
+            NEAREST,
+            Words("切点离 $A$ 在平底上的垂足最近", "The contact is nearest to the foot of $A$ on the face"),
+        ),
+        ("_2", 1, FARTHEST, Words("切点离该垂足最远", "It is farthest from it")),
     ):
         spot = best(board, place_of(cam), cam.pieces, reaching(cam, sign))
         where = number(degrees(spot.phi))
         board.step(told + Words(f"（$φ$ = {where}°），距离为：", f" at $φ$ = {where}°:"), VIEW)
         at = lift(board, place_of(cam), spot.piece, spot.phi, late=spot.late)
         it = pose(board, VIEW, cam, spot.phi, at)
-        length(bench, named, VIEW, it.b, it.foot, "A T" if not cam.face else "A′ T")
+        foot, touch = f"A{mark}^′" if cam.face else f"A{mark}", f"T{mark}"
+        board.join(VIEW, it.b, it.foot, Role.CONSTRUCTION)
+        for letter, end in ((foot, it.b), (touch, it.foot)):
+            board.plot(VIEW, end, letter, Dot.POINT)
+        length(bench, named, VIEW, it.b, it.foot, f"{foot} {touch}")
 
 
 def _about_the_guide(bench: Bench, cam: Cam) -> None:
@@ -136,4 +145,7 @@ def _contact_off(bench: Bench, cam: Cam, spot: Spot, named: Named) -> None:
     board = bench.board
     at = lift(board, place_of(cam), spot.piece, spot.phi, late=spot.late)
     pole = board.lay_off(0j, np.exp(-1j * cam.sense * spot.phi), np.abs(at.slope) / board.scale_of(VIEW).value)
-    length(bench, named, VIEW, 0j, pole, "O P")
+    letter = f"P_{named.symbol[-1]}"
+    board.join(VIEW, 0j, pole, Role.CONSTRUCTION)
+    board.plot(VIEW, pole, letter, Dot.POINT)
+    length(bench, named, VIEW, 0j, pole, f"O {letter}")

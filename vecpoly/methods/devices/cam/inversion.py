@@ -25,6 +25,7 @@ from .words.inversion import enveloped, opening, turning
 VIEW = View.MECHANISM
 CROWDED = 24  # stations: of more only every other is numbered
 CLEAR = 14.0  # mm: of the guides about the pivot, for its letter and the arrow of ω
+SHOWN = 4  # the station of which the radius of the profile is drawn
 FACE = 0.6  # of r0: how far a flat face is drawn to either side
 
 
@@ -148,6 +149,9 @@ def _profile(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
     if cam.follower.roller or cam.follower.flat:
         for through in _along(bench, cam, cuts, pitch=False):
             board.curve(VIEW, through, Role.LINK)
+    shown = cuts[min(SHOWN, len(cuts) - 1)]
+    board.join(VIEW, 0j, shown.touch, Role.CONSTRUCTION)
+    board.plot(VIEW, shown.touch / 2, radius(shown.station.name).symbol, Dot.NONE)
     for cut in cuts:
         letters = f"O T_{{{cut.station.number}}}"
         on_paper = board.measure(0j, cut.touch, letters)

@@ -120,6 +120,7 @@ def _measured(bench: Bench, at: Points, named: tuple[Named, Named, Named], lette
     level = at.real + 0j
     board.join(LOOP, 0j, level, Role.CENTRE)
     board.join(LOOP, level, at, Role.CONSTRUCTION)
+    board.plot(LOOP, level, f"{letter}′", Dot.POINT)
     length(bench, named[0], LOOP, 0j, at, f"B_0 {letter}")
     right = 1 if float(nominal(at.real)) >= 0 else -1
     length(bench, named[1], LOOP, 0j, level, f"B_0 {letter}′", right * sense)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ....algebra.quantity import Quantity, number
 from ....board.construction import Pane, Scale, View
-from ....board.paper.marks import Role
+from ....board.paper.marks import Dot, Role
 from ....devices.eccentric_clamp import ARM, E_LIMIT, SELF_LOCKING, EccentricClamp
 from ....plane import Line, Points, foot, nominal, unit
 from ....words import Words
@@ -113,4 +113,7 @@ def _limit(bench: Bench, clamp: Clamp, line: Line, opening: Points, place: Pane)
     board.join(place, beside, largest + unit(largest - beside) * 5, Role.HIDDEN)
     board.join(place, 0j, largest, Role.CONSTRUCTION)
     board.plot(place, largest, "O′")
+    near = foot(line, clamp.o)
+    board.join(place, clamp.o, near, Role.CONSTRUCTION)
+    board.plot(place, (clamp.o + near) / 2, "R sin φ", Dot.NONE)
     bench.measured(E_LIMIT, place, 0j, largest, "A O′")

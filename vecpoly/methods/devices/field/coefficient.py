@@ -106,7 +106,7 @@ def _correction(
     at = sum_of.value % 360.0
     text = f" = $θ_t$ + $β$ = {number(degrees(trial.at.si), 5)}° + {number(way, 5)}° = {number(float(nominal(at)), 5)}°"
     bench.stated(bearing(""), at, row_of(sym(bearing("").symbol), text))
-    weight_seen(bench, device, float(nominal(at)), weight("").symbol)
+    weight_seen(bench, device, float(nominal(at)), weight("").symbol, bearing("").symbol)
 
 
 def _told(symbol: str, stays: bool) -> Words:

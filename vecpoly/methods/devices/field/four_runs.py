@@ -13,7 +13,7 @@ from ....board.paper.marks import Dot, Role
 from ....devices.balancing.field import FieldBalancing, bearing, effect, spread, weight
 from ....devices.balancing.unclear import check_effect, check_spread, no_meeting
 from ....errors import AssemblyError
-from ....plane import Points, nominal
+from ....plane import Points, nominal, unit
 from ....words import Words
 from ..bench import Bench
 from ..rotor.polygon import heading, stated_bearing
@@ -30,6 +30,8 @@ def by_arcs(bench: Bench, device: FieldBalancing) -> None:
         _both(bench, device, centres)
         return
     corners = [_corner(bench, device, centres, i, j) for i, j in combinations(range(3), 2)]
+    for k, corner in enumerate((corners[0], corners[0], corners[1])):
+        _radius(bench, device, centres, k, corner)
     _centroid(bench, device, corners)
 
 
@@ -56,6 +58,7 @@ def _circle(bench: Bench, device: FieldBalancing) -> list[Points]:
         board.join(view, 0j, at, Role.CONSTRUCTION)
         board.plot(view, at, str(i))
         centres.append(at)
+    board.plot(view, centres[0] / 2, "V_0", Dot.NONE)
     return centres
 
 
@@ -89,6 +92,14 @@ def _swung(bench: Bench, device: FieldBalancing, centres: Sequence[Points], runs
         board.circle(view, centres[k], radius, start=way - HALF, sweep=2 * HALF)
 
 
+def _radius(bench: Bench, device: FieldBalancing, centres: Sequence[Points], k: int, at: Points) -> None:
+    """The radius of an arc, which is a reading, with its symbol."""
+    board, view = bench.board, vibrations(device)
+    end = centres[k] + unit(at - centres[k]) * board.to_paper(view, device.trials[k].reading.size)
+    board.join(view, centres[k], end, Role.CONSTRUCTION)
+    board.plot(view, (centres[k] + end) / 2, f"V_{k + 1}", Dot.NONE)
+
+
 def _centroid(bench: Bench, device: FieldBalancing, corners: list[Points]) -> None:
     """Three arcs rarely concur: the centroid of their small triangle, and how large that is."""
     board, view = bench.board, vibrations(device)
@@ -105,6 +116,7 @@ def _centroid(bench: Bench, device: FieldBalancing, corners: list[Points]) -> No
         view,
     )
     board.tint(view, tuple(corners))
+    board.plot(view, (longest[0] + longest[1]) / 2, "Δ", Dot.NONE)
     bench.measured(named, view, *longest, "Δ")
     q = board.locate(view, "Q", (corners[0] + corners[1] + corners[2]) / 3)
     size = float(nominal(np.abs(q))) * board.scale_of(view).value
@@ -126,6 +138,8 @@ def _both(bench: Bench, device: FieldBalancing, centres: Sequence[Points]) -> No
     ordered = sorted(pair, key=lambda q: float(np.degrees(np.angle(nominal(q)))) % 360.0)
     for which, at in enumerate(ordered, 1):
         _swung(bench, device, centres, (0, 1), at)
+        for k in (0, 1) if which == 1 else ():
+            _radius(bench, device, centres, k, at)
         _answer(bench, device, board.locate(view, f"Q_{which}", at), f"Q_{which}", f"_{which}")
 
 
@@ -146,7 +160,7 @@ def _answer(bench: Bench, device: FieldBalancing, q: Points, letter: str, way: s
     bench.worked(weight(way), _weight(device, moved))
     stated_bearing(bench, bearing(way), q, 0.0)
     turn = float(nominal(bench.board.found[bearing(way).key]))
-    weight_seen(bench, device, turn, weight(way).symbol)
+    weight_seen(bench, device, turn, weight(way).symbol, bearing(way).symbol)
 
 
 def _weight(device: FieldBalancing, moved: Quantity) -> Expr:

@@ -6,7 +6,7 @@ from cmath import rect
 from math import radians
 
 from ....board.construction import View
-from ....board.paper.marks import Dot, Role
+from ....board.paper.marks import AngleMark, Dot, Role
 from ....board.place import view_named
 from ....devices.balancing.field import FieldBalancing
 from ....devices.balancing.vibration import MICRON
@@ -14,6 +14,8 @@ from ....diagram.single import disc
 from ....words import Words
 from ..bench import Bench
 from ..rotor.scales import AXIS, END_VIEW, LUMP
+
+ANGLE_AT = 10.0  # mm: radius at which the angle of the correction is marked
 
 
 def vibrations(device: FieldBalancing) -> View:
@@ -43,9 +45,11 @@ def rotor_seen(bench: Bench, device: FieldBalancing) -> None:
         board.plot(END_VIEW, at, f"{i}" if len(device.trials) > 1 else "m_t", Dot.NONE)
 
 
-def weight_seen(bench: Bench, device: FieldBalancing, degrees: float, label: str) -> None:
-    """The correction, drawn into the end view."""
+def weight_seen(bench: Bench, device: FieldBalancing, degrees: float, label: str, angle: str) -> None:
+    """The correction, drawn into the end view, and its angle; a second one outside that of the first."""
     board = bench.board
+    marked = sum(isinstance(mark, AngleMark) for mark in board.marks(END_VIEW))
+    board.angle(END_VIEW, 0j, 1 + 0j, radians(degrees), ANGLE_AT * (1 + marked), angle)
     at = rect(device.correct.r.si / board.scale_of(END_VIEW).value, radians(degrees))
     board.join(END_VIEW, 0j, at, Role.HIDDEN)
     board.circle(END_VIEW, at, LUMP, Role.RESULT)

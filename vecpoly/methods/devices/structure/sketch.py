@@ -47,10 +47,12 @@ def draw_apart(
     board: Board, place: Pane, device: Structure, chain: Chain, links: tuple[str, ...], frame: bool = False
 ) -> None:
     """These links alone, with the halves of the joints by which they hang on the rest;
-    `frame`: with the frame where they stand on it."""
-    whole = _on_paper(board, place, device.chain)
-    it = Sketched(_on_paper(board, place, chain), device.number, whole=whole)
+    `frame`: drivers, with the frame where they stand on it and their arrows."""
+    whole, scaled = _on_paper(board, place, device.chain), _on_paper(board, place, chain)
+    it = Sketched(scaled, device.number, whole=whole)
     board.depict(place, *it.drawn(links, frame=frame))
+    for link in links if frame else ():
+        _draw_driver(board, place, scaled.at(link))
 
 
 def draw_replaced(board: Board, place: Pane, device: Structure, pair: Pair) -> None:

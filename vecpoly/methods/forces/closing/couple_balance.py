@@ -7,7 +7,7 @@ import numpy as np
 from ....algebra.quantity import magnitude
 from ....board.board import NO_LENGTH
 from ....board.construction import View
-from ....board.paper.marks import Role
+from ....board.paper.marks import Dot, Role
 from ....errors import EquilibriumError, LockedError
 from ....mechanism.model import Revolute
 from ....plane import Line, Points, Reals, foot, nominal
@@ -108,6 +108,7 @@ def _close(st: Statics, who: tuple[Held, str], where: tuple[Line, Points, Points
     size = board.compute(named.symbol, magnitude("M", np.abs(moment), "N·m") / arm, "N")
     vector = line.along * st.mm(size.value)
     board.join(View.MECHANISM, at, across, st.ruled(Role.CONSTRUCTION))
+    board.plot(View.MECHANISM, (at + across) / 2, letter, Dot.NONE)
     board.join(View.MECHANISM, at - line.along * 16.0, at + line.along * 16.0, st.ruled(Role.DIRECTION))
     st.settle(by, link, vector, line.at, computed=size.value)
     st.settle(held.parent, link, -vector, at, None, sense, computed=size.value)

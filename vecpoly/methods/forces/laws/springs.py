@@ -7,6 +7,7 @@ import numpy as np
 from ....algebra.quantity import Expr, Quantity, Sum, magnitude
 from ....board.board import NO_LENGTH
 from ....board.construction import Reading, View
+from ....board.paper.marks import Dot, Role
 from ....diagram.single import pivot
 from ....diagram.springs.straight import damper, spring_symbol
 from ....diagram.springs.torsion import coil_symbol
@@ -98,7 +99,10 @@ def _damped(at: OffPaper, spring: Spring) -> list[tuple[Expr, int]]:
         board.remark(Words("此时长度不变，无阻尼力。", " Its length does not change here, so nothing is damped."))
         return []
     end = base + along * part
-    on_paper = board.measure(base, end, f"v_{{{spring.foot}{spring.point}}}")
+    letter = f"v_{{{spring.foot}{spring.point}}}"
+    board.join(View.VELOCITY, base, end, Role.CONSTRUCTION)
+    board.plot(View.VELOCITY, (base + end) / 2, letter, Dot.NONE)
+    on_paper = board.measure(base, end, letter)
     rate = board.compute(f"v_{{{spring.name.replace('_', '')}}}", board.mu(View.VELOCITY) * on_paper, "m/s")
     return [(magnitude("c", spring.damping, "N·s/m") * rate, 1 if float(nominal(part)) > 0 else -1)]
 

@@ -7,6 +7,7 @@ the rest. Where the two slides' reactions act is told by ΣM = 0 of the central 
 
 from __future__ import annotations
 
+from ....board.construction import Pane
 from ....mechanism.groups.assur import Group
 from ....plane import Points, nominal
 from ....words import Words
@@ -35,7 +36,9 @@ def forces_two_slides(st: Statics, group: Group, star: Star, leg: Parallel) -> N
     name_legs(st, star, (one, two), sides)
     for each, found in zip((one, two), sides, strict=True):
         settle_leg(st, star, each, found, links)
-    turning = joined(turning, *(_on_plate(st, star, *pair, about) for pair in zip((one, two), sides, strict=True)))
+    turning = joined(
+        turning, *(_on_plate(st, star, pane, *pair, about) for pair in zip((one, two), sides, strict=True))
+    )
     settle_slide(st, links, leg.link, star.plate, on_plate, (about, turning))
     pin = leg.slide.pin if leg.slide.pin in st.mech.link(leg.link).points else leg.guide.pin
     settle_slide(st, links, leg.parent, leg.link, on_leg, (pin, moments_about(st, pane, (leg.link,), pin)))
@@ -87,7 +90,7 @@ def _pushed(st: Statics, star: Star, leg: Parallel, drawn: Drawn) -> list[Acting
     return [Acting(named=st.named(leg.link, star.plate), vector=vector, at=0j, drawn=drawn)]
 
 
-def _on_plate(st: Statics, star: Star, one: Pressed, both: Sides, letter: str) -> Turning:
+def _on_plate(st: Statics, star: Star, pane: Pane, one: Pressed, both: Sides, letter: str) -> Turning:
     """The moment of a leg on the central link about a letter: its force in its pin, what a leg in a slot turns beside
     it. What friction turns at the pin is among the couples of the central link."""
     force = Acting(
@@ -97,7 +100,7 @@ def _on_plate(st: Statics, star: Star, one: Pressed, both: Sides, letter: str) -
         drawn=both.inner,
     )
     small = abs(complex(nominal(force.vector))) < SAME
-    turned = moments_of(st, None, [] if small else [force], st.desk.at[letter])
+    turned = moments_of(st, pane, [] if small else [force], st.desk.at[letter])
     if isinstance(one.leg, Slotted):
         assert one.placed is not None
         return joined(turned, one.placed[1])

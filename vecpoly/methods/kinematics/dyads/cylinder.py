@@ -27,6 +27,7 @@ from ..turning import same_turn
 from .rrr import total, turn_of_link
 
 _SOURCE = "机械原理, coincident points of two links; the relative velocity along the cylinder is given"
+CORNER = {View.VELOCITY: "r", View.ACCELERATION: "r′"}  # where the given vectors end that are laid off first
 
 
 @method(
@@ -153,8 +154,19 @@ def _given(desk: Desk, ram: Ram, rel: Rel, value: float) -> Term:
         magnitude="✓" if value else "0",
         along=desk.guide_line(ram.pair).along * way,
         mm=desk.board.to_paper(view, np.asarray(abs(value))),
-        tip="r′" if value and view is View.ACCELERATION else "",
+        tip=CORNER[view] if value else "",
     )
+
+
+def _shifted(corner: str, tip: str, *, together: bool) -> Words:
+    """What a parallelogram is drawn for; together: the two given vectors, of which then only the sum is ruled."""
+    told = Words(
+        f"将所给矢量平移，使其终点落在 ${tip}$，其起点即 ${corner}$（平行四边形法则）",
+        f" Shifted so that they end at ${tip}$, the given vectors start at ${corner}$: a parallelogram, of which "
+        "either way round may be read",
+    )
+    whole = Words(f"，细线 ${corner}{tip}$ 为两者之和", f"; the thin line ${corner}{tip}$ is the sum of both")
+    return told + (whole if together else Words.same("")) + Words("。", ".")
 
 
 def _parallelogram(desk: Desk, view: View, ram: Ram, turning: Term, along: tuple[Term, ...], closed: Closed) -> Ends:
@@ -162,14 +174,8 @@ def _parallelogram(desk: Desk, view: View, ram: Ram, turning: Term, along: tuple
     board, under = desk.board, At(ram.inner.point, ram.near)
     start, end = closed.ends[along[0].rel.key][0], closed.ends[along[-1].rel.key][1]
     foot, corner = start, desk.put_tip(view, under, closed.meeting - (end - start))
-    board.remark(
-        Words(
-            f"将所给矢量平移，使其终点落在 ${desk.tip_label(view, At(ram.inner.point))}$，"
-            f"其起点即 ${desk.tip_label(view, under)}$。",
-            f" Shifted so that they end at ${desk.tip_label(view, At(ram.inner.point))}$, the "
-            f"given vectors start at ${desk.tip_label(view, under)}$.",
-        )
-    )
+    tips = desk.tip_label(view, under), desk.tip_label(view, At(ram.inner.point))
+    board.remark(_shifted(*tips, together=len(along) > 1))
     board.plot(view, corner, desk.tip_label(view, under))
     board.arrow(view, foot, corner, Role.RESULT, key=turning.key)
     moved: Ends = {turning.rel.key: (foot, corner)}

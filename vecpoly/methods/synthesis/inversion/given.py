@@ -6,6 +6,7 @@ from math import degrees
 
 from ....board.paper.marks import Dot, Role
 from ....designs.inversion.plan import FRAME, Body, Pin, Plan
+from ....diagram.single import outline
 from ....foundation.frozen import FrozenMap
 from ....plane import Points
 from ....words import Words
@@ -15,6 +16,7 @@ from ..linkage import pin
 from .sheet import Places, Sheet, Stands, lettered, placed
 
 SYMBOLS = (("φ", "phi"), ("ψ", "psi"), ("χ", "chi"))  # of the links that turn, in order
+HALF = 1.8  # mm: half the breadth of a body, which is seen under links that lie along it
 REACH = 0.35  # of the extent of what is given: from the origin of a body to the point that marks its line
 
 
@@ -114,6 +116,9 @@ def _marked(sheet: Sheet, body: Body, own: list[Pin]) -> Sheet:
             continue
         draft.board.join(SHEET, stands.start, stands.end if _free(body) or not own else ends[0][n], role)
         if _free(body):
+            half = 1j * stands.along * HALF
+            corners = stands.start + half, stands.end + half, stands.end - half, stands.start - half
+            draft.board.depict(SHEET, outline(f"body {body.name}{n + 1}", *corners))
             pin(draft, f"P_{n + 1}", stands.start, Dot.POINT)
         if not own or _free(body):
             pin(draft, f"{mark_of(sheet.plan, body)}_{n + 1}", stands.end, Dot.POINT)

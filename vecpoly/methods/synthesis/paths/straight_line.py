@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ....algebra.quantity import magnitude
-from ....board.paper.marks import Role
+from ....board.paper.marks import Dot, Role
 from ....designs.straight_line import BAND, L, StraightLine
 from ....designs.verdict import Verdict
 from ....plane import Points, circles_meet, nominal
@@ -130,6 +130,7 @@ def _measured(draft: Draft, curve: Chart, places: list[complex], base: float) ->
         (BAND, 1j * low.imag, 1j * high.imag, "δ", scale),
     ):
         on_paper = board.measure(np.complex128(one), np.complex128(other), letters)
+        board.plot(curve.place, (np.complex128(one) + np.complex128(other)) / 2, letters, Dot.NONE)
         size = magnitude(mu.symbol, mu.value, "mm/mm") * on_paper
         draft.worked(draft.of_this(named), size)
         draft.read_off(draft.of_this(named), curve.place, on_paper, letters, mu)

@@ -75,8 +75,6 @@ def quotient(study: Study, duty: Duty) -> str:
     """The quotient by which η is computed there."""
     loads = study.problem.loads
     assert loads is not None
-    if not two_loads(study):
-        return "$P_{out}/P_{in}$"
     free = load_named(loads.unknown)
     zero = without_friction(free).symbol
     return f"${zero}/{free.symbol}$" if loads.unknown.name in duty.drives else f"${free.symbol}/{zero}$"
@@ -122,11 +120,12 @@ def table(study: Study, press: Press) -> str:
     if study.problem.loads is None or len(duties(study.whole)) < 2:
         return ""
     keys, made = told(study), list(rows(study))
-    header = [f"${study.whole.drive.symbol}$", *_HEADER[press.lang][: 3 if "eta" in keys else 2]]
+    quotients = "eta" in keys and two_loads(study)  # else η is P_out/P_in throughout, as its formula says
+    header = [f"${study.whole.drive.symbol}$", *_HEADER[press.lang][: 3 if quotients else 2]]
     symbols = [f"$|{study.whole.info(key).symbol}|$" if key != "eta" else "$η$" for key in keys]
     header += [f"{symbol} 最大" if press.lang == "zh" else f"Greatest {symbol}" for symbol in symbols]
     lines = [
-        (ranges(study, [duty]).of(press.lang), *_line(study, duty, spots, press.lang, "eta" in keys))
+        (ranges(study, [duty]).of(press.lang), *_line(study, duty, spots, press.lang, quotients))
         for duty, spots in made
     ]
     return press.table(
@@ -152,7 +151,10 @@ def _line(study: Study, duty: Duty, spots: tuple[Spot | None, ...], lang: Lang, 
 
 
 def _at(study: Study, spot: Spot, lang: Lang) -> str:
-    """（285.2°）"""
-    turn = study.whole.period
-    where = study.where(spot.phi % turn if turn else spot.phi).split(" = ")[1]
+    """（285.2°）; a whole angle with its tenth, as its neighbours have."""
+    turn, drive = study.whole.period, study.whole.drive
+    phi = spot.phi % turn if turn else spot.phi
+    where = study.where(phi).split(" = ")[1]
+    if drive.shown_unit == "°":
+        where = f"{drive.factor * phi:.1f}°".replace("-", "−")
     return f"（{where}）" if lang == "zh" else f" ({where})"

@@ -1,0 +1,39 @@
+"""The numbers under an axis stand on one line: only what is in the way there, on a leader, stands elsewhere."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+from tests.drawn_library import DRAFTED, drawn
+from tests.each import Later, each
+from vecpoly.board.paper.marks import Note
+from vecpoly.drawing.figure import drawing
+
+LEVEL = 0.05  # mm
+UNDER = -1j
+
+
+def numbered() -> list[str]:
+    """Of a third of the library, and of the cams, the problems with numbers under an axis."""
+    names = dict.fromkeys((*DRAFTED, "cam-flat-arm", "cam-rocker", "cam-undercut", "cam-heart", "7-5"))
+    return [name for name in names if any(map(is_under, _marks(name)))]
+
+
+def _marks(name: str) -> list[object]:
+    return [mark for figure in drawn(name).construction.figures for mark in figure.marks]
+
+
+def is_under(mark: object) -> bool:
+    return isinstance(mark, Note) and mark.side == UNDER
+
+
+@each(Later(numbered))
+def test_the_numbers_under_an_axis_stand_on_one_line(name: str) -> None:
+    for figure in drawn(name).construction.figures:
+        if not any(map(is_under, figure.marks)):
+            continue
+        rows: dict[float, set[float]] = defaultdict(set)  # by the height of the axis where the middles of labels stand
+        for label in drawing(figure).labels:
+            if label.want.level and label.foot is None and label.want.normals[0] == UNDER:
+                rows[round(label.want.feet[0].imag, 3)].add(label.centre.imag)
+        assert all(max(row) - min(row) < LEVEL for row in rows.values()), rows
