@@ -14,9 +14,10 @@ from hypothesis import strategies as st
 from tests.drawn_library import DRAFTED, drafted, hanging
 from tests.each import each
 from tests.pocket import Sum, sums
-from vecpoly.algebra.formula import Node, Sym, plain
-from vecpoly.algebra.quantity import Expr, Of, Rooted, magnitude
+from vecpoly.algebra.formula import Node, Row, Sym, plain
+from vecpoly.algebra.quantity import Expr, Of, Quantity, Rooted, magnitude
 from vecpoly.algebra.worked import worked
+from vecpoly.plane import nominal
 from vecpoly.solution import Solution
 from vecpoly.words import Words
 
@@ -49,6 +50,13 @@ def told(name: str) -> tuple[Sum, ...]:
 def test_every_line_of_the_steps_gives_its_printed_result(name: str) -> None:
     for one in told(name):
         assert one.holds, f"{one.text}: {one.reckoned:.7g}"
+
+
+@each(DRAFTED)
+def test_a_scale_in_a_line_is_positive_whatever_way_the_length_lies(name: str) -> None:
+    for line in hanging(solved(name).construction, (Row,)):
+        for one in hanging(line.worked, (Quantity,)):
+            assert not plain(one.node).startswith("μ") or nominal(one.value) > 0, plain(line)
 
 
 def test_thousands_of_sums_are_read() -> None:
