@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import cache
 from typing import get_args
@@ -14,13 +15,13 @@ from hypothesis import strategies as st
 from tests.drawn_library import DRAFTED, drafted, hanging
 from tests.each import each
 from tests.pocket import Sum, sums
-from vecpoly.algebra.formula import Node, Row, Sym, plain
-from vecpoly.algebra.quantity import Expr, Of, Quantity, Rooted, magnitude
+from vecpoly.algebra.formula import Node, Sym, plain
+from vecpoly.algebra.quantity import Expr, Of, Rooted, magnitude
 from vecpoly.algebra.worked import worked
-from vecpoly.plane import nominal
 from vecpoly.solution import Solution
 from vecpoly.words import Words
 
+NEGATIVE_SCALE = re.compile(r"= −?μ\S*[^=]* = −?\(−")
 PRINTED: tuple[type[Words | Node], ...] = (Words, *get_args(Node))
 
 
@@ -54,9 +55,13 @@ def test_every_line_of_the_steps_gives_its_printed_result(name: str) -> None:
 
 @each(DRAFTED)
 def test_a_scale_in_a_line_is_positive_whatever_way_the_length_lies(name: str) -> None:
-    for line in hanging(solved(name).construction, (Row,)):
-        for one in hanging(line.worked, (Quantity,)):
-            assert not plain(one.node).startswith("μ") or nominal(one.value) > 0, plain(line)
+    for text in printed(solved(name).construction):
+        assert not NEGATIVE_SCALE.search(text), text
+
+
+def test_a_negative_scale_would_be_seen() -> None:
+    mu, length = magnitude("μ_v", -0.01, "(m/s)/mm"), magnitude("Cc", 54.0, "mm")
+    assert NEGATIVE_SCALE.search(plain(worked(Sym("v", "C"), mu * length, "m/s")))
 
 
 def test_thousands_of_sums_are_read() -> None:
