@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from tests.cam_cases import CASES, agree, device, drawn
 from tests.laws import often
+from vecpoly.board.paper.marks import Point
 from vecpoly.errors import NotAskedError, ProblemFileError
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.problem.load import load, loads
@@ -96,6 +97,18 @@ def test_a_ratio_of_ten_thousand_is_known_but_not_measured() -> None:
         assert ratio == pytest.approx(1e4 if driver == "H" else 1e-4, rel=1e-9)
         with pytest.raises(NotAskedError, match="too large to be measured"):
             drawn(train)
+
+
+@pytest.mark.parametrize("name", ["train-ring", "train-stepped", "train-differential"])
+def test_velocities_and_rays_lie_on_the_side_to_which_points_above_the_axis_move(name: str) -> None:
+    problem = load(name)
+    solution, exact = solve(problem, by="exact"), device_answers(problem.subject)  # type: ignore[arg-type]
+    for place, letters in (("radii", {"a": "A", "o_2": "O2", "c": "C"}), ("turns", {"1": "1", "2": "2", "H": "H"})):
+        figure = next(one for one in solution.construction.figures if one.view.name == place)
+        spots = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point)}
+        for letter, of in letters.items():
+            value = exact[f"v_{of}" if place == "radii" else f"omega_{of}"].real
+            assert spots[letter].real * value < 0 or abs(spots[letter].real) < 1e-6 > abs(value), letter
 
 
 TRAIN = load("train-ring").text

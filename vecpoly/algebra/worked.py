@@ -171,7 +171,8 @@ def size_of(line: Row) -> float:
 
 def scale_of(line: Row) -> float | None:
     """The scale before the lengths of a line such as l = μ_l AB; None of a line that begins with no such factor."""
-    factors: tuple[Expr, ...] = line.worked.factors if isinstance(line.worked, Product) else ()
+    own = line.worked.terms[0] if isinstance(line.worked, Sum) and len(line.worked.terms) == 1 else line.worked
+    factors: tuple[Expr, ...] = own.factors if isinstance(own, Product) else ()
     return abs(float(nominal(factors[0].value))) if factors and isinstance(factors[0], Quantity) else None
 
 
