@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 
 from tests.cam_cases import CASES, agree, device, drawn
 from tests.laws import often
-from vecpoly.board.paper.marks import Point
+from vecpoly.board.paper.marks import Point, Role, Segment
 from vecpoly.errors import NotAskedError, ProblemFileError
+from vecpoly.methods.devices.epicyclic.scales import TURNS
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.problem.load import load, loads
 from vecpoly.solution import solve
@@ -39,6 +40,16 @@ def test_the_speeds_are_those_of_the_worked_train(case: str) -> None:
         assert 1e3 * found[f"v_{point}"] == pytest.approx(speed, abs=1e-7), point
     for point, radius in told["kutzbach"]["radii"].items():
         assert 1e3 * train.radii[{"A": "1", "O2": "H", "C": "3"}[point]] == pytest.approx(radius, abs=1e-9)
+
+
+@pytest.mark.parametrize("case", ["train-1", "train-4"])
+def test_all_rays_end_on_the_level_line_on_which_the_speeds_are_read(case: str) -> None:
+    figure = drawn(train_of(case)).figure(TURNS)
+    assert figure is not None
+    [level] = [mark for mark in figure.marks if isinstance(mark, Segment) and mark.role is Role.CONSTRUCTION]
+    ends = [mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label != "Π"]
+    assert len(ends) == 5 and {end.imag for end in (level.a, level.b, *ends)} == {0}
+    assert level.a.real < min(end.real for end in ends) and max(end.real for end in ends) < level.b.real
 
 
 @st.composite

@@ -9,7 +9,7 @@ from ...foundation.patterns import pattern
 from ...mechanism.laws.springs import Elastic
 from ...mechanism.loads import Constant, Force, Load, Moment
 from ...mechanism.model import FRAME
-from ...units.names import unit_of
+from ...units.names import plain, unit_of
 from ...units.reading import Dim, Quantity, read
 from ...words import Words
 from ..links.bodies import Bodies, frame_number
@@ -174,7 +174,7 @@ def _dimension(text: str) -> str:
     """The dimension of a written quantity; empty where it cannot be read (`read` will say why)."""
     m = re.search(r"[A-Za-z°牛千米].*$", re.sub(r"\s*(ccw|cw|逆时针|顺时针)(方向)?$", "", text))
     try:
-        return unit_of(m[0].replace("^", "**").replace("·", "*"))[1] if m else ""
+        return unit_of(plain(m[0]))[1] if m else ""
     except FaultError:
         return ""
 
