@@ -92,9 +92,9 @@ def test_a_load_that_is_given_is_drawn_on_the_figure_of_the_statement(name: str)
 def test_a_force_that_is_given_pulls_at_its_point_or_presses_on_it_alike_on_all_figures(name: str) -> None:
     one, loads = drawn(name), drawn(name).problem.loads
     here = [pictured(name), *(f for f in one.construction.figures if f.view in (View.MECHANISM, View.BODY))]
-    for load in loads.forces if loads is not None else ():
-        ways = {way for figure in here if figure is not None and (way := pulls(figure, load)) is not None}
-        assert load.against or len(ways) < 2, load.name
+    for force in loads.forces if loads is not None else ():
+        ways = {way for figure in here if figure is not None and (way := pulls(figure, force)) is not None}
+        assert force.against or len(ways) < 2, force.name
 
 
 def pulls(figure: Figure, load: Force) -> bool | None:
