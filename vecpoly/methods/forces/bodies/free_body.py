@@ -50,8 +50,7 @@ def draw_free_bodies(st: Statics, problem: Problem, solved: Sequence[str]) -> No
     thrusts = {
         key for forces in inside.values() for force in forces for key in (force.named.key, f"{force.named.key}′")
     }
-    posed = st.desk.posed()
-    pushed, pulled = ways_of_loads(st)
+    posed, (pushed, pulled) = st.desk.posed(), ways_of_loads(st)
     for name in bodies:
         number = st.mech.number(name)
         pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))
@@ -63,7 +62,7 @@ def draw_free_bodies(st: Statics, problem: Problem, solved: Sequence[str]) -> No
             *pressing,
         ]
         spots = [*_spots(st, name), *(complex(nominal(force.at)) for force in pressing)]
-        pressed = pushed | _pressing(st, name) | {force.named.symbol for force in pressing}
+        pressed = pushed.union(_pressing(st, name), (force.named.symbol for force in pressing))
         arrows = place_arrows(forces, spots, pressed, pulled)
         say_far(st, forces, spots)
         _displaced(st, pane, name)
