@@ -10,7 +10,7 @@ import numpy as np
 from ....algebra.quantity import Quantity, magnitude
 from ....board.board import NO_LENGTH
 from ....board.construction import View
-from ....board.paper.marks import Role
+from ....board.paper.marks import Dot, Role
 from ....errors import EquilibriumError, LockedError, NoMethodError
 from ....mechanism.model import Prismatic, Revolute
 from ....names import Named
@@ -234,5 +234,6 @@ def _arm(st: Statics, line: Line, touch: Points, letter: str) -> Quantity:
     end = foot(line, touch)
     if 1.0 < abs(nominal(end - touch)) < OFF_SHEET:
         st.board.join(View.MECHANISM, touch, end, st.ruled(Role.CONSTRUCTION))
+        st.board.plot(View.MECHANISM, (touch + end) / 2, letter, Dot.NONE)
         st.board.join(View.MECHANISM, end - line.along * 16.0, end + line.along * 16.0, st.ruled(Role.DIRECTION))
     return st.board.measure(touch, end, letter)
