@@ -15,7 +15,7 @@ from ..board.paper.symbols import Symbol
 from ..mechanism.joints import FRAME
 from ..names import subscripted
 from .bars import bar, hull
-from .guides import bush, rail_under, through
+from .guides import HALF_BLOCK, bush, rail_under, through
 from .owners import FIXED, joint
 from .owners import link as owner
 from .pins import lines_of, passing, welds
@@ -128,7 +128,7 @@ class Sketched:
         own = joint(pair.letter)
         if pair.slides:
             yield from self._slide(pair, frame)
-            yield Symbol.of(own, (Point(at=self._lettered(pair), label=subscripted(pair.letter), dot=Dot.NONE),))
+            yield Symbol.of(own, (Point(at=self._lettered(pair, frame), label=subscripted(pair.letter), dot=Dot.NONE),))
             return
         if frame and FRAME in pair.links:
             ground = (Ground(at=pair.at, down=self.down(pair)),)
@@ -136,13 +136,16 @@ class Sketched:
         dot = (Dot.MULTIPLE if self.ringed and len(pair.links) > 2 else Dot.JOINT) if pair.hinged else Dot.POINT
         yield Symbol.of(own, (Point(at=pair.at, label=subscripted(pair.letter), dot=dot),))
 
-    def _lettered(self, pair: Joined) -> complex:
-        """Where a sliding pair has its letter: at the block; where that has a pin, at the free end of the guide."""
+    def _lettered(self, pair: Joined, frame: bool) -> complex:
+        """Where a sliding pair has its letter: at the block; where that has a pin, at the free end of the guide as it
+        is drawn."""
         pinned = [p for p in self.chain.pairs if p.hinged and abs(p.at - pair.at) < NEAR]
         links = {link for p in pinned for link in p.links if link not in (FRAME, *pair.links)}
         ways = sum((p.at - pair.at for link in links for p in self.chain.at(link)), 0j)
         ahead = -1 if (pair.along.conjugate() * ways).real > 0 else 1
-        return pair.at + ahead * pair.along * HALF_GUIDE if pinned else pair.at
+        rail = pair.links[1] == FRAME and frame
+        aside = 1j * pair.along * HALF_BLOCK * (1 if self._leans_right(pair) else -1) if rail else 0j
+        return pair.at + ahead * pair.along * HALF_GUIDE + aside if pinned else pair.at
 
     def _slide(self, pair: Joined, frame: bool) -> Iterator[Symbol]:
         """A block on a fixed guide, a sleeve on a rod, a rod in a fixed sleeve."""

@@ -12,7 +12,7 @@ CHARACTERISTIC = register(
     View(
         name="characteristic",
         order=76,
-        title=Words("机械特性曲线 M–ω", "Characteristics M over ω"),
+        title=Words("机械特性曲线 $M$–$ω$", "Characteristics $M$ over $ω$"),
         called=Words("机械特性曲线", "the characteristics"),
         mu=MOMENT,
         across=TURNS.mu,
@@ -24,7 +24,7 @@ SPEED = register(
     View(
         name="speed",
         order=78,
-        title=Words("转速曲线 ω–t", "Speed ω over time"),
+        title=Words("转速曲线 $ω$–$t$", "Speed $ω$ over time"),
         called=Words("转速曲线", "the curve of the speed"),
         mu=TURNS.mu,
         across=Mu(

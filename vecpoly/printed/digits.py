@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from math import floor, isfinite, log10
 
 from ..algebra.columns import places_of as places_of
@@ -88,6 +89,11 @@ def _read_to(answer: Answer) -> float:
 
 def _error(answer: Answer) -> float:
     return answer.expected_error if not answer.computed and isfinite(answer.expected_error) else 0.0
+
+
+def in_percent(text: str) -> str:
+    """A share as it is printed, 0.44, with the same figures in per cent: 44 %."""
+    return f"{Decimal(text).scaleb(2):f} %"
 
 
 def on_paper(answer: Answer) -> str:

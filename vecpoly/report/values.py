@@ -9,6 +9,7 @@ from ..algebra.quantity import number
 from ..mechanism.asked.forces import load_named
 from ..mechanism.loads import Force
 from ..names import Key, Named
+from ..printed.digits import LEAST, in_percent
 from ..printed.units import printed_unit
 from ..problem.problem import Problem
 from ..solution import YES_NO
@@ -46,8 +47,8 @@ def value(size: float, unit: str, lang: Lang, key: str = "", digits: int = 4) ->
     text = number(factor * size, digits)
     if unit == "deg":
         return f"{text}°"
-    if is_efficiency(key, unit) and size > 0:
-        return f"{text} ({100 * size:.1f} %)"
+    if is_efficiency(key, unit) and size >= LEAST:
+        return f"{text} ({in_percent(text)})"
     return f"{text} {name}".rstrip()
 
 

@@ -58,7 +58,7 @@ class _Line:
         swings = one.unit == "°"
         stroke, unit = ("psi", "°") if swings else ("H", " mm")
         return [
-            (Words("杆长相差", "Bars differ by"), self._closes()),
+            (Words("杆长相差", "Length error"), self._closes()),
             (Words("同回路同分支", "One circuit, branch"), self._yes()),
             (Words("次序", "Order"), self._order()),
             (Words("机构类型（余量）", "Type (margin)"), self._type()),

@@ -7,7 +7,7 @@ from math import degrees, isclose
 
 from ...algebra.formula import Node, Row, Txt, row
 from ...printed.angles import bearing_told
-from ...printed.digits import coordinates, drawn_number, on_paper
+from ...printed.digits import LEAST, coordinates, drawn_number, in_percent, on_paper
 from ...printed.places import place_parts
 from ...printed.units import printed_unit
 from ...problem.problem import Problem
@@ -83,10 +83,10 @@ def result_of(answer: Answer, lang: Lang) -> str:
         return (
             f"∞ ({_angle(answer.drawn)})" if at is None else f"({', '.join(place_parts(at, coordinates(answer)))}) mm"
         )
-    text = drawn_number(answer) + unit_after(printed_unit(reading.unit)[1])
-    return (
-        f"{text} ({100 * answer.drawn:.1f} %)" if is_efficiency(answer.key, reading.unit) and answer.drawn > 0 else text
-    )
+    text = drawn_number(answer)
+    if is_efficiency(answer.key, reading.unit) and answer.drawn >= LEAST:
+        return f"{text} ({in_percent(text)})"
+    return text + unit_after(printed_unit(reading.unit)[1])
 
 
 def _named(answer: Answer, lang: Lang) -> tuple[str, Node, str]:

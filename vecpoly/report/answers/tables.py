@@ -31,7 +31,8 @@ _HEADS = (
     Words("偏差 /%", "Deviation /%"),
     Words("预期误差", "Expected error"),
 )
-_VALUE, _WITH_UNIT, _ALIGN = 4, (4, 6, 8), "lcdcddddd"
+_VALUE, _OFF, _WITH_UNIT, _ALIGN = 4, 7, (4, 6, 8), "lcdcddddd"
+_DEVIATION = Words("偏差", "Deviation")
 _COMPUTED = Words("计算值", "Computed")
 _PLACES = (
     Words("点", "Point"),
@@ -113,7 +114,12 @@ def _values(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
     if one_unit not in ("", NOTHING):
         header = [f"{head} /{_braced(one_unit)}" if n in _WITH_UNIT else head for n, head in enumerate(header)]
     errors = expected_errors(answers)
-    rows = [(*_row(one, solution.problem, lang, "" if one_unit else _unit(one)), errors[one.key]) for one in answers]
+    rows = [_row(one, solution.problem, lang, "" if one_unit else _unit(one)) for one in answers]
+    offs = [row[_OFF] for row in rows]
+    if any(off.endswith("°") for off in offs):  # two units in one column: each stands beside its number
+        header[_OFF] = _DEVIATION.of(lang)
+        offs = [off if off.endswith(("°", NOTHING)) else f"{off} %" for off in offs]
+    rows = [(*row[:_OFF], off, errors[one.key]) for row, off, one in zip(rows, offs, answers, strict=True)]
     return trimmed(header, rows, (), _ALIGN, lang, inks_of(solution, (one.key for one in answers)))
 
 

@@ -80,7 +80,7 @@ def _any_speed(problem: Problem) -> Words:
         return Words.same("")
     return Words(
         f"$ω_{drive.link}$ 只给转向，其大小不影响受力，作图取 1 rad/s。",
-        f" Of $ω_{drive.link}$ only the sense is given; its size does not change the forces, 1 rad/s is drawn.",
+        f" Of $ω_{drive.link}$ only the sense is given; its magnitude is immaterial to the forces; 1 rad/s is taken.",
     )
 
 

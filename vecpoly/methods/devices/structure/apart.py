@@ -108,7 +108,7 @@ def _told(group: Group, index: int, chain: Chain) -> Words:
     if group.rank == 2:
         return lead + Words(f"为 {group.kind} 型 Ⅱ 级杆组。", f"a class II group {group.kind}.")
     why = Words(
-        "（拆Ⅱ级杆组不可能，只能取四个构件、六个低副；其中一个构件有三个内接副）"
+        "（不能再拆出Ⅱ级杆组，只能拆出含四个构件、六个低副的杆组；其中一个构件有三个内接副）"
         if group.rank == 3 and len(group.links) == 4
         else "（不能再分为更低级的杆组）",
         " (no two links can be detached by themselves; one link of it has three inner pairs)"

@@ -10,11 +10,12 @@ def bare(symbol: str) -> str:
 
 
 def subscript(symbol: str) -> str:
-    """What tells a force from the others: F_{I2} → I2, R_{56} → 56, R^t_{56} → 56t, F → F, G_{2} → G2."""
+    """What tells a force from the others: F_{I2} → I2, R_{56} → 56, R_{12,0} → 12,0, R^t_{56} → 56t, F → F,
+    G_{2} → G2."""
     base, _, sub = symbol.partition("_")
     if base.startswith("R^"):
         return bare(sub) + base[2:]
-    return bare(sub) if sub and base in ("F", "R") else bare(symbol)
+    return "".join(c for c in sub if c not in "_{}") if sub and base in ("F", "R") else bare(symbol)
 
 
 def arm_about_point(symbol: str, about: str = "") -> str:

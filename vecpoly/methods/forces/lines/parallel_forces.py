@@ -234,6 +234,7 @@ def _arm(st: Statics, line: Line, touch: Points, letter: str) -> Quantity:
     end = foot(line, touch)
     if 1.0 < abs(nominal(end - touch)) < OFF_SHEET:
         st.board.join(View.MECHANISM, touch, end, st.ruled(Role.CONSTRUCTION))
+        st.board.plot(View.MECHANISM, (touch + end) / 2, letter, Dot.NONE)
         st.board.join(View.MECHANISM, end - line.along * 16.0, end + line.along * 16.0, st.ruled(Role.DIRECTION))
         st.board.plot(View.MECHANISM, (touch + end) / 2, letter, Dot.NONE)
     return st.board.measure(touch, end, letter)

@@ -59,14 +59,12 @@ def _inverting(sheet: Sheet, stage: Find) -> Words:
     moved = "、".join(f"${_primed(stage.known, n)}$" for n in others)
     figures = "、".join(f"${sheet.named(stage.known, n)}$" for n in others)
     what_zh = f"取构件 ${name}$ 的位置 {kept} 为“机架”，将其余位置的 ${name}$ 连同 {figures} 刚化"
-    what_en = (
-        f"Take link ${name}$ in position {kept} for the frame and make it rigid with {figures.replace('、', ', ')}"
-    )
+    one, letters = len(others) == 1, ", ".join(dict.fromkeys(figures.split("、")))
     return Words(
         f"{what_zh}，反转使 ${name}$ 与位置 {kept} 重合（以两弧相交转移三角形；在标线上的点沿标线量取），得 {moved}。",
-        f"{what_en} in the other positions; turn these figures back until ${name}$ covers its position {kept} "
-        "(a triangle is carried over by two arcs, a point on the line is laid off along it): "
-        f"{moved.replace('、', ', ')}.",
+        f"Fix link ${name}$ in position {kept} and turn the other position{'s' * (not one)} back so that ${name}$ "
+        "coincides with it (a triangle is carried over by two arcs, a point on the line is laid off along it): "
+        f"{letters} go{'es' * (', ' not in letters)} to {moved.replace('、', ', ')}.",
     )
 
 

@@ -59,7 +59,8 @@ def _body_zh(body: Body) -> str:
 
 def _body_en(body: Body) -> str:
     if _free(body):
-        return f"the {len(body.positions)} positions of the body ${body.name}$"
+        count = "two" if len(body.positions) == 2 else len(body.positions)
+        return f"the {count} positions of the body ${body.name}$"
     return f"the positions of the line ${body.name}$"
 
 

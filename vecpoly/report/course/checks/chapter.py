@@ -55,7 +55,9 @@ def _checked(study: Study, press: Press) -> str:
         if not size > _NOTHING:
             continue
         row = [f"${symbol}$", _percent(float(np.nanmax(np.abs(own - exact))) / size)]
-        if base is None or study.mech.drive.accel:
+        if study.mech.drive.accel:
+            pass
+        elif base is None:
             row += ["—", "—", "—"]
         else:
             wide, narrow = (_quotient_gap(study, base, own, steps) / size for steps in (2, 1))
@@ -64,9 +66,9 @@ def _checked(study: Study, press: Press) -> str:
     return (
         press.table(
             Words("数学模型的校核（占该量最大值）", "The model checked (shares of each quantity's largest value)"),
-            _CHECKED[press.lang],
+            _CHECKED[press.lang][: len(rows[0])],
             rows,
-            "lrrrr",
+            "lrrrr"[: len(rows[0])],
         )
         if rows
         else ""

@@ -67,7 +67,12 @@ class Compared:
 
 
 def study_size(study: Study, key: str) -> float:
-    """The largest value of a quantity over the cycle (SI)."""
+    """The largest value of a quantity over the cycle (SI), as the table of extremes has it; of one that runs away at an
+    end, the largest of the table of values."""
+    found = study.extremes(key)
+    spots = [abs(spot.value) for spot in (found.highest, found.lowest) if spot is not None]
+    if spots and np.isfinite(spots).all():
+        return max(spots)
     values = np.abs(study.turn.real(key))
     return float(np.nanmax(values)) if np.isfinite(values).any() else 0.0
 

@@ -34,7 +34,7 @@ def section(study: Study, press: Press) -> dict[str, Any]:
     rows = [_row(study, keys, one, press, bounded) for one in found if one.matters]
     title = Words(
         "各给定尺寸增大 0.1 mm（角度 0.1°）时输出的最大改变",
-        "The largest change of the output for 0.1 mm more of a length (0.1° of an angle)",
+        "The largest change of the output for an increase of 0.1 mm of a length (0.1° of an angle)",
     )
     table = press.table(
         title, [w.of(press.lang) for w in header], rows, "lr" + "r" * len(keys) + "l" * bounded, style=SMALL

@@ -1,0 +1,81 @@
+"""A value stands in one form in all of its lines; every number of a column has the unit of its head, or its own."""
+
+from __future__ import annotations
+
+import pytest
+
+import vecpoly
+from tests.drawn_library import drafted
+from tests.presses import press
+from tests.studies import studied
+from vecpoly.board.construction import View
+from vecpoly.board.paper.marks import FixedGuide, Point
+from vecpoly.printed.digits import drawn_number, in_percent
+from vecpoly.report.answers.line import result_of
+from vecpoly.report.answers.tables import _values
+from vecpoly.report.course.checks import chapter, comparison
+from vecpoly.solution import Solution
+
+
+def of(name: str) -> Solution:
+    solution = drafted(name)
+    return solution if solution is not None else vecpoly.load(name).solve()
+
+
+@pytest.mark.parametrize("name", ["5-3", "4-7", "4-5"])
+def test_an_efficiency_in_per_cent_is_that_which_is_printed(name: str) -> None:
+    eta = of(name).answers["eta"]
+    assert result_of(eta, "en") == f"{drawn_number(eta)} ({in_percent(drawn_number(eta))})"
+
+
+def test_a_share_keeps_its_figures_in_per_cent() -> None:
+    assert [in_percent(text) for text in ("0.44", "0.570", "1.00", "0.05")] == ["44 %", "57.0 %", "100 %", "5 %"]
+
+
+@pytest.mark.parametrize("name", ["5-1", "cam-flat-arm", "4-5"])
+def test_degrees_stand_in_no_column_of_per_cents(name: str) -> None:
+    solution = of(name)
+    table = _values([one for one in solution.answers.values() if not one.is_place], solution, "en")
+    (column,) = (n for n, head in enumerate(table.header) if head.startswith("Deviation"))
+    cells = [row[column] for row in table.rows if row[column] != "—"]
+    mixed = any(cell.endswith("°") for cell in cells)
+    assert table.header[column] == ("Deviation" if mixed else "Deviation /%")
+    assert not mixed or all(cell.endswith(("°", " %")) for cell in cells)
+
+
+@pytest.mark.parametrize("name", ["5-3", "tipper"])
+def test_a_deviation_is_that_of_the_values_before_they_are_rounded(name: str) -> None:
+    solution = of(name)
+    answers = [one for one in solution.answers.values() if not one.is_place]
+    table = _values(answers, solution, "en")
+    (column,) = (n for n, head in enumerate(table.header) if head.startswith("Deviation"))
+    told = {answer.key: row[column].removesuffix(" %") for answer, row in zip(answers, table.rows, strict=True)}
+    key = "eta" if name == "5-3" else "alpha_5"
+    off = 100 * solution.answers[key].relative_deviation * (1 if solution.answers[key].exact > 0 else -1)
+    assert abs(float(told[key].replace("−", "-"))) == pytest.approx(abs(off), abs=0.006)
+
+
+def test_both_arms_of_a_balance_by_moments_have_their_letters() -> None:
+    figure = of("4-7").construction.figure(View.MECHANISM)
+    assert figure is not None
+    assert {"h_{Q}", "h_{12,0}"} <= {mark.label for mark in figure.marks if isinstance(mark, Point)}
+
+
+def test_the_letter_of_a_guide_stands_at_the_guide() -> None:
+    guides = 0
+    for figure in of("2-12").construction.figures:
+        rails = [mark for mark in figure.marks if isinstance(mark, FixedGuide)]
+        for spot in (mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label == "D'"):
+            guides += bool(rails)
+            assert not rails or min(abs(spot - end) for rail in rails for end in (rail.a, rail.b)) < 1e-9
+    assert guides == 2
+
+
+def test_what_is_not_checked_has_no_columns_and_the_largest_value_is_that_of_the_extremes() -> None:
+    study = studied("excavator-boom")
+    kept = press("en")
+    chapter.chapter(study, kept)
+    (table,) = (one for one in kept.made if "From the independent solution" in one.header)
+    assert len(table.header) == 2
+    highest = study.extremes("v_E").highest
+    assert highest is not None and comparison.study_size(study, "v_E") == pytest.approx(highest.value, rel=1e-12)
