@@ -48,6 +48,12 @@ class Drawn:
 
 
 @cache
+def given(name: str) -> Problem:
+    """The problem of this id, read once."""
+    return load(name)
+
+
+@cache
 def drawn(name: str) -> Drawn:
     """The problem of this id, drawn by the exact hand."""
     desks: list[Desk] = []
@@ -57,7 +63,7 @@ def drawn(name: str) -> Drawn:
         desks.append(draw(*args))
         return desks[-1]
 
-    problem = load(name)
+    problem = given(name)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(plan, "draw", watched)
         solution = solve(problem, by="exact", repeats=0, precise=False)
@@ -68,7 +74,7 @@ def drawn(name: str) -> Drawn:
 def drafted(name: str) -> Solution | None:
     """The problem of this id drawn as on paper, with all repeated hands; None where no method on file draws it."""
     try:
-        return solve(load(name))
+        return solve(given(name))
     except VecpolyError:
         return None
 
@@ -82,7 +88,7 @@ def ids(*, mechanisms: bool = True, view: View | None = None) -> tuple[str, ...]
 
 @cache
 def _is_mechanism(name: str) -> bool:
-    return isinstance(load(name).subject, Mechanism)
+    return isinstance(given(name).subject, Mechanism)
 
 
 def desk_of(name: str) -> Desk:

@@ -12,6 +12,7 @@ from collections.abc import Collection, Mapping
 from .board.hand import Hand
 from .board.otherwise.amended import Amended
 from .check.truth import Truth, truth_of
+from .devices.base import Device
 from .drawing.sheets.paper import DrawingPaper
 from .figures import View, views
 from .foundation.slotted import dataclass
@@ -49,8 +50,9 @@ class Task:
 
     @property
     def turning(self) -> tuple[str, ...]:
-        """Units whose sign is a sense of turning."""
-        return self.drawing.turning
+        """Units whose sign is a sense of turning; none of a device of which only speeds are known."""
+        subject = self.problem.subject
+        return self.drawing.turning if not isinstance(subject, Device) or subject.sensed else ()
 
     def draw(self, by: Hand, amended: Amended, sketch: Desk | None = None) -> Drawn:
         """The construction, each figure as large as its place on the sheet allows;

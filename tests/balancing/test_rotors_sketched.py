@@ -47,7 +47,7 @@ def test_every_plane_stands_on_the_shaft_where_it_is_with_its_name_the_one_of_th
 def test_a_plane_seen_from_its_end_has_the_parts_of_the_masses_where_these_are_and_what_balances_it(name: str) -> None:
     told = rotor(name)
     for end, shares in told.shares.items():
-        figure = view(name, f"平面 {end} 端视图")
+        figure = view(name, f"平面 ${end}$ 端视图")
         seen, mm = points(figure), figure.scale.value
         there = {number for number, share in shares.items() if abs(share) > 1e-9}
         assert {f"m_{{{number}{end}}}" for number in there} | {"O", "x", f"m_{{b{end}}}"} >= set(seen)
@@ -58,7 +58,7 @@ def test_a_plane_seen_from_its_end_has_the_parts_of_the_masses_where_these_are_a
 
 
 def test_a_part_that_counts_as_negative_is_drawn_as_a_ring_like_a_hole() -> None:
-    figure = view("6-7", "平面 I 端视图")
+    figure = view("6-7", "平面 $I$ 端视图")
     assert rotor("6-7").shares["I"]["1"] < 0
     rings = [m.centre for m in figure.marks if isinstance(m, Arc) and m.role is Role.HIDDEN]
     discs = [m.centre for m in figure.marks if isinstance(m, Disc)]

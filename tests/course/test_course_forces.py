@@ -193,7 +193,7 @@ def test_the_model_of_the_forces_is_a_section_of_its_own_with_the_friction_where
 def test_the_words_say_where_a_load_plays_the_other_part_and_by_which_quotient_the_efficiency_is() -> None:
     told = results(studied("4-3a"))
     assert "$F$ 作负功，实为阻力" in told.zh and "174.26°～357.23°" in told.zh and "$η$ = $M_{0}/M$" in told.zh
-    assert "−2.77°～4.75°、162.60°～174.26°：自锁" in told.zh and "$C$ 处 $ω_{23}$ = 0" in told.zh
+    assert "357.23°～4.75°、162.60°～174.26°：自锁" in told.zh and "$C$ 处 $ω_{23}$ = 0" in told.zh
     assert "$R_{32}$、$R_{41}$ 与 $R_{12}$ 处处等值" in told.zh and "self-locking" in told.en
     assert role_note(studied("4-3a"), radians(285.2)).zh and not role_note(studied("4-3a"), radians(52)).zh
 

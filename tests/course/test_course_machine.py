@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from pypdfium2 import PdfDocument
 
 from tests.laws import few
+from tests.presses import Kept
 from tests.studies import course_report, studied
 from vecpoly.cycle import cycle, extremes
 from vecpoly.findings.machine.running import Running, running
@@ -24,6 +25,8 @@ from vecpoly.findings.machine.shaking import Shaking, shaking
 from vecpoly.mechanism.groups.assur import pivot_of
 from vecpoly.oracle import solve
 from vecpoly.problem.load import load
+from vecpoly.report.content import Objects
+from vecpoly.report.course.machine.powers import powers
 from vecpoly.report.course.machine.work import pieces
 from vecpoly.words import Lang
 
@@ -74,6 +77,16 @@ def test_powers_of_the_loads_add_up_to_the_energy_that_the_links_gain(name: str)
         gives, gains = sum(flow.powers.values()), sum(flow.gains.values())
         assert gives == pytest.approx(gains, abs=1e-9 * max(map(abs, flow.powers.values())))
         assert run.name in flow.powers
+
+
+@pytest.mark.parametrize("name", few(MACHINES, 2))
+def test_the_chapter_of_powers_speaks_of_a_flywheel_where_one_is_needed_and_nowhere_else(name: str) -> None:
+    run, press = running_of(name), Kept("en", Objects())
+    found = run.found
+    assert found is not None and found.flywheel > 0
+    for one, wheel in ((run, True), (replace(run, found=replace(found, flywheel=0.0)), False)):
+        [told] = powers(studied(name), press, one)["words"]
+        assert ("with its flywheel" in told) is wheel
 
 
 @pytest.mark.parametrize("name", MACHINES)

@@ -17,9 +17,9 @@ from hypothesis import strategies as st
 import vecpoly
 from tests.laws import often
 from vecpoly.board.board import Board
-from vecpoly.board.construction import Construction
+from vecpoly.board.construction import Construction, View
 from vecpoly.board.hand import hand
-from vecpoly.board.paper.marks import Cell
+from vecpoly.board.paper.marks import Cell, TurnArrow, Vector
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.check.printed.verdict import Verdict
 from vecpoly.devices.base import Device, kind_of
@@ -333,6 +333,18 @@ def test_a_guide_is_drawn_as_the_oracle_computes_it(f: float, l1: float, l2: flo
     assert f <= readings["f_V"].scalar <= readings["f_vee"].scalar
 
 
+def test_the_normal_of_the_right_flank_pushes_the_vee_to_the_left_and_is_told_so() -> None:
+    data = {"f": "0.1", "G": "1500 N", "l1": "120 mm", "l2": "180 mm", "theta": "40 deg"}
+    construction = agree(device("vee-guide", data))
+    [table] = [step.equation for step in construction.steps if step.equation is not None]
+    flanks = [(told.zh, told.en) for told in table.directions if "flank" in told.en]
+    drawn = {
+        mark.key: mark.b - mark.a for one in construction.figures for mark in one.marks if isinstance(mark, Vector)
+    }
+    assert flanks == [("⊥右侧面", "⊥ right flank"), ("⊥左侧面", "⊥ left flank")]
+    assert drawn["N_right"].real < 0 < drawn["N_left"].real
+
+
 # -- eccentric clamp
 # ----------------------------------------------------------------------------------------------------------
 
@@ -382,6 +394,15 @@ def test_a_clamp_is_drawn_as_the_oracle_computes_it(
             rho=f"{rho} mm",
         )
     )
+
+
+@pytest.mark.parametrize("closing", ["ccw", "cw"])
+def test_a_curved_arrow_at_the_pin_shows_which_way_the_clamp_closes(closing: str) -> None:
+    mirrored = {"theta": "-24 deg", "handle": "152 deg", "F": "62 deg", "closing": "cw"}
+    figure = agree(clamp(**(mirrored if closing == "cw" else {}))).figure(View.MECHANISM)
+    assert figure is not None
+    [arrow] = [mark for mark in figure.marks if isinstance(mark, TurnArrow)]
+    assert arrow.ccw is (closing == "ccw") and arrow.at == 0
 
 
 def test_a_clamp_seen_in_a_mirror_takes_the_same_force() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from math import exp, log, pi, sqrt, tau
 from typing import Any
 
@@ -13,6 +14,7 @@ from hypothesis import strategies as st
 from tests.cam_cases import agree, device
 from tests.flywheels import CASES
 from tests.laws import often
+from vecpoly.board.paper.marks import Point
 from vecpoly.devices.base import Device
 from vecpoly.devices.dynamics.characteristic import Kloss
 from vecpoly.errors import NotAskedError
@@ -172,5 +174,31 @@ def test_kloss_is_symmetric_about_its_greatest_moment() -> None:
 
 @pytest.mark.parametrize("read", ["0 mm", "60 mm"])
 def test_a_steady_speed_misread_so_far_that_no_area_is_left_is_refused_with_its_numbers(read: str) -> None:
-    with pytest.raises(NotAskedError, match="read O S again"):
-        solve(load("motor-run-up"), by="exact", repeats=0, readings={"OS": read})
+    with pytest.raises(NotAskedError, match="read O S′ again"):
+        solve(load("motor-run-up"), by="exact", repeats=0, readings={"OS′": read})
+
+
+def test_the_table_of_a_run_subtracts_as_it_is_printed_and_its_columns_have_one_count_of_decimals() -> None:
+    for name, columns in (("motor-run-up", 5), ("run-down", 4)):
+        tables = [step.listing for step in solve(load(name)).construction.steps if step.listing is not None]
+        for table in tables:
+            assert len(table.head) == columns, "without a motor there is no column of M_d"
+            values = [[Decimal(cell.replace("−", "-")) for cell in row] for row in table.rows]
+            for row in values if columns == 5 else ():
+                assert row[1] - row[2] == row[3]
+            for cells in zip(*values, strict=True):
+                tens = {cell.as_tuple().exponent for cell in cells}
+                figures = {len(cell.as_tuple().digits) for cell in cells}
+                assert len(tens) == 1 or figures == {4}
+
+
+def test_a_speed_whose_sense_nobody_gave_is_told_without_one() -> None:
+    answers = solve(load("motor-run-up")).answers
+    assert answers["omega_s"].sense is None and answers["omega_t"].sense is None
+
+
+@pytest.mark.parametrize("name", ["motor-run-up"])
+def test_the_ends_of_every_length_measured_stand_in_the_figures(name: str) -> None:
+    solution = solve(load(name))
+    letters = {mark.label for f in solution.construction.figures for mark in f.marks if isinstance(mark, Point)}
+    assert letters >= {"O", "A", "B", "S", "S′", "T", "P", "A_y", "A_φ"}

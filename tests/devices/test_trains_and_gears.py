@@ -11,7 +11,9 @@ from hypothesis import strategies as st
 
 from tests.cam_cases import CASES, agree, device, drawn
 from tests.laws import often
+from vecpoly.board.paper.marks import Point, Role, Segment
 from vecpoly.errors import NotAskedError, ProblemFileError
+from vecpoly.methods.devices.epicyclic.scales import TURNS
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.problem.load import load, loads
 from vecpoly.solution import solve
@@ -38,6 +40,16 @@ def test_the_speeds_are_those_of_the_worked_train(case: str) -> None:
         assert 1e3 * found[f"v_{point}"] == pytest.approx(speed, abs=1e-7), point
     for point, radius in told["kutzbach"]["radii"].items():
         assert 1e3 * train.radii[{"A": "1", "O2": "H", "C": "3"}[point]] == pytest.approx(radius, abs=1e-9)
+
+
+@pytest.mark.parametrize("case", ["train-1", "train-4"])
+def test_all_rays_end_on_the_level_line_on_which_the_speeds_are_read(case: str) -> None:
+    figure = drawn(train_of(case)).figure(TURNS)
+    assert figure is not None
+    [level] = [mark for mark in figure.marks if isinstance(mark, Segment) and mark.role is Role.CONSTRUCTION]
+    ends = [mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label != "Π"]
+    assert len(ends) == 5 and {end.imag for end in (level.a, level.b, *ends)} == {0}
+    assert level.a.real < min(end.real for end in ends) and max(end.real for end in ends) < level.b.real
 
 
 @st.composite
@@ -96,6 +108,18 @@ def test_a_ratio_of_ten_thousand_is_known_but_not_measured() -> None:
         assert ratio == pytest.approx(1e4 if driver == "H" else 1e-4, rel=1e-9)
         with pytest.raises(NotAskedError, match="too large to be measured"):
             drawn(train)
+
+
+@pytest.mark.parametrize("name", ["train-ring", "train-stepped", "train-differential"])
+def test_velocities_and_rays_lie_on_the_side_to_which_points_above_the_axis_move(name: str) -> None:
+    problem = load(name)
+    solution, exact = solve(problem, by="exact"), device_answers(problem.subject)  # type: ignore[arg-type]
+    for place, letters in (("radii", {"a": "A", "o_2": "O2", "c": "C"}), ("turns", {"1": "1", "2": "2", "H": "H"})):
+        figure = next(one for one in solution.construction.figures if one.view.name == place)
+        spots = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point)}
+        for letter, of in letters.items():
+            value = exact[f"v_{of}" if place == "radii" else f"omega_{of}"].real
+            assert spots[letter].real * value < 0 or abs(spots[letter].real) < 1e-6 > abs(value), letter
 
 
 TRAIN = load("train-ring").text

@@ -11,14 +11,15 @@ import pytest
 from tests.drawn_library import drawn
 from tests.drawn_sheets import laid, share
 from vecpoly.board.construction import Construction, Figure, Scale, View
-from vecpoly.board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment, Vector
+from vecpoly.board.paper.marks import AngleMark, Dot, FrictionCircle, Mark, Point, Role, Segment, Vector
 from vecpoly.board.paper.scales import Sketched, finer
 from vecpoly.drawing.details.apart import detailed
 from vecpoly.drawing.details.knots import knots
-from vecpoly.drawing.sheets.composing import CRAMPED
-from vecpoly.drawing.sheets.paper import nearest_pins
+from vecpoly.drawing.sheets.composition import CRAMPED, OWN, Composing
+from vecpoly.drawing.sheets.growing import grown
+from vecpoly.drawing.sheets.paper import linked, nearest_pins
 from vecpoly.drawing.sheets.sheet import bound, sheets
-from vecpoly.drawing.sheets.space import SPARSE
+from vecpoly.drawing.sheets.space import SPARSE, room_inside
 from vecpoly.problem.load import load
 from vecpoly.solution import solve
 from vecpoly.words import Words
@@ -141,3 +142,69 @@ def test_no_sheet_more_is_drawn_for_a_crank_that_would_hardly_be_larger_on_it() 
 @pytest.mark.parametrize("name", ["4-4", "4-7", "shaper-cut", "plate-on-crank", "plate-two-slides"])
 def test_the_sheet_more_is_not_left_white(name: str) -> None:
     assert all(share(sheet) > SPARSE for sheet in laid(name))
+
+
+def bearing(radius: float) -> Figure:
+    """A mechanism 80 mm long with a friction circle of this radius about one of its pins."""
+    marks = (
+        Segment(a=0j, b=80 + 0j, role=Role.LINK),
+        Segment(a=-10 + 1j * radius, b=90 + 1j * radius, role=Role.CONSTRUCTION),
+        Point(at=0j, label="A", dot=Dot.JOINT),
+        Point(at=80 + 0j, label="B", dot=Dot.JOINT),
+        FrictionCircle(centre=0j, radius=radius),
+    )
+    return Figure(view=View.MECHANISM, title=Words("机构运动简图", "Diagram"), scale=SCALE, marks=marks)
+
+
+def test_a_friction_circle_too_small_to_see_where_it_is_touched_is_drawn_apart() -> None:
+    main, detail = detailed(bearing(0.8))
+    (circle,) = (mark for mark in detail.marks if isinstance(mark, FrictionCircle))
+    assert circle.radius == pytest.approx(0.8 * SCALE.value / detail.scale.value) and circle.radius >= 3.0
+    (line,) = (mark for mark in detail.marks if isinstance(mark, Segment) and mark.role is Role.CONSTRUCTION)
+    assert line.a.imag - circle.centre.imag == pytest.approx(circle.radius)
+    assert letters(main) == {"B", "Ⅰ"} and letters(detail) == {"A"}
+
+
+def test_a_friction_circle_that_can_be_seen_is_not_drawn_apart() -> None:
+    assert detailed(bearing(2.5)) == (bearing(2.5),)
+
+
+POLYGONS = (View.VELOCITY, View.ACCELERATION)
+
+
+def sheetful(mechanism: float, *, bodies: int = 0) -> list[Sketched]:
+    """A mechanism, so many free bodies to its scale and two polygons, of the sizes (mm) that they have at scale 1."""
+    kinds = [View.MECHANISM, *[View.BODY] * bodies, *POLYGONS]
+    sizes = [(mechanism, mechanism / 2)] * (bodies + 1) + [(100.0, 90.0)] * 2
+    return [
+        Sketched(view=kind, of=View.MECHANISM if kind is View.BODY else kind, scale=1.0, size=size, around=(20.0, 25.0))
+        for kind, size in zip(kinds, sizes, strict=True)
+    ]
+
+
+@pytest.mark.parametrize("bodies", [0, 1, 2, 3, 4])
+def test_as_many_sheets_hold_no_scales_at_which_the_smallest_figure_is_larger(bodies: int) -> None:
+    page, sheets = (
+        Composing(sheetful(150.0, bodies=bodies), {View.MECHANISM, *POLYGONS}, room_inside()),
+        1 + bodies // 3,
+    )
+    start = dict.fromkeys(page.kinds, 4.0)
+    scales = grown(page, start, sheets)
+    assert scales is not None and page.needed(scales) <= sheets
+    least, larger = page.legibles(scales)[0], dict(start)
+    for kind in page.kinds:
+        while page.legible(kind, larger) <= least:
+            larger[kind] = finer(larger[kind])
+    assert least < 1.0 and page.needed(larger) > sheets
+
+
+@pytest.mark.parametrize("name", ["4-3a", "4-3d", "winch-gears", "class-iii"])
+def test_a_small_mechanism_with_forces_or_centres_about_it_has_the_room_of_one_sheet_more(name: str) -> None:
+    assert len(laid(name)) == 2 and all(share(sheet) > SPARSE for sheet in laid(name))
+    assert linked(drawn(name).figures(View.MECHANISM)[0]) >= OWN
+
+
+@pytest.mark.parametrize("name", ["curv-1", "curv-2"])
+def test_a_mechanism_that_is_small_on_a_plate_has_a_page(name: str) -> None:
+    (sheet,) = laid(name)
+    assert not sheet.plate and linked(drawn(name).figures(View.MECHANISM)[0]) > 0.9 * OWN

@@ -5,15 +5,14 @@ from __future__ import annotations
 
 import pytest
 
-from tests.drawn_library import IDS, drawn
+from tests.drawn_library import IDS, drawn, given
 from tests.each import Later, each
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Dot, Mark, Point, Role, Segment
 from vecpoly.board.said.sides import side_of
 from vecpoly.mechanism.model import Mechanism
-from vecpoly.problem.load import load
 
-RUBBED = Later(lambda: (name for name in IDS if (it := load(name).loads) is not None and it.friction and it.unknown))
+RUBBED = Later(lambda: (name for name in IDS if (it := given(name).loads) is not None and it.friction and it.unknown))
 
 
 def _diagram(name: str) -> Figure:

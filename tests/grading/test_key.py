@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import json
 from functools import cache
+from math import remainder
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from vecpoly import load, loads, solve
 from vecpoly.board.acts import Measure
@@ -14,7 +17,7 @@ from vecpoly.board.hand import hand, scatter
 from vecpoly.errors import UnknownNameError, VecpolyError
 from vecpoly.grading.allowance import CAD, STUDENT
 from vecpoly.grading.derive.keyed import answer_key
-from vecpoly.grading.key import AnswerKey, Kind
+from vecpoly.grading.key import AnswerKey, Kind, beside
 
 SEVERAL = ("3-9", "3-12", "A-27", "3-2", "4-3a", "4-5", "C-inertia", "5-2", "tipper", "slider-crank-dynamic")
 
@@ -29,6 +32,12 @@ def test_a_key_has_all_that_is_asked_with_the_exact_value(problem: str) -> None:
     answers = solve(load(problem), by="exact", repeats=0, precise=False).answers
     asked = {one.key: one.exact for one in key_of(problem).quantities if one.asked}
     assert asked == {key: answer.exact for key, answer in answers.items()}
+
+
+@given(st.floats(-720, 720), st.floats(-720, 720))
+def test_the_direction_of_a_line_is_written_within_a_right_angle_of_any_other(degrees: float, other: float) -> None:
+    found = beside(degrees, other)
+    assert abs(found - other) <= 90 and abs(remainder(found - degrees, 180)) < 1e-9
 
 
 @pytest.mark.parametrize("problem", SEVERAL)

@@ -99,6 +99,10 @@ def test_data_that_hold_themselves_are_refused() -> None:
     endless["links"] = endless
     with pytest.raises(ArgumentError, match="nested too deeply"):
         problem(endless)
+    turning: list[Any] = []
+    turning.append(turning)
+    with pytest.raises(ArgumentError, match="nested too deeply"):
+        problem(FOUR_BAR | {"find": turning})
     with pytest.raises(ArgumentError, match="a dictionary"):
         problem("id: t")  # type: ignore[arg-type]
 

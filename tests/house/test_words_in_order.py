@@ -75,6 +75,26 @@ def misplaced(source: str) -> Iterator[tuple[int, str]]:
                 yield node.lineno, f"{zh} | {en}"
 
 
+def told_apart(source: str) -> Iterator[tuple[int, str]]:
+    """(line, numbers) of every sentence that works a number out otherwise in one language than in the other; a language
+    that chooses between two ways to say it may tell more."""
+    for node in nodes(source):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Words":
+            told = [set(_numbers(arg)) for arg in node.args]
+            chosen = any(isinstance(arg, ast.IfExp) for arg in node.args)
+            if len(told) == 2 and told[0] != told[1] and not (chosen and (told[0] <= told[1] or told[1] <= told[0])):
+                yield node.lineno, " | ".join(sorted(told[0] ^ told[1]))
+
+
+def _numbers(sentence: ast.expr) -> Iterator[str]:
+    """What is written with so many digits: `{1e3 * x:.4g}`."""
+    for part in ast.walk(sentence):
+        if isinstance(part, ast.FormattedValue) and part.format_spec is not None:
+            digits = ast.unparse(part.format_spec)[2:-1]
+            if digits.endswith(("g", "f", "e", "d")):
+                yield f"{ast.unparse(part.value)}:{digits}"
+
+
 @pytest.mark.parametrize(
     "text", ["Words('the link', '构件')", "Words(f'no link {x}', f'没有构件 {x}')", "Words('link', 'the link')"]
 )
@@ -119,6 +139,17 @@ def test_who_reads_chinese_is_given_chinese_and_who_reads_english_english() -> N
     choices = [node for file in sources() for node in nodes(text(file)) if isinstance(node, ast.IfExp)]
     assert sum(map(bool, map(by_language, choices))) > 30
     found = {f"{file}:{line}": said for file in sources() for line, said in chosen_wrongly(text(file))}
+    assert not found, found
+
+
+@pytest.mark.parametrize("text", ["Words(f'差 {1e3 * x:.4g}', f'off by {x:.4g}')", "Words(f'{x:.3g}', f'{x:.4g}')"])
+def test_a_number_that_is_another_in_the_other_language_is_seen(text: str) -> None:
+    assert list(told_apart(text))
+    assert not list(told_apart("Words(f'差 {x:g}', f'{x:g} over' if x > 0 else f'{-x:g} under')"))
+
+
+def test_every_number_is_worked_out_in_english_as_in_chinese() -> None:
+    found = {f"{file}:{line}": said for file in sources() for line, said in told_apart(text(file))}
     assert not found, found
 
 

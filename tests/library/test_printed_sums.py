@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import cache
 from typing import get_args
@@ -20,6 +21,7 @@ from vecpoly.algebra.worked import worked
 from vecpoly.solution import Solution
 from vecpoly.words import Words
 
+NEGATIVE_SCALE = re.compile(r"= −?μ\S*[^=]* = −?\(−")
 PRINTED: tuple[type[Words | Node], ...] = (Words, *get_args(Node))
 
 
@@ -49,6 +51,17 @@ def told(name: str) -> tuple[Sum, ...]:
 def test_every_line_of_the_steps_gives_its_printed_result(name: str) -> None:
     for one in told(name):
         assert one.holds, f"{one.text}: {one.reckoned:.7g}"
+
+
+@each(DRAFTED)
+def test_a_scale_in_a_line_is_positive_whatever_way_the_length_lies(name: str) -> None:
+    for text in printed(solved(name).construction):
+        assert not NEGATIVE_SCALE.search(text), text
+
+
+def test_a_negative_scale_would_be_seen() -> None:
+    mu, length = magnitude("μ_v", -0.01, "(m/s)/mm"), magnitude("Cc", 54.0, "mm")
+    assert NEGATIVE_SCALE.search(plain(worked(Sym("v", "C"), mu * length, "m/s")))
 
 
 def test_thousands_of_sums_are_read() -> None:

@@ -25,6 +25,7 @@ _ARITHMETIC: dict[type[ast.operator], type[ast.operator]] = {
     ast.Mult: ast.Div,
     ast.Div: ast.Mult,
 }
+_SYMMETRIC = frozenset({"min", "max", "minimum", "maximum", "dot", "hypot", "isclose", "intersection", "union"})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -89,7 +90,8 @@ def _slips(node: ast.AST) -> Iterator[tuple[str, ast.expr | ast.stmt, str]]:
     """(kind, the part that is replaced, what replaces it) of one node."""
     match node:
         case ast.Expr(value=ast.Call() | ast.YieldFrom() | ast.Yield()) | ast.AugAssign() | ast.Raise():
-            yield "deleted statement", node, "pass"
+            if not _is_never_reached(node):
+                yield "deleted statement", node, "pass"
         case ast.Compare(ops=[op]) if type(op) in _COMPARED:
             yield "turned comparison", node, _with(node, ops=[_COMPARED[type(op)]()])
         case ast.BoolOp():
@@ -125,7 +127,17 @@ def _calls(node: ast.Call) -> Iterator[tuple[str, ast.expr, str]]:
 
 def _of_any_order(node: ast.Call) -> bool:
     """Whether the arguments may change places, and nothing else changes."""
-    return isinstance(node.func, ast.Name) and node.func.id in ("min", "max")
+    return _name(node) in _SYMMETRIC
+
+
+def _is_never_reached(node: ast.stmt) -> bool:
+    """An `assert_never`: read by the type checker alone."""
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) and _name(node.value) == "assert_never"
+
+
+def _name(node: ast.Call) -> str:
+    """Of the function that is called, without the module it is in."""
+    return ast.unparse(node.func).rpartition(".")[2]
 
 
 def _other(value: complex) -> complex:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -70,8 +71,11 @@ def test_a_sense_of_motion_may_be_written_in_either_language(english: str, chine
     ],
 )
 def test_what_contradicts_itself_is_refused_in_words_with_what_to_do(entry: str, says: str) -> None:
-    with pytest.raises(ProblemFileError, match=says):
+    with pytest.raises(ProblemFileError) as refused:
         slider(entry)
+    [fault, *_] = refused.value.faults
+    assert re.search(says, fault.words.en) and re.search("[\u4e00-\u9fff]", fault.words.zh)
+    assert fault.path[0] == "loads" and all(str(key) in entry for key in fault.path[1:])
 
 
 @pytest.mark.parametrize("entry", [SPRING, MOTOR])

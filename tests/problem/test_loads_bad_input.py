@@ -75,7 +75,7 @@ CASES = {
     ),
     "a moment with a point": (
         'size: "?"}',
-        'size: "?"}\n  M_2: {on: 2, at: B, size: 2 N*m ccw}',
+        'size: "?"}\n  M_2: {on: 2, at: B, size: 2 kg·m²/s² ccw}',
         "line 14",
         "loads.M_2.at",
         "acts on the whole link; leave out 'at'",

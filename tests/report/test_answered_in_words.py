@@ -4,20 +4,19 @@ from __future__ import annotations
 
 import re
 
-from tests.drawn_library import drafted, ids
+from tests.drawn_library import drafted, given, ids
 from tests.each import each
-from vecpoly.problem.load import load
 from vecpoly.report.content import conclusions
 
 OF_A_LINK = re.compile(r"\$([va]_\d)\$")
-ASKING = tuple(name for name in ids() if OF_A_LINK.search(load(name).statement.zh))
+ASKING = tuple(name for name in ids() if OF_A_LINK.search(given(name).statement.zh))
 
 
 @each(ASKING)
 def test_the_motion_of_a_translating_link_is_told_under_its_own_symbol(name: str) -> None:
     solution = drafted(name)
     assert solution is not None
-    for symbol in OF_A_LINK.findall(load(name).statement.zh):
+    for symbol in OF_A_LINK.findall(given(name).statement.zh):
         assert any(f"${symbol}$ = $" in text for text in conclusions(solution, "en")), symbol
 
 

@@ -6,15 +6,14 @@ import re
 
 import pytest
 
-from tests.drawn_library import IDS, drawn
+from tests.drawn_library import IDS, drawn, given
 from tests.each import Later, each
 from vecpoly.devices.structure import Structure
-from vecpoly.problem.load import load
 from vecpoly.report.content import statement
 from vecpoly.report.statement.groups import LONG
 from vecpoly.words import Lang
 
-STRUCTURES = Later(lambda: (name for name in IDS if isinstance(load(name).subject, Structure)))
+STRUCTURES = Later(lambda: (name for name in IDS if isinstance(given(name).subject, Structure)))
 LANGS: tuple[Lang, ...] = ("zh", "en")
 
 

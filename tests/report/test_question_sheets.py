@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
+from functools import cache
 from io import BytesIO
+from itertools import permutations
 
 import pdfplumber
 import pytest
 
-from tests.drawn_library import IDS, drawn
+from tests.drawn_library import IDS, drawn, given
 from tests.each import Later, each
+from tests.laws import few
 from vecpoly.board.acts import Compute, Measure, Meet
 from vecpoly.board.chain import needed
-from vecpoly.board.construction import Figure
+from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.extent import bounds, extent
 from vecpoly.board.paper.marks import AngleMark, Dot, FixedGuide, Ground, Note, Point, RackMark, Role, Segment, Vector
 from vecpoly.designs.base import Design
@@ -21,7 +24,7 @@ from vecpoly.devices.cams.cam import Cam
 from vecpoly.devices.dynamics.flywheel import Flywheel
 from vecpoly.devices.dynamics.run_up import RunUp
 from vecpoly.drawing.scene import Rect
-from vecpoly.drawing.sheets.sheet import hung
+from vecpoly.drawing.sheets.sheet import Hung, hung
 from vecpoly.drawing.sheets.space import CAPTION, CLEAR, room_inside
 from vecpoly.figures import View
 from vecpoly.problem.load import load
@@ -31,7 +34,9 @@ from vecpoly.report.flow.furniture import COLUMN
 from vecpoly.report.flow.paging.tight import DEGREES
 from vecpoly.report.picture import to_scale
 from vecpoly.report.question.blanks import empty_table
+from vecpoly.report.question.equations import KEY, numbers
 from vecpoly.report.question.frames import frames
+from vecpoly.report.question.grid import shares
 from vecpoly.report.question.sketch import sketched
 from vecpoly.report.question.working import SQUARE, working
 from vecpoly.report.statement.asked import asked, in_order
@@ -39,14 +44,21 @@ from vecpoly.solution import solve
 from vecpoly.typeset.box import MM
 from vecpoly.words import Lang
 
-DRAWN = Later(lambda: [name for name in IDS if frames(drawn(name).construction, drawn(name).problem)[1]])
+
+@cache
+def blank_of(name: str) -> tuple[Construction, tuple[Hung, ...]]:
+    """The blank sheets of a problem."""
+    return frames(drawn(name).construction, drawn(name).problem)
+
+
+DRAWN = Later(lambda: [name for name in IDS if blank_of(name)[1]])
 
 
 @each(DRAWN)
 def test_pole_and_axes_stand_where_the_figure_fits_its_frame(name: str) -> None:
     """Who begins at the pole, or on the axes, has room for all that is to be drawn."""
-    problem, answer = drawn(name).problem, drawn(name).construction
-    for frame in frames(answer, problem)[0].figures:
+    answer = drawn(name).construction
+    for frame in blank_of(name)[0].figures:
         drawing = next(f for f in answer.figures if (f.view, f.name) == (frame.view, frame.name))
         low, high = bounds(drawing.marks)
         left, right = bounds(frame.marks[:4])
@@ -62,7 +74,7 @@ def border(figure: Figure) -> tuple[float, float]:
 @each(DRAWN)
 def test_every_figure_that_is_to_scale_fits_its_frame(name: str) -> None:
     construction = drawn(name).construction
-    blank, places = frames(construction, drawn(name).problem)
+    blank, places = blank_of(name)
     measured = [(f.view, f.name) for f in construction.figures if to_scale(f) or f.aside or f.view is View.BODY]
     assert sorted((f.view, f.name) for f in blank.figures) == sorted(measured)
     assert sum(len(page.tops) for page in places) == len(blank.figures)
@@ -74,10 +86,10 @@ def test_every_figure_that_is_to_scale_fits_its_frame(name: str) -> None:
 @each(DRAWN)
 def test_a_frame_shows_what_is_given_and_of_a_polygon_nothing_but_its_pole(name: str) -> None:
     """Of a diagram there are its axes, and a curve only where the problem gives it."""
-    problem, answer = drawn(name).problem, drawn(name).construction
+    problem = drawn(name).problem
     curves = isinstance(problem.subject, Flywheel | RunUp)
-    for frame in frames(answer, problem)[0].figures:
-        inside = frame.marks[4:]
+    for frame in blank_of(name)[0].figures:
+        inside = [mark for mark in frame.marks[4:] if mark.key != KEY]
         assert not any("P_" in mark.label for mark in inside if isinstance(mark, Point))
         if frame.view is View.MECHANISM:
             lines = [mark for mark in inside if isinstance(mark, Segment)]
@@ -98,7 +110,7 @@ def test_a_pivot_that_is_found_does_not_stand_in_the_frame(name: str) -> None:
     problem, answer = drawn(name).problem, drawn(name).construction
     if not isinstance(problem.subject, Design):
         return
-    for frame in frames(answer, problem)[0].figures:
+    for frame in blank_of(name)[0].figures:
         shown = [mark for mark in frame.marks if isinstance(mark, Point) and mark.dot is Dot.JOINT]
         for mark in shown:
             needs = needed(answer.acts, [mark.act])
@@ -106,20 +118,59 @@ def test_a_pivot_that_is_found_does_not_stand_in_the_frame(name: str) -> None:
 
 
 @each(DRAWN)
-def test_frames_in_a_row_are_alike_and_together_fill_the_sheet(name: str) -> None:
-    blank, places = frames(drawn(name).construction, drawn(name).problem)
+def test_frames_have_a_few_fixed_sizes_and_together_fill_the_sheet(name: str) -> None:
+    blank, places = blank_of(name)
     waiting = list(blank.figures)
     for page, sheet in zip(places, hung(blank, places), strict=True):
         here, waiting = waiting[: len(page.tops)], waiting[len(page.tops) :]
-        rows = defaultdict[float, set[tuple[float, float]]](set)
+        width, height = (side - CLEAR for side in room_inside(page.landscape))
+        rows = defaultdict[float, list[tuple[float, float]]](list)
         for top, frame in zip(page.tops, here, strict=True):
-            rows[round(top.imag, 6)].add(tuple(round(side, 6) for side in border(frame)))  # type: ignore[arg-type]
-        assert all(len(sizes) == 1 for sizes in rows.values())
-        width, height = room_inside(page.landscape)
+            rows[round(top.imag, 6)].append(border(frame))
+        assert all(len({round(high, 6) for _, high in sizes}) == 1 for sizes in rows.values())
+        for sizes in rows.values():
+            assert is_fixed(len(sizes), [(wide + CLEAR) / width for wide, _ in sizes])
+        assert is_fixed(len(rows), [(sizes[0][1] + CLEAR + CAPTION) / height for sizes in rows.values()])
         covered = sum((wide + CLEAR) * (high + CLEAR + CAPTION) for wide, high in map(border, here))
-        assert covered == pytest.approx((width - CLEAR) * (height - CLEAR))
+        assert covered == pytest.approx(width * height)
         for one in sheet.figures:
             assert all(one is other or not overlaps(one.extents, other.extents) for other in sheet.figures)
+
+
+def is_fixed(count: int, parts: list[float]) -> bool:
+    """Whether each of these parts of a sheet, or of a row, is one of the few that there are."""
+    return all(any(part == pytest.approx(share) for share in {*shares(), 1 / count}) for part in parts)
+
+
+@each(DRAWN)
+def test_of_two_frames_side_by_side_the_wider_one_has_the_wider_drawing(name: str) -> None:
+    answer = drawn(name).construction
+    blank, places = blank_of(name)
+    waiting = list(blank.figures)
+    for page in places:
+        here, waiting = waiting[: len(page.tops)], waiting[len(page.tops) :]
+        for (top, one), (level, other) in permutations(zip(page.tops, here, strict=True), 2):
+            if top.imag == level.imag and border(one)[0] > border(other)[0] + 1.0:
+                wide, narrow = (extent(drawing_of(answer, frame).marks) for frame in (one, other))
+                assert wide[0] > narrow[0], (one.name, other.name)
+
+
+def drawing_of(answer: Construction, frame: Figure) -> Figure:
+    """The figure for which a frame is."""
+    return next(f for f in answer.figures if (f.view, f.name) == (frame.view, frame.name))
+
+
+@each(DRAWN)
+def test_a_frame_has_a_named_line_for_each_equation_that_is_drawn_in_it_and_tells_nothing_of_it(name: str) -> None:
+    answer, lined = drawn(name).construction, 0
+    for frame in blank_of(name)[0].figures:
+        written = [mark.words for mark in frame.marks if isinstance(mark, Note) and mark.key == KEY]
+        drawn_there = numbers(answer, frame)
+        assert [words.en.split()[0] for words in written] == [f"({n})" for n in drawn_there[: len(written)]]
+        assert len(written) == sum(isinstance(m, Segment) and m.key == KEY for m in frame.marks)
+        assert all(re.fullmatch(r"\(\d+\) [A-Z][a-z ]+", words.en) for words in written)
+        lined += len(written)
+    assert lined == sum(step.equation is not None for step in answer.steps)
 
 
 def overlaps(a: Rect, b: Rect) -> bool:
@@ -129,7 +180,7 @@ def overlaps(a: Rect, b: Rect) -> bool:
 
 @pytest.mark.parametrize(("name", "lang"), [("3-5", "zh"), ("7-3", "en"), ("2-7", "en"), ("8-5", "zh")])
 def test_the_squares_leave_no_page_of_text_empty_and_the_results_stand_at_the_foot(name: str, lang: str) -> None:
-    data = report_bytes([solve(load(name), repeats=0)], lang=lang, style="question")  # type: ignore[arg-type]
+    data = report_bytes([solve(given(name), repeats=0)], lang=lang, style="question")  # type: ignore[arg-type]
     with pdfplumber.open(BytesIO(data)) as document:
         text = [page for page in document.pages if "50 mm" not in page.extract_text()]
         for page in text:
@@ -153,6 +204,18 @@ def test_squares_that_a_page_break_parts_take_no_more_room_than_they_were_given(
         assert (first.getSpaceBefore(), rest.getSpaceAfter()) == (whole.getSpaceBefore(), whole.getSpaceAfter())
 
 
+_TONGUES: tuple[Lang, ...] = ("zh", "en")
+SHEETS = few(tuple((name, lang) for name in IDS for lang in _TONGUES), 7)  # in both languages by turns
+
+
+@each(SHEETS)
+def test_every_question_sheet_is_made(case: tuple[str, Lang]) -> None:
+    """Whole, in every language; one that could not be paged ended in a traceback that nobody saw."""
+    name, lang = case
+    data = report_bytes([drawn(name).solution], lang=lang, style="question")
+    assert data.startswith(b"%PDF") and data.rstrip().endswith(b"%%EOF")
+
+
 @pytest.mark.parametrize("lang", ["zh", "en"])
 def test_a_question_whose_squares_are_set_tightly_is_printed(lang: Lang) -> None:
     """A part of them was given the white of a text that is not tight: it had no room, and no sheet was made."""
@@ -164,7 +227,7 @@ def test_what_a_counting_problem_asks_is_not_given_as_a_list() -> None:
         assert "Given" not in pdf.pages[0].extract_text()
 
 
-CAMS = tuple(name for name in IDS if isinstance(load(name).subject, Cam))
+CAMS = tuple(name for name in IDS if isinstance(given(name).subject, Cam))
 
 
 @each(CAMS)
@@ -207,7 +270,7 @@ def test_a_moment_of_inertia_has_no_blank_for_its_direction() -> None:
     assert rows["$J_{e}$"][-1] == "—" and "—" not in rows["$M_{e}$"]
 
 
-DESIGNS = Later(lambda: [name for name in IDS if isinstance(load(name).subject, Design)])
+DESIGNS = Later(lambda: [name for name in IDS if isinstance(given(name).subject, Design)])
 
 
 @each(DESIGNS)
@@ -251,7 +314,7 @@ def test_data_are_printed_as_a_textbook_does_and_not_as_they_are_keyed_in(name: 
     ],
 )
 def test_the_axes_of_a_blank_diagram_have_names_units_and_numbers(name: str, view: str, numbers: set[str]) -> None:
-    frame = next(f for f in frames(drawn(name).construction, drawn(name).problem)[0].figures if f.view.name == view)
+    frame = next(f for f in blank_of(name)[0].figures if f.view.name == view)
     notes = [mark.words.en for mark in frame.marks if isinstance(mark, Note)]
     assert numbers <= set(notes)
     assert sum(note.startswith("$") for note in notes) == 2  # both axes are named

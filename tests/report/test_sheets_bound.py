@@ -14,6 +14,8 @@ from vecpoly.report.flow.contents import Contents
 from vecpoly.report.flow.cover import Cover
 from vecpoly.report.flow.doc import Metadata, ReportDoc
 from vecpoly.report.flow.paging.running import FULL, run_on
+from vecpoly.report.flow.paging.sectioned import HALF
+from vecpoly.report.flow.paging.tight import settled
 from vecpoly.report.flow.paging.together import led
 from vecpoly.report.flow.para import Para
 from vecpoly.report.flow.table import DataTable
@@ -34,6 +36,60 @@ def test_a_sheet_behind_a_full_page_stays_where_it_is_whatever_a_cover_and_conte
     found, _ = run_on(story, doc)
     assert [type(one) for one in found] == [type(one) for one in story]
     assert not any(getattr(one, "behind", 0) for one in found)
+
+
+def lines(count: int) -> list[Para]:
+    """So many paragraphs of one line; 36 of them fill a page."""
+    return [Para(f"{n}", lang="en") for n in range(count)]
+
+
+def settled_doc(*story: object) -> ReportDoc:
+    """The story with a sheet behind it, settled on its pages."""
+    doc = ReportDoc(settled([*story, SheetPage(lambda *_: None, title="Sheet")], META), META)
+    doc.counted()
+    return doc
+
+
+def head(text: str) -> Heading:
+    return Heading(text, 3, "en")
+
+
+def test_a_sheet_stands_before_a_heading_rather_than_in_the_midst_of_a_section() -> None:
+    doc = settled_doc(*lines(25), head("Acceleration"), *lines(25))
+    assert [type(doc.heads[page]) for page in (1, 2, 3)] == [Para, SheetPage, Heading]
+    assert doc.page == 3 and min(doc.filled) >= HALF
+
+
+def test_a_table_is_not_torn_by_a_sheet_that_may_stand_before_its_heading() -> None:
+    table = DataTable(["a", "b"], [["1", "2"]] * 26, None, "cc", lang="en")
+    doc = settled_doc(*lines(24), head("Check"), Para("The values:", None, "en"), table)
+    assert isinstance(doc.heads[2], SheetPage) and isinstance(doc.heads[3], Heading) and doc.page == 3
+
+
+def test_a_page_of_little_does_not_stand_alone_behind_a_sheet() -> None:
+    doc = settled_doc(*lines(20), head("Forces"), *lines(14), head("Check"), *lines(15))
+    assert isinstance(doc.heads[2], SheetPage) and doc.heads[3].outline == "Forces"
+
+
+def test_a_sheet_is_no_reason_to_leave_a_page_mostly_white_or_to_take_another() -> None:
+    early = settled_doc(*lines(10), head("Forces"), *lines(44))
+    assert isinstance(early.heads[3], Para) and early.filled[0] > 0.9
+    long = settled_doc(*lines(24), head("Forces"), *lines(37))
+    assert long.page == 3 and isinstance(long.heads[3], Para) and long.filled[0] > 0.9
+
+
+def test_of_several_parts_one_has_its_sheet_before_a_page_that_opens_with_a_section_not_with_a_piece_of_a_table() -> (
+    None
+):
+    table = DataTable(["a", "b"], [["1", "2"]] * 36, None, "cc", lang="en")
+    sheet = SheetPage(lambda *_: None, title="Sheet")
+    story = [*lines(35), head("Check"), *lines(20), table, sheet, *lines(60)]
+    doc = ReportDoc(story, META)
+    doc.counted()
+    assert [type(doc.heads[page]) for page in (1, 2, 3)] == [Para, Heading, DataTable]
+    found, after = run_on(story, doc)
+    assert [item.behind for item in found if isinstance(item, SheetPage)] == [1]
+    assert isinstance(after.heads[2], SheetPage) and isinstance(after.heads[3], Heading)
 
 
 def test_contents_take_the_room_of_their_entries_when_pages_are_only_counted() -> None:

@@ -5,14 +5,13 @@ from __future__ import annotations
 
 import pytest
 
-from tests.drawn_library import IDS, Drawn, drawn
+from tests.drawn_library import IDS, Drawn, drawn, given
 from tests.each import Later, each
 from vecpoly.algebra.quantity import number
-from vecpoly.board.paper.marks import AngleMark, Arc, Block, FixedGuide, Ground, Mark, Role, Segment
+from vecpoly.board.paper.marks import AngleMark, Arc, Block, FixedGuide, Ground, Mark, Point, Role, Segment
 from vecpoly.designs.base import Design
-from vecpoly.problem.load import load
 
-DESIGNS = Later(lambda: (name for name in IDS if isinstance(load(name).subject, Design)))
+DESIGNS = Later(lambda: (name for name in IDS if isinstance(given(name).subject, Design)))
 FULL = 2.0  # mm: a shorter line tells nothing
 ANGLES = ("theta", "psi", "gamma_min", "alpha_max")
 
@@ -87,6 +86,13 @@ def test_a_slider_is_a_block_on_a_hatched_guide(name: str) -> None:
     for guide in guides:
         along = (guide.b - guide.a) / abs(guide.b - guide.a)
         assert any(0 < ((block.at - guide.a) * along.conjugate()).imag < 5 for block in blocks)
+
+
+@pytest.mark.parametrize("name", ["8-3a", "8-3b"])
+def test_crank_and_coupler_are_as_long_in_one_limit_as_in_the_other(name: str) -> None:
+    at = {mark.label: mark.at for mark in _marks(drawn(name)) if isinstance(mark, Point) and mark.label}
+    assert abs(at["B_1"] - at["A"]) == pytest.approx(abs(at["B_2"] - at["A"]))
+    assert abs(at["C_1"] - at["B_1"]) == pytest.approx(abs(at["C_2"] - at["B_2"]))
 
 
 @pytest.mark.parametrize("name", ["8-3a", "8-3b", "8-3c", "8-4", "8-5", "8-15", "8-16", "8-17", "drag-link"])

@@ -79,7 +79,7 @@ class Vec:
 
 Node = Sym | Txt | Row | Frac | Power | Root | Over | Vec
 
-_LETTERS = "A-Za-zμωαφρθβγδψΔληπεσ"
+_LETTERS = "A-Za-zμωαφρθβγδψχΔληπεσ"
 _SYMBOL = re.compile(
     rf"(?P<base>[{_LETTERS}]['′]*)"
     r"(?:\^(?P<sup>\{[^}]*\}|[A-Za-z0-9′']))?"

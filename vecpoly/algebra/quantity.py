@@ -6,17 +6,19 @@ Values are SI (lengths on paper in mm, scales in SI per mm), `float` or arrays o
 from __future__ import annotations
 
 from collections.abc import Callable
+from operator import attrgetter
 from typing import Any, cast
 
 import numpy as np
 
 from ..foundation.slotted import dataclass
 from ..plane import Reals, nominal
-from .formula import Frac, Node, Over, Power, Root, Row, Txt, named, plain, signed
+from .formula import Frac, Node, Over, Power, Root, Row, Txt, named, signed
+from .functions import FUNCTIONS
 from .rounding import to_figures, to_places
 
 FIGURES = 4  # significant digits of a number in a line
-_OF_PI = 5  # as every pocket calculator and every table tells it
+_PI, _OF_PI = (named("π"), Txt("π")), 5  # as every pocket calculator and every table tells it
 
 
 def number(value: float, digits: int = FIGURES) -> str:
@@ -26,10 +28,8 @@ def number(value: float, digits: int = FIGURES) -> str:
     text = f"{to_figures(value, digits):.{digits}g}"
     if "e" in text and 1 <= abs(value) < 1e6:
         text = f"{to_places(value, 0):.0f}"
-    if "e" not in text:
-        return text.replace("-", "−")
-    mantissa, exponent = text.split("e")
-    return f"{mantissa.replace('-', '−')}×10^{{{int(exponent)}}}".replace("{-", "{−")
+    mantissa, by, exponent = text.partition("e")
+    return (f"{mantissa}×10^{{{int(exponent)}}}" if by else text).replace("-", "−")
 
 
 class Algebra:
@@ -54,6 +54,17 @@ class Algebra:
         return Sum((*terms, other), (*signs, sign))
 
 
+class Composed(Algebra):
+    """An expression of others; `reckoned` is its value where each of its quantities has what `of` says."""
+
+    __slots__ = ()
+
+    @property
+    def value(self: Any) -> Reals:
+        result: Reals = self.reckoned(attrgetter("value"))
+        return result
+
+
 @dataclass(frozen=True, slots=True)
 class Quantity(Algebra):
     """A leaf: its symbol `node`, `value` in SI (`deg`: degrees), `unit` as printed, its number if it is `told`."""
@@ -62,6 +73,9 @@ class Quantity(Algebra):
     value: Reals
     unit: str
     told: str = ""
+
+    def reckoned(self, of: Reckoner) -> Reals:
+        return of(self)
 
     def symbol(self) -> Node:
         return self.node
@@ -75,7 +89,7 @@ class Quantity(Algebra):
 
     def figures(self, digits: int) -> int:
         """So many figures, of π everywhere those of 3.1416."""
-        return max(digits, _OF_PI) if plain(self.node) == "π" else digits
+        return max(digits, _OF_PI) if self.node in _PI else digits
 
     def squared(self) -> Powered:
         """To the power of two."""
@@ -87,16 +101,15 @@ class Quantity(Algebra):
 
 
 @dataclass(frozen=True, slots=True)
-class Product(Algebra):
+class Product(Composed):
     """A product of expressions."""
 
     factors: tuple[Expr, ...]
 
-    @property
-    def value(self) -> Reals:
+    def reckoned(self, of: Reckoner) -> Reals:
         result: Reals = 1.0
         for factor in self.factors:
-            result = result * factor.value
+            result = result * factor.reckoned(of)
         return result
 
     def symbol(self) -> Node:
@@ -113,15 +126,14 @@ class Product(Algebra):
 
 
 @dataclass(frozen=True, slots=True)
-class Quotient(Algebra):
+class Quotient(Composed):
     """A fraction of two expressions."""
 
     num: Expr
     den: Expr
 
-    @property
-    def value(self) -> Reals:
-        return self.num.value / self.den.value
+    def reckoned(self, of: Reckoner) -> Reals:
+        return self.num.reckoned(of) / self.den.reckoned(of)
 
     def symbol(self) -> Node:
         return Frac(self.num.symbol(), self.den.symbol())
@@ -131,17 +143,16 @@ class Quotient(Algebra):
 
 
 @dataclass(frozen=True, slots=True)
-class Sum(Algebra):
+class Sum(Composed):
     """A sum of expressions with their signs, +1 or −1."""
 
     terms: tuple[Expr, ...]
     signs: tuple[int, ...]
 
-    @property
-    def value(self) -> Reals:
+    def reckoned(self, of: Reckoner) -> Reals:
         result: Reals = 0.0
         for term, sign in zip(self.terms, self.signs, strict=True):
-            result = result + sign * term.value
+            result = result + sign * term.reckoned(of)
         return result
 
     def symbol(self) -> Node:
@@ -152,15 +163,14 @@ class Sum(Algebra):
 
 
 @dataclass(frozen=True, slots=True)
-class Powered(Algebra):
+class Powered(Composed):
     """A quantity to a small power."""
 
     base: Quantity
     exponent: int
 
-    @property
-    def value(self) -> Reals:
-        return self.base.value**self.exponent
+    def reckoned(self, of: Reckoner) -> Reals:
+        return self.base.reckoned(of) ** self.exponent
 
     def symbol(self) -> Node:
         return Power(self.base.symbol(), str(self.exponent))
@@ -170,15 +180,14 @@ class Powered(Algebra):
 
 
 @dataclass(frozen=True, slots=True)
-class Times(Algebra):
+class Times(Composed):
     """A pure number in front of an expression: 2 ω v."""
 
     factor: int
     body: Expr
 
-    @property
-    def value(self) -> Reals:
-        return self.factor * self.body.value
+    def reckoned(self, of: Reckoner) -> Reals:
+        return self.factor * self.body.reckoned(of)
 
     def symbol(self) -> Node:
         return Row((Txt(str(self.factor)), _whole(self.body, self.body.symbol())))
@@ -187,25 +196,15 @@ class Times(Algebra):
         return Row((Txt(f"{self.factor} × "), _whole(self.body, self.body.numbers(digits))))
 
 
-_FUNCTIONS: dict[str, Callable[[Any], Any]] = {
-    "sin": lambda angle: np.sin(np.radians(angle)),
-    "cos": lambda angle: np.cos(np.radians(angle)),
-    "tan": lambda angle: np.tan(np.radians(angle)),
-    "arctan": lambda ratio: np.degrees(np.arctan(ratio)),
-}
-
-
 @dataclass(frozen=True, slots=True)
-class Of(Algebra):
+class Of(Composed):
     """A trigonometric function of an angle in degrees, tan(α + φ), or the angle itself in degrees, arctan f."""
 
     name: str
     angle: Expr
 
-    @property
-    def value(self) -> Reals:
-        result: Reals = _FUNCTIONS[self.name](self.angle.value)
-        return result
+    def reckoned(self, of: Reckoner) -> Reals:
+        return FUNCTIONS[self.name](self.angle.reckoned(of))
 
     def symbol(self) -> Node:
         return Row((Txt(f"{self.name}\u2009"), _whole(self.angle, self.angle.symbol())))
@@ -215,14 +214,13 @@ class Of(Algebra):
 
 
 @dataclass(frozen=True, slots=True)
-class Rooted(Algebra):
+class Rooted(Composed):
     """The square root of an expression."""
 
     body: Expr
 
-    @property
-    def value(self) -> Reals:
-        result: Reals = np.sqrt(self.body.value)
+    def reckoned(self, of: Reckoner) -> Reals:
+        result: Reals = np.sqrt(self.body.reckoned(of))
         return result
 
     def symbol(self) -> Node:
@@ -233,6 +231,7 @@ class Rooted(Algebra):
 
 
 Expr = Quantity | Product | Quotient | Sum | Powered | Times | Of | Rooted
+Reckoner = Callable[[Quantity], Reals]
 
 
 def _whole(expr: Expr, node: Node) -> Node:

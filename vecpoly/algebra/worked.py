@@ -45,27 +45,31 @@ def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], st
 
     Its numbers are those with which a reader gets this end: as they are told elsewhere, or with guard figures.
     """
-    return Row((*line.items[:-_END], keyed_in(_as_told(line, shown, told), shown), end))
+    expr, digits = _as_told(line, shown, told)
+    return Row((*line.items[:-_END], expr.numbers(digits), end))
 
 
 def numbers_of(line: Row, shown: str, told: Callable[[Node, float], str]) -> Iterator[tuple[Node, float, str]]:
     """The quantities of the line that `told_again` gives: symbol, value, number without sign and brackets."""
-    expr = _as_told(line, shown, told)
-    digits = figures_for(expr, shown)
+    expr, digits = _as_told(line, shown, told)
     for one in _quantities(expr):
         yield one.node, float(nominal(one.value)), plain(one.numbers(digits)).strip("()−°")
 
 
-def _as_told(line: Row, shown: str, told: Callable[[Node, float], str]) -> Expr:
-    """The line's expression with the numbers told elsewhere, unless they give another end."""
-    own, again = cast("Expr", line.worked), dict[Node, str]()
+def _as_told(line: Row, shown: str, told: Callable[[Node, float], str]) -> tuple[Expr, int]:
+    """The line's expression with the numbers told elsewhere, unless they give another end; and how many figures the
+    other numbers have."""
+    own = cast("Expr", line.worked)
 
-    def as_told(one: Quantity) -> Quantity:
-        again[one.node] = told(one.node, float(nominal(one.value)))
-        return replace(one, told=again[one.node] or one.told)
+    def told_of(one: Quantity) -> str:
+        return told(one.node, float(nominal(one.value)))
 
-    other = _each(own, as_told)
-    return other if any(again.values()) and _reproduces(other, figures_for(other, shown), shown) else own
+    if any(map(told_of, _quantities(own))):
+        other = _each(own, lambda one: replace(one, told=told_of(one) or one.told))
+        digits = figures_for(other, shown)
+        if _gives(other, digits, (read_back(shown),)):
+            return other, digits
+    return own, figures_for(own, shown)
 
 
 def stated(quantity: Quantity) -> Row:
@@ -93,12 +97,7 @@ def figures_for(expr: Expr, shown: str = "", least: int = FIGURES) -> int:
 def _by_one(expr: Expr) -> float:
     """The value by the nominal hand alone; not finite where it divides by nothing."""
     with np.errstate(all="ignore"):
-        return float(nominal(_each(expr, lambda one: replace(one, value=np.float64(nominal(one.value)))).value))
-
-
-def _reproduces(expr: Expr, digits: int, shown: str) -> bool:
-    """Whether who keys in its numbers with so many figures gets this result."""
-    return _gives(expr, digits, (read_back(shown),))
+        return float(nominal(expr.reckoned(lambda one: np.float64(nominal(one.value)))))
 
 
 def _gives(expr: Expr, digits: int, told: Iterable[tuple[float, float]]) -> bool:
@@ -127,7 +126,7 @@ def spot_in_mm(at: complex) -> str:
 def _reckoned(expr: Expr, digits: int) -> float:
     """What a calculator shows for the expression with its numbers printed to so many figures; NaN: an error."""
     try:
-        return float(nominal(_each(expr, lambda one: _rounded(one, digits)).value))
+        return float(nominal(expr.reckoned(lambda one: _printed(one, digits))))
     except ZeroDivisionError:  # two printed numbers may be one, where those that are printed differ
         return nan
 
@@ -172,15 +171,16 @@ def size_of(line: Row) -> float:
 
 def scale_of(line: Row) -> float | None:
     """The scale before the lengths of a line such as l = μ_l AB; None of a line that begins with no such factor."""
-    factors: tuple[Expr, ...] = line.worked.factors if isinstance(line.worked, Product) else ()
+    own = line.worked.terms[0] if isinstance(line.worked, Sum) and len(line.worked.terms) == 1 else line.worked
+    factors: tuple[Expr, ...] = own.factors if isinstance(own, Product) else ()
     return abs(float(nominal(factors[0].value))) if factors and isinstance(factors[0], Quantity) else None
 
 
-def _rounded(quantity: Quantity, digits: int) -> Quantity:
-    """As it is printed to so many figures."""
+def _printed(quantity: Quantity, digits: int) -> float:
+    """Its value as it is printed to so many figures."""
     if quantity.told:
-        return replace(quantity, value=read_back(quantity.told)[0])
-    return replace(quantity, value=as_printed(float(nominal(quantity.value)), quantity.figures(digits)))
+        return read_back(quantity.told)[0]
+    return as_printed(float(nominal(quantity.value)), quantity.figures(digits))
 
 
 def _with_unit(text: str, unit: str) -> str:

@@ -34,7 +34,10 @@ def posed(problem: Problem, positions: ArrayLike) -> Iterator[Problem | None]:
     for position, (at, starts) in zip(where, _followed(mech, where), strict=True):
         own = mech if position == mech.drive.position else replace(mech, starts=starts)
         there = _assembled(own, float(position), at)
-        yield None if there is None else replace(problem, subject=there)
+        if there is None:
+            yield None
+        else:
+            yield replace(problem, subject=there, loads=problem.loads and problem.loads.at(there))
 
 
 def _followed(mech: Mechanism, positions: NDArray[np.float64]) -> Iterator[tuple[Places, tuple[Start, ...]]]:

@@ -135,6 +135,11 @@ class Device(BaseModel):
         return frozenset()
 
     @property
+    def sensed(self) -> bool:
+        """Whether its angular velocities have a sense: the data tell which way it turns."""
+        return True
+
+    @property
     def force(self) -> float:
         """A force typical of its polygons (N)."""
         return 100.0

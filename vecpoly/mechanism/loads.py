@@ -9,6 +9,7 @@ from the normal, against the relative motion.
 
 from __future__ import annotations
 
+from cmath import phase
 from collections.abc import Mapping
 from dataclasses import field
 from math import pi, sqrt
@@ -18,13 +19,15 @@ from ..foundation.frozen import FrozenMap
 from ..foundation.slotted import dataclass, replace
 from .laws.sizes import Law, Table
 from .laws.springs import Elastic
+from .model import Mechanism
 
 Role = Literal["", "driving", "resisting"]  # what the problem says of a load; its power must agree
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Force:
-    """A force on a link through one of its lettered points, in a fixed direction (rad from the x axis).
+    """A force on a link through one of its lettered points, in a fixed direction (rad from the x axis), or in one that
+    turns with the driving link: `along` a ray between two of its points; `direction` is then that of this position.
 
     size: N, positive along `direction`; None: it balances. A cylinder's thrust acts `against` another link as well:
     from that link's point `foot` to `point`, and with the opposite force on `foot`; it has no direction of its own.
@@ -39,6 +42,14 @@ class Force:
     against: str = ""
     foot: str = ""
     law: Law | None = None
+    along: tuple[str, str] | None = None
+
+    def at(self, mech: Mechanism) -> Force:
+        """The force with its direction where the drive stands now."""
+        if self.along is None:
+            return self
+        start, end = (mech.link(self.link).points[letter] for letter in self.along)
+        return replace(self, direction=mech.drive.position + phase(end - start))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -173,6 +184,10 @@ class Loads:
         """Whether more than its thrust acts on the links of a cylinder: then it is no two-force member."""
         pair = (thrust.link, thrust.against)
         return any(self.mass(link) or any(load != thrust for load in self.on(link)) for link in pair)
+
+    def at(self, mech: Mechanism) -> Loads:
+        """The loads where the drive stands now: forces that turn with it have their directions there."""
+        return replace(self, forces=tuple(force.at(mech) for force in self.forces))
 
     def without_roles(self) -> Loads:
         """The loads, none called driving or resisting: over a cycle a load may be both in turn."""

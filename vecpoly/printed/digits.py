@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import floor, isfinite, log10
 
+from ..algebra.columns import places_of as places_of
 from ..algebra.formula import Row
 from ..algebra.quantity import number
 from ..algebra.rounding import to_places
@@ -40,8 +41,10 @@ def _towards(answer: Answer) -> float:
 
 def rounded(value: float, places: int | None, most: int) -> str:
     """A number with so many decimals, and no more than so many significant digits."""
-    if not value or not isfinite(value) or places is None or abs(value) < LEAST:
+    if not value or not isfinite(value) or places is None:
         return number(value, most)
+    if abs(value) < LEAST:
+        return number(value, max(1, min(most, floor(log10(abs(value))) + 1 + places)))
     fit = most - 1 - floor(log10(abs(value)))
     kept = max(0, min(places, fit))
     text = f"{to_places(value, kept):.{kept}f}".replace("-", "−")
@@ -71,11 +74,6 @@ def decimals(answer: Answer) -> int | None:
     return places
 
 
-def places_of(step: float) -> int:
-    """The decimals with which a number is told to such a step."""
-    return max(0, -floor(log10(step) + 1e-9)) if step else 0
-
-
 def _is_on(value: float, places: int) -> bool:
     return abs(value - round(value, places)) < _SAME * abs(value)
 
@@ -101,10 +99,11 @@ def on_paper(answer: Answer) -> str:
 
 def coordinates(answer: Answer) -> int:
     """The decimals of a place in mm: as many as were read, one at least where the reading is that good."""
-    at = answer.drawn_vector or 0j
+    at, error = answer.drawn_vector or 0j, 1e3 * _error(answer)
     least = 1 if answer.expected_error < 1e-3 else 0
+    finest = max(least, min(_FINEST, places_of(error))) if error else _FINEST
     return next(
-        (n for n in range(least, _FINEST) if all(_falls_on(1e3 * part, n) for part in (at.real, at.imag))), _FINEST
+        (n for n in range(least, finest) if all(_falls_on(1e3 * part, n) for part in (at.real, at.imag))), finest
     )
 
 

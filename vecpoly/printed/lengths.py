@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import cast
 
 from ..algebra.formula import Frac, Node, Over, Row, Sym
+from ..algebra.quantity import Expr, Of, Powered, Product, Quantity, Quotient, Rooted, Sum, Times
+from ..plane import nominal
 
 _FORMULA, _PARTS = 2, 4  # of a line symbol = formula = numbers = result
 
@@ -16,6 +19,38 @@ def is_length(line: Row) -> bool:
     above = list(_leaves(line.items[_FORMULA], below=False))
     scales, lengths = (sum(isinstance(one, kind) for one in above) for kind in (Sym, Over))
     return scales == 1 and lengths > 0 and not any(_leaves(line.items[_FORMULA], below=True))
+
+
+def only_length(line: Row) -> float | None:
+    """The length on paper (mm) to which the line's result is proportional; None where there is none, or more."""
+    found = list(_over(cast("Expr", line.worked), 1)) if line.worked is not None else []
+    return abs(float(nominal(found[0][0].value))) if len(found) == 1 and found[0][1] == 1 else None
+
+
+def _over(expr: Expr, power: int) -> Iterator[tuple[Quantity, int]]:
+    """The lengths on paper in an expression, each with its power; those in sums and functions with none."""
+    match expr:
+        case Quantity(node=Over()):
+            yield expr, power
+        case Quantity():
+            return
+        case Product(factors):
+            for factor in factors:
+                yield from _over(factor, power)
+        case Quotient(num, den):
+            yield from _over(num, power)
+            yield from _over(den, -power)
+        case Sum(terms):
+            for term in terms:
+                yield from _over(term, power if len(terms) == 1 else 0)
+        case Powered(base, exponent):
+            yield from _over(base, power * exponent)
+        case Times(_, body):
+            yield from _over(body, power)
+        case Of(_, angle):
+            yield from _over(angle, 0)
+        case Rooted(body):
+            yield from _over(body, 0)
 
 
 def _leaves(node: Node, *, below: bool) -> Iterator[Node]:

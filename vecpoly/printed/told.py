@@ -10,7 +10,7 @@ from ..algebra.formula import Node, Row, Sym, Txt, named
 from ..algebra.worked import numbers_of, scale_of, size_of, told_again
 from ..answer import YES_NO, Answer
 from .digits import MOST, TENTH, decimals, places_of, rounded
-from .lengths import is_length
+from .lengths import is_length, only_length
 from .units import printed_unit
 
 NUMBER = re.compile(r"(−?)\d+(?:\.\d+)?(?:×10\^\{−?\d+\})?")  # as `number` writes it
@@ -101,9 +101,11 @@ def number_of(answer: Answer, value: float, scale: float) -> str:
 
 
 def _to_scale(line: Row, size: float) -> str:
-    """A length that was read on paper, with the decimals of its scale; nothing of another line."""
-    scale = scale_of(line) if is_length(line) else None
-    return rounded(size, places_of(TENTH * scale), MOST) if scale else ""
+    """What was read on paper, or worked out from one length alone, with the decimals of its scale; nothing of another
+    line."""
+    scale, mm = scale_of(line) if is_length(line) else None, only_length(line)
+    step = TENTH * scale if scale else TENTH * size / mm if mm else 0.0
+    return rounded(size, places_of(step), MOST) if step else ""
 
 
 def _figures(text: str) -> int:

@@ -101,9 +101,10 @@ def _without(turn: Cycle, force: Force) -> Cycle:
 
 
 def _force(loads: Loads, name: str) -> Force:
-    found = next((one for one in loads.forces if one.name == name and one.size is not None), None)
+    told = [one for one in loads.forces if one.size is not None and one.along is None]
+    found = next((one for one in told if one.name == name), None)
     if found is None:
-        known = ", ".join(one.name for one in loads.forces if one.size is not None) or "–"
+        known = ", ".join(one.name for one in told) or "–"
         raise UnknownNameError(
             Words(
                 f"没有已知大小的力“{name}”；已有：{known}", f"no force of known size is called '{name}'; known: {known}"

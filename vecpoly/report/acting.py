@@ -23,15 +23,16 @@ CLEAR = 1.5  # mm between a force's arrow and its point
 LEAST = 2.2  # mm, the smallest friction circle that can be seen about a pin
 
 
-def acting(mech: Mechanism, loads: Loads, figure: Figure) -> tuple[Mark, ...]:
-    """Marks of the loads and of the friction circles for the mechanism as drawn."""
+def acting(mech: Mechanism, loads: Loads, figure: Figure, sheet: Figure) -> tuple[Mark, ...]:
+    """Marks of the loads and of the friction circles for the mechanism as drawn; sheet: the figure to scale, on which a
+    load pulls at its point or presses on it as it does here."""
     spots = {m.label: m.at for m in figure.marks if isinstance(m, Point)}
     circles = tuple(
         FrictionCircle(centre=spots[pin], radius=max(rho / figure.scale.value, LEAST), step=1)
         for pin, rho in loads.friction.pins.items()
         if rho and pin in spots
     )
-    arrows = tuple(mark for load in loads.all if (mark := _arrow(mech, load, spots, figure)) is not None)
+    arrows = tuple(mark for load in loads.all if (mark := _arrow(mech, load, spots, figure, sheet)) is not None)
     return circles + _springs(mech, loads, spots) + arrows
 
 
@@ -50,21 +51,33 @@ def _springs(mech: Mechanism, loads: Loads, spots: dict[str, complex]) -> tuple[
     return tuple(found)
 
 
-def _arrow(mech: Mechanism, load: Load, spots: dict[str, complex], figure: Figure) -> Mark | None:
-    """The arrow of one load; none for a moment that is sought, whose sense is not known yet."""
+def _arrow(mech: Mechanism, load: Load, spots: dict[str, complex], figure: Figure, sheet: Figure) -> Mark | None:
+    """The arrow of one load; none for a moment that is sought, unless told to drive the input or to resist."""
     symbol = load_named(load).symbol
     if isinstance(load, Force) and load.against:
         return _thrust(load, spots, symbol)
     if isinstance(load, Force):
-        return _force(load, spots[load.point], symbol, figure) if load.point in spots else None
+        return (
+            _force(load, spots[load.point], symbol, figure, _pulls(load, symbol, sheet))
+            if load.point in spots
+            else None
+        )
     return _moment(mech, load, spots, symbol, figure)
 
 
-def _force(load: Force, at: complex, symbol: str, figure: Figure) -> Vector:
-    """Pulling away from its point or pushing at it, whichever side is clearer of lines."""
+def _pulls(load: Force, symbol: str, sheet: Figure) -> bool | None:
+    """Whether the load begins at its point on the sheet; None where it is not drawn there."""
+    at = next((m.at for m in sheet.marks if isinstance(m, Point) and m.label == load.point), None)
+    arrow = next((m for m in sheet.marks if isinstance(m, Vector) and m.label == symbol), None)
+    return None if at is None or arrow is None else abs(arrow.a - at) < abs(arrow.b - at)
+
+
+def _force(load: Force, at: complex, symbol: str, figure: Figure, pulls: bool | None) -> Vector:
+    """Pulling away from its point or pushing at it: as on the sheet, else whichever side is clearer of lines."""
     along = cmath.rect(1.0, load.direction)
     pull, push = (at + CLEAR * along, at + ARROW * along), (at - ARROW * along, at - CLEAR * along)
-    a, b = max((pull, push), key=lambda ends: _room(ends, figure))
+    ways = (pull, push) if pulls is None else (pull,) if pulls else (push,)
+    a, b = max(ways, key=lambda ends: _room(ends, figure))
     return Vector(a=a, b=b, role=Role.GIVEN, label=symbol, step=1)
 
 
@@ -100,11 +113,20 @@ def _moment(mech: Mechanism, load: Moment, spots: dict[str, complex], symbol: st
     opposite the driving arrow where both turn about one pivot."""
     letters = [p for p in mech.link(load.link).points if p in spots]
     centre = next((p for p in letters if p in mech.frame), letters[0] if letters else None)
-    if load.size is None or centre is None:
+    if centre is None:
         return None
     at = spots[centre]
     driving = next((m for m in figure.marks if isinstance(m, TurnArrow) and abs(m.at - at) < 1e-6), None)
+    ccw = _sense(load, driving)
     start = pi / 4 if driving is None else driving.start + pi
-    return TurnArrow(
-        at=at, radius=TURN_RADIUS if driving is None else BESIDE, start=start, ccw=load.size > 0, label=symbol, step=1
-    )
+    size = TURN_RADIUS if driving is None else BESIDE
+    return None if ccw is None else TurnArrow(at=at, radius=size, start=start, ccw=ccw, label=symbol, step=1)
+
+
+def _sense(load: Moment, driving: TurnArrow | None) -> bool | None:
+    """Whether it turns counter-clockwise: as given; as the input is told to turn, or against that."""
+    if load.size is not None:
+        return load.size > 0
+    if driving is None or not load.role:
+        return None
+    return driving.ccw is (load.role == "driving")

@@ -31,7 +31,7 @@ from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .identity import identity
 from .lines import lines_table
-from .picture import diagram, picture, to_scale
+from .picture import diagram, to_scale
 from .plates.page import sheet_page
 from .plates.results import concluded
 from .plates.sketch import sketch_of
@@ -177,8 +177,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
 
         return course(solution, lang, objects)
     room = ALONE if _repeats(solution.construction) else PICTURE
-    draw = sketched if style == "question" else picture
-    drawn = draw(solution.problem, solution.construction, *room)
+    drawn = sketched(solution.problem, solution.construction, *room)
     common = {
         **statement(solution, lang),
         "repeats": REPEATS,

@@ -14,6 +14,7 @@ from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
 from ..words import Words
 from .acting import acting
+from .sizes.sized import sized
 
 SKETCH = Words("机构简图（示意）", "The mechanism (sketch)")
 DEVICE = Words("简图（示意）", "Sketch")
@@ -24,19 +25,25 @@ _HELP = {Role.CONSTRUCTION, Role.DIRECTION, Role.IDEAL, Role.HIDDEN}
 
 def picture(problem: Problem, construction: Construction, width: float, height: float) -> Figure | None:
     """The sketch beside the statement: as given, with what acts on it; none where nothing given was drawn."""
-    figure = construction.figure(View.MECHANISM)
+    figure = construction.figure(View.MECHANISM) or _from_its_end(construction)
     if figure is None:
         return None
     if isinstance(problem.subject, Design):
         return None  # what is given of a synthesis are numbers; what its first steps draw is what is asked
     if not isinstance(problem.subject, Mechanism):
-        return _device(figure, width, height)
+        return sized(problem, _device(figure, width, height))
     position = construction.steps[0].section
     marks = _given_links(figure, max(step.number for step in construction.steps if step.section == position))
-    if problem.loads is None:
+    loads = problem.loads or (problem.machine.loads if problem.machine is not None else None)
+    if loads is None:
         return reduced(figure, marks, width, height)
     plain = reduced(figure, marks, width - 30.0, height - 20.0)
-    return replace(plain, marks=plain.marks + acting(problem.subject, problem.loads, plain))
+    return replace(plain, marks=plain.marks + acting(problem.subject, loads, plain, figure))
+
+
+def _from_its_end(construction: Construction) -> Figure | None:
+    """A rotor without length: its masses, with r and θ."""
+    return next((one for one in construction.figures if one.view.name == "end-view"), None)
 
 
 def to_scale(figure: Figure) -> bool:

@@ -78,7 +78,9 @@ def _load(frame: Frame, load: Load) -> Act:
     symbol = load_symbol(load.name)
     if isinstance(load, Force):
         size: Expr = Var(symbol) if load.size is None or load.law is not None else Const(symbol, load.size, "N")
-        way = Const(f"θ_{{{load.name.replace('_', '')}}}", load.direction, "rad")
+        way: Expr = Const(f"θ_{{{load.name.replace('_', '')}}}", load.direction, "rad")
+        if load.along is not None:
+            way = frame.ray(load.link, *load.along)
         return Act(load.link, frame.xy(load.point), (size * cos(way), size * sin(way)))
     return Act(
         load.link,

@@ -3,6 +3,7 @@ what one link does to the other, by its unknowns, and the friction there."""
 
 from __future__ import annotations
 
+from cmath import phase
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import tan
@@ -61,6 +62,12 @@ class Frame:
             else Const(f"φ_{{{link}}}", self.turned[link], "rad")
         )
         return own + Const(f"θ_{{{link}}}", more, "rad")
+
+    def ray(self, link: str, start: str, end: str) -> Expr:
+        """The direction of the ray between two letters of a link that has a symbol for its angle."""
+        points = self.mech.link(link).points
+        more = phase(points[end] - points[start])
+        return self.angle(link, more) if more else Var(f"φ_{{{link}}}")
 
     def velocity(self, letter: str) -> Pair:
         """Components of a letter's velocity, nothing of the frame's."""

@@ -16,7 +16,7 @@ from ..cycle import Cycle
 from ..root import ridders
 from ..sample import sample
 
-__all__ = ["Cause", "Duty", "Still", "duties", "idle", "stills"]
+__all__ = ["Cause", "Duty", "Still", "duties", "idle", "stills", "within"]
 
 Reals = NDArray[np.float64]
 Codes = NDArray[np.int_]
@@ -93,6 +93,14 @@ def stills(cycle: Cycle) -> tuple[Still, ...]:
     turn = cycle.period
     free = (one for one in found if not any(duty.cause and duty.holds(one.phi, turn, _EDGE) for duty in duties(cycle)))
     return tuple(sorted(free, key=lambda still: still.phi))
+
+
+def within(cycle: Cycle, duty: Duty) -> tuple[float, float]:
+    """The ends of a stretch among the positions of one turn: over the turn's end the second is less than the first."""
+    if not cycle.whole or duty.high - duty.low > cycle.period - _EDGE:
+        return duty.low, duty.high
+    low, high = _reduced(cycle, duty.low), _reduced(cycle, duty.high)
+    return low, cycle.low + cycle.period if high < cycle.low + _EDGE else high
 
 
 def idle(cycle: Cycle, name: str) -> tuple[float, ...]:

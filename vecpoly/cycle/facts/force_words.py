@@ -10,7 +10,7 @@ from ...oracle.forces import Cause
 from ...oracle.forces.laws.period import constant_size
 from ...words import Words
 from ..cycle import Cycle
-from .duties import Duty, Still, duties, stills
+from .duties import Duty, Still, duties, stills, within
 from .shown import shown
 
 _CAUSES = {
@@ -54,7 +54,7 @@ def constant_words(cycle: Cycle) -> Iterator[Words]:
 
 
 def _stretch(cycle: Cycle, duty: Duty) -> str:
-    return " … ".join(shown(cycle, cycle.drive.key, q, 5) for q in (duty.low, duty.high))
+    return " … ".join(shown(cycle, cycle.drive.key, q, 5) for q in within(cycle, duty))
 
 
 def _parts(cycle: Cycle, found: Sequence[Duty]) -> Iterator[Words]:

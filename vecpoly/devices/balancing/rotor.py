@@ -14,10 +14,10 @@ from pydantic import Field, model_validator
 from ...errors import FaultError
 from ...names import Named
 from ...words import Words
-from ..base import Device, Signed, Speed, Written, as_written
+from ..base import Device, Length, Signed, Speed, Written, as_written
 from .asked import Weighing, of_rotor, weighing
 from .mass import RotorDisc, RotorMass
-from .plane import RotorPlane
+from .plane import THROUGH, RotorPlane
 from .sought import check_sought, sought_quantities
 from .written import Entry, MassSize, Turning, named_well
 
@@ -34,14 +34,23 @@ class RotorTolerance(Entry):
     z: Signed | None = None
 
 
+class RotorBody(Entry):
+    """A drum, a disc, a pulley on the shaft, as it is sketched: from here to there along the axis, with a radius."""
+
+    start: Signed = Field(alias="from")
+    end: Signed = Field(alias="to")
+    r: Length
+
+
 class Rotor(Device):
-    """Masses by their names; planes of correction by theirs; a grade where one is asked for."""
+    """Masses by their names; planes of correction by theirs; a grade where one is asked for; what sits on the shaft."""
 
     kind: ClassVar[str] = "rotor"
     masses: dict[str, RotorMass]
     correct: dict[str, RotorPlane] = Field(default_factory=dict)
     disc: RotorDisc = RotorDisc()
     tolerance: RotorTolerance | None = None
+    bodies: tuple[RotorBody, ...] = ()
 
     @model_validator(mode="after")
     def _possible(self) -> Rotor:
@@ -180,7 +189,8 @@ class Rotor(Device):
             rows += [(f"{symbol}_{{{name}}}", value) for symbol, value in (*sizes, *places)]
         rows += [("b", self.disc.b), ("ρ", self.disc.density)]
         for end, plane in self.planes.items():
-            rows += [(f"z_{{b{end}}}", plane.z), (f"r_{{b{end}}}", plane.r)]
+            drill = None if plane.hole is THROUGH else plane.hole
+            rows += [(f"z_{{b{end}}}", plane.z), (f"r_{{b{end}}}", plane.r), (f"d_{{b{end}}}", drill)]
         if (grade := self.tolerance) is not None:
             rows += [("G", grade.G), ("m", grade.mass), ("n", grade.n), ("z_S", grade.z)]
         return as_written(rows)

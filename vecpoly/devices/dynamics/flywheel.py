@@ -167,6 +167,11 @@ class Flywheel(Device):
         """Whether δ follows from J."""
         return self.delta is None
 
+    @property
+    def sensed(self) -> bool:
+        """Only its speed is known."""
+        return False
+
     def quantities(self) -> tuple[Named, ...]:
         """The constant moment, the areas and energies, ΔW_max, the flywheel, or δ; the extreme speeds; the rim."""
         count, load = self.load.count, self.load

@@ -146,6 +146,11 @@ class RunUp(Device):
         sloping = [one for one in curves if isinstance(one, Polynomial) and len(one.terms) > 1]
         return all(isinstance(one, Polynomial) and len(one.terms) < 3 for one in curves) and bool(sloping)
 
+    @property
+    def sensed(self) -> bool:
+        """Only its speed is known."""
+        return False
+
     def quantities(self) -> tuple[Named, ...]:
         """Steady speed and time constant; time and turns; the speed at a time."""
         if self.motor is None:

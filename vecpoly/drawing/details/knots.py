@@ -1,4 +1,4 @@
-"""Where a figure is to be drawn apart: letters that crowd together, vectors too short to be seen."""
+"""Where a figure is to be drawn apart: letters that crowd together, vectors and friction circles that are too small."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
-from ...board.paper.marks import Dot, Point, Vector
+from ...board.paper.marks import Dot, FrictionCircle, Point, Vector
 from ...board.ruler import READABLE
 from ...foundation.slotted import dataclass
 from .knot import Knot, Trouble
@@ -17,17 +17,20 @@ from .nest import Nest
 
 CROWDED = 6.0  # mm: three letters that lie no farther apart than this crowd together
 SPECK = 0.15  # mm: a vector shorter than this is none at 20:1 either
+ROUND = 4.0  # mm: on which side a line of action touches a friction circle that is less across is hardly seen
 APART = 0.05  # mm: letters at one place share a label
 MOST = 3  # knots of a figure
 
 
 @dataclass(frozen=True, slots=True)
 class Crowd:
-    """What of a figure may be too near: where its letters belong, the ends of its vectors, how far it is across, mm."""
+    """What of a figure may be too near: where its letters belong, the ends of its vectors, how far it is across, mm;
+    circles: the ends of a diameter of each friction circle."""
 
     places: tuple[complex, ...]
     vectors: tuple[tuple[complex, complex], ...]
     across: float
+    circles: tuple[tuple[complex, complex], ...] = ()
 
     @classmethod
     def of(cls, figure: Figure) -> Crowd:
@@ -37,17 +40,19 @@ class Crowd:
             return cls((), (), 0.0)
         lettered = (m.at for m in figure.marks if isinstance(m, Point) and m.label and m.dot is not Dot.NONE)
         ends = ((m.a, m.b) for m in figure.marks if isinstance(m, Vector) and polygon)
-        return cls(tuple(_distinct(lettered)), tuple(ends), max(extent(figured(figure.marks))))
+        across = max(extent(figured(figure.marks)))
+        return cls(tuple(_distinct(lettered)), tuple(ends), across, _circles(figure))
 
     def times(self, factor: float) -> Crowd:
         """As many times larger."""
-        ends = tuple((a * factor, b * factor) for a, b in self.vectors)
-        return Crowd(tuple(at * factor for at in self.places), ends, self.across * factor)
+        ends, circles = (tuple((a * factor, b * factor) for a, b in some) for some in (self.vectors, self.circles))
+        return Crowd(tuple(at * factor for at in self.places), ends, self.across * factor, circles)
 
     @property
     def knots(self) -> tuple[Knot, ...]:
         """The places that are to be drawn apart, the worst first: circles none of which overlap."""
-        left, found = _snapped([*_crowds(self.places), *_short(self.vectors)]), list[Knot]()
+        small = (*_short(self.vectors, READABLE), *_short(self.circles, ROUND))
+        left, found = _snapped([*_crowds(self.places), *small]), list[Knot]()
         while left and len(found) < MOST:
             best = Nest.of(left).best(self.across, found)
             if best is None:
@@ -71,14 +76,20 @@ def _snapped(troubles: Sequence[Trouble]) -> list[Trouble]:
     return [Trouble(at[one.a], at[one.b], one.vector) for one in troubles]
 
 
-def _short(vectors: Sequence[tuple[complex, complex]]) -> list[Trouble]:
-    """Those that are too short to be seen, or measured, each once."""
+def _short(vectors: Sequence[tuple[complex, complex]], least: float) -> list[Trouble]:
+    """Those that are too short to be seen, or measured, each once; least: that are not (mm)."""
     found: dict[frozenset[complex], Trouble] = {}
     for a, b in vectors:
-        if SPECK <= abs(b - a) < READABLE:
+        if SPECK <= abs(b - a) < least:
             ends = frozenset(complex(round(z.real, 2), round(z.imag, 2)) for z in (a, b))
             found.setdefault(ends, Trouble(a, b, True))
     return list(found.values())
+
+
+def _circles(figure: Figure) -> tuple[tuple[complex, complex], ...]:
+    """A diameter of each friction circle."""
+    circles = (mark for mark in figure.marks if isinstance(mark, FrictionCircle))
+    return tuple((mark.centre - mark.radius, mark.centre + mark.radius) for mark in circles)
 
 
 def _crowds(places: Sequence[complex]) -> list[Trouble]:

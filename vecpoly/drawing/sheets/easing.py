@@ -11,7 +11,7 @@ from ...board.place import Place
 from ...foundation.stock import Paper
 from ..details.knots import MOST
 from ..details.room import Grow
-from .composing import Composing, Scales, least_scales
+from .composition import Composing, Scales, least_scales
 from .crowding import Crowded
 from .space import rooms
 

@@ -8,7 +8,7 @@ from math import isclose
 
 from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
-from ...board.paper.marks import Disc, Dot, FixedGuide, LinkNumber, Point, Vector
+from ...board.paper.marks import Disc, Dot, FixedGuide, GearMark, LinkNumber, Point, Vector
 from ...board.paper.scales import Sketched
 from ...board.place import Pane, Place
 from ...foundation.slotted import dataclass
@@ -61,7 +61,15 @@ def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:
         letters=sum(1 for mark in figure.marks if getattr(mark, "label", "") or isinstance(mark, LinkNumber)),
         spare=beside_title(figure),
         short=_shortest(figure, max(w, h)),
+        linked=linked(figure) if figure.scale.symbol else 0.0,  # parts of a sketch may be small
     )
+
+
+def linked(figure: Figure) -> float:
+    """How large links, joints and wheels of a mechanism are together (mm); 0 on other figures."""
+    marks = (mark for mark in figured(figure.marks) if not isinstance(mark, FixedGuide))
+    own = [mark for mark in marks if isinstance(mark, GearMark) or mark.owner.startswith(("link ", "joint "))]
+    return max(extent(own)) if figure.view is View.MECHANISM and own else 0.0
 
 
 def _shortest(figure: Figure, size: float) -> float:

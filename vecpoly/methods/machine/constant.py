@@ -5,7 +5,7 @@ It stands with the machine because the diagram of moments does; no mass and no m
 
 from __future__ import annotations
 
-from ...algebra.quantity import number
+from ...algebra.columns import column
 from ...board.construction import Listing
 from ...errors import NoMethodError
 from ...problem.asked.asks import AskNamed
@@ -52,8 +52,10 @@ def _say_positions(period: Period) -> None:
         )
     )
     step = period.curve.period / count
-    rows = [(number(period.degrees(step * k)), number(shown(one.moment))) for k, one in enumerate(period.read[:-1])]
-    board.tabulate(Listing(head=(Words.same("$φ$/°"), Words.same("$M_e$/(N·m)")), rows=tuple(rows)))
+    angles = column([period.degrees(step * k) for k in range(count)])
+    moments = column([shown(one.moment) for one in period.read[:-1]])
+    rows = tuple(zip(angles, moments, strict=True))
+    board.tabulate(Listing(head=(Words.same("$φ$/°"), Words.same("$M_e$/(N·m)")), rows=rows))
 
 
 def _rubs(name: str) -> NoMethodError:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...algebra.quantity import number
+from ...algebra.columns import column
 from ...board.construction import Listing, Pane
 from ...board.paper.marks import Dot, Role
 from ...plane import Points
@@ -38,11 +38,10 @@ def draw_positions(period: Period, sizes: Sizes) -> None:
 def _table(period: Period) -> Listing:
     head = (Words.same("$φ$/°"), Words.same("$J_e$/(kg·m²)"), Words.same("$M_e$/(N·m)"))
     step = period.curve.period / (len(period.read) - 1)
-    rows = [
-        (number(period.degrees(step * k)), number(shown(one.inertia)), number(shown(one.moment)))
-        for k, one in enumerate(period.read[:-1])
-    ]
-    return Listing(head=head, rows=tuple(rows))
+    read = period.read[:-1]
+    angles = column([period.degrees(step * k) for k in range(len(read))])
+    found = column([shown(one.inertia) for one in read]), column([shown(one.moment) for one in read])
+    return Listing(head=head, rows=tuple(zip(angles, *found, strict=True)))
 
 
 def _draw(period: Period, pane: Pane) -> None:

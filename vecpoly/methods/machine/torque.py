@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from ...algebra.columns import column
 from ...algebra.quantity import Quantity, number
 from ...board.acts import Way
 from ...board.construction import Listing, Pane
@@ -161,11 +162,10 @@ def _letters(upper: Graph, lower: Graph, period: Period) -> tuple[str, ...]:
 
 def _table(lobes: Lobes, works: list[Reals]) -> Listing:
     head = (Words("区间", "from–to"), Words.same("$A$/mm²"), Words.same("$ΔW$/J"))
-    rows = [
-        (f"{a}–{b}", number(shown(lobe.area.value)), number(shown(work)))
-        for (a, b), lobe, work in zip(pairwise(lobes.letters), lobes.lobes, works, strict=True)
-    ]
-    return Listing(head=head, rows=tuple(rows), blocks=1)
+    ends = [f"{a}–{b}" for a, b in pairwise(lobes.letters)]
+    areas = column([shown(lobe.area.value) for lobe in lobes.lobes])
+    rows = tuple(zip(ends, areas, column([shown(work) for work in works]), strict=True))
+    return Listing(head=head, rows=rows, blocks=1)
 
 
 def _bar(period: Period, sizes: Sizes, works: tuple[Reals, ...], letters: tuple[str, ...]) -> Quantity:

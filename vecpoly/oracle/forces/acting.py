@@ -11,7 +11,7 @@ from ...mechanism.laws.springs import Coil, Elastic
 from ...mechanism.loads import GRAVITY, Force, Load, Loads, Mass
 from ...mechanism.model import FRAME, Mechanism
 from ...words import Words
-from ..state import NONE, STILL, Bodies, Points, Reals, dot
+from ..state import NONE, STILL, Bodies, Body, Points, Reals, dot
 from .laws.stands import Stands, couple_here, pull_here, refuse_still, size_here
 
 
@@ -122,10 +122,19 @@ def _load(mech: Mechanism, load: Load, size: Reals, bodies: Bodies) -> Acting:
     if isinstance(load, Force) and load.against:
         return _thrust(mech, load, size, bodies)
     if isinstance(load, Force):
-        force = (size * complex(np.exp(1j * load.direction))).astype(np.complex128)
+        force = (size * _way(mech, load, body)).astype(np.complex128)
         at = body.point(mech.link(load.link).points[load.point])
         return Acting(name=load.name, link=load.link, at=at, force=force, couple=NONE)
     return Acting(name=load.name, link=load.link, at=body.at, force=STILL, couple=size)
+
+
+def _way(mech: Mechanism, load: Force, body: Body) -> Points:
+    """The unit vector of a force: fixed, or along a ray of its link."""
+    if load.along is None:
+        return np.full(1, np.exp(1j * load.direction))
+    start, end = (mech.link(load.link).points[letter] for letter in load.along)
+    way: Points = body.unit * ((end - start) / abs(end - start))
+    return way
 
 
 def _thrust(mech: Mechanism, load: Force, size: Reals, bodies: Bodies) -> Acting:

@@ -21,6 +21,7 @@ from .guess import first_guess
 from .loops import ITERATIONS, Loops, States, with_rates
 from .scatter import distinct, random_starts, scattered
 from .standing import carriers
+from .stride import points_there, stride
 
 EXACT = 1e-9  # of the mechanism's size: guesses nearer to an assembly than this are one
 
@@ -141,7 +142,7 @@ class Newton(Loops):
             if not all(np.isfinite(body.at + body.unit).all() for body in here.values()):
                 return
             ago = {name: body.take(np.array([last])) for name, body in known.items()}
-            states[index] = self.walked[index - track.own] = self.solve(seed[None], here, states[last][None], ago)[0]
+            states[index] = self.walked[index - track.own] = stride(self, states[last], seed, ago, here)
             if np.isnan(states[index]).any():
                 return
             before, last = last, index
@@ -162,5 +163,13 @@ class Newton(Loops):
             pick = np.flatnonzero(good)
             here = {name: body.take(pick) for name, body in here.items()}
             ago = {name: body.take(pick) for name, body in ago.items()}
-            found[good] = self.solve(seed[good], here, path[track.near][good], ago)
+            start, led = path[track.near][pick], seed[pick]
+            got = self.solve(led, here, start, ago)
+            within = (np.isfinite(got) | np.isfinite(path[ahead][pick])).all(
+                axis=(1, 2)
+            )  # the path goes on, or seems to
+            for k in np.flatnonzero(~points_there(got, start, led, self.size) & within):
+                then, now = ({n: body.take(np.array([k])) for n, body in bodies.items()} for bodies in (ago, here))
+                got[k] = stride(self, start[k], led[k], then, now)
+            found[pick] = got
         states[asked] = found

@@ -37,7 +37,8 @@ class Watch:
         self._idle[at] = np.where(gap < self._least[at], 0, self._idle[at] + 1)
         self._least[at] = np.minimum(gap, self._least[at])
         self.gap[at], self._step[at] = gap, step
-        more: NDArray[np.bool_] = (step >= ARRIVED * max(self.size, 1.0)) & ~stuck & (self._idle[at] < self.patience)
+        moved = (step >= ARRIVED * max(self.size, 1.0)) | (gap >= OPEN * self.size)  # the gap is that before the step
+        more: NDArray[np.bool_] = moved & ~stuck & (self._idle[at] < self.patience)
         return more
 
     @property

@@ -13,7 +13,10 @@ LOADS = {
         'size: 1000 N, 20 N*m ccw; "?" for the load that balances; constant for the unknown moment that is the same '
         "over the period; {table: card.csv} for one by a table",
     ),
-    "LoadSpec.direction": Words("力的方向，由 x 轴量起：180 deg", "direction of a force from the x axis: 180 deg"),
+    "LoadSpec.direction": Words(
+        "力的方向，由 x 轴量起：180 deg；在原动件上也可写 沿 AB（随构件转动）",
+        "direction of a force from the x axis: 180 deg; on the driving link also along AB, which turns with it",
+    ),
     "LoadSpec.role": Words("驱动（driving）或阻力（resisting）", "what it is meant to do: driving or resisting"),
     "LoadSpec.while": Words(
         "仅在某点或某构件如此运动时作用：E 向左运动、E 沿 30 deg 运动、构件 3 逆时针转动",

@@ -35,6 +35,11 @@ def angle_from() -> Schema:
     return quantity(Dim.ANGLE, rf"{pattern(Dim.ANGLE)[3:-3]} +from +\S+", rf"{NUMBER} +from +\S+")
 
 
+def angle_or_along() -> Schema:
+    """180 deg, or along AB."""
+    return quantity(Dim.ANGLE, r"(along +|沿 *)\S+")
+
+
 def number(*others: str) -> Schema:
     """A pure number, as text or as a number."""
     return {

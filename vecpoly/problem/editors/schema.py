@@ -37,7 +37,7 @@ _VALUES = {
     "InputSpec.v": quantity(Dim.SPEED),
     "InputSpec.a": quantity(Dim.ACCEL),
     "LoadSpec.size": patterns.size(),
-    "LoadSpec.direction": _ANGLE,
+    "LoadSpec.direction": patterns.angle_or_along(),
     "LoadSpec.k": patterns.either(Dim.STIFFNESS, Dim.TWIST),
     "LoadSpec.l_0": _LENGTH,
     "LoadSpec.phi_0": _ANGLE,

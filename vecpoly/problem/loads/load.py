@@ -9,7 +9,7 @@ from ...foundation.patterns import pattern
 from ...mechanism.laws.springs import Elastic
 from ...mechanism.loads import Constant, Force, Load, Moment
 from ...mechanism.model import FRAME
-from ...units.names import unit_of
+from ...units.names import plain, unit_of
 from ...units.reading import Dim, Quantity, read
 from ...words import Words
 from ..links.bodies import Bodies, frame_number
@@ -20,6 +20,7 @@ from .driven import Driven
 from .lawful import CONSTANT, lawful, read_constant, read_motor
 from .springs import read_spring
 from .thrusts import read_thrust
+from .ways import read_way
 
 _NAME = pattern(r"[A-Z][a-z]?(?:_[A-Za-z0-9]+)?")
 # keys of reactions, inertia forces and couples, inertias, instant centres, equivalents
@@ -69,7 +70,7 @@ def read_load(name: str, spec: LoadSpec, bodies: Bodies, driven: Driven) -> Load
             code="missing",
         )
     if _is_force(spec):
-        return lawful(_force(name, spec, spec.size, draft), spec, bodies, driven)
+        return lawful(_force(name, spec, spec.size, draft, driven), spec, bodies, driven)
     own = Moment(name=name, link=draft.name, size=_size(spec.size, Dim.MOMENT), role=spec.role or "")
     return lawful(own, spec, bodies, driven)
 
@@ -103,7 +104,7 @@ def _moving(spec: LoadSpec, bodies: Bodies) -> Draft:
     return draft
 
 
-def _force(name: str, spec: LoadSpec, written: str | TableSpec, draft: Draft) -> Force:
+def _force(name: str, spec: LoadSpec, written: str | TableSpec, draft: Draft, driven: Driven) -> Force:
     if spec.at is None:
         raise FaultError(
             Words(
@@ -129,14 +130,8 @@ def _force(name: str, spec: LoadSpec, written: str | TableSpec, draft: Draft) ->
             "size",
             code="out-of-range",
         )
-    return Force(
-        name=name,
-        link=draft.name,
-        point=spec.at,
-        direction=_read("direction", spec.direction, Dim.ANGLE).si,
-        size=size,
-        role=spec.role or "",
-    )
+    way, along = read_way(spec, draft, driven)
+    return Force(name=name, link=draft.name, point=spec.at, direction=way, size=size, role=spec.role or "", along=along)
 
 
 def _is_force(spec: LoadSpec) -> bool:
@@ -179,7 +174,7 @@ def _dimension(text: str) -> str:
     """The dimension of a written quantity; empty where it cannot be read (`read` will say why)."""
     m = re.search(r"[A-Za-z°牛千米].*$", re.sub(r"\s*(ccw|cw|逆时针|顺时针)(方向)?$", "", text))
     try:
-        return unit_of(m[0].replace("^", "**").replace("·", "*"))[1] if m else ""
+        return unit_of(plain(m[0]))[1] if m else ""
     except FaultError:
         return ""
 

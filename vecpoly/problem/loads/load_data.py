@@ -56,10 +56,21 @@ def _on(load: Load, direction: str) -> Words:
     """Where it acts, after its size."""
     if isinstance(load, Force):
         return Words(
-            f"，作用于构件 {load.link} 的 ${load.point}$ 点，方向角 {direction}",
-            f", on link {load.link} at ${load.point}$, direction {direction}",
+            f"，作用于构件 {load.link} 的 ${load.point}$ 点，{_way(load, direction).zh}",
+            f", on link {load.link} at ${load.point}$, {_way(load, direction).en}",
         )
     return Words(f"，作用于构件 {load.link}", f", on link {load.link}")
+
+
+def _way(load: Force, direction: str) -> Words:
+    """Its direction: an angle, or from one point of its link to another."""
+    if load.along is None:
+        return Words(f"方向角 {direction}", f"direction {direction}")
+    start, end = load.along
+    return Words(
+        f"方向由 ${start}$ 指向 ${end}$，随构件 {load.link} 转动",
+        f"directed from ${start}$ to ${end}$, turning with link {load.link}",
+    )
 
 
 _ROLE = {"": Words("", ""), "driving": Words("驱动", "driving "), "resisting": Words("阻", "resisting ")}
@@ -72,8 +83,8 @@ def _told(load: Load, size: str, direction: str) -> Datum:
         en = f"as the thrust of the cylinder {load.against}-{load.link}, positive where it lengthens it"
         name = Words(f"{role.zh}力" if role.zh else "力", f"{role.en}force")
     elif isinstance(load, Force):
-        zh = f"作用于构件 {load.link} 的 ${load.point}$ 点，方向角 {direction}"
-        en = f"on link {load.link} at ${load.point}$, direction {direction}"
+        zh = f"作用于构件 {load.link} 的 ${load.point}$ 点，{_way(load, direction).zh}"
+        en = f"on link {load.link} at ${load.point}$, {_way(load, direction).en}"
         name = Words(f"{role.zh}力" if role.zh else "力", f"{role.en}force")
     else:
         zh, en = f"作用于构件 {load.link}", f"on link {load.link}"

@@ -71,7 +71,9 @@ class LoadSpec(_While):  # type: ignore[misc]
         description="1000 N, 20 N*m ccw, ? for the load that balances, constant for the moment that is the same over "
         "the period, or {table: card.csv}",
     )
-    direction: Number | None = Field(None, description="of a force, from the x axis: 180 deg")
+    direction: Number | None = Field(
+        None, description="of a force, from the x axis: 180 deg; on the driving link also along AB"
+    )
     role: Literal["driving", "resisting"] | None = None
     between: Pair | None = Field(None, description="with while: part of the stroke, [5 %, 95 %]")
     during: Pair | None = Field(None, description="part of the drive's turn, [60 deg, 150 deg]")

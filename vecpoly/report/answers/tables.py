@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from math import degrees, isfinite
 
-from ...algebra.rounding import places_of, read_back
+from ...algebra.rounding import places_of
 from ...printed.angles import bearing_told
 from ...printed.digits import coordinates, drawn_number, exact_number, on_paper
 from ...printed.places import place_parts
@@ -155,17 +155,16 @@ def _clean(answer: Answer) -> float:
 
 
 def _deviation(answer: Answer) -> str:
-    """Of the two numbers printed, in per cent, of an angle in degrees; nothing where a formula gave the exact value,
-    and of an exact value of zero."""
+    """Of the two values before they are rounded, in per cent, of an angle in degrees; nothing where a formula gave the
+    exact value, and of an exact value of zero."""
     angular = answer.reading.unit == "deg"
     if answer.computed or answer.is_place or not isfinite(answer.relative_deviation if not angular else answer.drawn):
         return NOTHING
-    exact = exact_number(answer, _clean(answer))
-    size, _ = read_back(exact)
-    off = read_back(drawn_number(answer))[0] - size
-    if not angular and not size:
+    exact = _clean(answer)
+    if not angular and not exact:
         return NOTHING
-    text = f"{off:+.{places_of(exact)}f}" if angular else f"{100 * off / size:+.2f}"
+    off = answer.counted * (answer.drawn - exact)
+    text = f"{off:+.{places_of(exact_number(answer, exact))}f}" if angular else f"{100 * off / abs(exact):+.2f}"
     text = text.lstrip("+-") if float(text) == 0 else text.replace("-", "−")
     return f"{text}°" if angular else text
 

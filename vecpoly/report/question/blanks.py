@@ -18,6 +18,7 @@ from ..flow.furniture import COLUMN
 from ..flow.style import CELL, GREY, PALE
 from ..statement.asked import in_order
 from ..values import called
+from .equations import named
 from .ruled import RuledTable
 
 _HEAD = {
@@ -78,7 +79,9 @@ class EquationRows(Block):
 def equation_rows(solution: Solution, lang: Lang) -> list[EquationRows]:
     """Cells for as many equations as the solution has, each with the part of the analysis that it belongs to."""
     needed = [step for step in solution.construction.steps if step.equation is not None]
-    return [EquationRows(n, step.section.of(lang), lang) for n, step in enumerate(needed, 1)]
+    gap = "：" if lang == "zh" else ": "
+    heads = [f"{step.section.of(lang)}{gap}{named(step.view).of(lang)}" for step in needed]
+    return [EquationRows(n, head, lang) for n, head in enumerate(heads, 1)]
 
 
 def empty_table(solution: Solution, lang: Lang) -> RuledTable:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import replace
 
 from ...board.construction import Construction, Figure, View
 from ...board.paper.extent import extent
@@ -16,107 +16,82 @@ from ...foundation.stock import Format
 from ...problem.problem import Problem
 from ..picture import to_scale
 from .blank import framed
+from .equations import band, lines, numbers
+from .grid import Grid, Size, grid, tightness
 from .known import stands
 
 MARGIN = 8.0  # mm that stay free between a figure and its frame
 MOST = 6  # frames on a sheet
-NARROWEST = 55.0  # mm: a frame with its title under it
-AMPLE = 1.2  # times the room that a figure needs
-Size = tuple[float, float]
-
-
-@dataclass(frozen=True, slots=True)
-class _Sheet:
-    """Frames in rows that fill a sheet: their sizes and the places of their tops; how much larger than need be the
-    tightest of them is, as far as that matters; how many times as long as wide the slimmest."""
-
-    landscape: bool
-    sizes: tuple[Size, ...]
-    tops: tuple[complex, ...]
-    ease: float
-    slim: float
 
 
 def frames(construction: Construction, problem: Problem) -> tuple[Construction, tuple[Hung, ...]]:
     """The blank sheets: for each figure a frame with what is given in it (fixed pivots, guides, racks), its pole or
-    its axes, and its place.
+    its axes, a line for each of its vector equations, and its place.
 
-    All frames of a row have one size, all rows of a sheet one height, and together they fill the sheet: neither the
-    proportions of a polygon nor where it lies can be told from them.
+    Frames are of a few fixed sizes and together fill the sheet: a large drawing has a large frame, but neither the
+    proportions of a polygon nor where it lies can be told from it.
     """
     on = problem.paper
     figures = construction.figures
     asked = reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY])
-    needs = [_needed(figure) for figure in asked]
-    made = [_best(needs, landscape, on.format) for landscape in on.ways]
-    found = min(made, key=_tightness)
+    found, told = min((_laid(construction, asked, way, on.format) for way in on.ways), key=_preferred)
     sizes = [size for sheet in found for size in sheet.sizes]
-    drawn = tuple(_frame(f, size, stands(construction, f, problem)) for f, size in zip(asked, sizes, strict=True))
+    drawn = tuple(
+        _frame(figure, size, stands(construction, figure, problem), some)
+        for figure, size, some in zip(asked, sizes, told, strict=True)
+    )
     return replace(construction, figures=drawn, hand=TO_BE_DRAWN), tuple(
         Hung(sheet.landscape, sheet.tops) for sheet in found
     )
 
 
-def _tightness(sheets: Sequence[_Sheet]) -> tuple[int, int, float, float]:
-    """No figure without its white is best; then the fewer the sheets the better, no tight frame, no slim one."""
-    bare = sum(sheet.ease < 1 for sheet in sheets)
-    eases, slims = [sheet.ease for sheet in sheets], [sheet.slim for sheet in sheets]
-    return bare, len(sheets), -min(eases, default=1.0), max(slims, default=1.0)
+def _laid(
+    construction: Construction, asked: Sequence[Figure], landscape: bool, of: Format
+) -> tuple[list[Grid], list[Sequence[int]]]:
+    """The sheets when they lie this way, and the equations for which each frame has lines."""
+    room = room_inside(landscape, of)[1] - 2 * CLEAR - CAPTION
+    told = [_written(figure, numbers(construction, figure), room) for figure in asked]
+    needs = [_needed(figure, band(some)) for figure, some in zip(asked, told, strict=True)]
+    return _best(needs, landscape, of), told
 
 
-def _needed(figure: Figure) -> Size:
-    """The room that a figure takes with the white that it should have round it."""
+def _preferred(laid: tuple[list[Grid], list[Sequence[int]]]) -> tuple[float, ...]:
+    """Sheets on which nothing is bare, then those with most equations, then by how tight they are."""
+    bare, *others = tightness(laid[0])
+    return bare, -sum(map(len, laid[1])), *others
+
+
+def _written(figure: Figure, some: Sequence[int], room: float) -> Sequence[int]:
+    """The equations for which the frame of this figure has lines: as many as fit a sheet with it."""
+    while some and _needed(figure, band(some))[1] > room:
+        some = some[:-1]
+    return some
+
+
+def _needed(figure: Figure, lined: float) -> Size:
+    """The room that a figure takes with the white that it should have round it, and with lines over it."""
     wide, high = extent(figure.marks)
-    return wide + 2 * MARGIN, high + 2 * MARGIN
+    return wide + 2 * MARGIN, high + 2 * MARGIN + lined
 
 
-def _best(needs: Sequence[Size], landscape: bool, of: Format) -> list[_Sheet]:
+def _best(needs: Sequence[Size], landscape: bool, of: Format) -> list[Grid]:
     """The fewest sheets, in order, with the most ease among these."""
-    best: list[list[_Sheet]] = [[]]
+    best: list[list[Grid]] = [[]]
     for end in range(1, len(needs) + 1):
         options = [
             [*best[start], sheet]
             for start in range(max(0, end - MOST), end)
-            if (sheet := _sheet(needs[start:end], landscape, of)) is not None
+            if (sheet := grid(needs[start:end], landscape, of)) is not None
         ]
-        best.append(min(options, key=_tightness))
+        best.append(min(options, key=tightness))
     return best[-1]
 
 
-def _sheet(needs: Sequence[Size], landscape: bool, of: Format) -> _Sheet | None:
-    """The rows in which these frames are least tight; None where they don't fit. One figure has a sheet to itself
-    however little white that leaves round it."""
-    across = int(room_inside(landscape, of)[0] / (NARROWEST + CLEAR))
-    made = (_in_rows(needs, rows, landscape, of) for rows in _rows(len(needs)) if max(rows) <= across)
-    fitting = (one for one in made if one.ease >= 1 or len(needs) == 1)
-    return min(fitting, key=lambda one: _tightness([one]), default=None)
-
-
-def _rows(count: int) -> Iterator[tuple[int, ...]]:
-    """Every way to put so many frames in rows."""
-    if not count:
-        yield ()
-    for first in range(1, count + 1):
-        yield from ((first, *rest) for rest in _rows(count - first))
-
-
-def _in_rows(needs: Sequence[Size], rows: tuple[int, ...], landscape: bool, of: Format) -> _Sheet:
-    width, height = room_inside(landscape, of)
-    down = (height - CLEAR) / len(rows)
-    sizes, tops = list[Size](), list[complex]()
-    for row, across in enumerate(rows):
-        step = (width - CLEAR) / across
-        for column in range(across):
-            sizes.append((step - CLEAR, down - CLEAR - CAPTION))
-            tops.append(complex(CLEAR / 2 + (column + 0.5) * step, height - CLEAR - row * down))
-    ease = min(min(size[i] / need[i] for i in (0, 1)) for size, need in zip(sizes, needs, strict=True))
-    slim = max(max(wide / high, high / wide) for wide, high in sizes)
-    return _Sheet(landscape, tuple(sizes), tuple(tops), min(ease, AMPLE), slim)
-
-
-def _frame(figure: Figure, size: Size, known: Sequence[Mark]) -> Figure:
+def _frame(figure: Figure, size: Size, known: Sequence[Mark], equations: Sequence[int]) -> Figure:
     """The figure as a blank frame of this size."""
-    (low, high), shown = framed(figure, size, known)
+    lined = band(equations)
+    (low, high), shown = framed(figure, (size[0], size[1] - lined), known)
+    high += 1j * lined
     box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
-    return replace(figure, marks=border + shown)
+    return replace(figure, marks=border + shown + tuple(lines(figure, equations, box[3], size[0])))

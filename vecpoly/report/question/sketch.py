@@ -10,6 +10,7 @@ from ...designs.base import Design
 from ...problem.problem import Problem
 from ...words import Words
 from ..picture import picture, reduced
+from ..sizes.sized import sized
 from .known import given
 
 GIVEN = Words("已知条件（示意）", "What is given (sketch)")
@@ -25,7 +26,7 @@ def sketched(problem: Problem, construction: Construction, width: float, height:
     marks = [_fine(mark) for mark in shown]
     if sum(isinstance(mark, (Point, Segment)) for mark in marks) < _FEWEST:
         return None
-    return replace(reduced(figure, marks, width, height), title=GIVEN)
+    return sized(problem, replace(reduced(figure, marks, width, height), title=GIVEN))
 
 
 def _fine(mark: Mark) -> Mark:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from math import pi
 
 from ....algebra.formula import sym
-from ....algebra.quantity import magnitude, number
+from ....algebra.quantity import Sum, magnitude, number
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....devices.gears.epicyclic import Epicyclic
@@ -23,6 +23,7 @@ from .scales import RADII, train_scales
 from .turns import angular_velocities
 
 POINTS = {"1": "A", "H": "O2", "3": "C"}  # the point of the radius whose velocity tells the link's
+LEFT = -1 + 0j  # where a point above O moves whose link turns counter-clockwise
 READABLE, NOTHING = 0.5, 1e-9  # mm: a velocity shorter than this cannot be read; shorter than that it is none
 
 
@@ -90,11 +91,12 @@ def _velocities(bench: Bench, train: Epicyclic) -> dict[str, Points]:
     told = "、".join(f"$v_{{{POINTS[key]}}}$" for key in known)
     board.step(
         Words(
-            f"以半径为纵坐标、速度为横坐标（逆时针转动的速度向右为正）。由已知的角速度算出 {told}，在各自半径的高度上"
-            "量出；中心轮和系杆的速度线都过 $O$。",
-            "Draw the velocities to the right over the radius upwards (right: of a link that turns "
-            f"counter-clockwise). Compute {told.replace('、', ' and ')} from the given angular velocities and lay "
-            "them off at the heights of their radii; the lines of central gears and carrier start at $O$.",
+            f"以半径为纵坐标、速度为横坐标。各点都在 $O$ 的正上方，构件逆时针转动时速度向左，取为正；顺时针转动时向"
+            f"右，为负。由已知的角速度算出 {told}，在各自半径的高度上按其方向量出；中心轮和系杆的速度线都过 $O$。",
+            "Draw the velocities over the radius upwards. All points stand straight above $O$: on a link that turns "
+            "counter-clockwise they move to the left, which is positive, on one that turns clockwise to the right, "
+            f"negative. Compute {told.replace('、', ' and ')} from the given angular velocities and lay them off, each "
+            "in its direction, at the heights of their radii; the lines of central gears and carrier start at $O$.",
         ),
         RADII,
     )
@@ -123,7 +125,7 @@ def _laid(bench: Bench, train: Epicyclic, key: str, foot: Points) -> Points:
     if NOTHING < mm < READABLE:
         raise _unreadable(POINTS[key], mm)
     sense = 1 if omega.si >= 0 else -1
-    return board.lay_off(foot, sense + 0j, sense * board.to_paper_across(RADII, speed.value), key=named.key)
+    return board.lay_off(foot, LEFT * sense, sense * board.to_paper_across(RADII, speed.value), key=named.key)
 
 
 def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]) -> Points:
@@ -131,11 +133,13 @@ def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]
     board, (one, other) = bench.board, tips.values()
     point = POINTS[train.sought]
     letter = point.replace("O2", "O_2")
+    letters, scale = f"{letter} {letter[0].lower()}{letter[1:]}", board.scale_of(RADII).right
     board.step(
         Words(
-            f"行星轮的速度线过两已知点的矢端，它与 ${letter}$ 高度的水平线的交点即 ${letter}$ 的速度的矢端。量得：",
+            f"行星轮的速度线过两已知点的矢端，它与 ${letter}$ 高度的水平线的交点即 ${letter}$ 的速度的矢端。量得 "
+            f"${letters}$：",
             f"The planet's line passes through the two known tips; where it meets the level of ${letter}$ is the tip "
-            f"of the velocity of ${letter}$. Read it off:",
+            f"of the velocity of ${letter}$. Measure ${letters}$:",
         ),
         RADII,
     )
@@ -146,12 +150,11 @@ def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]
     mm = abs(float(nominal(tip - foot).real))
     if NOTHING < mm < READABLE:
         raise _unreadable(point, mm)
-    on_paper = board.measure(foot, tip, f"{letter} {letter[0].lower()}{letter[1:]}")
-    sign = 1 if float(nominal(tip - foot).real) >= 0 else -1
-    scale = board.scale_of(RADII).right
-    mu = magnitude(scale.symbol, sign * scale.value, scale.per_mm)
+    on_paper = board.measure(foot, tip, letters)
+    size = magnitude(scale.symbol, scale.value, scale.per_mm) * on_paper
     named = Named(f"v_{point}", f"v_{{{point}}}", "m/s")
-    bench.worked(named, mu * on_paper)
+    bench.worked(named, size if float(nominal(tip - foot).real) <= 0 else Sum((size,), (-1,)))
+    bench.read_off(named, RADII, on_paper, letters, scale)
     return tip
 
 

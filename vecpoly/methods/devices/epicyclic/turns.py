@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ....algebra.quantity import Quantity, magnitude
+from ....algebra.formula import sym
+from ....algebra.quantity import Expr, Quantity, Sum, magnitude
+from ....algebra.worked import worked
 from ....board.board import NO_LENGTH
 from ....board.paper.marks import Dot, Role
 from ....devices.gears.epicyclic import Epicyclic
@@ -25,10 +27,10 @@ def angular_velocities(bench: Bench, train: Epicyclic, tips: Mapping[str, Points
     board.step(
         Words(
             "在水平线下方取极点 $Π$，极距 $ΠF$ = $μ_v$/($μ_l$ $μ_ω$)；过 $Π$ 作各构件速度线的平行线，在水平线上截得各"
-            "角速度：$F$ 以右为逆时针，以左为顺时针。",
+            "角速度：$F$ 以左为逆时针，以右为顺时针。",
             "Below a level line take the pole $Π$ at the distance $ΠF$ = $μ_v$/($μ_l$ $μ_ω$). Rays through $Π$ "
-            "parallel to the lines of the links cut off their angular velocities on the level: those to the right "
-            "of $F$ are counter-clockwise, those to the left clockwise.",
+            "parallel to the lines of the links cut off their angular velocities on the level: those to the left "
+            "of $F$ are counter-clockwise, those to the right clockwise.",
         ),
         TURNS,
     )
@@ -48,10 +50,37 @@ def angular_velocities(bench: Bench, train: Epicyclic, tips: Mapping[str, Points
     _senses(bench, cuts)
     for key, at in cuts.items():
         if train.omegas.get(key) is None:
-            turning(bench, train, key, float(nominal(at).real))
+            turning(bench, train, key, -float(nominal(at).real))
     if train.ratio is not None and train.driver is not None:
         board.step(Words("传动比（角速度以逆时针为正）：", "The ratio (counter-clockwise positive):"))
         bench.worked(train.ratio, found[train.driver] / found[train.sought])
+    _by_teeth(bench, train, found)
+
+
+def _by_teeth(bench: Bench, train: Epicyclic, found: Mapping[str, Quantity]) -> None:
+    """The ratio relative to the carrier, by what was read and by the teeth; none where the train turns as one block."""
+    arm, symbol = found["H"], sym("i_{13}^{H}")
+    relative = float(nominal(found["3"].value)) - float(nominal(arm.value))
+    if abs(relative) < NO_LENGTH * bench.board.scale_of(TURNS).value:
+        return
+    bench.board.step(
+        Words(
+            "校核：转化轮系的传动比，由角速度（逆时针为正）求得者应与由齿数求得者相同：",
+            "Check: the ratio relative to the carrier is to be the same by the angular velocities (counter-clockwise "
+            "positive) and by the teeth:",
+        )
+    )
+    bench.board.write(worked(symbol, (found["1"] - arm) / (found["3"] - arm), ""), worked(symbol, _teeth(train), ""))
+
+
+def _teeth(train: Epicyclic) -> Expr:
+    """± (driven teeth)/(driving teeth), negative where one mesh is outer and one inner."""
+    sun, other = magnitude("z_1", float(train.sun), ""), magnitude("z_3", float(train.other), "")
+    ratio = other / sun
+    if len(train.planet) > 1:
+        first, second = (magnitude(z, float(n), "") for z, n in zip(("z_2", "z_{2′}"), train.planet, strict=True))
+        ratio = (first * other) / (sun * second)
+    return Sum((ratio,), (-1,)) if train.ring else ratio
 
 
 def _cut(bench: Bench, pole: Points, level: Line, key: str, line: Points) -> Points:
@@ -69,7 +98,7 @@ def _read(bench: Bench, key: str, at: Points) -> Quantity:
     on_paper = board.measure(0j, at, f"F {key}")
     scale = board.scale_of(TURNS)
     named = Named(f"omega_{key}", f"ω_{key}", "rad/s")
-    sense = -1 if float(nominal(at).real) < 0 else 1
+    sense = -1 if float(nominal(at).real) > 0 else 1
     found = bench.worked(named, magnitude(scale.symbol, scale.value, scale.per_mm) * on_paper, sense)
     bench.read_off(named, TURNS, on_paper, f"F {key}")
     return found
@@ -77,7 +106,7 @@ def _read(bench: Bench, key: str, at: Points) -> Quantity:
 
 def _senses(bench: Bench, cuts: Mapping[str, Points]) -> None:
     """How each turns: the lines have the sizes alone."""
-    for side, turn in ((1, Words("逆时针", "counter-clockwise")), (-1, Words("顺时针", "clockwise"))):
+    for side, turn in ((-1, Words("逆时针", "counter-clockwise")), (1, Words("顺时针", "clockwise"))):
         found = [Words.same(f"$ω_{key}$") for key, at in cuts.items() if side * float(nominal(at).real) > NO_LENGTH]
         if found:
             names, verb = joined(found), "is" if len(found) == 1 else "are"

@@ -65,10 +65,10 @@ def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[s
     over = [name for name in rotor.masses if min(share[name] for share in rotor.shares.values()) < -1e-12]
     board.step(
         Words(
-            f"把每个质径积按杠杆关系分解到平面 {one} 和 {other}：$l_i$ 为质量 $i$ 到平面 {one} 的距离，$L$ 为两平面的"
-            "距离。",
-            f"Share every product between the planes {one} and {other} by the lever: $l_i$ is the distance of mass $i$ "
-            f"from plane {one}, $L$ that of the two planes.",
+            f"把每个质径积按杠杆关系分解到平面 ${one}$ 和 ${other}$：$l_i$ 为质量 $i$ 到平面 ${one}$ 的距离，"
+            "$L$ 为两平面的距离。",
+            f"Share every product between the planes ${one}$ and ${other}$ by the lever: $l_i$ is the distance of mass "
+            f"$i$ from plane ${one}$, $L$ that of the two planes.",
         )
         + _overhung(over)
     )
@@ -100,11 +100,11 @@ def _overhung(names: list[str]) -> Words:
 def _plane(bench: Bench, rotor: Rotor, end: str, laid: list[Laid], whole: float) -> tuple[Polygon, Quantity]:
     board, view = bench.board, polygon_view(rotor)
     closing = correction(end, rotor.weighing)
-    place = board.open_pane(view, end, Words(f"平面 {end} 的质径积多边形", f"Polygon of plane {end}"))
+    place = board.open_pane(view, end, Words(f"平面 ${end}$ 的质径积多边形", f"Polygon of plane ${end}$"))
     board.step(
         Words(
-            f"平面 {end}：把各分量首尾相接，封闭边即 ${closing.symbol}$。量得：",
-            f"Plane {end}: lay its shares off head to tail; the closing side is ${closing.symbol}$. Read it off:",
+            f"平面 ${end}$：把各分量首尾相接，封闭边即 ${closing.symbol}$。量得：",
+            f"Plane ${end}$: lay its shares off head to tail; the closing side is ${closing.symbol}$. Read it off:",
         ),
         place,
     )

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ....algebra.quantity import Quantity, number
+from ....algebra.columns import column, decimals, significant
+from ....algebra.quantity import Quantity
+from ....algebra.rounding import to_places
 from ....board.construction import Listing, Pane, View
 from ....board.paper.marks import Dot, Role
 from ....devices.dynamics.run_up import RunUp
@@ -20,7 +22,7 @@ from ...diagrams.strip import root, summed
 from ..bench import Bench
 from .course import Course
 from .scales import CHARACTERISTIC, INVERSE, SPEED, scales_of
-from .words import HEAD, INVERSES, SPEEDS, drawn, titles
+from .words import DRIVING, HEAD, INVERSES, SPEEDS, drawn, titles
 
 STATIONS, TICKS = 25, 6  # points through which a characteristic is led; ticks of an axis
 ROWS = 9  # of the table
@@ -67,7 +69,7 @@ def inverse_curve(bench: Bench, device: RunUp, course: Course, shift: Reals) -> 
     board = bench.board
     place = _pane(bench, device, course, INVERSE)
     board.step(INVERSES, place)
-    _tabulate(bench, course)
+    _tabulate(bench, device, course)
     scale, mu = board.scale_of(place), board.scale_of(_pane(bench, device, course, CHARACTERISTIC))
     strips = course.cut()
     parts, tops, first = [], [], _edge(bench, place, course, course.low)
@@ -82,10 +84,10 @@ def inverse_curve(bench: Bench, device: RunUp, course: Course, shift: Reals) -> 
     draw_axes(board, place, axes, _ticks(course.last, scale.right.value))
     board.curve(place, [first, *tops, last], Role.RESULT)
     board.hatch(place, outline, rising=True)
-    board.plot(place, middle_of(outline), "A", Dot.NONE)
+    board.plot(place, middle_of(outline), "A_y", Dot.NONE)
     true = summed([1.0] * len(parts), parts) + shift * last.imag / scale.right.value
     _refuse_no_area(course, float(nominal(shift)), float(nominal(true)))
-    area = board.area(place, outline, "A", curved=true)
+    area = board.area(place, outline, "A_y", curved=true)
     return Timed(place=place, area=area, true=true, parts=tuple(parts))
 
 
@@ -97,10 +99,10 @@ def _refuse_no_area(course: Course, shift: float, area: float) -> None:
     raise NotAskedError(
         Words(
             f"按读得的稳定转速，起动至 {goal:.4g} rad/s 为止，而曲线画至 {course.goal:.4g} rad/s：相差过大，"
-            f"$1/ΔM$ 曲线下余下的面积为 {area:.4g} mm²，求不出时间；请重读 $OS$",
+            f"$1/ΔM$ 曲线下余下的面积为 {area:.4g} mm²，求不出时间；请重读 $OS′$",
             f"by the steady speed that was read the run ends at {goal:.4g} rad/s, and the curve of 1/ΔM is drawn to "
             f"{course.goal:.4g} rad/s: so far beside it {area:.4g} mm² are left of the area below, and no time "
-            "follows; read O S again",
+            "follows; read O S′ again",
         ),
         code="no-area",
         numbers={"goal": goal, "drawn": course.goal, "area": area},
@@ -151,6 +153,7 @@ def _then(bench: Bench, place: Pane, device: RunUp, course: Course, time: Quanti
     foot = board.lay_off(0j, 1 + 0j, board.to_paper_across(place, at))
     point = board.lay_off(foot, 1j, board.to_paper(place, omega + off))
     board.join(place, foot, point, Role.CONSTRUCTION)
+    board.plot(place, foot, "T", Dot.NONE)
     board.plot(place, point, "P", Dot.POINT)
     return board.measure(foot, point, "T P")
 
@@ -189,12 +192,18 @@ def _highest(outline: tuple[Points, ...]) -> float:
     return max(complex(nominal(corner)).imag for corner in outline)
 
 
-def _tabulate(bench: Bench, course: Course) -> None:
+def _tabulate(bench: Bench, device: RunUp, course: Course) -> None:
+    """ΔM is the difference of the moments as they are printed; a machine without a motor has no column of it."""
     omega = np.linspace(course.low, course.high, ROWS)
-    driving, resisting = course.driving(omega), course.resisting(omega)
-    columns = (omega, driving, resisting, driving - resisting, course.inverse(omega))
-    rows = tuple(tuple(number(float(value)) for value in row) for row in zip(*columns, strict=True))
-    bench.board.tabulate(Listing(head=HEAD, rows=rows, blocks=1))
+    moments = np.array([course.driving(omega), course.resisting(omega)])
+    count = decimals(moments.ravel().tolist())
+    driving, resisting = ([to_places(value, count) for value in row] for row in moments.tolist())
+    gaps = [d - r for d, r in zip(driving, resisting, strict=True)]
+    columns = [column(omega.tolist()), *(column(one, count) for one in (driving, resisting, gaps))]
+    columns.append(tuple(significant(value) for value in course.inverse(omega).tolist()))
+    kept = [k for k in range(len(HEAD)) if device.motor is not None or k != DRIVING]
+    rows = tuple(zip(*(columns[k] for k in kept), strict=True))
+    bench.board.tabulate(Listing(head=tuple(HEAD[k] for k in kept), rows=rows, blocks=1))
 
 
 def _ticks(most: float, mu: float, unit: str = "") -> list[tuple[float, str]]:

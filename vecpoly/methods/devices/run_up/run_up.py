@@ -62,7 +62,9 @@ def _steady(bench: Bench, device: RunUp, course: Course, place: Pane) -> Reals |
     foot = crossing.real + 0j
     board.join(place, foot, crossing, Role.CONSTRUCTION)
     board.step(steady(), place)
-    speed = bench.worked(STEADY, board.mu_across(place) * board.measure(0j, foot, "O S"))
+    speed = bench.worked(STEADY, board.mu_across(place) * board.measure(0j, foot, "O S′"))
+    board.plot(place, 0j, "O", Dot.NONE)
+    board.plot(place, foot, "S′", Dot.NONE)
     board.remark(goal(device, course))
     if device.linear:
         _constant(bench, device, course, place, speed)
@@ -75,6 +77,7 @@ def _constant(bench: Bench, device: RunUp, course: Course, place: Pane, speed: Q
     load = board.lay_off(0j, 1j, board.to_paper(place, float(course.resisting(np.zeros(1))[0])))
     motor = _ordinate(bench, place, course, 0.0)
     read = board.measure(load, motor, "B A")
+    board.plot(place, load, "B", Dot.POINT)
     board.step(Words("$ΔM$ 为直线，机电时间常数：", "Since $ΔM$ is a straight line, the time constant is:"))
     first = board.compute("ΔM_0", board.mu(place) * read, "N·m")
     bench.worked(CONSTANT, magnitude("J", device.J.si, "kg·m^2") * speed / first)

@@ -21,6 +21,7 @@ HEAD = (
     Words.same("$ΔM$ / N·m"),
     Words.same("$1/|ΔM|$ / (1/(N·m))"),
 )
+DRIVING = 1  # the column of M_d
 INVERSES = Words(
     "由 $J dω/dt = ΔM$ 得 $t = J ∫ dω/ΔM$。由两曲线间的距离求 $y = 1/|ΔM|$，作 $y$–$ω$ 线图，线下的面积即为所求的积分，"
     "量得：",
@@ -53,10 +54,11 @@ def drawn(course: Course) -> Words:
 def steady() -> Words:
     """Why the motion is stable at the crossing."""
     return Words(
-        "两曲线交于 $S$ 点，$M_d = M_r$，转速稳定。转速略升则 $M_d < M_r$，略降则 $M_d > M_r$"
-        "（d$M_d$/d$ω$ < d$M_r$/d$ω$），机组具有自调性，$S$ 为稳定工作点：",
-        "At $S$, where the curves cross, $M_d = M_r$ and the speed is steady. A little above it $M_d < M_r$, a little "
-        "below $M_d > M_r$ (d$M_d$/d$ω$ < d$M_r$/d$ω$): the set regulates itself, $S$ is stable:",
+        "两曲线交于 $S$ 点（其在 $ω$ 轴上的垂足为 $S′$），$M_d = M_r$，转速稳定。转速略升则 $M_d < M_r$，略降则 "
+        "$M_d > M_r$（d$M_d$/d$ω$ < d$M_r$/d$ω$），机组具有自调性，$S$ 为稳定工作点：",
+        "At $S$, where the curves cross (its foot on the axis of $ω$ is $S′$), $M_d = M_r$ and the speed is steady. A "
+        "little above it $M_d < M_r$, a little below $M_d > M_r$ (d$M_d$/d$ω$ < d$M_r$/d$ω$): operation at $S$ is "
+        "stable:",
     )
 
 

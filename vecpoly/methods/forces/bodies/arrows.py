@@ -17,7 +17,7 @@ from ..state import Statics
 
 LENGTH = 20.0  # mm; the longest force; none is drawn shorter than half of it
 CLEAR = 6.0  # mm between arrows: more is not better
-PULL = 4.0  # mm of clearness that an arrow must gain to be drawn away from a neighbour that presses
+PULL = 4.0  # mm of clearness that an arrow must gain to be drawn otherwise than it should be
 REACH = 80.0  # mm: a line of action farther from the body is off the paper
 MANY = 10  # arrows that are tried in all their places together; the number of these doubles with each arrow
 ROUNDS = 5
@@ -32,7 +32,7 @@ class Arrow:
     end: complex
     symbol: str
     far: bool = False  # not at its point but farther out on the line
-    pulls: bool = False  # drawn away from the body by a neighbour that can only press on it
+    amiss: bool = False  # pulling though a neighbour can only press, or otherwise than on the kinematic diagram
 
     @property
     def key(self) -> str:
@@ -40,14 +40,16 @@ class Arrow:
         return ascii_key(self.symbol)
 
 
-def place_arrows(forces: Sequence[Acting], points: Sequence[complex], pressing: Collection[str] = ()) -> list[Arrow]:
+def place_arrows(
+    forces: Sequence[Acting], points: Sequence[complex], pressing: Collection[str] = (), pulling: Collection[str] = ()
+) -> list[Arrow]:
     """All arrows of one body, as far from each other and from the body as their lines allow;
-    `pressing`: those that rather end at their point."""
+    `pressing`: those that rather end at their point; `pulling`: those that rather begin there."""
     shown = [f for f in forces if abs(nominal(f.vector)) > 1e-9 and not is_far(f, points)]
     if not shown:
         return []
     largest = max(abs(complex(nominal(f.vector))) for f in shown)
-    options = [_options(f, largest, f.named.symbol in pressing) for f in shown]
+    options = [_options(f, largest, _rather(f.named.symbol, pressing, pulling)) for f in shown]
     body = np.array(
         [points[0]]
         if len(points) == 1
@@ -76,18 +78,26 @@ def say_far(st: Statics, forces: Sequence[Acting], points: Sequence[complex]) ->
             )
 
 
-def _options(force: Acting, largest: float, presses: bool) -> tuple[Arrow, ...]:
+def _rather(symbol: str, pressing: Collection[str], pulling: Collection[str]) -> bool | None:
+    """Whether an arrow rather ends at its point; None: either way."""
+    return True if symbol in pressing else False if symbol in pulling else None
+
+
+def _options(force: Acting, largest: float, presses: bool | None) -> tuple[Arrow, ...]:
     """Pulling away from the point, or pressing towards it;
     or the same farther out on the line, where another force stands already."""
     vector, at = complex(nominal(force.vector)), complex(nominal(force.at))
     u = vector / abs(vector)
     length = LENGTH * max(0.5, abs(vector) / largest)
     out, symbol = u * (LENGTH + 4.0), force.named.symbol
-    near = (Arrow(at, at + u * length, symbol, pulls=presses), Arrow(at - u * (length + GAP), at - u * GAP, symbol))
+    near = (
+        Arrow(at, at + u * length, symbol, amiss=presses is True),
+        Arrow(at - u * (length + GAP), at - u * GAP, symbol, amiss=presses is False),
+    )
     return (
         *near,
         *(
-            Arrow(a.start + side * out, a.end + side * out, symbol, True, a.pulls)
+            Arrow(a.start + side * out, a.end + side * out, symbol, True, a.amiss)
             for a, side in zip(near, (1, -1), strict=True)
         ),
     )
@@ -104,7 +114,7 @@ def _freest(options: Sequence[Sequence[Arrow]], body: np.ndarray) -> list[Arrow]
         axis=1
     )  # of each arrow's middle to the middle and far end of another
     starts = np.cumsum([0, *(len(pair) for pair in options[:-1])])
-    cost = np.array([(CLEAR if arrow.far else 0.0) + (PULL if arrow.pulls else 0.0) for arrow in flat])
+    cost = np.array([(CLEAR if arrow.far else 0.0) + (PULL if arrow.amiss else 0.0) for arrow in flat])
 
     def freedom(choices: np.ndarray) -> np.ndarray:
         between = apart[choices[:, :, None], choices[:, None, :]] + np.where(np.eye(len(options)), np.inf, 0.0)

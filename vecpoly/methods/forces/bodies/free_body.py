@@ -24,6 +24,7 @@ from ..couples import couples_on
 from ..inertia import SHORT, draw_arm
 from ..state import Statics
 from .arrows import REACH, Arrow, place_arrows, say_far
+from .given_loads import ways_of_loads
 
 SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
 NORMAL = 18.0  # mm, length of a normal beside a reaction
@@ -49,7 +50,7 @@ def draw_free_bodies(st: Statics, problem: Problem, solved: Sequence[str]) -> No
     thrusts = {
         key for forces in inside.values() for force in forces for key in (force.named.key, f"{force.named.key}′")
     }
-    posed = st.desk.posed()
+    posed, (pushed, pulled) = st.desk.posed(), ways_of_loads(st)
     for name in bodies:
         number = st.mech.number(name)
         pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))
@@ -61,7 +62,8 @@ def draw_free_bodies(st: Statics, problem: Problem, solved: Sequence[str]) -> No
             *pressing,
         ]
         spots = [*_spots(st, name), *(complex(nominal(force.at)) for force in pressing)]
-        arrows = place_arrows(forces, spots, _pressing(st, name) | {force.named.symbol for force in pressing})
+        pressed = pushed.union(_pressing(st, name), (force.named.symbol for force in pressing))
+        arrows = place_arrows(forces, spots, pressed, pulled)
         say_far(st, forces, spots)
         _displaced(st, pane, name)
         _carry_on(st, pane, forces, arrows)

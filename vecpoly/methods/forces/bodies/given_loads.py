@@ -40,6 +40,18 @@ def _force(st: Statics, load: Force) -> None:
     st.board.arrow(View.MECHANISM, start, end, Role.RESULT, key=load.name, label=load_symbol(load.name))
 
 
+def ways_of_loads(st: Statics) -> tuple[set[str], set[str]]:
+    """The symbols of the forces that press on their points on the kinematic diagram, and of those that pull at them."""
+    here = {m.label: m for m in st.board.marks(View.MECHANISM) if isinstance(m, Vector) and m.label}
+    pressing, pulling = set[str](), set[str]()
+    for load in st.loads.all:
+        arrow = here.get(load_symbol(load.name))
+        if isinstance(load, Force) and not load.against and arrow is not None:
+            at = complex(nominal(st.desk.at[load.point]))
+            (pulling if abs(arrow.a - at) < abs(arrow.b - at) else pressing).add(arrow.label)
+    return pressing, pulling
+
+
 def _clearance(st: Statics, ends: tuple[complex, complex]) -> float:
     """Distance of the arrow's middle and far end from the links and other arrows on the diagram."""
     lines = [

@@ -39,7 +39,7 @@ def found_loads(desk: Desk, loads: Loads) -> tuple[Loads, Pulls]:
     """
     at, pulls = OffPaper(desk), Pulls()
     found: list[Load] = []
-    for load in loads.all:
+    for load in loads.at(desk.mech).all:
         here = load if load.law is None else _lawful(at, load, pulls)
         found += [] if here is None else [here]
     for spring in loads.springs:

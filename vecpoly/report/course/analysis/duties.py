@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from ....cycle import Spot
-from ....cycle.facts.duties import Cause, Duty, duties
+from ....cycle.facts.duties import Cause, Duty, duties, within
 from ....findings.shown import shown
 from ....findings.study.study import Study
 from ....mechanism.asked.forces import load_named, load_symbol, without_friction
@@ -32,10 +32,9 @@ def listed(names: Sequence[str]) -> str:
 
 
 def stretch(study: Study, duty: Duty) -> str:
-    """174.26°～357.23°."""
-    drive, full = study.whole.drive, study.whole.period
-    back = full if full and duty.high > study.whole.high + _EDGE else 0.0  # −2.77°～4.75°, not 357.23°～364.75°
-    low, high = (f"{drive.factor * (q - back):.2f}" for q in (duty.low, duty.high))
+    """174.26°～357.23°; over the end of the turn 357.23°～4.75°, every position as all tables name it."""
+    drive = study.whole.drive
+    low, high = (f"{drive.factor * q:.2f}" for q in within(study.whole, duty))
     low, high = (text.lstrip("-") if float(text) == 0 else text.replace("-", "−") for text in (low, high))
     unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
     return f"{low}{unit}～{high}{unit}" if unit == "°" else f"{low}～{high}{unit}"

@@ -10,7 +10,7 @@ from ....analytic.equations import GroupModel, Part, Stage
 from ....analytic.forces.balance import ForceModel, LinkBalance, force_model
 from ....findings.study.study import Study
 from ....mechanism.asked.forces import load_symbol
-from ....mechanism.loads import GRAVITY, Force, Loads
+from ....mechanism.loads import GRAVITY, Loads
 from ....words import Words
 from ...statement.structure import carried_pins
 
@@ -33,7 +33,8 @@ def _opening(study: Study, loads: Loads, found: ForceModel) -> Words:
     slides = any(touch.unknowns[-1].startswith("T") for touch in found.touches)
     high = any(touch.before for touch in found.touches)
     told = _CUT_FREE + (_OF_SLIDES if slides else Words("", "")) + (_OF_HIGHER_PAIRS if high else Words("", ""))
-    if tilted := [load for load in loads.all if isinstance(load, Force) and abs(sin(2 * load.direction)) > 1e-9]:
+    fixed = [load for load in loads.forces if load.along is None]
+    if tilted := [load for load in fixed if abs(sin(2 * load.direction)) > 1e-9]:
         angles = [f"$θ_{{{load.name.replace('_', '')}}}$" for load in tilted]
         told += Words(f"{'、'.join(angles)} 为力的方向角。", f"{', '.join(angles)}: direction of the force. ")
     if lawful := [f"${load_symbol(load.name)}$" for load in loads.all if load.law is not None]:

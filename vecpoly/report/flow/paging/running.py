@@ -10,9 +10,10 @@ from typing import Any
 from reportlab.platypus.flowables import PageBreak
 
 from ..base import Block
-from ..blocks import Divider, SheetPage
+from ..blocks import Divider, Heading, SheetPage
 from ..doc import ReportDoc
-from .together import led
+from ..para import Para
+from .together import first_of, led
 
 ROUNDS = 8  # what begins on a page of another may end on one that holds little
 FULL = 0.8  # of the last page of a part: what is less is shared with what comes next
@@ -22,7 +23,7 @@ def run_on(story: Sequence[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
     """The story with fewer pages that hold little, and it laid out; doc: the story as it is, laid out."""
     found = list(story)
     for _ in range(ROUNDS):
-        again = _shared(found, doc.ends)
+        again = _shared(found, doc)
         if again is None:
             break
         found = again
@@ -39,21 +40,38 @@ def fresh(story: Sequence[Any]) -> list[Any]:
     return found
 
 
-def _shared(story: Sequence[Any], ends: Sequence[tuple[int, float]]) -> list[Any] | None:
-    """One round: every part that ends on a sparse page; ends: pages of each, and how full the last one is."""
+def _shared(story: Sequence[Any], doc: ReportDoc) -> list[Any] | None:
+    """One round: every part that ends on a sparse page; doc: the story, laid out."""
     out: list[Any] = []
-    parts, told = split(story), iter(ends)
+    parts, told, opened = split(story), iter(doc.ends), iter(_opened(doc))
     for number, (text, behind) in enumerate(parts):
         pages, full = next(told, (0, 1.0)) if text else (0, 1.0)
+        heads = [next(opened, None) for _ in range(pages)]
         last, changed = number == len(parts) - 1, len(out) != sum(len(a) + len(b) for a, b in parts[:number])
         sheets = [item for item in behind if isinstance(item, SheetPage)]
         if full >= FULL or (last and (not sheets or pages < 2 or changed)):
             out += [*text, *behind]
             continue
         head = _opening(text)
-        floating = (_behind(sheet, max(pages - 1, 1)) for sheet in sheets)
+        after = max(pages - 1, 1) if len(parts) == 1 else _after(heads)
+        floating = (_behind(sheet, after) for sheet in sheets)
         out += [*text[:head], *floating, *text[head:], *([] if last else [Divider()])]
     return out if len(out) != len(story) or any(a is not b for a, b in zip(out, story, strict=True)) else None
+
+
+def _opened(doc: ReportDoc) -> list[Any]:
+    """What each page of text opens with."""
+    return [first_of(head) for _, head in sorted(doc.heads.items()) if not isinstance(head, SheetPage)]
+
+
+def _after(heads: Sequence[Any]) -> int:
+    """Behind how many pages of a part that open so its sheets stand: before the last page that opens with a section, or
+    else with a step, so that no table or formula is torn from what it belongs to."""
+    pages = range(len(heads) - 1, 0, -1)
+    for kind in (Heading, Para):
+        if (found := next((page for page in pages if isinstance(heads[page], kind)), None)) is not None:
+            return found
+    return max(len(heads) - 1, 1)
 
 
 def _opening(text: Sequence[Any]) -> int:

@@ -14,6 +14,7 @@ from typing import Any
 from ..base import Block, Tightness
 from ..doc import Metadata, ReportDoc
 from .running import fresh, run_on, split
+from .sectioned import sectioned
 
 DEGREES = (
     Tightness(white=0.8),
@@ -43,7 +44,7 @@ def settled(story: Sequence[Any], meta: Metadata) -> list[Any]:
         story = _set(story, chosen)
         plain = ReportDoc(story, meta)
         plain.counted()
-    return fresh(_mended(*run_on(story, plain)))
+    return fresh(_mended(*sectioned(*run_on(story, plain))))
 
 
 def _mended(story: list[Any], doc: ReportDoc) -> Sequence[Any]:

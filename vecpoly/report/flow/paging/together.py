@@ -59,6 +59,11 @@ class HeldTogether(KeepTogether):  # type: ignore[misc]
         return next((n for n in ends if _listWrapOn(self._content[:n], width, self.canv)[1] <= height), 0)
 
 
+def first_of(item: Any) -> Any:
+    """The first of blocks that are held together; any other as it is."""
+    return item._content[0] if isinstance(item, HeldTogether) and item._content else item
+
+
 class Parted(ActionFlowable):  # type: ignore[misc]
     """Where a page break parts a step: the document counts them."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from .....algebra.columns import column, places_of
 from .....algebra.quantity import number
 from .....board.construction import Listing
 from .....devices.cams.asked import pressure, radius, travel
@@ -12,6 +13,8 @@ from .....words import Words
 from ...bench import Bench
 from ..diagram import Station
 
+TENTH = 0.1  # mm of a rule, degrees of a protractor
+
 
 def stations_read(bench: Bench, cam: Cam, stations: Sequence[Station]) -> Listing:
     """A row for every station, in the order of the cam's angle."""
@@ -19,13 +22,15 @@ def stations_read(bench: Bench, cam: Cam, stations: Sequence[Station]) -> Listin
     head: tuple[Words, ...] = (Words("点", "No."), Words.same("$φ$/°"), level, Words.same("$r$/mm"))
     if not cam.follower.flat:
         head = (*head, Words.same("$α$/°"))
-    return Listing(head=head, rows=tuple(_row(bench, cam, station) for station in stations))
+    named = [(travel(s.name, swings=bool(cam.arm)), radius(s.name), pressure(s.name)) for s in stations]
+    columns = [_read(bench, [row[k].key for row in named]) for k in range(len(head) - 2)]
+    numbers = tuple((f"{station.number}", number(station.name)) for station in stations)
+    rows = tuple((*two, *row) for two, row in zip(numbers, zip(*columns, strict=True), strict=True))
+    return Listing(head=head, rows=rows)
 
 
-def _row(bench: Bench, cam: Cam, station: Station) -> tuple[str, ...]:
-    keys = [travel(station.name, swings=bool(cam.arm)), radius(station.name)]
-    if not cam.follower.flat:
-        keys.append(pressure(station.name))
-    read = bench.board.readings
-    values = [number(read[key.key].scalar) if key.key in read else "0" for key in keys]  # at the start nothing is read
-    return (f"{station.number}", number(station.name), *values)
+def _read(bench: Bench, keys: Sequence[str]) -> tuple[str, ...]:
+    """What is read at the stations, with the decimals of a tenth of a millimetre, or of a degree."""
+    found = [bench.board.readings.get(key) for key in keys]  # at the start nothing is read
+    tenths = [TENTH * abs(one.scalar) / one.mm for one in found if one is not None and one.mm]
+    return column([0.0 if one is None else one.scalar for one in found], places_of(max(tenths, default=TENTH)))

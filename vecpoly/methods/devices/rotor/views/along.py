@@ -9,7 +9,7 @@ from .....board.paper.marks import Dot, Role
 from .....devices.balancing.asked import product_of
 from .....devices.balancing.mass import RotorMass
 from .....devices.balancing.plane import RotorPlane
-from .....devices.balancing.rotor import Rotor
+from .....devices.balancing.rotor import Rotor, RotorBody
 from .....diagram.single import disc, outline, rod
 from .....words import Words
 from ...bench import Bench
@@ -40,6 +40,8 @@ def along(bench: Bench, rotor: Rotor) -> None:
         View.MECHANISM,
     )
     _shaft(bench, _foot(bench, rotor, max(rotor.stations)).real)
+    for body in rotor.bodies:
+        _body(bench, rotor, body)
     for name, mass in rotor.masses.items():
         turn = pi / 2 if "at" in mass.unknown else mass.at.si
         high = _arm(bench, rotor, None if mass.r is None else mass.r.si) * sin(turn)
@@ -97,6 +99,15 @@ def _shaft(bench: Bench, long: float) -> None:
     ends = (-RUN - SHAFT * 1j, long + RUN - SHAFT * 1j, long + RUN + SHAFT * 1j, -RUN + SHAFT * 1j)
     bench.board.depict(view, outline("shaft", *ends))
     bench.board.join(view, complex(-RUN - AXIS, 0), complex(long + RUN + AXIS, 0), Role.CENTRE)
+
+
+def _body(bench: Bench, rotor: Rotor, body: RotorBody) -> None:
+    """A drum or a pulley in thin lines, so that masses in it are seen."""
+    left, right = (_foot(bench, rotor, place.si).real for place in (body.start, body.end))
+    high = _arm(bench, rotor, body.r.si)
+    corners = (complex(left, -high), complex(right, -high), complex(right, high), complex(left, high))
+    for a, b in zip(corners, corners[1:] + corners[:1], strict=True):
+        bench.board.join(View.MECHANISM, a, b, Role.GIVEN)
 
 
 def _mass_beside(bench: Bench, name: str, foot: complex, high: float, mass: RotorMass, product: str) -> None:

@@ -101,21 +101,21 @@ def solved_from_its_end(bench: Bench, rotor: Rotor, which: str) -> None:
 
 def _parts_in(one: str, other: str) -> Words:
     return Words(
-        f"画出平面 {one} 的端视图：各质量在两平面内的分量 $m_{{i{one}}}$ = $m_i$($L$ − $l_i$)/$L$、$m_{{i{other}}}$ = "
-        f"$m_i l_i$/$L$ 位于原来的半径和方位上。",
-        f"Draw plane {one} from its end: the parts of the masses in the two planes, $m_{{i{one}}}$ = "
+        f"画出平面 ${one}$ 的端视图：各质量在两平面内的分量 $m_{{i{one}}}$ = $m_i$($L$ − $l_i$)/$L$、"
+        f"$m_{{i{other}}}$ = $m_i l_i$/$L$ 位于原来的半径和方位上。",
+        f"Draw plane ${one}$ from its end: the parts of the masses in the two planes, $m_{{i{one}}}$ = "
         f"$m_i$($L$ − $l_i$)/$L$ and $m_{{i{other}}}$ = $m_i l_i$/$L$, sit at the radius and in the direction of the "
         "mass itself.",
     )
 
 
 def _likewise(end: str) -> Words:
-    return Words(f"同样画出平面 {end} 的端视图。", f"Likewise plane {end}.")
+    return Words(f"同样画出平面 ${end}$ 的端视图。", f"Likewise plane ${end}$.")
 
 
 def plane_view(bench: Bench, end: str) -> Pane:
     """The end view of a plane of correction."""
-    return bench.board.open_pane(END_VIEW, end, Words(f"平面 {end} 端视图", f"End view of plane {end}"))
+    return bench.board.open_pane(END_VIEW, end, Words(f"平面 ${end}$ 端视图", f"End view of plane ${end}$"))
 
 
 def added_seen(bench: Bench, rotor: Rotor, end: str, plane: RotorPlane, turns: list[float], labels: list[str]) -> None:

@@ -1,0 +1,30 @@
+"""Columns of numbers: rounded once to one count of decimals, that of the figures of the largest."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vecpoly.algebra.columns import column, significant
+
+MOMENTS = [240.0, 218.625, 197.25, 111.75, 69.0]
+
+
+def test_a_column_is_rounded_once_and_never_padded_after() -> None:
+    assert column(MOMENTS) == ("240.0", "218.6", "197.2", "111.8", "69.0")
+    assert column([0.0, 14.25, 28.5, 114.0]) == ("0.00", "14.25", "28.50", "114.00")
+    assert column([-0.001, 30.0, 60.0], 0) == ("0", "30", "60") and column([0.0]) == ("0",)
+
+
+@given(st.lists(st.floats(-1e4, 1e4), min_size=1, max_size=9))
+def test_no_number_of_a_column_is_more_than_half_a_unit_beside_what_it_tells(values: list[float]) -> None:
+    told = column(values)
+    (places,) = {len(text.partition(".")[2]) for text in told}
+    for text, value in zip(told, values, strict=True):
+        assert abs(float(text.replace("−", "-")) - value) <= 0.5 * 10.0**-places * (1 + 1e-9)
+
+
+@pytest.mark.parametrize(("value", "told"), [(0.25, "0.2500"), (0.00863, "0.008630"), (0.99996, "1.000"), (0.0, "0")])
+def test_a_number_keeps_its_figures(value: float, told: str) -> None:
+    assert significant(value) == told

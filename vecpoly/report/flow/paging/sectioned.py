@@ -1,0 +1,59 @@
+"""Sheets between two sections of a text, where the page before its last one would end in the midst of one: neither a
+table nor a step is torn by sheets, and no page that holds little stands alone behind them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from copy import copy
+from typing import Any
+
+from ..blocks import Heading, SheetPage
+from ..doc import ReportDoc
+from .running import fresh
+from .together import first_of
+
+HALF = 0.5  # of a page that text before the sheets fills at least, and the last page where it stands alone behind them
+
+
+def sectioned(story: list[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
+    """The story with its sheets before the last heading that lets them stand so; as it is where its sheets do not
+    float, where they stand well, or where none does. doc: it, laid out."""
+    sheets = [item for item in story if isinstance(item, SheetPage) and item.behind]
+    if not sheets or len(sheets) != sum(isinstance(item, SheetPage) for item in story) or _stands(doc):
+        return story, doc
+    text = [item for item in story if item not in sheets]
+    for at in _heads(text):
+        found = [*text[:at], *map(_settled, sheets), *text[at:]]
+        tried = ReportDoc(fresh(found), doc.metadata)
+        if tried.counted() <= doc.page and _parts_well(tried) and _faults(tried) <= _faults(doc):
+            return found, tried
+    return story, doc
+
+
+def _stands(doc: ReportDoc) -> bool:
+    """Whether the last page opens with a heading, and holds something."""
+    return isinstance(first_of(doc.heads.get(doc.page)), Heading) and doc.filled[-1] >= HALF
+
+
+def _heads(text: Sequence[Any]) -> Iterator[int]:
+    """Where sections begin, the last first."""
+    for at in range(len(text) - 1, 0, -1):
+        if isinstance(text[at], Heading) and not getattr(text[at - 1], "keepWithNext", 0):
+            yield at
+
+
+def _parts_well(doc: ReportDoc) -> bool:
+    """Whether the text before the sheets, and behind them, fills its pages."""
+    (_, before), (pages, last) = doc.ends
+    return before >= HALF and (pages > 1 or last >= HALF)
+
+
+def _faults(doc: ReportDoc) -> tuple[int, int, int]:
+    return len(doc.widows), doc.parted, doc.gaps
+
+
+def _settled(sheet: SheetPage) -> SheetPage:
+    """The sheet in its place."""
+    own = copy(sheet)
+    own.behind = 0
+    return own

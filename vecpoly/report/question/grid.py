@@ -1,0 +1,107 @@
+"""How frames share a sheet: in rows, of a few fixed heights and widths, so that a large drawing has a large frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations, permutations
+
+from ...drawing.sheets.space import CAPTION, CLEAR, room_inside
+from ...foundation.stock import Format
+
+NARROWEST = 55.0  # mm: a frame with its title under it
+AMPLE = 1.2  # times the room that a figure needs
+Size = tuple[float, float]
+_SHARES: dict[int, tuple[tuple[float, ...], ...]] = {
+    1: ((1.0,),),
+    2: ((1 / 2, 1 / 2), (1 / 3, 2 / 3), (2 / 3, 1 / 3)),
+    3: ((1 / 3, 1 / 3, 1 / 3), *sorted(set(permutations((1 / 2, 1 / 4, 1 / 4))))),
+}  # of a sheet for its rows, and of a row for its frames
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Frames in rows that fill a sheet: their sizes and the places of their tops; how much larger than need be the
+    tightest of them is, as far as that matters; how much looser than it another one is; how many times as long as
+    wide the slimmest."""
+
+    landscape: bool
+    sizes: tuple[Size, ...]
+    tops: tuple[complex, ...]
+    ease: float
+    spread: float
+    slim: float
+
+
+def tightness(sheets: Sequence[Grid]) -> tuple[int, int, float, float, float]:
+    """No figure without its white is best; then the fewer the sheets the better, no tight frame, none that is much
+    looser than another, no slim one."""
+    bare = sum(sheet.ease < 1 for sheet in sheets)
+    ease = min((sheet.ease for sheet in sheets), default=1.0)
+    spread, slim = (max((getattr(one, name) for one in sheets), default=1.0) for name in ("spread", "slim"))
+    return bare, len(sheets), -ease, round(spread, 1), slim
+
+
+def grid(needs: Sequence[Size], landscape: bool, of: Format) -> Grid | None:
+    """The rows in which these frames are least tight; None where they don't fit. One figure has a sheet to itself
+    however little white that leaves round it."""
+    across = int(room_inside(landscape, of)[0] / (NARROWEST + CLEAR))
+    rows = (rows for rows in _rows(len(needs)) if max(rows) <= across)
+    made = (_laid(needs, one, heights, landscape, of) for one in rows for heights in _shares(len(one)))
+    fitting = (one for one in made if one.ease >= 1 or len(needs) == 1)
+    return min(fitting, key=lambda one: tightness([one]), default=None)
+
+
+def _rows(count: int) -> Iterator[tuple[int, ...]]:
+    """Every way to put so many frames in rows."""
+    if not count:
+        yield ()
+    for first in range(1, count + 1):
+        yield from ((first, *rest) for rest in _rows(count - first))
+
+
+def _shares(count: int) -> tuple[tuple[float, ...], ...]:
+    return _SHARES.get(count, ((1 / count,) * count,))
+
+
+def _laid(needs: Sequence[Size], rows: Sequence[int], heights: Sequence[float], landscape: bool, of: Format) -> Grid:
+    """These rows of these heights, the frames of each as wide as suits them."""
+    width, height = (side - CLEAR for side in room_inside(landscape, of))
+    sizes, tops, top, waiting = list[Size](), list[complex](), height, list(needs)
+    for count, part in zip(rows, heights, strict=True):
+        here, waiting = waiting[:count], waiting[count:]
+        high = part * height - CLEAR - CAPTION
+        widths = min(_widths(here, width), key=lambda some: _row_is(here, some, high))
+        left = CLEAR / 2
+        for wide in widths:
+            sizes.append((wide - CLEAR, high))
+            tops.append(complex(left + wide / 2, top))
+            left += wide
+        top -= part * height
+    eases = _eases(needs, sizes)
+    slim = max(max(wide / high, high / wide) for wide, high in sizes)
+    return Grid(landscape, tuple(sizes), tuple(tops), min(*eases, AMPLE), max(eases) / min(eases), slim)
+
+
+def _widths(needs: Sequence[Size], width: float) -> Iterator[tuple[float, ...]]:
+    """The widths that the frames of a row may have: equal ones, or the wider one for the wider drawing."""
+    for some in _shares(len(needs)):
+        widths, pairs = tuple(share * width for share in some), combinations(zip(some, needs, strict=True), 2)
+        follow = all((a - b) * (one[0] - other[0]) > 0 for (a, one), (b, other) in pairs if a != b)
+        if follow and (min(widths) >= NARROWEST + CLEAR or len(set(some)) == 1):
+            yield widths
+
+
+def _row_is(needs: Sequence[Size], widths: Sequence[float], high: float) -> tuple[float, float]:
+    """How tight a row is with these widths, then how unlike its frames are in that."""
+    eases = _eases(needs, [(wide - CLEAR, high) for wide in widths])
+    return -min(*eases, AMPLE), round(max(eases) / min(eases), 1)
+
+
+def _eases(needs: Sequence[Size], sizes: Sequence[Size]) -> list[float]:
+    return [min(size[i] / need[i] for i in (0, 1)) for size, need in zip(sizes, needs, strict=True)]
+
+
+def shares() -> frozenset[float]:
+    """Every part of a sheet that a frame may have in height or width."""
+    return frozenset(part for some in _SHARES.values() for one in some for part in one)

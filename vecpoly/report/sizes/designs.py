@@ -1,0 +1,88 @@
+"""The given lengths of a mechanism to be found, between the points they name, on the sketch of what is given."""
+
+from __future__ import annotations
+
+import cmath
+import re
+from collections.abc import Iterator, Sequence
+
+from ...board.construction import Figure
+from ...board.paper.marks import AngleMark, Dot, Ground, Mark, Point, Segment
+from ...designs.base import Design
+from ...errors import VecpolyError
+from ...units.reading import Dim, read
+from .lines import AXIS, letter, span
+
+_BAR = re.compile(r"l_\{?([A-Z])([A-Z])\}?")  # as data name it, and as statements do
+_ENDS = (("E_1", "E_2"), ("F_1", "F_2"), ("C_1", "C_2"))  # of a stroke
+_LIKE = 2e-3  # part of a length by which it may be drawn differently
+_UNDER, _OVER = 11.0, 7.0  # mm: a dimension under two pivots, over two places
+_SWING, _STROKE = "ψ", "H"
+
+
+def design(subject: Design, told: str, figure: Figure) -> Iterator[Mark]:
+    """Each length that the statement or the data name and whose ends are given; the stroke of a slider; the swing of a
+    rocker. told: the statement."""
+    spots = {m.label: m.at for m in figure.marks if isinstance(m, Point) and m.dot is not Dot.NONE}
+    data = dict(subject.given())
+    bars: dict[frozenset[str], str] = {}
+    for found in _BAR.finditer(" ".join((told, *data))):
+        bars.setdefault(frozenset(found.groups()), found[0])
+    stroke = (_STROKE,) if _STROKE in data or f"${_STROKE}$" in told else ()
+    for symbol in (*bars.values(), *stroke):
+        named = _BAR.fullmatch(symbol)
+        ends = _stroke(spots) if named is None else _between(named[1], named[2], spots)
+        for a, b in ends:
+            if (text := data.get(symbol)) is None or _is_drawn(text, abs(b - a) * figure.scale.value):
+                yield from _length(figure, a, b, symbol)
+                break
+    if any(symbol == _SWING for symbol, _ in subject.given()):
+        yield from _swing(figure, spots)
+
+
+def _between(one: str, other: str, spots: dict[str, complex]) -> Iterator[tuple[complex, complex]]:
+    """Where these two letters stand, with the number of the first position where there are several."""
+    for first in (one, f"{one}_1"):
+        for second in (other, f"{other}_1"):
+            if first in spots and second in spots:
+                yield spots[first], spots[second]
+
+
+def _stroke(spots: dict[str, complex]) -> Iterator[tuple[complex, complex]]:
+    return ((spots[a], spots[b]) for a, b in _ENDS if a in spots and b in spots)
+
+
+def _is_drawn(text: str, metres: float) -> bool:
+    try:
+        return abs(read(text, Dim.LENGTH).si - metres) < _LIKE * metres
+    except VecpolyError:
+        return False
+
+
+def _length(figure: Figure, a: complex, b: complex, symbol: str) -> Iterator[Mark]:
+    """Beside the line that joins them; where none does, on a line of its own, under the pivots."""
+    joined = any(isinstance(m, Segment) and _same(m, a, b) for m in figure.marks)
+    if joined:
+        yield letter((a + b) / 2, symbol)
+        return
+    a, b = sorted((a, b), key=lambda at: (at.real, at.imag))
+    grounded = [m.at for m in figure.marks if isinstance(m, Ground)]
+    normal = -1j * (b - a) / abs(b - a)
+    off = _UNDER if any(abs(at - end) < 1e-6 for at in grounded for end in (a, b)) else _OVER
+    yield from span(a, b, symbol, off * normal)
+
+
+def _same(line: Segment, a: complex, b: complex) -> bool:
+    return min(abs(line.a - a) + abs(line.b - b), abs(line.a - b) + abs(line.b - a)) < 1e-6
+
+
+def _swing(figure: Figure, spots: dict[str, complex]) -> Iterator[Mark]:
+    """ψ between the two positions of a rocker, where it isn't marked yet."""
+    if {"D", "C_1", "C_2"} <= set(spots) and not _marked(figure.marks, _SWING):
+        pivot, first, second = (spots[name] for name in ("D", "C_1", "C_2"))
+        start, sweep = cmath.phase(second - pivot), cmath.phase((first - pivot) / (second - pivot))
+        yield AngleMark(at=pivot, radius=AXIS, start=start, sweep=sweep, label=_SWING, step=1)
+
+
+def _marked(marks: Sequence[Mark], name: str) -> bool:
+    return any(isinstance(mark, AngleMark) and mark.label.startswith(name) for mark in marks)

@@ -1,0 +1,33 @@
+"""A sketch with the letters of what is given on it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...board.construction import Figure
+from ...board.paper.marks import Mark
+from ...designs.base import Design
+from ...devices.balancing.engine import InlineEngine
+from ...devices.cams.cam import Cam
+from ...devices.eccentric_clamp import EccentricClamp
+from ...foundation.slotted import replace
+from ...problem.problem import Problem
+from .designs import design
+from .machines import cam, clamp, engine
+
+
+def sized(problem: Problem, figure: Figure) -> Figure:
+    """The reduced figure with its sizes: what the statement and the data name by a letter can be seen on it."""
+    return replace(figure, marks=(*figure.marks, *_sizes(problem, figure)))
+
+
+def _sizes(problem: Problem, figure: Figure) -> Iterator[Mark]:
+    match problem.subject:
+        case EccentricClamp() as device:
+            yield from clamp(device, figure)
+        case InlineEngine() as device:
+            yield from engine(device, figure)
+        case Cam() as device:
+            yield from cam(device, figure)
+        case Design() as device:
+            yield from design(device, problem.statement.zh, figure)
