@@ -33,7 +33,7 @@ from vecpoly.report.flow.base import Tightness
 from vecpoly.report.flow.furniture import COLUMN
 from vecpoly.report.flow.paging.tight import DEGREES
 from vecpoly.report.picture import to_scale
-from vecpoly.report.question.blanks import empty_table
+from vecpoly.report.question.blanks import empty_table, kind
 from vecpoly.report.question.equations import KEY, numbers
 from vecpoly.report.question.frames import frames
 from vecpoly.report.question.grid import shares
@@ -220,6 +220,14 @@ def test_every_question_sheet_is_made(case: tuple[str, Lang]) -> None:
 def test_a_question_whose_squares_are_set_tightly_is_printed(lang: Lang) -> None:
     """A part of them was given the white of a text that is not tight: it had no room, and no sheet was made."""
     assert report_bytes([drawn("class-iii").solution], lang=lang, style="question").startswith(b"%PDF")
+
+
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_an_equation_to_be_written_is_called_by_its_kind_once(lang: Lang) -> None:
+    steps = [step for name in ("3-12", "4-3a") for step in drawn(name).construction.steps if step.equation is not None]
+    heads = [kind(step, lang) for step in steps]
+    kinds = ("速度", "加速度") if lang == "zh" else ("elocity", "cceleration")
+    assert len(heads) == 7 and all(head.count(kinds[0]) < 2 and head.count(kinds[1]) < 2 for head in heads)
 
 
 def test_what_a_counting_problem_asks_is_not_given_as_a_list() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...board.acts import Compute
+from ...board.construction import Step
 from ...errors import UnknownNameError
 from ...names import Kind, Rel, parse_rel
 from ...solution import Answer, Solution
@@ -77,11 +78,18 @@ class EquationRows(Block):
 
 
 def equation_rows(solution: Solution, lang: Lang) -> list[EquationRows]:
-    """Cells for as many equations as the solution has, each with the part of the analysis that it belongs to."""
+    """Cells for as many equations as the solution has, each with its kind and the part of the analysis that it belongs
+    to."""
     needed = [step for step in solution.construction.steps if step.equation is not None]
-    gap = "：" if lang == "zh" else ": "
-    heads = [f"{step.section.of(lang)}{gap}{named(step.view).of(lang)}" for step in needed]
-    return [EquationRows(n, head, lang) for n, head in enumerate(heads, 1)]
+    return [EquationRows(n, kind(step, lang), lang) for n, step in enumerate(needed, 1)]
+
+
+def kind(step: Step, lang: Lang) -> str:
+    """Velocity equation; With friction: equilibrium of forces. An analysis of velocities need not be told beside it."""
+    part, name = step.section.of(lang), named(step.view).of(lang)
+    if part[:2] == name[:2]:
+        return name
+    return f"{part}：{name}" if lang == "zh" else f"{part}: {name[0].lower()}{name[1:]}"
 
 
 def empty_table(solution: Solution, lang: Lang) -> RuledTable:
