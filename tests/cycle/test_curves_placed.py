@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.texts import CRANK
-from vecpoly.curves import style
+from vecpoly.curves import curves, style
 from vecpoly.curves.flat import plane, stations
 from vecpoly.curves.place import Placer
 from vecpoly.curves.poses import poses
@@ -178,3 +178,9 @@ def test_where_a_curve_is_cut_at_its_axes_no_dot_stands_beyond_them() -> None:
     at.set_ylim(-2.0, 2.0)
     style.dots(at, [0.0, 90.0, 180.0, 360.0, 361.0], [2.0, 1e6, -2.0 - 1e-9, 0.5, 0.0], style.PENS[0].hue)
     assert [line.get_xdata().tolist() for line in at.lines] == [[0.0, 180.0, 360.0]]
+
+
+def test_graphs_under_each_other_have_one_left_edge() -> None:
+    turn = cycle(load("3-5").mechanism)
+    lefts = [curves(turn, (key,), "zh").figure.axes[0].get_position().x0 for key in ("phi_3", "omega_3", "alpha_3")]
+    assert max(lefts) - min(lefts) < 1e-9

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,6 +19,7 @@ WIDTH, PANEL = 150.0, 62.0  # mm
 TICK, LABEL = 3.1, 3.6  # em of the lettering, mm
 _TICK_ROOM = 7.5  # mm from one number of an axis to the next, at the least
 RIGHT, TOP, FOOT = 7.0, 9.0, 13.0  # margins, mm
+LEFT = 16.0  # mm: what all numbers of a y axis have, so that graphs under each other have one left edge
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,6 +149,11 @@ def gutter(at: Any, values: Sequence[float]) -> float:
     """Width in mm that the tick labels of a y axis with these limits take."""
     ticks = [t for t in at.yaxis.get_major_locator().tick_values(*values) if values[0] - 1e-9 <= t <= values[1] + 1e-9]
     return max((layout_words(number(t), TICK).width for t in ticks), default=0.0) + 3.0
+
+
+def left_edge(at: Any, limits: Iterable[tuple[float, float]]) -> float:
+    """How far from the left a frame begins (mm): as far as all others, unless its numbers need more."""
+    return max(LEFT, *(gutter(at, limit) + 1.0 for limit in limits))
 
 
 def thickness() -> float:

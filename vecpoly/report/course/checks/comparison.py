@@ -21,6 +21,7 @@ from ..numbering import SMALL, Press
 from ..results.positions import at_position
 
 STATIONS = 24
+FLAT, MARGIN = 0.35, 0.25  # of the frame that drawn values take at least; of what they take, beyond them
 _SHOWN, _DENSE = 3, 2  # curves, and of a long report
 _HEADER = {
     "zh": ["量", "单位", "循环内最大值", "最大偏差", "占最大值", "所在位置", "均方根偏差", "手工作图 3σ（题设位置）"],
@@ -193,8 +194,19 @@ def _chart(study: Study, press: Press, found: Compared) -> list[str]:
             f"${study.turn.info(key).symbol}$",
         )
         told = np.array([study.turn.info(key).factor * station.drawn[key] for station in found.stations])
+        cut = spread(plot.figure.axes[0], told)
         style.dots(plot.figure.axes[0], x, told, style.PENS[0].hue, 1.5, hollow=True)
-        plots.append(
-            (plot.scene, Words(f"{symbol} 的精确值（线）与图解值（圈）", f"{symbol}: exact (line) and drawn (circles)"))
-        )
+        title = Words(f"{symbol} 的精确值（线）与图解值（圈）", f"{symbol}: exact (line) and drawn (circles)")
+        plots.append((plot.scene, title + cut))
     return press.figures(plots)
+
+
+def spread(at: Any, told: NDArray[np.float64]) -> Words:
+    """Where a line that runs away at its end leaves the drawn values flat on an axis, the frame holds these alone;
+    gives what the title adds."""
+    low, high = float(told.min()), float(told.max())
+    bottom, top = at.get_ylim()
+    if high - low > FLAT * (top - bottom) or high == low:
+        return Words.same("")
+    at.set_ylim(low - MARGIN * (high - low), high + MARGIN * (high - low))
+    return Words("；线在框外继续", "; the line runs on beyond the frame")
