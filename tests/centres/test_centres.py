@@ -25,6 +25,7 @@ from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.errors import AssemblyError, NotAskedError, ProblemFileError
 from vecpoly.mechanism.asked.centres import centre, count, link_pairs, pair_of, real_links
 from vecpoly.mechanism.model import FRAME
+from vecpoly.methods.centres.at_sight import NORMAL
 from vecpoly.methods.centres.theorem.search import Known, order
 from vecpoly.names import omega, parse_rel
 from vecpoly.oracle.centres import Centres
@@ -127,6 +128,20 @@ def test_all_fifteen_centres_of_the_homework_six_bars(name: str, phi: int) -> No
     rate = case["omegas"]["1"] / problem.mechanism.drive.rate
     for link in "2345":
         assert solution.answers[f"omega_{link}"].drawn * rate == pytest.approx(case["omegas"][link], rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["3-1c", "D-3"])
+def test_the_normal_on_which_a_centre_is_sought_is_a_line_through_the_contact(name: str) -> None:
+    marks = [
+        mark
+        for figure in solve(changed(name, find="[centres]"), by="exact", repeats=0).construction.figures
+        for mark in figure.marks
+    ]
+    lines = [(mark.a, mark.b) for mark in marks if isinstance(mark, Segment) and mark.role is Role.DIRECTION]
+    lettered = [mark.at for mark in marks if isinstance(mark, Point) and mark.label]
+    normals = [(a + b) / 2 for a, b in lines if abs(b - a) == pytest.approx(2 * NORMAL)]
+    assert any(abs(at - middle) < 1e-6 for middle in normals for at in lettered)
+    assert all(abs(b - a) > 1 for a, b in lines)
 
 
 def test_the_four_bar_of_3_2_by_centres() -> None:

@@ -9,11 +9,15 @@ from pathlib import Path
 
 import pytest
 
+from tests.drawn_library import hanging
+from tests.texts import CRANK
+from vecpoly.algebra.formula import Sym
+from vecpoly.board.construction import View
 from vecpoly.board.hand import hand
 from vecpoly.drawing.sheets.paper import DrawingPaper
 from vecpoly.methods import scaling
 from vecpoly.methods.plan import construct
-from vecpoly.problem.load import load
+from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Scales
 
 KNOWN: dict[str, dict[str, float | list[float]]] = json.loads(
@@ -52,6 +56,15 @@ def test_another_scale_changes_millimetres_and_not_answers(name: str) -> None:
         assert reading.scalar == pytest.approx(two[key].scalar, rel=1e-9, abs=1e-12)
         if reading.mm and (other := two[key].mm) and key.startswith("v"):
             assert reading.mm * 0.02 == pytest.approx(other * 0.007)
+
+
+@pytest.mark.parametrize(("told", "called"), [("", {"a_B"}), (", alpha: 5 rad/s^2 ccw", {"a^n_B", "a^t_B"})])
+def test_the_acceleration_of_an_even_crank_is_that_of_its_pin_else_the_normal_part(told: str, called: set[str]) -> None:
+    turning = CRANK.replace("10 rad/s ccw", f"10 rad/s ccw{told}").replace("[v_C]", "[a_C]")
+    steps = construct(loads(turning), hand("exact"))[0].steps
+    first = next(step for step in steps if step.view is View.ACCELERATION)
+    found = [sym for sym in hanging(first.formulas, Sym) if sym.base == "a"]
+    assert {f"a^{sym.sup}_{sym.sub}" if sym.sup else f"a_{sym.sub}" for sym in found} == called
 
 
 def test_the_swinging_block_asks_for_an_expanded_link_where_the_guide_is_offset() -> None:

@@ -15,7 +15,7 @@ import pkgutil
 import signal
 import sys
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from enum import StrEnum
 from functools import _lru_cache_wrapper
@@ -37,6 +37,7 @@ _PARTLY = (
 )  # of a test with parameters only some may be chosen: none of these need reach an assertion
 Chosen = Callable[[Mutant, Sequence[str]], Sequence[str]]  # of a mutant and all tests: those to run, in this order
 Keepers = Sequence["_lru_cache_wrapper[Any]"]
+Took = Mapping[str, float] | None  # seconds of each test where there is no slip
 
 
 class Fate(StrEnum):
@@ -52,9 +53,14 @@ class Trials:
     """A plugin of pytest that, in place of running the tests once, runs some of them for each mutant."""
 
     def __init__(
-        self, mutants: Iterable[Mutant], chosen: Chosen | None, budget: float, tell: Callable[[Mutant, Fate], None]
+        self,
+        mutants: Iterable[Mutant],
+        chosen: Chosen | None,
+        budget: float,
+        tell: Callable[[Mutant, Fate], None],
+        took: Took,
     ) -> None:
-        self.mutants, self.chosen, self.budget, self.tell = mutants, chosen, budget, tell
+        self.mutants, self.chosen, self.budget, self.tell, self.took = mutants, chosen, budget, tell, took
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
@@ -65,7 +71,7 @@ class Trials:
         for mutant in self.mutants:
             chosen = self.chosen(mutant, names) if self.chosen else names
             tests = [items[name] for name in chosen if name in items]
-            self.tell(mutant, _tried(mutant, functions, tests, self.budget, kept))
+            self.tell(mutant, _tried(mutant, functions, tests, self.budget, kept, self.took))
         return True
 
 
@@ -75,12 +81,13 @@ def try_all(
     files: Sequence[str],
     budget: float,
     tell: Callable[[Mutant, Fate], None],
+    took: Took = None,
 ) -> None:
     """Collect the tests (of these files, where any are named), then try every mutant on those chosen for it, or on all;
-    no test begins after so many seconds of the processor."""
+    no test begins after so many seconds of the processor. took: how long each takes where there is no slip."""
     pytest.main(
         ["-q", "-p", "no:xdist", "-p", "no:cacheprovider", "--no-summary", *_PARTLY, *(files or [str(ROOT / "tests")])],
-        plugins=[Trials(mutants, chosen, budget, tell)],
+        plugins=[Trials(mutants, chosen, budget, tell, took)],
     )
 
 
@@ -102,6 +109,7 @@ def _tried(
     tests: Sequence[pytest.Item],
     budget: float,
     kept: Keepers,
+    took: Took,
 ) -> Fate:
     path, outer = str(ROOT / mutant.path), mutant.function.split(".<locals>")[0]
     targets = {name: functions.get((path, name), []) for name in {outer, mutant.function}}
@@ -113,12 +121,14 @@ def _tried(
         os.setpgid(0, 0)
         _spoil(path, mutant.text)
         module = compile(mutant.text, path, "exec")
-        _run([(one, _code(module, name)) for name, found in targets.items() for one in found], tests, budget, kept)
+        _run(
+            [(one, _code(module, name)) for name, found in targets.items() for one in found], tests, budget, kept, took
+        )
     _, status = os.waitpid(child, 0)
     with suppress(ProcessLookupError):
         os.killpg(child, signal.SIGKILL)  # processes that a test had started
     if os.WIFSIGNALED(status):
-        return Fate.HUNG if os.WTERMSIG(status) == signal.SIGVTALRM else Fate.KILLED
+        return Fate.HUNG if os.WTERMSIG(status) in (signal.SIGVTALRM, signal.SIGPROF) else Fate.KILLED
     return Fate.SURVIVED if os.WEXITSTATUS(status) == 0 else Fate.KILLED
 
 
@@ -140,7 +150,11 @@ def _code(module: CodeType, name: str) -> CodeType:
 
 
 def _run(
-    targets: Sequence[tuple[FunctionType, CodeType]], tests: Sequence[pytest.Item], budget: float, kept: Keepers
+    targets: Sequence[tuple[FunctionType, CodeType]],
+    tests: Sequence[pytest.Item],
+    budget: float,
+    kept: Keepers,
+    took: Took,
 ) -> None:
     """The child: never returns. A function made by another before the slip has the code of its own."""
     signal.setitimer(signal.ITIMER_VIRTUAL, 3 * budget + 10)  # of the processor: a busy machine is no endless loop
@@ -154,7 +168,7 @@ def _run(
             function.__code__ = code
         end = time.process_time() + budget
         failed = any(
-            _fails(test, following, max(2.0, end - time.process_time()))
+            _fails(test, following, max(2.0, end - time.process_time()), took)
             for test, following in zip(tests, [*tests[1:], None], strict=True)
             if time.process_time() < end
         )
@@ -162,9 +176,11 @@ def _run(
         os._exit(int(failed))
 
 
-def _fails(test: Any, following: Any, seconds: float) -> bool:
-    """A test that takes longer, of a whole library, is broken off and tells nothing: it is no endless loop."""
-    signal.signal(signal.SIGPROF, lambda *_: pytest.skip("it takes too long"))
+def _fails(test: Any, following: Any, seconds: float, took: Took) -> bool:
+    """A test that takes longer is broken off: it hangs where it is known to be quick, else it tells nothing, for it may
+    be one of a whole library."""
+    hangs = took is None or took.get(test.nodeid, seconds) < seconds / 5
+    signal.signal(signal.SIGPROF, signal.SIG_DFL if hangs else (lambda *_: pytest.skip("it takes too long")))
     signal.setitimer(signal.ITIMER_PROF, seconds)
     reports = runtestprotocol(test, nextitem=following, log=False)
     signal.setitimer(signal.ITIMER_PROF, 0)
