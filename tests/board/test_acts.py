@@ -230,3 +230,9 @@ def test_what_the_readme_shows_of_acts_works() -> None:
     assert next(act.at for act in moved.construction.acts if isinstance(act, Locate) and act.key == "c2") == 30 + 20j
     assert Slip(Mistake.HALVED, "ak_C2C3") in slips(problem)
     assert solved("3-9").construction.depends("a_D")[:3] == ("A", "C", "B")
+
+
+def test_ones_own_length_stands_on_the_nominal_sheet_and_the_others_scatter_about_it() -> None:
+    answer = load("3-9").solve(readings={"bc2": "30 mm"}).answers["omega_2"]
+    assert answer.drawn == pytest.approx(-1.463, abs=2e-3)
+    assert answer.expected_error is not None and 1e-4 < answer.expected_error < 0.1

@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ from pypdfium2 import PdfDocument
 from tests.laws import few
 from tests.presses import Kept
 from tests.studies import course_report, studied
+from vecpoly.algebra.quantity import number
 from vecpoly.cycle import cycle, extremes
 from vecpoly.findings.machine.running import Running, running
 from vecpoly.findings.machine.shaking import Shaking, shaking
@@ -26,6 +28,7 @@ from vecpoly.mechanism.groups.assur import pivot_of
 from vecpoly.oracle import solve
 from vecpoly.problem.load import load
 from vecpoly.report.content import Objects
+from vecpoly.report.course.machine.motion import conclusion
 from vecpoly.report.course.machine.powers import powers
 from vecpoly.report.course.machine.work import pieces
 from vecpoly.words import Lang
@@ -87,6 +90,17 @@ def test_the_chapter_of_powers_speaks_of_a_flywheel_where_one_is_needed_and_nowh
     for one, wheel in ((run, True), (replace(run, found=replace(found, flywheel=0.0)), False)):
         [told] = powers(studied(name), press, one)["words"]
         assert ("with its flywheel" in told) is wheel
+
+
+@pytest.mark.parametrize("name", few(MACHINES, 2))
+def test_the_conclusion_tells_the_flywheel_by_areas_and_exactly_where_nobody_asked_for_it(name: str) -> None:
+    run, unasked = running_of(name), SimpleNamespace(given=SimpleNamespace(problem=SimpleNamespace(asks=())))
+    assert run.found is not None and run.by_areas is not None
+    [told] = conclusion(unasked, run)  # type: ignore[arg-type]
+    for value in (run.surplus, run.by_areas, run.found.flywheel):
+        assert number(value, 4) in told.zh and number(value, 4) in told.en
+    [told] = conclusion(unasked, replace(run, found=None))  # type: ignore[arg-type]
+    assert number(run.surplus, 4) in told.en and "flywheel" not in told.en
 
 
 @pytest.mark.parametrize("name", MACHINES)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from vecpoly.board.construction import Construction, Figure, Scale, View
-from vecpoly.board.paper.marks import Dot, Mark, Point, Role, Vector
+from vecpoly.board.paper.marks import Arc, Dot, Mark, Point, Role, Vector
 from vecpoly.board.ruler import READABLE
 from vecpoly.drawing.details.apart import all_detailed, detailed, is_detail, numeral
 from vecpoly.drawing.details.knot import FACTORS, FULL
@@ -42,6 +42,8 @@ def test_a_vector_of_less_than_three_millimetres_is_drawn_apart_and_readable_the
     assert detail.scale.value == pytest.approx(10.0 / knot.factor)
     assert {m.label for m in main.marks if isinstance(m, Point)} - {""} == {"a", "d", "Ⅰ"}
     assert not any(isinstance(m, Vector) and m.label == "F_1" for m in main.marks)
+    (ring,) = [m for m in main.marks if isinstance(m, Arc)]
+    assert (ring.radius, abs(ring.sweep)) == pytest.approx((knot.radius, 2 * np.pi))
 
 
 @pytest.mark.parametrize("short", [0.05, 3.0, 20.0])

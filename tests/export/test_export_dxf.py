@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import sys
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -18,7 +19,8 @@ from vecpoly.board.construction import Construction, Figure, View
 from vecpoly.board.paper.marks import Arc, Role, Segment, Vector
 from vecpoly.cli.app import app
 from vecpoly.drawing.sheets.sheet import sheets
-from vecpoly.export.dxf.document import figure_dxf, sheet_dxf
+from vecpoly.errors import VecpolyError
+from vecpoly.export.dxf.document import figure_dxf, library, sheet_dxf
 from vecpoly.solution import Solution
 
 SEVERAL = ("3-9", "3-12", "4-3a", "5-2", "geared-five-bar")
@@ -156,3 +158,12 @@ def test_a_step_leaves_out_what_is_drawn_later() -> None:
     first, last = (min(mark.step for mark in figure.marks), max(mark.step for mark in figure.marks))
     counts = [len(read(figure_dxf(figure, upto=step)).modelspace().query("LINE")) for step in (first, last)]
     assert counts[0] < counts[1] == len(read(figure_dxf(figure)).modelspace().query("LINE"))
+
+
+def test_without_its_package_nothing_is_written_and_the_refusal_says_what_to_install(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "ezdxf", None)
+    with pytest.raises(VecpolyError, match=r"pip install vecpoly\[cad\]") as refused:
+        library()
+    assert refused.value.code == "package"

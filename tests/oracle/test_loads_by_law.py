@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from tests.lawful import CARD, COIL, CUT, ENGINE, PLAIN, SPRING, slider
 from tests.laws import few, often
 from vecpoly import loads
+from vecpoly.check.truth import exact_values
 from vecpoly.errors import EquilibriumError, VecpolyError
 from vecpoly.oracle import solve
 from vecpoly.oracle.forces import forces
@@ -116,6 +117,7 @@ def test_the_constant_moment_is_the_area_of_the_card_and_springs_leave_none() ->
         assert problem.loads is not None
         found = constant_size(problem.mechanism, problem.loads)
         assert found == pytest.approx(work / (2 * np.pi), rel=1e-8, abs=1e-9)
+        assert exact_values(problem)["M_d"] == found
 
 
 def test_the_corners_are_where_the_windows_open_and_close_and_tables_bend() -> None:
@@ -123,6 +125,10 @@ def test_the_corners_are_where_the_windows_open_and_close_and_tables_bend() -> N
     assert problem.loads is not None
     gone = [(CRANK + ROD - travel(float(q))) / (2 * CRANK) for q in corners(problem.mechanism, problem.loads)]
     assert sorted(round(part, 9) for part in gone) == pytest.approx([0, 0.05, 0.05, 0.95, 0.95, 1], abs=1e-8)
+    engine = slider(ENGINE)
+    assert engine.loads is not None
+    bent = [1e3 * (CRANK + ROD - travel(float(q))) for q in corners(engine.mechanism, engine.loads)]
+    assert sorted(bent) == pytest.approx([0, 30, 30, 60, 60, 120], abs=1e-5)
 
 
 # C passes where DC lies along 82° at full speed: it turns back in that direction, and F goes on to do work there.

@@ -16,7 +16,7 @@ def refuse_higher(mech: Mechanism, groups: Iterable[Group]) -> None:
     """Raise NoMethodError for the first group that is neither of class II nor a central link on three legs."""
     for group in groups:
         if group.kind.startswith("class ") and not is_star(group):
-            raise NoMethodError(_what(group) + _instead(mech), code="no-method", numbers={"links": len(group.links)})
+            raise NoMethodError(_what(group) + _instead(mech), numbers={"links": len(group.links)})
 
 
 def _what(group: Group) -> Words:
