@@ -37,6 +37,12 @@ def laid_out(draft: Draft, plan: Plan) -> Sheet:
     return sheet
 
 
+_LINE = Words(
+    "以其上的线 $PQ$ 表示，$P$ 在所给坐标处，$PQ$ 沿所给方向，$Q$ 任取：",
+    "told by a line $PQ$ of it, $P$ at the place given and $PQ$ in the direction given, $Q$ anywhere on it: ",
+)
+
+
 def _told(plan: Plan) -> Words:
     zh, en = ["选 $μ_l$，画出"], ["Choose $μ_l$ and draw "]
     if fixed := [f"${one.letter}$" for one in plan.pins if one.on == FRAME]:
@@ -48,8 +54,9 @@ def _told(plan: Plan) -> Words:
         en.append(f"the places of the slider's pin {letters.replace('、', ', ')}, ")
     for body in plan.bodies:
         marks = _lines(plan, body)
-        zh.append(f"{_body_zh(body)}{'（' + '、'.join(marks) + '）' if marks else ''}、")
-        en.append(f"{_body_en(body)}{' (' + ', '.join(marks) + ')' if marks else ''}, ")
+        line = _LINE if marks and _free(body) else Words("", "")
+        zh.append(f"{_body_zh(body)}{'（' + line.zh + '、'.join(marks) + '）' if marks else ''}、")
+        en.append(f"{_body_en(body)}{' (' + line.en + ', '.join(marks) + ')' if marks else ''}, ")
     return Words("".join(zh).rstrip("、") + "。", "".join(en).rstrip(", ") + ".")
 
 
