@@ -17,7 +17,7 @@ from .flow.table import DataTable
 
 _NUMBER = Words("解", "No.")
 _NONE, _YES, _NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
-MARGIN = Words("其余两杆之和减最短、最长杆之和", "Two other links less shortest and longest")
+MARGIN = Words("杆长余量", "Margin")  # the template says of what
 _BESIDE = frozenset({"K", "psi", "H", "gamma_min"})  # keys of what is moved and found exactly too
 _BARS = (("A", "B"), ("B", "C"), ("C", "D"))
 
@@ -36,6 +36,11 @@ def verification_table(solution: Solution, lang: Lang) -> DataTable | None:
     header = [_NUMBER.of(lang), *(lines[0][n][0].of(lang) for n in told)]
     rows = [[str(one.number), *(line[n][1].of(lang) for n in told)] for one, line in zip(moved, lines, strict=True)]
     return DataTable(header, rows, None, "c" * len(header), lang=lang)
+
+
+def has_margin(solution: Solution) -> bool:
+    """Whether the margin of the sum of lengths stands in that table."""
+    return any(one.broken is None and one.kind is not None for one in solution.verification)
 
 
 def beside_exact(solution: Solution) -> bool:

@@ -38,8 +38,8 @@ def laid_out(draft: Draft, plan: Plan) -> Sheet:
 
 
 _LINE = Words(
-    "以其上的线 $PQ$ 表示，$P$ 在所给坐标处，$PQ$ 沿所给方向，$Q$ 任取：",
-    "told by a line $PQ$ of it, $P$ at the place given and $PQ$ in the direction given, $Q$ anywhere on it: ",
+    "其上的线 $P_iQ_i$：$P_i$ 在所给坐标处，$P_iQ_i$ 沿所给方向",
+    "a line $P_iQ_i$ of it: $P_i$ at the place given, $P_iQ_i$ in the direction given",
 )
 
 
@@ -54,9 +54,9 @@ def _told(plan: Plan) -> Words:
         en.append(f"the places of the slider's pin {letters.replace('、', ', ')}, ")
     for body in plan.bodies:
         marks = _lines(plan, body)
-        line = _LINE if marks and _free(body) else Words("", "")
-        zh.append(f"{_body_zh(body)}{'（' + line.zh + '、'.join(marks) + '）' if marks else ''}、")
-        en.append(f"{_body_en(body)}{' (' + line.en + ', '.join(marks) + ')' if marks else ''}, ")
+        line = _LINE if _free(body) else Words("、".join(marks), ", ".join(marks))
+        zh.append(f"{_body_zh(body)}{f'（{line.zh}）' if marks else ''}、")
+        en.append(f"{_body_en(body)}{f' ({line.en})' if marks else ''}, ")
     return Words("".join(zh).rstrip("、") + "。", "".join(en).rstrip(", ") + ".")
 
 
