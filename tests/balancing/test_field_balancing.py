@@ -48,6 +48,20 @@ def test_two_arcs_leave_two_answers() -> None:
         assert found[f"theta_b_{which}"] == pytest.approx(at, rel=NEAR)
 
 
+@pytest.mark.parametrize(("other", "equal"), [(180.0, True), (120.0, False)])
+def test_why_two_arcs_leave_two_answers_is_said_and_true_of_the_drawing(other: float, equal: bool) -> None:
+    trials = [
+        {"m": "10 g", "r": "100 mm", "at": f"{at} deg", "reading": f"{abs(5 + rect(2.4, radians(at - 50))):.4f} mm/s"}
+        for at in (0.0, other)
+    ]
+    problem = device("field-balancing", initial="5 mm/s", trials=trials, correct={"r": "100 mm"})
+    construction = drawn(problem)
+    (said,) = (step.words.en for step in construction.steps if "Only two trial runs" in step.words.en)
+    assert "mirror images" in said and ("collinear" in said) is equal
+    sizes = [construction.readings[f"V_t_{which}"].scalar for which in (1, 2)]
+    assert (sizes[0] == pytest.approx(sizes[1], rel=1e-9)) is equal
+
+
 def shown(first: complex, per_weight: complex, weight: complex) -> complex:
     return first + per_weight * weight
 

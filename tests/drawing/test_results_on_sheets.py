@@ -16,12 +16,13 @@ from vecpoly.drawing.sheets.results import CLEAR, SIZES
 from vecpoly.drawing.sheets.sheet import Sheet, sheets
 from vecpoly.drawing.sheets.space import FRAME, STRIP
 from vecpoly.printed.digits import drawn_number
-from vecpoly.report.answers.line import short_line
+from vecpoly.problem.load import load
+from vecpoly.report.answers.line import named_line, short_line
 from vecpoly.report.plates.results import concluded
-from vecpoly.solution import YES_NO
-from vecpoly.typeset import Glyphs
+from vecpoly.solution import YES_NO, solve
+from vecpoly.typeset import Glyphs, layout
 from vecpoly.typeset.box import MM
-from vecpoly.words import Words
+from vecpoly.words import Lang, Words
 
 SUSPECT = Words("存疑：与独立求得的结果不符", "Suspect: disagrees with the independent result")
 
@@ -96,6 +97,9 @@ def _at(item: Item) -> complex:
     return complex(item.x, item.y) if isinstance(item, TextBox) else item.points[0]
 
 
+_CLASSES = {0.0: "none", 2.0: "class II", 3.0: "class III"}
+
+
 @each(DRAFTED)
 def test_a_line_on_a_sheet_ends_with_the_number_of_the_answer(name: str) -> None:
     solution = drafted(name)
@@ -104,7 +108,27 @@ def test_a_line_on_a_sheet_ends_with_the_number_of_the_answer(name: str) -> None
     for answer in solution.answers.values():
         if answer.is_place or answer.undefined or answer.reading.unit == YES_NO:
             continue
+        if answer.key.startswith("class_"):
+            assert plain(short_line(answer, solution, "en")) == _CLASSES[answer.drawn], answer.key
+            continue
         assert drawn_number(answer) in plain(short_line(answer, solution, "en")), answer.key
+
+
+@pytest.mark.parametrize(
+    ("name", "key", "lang", "said"),
+    [
+        ("6-2", "static", "en", "statically balanced (ΣW = 0): yes"),
+        ("6-2", "dynamic", "zh", "动平衡（ΣW l = 0）：否"),
+        ("2-10", "class_5", "zh", "机构级别（原动件 5）：Ⅲ 级"),
+        ("2-10", "class_1", "en", "class (link 1 driving): class II"),
+    ],
+)
+def test_what_has_no_number_is_told_on_a_sheet_by_its_name_in_words(name: str, key: str, lang: Lang, said: str) -> None:
+    solution = solve(load(name), repeats=0, by="exact")
+    assert plain(named_line(solution.answers[key], solution, lang)) == said
+    sheets_ = concluded(sheets(solution.construction, on=solution.problem.paper, plates=True), solution, "zh")
+    wide = layout(named_line(solution.answers[key], solution, "zh"), SIZES[0]).width
+    assert any(isinstance(one, TextBox) and one.box.width == pytest.approx(wide) for one in sheets_[-1].results)
 
 
 def test_most_problems_that_are_drawn_say_on_a_sheet_what_came_out() -> None:

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 import vecpoly
 from tests.laws import often
 from tests.machine.engines import DATA, PISTON, engine
+from vecpoly.algebra.formula import plain
 from vecpoly.check.truth import exact_values
 from vecpoly.errors import DeadPointError, ProblemFileError
 from vecpoly.mechanism.asked.machine import equivalents
@@ -53,6 +54,13 @@ def test_exercise_7_1_comes_to_round_numbers_wherever_the_guide_is() -> None:
     answers = vecpoly.load("7-1").solve(by="exact").answers
     assert [answers[key].drawn for key in ("J_e", "M_e")] == pytest.approx([0.05, -50.0], rel=1e-9)
     assert [answers[key].drawn for key in ("m_e5", "F_e5")] == pytest.approx([20.0, -1000.0], rel=1e-9)
+
+
+def test_exercise_7_1_measures_no_ratio_of_a_velocity_to_itself_and_tabulates_no_single_mass() -> None:
+    steps = vecpoly.solve(vecpoly.load("7-1"), by="exact", repeats=0).construction.steps
+    lines = [plain(line) for step in steps for line in step.formulas]
+    assert "m_e5 = m_5 = 20 kg" in lines and not any(line.startswith("v_F/v_F") for line in lines)
+    assert any(line.startswith("v_F/ω_1") for line in lines) and not any(step.listing for step in steps)
 
 
 @pytest.mark.parametrize("id", ["six-bar-dynamic", "slider-crank-dynamic", "4-7"])

@@ -28,6 +28,19 @@ def test_every_point_of_a_column_has_one_place(texts: list[str]) -> None:
     assert max(points) - min(points) < 1e-9
 
 
+def test_a_value_beside_its_length_on_paper_stands_by_its_own_point() -> None:
+    texts = ("0.077 m/s", "210 mm ≙ 0.08085 m/s", "−12.6 m/s")
+    column = aligned(texts, EM, False)
+    points = []
+    for text in texts:
+        indent = column.indent(text, 80.0)
+        assert indent is not None
+        points.append(indent + aligned([text], EM, False).before)
+    assert max(points) - min(points) < 1e-9
+    before = aligned(texts[1:2], EM, False).before
+    assert before > aligned(["210 mm ≙"], EM, False).width
+
+
 def test_what_is_no_number_is_centred() -> None:
     assert aligned(["0.5", "—"], EM, False).indent("—", 40.0) is None
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import pairwise
 
 import pytest
@@ -30,11 +31,34 @@ PIECES = st.sampled_from(
 def test_no_line_starts_or_ends_with_what_may_not(pieces: list[str], width: float) -> None:
     found = cells("".join(pieces), EM, True)
     broken = break_lines(found, width, EM)
-    assert [cell for line in broken for cell in line.cells] == found
+    assert _said(cell for line in broken for cell in line.cells) == _said(found)
     for before, after in pairwise(broken):
         runs_on = _unbreakable(before.cells) or _unbreakable((*before.cells, after.cells[0]))
         assert runs_on or after.cells[0].text not in NO_START
         assert runs_on or before.cells[-1].text not in NO_END
+
+
+def _said(row: Iterable[Cell]) -> str:
+    """What the cells say, whether or not a formula is cut in two."""
+    return "".join(cell.source.piece if cell.source else cell.text for cell in row).replace(" ", "")
+
+
+LONG = ("$F = 3n − 2p_L − p_H$", "$δ = (ω_max − ω_min) / |ω_m| = 1.66$", "$φ$ = 191.5°", "（$l_AB + l_BC = l_AD$）")
+
+
+@settings(max_examples=often(40))
+@given(st.integers(40, 120), st.sampled_from(LONG))
+def test_no_line_is_stretched_for_the_sake_of_a_formula(count: int, formula: str) -> None:
+    text = "构件上各点的速度方向与其到瞬心的连线垂直故可由" * 6
+    for line in break_lines(cells(f"{text[:count]}{formula}。{text[:60]}", EM, True), 155.0, EM):
+        assert line.last or 0.0 < fit(line, 155.0, "justify").unit + 1e-9 < 0.1 * EM
+
+
+def test_a_line_that_would_be_stretched_ends_with_a_sign_of_the_formula_after_it() -> None:
+    text = "其中一处把自由度公式印成一个等式如下所示的式子，由此可知"
+    first, *_ = break_lines(cells(f"{text}$F = 3n − 2p_L − p_H$。", EM, True), EM * 32.5, EM)
+    ends = first.cells[-1].source
+    assert ends is not None and ends.piece.endswith(("=", "−")) and fit(first, EM * 32.5, "justify").unit < 0.08 * EM
 
 
 def _unbreakable(row: tuple[Cell, ...]) -> bool:

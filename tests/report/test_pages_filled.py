@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.drawn_library import IDS, drawn
 from tests.each import each
 from tests.laws import few
@@ -10,7 +12,9 @@ from vecpoly.report.flow.blocks import Divider, SheetPage
 from vecpoly.report.flow.doc import Metadata, ReportDoc
 from vecpoly.report.flow.paging.running import run_on
 from vecpoly.report.flow.paging.tight import settled
+from vecpoly.report.flow.paging.together import first_of
 from vecpoly.report.flow.para import Para
+from vecpoly.report.flow.results.box import AnswerBox
 from vecpoly.report.flow.xml import to_flowables
 from vecpoly.solution import Solution
 from vecpoly.words import Lang
@@ -45,6 +49,15 @@ def test_only_the_last_page_of_a_report_may_be_mostly_white(name: str) -> None:
     lang: Lang = "zh" if name in SHORT or len(name) % 2 else "en"
     doc = laid_out([drawn(name).solution], lang)
     assert not sparse(doc) and not doc.widows and not doc.parted
+
+
+@pytest.mark.parametrize("name", ["motor-run-up", "tipper"])
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_no_box_of_answers_is_parted_from_the_last_step(name: str, lang: Lang) -> None:
+    doc = laid_out([drawn(name).solution], lang)
+    assert not any(isinstance(first_of(head), AnswerBox) for head in doc.heads.values()) and not doc.parted
+    held = [item for item in doc.story if isinstance(item, AnswerBox)]
+    assert len(held) == 1
 
 
 def test_a_problem_begins_on_the_page_on_which_another_ends_early() -> None:
@@ -85,7 +98,7 @@ def test_a_sheet_that_waits_for_more_pages_than_the_text_has_stands_at_its_end()
 
 
 def test_nothing_but_a_rule_parts_two_problems_of_one_page() -> None:
-    one = laid_out([drawn(name).solution for name in ("3-1a", "8-5")], "zh")
+    one = laid_out([drawn(name).solution for name in ("3-1e", "8-5")], "zh")
     kinds = [type(item) for item in one.story]
     assert kinds.count(Divider) == 1
 

@@ -28,8 +28,15 @@ def worked(result: Node, expr: Expr, unit: str, shown: str = "") -> Row:
     if isinstance(expr, Quantity):
         return Row((result, end))
     formula = expr.symbol()
+    if _is_lone(expr):
+        return Row((result, Txt(" = "), formula, end), expr)
     said = () if isinstance(expr, Quotient) and _bare(formula) == _bare(result) else (Txt(" = "), formula)
     return Row((result, *said, Txt(" = "), keyed_in(expr, shown), end), expr)
+
+
+def _is_lone(expr: Expr) -> bool:
+    """Whether it is one quantity under another name, whose number is the result: J_e = J_1 = 0.2 kg·m²."""
+    return isinstance(expr, Product) and len(expr.factors) == 1 and isinstance(expr.factors[0], Quantity)
 
 
 def _bare(node: Node) -> str:
@@ -46,6 +53,8 @@ def told_again(line: Row, end: Txt, shown: str, told: Callable[[Node, float], st
     Its numbers are those with which a reader gets this end: as they are told elsewhere, or with guard figures.
     """
     expr, digits = _as_told(line, shown, told)
+    if _is_lone(expr):
+        return Row((*line.items[:-1], end))
     return Row((*line.items[:-_END], expr.numbers(digits), end))
 
 

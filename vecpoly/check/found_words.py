@@ -23,8 +23,15 @@ def told(one: Verified) -> Words:
 def _parts(one: Verified) -> list[Words]:
     parts = []
     if one.kind is not None:
-        margin = f"{one.margin:.4g}".replace("-", "−")
-        parts.append(one.kind + Words(f"（杆长和余量 {margin} mm）", f" (margin of lengths {margin} mm)"))
+        margin = f"{abs(one.margin):.4g} mm"
+        parts.append(
+            one.kind
+            + Words(
+                f"（最短杆与最长杆之和比其余两杆之和{'大' if one.margin < 0 else '小'} {margin}）",
+                f" (shortest and longest link together {margin} {'more' if one.margin < 0 else 'less'} "
+                "than the two others)",
+            )
+        )
     full = Words("主动件可整周转动", "the driver turns right round")
     parts.append(full if one.full else Words("主动件不能整周转动", "the driver cannot turn right round"))
     if isfinite(one.ratio):

@@ -24,7 +24,7 @@ SPEED = register(
     View(
         name="speed",
         order=78,
-        title=Words("转速曲线 $ω$–$t$", "Speed $ω$ over time"),
+        title=Words("转速曲线 $ω$–$t$", "Speed $ω$ over time $t$"),
         called=Words("转速曲线", "the curve of the speed"),
         mu=TURNS.mu,
         across=Mu(

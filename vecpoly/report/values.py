@@ -17,7 +17,9 @@ from ..words import Lang, Words
 
 _UNDEFINED = Words("无意义", "undefined")
 _YES, _NO = Words("是", "yes"), Words("否", "no")
-_STRUCTURAL = {"class_": Words("机构级别", "class"), "groups_": Words("杆组数", "number of groups")}
+_GROUPS, _CLASS = "groups_", "class_"
+_CLASSES = {1: ("Ⅰ", "I"), 2: ("Ⅱ", "II"), 3: ("Ⅲ", "III"), 4: ("Ⅳ", "IV"), 5: ("Ⅴ", "V"), 6: ("Ⅵ", "VI")}
+_BALANCED = {"static": Words("静平衡", "statically balanced"), "dynamic": Words("动平衡", "dynamically balanced")}
 _STATION = re.compile(r"(s|psi|alpha|r|P)_[\d.]+")  # of a cam, or of Freudenstein: s_0 is no s without friction
 _CURVED = {
     "W": Words("拐点极", "inflection pole"),
@@ -67,6 +69,17 @@ def is_efficiency(key: str, unit: str) -> bool:
     return not unit and key.partition("_")[0] == "eta"
 
 
+def is_class(key: str) -> bool:
+    """Whether the quantity is the class of a mechanism, which is told by a Roman numeral: class_1, class_1+3."""
+    return key.startswith(_CLASS)
+
+
+def class_told(rank: float, lang: Lang) -> str:
+    """Ⅲ 级, class III; of what cannot be taken apart that."""
+    zh, en = _CLASSES.get(int(rank), (f"{rank:g}", f"{rank:g}"))
+    return Words(f"{zh} 级", f"class {en}").of(lang) if rank else Words("不能拆分", "none").of(lang)
+
+
 def called(symbol: str, key: str, lang: Lang) -> str:
     """A symbol as a table's line begins; told apart where one symbol is found in several ways."""
     if key.startswith("self_locking"):
@@ -79,9 +92,13 @@ def called(symbol: str, key: str, lang: Lang) -> str:
         return f"${symbol}$"
     if key == "determined":
         return "运动确定" if lang == "zh" else "the motion is determined"
-    name = next((words.of(lang) for stem, words in _STRUCTURAL.items() if key.startswith(stem)), None)
-    if name is not None:
-        return f"{name} ${symbol}$"
+    if key in _BALANCED:
+        return f"{_BALANCED[key].of(lang)}（${symbol}$）" if lang == "zh" else f"{_BALANCED[key].en} (${symbol}$)"
+    if is_class(key):
+        drivers = key.removeprefix(_CLASS).split("+")
+        return Words(f"机构级别（原动件 {'、'.join(drivers)}）", f"class (link {', '.join(drivers)} driving)").of(lang)
+    if key.startswith(_GROUPS):
+        return Words(f"杆组数 ${symbol}$", f"number of groups ${symbol}$").of(lang)
     way = next((words for ending, words in _WAYS.items() if key.endswith(ending)), None)
     if way is None or (key.endswith("_0") and key.startswith("R_")):
         return f"${symbol}$"

@@ -18,6 +18,10 @@ _HEADINGS = {
 }
 
 
+_GAP: dict[Lang, str] = {"zh": "　", "en": "  "}
+_AFTER: dict[Lang, str] = {"zh": "", "en": " "}
+
+
 def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tuple[str, str]]:
     """What is to be said of the printed answers, as (kind of box, text)."""
     said: list[tuple[str, str]] = []
@@ -42,10 +46,13 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
             ("pass", Words("原书答案与精确值相符。", "The textbook answers agree with the exact values.").of(lang))
         )
     said += [("note", e.of(lang)) for e in solution.problem.errata]
-    return [
-        (kind, _HEADINGS[kind].of(lang) + _listed([text for k, text in said if k == kind], lang))
+    boxes = [
+        (kind, _HEADINGS[kind].of(lang), _listed([text for k, text in said if k == kind], lang))
         for kind in dict.fromkeys(k for k, _ in said)
     ]
+    if checked.whole is not None:  # one error, which the others tell of: one box
+        return [("fail", _GAP[lang].join(f"**{head.strip()}**{_AFTER[lang]}{text}" for _, head, text in boxes))]
+    return [(kind, head + text) for kind, head, text in boxes]
 
 
 def _listed(texts: Sequence[str], lang: Lang) -> str:
@@ -53,5 +60,4 @@ def _listed(texts: Sequence[str], lang: Lang) -> str:
     texts = [stopped(text, lang) for text in texts]
     if len(texts) == 1:
         return texts[0]
-    gap = "　" if lang == "zh" else "  "
-    return gap.join(f"({i}) {text}" for i, text in enumerate(texts, 1))
+    return _GAP[lang].join(f"({i}) {text}" for i, text in enumerate(texts, 1))

@@ -17,6 +17,7 @@ from .flow.table import DataTable
 
 _NUMBER = Words("解", "No.")
 _NONE, _YES, _NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
+MARGIN = Words("杆长余量", "Margin")  # the template says of what
 _BESIDE = frozenset({"K", "psi", "H", "gamma_min"})  # keys of what is moved and found exactly too
 _BARS = (("A", "B"), ("B", "C"), ("C", "D"))
 
@@ -35,6 +36,11 @@ def verification_table(solution: Solution, lang: Lang) -> DataTable | None:
     header = [_NUMBER.of(lang), *(lines[0][n][0].of(lang) for n in told)]
     rows = [[str(one.number), *(line[n][1].of(lang) for n in told)] for one, line in zip(moved, lines, strict=True)]
     return DataTable(header, rows, None, "c" * len(header), lang=lang)
+
+
+def has_margin(solution: Solution) -> bool:
+    """Whether the margin of the sum of lengths stands in that table."""
+    return any(one.broken is None and one.kind is not None for one in solution.verification)
 
 
 def beside_exact(solution: Solution) -> bool:
@@ -61,7 +67,8 @@ class _Line:
             (Words("杆长相差", "Length error"), self._closes()),
             (Words("同回路同分支", "One circuit, branch"), self._yes()),
             (Words("次序", "Order"), self._order()),
-            (Words("机构类型（余量）", "Type (margin)"), self._type()),
+            (Words("机构类型", "Type"), _NONE if one.kind is None else one.kind),
+            (MARGIN, _NONE if one.kind is None else Words.same(f"{number(one.margin)} mm")),
             (Words("整周转动", "Turns fully"), _YES if one.full else _NO),
             (Words.same("$K$"), self._beside(one.ratio, "K", "", 4)),
             (Words("摆角", "Swing") if swings else Words("行程", "Stroke"), self._beside(one.stroke, stroke, unit, 4)),
@@ -101,12 +108,6 @@ class _Line:
     def _order(self) -> Words:
         order = " → ".join(map(str, range(1, self.positions + 1)))
         return Words.same(order) if self.positions > 2 else _NONE
-
-    def _type(self) -> Words:
-        one = self.moved
-        if one.kind is None:
-            return _NONE
-        return one.kind + Words.same(f" ({number(one.margin)} mm)")
 
     def _beside(self, value: float, key: str, unit: str, digits: int) -> Words:
         if not isfinite(value):

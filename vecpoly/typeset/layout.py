@@ -135,6 +135,20 @@ def pieces(node: Node) -> tuple[str, ...]:
     return tuple(written(part) for part in _cut(node, False, Kind.RELATION))
 
 
+def halves(node: Node, piece: str, em: float, bold: bool = False) -> list[tuple[tuple[Box, str], tuple[Box, str]]]:
+    """A piece of running text (or a whole formula) cut in two after each of its signs, with what the halves say."""
+    whole = atoms((node,))
+    row = next((part for part in _cut(node, False, Kind.RELATION) if written(part) == piece), whole)
+    cuts = [i + 1 for i, atom in enumerate(row[:-1]) if _ends_a_line(atom)]
+    parts = ((row[:cut], row[cut:]) for cut in cuts)
+    return [((_set(a, em, bold), written(a)), (_set(b, em, bold), written(b))) for a, b in parts]
+
+
+def _ends_a_line(atom: Atom) -> bool:
+    """A relation, a plus or minus, a stroke with blanks about it: not that of m/s."""
+    return atom.kind in (Kind.RELATION, Kind.BINARY) or (atom.kind is Kind.TIGHT and atom.body == "/" and atom.spaced)
+
+
 def _cut(node: Node, before: bool, at: Kind) -> list[list[Atom]]:
     row = atoms((node,))
     cuts = [i if before else i + 1 for i, atom in enumerate(row) if atom.kind is at]

@@ -95,7 +95,8 @@ class Positions(Design):
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """The positions, the pins, the lines."""
-        poses = tuple((f"S_{{{n}}}", pose.text) for n, pose in enumerate(self.poses, 1))
+        lined = len(self.body) < 2  # with two pins of its own the body is drawn as the line that joins them
+        poses = tuple((_pose(n, lined), pose.text) for n, pose in enumerate(self.poses, 1))
         pins = tuple((letter, place.text) for letter, place in (*self.body.items(), *self.frame.items()))
         lines = tuple(said(letter, line) for letter in "ABCD" if (line := self._line(letter)))
         return (*poses, *pins, *lines)
@@ -122,6 +123,11 @@ class Positions(Design):
         sought, known, carrier = (fixed, moving, FRAME) if moving in self.body else (moving, fixed, _BODY)
         line = self._line(sought)
         return Find(pin=sought, on=carrier, known=known, lies=None if line is None else on(line), kept=self.onto - 1)
+
+
+def _pose(n: int, lined: bool) -> str:
+    """S_1; with the line PQ by which it is drawn."""
+    return f"S_{{{n}}} (P_{{{n}}}Q_{{{n}}})" if lined else f"S_{{{n}}}"
 
 
 def _letters(key: str, places: dict[str, Place], known: str) -> None:

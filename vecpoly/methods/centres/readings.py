@@ -21,7 +21,7 @@ from .doors import RATIOS, VELOCITIES
 from .find.motions import Motions
 from .find.speeds import draw_speeds, read_centre_speed
 from .find.spots import another_line, measured, spot_of
-from .state import CentreFigure
+from .state import LEVEL, CentreFigure
 
 
 def read_centres(motions: Motions, problem: Problem) -> None:
@@ -136,6 +136,6 @@ def _upright(angle: Reals) -> Reals:
     """A direction without sense, 0 to 180°; its repetitions without a jump."""
     degrees = np.degrees(angle)
     first = float(nominal(degrees)) % 180.0
-    first = 0.0 if 180.0 - first < 1e-7 else first
+    first = 0.0 if 180.0 - first < LEVEL else first
     near: Reals = first + (degrees - first + 90.0) % 180.0 - 90.0
     return near if np.ndim(near) else traced(first, acts_of(angle))

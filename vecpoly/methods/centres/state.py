@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from cmath import phase
 from dataclasses import dataclass
+from math import degrees
 
 import numpy as np
 
@@ -23,6 +25,7 @@ from .theorem.search import Known
 BEYOND = 5.0  # mm a line runs on beyond the outermost of its centres
 MANY = 7  # links: with as many, lines are drawn only where they cut
 GAP, ARROW = 5.0, 13.0  # mm from a slide to the arrow that shows the way to its centre at infinity; its length
+LEVEL = 1e-7  # deg: within which a direction is level, and told as 0°
 TO_LETTER = 1.5  # mm from an arrow's tip to its letter
 
 
@@ -81,11 +84,11 @@ class CentreFigure:
         self.board.keep(*place_read(key, symbol, mm, self.paper.scale))
 
     def letter(self, pair: Pair, dot: Dot, start: complex) -> None:
-        """Letter a centre: a point, or an arrow from `start` towards infinity;
-        one off the paper is lettered at its lines."""
+        """Letter a centre: a point, or an arrow from `start` towards infinity, in the sense in which its direction is
+        told; one off the paper is lettered at its lines."""
         found = self.known.of(*pair)
         if found.along is not None:  # from now on its direction is that of its arrow
-            way = traced(self._outwards(start, found.way()), acts_of(found.along))
+            way = traced(upright(found.way()), acts_of(found.along))
             arrow = self.point_out(start, way, self.letters(*pair))
             self.known.centres[pair] = Centre(along=traced(found.along, arrow))
         elif pair not in self.paper.far:
@@ -134,12 +137,8 @@ class CentreFigure:
         ]
         return at + way * float(min(reach))
 
-    def _outwards(self, start: complex, way: complex) -> complex:
-        """Of both senses the one that leads to the nearer edge of the paper; up where both are alike."""
-        ahead, back = (self.edge(start, w) for w in (way, -way))
-        if ahead is None or back is None:
-            return way
-        gap = abs(ahead - start) - abs(back - start)
-        if abs(gap) < 1.0:
-            return way if (way.imag, way.real) > (-way.imag, -way.real) else -way
-        return way if gap < 0 else -way
+
+def upright(way: complex) -> complex:
+    """Of both senses of a direction the one from 0 to 180°, by which it is told."""
+    turn = degrees(phase(way)) % 360.0
+    return way if turn < 180.0 - LEVEL or turn > 360.0 - LEVEL else -way

@@ -77,14 +77,15 @@ def _say(st: Statics, to: Equivalent) -> None:
 
 
 def _inertia(st: Statics, to: Equivalent, moved: Motion) -> None:
-    """Every mass by its ratios, as a table; then their sum."""
+    """Every mass by its ratios, several as a table; then their sum."""
     terms: list[Expr] = []
     rows: list[_Row] = []
     for mass in st.loads.masses:
         found = [_moving(st, mass, moved), _turning(st, mass, moved)]
         terms += [term for _, term in found if term is not None]
         rows.append(_row(st, mass, found))
-    st.board.tabulate(_table(moved, rows, to.inertia.unit))
+    if len(rows) > 1:
+        st.board.tabulate(_table(moved, rows, to.inertia.unit))
     if not terms:
         keep_nothing(st, to.inertia)
         return
@@ -97,7 +98,12 @@ _Found = tuple[Quantity | None, Expr | None]
 
 
 def _moving(st: Statics, mass: Mass, moved: Motion) -> _Found:
-    """v_S over the motion of the equivalent link, and m (v_S / ω)²; nothing of a centre at rest."""
+    """v_S over the motion of the equivalent link, and m (v_S / ω)²; nothing of a centre at rest.
+
+    All points of a slider move alike: of the equivalent link itself the ratio is 1, and need not be worked out.
+    """
+    if mass.link == moved.link and moved.slides:
+        return magnitude("1", 1.0, ""), Product((magnitude(f"m_{{{mass.link}}}", mass.mass, "kg"),))
     board, at = st.board, At(mass.centre, mass.link)
     tip = found_tip(st.desk, View.VELOCITY, at)
     if abs(complex(nominal(tip))) < NO_LENGTH:

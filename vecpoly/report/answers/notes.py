@@ -10,6 +10,7 @@ from ...board.said.short import TOO_SHORT
 from ...printed.digits import coarse, on_paper
 from ...solution import YES_NO, Answer
 from ...words import Lang, Words
+from ..values import is_class
 
 HOPELESS = 0.5  # share of a value: with a reading error above it, nothing was read
 UNREADABLE = Words("此值过小，按本图的比例尺读不准", "too small to be read at this scale")
@@ -43,10 +44,15 @@ def _remarks(answers: Iterable[Answer], lang: Lang) -> Iterator[str]:
     found = dict[str, list[str]]()
     for one in answers:
         if text := remark_of(one, lang):
-            found.setdefault(text, []).append("" if one.reading.unit == YES_NO else f"${one.reading.symbol}$")
+            found.setdefault(text, []).append(_symbol(one))
     for text, symbols in found.items():
         named = _listed(filter(None, symbols), lang)
         yield f"{named}{_COLON[lang]}{text}" if named else text[:1].upper() + text[1:]
+
+
+def _symbol(answer: Answer) -> str:
+    """What a remark is about; nothing where it says so itself."""
+    return "" if answer.reading.unit == YES_NO or is_class(answer.key) else f"${answer.reading.symbol}$"
 
 
 def _hardly(answers: Sequence[Answer], lang: Lang) -> Iterator[str]:

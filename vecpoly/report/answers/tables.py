@@ -16,7 +16,7 @@ from ...typeset.box import Rgb
 from ...words import Lang, Words
 from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
-from ..values import called, direction_of_load, rough, value
+from ..values import called, class_told, direction_of_load, is_class, rough, value
 from .errors import NOTHING, alike, expected_errors
 from .order import listed
 
@@ -149,9 +149,11 @@ def _row(answer: Answer, problem: Problem, lang: Lang, unit: str) -> tuple[str, 
 
 
 def _plain(answer: Answer, size: float, lang: Lang) -> str:
-    """What is no number: yes, no, undefined; the direction of a place at infinity."""
+    """What is no number: yes, no, undefined; a class; the direction of a place at infinity."""
     if answer.reading.unit == YES_NO or answer.undefined:
         return value(size, YES_NO, lang)
+    if is_class(answer.key):
+        return class_told(size, lang)
     return f"∞, {angle(size)}" if answer.is_place else ""
 
 

@@ -14,10 +14,10 @@ from ...tagging.references import called
 from ...typeset.atoms import THICK
 from ...typeset.box import Box, beside
 from ...typeset.fonts import Face, glyph
-from ...typeset.layout import layout, pieces, segments
+from ...typeset.layout import halves, layout, pieces, segments
 from ...typeset.runs import latin, raised, run
 from ...typeset.words import ROMAN, is_han
-from .text.held import held
+from .text.held import held, is_relation
 
 NO_START = frozenset("，。、；：？！）〕］｝》〉」』】”’…—·～℃％")
 NO_END = frozenset("（〔［｛《〈「『【“‘￥№")
@@ -54,15 +54,18 @@ class Cell:
     trail: float = 0.0
     source: Source | None = None
     goal: str = ""  # the place that it calls, a part of a reference
+    bold: bool = False  # of a formula
 
 
 @dataclass(frozen=True, slots=True)
 class Gap:
-    """The space between two cells: width (mm), share of what justification adds, whether a line may end."""
+    """The space between two cells: width (mm), share of what justification adds, whether a line may end; at worst:
+    whether it may where it would be stretched too far else."""
 
     width: float
     stretch: float
     breakable: bool
+    at_worst: bool = False
 
 
 def cells(text: str, em: float, chinese: bool, bold: bool = False) -> list[Cell]:
@@ -93,7 +96,7 @@ def _formula(text: str, em: float, bold: bool, spaced: bool) -> list[Cell]:
     boxes = _segments(text, em, bold)
     sources = _sources(text, len(boxes))
     return [
-        Cell(Kind.FORMULA, box, "$", spaced and i == 0, i > 0, source=source)
+        Cell(Kind.FORMULA, box, "$", spaced and i == 0, i > 0, source=source, bold=bold)
         for i, (box, source) in enumerate(zip(boxes, sources, strict=True))
     ]
 
@@ -103,6 +106,20 @@ def _sources(text: str, count: int) -> tuple[Source, ...]:
     """What each of so many pieces says; a short formula is one piece."""
     said = pieces(row(text))
     return tuple(Source(text, piece) for piece in (said if len(said) == count else (" ".join(said),)))
+
+
+def parted(cell: Cell, em: float) -> list[tuple[Cell, Cell]]:
+    """A piece of a formula cut in two after each of its signs, for a line that would be stretched too far else."""
+    if cell.kind is not Kind.FORMULA or cell.source is None or not cell.source.text:
+        return []
+    text = cell.source.text
+    return [
+        (
+            replace(cell, box=head, source=Source(text, first)),
+            replace(cell, box=tail, source=Source(text, rest), spaced=False, joined=True),
+        )
+        for (head, first), (tail, rest) in halves(row(text), cell.source.piece, em, cell.bold)
+    ]
 
 
 @lru_cache(maxsize=4096)
@@ -170,7 +187,9 @@ def chopped(cell: Cell, width: float, em: float, bold: bool) -> list[Cell]:
 def gap(a: Cell, b: Cell, em: float) -> Gap:
     """The space between two neighbouring cells."""
     found = _gap(a, b, em)
-    return replace(found, breakable=False) if found.breakable and held(a.text, b.text) else found
+    if not (found.breakable and held(a.text, b.text)):
+        return found
+    return replace(found, breakable=False, at_worst=is_relation(a.text))
 
 
 def _gap(a: Cell, b: Cell, em: float) -> Gap:

@@ -11,9 +11,10 @@ from ...tagging.tree import Open
 from ...typeset.box import MM, Glyphs
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
-from .cells import BLANK, Cell, Gap, Kind, gap
+from .cells import BLANK, Cell, Gap, Kind, gap, parted
 
 _LOOSEST = 0.5  # em added to a gap beyond which a line is rather left ragged
+_NORM = 0.08  # em added to a gap beyond which a line is rather broken within a formula
 _LEAST_GAP = 0.75  # how far blanks may shrink before a line is broken earlier
 
 
@@ -33,16 +34,49 @@ class Line:
 
 
 def break_lines(cells: Sequence[Cell], width: float, em: float, first: float = 0.0) -> list[Line]:
-    """Greedy lines of the given width (mm), the first one indented."""
+    """Greedy lines of the given width (mm), the first one indented; none stretched too far that could be fuller."""
     lines: list[Line] = []
+    cells = list(cells)
     gaps = [gap(a, b, em) for a, b in pairwise(cells)]
     start = 0
     while start < len(cells):
         indent = first if start == 0 else 0.0
         end = _fill(cells, gaps, start, width - indent)
-        lines.append(_line(cells, gaps, start, end, indent, em))
+        line = _line(cells, gaps, start, end, indent, em)
+        if not line.last and _is_loose(line, width):
+            end = _fuller(cells, gaps, start, end, width - indent, em)
+            line = _line(cells, gaps, start, end, indent, em)
+        lines.append(line)
         start = end
     return lines
+
+
+def _is_loose(line: Line, width: float) -> bool:
+    return width - line.indent - line.width > _NORM * line.em * sum(g.stretch for g in line.gaps)
+
+
+def _fuller(cells: list[Cell], gaps: list[Gap], start: int, end: int, width: float, em: float) -> int:
+    """The index after the last cell of a line that goes on into what is kept together after it: as far as a relation's
+    sign, or a sign within a formula, which is cut there; its end where neither fits."""
+    best, cut = end, None
+    for at in range(end, len(cells)):
+        for halves in parted(cells[at], em):
+            if _fits(cells, gaps, start, at, halves[0], width):
+                best, cut = at + 1, halves
+        if not _fits(cells, gaps, start, at, cells[at], width) or at == len(gaps):
+            break
+        if gaps[at].at_worst:
+            best, cut = at + 1, None
+    if cut is not None:
+        cells[best - 1 : best] = cut
+        gaps[best - 1 : best - 1] = [gap(*cut, em)]
+    return best
+
+
+def _fits(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, at: int, last: Cell, width: float) -> bool:
+    """Whether a line that ends with this cell in that place is no wider than it may be."""
+    used = sum(cell.box.width for cell in cells[start:at]) + sum(g.width for g in gaps[start:at]) + last.box.width
+    return used - cells[start].lead - last.trail <= width
 
 
 def _fill(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, width: float) -> int:

@@ -135,6 +135,8 @@ class _Reader:
                         f"unknown; known are {', '.join(sorted(self._readers))}",
                     ),
                 )
+            if child.tag == "answer" and isinstance(out[-1] if out else None, Block) and out[-1].tag.within is not None:
+                out[-1].keepWithNext = 1  # the box of answers stands with the last step
             out.extend(reader(child))
         return out
 

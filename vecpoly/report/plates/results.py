@@ -9,7 +9,7 @@ from ...drawing.sheets.results import Listed, with_results
 from ...drawing.sheets.sheet import Sheet
 from ...solution import YES_NO, Answer, Solution
 from ...words import Lang
-from ..answers.line import short_line
+from ..answers.line import named_line
 from ..answers.order import arranged
 
 _READ_FROM = {"omega": View.VELOCITY, "alpha": View.ACCELERATION}
@@ -21,7 +21,7 @@ def concluded(
     """The sheets with the answers that were read on them, where they have room; what was read on none, on the last.
     keys: of the answers that are told; None: all."""
     answers = [one for key, one in solution.answers.items() if keys is None or key in keys]
-    kept = [one for one in answers if not one.is_place and one.reading.unit != YES_NO]
+    kept = [one for one in answers if not one.is_place]
     home = {one.key: _home(one, made, solution) for one in kept}
     own = [[one for one in kept if home[one.key] == n] for n in range(len(made))]
     return tuple(
@@ -31,14 +31,17 @@ def concluded(
 
 
 def _attempts(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list[list[Listed]]:
-    """In full, then without what was read on paper; in the order of the box of answers."""
-    parts = arranged(answers)
+    """In full, then without what was read on paper, then without yes and no; in the order of the box of answers."""
+    every = list(answers)
+    numbers = [one for one in every if one.reading.unit != YES_NO]
+    tried = [(every, True), (every, False), *([(numbers, read) for read in (True, False)] if numbers != every else [])]
+    return [_listed(some, solution, lang, read) for some, read in tried if some]
+
+
+def _listed(answers: Iterable[Answer], solution: Solution, lang: Lang, read: bool) -> list[Listed]:
     return [
-        [
-            Listed(part.heading(lang), tuple(short_line(one, solution, lang, read=read) for one in part.answers))
-            for part in parts
-        ]
-        for read in (True, False)
+        Listed(part.heading(lang), tuple(named_line(one, solution, lang, read=read) for one in part.answers))
+        for part in arranged(answers)
     ]
 
 

@@ -13,13 +13,14 @@ from ....board.paper.marks import Dot, Role
 from ....devices.balancing.field import FieldBalancing, bearing, effect, spread, weight
 from ....devices.balancing.unclear import check_effect, check_spread, no_meeting
 from ....errors import AssemblyError
-from ....plane import Points, nominal, unit
+from ....plane import Points, cross, nominal, unit
 from ....words import Words
 from ..bench import Bench
 from ..rotor.polygon import heading, stated_bearing
 from .view import rotor_seen, vibrations, weight_seen
 
 HALF = 0.35  # rad: to either side of a meeting that an arc is drawn
+LEVEL = 1e-6  # sine of the angle under which directions are one line
 
 
 def by_arcs(bench: Bench, device: FieldBalancing) -> None:
@@ -128,19 +129,40 @@ def _both(bench: Bench, device: FieldBalancing, centres: Sequence[Points]) -> No
     """Two arcs leave two answers; a third run would decide."""
     board, view = bench.board, vibrations(device)
     pair = _meetings(bench, device, centres, 0, 1)
-    board.step(
-        Words(
-            "只有两次试重：两弧交于 $Q_1$、$Q_2$，两个解都符合读数，须再试一次才能取舍。",
-            "Only two trial runs: the arcs meet at $Q_1$ and $Q_2$, and both fit the readings. A third run decides.",
-        ),
-        view,
-    )
+    board.step(_why_both(centres), view)
     ordered = sorted(pair, key=lambda q: float(np.degrees(np.angle(nominal(q)))) % 360.0)
     for which, at in enumerate(ordered, 1):
         _swung(bench, device, centres, (0, 1), at)
         for k in (0, 1) if which == 1 else ():
             _radius(bench, device, centres, k, at)
         _answer(bench, device, board.locate(view, f"Q_{which}", at), f"Q_{which}", f"_{which}")
+
+
+def _why_both(centres: Sequence[Points]) -> Words:
+    """The meetings mirror each other in the line of the centres; with O on it their distances from O are equal."""
+    one, other = (complex(nominal(at)) for at in centres)
+    on_it = abs(float(cross(one, other))) < LEVEL * abs(one) * abs(other)
+    where = (
+        Words(
+            "试重方位点 1、2 与 $O$ 共线，两弧的交点 $Q_1$、$Q_2$ 关于这条直线对称，$OQ_1$ = $OQ_2$，"
+            "故校正质量大小相同，方位对称于这条直线",
+            "the trial points 1, 2 and $O$ are collinear, and the intersections $Q_1$, $Q_2$ of the arcs are mirror "
+            "images in that line: $OQ_1$ = $OQ_2$, so that the corrections are equal and lie symmetrically about it",
+        )
+        if on_it
+        else Words(
+            "两弧的交点 $Q_1$、$Q_2$ 关于圆心连线 12 对称",
+            "the intersections $Q_1$, $Q_2$ of the arcs are mirror images in the line 12 of their centres",
+        )
+    )
+    return (
+        Words("只有两次试重：", "Only two trial runs: ")
+        + where
+        + Words(
+            "；两个解都符合读数（只测大小，不测相位），须在该直线以外的方位再试一次才能取舍。",
+            "; both fit the readings, which have a size and no phase. A third run off that line decides.",
+        )
+    )
 
 
 def _answer(bench: Bench, device: FieldBalancing, q: Points, letter: str, way: str) -> None:

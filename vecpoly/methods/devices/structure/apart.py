@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from ....board.construction import Reading, View
 from ....devices.structure import Structure
 from ....devices.structure_named import class_, groups
@@ -137,21 +135,34 @@ def _class(bench: Bench, taken: Taken, drivers: tuple[str, ...]) -> None:
     board = bench.board
     board.step(
         Words(
-            f"机构{_grouped(taken).zh}，机构的级别等于所含杆组的最高级别：",
-            f"The mechanism has {_grouped(taken).en}; its class is that of its highest group:",
+            f"机构{_grouped(taken).zh}，机构的级别等于所含杆组的最高级别。",
+            f"The mechanism has {_grouped(taken).en}; its class is that of its highest group. ",
         )
+        + _concluded(taken, drivers)
+        + Words("杆组数：", " The number of groups:")
     )
     bench.stated(groups(drivers), float(len(taken.groups)))
+    _keep_class(bench, drivers, taken.rank, None if taken.complete else _concluded(taken, drivers))
+
+
+def _concluded(taken: Taken, drivers: tuple[str, ...]) -> Words:
+    """Of which class the mechanism is with these drivers."""
     told, rank = "、".join(drivers), taken.rank
-    name = Words(
-        f"以构件 {told} 为原动件时，该机构为 {ROMAN.get(rank, str(rank))} 级机构",
-        f"with link{'s' * (len(drivers) > 1)} {', '.join(drivers)} driving this is a class {_latin(rank)} mechanism",
-    )
+    many = "s" * (len(drivers) > 1)
     if not taken.complete:
-        name = Words(
-            f"以构件 {told} 为原动件时，剩下的构件不能组成杆组",
-            f"with {', '.join(drivers)} driving the remaining links form no Assur groups",
+        return Words(
+            f"以构件 {told} 为原动件时，剩下的构件不能组成杆组。",
+            f"With link{many} {', '.join(drivers)} driving the remaining links form no Assur groups.",
         )
-    key = class_(drivers).key
-    bench.stated(class_(drivers), float(rank))
-    bench.board.revise(replace(bench.board.readings[key], remark=name))
+    return Words(
+        f"以构件 {told} 为原动件时，该机构为 {ROMAN.get(rank, str(rank))} 级机构。",
+        f"With link{many} {', '.join(drivers)} driving this is a class {_latin(rank)} mechanism.",
+    )
+
+
+def _keep_class(bench: Bench, drivers: tuple[str, ...], rank: int, remark: Words | None) -> None:
+    """The class is told in words, and kept as a number."""
+    named = class_(drivers)
+    bench.board.keep(
+        Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(rank), remark=remark), float(rank)
+    )

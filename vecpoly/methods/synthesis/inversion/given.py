@@ -37,6 +37,9 @@ def laid_out(draft: Draft, plan: Plan) -> Sheet:
     return sheet
 
 
+_LINE = Words("，$P$ 在所给坐标处，$PQ$ 沿所给方向", ", $P$ at the place given, $PQ$ in the direction given")
+
+
 def _told(plan: Plan) -> Words:
     zh, en = ["选 $μ_l$，画出"], ["Choose $μ_l$ and draw "]
     if fixed := [f"${one.letter}$" for one in plan.pins if one.on == FRAME]:
@@ -48,13 +51,15 @@ def _told(plan: Plan) -> Words:
         en.append(f"the places of the slider's pin {letters.replace('、', ', ')}, ")
     for body in plan.bodies:
         marks = _lines(plan, body)
-        zh.append(f"{_body_zh(body)}{'（' + '、'.join(marks) + '）' if marks else ''}、")
-        en.append(f"{_body_en(body)}{' (' + ', '.join(marks) + ')' if marks else ''}, ")
+        said = _LINE if _free(body) else Words("", "")
+        zh.append(f"{_body_zh(body)}{'（' + '、'.join(marks) + said.zh + '）' if marks else ''}、")
+        en.append(f"{_body_en(body)}{' (' + ', '.join(marks) + said.en + ')' if marks else ''}, ")
     return Words("".join(zh).rstrip("、") + "。", "".join(en).rstrip(", ") + ".")
 
 
 def _body_zh(body: Body) -> str:
-    return f"平面 ${body.name}$ 的 {len(body.positions)} 个位置" if _free(body) else f"标线 ${body.name}$ 的各位置"
+    count = "两" if len(body.positions) == 2 else f" {len(body.positions)} "
+    return f"平面 ${body.name}$ 的{count}个位置" if _free(body) else f"标线 ${body.name}$ 的各位置"
 
 
 def _body_en(body: Body) -> str:

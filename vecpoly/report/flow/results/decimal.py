@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 from ..cells import cells, joined
 
-_NUMBER = re.compile(r"\s*[+−-]?\d+")  # up to the point, or to the end of a whole number
+# up to the point, or to the end of a whole number; after a length on paper (210 mm ≙) that of its value
+_NUMBER = re.compile(r"(?:[^≙]*≙)?\s*[+−-]?\d+")
 
 
 @dataclass(frozen=True, slots=True)

@@ -26,6 +26,11 @@ def held(before: str, after: str) -> bool:
     return (before in _BEFORE_NUMBERS or before in _HAN_BEFORE_NUMBERS) and after[:1].isdigit()
 
 
+def is_relation(text: str) -> bool:
+    """Whether a piece is a sign between two sides: =, ≤."""
+    return text in _RELATIONS
+
+
 def is_number(text: str) -> bool:
     """Whether a piece is a number: 5, −76.1, 4.2×10^{−5}."""
     return _NUMBER.fullmatch(text) is not None
