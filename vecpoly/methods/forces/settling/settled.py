@@ -34,6 +34,7 @@ ROUNDS = 30  # for each share of the friction
 SHARE = 0.25  # of the friction at a time
 ONCE = 1  # with all of it at once: where every reaction keeps the side on which it presses without friction
 FINEST = 0.01
+LEAST = 1e-3  # the same, where none settles: a little of the friction farther on a reaction may have changed sides
 KINK = 1e-4  # the same, where det(1 − G) leaps to the other sign: whether the reactions go on without a leap
 NEAR = 1e-3  # the same, where what side every reaction takes is told
 NUDGE = 1e-7  # of the largest couple: by how much one is changed to see what the others do
@@ -87,7 +88,7 @@ def _raised(
         except NoSlipSenseError:
             raise
         except EquilibriumError:
-            if stride < FINEST:
+            if stride < LEAST:
                 raise
             stride = min(stride / 2, SHARE)
             continue
