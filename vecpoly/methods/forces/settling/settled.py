@@ -131,10 +131,12 @@ def _fixed(
         st = _pass(start, guide, couples, walk)
         start = replace(start, by_moments=start.by_moments | st.by_moments)
         after = rubbed(st)
-        if (
-            after.keys() != couples.keys()
-        ):  # friction wakes loads on a link that only passed a force on: now moments solve its group
-            couples, guide, slope, last = {key: couples.get(key, 0.0) for key in after}, st, None, np.inf
+        if after.keys() != couples.keys():
+            # friction wakes loads on a link that only passed a force on: now moments solve its group, near to where
+            # lines of action led, for with other couples another equilibrium may settle
+            before = rubbed(replace(guide, by_moments=st.by_moments, share=start.share))
+            couples = {key: couples.get(key, before.get(key, 0.0)) for key in after}
+            guide, slope, last = guide if before.keys() >= after.keys() else st, None, np.inf
             continue
         same, moved = _same_senses(st, guide), gap(couples, after)
         if same and moved < SETTLED:
