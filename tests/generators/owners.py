@@ -3,6 +3,8 @@ group, and no load is refused for it."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from vecpoly import loads
@@ -15,16 +17,24 @@ from .loaded import Chain
 from .slots import slotted
 
 
+def shared(c: Chain) -> dict[str, list[str]]:
+    """The letters on three links or more, the frame among them, and these links."""
+    letters = sorted({letter for letters in c.links.values() for letter in letters})
+    links = {**c.links, "frame": c.frame}
+    on = {letter: [name for name, letters in links.items() if letter in letters] for letter in letters}
+    return {letter: names for letter, names in on.items() if len(names) > 2}
+
+
+def multiple(rng: np.random.Generator, make: Callable[[np.random.Generator], Chain]) -> Chain:
+    """The first of such chains that has a multiple joint; hardly half of them have one."""
+    return next(c for c in iter(lambda: make(rng), None) if shared(c))
+
+
 def owned(c: Chain) -> str:
-    """`pins` for some of the letters on three links or more, any of these."""
-    text = ""
-    for letter in sorted({p for letters in c.links.values() for p in letters}):
-        names = [name for name, letters in c.links.items() if letter in letters] + (
-            ["frame"] if letter in c.frame else []
-        )
-        if len(names) > 2 and c.rng.random() < 0.8:
-            text += f"  {letter}: @{c.rng.choice(names)}\n"
-    return f"pins:\n{text}" if text else ""
+    """`pins` for most of the multiple joints, any of their links."""
+    found = shared(c)
+    told = [letter for letter in found if c.rng.random() < 0.8] or list(found)
+    return "pins:\n" + "".join(f"  {letter}: @{c.rng.choice(found[letter])}\n" for letter in told)
 
 
 def _text(c: Chain, rubbing: bool) -> str:
@@ -35,7 +45,7 @@ def _text(c: Chain, rubbing: bool) -> str:
 def _same_balance(solution: Solution) -> str:
     """Equilibrium; and without friction the balancing load does not know whose the pins are."""
     wrong, problem = in_equilibrium(solution), solution.problem
-    if wrong or "pins:" not in problem.text:
+    if wrong:
         return wrong
     head, _, tail = problem.text.partition("pins:")
     rest = [line for line in tail.splitlines()[1:] if not line.startswith("  ")]
@@ -51,16 +61,16 @@ def _same_balance(solution: Solution) -> str:
 @family("forces-owners", also=_same_balance)
 def owners(rng: np.random.Generator) -> str:
     """Any groups."""
-    return _text(simple(rng), rubbing=False)
+    return _text(multiple(rng, simple), rubbing=False)
 
 
 @family("forces-owners-friction", also=in_equilibrium)
 def rubbing(rng: np.random.Generator) -> str:
     """With friction it is another machine for every owner."""
-    return _text(simple(rng), rubbing=True)
+    return _text(multiple(rng, simple), rubbing=True)
 
 
 @family("forces-owners-slots", also=_same_balance)
 def in_slots(rng: np.random.Generator) -> str:
     """Pins in slots among them."""
-    return _text(slotted(rng), rubbing=False)
+    return _text(multiple(rng, slotted), rubbing=False)

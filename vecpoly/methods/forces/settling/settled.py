@@ -34,6 +34,7 @@ ROUNDS = 30  # for each share of the friction
 SHARE = 0.25  # of the friction at a time
 ONCE = 1  # with all of it at once: where every reaction keeps the side on which it presses without friction
 FINEST = 0.01
+LEAST = 1e-3  # the same, where none settles: a little of the friction farther on a reaction may have changed sides
 KINK = 1e-4  # the same, where det(1 − G) leaps to the other sign: whether the reactions go on without a leap
 NEAR = 1e-3  # the same, where what side every reaction takes is told
 NUDGE = 1e-7  # of the largest couple: by how much one is changed to see what the others do
@@ -87,7 +88,7 @@ def _raised(
         except NoSlipSenseError:
             raise
         except EquilibriumError:
-            if stride < FINEST:
+            if stride < LEAST:
                 raise
             stride = min(stride / 2, SHARE)
             continue
@@ -130,10 +131,12 @@ def _fixed(
         st = _pass(start, guide, couples, walk)
         start = replace(start, by_moments=start.by_moments | st.by_moments)
         after = rubbed(st)
-        if (
-            after.keys() != couples.keys()
-        ):  # friction wakes loads on a link that only passed a force on: now moments solve its group
-            couples, guide, slope, last = {key: couples.get(key, 0.0) for key in after}, st, None, np.inf
+        if after.keys() != couples.keys():
+            # friction wakes loads on a link that only passed a force on: now moments solve its group, near to where
+            # lines of action led, for with other couples another equilibrium may settle
+            before = rubbed(replace(guide, by_moments=st.by_moments, share=start.share))
+            couples = {key: couples.get(key, before.get(key, 0.0)) for key in after}
+            guide, slope, last = guide if before.keys() >= after.keys() else st, None, np.inf
             continue
         same, moved = _same_senses(st, guide), gap(couples, after)
         if same and moved < SETTLED:
