@@ -237,6 +237,10 @@ def test_the_exported_reactions_balance_every_link(name: str, tmp_path: Path) ->
     answers = json.loads(CliRunner().invoke(app, ["solve", str(file), "--hand", "exact", "--json", "-"]).stdout)[
         "answers"
     ]
+
+    def place(letter: str) -> complex:
+        return _fixed(source, letter) if letter in source["frame"] else complex(*answers[f"p_{letter}"]["drawn_xy"])
+
     for link in links:
         total, moment, size = 0j, 0.0, 0.0
         for key, answer in answers.items():
@@ -251,12 +255,13 @@ def test_the_exported_reactions_balance_every_link(name: str, tmp_path: Path) ->
                 continue
             value = answers[key]["drawn"] if key in answers else float(str(written["size"]).split()[0])
             if "direction" in written:
-                force = cmath.rect(value, radians(float(str(written["direction"]).split()[0])))
-                at = (
-                    complex(*answers[f"p_{written['at']}"]["drawn_xy"])
-                    if written["at"] not in source["frame"]
-                    else _fixed(source, written["at"])
+                way, at = str(written["direction"]), place(written["at"])
+                told = (
+                    radians(float(way.split()[0]))
+                    if "along" not in way
+                    else cmath.phase(place(way[-1]) - place(way[-2]))
                 )
+                force = cmath.rect(value, told)
                 total, moment = total + force, moment + (at.conjugate() * force).imag
             else:
                 moment += value

@@ -15,7 +15,7 @@ from tests.drawn_library import IDS, drawn, ids
 from tests.each import Later, each
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, Scale, View
-from vecpoly.board.paper.marks import Arc, Dot, ImageOf, Point, Role, Segment, Vector
+from vecpoly.board.paper.marks import Arc, Dot, FrictionCircle, ImageOf, Point, Role, Segment, Vector
 from vecpoly.board.ruler import READABLE
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.check.printed.verdict import Verdict
@@ -24,7 +24,7 @@ from vecpoly.cycle.facts.path_words import path_sentences
 from vecpoly.cycle.whole_cycle import cycle
 from vecpoly.drawing.details.apart import ROMAN, detailed
 from vecpoly.drawing.details.knot import Knot
-from vecpoly.drawing.details.knots import knots
+from vecpoly.drawing.details.knots import ROUND, knots
 from vecpoly.errors import NoMethodError, NotAskedError
 from vecpoly.problem.load import loads
 from vecpoly.solution import solve
@@ -315,7 +315,8 @@ def test_letters_of_a_knot_stand_in_the_detail_and_no_longer_in_the_figure() -> 
         inside = [m.label for m in figure.marks if isinstance(m, Point) and knot.holds(m.at) and m.label]
         small = [m for m in figure.marks if isinstance(m, Vector) and 0.1 < abs(m.b - m.a) < READABLE]
         held = [m for m in small if knot.holds(m.a) and knot.holds(m.b) and abs(m.b - m.a) * knot.factor >= READABLE]
-        assert not left and (len(inside) >= 3 or held)
+        circles = [m for m in figure.marks if isinstance(m, FrictionCircle) and knot.holds(m.centre)]
+        assert not left and (len(inside) >= 3 or held or any(2 * m.radius < ROUND for m in circles))
         assert set(inside) <= {m.label for m in detail.marks if isinstance(m, Point)}
         names = {m.label for m in detailed(figure)[0].marks if isinstance(m, Point)}
         assert any(f" {name}（" in detail.title.zh and f" {name} (" in detail.title.en for name in names & set(ROMAN))

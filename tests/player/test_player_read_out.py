@@ -60,7 +60,7 @@ def test_every_equation_is_read_out_with_its_directions_and_magnitudes(name: str
 
 
 def test_a_power_is_never_read_as_a_second_number() -> None:
-    large = loads(CRANK.replace("omega: 10 rad/s", "omega: 4000 rad/s").replace("find: [v_C]", "find: [v_C, a_C]"))
+    large = loads(CRANK.replace("omega: 10 rad/s", "omega: 40000 rad/s").replace("find: [v_C]", "find: [v_C, a_C]"))
     page = player_html(solve(large, repeats=0), places=0)
     heard = [unescape(text) for text in re.findall(r'(?:aria-label|data-(?:say-)?(?:zh|en))="([^"]*)"', page)]
     assert any("squared" in one for one in heard) and any("to the power of" in one for one in heard)

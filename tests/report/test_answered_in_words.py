@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import re
+import pytest
 
-from tests.drawn_library import drafted, given, ids
-from tests.each import each
+from tests.drawn_library import drafted, given
+from vecpoly import loads
 from vecpoly.report.content import conclusions
+from vecpoly.solution import solve
+from vecpoly.words import Lang
 
-OF_A_LINK = re.compile(r"\$([va]_\d)\$")
-ASKING = tuple(name for name in ids() if OF_A_LINK.search(given(name).statement.zh))
 
-
-@each(ASKING)
-def test_the_motion_of_a_translating_link_is_told_under_its_own_symbol(name: str) -> None:
-    solution = drafted(name)
-    assert solution is not None
-    for symbol in OF_A_LINK.findall(given(name).statement.zh):
-        assert any(f"${symbol}$ = $" in text for text in conclusions(solution, "en")), symbol
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_the_motion_of_a_translating_link_is_told_under_the_symbol_that_the_statement_asks_by(lang: Lang) -> None:
+    asked = given("3-5").text.replace("$v_F$", "$v_5$").replace("$a_F$", "$a_5$")
+    told = conclusions(solve(loads(asked), repeats=0), lang)
+    assert all(any(f"${symbol}$ = $" in text for text in told) for symbol in ("v_5", "a_5"))
 
 
 def test_an_in_line_four_leaves_the_force_of_second_order() -> None:

@@ -344,12 +344,11 @@ def test_a_listing_numbers_its_lines_and_folds_long_ones_at_a_blank() -> None:
 
 @pytest.mark.parametrize("height", [0, 30, 38, 60, 100, 110, 200])
 def test_a_listing_leaves_three_lines_on_each_page(height: float) -> None:
-    parts = Listing("\n".join(f"line {i}" for i in range(10))).split(400, height)
+    lines = [f"key{i}: value" for i in range(10)]
+    parts = Listing("\n".join(lines)).split(400, height)
     fits = min(int((height - Listing("line").getSpaceBefore() - 4) / 11.2), 7)  # the part on the next page asks for it
     assert [len(part._lines) for part in parts if isinstance(part, Listing)] == ([fits, 10 - fits] if fits >= 3 else [])
-    assert [text for part in parts if isinstance(part, Listing) for _, text in part._lines] == (
-        [f"line {i}" for i in range(10)] if parts else []
-    )
+    assert [text for part in parts if isinstance(part, Listing) for _, text in part._lines] == (lines if parts else [])
 
 
 def test_chinese_letters_take_more_of_a_folded_line() -> None:

@@ -43,11 +43,11 @@ class Track:
 
 
 def track(own: float, stride: float, asked: Reals) -> tuple[Track, Reals]:
-    """The path that reaches all positions asked for, and path and asked positions in one array."""
-    count = np.trunc((asked - own) / stride).astype(np.intp)
-    first, last = min(int(count.min()), 0), max(int(count.max()), 0)
+    """The path that ends with or beyond all positions asked for, and path and asked positions in one array."""
+    count = (asked - own) / stride
+    first, last = min(int(np.floor(count.min())), 0), max(int(np.ceil(count.max())), 0)
     path = own + stride * np.arange(first, last + 1)
-    return Track(len(path), -first, count - first), np.concatenate([path, asked])
+    return Track(len(path), -first, np.trunc(count).astype(np.intp) - first), np.concatenate([path, asked])
 
 
 @dataclass(frozen=True, slots=True)
