@@ -32,20 +32,23 @@ class Line:
     descent: float
 
 
-def break_lines(cells: Sequence[Cell], width: float, em: float, first: float = 0.0) -> list[Line]:
-    """Greedy lines of the given width (mm), the first one indented."""
+def break_lines(
+    cells: Sequence[Cell], width: float, em: float, first: float = 0.0, *, least: float = _LEAST_GAP
+) -> list[Line]:
+    """Greedy lines of the given width (mm), the first one indented; least: share of a blank that it may shrink to, 1
+    where the lines are set as they come."""
     lines: list[Line] = []
     gaps = [gap(a, b, em) for a, b in pairwise(cells)]
     start = 0
     while start < len(cells):
         indent = first if start == 0 else 0.0
-        end = _fill(cells, gaps, start, width - indent)
+        end = _fill(cells, gaps, start, width - indent, least)
         lines.append(_line(cells, gaps, start, end, indent, em))
         start = end
     return lines
 
 
-def _fill(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, width: float) -> int:
+def _fill(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, width: float, least: float) -> int:
     """The index after the last cell of the line that begins at `start`."""
     used = cells[start].box.width - cells[start].lead
     shrink = 0.0
@@ -59,7 +62,7 @@ def _fill(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, width: float) 
             best = i
         fallback = i
         if gaps[i - 1].stretch > 1.0:
-            shrink += gaps[i - 1].width * (1 - _LEAST_GAP)
+            shrink += gaps[i - 1].width * (1 - least)
         used += gaps[i - 1].width + cells[i].box.width
     return len(cells)
 

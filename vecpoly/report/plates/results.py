@@ -10,7 +10,7 @@ from ...drawing.sheets.sheet import Sheet
 from ...solution import YES_NO, Answer, Solution
 from ...words import Lang
 from ..answers.line import short_line
-from ..answers.order import arranged
+from ..answers.order import arranged, broken
 
 _READ_FROM = {"omega": View.VELOCITY, "alpha": View.ACCELERATION}
 
@@ -32,10 +32,10 @@ def concluded(
 
 def _attempts(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list[list[Listed]]:
     """In full, then without what was read on paper; in the order of the box of answers."""
-    parts = arranged(answers)
+    parts, idle = arranged(answers), broken(solution)
     return [
         [
-            Listed(part.heading(lang), tuple(short_line(one, solution, lang, read=read) for one in part.answers))
+            Listed(part.heading(lang, idle), tuple(short_line(one, solution, lang, read=read) for one in part.answers))
             for part in parts
         ]
         for read in (True, False)
