@@ -15,8 +15,8 @@ _IN_MM, _MILLI = "mm/mm", -3
 
 
 def in_metres(line: Row, own: Row, scales: Container[Node]) -> Row:
-    """The line as it is printed, `own` as it was worked out, with the scale in m/mm and the result in metres before that in mm; one that does not
-    begin with such a scale, or whose result is no length in mm, as it is."""
+    """The line as it is printed, with the scale in m/mm and the result in metres before that in mm; one that does not
+    begin with such a scale, or whose result is no length in mm, as it is. own: as it was worked out."""
     first, end = _first(own.worked), line.items[-1]
     if first is None or first.node not in scales or first.unit != _IN_MM or not isinstance(end, Txt):
         return line
