@@ -14,4 +14,4 @@ def test_the_coordinates_of_a_place_are_parted_as_in_the_language_of_the_sheet(l
     rows = empty_table(drawn("4-4").solution, lang).rows
     places = [cell for row in rows for cell in row if cell.endswith(") mm")]
     assert len(places) == 2
-    assert all(cell.strip("( \u3000) m") == comma for cell in places)
+    assert all(cell.replace("\u3000", "") == f"({comma}) mm" for cell in places)
