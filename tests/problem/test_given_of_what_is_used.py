@@ -27,3 +27,9 @@ def test_the_radius_of_an_osculating_circle_keeps_its_letter() -> None:
     (found,) = [words for words in steps if "Hartmann" in words.en]
     (placed,) = [words for words in steps if "The face keeps the distance" in words.en]
     assert "$ρ$ = " in found.en and "keeps the distance $ρ$ from" in placed.en and "相距 $ρ$" in placed.zh
+
+
+@pytest.mark.parametrize("name", ["6-5", "rotor-bolt-circle"])
+def test_a_product_that_is_given_has_the_letter_with_which_it_is_gone_on(name: str) -> None:
+    symbols = [symbol for symbol, _ in load(name).subject.given()]
+    assert "W_{1}" in symbols and not any(symbol.startswith("U") for symbol in symbols)
