@@ -53,3 +53,9 @@ def test_forces_that_all_act_at_the_ram_s_pin_need_no_crossing(shaper: Solution)
 def test_a_flat_crossing_that_finds_a_point_is_still_told(shaper: Solution) -> None:
     (rocker,) = [step for step in shaper.construction.steps if step.words.en.startswith("Isolate link 3")]
     assert "meet at only 9°" in rocker.words.en and "交角仅 9°" in rocker.words.zh
+
+
+def test_several_flat_crossings_of_a_step_are_told_in_one_sentence() -> None:
+    (step,) = [step for step in load("four-positions").solve().construction.steps if "$M^{(3)}$" in step.words.en[:24]]
+    assert step.words.en.count("(Lines meet at only") == step.words.en.count("uncertain") == 1
+    assert "11° and 8°" in step.words.en and step.words.zh.count("不易准确") == 1 and "11°、8°" in step.words.zh

@@ -10,6 +10,7 @@ import pytest
 import vecpoly
 from tests.curvature.linkages import DATA, WAYS, case_problem
 from tests.laws import few
+from vecpoly.board.paper.marks import Point
 from vecpoly.check.truth import exact_values
 from vecpoly.errors import NoMethodError, NotAskedError
 from vecpoly.oracle.curvature import Curvatures
@@ -110,6 +111,22 @@ def test_chords_of_both_centrodes_come_near_to_the_one_arc() -> None:
     for key in ("L_f2", "L_m2"):
         assert answers[key].drawn == pytest.approx(answers[key].exact, rel=1e-9)
         assert answers[key].exact == pytest.approx(arc, rel=1e-5)
+
+
+@pytest.mark.parametrize("name", ["curv-5", "curv-6"])
+def test_every_pole_of_a_centrode_has_its_number_and_no_letter_of_another_centre(name: str) -> None:
+    """P_12 is the instant centre of links 1 and 2: the poles of positions are Q_1, Q_2, told from where to where."""
+    problem = vecpoly.load(name)
+    asked = problem.curvature.centrodes if problem.curvature is not None else None
+    assert asked is not None
+    drawn = problem.solve().construction
+    labels = [mark.label for figure in drawn.figures for mark in figure.marks if isinstance(mark, Point)]
+    poles = {f"Q{prime}_{{{k}}}" for prime in ("", "^{′}") for k in range(1, asked.positions + 1)}
+    assert sorted(one for one in labels if one.startswith("Q")) == sorted(poles)
+    assert {one for one in labels if one.startswith("P")} == {"P_{24}"}
+    (said,) = [step.words for step in drawn.steps if f"$Q_{{{asked.positions}}}$" in step.words.en]
+    start, end = (f"{np.degrees(at):.0f}°" for at in (asked.start, asked.end))
+    assert f"$φ_{{1}}$ = {start} to {end}" in said.en and f"$φ_{{1}}$ = {start} 到 {end}" in said.zh
 
 
 @pytest.mark.parametrize("point", DATA["antiparallelogram"]["points"], ids=lambda one: str(one["phi"]))

@@ -89,7 +89,7 @@ def test_gears_rolling_on_a_rack_and_on_each_other_have_drawn_accelerations_too(
 
 
 def test_links_that_cannot_meet_are_refused_with_gap_and_range() -> None:
-    with pytest.raises(AssemblyError, match=r"joint C: .* mm .* 180 deg.*within 296\.85\.\.423\.15 deg"):
+    with pytest.raises(AssemblyError, match=r"joint C: .* mm .* 180°.*within 296\.85° to 423\.15°"):
         solve(loads(four_bar(ab=100, bc=150, cd=120, ad=300, phi=180)))
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from tests.drawn_library import DRAFTED, drafted
@@ -16,8 +18,12 @@ WORKED = 4  # parts of a line symbol = formula = numbers = result
 
 
 def lines_of(solution: Solution) -> list[list[str]]:
-    """The parts of every line of the steps that is worked out."""
-    every = (plain(one).replace("\u2009", " ") for step in solution.construction.steps for one in step.formulas)
+    """The parts of every line of the steps that is worked out; of 1.968 m = 1968 mm what goes on, in mm."""
+    every = (
+        re.sub(r" = \S+ m(?= = \S+ mm$)", "", plain(one)).replace("\u2009", " ")
+        for step in solution.construction.steps
+        for one in step.formulas
+    )
     return [parts for parts in (line.split(" = ") for line in every) if len(parts) == WORKED]
 
 

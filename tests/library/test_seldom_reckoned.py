@@ -111,7 +111,7 @@ def test_of_several_places_that_cannot_be_assembled_the_first_that_was_asked_for
     mech = load(name).mechanism
     _, high = oracle.spans(mech)[-1]
     asked = [mech.drive.position, high + radians(9.0), high + radians(12.0)]
-    with pytest.raises(AssemblyError, match=re.escape(f"stands at {degrees(asked[1]):.6g} deg")):
+    with pytest.raises(AssemblyError, match=re.escape(f"stands at {degrees(asked[1]):.6g}°")):
         oracle.solve(mech, asked)
 
 

@@ -276,7 +276,7 @@ def triple(position: float = 90.0, branches: str = "C left B D") -> Mechanism:
 
 def test_a_position_out_of_reach_names_joint_gap_and_range() -> None:
     with pytest.raises(
-        AssemblyError, match=r"joint C: .* mm are missing where the drive stands at 180 deg; .* within .*deg"
+        AssemblyError, match=r"joint C: .* mm are missing where the drive stands at 180°; .* within .*° to .*°"
     ) as told:
         solve(triple(), np.radians([90.0, 180.0, 170.0]))
     assert "30 mm are missing" in str(told.value)
@@ -292,14 +292,14 @@ def test_ranges_of_a_double_rocker_are_those_of_the_triangle_inequality() -> Non
 
 
 def test_the_own_position_out_of_reach_is_refused_likewise() -> None:
-    with pytest.raises(AssemblyError, match=r"30 mm are missing where the drive stands at 180 deg"):
+    with pytest.raises(AssemblyError, match=r"30 mm are missing where the drive stands at 180°"):
         solve(triple(180.0))
 
 
 def test_a_position_that_alone_does_not_close_is_told_so() -> None:
     """Crank and frame are equally long: at 0° the rod's pin falls on the block's, and any direction of the rod fits."""
     with pytest.raises(
-        AssemblyError, match=r"at 0 deg: they can just before and just after it, .* joints fall together"
+        AssemblyError, match=r"at 0°: they can just before and just after it, .* joints fall together"
     ) as told:
         solve(swinging_block(0.03, 0.03, 0.0, 10.0))
     assert "within" not in str(told.value)
@@ -322,7 +322,7 @@ def test_failing_positions_may_be_left_blank() -> None:
 def test_a_dead_point_names_links_and_angle() -> None:
     mech = fourbar(0.07, 0.08, 0.04, 0.11, (60.0, 10.0))
     limit = np.arccos((0.07**2 + 0.11**2 - 0.12**2) / (2 * 0.07 * 0.11))  # links 2 and 3 are stretched out
-    with pytest.raises(DeadPointError, match=r"links 2 and 3 .*dead point .* 80.2\d* deg"):
+    with pytest.raises(DeadPointError, match=r"links 2 and 3 .*dead point .* 80.2\d*°"):
         solve(mech, limit - 1e-14)
     assert np.isfinite(solve(mech, limit - 1e-14, order=0).position("C"))
 
@@ -338,7 +338,7 @@ def test_rates_at_a_change_point_are_those_of_the_motion_on_both_sides() -> None
 
 
 def test_assemblies_that_coincide_at_the_own_position_are_a_dead_point() -> None:
-    with pytest.raises(DeadPointError, match=r"links 2 and 3 .* 180 deg: their two assemblies coincide"):
+    with pytest.raises(DeadPointError, match=r"links 2 and 3 .* 180°: their two assemblies coincide"):
         solve(fourbar(0.04, 0.08, 0.07, 0.11, (180.0, 10.0)))
 
 

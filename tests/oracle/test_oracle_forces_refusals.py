@@ -38,7 +38,7 @@ def test_a_driving_force_that_is_locked_out_locks_whichever_load_is_unknown() ->
 
 def test_locked_mechanism_is_refused_with_the_load_and_the_efficiency() -> None:
     loads = Loads(forces=(PUSH,), moments=(CRANK,), friction=ROUGH)
-    with pytest.raises(LockedError, match=r"F cannot move .* at 173 deg: .* efficiency would be -"):
+    with pytest.raises(LockedError, match=r"F cannot move .* at 173°: .* efficiency would be -"):
         forces(crank(173.0), loads)
     sought = Loads(forces=(replace(PUSH, size=None),), moments=(replace(CRANK, size=-50.0),), friction=ROUGH)
     with pytest.raises(LockedError, match=r"no F, however large, moves .* binds at \d+(\.\d+)? % of its size"):
@@ -95,7 +95,7 @@ def test_friction_without_relative_motion_has_no_sense() -> None:
     mech = slider_crank(0.08, 0.23, 0.0, np.pi)  # dead centre: the slider stands
     rough = Friction(slides={("3", "0"): 0.1})
     refused(
-        NoSlipSenseError, "slide of 3 on 4: friction between links 4 and 3 has no sense.*180 deg", mech, friction=rough
+        NoSlipSenseError, "slide of 3 on 4: friction between links 4 and 3 has no sense.*180°", mech, friction=rough
     )
     result = forces(mech, Loads(forces=(PUSH,), moments=(CRANK,), friction=rough), [3.0, np.pi], strict=False)
     assert np.isnan(result.value("M_1")).tolist() == [False, True]

@@ -105,7 +105,7 @@ def test_two_entries_for_the_friction_of_one_slide_are_refused() -> None:
 
 
 def test_a_branch_that_the_drive_decides_otherwise_is_refused() -> None:
-    with pytest.raises(AssemblyError, match=r"'B left of A' contradicts.*60 deg.*'B right of A'"):
+    with pytest.raises(AssemblyError, match=r"'B left of A' contradicts.*60°.*'B right of A'"):
         solve(loads(changed(("C above AD", "C above AD, B left of A"))), repeats=0)
 
 

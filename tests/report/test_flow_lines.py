@@ -16,6 +16,7 @@ from vecpoly.report.flow import DataTable, EquationFlow, Para
 from vecpoly.report.flow.cells import NO_END, NO_START, Cell, Kind, cells, gap
 from vecpoly.report.flow.formula import lines as formula_lines
 from vecpoly.report.flow.lines import break_lines, fit
+from vecpoly.report.flow.results.grid import sentence
 from vecpoly.typeset.box import MM
 
 EM = 10.5 / MM
@@ -131,3 +132,9 @@ def test_a_long_address_breaks_after_a_stroke() -> None:
     para = Para("见 https://example.com/a/long/address/that/goes/on/and/on/index.html 一文", None, "zh")
     first, *_ = para.lines(200)
     assert len(para.lines(200)) > 1 and first.cells[-1].text.endswith("/")
+
+
+@settings(max_examples=often(50))
+@given(st.lists(st.text("abcdefgh", min_size=1, max_size=9), min_size=5, max_size=60), st.floats(40.0, 120.0))
+def test_a_sentence_in_the_box_of_answers_stays_within_its_frame(words: list[str], room: float) -> None:
+    assert max(box.width for box in sentence(" ".join(words), EM, room, False)) <= room + 1e-6

@@ -43,7 +43,7 @@ def test_a_box_that_is_alone_on_its_page_is_told_and_fits_with_less_white() -> N
     [
         ("8-9", "zh", 2),
         ("8-12", "zh", 2),
-        ("four-positions", "zh", 3),
+        ("four-positions-b", "zh", 3),
         ("8-1", "en", 2),
         ("8-2a", "en", 2),
         ("cam-moves-arm", "en", 3),

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 import pytest
 
 import vecpoly
+from vecpoly.report.answers.order import arranged, broken
+from vecpoly.report.content import conclusions
 from vecpoly.report.verification import MARGIN, verification_table
+from vecpoly.words import Lang
 
 
 @cache
@@ -41,3 +45,32 @@ def test_three_positions_are_passed_in_their_order_and_two_have_none() -> None:
 def test_what_a_solution_has_not_leaves_no_line() -> None:
     assert not any("Swing" in item or "Stroke" in item for item in table("8-13"))
     assert verification_table(vecpoly.load("3-9").solve(), "en") is None
+
+
+def test_a_solution_that_cannot_move_has_its_line_and_no_solution_is_left_out() -> None:
+    found = table("four-positions")
+    assert found["No."] == ("1", "2", "3")
+    assert found["Turns fully"] == ("no", "no", "does not move") and found["Order"][2] == "—"
+
+
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_a_solution_that_cannot_move_is_headed_as_of_no_use_in_the_words_of_a_reader(lang: Lang) -> None:
+    solution = vecpoly.load("four-positions").solve(by="drafting", seed=1)
+    heads = [part.heading(lang, broken(solution)) for part in arranged(solution.answers.values())]
+    assert (
+        heads
+        == {
+            "zh": ["解 1", "解 2", "解 3（不能使用）"],
+            "en": ["Solution 1", "Solution 2", "Solution 3 (cannot be used)"],
+        }[lang]
+    )
+    (told,) = conclusions(solution, lang)
+    assert " deg" not in told and ".." not in told
+    assert re.search(r"66\.\d+°(～| to )166\.\d+°", told)
+    assert {"zh": "不能使用", "en": "cannot be used"}[lang] in told
+
+
+def test_every_length_of_every_solution_is_asked() -> None:
+    """Each of the three has its four bars in the box of answers."""
+    parts = arranged(vecpoly.load("four-positions").solve(by="drafting", seed=1).answers.values())
+    assert [[one.key.partition("_")[0] for one in part.answers] for part in parts] == 3 * [["AB", "BC", "CD", "AD"]]

@@ -230,6 +230,9 @@ class Scratch(Board):
     def remark(self, words: Words) -> None:
         """Left out."""
 
+    def graze(self, angle: float) -> None:
+        """Left out."""
+
     def equate(self, table: EquationTable) -> None:
         """Left out."""
 

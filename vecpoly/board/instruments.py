@@ -106,13 +106,7 @@ class Instruments(Strokes):
                 )
             )
         if sine < GRAZING and abs(spot(g.at - h.at)) > NO_LENGTH:
-            angle = degrees(asin(sine))
-            self.remark(
-                Words(
-                    f"（两方向线交角仅 {angle:.0f}°，交点不易准确。）",
-                    f" (The two lines meet at only {angle:.0f}°: an uncertain point.)",
-                )
-            )
+            self.graze(degrees(asin(sine)))
         at = lines_meet(g, h)
         return traced(at, self.log(done.Meet(head=self.head(g, h), at=spot(at))))
 

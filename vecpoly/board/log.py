@@ -26,6 +26,7 @@ from .paper.marks import Mark
 from .paper.symbols import Symbol
 from .place import Pane, Place, View, view_of, views
 from .said.behind import behind
+from .said.grazing import grazing
 from .said.short import Short, remarked, too_short
 
 Found = TypeVar("Found", Points, Reals)
@@ -48,6 +49,7 @@ class Log:
         self._titles: dict[Place, Words] = {}
         self._section = Words.same("")
         self._short: list[Short] = []
+        self._grazing: dict[int, tuple[float, ...]] = {}  # angles (deg) told of, by the step's number
 
     # -- the record -------------------------------------------------------------------------------------------
 
@@ -63,6 +65,19 @@ class Log:
         """Add a sentence to the step."""
         last = self.steps[-1]
         self.steps[-1] = replace(last, words=behind(last.words, words))
+
+    def graze(self, angle: float) -> None:
+        """Say in the step that two lines meet at this small angle (deg): one sentence of all such meetings."""
+        number = len(self.steps)
+        angles = self._grazing.get(number, ())
+        self._grazing[number] = (*angles, angle)
+        said, more = grazing(angles) if angles else Words("", ""), grazing((*angles, angle))
+        words = self.steps[-1].words
+        if angles and said.en in words.en:
+            words = Words(words.zh.replace(said.zh, more.zh), words.en.replace(said.en, more.en))
+            self.steps[-1] = replace(self.steps[-1], words=words)
+        else:
+            self.remark(more)
 
     def weigh(self, letters: str, mm: float, place: Place | None) -> None:
         """Remember a length that is read though it is too short; one that no rule shows is none."""

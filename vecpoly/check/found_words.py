@@ -15,7 +15,10 @@ def told(one: Verified) -> Words:
         f"Check of solution {one.number}, moved over its cycle with the lengths read: ",
     )
     if one.broken is not None:
-        return head + Words(f"机构不能运动：{one.broken.zh}", f"it does not move: {one.broken.en}")
+        return head + Words(
+            f"该解不能使用，因机构不能运动：{one.broken.zh}。",
+            f"it cannot be used, for it does not move: {one.broken.en}.",
+        )
     parts = list(_parts(one))
     return head + Words("，".join(part.zh for part in parts) + "。", ", ".join(part.en for part in parts) + ".")
 

@@ -71,8 +71,8 @@ class Run:
         return int(late[0]) + self.asked if len(late) else int(np.flatnonzero(mask)[0])
 
     def text(self, q: float) -> str:
-        """The drive's position as printed: 30 deg, 12 mm."""
-        return f"{np.degrees(q) if self.unit == 'deg' else 1e3 * q:.6g} {self.unit}"
+        """The drive's position as printed: 30°, 12 mm."""
+        return f"{np.degrees(q):.6g}°" if self.unit == "deg" else f"{1e3 * q:.6g} {self.unit}"
 
     def alive(self, det: Reals, size: Points | Reals | float, links: tuple[str, ...]) -> Reals:
         """The determinant of the rate equations; DeadPointError (or NaN) where it vanishes against its size."""

@@ -6,11 +6,12 @@ from collections.abc import Mapping
 from math import isfinite
 from operator import is_
 
-from ..algebra.formula import Node, Row, Txt
+from ..algebra.formula import Node, Row, Txt, sym
 from ..answer import YES_NO, Answer
 from ..board.construction import Construction, Step
 from ..foundation.slotted import replace
 from .digits import coordinates
+from .metres import in_metres
 from .places import place_parts
 from .told import EQUALS, NUMBER, Told, number_of
 from .units import printed_unit
@@ -34,7 +35,8 @@ def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tup
     told.carry([(line, end_of(line)) for line in lines if isinstance(line, Row)])
     lines += [one.reading.formula for one in answers.values() if one.reading.formula is not None]
     once = {id(line): line for line in lines if isinstance(line, Row)}  # a line asked stands in its step, too
-    made = {key: told.line(line, end_of(line)) for key, line in once.items()}
+    scales = {sym(one.scale.symbol) for one in construction.figures if one.scale.unit == "m" and one.scale.symbol}
+    made = {key: in_metres(told.line(line, end_of(line)), line, scales) for key, line in once.items()}
     steps = tuple(_with_lines(step, made) for step in construction.steps)
     return replace(construction, steps=steps), {key: _with_line(one, made) for key, one in answers.items()}
 

@@ -18,15 +18,16 @@ from .flow.table import DataTable
 _NUMBER = Words("解", "No.")
 _NONE, _YES, _NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
 MARGIN = Words("杆长余量", "Margin")  # the template says of what
+_BROKEN = Words("不能运动", "does not move")
 _BESIDE = frozenset({"K", "psi", "H", "gamma_min"})  # keys of what is moved and found exactly too
 _BARS = (("A", "B"), ("B", "C"), ("C", "D"))
 
 
 def verification_table(solution: Solution, lang: Lang) -> DataTable | None:
     """One line a solution, one column an item; None where no solution can be moved."""
-    moved = [one for one in solution.verification if one.broken is None]
+    moved = solution.verification
     design = solution.problem.subject
-    if not moved or not isinstance(design, Design):
+    if all(one.broken is not None for one in moved) or not isinstance(design, Design):
         return None
     found = {one.number: one for one in solution.construction.candidates}
     true: dict[int, Mapping[str, float]] = dict(enumerate(exact(design), 1))
@@ -69,7 +70,7 @@ class _Line:
             (Words("次序", "Order"), self._order()),
             (Words("机构类型", "Type"), _NONE if one.kind is None else one.kind),
             (MARGIN, _NONE if one.kind is None else Words.same(f"{number(one.margin)} mm")),
-            (Words("整周转动", "Turns fully"), _YES if one.full else _NO),
+            (Words("整周转动", "Turns fully"), self._turns()),
             (Words.same("$K$"), self._beside(one.ratio, "K", "", 4)),
             (Words("摆角", "Swing") if swings else Words("行程", "Stroke"), self._beside(one.stroke, stroke, unit, 4)),
             (Words.same("$γ_{min}$"), self._beside(one.gamma, "gamma_min", "°", 4) if one.full else _NONE),
@@ -103,11 +104,15 @@ class _Line:
 
     def _yes(self) -> Words:
         """A candidate of another circuit or branch is none that is valid."""
-        return _YES if self.positions > 1 else _NONE
+        return _YES if self.positions > 1 and self.moved.broken is None else _NONE
+
+    def _turns(self) -> Words:
+        """Whether it turns right round; of one that does not move with the lengths read, that."""
+        return _BROKEN if self.moved.broken is not None else _YES if self.moved.full else _NO
 
     def _order(self) -> Words:
         order = " → ".join(map(str, range(1, self.positions + 1)))
-        return Words.same(order) if self.positions > 2 else _NONE
+        return Words.same(order) if self.positions > 2 and self.moved.broken is None else _NONE
 
     def _beside(self, value: float, key: str, unit: str, digits: int) -> Words:
         if not isfinite(value):

@@ -184,7 +184,7 @@ class Rotor(Device):
         """The masses, the planes, the grade, as written."""
         rows: list[tuple[str, Written | None]] = []
         for name, mass in self.masses.items():
-            sizes = (("m", mass.m), ("d", mass.hole), ("w", mass.keyway), ("h", mass.depth), ("U", mass.U))
+            sizes = (("m", mass.m), ("d", mass.hole), ("w", mass.keyway), ("h", mass.depth), ("W", mass.U))
             places = (("r", mass.r), ("θ", mass.at), ("z", mass.z))
             rows += [(f"{symbol}_{{{name}}}", value) for symbol, value in (*sizes, *places)]
         rows += [("b", self.disc.b), ("ρ", self.disc.density)]

@@ -110,7 +110,8 @@ def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
     unknown = load_named(loads.unknown)
     ideal = without_friction(unknown)
     found = [unknown, Named("eta", "η", ""), ideal]
-    found += [Named(f"{unknown.key}_{way}", ideal.symbol, unknown.unit) for way in ("lever", "power")]
+    alone = ideal if loads.friction else unknown  # where there is no friction, M_1,0 would be another name of M_1
+    found += [Named(f"{unknown.key}_{way}", alone.symbol, unknown.unit) for way in ("lever", "power")]
     found += [load_named(load) for load in loads.all if load.law is not None]
     found += [spring_named(spring) for spring in loads.springs]
     if loads.constant is not None:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from math import degrees
 
 from ...algebra.formula import Txt
-from ...algebra.quantity import paper
+from ...algebra.quantity import number, paper
 from ...board.board import Board
 from ...board.construction import Place, View
 from ...board.paper.extent import box_of
@@ -16,7 +17,7 @@ from ...errors import NotAskedError
 from ...mechanism.asked.centres import centre
 from ...mechanism.asked.curvature import Centrodes, centrode_lengths
 from ...mechanism.groups.assur import Group
-from ...mechanism.model import FRAME
+from ...mechanism.model import FRAME, Mechanism
 from ...names import Named
 from ...plane import Points, dot, nominal
 from ...words import Words
@@ -33,6 +34,7 @@ from .strokes.normals import normal_of, refuse_parallel
 
 NAME = "centrodes"
 TITLE = Words("瞬心线", "Centrodes")
+POLE = "Q"  # letter of the poles one after another: P_12 is the instant centre of links 1 and 2
 ARM = 0.5  # of the mechanism's size: of a link with one letter, how far its second point is thought
 
 
@@ -108,15 +110,14 @@ def _paper(desk: Desk, there: Sequence[Desk], asked: Centrodes, pairs: tuple[Pai
 
 
 def _say(desk: Desk, asked: Centrodes, pane: Place, sheet: Paper) -> None:
-    n = asked.positions
+    n, link, ends = asked.positions, desk.mech.number(asked.link), _range(desk.mech, asked)
     scale = Words.same("") if sheet.shared else Words(f"（{sheet.told}）", f" ({sheet.told})")
     desk.board.step(
         Words(
-            f"取原动件的 {n} 个位置，逐一作出构件 {desk.mech.number(asked.link)} 的绝对瞬心 $P_1$ … $P_{{{n}}}$，"
-            "连成定瞬心线",
-            f"In {n} positions of the input find the pole of link {desk.mech.number(asked.link)}, $P_1$ to "
-            f"$P_{{{n}}}$; "
-            "their locus is the fixed centrode",
+            f"使原动件从 {ends.zh}，等分取 {n} 个位置，逐一作出构件 {link} 的绝对瞬心，依次记作 ${POLE}_1$ … "
+            f"${POLE}_{{{n}}}$，连成定瞬心线",
+            f"In {n} equally spaced positions of the input, from {ends.en}, find the pole of link {link}, one after "
+            f"the other ${POLE}_1$ to ${POLE}_{{{n}}}$; their locus is the fixed centrode",
         )
         + scale
         + Words("。", "."),
@@ -124,25 +125,31 @@ def _say(desk: Desk, asked: Centrodes, pane: Place, sheet: Paper) -> None:
     )
 
 
+def _range(mech: Mechanism, asked: Centrodes) -> Words:
+    """From which position of the drive to which."""
+    drive = mech.drive
+    which = f"{drive.link}{drive.on}" if drive.between else drive.link
+    factor, unit, letter = (1e3, " mm", "s") if drive.slide else (degrees(1.0), "°", "φ")
+    start, end = (number(round(factor * at, 9), 5) for at in (asked.start, asked.end))
+    symbol = f"${letter}_{{{which}}}$"
+    return Words(f"{symbol} = {start}{unit} 到 {end}{unit}", f"{symbol} = {start}{unit} to {end}{unit}")
+
+
 def _carried_words(desk: Desk, link: str) -> Words:
     number = desk.mech.number(link)
     return Words(
-        f"将各位置上构件 {number} 与瞬心组成的三角形移到构件现在的位置上，得 $P^{{′}}_1$ …，连成动瞬心线；它随构件 "
-        f"{number} "
-        "运动时在定瞬心线上作纯滚动。",
-        f"Carry the triangle of link {number} and its pole from every position to the present one: $P^{{′}}_1$ ... "
-        f"lie on "
-        f"the moving centrode, which rolls on the fixed one while it moves with link {number}.",
+        f"将各位置上构件 {number} 与瞬心组成的三角形移到构件现在的位置上，得 ${POLE}^{{′}}_1$ …，连成动瞬心线；"
+        f"它随构件 {number} 运动时在定瞬心线上作纯滚动。",
+        f"Carry the triangle of link {number} and its pole from every position to the present one: ${POLE}^{{′}}_1$ "
+        f"... lie on the moving centrode, which rolls on the fixed one while it moves with link {number}.",
     )
 
 
 def _draw(desk: Desk, pane: Place, run: Sequence[Points], role: Role, prime: str) -> None:
     board = desk.board
     board.curve(pane, run, role)
-    for number, at in enumerate(run, start=1):
-        ends = number in (1, len(run))
-        label = f"P{f'^{{{prime}}}' if prime else ''}_{{{number}}}" if ends else ""
-        board.plot(pane, at, label, Dot.POINT)
+    for nth, at in enumerate(run, start=1):
+        board.plot(pane, at, f"{POLE}{f'^{{{prime}}}' if prime else ''}_{{{nth}}}", Dot.POINT)
 
 
 def _name(desk: Desk, pane: Place, fixed: Sequence[Points], moving: Sequence[Points]) -> None:
@@ -170,7 +177,7 @@ def _step_off(desk: Desk, pane: Place, asked: Centrodes, fixed: Sequence[Points]
 def _keep(desk: Desk, pane: Place, named: Named, run: Sequence[Points], prime: str) -> None:
     board = desk.board
     pairs = enumerate(pairwise(run), start=1)
-    chords = [board.measure(a, b, f"P{prime}_{{{k}}} P{prime}_{{{k + 1}}}").value for k, (a, b) in pairs]
+    chords = [board.measure(a, b, f"{POLE}{prime}_{{{k}}} {POLE}{prime}_{{{k + 1}}}").value for k, (a, b) in pairs]
     total = chords[0]
     for chord in chords[1:]:
         total = total + chord

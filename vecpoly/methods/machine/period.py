@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -20,13 +20,14 @@ from .french import French
 from .turn import Station, drawn, station
 
 STEP = np.radians(30.0)
+NEAR = 1e-9  # rad: the drive stands in one position
 Factors = tuple[Reals, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Period:
     """run: None where only the constant moment is sought. read: the stations as this hand drew them, in the order of ψ
-    from 0 on, the last at the end of the period.
+    from 0 on, the last at the end of the period; that of the given position tells what the steps before came to.
 
     moments, inertias: what this hand read there over what an exact hand reads; between them in proportion.
     """
@@ -72,7 +73,18 @@ def period_of(desk: Desk, run: Steady | None, curve: French, loads: Loads) -> Pe
     read = exact if steady else [drawn(desk.mech, loads, phi, desk.board.hand) for phi in places]
     moments = _over([one.moment for one in read], [one.moment for one in exact])
     inertias = _over([one.inertia for one in read], [one.inertia for one in exact])
-    return Period(board=desk.board, run=run, curve=curve, read=(*read, read[0]), moments=moments, inertias=inertias)
+    told = [_as_found(desk, one, curve.period) for one in read]
+    return Period(board=desk.board, run=run, curve=curve, read=(*told, told[0]), moments=moments, inertias=inertias)
+
+
+def _as_found(desk: Desk, one: Station, period: float) -> Station:
+    """The station of the given position with what was found there on the sheet, where that was sought; any other as it
+    is: one position has one J_e and one M_e."""
+    off = one.phi - desk.mech.drive.position
+    if abs(off - period * round(off / period)) > NEAR:
+        return one
+    inertia, moment = (desk.board.found.get(key, own) for key, own in (("J_e", one.inertia), ("M_e", one.moment)))
+    return replace(one, inertia=inertia, moment=moment)
 
 
 def _over(read: Sequence[Reals], exact: Sequence[Reals]) -> Factors:

@@ -60,6 +60,13 @@ def _text(low: float, high: float, slide: bool) -> str:
     return f"{round(float(first), 2):g}..{round(float(last), 2):g} {'mm' if slide else 'deg'}"
 
 
+def _printed(text: str) -> Words:
+    """Such a range as it is printed: 66.39°～166.44°, from 66.39° to 166.44°."""
+    (ends, unit) = text.rsplit(" ", 1)
+    first, last = (f"{end}°" if unit == "deg" else end for end in ends.replace("-", "−").split(".."))
+    return Words(f"{first}～{last}", f"{first} to {last}") + Words.same("" if unit == "deg" else f" {unit}")
+
+
 def alone(closes: Closes, at: float, scale: float) -> bool:
     """Whether everything closes just before and just after this position of the drive (rad,
     or m), so that it stands alone."""
@@ -106,8 +113,8 @@ def _alone(short: bool) -> Words:
 def _room(ranges: Ranges, found: bool) -> Words:
     if ranges:
         return Words(
-            f"；原动件在 {' 或 '.join(ranges)} 内时可以装配",
-            f"; they can where the drive is within {' or '.join(ranges)}",
+            f"；原动件在 {' 或 '.join(_printed(one).zh for one in ranges)} 内时可以装配",
+            f"; they can where the drive is within {' or '.join(_printed(one).en for one in ranges)}",
         )
     if found:
         return Words("；在任何位置都不能装配", "; they can in no position")

@@ -21,7 +21,7 @@ from .guess import first_guess
 from .loops import ITERATIONS, Loops, States, with_rates
 from .scatter import distinct, random_starts, scattered
 from .standing import carriers
-from .stride import points_there, stride
+from .stride import FEW, HALVINGS, points_there, stride
 
 EXACT = 1e-9  # of the mechanism's size: guesses nearer to an assembly than this are one
 
@@ -165,11 +165,11 @@ class Newton(Loops):
             ago = {name: body.take(pick) for name, body in ago.items()}
             start, led = path[track.near][pick], seed[pick]
             got = self.solve(led, here, start, ago)
-            within = (np.isfinite(got) | np.isfinite(path[ahead][pick])).all(
-                axis=(1, 2)
-            )  # the path goes on, or seems to
-            for k in np.flatnonzero(~points_there(got, start, led, self.size) & within):
+            on = np.isfinite(path[ahead][pick]).all(axis=(1, 2))  # the path goes on beyond; else it ends before long
+            for k in np.flatnonzero(
+                ~points_there(got, start, led, self.size) & (on | np.isfinite(got).all(axis=(1, 2)))
+            ):
                 then, now = ({n: body.take(np.array([k])) for n, body in bodies.items()} for bodies in (ago, here))
-                got[k] = stride(self, start[k], led[k], then, now)
+                got[k] = stride(self, start[k], led[k], then, now, HALVINGS if on[k] else FEW)
             found[pick] = got
         states[asked] = found

@@ -15,7 +15,7 @@ from ..state import Bodies, Body, Reals
 from .loops import Loops
 
 State = NDArray[np.float64]  # (positions ×) links × (x, y, φ)
-HALVINGS = 16
+HALVINGS, FEW = 16, 5  # of a stride of the path; from it to a position beside its end, of which many are asked for
 NEAR = 0.003  # of the mechanism's size, and rad: a landing this near to where the path pointed is trusted
 BENT, FAR = 0.25, 0.05  # so is one no farther off than a part of the stride's own length, and than this
 
@@ -30,7 +30,7 @@ def stride(loops: Loops, start: State, seed: State, past: Bodies, here: Bodies, 
     if points_there(found, start, seed, loops.size):
         return found
     if halvings == 0:
-        return np.full_like(found, np.nan)
+        return found if _apart(found, seed, loops.size) <= FAR else np.full_like(found, np.nan)
     middle = {name: _between(past[name], body) for name, body in here.items()}
     half = stride(loops, start, (start + seed) / 2, past, middle, halvings - 1)
     return half if np.isnan(half).any() else stride(loops, half, 2 * half - start, middle, here, halvings - 1)

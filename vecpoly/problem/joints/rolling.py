@@ -19,6 +19,7 @@ from ..links.teeth import pressure_angle
 from ..schema.faults import not_on_frame
 
 _SIZE = r"[\d.]+ \w+"  # of the second pitch circle of a stepped gear
+_FIXED = rf"circle about ({LETTER}) of (.+)"
 _ROLLS = pattern(
     rf"(?P<gear>{LINK}(?: of {_SIZE})?) rolls (?P<how>on|inside|above|below|left of|right of) "
     rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{LINK}(?: of {_SIZE})?)"
@@ -49,6 +50,10 @@ def read_rolling(text: str, bodies: Bodies) -> Rolling:
         bodies.draft(gear.link).say(
             Words(f"固定齿条节线 ${line[1]}$ = {line[2]}", f"pitch line of the fixed rack ${line[1]}$ = {line[2]}")
         )
+    if fixed := re.fullmatch(_FIXED, m["on"]):
+        bodies.draft(gear.link).say(
+            _fixed_wheel(gear.link, m["point"], fixed[1], fixed[2], inside=_side(m) == "inside")
+        )
     if gear.link == on.link:
         raise FaultError(Words(f"构件 {gear.link} 不能在自身上滚动", f"link {gear.link} cannot roll on itself"))
     side = _side(m)
@@ -58,6 +63,15 @@ def read_rolling(text: str, bodies: Bodies) -> Rolling:
     if isinstance(on, Rack):
         return Rolling(point=m["point"], gear=gear, on=on, side=_beside(side, on, m["on"]), alpha=alpha)
     return Rolling(point=m["point"], gear=gear, on=on, internal=side == "inside", alpha=alpha)
+
+
+def _fixed_wheel(link: str, point: str, centre: str, radius: str, *, inside: bool) -> Words:
+    """Its radius is a datum: it is no link that tells it."""
+    what = Words("固定内齿轮", "fixed ring") if inside else Words("固定齿轮", "fixed gear")
+    return Words(
+        f"{what.zh}（圆心 ${centre}$，与构件 {link} 切于 ${point}$）的节圆半径 $r$ = {radius}",
+        f"the {what.en} about ${centre}$, on which link {link} rolls at ${point}$, has the pitch radius $r$ = {radius}",
+    )
 
 
 def pitch_letter(text: str) -> str:
@@ -161,7 +175,7 @@ def _beside(side: str, rack: Rack, text: str) -> Side:
 
 
 def _partner(on: str, bodies: Bodies) -> Circle | Rack:
-    if m := re.fullmatch(rf"circle about ({LETTER}) of (.+)", on):
+    if m := re.fullmatch(_FIXED, on):
         if m[1] not in bodies.frame:
             raise not_on_frame(m[1], bodies.frame)
         return Circle(link=FRAME, centre=_pinned_there(m[1], bodies), radius=positive(m[2]).si)

@@ -10,7 +10,7 @@ from ...words import Lang
 from ..flow.results.box import AnswerBox
 from .line import answer_line
 from .notes import notes_of
-from .order import arranged
+from .order import arranged, broken
 
 
 def answer_box(
@@ -18,9 +18,10 @@ def answer_box(
 ) -> AnswerBox:
     """Every asked quantity once, by solutions or kinds; said: conclusions that are no quantity."""
     parts = arranged(answers or solution.answers.values())
+    idle = broken(solution)
     notes = notes_of([one for part in parts for one in part.answers], lang)
     lines = [
-        answer_line(one, solution, lang, group=number, heading=part.heading(lang))
+        answer_line(one, solution, lang, group=number, heading=part.heading(lang, idle))
         for number, part in enumerate(parts)
         for one in part.answers
     ]

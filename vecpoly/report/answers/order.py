@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from dataclasses import dataclass
 
 from ...algebra.formula import Row, plain
 from ...names import Named
-from ...solution import Answer
+from ...solution import Answer, Solution
 from ...words import Lang, Words
 from ..statement.groups import by_groups, parted
 
@@ -22,9 +22,12 @@ class Part:
     answers: tuple[Answer, ...]
     solution: int = 0
 
-    def heading(self, lang: Lang) -> str:
-        """What stands over them."""
-        return Words(f"解 {self.solution}", f"Solution {self.solution}").of(lang) if self.solution else ""
+    def heading(self, lang: Lang, broken: Container[int] = ()) -> str:
+        """What stands over them; broken: the numbers of those that do not move."""
+        if not self.solution:
+            return ""
+        told = Words(f"解 {self.solution}", f"Solution {self.solution}")
+        return (told + Words("（不能使用）", " (cannot be used)") if self.solution in broken else told).of(lang)
 
 
 def arranged(answers: Iterable[Answer]) -> tuple[Part, ...]:
@@ -37,6 +40,11 @@ def arranged(answers: Iterable[Answer]) -> tuple[Part, ...]:
     if not parted([one.key for one in every]):
         return (Part(tuple(every)),)
     return tuple(Part(tuple(some)) for _, some in by_groups(every, key=lambda one: one.key))
+
+
+def broken(solution: Solution) -> frozenset[int]:
+    """The numbers of the solutions of a synthesis that do not move with the lengths read."""
+    return frozenset(one.number for one in solution.verification if one.broken is not None)
 
 
 def listed(answers: Iterable[Answer]) -> tuple[Answer, ...]:

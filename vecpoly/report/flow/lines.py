@@ -33,15 +33,18 @@ class Line:
     descent: float
 
 
-def break_lines(cells: Sequence[Cell], width: float, em: float, first: float = 0.0) -> list[Line]:
-    """Greedy lines of the given width (mm), the first one indented; none stretched too far that could be fuller."""
+def break_lines(
+    cells: Sequence[Cell], width: float, em: float, first: float = 0.0, *, least: float = _LEAST_GAP
+) -> list[Line]:
+    """Greedy lines of the given width (mm), the first one indented, none stretched too far that could be fuller;
+    least: share of a blank that it may shrink to, 1 where the lines are set as they come."""
     lines: list[Line] = []
     cells = list(cells)
     gaps = [gap(a, b, em) for a, b in pairwise(cells)]
     start = 0
     while start < len(cells):
         indent = first if start == 0 else 0.0
-        end = _fill(cells, gaps, start, width - indent)
+        end = _fill(cells, gaps, start, width - indent, least)
         line = _line(cells, gaps, start, end, indent, em)
         if not line.last and _is_loose(line, width):
             end = _fuller(cells, gaps, start, end, width - indent, em)
@@ -79,7 +82,7 @@ def _fits(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, at: int, last:
     return used - cells[start].lead - last.trail <= width
 
 
-def _fill(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, width: float) -> int:
+def _fill(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, width: float, least: float) -> int:
     """The index after the last cell of the line that begins at `start`."""
     used = cells[start].box.width - cells[start].lead
     shrink = 0.0
@@ -93,7 +96,7 @@ def _fill(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, width: float) 
             best = i
         fallback = i
         if gaps[i - 1].stretch > 1.0:
-            shrink += gaps[i - 1].width * (1 - _LEAST_GAP)
+            shrink += gaps[i - 1].width * (1 - least)
         used += gaps[i - 1].width + cells[i].box.width
     return len(cells)
 

@@ -10,7 +10,7 @@ from ...drawing.sheets.sheet import Sheet
 from ...solution import YES_NO, Answer, Solution
 from ...words import Lang
 from ..answers.line import named_line
-from ..answers.order import arranged
+from ..answers.order import arranged, broken
 
 _READ_FROM = {"omega": View.VELOCITY, "alpha": View.ACCELERATION}
 
@@ -39,8 +39,9 @@ def _attempts(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list
 
 
 def _listed(answers: Iterable[Answer], solution: Solution, lang: Lang, read: bool) -> list[Listed]:
+    idle = broken(solution)
     return [
-        Listed(part.heading(lang), tuple(named_line(one, solution, lang, read=read) for one in part.answers))
+        Listed(part.heading(lang, idle), tuple(named_line(one, solution, lang, read=read) for one in part.answers))
         for part in arranged(answers)
     ]
 

@@ -28,7 +28,7 @@ _HEAD = {
 }
 _WIDTHS = (38.0, 36.0, 54.0, 42.0)
 _NONE = "—"
-_PLACE = "(　　　　　，　　　　　) mm"
+_PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　　　　　) mm")
 _OTHERS = Words("其他", "Others")
 _ON_THE_WAY = Words("中间量", "On the way")
 _CAPTIONS = (Words("方程", "Equation"), Words("方向", "Direction"), Words("大小", "Magnitude"))
@@ -121,7 +121,7 @@ def _row(one: Answer, lang: Lang) -> tuple[str, ...]:
     """Dashes for what it has not: a scalar points nowhere, what is computed is not read."""
     name = called(one.reading.symbol, one.reading.key, lang)
     paper, way = ("" if has(one) else _NONE for has in (_measured, _points))
-    return name, paper, _PLACE if one.is_place else "", way
+    return name, paper, _PLACE.of(lang) if one.is_place else "", way
 
 
 def _between(solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:

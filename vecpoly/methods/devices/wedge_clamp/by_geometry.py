@@ -12,10 +12,11 @@ from ....devices.wedge_clamp import LIMIT, WedgeClamp
 from ....plane import Line, Points, lines_meet, nominal
 from ....words import Words
 from ..bench import Bench
-from ..inclined import between, body, cone, gauged, ray, row_of
+from ..inclined import between, body, cone, gauged, numbered, ray, row_of
 from .shape import LENGTH, corners
 
 CONE = 36.0
+FACE, BESIDE = 46.0, 5.0  # mm: of the wedge at the limit; from a face to the number of the body there
 
 
 def by_geometry(bench: Bench, device: WedgeClamp, slope: Points, phi: Quantity) -> None:
@@ -78,22 +79,24 @@ def _limit(bench: Bench, phi: Quantity) -> None:
     limit = board.open_pane(View.BODY, "limit", Words("自锁极限", "Limit of self-locking"))
     board.step(
         Words(
-            "作极限位置：两反力各偏 $φ$ 而恰好共线。自公共作用线向两侧各量 $φ$ 得两法线，作其垂线为两工作面，"
-            "量其夹角：",
+            "作极限位置：两反力各偏 $φ$ 而恰好共线。自公共作用线向两侧各量 $φ$ 得两法线，作其垂线为两工作面"
+            "（与 1 接触的在下，与 2 接触的在上），量其夹角：",
             "The limit: both reactions are inclined by $φ$ and just collinear. Set off $φ$ to "
             "either side of the common line to get the normals; the faces are perpendicular to "
-            "them. Read the angle between the faces:",
+            "them (on 1 below, on 2 above). Read the angle between the faces:",
         ),
         limit,
     )
     turn = np.exp(1j * np.radians(phi.value))
     one, other = board.turn(1j * turn), board.turn(1j / turn)
-    for along, length, label in ((1j, 46.0, "R_{13} = −R_{23}"), (one, 38.0, "n_{13}"), (other, 38.0, "−n_{23}")):
+    for along, length, label in ((1j, 46.0, "R_{13} = −R_{23}"), (one, 38.0, "n_{13}"), (other, 38.0, "n_{23}")):
         ray(bench, limit, 0j, along, length, label)
-    for face in (one, other):
-        body(bench, limit, "link 3", 0j, -1j * face * 34.0)
+    under, over = 1j * one, 1j * other  # from the edge back along the faces: as the wedge lies, thick end at the left
+    body(bench, limit, "link 3", 0j, over * FACE, under * FACE)
+    places = ((-0.9 * FACE, "3"), (over * 0.7 * FACE + BESIDE * 1j, "2"), (under * 0.7 * FACE - BESIDE * 1j, "1"))
+    numbered(bench, limit, *places)
     between(bench, limit, 0j, 1j, one, 28.0, "φ")
     between(bench, limit, 0j, other, 1j, 28.0, "φ")
-    between(bench, limit, 0j, -1j * other, -1j * one, 24.0, LIMIT.symbol)
+    between(bench, limit, 0j, over, under, 24.0, LIMIT.symbol)
     found = gauged(bench, other, one)
     bench.stated(LIMIT, found, row_of(sym(LIMIT.symbol), f" = 2$φ$ = {number(float(nominal(found)))}°"))

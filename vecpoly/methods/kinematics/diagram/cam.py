@@ -51,7 +51,9 @@ def tangent_words(desk: Desk, joint: Prismatic) -> Words | None:
     contact = contact_replaced(desk.mech, joint.block)
     if contact is None:
         return None
-    o, link, r = contact.disc.centre, contact.on.link, f"r_{contact.disc.link}"
+    o, link = contact.disc.centre, contact.on.link
+    profiled = any(cam.point == contact.point for cam in desk.mech.cams)
+    r = "ρ" if profiled else f"r_{contact.disc.link}"  # as the step calls it that finds the osculating circle
     return Words(
         f"平底与 ${o}$ 始终相距 ${r}$：过 ${o}$ 的虚拟导路与平底平行，由此定出构件 {link} 的位置",
         f"The face keeps the distance ${r}$ from ${o}$: the guide through ${o}$ is parallel to it, "

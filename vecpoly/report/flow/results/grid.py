@@ -69,8 +69,8 @@ def laid(lines: Sequence[AnswerLine], count: int, em: float, room: float) -> Ite
 
 
 def sentence(text: str, em: float, room: float, chinese: bool) -> Iterator[Box]:
-    """A text in lines of this width (mm)."""
-    for line in break_lines(cells(text, em, chinese), room, em):
+    """A text in lines of this width (mm), no blank of which is shrunk."""
+    for line in break_lines(cells(text, em, chinese), room, em, least=1.0):
         yield joined(list(line.cells), em)
 
 

@@ -1,0 +1,35 @@
+"""What the steps use has the name under which it is given."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.drawn_library import drawn
+from vecpoly.problem.load import load
+
+
+@pytest.mark.parametrize(("name", "radius"), [("planetary-sun-drives", "90 mm"), ("planet-drive", "40 mm")])
+def test_the_radius_of_a_fixed_wheel_is_a_datum(name: str, radius: str) -> None:
+    told = [datum for datum in load(name).given.lengths if f"$r$ = {radius}" in datum.of("zh")]
+    assert len(told) == 1 and f"$r$ = {radius}" in told[0].of("en")
+
+
+@pytest.mark.parametrize(
+    ("name", "told"), [("press-flywheel", "$n_1$ = 120 r/min"), ("planetary-sun-drives", "$ω_1$ = 20 rad/s")]
+)
+def test_a_speed_in_turns_a_minute_is_n_and_one_in_radians_omega(name: str, told: str) -> None:
+    speeds = [datum.of("en") for datum in load(name).given.motion if datum.symbol == "ω_1"]
+    assert [one.startswith(told) for one in speeds] == [True]
+
+
+def test_the_radius_of_an_osculating_circle_keeps_its_letter() -> None:
+    steps = [step.words for step in drawn("cam-moves-flat-arm").solution.construction.steps]
+    (found,) = [words for words in steps if "Hartmann" in words.en]
+    (placed,) = [words for words in steps if "The face keeps the distance" in words.en]
+    assert "$ρ$ = " in found.en and "keeps the distance $ρ$ from" in placed.en and "相距 $ρ$" in placed.zh
+
+
+@pytest.mark.parametrize("name", ["6-5", "rotor-bolt-circle"])
+def test_a_product_that_is_given_has_the_letter_with_which_it_is_gone_on(name: str) -> None:
+    symbols = [symbol for symbol, _ in load(name).subject.given()]
+    assert "W_{1}" in symbols and not any(symbol.startswith("U") for symbol in symbols)
