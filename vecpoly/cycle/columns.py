@@ -147,7 +147,7 @@ def _part(whole: Column, part: str) -> Column:
             symbol=symbol,
             is_vector=False,
             rate=rate,
-            words=whole.words + Words(f"的 {part} 分量", f", {part} component"),
+            words=_coordinate(sub, symbol) if stem == "r" else whole.words + _component(part),
         )
     if part == "abs":
         return replace(whole, key=key, is_vector=False, rate="", words=whole.words + Words("的大小", ", magnitude"))
@@ -158,6 +158,15 @@ def _part(whole: Column, part: str) -> Column:
         words=whole.words + Words("的方向角", ", direction"),
         turns=True,
     )
+
+
+def _coordinate(sub: str, symbol: str) -> Words:
+    """点 B 的坐标 y_B / coordinate y_B of point B."""
+    return Words(f"点 ${subscripted(sub)}$ 的坐标 ${symbol}$", f"coordinate ${symbol}$ of point ${subscripted(sub)}$")
+
+
+def _component(part: str) -> Words:
+    return Words(f"的 {part} 分量", f", {part} component")
 
 
 def _slide(key: str, stem: str, pair: str, block: str, guide: str) -> Column:

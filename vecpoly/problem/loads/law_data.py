@@ -51,7 +51,7 @@ def _told_moving(window: Moving, spec: LoadSpec) -> Words:
     angle = round(degrees(window.direction), 9)
     way = _WAYS.get(int(angle)) if angle == int(angle) else None
     if way is None:
-        way = Words(f"沿 {angle:g}° 方向", f"along {angle:g}°")
+        way = Words(f"朝 {angle:g}° 方向", f"in the direction {angle:g}°")
     found = Words(f"，仅在 ${window.point}$ 点{way.zh}运动时作用", f", only while ${window.point}$ moves {way.en}")
     if spec.between is None:
         return found
