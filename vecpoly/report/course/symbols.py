@@ -67,12 +67,8 @@ def _model(study: Study) -> Iterator[Row]:
         )
     beta = next((c for c in constants if c.startswith("β_")), "")
     if beta:
-        end = beta[3:-1]
-        yield (
-            f"${beta}$",
-            Words(f"由构件的轴线量至 ${subscripted(end)}$ 的角", f"angle from the link's axis to ${subscripted(end)}$"),
-            "°",
-        )
+        end = subscripted(beta[3:-1])
+        yield f"${beta}$", Words(f"由构件的轴线量至 ${end}$ 的角", f"angle from the link's axis to ${end}$"), "°"
     yield from ((f"${c}$", words, unit) for c, words, unit in _others(constants))
     yield from _auxiliary(study)
     if gamma := next(iter(study.facts.transmissions), None):

@@ -187,16 +187,9 @@ def _points(study: Study) -> Iterator[Words]:
             "一个循环" if study.whole.whole else "在工作范围内",
             "in a cycle" if study.whole.whole else "in the working range",
         )
-        zh = (
-            f"${subscripted(letter)}$ 点{span.zh}走过的路程为 {length}，"
-            if found.length
-            else f"${subscripted(letter)}$ 点："
-        )
-        en = (
-            f"Point ${subscripted(letter)}$ travels {length} {span.en}; "
-            if found.length
-            else f"Of point ${subscripted(letter)}$: "
-        )
+        at = subscripted(letter)
+        zh = f"${at}$ 点{span.zh}走过的路程为 {length}，" if found.length else f"${at}$ 点："
+        en = f"Point ${at}$ travels {length} {span.en}; " if found.length else f"Of point ${at}$: "
         top = [(shown(study, e.key, spot.value), places(study, e, spot)) for e, spot in ((of_v, v), (of_a, a))]
         yield Words(
             f"{zh}$|v_{{{letter}}}|$ 最大 {top[0][0]}（{top[0][1].zh}），$|a_{{{letter}}}|$ 最大 {top[1][0]}（"
