@@ -205,9 +205,9 @@ _ANGULAR = pattern(r"^(omega|alpha)_(\w+)$")
 
 
 def subscripted(letter: str) -> str:
-    """C2 as printed: C_2; a plain letter stays itself."""
+    """C2 as printed: C_2; a plain letter stays itself, and one with a subscript."""
     bare = letter.rstrip("0123456789")
-    return f"{bare}_{letter[len(bare) :]}" if letter != bare else letter
+    return f"{bare}_{letter[len(bare) :]}" if letter != bare and not bare.endswith("_") else letter
 
 
 def ascii_key(symbol: str) -> str:

@@ -13,7 +13,9 @@ from hypothesis import strategies as st
 from tests.cam_cases import device, drawn
 from tests.laws import often
 from tests.rotor_cases import CASES, agree, blind, dalby, grade, holes, lumps, planes, two_planes
+from vecpoly import load
 from vecpoly.board.hand import hand
+from vecpoly.board.paper.marks import Point, Vector
 from vecpoly.drawing.sheets.paper import DrawingPaper
 from vecpoly.methods.devices.plan import construct_device
 from vecpoly.problem.asked.asks import AskNamed
@@ -208,3 +210,13 @@ def test_a_rotor_in_balance_is_told_so_by_every_hand_and_has_no_directions(by: s
     solution = solve(loads(text), by=by, seed=3)
     assert not solution.suspect and solution.answers["static"].drawn == solution.answers["dynamic"].drawn == 1.0
     assert solution.answers["theta_bI"].undefined and solution.answers["theta_bII"].undefined
+
+
+def test_the_permitted_circle_the_rounded_weights_and_what_they_leave_are_named_on_the_polygon() -> None:
+    figure = next(
+        f for f in load("rotor-bolt-circle").solve(by="exact").construction.figures if f.scale.symbol == "μ_U"
+    )
+    arrows = {mark.label for mark in figure.marks if isinstance(mark, Vector)}
+    letters = {mark.label for mark in figure.marks if isinstance(mark, Point)}
+    assert {"W′_{b,1}", "W′_{b,2}", "W_{r}"} <= arrows and "" not in arrows
+    assert {"U_{per}", "q"} <= letters

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from tests.studies import studied
-from vecpoly.curves import curves, given_values, hodograph
+from vecpoly.curves import curves, given_values, hodograph, trace
 from vecpoly.curves.flat import plane
 from vecpoly.curves.peaks import extremes, figures
 from vecpoly.curves.place import Placer
+from vecpoly.curves.poses import poses
 from vecpoly.cycle import Cycle, cycle
 from vecpoly.figures.hue import TONES, Hue
 from vecpoly.problem.load import load
@@ -124,6 +125,7 @@ def test_what_changes_its_sign_is_seen_against_a_line_of_zero() -> None:
         (("v_E", "v_E.x"), "$E$ 点的速度及其分量 $v_{E}$、$v_{Ex}$ 随", "Velocity and components of $E$ ($v_{E}$"),
         (("omega_1", "omega_2"), "构件的角速度 $ω_{1}$、$ω_{2}$ 随", "Angular velocities of the links ($ω_{1}$"),
         (("p_E.x", "p_E.y"), "$E$ 点的坐标", "Coordinates of $E$"),
+        (("p_E.y",), "点 $E$ 的坐标 $y_{E}$ 随 $φ_{1}$", "Coordinate $y_{E}$ of point $E$ over"),
     ],
 )
 def test_a_caption_says_what_is_shown(keys: tuple[str, ...], zh: str, en: str) -> None:
@@ -136,3 +138,9 @@ def test_a_whole_turn_is_parted_into_round_steps_whose_numbers_have_room(width: 
     at = curves(turned("3-9"), ("omega_2",), width=width).figure.axes[0]
     ticks = [tick for tick in at.get_xticks() if 0 <= tick <= 360]
     assert np.allclose(np.diff(ticks), step) and ticks[0] == 0 and ticks[-1] == 360
+
+
+def test_the_number_of_a_point_is_a_subscript_in_captions() -> None:
+    turn = turned("engine-card")
+    for title in (trace(turn, ("S2",)).title, poses(turn, "S2").title, curves(turn, ("v_S2", "v_S2.x")).title):
+        assert "S_2" in title.zh and "S_2" in title.en and "$S2$" not in title.zh + title.en, title

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import combinations
 
 import numpy as np
 import pytest
 
+from tests.drawn_library import drafted
+from vecpoly import load
 from vecpoly.board.construction import Construction, Figure, Scale, View
 from vecpoly.board.paper.marks import Arc, Dot, Mark, Point, Role, Vector
 from vecpoly.board.ruler import READABLE
@@ -40,7 +43,7 @@ def test_a_vector_of_less_than_three_millimetres_is_drawn_apart_and_readable_the
     assert long == pytest.approx(short * knot.factor) and long >= READABLE
     assert knot.factor in FACTORS and 2 * knot.radius * knot.factor <= FULL
     assert detail.scale.value == pytest.approx(10.0 / knot.factor)
-    assert {m.label for m in main.marks if isinstance(m, Point)} - {""} == {"a", "d", "Ⅰ"}
+    assert {m.label for m in main.marks if isinstance(m, Point)} - {""} == {"a", "b", "d", "Ⅰ"}
     assert not any(isinstance(m, Vector) and m.label == "F_1" for m in main.marks)
     (ring,) = [m for m in main.marks if isinstance(m, Arc)]
     assert (ring.radius, abs(ring.sweep)) == pytest.approx((knot.radius, 2 * np.pi))
@@ -97,3 +100,34 @@ def test_a_sheet_has_the_detail_beside_its_figure_inside_the_frame() -> None:
     assert (main.name, detail.name) == ("2", "2 detail 1") and detail.figure is not None
     assert not main.extents.overlaps(detail.extents) or detail.extents.width < main.extents.width
     assert detail.extents.x0 >= 10 and detail.extents.x1 <= sheet.size[0] - 10
+
+
+def solved(name: str) -> Construction:
+    solution = drafted(name)
+    return solution.construction if solution is not None else load(name).solve().construction
+
+
+@pytest.mark.parametrize(
+    ("name", "view", "letters"),
+    [("crank-pin-in-slot", View.MECHANISM, "AD"), ("A-30", View.ACCELERATION, ["p′", "g_3^′"])],
+)
+def test_what_is_spoken_of_has_its_letter_on_the_figure_itself_too(
+    name: str, view: View, letters: Sequence[str]
+) -> None:
+    figure = solved(name).figure(view)
+    assert figure is not None
+    whole, *details = detailed(figure)
+    kept = {mark.label for mark in whole.marks if isinstance(mark, Point)}
+    apart = {mark.label for detail in details for mark in detail.marks if isinstance(mark, Point)}
+    assert set(letters) <= kept and set(letters) <= apart
+
+
+def test_beside_a_ring_there_are_two_letters_at_most() -> None:
+    for name in ("A-30", "crank-pin-in-slot"):
+        for figure in solved(name).figures:
+            whole, *_ = detailed(figure)
+            for knot in knots(figure):
+                left = {
+                    mark.at for mark in whole.marks if isinstance(mark, Point) and mark.label and knot.holds(mark.at)
+                }
+                assert 1 <= len({complex(round(at.real, 1), round(at.imag, 1)) for at in left}) <= 2

@@ -46,10 +46,10 @@ def letters(figure: Figure) -> set[str]:
     return {m.label for m in figure.marks if isinstance(m, Point) and m.label}
 
 
-def test_a_knot_keeps_no_letters_where_it_is_and_has_them_all_in_the_detail() -> None:
+def test_a_knot_keeps_the_letter_of_its_pole_alone_where_it_is_and_has_them_all_in_the_detail() -> None:
     figure = polygon(3.0)
     main, detail = detailed(figure)
-    assert letters(main) == {"f^′", "Ⅰ"}
+    assert letters(main) == {"p′", "f^′", "Ⅰ"}
     assert letters(detail) == letters(figure) - {"f^′"}
 
 
@@ -162,7 +162,7 @@ def test_a_friction_circle_too_small_to_see_where_it_is_touched_is_drawn_apart()
     assert circle.radius == pytest.approx(0.8 * SCALE.value / detail.scale.value) and circle.radius >= 3.0
     (line,) = (mark for mark in detail.marks if isinstance(mark, Segment) and mark.role is Role.CONSTRUCTION)
     assert line.a.imag - circle.centre.imag == pytest.approx(circle.radius)
-    assert letters(main) == {"B", "Ⅰ"} and letters(detail) == {"A"}
+    assert letters(main) == {"A", "B", "Ⅰ"} and letters(detail) == {"A"}
 
 
 def test_a_friction_circle_that_can_be_seen_is_not_drawn_apart() -> None:

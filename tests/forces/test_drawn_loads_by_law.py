@@ -43,10 +43,19 @@ def test_each_kind_of_load_is_drawn_as_the_oracle_finds_it(entry: str, key: str,
 def test_a_load_outside_its_window_is_not_drawn_and_the_step_says_so() -> None:
     away = drawn_exactly(placed(slider(CUT, "Q: {on: 3, at: C, size: 90 N, direction: 180 deg}", find="F, M_1"), 300))
     told = " ".join(step.words.en for step in away.construction.steps)
-    assert away.answers["F"].drawn == 0.0 and "So $F$ does not act here" in told
+    assert away.answers["F"].drawn == 0.0 and ", so $F$ does not act here" in told
     assert "F" not in {
         mark.key for figure in away.construction.figures for mark in figure.marks if hasattr(mark, "key")
     }
+
+
+def test_whether_a_load_acts_is_one_sentence_with_its_place_and_range() -> None:
+    told = [step.words for step in drawn_exactly(load("press-flywheel")).construction.steps]
+    (said,) = (words for words in told if words.en.endswith(", so $M_{r}$ acts here."))
+    assert said.en == "$φ_{1}$ = 120° lies within 60° to 150°, so $M_{r}$ acts here."
+    assert said.zh == "$φ_{1}$ = 120° 在 60°～150° 内，故 $M_{r}$ 起作用。"
+    beyond = drawn_exactly(placed(load("press-flywheel"), 200)).construction.steps
+    assert any(step.words.zh == "$φ_{1}$ = 200° 不在 60°～150° 内，故 $M_{r}$ 不起作用。" for step in beyond)
 
 
 def test_the_length_of_a_spring_is_measured_and_its_error_goes_on() -> None:

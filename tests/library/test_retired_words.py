@@ -24,10 +24,12 @@ ENGLISH = (
     r"Asked in the given", r"whose logarithm", r"\bPrinted answers\b", r"\bThe printed answers\b",
     r"turn of the drive\b", r"(?:the|of|allowed) unevenness", r"coefficient of fluctuation", r"carrier mechanism",
     r"\bthrough the meeting\b(?! point)", r"link \S+, expanded\b",
+    r"turns (?:steadily|evenly)", r"^steadily$", r"\beven steps\b", r"gone through", r"(?:sheets|pages) behind",
+    r"the turning of link", r"evenly (?:over|about|spread)",
 )  # fmt: skip
 CHINESE = (
     r"相应一侧", r"在同样的驱动下", r"等值、反向，沿", r"的垂足距", r"性态", r"分子大", r"分母小",
-    r"带随机误差的手", r"以末位数字为准", r"设计任务", r"(?<!接)[内外]副", r"铰接于槽中", r"（扩大）",
+    r"带随机误差的手", r"以末位数字为准", r"设计任务", r"(?<!接)[内外]副", r"铰接于槽中", r"（扩大）", r"其作用的范围",
 )  # fmt: skip
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
+import pytest
+
 from tests.drawn_library import IDS, drawn
 from tests.each import each
 from vecpoly.board.construction import Figure, View
@@ -114,7 +116,7 @@ def test_lengths_and_angles_of_cams_clamps_and_crankshafts_stand_on_their_sketch
     if here is None:  # what no first step can draw: the least cam for given pressure angles
         assert isinstance(subject, Cam) and subject.r0 is None
         return
-    told = _TOLD - {"l"} if isinstance(subject, EccentricClamp) else _TOLD
+    told = _TOLD - {"l", "Q"} if isinstance(subject, EccentricClamp) else _TOLD
     wanted = {plain(symbol) for symbol, _ in subject.given()}  # type: ignore[union-attr]
     assert {one for one in wanted - told if not one.startswith("α_")} <= letters([here])
 
@@ -124,3 +126,15 @@ def test_drum_and_pulley_are_drawn_and_a_rotor_without_length_is_seen_from_its_e
     assert drum is not None and disc is not None
     tall = [mark for mark in drum.marks if getattr(mark, "role", None) == "given"]
     assert len(tall) == 8 and disc.view.name == "end-view"
+
+
+@pytest.mark.parametrize("name", ["straight-roberts", "straight-hoecken", "straight-chebyshev"])
+def test_a_mechanism_that_is_given_whole_is_shown_whole_and_small(name: str) -> None:
+    shown = pictured(name)
+    assert shown is not None and set("ABCDE") <= letters([shown])
+    places = [mark.at for mark in shown.marks if isinstance(mark, Point) and mark.label in set("ABCDE")]
+    assert max(at.imag for at in places) - min(at.imag for at in places) < 50
+
+
+def test_the_height_of_the_guide_that_is_asked_for_is_on_the_drawing() -> None:
+    assert "h" in letters(drawn("8-17").construction.figures)

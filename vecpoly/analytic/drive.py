@@ -35,12 +35,12 @@ def driving(scope: Scope) -> GroupModel:
     pivot = next(p for p, names in hinges(scope.mech).items() if FRAME in names and link in names)
     scope.anchors[link] = pivot
     steady = not scope.mech.drive.accel
-    word = Words("匀速", "steadily") if steady else Words("", "with given acceleration")
+    word = Words("匀速", "uniformly") if steady else Words("", "with given acceleration")
     told = Words(f"，$α_{{{name}}}$ = 0", f", $α_{{{name}}}$ = 0") if steady else Words("", "")
     opening = Words(
         f"原动件 {name} 绕固定铰链 ${pivot}$ {word.zh}转动，$φ_{{{name}}}$、"
         f"$ω_{{{name}}}${'' if steady else f'、$α_{{{name}}}$'} 已知{told.zh}。",
-        f"Link {name} turns {word.en} about the fixed pivot ${pivot}$; $φ_{{{name}}}$, "
+        f"Link {name} rotates {word.en} about the fixed pivot ${pivot}$; $φ_{{{name}}}$, "
         f"$ω_{{{name}}}${'' if steady else f', $α_{{{name}}}$'} are given{told.en}.",
     )
     stages = points(scope, (link,))

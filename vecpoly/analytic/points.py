@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..names import subscripted
 from ..words import Words
 from .equations import Part, Stage
 from .stages import ACCELERATION, POSITION, VELOCITY
@@ -14,7 +15,10 @@ def points(scope: Scope, links: tuple[str, ...]) -> tuple[Stage, ...]:
     new = scope.further(links)
     if not new:
         return ()
-    names = "、".join(f"${letter}$" for _, _, letter in new), ", ".join(f"${letter}$" for _, _, letter in new)
+    names = (
+        "、".join(f"${subscripted(letter)}$" for _, _, letter in new),
+        ", ".join(f"${subscripted(letter)}$" for _, _, letter in new),
+    )
     said = Words(f"构件上 {names[0]} 点：", f"Points {names[1]}:" if len(new) > 1 else f"Point {names[1]}:")
     place = [e for link, start, end in new for e in both(scope.xy(end), scope.place(link, start, end))]
     velocity = [e for link, start, end in new for e in both(scope.v(end), scope.velocity(link, start, end))]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..cycle import Column
+from ..names import subscripted
 from ..words import Words
 
 _SEVERAL = {
@@ -32,7 +33,8 @@ def _named(group: Sequence[Column]) -> Words:
     what = group[0].words if len(group) == 1 else _several(group)
     zh, en = "、".join(symbols), ", ".join(symbols)
     if not what.en or f"${group[0].symbol}$" in what.en:  # a load's words have its symbol
-        return Words(what.zh or f"{zh} ", what.en or en)
+        told = what.zh or zh
+        return Words(told + " " * told.endswith("$"), what.en or en)
     return Words(f"{what.zh} {zh} ", f"{what.en} ({en})")
 
 
@@ -46,5 +48,5 @@ def _several(group: Sequence[Column]) -> Words:
             return Words.same("")
         letter = next(iter(bases)).partition("_")[2]
         what = _SEVERAL[stem]
-        return Words(f"${letter}$ 点的{what.zh}", f"{what.en} of ${letter}$")
+        return Words(f"${subscripted(letter)}$ 点的{what.zh}", f"{what.en} of ${subscripted(letter)}$")
     return _SEVERAL.get(stem, Words.same(""))

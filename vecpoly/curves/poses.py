@@ -10,6 +10,7 @@ from ..cycle import Cycle
 from ..drawing.style import GIVEN, THIN, Dash, Hue
 from ..figures import View
 from ..mechanism.model import Revolute
+from ..names import subscripted
 from ..words import Lang, Words
 from . import style
 from .flat import plane, stations
@@ -46,8 +47,8 @@ def poses(cycle: Cycle, letter: str, lang: Lang = "zh", *, width: float = 150.0,
     return Plot(
         figure,
         Words(
-            f"机构的 {len(phi)} 个位置和 ${letter}$ 点的轨迹",
-            f"{len(phi)} positions of the mechanism, and the path of ${letter}$",
+            f"机构的 {len(phi)} 个位置和 ${subscripted(letter)}$ 点的轨迹",
+            f"{len(phi)} positions of the mechanism, and the path of ${subscripted(letter)}$",
         ),
         lang,
     )
@@ -61,4 +62,4 @@ def _letters(cycle: Cycle, at: Any, letter: str, placer: Placer, middle: complex
     placer.keep_clear(np.array(list(places.values())), 0.9)
     for name, z in places.items():
         style.dots(at, [z.real], [z.imag], Hue.BLACK, 1.8 if name in mech.frame else 1.3, hollow=True)
-        placer.put(z, f"${name}$", z - middle, style.LABEL)
+        placer.put(z, f"${subscripted(name)}$", z - middle, style.LABEL)

@@ -11,6 +11,7 @@ from ..cycle.facts.path import shape_of
 from ..drawing.style import THIN, Dash, Hue
 from ..errors import NotAskedError
 from ..mechanism.model import Revolute
+from ..names import subscripted
 from ..words import Lang, Words
 from . import style
 from .flat import mark_stations, plane
@@ -50,9 +51,9 @@ def trace(
     letters = _joints(cycle, at, points)
     placer.keep_clear(np.array(list(letters.values())), 0.9)
     for letter, place in letters.items():
-        placer.put(place, f"${letter}$", place - (low + high) / 2, style.LABEL)
+        placer.put(place, f"${subscripted(letter)}$", place - (low + high) / 2, style.LABEL)
     mark_stations(cycle, at, placer, f"p_{points[0]}", 1e3, style.PENS[0].hue)
-    names = "、".join(f"${letter}$" for letter in points)
+    names = "、".join(f"${subscripted(letter)}$" for letter in points)
     return Plot(figure, Words(f"点 {names} 的轨迹", f"Path of {names.replace('、', ', ')}"), lang)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..names import Named
+from ..names import Named, subscripted
 from ..words import Words
 
 _SHOWN = {"rad": ("°", 57.29577951308232), "m": ("mm", 1000.0)}
@@ -62,3 +62,11 @@ def of_reduced(named: Named) -> Column:
         "F": Words("等效力", "equivalent force"),
     }
     return Column(key=named.key, symbol=named.symbol, unit=named.unit, words=what[named.key[0]])
+
+
+def part_words(whole: Column, part: str, point: str, symbol: str) -> Words:
+    """Of the x or y part of a vector: 点 B 的坐标 y_B, 点 B 的速度的 y 分量."""
+    if symbol.startswith(f"{part}_"):
+        at = subscripted(point)
+        return Words(f"点 ${at}$ 的坐标 ${symbol}$", f"coordinate ${symbol}$ of point ${at}$")
+    return whole.words + Words(f"的 {part} 分量", f", {part} component")

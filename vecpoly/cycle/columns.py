@@ -24,7 +24,7 @@ from ..mechanism.rams import driver_words
 from ..names import Kind, Named, Rel, parse_rel, subscripted
 from ..problem.text.spelling import did_you_mean
 from ..words import Words
-from .column import Column, of_loads, of_reduced
+from .column import Column, of_loads, of_reduced, part_words
 from .shaking import SHAKING
 
 PARTS = ("x", "y", "abs", "arg")
@@ -137,17 +137,11 @@ def _part(whole: Column, part: str) -> Column:
             )
         )
     key, rate = f"{whole.key}.{part}", f"{whole.rate}.{part}" if whole.rate and part in "xy" else ""
-    stem, _, sub = whole.symbol.partition("_")
-    sub = sub.strip("{}")
+    stem, sub = whole.symbol.partition("_")[0], whole.symbol.partition("_")[2].strip("{}")
     if part in "xy":
         symbol = f"{part}_{{{sub}}}" if stem == "r" else f"{stem}_{{{sub}{part}}}"
         return replace(
-            whole,
-            key=key,
-            symbol=symbol,
-            is_vector=False,
-            rate=rate,
-            words=whole.words + Words(f"的 {part} 分量", f", {part} component"),
+            whole, key=key, symbol=symbol, is_vector=False, rate=rate, words=part_words(whole, part, sub, symbol)
         )
     if part == "abs":
         return replace(whole, key=key, is_vector=False, rate="", words=whole.words + Words("的大小", ", magnitude"))
@@ -237,7 +231,7 @@ def _refuse_unknown_points(mech: Mechanism, rel: Rel) -> None:
 
 
 def _told(rel: Rel) -> Words:
-    """构件 2 的角速度 / angular velocity of link 2; 点 C 相对 B 的速度 / velocity of C relative to B."""
+    """构件 2 的角速度 / angular velocity of link 2."""
     what = _WORDS[rel.kind]
     if not rel.is_vector:
         return Words(f"构件 {rel.to.link} 的{what.zh}", f"{what.en} of link {rel.to.link}")

@@ -39,7 +39,7 @@ from .printed_tables import printed_tables
 from .question.content import question
 from .question.frames import frames
 from .question.sketch import sketched
-from .tables import printed_table
+from .tables import given_tables, printed_table
 from .templates import filled
 from .titles import subject
 from .verdicts import verdicts
@@ -181,6 +181,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     common = {
         **statement(solution, lang),
         "repeats": REPEATS,
+        "data": [objects.add("tab", one) for one in given_tables(solution.problem, lang)],
         "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",
     }
     if style == "question":

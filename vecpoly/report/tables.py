@@ -12,10 +12,10 @@ from ..drawing.hues import ink_called
 from ..figures.hue import Hue
 from ..foundation.slotted import replace
 from ..names import is_place
-from ..problem.problem import as_printed
+from ..problem.problem import Problem, as_printed
 from ..solution import YES_NO, Solution
 from ..typeset.box import Rgb
-from ..words import Lang
+from ..words import Lang, Words
 from .flow.table import DataTable
 from .values import value
 
@@ -26,6 +26,7 @@ _PRINTED = {
 _NONE = "—"
 MOST_COLUMNS = 15  # of a table of stations, in all its blocks
 _DECIMAL, _PADDED = re.compile(r"[+−]?\d+(?:\.(\d+))?"), 2
+MOST_GIVEN = 140  # rows of a table that is printed with what is given
 FEW = 6  # rows of a table that stays one block
 
 
@@ -53,6 +54,16 @@ def listed(listing: Listing, lang: Lang) -> DataTable:
     for at in gaps:
         rows = [[*row[:at], "", *row[at:]] for row in rows]
     return DataTable(heads, rows, None, align, lang=lang)
+
+
+def given_tables(problem: Problem, lang: Lang) -> list[DataTable]:
+    """The tables among what is given, each in columns beside each other; not those that would fill pages."""
+    data = (*problem.given.lengths, *problem.given.motion, *problem.given.loads)
+    tables = [datum.table for datum in data if datum.table is not None and len(datum.table.rows) <= MOST_GIVEN]
+    return [
+        listed(Listing(head=tuple(map(Words.same, one.head)), rows=one.rows, blocks=MOST_COLUMNS), lang)
+        for one in tables
+    ]
 
 
 def padded(rows: Sequence[Sequence[str]]) -> tuple[tuple[str, ...], ...]:

@@ -16,6 +16,7 @@ from ...report.plates.sketch import sketch_of
 from ...report.question.blanks import working_room
 from ...report.question.sketch import sketched
 from ...report.question.working import LEAST_ROOM, Squares
+from ...report.tables import given_tables
 from ...report.templates import filled
 from ...solution import Solution
 from ...typeset.box import MM
@@ -48,6 +49,7 @@ def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]
     context = {
         **statement(solution, lang),
         "blanks": [objects.add("eq", _emptied(table, n)) for n, table in enumerate(tables, 1)],
+        "data": [objects.add("tab", one) for one in given_tables(solution.problem, lang)],
         "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else "",
     }
     xml = filled(f"sheet.{lang}.xml.j2", (data_dir("templates"),), {"p": context})

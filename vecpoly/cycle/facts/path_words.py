@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import isfinite, tau
 
+from ...names import subscripted
 from ...words import Words
 from ..cycle import Cycle
 from ..extremes import Spot
@@ -94,7 +95,7 @@ def _crossing(cycle: Cycle, cross: Crossing) -> Words:
 def _pivot(cycle: Cycle, at: complex, within: float) -> str:
     """The fixed pivot at this place, if there is one; within: a share of the mechanism's size."""
     letters = (letter for letter, z in cycle.mech.frame.items() if abs(z - at) < within * cycle.mech.scale)
-    return next((f"${letter}$" for letter in letters), "")
+    return next((f"${subscripted(letter)}$" for letter in letters), "")
 
 
 def _circle(cycle: Cycle, found: Path) -> Words:

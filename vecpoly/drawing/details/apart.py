@@ -15,22 +15,23 @@ from ...words import Words
 from ..symbols.around import RING
 from .knot import Knot
 from .knots import MOST, knots
-from .within import unlettered, within
+from .within import spoken, unlettered, within
 
 ROMAN = "ⅠⅡⅢⅣⅤⅥⅦⅧⅨⅩⅪⅫ"
 NEAR = 4.0  # radii of a knot about it in which its number looks for room
 
 
 def detailed(figure: Figure, first: int = 1, most: int = MOST) -> tuple[Figure, ...]:
-    """The figure with its worst knots circled and left without letters, then each detail, which has them, numbered from
-    `first` on; the figure alone where it has no knot."""
+    """The figure with its worst knots circled and left with the letters that are spoken of alone, then each detail,
+    which has all, numbered from `first` on; the figure alone where it has no knot."""
     found = knots(figure)[:most]
     if not found:
         return (figure,)
     names = [numeral(first + n) for n in range(len(found))]
     marks: Iterable[Mark] = figure.marks
     for knot in found:
-        marks = [unlettered(mark, knot) for mark in marks]
+        kept = spoken(figure, knot)
+        marks = [mark if mark in kept else unlettered(mark, knot) for mark in marks]
     rings, details = list[Mark](), list[Figure]()
     for number, (knot, name) in enumerate(zip(found, names, strict=True), start=1):
         inner = tuple(part for mark in figure.marks for part in within(mark, knot))

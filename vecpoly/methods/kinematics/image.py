@@ -144,7 +144,7 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
     board.step(
         Words(
             f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{QUANTITY[view].zh}。",
-            f"The {QUANTITY[view].en} of ${desk.name(at)}$ from the turning of link {link}.",
+            f"The {QUANTITY[view].en} of ${desk.name(at)}$ from the rotation of link {link}.",
         ),
         view,
     )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from ...mechanism.laws.sizes import Table
 from ...mechanism.laws.springs import Coil, Elastic
 from ...mechanism.laws.windows import During, Moving, Turning
 from ...mechanism.loads import Constant, Load
@@ -12,7 +11,10 @@ from ...mechanism.model import FRAME
 from ...words import Words
 from ..problem import Datum
 from ..schema.models import LoadSpec, TableSpec
+from ..values.given import GivenTable
+from .tables import TABLE_HEAD
 
+_GREEK = {"phi": "φ", "theta": "θ", "alpha": "α"}
 _WAYS = {
     0: Words("向右", "to the right"),
     90: Words("向上", "up"),
@@ -51,7 +53,7 @@ def _told_moving(window: Moving, spec: LoadSpec) -> Words:
     angle = round(degrees(window.direction), 9)
     way = _WAYS.get(int(angle)) if angle == int(angle) else None
     if way is None:
-        way = Words(f"沿 {angle:g}° 方向", f"along {angle:g}°")
+        way = Words(f"朝 {angle:g}° 方向", f"in the direction {angle:g}°")
     found = Words(f"，仅在 ${window.point}$ 点{way.zh}运动时作用", f", only while ${window.point}$ moves {way.en}")
     if spec.between is None:
         return found
@@ -59,21 +61,35 @@ def _told_moving(window: Moving, spec: LoadSpec) -> Words:
     return found + Words(f"（其行程的 {low:g} % 至 {high:g} %）", f" (from {low:g} % to {high:g} % of its stroke)")
 
 
-def told_table(load: Load, table: Table, spec: LoadSpec) -> Words:
+def told_table(load: Load, spec: LoadSpec) -> Datum:
     """A load by its table."""
-    assert isinstance(spec.size, TableSpec) and spec.size.columns is not None
-    name = f" {table.name}" if table.name else ""
-    over, sizes = spec.size.columns
+    assert isinstance(spec.size, TableSpec) and spec.size.columns is not None and spec.size.rows is not None
+    heads = [_head(cell) for cell in spec.size.columns]
+    (over, _), (sizes, _) = heads
     area = spec.size.area or spec.size.bore
     piston = Words("", "")
     if area is not None:
         which = Words("面积", "area") if spec.size.area else Words("直径", "bore")
         text = written(area)
         piston = Words(f"，活塞{which.zh} {text}", f", {which.en} of the piston {text}")
-    return Words(
-        f"${load.name}$ 由数据表{name} 给出（{over}；{sizes}）{piston.zh}",
-        f"${load.name}$ by the table{name} ({over}; {sizes}){piston.en}",
+    return Datum(
+        words=Words(
+            f"${load.name}$ 由 {sizes}–{over} 数据表给出{piston.zh}",
+            f"${load.name}$ by the table of {sizes} over {over}{piston.en}",
+        ),
+        table=GivenTable(
+            head=tuple(f"{symbol} /{unit}" for symbol, unit in heads),
+            rows=tuple(tuple(str(cell).strip().replace("-", "−") for cell in row) for row in spec.size.rows),
+        ),
     )
+
+
+def _head(cell: str) -> tuple[str, str]:
+    """Symbol and unit of a column: phi (deg) gives $φ$ and °."""
+    found = TABLE_HEAD.fullmatch(cell)
+    assert found is not None  # the table was read
+    symbol, unit = found[1], written(found[2])
+    return f"${_GREEK.get(symbol, symbol)}$", "°" if unit == "deg" else unit
 
 
 def told_motor(load: Load, spec: LoadSpec) -> Datum:

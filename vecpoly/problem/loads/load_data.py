@@ -34,8 +34,9 @@ def _lawful(load: Load, spec: LoadSpec) -> Datum:
     when = told_windows(load, spec)
     match size:
         case Table():
-            where = _on(load, _direction(spec))
-            return Datum(words=told_table(load, size, spec) + where + when)
+            told = told_table(load, spec)
+            assert told.words is not None
+            return replace(told, words=told.words + _on(load, _direction(spec)) + when)
         case Motor():
             return told_motor(load, spec)
         case None:

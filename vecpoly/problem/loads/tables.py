@@ -14,7 +14,7 @@ from ...words import Words
 from ..schema.models import TableSpec
 from .driven import Driven
 
-_HEAD = pattern(r"\s*(.*?)\s*[(（\[/]\s*(.+?)\s*[)）\]]?\s*")
+TABLE_HEAD = pattern(r"\s*(.*?)\s*[(（\[/]\s*(.+?)\s*[)）\]]?\s*")
 _SLACK = 1e-6  # of a turn
 
 
@@ -54,7 +54,7 @@ def turns_of(table: TableSpec) -> int:
 
 def _head(cell: str) -> tuple[float, str]:
     """SI factor and dimension of the unit in a column's head."""
-    m = _HEAD.fullmatch(cell)
+    m = TABLE_HEAD.fullmatch(cell)
     if m is None:
         raise FaultError(
             Words(

@@ -27,10 +27,18 @@ class Shape(StrEnum):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class GivenTable:
+    """A table that is given: heads with symbol and unit, $φ$ /°, and the rows as they are printed."""
+
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Datum:
     """One given quantity: its symbol (`l_AB`, `φ_1`, `ω_1`), SI value, and the value as written (`30 mm`).
 
-    Where no symbol is usual, the symbol is empty and `words` say it all.
+    Where no symbol is usual, the symbol is empty and `words` say it all; a table stands under them.
     Words with a symbol have a gap `{}` for the value.
     """
 
@@ -38,6 +46,7 @@ class Datum:
     si: float = 0.0
     text: str = ""
     words: Words | None = None
+    table: GivenTable | None = None
 
     def of(self, lang: Lang) -> str:
         """As printed after 已知: `$l_AB$ = 30 mm`, or the words."""

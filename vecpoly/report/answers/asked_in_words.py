@@ -1,15 +1,19 @@
-"""Sentences that answer what a statement asks in words: how a link translates, what is left unbalanced."""
+"""Sentences that answer what a statement asks in words: how a link translates, what is left unbalanced,
+whether a wedge locks by itself, whether other planes will do."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from ...devices.balancing.engine import InlineEngine
+from ...devices.balancing.rotor import Rotor
 from ...mechanism.model import FRAME, Mechanism, Prismatic
 from ...names import Kind, Rel
 from ...solution import Answer, Solution
 from ...words import Lang, Words, joined
+from .feasible import feasible
 from .line import result_of
+from .locking import locking_of
 
 _MOTIONS = {Kind.V: "v", Kind.A: "a"}
 _TERMS = {
@@ -27,6 +31,10 @@ def answered_in_words(solution: Solution, lang: Lang) -> Iterator[str]:
         yield from (one.of(lang) for one in _translating(solution, subject, lang))
     elif isinstance(subject, InlineEngine) and set(_TERMS) <= set(solution.answers):
         yield _unbalanced(solution).of(lang)
+    elif isinstance(subject, Rotor):
+        yield from (one.of(lang) for one in feasible(solution, subject))
+    elif (locking := locking_of(subject, solution.answers)) is not None:
+        yield locking.of(lang)
 
 
 def _translating(solution: Solution, mech: Mechanism, lang: Lang) -> Iterator[Words]:

@@ -183,7 +183,7 @@ def way(answer: Answer, problem: Problem, lang: Lang) -> str:
         return NOTHING if answer.direction is None else bearing_told(answer.direction)
     fixed = direction_of_load(problem, answer.key)
     if fixed is not None:
-        return Words(f"沿 {bearing_told(degrees(fixed))}", f"along {bearing_told(degrees(fixed))}").of(lang)
+        return Words(f"{bearing_told(degrees(fixed))} 方向", f"at {bearing_told(degrees(fixed))}").of(lang)
     return _SENSE[answer.sense].of(lang) if answer.sense and _clean(answer) else NOTHING
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from ...findings.study.study import Study
 from ...mechanism.joints import Revolute
 from ...mechanism.model import FRAME
+from ...names import subscripted
 from ...words import Words, joined
 from ..flow.listing import Listing
 from .numbering import TINY, Press
@@ -94,5 +95,8 @@ def _motion(study: Study, letters: list[str], keys: list[str]) -> Words:
     """What these columns tell of these points: what does not vary has none."""
     varying = [key for key in keys if any(study.varies(part) for part in study.turn.info(key).parts)] or keys
     what = joined([told for rate, told in _RATES.items() if any(key.startswith(f"{rate}_") for key in varying)])
-    zh, en = "、".join(f"${letter}$" for letter in letters), ", ".join(f"${letter}$" for letter in letters)
+    zh, en = (
+        "、".join(f"${subscripted(letter)}$" for letter in letters),
+        ", ".join(f"${subscripted(letter)}$" for letter in letters),
+    )
     return Words(f"{zh} 点的{what.zh}", f"{what.en.capitalize()} of {en}")

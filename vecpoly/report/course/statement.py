@@ -15,6 +15,7 @@ from ...problem.values.given import Datum, as_printed
 from ...words import Words
 from ..content import pivots, shortened, statement
 from ..picture import picture, to_scale
+from ..tables import given_tables
 from .modelling.dimensions import dimensions, rounded
 from .numbering import Press
 
@@ -22,6 +23,7 @@ _PICTURE = (130.0, 80.0)  # mm
 _MANY, _FEW = 7, 3  # data that make a table, and at least in a column of it
 _NUMBER = re.compile(r"(−?[\d.]+)(°| [^\d（(]*\S(?: ?[（(].*)?)?")
 _DATA = Words("已知数据", "The data")
+_TABLE = Words("给定的数据", "What is given by a table")
 _HEADS = {"zh": ("量", "数值", "单位"), "en": ("Quantity", "Value", "Unit")}
 
 
@@ -39,6 +41,9 @@ def task(study: Study, press: Press) -> dict[str, Any]:
     return {
         **told,
         **known(study, press, told["given"]),
+        "tables": [
+            press.table(_TABLE, one.header, one.rows, one.align) for one in given_tables(study.problem, press.lang)
+        ],
         "picture": press.figure(scene, title) if scene else "",
         "dimensions": dimensions(study, press, figure),
         "freedom": mobility(study.mech).freedom,

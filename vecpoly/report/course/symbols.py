@@ -8,6 +8,7 @@ from ...board.construction import View
 from ...figures import views
 from ...findings.study.study import Study
 from ...mechanism.asked.forces import load_symbol
+from ...names import subscripted
 from ...words import Words
 from ..flow.table import DataTable
 from .numbering import TINY, Press
@@ -66,7 +67,7 @@ def _model(study: Study) -> Iterator[Row]:
         )
     beta = next((c for c in constants if c.startswith("β_")), "")
     if beta:
-        end = beta[3:-1]
+        end = subscripted(beta[3:-1])
         yield f"${beta}$", Words(f"由构件的轴线量至 ${end}$ 的角", f"angle from the link's axis to ${end}$"), "°"
     yield from ((f"${c}$", words, unit) for c, words, unit in _others(constants))
     yield from _auxiliary(study)
@@ -78,12 +79,14 @@ def _model(study: Study) -> Iterator[Row]:
 def _point(letter: str) -> Iterator[Row]:
     yield (
         f"$x_{{{letter}}}$、$y_{{{letter}}}$",
-        Words(f"${letter}$ 点的坐标，余类推", f"coordinates of ${letter}$, and so on"),
+        Words(f"${subscripted(letter)}$ 点的坐标，余类推", f"coordinates of ${subscripted(letter)}$, and so on"),
         "mm",
     )
     yield (
         f"$v_{{{letter}x}}$、$a_{{{letter}x}}$",
-        Words(f"${letter}$ 点速度、加速度的 $x$ 分量", f"$x$ components of ${letter}$'s rates"),
+        Words(
+            f"${subscripted(letter)}$ 点速度、加速度的 $x$ 分量", f"$x$ components of ${subscripted(letter)}$'s rates"
+        ),
         "m/s, m/s²",
     )
 

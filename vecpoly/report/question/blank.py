@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import count, takewhile
+from math import pi
 
 from ...algebra.quantity import number
 from ...board.construction import Figure, View
 from ...board.paper.extent import bounds
-from ...board.paper.marks import Dot, FixedGuide, Ground, Mark, Note, Point, RackMark, Role, Segment, Vector
+from ...board.paper.marks import Arc, Dot, FixedGuide, Ground, Mark, Note, Point, RackMark, Role, Segment, Vector
 from ...figures.energy import INDICATOR
 from ...words import Words
 from ..picture import to_scale
 from .known import NEAR
 
+PAST, _PARTS = 2.0, 360  # mm between a circle and the frame; parts of a circle that is cut off there
 EDGE = 9.0  # mm that stay free beside what runs through a frame
 _PLACES = (1 / 2, 1 / 3, 2 / 3, 1 / 4, 3 / 4, 1 / 5, 4 / 5, 1 / 8, 7 / 8)  # of a frame, for a pole; the first that does
 _FLOORS = (0.0, 1 / 4, 1 / 2, 3 / 4)  # likewise for the axis of a diagram
@@ -74,8 +79,24 @@ def _given(figure: Figure, known: Sequence[Mark], box: Box) -> Iterator[Mark]:
     for mark in known:
         if isinstance(mark, FixedGuide) and mark.about is not None:
             yield from _guide(mark, mark.about, box)
+        elif isinstance(mark, Arc):
+            yield from _inside(mark, box)
         else:
             yield mark
+
+
+def _inside(circle: Arc, box: Box) -> Iterator[Arc]:
+    """The longest part of a circle that lies in the frame."""
+    low, high = box[0] + complex(PAST, PAST), box[1] - complex(PAST, PAST)
+    steps = [circle.centre + cmath.rect(circle.radius, 2 * pi * n / _PARTS) for n in range(_PARTS)]
+    there = [low.real <= z.real <= high.real and low.imag <= z.imag <= high.imag for z in steps]
+    if all(there):
+        yield circle
+        return
+    runs = [(n, sum(1 for _ in takewhile(lambda k: there[k % _PARTS], count(n)))) for n in range(_PARTS)]
+    start, length = max(runs, key=lambda run: run[1])
+    if length > 1:
+        yield replace(circle, start=2 * pi * start / _PARTS, sweep=2 * pi * (length - 1) / _PARTS)
 
 
 def _guide(guide: FixedGuide, about: complex, box: Box) -> Iterator[Mark]:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ...board.acts import Compute
 from ...board.construction import Step
+from ...board.place import Pane
 from ...errors import UnknownNameError
 from ...names import Kind, Rel, parse_rel
 from ...solution import Answer, Solution
@@ -32,6 +33,8 @@ _PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　�
 _OTHERS = Words("其他", "Others")
 _ON_THE_WAY = Words("中间量", "On the way")
 _CAPTIONS = (Words("方程", "Equation"), Words("方向", "Direction"), Words("大小", "Magnitude"))
+_FRICTION = (Words("（计入摩擦）", ", with friction"), Words("（不计摩擦）", ", without friction"))
+IDEAL = "ideal"  # name of a polygon without friction
 _ROW, _TITLE = 9.0 * MM, 6.5 * MM
 _TERMS = 7  # columns to write in: as many as the longest equation of the textbooks has
 
@@ -81,7 +84,17 @@ def equation_rows(solution: Solution, lang: Lang) -> list[EquationRows]:
     """Cells for as many equations as the solution has, each with its kind and the part of the analysis that it belongs
     to."""
     needed = [step for step in solution.construction.steps if step.equation is not None]
-    return [EquationRows(n, kind(step, lang), lang) for n, step in enumerate(needed, 1)]
+    return [EquationRows(n, told, lang) for n, told in enumerate(kinds(needed, lang), 1)]
+
+
+def kinds(steps: Sequence[Step], lang: Lang) -> list[str]:
+    """The kind of each; where one part of the analysis has it with friction and without, which of them it is."""
+    told = [kind(step, lang) for step in steps]
+    ideal = [isinstance(step.view, Pane) and step.view.name == IDEAL for step in steps]
+    twice = {name for name, without in zip(told, ideal, strict=True) if without and told.count(name) > 1}
+    return [
+        name + _FRICTION[without].of(lang) if name in twice else name for name, without in zip(told, ideal, strict=True)
+    ]
 
 
 def kind(step: Step, lang: Lang) -> str:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import pi
 
 from ...board.acts import Act, Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn
 from ...board.construction import Construction, Figure
 from ...board.paper.marks import Arc, Curve, Dot, FixedGuide, Ground, Mark, Point, Role, Segment, Vector
 from ...designs.base import Design
+from ...devices.cams.cam import Cam
 from ...devices.dynamics.flywheel import Flywheel
 from ...devices.dynamics.run_up import RunUp
+from ...figures import View
 from ...figures.characteristic import CHARACTERISTIC
 from ...figures.torque import TORQUE
 from ...problem.problem import Problem
@@ -52,6 +55,8 @@ def stands(construction: Construction, figure: Figure, problem: Problem) -> tupl
     is to be found; of a diagram the curve that is given."""
     if isinstance(problem.subject, Flywheel | RunUp) and figure.view in (TORQUE, CHARACTERISTIC):
         return _curve(figure)
+    if isinstance(problem.subject, Cam) and figure.name and figure.view is View.MECHANISM:
+        return _cam(problem.subject, figure)
     found = tuple(mark for mark in figure.marks if isinstance(mark, (Ground, FixedGuide)))
     if not isinstance(problem.subject, Design):
         return found
@@ -59,6 +64,17 @@ def stands(construction: Construction, figure: Figure, problem: Problem) -> tupl
     lines = [mark for mark in told if isinstance(mark, Segment) and mark.role is Role.CENTRE]
     guides = (_along(mark, lines) for mark in found if isinstance(mark, FixedGuide))
     return (*(mark for mark in found if mark in told), *(guide for guide in guides if guide is not None))
+
+
+def _cam(cam: Cam, figure: Figure) -> tuple[Mark, ...]:
+    """What a place of a cam that is drawn apart begins with: its centre, and its base circle where that is given."""
+    centre = next((m for m in figure.marks if isinstance(m, Point) and m.label == "O" and m.dot is Dot.JOINT), None)
+    if centre is None:
+        return ()
+    if cam.r0 is None:
+        return (centre,)
+    size = cam.r0.si / figure.scale.value
+    return centre, Arc(centre=centre.at, radius=size, start=0.0, sweep=2 * pi, role=Role.CENTRE, step=1)
 
 
 def _curve(figure: Figure) -> tuple[Mark, ...]:

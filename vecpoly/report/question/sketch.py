@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from ...board.construction import Construction, Figure, View
-from ...board.paper.marks import AngleMark, Mark, Point, Role, Segment
+from ...board.paper.marks import AngleMark, Ground, Mark, Point, Role, Segment
 from ...designs.base import Design
+from ...designs.straight_line import StraightLine
 from ...problem.problem import Problem
 from ...words import Words
 from ..picture import picture, reduced
 from ..sizes.sized import sized
-from .known import given
+from .known import NEAR, given
 
+MECHANISM = Words("机构简图（示意）", "The mechanism (sketch)")
 GIVEN = Words("已知条件（示意）", "What is given (sketch)")
+LOW = 0.72  # of the height of other sketches
 _FEWEST = 3  # places and lines that are worth a picture
 
 
 def sketched(problem: Problem, construction: Construction, width: float, height: float) -> Figure | None:
     """The picture of a question, to fit width × height mm; None where nothing given can be drawn."""
     figure = construction.figure(View.MECHANISM)
+    if isinstance(problem.subject, StraightLine) and figure is not None:
+        return sized(problem, replace(reduced(figure, linkage(figure), width, LOW * height), title=MECHANISM))
     if not isinstance(problem.subject, Design) or figure is None:
         return picture(problem, construction, width, height)
     shown = (mark for mark in given(construction, figure) if getattr(mark, "role", None) is not Role.OTHER)
@@ -27,6 +33,20 @@ def sketched(problem: Problem, construction: Construction, width: float, height:
     if sum(isinstance(mark, (Point, Segment)) for mark in marks) < _FEWEST:
         return None
     return sized(problem, replace(reduced(figure, marks, width, height), title=GIVEN))
+
+
+def linkage(figure: Figure) -> list[Mark]:
+    """A mechanism that is given whole, in the one of its positions that is drawn in full; of the points of several
+    positions that of this one, without its number."""
+    bars = [mark for mark in figure.marks if isinstance(mark, Segment) and mark.role is Role.LINK]
+    ends = [end for bar in bars for end in (bar.a, bar.b)]
+    points = [mark for mark in figure.marks if isinstance(mark, Point) and mark.label and _is_at(mark.at, ends)]
+    pivots = [mark for mark in figure.marks if isinstance(mark, Ground)]
+    return [*bars, *(replace(mark, label=mark.label.partition("_")[0]) for mark in points), *pivots]
+
+
+def _is_at(place: complex, ends: Sequence[complex]) -> bool:
+    return any(abs(place - end) < NEAR for end in ends)
 
 
 def _fine(mark: Mark) -> Mark:

@@ -63,7 +63,8 @@ def _length(figure: Figure, a: complex, b: complex, symbol: str) -> Iterator[Mar
     """Beside the line that joins them; where none does, on a line of its own, under the pivots."""
     joined = any(isinstance(m, Segment) and _same(m, a, b) for m in figure.marks)
     if joined:
-        yield letter((a + b) / 2, symbol)
+        taken = any(isinstance(m, Point) and abs(m.at - (a + b) / 2) < AXIS / 4 for m in figure.marks)
+        yield letter((a + 3 * b) / 4 if taken else (a + b) / 2, symbol)
         return
     a, b = sorted((a, b), key=lambda at: (at.real, at.imag))
     grounded = [m.at for m in figure.marks if isinstance(m, Ground)]

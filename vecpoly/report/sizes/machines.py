@@ -7,18 +7,22 @@ from collections.abc import Iterator
 from math import pi
 
 from ...board.construction import Figure
-from ...board.paper.marks import Arc, Mark, Point, Role, Segment
+from ...board.paper.marks import Arc, Mark, Point, Role, Segment, Vector
 from ...devices.balancing.engine import InlineEngine
 from ...devices.cams.cam import Cam
 from ...devices.eccentric_clamp import EccentricClamp
 from .lines import angle, radius, span
 
+PRESSED = 9.0  # mm: the arrow of the force on the work
 BELOW = 7.0  # mm from what is drawn to a dimension under it
 
 
 def clamp(device: EccentricClamp, figure: Figure) -> Iterator[Mark]:
-    """R, e, l, and the three angles from the x axis; the friction circle is told in the data."""
+    """R, e, l, and the three angles from the x axis, and Q on the work; the friction circle is told in the data."""
     mm = figure.scale.value
+    contact = next((mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label == "K"), None)
+    if contact is not None:
+        yield Vector(a=contact, b=contact - 1j * PRESSED, role=Role.GIVEN, label="Q", step=1)
     o, h = (
         cmath.rect(size.si / mm, turn.si) for size, turn in ((device.e, device.theta), (device.lever, device.handle))
     )

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from ....algebra.quantity import Expr, Quantity, magnitude
-from ....board.paper.marks import Role
+from ....board.board import NO_LENGTH
+from ....board.paper.marks import Dot, Role
 from ....devices.balancing.asked import LIGHT, PER_RADIUS, permitted, within
 from ....devices.balancing.rotor import Rotor
 from ....plane import Points, nominal
@@ -36,7 +37,11 @@ def permitted_circles(bench: Bench, rotor: Rotor, polygons: Mapping[str, Polygon
     whole = bench.worked(permitted("", unit), magnitude("m", grade.mass.si, "kg") * eccentric)
     found = {"": whole} if rotor.static else _shared(bench, rotor, whole)
     for end, polygon in polygons.items():
-        board.circle(polygon.place, 0j, board.to_paper(polygon.place, found[end].value), Role.HIDDEN)
+        radius = board.to_paper(polygon.place, found[end].value)
+        board.circle(polygon.place, 0j, radius, Role.HIDDEN)
+        tip = complex(nominal(polygon.tip))
+        away = -tip / abs(tip) if abs(tip) > NO_LENGTH else 1j
+        board.plot(polygon.place, radius * away, permitted(end, unit).symbol, Dot.NONE)
     return found
 
 

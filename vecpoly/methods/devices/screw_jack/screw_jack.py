@@ -57,7 +57,7 @@ def _collar(bench: Bench, device: ScrewJack) -> Quantity:
             "载荷均布在内径 $d_0$、外径 $D$ 的环面上，压强 $q = 4Q/π(D^2 − d_0^2)$；半径 $r$ 处宽 d$r$ 的圆环上的摩"
             f"擦力矩为 ${rub} q · 2π r^2$d$r$，自 $r = d_0/2$ 积分到 $D/2$ 即得 $M_1$。注意 $D$、$d_0$ 是直径，"
             "系数为 1/3（用半径时才是 2/3）：",
-            "The load is spread evenly over the ring between the diameters $d_0$ and $D$, with "
+            "The load is uniformly distributed over the ring between the diameters $d_0$ and $D$, with "
             "the pressure $q = 4Q/π(D^2 − d_0^2)$; on a ring of radius $r$ and width d$r$ "
             f"friction has the moment ${rub} q · 2π r^2$d$r$; the integral from $r = d_0/2$ to "
             "$D/2$ is $M_1$. $D$ and $d_0$ are diameters: the factor is 1/3 (2/3 goes with radii):",

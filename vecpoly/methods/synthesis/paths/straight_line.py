@@ -47,8 +47,8 @@ def _traced(draft: Draft, design: StraightLine) -> dict[str, Points]:
         Words(
             f"选 $μ_l$，画 $A$、$D$；将 $AB$ 在给定范围内等分为 {STATIONS} 个位置，以两弧求 $C$，作出各位置的 $E$，"
             "连成光滑曲线。",
-            f"Choose $μ_l$, draw $A$ and $D$; set $AB$ to {STATIONS} positions evenly over the range, find $C$ by two "
-            "arcs and with it $E$, and lead a smooth curve through these.",
+            f"Choose $μ_l$, draw $A$ and $D$; set $AB$ to {STATIONS} equally spaced positions over the range, find $C$ "
+            "by two arcs and with it $E$, and lead a smooth curve through these.",
         ),
         SHEET,
     )

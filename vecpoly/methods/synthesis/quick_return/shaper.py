@@ -13,7 +13,7 @@ from ....designs.quantities import AB, AC, ALPHA_MAX, CD, HEIGHT, THETA
 from ....designs.quick_return import Shaper
 from ....designs.verdict import Verdict
 from ....diagram.single import block
-from ....plane import Line, Points, foot, unit
+from ....plane import Line, Points, foot, nominal, unit
 from ....words import Words
 from ..advance import theta_of
 from ..angles import marked, valued
@@ -23,6 +23,7 @@ from ..registry import design_method
 
 UP = 1j
 FAR = 40.0  # mm along a bar
+ASIDE, PAST = 9.0, 1.5  # mm: the dimension of the guide beside the lever; how far its lines run on
 
 
 @design_method(
@@ -159,11 +160,24 @@ def _height(draft: Draft, design: Shaper, c: Points, ends: tuple[Points, Points]
     board.rule(SHEET, axis, n)
     upper, lower = board.measure(c, n, "C N"), board.measure(c, m, "C M")
     height = draft.length(draft.of_this(HEIGHT), (upper + lower) / TWO, "h")
+    at = board.lay_off(c, UP, height.value * 1e-3 / board.scale_of(SHEET).value)
+    _told_height(draft, c, at, ends[0])
     if design.DE is not None:
-        _pressure(draft, design.DE.si, c, height, n)
+        _pressure(draft, design.DE.si, at, n)
 
 
-def _pressure(draft: Draft, rod: float, c: Points, height: Quantity, n: Points) -> None:
+def _told_height(draft: Draft, c: Points, at: Points, left: Points) -> None:
+    """h from C to the guide, on a line of its own beside the lever's left limit."""
+    board, aside = draft.board, complex(nominal(left - c)).real - ASIDE
+    foot_, top = c + aside, at + aside
+    for inner, outer in ((c, foot_), (at, top)):
+        board.join(SHEET, inner, outer - PAST, Role.CONSTRUCTION)
+    board.arrow(SHEET, foot_, top, Role.CONSTRUCTION)
+    board.arrow(SHEET, top, foot_, Role.CONSTRUCTION)
+    board.plot(SHEET, (foot_ + top) / 2, HEIGHT.symbol, Dot.NONE)
+
+
+def _pressure(draft: Draft, rod: float, at: Points, n: Points) -> None:
     """α_max: the rod from N to the guide."""
     board = draft.board
     board.step(
@@ -173,7 +187,6 @@ def _pressure(draft: Draft, rod: float, c: Points, height: Quantity, n: Points) 
         ),
         SHEET,
     )
-    at = board.lay_off(c, UP, height.value * 1e-3 / board.scale_of(SHEET).value)
     guide = board.parallel(at, 1 + 0j)
     e, _ = board.arc_on_line(guide, n, draft.mm(rod), Words("求 $E$", "finding $E$"))
     e = pin(draft, "E", board.either(e), Dot.JOINT)

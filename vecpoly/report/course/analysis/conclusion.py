@@ -15,6 +15,7 @@ from ....findings.shown import places, shown
 from ....findings.strokes import is_repeated
 from ....findings.study.study import Study
 from ....mechanism.groups.mobility import mobility
+from ....names import subscripted
 from ....words import Words
 from ..checks.comparison import Compared
 from ..checks.influences import CHANGE, influences
@@ -84,7 +85,7 @@ def _drawn(study: Study, drawn: Compared) -> Iterator[Words]:
         yield Words(
             f"在{places.zh}作图，若只计 0.1 mm 的读数舍入，图解结果与解析结果的偏差不超过各量循环内最大值的 "
             f"{worst}，两种方法互相印证；计入手工作图误差时见 6.2 的预期误差。",
-            f"Drawings at {places.en} evenly spread positions, with nothing but readings rounded to "
+            f"Drawings at {places.en} equally spaced positions, with nothing but readings rounded to "
             f"0.1 mm, agree with the analysis within {worst} of each quantity's largest value in "
             "the cycle; for the errors of a drawing hand see 6.2.",
         )
@@ -186,8 +187,9 @@ def _points(study: Study) -> Iterator[Words]:
             "一个循环" if study.whole.whole else "在工作范围内",
             "in a cycle" if study.whole.whole else "in the working range",
         )
-        zh = f"${letter}$ 点{span.zh}走过的路程为 {length}，" if found.length else f"${letter}$ 点："
-        en = f"Point ${letter}$ travels {length} {span.en}; " if found.length else f"Of point ${letter}$: "
+        at = subscripted(letter)
+        zh = f"${at}$ 点{span.zh}走过的路程为 {length}，" if found.length else f"${at}$ 点："
+        en = f"Point ${at}$ travels {length} {span.en}; " if found.length else f"Of point ${at}$: "
         top = [(shown(study, e.key, spot.value), places(study, e, spot)) for e, spot in ((of_v, v), (of_a, a))]
         yield Words(
             f"{zh}$|v_{{{letter}}}|$ 最大 {top[0][0]}（{top[0][1].zh}），$|a_{{{letter}}}|$ 最大 {top[1][0]}（"

@@ -10,6 +10,7 @@ from ....analytic.expr import Var
 from ....findings.study.study import Study
 from ....mechanism.groups.assur import decompose
 from ....mechanism.model import FRAME, Prismatic
+from ....names import subscripted
 from ....words import Words
 from ..numbering import Press
 
@@ -31,7 +32,7 @@ def order(study: Study, press: Press) -> str:
             "1",
             study.model.groups[0].title.of(press.lang),
             f"${study.turn.drive.symbol}$",
-            _listed(press, (f"${letter}$" for letter in own)),
+            _listed(press, (f"${subscripted(letter)}$" for letter in own)),
         )
     ]
     known |= {*own}
@@ -53,7 +54,7 @@ def order(study: Study, press: Press) -> str:
                 str(i),
                 told.title.of(press.lang),
                 _listed(press, taken),
-                _listed(press, [*_coordinates(told), *(f"${letter}$" for letter in letters)]),
+                _listed(press, [*_coordinates(told), *(f"${subscripted(letter)}$" for letter in letters)]),
             )
         )
     return press.table(

@@ -10,6 +10,7 @@ from ....cycle.facts.path import Shape
 from ....cycle.facts.path_words import path_sentences
 from ....findings.study.study import Study
 from ....findings.transmission import transmission
+from ....names import subscripted
 from ....words import Words
 from ..analysis import duties as force_duties
 from ..analysis import force_words
@@ -100,12 +101,15 @@ def _steady(study: Study, key: str) -> Words:
 
 def _point(study: Study, press: Press, letter: str) -> dict[str, Any]:
     """Position, velocity, acceleration of a point; its path and hodographs where it runs on a curve of its own."""
-    title = Words(f"${letter}$ 点的运动", f"Motion of ${letter}$")
+    title = Words(f"${subscripted(letter)}$ 点的运动", f"Motion of ${subscripted(letter)}$")
     table = tabled(
         study,
         press,
         [f"p_{letter}", f"v_{letter}", f"a_{letter}"],
-        Words(f"${letter}$ 点的位置、速度和加速度", f"Position, velocity and acceleration of ${letter}$"),
+        Words(
+            f"${subscripted(letter)}$ 点的位置、速度和加速度",
+            f"Position, velocity and acceleration of ${subscripted(letter)}$",
+        ),
         TINY if study.dense else SMALL,
     )
     found = study.path(letter)
@@ -119,7 +123,7 @@ def _point(study: Study, press: Press, letter: str) -> dict[str, Any]:
         where = press.called[first[0]]
         words += Words(
             f"{where}中细线为原动件等间隔各位置的机构，粗线为题设位置，虚线为轨迹。",
-            f" {where} shows the mechanism at even steps of its drive in thin lines, the given position "
+            f" {where} shows the mechanism at equal steps of its drive in thin lines, the given position "
             "in thick ones, the path dashed.",
         ).of(press.lang)
     plots = [curve(study, press.lang, keys) for stem in "pva" if (keys := _components(study, f"{stem}_{letter}"))]

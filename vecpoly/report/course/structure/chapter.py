@@ -12,6 +12,7 @@ from ....findings.study.study import Study
 from ....mechanism.groups.assur import Group, decompose, hinges, joint_letter
 from ....mechanism.groups.mobility import mobility
 from ....mechanism.model import FRAME, Joint, Mechanism, Prismatic, Rolling
+from ....names import subscripted
 from ....typeset import layout_words
 from ....words import Lang, Words
 from ...flow.style import CAPTION
@@ -67,7 +68,7 @@ def _joints(study: Study, press: Press) -> str:
     comma = "、" if press.lang == "zh" else ", "
     for letter, kind, names in (*_pins(study.mech), *_pairs(study.mech)):
         links = comma.join(_link(study, name).of(press.lang) for name in names)
-        rows.append((f"${letter}$", kind.of(press.lang), links))
+        rows.append((f"${subscripted(letter)}$", kind.of(press.lang), links))
     return press.table(Words("运动副", "Joints"), _JOINTS[press.lang], rows, "cll")
 
 

@@ -9,6 +9,7 @@ from ....errors import VecpolyError
 from ....findings.study.study import Study
 from ....mechanism.groups.assur import decompose, ends, hinges
 from ....mechanism.model import FRAME, Drive, Mechanism, Prismatic
+from ....names import subscripted
 from ....words import Words
 from ..numbering import Press
 
@@ -40,7 +41,7 @@ def _on_frame(mech: Mechanism) -> Iterator[tuple[str, Words]]:
     for letter, names in hinges(mech).items():
         for name in names if FRAME in names else ():
             if name not in (FRAME, mech.drive.link, *thought):
-                yield name, Words(f"转动副 ${letter}$", f"hinge ${letter}$")
+                yield name, Words(f"转动副 ${subscripted(letter)}$", f"hinge ${subscripted(letter)}$")
     for joint in mech.joints:
         if isinstance(joint, Prismatic) and FRAME in ends(joint):
             name = next(end for end in ends(joint) if end != FRAME)
