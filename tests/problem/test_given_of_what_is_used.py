@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.drawn_library import drawn
+from vecpoly.devices.balancing.rotor import Rotor
 from vecpoly.problem.load import load
 
 
@@ -31,5 +32,7 @@ def test_the_radius_of_an_osculating_circle_keeps_its_letter() -> None:
 
 @pytest.mark.parametrize("name", ["6-5", "rotor-bolt-circle"])
 def test_a_product_that_is_given_has_the_letter_with_which_it_is_gone_on(name: str) -> None:
-    symbols = [symbol for symbol, _ in load(name).subject.given()]
+    rotor = load(name).subject
+    assert isinstance(rotor, Rotor)
+    symbols = [symbol for symbol, _ in rotor.given()]
     assert "W_{1}" in symbols and not any(symbol.startswith("U") for symbol in symbols)

@@ -165,11 +165,17 @@ class Newton(Loops):
             ago = {name: body.take(pick) for name, body in ago.items()}
             start, led = path[track.near][pick], seed[pick]
             got = self.solve(led, here, start, ago)
-            on = np.isfinite(path[ahead][pick]).all(axis=(1, 2))  # the path goes on beyond; else it ends before long
-            for k in np.flatnonzero(
-                ~points_there(got, start, led, self.size) & (on | np.isfinite(got).all(axis=(1, 2)))
-            ):
+            on, is_found = (
+                _whole(path[ahead][pick]),
+                _whole(got),
+            )  # on: the path goes on beyond, else it ends before long
+            for k in np.flatnonzero(~points_there(got, start, led, self.size) & (on | is_found)):
                 then, now = ({n: body.take(np.array([k])) for n, body in bodies.items()} for bodies in (ago, here))
                 got[k] = stride(self, start[k], led[k], then, now, HALVINGS if on[k] else FEW)
             found[pick] = got
         states[asked] = found
+
+
+def _whole(states: States) -> NDArray[np.bool_]:
+    """Which of these were found."""
+    return np.asarray(np.isfinite(states).all(axis=(1, 2)))
