@@ -59,7 +59,7 @@ CHANGED = {  # key: the file, what stands there, what stands there instead
     "load.phi_0": (EVERY, "phi_0: 10 deg", "phi_0: 11 deg"),
     "load.preload": (EVERY, "preload: 20 N", "preload: 21 N"),
     "load.c": (EVERY, "c: 50 N*s/m", "c: 60 N*s/m"),
-    "table.table": (EVERY, "size: {columns", "size: {table: none.csv, columns"),
+    "table.table": (EVERY, "columns: [phi (deg), p (MPa)], rows: [[0, 1], [60, 2], [360, 1]]", "table: none.csv"),
     "table.columns": (EVERY, "[phi (deg), p (MPa)]", "[phi (rad), p (MPa)]"),
     "table.rows": (EVERY, "[60, 2]", "[60, 3]"),
     "table.area": (EVERY, "bore: 50 mm", "area: 900 mm^2"),

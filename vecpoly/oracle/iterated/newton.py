@@ -21,7 +21,7 @@ from .guess import first_guess
 from .loops import ITERATIONS, Loops, States, with_rates
 from .scatter import distinct, random_starts, scattered
 from .standing import carriers
-from .stride import FEW, HALVINGS, points_there, stride
+from .stride import Strode, points_there, reached, stride
 
 EXACT = 1e-9  # of the mechanism's size: guesses nearer to an assembly than this are one
 
@@ -35,6 +35,8 @@ class Newton(Loops):
     joint: str = field(default="", kw_only=True)
     # strides from the own position → states found
     walked: dict[int, States] = field(default_factory=dict, compare=False, repr=False, init=False)
+    # the strides between them, from the nearer one on, with the way
+    strode: dict[tuple[int, int], Strode] = field(default_factory=dict, compare=False, repr=False, init=False)
     # every assembly at the own position, once sought
     met: list[States] = field(default_factory=list, compare=False, repr=False, init=False)
 
@@ -138,11 +140,12 @@ class Newton(Loops):
                 before, last = last, index
                 continue
             seed = 2 * states[last] - states[before] if before != last else states[last]
-            here = {name: body.take(np.array([index])) for name, body in known.items()}
+            here = _one(known, index)
             if not all(np.isfinite(body.at + body.unit).all() for body in here.values()):
                 return
-            ago = {name: body.take(np.array([last])) for name, body in known.items()}
-            states[index] = self.walked[index - track.own] = stride(self, states[last], seed, ago, here)
+            ago = _one(known, last)
+            strode = self.strode[last - track.own, way] = stride(self, states[last], seed, ago, here)
+            states[index] = self.walked[index - track.own] = strode.end
             if np.isnan(states[index]).any():
                 return
             before, last = last, index
@@ -164,18 +167,16 @@ class Newton(Loops):
             here = {name: body.take(pick) for name, body in here.items()}
             ago = {name: body.take(pick) for name, body in ago.items()}
             start, led = path[track.near][pick], seed[pick]
-            got = self.solve(led, here, start, ago)
-            on, is_found = (
-                _whole(path[ahead][pick]),
-                _whole(got),
-            )  # on: the path goes on beyond, else it ends before long
-            for k in np.flatnonzero(~points_there(got, start, led, self.size) & (on | is_found)):
-                then, now = ({n: body.take(np.array([k])) for n, body in bodies.items()} for bodies in (ago, here))
-                got[k] = stride(self, start[k], led[k], then, now, HALVINGS if on[k] else FEW)
-            found[pick] = got
+            found[pick] = self.solve(led, here, start, ago)
+            for k in np.flatnonzero(~points_there(found[pick], start, led, self.size)):
+                at = int(pick[k])
+                strode = self.strode.get((int(track.near[at]) - track.own, 1 if reach[at] > 0 else -1))
+                if strode is not None:
+                    past, then, now = _one(known, track.near[at]), _one(known, ahead[at]), _one(here, k)
+                    found[at] = reached(self, strode, abs(float(reach[at])), (past, then), now)
         states[asked] = found
 
 
-def _whole(states: States) -> NDArray[np.bool_]:
-    """Which of these were found."""
-    return np.asarray(np.isfinite(states).all(axis=(1, 2)))
+def _one(bodies: Bodies, at: int | np.intp) -> Bodies:
+    """These links at one position."""
+    return {name: body.take(np.array([at])) for name, body in bodies.items()}
