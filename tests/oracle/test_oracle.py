@@ -8,7 +8,7 @@ from math import pi, radians
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from tests.laws import often
@@ -514,6 +514,7 @@ def well_conditioned(mech: Mechanism, guide: float | None = None) -> None:
 
 @CHECKED
 @given(lengths, lengths, lengths, lengths, angles, angles, st.sampled_from(["left", "right"]), st.floats(-30, 30))
+@example(0.25, 0.25, 0.25344607860476387, 0.25, 1.4382231048141742e-89, 0.0, "left", 0.0)  # B and D all but one
 def test_random_fourbar(
     ab: float, bc: float, cd: float, ad: float, way: float, phi: float, side: str, accel: float
 ) -> None:

@@ -9,9 +9,9 @@ import pytest
 from tests.drawn_library import IDS, drawn, given
 from tests.each import Later, each
 from vecpoly.devices.structure import Structure
-from vecpoly.report.answers.line import is_worded
 from vecpoly.report.content import statement
 from vecpoly.report.statement.groups import LONG
+from vecpoly.report.values import is_worded
 from vecpoly.words import Lang
 
 STRUCTURES = Later(lambda: (name for name in IDS if isinstance(given(name).subject, Structure)))
@@ -38,7 +38,7 @@ def test_every_quantity_asked_stands_in_the_line_of_what_is_asked(name: str) -> 
     if "all instant centres" in said:
         return
     for key, answer in one.solution.answers.items():
-        if is_worded(answer):
+        if is_worded(key, answer.reading.unit):
             continue  # whether it is balanced, of which class it is
         symbol = answer.reading.symbol.replace("^{∞}", "")
         assert f"${symbol}$" in said, (key, said)

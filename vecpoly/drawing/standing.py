@@ -17,6 +17,7 @@ AS_ONE, MISREAD = 1.8, 39.0  # mm side by side below which two labels are read a
 STACK, STACKED = 1.3, 12.0  # mm one over the other below which they look like a fraction, and what that costs
 FRACTION, READ_SO = 3.2, 30.0  # the same of the letter of a point and the number of a link: D over 4
 TIGHT = 0.9  # mm one over the other below which they are taken for one
+_OVER = {Thing.POINT: Thing.LINK, Thing.LINK: Thing.POINT}
 OVERLAP, PER_AREA = 120.0, 8.0
 LEADER_ON_LABEL, LEADERS_CROSS = 60.0, 80.0
 NOWHERE = complex(np.nan, np.nan)
@@ -102,8 +103,7 @@ class Standing:
 
     def _as_fraction(self, thing: Thing, others: Indices) -> NDArray[np.bool_]:
         """Which of them make a fraction with a label of this kind: a letter over a number, a number over a letter."""
-        pair = {Thing.POINT: Thing.LINK, Thing.LINK: Thing.POINT}.get(thing)
-        return np.array([other is pair for other in self.things[others]], dtype=bool)
+        return np.asarray(self.things[others] == _OVER.get(thing), dtype=bool)
 
 
 class Meeting:

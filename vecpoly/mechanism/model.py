@@ -70,6 +70,11 @@ class Drive:
         return self.on != FRAME
 
     @property
+    def symbol(self) -> str:
+        """Of its position: φ_1, s_1; of a drive between two moving links s_23."""
+        return f"{'s' if self.slide else 'φ'}_{{{self.link}{self.on if self.between else ''}}}"
+
+    @property
     def pair(self) -> frozenset[str]:
         """The two links between which it acts."""
         return frozenset((self.link, self.on))

@@ -67,7 +67,7 @@ class Plan:
 
     def _bodies(self, asked: Reals, order: int, strict: bool) -> dict[str, Body]:
         """The same, as each position alone gives it: without digits beside a change point."""
-        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        with quiet():
             run, bodies = self.start(asked, strict)
             for step in self.steps:
                 bodies |= self.placed(step, bodies, run)
@@ -122,7 +122,7 @@ class Plan:
 
     def fold(self, step: Hinged | Swinging, q: Reals) -> Reals:
         """How far a further step is from a change point at these positions."""
-        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        with quiet():
             run, bodies = self.start(q, strict=False)
             for known in self.steps:
                 bodies |= known.place(bodies, run)
@@ -163,6 +163,11 @@ class Plan:
         return closes
 
 
+def quiet() -> np.errstate:
+    """Where positions that do not assemble, or have no digits, come out as NaN without a warning."""
+    return np.errstate(invalid="ignore", divide="ignore", over="ignore")
+
+
 def build(mech: Mechanism) -> Plan:
     """Check mobility and letters, take the mechanism apart, choose every assembly at the own position.
 
@@ -176,7 +181,7 @@ def build(mech: Mechanism) -> Plan:
         mech, tuple(driver(mech, drive) for drive in mech.drives if not drive.between), (), any(map(is_followed, raw))
     )
     chosen: list[Step] = []
-    with np.errstate(invalid="ignore", divide="ignore"):
+    with quiet():
         run, bodies = empty.start(np.array([mech.drive.position]), strict=True)
         for step in raw:
             partial = replace(empty, steps=tuple(chosen))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 from math import floor, isfinite, log10
 
-from ..algebra.columns import places_of as places_of
+from ..algebra.columns import places_of
 from ..algebra.formula import Row
 from ..algebra.quantity import number
 from ..algebra.rounding import to_places

@@ -6,10 +6,11 @@ import re
 from collections.abc import Iterable, Sequence
 from math import isclose, isfinite, log10
 
+from ..algebra.columns import places_of
 from ..algebra.formula import Node, Row, Sym, Txt, named
 from ..algebra.worked import numbers_of, scale_of, size_of, told_again
 from ..answer import YES_NO, Answer
-from .digits import MOST, TENTH, decimals, places_of, rounded
+from .digits import MOST, TENTH, decimals, rounded
 from .lengths import is_length, only_length
 from .units import printed_unit
 

@@ -74,6 +74,11 @@ def is_class(key: str) -> bool:
     return key.startswith(_CLASS)
 
 
+def is_worded(key: str, unit: str) -> bool:
+    """Whether it is told by a name in words in place of a symbol: yes and no, the class."""
+    return unit == YES_NO or is_class(key)
+
+
 def class_told(rank: float, lang: Lang) -> str:
     """Ⅲ 级, class III; of what cannot be taken apart that."""
     zh, en = _CLASSES.get(int(rank), (f"{rank:g}", f"{rank:g}"))

@@ -29,7 +29,7 @@ GAP = 0.45  # mm between lettering and a line
 ROOM = 1.1  # mm beyond which a neighbour no longer confuses
 COARSE = 0.08  # mm sagitta that is fine enough for keeping clear
 ON_LINE, PER_MM, NEARBY = 40.0, 6.0, 0.7
-PARTED, PARTED_BY_THIN = 20.0, 20.0  # a thick line between a label and what it names, a thin one
+PARTED = 20.0  # a line between a label and what it names
 BESIDE = 0.25  # mm off what is named: what lies nearer is part of it
 ON_SOLID, ON_TINT = 90.0, 0.8
 CROSSING, OVER_BAR, CROSSING_SOLID = 8.4, 14.0, 30.0  # a leader over a thin line, a thick one, an arrowhead or a joint
@@ -145,9 +145,8 @@ class Obstacles:
         place, piece = Bounds.between(start, centre).over(self.spans, groups)
         a, b = self.a[piece], self.b[piece]
         met = crossed(start[place], centre[place], a, b) & ~_along(a, b, own, place)
-        place, thick = place[met], self.half[piece[met]] > THIN / 2
         total = np.zeros(len(centre))
-        np.maximum.at(total, place, np.where(thick, PARTED, PARTED_BY_THIN))
+        total[place[met]] = PARTED
         return total
 
     def crossings(self, foot: Complexes, end: Complexes, own: Own, groups: Groups) -> Floats:

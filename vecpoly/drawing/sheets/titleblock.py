@@ -30,14 +30,14 @@ LABELS = {
 TO_BE_DRAWN = "to be drawn"  # the hand of a blank sheet
 HANDS = {
     "exact": Words("作图：精确", "Drawn exactly"),
-    "drafting": Words("作图：仪器绘图，读至 0.1 mm", "Drawn with instruments, read to 0.1 mm"),
-    "pencil": Words("作图：铅笔，读至 0.5 mm", "Drawn in pencil, read to 0.5 mm"),
-    TO_BE_DRAWN: Words("请用仪器作图，量至 0.1 mm", "To be drawn with instruments, read to 0.1 mm"),
-}
-NOTHING_READ = {
     "drafting": Words("作图：仪器绘图", "Drawn with instruments"),
     "pencil": Words("作图：铅笔", "Drawn in pencil"),
     TO_BE_DRAWN: Words("请用仪器作图", "To be drawn with instruments"),
+}
+FINELY = {  # how the hand reads; the exact one is not said to
+    "drafting": Words("，读至 0.1 mm", ", read to 0.1 mm"),
+    "pencil": Words("，读至 0.5 mm", ", read to 0.5 mm"),
+    TO_BE_DRAWN: Words("，量至 0.1 mm", ", read to 0.1 mm"),
 }
 
 
@@ -84,8 +84,8 @@ def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang, lower: float, *, n
     """What the sheet is, and by which hand; lower: the share of the strip that the lower row takes."""
     title, name = strip.title.of(lang), label(strip.problem).of(lang)
     full = "　".join(filter(None, (strip.name.of(lang), name or ("" if title else strip.problem), title)))
-    hands = HANDS if strip.read else HANDS | NOTHING_READ
-    hand = hands.get(strip.hand, Words(f"作图：{strip.hand}", f"Drawn {strip.hand}")).of(lang)
+    drawn = HANDS.get(strip.hand, Words(f"作图：{strip.hand}", f"Drawn {strip.hand}"))
+    hand = (drawn + FINELY.get(strip.hand, Words.same("")) if strip.read else drawn).of(lang)
     sheet = LABELS["sheet"].of(lang).format(n=strip.number, total=strip.total)
     room = x1 - frame.x0 - 4
     right, low = layout_words(sheet if numbered else "", NOTE), frame.y0 + lower / 2 * STRIP

@@ -128,11 +128,9 @@ def _say(desk: Desk, asked: Centrodes, pane: Place, sheet: Paper) -> None:
 def _range(mech: Mechanism, asked: Centrodes) -> Words:
     """From which position of the drive to which."""
     drive = mech.drive
-    which = f"{drive.link}{drive.on}" if drive.between else drive.link
-    factor, unit, letter = (1e3, " mm", "s") if drive.slide else (degrees(1.0), "°", "φ")
+    factor, unit = (1e3, " mm") if drive.slide else (degrees(1.0), "°")
     start, end = (number(round(factor * at, 9), 5) for at in (asked.start, asked.end))
-    symbol = f"${letter}_{{{which}}}$"
-    return Words(f"{symbol} = {start}{unit} 到 {end}{unit}", f"{symbol} = {start}{unit} to {end}{unit}")
+    return Words(f"${drive.symbol}$ = {start}{unit} 到 {end}{unit}", f"${drive.symbol}$ = {start}{unit} to {end}{unit}")
 
 
 def _carried_words(desk: Desk, link: str) -> Words:

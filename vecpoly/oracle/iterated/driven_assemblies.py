@@ -37,7 +37,7 @@ def among(mech: Mechanism, step: Newton, bodies: Bodies, run: Run) -> Newton:
     if len(fits) != 1:
         raise _undecided(mech, step, before, found, len(fits), run.text(float(run.q[own])))
     chosen = replace(step)  # with no state found yet
-    chosen.walked[0] = fits[0]
+    chosen.begin(fits[0])
     return chosen
 
 

@@ -33,10 +33,8 @@ class Newton(Loops):
     sign: float = 1.0
     two: bool = False
     joint: str = field(default="", kw_only=True)
-    # strides from the own position → states found
-    walked: dict[int, States] = field(default_factory=dict, compare=False, repr=False, init=False)
-    # the strides between them, from the nearer one on, with the way
-    strode: dict[tuple[int, int], Strode] = field(default_factory=dict, compare=False, repr=False, init=False)
+    # strides from the own position → the last of them, which led there
+    walked: dict[int, Strode] = field(default_factory=dict, compare=False, repr=False, init=False)
     # every assembly at the own position, once sought
     met: list[States] = field(default_factory=list, compare=False, repr=False, init=False)
 
@@ -45,15 +43,17 @@ class Newton(Loops):
         assert run.track is not None
         track, known = run.track, self.known(bodies, run.track, run.q)
         states = np.full((len(run.q), len(self.group.links), 3), np.nan)
-        here = {name: body.take(np.array([track.own])) for name, body in known.items()}
         if 0 not in self.walked:
-            own = {name: body.take(np.array([track.own])) for name, body in bodies.items()}
-            self.walked[0] = self._own(here, own)
-        states[track.own] = self.walked[0]
+            self.begin(self._own(_one(known, track.own), _one(bodies, track.own)))
+        states[track.own] = self.walked[0].end
         for way in (1, -1):
             self._walk(states, known, track, way)
         self._fill(states, known, run.q, track)
         return self.bodies_at(states)
+
+    def begin(self, state: NDArray[np.float64]) -> None:
+        """Take this assembly at the own position, where none was taken yet."""
+        self.walked[0] = Strode((1.0,), (state,))
 
     def move(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """Velocities, then accelerations, from one Jacobian."""
@@ -133,19 +133,13 @@ class Newton(Loops):
         last = before = track.own
         while 0 <= last + way < track.size:
             index = last + way
-            if index - track.own in self.walked:
-                states[index] = self.walked[index - track.own]
-                if np.isnan(states[index]).any():
+            if index - track.own not in self.walked:
+                here = _one(known, index)
+                if not all(np.isfinite(body.at + body.unit).all() for body in here.values()):
                     return
-                before, last = last, index
-                continue
-            seed = 2 * states[last] - states[before] if before != last else states[last]
-            here = _one(known, index)
-            if not all(np.isfinite(body.at + body.unit).all() for body in here.values()):
-                return
-            ago = _one(known, last)
-            strode = self.strode[last - track.own, way] = stride(self, states[last], seed, ago, here)
-            states[index] = self.walked[index - track.own] = strode.end
+                seed = 2 * states[last] - states[before] if before != last else states[last]
+                self.walked[index - track.own] = stride(self, states[last], seed, _one(known, last), here)
+            states[index] = self.walked[index - track.own].end
             if np.isnan(states[index]).any():
                 return
             before, last = last, index
@@ -170,7 +164,7 @@ class Newton(Loops):
             found[pick] = self.solve(led, here, start, ago)
             for k in np.flatnonzero(~points_there(found[pick], start, led, self.size)):
                 at = int(pick[k])
-                strode = self.strode.get((int(track.near[at]) - track.own, 1 if reach[at] > 0 else -1))
+                strode = self.walked.get(int(ahead[at]) - track.own)
                 if strode is not None:
                     past, then, now = _one(known, track.near[at]), _one(known, ahead[at]), _one(here, k)
                     found[at] = reached(self, strode, abs(float(reach[at])), (past, then), now)

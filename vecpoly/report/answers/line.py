@@ -13,7 +13,7 @@ from ...printed.units import printed_unit
 from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution, told_short
 from ...words import Lang, Words
-from ..values import called, class_told, direction_of_load, is_class, is_efficiency, unit_after, value
+from ..values import called, class_told, direction_of_load, is_class, is_efficiency, is_worded, unit_after, value
 from .notes import COARSE, INSTEAD, UNREADABLE, error_of, is_hopeless, remark_of
 
 SQUARE = {"0.0°": "→", "90.0°": "↑", "180.0°": "←", "270.0°": "↓"}
@@ -55,7 +55,7 @@ def short_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = T
     reading = answer.reading
     _, name, way = _named(answer, lang)
     result = Txt(result_of(answer, lang) + _bracket(answer, solution.problem, way, lang))
-    if is_worded(answer):
+    if is_worded(answer.key, answer.reading.unit):
         return Row((result,))
     parts: tuple[Node, ...] = (name, Txt(" = "))
     if read and _is_length_times_scale(answer, solution):
@@ -63,15 +63,10 @@ def short_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = T
     return Row((*parts, result))
 
 
-def is_worded(answer: Answer) -> bool:
-    """Whether a name in words stands before the line in place of a symbol: of yes and no, of the class."""
-    return answer.reading.unit == YES_NO or is_class(answer.key)
-
-
 def named_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = True) -> Node:
     """The same where nothing stands before it: 静平衡（ΣW = 0）：是."""
     line = short_line(answer, solution, lang, read=read)
-    if not is_worded(answer):
+    if not is_worded(answer.key, answer.reading.unit):
         return line
     pieces = split_words(_named(answer, lang)[0])
     name = (part for formula, piece in pieces for part in (row(piece).items if formula else (Txt(piece),)))
@@ -110,7 +105,7 @@ def _named(answer: Answer, lang: Lang) -> tuple[str, Node, str]:
     """What stands before the line, its symbol, and by which way the quantity was found."""
     symbol = answer.reading.symbol
     before, _, way = called(symbol, answer.key, lang).partition(f"${symbol}$")
-    if is_worded(answer):
+    if is_worded(answer.key, answer.reading.unit):
         return f"{called(symbol, answer.key, lang)}{'：' if lang == 'zh' else ':'}", row(symbol), ""
     return before.strip(), row(symbol), way.strip("（） ()")
 

@@ -8,9 +8,9 @@ from math import isfinite
 
 from ...board.said.short import TOO_SHORT
 from ...printed.digits import coarse, on_paper
-from ...solution import YES_NO, Answer
+from ...solution import Answer
 from ...words import Lang, Words
-from ..values import is_class
+from ..values import is_worded
 
 HOPELESS = 0.5  # share of a value: with a reading error above it, nothing was read
 UNREADABLE = Words("此值过小，按本图的比例尺读不准", "too small to be read at this scale")
@@ -52,7 +52,7 @@ def _remarks(answers: Iterable[Answer], lang: Lang) -> Iterator[str]:
 
 def _symbol(answer: Answer) -> str:
     """What a remark is about; nothing where it says so itself."""
-    return "" if answer.reading.unit == YES_NO or is_class(answer.key) else f"${answer.reading.symbol}$"
+    return "" if is_worded(answer.key, answer.reading.unit) else f"${answer.reading.symbol}$"
 
 
 def _hardly(answers: Sequence[Answer], lang: Lang) -> Iterator[str]:

@@ -11,11 +11,10 @@ from ...designs.base import Design
 from ...designs.straight_line import StraightLine
 from ...problem.problem import Problem
 from ...words import Words
-from ..picture import picture, reduced
+from ..picture import SKETCH, picture, reduced
 from ..sizes.sized import sized
 from .known import NEAR, given
 
-MECHANISM = Words("机构简图（示意）", "The mechanism (sketch)")
 GIVEN = Words("已知条件（示意）", "What is given (sketch)")
 LOW = 0.72  # of the height of other sketches
 _FEWEST = 3  # places and lines that are worth a picture
@@ -25,7 +24,7 @@ def sketched(problem: Problem, construction: Construction, width: float, height:
     """The picture of a question, to fit width × height mm; None where nothing given can be drawn."""
     figure = construction.figure(View.MECHANISM)
     if isinstance(problem.subject, StraightLine) and figure is not None:
-        return sized(problem, replace(reduced(figure, linkage(figure), width, LOW * height), title=MECHANISM))
+        return sized(problem, replace(reduced(figure, linkage(figure), width, LOW * height), title=SKETCH))
     if not isinstance(problem.subject, Design) or figure is None:
         return picture(problem, construction, width, height)
     shown = (mark for mark in given(construction, figure) if getattr(mark, "role", None) is not Role.OTHER)

@@ -26,34 +26,38 @@ def tell_windows(at: OffPaper, named: Named, windows: Sequence[Window]) -> bool:
     """Whether the mechanism is within all of them; says of each, and what follows."""
     if not windows:
         return True
-    found = [(bool(nominal(is_within(window, at))), _clause(at, window)) for window in windows]
-    acts = all(here for here, _ in found)
-    en = ", ".join(clause.en for _, clause in found)
+    found = [_told(at, window) for window in windows]
+    acts, clauses = all(here for here, _ in found), [clause for _, clause in found]
+    en = ", ".join(clause.en for clause in clauses)
     at.desk.board.remark(
         Words(
-            f"{'，'.join(clause.zh for _, clause in found)}，故 ${named.symbol}$ {'起' if acts else '不起'}作用。",
+            f"{'，'.join(clause.zh for clause in clauses)}，故 ${named.symbol}$ {'起' if acts else '不起'}作用。",
             f"{en[0].upper()}{en[1:]}, so ${named.symbol}$ {'acts' if acts else 'does not act'} here.",
         )
     )
     return acts
 
 
-def _clause(at: OffPaper, window: Window) -> Words:
+def _told(at: OffPaper, window: Window) -> tuple[bool, Words]:
+    here = bool(nominal(is_within(window, at)))
+    return here, _clause(at, window, here=here)
+
+
+def _clause(at: OffPaper, window: Window, *, here: bool) -> Words:
     match window:
         case Moving():
-            return _moving(at, window)
+            return _moving(at, window, here=here)
         case Turning(link=link, sense=sense):
             side = Words("逆时针", "counter-clockwise") if sense > 0 else Words("顺时针", "clockwise")
-            rotates = bool(nominal(is_within(window, at)))
             return Words(
-                f"构件 {link} 此时{'' if rotates else '不作'}{side.zh}转动",
-                f"link {link} {'rotates' if rotates else 'does not rotate'} {side.en} here",
+                f"构件 {link} 此时{'' if here else '不作'}{side.zh}转动",
+                f"link {link} {'rotates' if here else 'does not rotate'} {side.en} here",
             )
         case During():
-            return _during(at, window)
+            return _during(at, window, here=here)
 
 
-def _moving(at: OffPaper, window: Moving) -> Words:
+def _moving(at: OffPaper, window: Moving, *, here: bool) -> Words:
     """Which way the point moves, and where on its stroke it is."""
     goes, point, way = at.speed(window.link, window.point, window.direction) > 0, window.point, window.direction
     side = _SIDES.get(round(way / (np.pi / 2)) % 4) if abs(way / (np.pi / 2) % 1) < 1e-9 else None
@@ -62,14 +66,13 @@ def _moving(at: OffPaper, window: Moving) -> Words:
         f"由速度多边形知 ${point}$ 点此时{'' if goes else '不'}{side.zh}运动",
         f"by the velocity polygon ${point}$ {'moves' if goes else 'does not move'} {side.en} here",
     )
-    return found + _part(at, window) if window.is_part and goes else found
+    return found + _part(at, window, here=here) if window.is_part and goes else found
 
 
-def _part(at: OffPaper, window: Moving) -> Words:
+def _part(at: OffPaper, window: Moving, *, here: bool) -> Words:
     gone, whole = at.travel((window.link, window.point, window.direction))
     part = 100 * float(nominal(gone.value)) / whole
     low, high = 100 * window.low, 100 * window.high
-    here = window.low * whole <= float(nominal(gone.value)) < window.high * whole
     return Words(
         f"；由极限位置 ${window.point}_0$ 量起，已走过行程 {1e3 * whole:.4g} mm 的 {part:.3g} %，"
         f"{'' if here else '不'}在 {low:g} %～{high:g} % 内",
@@ -78,16 +81,15 @@ def _part(at: OffPaper, window: Moving) -> Words:
     )
 
 
-def _during(at: OffPaper, window: During) -> Words:
+def _during(at: OffPaper, window: During, *, here: bool) -> Words:
     """φ_1 = 120° within 60° to 150°, or s_1 in mm."""
     drive = at.desk.mech.drive
     unit, mark = (1e3, " mm") if drive.slide else (180 / np.pi, "°")
-    symbol = f"{'s' if drive.slide else 'φ'}_{{{drive.link}{drive.on if drive.between else ''}}}"
-    place, here = float(nominal(at.drive())), bool(nominal(is_within(window, at)))
+    place = float(nominal(at.drive()))
     if here and window.period:
         place = window.low + (place - window.low) % window.period
     now, low, high = (f"{number(unit * size)}{mark}" for size in (place, window.low, window.high))
     return Words(
-        f"${symbol}$ = {now} {'' if here else '不'}在 {low}～{high} 内",
-        f"${symbol}$ = {now} lies {'within' if here else 'outside'} {low} to {high}",
+        f"${drive.symbol}$ = {now} {'' if here else '不'}在 {low}～{high} 内",
+        f"${drive.symbol}$ = {now} lies {'within' if here else 'outside'} {low} to {high}",
     )

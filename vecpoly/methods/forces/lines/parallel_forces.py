@@ -236,5 +236,4 @@ def _arm(st: Statics, line: Line, touch: Points, letter: str) -> Quantity:
         st.board.join(View.MECHANISM, touch, end, st.ruled(Role.CONSTRUCTION))
         st.board.plot(View.MECHANISM, (touch + end) / 2, letter, Dot.NONE)
         st.board.join(View.MECHANISM, end - line.along * 16.0, end + line.along * 16.0, st.ruled(Role.DIRECTION))
-        st.board.plot(View.MECHANISM, (touch + end) / 2, letter, Dot.NONE)
     return st.board.measure(touch, end, letter)

@@ -55,13 +55,8 @@ def _checked(study: Study, press: Press) -> str:
         if not size > _NOTHING:
             continue
         row = [f"${symbol}$", _percent(float(np.nanmax(np.abs(own - exact))) / size)]
-        if study.mech.drive.accel:
-            pass
-        elif base is None:
-            row += ["—", "—", "—"]
-        else:
-            wide, narrow = (_quotient_gap(study, base, own, steps) / size for steps in (2, 1))
-            row += [_percent(wide), _percent(narrow), f"{wide / narrow:.2f}" if narrow > 1e-9 else "—"]
+        if not study.mech.drive.accel:
+            row += _by_quotients(study, base, own, size)
         rows.append(tuple(row))
     return (
         press.table(
@@ -73,6 +68,14 @@ def _checked(study: Study, press: Press) -> str:
         if rows
         else ""
     )
+
+
+def _by_quotients(study: Study, base: Reals | None, rate: Reals, size: float) -> list[str]:
+    """How far the rate is from the difference quotients of two steps and of one, and how many times as far."""
+    if base is None:
+        return ["—", "—", "—"]
+    wide, narrow = (_quotient_gap(study, base, rate, steps) / size for steps in (2, 1))
+    return [_percent(wide), _percent(narrow), f"{wide / narrow:.2f}" if narrow > 1e-9 else "—"]
 
 
 def _percent(share: float) -> str:
