@@ -15,9 +15,9 @@ from vecpoly.board.paper.marks import AngleMark, Dot, FrictionCircle, Mark, Poin
 from vecpoly.board.paper.scales import Sketched, finer
 from vecpoly.drawing.details.apart import detailed
 from vecpoly.drawing.details.knots import knots
-from vecpoly.drawing.sheets.composition import CRAMPED, OWN, Composing
-from vecpoly.drawing.sheets.growing import grown
 from vecpoly.drawing.sheets.paper import linked, nearest_pins
+from vecpoly.drawing.sheets.scales.composition import CRAMPED, OWN, Composing
+from vecpoly.drawing.sheets.scales.growing import grown
 from vecpoly.drawing.sheets.sheet import bound, sheets
 from vecpoly.drawing.sheets.space import SPARSE, room_inside
 from vecpoly.problem.load import load

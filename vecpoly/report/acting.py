@@ -8,6 +8,7 @@ from math import pi
 
 from ..board.construction import Figure
 from ..board.paper.marks import Block, Disc, Dot, FrictionCircle, Mark, Point, Role, Segment, TurnArrow, Vector
+from ..board.paper.pulling import pulls
 from ..diagram.single import pivot
 from ..diagram.springs.straight import damper, spring_symbol
 from ..foundation.slotted import replace
@@ -68,8 +69,7 @@ def _arrow(mech: Mechanism, load: Load, spots: dict[str, complex], figure: Figur
 def _pulls(load: Force, symbol: str, sheet: Figure) -> bool | None:
     """Whether the load begins at its point on the sheet; None where it is not drawn there."""
     at = next((m.at for m in sheet.marks if isinstance(m, Point) and m.label == load.point), None)
-    arrow = next((m for m in sheet.marks if isinstance(m, Vector) and m.label == symbol), None)
-    return None if at is None or arrow is None else abs(arrow.a - at) < abs(arrow.b - at)
+    return None if at is None else pulls(sheet.marks, symbol, at)
 
 
 def _force(load: Force, at: complex, symbol: str, figure: Figure, pulls: bool | None) -> Vector:

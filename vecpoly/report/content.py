@@ -44,7 +44,7 @@ class Objects:
 def statement(solution: Solution, lang: Lang) -> dict[str, str]:
     """Title, source, statement, given and asked in words."""
     problem = solution.problem
-    data = [*problem.given.lengths, *problem.given.motion, *problem.given.loads]
+    data = list(problem.given.data)
     comma = "，" if lang == "zh" else ", "
     given = [shortened(d.of(lang)) for d in data]
     if isinstance(problem.subject, Mechanism):

@@ -58,11 +58,11 @@ def listed(listing: Listing, lang: Lang) -> DataTable:
 
 def given_tables(problem: Problem, lang: Lang) -> list[DataTable]:
     """The tables among what is given, each in columns beside each other; not those that would fill pages."""
-    data = (*problem.given.lengths, *problem.given.motion, *problem.given.loads)
-    tables = [datum.table for datum in data if datum.table is not None and len(datum.table.rows) <= MOST_GIVEN]
+    tables = (datum.table for datum in problem.given.data)
     return [
         listed(Listing(head=tuple(map(Words.same, one.head)), rows=one.rows, blocks=MOST_COLUMNS), lang)
         for one in tables
+        if one is not None and len(one.rows) <= MOST_GIVEN
     ]
 
 

@@ -6,6 +6,7 @@ import re
 from math import isnan
 
 from ..algebra.quantity import number
+from ..foundation.roman import chinese, latin
 from ..mechanism.asked.forces import load_named
 from ..mechanism.loads import Force
 from ..names import Key, Named
@@ -18,7 +19,6 @@ from ..words import Lang, Words
 _UNDEFINED = Words("无意义", "undefined")
 _YES, _NO = Words("是", "yes"), Words("否", "no")
 _GROUPS, _CLASS = "groups_", "class_"
-_CLASSES = {1: ("Ⅰ", "I"), 2: ("Ⅱ", "II"), 3: ("Ⅲ", "III"), 4: ("Ⅳ", "IV"), 5: ("Ⅴ", "V"), 6: ("Ⅵ", "VI")}
 _BALANCED = {"static": Words("静平衡", "statically balanced"), "dynamic": Words("动平衡", "dynamically balanced")}
 _STATION = re.compile(r"(s|psi|alpha|r|P)_[\d.]+")  # of a cam, or of Freudenstein: s_0 is no s without friction
 _CURVED = {
@@ -81,8 +81,8 @@ def is_worded(key: str, unit: str) -> bool:
 
 def class_told(rank: float, lang: Lang) -> str:
     """Ⅲ 级, class III; of what cannot be taken apart that."""
-    zh, en = _CLASSES.get(int(rank), (f"{rank:g}", f"{rank:g}"))
-    return Words(f"{zh} 级", f"class {en}").of(lang) if rank else Words("不能拆分", "none").of(lang)
+    told = Words(f"{chinese(int(rank))} 级", f"class {latin(int(rank))}") if rank else Words("不能拆分", "none")
+    return told.of(lang)
 
 
 def called(symbol: str, key: str, lang: Lang) -> str:

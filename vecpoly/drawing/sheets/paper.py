@@ -14,10 +14,10 @@ from ...board.place import Pane, Place
 from ...foundation.slotted import dataclass
 from ...foundation.stock import ANY_A4, Paper
 from ..order import reading_order
-from .composing import composed
-from .crowding import crowded
-from .easing import eased
 from .lettering import beside_title, lettered
+from .scales.composing import composed
+from .scales.crowding import crowded
+from .scales.easing import eased
 from .slicing import Size
 from .space import room
 

@@ -27,7 +27,7 @@ def current(given: Given, mech: Mechanism, loads: Loads | None = None) -> Given:
         given = replace(given, leads=_leads(given, mech))
     values = _values(given, mech) | (_acting(loads) if loads else {})
     if given.bound is None:
-        data = (*given.lengths, *given.motion, *given.loads)
+        data = given.data
         same = frozenset(d.symbol for d in data if d.symbol in values and _same(values[d.symbol], d.si))
         return replace(given, bound=same)
     stale = {symbol: values[symbol] for symbol in given.bound if symbol in values}

@@ -102,6 +102,11 @@ class Given:
     # by the symbol of a drive's place: how far its coordinate is ahead of its datum (rad, or m)
     leads: Mapping[str, float] = field(default_factory=dict)
 
+    @property
+    def data(self) -> tuple[Datum, ...]:
+        """All of them, in the order in which they are printed."""
+        return (*self.lengths, *self.motion, *self.loads)
+
     def __post_init__(self) -> None:
         for name in ("shapes", "leads"):
             object.__setattr__(self, name, FrozenMap(dict(getattr(self, name))))

@@ -10,7 +10,7 @@ from ...devices.ring_spring import RingSpring
 from ...devices.wedge_clamp import WedgeClamp
 from ...devices.wedges import Wedges
 from ...solution import Answer
-from ...words import Words
+from ...words import Words, begun
 
 _EDGE = 1 + 1e-12  # at the limit itself it locks
 _FIGURES = 3
@@ -60,10 +60,7 @@ def _pair(phi: float, direct: float, back: float) -> Words:
             ("反行程", "the return stroke", "φ'_{lim}", back),
         )
     ]
-    return Words(
-        "，".join(one.zh for one in said) + "。",
-        (told := ", ".join(one.en for one in said))[0].upper() + told[1:] + ".",
-    )
+    return begun(Words("，".join(one.zh for one in said) + "。", ", ".join(one.en for one in said) + "."))
 
 
 def _locked(locks: bool) -> str:

@@ -55,7 +55,7 @@ def task(study: Study, press: Press) -> dict[str, Any]:
 def known(study: Study, press: Press, whole: str) -> dict[str, str]:
     """What is given in words, and the table of the numbers where they are many."""
     given = study.problem.given
-    data = [*given.lengths, *given.motion, *given.loads]
+    data = list(given.data)
     rows = [row for datum in data if (row := _parts(datum, press)) is not None]
     if len(rows) < _MANY:
         return {"given": whole, "data": ""}

@@ -41,7 +41,7 @@ def task(binder: Binder) -> dict[str, Any]:
 def _given(part: Part, binder: Binder) -> Iterator[str]:
     """The data of a part; of a linkage that was found only its motion and loads, for its lengths are results."""
     given = part.problem.given
-    own = (*given.motion, *given.loads) if part.base else (*given.lengths, *given.motion, *given.loads)
+    own = (*given.motion, *given.loads) if part.base else given.data
     yield from (datum.of(binder.lang) for datum in own)
 
 

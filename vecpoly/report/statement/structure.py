@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from ...foundation.roman import NUMERALS
 from ...mechanism.groups.assur import Group, decompose, hinges
 from ...mechanism.groups.mobility import Mobility, mobility
 from ...mechanism.model import FRAME, Mechanism
@@ -14,7 +15,7 @@ from ...mechanism.seats import seat
 from ...problem.problem import Problem
 from ...words import Words
 
-_ROMAN = {"class III": "Ⅲ 级", "class IV": "Ⅳ 级", "class V": "Ⅴ 级", "class VI": "Ⅵ 级"}
+_HIGHER = {f"class {en}": f"{zh} 级" for en, zh in NUMERALS.items() if en not in ("I", "II")}
 
 
 def structure(problem: Problem) -> Words:
@@ -176,7 +177,7 @@ def kind_of(group: Group) -> Words:
     return (
         Words("含驱动副的", "the group with the driven pair")
         if told == "driven"
-        else Words(_ROMAN.get(told, told), told)
+        else Words(_HIGHER.get(told, told), told)
     )
 
 
@@ -186,8 +187,8 @@ def _as_bar(group: Group) -> Words:
 
 def _class(groups: tuple[Group, ...]) -> Words:
     """The class of the highest group."""
-    kinds = [kind for kind in _ROMAN if any(group.kind == kind for group in groups)]
-    return Words(f" {_ROMAN[kinds[-1]]}", kinds[-1]) if kinds else Words(" Ⅱ 级", "class II")
+    kinds = [kind for kind in _HIGHER if any(group.kind == kind for group in groups)]
+    return Words(f" {_HIGHER[kinds[-1]]}", kinds[-1]) if kinds else Words(" Ⅱ 级", "class II")
 
 
 def _links(mech: Mechanism, links: Sequence[str]) -> str:

@@ -6,10 +6,11 @@ from ....board.construction import Reading, View
 from ....devices.structure import Structure
 from ....devices.structure_named import class_, groups
 from ....devices.structure_pairs import Chain
+from ....foundation.roman import chinese, latin
 from ....names import subscripted
 from ....words import Words
 from ..bench import Bench
-from .groups import ROMAN, Group, Taken, take_apart
+from .groups import Group, Taken, take_apart
 from .replacement import Replaced
 from .sketch import draw_apart, pane
 
@@ -78,7 +79,7 @@ def _title(group: Group, drivers: tuple[str, ...], several: bool) -> Words:
         when
         + Words(
             f"{group.roman} 级杆组 {_named(group.links)}",
-            f"{'class' if several else 'Class'} {_latin(group.rank)} group {_named(group.links)}",
+            f"{'class' if several else 'Class'} {latin(group.rank)} group {_named(group.links)}",
         )
         + kind
     )
@@ -86,10 +87,6 @@ def _title(group: Group, drivers: tuple[str, ...], several: bool) -> Words:
 
 def _named(links: tuple[str, ...]) -> str:
     return "-".join(links)
-
-
-def _latin(rank: int) -> str:
-    return {1: "I", 2: "II", 3: "III", 4: "IV", 5: "V", 6: "VI"}.get(rank, str(rank))
 
 
 def _told(group: Group, index: int, chain: Chain) -> Words:
@@ -113,15 +110,15 @@ def _told(group: Group, index: int, chain: Chain) -> Words:
         if group.rank == 3 and len(group.links) == 4
         else " (no smaller group can be detached)",
     )
-    return lead + Words(f"为 {group.roman} 级杆组", f"a class {_latin(group.rank)} group") + why + Words("。", ".")
+    return lead + Words(f"为 {group.roman} 级杆组", f"a class {latin(group.rank)} group") + why + Words("。", ".")
 
 
 def _grouped(taken: Taken) -> Words:
     """How many groups of which class: 4 个 Ⅱ 级杆组."""
     ranks = sorted({group.rank for group in taken.groups})
     counts = [(sum(group.rank == rank for group in taken.groups), rank) for rank in ranks]
-    zh = "、".join(f"{count} 个 {ROMAN.get(rank, str(rank))} 级杆组" for count, rank in counts)
-    en = " and ".join(f"{count} class {_latin(rank)} group{'s' * (count > 1)}" for count, rank in counts)
+    zh = "、".join(f"{count} 个 {chinese(rank)} 级杆组" for count, rank in counts)
+    en = " and ".join(f"{count} class {latin(rank)} group{'s' * (count > 1)}" for count, rank in counts)
     return Words(f"含 {zh}" if counts else "不含杆组", en or "no groups")
 
 
@@ -155,8 +152,8 @@ def _concluded(taken: Taken, drivers: tuple[str, ...]) -> Words:
             f"With link{many} {', '.join(drivers)} driving the remaining links form no Assur groups.",
         )
     return Words(
-        f"以构件 {told} 为原动件时，该机构为 {ROMAN.get(rank, str(rank))} 级机构。",
-        f"With link{many} {', '.join(drivers)} driving this is a class {_latin(rank)} mechanism.",
+        f"以构件 {told} 为原动件时，该机构为 {chinese(rank)} 级机构。",
+        f"With link{many} {', '.join(drivers)} driving this is a class {latin(rank)} mechanism.",
     )
 
 

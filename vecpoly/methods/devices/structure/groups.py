@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from itertools import combinations, pairwise
 
 from ....devices.structure_pairs import FRAME, Chain, Form, Pair
-
-ROMAN = {1: "Ⅰ", 2: "Ⅱ", 3: "Ⅲ", 4: "Ⅳ", 5: "Ⅴ", 6: "Ⅵ"}
+from ....foundation.roman import chinese
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -26,7 +25,7 @@ class Group:
     @property
     def roman(self) -> str:
         """Its class as printed."""
-        return ROMAN.get(self.rank, str(self.rank))
+        return chinese(self.rank)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,6 +9,7 @@ import numpy as np
 
 from ....board.construction import View
 from ....board.paper.marks import Role, Segment, Vector
+from ....board.paper.pulling import pulls
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.loads import Force, Moment
 from ....plane import nominal
@@ -42,14 +43,10 @@ def _force(st: Statics, load: Force) -> None:
 
 def ways_of_loads(st: Statics) -> tuple[set[str], set[str]]:
     """The symbols of the forces that press on their points on the kinematic diagram, and of those that pull at them."""
-    here = {m.label: m for m in st.board.marks(View.MECHANISM) if isinstance(m, Vector) and m.label}
-    pressing, pulling = set[str](), set[str]()
-    for load in st.loads.all:
-        arrow = here.get(load_symbol(load.name))
-        if isinstance(load, Force) and not load.against and arrow is not None:
-            at = complex(nominal(st.desk.at[load.point]))
-            (pulling if abs(arrow.a - at) < abs(arrow.b - at) else pressing).add(arrow.label)
-    return pressing, pulling
+    here = st.board.marks(View.MECHANISM)
+    places = {load_symbol(one.name): nominal(st.desk.at[one.point]) for one in st.loads.forces if not one.against}
+    ways = {symbol: pulls(here, symbol, complex(at)) for symbol, at in places.items()}
+    return {symbol for symbol, way in ways.items() if way is False}, {symbol for symbol, way in ways.items() if way}
 
 
 def _clearance(st: Statics, ends: tuple[complex, complex]) -> float:

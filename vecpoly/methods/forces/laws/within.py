@@ -11,7 +11,7 @@ from ....mechanism.laws.acting import is_within
 from ....mechanism.laws.windows import During, Moving, Turning, Window
 from ....names import Named
 from ....plane import nominal
-from ....words import Words
+from ....words import Words, begun
 from .off_paper import OffPaper
 
 _SIDES = {
@@ -28,13 +28,12 @@ def tell_windows(at: OffPaper, named: Named, windows: Sequence[Window]) -> bool:
         return True
     found = [_told(at, window) for window in windows]
     acts, clauses = all(here for here, _ in found), [clause for _, clause in found]
-    en = ", ".join(clause.en for clause in clauses)
-    at.desk.board.remark(
-        Words(
-            f"{'，'.join(clause.zh for clause in clauses)}，故 ${named.symbol}$ {'起' if acts else '不起'}作用。",
-            f"{en[0].upper()}{en[1:]}, so ${named.symbol}$ {'acts' if acts else 'does not act'} here.",
-        )
+    said = Words("，".join(clause.zh for clause in clauses), ", ".join(clause.en for clause in clauses))
+    so = Words(
+        f"，故 ${named.symbol}$ {'起' if acts else '不起'}作用。",
+        f", so ${named.symbol}$ {'acts' if acts else 'does not act'} here.",
     )
+    at.desk.board.remark(begun(said) + so)
     return acts
 
 

@@ -9,6 +9,7 @@ from ....board.construction import Figure
 from ....drawing.figure import draw_figure
 from ....drawing.scene import Scene, TextBox
 from ....findings.study.study import Study
+from ....foundation.roman import NUMERALS
 from ....mechanism.groups.assur import Group, decompose, hinges, joint_letter
 from ....mechanism.groups.mobility import mobility
 from ....mechanism.model import FRAME, Joint, Mechanism, Prismatic, Rolling
@@ -160,7 +161,7 @@ def _class(group: Group, lang: str) -> str:
     if group.dyad is None and group.ram is None and not group.kind.startswith("class"):
         return "—"
     told = "II" if group.dyad or group.ram else group.kind.removeprefix("class ")
-    return told if lang == "en" else {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ"}.get(told, told)
+    return told if lang == "en" else NUMERALS.get(told, told)
 
 
 def _captioned(figure: Figure, lang: Lang) -> Scene:

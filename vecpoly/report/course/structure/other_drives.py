@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from ....errors import VecpolyError
 from ....findings.study.study import Study
+from ....foundation.roman import NUMERALS
 from ....mechanism.groups.assur import decompose, ends, hinges
 from ....mechanism.model import FRAME, Drive, Mechanism, Prismatic
 from ....names import subscripted
@@ -17,7 +18,6 @@ _HEADER = {
     "zh": ["原动件", "与机架的运动副", "杆组（按求解次序）", "机构级别"],
     "en": ["Driving link", "Joint with the frame", "Groups in order of solution", "Class"],
 }
-_ROMAN = {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}
 
 
 def others(study: Study, press: Press) -> str:
@@ -65,12 +65,12 @@ def _row(study: Study, press: Press, link: str, joint: Words) -> tuple[str, ...]
     ]
     top = max(
         ("II" if group.dyad else group.kind.removeprefix("class ") for group in groups),
-        key=[*_ROMAN].index,
+        key=[*NUMERALS].index,
         default="II",
     )
-    return link, joint.of(press.lang), comma.join(told), _ROMAN[top] if press.lang == "zh" else top
+    return link, joint.of(press.lang), comma.join(told), NUMERALS[top] if press.lang == "zh" else top
 
 
 def _class(kind: str, lang: str) -> str:
     told = kind.removeprefix("class ")
-    return f"{_ROMAN.get(told, told)} 级" if lang == "zh" else kind
+    return f"{NUMERALS.get(told, told)} 级" if lang == "zh" else kind

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ....findings.study.study import Study
+from ....foundation.roman import NUMERALS
 from ....mechanism.groups.assur import Group, decompose, hinges
 from ....mechanism.model import Prismatic, Rolling
 from ....mechanism.rams import driver_words
 from ....words import Words
 from ...statement.structure import kind_of, welded
 from .kinds import ROLLING
-
-_ROMAN = {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}
 
 
 def special(study: Study) -> Iterator[Words]:
@@ -59,7 +58,7 @@ def _highest(groups: Sequence[Group]) -> str:
     """The highest class among these groups: II, III ..."""
     return max(
         (group.kind.removeprefix("class ") if group.dyad is None and group.ram is None else "II" for group in groups),
-        key=lambda c: len(_ROMAN) if c not in _ROMAN else [*_ROMAN].index(c),
+        key=lambda c: len(NUMERALS) if c not in NUMERALS else [*NUMERALS].index(c),
         default="I",
     )
 
@@ -75,7 +74,7 @@ def concluded(study: Study) -> Words:
             if group.dyad or group.ram or group.kind == "driven"
             else ROLLING[group.kind].zh
             if group.kind in ROLLING
-            else f"{_ROMAN.get(group.kind.removeprefix('class '), group.kind)} 级"
+            else f"{NUMERALS.get(group.kind.removeprefix('class '), group.kind)} 级"
         )
         zh.append(f"{kind}（构件 {'、'.join(names)}）")
         en.append(f"{kind_of(group).en} ({', '.join(names)})")
@@ -98,8 +97,8 @@ def concluded(study: Study) -> Words:
         )
     top = _highest(groups)
     return Words(
-        f"因此机构由{driven.zh}和 {'、'.join(zh)}组成，所含杆组的最高级别为 {_ROMAN.get(top, top)} 级，"
-        f"故为 {_ROMAN.get(top, top)} 级机构。",
+        f"因此机构由{driven.zh}和 {'、'.join(zh)}组成，所含杆组的最高级别为 {NUMERALS.get(top, top)} 级，"
+        f"故为 {NUMERALS.get(top, top)} 级机构。",
         f"So the mechanism consists of {driven.en} and the groups {', '.join(en)}. The highest "
         f"class among them is {top}: a class {top} mechanism.",
     )

@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from math import inf, log, sqrt
 
-from ...board.construction import View
-from ...board.paper.scales import Sketched, round_up
-from ...board.place import Pane, Place, view_of
-from .packing import flat, inner, pack, padded
-from .slicing import Pair, Size, Slicing
-from .space import CLEAR, SPARSE
+from ....board.construction import View
+from ....board.paper.scales import Sketched, round_up
+from ....board.place import Pane, Place, view_of
+from ..packing import flat, inner, pack, padded
+from ..slicing import Pair, Size, Slicing
+from ..space import CLEAR, SPARSE
 
 LEAST = 0.55  # of the usual size: smaller no figure is drawn to save a sheet
 USUAL_WIDE, USUAL = 150.0, 100.0  # mm: of a figure that has the width of a page, of another

@@ -12,13 +12,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from ...board.construction import View
-from ...board.paper.scales import Sketched
-from ...board.place import Place
-from ...foundation.stock import ANY_A4, Paper
+from ....board.construction import View
+from ....board.paper.scales import Sketched
+from ....board.place import Place
+from ....foundation.stock import ANY_A4, Paper
+from ..space import HIGHEST, PLATE, SPARSE, rooms
 from .composition import CRAMPED, LOST, OWN, Composing, Scales, least_scales
 from .growing import grown
-from .space import HIGHEST, PLATE, SPARSE, rooms
 
 ENOUGH = 0.62  # of the usual size: no figure need be smaller for a plate
 LARGER = 1.3  # times as large a mechanism is drawn on one sheet more, at least: 1.5 for 2, 3 for 4

@@ -7,17 +7,17 @@ from functools import lru_cache
 
 import numpy as np
 
-from ...board.construction import Figure
-from ...board.paper.extent import bounds
-from ...board.paper.marks import Role, Segment, Vector
-from ...board.paper.scales import Sketched
-from ...foundation.slotted import dataclass
-from ..details.knot import Knot
-from ..details.knots import MOST, Crowd
-from ..details.room import Grow, Room, Spots, filled, reach_of, spread
-from ..rect import Rect
-from .lettering import SHORTEST, UNDER
-from .slicing import Size
+from ....board.construction import Figure
+from ....board.paper.extent import bounds
+from ....board.paper.marks import Role, Segment, Vector
+from ....board.paper.scales import Sketched
+from ....foundation.slotted import dataclass
+from ...details.knot import Knot
+from ...details.knots import MOST, Crowd
+from ...details.room import Grow, Room, Spots, filled, reach_of, spread
+from ...rect import Rect
+from ..lettering import SHORTEST, UNDER
+from ..slicing import Size
 
 LETTERS = 3.0  # mm that letters stand out from the lines of a figure, or from the ring of a detail
 SLACK = 5.0  # mm by which a figure may turn out larger with its details, whose letters have no places yet

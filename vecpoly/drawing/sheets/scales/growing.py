@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ...board.paper.scales import coarser, finer
-from ...board.place import Place
+from ....board.paper.scales import coarser, finer
+from ....board.place import Place
 from .composition import Composing, Scales, by_place
 
 MOST = 1.5  # of the usual size: larger no figure is drawn to fill a sheet

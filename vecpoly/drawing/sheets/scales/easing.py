@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from ...board.construction import View
-from ...board.paper.scales import coarser
-from ...board.place import Place
-from ...foundation.stock import Paper
-from ..details.knots import MOST
-from ..details.room import Grow
+from ....board.construction import View
+from ....board.paper.scales import coarser
+from ....board.place import Place
+from ....foundation.stock import Paper
+from ...details.knots import MOST
+from ...details.room import Grow
+from ..space import rooms
 from .composition import Composing, Scales, least_scales
 from .crowding import Crowded
-from .space import rooms
 
 CLOSE = 3.0  # mm of white, as planned: a little more than is left at least, for letters that stand out farther
 MOST_COARSER = 2.0  # times: a figure that is read is not made smaller for the sake of details
