@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from ..mechanism.model import Mechanism
 from .assembly.feasible import SEARCHED
 from .motion import Motion
-from .plan import plan_for
+from .planning import plan_for
 
 
 def solve(mech: Mechanism, position: ArrayLike | None = None, *, order: int = 2, strict: bool = True) -> Motion:

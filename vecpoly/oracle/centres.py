@@ -13,7 +13,7 @@ from ..mechanism.asked.centres import centre, centre_speed, crank_groups, limits
 from ..mechanism.model import FRAME, Mechanism
 from ..words import Words
 from .motion import Motion
-from .plan import plan_for
+from .planning import plan_for
 from .state import Reals, dot
 
 NONE = 1e-9  # of the mechanism's own rates: differences of rates below it are none

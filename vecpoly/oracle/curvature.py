@@ -29,7 +29,7 @@ from ..mechanism.asked.curvature import (
 from ..mechanism.model import FRAME, Mechanism
 from ..words import Words
 from .motion import Motion
-from .plan import plan_for
+from .planning import plan_for
 from .state import Body, Points, cross
 
 NONE = 1e-9  # of the mechanism's own rates and size: less is zero

@@ -1,35 +1,28 @@
-"""The steps that solve a mechanism, group by group, with every group's assembly chosen at its own position."""
+"""The steps that solve a mechanism, group by group: every link at every position of the drive."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
 
 import numpy as np
 
 from ..errors import AssemblyError
-from ..mechanism.gearing import misfit
-from ..mechanism.groups.assur import decompose
-from ..mechanism.groups.mobility import check
-from ..mechanism.model import FRAME, Mechanism, Rolling
+from ..mechanism.model import FRAME, Mechanism
 from ..words import Words
 from .assembly.across import across
-from .assembly.branches import check_letters, choose, confirm
-from .assembly.changes import Changes, touches
-from .assembly.feasible import SEARCHED, Closes, Ranges, Spans, alone, refusal, scan, spans
+from .assembly.feasible import Closes, Ranges, Spans, alone, refusal, scan, spans
 from .closed.dyads import Hinged, Swinging
-from .drive import Driver, driver
+from .drive import Driver
 from .run import STEP, Run, track
 from .state import Body, Reals, at_rest
-from .steps import Step, is_followed, step_for
+from .steps import Step, is_followed
 
-KEPT = 128  # plans of mechanisms met last: those of a whole turn of the player, which comes back to each
 TIGHT = 1e-5  # square of the sine of a folded dyad below which its change points are looked for
 
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """Drives against the frame and steps in order of solution. Build it with `plan_for`."""
+    """Drives against the frame and steps in order of solution. Build it with `planning.plan_for`."""
 
     mech: Mechanism
     drivers: tuple[Driver, ...]
@@ -166,90 +159,3 @@ class Plan:
 def quiet() -> np.errstate:
     """Where positions that do not assemble, or have no digits, come out as NaN without a warning."""
     return np.errstate(invalid="ignore", divide="ignore", over="ignore")
-
-
-def build(mech: Mechanism) -> Plan:
-    """Check mobility and letters, take the mechanism apart, choose every assembly at the own position.
-
-    Raises MobilityError, UnknownNameError, AssemblyError.
-    """
-    check(mech)
-    check_letters(mech)
-    _check_gears(mech)
-    raw = tuple(step_for(mech, group) for group in decompose(mech))
-    empty = Plan(
-        mech, tuple(driver(mech, drive) for drive in mech.drives if not drive.between), (), any(map(is_followed, raw))
-    )
-    chosen: list[Step] = []
-    with quiet():
-        run, bodies = empty.start(np.array([mech.drive.position]), strict=True)
-        for step in raw:
-            partial = replace(empty, steps=tuple(chosen))
-            partial.placed(step, bodies, run)
-            chosen.append(choose(mech, step, bodies, run))
-            bodies |= chosen[-1].place(bodies, run)
-        confirm(mech, bodies, run)
-    return replace(empty, steps=tuple(chosen))
-
-
-def through(plan: Plan) -> Plan:
-    """The plan with the change points of every dyad, at which its assembly passes to the other side.
-
-    They come again with every turn of the drive; behind a dyad that has an odd number of them, with every second turn.
-    """
-    drive, scale = plan.mech.drive, plan.mech.scale
-    if drive.between:  # a cylinder's stroke, on which no link turns round
-        return plan
-    low, span = (
-        (drive.position - SEARCHED * scale, 2 * SEARCHED * scale) if drive.slide else (drive.position, 2 * np.pi)
-    )
-    steps: list[Step] = []
-    for step in plan.steps:
-        if is_followed(step):
-            break
-        if isinstance(step, Hinged | Swinging) and step.two:
-            before = replace(plan, steps=tuple(steps), followed=False)  # these know of their own change points
-            places = touches(partial(before.fold, step), low, low + span, scale if drive.slide else 1.0)
-            if places:
-                step = replace(step, changes=Changes(drive.position, places, None if drive.slide else span))
-                span *= 1 if drive.slide or len(places) % 2 == 0 else 2
-        steps.append(step)
-    return replace(plan, steps=(*steps, *plan.steps[len(steps) :]))
-
-
-def _check_gears(mech: Mechanism) -> None:
-    """AssemblyError where links hold gears at a distance that their radii do not fit."""
-    for joint in mech.joints:
-        if isinstance(joint, Rolling) and (why := misfit(mech, joint)) is not None:
-            raise AssemblyError(why, code="gears-do-not-fit")
-
-
-class _Same:
-    """A mechanism as a key: the very same object."""
-
-    __slots__ = ("mech",)
-
-    def __init__(self, mech: Mechanism) -> None:
-        self.mech = mech
-
-    def __hash__(self) -> int:
-        return id(self.mech)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.mech is self.mech
-
-
-@lru_cache(maxsize=KEPT)
-def _kept(key: _Same) -> Plan:
-    return build(key.mech)
-
-
-@lru_cache(maxsize=KEPT)
-def _whole(key: _Same) -> Plan:
-    return through(_kept(key))
-
-
-def plan_for(mech: Mechanism, own: bool = False) -> Plan:
-    """The plan of the mechanism, built once for every mechanism object. own: for its own position alone."""
-    here = _kept(_Same(mech))
-    return here if own and not here.is_tight else _whole(_Same(mech))

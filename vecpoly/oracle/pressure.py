@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from ..mechanism.asked.pressure import Driven
 from ..mechanism.model import Joint, Mechanism, Prismatic, Revolute
 from .motion import Motion
-from .plan import plan_for
+from .planning import plan_for
 
 Matrix = NDArray[np.float64]
 

@@ -6,6 +6,7 @@ from functools import lru_cache
 from typing import Any
 
 from ...findings.study.study import Study, study
+from ...foundation.same import Same
 from ...solution import REPEATS, Solution
 from ...words import Lang, Words
 from ..content import Objects
@@ -29,32 +30,17 @@ _COVER = (130.0, 95.0)  # mm
 KIND = Words("机械原理课程大作业", "Theory of machines: course assignment")
 
 
-class _Same:
-    """A solution as a key: the very same object."""
-
-    __slots__ = ("solution",)
-
-    def __init__(self, solution: Solution) -> None:
-        self.solution = solution
-
-    def __hash__(self) -> int:
-        return id(self.solution)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.solution is self.solution
-
-
 @lru_cache(maxsize=2)
-def _studied(key: _Same) -> tuple[Study, comparison.Compared, machine.Machine]:
+def _studied(key: Same[Solution]) -> tuple[Study, comparison.Compared, machine.Machine]:
     """What is found before it is told: the same in both languages."""
-    subject = study(key.solution)
+    subject = study(key.it)
     return subject, comparison.compared(subject), machine.found(subject)
 
 
 def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     """The chapters of one problem's course report. Raises NotAskedError for a device, NoMethodError for a group without
     a closed form."""
-    subject, stations, running = _studied(_Same(solution))
+    subject, stations, running = _studied(Same(solution))
     press = Press(lang, objects)
     told = {
         "id": subject.problem.id,
