@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from vecpoly import loads
 from vecpoly.mechanism.model import Mechanism
-from vecpoly.oracle import plan, spans
+from vecpoly.oracle import plan, planning, spans
 from vecpoly.oracle.run import STEP
 
 # between 8.4° and 9.7° on from here the plate is swung round by half a radian within a hundredth of one of the crank
@@ -56,7 +56,7 @@ def mechanism(text: str) -> Mechanism:
 
 def turned(mech: Mechanism, asked: NDArray[np.float64], link: str) -> NDArray[np.complex128]:
     """e^{iφ} of the link at these positions; NaN where the path to them is lost."""
-    return plan.build(mech).bodies(asked, 0, strict=False)[link].unit
+    return planning.build(mech).bodies(asked, 0, strict=False)[link].unit
 
 
 def test_a_path_of_long_strides_stays_on_the_assembly_that_one_of_short_strides_follows(
