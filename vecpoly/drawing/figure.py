@@ -8,9 +8,11 @@ from functools import lru_cache
 from ..algebra.formula import Node, Power, Row, Txt, row
 from ..algebra.quantity import number
 from ..board.construction import Figure, Scale
+from ..board.paper.marks import Ground
 from ..typeset import Box, layout
 from ..words import Lang
 from .beside import beside
+from .hung import hung
 from .labels.ground import broken
 from .labels.notes import LEADING, folded, lines
 from .labels.obstacles import Obstacles
@@ -53,9 +55,12 @@ class Bare:
     unnamed: tuple[Spot, ...]
 
     @classmethod
-    def of(cls, figure: Figure, lang: Lang) -> Bare:
-        """Of a figure, with vectors on one line side by side, and arcs where they cross nothing."""
-        marks = swung(beside(figure.view, figure.marks))
+    def of(cls, figure: Figure, lang: Lang, held: tuple[Ground, ...] = ()) -> Bare:
+        """Of a figure, with vectors on one line side by side, and supports and arcs where they cross nothing.
+
+        held: the supports as they stand in another position, to stay so.
+        """
+        marks = swung(hung(beside(figure.view, figure.marks), held))
         around = Surroundings.of(figure.view, marks, lang, figure.tones)
         items = unique(tuple(item for mark in marks for item in draw(mark, around)))
         return cls(items, wants(figure.view, marks, lang, figure.tones), unnamed(marks))

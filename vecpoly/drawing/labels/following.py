@@ -10,8 +10,10 @@ from math import inf
 import numpy as np
 
 from ...board.construction import Figure
+from ...board.paper.marks import Ground
 from ...words import Lang
 from ..figure import Bare, Drawing, drawing
+from ..hung import hung
 from ..prices import Around, Places, Row
 from ..scene import Item
 from .ground import broken
@@ -34,15 +36,17 @@ class Follower:
     lang: Lang
     size: float = 1.0  # of the letters, beside that on paper
     choice: dict[Name, int] = field(default_factory=dict)  # which of its places each label has
+    supports: tuple[Ground, ...] = ()  # as they stand at the first position
 
     def lettered(self, figure: Figure) -> tuple[Item, ...]:
         """All items of the figure with its letters in place, without its title."""
         if not self.choice:
             paper = drawing(figure, lang=self.lang)
             self.choice = _chosen(paper)
+            self.supports = tuple(mark for mark in hung(figure.marks) if isinstance(mark, Ground))
             if self.size == 1.0:
                 return _together(paper.obstacles, paper.labels)
-        bare = Bare.of(figure, self.lang)
+        bare = Bare.of(figure, self.lang, self.supports)
         seen = tuple(resized(want, self.size) for want in bare.wanted)
         around = Around(Obstacles.of(bare.items), seen, bare.extents, None, bare.unnamed)
         placed = self._follow(_names(bare.wanted), around)

@@ -9,6 +9,7 @@ from typing import Any
 
 from ...board.construction import Figure
 from ...drawing.figure import drawing
+from ...drawing.hung import hung
 from ...drawing.scene import Item, Rect, TextBox
 from ...drawing.sheets.redbox import red_box
 from ...drawing.sheets.sheet import Sheet
@@ -84,7 +85,7 @@ def library() -> Any:
 
 def _figure(paper: Paper, part: Part, lang: Lang, upto: int | None) -> None:
     """Marks from the lowest to the highest, then the lettering."""
-    figure, marks = part.figure, swung(part.figure.marks)
+    figure, marks = part.figure, swung(hung(part.figure.marks))
     around = Surroundings.of(figure.view, marks, lang)
     for mark in marks:
         if upto is None or mark.step <= upto:

@@ -1,0 +1,71 @@
+"""Supports of fixed pivots stand on the side to which no link leaves: a rocker that hangs has its support above."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
+
+import shapely
+
+from ..board.paper.marks import AngleMark, Block, FixedGuide, Ground, Mark, Outline, Plate, Role, Segment
+from .symbols.bodies import FOOT_HEIGHT, GROUND_HALF, block_corners
+from .symbols.shapes import NEAR
+
+WAYS = (-1j, 1j, -1 + 0j, 1 + 0j)  # below first: elsewhere only where that covers less
+PIN = 1.8  # mm about the pivot where every link of it begins
+HATCHED = 1.2  # mm under the foot
+DEAR = 1.5  # mm of a link that a support may cover before it is turned
+
+
+def hung(marks: tuple[Mark, ...], held: Sequence[Ground] = ()) -> tuple[Mark, ...]:
+    """The marks of a figure, the supports among them clear of links where they can be.
+
+    held: as they stand already in another position of the mechanism, one for each of these.
+    """
+    grounds = [mark for mark in marks if isinstance(mark, Ground)]
+    if len(held) == len(grounds):
+        found = {id(ground): replace(ground, down=other.down) for ground, other in zip(grounds, held, strict=True)}
+    else:
+        lines = shapely.union_all([*_lines(marks)])
+        found = {id(ground): _turned(ground, lines, marks) for ground in grounds}
+    return tuple(found.get(id(mark), mark) for mark in marks) if found else marks
+
+
+def _turned(ground: Ground, lines: Any, marks: Iterable[Mark]) -> Ground:
+    """The support on the first side that covers least; where it was drawn on purpose it stays."""
+    near = shapely.intersection(lines, shapely.Point(ground.at.real, ground.at.imag).buffer(2 * FOOT_HEIGHT))
+    if ground.down != WAYS[0] or near.is_empty:
+        return ground
+    rays = [mark.start for mark in marks if isinstance(mark, AngleMark) and abs(mark.at - ground.at) < NEAR]
+    costs = {way: _covered(ground.at, way, near) for way in WAYS if way.imag or not rays}
+    least = min(costs.values())
+    return ground if costs[WAYS[0]] < least + DEAR else replace(ground, down=min(costs, key=lambda way: costs[way]))
+
+
+def _covered(at: complex, down: complex, lines: Any) -> float:
+    """The length (mm) of all that a support on this side would cover."""
+    side, foot = 1j * GROUND_HALF * down, at + (FOOT_HEIGHT + HATCHED) * down
+    top = at + PIN * down
+    body = shapely.Polygon([(z.real, z.imag) for z in (top - side / 4, top + side / 4, foot + side, foot - side)])
+    return float(shapely.intersection(lines, body).length)
+
+
+def _lines(marks: Iterable[Mark]) -> Iterator[Any]:
+    """Links, bodies and guides as lines."""
+    for mark in marks:
+        match mark:
+            case Segment(a=a, b=b, role=Role.LINK) | FixedGuide(a=a, b=b) if abs(b - a) > NEAR:
+                yield _line((a, b))
+            case Plate(points=points) | Outline(points=points) if len(points) > 2:
+                yield from (_line(side) for side in pairwise((*points, points[0])))
+            case Block():
+                corners = block_corners(mark)
+                yield from (_line(side) for side in pairwise((*corners, corners[0])))
+            case _:
+                pass
+
+
+def _line(ends: Iterable[complex]) -> Any:
+    return shapely.LineString([(z.real, z.imag) for z in ends])
