@@ -8,6 +8,7 @@ import vecpoly
 from tests.drawn_library import drafted
 from tests.presses import press
 from tests.studies import studied
+from vecpoly.algebra.rounding import read_back
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import FixedGuide, Point
 from vecpoly.printed.digits import drawn_number, in_percent
@@ -43,16 +44,34 @@ def test_degrees_stand_in_no_column_of_per_cents(name: str) -> None:
     assert not mixed or all(cell.endswith(("°", " %")) for cell in cells)
 
 
-@pytest.mark.parametrize("name", ["5-3", "tipper"])
-def test_a_deviation_is_that_of_the_values_before_they_are_rounded(name: str) -> None:
+@pytest.mark.parametrize("name", ["5-3", "tipper", "whitworth-quick-return", "class-iii-slides"])
+def test_a_deviation_is_that_of_the_two_values_beside_it(name: str) -> None:
     solution = of(name)
-    answers = [one for one in solution.answers.values() if not one.is_place]
-    table = _values(answers, solution, "en")
-    (column,) = (n for n, head in enumerate(table.header) if head.startswith("Deviation"))
-    told = {answer.key: row[column].removesuffix(" %") for answer, row in zip(answers, table.rows, strict=True)}
-    key = "eta" if name == "5-3" else "alpha_5"
-    off = 100 * solution.answers[key].relative_deviation * (1 if solution.answers[key].exact > 0 else -1)
-    assert abs(float(told[key].replace("−", "-"))) == pytest.approx(abs(off), abs=0.006)
+    table = _values([one for one in solution.answers.values() if not one.is_place], solution, "en")
+    drawn, exact, column = (
+        next(n for n, head in enumerate(table.header) if head.startswith(start))
+        for start in ("Drawn", "Exact", "Deviation")
+    )
+    rows = [row for row in table.rows if row[column] != "—" and "°" not in row[column]]
+    assert rows
+    for row in rows:
+        (here, _), (there, _) = (read_back(row[n]) for n in (drawn, exact))
+        off = float(row[column].removesuffix(" %").replace("−", "-"))
+        assert off == pytest.approx(100 * (here - there) / abs(there), abs=0.0051), row
+
+
+@pytest.mark.parametrize("name", ["plate-reactions", "whitworth-quick-return", "3-9", "4-3a"])
+def test_a_length_on_paper_times_its_scale_is_the_value_beside_it(name: str) -> None:
+    solution = of(name)
+    table = _values([one for one in solution.answers.values() if not one.is_place], solution, "en")
+    length, scale, drawn = (table.header.index(head) for head in ("On paper /mm", "Scale", "Drawn"))
+    known = {f"${one.scale.symbol}$": one.scale.value for one in solution.construction.figures}
+    rows = [row for row in table.rows if row[scale] in known]
+    assert rows
+    for row in rows:
+        size, half = read_back(row[drawn])
+        per_mm = known[row[scale]] * (1e3 if row[1] == "mm" else 1.0)
+        assert size == pytest.approx(float(row[length].split()[0]) * per_mm, abs=half * 1.01), row
 
 
 def test_both_arms_of_a_balance_by_moments_have_their_letters() -> None:

@@ -8,7 +8,7 @@ from math import floor, isfinite, log10
 from ..algebra.columns import places_of
 from ..algebra.formula import Row
 from ..algebra.quantity import number
-from ..algebra.rounding import to_places
+from ..algebra.rounding import to_figures, to_places
 from ..answer import YES_NO, Answer
 from .lengths import is_length
 from .units import printed_unit
@@ -20,7 +20,7 @@ MOST = 4  # significant digits of an answer; an exact value has one more
 LEAST = 1e-4  # smaller numbers are told by powers of ten
 _GRID = 1e-6  # of a tenth: a reading that lies on one
 _SAME = 1e-9  # share by which a number read to a tenth may differ from itself
-_FINEST = 2  # decimals of a place, at most
+_FINEST, _OF_SCALE = 2, 3  # decimals of a place, figures of a scale, at most
 COARSE = 0.15  # an expected error of this share of an answer is told beside it
 
 
@@ -61,18 +61,25 @@ def decimals(answer: Answer) -> int | None:
     factor = printed_unit(answer.reading.unit)[0]
     read, error = factor * _read_to(answer), factor * _error(answer)
     line = answer.reading.formula
+    read_places = places_of if answer.reading.unit in ("m", "mm") else _places_read  # millimetres: as they are read
     if read and isinstance(line, Row) and is_length(line):
-        return places_of(read)
+        return read_places(read)
     well = answer.reading.mm is not None and coarse(answer) is None
     step = max(read, error * (SHARE_OF_READ if well else SHARE))
     if answer.reading.unit == YES_NO or not step or not isfinite(answer.drawn):
         return None
-    places, drawn = places_of(step), factor * answer.drawn
+    places, drawn = (read_places if step == read else places_of)(step), factor * answer.drawn
     if answer.reading.mm is None:
         least = 1 if answer.reading.unit == "deg" else places_of(error)
         finest = max(places, least)
         return next((n for n in range(0 if answer.computed else least, finest) if _is_on(drawn, n)), finest)
     return places
+
+
+def _places_read(tenth: float) -> int:
+    """Decimals of what is read to so much: one more where its multiples need it, 16.7 × 0.015 = 0.2505."""
+    tenth, places = to_figures(tenth, _OF_SCALE), places_of(tenth)
+    return places if _is_on(tenth, places) or not _is_on(tenth, places + 1) else places + 1
 
 
 def _is_on(value: float, places: int) -> bool:

@@ -58,7 +58,7 @@ def short_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = T
     if is_worded(answer.key, answer.reading.unit):
         return Row((result,))
     parts: tuple[Node, ...] = (name, Txt(" = "))
-    if read and _is_length_times_scale(answer, solution):
+    if read and is_length_times_scale(answer, solution):
         parts = (*parts, row(reading.scale), Txt(f"·{on_paper(answer)} mm"), Txt(" = "))
     return Row((*parts, result))
 
@@ -73,7 +73,7 @@ def named_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = T
     return Row((*name, Txt("" if lang == "zh" else " "), line))
 
 
-def _is_length_times_scale(answer: Answer, solution: Solution) -> bool:
+def is_length_times_scale(answer: Answer, solution: Solution) -> bool:
     """Whether it is what was measured on paper, and nothing but that times the scale."""
     mm, symbol, unit = answer.reading.mm, answer.reading.scale, answer.reading.unit
     if not mm or not symbol:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from math import degrees, isfinite
 
-from ...algebra.rounding import places_of
+from ...algebra.rounding import places_of, read_back
 from ...printed.angles import bearing_told
 from ...printed.digits import coordinates, drawn_number, exact_number, on_paper
 from ...printed.places import place_parts
@@ -18,6 +18,7 @@ from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
 from ..values import called, class_told, direction_of_load, is_class, rough, value
 from .errors import NOTHING, alike, expected_errors
+from .line import is_length_times_scale
 from .order import listed
 
 _HEADS = (
@@ -68,7 +69,7 @@ def readings_at(
     inks: tuple[list[Rgb | None], list[Rgb | None]] = ([], [])
     for where, solution, answers in positions:
         spots, others = _sorted(answers)
-        values += _at(where, [_row(one, solution.problem, lang, _unit(one)) for one in others])
+        values += _at(where, [_row(one, solution, lang, _unit(one)) for one in others])
         placed = [(*_place_row(one), gap) for one, gap in zip(spots, _gaps(spots), strict=True)]
         places += _at(where, placed)
         for told, of_one in zip(inks, (others, spots), strict=True):
@@ -114,7 +115,7 @@ def _values(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
     if one_unit not in ("", NOTHING):
         header = [f"{head} /{_braced(one_unit)}" if n in _WITH_UNIT else head for n, head in enumerate(header)]
     errors = expected_errors(answers)
-    rows = [_row(one, solution.problem, lang, "" if one_unit else _unit(one)) for one in answers]
+    rows = [_row(one, solution, lang, "" if one_unit else _unit(one)) for one in answers]
     offs = [row[_OFF] for row in rows]
     if any(off.endswith("°") for off in offs):  # two units in one column: each stands beside its number
         header[_OFF] = _DEVIATION.of(lang)
@@ -133,19 +134,27 @@ def _unit(answer: Answer) -> str:
     return {"deg": "°", "": NOTHING, YES_NO: NOTHING}.get(unit, unit)
 
 
-def _row(answer: Answer, problem: Problem, lang: Lang, unit: str) -> tuple[str, ...]:
+def _row(answer: Answer, solution: Solution, lang: Lang, unit: str) -> tuple[str, ...]:
     r = answer.reading
-    exact = _clean(answer)
+    exact, read = _clean(answer), _is_read(answer, solution)
     return (
         called(r.symbol, r.key, lang),
         unit or NOTHING,
-        NOTHING if r.mm is None else f"{on_paper(answer)}{_SHORT.of(lang) if answer.short else ''}",
-        f"${r.factor + ' ' if r.factor else ''}{r.scale}$" if r.scale else NOTHING,
+        f"{on_paper(answer)}{_SHORT.of(lang) if answer.short else ''}" if read else NOTHING,
+        f"${r.factor + ' ' if r.factor else ''}{r.scale}$" if read and r.scale else NOTHING,
         _plain(answer, answer.drawn, lang) or drawn_number(answer),
-        way(answer, problem, lang),
+        way(answer, solution.problem, lang),
         _plain(answer, exact, lang) or exact_number(answer, exact),
         _deviation(answer),
     )
+
+
+def _is_read(answer: Answer, solution: Solution) -> bool:
+    """Whether its length was measured; that of what was reckoned and laid off is rounded, and gives another value."""
+    length, scale = answer.reading.mm, answer.reading.scale
+    if length is None or not scale or answer.reading.factor or answer.computed:
+        return length is not None
+    return is_length_times_scale(answer, solution)
 
 
 def _plain(answer: Answer, size: float, lang: Lang) -> str:
@@ -163,7 +172,7 @@ def _clean(answer: Answer) -> float:
 
 
 def _deviation(answer: Answer) -> str:
-    """Of the two values before they are rounded, in per cent, of an angle in degrees; nothing where a formula gave the
+    """Of the two values as they stand beside it, in per cent, of an angle in degrees; nothing where a formula gave the
     exact value, and of an exact value of zero."""
     angular = answer.reading.unit == "deg"
     if answer.computed or answer.is_place or not isfinite(answer.relative_deviation if not angular else answer.drawn):
@@ -171,8 +180,9 @@ def _deviation(answer: Answer) -> str:
     exact = _clean(answer)
     if not angular and not exact:
         return NOTHING
-    off = answer.counted * (answer.drawn - exact)
-    text = f"{off:+.{places_of(exact_number(answer, exact))}f}" if angular else f"{100 * off / abs(exact):+.2f}"
+    told = exact_number(answer, exact)
+    (drawn, _), (size, _) = read_back(drawn_number(answer)), read_back(told)
+    text = f"{drawn - size:+.{places_of(told)}f}" if angular else f"{100 * (drawn - size) / abs(size):+.2f}"
     text = text.lstrip("+-") if float(text) == 0 else text.replace("-", "−")
     return f"{text}°" if angular else text
 
