@@ -14,7 +14,8 @@ from vecpoly.report.document import report_bytes
 from vecpoly.report.flow.blocks import Callout, Drawing
 from vecpoly.report.flow.doc import Metadata, ReportDoc
 from vecpoly.report.flow.equation import EquationFlow
-from vecpoly.report.flow.paging.tight import DEGREES, saved, tightened
+from vecpoly.report.flow.paging.setting import tightened
+from vecpoly.report.flow.paging.tight import DEGREES, saved
 from vecpoly.report.flow.table import DataTable
 from vecpoly.words import Lang
 
@@ -34,7 +35,7 @@ def test_a_box_that_is_alone_on_its_page_is_told_and_fits_with_less_white() -> N
     most = next(count for count in range(5, 99) if pages(count)[0] == 2)
     assert pages(most) == (2, True)
     assert pages(most - 1) == (1, False)
-    doc = ReportDoc(tightened(story(most)), Metadata(title="t", subject="t", keywords=(), lang="en"))
+    doc = ReportDoc(tightened(story(most), DEGREES[1]), Metadata(title="t", subject="t", keywords=(), lang="en"))
     assert doc.made()[1] == 1
 
 

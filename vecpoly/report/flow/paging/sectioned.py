@@ -10,6 +10,7 @@ from typing import Any
 from ..blocks import Heading, SheetPage
 from ..doc import ReportDoc
 from .running import fresh
+from .setting import faults_of
 from .together import first_of
 
 HALF = 0.5  # of a page that text before the sheets fills at least, and the last page where it stands alone behind them
@@ -25,7 +26,7 @@ def sectioned(story: list[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
     for at in _heads(text):
         found = [*text[:at], *map(_settled, sheets), *text[at:]]
         tried = ReportDoc(fresh(found), doc.metadata)
-        if tried.counted() <= doc.page and _parts_well(tried) and _faults(tried) <= _faults(doc):
+        if tried.counted() <= doc.page and _parts_well(tried) and faults_of(tried) <= faults_of(doc):
             return found, tried
     return story, doc
 
@@ -46,10 +47,6 @@ def _parts_well(doc: ReportDoc) -> bool:
     """Whether the text before the sheets, and behind them, fills its pages."""
     (_, before), (pages, last) = doc.ends
     return before >= HALF and (pages > 1 or last >= HALF)
-
-
-def _faults(doc: ReportDoc) -> tuple[int, int, int]:
-    return len(doc.widows), doc.parted, doc.gaps
 
 
 def _settled(sheet: SheetPage) -> SheetPage:

@@ -8,13 +8,14 @@ saves no page is left as it was.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from copy import copy
 from typing import Any
 
-from ..base import Block, Tightness
+from ..base import Tightness
 from ..doc import Metadata, ReportDoc
+from .loose import loosened
 from .running import fresh, run_on, split
 from .sectioned import sectioned
+from .setting import faults_of, reset, tightened
 
 DEGREES = (
     Tightness(white=0.8),
@@ -44,43 +45,22 @@ def settled(story: Sequence[Any], meta: Metadata) -> list[Any]:
         story = _set(story, chosen)
         plain = ReportDoc(story, meta)
         plain.counted()
-    return fresh(_mended(*sectioned(*run_on(story, plain))))
+    return fresh(loosened(*_mended(*sectioned(*run_on(story, plain)))))
 
 
-def _mended(story: list[Any], doc: ReportDoc) -> Sequence[Any]:
+def _mended(story: list[Any], doc: ReportDoc) -> tuple[Sequence[Any], ReportDoc]:
     """The story, tightened as little as will do where a box opens one of its pages, a page break parts a step, or a
-    step leaves a hole; doc: it, laid out."""
-    faults, found = _faults(doc), story
+    step leaves a hole; and it laid out. doc: it, as it was."""
+    faults, found, best = faults_of(doc), story, doc
     for degree in DEGREES:
         if not any(faults):
             break
         closer = tightened(story, degree)
         tried = ReportDoc(closer, doc.metadata)
         tried.counted()
-        if _faults(tried) < faults:
-            faults, found = _faults(tried), closer
-    return found
-
-
-def _faults(doc: ReportDoc) -> tuple[int, int, int]:
-    """What there is to be mended on the pages, the worst first."""
-    return len(doc.widows), doc.parted, doc.gaps
-
-
-def tightened(story: Sequence[Any], degree: Tightness = DEGREES[1]) -> list[Any]:
-    """The story set more tightly; what it was made of is left as it is."""
-    return [_tight(item, degree) for item in story]
-
-
-def _tight(item: Any, degree: Tightness | None) -> Any:
-    """A copy that no page has put off yet, tightened where it is to be."""
-    if not isinstance(item, Block):
-        return item
-    own = copy(item)
-    own.__dict__.pop("_postponed", None)
-    if degree is not None:
-        own.tighten(degree)
-    return own
+        if faults_of(tried) < faults:
+            faults, found, best = faults_of(tried), closer, tried
+    return found, best
 
 
 def _degree(story: Sequence[Any], part: int, pages: int, meta: Metadata) -> Tightness | None:
@@ -94,6 +74,6 @@ def _set(story: Sequence[Any], chosen: Mapping[int, Tightness]) -> list[Any]:
     """The whole story, these parts of it tightened."""
     found, part = list[Any](), 0
     for text, behind in split(story):
-        found += [*(_tight(item, chosen.get(part)) for item in text), *behind]
+        found += [*(reset(item, chosen.get(part)) for item in text), *behind]
         part += bool(text)
     return found
