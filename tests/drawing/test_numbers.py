@@ -9,7 +9,8 @@ import pytest
 from tests.drawing.test_labels import figure
 from tests.drawn_library import drawn
 from vecpoly.board.construction import View
-from vecpoly.board.paper.marks import Arc, Block, Dot, LinkNumber, Mark, Passing, Point, Role, Segment, Slot
+from vecpoly.board.paper.marks import Arc, Block, Dot, LinkNumber, Mark, Passing, Point, Role, Segment, Slot, TurnArrow
+from vecpoly.diagram.owners import FIXED
 from vecpoly.drawing.details.apart import all_detailed
 from vecpoly.drawing.figure import drawing
 from vecpoly.drawing.labels.placing import Placed
@@ -80,3 +81,11 @@ def test_numbers_keep_off_the_joints_of_other_links(name: str) -> None:
             off, rect = joint - number.centre, number.rect
             beyond = complex(max(abs(off.real) - rect.width / 2, 0.0), max(abs(off.imag) - rect.height / 2, 0.0))
             assert abs(beyond) > 2.3, (joint, number.centre)
+
+
+@pytest.mark.parametrize("name", ["3-9", "three-legged-plate", "whitworth-quick-return", "curv-6"])
+def test_the_number_of_the_frame_stands_by_no_arrow_of_a_drive_where_there_is_another_pivot(name: str) -> None:
+    mechanism = drawn(name).figures(View.MECHANISM)[0]
+    [number] = [mark for mark in mechanism.marks if isinstance(mark, LinkNumber) and mark.owner == FIXED]
+    arrows = [mark.at for mark in mechanism.marks if isinstance(mark, TurnArrow) and mark.label.startswith("ω")]
+    assert arrows and all(abs(number.a - at) > 5.0 for at in arrows)

@@ -96,6 +96,7 @@ class Drawing(Block):
 
     role = Role.FIGURE
     pieces = True
+    over = 0.0  # points of white above it, at the top of a page too
 
     def __init__(
         self, width_mm: float, height_mm: float, draw: Draw, alt: str = "", caption: str = "", *, sketch: bool = False
@@ -112,14 +113,14 @@ class Drawing(Block):
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; only a sketch is ever made smaller."""
         self.width = max(width, self.size[0])
-        self.height = self._factor * self.size[1] + (CAPTION.leading + 2.0 if self._caption else 0.0)
+        self.height = self.over + self._factor * self.size[1] + (CAPTION.leading + 2.0 if self._caption else 0.0)
         return width, self.height
 
     def draw(self) -> None:
         """Call back, then set the caption."""
         factor = self._factor
         width, height = (factor * side for side in self.size)
-        left, low = (self.width - width) / 2, self.height - height
+        left, low = (self.width - width) / 2, self.height - self.over - height
         x, y = self.canv.absolutePosition(left, low)
         tag = boxed(self.tag, x, y, x + width, y + height)
         with marked(self.canv, tag):
@@ -180,6 +181,8 @@ class Divider(Block):
 
 class Plate(Drawing):
     """A sheet that is lower than a page, framed in the text; in the bookmarks like the others."""
+
+    over = 8.0
 
     def __init__(self, width_mm: float, height_mm: float, draw: Draw, title: str = "", alt: str = "") -> None:
         super().__init__(width_mm, height_mm, draw, alt or title)

@@ -14,16 +14,18 @@ from ...desk import Desk
 
 
 def draw_frame(desk: Desk) -> None:
-    """What is there before anything moves: fixed pivots, the lowest with the frame's number, and points of the frame
-    from which guides are set out."""
+    """What is there before anything moves: fixed pivots, the lowest that has no arrow of a drive with the frame's
+    number, and points of the frame from which guides are set out."""
     pinned, posed = {j.point for j in desk.mech.joints if isinstance(j, Revolute)}, desk.posed()
     for name, at in desk.mech.frame.items():
         if name in pinned:
             desk.board.depict(View.MECHANISM, pivot(at * desk.mm(1.0)))
         desk.board.plot(View.MECHANISM, at * desk.mm(1.0), name, posed.dot(name) if name in pinned else Dot.POINT)
-    pivots = [at for name, at in desk.mech.frame.items() if name in pinned]
+    pivots = {name: at for name, at in desk.mech.frame.items() if name in pinned}
+    driven = {posed.fixed_pivot(drive.link) for drive in desk.mech.drives}
+    free = [at for name, at in pivots.items() if name not in driven]
     if pivots:
-        at = min(pivots, key=lambda z: (z.imag, z.real)) * desk.mm(1.0)
+        at = min(free or pivots.values(), key=lambda z: (z.imag, z.real)) * desk.mm(1.0)
         desk.board.depict(View.MECHANISM, number(desk.mech.frame_number, at, owner=FIXED))
 
 
