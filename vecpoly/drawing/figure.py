@@ -19,6 +19,7 @@ from .labels.obstacles import Obstacles
 from .labels.placing import Placed, place
 from .labels.want import Spot, Want
 from .labels.wants import unnamed, wants
+from .rays import rayed
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
 from .swung import swung
@@ -60,7 +61,7 @@ class Bare:
 
         held: the supports as they stand in another position, to stay so.
         """
-        marks = swung(hung(beside(figure.view, figure.marks), held))
+        marks = rayed(figure.view, swung(hung(beside(figure.view, figure.marks), held)))
         around = Surroundings.of(figure.view, marks, lang, figure.tones)
         items = unique(tuple(item for mark in marks for item in draw(mark, around)))
         return cls(items, wants(figure.view, marks, lang, figure.tones), unnamed(marks))
