@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import ceil
 from typing import Any
 
 from ...names import written_unit
@@ -26,10 +27,10 @@ def draw_frame(canvas: Any, frame: Frame, title: str, scale: str, lang: Lang) ->
     canvas.setStrokeColorRGB(*PALE)
     canvas.setLineWidth(0.25 * MM)
     box(canvas, frame.at, wide, high)
-    for i in range(1, int(wide / TICK)):
+    for i in range(1, ceil(wide / TICK)):
         line(canvas, (x + i * TICK, y), (x + i * TICK, y + 2.0))
         line(canvas, (x + i * TICK, y + high), (x + i * TICK, y + high - 2.0))
-    for i in range(1, int(high / TICK)):
+    for i in range(1, ceil(high / TICK)):
         line(canvas, (x, y + i * TICK), (x + 2.0, y + i * TICK))
         line(canvas, (x + wide, y + i * TICK), (x + wide - 2.0, y + i * TICK))
     if frame.pole is not None:
