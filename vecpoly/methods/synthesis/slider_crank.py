@@ -76,7 +76,7 @@ def _at_offset(draft: Draft, circle: Eta, c1: Points, offset: float) -> Points:
     board.step(
         Words(
             "在导路上方作与导路相距 $e/μ_l$ 的平行线，与圆 $η$ 相交于 $A$。",
-            "Draw the parallel to the guide at the distance $e/μ_l$ above it; it meets the circle $η$ in $A$.",
+            "Draw the parallel to the guide at the distance $e/μ_l$ above it; it meets the circle $η$ at $A$.",
         ),
         SHEET,
     )

@@ -43,7 +43,7 @@ def special_of(desk: Desk, star: Star) -> Special:
             Words(
                 f"构件 {star.links}：三个支链的轴线交于一点或互相平行，Ⅲ级杆组处于死点位置，速度没有唯一解；"
                 "请改换原动件的位置。",
-                f"links {star.links}: the axes of the three legs meet in one point or are parallel; the "
+                f"links {star.links}: the axes of the three legs meet at one point or are parallel; the "
                 "class III group is at a dead point and its velocities have no single value; choose "
                 "another input position",
             ),

@@ -37,7 +37,7 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
             "Think the figure of position 1 rigid and turn it by $φ_12$ about $A$, so that $AB_1$ falls on $AB_2$ and "
             "$C_1$ "
             "on $C′_1$. $B_2$ is as far from $C′_1$ as from $C_2$, and $A$, $B_2$ and $C_2$ lie in one line; so the "
-            "bisector of $C′_{1}C_2$ meets the line $AC_2$ in $B_2$.",
+            "bisector of $C′_{1}C_2$ meets the line $AC_2$ at $B_2$.",
         ),
         SHEET,
     )

@@ -42,7 +42,7 @@ def draw_drag_link(draft: Draft, design: DragLink) -> None:
             "The driven crank turns by 180°. Think the figure of position 2 rigid and turn it back by 180° about $D$, "
             "so that "
             "$DC_2$ falls on $DC_1$ and $B_2$ on $B′_2$. $C_1$ is as far from $B_1$ as from $B′_2$, so the bisector of "
-            "$B_{1}B′_2$ meets the given ray $DC_1$ in $C_1$.",
+            "$B_{1}B′_2$ meets the given ray $DC_1$ at $C_1$.",
         ),
         SHEET,
     )

@@ -103,12 +103,12 @@ def _bisecting(sheet: Sheet, stage: Find, pairs: list[str], where: str) -> Words
     if stage.lies is None:
         return Words(
             f"作 {'、'.join(pairs)} 的中垂线，其交点即为 ${where}$。",
-            f"The perpendicular bisectors of {' and '.join(pairs)} meet in ${where}$.",
+            f"The perpendicular bisectors of {' and '.join(pairs)} meet at ${where}$.",
         )
     zh, en = _line_words(sheet, stage)
     return Words(
         f"作 {pairs[0]} 的中垂线，与{zh}的交点即为 ${where}$。",
-        f"The perpendicular bisector of {pairs[0]} meets {en} in ${where}$.",
+        f"The perpendicular bisector of {pairs[0]} meets {en} at ${where}$.",
     )
 
 

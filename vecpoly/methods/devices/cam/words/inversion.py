@@ -22,7 +22,7 @@ def opening(cam: Cam) -> Words:
             "按 $μ_l$ 作基圆（半径 $r_0$）和以 $OA$ 为半径的摆动中心圆；以 $A$ 为圆心、$AB$ 为半径的弧交基圆于 "
             "$B_0$，量得摆杆的初始角 $ψ_0$。",
             "To the scale $μ_l$ draw the base circle of radius $r_0$ and the circle of the pivots through $A$ about "
-            "$O$; the arc of radius $AB$ about $A$ meets the base circle in $B_0$, and $ψ_0$ is read there.",
+            "$O$; the arc of radius $AB$ about $A$ meets the base circle at $B_0$, and $ψ_0$ is read there.",
         )
     if cam.follower.flat:
         return Words(
@@ -34,12 +34,12 @@ def opening(cam: Cam) -> Words:
         return Words(
             "按 $μ_l$ 作基圆（半径 $r_0$）；导路过 $O$，交基圆于 $B_0$，量得 $s_0$。",
             "To the scale $μ_l$ draw the base circle of radius $r_0$. The guide passes through $O$ and meets the base "
-            "circle in $B_0$; $s_0$ is read there.",
+            "circle at $B_0$; $s_0$ is read there.",
         )
     return Words(
         "按 $μ_l$ 作基圆（半径 $r_0$）和偏距圆（半径 $e$）；导路切偏距圆于 $C_0$，交基圆于 $B_0$，量得 $s_0$。",
         "To the scale $μ_l$ draw the base circle of radius $r_0$ and the offset circle of radius $e$. The guide "
-        "touches the offset circle at $C_0$ and meets the base circle in $B_0$; $s_0$ is read there.",
+        "touches the offset circle at $C_0$ and meets the base circle at $B_0$; $s_0$ is read there.",
     )
 
 
