@@ -40,7 +40,7 @@ def draw_slider_crank(draft: Draft, design: SliderCrank) -> None:
     board.section(Words("$A$ 点所在的圆", "The circle of $A$"))
     board.step(
         Words(
-            "选 $μ_l$，在导路上量取 $C_{1}C_{2} = H/μ_l$，得滑块的两极限位置。",
+            "选 $μ_l$，在导路上截取 $C_{1}C_{2} = H/μ_l$，得滑块的两极限位置。",
             "Choose $μ_l$ and lay off $C_{1}C_{2} = H/μ_l$ on the guide: the limit positions of the slider.",
         ),
         SHEET,

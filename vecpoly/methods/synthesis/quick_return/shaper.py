@@ -91,9 +91,9 @@ def _crank(draft: Draft, design: Shaper, c: Points, bars: tuple[Line, Line]) -> 
             Words(
                 "极限位置时曲柄垂直于导杆：作与左极限位置相距 $l_AB/μ_l$ 的平行线，与竖直线相交于 $A$；"
                 "自 $A$ 作两极限位置的垂线，垂足 $B_1$、$B_2$。",
-                "In its limit positions the lever is perpendicular to the crank: the parallel to its left limit position at the distance "
-                "$l_AB/μ_l$ meets the vertical at $A$. The perpendiculars from $A$ to the limit positions end at "
-                "$B_1$ and $B_2$.",
+                "In its limit positions the lever is perpendicular to the crank: the parallel to its left limit "
+                "position at the distance $l_AB/μ_l$ meets the vertical at $A$. The perpendiculars from $A$ to the "
+                "limit positions end at $B_1$ and $B_2$.",
             ),
             SHEET,
         )
