@@ -156,7 +156,7 @@ def _thickness(bench: Bench, rack: Rack) -> Quantity:
         Words(
             "分度圆齿厚等于齿条节线上的齿槽宽：节线与齿条两侧齿廓交于 $E$、$F$，量得：",
             "The thickness on the pitch circle is the width of the rack's space on the rolling line, which meets the "
-            "flanks in $E$ and $F$:",
+            "flanks at $E$ and $F$:",
         ),
         VIEW,
     )
@@ -186,7 +186,7 @@ def _start(bench: Bench, rack: Rack) -> float:
         if cut
         else Words(
             "齿条齿顶线与啮合线的交点 $S$ 处渐开线开始。量 $S$ 到 $O$ 的距离：",
-            "The involute starts where the rack's tip line meets the line of action, at $S$. Its distance from $O$:",
+            "The involute starts where the rack's tip line meets the line of action at $S$. Its distance from $O$:",
         ),
         VIEW,
     )
