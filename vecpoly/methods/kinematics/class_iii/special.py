@@ -138,7 +138,7 @@ def _words(star: Star, special: Special) -> Words:
         + two
         + Words(
             f"的交点为 ${s}$，将构件 {plate} 扩大至包含 ${s}$ 点（特殊点法）。",
-            f" meet at ${s}$; expand the central link {plate} to contain ${s}$ (method of special points).",
+            f" meet at ${s}$; extend the central link {plate} to contain ${s}$ (method of special points).",
         )
     )
 
