@@ -84,11 +84,11 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
 
 
 def _load_told(kind: Words, key: str, symbol: str, solution: Solution) -> Words:
-    """The balancing load; where it is asked by another way before, that it is found in this one, too."""
+    """The balancing load; where it is asked by another way before, that it is found once more."""
     first = next(ask.rel.key for ask in solution.problem.asks if asked_load(solution.problem, ask.rel.key) is not None)
     way = way_of(key)
     if way is not None and first != key and way_of(first) is None:
-        return Words(f"并用{way.zh}求 {symbol}", f"{symbol} by {way.en}, too")
+        return Words(f"再求 {symbol}（{way.zh}）", f"{symbol} once more ({way.en})")
     return kind + Words("", " ") + Words(*(called(symbol.strip("$"), key, lang) for lang in ("zh", "en")))
 
 
