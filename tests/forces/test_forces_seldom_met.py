@@ -140,7 +140,9 @@ def test_forces_on_the_crank_itself_join_those_that_reach_it(more: str) -> None:
     )
     agree(solution)
     stand_alike(solution)
-    assert "measure its closing side, $R_{41" in told(solution) and "the sum of the known forces" in told(solution)
+    assert "measure its closing side, $R_{41" in told(solution) and "the resultant of the known forces" in told(
+        solution
+    )
 
 
 @pytest.mark.parametrize("sense", ["ccw", "cw"])

@@ -69,7 +69,7 @@ def test_the_acceleration_of_an_even_crank_is_that_of_its_pin_else_the_normal_pa
 
 def test_the_swinging_block_asks_for_an_expanded_link_where_the_guide_is_offset() -> None:
     steps = construct(load("3-10"), hand("exact"))[0].steps
-    assert any("扩大构件" in step.words.zh and "expand" in step.words.en.lower() for step in steps)
+    assert any("扩大构件" in step.words.zh and "extend" in step.words.en.lower() for step in steps)
 
 
 @pytest.mark.parametrize(("name", "why"), [("3-7b", "ω_3"), ("3-7c", "相对速度"), ("3-7d", "不存在")])

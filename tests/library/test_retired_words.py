@@ -26,9 +26,16 @@ ENGLISH = (
     r"\bthrough the meeting\b(?! point)", r"link \S+, expanded\b",
     r"turns (?:steadily|evenly)", r"^steadily$", r"\beven steps\b", r"gone through", r"(?:sheets|pages) behind",
     r"the turning of link", r"evenly (?:over|about|spread)",
+    r"\bmeets? [^.;]{0,60} in \$", r"known at sight", r"goes its stroke", r"stands in its limits",
+    r"[Vv]elocities over the radius", r"\bThink\b", r"was misread, shared out", r"either way round",
+    r"of the assemblies",
+    r"\bif any\)", r"[Ss]ame hand repeated", r"This report finds: ", r"(?<!/s) ↺ ccw", r"(?:are|is|numbers) ours\b",
+    r"the (?:figure|guide)[^.]* is lost", r"passes \$\{\}\$ at an offset",
 )  # fmt: skip
 CHINESE = (
     r"相应一侧", r"在同样的驱动下", r"等值、反向，沿", r"的垂足距", r"性态", r"分子大", r"分母小",
+    r"惠氏", r"带宽", r"本题求出", r"各支链中", r"作出它们", r"图形因此", r"[沿上][^，。]{0,6}量取 ?\$", r"或行星轮系",
+    r"影像求 \$", r"附图缺失", r"原图已失", r"尺寸为?自拟", r"电子文本", r"本库所取",
     r"带随机误差的手", r"以末位数字为准", r"设计任务", r"(?<!接)[内外]副", r"铰接于槽中", r"（扩大）", r"其作用的范围",
 )  # fmt: skip
 
@@ -39,7 +46,8 @@ def told() -> tuple[tuple[str, str], ...]:
     code = sorted((ROOT / "vecpoly").rglob("*.py"))
     sheets = [*sorted((ROOT / "templates").rglob("*.j2")), *sorted((ROOT / "problems").rglob("*.yaml"))]
     texts = [(path.name, text) for path in code for text in _strings(path)]
-    return (*texts, *((path.name, line) for path in sheets for line in path.read_text("utf-8").splitlines()))
+    lines = ((path.name, line) for path in sheets for line in path.read_text("utf-8").splitlines())
+    return (*texts, *((name, line) for name, line in lines if not line.startswith("#")))
 
 
 def _strings(path: Path) -> Iterator[str]:

@@ -248,7 +248,7 @@ def test_notes_stand_under_the_columns_each_once(name: str) -> None:
         box = answer_box(solution, lang)
         assert len(set(box.notes)) == len(box.notes)
         for answer in solution.answers.values():
-            if (coarse(answer) or 0.0) >= COARSE or answer.short or answer.reading.remark is not None:
+            if (coarse(answer) or 0.0) >= COARSE or answer.short or remark_of(answer, lang):
                 text = remark_of(answer, lang) or f"${answer.reading.symbol}$"
                 assert any(text.lower() in note.lower() for note in box.notes), answer.key
         box.wrap(170.0 * MM, 1e4)

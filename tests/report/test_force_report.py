@@ -99,8 +99,8 @@ def test_the_structure_of_a_cam_counts_its_higher_pair_and_its_groups_the_substi
 
 def test_each_reaction_is_told_with_its_line_of_action(pages) -> None:  # type: ignore[no-untyped-def]
     en, zh = pages("4-3a", "en"), pages("4-3a", "zh").replace(" ", "")
-    assert "tangent to the friction circle of C (upper side), moment ccw" in en
-    assert "tangent to the friction circle of A (upper side), moment cw" in en
+    assert "tangent to the friction circle of C (upper side), moment counter-clockwise" in en
+    assert "tangent to the friction circle of A (upper side), moment clockwise" in en
     assert "inclined to the normal of the guide by φ = 8°" in en
     assert "切于C的摩擦圆上侧，对其中心之矩逆时针" in zh and "偏离导路法线φ=8°" in zh
 

@@ -8,11 +8,11 @@ from ..words import Words
 from .found import LOOSE, Verified
 
 
-def told(one: Verified) -> Words:
-    """The line of verification of one solution."""
+def told(one: Verified, alone: bool) -> Words:
+    """The line of verification of one solution; alone: there is no other."""
+    zh, en = ("", "") if alone else (f"解 {one.number}，", f" of solution {one.number}")
     head = Words(
-        f"校核（解 {one.number}，按量得的长度用解析法运动一周）：",
-        f"Check of solution {one.number}, moved over its cycle with the lengths read: ",
+        f"校核（{zh}按量得的长度用解析法运动一周）：", f"Check{en}, moved through its cycle with the lengths read: "
     )
     if one.broken is not None:
         return head + Words(
@@ -53,32 +53,34 @@ def _parts(one: Verified) -> list[Words]:
     return parts
 
 
-def ill_conditioned(one: Verified) -> Words | None:
-    """That some lengths hardly follow from the drawing; None where all do."""
-    loose, lost = _loose(one), _lost(one)
+def ill_conditioned(one: Verified, alone: bool) -> Words | None:
+    """That some lengths hardly follow from the drawing; None where all do. alone: there is no other solution."""
+    loose, lost = _loose(one, alone), _lost(one, alone)
     return loose + lost if loose and lost else loose or lost
 
 
-def _lost(one: Verified) -> Words | None:
+def _lost(one: Verified, alone: bool) -> Words | None:
     """That some hands do not find the solution at all."""
     if not one.lost:
         return None
+    zh, en = ("该解", "The solution") if alone else (f"解 {one.number}", f"Solution {one.number}")
     return Words(
-        f"（解 {one.number} 在 {100 * one.lost:.0f} % 的重复作图中消失：所给数据的微小误差即令其不存在。）",
-        f" (Solution {one.number} is lost in {100 * one.lost:.0f} % of the repeated drawings: a small error in what is "
-        "given makes it vanish.)",
+        f"（{zh} 在 {100 * one.lost:.0f} % 的重复作图中消失：所给数据的微小误差即令其不存在。）",
+        f" ({en} vanishes in {100 * one.lost:.0f} % of the repeated drawings: a small error in what is given is "
+        "enough.)",
     )
 
 
-def _loose(one: Verified) -> Words | None:
+def _loose(one: Verified, alone: bool) -> Words | None:
     """That lengths hardly follow from the drawing."""
     if not one.loose:
         return None
     parts = ", ".join(f"$l_{{{key}}}$ ±{100 * off:.1f} %" for key, off in one.loose.items())
+    zh, en = ("", "") if alone else (f"（解 {one.number}）", f" (solution {one.number})")
+    such = Words("该长度", "This length") if len(one.loose) == 1 else Words("这些长度", "These lengths")
     return Words(
-        f"病态作图（解 {one.number}）：{parts.replace(', ', '、')}（预期作图误差超过 {100 * LOOSE:g} %），该长度对作图"
-        f"误差很敏感，宜用解析法求得。",
-        f"Ill-conditioned construction (solution {one.number}): {parts}, an expected drawing error above "
-        f"{100 * LOOSE:g} %; "
-        "such a length should be computed.",
+        f"病态作图{zh}：{parts.replace(', ', '、')}（预期作图误差超过 {100 * LOOSE:g} %），"
+        f"{such.zh}对作图误差很敏感，宜用解析法求得。",
+        f"Ill-conditioned construction{en}: {parts}, an expected drawing error above {100 * LOOSE:g} %. "
+        f"{such.en} should be found by calculation.",
     )

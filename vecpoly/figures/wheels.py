@@ -11,8 +11,8 @@ RADII = register(
     View(
         name="radii",
         order=52,
-        title=Words("线速度图", "Velocities over the radius"),
-        called=Words("线速度图", "the diagram of velocities over the radius"),
+        title=Words("线速度图", "Linear-velocity diagram"),
+        called=Words("线速度图", "the linear-velocity diagram"),
         mu=LENGTH,
         across=SCALE,
         ink=INK,
@@ -22,8 +22,8 @@ TURNS = register(
     View(
         name="turns",
         order=54,
-        title=Words("角速度图", "Angular velocities"),
-        called=Words("角速度图", "the diagram of angular velocities"),
+        title=Words("角速度图", "Angular-velocity diagram"),
+        called=Words("角速度图", "the angular-velocity diagram"),
         mu=Mu(
             symbol="μ_{ω}",
             unit="rad/s",

@@ -21,6 +21,7 @@ from ..solution import Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
 from .answers.asked_in_words import answered_in_words
 from .formulas import beside
+from .sources import printed_source
 from .statement.asked import asked
 from .statement.structure import numbering, structure
 from .tables import listed
@@ -53,17 +54,23 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
         "id": problem.id,
         "label": label(problem.id).of(lang),
         "title": problem.title.of(lang),
-        "source": problem.source.of(lang) if problem.source else "",
+        "source": printed_source(problem.source, lang),
         "statement": problem.statement.of(lang),
         "given": comma.join(given),
         "asked": asked(solution, lang),
         "structure": structure(problem).of(lang),
         "numbering": numbering(problem).of(lang),
         "scales": scales(solution, lang),
-        "hued": "hued" if solution.construction.tones else "",
+        "hued": "hued" if _has_hues(solution) else "",
         "dashed": "dashed" if _has_dashes(solution) else "",
         "doubled": "doubled" if _has_doubled(solution) else "",
     }
+
+
+def _has_hues(solution: Solution) -> bool:
+    """Whether vectors have hues, in equations and figures alike."""
+    construction = solution.construction
+    return bool(construction.tones) and any(step.equation is not None for step in construction.steps)
 
 
 def _has_dashes(solution: Solution) -> bool:
@@ -106,7 +113,8 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
         for ask in solution.problem.asks
         if isinstance(ask, AskCoriolis) and solution.answers[ask.rel.key].direction is not None
     ]
-    moved = [told(one).of(lang) for one in solution.verification if one.broken is not None]  # others: in a table
+    alone = len(solution.verification) == 1
+    moved = [told(one, alone).of(lang) for one in solution.verification if one.broken is not None]  # others: in a table
     shaken = shaking_of(solution.problem, {key: one.drawn for key, one in solution.answers.items()})
     return [
         *answered_in_words(solution, lang),
@@ -130,7 +138,7 @@ def cautions(solution: Solution, lang: Lang) -> list[str]:
         for words in (
             *solution.warnings,
             few,
-            *map(ill_conditioned, solution.verification),
+            *(ill_conditioned(one, len(solution.verification) == 1) for one in solution.verification),
             _disagreed(wrong) if wrong else None,
             why,
         )

@@ -43,7 +43,7 @@ from .tables import given_tables, printed_table
 from .templates import filled
 from .titles import subject
 from .verdicts import verdicts
-from .verification import beside_exact, has_margin, verification_table
+from .verification import beside_exact, heads_told, verification_table
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
     "zh": ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期"),
@@ -200,7 +200,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     return {
         "verified": objects.add("tab", verified) if verified else "",
         "beside": "beside" if beside_exact(solution) else "",
-        "margin": "margin" if has_margin(solution) else "",
+        "heads": heads_told(verified, lang),
         "lines": objects.add("tab", lines) if lines else "",
         "tables": printed_tables(
             solution.problem,

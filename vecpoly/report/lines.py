@@ -24,8 +24,8 @@ _HEADER = {
     "zh": ("力", "过点 $x$ /mm", "$y$ /mm", "作用线的位置", "距精确作用线 /mm"),
     "en": ("Force", "Through $x$ /mm", "$y$ /mm", "Position of the line of action", "Off the exact line /mm"),
 }
-_WAY = {True: Words("（逆时针）", ", ccw"), False: Words("（顺时针）", ", cw")}
-_SENSE = {"ccw": Words("逆时针", "ccw"), "cw": Words("顺时针", "cw")}
+_WAY = {True: Words("（逆时针）", ", counter-clockwise"), False: Words("（顺时针）", ", clockwise")}
+_SENSE = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
 
 
 def lines_table(solution: Solution, lang: Lang) -> DataTable | None:

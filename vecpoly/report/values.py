@@ -18,6 +18,7 @@ from ..words import Lang, Words
 
 _UNDEFINED = Words("无意义", "undefined")
 _YES, _NO = Words("是", "yes"), Words("否", "no")
+_MET, _CONDITIONS = (Words("满足", "satisfied"), Words("不满足", "not satisfied")), frozenset({"v_allowed"})
 _GROUPS, _CLASS = "groups_", "class_"
 _BALANCED = {"static": Words("静平衡", "statically balanced"), "dynamic": Words("动平衡", "dynamically balanced")}
 _STATION = re.compile(r"(s|psi|alpha|r|P)_[\d.]+")  # of a cam, or of Freudenstein: s_0 is no s without friction
@@ -44,7 +45,8 @@ def value(size: float, unit: str, lang: Lang, key: str = "", digits: int = 4) ->
     if isnan(size):
         return _UNDEFINED.of(lang)
     if unit == YES_NO:
-        return (_YES if size else _NO).of(lang)
+        met, failed = _MET if key in _CONDITIONS else (_YES, _NO)
+        return (met if size else failed).of(lang)
     factor, name = printed_unit(unit)
     text = number(factor * size, digits)
     if unit == "deg":
@@ -104,10 +106,15 @@ def called(symbol: str, key: str, lang: Lang) -> str:
         return Words(f"机构级别（原动件 {'、'.join(drivers)}）", f"class (link {', '.join(drivers)} driving)").of(lang)
     if key.startswith(_GROUPS):
         return Words(f"杆组数 ${symbol}$", f"number of groups ${symbol}$").of(lang)
-    way = next((words for ending, words in _WAYS.items() if key.endswith(ending)), None)
+    way = way_of(key)
     if way is None or (key.endswith("_0") and key.startswith("R_")):
         return f"${symbol}$"
     return f"${symbol}$" + (f"（{way.zh}）" if lang == "zh" else f" ({way.en})")
+
+
+def way_of(key: str) -> Words | None:
+    """By which way a quantity is found, as its key ends; None where that is not told."""
+    return next((words for ending, words in _WAYS.items() if key.endswith(ending)), None)
 
 
 def curved(named: Key, lang: Lang) -> str:

@@ -12,12 +12,29 @@ from ..check.found import Verified
 from ..designs.base import Design
 from ..designs.inversion.stages import Stages
 from ..solution import Solution
-from ..words import Lang, Words
+from ..words import Lang, Words, stopped
 from .flow.table import DataTable
 
 _NUMBER = Words("解", "No.")
 _NONE, _YES, _NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
-MARGIN = Words("杆长余量", "Margin")  # the template says of what
+MARGIN = Words("杆长余量", "Margin")
+_ERROR, _CIRCUIT = Words("杆长相差", "Length error"), Words("同回路同分支", "One circuit, branch")
+_GAMMA = Words.same("$γ_{min}$")
+_MEANT = {  # heads that do not say all
+    _ERROR: Words(
+        "“杆长相差”为同一杆在各给定位置的最大长度之差",
+        "“Length error” is the largest difference of one link's length between the given positions",
+    ),
+    _CIRCUIT: Words(
+        "“同回路同分支”指机构不拆开即可依次通过各给定位置",
+        "“One circuit, branch”: the linkage passes through all given positions without being taken apart",
+    ),
+    MARGIN: Words(
+        "“杆长余量”为其余两杆之和减去最短杆与最长杆之和",
+        "“Margin” is the sum of the two other links less that of the shortest and the longest",
+    ),
+    _GAMMA: Words("$γ_{min}$ 为最小传动角", "$γ_{min}$ is the least transmission angle"),
+}
 _BROKEN = Words("不能运动", "does not move")
 _BESIDE = frozenset({"K", "psi", "H", "gamma_min"})  # keys of what is moved and found exactly too
 _BARS = (("A", "B"), ("B", "C"), ("C", "D"))
@@ -39,9 +56,11 @@ def verification_table(solution: Solution, lang: Lang) -> DataTable | None:
     return DataTable(header, rows, None, "c" * len(header), lang=lang)
 
 
-def has_margin(solution: Solution) -> bool:
-    """Whether the margin of the sum of lengths stands in that table."""
-    return any(one.broken is None and one.kind is not None for one in solution.verification)
+def heads_told(table: DataTable | None, lang: Lang) -> str:
+    """What the heads of that table mean that do not say all."""
+    header = () if table is None else table.header
+    told = [meant.of(lang) for head, meant in _MEANT.items() if head.of(lang) in header]
+    return stopped(Words("；", "; ").of(lang).join(told), lang) if told else ""
 
 
 def beside_exact(solution: Solution) -> bool:
@@ -65,15 +84,15 @@ class _Line:
         swings = one.unit == "°"
         stroke, unit = ("psi", "°") if swings else ("H", " mm")
         return [
-            (Words("杆长相差", "Length error"), self._closes()),
-            (Words("同回路同分支", "One circuit, branch"), self._yes()),
+            (_ERROR, self._closes()),
+            (_CIRCUIT, self._yes()),
             (Words("次序", "Order"), self._order()),
             (Words("机构类型", "Type"), _NONE if one.kind is None else one.kind),
             (MARGIN, _NONE if one.kind is None else Words.same(f"{number(one.margin)} mm")),
             (Words("整周转动", "Turns fully"), self._turns()),
             (Words.same("$K$"), self._beside(one.ratio, "K", "", 4)),
             (Words("摆角", "Swing") if swings else Words("行程", "Stroke"), self._beside(one.stroke, stroke, unit, 4)),
-            (Words.same("$γ_{min}$"), self._beside(one.gamma, "gamma_min", "°", 4) if one.full else _NONE),
+            (_GAMMA, self._beside(one.gamma, "gamma_min", "°", 4) if one.full else _NONE),
         ]
 
     def _closes(self) -> Words:

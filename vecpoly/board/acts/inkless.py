@@ -58,7 +58,7 @@ class Ray(Done):
 class LayOff(Done):
     """Lay off a length (mm) from a point in a direction."""
 
-    verb: ClassVar[Words | None] = Words("量取", "lay off")
+    verb: ClassVar[Words | None] = Words("截取", "lay off")
     start: complex
     at: complex
     mm: float

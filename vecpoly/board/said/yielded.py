@@ -27,7 +27,7 @@ def evaluated(
             all_lines = tuple(line if one is written.node else one for one in told[written.step].formulas)
             told[written.step] = replace(told[written.step], formulas=all_lines)
         elif reading.formula is not None and key in answers:
-            step, line = yields(acts, answers[key]) - 1, in_mm(_as_another(lines, reading.formula), reading)
+            step, line = _shown_in(steps, acts, answers[key]) - 1, in_mm(_as_another(lines, reading.formula), reading)
             before = told[step]
             written_at = (*before.written, answers[key].number)
             told[step] = replace(before, formulas=(*before.formulas, line), written=written_at)
@@ -35,6 +35,12 @@ def evaluated(
             continue
         found[key] = replace(reading, formula=line)
     return tuple(told), found
+
+
+def _shown_in(steps: Sequence[Step], acts: Sequence[Act], answer: Answer) -> int:
+    """The step that has the line: that of the table in which it is read, else the one that yields it."""
+    own = answer.head.step
+    return own if steps[own - 1].listing is not None else yields(acts, answer)
 
 
 def yields(acts: Sequence[Act], answer: Answer) -> int:

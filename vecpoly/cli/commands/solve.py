@@ -119,8 +119,9 @@ def _print_verified(solution: Solution, lang: Lang) -> None:
         return
     from ...check.found_words import ill_conditioned, told  # late: a whole cycle, which other problems need not
 
+    alone = len(solution.verification) == 1
     for one in solution.verification:
-        for words in (told(one), ill_conditioned(one)):
+        for words in (told(one, alone), ill_conditioned(one, alone)):
             if words is not None:
                 typer.echo(bare(words.of(lang)))
 

@@ -199,7 +199,7 @@ class Flywheel(Device):
         if self.areas is not None and self.mu_A is not None:
             signed = ", ".join(f"{size:+g}" for size in self.areas)
             told += [("A", f"{signed} mm²".replace("-", "−")), ("μ_A", self.mu_A.text)]
-        told += [("P", f"{power.text} ({angle.text})") for angle, power in self.powers or ()]
+        told += [(f"P_{n}", f"{power.text} ({angle.text})") for n, (angle, power) in enumerate(self.powers or (), 1)]
         if isinstance(self.load, Torques) and self.powers is None:
             told.append(("φ_T", f"{degrees(self.load.period):g}°"))
         rim = self.rim

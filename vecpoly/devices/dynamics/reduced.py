@@ -8,6 +8,7 @@ data:
 
 from __future__ import annotations
 
+from itertools import permutations
 from typing import Annotated, ClassVar
 
 from pydantic import Field, model_validator
@@ -189,13 +190,13 @@ class ReducedTrain(Device):
                     ("m", shaft.lifts),
                 )
             )
-        sizes = [
-            (f"{self.wheel(pair, one, two)}/{self.wheel(pair, two, one)}", pair.text.partition(" by ")[2])
+        sizes = {
+            self.wheel(pair, *ends): size
             for pair in self.pairs
-            for one, two in ((pair.first, pair.second),)
-        ]
+            for ends, size in zip(permutations((pair.first, pair.second)), pair.sizes_written, strict=True)
+        }
         tidy = [(symbol, text.replace("*", "·").replace("^2", "²")) for symbol, text in told]
         run = as_written(
             (("ω_0", self.start if self.start.si else None), (f"n_{{{self.main}}}", self.until), ("t", self.after))
         )
-        return (*tidy, *sizes, *run)
+        return (*tidy, *sizes.items(), *run)

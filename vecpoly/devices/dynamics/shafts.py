@@ -64,6 +64,11 @@ class Pair:
         return "d" if self.belt else "z"
 
     @property
+    def sizes_written(self) -> tuple[str, ...]:
+        """Teeth or diameters as they were written: 20, 30."""
+        return tuple(size.strip() for size in self.text.partition(" by ")[2].split("/"))
+
+    @property
     def ratio(self) -> float:
         """ω of the second over ω of the first."""
         return self.sizes[0] / self.sizes[1]

@@ -56,9 +56,9 @@ def _words(fig: CentreFigure, found: tuple[Direct, ...]) -> Words:
     ]
     return Words(
         "直接相连的构件，其瞬心由观察得到：" + "；".join(part.zh for part in parts) + "。在瞬心多边形上用实线表示。",
-        "The centres of links that are joined are known at sight: "
+        "The centres of links that are joined directly are found by inspection: "
         + "; ".join(part.en for part in parts)
-        + ". Full lines of the polygon show them.",
+        + ". In the polygon they are drawn as full lines.",
     )
 
 

@@ -162,9 +162,9 @@ def _step_off(desk: Desk, pane: Place, asked: Centrodes, fixed: Sequence[Points]
     """Both lengths in chords, by dividers: of curves that roll, arcs between the same poles are equal."""
     desk.board.step(
         Words(
-            "用分规逐段量取两条瞬心线的弦长：纯滚动时对应弧长相等，弦长之和也近于相等：",
-            "Step off both centrodes in chords: of curves that roll the arcs between the same poles are equal, and the "
-            "sums of the chords nearly so:",
+            "用分规逐段量取两条瞬心线上相邻瞬心间的弦长并相加：纯滚动时对应弧长相等，弦长之和也近于相等：",
+            "Step off the chords between neighbouring poles of both centrodes: on curves that roll on each other the "
+            "arcs between the same poles are equal, so the sums of the chords are nearly equal:",
         ),
         pane,
     )

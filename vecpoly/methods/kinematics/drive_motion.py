@@ -30,7 +30,7 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
         return
     b = others[0]
     name, tip = desk.show(At(b)), desk.tip_label(View.VELOCITY, At(b))
-    way, way_en = ("逆时针", "ccw") if drive.rate > 0 else ("顺时针", "cw")
+    way, way_en = ("逆时针", "counter-clockwise") if drive.rate > 0 else ("顺时针", "clockwise")
     board.step(
         Words(
             f"$v_{{{name}}}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；取极点 $p$，作 $p{tip}$ 代表 "

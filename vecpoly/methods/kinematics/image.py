@@ -74,13 +74,15 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
         three = (p_at, q_at, at)
         one, two = _between(desk, three, f"{p}{q}", f"{q}{p}"), _between(desk, three, f"{a}{b}", f"{b}{a}")
         words = Words(
-            f"${x}$ 在{one.zh}上，用{kind}影像：按 ${a}{c} : {a}{b} = {p}{x} : {p}{q}$ 在{two.zh}上定出 ${c}$。",
+            f"求 ${x}$ 点的{kind}（{kind}影像法）：${x}$ 在{one.zh}上，按 ${a}{c} : {a}{b} = {p}{x} : {p}{q}$ "
+            f"在{two.zh}上定出影像点 ${c}$。",
             f"{kind_en.capitalize()} image: ${x}$ lies on {one.en}, so ${c}$ lies on {two.en} "
             f"with ${a}{c} : {a}{b} = {p}{x} : {p}{q}$.",
         )
     else:
         words = Words(
-            f"用{kind}影像求 ${x}$：作 △${a} {b} {c}$ ∽ △${p}{q}{x}$，字母绕行顺序相同，得 ${c}$。",
+            f"求构件 {link} 上 ${x}$ 点的{kind}（{kind}影像法）：作 △${a} {b} {c}$ ∽ △${p}{q}{x}$，字母绕行顺序相同，"
+            f"得影像点 ${c}$。",
             f"{kind_en.capitalize()} image of link {link}: triangle ${a} {b} {c}$ similar to "
             f"${p}{q}{x}$ with the letters in the same order gives ${c}$.",
         )

@@ -84,7 +84,7 @@ def _way(out: Points, vector: Points) -> Reals:
 def _sense(name: str, symbol: str, point: str, value: float) -> Words:
     if abs(value) < 1e-12:
         return Words(f" ${name}$ = 0。", f" ${name}$ = 0.")
-    way, way_en = ("逆时针 ↺", "counter-clockwise ↺") if value > 0 else ("顺时针 ↻", "clockwise ↻")
+    way, way_en = ("逆时针方向", "counter-clockwise") if value > 0 else ("顺时针方向", "clockwise")
     return Words(
         f"将 ${symbol}$ 移至 ${point}$ 点，知 ${name}$ 为{way}。",
         f" Placing ${symbol}$ at ${point}$ shows that ${name}$ is {way_en}.",

@@ -149,7 +149,8 @@ def _missed(left: float, whole: float) -> Words:
         return Words("各功之和为零。", " They add up to nothing, as they should.")
     return Words(
         f"各功之和应为零，读数之差 {number(left)} J 按大小分摊。",
-        f" They should add up to nothing; the misreading of {number(left)} J is shared out by their sizes.",
+        f" Their sum should be zero; the error of reading of {number(left)} J is distributed in proportion to "
+        "their sizes.",
     )
 
 

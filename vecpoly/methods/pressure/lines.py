@@ -48,13 +48,14 @@ def across_guide(desk: Desk, driven: Driven) -> Points:
     assert isinstance(driven.press, Prismatic)
     by, on = bodily(desk, driven.by), bodily(desk, driven.link)
     guide = bodily(desk, driven.press.guide)
-    where = Words("", "") if driven.press.guide == FRAME else Words(f"{guide.zh}的", f" of {guide.en}")
+    fixed = driven.press.guide == FRAME
+    track = Words("固定导路", "fixed guide") if fixed else Words(f"{guide.zh}的槽", f"slot of {guide.en}")
     desk.board.step(
         Words(
-            f"不计重力和摩擦，{by.zh}（{block_of(driven).zh}）只受两力，移动副中的力垂直于{where.zh}导路，故给从动件"
-            f"（{on.zh}）的力过 ${driven.at}$ 点，沿导路的法线。",
+            f"不计重力和摩擦，{by.zh}（{block_of(driven).zh}）只受两力，移动副中的力垂直于{track.zh}，故给从动件"
+            f"（{on.zh}）的力过 ${driven.at}$ 点，沿{track.zh}的法线。",
             f"Without weight and friction two forces act on {by.en} ({block_of(driven).en}), and that of the sliding "
-            f"pair stands on the guide{where.en}: the force on {on.en} acts at ${driven.at}$ along its normal.",
+            f"pair is normal to the {track.en}: the force on {on.en} acts at ${driven.at}$ along this normal.",
         ),
         View.MECHANISM,
     )

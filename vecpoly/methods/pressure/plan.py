@@ -73,10 +73,12 @@ def _way(desk: Desk, driven: Driven) -> Points:
         case Revolute(point=pivot):
             arm, along = f"${pivot}{driven.at}$", 1j * desk.towards(pivot, driven.at)
             zh = f"绕 ${pivot}$ 转动，${point}$ 点的速度垂直于 {arm}"
-            en = f"turns about ${pivot}$: the velocity of ${point}$ is square to {arm}"
+            en = f"turns about ${pivot}$: the velocity of ${point}$ is perpendicular to {arm}"
         case Prismatic() as guide:
             along = desk.guide_line(guide).along
-            zh, en = f"沿导路移动，${point}$ 点的速度沿导路", f"slides: the velocity of ${point}$ is along its guide"
+            base = bodily(desk, guide.guide if guide.block == driven.link else guide.block)
+            zh = f"沿{base.zh}的导路移动，${point}$ 点的速度沿该导路"
+            en = f"slides along the guide of {base.en}: the velocity of ${point}$ is along this guide"
         case _:
             assert_never(driven.seat)
     desk.board.remark(Words(f"从动件（{on.zh}）{zh}。", f" The driven {on.en} {en}."))

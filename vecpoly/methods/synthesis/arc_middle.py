@@ -41,8 +41,8 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
             f"From the middle $M{primes}$ of the arc $C_{{1}}C_2$ of $η{primes}$ {lies[1]} (on the perpendicular to "
             f"$C_{{1}}C_2$ through $O{primes}$) draw the circle through "
             f"$C_1$; the arc about "
-            f"$C_2$ with the radius $2l_{given}/μ_l$ meets it in $S{primes}$. The line $C_{{2}}S{primes}$ meets "
-            f"$η{primes}$ in $A{primes}$.",
+            f"$C_2$ with the radius $2l_{given}/μ_l$ meets it at $S{primes}$. The line $C_{{2}}S{primes}$ meets "
+            f"$η{primes}$ at $A{primes}$.",
         ),
         SHEET,
     )

@@ -63,7 +63,7 @@ def _rockers(draft: Draft, design: LimitLines, pins: tuple[Points, Points, Point
                 "与中垂线相交于 $D$。",
                 f"$D$ lies on the bisector of $C_{{1}}C_2$. The transmission angle at $C_1$ is $90° − α_1$: draw a "
                 f"line "
-                f"through $C_1$ at this angle to $C_{{1}}A$ {side[1]}; it meets the bisector in $D$.",
+                f"through $C_1$ at this angle to $C_{{1}}A$ {side[1]}; it meets the bisector at $D$.",
             ),
             SHEET,
         )

@@ -39,7 +39,7 @@ def draw_crank_rocker_limits(draft: Draft, design: CrankRockerLimits) -> None:
             "$(l_BC − l_AB)/μ_l$、$(l_BC + l_AB)/μ_l$ 为半径作弧，与该圆相交于 $C_1$、$C_2$，即摇杆的两极限位置。",
             "Choose $μ_l$, draw $A$ and $D$ and the circle of $C$ about $D$ with the radius $l_CD/μ_l$. Arcs about "
             "$A$ with "
-            "the radii $(l_BC − l_AB)/μ_l$ and $(l_BC + l_AB)/μ_l$ meet it in $C_1$ and $C_2$: the limits of the "
+            "the radii $(l_BC − l_AB)/μ_l$ and $(l_BC + l_AB)/μ_l$ meet it at $C_1$ and $C_2$: the limits of the "
             "rocker.",
         ),
         SHEET,
@@ -81,7 +81,7 @@ def draw_slider_crank_limits(draft: Draft, design: SliderCrankLimits) -> None:
             "选 $μ_l$，画 $A$ 和导路；以 $A$ 为圆心，分别以 $(l_BC − l_AB)/μ_l$、$(l_BC + l_AB)/μ_l$ 为半径作弧，"
             "与导路相交于 $C_1$、$C_2$，即滑块的两极限位置。",
             "Choose $μ_l$, draw $A$ and the guide. Arcs about $A$ with the radii $(l_BC − l_AB)/μ_l$ and "
-            "$(l_BC + l_AB)/μ_l$ meet the guide in $C_1$ and $C_2$: the limits of the slider.",
+            "$(l_BC + l_AB)/μ_l$ meet the guide at $C_1$ and $C_2$: the limits of the slider.",
         ),
         SHEET,
     )

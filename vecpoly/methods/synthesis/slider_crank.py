@@ -40,7 +40,7 @@ def draw_slider_crank(draft: Draft, design: SliderCrank) -> None:
     board.section(Words("$A$ 点所在的圆", "The circle of $A$"))
     board.step(
         Words(
-            "选 $μ_l$，在导路上量取 $C_{1}C_{2} = H/μ_l$，得滑块的两极限位置。",
+            "选 $μ_l$，在导路上截取 $C_{1}C_{2} = H/μ_l$，得滑块的两极限位置。",
             "Choose $μ_l$ and lay off $C_{1}C_{2} = H/μ_l$ on the guide: the limit positions of the slider.",
         ),
         SHEET,
@@ -76,7 +76,7 @@ def _at_offset(draft: Draft, circle: Eta, c1: Points, offset: float) -> Points:
     board.step(
         Words(
             "在导路上方作与导路相距 $e/μ_l$ 的平行线，与圆 $η$ 相交于 $A$。",
-            "Draw the parallel to the guide at the distance $e/μ_l$ above it; it meets the circle $η$ in $A$.",
+            "Draw the parallel to the guide at the distance $e/μ_l$ above it; it meets the circle $η$ at $A$.",
         ),
         SHEET,
     )

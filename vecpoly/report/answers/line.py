@@ -87,7 +87,7 @@ def result_of(answer: Answer, lang: Lang) -> str:
     """The number with its unit: as in the table."""
     reading = answer.reading
     if answer.undefined or reading.unit == YES_NO:
-        return value(answer.drawn, reading.unit, lang)
+        return value(answer.drawn, reading.unit, lang, answer.key)
     if answer.is_place:
         at = answer.drawn_vector
         return (

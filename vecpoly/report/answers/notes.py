@@ -12,6 +12,7 @@ from ...solution import Answer
 from ...words import Lang, Words
 from ..values import is_worded
 
+PLAIN = frozenset({"determined", "v_allowed"})  # keys of conditions whose yes says all: their reason is in the steps
 HOPELESS = 0.5  # share of a value: with a reading error above it, nothing was read
 UNREADABLE = Words("此值过小，按本图的比例尺读不准", "too small to be read at this scale")
 INSTEAD = Words("应放大比例尺或用计算求得", "draw it larger, or compute it")
@@ -25,7 +26,10 @@ def notes_of(answers: Sequence[Answer], lang: Lang) -> tuple[str, ...]:
 
 def remark_of(answer: Answer, lang: Lang) -> str:
     """The conclusion that the construction came to, with no full stop; nothing of most."""
-    return answer.reading.remark.of(lang).strip().rstrip("。.") if answer.reading.remark is not None else ""
+    remark = answer.reading.remark
+    if remark is None or (answer.key in PLAIN and answer.drawn):
+        return ""
+    return remark.of(lang).strip().rstrip("。.")
 
 
 def is_hopeless(answer: Answer) -> bool:

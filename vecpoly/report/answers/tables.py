@@ -46,7 +46,7 @@ _PLACES = (
 )
 _ALIGN_PLACES = "ldddddd"
 _SHORT = Words("（过短）", " (too short)")
-_SENSE = {"ccw": Words("↺ 逆时针", "↺ ccw"), "cw": Words("↻ 顺时针", "↻ cw")}
+_SENSE = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
 _APART = 1e-9  # m: places that all hands find alike, a fixed pivot
 
 
@@ -160,7 +160,7 @@ def _is_read(answer: Answer, solution: Solution) -> bool:
 def _plain(answer: Answer, size: float, lang: Lang) -> str:
     """What is no number: yes, no, undefined; a class; the direction of a place at infinity."""
     if answer.reading.unit == YES_NO or answer.undefined:
-        return value(size, YES_NO, lang)
+        return value(size, YES_NO, lang, answer.key)
     if is_class(answer.key):
         return class_told(size, lang)
     return f"∞, {angle(size)}" if answer.is_place else ""

@@ -13,7 +13,8 @@ _VALUE = rf"(?:{_QUOTED}|[^,{{}}\"'](?:[^,{{}}]|,(?!\s*(?:zh|en):))*)"
 
 
 def in_one_language(text: str, lang: Lang) -> str:
-    """What is written in both languages in that one only; all else as it stands."""
+    """What is written in both languages in that one only, without the lines of comment; all else as it stands."""
+    text = re.sub(r"^ *#.*\n", "", text, flags=re.M)
     flow = re.compile(rf"\{{\s*(zh|en):\s*({_VALUE})\s*,\s*(zh|en):\s*({_VALUE})\s*\}}")
     return "".join(_blocks(flow.sub(lambda found: _chosen(found, lang), text).splitlines(keepends=True), lang))
 

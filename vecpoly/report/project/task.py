@@ -13,6 +13,7 @@ from ..course.modelling.dimensions import rounded
 from ..course.numbering import SMALL
 from ..course.structure import chapter as structure
 from ..picture import picture
+from ..sources import printed_source
 from .binder import Binder, amount
 
 _PICTURE = (110.0, 92.0)  # mm
@@ -31,7 +32,7 @@ def task(binder: Binder) -> dict[str, Any]:
     asked = [(one.say.of(lang), f"{one.sign} {amount(one.asked)}") for one in project.demands]
     return {
         "statement": project.statement.of(lang),
-        "source": project.source.of(lang) if project.source else "",
+        "source": printed_source(project.source, lang),
         "data": data,
         "demands": press.table(Words("设计要求", "The demands"), _DEMANDS[lang], asked, "ll") if asked else "",
         "parts": [(part.problem.title.of(lang), part.problem.statement.of(lang)) for part in project.parts],

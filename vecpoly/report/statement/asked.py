@@ -11,7 +11,7 @@ from ...names import is_centre, is_place
 from ...problem.asked.asks import Ask, AskCoriolis, AskNamed, AskPoint
 from ...solution import YES_NO, Solution
 from ...words import Lang, Words
-from ..values import asked_load, called, curved
+from ..values import asked_load, called, curved, way_of
 from .cam_words import meant_by
 from .groups import Group, by_groups, parted
 
@@ -77,10 +77,19 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
         name = called(reading.symbol, reading.key, lang)
         return Words(f"是否{name}", f"whether {name}").of(lang)
     if (kind := asked_load(solution.problem, reading.key)) is not None:
-        return (kind.of(lang) if lang == "zh" else f"{kind.en} ") + called(reading.symbol, reading.key, lang)
+        return _load_told(kind, reading.key, symbol, solution).of(lang)
     if (meant := meant_by(solution.problem.subject, reading.key, symbol)) is not None:
         return meant.of(lang)
     return curved(ask.rel, lang) + called(reading.symbol, reading.key, lang)
+
+
+def _load_told(kind: Words, key: str, symbol: str, solution: Solution) -> Words:
+    """The balancing load; where it is asked by another way before, that it is found once more."""
+    first = next(ask.rel.key for ask in solution.problem.asks if asked_load(solution.problem, ask.rel.key) is not None)
+    way = way_of(key)
+    if way is not None and first != key and way_of(first) is None:
+        return Words(f"再求 {symbol}（{way.zh}）", f"{symbol} once more ({way.en})")
+    return kind + Words("", " ") + Words(*(called(symbol.strip("$"), key, lang) for lang in ("zh", "en")))
 
 
 def _point_asked(ask: AskPoint, symbol: str) -> Words:

@@ -49,7 +49,7 @@ def _corner(fig: CurvatureFigure, ray: Ray) -> Points:
             f"过 ${name}$ 作 ${fig.p}{name}$ 的垂线，与极切线 $t$、极法线 $n$ 相交；过两交点分别作 $n$、$t$ 的平行线，"
             f"交于 ${z}$。",
             f"The perpendicular to ${fig.p}{name}$ at ${name}$ cuts the pole tangent $t$ and the pole normal $n$; the "
-            f"parallels to $n$ and $t$ through these points meet in ${z}$.",
+            f"parallels to $n$ and $t$ through these points meet at ${z}$.",
         ),
         fig.pane,
     )
@@ -118,7 +118,7 @@ def _found(fig: CurvatureFigure, q: Line, symbol: str) -> None:
             f"鲍尔点在拐点圆上，它在 $n$ 上的截点为 ${fig.w}$：过 ${fig.w}$ 作 $t$ 的平行线，交 $q$ 于 ${z}$；由 ${z}$ "
             f"向 $t$ 作垂线得垂足，与 ${fig.w}$ 相连；由 ${fig.p}$ 向该连线作垂线，垂足即鲍尔点 ${symbol}$。",
             f"Ball's point lies on the inflection circle, so its section on $n$ is ${fig.w}$: the parallel to $t$ "
-            f"through ${fig.w}$ meets $q$ in ${z}$; drop a perpendicular from ${z}$ to $t$, join its foot with "
+            f"through ${fig.w}$ meets $q$ at ${z}$; drop a perpendicular from ${z}$ to $t$, join its foot with "
             f"${fig.w}$; the foot of the perpendicular from ${fig.p}$ to this line is Ball's point ${symbol}$.",
         ),
         fig.pane,

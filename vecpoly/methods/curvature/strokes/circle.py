@@ -23,7 +23,7 @@ def through_two(fig: CurvatureFigure, one: tuple[Ray, Points, str], two: tuple[R
             f"以 ${fig.p}{fig.w}$ 为直径作拐点圆。",
             f"The inflection circle passes through ${fig.p}$, ${name}$, ${second}$: the perpendiculars to the normals "
             f"at "
-            f"${name}$ and ${second}$ meet in the inflection pole ${fig.w}$; draw the circle on the diameter "
+            f"${name}$ and ${second}$ meet at the inflection pole ${fig.w}$; draw the circle on the diameter "
             f"${fig.p}{fig.w}$.",
         ),
         fig.pane,
@@ -41,7 +41,7 @@ def on_normal(fig: CurvatureFigure, ray: Ray, j: Points, name: str) -> None:
     fig.board.step(
         Words(
             f"在 ${name}$ 处作法线的垂线，与极法线 $n$ 交于拐点极 ${fig.w}$；以 ${fig.p}{fig.w}$ 为直径作拐点圆。",
-            f"The perpendicular to the normal at ${name}$ meets the pole normal $n$ in the inflection pole ${fig.w}$; "
+            f"The perpendicular to the normal at ${name}$ meets the pole normal $n$ at the inflection pole ${fig.w}$; "
             f"draw the inflection circle on the diameter ${fig.p}{fig.w}$.",
         ),
         fig.pane,

@@ -88,7 +88,7 @@ def _told(fig: CurvatureFigure, q: str) -> Words:
     moving, fixed = line(one.moving, two.moving, one, two), line(one.fixed, two.fixed, one, two)
     return Words(
         f"{moving.zh}与{fixed.zh}交于 ${q}$，${fig.p}{q}$ 为两法线的共线轴。",
-        f"Let {moving.en} and {fixed.en} meet in ${q}$; ${fig.p}{q}$ is the collineation axis of the two normals.",
+        f"Let {moving.en} and {fixed.en} meet at ${q}$; ${fig.p}{q}$ is the collineation axis of the two normals.",
     )
 
 

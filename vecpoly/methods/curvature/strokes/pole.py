@@ -26,7 +26,7 @@ def draw_pole(fig: CurvatureFigure) -> None:
         told
         + Words(
             f"两法线交于构件 {mech.number(fig.link)} 的绝对瞬心 ${fig.p}$。",
-            f" The two normals meet in the pole ${fig.p}$ of link {mech.number(fig.link)}.",
+            f" The two normals meet at the pole ${fig.p}$ of link {mech.number(fig.link)}.",
         ),
         fig.pane,
     )

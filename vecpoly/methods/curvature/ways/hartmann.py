@@ -98,7 +98,7 @@ def _whole(fig: CurvatureFigure, one: tuple[Points, Line], two: tuple[Points, Li
     fig.board.step(
         Words(
             "过两分量的末端各作法线的平行线，交点为 $u$ 的末端；极切线 $t$ 沿 $u$。",
-            "The parallels to the normals through the tips of both components meet in the tip of $u$; the pole tangent "
+            "The parallels to the normals through the tips of both components meet at the tip of $u$; the pole tangent "
             "$t$ lies along $u$.",
         ),
         fig.pane,

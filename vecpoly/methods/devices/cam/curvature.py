@@ -70,7 +70,7 @@ def _hartmann(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Sp
             f"{lettered(cam, spot, MOST_BENT).en}. "
             "Hartmann's construction there: in the inversion $v_B$ ⊥ $PB$ with $v_B$ = $PB$·$ω$, and the centre $P$ "
             "itself moves with $u$, of which the part $u′$ at right angles to the normal is taken. The line of both "
-            "tips meets the normal in $K$ (both velocities to one scale, halved). The osculating circle is that "
+            "tips meets the normal at $K$ (both velocities to one scale, halved). The osculating circle is that "
             "about $K$ through $B$:",
         ),
         place,

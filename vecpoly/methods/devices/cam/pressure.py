@@ -60,12 +60,12 @@ def _greatest(bench: Bench, cam: Cam, cuts: Sequence[Cut], way: int, named: Name
     part = Words("摆杆", "arm") if cam.arm else Words("导路", "guide")
     board.step(
         Words(
-            f"比较各分点的压力角，在最大值附近加密试作，最大压力角在 $φ$ = {number(degrees(spot.phi))}° 处"
-            f"{at.zh}。作该位置的{part.zh}、瞬心 $P$ 和法线 $BP$，量法线与从动件运动方向的夹角：",
-            "Compare the stations and try more places near the greatest: it is at $φ$ = "
-            f"{number(degrees(spot.phi))}°{at.en}. Draw the {part.en} there, the instant centre $P$ and the normal "
-            "$BP$, and "
-            "read the angle between the normal and the follower's motion:",
+            f"{'推程' if way > 0 else '回程'}：比较各分点的压力角，在最大值附近加密试作，最大压力角在 $φ$ = "
+            f"{number(degrees(spot.phi))}° 处{at.zh}。作该位置的{part.zh}、瞬心 $P$ 和法线 $BP$，量法线与从动件"
+            "运动方向的夹角：",
+            f"{'Rise' if way > 0 else 'Return'}: compare the stations and try more positions near the greatest "
+            f"pressure angle; it is at $φ$ = {number(degrees(spot.phi))}°{at.en}. Draw the {part.en} there, the "
+            "instant centre $P$ and the normal $BP$, and read the angle between the normal and the follower's motion:",
         ),
         place,
     )

@@ -49,7 +49,7 @@ def _meeting(bench: Bench, clamp: Clamp, up: Points) -> Points:
         raise EquilibriumError(
             Words(
                 "F 与 R_21 的作用线平行，三力在图上不能汇交；请略微改变 F 的方向",
-                "F and R_21 act along parallel lines, so the three forces meet in no point of any sheet; turn "
+                "F and R_21 act along parallel lines, so the three forces meet at no point of any sheet; turn "
                 "the direction of F a little",
             )
         ) from None

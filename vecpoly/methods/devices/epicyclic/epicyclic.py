@@ -86,17 +86,18 @@ def _held_and_turned(bench: Bench, train: Epicyclic, radii: Mapping[str, float])
 def _velocities(bench: Bench, train: Epicyclic) -> dict[str, Points]:
     """The tips of the velocities of A, O_2 and C, at the height of their radii."""
     board = bench.board
-    board.section(Words("线速度图", "Velocities"))
+    board.section(Words("线速度图", "Linear-velocity diagram"))
     known = [key for key, omega in train.omegas.items() if omega is not None]
     told = "、".join(f"$v_{{{POINTS[key]}}}$" for key in known)
     board.step(
         Words(
             f"以半径为纵坐标、速度为横坐标。各点都在 $O$ 的正上方，构件逆时针转动时速度向左，取为正；顺时针转动时向"
             f"右，为负。由已知的角速度算出 {told}，在各自半径的高度上按其方向量出；中心轮和系杆的速度线都过 $O$。",
-            "Draw the velocities over the radius upwards. All points stand straight above $O$: on a link that turns "
-            "counter-clockwise they move to the left, which is positive, on one that turns clockwise to the right, "
-            f"negative. Compute {told.replace('、', ' and ')} from the given angular velocities and lay them off, each "
-            "in its direction, at the heights of their radii; the lines of central gears and carrier start at $O$.",
+            "Radii are plotted upwards, velocities sideways. All points lie vertically above $O$; a point of a link "
+            "that turns counter-clockwise moves to the left (positive), of one that turns clockwise to the right "
+            f"(negative). Compute {told.replace('、', ' and ')} from the given angular velocities and lay them off, "
+            "each in its direction, at the heights of their radii. The velocity lines of the central gears and of the "
+            "carrier pass through $O$.",
         ),
         RADII,
     )

@@ -21,16 +21,16 @@ from .scales import RADII, TURNS
 def angular_velocities(bench: Bench, train: Epicyclic, tips: Mapping[str, Points]) -> None:
     """ω of every link, and the ratio where one link is held."""
     board = bench.board
-    board.section(Words("角速度图", "Angular velocities"))
+    board.section(Words("角速度图", "Angular-velocity diagram"))
     turn, up = board.scale_of(TURNS).value, board.scale_of(RADII)
     pole_distance = up.right.value / (up.value * turn)
     board.step(
         Words(
             "在水平线下方取极点 $Π$，极距 $ΠF$ = $μ_v$/($μ_l$ $μ_ω$)；过 $Π$ 作各构件速度线的平行线，在水平线上截得各"
             "角速度：$F$ 以左为逆时针，以右为顺时针。",
-            "Below a level line take the pole $Π$ at the distance $ΠF$ = $μ_v$/($μ_l$ $μ_ω$). Rays through $Π$ "
-            "parallel to the lines of the links cut off their angular velocities on the level: those to the left "
-            "of $F$ are counter-clockwise, those to the right clockwise.",
+            "Below a horizontal line take the pole $Π$ at the distance $ΠF$ = $μ_v$/($μ_l$ $μ_ω$). Rays through $Π$ "
+            "parallel to the velocity lines of the links cut off their angular velocities on the horizontal line: "
+            "those to the left of $F$ are counter-clockwise, those to the right clockwise.",
         ),
         TURNS,
     )

@@ -111,7 +111,7 @@ def _centroid(bench: Bench, device: FieldBalancing, corners: list[Points]) -> No
         Words(
             "读数有误差，三弧一般不交于一点，而围成一个小三角形；取其形心为 $Q$。三角形最长的边 $Δ$ 说明读数的可信程"
             "度：",
-            "Readings err, and the three arcs rarely meet in one point: they leave a small triangle, whose centroid is "
+            "Readings err, and the three arcs rarely meet at one point: they leave a small triangle, whose centroid is "
             "$Q$. Its longest side $Δ$ tells how far the readings can be trusted:",
         ),
         view,

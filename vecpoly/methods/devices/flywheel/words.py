@@ -37,8 +37,9 @@ def constant(load: Torques) -> Words:
     return Words(
         f"稳定运转时一个周期内驱动功等于阻力功，故常数力矩 ${one}$ 的矩形与 ${other}$ 线下的面积相等（横轴以下为负）。"
         "量出面积与周期的长度 $OT$：",
-        f"In steady motion both do the same work in a period: the rectangle of the constant ${one}$ has the area under "
-        f"${other}$ (below the axis: negative). Measure the area and the length $OT$ of the period:",
+        f"In steady motion the driving and the resisting moment do equal work in a period, so the rectangle under the "
+        f"constant ${one}$ has the same area as ${other}$ encloses (areas below the axis are negative). "
+        "Measure the area and the length $OT$ of the period:",
     )
 
 
@@ -46,7 +47,8 @@ def shared(left: float) -> Words:
     """What the works miss zero by."""
     return Words(
         f"各功之和应为零，量得 {number(left)} J，为量面积的误差，按各块大小分摊。",
-        f" Their sum should be zero and is {number(left)} J: what was misread, shared out in proportion to the areas.",
+        f" Their sum should be zero and is {number(left)} J; this error of reading is distributed over the areas in "
+        "proportion to their sizes.",
     )
 
 
@@ -80,7 +82,7 @@ SPEED_SECTION = Words("平均角速度", "Mean angular velocity")
 SPEED = Words("由平均转速求平均角速度：", "The mean angular velocity from the mean speed:")
 POWERS = Words(
     "角速度变化不大，各段的等效阻力矩按 $M_r = P / ω_m$ 计算：",
-    "The speed changes little; of each stretch the resisting moment is $M_r = P / ω_m$:",
+    "The speed changes little, so in each part of the cycle the resisting moment is $M_r = P / ω_m$:",
 )
 ENOUGH = Words(
     "已有的转动惯量足以使 $δ$ 不超过许用值，不需要飞轮。",

@@ -92,7 +92,7 @@ def _rack(bench: Bench, gear: GearGeneration, mm: float) -> Rack:
             "节点 $P$ 在 $O$ 的正上方，齿条的中线离 $P$ 为 $x$$m$。过 $P$ 作啮合线，与齿条节线成 $α$ 角；由 $O$ 作其"
             "垂线，垂足 $N$ 为啮合线与基圆的切点，量得基圆半径：",
             "The pitch point $P$ lies straight above $O$, the rack's middle line $x$$m$ from it. The line of action "
-            "passes through $P$ at the angle $α$ to the rolling line; the perpendicular from $O$ meets it in $N$, "
+            "passes through $P$ at the angle $α$ to the rolling line; the perpendicular from $O$ meets it at $N$, "
             "where it touches the base circle, whose radius is read:",
         ),
         VIEW,
@@ -116,7 +116,7 @@ def _limits(bench: Bench, gear: GearGeneration, rack: Rack) -> None:
         Words(
             "齿条齿顶线不超过 $N$ 时不根切。过 $N$ 作水平线交 $OP$ 于 $Q$，$h$ = $PQ$，由 $h_a^{*}$$m$ − $x$$m$ ≤ $h$ "
             "得：",
-            "There is no undercut while the rack's tip line does not pass $N$. The level through $N$ meets $OP$ in "
+            "There is no undercut while the rack's tip line does not pass $N$. The level through $N$ meets $OP$ at "
             "$Q$; "
             "with $h$ = $PQ$ the condition $h_a^{*}$$m$ − $x$$m$ ≤ $h$ gives:",
         ),
@@ -156,7 +156,7 @@ def _thickness(bench: Bench, rack: Rack) -> Quantity:
         Words(
             "分度圆齿厚等于齿条节线上的齿槽宽：节线与齿条两侧齿廓交于 $E$、$F$，量得：",
             "The thickness on the pitch circle is the width of the rack's space on the rolling line, which meets the "
-            "flanks in $E$ and $F$:",
+            "flanks at $E$ and $F$:",
         ),
         VIEW,
     )
@@ -186,7 +186,7 @@ def _start(bench: Bench, rack: Rack) -> float:
         if cut
         else Words(
             "齿条齿顶线与啮合线的交点 $S$ 处渐开线开始。量 $S$ 到 $O$ 的距离：",
-            "The involute starts where the rack's tip line meets the line of action, in $S$. Its distance from $O$:",
+            "The involute starts where the rack's tip line meets the line of action at $S$. Its distance from $O$:",
         ),
         VIEW,
     )
@@ -210,7 +210,7 @@ def _tip(bench: Bench, rack: Rack, radii: tuple[float, float], thick: Quantity, 
         Words(
             "啮合线与齿顶圆交于 $K$，齿廓上的齿顶点在此啮合；自 $P$ 点啮合以来齿轮转过 $PK$/$r_b$，故齿顶半角为 "
             "$s$/2$r$ + $∠POK$ − $PK$/$r_b$：",
-            "The line of action meets the tip circle in $K$, where the end of the flank is in contact; since the "
+            "The line of action meets the tip circle at $K$, where the end of the flank is in contact; since the "
             "contact in $P$ the gear has turned by $PK$/$r_b$, so half the angle of the tip is $s$/2$r$ + $∠POK$ − "
             "$PK$/$r_b$:",
         ),

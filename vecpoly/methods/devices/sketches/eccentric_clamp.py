@@ -105,7 +105,7 @@ def free_body(bench: Bench, place: Pane, clamp: Clamp, meet: Points, up: Points,
     if abs(complex(nominal(meet))) < FAR:
         bench.board.plot(place, meet, "X")
     else:
-        told = Words("三线交于图外的 $X$", "the three lines meet in $X$,\noff the sheet")
+        told = Words("三线交于图外的 $X$", "the three lines meet at $X$,\noff the sheet")
         bench.board.note(place, ends[R31.key], told)
 
 

@@ -74,7 +74,7 @@ def _of_the_bar(bar: str, rod: str, root: Pair, tip: Pair, runners: tuple[Runner
     return Words(
         f"导路交于 ${o}$，且 ${_equal(root, tip, runners)}$，构件 {rod} 上 ${c}$ 点的轨迹本来就是以 ${o}$ "
         f"为圆心的圆，与构件 {bar} 所限定的轨迹重合，构件 {bar} 不起独立的约束作用",
-        f"the guides meet in ${o}$ and ${_equal(root, tip, runners)}$: point ${c}$ of link {rod} "
+        f"the guides meet at ${o}$ and ${_equal(root, tip, runners)}$: point ${c}$ of link {rod} "
         f"moves on a circle about ${o}$ even without link {bar}, on the very track that this link "
         "prescribes",
     )

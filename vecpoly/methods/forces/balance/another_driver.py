@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from ....board.construction import View
 from ....errors import NoMethodError
+from ....mechanism.groups.assur import decompose
+from ....mechanism.model import Rolling
 from ....words import Words
 from ..lines.links_of_group import Held
 from ..order import Order
@@ -39,16 +41,31 @@ def _say_exchanged(st: Statics, held: Held) -> None:
     """From which link the groups are taken off, where it is not the driving one."""
     if held.link == st.mech.drive.link:
         return
+    had, has = _groups_before(st), _groups_after(st)
     name, number, driver = st.unknown_named.symbol, st.mech.number(held.link), st.mech.number(st.mech.drive.link)
     st.board.step(
         Words(
-            f"以构件 {driver} 为原动件拆组时，含有 II 级以上的杆组（或行星轮系），不便逐组求反力。拆组与取哪个构件为"
-            f"原动件有关，而力的平衡与之无关：既求得 ${name}$，改取构件 {number} 为原动件，机构全由 II 级组"
-            f"（和单个齿轮）组成，于是逐组求反力，最后考虑构件 {number}。",
-            f"Taken apart from link {driver} the mechanism has groups above class II, or planet gears. How it comes "
-            "apart depends on the link from which one starts, and equilibrium does not: once "
-            f"${name}$ is known, link {number} is taken as the driver. Then there are class II groups (and single "
-            f"gears) alone, which are solved one by one, and link {number} comes last.",
+            f"以构件 {driver} 为原动件拆组时，含有{had.zh}，不便逐组求反力。拆组与取哪个构件为"
+            f"原动件有关，而力的平衡与之无关：既求得 ${name}$，改取构件 {number} 为原动件，机构全由{has.zh}"
+            f"组成，于是逐组求反力，最后考虑构件 {number}。",
+            f"Taken apart from link {driver} the mechanism has {had.en}. How it comes "
+            "apart depends on the link from which one starts, but equilibrium does not: once "
+            f"${name}$ is known, link {number} is taken as the driver. Then there are only {has.en}, "
+            f"which are solved one by one, and link {number} comes last.",
         ),
         View.MECHANISM,
+    )
+
+
+def _groups_before(st: Statics) -> Words:
+    """Why the mechanism is not solved from its own driver."""
+    high = any(group.kind.startswith("class") for group in decompose(st.mech))
+    return Words("高于 Ⅱ 级的杆组", "groups above class II") if high else Words("行星轮系", "planet gears")
+
+
+def _groups_after(st: Statics) -> Words:
+    """What it comes apart into from the other."""
+    geared = any(isinstance(joint, Rolling) for joint in st.mech.joints)
+    return Words(" Ⅱ 级杆组", "class II groups") + (
+        Words("和单个齿轮", " and single gears") if geared else Words("", "")
     )

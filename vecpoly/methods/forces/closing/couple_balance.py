@@ -13,6 +13,7 @@ from ....mechanism.model import Revolute
 from ....plane import Line, Points, Reals, foot, nominal
 from ....words import Words
 from ...registry import Stage, method
+from ..couples import couples_on
 from ..lines.letters import arm_about_point
 from ..lines.links_of_group import Held
 from ..lines.resultant import Resultant, resultant
@@ -99,13 +100,19 @@ def _check(st: Statics, held: Held, by: str, turning: Reals, moment: Reals) -> N
         )
 
 
+def _couple_symbol(st: Statics, link: str) -> str:
+    """The symbol of the only couple on the link; M of several together."""
+    symbols = [symbol for symbol, size in couples_on(st, link) if nominal(size)]
+    return symbols[0] if len(symbols) == 1 else "M"
+
+
 def _close(st: Statics, who: tuple[Held, str], where: tuple[Line, Points, Points], sense: int, moment: Reals) -> None:
     """The arm measured, R computed, both reactions kept; no polygon: two equal and opposite forces."""
     (held, by), (line, at, across) = who, where
     board, link, named = st.board, held.link, st.named(by, held.link)
     letter = arm_about_point(named.symbol)
     arm = board.compute(letter, board.mu(View.MECHANISM) * board.measure(at, across, letter), "m")
-    size = board.compute(named.symbol, magnitude("M", np.abs(moment), "N·m") / arm, "N")
+    size = board.compute(named.symbol, magnitude(_couple_symbol(st, link), np.abs(moment), "N·m") / arm, "N")
     vector = line.along * st.mm(size.value)
     board.join(View.MECHANISM, at, across, st.ruled(Role.CONSTRUCTION))
     board.plot(View.MECHANISM, (at + across) / 2, letter, Dot.NONE)

@@ -59,7 +59,9 @@ def moment_on_crank(st: Statics, held: Held) -> None:
     at = st.touch(pin, u, sense)
     frame = st.named(FRAME, held.link).symbol
     one, one_en = (
-        (load.symbols.zh, load.symbols.en) if len(load.forces) == 1 else ("已知力的合力", "the sum of the known forces")
+        (load.symbols.zh, load.symbols.en)
+        if len(load.forces) == 1
+        else ("已知力的合力", "the resultant of the known forces")
     )
     st.board.remark(
         Words(

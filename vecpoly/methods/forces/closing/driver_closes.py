@@ -90,11 +90,13 @@ def _closed_by_frame(st: Statics, held: Held, load: Resultant) -> Words:
     number, frame = st.mech.number(held.link), st.named(FRAME, held.link).symbol
     couples = [f"${symbol}$" for symbol, size in couples_on(st, held.link) if nominal(size)]
     if couples:
+        several = len(load.forces) > 1
         return Words(
-            f"取构件 {number} 为分离体：机架反力 ${frame}$ 与 {load.symbols.zh} 的合力等值、反向，二者构成的力偶与 "
-            f"{'、'.join(couples)} 平衡。",
-            f"Isolate link {number}: the frame's reaction ${frame}$ is equal and opposite to the sum of "
-            f"{load.symbols.en}; the couple of the two balances {', '.join(couples)}.",
+            f"取构件 {number} 为分离体：机架反力 ${frame}$ 与 {load.symbols.zh}{' 的合力' if several else ' '}"
+            f"等值、反向，二者构成的力偶与 {'、'.join(couples)} 平衡。",
+            f"Isolate link {number}: the frame's reaction ${frame}$ is equal and opposite to "
+            f"{'the resultant of ' if several else ''}{load.symbols.en}; the couple of the two balances "
+            f"{', '.join(couples)}.",
         )
     return Words(
         f"取构件 {number} 为分离体：平衡力（矩）已求出，作用于他处，故 {load.symbols.zh} 只由机架反力 "

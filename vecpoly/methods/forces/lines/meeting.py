@@ -127,5 +127,5 @@ def known_forces(st: Statics, link: str, load: Resultant) -> Words:
 
 
 def in_point(letter: str) -> Words:
-    """于点 K, in K; in the nameless point where they meet."""
-    return Words(f"于 ${letter}$ 点", f"in ${letter}$") if letter else Words("于一点", "in one point")
+    """于点 K, at K; in the nameless point where they meet."""
+    return Words(f"于 ${letter}$ 点", f"at ${letter}$") if letter else Words("于一点", "at one point")

@@ -49,9 +49,10 @@ class Resultant:
             return "过各力的公共作用点", "through their common point"
         if self.interchanged is not None:
             return (
-                "两力平行：在两力作用点互换截取两力，其一反向，两端点连线与两作用点连线的交点在合力作用线上",
-                "they are parallel: lay each off at the other's point, one of them reversed; the line "
-                "of their ends crosses that of the points on the resultant",
+                "两力平行：在每一力的作用点截取另一力，并将其中之一反向，两端点的连线与两作用点的连线的交点在合力作用线上",
+                "they are parallel: at the point of application of each force lay off the other force, one of the two "
+                "reversed; where the line through their ends crosses the line through the two points of application "
+                "is a point of the resultant's line",
             )
         if len(self.forces) == 2 and all(_on(f.line, self.at) for f in self.forces):
             return "过两力作用线的交点", "through the crossing of their lines"

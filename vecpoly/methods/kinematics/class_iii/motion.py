@@ -97,7 +97,7 @@ def _special_point(desk: Desk, view: View, star: Star, special: Special) -> dict
     """The equation whose sides are the two legs of the pair."""
     kind, s = QUANTITY[view], desk.name(special.at)
     parts = Words(
-        "各支链中的两个未知量同向，可合为一项。",
+        "等式每一侧的两个未知矢量方向相同，合为一项。",
         " On either side the two unknown vectors are parallel and count as one.",
     )
     desk.board.step(

@@ -39,9 +39,11 @@ def position_class_iii(desk: Desk, group: Group) -> None:
     """The central link is turned, held by two legs, until it fits the third as well."""
     star = star_of(group)
     found, deciding = _chosen(desk, star, assemblies(desk, star))
-    desk.board.step(led_words(star, found.legs) if star.parallel else trial_words(star, found.legs), View.MECHANISM)
+    desk.board.step(
+        led_words(desk, star, found.legs) if star.parallel else trial_words(desk, star, found.legs), View.MECHANISM
+    )
     which = (
-        Words("（取与题给装配形式相符的一种）", " (of the assemblies, the one given)")
+        Words("（取与题给装配形式相符的一种）", "; of the possible assemblies the given one is taken")
         if deciding is None
         else said(deciding)
     )

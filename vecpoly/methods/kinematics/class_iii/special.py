@@ -43,7 +43,7 @@ def special_of(desk: Desk, star: Star) -> Special:
             Words(
                 f"构件 {star.links}：三个支链的轴线交于一点或互相平行，Ⅲ级杆组处于死点位置，速度没有唯一解；"
                 "请改换原动件的位置。",
-                f"links {star.links}: the axes of the three legs meet in one point or are parallel; the "
+                f"links {star.links}: the axes of the three legs meet at one point or are parallel; the "
                 "class III group is at a dead point and its velocities have no single value; choose "
                 "another input position",
             ),
@@ -138,7 +138,7 @@ def _words(star: Star, special: Special) -> Words:
         + two
         + Words(
             f"的交点为 ${s}$，将构件 {plate} 扩大至包含 ${s}$ 点（特殊点法）。",
-            f" meet at ${s}$; expand the central link {plate} to contain ${s}$ (method of special points).",
+            f" meet at ${s}$; extend the central link {plate} to contain ${s}$ (method of special points).",
         )
     )
 

@@ -6,13 +6,16 @@ from typing import assert_never
 
 from ....mechanism.model import FRAME
 from ....words import Words
+from ...desk import Desk
 from .star import Axial, Guided, Hinged, Slotted, Star
 
+NO_OFFSET = 1e-9  # m: a slide nearer to its pin than this passes through it
 
-def trial_words(star: Star, legs: tuple[Axial, ...]) -> Words:
+
+def trial_words(desk: Desk, star: Star, legs: tuple[Axial, ...]) -> Words:
     """How the central link is tried: held by two legs, checked by the third."""
-    one, two = (keeps(star, leg) for leg in legs[:2])
-    last = tried(star, legs[2])
+    one, two = (keeps(desk, star, leg) for leg in legs[:2])
+    last = tried(desk, star, legs[2])
     return (
         Words(
             f"Ⅲ级杆组用试凑法定位：暂不计构件 {legs[2].link}，给中心构件 {star.plate} 取几个试方位，使",
@@ -26,11 +29,11 @@ def trial_words(star: Star, legs: tuple[Axial, ...]) -> Words:
     )
 
 
-def led_words(star: Star, legs: tuple[Axial, ...]) -> Words:
+def led_words(desk: Desk, star: Star, legs: tuple[Axial, ...]) -> Words:
     """The central link's orientation is given: two loci place it."""
     leg = star.parallel
     assert leg is not None
-    one, two = (keeps(star, other) for other in legs)
+    one, two = (keeps(desk, star, other) for other in legs)
     of_frame = leg.parent == FRAME
     base = Words("机架", "the frame") if of_frame else Words(f"构件 {leg.parent}", f"link {leg.parent}")
     return (
@@ -46,7 +49,7 @@ def led_words(star: Star, legs: tuple[Axial, ...]) -> Words:
     )
 
 
-def keeps(star: Star, leg: Axial) -> Words:
+def keeps(desk: Desk, star: Star, leg: Axial) -> Words:
     """What a leg demands of the central link's place."""
     match leg:
         case Hinged(outer=o, inner=b):
@@ -56,16 +59,17 @@ def keeps(star: Star, leg: Axial) -> Words:
             )
         case Guided(inner=b):
             return Words(f" ${b}$ 在其导路线上", f"${b}$ on its guide line")
-        case Slotted(outer=q):
+        case Slotted():
+            way = _past(desk, leg)
             return Words(
-                f"构件 {star.plate} 与构件 {leg.link} 间的导路通过 ${q}$（或与 ${q}$ 保持偏距）",
-                f"its slide on link {leg.link} passing ${q}$ (at the given offset, if any)",
+                f"构件 {star.plate} 与构件 {leg.link} 间的导路{way.zh}",
+                f"its slide on link {leg.link} passing {way.en}",
             )
         case _:
             assert_never(leg)
 
 
-def tried(star: Star, leg: Axial) -> Words:
+def tried(desk: Desk, star: Star, leg: Axial) -> Words:
     """How the third leg tells which trial is right."""
     match leg:
         case Hinged(outer=o, inner=b):
@@ -78,10 +82,19 @@ def tried(star: Star, leg: Axial) -> Words:
                 f"，描出 ${b}$ 的轨迹；它与 ${b}$ 的导路线的交点即为 ${b}$",
                 f"; trace the path of ${b}$. Where it cuts the guide line of ${b}$ is ${b}$",
             )
-        case Slotted(outer=q):
+        case Slotted():
+            way = _past(desk, leg)
             return Words(
-                f"；直到构件 {star.plate} 与构件 {leg.link} 间的导路也通过 ${q}$（或与 ${q}$ 保持偏距）为止",
-                f", until its slide on link {leg.link} passes ${q}$ too (at the given offset, if any)",
+                f"，直至构件 {star.plate} 与构件 {leg.link} 间的导路也{way.zh}",
+                f"; the right one is that in which its slide on link {leg.link} also passes {way.en}",
             )
         case _:
             assert_never(leg)
+
+
+def _past(desk: Desk, leg: Slotted) -> Words:
+    """How a slide lies to the pin of its block: through it, or beside it."""
+    q = f"${leg.outer}$"
+    if abs(desk.offset(leg.slide, leg.link, leg.outer)) < NO_OFFSET:
+        return Words(f"通过 {q}", f"through {q}")
+    return Words(f"与 {q} 保持给定的偏距", f"{q} at its given offset")

@@ -103,7 +103,7 @@ def _opening(desk: Desk, view: View, ram: Ram) -> Words:
     return Words(
         f"${name}$ 与扩大的构件 {ram.near} 上的 ${under}$ 为重合点，其相对{kind}沿 ${d}{c}$，由油缸给定；"
         f"列{kind}矢量方程并作图。",
-        f"${name}$ and the point ${under}$ of the expanded link {ram.near} coincide; their relative "
+        f"${name}$ and the point ${under}$ of the extended link {ram.near} coincide; their relative "
         f"{kind_en} along ${d}{c}$ is given by the cylinder. Write the {kind_en} equation and draw "
         "it.",
     )
@@ -161,9 +161,9 @@ def _given(desk: Desk, ram: Ram, rel: Rel, value: float) -> Term:
 def _shifted(corner: str, tip: str, *, together: bool) -> Words:
     """What a parallelogram is drawn for; together: the two given vectors, of which then only the sum is ruled."""
     told = Words(
-        f"将所给矢量平移，使其终点落在 ${tip}$，其起点即 ${corner}$（平行四边形法则）",
-        f" Shifted so that they end at ${tip}$, the given vectors start at ${corner}$: a parallelogram, of which "
-        "either way round may be read",
+        f"将所给矢量平移，使其终点与 ${tip}$ 重合，其起点即 ${corner}$（平行四边形法则，两矢量的次序可交换）",
+        f" The given vectors are shifted so that they end at ${tip}$; their start is then ${corner}$ (law of the "
+        "parallelogram: the two vectors may be added in either order)",
     )
     whole = Words(f"，细线 ${corner}{tip}$ 为两者之和", f"; the thin line ${corner}{tip}$ is the sum of both")
     return told + (whole if together else Words.same("")) + Words("。", ".")

@@ -40,7 +40,7 @@ def step_off(desk: Desk, d: Dyad) -> bool:
     board.step(
         Words(
             f"${corner}{b}{c}{end}$ 为平行四边形：过 ${b}$ 作 ${corner}{end}$ 的平行线，"
-            f"量取 ${b}{c} = {corner}{end}$，得 ${c}$。",
+            f"截取 ${b}{c} = {corner}{end}$，得 ${c}$。",
             f"${corner}{b}{c}{end}$ is a parallelogram: through ${b}$ draw a line parallel to "
             f"${corner}{end}$ and step off ${b}{c} = {corner}{end}$ on it.",
         ),

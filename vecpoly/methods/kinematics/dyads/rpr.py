@@ -88,7 +88,8 @@ def _opening(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> Words
         words = (
             Words(
                 f"导路不通过 ${to.point}$，将构件 {joint.guide} 扩大至包含 ${to.point}$ 点（扩大构件法）。",
-                f"The guide passes ${to.point}$ at an offset: expand link {joint.guide} to contain ${to.point}$. ",
+                f"The guide does not pass through ${to.point}$: extend link {joint.guide} so that it "
+                f"contains ${to.point}$. ",
             )
             + words
         )

@@ -59,7 +59,7 @@ def _said(desk: Desk, drive: Drive, pivot: str, others: list[str]) -> Words:
 
 
 def _at_angle(drive: Drive, pivot: str, others: list[str], phi: str) -> Words:
-    length = f"，量取 ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$" if others else ""
+    length = f"，截取 ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$" if others else ""
     length_en = f" and step off ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$ on it" if others else ""
     found, found_en = ("试得的", "the ") if not phi else ("", "")
     return Words(
@@ -83,7 +83,7 @@ def position_slide(desk: Desk, drive: Drive) -> None:
     start = counted_from(joint)
     board.step(
         Words(
-            f"取 $μ_l$，沿固定导路{start.zh}量取构件 {drive.link} 的位移 $s_{drive.link}/μ_l$，得 ${joint.pin}$。",
+            f"取 $μ_l$，沿固定导路{start.zh}截取构件 {drive.link} 的位移 $s_{drive.link}/μ_l$，得 ${joint.pin}$。",
             f"To the scale $μ_l$ step off the travel $s_{drive.link}/μ_l$ of link {drive.link} along its "
             f"fixed guide {start.en}: ${joint.pin}$.",
         ),

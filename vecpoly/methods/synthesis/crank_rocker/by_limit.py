@@ -27,7 +27,7 @@ def by_limit(draft: Draft, design: CrankRocker, theta: Quantity) -> None:
     board.section(Words("已知极限位置", "The given limit position"))
     board.step(
         Words(
-            "选 $μ_l$，画机架 $AD$；作 $∠ADC_1$，量取 $DC_1 = l_CD/μ_l$，得摇杆的一个极限位置，连 $AC_1$。",
+            "选 $μ_l$，画机架 $AD$；作 $∠ADC_1$，截取 $DC_1 = l_CD/μ_l$，得摇杆的一个极限位置，连 $AC_1$。",
             "Choose $μ_l$ and draw the frame $AD$; set out $∠ADC_1$ and lay off $DC_1 = l_CD/μ_l$: one limit position "
             "of "
             "the rocker. Join $AC_1$.",

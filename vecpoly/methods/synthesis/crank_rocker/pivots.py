@@ -53,7 +53,7 @@ def _at_distance(draft: Draft, rocker: Rocker, locus: Locus, frame: float) -> It
     board.step(
         Words(
             f"以 $D$ 为圆心、$l_AD/μ_l$ 为半径作弧，与{_eta(locus)}相交于 $A$。",
-            f"An arc about $D$ with the radius $l_AD/μ_l$ meets {_eta_en(locus)} in $A$.",
+            f"An arc about $D$ with the radius $l_AD/μ_l$ meets {_eta_en(locus)} at $A$.",
         ),
         SHEET,
     )
@@ -90,7 +90,7 @@ def _on_line(draft: Draft, given: OnLine, locus: Locus) -> Iterator[Points]:
     """Where the given line meets the locus."""
     board, at = draft.board, complex(draft.mm(1.0)) * given.at
     board.step(
-        Words(f"画给定的直线，与{_eta(locus)}相交于 $A$。", f"Draw the given line; it meets {_eta_en(locus)} in $A$."),
+        Words(f"画给定的直线，与{_eta(locus)}相交于 $A$。", f"Draw the given line; it meets {_eta_en(locus)} at $A$."),
         SHEET,
     )
     what, line = Words("求 $A$", "finding $A$"), board.parallel(at, given.along, key="A")
@@ -113,7 +113,7 @@ def _middle_and_coupler(draft: Draft, rocker: Rocker, locus: Straight, coupler: 
     board = draft.board
     board.step(
         Words(
-            "$AC_1 + AC_2 = 2l_BC/μ_l$，故自 $C_{1}C_{2}$ 的中点 $M$ 沿直线量取 $l_BC/μ_l$ 得 $A$。",
+            "$AC_1 + AC_2 = 2l_BC/μ_l$，故自 $C_{1}C_{2}$ 的中点 $M$ 沿直线截取 $l_BC/μ_l$ 得 $A$。",
             "$AC_1 + AC_2 = 2l_BC/μ_l$, so $A$ lies on the line at $l_BC/μ_l$ from the middle $M$ of $C_{1}C_{2}$.",
         ),
         SHEET,

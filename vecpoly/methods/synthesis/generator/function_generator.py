@@ -134,7 +134,7 @@ def _with_crank(sheet: Sheet, crank: Reals) -> Sheet:
     side = 1 if float(nominal(crank)) > 0 else -1
     draft.board.step(
         Words(
-            "在三条标线 $AM$ 上量取 $AB$，得 $B_1$、$B_2$、$B_3$。",
+            "在三条标线 $AM$ 上截取 $AB$，得 $B_1$、$B_2$、$B_3$。",
             "Lay off $AB$ on all three lines $AM$: $B_1$, $B_2$, $B_3$.",
         )
         + (

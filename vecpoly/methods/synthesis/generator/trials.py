@@ -45,7 +45,7 @@ def _told(kept: int) -> Words:
         f"$E_{own} E_{one}^′$ 的中垂线交 $DN_{own}$ 于 $P$，$E_{own} E_{two}^′$ 的中垂线交 $DN_{own}$ 于 $Q$；"
         "$P$、$Q$ 不重合，曲柄长不对。另取曲柄长 $AF$，同样得 $P^′$、$Q^′$。",
         f"Take any crank $AE$: $E_1$, $E_2$, $E_3$. With $DN_{own}$ for the frame inversion gives $E_{one}^′$ and "
-        f"$E_{two}^′$; the bisector of $E_{own} E_{one}^′$ meets $DN_{own}$ in $P$, that of $E_{own} E_{two}^′$ in "
+        f"$E_{two}^′$; the bisector of $E_{own} E_{one}^′$ meets $DN_{own}$ at $P$, that of $E_{own} E_{two}^′$ at "
         "$Q$. As they differ the crank has not the right length. Another crank $AF$ gives $P^′$ and $Q^′$ likewise.",
     )
 

@@ -93,7 +93,7 @@ def _bar(sheet: Sheet, stage: CentrePoints, line: Line, t: Reals, number: int) -
     board.step(
         Words(
             f"圆心点 ${here}$：反转三次，作中垂线，交点为圆点 ${label}_1$。",
-            f"Centre point ${here}$: turned back three times; the bisectors meet in the circle point ${label}_1$.",
+            f"Centre point ${here}$: turned back three times; the bisectors meet at the circle point ${label}_1$.",
         ),
         SHEET,
     )

@@ -56,7 +56,7 @@ def _opened(draft: Draft) -> Pane:
             "作极点 $P_{12}$、$P_{13}$、$P_{24}$、$P_{34}$，得对极四边形。过 $P_{12}P_{13}$ 和 $P_{24}P_{34}$ 作"
             "圆周角同为 $γ$ 的两圆，其交点是圆心曲线上的点；改变 $γ$，逐点描出曲线。所得圆心点都在此曲线上。",
             "The poles $P_{12}$, $P_{13}$, $P_{24}$, $P_{34}$ make an opposite-pole quadrilateral. Two circles, over "
-            "$P_{12}P_{13}$ and over $P_{24}P_{34}$ with the same inscribed angle $γ$, meet in points of the curve of "
+            "$P_{12}P_{13}$ and over $P_{24}P_{34}$ with the same inscribed angle $γ$, meet at points of the curve of "
             "centre points; other angles $γ$ give it point by point. The centre points that were found lie on it.",
         ),
         place,

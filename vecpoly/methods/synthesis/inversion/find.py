@@ -12,7 +12,7 @@ from ....board.paper.marks import Dot, Role
 from ....designs.inversion.plan import FRAME, Find, On, Through
 from ....designs.inversion.refusals import coincident, collinear, parallel
 from ....plane import Line, Points, cross, nominal, unit
-from ....words import Words
+from ....words import Words, joined
 from ..draft import SHEET
 from ..linkage import pin
 from .sheet import Places, Sheet, lettered
@@ -24,7 +24,10 @@ NEAR = 0.1  # of the farthest two: places nearer than so are not bisected where 
 
 def find(sheet: Sheet, stage: Find) -> Sheet:
     """Carry over, bisect, meet, and lay the pin back into the other positions."""
-    sheet.draft.board.section(Words(f"求铰链 ${stage.pin}$", f"The pin ${stage.pin}$"))
+    fixed = stage.on == FRAME
+    sheet.draft.board.section(
+        Words(f"求{'固定' * fixed}铰链 ${stage.pin}$", f"The {'fixed pivot' if fixed else 'pin'} ${stage.pin}$")
+    )
     seen = _seen(sheet, stage)
     at = _met(sheet, stage, seen)
     return _placed(sheet, stage, at)
@@ -49,23 +52,44 @@ def _seen(sheet: Sheet, stage: Find) -> Places:
     return tuple(seen)
 
 
+def _others(sheet: Sheet, stage: Find) -> list[int]:
+    """The positions that are not kept."""
+    return [n for n in range(sheet.plan.count) if n != stage.kept]
+
+
+def _positions(numbers: list[int]) -> Words:
+    """位置 2、3; positions 2 and 3."""
+    told = joined([Words.same(str(n + 1)) for n in numbers])
+    return Words(f"位置 {told.zh}", f"position{'s' * (len(numbers) > 1)} {told.en}")
+
+
 def _primed(letter: str, position: int) -> str:
     return f"{letter}_{position + 1}^′"
 
 
 def _inverting(sheet: Sheet, stage: Find) -> Words:
     kept, name = stage.kept + 1, stage.on
-    others = [n for n in range(sheet.plan.count) if n != stage.kept]
+    others = _others(sheet, stage)
     moved = "、".join(f"${_primed(stage.known, n)}$" for n in others)
     figures = "、".join(f"${sheet.named(stage.known, n)}$" for n in others)
-    what_zh = f"取构件 ${name}$ 的位置 {kept} 为“机架”，将其余位置的 ${name}$ 连同 {figures} 刚化"
-    one, letters = len(others) == 1, ", ".join(dict.fromkeys(figures.split("、")))
+    what_zh = f"取构件 ${name}$ 的位置 {kept} 为“机架”，将{_positions(others).zh} 的 ${name}$ 连同 {figures} 刚化"
+    letters = ", ".join(dict.fromkeys(figures.split("、")))
+    turned, way = _positions(others), _carrying(sheet, stage, others)
     return Words(
-        f"{what_zh}，反转使 ${name}$ 与位置 {kept} 重合（以两弧相交转移三角形；在标线上的点沿标线量取），得 {moved}。",
-        f"Fix link ${name}$ in position {kept} and turn the other position{'s' * (not one)} back so that ${name}$ "
-        "coincides with it (a triangle is carried over by two arcs, a point on the line is laid off along it): "
-        f"{letters} go{'es' * (', ' not in letters)} to {moved.replace('、', ', ')}.",
+        f"{what_zh}，反转使 ${name}$ 与位置 {kept} 重合（{way.zh}），得 {moved}。",
+        f"Fix link ${name}$ in position {kept} and turn {turned.en} back so that ${name}$ coincides with it "
+        f"({way.en}): {letters} go{'es' * (', ' not in letters)} to {moved.replace('、', ', ')}.",
     )
+
+
+def _carrying(sheet: Sheet, stage: Find, others: list[int]) -> Words:
+    """How the places are carried over: along the line of the body where they lie on it, else by arcs."""
+    ways = {sheet.on_line(sheet.pins[stage.known][n], stage.on, n) for n in others}
+    along = Words("在标线上的点沿标线截取", "points on the line are laid off along it")
+    arcs = Words("以两弧相交转移三角形", "each triangle is carried over by two arcs")
+    if len(ways) == 2:
+        return Words(f"{arcs.zh}；{along.zh}", f"{arcs.en}; {along.en}")
+    return along if True in ways else arcs
 
 
 def _letters(sheet: Sheet, stage: Find) -> tuple[str, ...]:
@@ -103,12 +127,12 @@ def _bisecting(sheet: Sheet, stage: Find, pairs: list[str], where: str) -> Words
     if stage.lies is None:
         return Words(
             f"作 {'、'.join(pairs)} 的中垂线，其交点即为 ${where}$。",
-            f"The perpendicular bisectors of {' and '.join(pairs)} meet in ${where}$.",
+            f"The perpendicular bisectors of {' and '.join(pairs)} meet at ${where}$.",
         )
     zh, en = _line_words(sheet, stage)
     return Words(
         f"作 {pairs[0]} 的中垂线，与{zh}的交点即为 ${where}$。",
-        f"The perpendicular bisector of {pairs[0]} meets {en} in ${where}$.",
+        f"The perpendicular bisector of {pairs[0]} meets {en} at ${where}$.",
     )
 
 
@@ -170,11 +194,11 @@ def _placed(sheet: Sheet, stage: Find, at: Points) -> Sheet:
     """The pin in all positions, with its letters."""
     if stage.on == FRAME:
         return sheet.with_pin(stage.pin, lettered(sheet.draft, stage.pin, (at,) * sheet.plan.count))
-    at = pin(sheet.draft, f"{stage.pin}_{stage.kept + 1}", at)
+    at, back = pin(sheet.draft, f"{stage.pin}_{stage.kept + 1}", at), _positions(_others(sheet, stage))
     sheet.draft.board.step(
         Words(
-            f"将 ${stage.pin}$ 随构件 ${stage.on}$ 转回其余位置。",
-            f"Carry ${stage.pin}$ with link ${stage.on}$ back into the other positions.",
+            f"将 ${stage.pin}$ 随构件 ${stage.on}$ 转回{back.zh}。",
+            f"Carry ${stage.pin}$ with link ${stage.on}$ back into {back.en}.",
         ),
         SHEET,
     )

@@ -37,6 +37,7 @@ def laid_out(draft: Draft, plan: Plan) -> Sheet:
     return sheet
 
 
+_COUNTED = {2: Words("两", "two"), 3: Words("三", "three"), 4: Words("四", "four")}
 _LINE = Words("，$P$ 在所给坐标处，$PQ$ 沿所给方向", ", $P$ at the place given, $PQ$ in the direction given")
 
 
@@ -58,14 +59,16 @@ def _told(plan: Plan) -> Words:
 
 
 def _body_zh(body: Body) -> str:
-    count = "两" if len(body.positions) == 2 else f" {len(body.positions)} "
-    return f"平面 ${body.name}$ 的{count}个位置" if _free(body) else f"标线 ${body.name}$ 的各位置"
+    return (
+        f"平面 ${body.name}$ 的{_COUNTED[len(body.positions)].zh}个位置"
+        if _free(body)
+        else f"标线 ${body.name}$ 的各位置"
+    )
 
 
 def _body_en(body: Body) -> str:
     if _free(body):
-        count = "two" if len(body.positions) == 2 else len(body.positions)
-        return f"the {count} positions of the body ${body.name}$"
+        return f"the {_COUNTED[len(body.positions)].en} positions of the body ${body.name}$"
     return f"the positions of the line ${body.name}$"
 
 

@@ -22,7 +22,7 @@ def join(sheet: Sheet, stage: Assemble) -> Sheet:
         Words(
             f"分别以 ${one}$、${two}$ 的各位置为圆心、{radii[0]}、{radii[1]} 为半径作弧，"
             f"取射线 ${one}{two}$ {zh}侧的交点 ${at}$。",
-            f"Arcs about the positions of ${one}$ and ${two}$ with the radii {radii[0]} and {radii[1]} meet in ${at}$, "
+            f"Arcs about the positions of ${one}$ and ${two}$ with the radii {radii[0]} and {radii[1]} meet at ${at}$, "
             f"to the {en} of the ray ${one}{two}$.",
         ),
         SHEET,

@@ -28,7 +28,7 @@ def limits(sheet: Sheet, stage: Limits) -> Iterator[Sheet]:
             f"极位夹角 $θ = 180°(K − 1)/(K + 1)$ = {theta:.4g}°。连 ${stage.about}{c}_1$，过 ${stage.about}$ 作与"
             f"它成 $θ$ 的射线，与以 ${stage.pivot}$ 为圆心、${stage.pivot}{c}_1$ 为半径的圆相交于 ${c}_2$。",
             f"$θ = 180°(K − 1)/(K + 1)$ = {theta:.4g}°. Join ${stage.about}{c}_1$; a ray at $θ$ to it from "
-            f"${stage.about}$ meets the circle about ${stage.pivot}$ through ${c}_1$ in ${c}_2$.",
+            f"${stage.about}$ meets the circle about ${stage.pivot}$ through ${c}_1$ at ${c}_2$.",
         ),
         SHEET,
     )

@@ -64,6 +64,11 @@ class Sheet:
         label = self.labels.get(letter, letter)
         return label if letter in self.pins and self.still(letter) else f"{label}_{position + 1}"
 
+    def on_line(self, point: Points, body: str, position: int) -> bool:
+        """Whether a point lies on the line of the body in a position."""
+        stands = self.bodies[body][position]
+        return _on_line(stands.start, stands.end, point)
+
     def carried(self, point: Points, body: str, position: int, onto: int, letter: str) -> Points:
         """A point that is rigid with the body, carried with it from one position onto another.
 
@@ -83,7 +88,7 @@ def transferred(
     p, q, corner = of
     board = draft.board
     legs = unit(corner - p) if _far(corner, p) else unit(q - p), unit(corner - q) if _far(corner, q) else unit(p - q)
-    if abs(float(nominal(cross(unit(q - p), corner - p)))) < FLAT:  # on the line itself, either way
+    if _on_line(p, q, corner):  # either way
         way = np.where(bare(dot(q - p, corner - p)) > 0, 1.0, -1.0)
         return board.lay_off(on[0], way * unit(on[1] - on[0]), np.abs(corner - p))
     if abs(float(nominal(cross(*legs)))) < GRAZING:
@@ -94,6 +99,10 @@ def transferred(
     for centre, radius in zip(on, radii, strict=True):
         board.swing(place, centre, radius, met)
     return met
+
+
+def _on_line(p: Points, q: Points, point: Points) -> bool:
+    return abs(float(nominal(cross(unit(q - p), point - p)))) < FLAT
 
 
 def of_each(first: Any, one: Points, other: Points) -> Points:

@@ -31,7 +31,7 @@ def draw_grashof(draft: Draft, design: Grashof) -> None:
     board.section(Words("杆长条件", "The condition of lengths"))
     board.step(
         Words(
-            "选 $μ_l$，在一直线上接连量取最短杆和最长杆，在另一直线上接连量取其余两杆，比较两和：",
+            "选 $μ_l$，在一直线上接连截取最短杆和最长杆，在另一直线上接连截取其余两杆，比较两和：",
             "Choose $μ_l$; lay off the shortest and the longest link end to end on one line, the other two on another, "
             "and compare:",
         ),
@@ -87,7 +87,7 @@ def _range(draft: Draft, lengths: dict[str, Quantity]) -> None:
     board.step(
         Words(
             f"$CD$ 与最短杆 $AB$ 相对。$CD$ 最短且 $l_CD + l_{{{long}}} ≤ {sums}$ 时为双曲柄机构，否则为双摇杆机构；"
-            f"$CD$ 最长时须小于其余三杆之和。量取 ${sums}$，再反向量取 $l_{{{long}}}$，得下限；三杆接连量取，得上限"
+            f"$CD$ 最长时须小于其余三杆之和。截取 ${sums}$，再反向截取 $l_{{{long}}}$，得下限；三杆接连截取，得上限"
             "（均不含端点：下限处为转折点，上限处成一直线）：",
             f"$CD$ is opposite $AB$, the shortest. Where it is shortest itself and $l_CD + l_{{{long}}} ≤ {sums}$ it "
             "gives a double crank, else a double rocker; it must be below the sum of the others. Lay off "

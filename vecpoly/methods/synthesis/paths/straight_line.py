@@ -108,8 +108,8 @@ def _read(draft: Draft, path: Path, places: list[complex]) -> None:
     curve = chart(draft, "band", Words("轨迹的偏差（高度放大）", "The path, its height enlarged"), over, up)
     board.step(
         Words(
-            "以放大的比例画出轨迹的高度（自最低点量起），作平行于 $AD$ 的两直线夹住曲线，量直线段的长度 $L$ 和带宽 "
-            "$δ$：",
+            "以放大的比例画出轨迹的高度（自最低点量起），作平行于 $AD$ 的两直线夹住曲线，量出近似直线段的长度 $L$ "
+            "和这段轨迹偏离直线的宽度 $δ$（两平行线的距离）：",
             "Plot the height of the path, counted from its lowest point, to an enlarged scale; two parallels to $AD$ "
             "enclose it. Read the length $L$ of the straight part and the width $δ$ of its band:",
         ),

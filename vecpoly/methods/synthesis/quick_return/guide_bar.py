@@ -72,16 +72,16 @@ def _tangents(design: GuideBarLimits) -> Words:
     if not design.offset:
         return Words(
             "极限位置时曲柄垂直于导杆，导杆与 $B$ 的轨迹圆相切：以 $AC$ 为直径作圆，与轨迹圆相交于切点 $B_1$、$B_2$。",
-            "In its limits the bar is square to the crank and touches the circle of $B$: the circle on the diameter "
+            "In its limits the bar is normal to the crank and touches the circle of $B$: the circle on the diameter "
             "$AC$ meets it in the points of contact $B_1$ and $B_2$.",
         )
     return Words(
         "极限位置时曲柄垂直于导杆，导路是两圆的公切线（一内一外）：以 $AC$ 为直径作圆，以 $A$ 为圆心、"
         "$(l_AB ± e)/μ_l$ 为半径作弧，与该圆相交于 $G_1$、$G_2$；$AG_1$、$AG_2$ 上的 $B_1$、$B_2$ 为切点，"
         "过切点作 $CG_1$、$CG_2$ 的平行线，即导路的两极限位置。",
-        "In its limits the bar is square to the crank, and its line is a common tangent of both circles, once between "
+        "In its limits the bar is normal to the crank, and its line is a common tangent of both circles, once between "
         "them and once beside them: arcs about $A$ with the radii $(l_AB ± e)/μ_l$ meet the circle on the diameter "
-        "$AC$ in $G_1$ and $G_2$; on $AG_1$ and $AG_2$ lie the points of contact $B_1$ and $B_2$, and the parallels "
+        "$AC$ at $G_1$ and $G_2$; on $AG_1$ and $AG_2$ lie the points of contact $B_1$ and $B_2$, and the parallels "
         "through them to $CG_1$ and $CG_2$ are the limit positions of the line.",
     )
 
@@ -139,7 +139,7 @@ def _pressure(draft: Draft, radii: tuple[float, float], frame: Reals) -> None:
         board.step(
             Words(
                 "导路过 $C$，导杆所受的力始终垂直于导杆，与受力点的速度同向：",
-                "The line passes through $C$: the force on the bar is always square to it, as is the velocity:",
+                "The line passes through $C$: the force on the bar is always normal to it, as is the velocity:",
             )
         )
         draft.worked(draft.of_this(GAMMA_MIN), RIGHT - draft.stated(draft.of_this(ALPHA_MAX), 0.0 * frame))
@@ -157,8 +157,8 @@ def _nearest(draft: Draft, radii: tuple[float, float], frame: Reals) -> None:
             "（以 $CB′$ 为直径作圆求切点 $T$），导杆受力沿其法线，$B′$ 处的速度垂直于 $CB′$，"
             "故 $α$ 等于 $∠CB′T$，量得：",
             "The pressure angle is greatest with $B$ nearest to $C$. Draw this position: the tangent $B′T$ to the "
-            "circle of $e$ (its point of contact $T$ lies on the circle on the diameter $CB′$). The force is square to "
-            "the line and the velocity of the bar's point square to $CB′$, so that $α$ equals $∠CB′T$; it is read:",
+            "circle of $e$ (its point of contact $T$ lies on the circle on the diameter $CB′$). The force is normal to "
+            "the line and the velocity of the bar's point normal to $CB′$, so that $α$ equals $∠CB′T$; it is read:",
         ),
         place,
     )

@@ -77,8 +77,8 @@ def _crank(draft: Draft, design: Shaper, c: Points, bars: tuple[Line, Line]) -> 
     if design.AC is not None:
         board.step(
             Words(
-                "在竖直线上量取 $CA = l_AC/μ_l$；自 $A$ 作两极限位置的垂线，垂足 $B_1$、$B_2$，$AB_1$ 即曲柄。",
-                "Lay off $CA = l_AC/μ_l$ on the vertical. The perpendiculars from $A$ to the limit positions end in "
+                "在竖直线上截取 $CA = l_AC/μ_l$；自 $A$ 作两极限位置的垂线，垂足 $B_1$、$B_2$，$AB_1$ 即曲柄。",
+                "Lay off $CA = l_AC/μ_l$ on the vertical. The perpendiculars from $A$ to the limit positions end at "
                 "$B_1$ and $B_2$; $AB_1$ is the crank.",
             ),
             SHEET,
@@ -91,9 +91,9 @@ def _crank(draft: Draft, design: Shaper, c: Points, bars: tuple[Line, Line]) -> 
             Words(
                 "极限位置时曲柄垂直于导杆：作与左极限位置相距 $l_AB/μ_l$ 的平行线，与竖直线相交于 $A$；"
                 "自 $A$ 作两极限位置的垂线，垂足 $B_1$、$B_2$。",
-                "In its limits the lever is square to the crank: the parallel to its left limit at the distance "
-                "$l_AB/μ_l$ meets the vertical in $A$. The perpendiculars from $A$ to the limits end in $B_1$ and "
-                "$B_2$.",
+                "In its limit positions the lever is perpendicular to the crank: the parallel to its left limit "
+                "position at the distance $l_AB/μ_l$ meets the vertical at $A$. The perpendiculars from $A$ to the "
+                "limit positions end at $B_1$ and $B_2$.",
             ),
             SHEET,
         )
@@ -122,7 +122,7 @@ def _ends(draft: Draft, design: Shaper, c: Points, bars: tuple[Line, Line]) -> t
     board.step(
         Words(
             "在竖直线两侧相距 $H/(2μ_l)$ 作竖直线，与导杆两极限位置相交于 $D_1$、$D_2$，则 $D_{1}D_2 = H/μ_l$。",
-            "Draw the verticals at $H/(2μ_l)$ on either side; they meet the limit positions of the lever in $D_1$ and "
+            "Draw the verticals at $H/(2μ_l)$ on either side; they meet the limit positions of the lever at $D_1$ and "
             "$D_2$, so that $D_{1}D_2 = H/μ_l$.",
         ),
         SHEET,
@@ -144,9 +144,8 @@ def _height(draft: Draft, design: Shaper, c: Points, ends: tuple[Points, Points]
         Words(
             "以 $C$ 为圆心作 $D$ 的圆弧，与竖直线交于 $N$；$D_{1}D_2$ 与竖直线交于 $M$。"
             "导路过 $MN$ 的中点时，滑枕的压力角最小。",
-            "Draw the arc of $D$ about $C$; it meets the vertical in $N$, the chord $D_{1}D_2$ meets it in $M$. With "
-            "the "
-            "guide through the middle of $MN$ the pressure angle at the ram is least.",
+            "Draw the arc of $D$ about $C$; it meets the vertical at $N$, the chord $D_{1}D_2$ meets it at $M$. With "
+            "the guide through the middle of $MN$ the pressure angle at the ram is least.",
         ),
         SHEET,
     )

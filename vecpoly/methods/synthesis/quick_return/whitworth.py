@@ -38,9 +38,8 @@ def draw_whitworth(draft: Draft, design: Whitworth) -> None:
     board.step(
         Words(
             "滑块导路过 $C$ 且垂直于 $AC$，导杆与导路重合时滑块在极限位置，此时 $B$ 在导路上；快行程中曲柄转过：",
-            "The slider runs on the line through $C$ square to $AC$; it stands in its limits where the bar lies on "
-            "that "
-            "line, and so does $B$ then. During the quick stroke the crank turns through:",
+            "The slider runs on the line through $C$ perpendicular to $AC$. It is in its limit positions when the bar "
+            "lies along that line, and $B$ is then on the line, too. During the quick stroke the crank turns through:",
         ),
         SHEET,
     )
@@ -73,8 +72,8 @@ def _crank_circle(draft: Draft, design: Whitworth, beta: Quantity) -> tuple[Poin
                 "弦 $B_{1}B_2$ 即导路，与竖直线的交点即 $C$。",
                 "Draw the crank circle about $A$ with the radius $l_AB/μ_l$ and its radii $AB_1$ and $AB_2$ at $β/2$ "
                 "on "
-                "either side of the vertical; the chord $B_{1}B_2$ is the line of the slider, and meets the vertical "
-                "in $C$.",
+                "either side of the vertical; the chord $B_{1}B_2$ is the line of the slider and meets the vertical "
+                "at $C$.",
             ),
             SHEET,
         )
@@ -88,10 +87,10 @@ def _crank_circle(draft: Draft, design: Whitworth, beta: Quantity) -> tuple[Poin
         assert design.AC is not None
         board.step(
             Words(
-                "量取 $AC = l_AC/μ_l$，过 $C$ 作 $AC$ 的垂线为导路；在 $AC$ 两侧各作 $β/2$ 的射线，与导路相交于 "
+                "截取 $AC = l_AC/μ_l$，过 $C$ 作 $AC$ 的垂线为导路；在 $AC$ 两侧各作 $β/2$ 的射线，与导路相交于 "
                 "$B_1$、$B_2$。",
-                "Lay off $AC = l_AC/μ_l$; the line of the slider is square to $AC$ in $C$. The rays at $β/2$ on either "
-                "side of $AC$ meet it in $B_1$ and $B_2$.",
+                "Lay off $AC = l_AC/μ_l$; the line of the slider is perpendicular to $AC$ at $C$. The rays at $β/2$ on "
+                "either side of $AC$ meet it at $B_1$ and $B_2$.",
             ),
             SHEET,
         )
@@ -108,8 +107,9 @@ def _arm(draft: Draft, design: Whitworth, c: Points) -> None:
     board = draft.board
     board.step(
         Words(
-            "导杆转过 180° 滑块走完行程，故 $l_CD = H/2$：",
-            "The slider goes its stroke while the bar turns by 180°, so $l_CD = H/2$:",
+            "导杆转过 180° 滑块走完行程 $H$，$D$ 为导杆上与连杆铰接的点，故 $l_CD = H/2$：",
+            "The slider moves through its stroke $H$ while the bar turns through 180°. $D$ is the point of the bar to "
+            "which the connecting rod is pinned, so $l_CD = H/2$:",
         ),
         SHEET,
     )

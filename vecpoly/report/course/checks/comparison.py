@@ -33,7 +33,7 @@ _HEADER = {
         "of the largest",
         "At",
         "rms deviation",
-        "3σ by hand, as given",
+        "3σ of drawing by hand, given position",
     ],
 }
 

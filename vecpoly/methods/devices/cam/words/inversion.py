@@ -22,7 +22,7 @@ def opening(cam: Cam) -> Words:
             "按 $μ_l$ 作基圆（半径 $r_0$）和以 $OA$ 为半径的摆动中心圆；以 $A$ 为圆心、$AB$ 为半径的弧交基圆于 "
             "$B_0$，量得摆杆的初始角 $ψ_0$。",
             "To the scale $μ_l$ draw the base circle of radius $r_0$ and the circle of the pivots through $A$ about "
-            "$O$; the arc of radius $AB$ about $A$ meets the base circle in $B_0$, and $ψ_0$ is read there.",
+            "$O$; the arc of radius $AB$ about $A$ meets the base circle at $B_0$, and $ψ_0$ is read there.",
         )
     if cam.follower.flat:
         return Words(
@@ -34,12 +34,12 @@ def opening(cam: Cam) -> Words:
         return Words(
             "按 $μ_l$ 作基圆（半径 $r_0$）；导路过 $O$，交基圆于 $B_0$，量得 $s_0$。",
             "To the scale $μ_l$ draw the base circle of radius $r_0$. The guide passes through $O$ and meets the base "
-            "circle in $B_0$; $s_0$ is read there.",
+            "circle at $B_0$; $s_0$ is read there.",
         )
     return Words(
         "按 $μ_l$ 作基圆（半径 $r_0$）和偏距圆（半径 $e$）；导路切偏距圆于 $C_0$，交基圆于 $B_0$，量得 $s_0$。",
         "To the scale $μ_l$ draw the base circle of radius $r_0$ and the offset circle of radius $e$. The guide "
-        "touches the offset circle at $C_0$ and meets the base circle in $B_0$; $s_0$ is read there.",
+        "touches the offset circle at $C_0$ and meets the base circle at $B_0$; $s_0$ is read there.",
     )
 
 
@@ -48,12 +48,14 @@ def turning(cam: Cam) -> Words:
     against = Words("顺时针", "clockwise") if cam.sense > 0 else Words("逆时针", "counter-clockwise")
     opened = Words(
         f"给整个机构加上 $−ω$，凸轮不动，导路按{against.zh}反转（与凸轮转向相反），",
-        f"Turn the whole by $−ω$: the cam stands still and the guide turns {against.en}, against the cam. ",
+        f"Add $−ω$ to the whole mechanism: the cam stands still and the guide turns {against.en}, against the sense of "
+        "the cam. ",
     )
     if cam.arm:
         opened = Words(
             f"给整个机构加上 $−ω$，凸轮不动，摆动中心 $A$ 按{against.zh}反转（与凸轮转向相反），",
-            f"Turn the whole by $−ω$: the cam stands still and $A$ goes round {against.en}, against the cam. ",
+            f"Add $−ω$ to the whole mechanism: the cam stands still and $A$ goes round {against.en}, against the "
+            "sense of the cam. ",
         )
         if cam.follower.flat:
             return opened + Words(
@@ -87,8 +89,9 @@ def _along_guides(cam: Cam) -> Words:
     )
     return Words(
         f"各分点的导路{way.zh}；自基圆沿导路向外量位移线图上的 $s$，得 $B_1$、$B_2$…（图上标作 1、2…），连成理论廓线。",
-        f"At each station it {way.en}; along it lay off the $s$ of the diagram outwards from the base circle: the "
-        "points $B_1$, $B_2$ ... (1, 2 ... in the figure) give the pitch curve.",
+        f"In the position of every station the guide {way.en}. Along the guide lay off the displacement $s$, taken "
+        "from the diagram, outwards from the base circle; the points $B_1$, $B_2$ ... (1, 2 ... in the figure) are "
+        "joined to the pitch curve.",
     )
 
 
@@ -98,25 +101,28 @@ def enveloped(cam: Cam) -> Words:
         first = Words("平底各位置的包络线即凸轮廓线。", "The envelope of the face is the profile. ")
         last = Words(
             "，与平底的交点即切点。量各切点到 $O$ 的距离 $r$，与位移线图上读得的值一并列表：",
-            "; it meets the face where they touch. The distances $r$ from $O$, with what is read off the diagram:",
+            "; it meets the face at the point of contact. Measure the distances $r$ of these points from $O$; the "
+            "table has them beside the values read off the diagram:",
         )
     elif cam.follower.roller:
         first = Words(
             "以理论廓线上各点为圆心作滚子圆，其内包络线即实际廓线。",
-            "Circles of the roller about the points of the pitch curve; their inner envelope is the profile. ",
+            "Draw the circles of the roller about the points of the pitch curve; their inner envelope is the profile. ",
         )
         last = Words(
-            "，沿法线向内量 $r_r$ 得切点。量各切点到 $O$ 的距离 $r$ 和法线与从动件运动方向所夹的压力角 $α$，"
-            "与位移线图上读得的值一并列表：",
-            "; $r_r$ inwards along it leads to the point of contact. The distances $r$ of these points from $O$ "
-            "and the pressure angles $α$ between normal and motion, with what is read off the diagram:",
+            "，沿法线向内量 $r_r$ 得切点。量各切点到 $O$ 的距离 $r$ 和法线与从动件运动方向所夹的压力角 $α$"
+            "（只计大小），与位移线图上读得的值一并列表：",
+            ". Lay off $r_r$ inwards along the normal to find the point of contact. Measure the distances $r$ of these "
+            "points from $O$ and the sizes of the pressure angles $α$ between the normal and the follower's motion; "
+            "the table has them beside the values read off the diagram:",
         )
     else:
         first = Words("尖顶从动件的理论廓线就是实际廓线。", "Under a knife edge the pitch curve is the profile. ")
         last = Words(
-            "。量各点到 $O$ 的距离 $r$ 和法线与从动件运动方向所夹的压力角 $α$，与位移线图上读得的值一并列表：",
-            ". The distances $r$ of the points from $O$ and the pressure angles $α$ between normal and motion, with "
-            "what is read off the diagram:",
+            "。量各点到 $O$ 的距离 $r$ 和法线与从动件运动方向所夹的压力角 $α$（只计大小），"
+            "与位移线图上读得的值一并列表：",
+            ". Measure the distances $r$ of the points from $O$ and the sizes of the pressure angles $α$ between the "
+            "normal and the follower's motion; the table has them beside the values read off the diagram:",
         )
     return first + _normal(cam) + last
 
