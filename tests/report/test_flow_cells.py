@@ -72,7 +72,7 @@ def test_two_marks_together_lose_half_an_em_and_a_dash_is_not_torn() -> None:
 
 
 def test_the_pieces_of_a_formula_may_part_and_it_belongs_to_the_words_about_it() -> None:
-    found = cells("因 $v_{C2B} = ω_2 l_{BC}/(μ_v k)$ 而", EM, True)
+    found = cells("因 $v_{C2B} = ω_2 l_{BC}/(μ_v k) + ω_3 l_{CD}/(μ_v k)$ 而", EM, True)
     assert [cell.kind for cell in found] == [Kind.HAN, Kind.FORMULA, Kind.FORMULA, Kind.HAN]
     assert [gap(a, b, EM).breakable for a, b in pairwise(found)] == [True, True, True]
     assert [cell.spaced for cell in cells("a b", EM, False)] == [False, True] and [
