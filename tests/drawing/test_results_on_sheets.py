@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 
 import pytest
 
@@ -112,6 +113,21 @@ def test_a_line_on_a_sheet_ends_with_the_number_of_the_answer(name: str) -> None
             assert plain(short_line(answer, solution, "en")) == _CLASSES[answer.drawn], answer.key
             continue
         assert drawn_number(answer) in plain(short_line(answer, solution, "en")), answer.key
+
+
+@pytest.mark.parametrize("name", ["3-9", "3-7c", "six-bar-dynamic"])
+def test_results_on_every_sheet_have_one_form_and_rows_of_one_height(name: str) -> None:
+    solution = drafted(name) or solve(load(name), repeats=0, by="exact")
+    for answer in solution.answers.values():
+        assert " mm = " not in plain(named_line(answer, solution, "zh")), "the way to it stands in the steps"
+    made = sheets(solution.construction, on=solution.problem.paper, plates=True)
+    told = [sheet.results[2:] for sheet in concluded(made, solution, "zh") if sheet.results]
+    for items in told:
+        first = items[0]
+        assert isinstance(first, TextBox)
+        levels = [item.y for item in items if isinstance(item, TextBox) and item.x == first.x]
+        gaps = {round(a - b, 6) for a, b in pairwise(levels)}
+        assert told and len(gaps) == 1
 
 
 @pytest.mark.parametrize(

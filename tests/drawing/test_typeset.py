@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from vecpoly.algebra.formula import Frac, Node, Over, Power, Root, Row, Sym, Txt, Vec, row, sym
+from vecpoly.algebra.formula import Frac, Node, Over, Power, Root, Row, Sym, Txt, Vec, adjoined, plain, row, sym
 from vecpoly.report.flow.cells import Kind, cells, joined
 from vecpoly.typeset import Box, Glyphs, Rule, layout, layout_words, svg_group
 from vecpoly.typeset.box import MM
@@ -41,6 +41,37 @@ def test_letters_are_italic_and_digits_upright() -> None:
     assert [(r.text, r.font) for r in runs(box)] == [
         ("v", Face.ITALIC), ("B", Face.ITALIC), ("3", Face.STIX), ("B", Face.ITALIC), ("2", Face.STIX),
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("symbol", "upright", "italic"),
+    [("J_rim", "rim", "J"), ("ω_{max}", "max", "ω"), ("ρ_{a min}", "min", "a"), ("v_B3", "3", "B")],
+)
+def test_words_in_an_index_are_upright_and_letters_of_points_and_quantities_italic(
+    symbol: str, upright: str, italic: str
+) -> None:
+    box = layout(sym(symbol), EM)
+    assert any(run.text == upright and run.font == Face.STIX for run in runs(box))
+    assert face_of(italic, box) == Face.ITALIC
+
+
+def test_a_factor_after_a_number_is_a_quantity_and_no_unit() -> None:
+    product = Row((Txt("0.5"), Txt("\u2009"), sym("m"), Txt("\u2009"), sym("v")))
+    assert face_of("m", layout(product, EM)) == Face.ITALIC
+    assert face_of("m", layout(row("0.5 m"), EM)) == Face.STIX
+
+
+def test_letters_of_similar_triangles_stand_close_about_a_sign_of_their_size() -> None:
+    together = row(f"△{adjoined('f', 's_3', 'c')} ∽ △FSC")
+    apart = row("△f s_3 c ∽ △FSC")
+    assert layout(together, EM).width < layout(apart, EM).width - 0.2 * EM
+    assert plain(together) == "△fs_3c ∽ △FSC"
+    sign = next(run for run in runs(layout(together, EM)) if run.text == "∽")
+    assert sign.size > 1.2 * next(run for run in runs(layout(together, EM)) if run.text == "△").size
+
+
+def test_two_primes_are_one_sign() -> None:
+    assert text(layout(sym("γ''"), EM)) == "γ″"
 
 
 @pytest.mark.parametrize("letter", "μωαφρθβγλvaΩΔ")

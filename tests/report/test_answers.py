@@ -21,7 +21,8 @@ from vecpoly.report.answers.notes import remark_of
 from vecpoly.report.answers.order import solution_of
 from vecpoly.report.answers.tables import counted, readings_tables
 from vecpoly.report.flow.results.box import AnswerBox
-from vecpoly.report.statement.groups import parted
+from vecpoly.report.flow.results.grid import in_reading_order
+from vecpoly.report.statement.groups import GROUPS, group_of, parted
 from vecpoly.report.values import called, is_class
 from vecpoly.solution import YES_NO, Answer, Solution, solve
 from vecpoly.typeset.box import MM
@@ -68,17 +69,24 @@ def test_every_quantity_asked_stands_in_the_box_once_with_the_number_of_the_tabl
 
 
 @each(DRAFTED)
-def test_the_box_keeps_the_order_of_the_questions_within_each_kind(name: str) -> None:
+def test_the_box_tells_kinds_as_they_follow_and_within_each_keeps_the_order_of_the_questions(name: str) -> None:
     solution = drafted(name)
     if solution is None:
         return
-    lines = answer_box(solution, "zh").lines
-    runs = [[line.key for line in some] for _, some in groupby(lines, key=lambda line: line.group)]
-    order = list(solution.answers)
-    assert all(sorted(run, key=order.index) == run for run in runs)
-    assert len(runs) == len({line.group for line in lines}), "a kind stands in two places"
+    lines, order = answer_box(solution, "zh").lines, list(solution.answers)
+    parts = [[line.key for line in some] for _, some in groupby(lines, key=lambda line: line.heading)]
     several = len({solution_of(one) for one in solution.answers.values()} - {0}) > 1
-    assert (len(runs) > 1) is (parted(order) or several)
+    assert len(parts) == len({line.heading for line in lines}), "a solution stands in two places"
+    assert (len(parts) > 1) is several
+    for part in parts:
+        kinds = [group_of(key, part) if parted(order) and not several else None for key in part]
+        runs = [
+            (kind, [key for key, _ in some])
+            for kind, some in groupby(zip(part, kinds, strict=True), key=lambda one: one[1])
+        ]
+        assert all(sorted(run, key=order.index) == run for _, run in runs)
+        places = [GROUPS.index(kind) if kind is not None else len(GROUPS) for kind, _ in runs]
+        assert places == sorted(set(places)), "velocities before angular velocities, these before accelerations"
 
 
 @each(DRAFTED)
@@ -235,9 +243,32 @@ def test_the_cells_of_a_box_begin_at_the_edges_of_two_or_three_columns_and_keep_
         rows = [row for row in box._rows if row[0][2].node is not None]
         edges = sorted({x for row in rows for x, _, _ in row})
         assert len(edges) == len(max(rows, key=len)) <= 3, "one grid in all rows"
-        wide = edges[1] - edges[0] if len(edges) > 1 else 170.0
-        assert all(cell.width <= wide + 1e-6 for row in rows for _, cell, _ in row), name
+        ends = [*edges[1:], 170.0]
+        assert all(x + cell.width <= end + 1e-6 for row in rows for (x, cell, _), end in zip(row, ends, strict=False))
         assert all(x == edge for row in rows for (x, _, _), edge in zip(row, edges, strict=False))
+
+
+@each(DRAFTED)
+def test_the_rows_of_a_box_have_one_height_and_its_quantities_run_down_columns_without_a_hole(name: str) -> None:
+    solution = drafted(name)
+    for lang in LANGS if solution is not None else ():
+        assert solution is not None
+        box = answer_box(solution, lang)
+        box.wrap(170.0 * MM, 1e4)
+        heights = {round(max(cell.ascent + cell.descent for _, cell, _ in row), 6) for row in box._rows}
+        assert len(heights) == 1 or max(map(len, box._rows)) == 1, "one column may have a broken line"
+        told = [told.node for _, _, _, told in in_reading_order(box._rows) if told.node is not None]
+        assert told == [line.node for line in box.lines]
+        for _, some in groupby(box._rows, key=lambda row: row[0][2].node is not None):
+            lengths = [len(row) for row in some]
+            assert lengths == sorted(lengths, reverse=True), "nothing is left out but at the foot of the last columns"
+
+
+def test_a_page_that_ends_within_a_box_parts_its_quantities_as_they_are_read() -> None:
+    lines = answer_box(solve(load("3-5")), "en").lines * 2
+    box, width = AnswerBox(lines, lang="en"), 170.0 * MM
+    parts = box.split(width, 0.6 * box.wrap(width, 1e4)[1])
+    assert [one[3].node for part in parts for one in in_reading_order(part._rows)] == [line.node for line in lines]
 
 
 @each(DRAFTED)

@@ -45,6 +45,11 @@ def test_what_is_no_number_is_centred() -> None:
     assert aligned(["0.5", "—"], EM, False).indent("—", 40.0) is None
 
 
+def test_a_plain_zero_among_numbers_with_decimals_is_centred() -> None:
+    assert aligned(["0", "5.000"], EM, False).indent("0", 40.0) is None
+    assert aligned(["0", "12"], EM, False).indent("0", 40.0) is not None
+
+
 def test_zeros_that_were_read_are_kept_in_a_table_of_stations() -> None:
     assert padded([("0", "4.35"), ("1", "15"), ("2", "—")]) == (("0", "4.35"), ("1", "15.00"), ("2", "—"))
 

@@ -12,6 +12,7 @@ import pytest
 from reportlab.platypus.flowables import PageBreak
 
 from tests.set_blocks import paper_of
+from vecpoly.algebra.formula import Row, Txt, Vec, sym
 from vecpoly.report.flow import (
     Callout,
     DataTable,
@@ -28,6 +29,7 @@ from vecpoly.report.flow import (
 from vecpoly.report.flow.cells import AUTO, BLANK, Kind, cells, chopped, gap
 from vecpoly.report.flow.contents import Contents, tell_contents
 from vecpoly.report.flow.doc import _expanded, _first
+from vecpoly.report.flow.equation import vector
 from vecpoly.report.flow.style import CAPTION, NOTE
 from vecpoly.typeset.box import MM
 
@@ -72,7 +74,7 @@ def test_two_marks_together_lose_half_an_em_and_a_dash_is_not_torn() -> None:
 
 
 def test_the_pieces_of_a_formula_may_part_and_it_belongs_to_the_words_about_it() -> None:
-    found = cells("因 $v_{C2B} = ω_2 l_{BC}/(μ_v k)$ 而", EM, True)
+    found = cells("因 $v_{C2B} = ω_2 l_{BC}/(μ_v k) + ω_3 l_{CD}/(μ_v k)$ 而", EM, True)
     assert [cell.kind for cell in found] == [Kind.HAN, Kind.FORMULA, Kind.FORMULA, Kind.HAN]
     assert [gap(a, b, EM).breakable for a, b in pairwise(found)] == [True, True, True]
     assert [cell.spaced for cell in cells("a b", EM, False)] == [False, True] and [
@@ -266,3 +268,7 @@ def test_pages_have_their_title_at_the_right_edge_their_number_in_the_middle_and
 def test_a_word_is_copied_with_its_exponent_alone_raised(word: str, told: str) -> None:
     (cell,) = cells(word, 3.5, chinese=False)
     assert cell.source is not None and cell.source.piece == told
+
+
+def test_each_vector_of_a_bracket_has_its_arrow() -> None:
+    assert vector("(v_E + v_{S3E})") == Row((Txt("("), Vec(sym("v_E")), Txt(" + "), Vec(sym("v_{S3E}")), Txt(")")))

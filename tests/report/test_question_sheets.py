@@ -42,12 +42,14 @@ from vecpoly.drawing.sheets.space import CAPTION, CLEAR, room_inside
 from vecpoly.figures import View
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
+from vecpoly.report.content import statement
 from vecpoly.report.document import markup, report_bytes
 from vecpoly.report.flow.base import Tightness
+from vecpoly.report.flow.blocks import Heading
 from vecpoly.report.flow.furniture import COLUMN
 from vecpoly.report.flow.paging.tight import DEGREES
 from vecpoly.report.picture import to_scale
-from vecpoly.report.question.blanks import empty_table, kind
+from vecpoly.report.question.blanks import empty_table, kind, working_room
 from vecpoly.report.question.equations import KEY, numbers
 from vecpoly.report.question.frames import frames
 from vecpoly.report.question.grid import shares
@@ -216,6 +218,18 @@ def test_the_squares_leave_no_page_of_text_empty_and_the_results_stand_at_the_fo
         rows = [c["top"] for c in last.chars if c["text"] in "量Q"]
         grid = [line["bottom"] for line in last.lines if abs(line["width"]) < 0.1 and line["height"] > 5 * SQUARE]
         assert rows and min(rows) > max(grid, default=0.0)
+
+
+@pytest.mark.parametrize(("name", "computed"), [("curv-6", False), ("straight-chebyshev", False), ("7-3", True)])
+def test_there_are_squares_to_work_on_where_something_is_computed(name: str, computed: bool) -> None:
+    assert bool(working_room(drawn(name).solution)) is computed
+    foot = [Heading("Readings", 3, "en")]
+    assert working("Working", 0.0, foot, "en") == foot
+
+
+def test_a_range_is_told_as_each_language_tells_it() -> None:
+    given_ = {lang: statement(drawn("straight-chebyshev").solution, lang)["given"] for lang in _TONGUES}
+    assert "36.87°～90°" in given_["zh"] and "36.87° to 90°" in given_["en"]
 
 
 @pytest.mark.parametrize("degree", DEGREES)

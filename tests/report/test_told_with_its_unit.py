@@ -15,6 +15,7 @@ from vecpoly.printed.digits import drawn_number, in_percent
 from vecpoly.report.answers.line import result_of
 from vecpoly.report.answers.tables import _values
 from vecpoly.report.course.checks import chapter, comparison
+from vecpoly.report.document import markup
 from vecpoly.solution import Solution
 
 
@@ -40,8 +41,19 @@ def test_degrees_stand_in_no_column_of_per_cents(name: str) -> None:
     (column,) = (n for n, head in enumerate(table.header) if head.startswith("Deviation"))
     cells = [row[column] for row in table.rows if row[column] != "—"]
     mixed = any(cell.endswith("°") for cell in cells)
-    assert table.header[column] == ("Deviation" if mixed else "Deviation /%")
+    assert table.header[column] in (("Deviation",) if mixed else ("Deviation /%", "Deviation /°"))
     assert not mixed or all(cell.endswith(("°", " %")) for cell in cells)
+
+
+def test_a_column_of_degrees_alone_has_its_unit_in_its_head() -> None:
+    table = _values([*of("8-2g").answers.values()], of("8-2g"), "en")
+    assert "Deviation /°" in table.header and not any("°" in cell for row in table.rows for cell in row)
+
+
+def test_directions_are_explained_where_a_table_has_a_column_of_them() -> None:
+    for name, shown in (("8-2g", False), ("3-9", True)):
+        document, _ = markup([of(name)], "en", "solution", {}, None, None)
+        assert ("Directions are counter-clockwise" in document) is shown
 
 
 @pytest.mark.parametrize("name", ["5-3", "tipper", "whitworth-quick-return", "class-iii-slides"])

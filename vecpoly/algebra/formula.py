@@ -136,6 +136,11 @@ def letters_node(letters: str) -> Node:
     return Row(tuple(item for word in letters.split() for item in row(word).items))
 
 
+def adjoined(*letters: str) -> str:
+    """Letters of a figure side by side, each with its own index: b_{2}c′."""
+    return "".join(re.sub(r"_([^{}^′']+)", r"_{\1}", letter) for letter in letters)
+
+
 def named(text: str) -> Node:
     """The name of a quantity: one symbol, or a run of them such as ``M_1/Q`` or ``α ≤ φ``."""
     return sym(text) if _SYMBOL.fullmatch(text) else row(text)

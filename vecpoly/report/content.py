@@ -20,13 +20,10 @@ from ..problem.asked.asks import AskCoriolis, AskNamed
 from ..solution import Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
 from .answers.asked_in_words import answered_in_words
-from .formulas import beside
 from .sources import printed_source
 from .statement.asked import asked
 from .statement.structure import numbering, structure
 from .tables import listed
-
-_MOST, _SHORT = 4, 62.0  # formulas of a step in one line, and how long each may be (mm)
 
 
 @dataclass(slots=True)
@@ -187,5 +184,5 @@ def _step(step: Step, lang: Lang, objects: Objects) -> dict[str, Any]:
         "words": step.words.of(lang),
         "equation": objects.add("eq", step.equation) if step.equation else "",
         "table": objects.add("tab", listed(step.listing, lang)) if step.listing else "",
-        "formulas": [objects.add("f", node) for node in beside(step.formulas, _MOST, _SHORT)],
+        "formulas": [objects.add("f", node) for node in step.formulas],
     }

@@ -21,8 +21,8 @@ from .tables import inks_of, trimmed
 from .values import called
 
 _HEADER = {
-    "zh": ("力", "过点 $x$ /mm", "$y$ /mm", "作用线的位置", "距精确作用线 /mm"),
-    "en": ("Force", "Through $x$ /mm", "$y$ /mm", "Position of the line of action", "Off the exact line /mm"),
+    "zh": ("力", "$x$ /mm", "$y$ /mm", "作用线的位置", "距精确作用线 /mm"),
+    "en": ("Force", "$x$ /mm", "$y$ /mm", "Position of the line of action", "Off the exact line /mm"),
 }
 _WAY = {True: Words("（逆时针）", ", counter-clockwise"), False: Words("（顺时针）", ", clockwise")}
 _SENSE = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}

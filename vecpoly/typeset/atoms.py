@@ -31,19 +31,22 @@ class Kind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Atom:
-    """A node or a text (with its exponent) set without inner spaces; spaced: a blank stood before it."""
+    """A node or a text (with its exponent) set without inner spaces; spaced: a blank stood before it; factor: a thin
+    one, as products have it between their factors."""
 
     kind: Kind
     body: Node | str
     exponent: str = ""
     spaced: bool = False
+    factor: bool = False
 
 
+_PRODUCT = "\u2009"
 _TOKEN = pattern(
     r"(?P<blank>\s+)"
     r"|(?P<number>\d+(?:\.\d+)?(?:[eE][-+]?\d+)?)"
     r"|(?P<word>[A-Za-zµμΩ°℃′″%√]+(?:-[A-Za-z]+)*)"
-    r"|(?P<relation>[=≈≠<>≤≥≡]|:=)"
+    r"|(?P<relation>[=≈≠<>≤≥≡∽∼]|:=)"
     r"|(?P<binary>[-+−±×])"
     r"|(?P<dot>[·⋅])"
     r"|(?P<prefix>[⊥∥⟂∠△])"
@@ -102,7 +105,7 @@ def _text(text: str, spaced: bool) -> Iterator[Atom]:
         yield Atom(_KINDS[match.lastgroup], match[0], sup, spaced)
         spaced = False
     if spaced:
-        yield Atom(Kind.WORD, "", "", True)
+        yield Atom(Kind.WORD, "", "", True, text == _PRODUCT)
 
 
 def _raw(nodes: tuple[Node, ...]) -> Iterator[Atom]:
@@ -119,10 +122,10 @@ def _raw(nodes: tuple[Node, ...]) -> Iterator[Atom]:
 def atoms(nodes: tuple[Node, ...]) -> list[Atom]:
     """The atoms of a row, blanks turned into `spaced`, signs told from plus and minus."""
     out: list[Atom] = []
-    blank = False
+    blank = factor = False
     for atom in _raw(nodes):
         if atom.body == "":
-            blank = True
+            blank, factor = True, atom.factor
             continue
         last = out[-1].kind if out else None
         kind = atom.kind
@@ -130,19 +133,19 @@ def atoms(nodes: tuple[Node, ...]) -> list[Atom]:
             kind = Kind.SIGN
         if kind is Kind.PREFIX and last in _LETTER_LIKE and atom.body in ("⊥", "∥", "⟂"):
             kind = Kind.RELATION
-        out.append(Atom(kind, atom.body, atom.exponent, atom.spaced or blank))
-        blank = False
+        out.append(Atom(kind, atom.body, atom.exponent, atom.spaced or blank, factor))
+        blank = factor = False
     return _with_units(out)
 
 
 def _with_units(row: list[Atom]) -> list[Atom]:
-    """Letters after a number and a blank are upright if they spell a unit: ``0.006 (m/s)/mm``."""
+    """Letters after a number and a blank are upright if they spell a unit: ``0.006 (m/s)/mm``; a factor is none."""
     out: list[Atom] = []
     i = 0
     while i < len(row):
         out.append(row[i])
         i += 1
-        if row[i - 1].kind is Kind.NUMBER and i < len(row) and row[i].spaced:
+        if row[i - 1].kind is Kind.NUMBER and i < len(row) and row[i].spaced and not row[i].factor:
             unit = _unit(row, i)
             letters = sum(len(atom.body) for atom in unit if isinstance(atom.body, str))
             out.extend(unit)

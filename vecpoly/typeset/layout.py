@@ -11,10 +11,11 @@ from ..algebra.formula import Frac, Node, Over, Power, Root, Row, Sym, Txt, Vec
 from .atoms import Atom, Kind, atoms, space, written
 from .box import EMPTY, MM, Box, Glyphs, Rule, place, scaled
 from .fonts import Face, glyph
-from .runs import SCRIPT, SHOWN, SUB, SUB_BOTH, SUP, letters, roman_or_italic, run
+from .runs import SCRIPT, SHOWN, SUB, SUB_BOTH, SUP, index, letters, roman_or_italic, run
 
 AXIS = 0.26  # height of the bar of a fraction and of the minus sign, em
 BAR = 0.05  # thickness of bars, em
+SIMILAR, GROWN = "∽∼", 1.4  # signs that the face has too small between triangles, and how much larger they are set
 
 
 def layout(node: Node, em_mm: float, bold: bool = False) -> Box:
@@ -48,7 +49,7 @@ def _sym(node: Sym, em: float, bold: bool, arrow: bool = False) -> Box:
     slope = _overhang(node.base, em, bold)
     if arrow:
         base = _arrow(base, node.base, em, bold)
-    sub = letters(node.sub, em * SCRIPT, bold) if node.sub else EMPTY
+    sub = index(node.sub, em * SCRIPT, bold) if node.sub else EMPTY
     if node.sup and not node.sup.strip("′'"):
         return _primed(base, letters(node.sup, em, bold), sub, em, slope)
     sup = letters(node.sup, em * SCRIPT, bold) if node.sup else EMPTY
@@ -168,6 +169,9 @@ def _piece(text: str, exponent: str, han: bool, em: float, bold: bool) -> Box:
     if han and ord(text[0]) >= 0x2E80:
         face = Face.HEI_BOLD if bold else Face.SONG
     base = run(text if text[0].isalpha() and "-" in text else text.translate(SHOWN), face, em)  # a hyphen stays one
+    if text in SIMILAR:
+        base = scaled(base, GROWN)
+        return place([(0.0, AXIS * (1.0 - GROWN) * em, base)], base.width)
     if not exponent:
         return base
     return _scripts(base, run(exponent.translate(SHOWN), face, em * SCRIPT), EMPTY, em)

@@ -68,11 +68,25 @@ def letters(text: str, em: float, bold: bool) -> Box:
     """Symbols' letters: Latin and Greek italic; digits, primes and everything else upright."""
     parts: list[tuple[float, float, Box]] = []
     x = 0.0
-    for italic, piece in _by_slope(text.translate(SHOWN)):
+    for italic, piece in _by_slope(text.translate(SHOWN).replace("′′", "″")):
         box = run(piece, roman_or_italic(italic, bold), em)
         parts.append((x, 0.0, box))
         x += box.width
     return place(parts, x) if len(parts) != 1 else parts[0][2]
+
+
+_WORD = pattern(r"(?<![a-z])(?:max|min|mean|lim|opt|rim|local|redundant|low|all|in|out|red)(?![a-z])")
+
+
+def index(text: str, em: float, bold: bool) -> Box:
+    """The letters of an index: words (max, min, rim) are upright, what stands for a quantity or a point is italic."""
+    parts, end = list[Box](), 0
+    for found in _WORD.finditer(text):
+        parts += [letters(text[end : found.start()], em, bold)] if found.start() > end else []
+        parts.append(run(found[0], roman_or_italic(False, bold), em))
+        end = found.end()
+    rest = [letters(text[end:], em, bold)] if end < len(text) or not parts else []
+    return beside((*parts, *rest)) if len(parts) + len(rest) > 1 else (*parts, *rest)[0]
 
 
 def roman_or_italic(italic: bool, bold: bool) -> Face:

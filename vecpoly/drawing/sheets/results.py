@@ -164,20 +164,17 @@ def _shape(item: Item) -> shapely.Geometry:
 
 
 def _block(title: Box, parts: Sequence[Sequence[Box]]) -> Block:
-    """The columns of lines from the top, under a title."""
-    rows = max(map(len, parts))
+    """The columns of lines from the top, all rows of one height, under a title."""
+    rows, every = max(map(len, parts)), [box for part in parts for box in part]
     wide = [max(box.width for box in part) for part in parts]
-    high = [max(part[n].ascent for part in parts if n < len(part)) for n in range(rows)]
-    deep = [max(part[n].descent for part in parts if n < len(part)) for n in range(rows)]
-    height = 2 * PAD + title.ascent + title.descent + sum(high) + sum(deep) + rows * SKIP
+    up, down = max(box.ascent for box in every), max(box.descent for box in every)
+    pitch = SKIP + up + down
+    height = 2 * PAD + title.height + rows * pitch
     placed = [(title, PAD, height - PAD - title.ascent)]
     for column, part in enumerate(parts):
         x = PAD + sum(wide[:column]) + column * BESIDE
-        y = height - PAD - title.ascent - title.descent
-        for n, box in enumerate(part):
-            y -= SKIP + high[n]
-            placed.append((box, x, y))
-            y -= deep[n]
+        first = height - PAD - title.height - SKIP - up
+        placed += [(box, x, first - n * pitch) for n, box in enumerate(part)]
     width = 2 * PAD + max(sum(wide) + (len(parts) - 1) * BESIDE, title.width)
     return Block(tuple(placed), width, height)
 

@@ -3,6 +3,7 @@ instant centre, acceleration pole)."""
 
 from __future__ import annotations
 
+from ...algebra.formula import adjoined
 from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.paper.marks import Dot, Role
@@ -63,16 +64,16 @@ def _words(ask: AskPoint, view: View, p: str, q: str, tips: list[str], letter: s
     if not value:
         kind, kind_en = ("绝对瞬心", "instant centre") if view is View.VELOCITY else ("加速度中心", "acceleration pole")
         return Words(
-            f"构件 {ask.link} 的{kind} ${name}$：其影像即极点 ${pole}$。在机构图上作 △${p}{q}{name}$ ∽ "
-            f"△${tips[0]} {tips[1]} {pole}$，字母绕行顺序相同。",
+            f"构件 {ask.link} 的{kind} ${name}$：其影像即极点 ${pole}$。在机构图上作 $△{p}{q}{name} ∽ "
+            f"△{adjoined(*tips, pole)}$，字母绕行顺序相同。",
             f"The {kind_en} ${name}$ of link {ask.link}: its image is the pole ${pole}$. On the "
-            f"diagram make triangle ${p}{q}{name}$ similar to ${tips[0]} {tips[1]} {pole}$, "
+            f"diagram make triangle ${p}{q}{name}$ similar to ${adjoined(*tips, pole)}$, "
             "letters in the same order.",
         )
     return Words(
-        f"在多边形上由极点 ${pole}$ 作给定矢量，得 ${letter}$；在机构图上作 △${p}{q}{name}$ ∽ △${tips[0]} "
-        f"{tips[1]} {letter}$，得构件 {ask.link} 上的 ${name}$。",
+        f"在多边形上由极点 ${pole}$ 作给定矢量，得 ${letter}$；在机构图上作 $△{p}{q}{name} ∽ △"
+        f"{adjoined(*tips, letter)}$，得构件 {ask.link} 上的 ${name}$。",
         f"Lay the given vector off from ${pole}$ to ${letter}$; on the diagram make triangle "
-        f"${p}{q}{name}$ similar to ${tips[0]} {tips[1]} {letter}$: the point ${name}$ of link "
+        f"${p}{q}{name}$ similar to ${adjoined(*tips, letter)}$: the point ${name}$ of link "
         f"{ask.link}.",
     )

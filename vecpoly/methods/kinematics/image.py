@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...algebra.formula import adjoined
 from ...algebra.quantity import magnitude
 from ...board.board import NO_LENGTH
 from ...board.construction import View
@@ -81,9 +82,9 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
         )
     else:
         words = Words(
-            f"求构件 {link} 上 ${x}$ 点的{kind}（{kind}影像法）：作 △${a} {b} {c}$ ∽ △${p}{q}{x}$，字母绕行顺序相同，"
-            f"得影像点 ${c}$。",
-            f"{kind_en.capitalize()} image of link {link}: triangle ${a} {b} {c}$ similar to "
+            f"求构件 {link} 上 ${x}$ 点的{kind}（{kind}影像法）：作 $△{adjoined(a, b, c)} ∽ △{p}{q}{x}$，字母绕行"
+            f"顺序相同，得影像点 ${c}$。",
+            f"{kind_en.capitalize()} image of link {link}: triangle ${adjoined(a, b, c)}$ similar to "
             f"${p}{q}{x}$ with the letters in the same order gives ${c}$.",
         )
     board.step(words, view)

@@ -80,6 +80,7 @@ _TYPESET = {
 
 def as_printed(text: str, lang: Lang) -> str:
     """A value as a textbook prints it: 45°, 10 rad/s (clockwise)."""
+    text = text.replace(" … ", "～" if lang == "zh" else " to ")
     for written, printed in _SIGNS[lang]:
         text = re.sub(f"{written}(?![a-z])", printed, text)  # deg is a unit, degree a word
     for found, made in _TYPESET[lang]:

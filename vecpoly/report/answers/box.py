@@ -21,8 +21,6 @@ def answer_box(
     idle = broken(solution)
     notes = notes_of([one for part in parts for one in part.answers], lang)
     lines = [
-        answer_line(one, solution, lang, group=number, heading=part.heading(lang, idle))
-        for number, part in enumerate(parts)
-        for one in part.answers
+        answer_line(one, solution, lang, heading=part.heading(lang, idle)) for part in parts for one in part.answers
     ]
     return AnswerBox(lines, tuple(said), lang, notes)

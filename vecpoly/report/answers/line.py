@@ -24,8 +24,7 @@ _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针
 class AnswerLine:
     """What is said of one asked quantity: the line itself; before it, what it is called; after it, what is to be said.
 
-    result: the number with its unit, as the line ends. group: the number of its part in the list, heading: what stands
-    over that.
+    result: the number with its unit, as the line ends. heading: what stands over its part of the list.
     """
 
     key: str
@@ -33,11 +32,10 @@ class AnswerLine:
     before: str = ""
     after: str = ""
     result: str = ""
-    group: int = 0
     heading: str = ""
 
 
-def answer_line(answer: Answer, solution: Solution, lang: Lang, *, group: int = 0, heading: str = "") -> AnswerLine:
+def answer_line(answer: Answer, solution: Solution, lang: Lang, *, heading: str = "") -> AnswerLine:
     """The line of one answer."""
     return AnswerLine(
         key=answer.key,
@@ -45,7 +43,6 @@ def answer_line(answer: Answer, solution: Solution, lang: Lang, *, group: int = 
         before=_named(answer, lang)[0],
         after=_after(answer, lang),
         result=result_of(answer, lang),
-        group=group,
         heading=heading,
     )
 
@@ -63,9 +60,9 @@ def short_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = T
     return Row((*parts, result))
 
 
-def named_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = True) -> Node:
-    """The same where nothing stands before it: 静平衡（ΣW = 0）：是."""
-    line = short_line(answer, solution, lang, read=read)
+def named_line(answer: Answer, solution: Solution, lang: Lang) -> Node:
+    """The same without the length on paper, where nothing stands before it: 静平衡（ΣW = 0）：是."""
+    line = short_line(answer, solution, lang, read=False)
     if not is_worded(answer.key, answer.reading.unit):
         return line
     pieces = split_words(_named(answer, lang)[0])

@@ -31,7 +31,7 @@ class Part:
 
 
 def arranged(answers: Iterable[Answer]) -> tuple[Part, ...]:
-    """What is shared, then one solution after the other; of a single one a long list by kinds, in the order asked."""
+    """What is shared, then one solution after the other; of a single one many by kinds, each in the order asked."""
     every = list(answers)
     numbers = sorted({solution_of(one) for one in every} - {0})
     if len(numbers) > 1:
@@ -39,7 +39,7 @@ def arranged(answers: Iterable[Answer]) -> tuple[Part, ...]:
         return tuple(part for part in parts if part.answers)
     if not parted([one.key for one in every]):
         return (Part(tuple(every)),)
-    return tuple(Part(tuple(some)) for _, some in by_groups(every, key=lambda one: one.key))
+    return (Part(tuple(one for _, some in by_groups(every, key=lambda one: one.key) for one in some)),)
 
 
 def broken(solution: Solution) -> frozenset[int]:

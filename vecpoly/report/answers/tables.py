@@ -21,13 +21,14 @@ from .errors import NOTHING, alike, expected_errors
 from .line import is_length_times_scale
 from .order import listed
 
+_DIRECTION = Words("方向", "Direction")
 _HEADS = (
     Words("量", "Quantity"),
     Words("单位", "Unit"),
     Words("图上长度 /mm", "On paper /mm"),
     Words("比例尺", "Scale"),
     Words("量得值", "Drawn"),
-    Words("方向", "Direction"),
+    _DIRECTION,
     Words("精确值", "Exact"),
     Words("偏差 /%", "Deviation /%"),
     Words("预期误差", "Expected error"),
@@ -116,12 +117,25 @@ def _values(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
         header = [f"{head} /{_braced(one_unit)}" if n in _WITH_UNIT else head for n, head in enumerate(header)]
     errors = expected_errors(answers)
     rows = [_row(one, solution, lang, "" if one_unit else _unit(one)) for one in answers]
-    offs = [row[_OFF] for row in rows]
-    if any(off.endswith("°") for off in offs):  # two units in one column: each stands beside its number
-        header[_OFF] = _DEVIATION.of(lang)
-        offs = [off if off.endswith(("°", NOTHING)) else f"{off} %" for off in offs]
+    header[_OFF], offs = _deviations(header[_OFF], [row[_OFF] for row in rows], lang)
     rows = [(*row[:_OFF], off, errors[one.key]) for row, off, one in zip(rows, offs, answers, strict=True)]
     return trimmed(header, rows, (), _ALIGN, lang, inks_of(solution, (one.key for one in answers)))
+
+
+def _deviations(head: str, offs: list[str], lang: Lang) -> tuple[str, list[str]]:
+    """The head and the cells of the column of deviations: degrees alone have their unit in the head, as per cents have;
+    of two units in one column each stands beside its number."""
+    told = [off for off in offs if off != NOTHING]
+    if not any(off.endswith("°") for off in told):
+        return head, offs
+    if all(off.endswith("°") for off in told):
+        return f"{_DEVIATION.of(lang)} /°", [off.removesuffix("°") for off in offs]
+    return _DEVIATION.of(lang), [off if off.endswith(("°", NOTHING)) else f"{off} %" for off in offs]
+
+
+def directed(table: DataTable, lang: Lang) -> bool:
+    """Whether a table has a column of directions."""
+    return _DIRECTION.of(lang) in table.header
 
 
 def _braced(unit: str) -> str:

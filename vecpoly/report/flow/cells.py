@@ -17,7 +17,7 @@ from ...typeset.fonts import Face, glyph
 from ...typeset.layout import halves, layout, pieces, segments
 from ...typeset.runs import latin, raised, run
 from ...typeset.words import ROMAN, is_han
-from .text.held import held, is_relation
+from .text.held import held, in_brackets
 
 NO_START = frozenset("，。、；：？！）〕］｝》〉」』】”’…—·～℃％")
 NO_END = frozenset("（〔［｛《〈「『【“‘￥№")
@@ -27,7 +27,7 @@ _AMBIGUOUS = frozenset("“”‘’—…·") | ROMAN  # full width in Chinese 
 _BOLD = re.compile(r"\*\*(.+?)\*\*", re.DOTALL)
 AUTO = 0.2  # space between Chinese and Latin, em
 _ADDRESS = 30  # letters
-SHORT = 8.0  # em: a formula in running text that is no longer is not broken
+SHORT = 12.0  # em: a formula in running text that is no longer is not broken
 BLANK = 0.25  # a blank between words, em
 
 
@@ -55,17 +55,16 @@ class Cell:
     source: Source | None = None
     goal: str = ""  # the place that it calls, a part of a reference
     bold: bool = False  # of a formula
+    kept: bool = False  # on the line of the cell before it
 
 
 @dataclass(frozen=True, slots=True)
 class Gap:
-    """The space between two cells: width (mm), share of what justification adds, whether a line may end; at worst:
-    whether it may where it would be stretched too far else."""
+    """The space between two cells: width (mm), share of what justification adds, whether a line may end."""
 
     width: float
     stretch: float
     breakable: bool
-    at_worst: bool = False
 
 
 def cells(text: str, em: float, chinese: bool, bold: bool = False) -> list[Cell]:
@@ -83,6 +82,8 @@ def cells(text: str, em: float, chinese: bool, bold: bool = False) -> list[Cell]
             for goal, bit in called(part):
                 found, spaced = _words(bit, em, chinese, heavy, spaced)
                 out.extend(replace(cell, goal=goal) for cell in found) if goal else out.extend(found)
+    for n in in_brackets([cell.text for cell in out]):
+        out[n] = replace(out[n], kept=True)
     return out
 
 
@@ -109,8 +110,8 @@ def _sources(text: str, count: int) -> tuple[Source, ...]:
 
 
 def parted(cell: Cell, em: float) -> list[tuple[Cell, Cell]]:
-    """A piece of a formula cut in two after each of its signs, for a line that would be stretched too far else."""
-    if cell.kind is not Kind.FORMULA or cell.source is None or not cell.source.text:
+    """A piece of a long formula cut in two after each of its signs, for a line that would be stretched too far else."""
+    if cell.kind is not Kind.FORMULA or cell.source is None or not cell.source.text or cell.box.width <= SHORT * em:
         return []
     text = cell.source.text
     return [
@@ -187,9 +188,7 @@ def chopped(cell: Cell, width: float, em: float, bold: bool) -> list[Cell]:
 def gap(a: Cell, b: Cell, em: float) -> Gap:
     """The space between two neighbouring cells."""
     found = _gap(a, b, em)
-    if not (found.breakable and held(a.text, b.text)):
-        return found
-    return replace(found, breakable=False, at_worst=is_relation(a.text))
+    return replace(found, breakable=False) if found.breakable and (b.kept or held(a.text, b.text)) else found
 
 
 def _gap(a: Cell, b: Cell, em: float) -> Gap:

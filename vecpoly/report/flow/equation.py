@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...algebra.formula import Node, Vec, row, sym
+from ...algebra.formula import Node, Row, Sym, Vec, row, sym
 from ...board.construction import EquationTable
 from ...drawing.hues import hue_of
 from ...tagging.speech import equation_said
@@ -59,7 +59,9 @@ class _Grid:
 
 
 def vector(symbol: str) -> Node:
-    """The symbol with an arrow; a row (``μ_a n'n``) stays as it is."""
+    """The symbol with an arrow, and each of those in brackets; a row (``μ_a n'n``) stays as it is."""
+    if symbol.startswith("(") and symbol.endswith(")"):
+        return Row(tuple(Vec(one) if isinstance(one, Sym) else one for one in row(symbol).items))
     try:
         return Vec(sym(symbol))
     except ValueError:

@@ -1,8 +1,13 @@
-"""Display formulas: centred; one that is too wide breaks before its equality signs."""
+"""Display formulas: one a line, centred, those that follow each other with their equality signs under each other; one
+that is too wide breaks before its equality signs."""
 
 from __future__ import annotations
 
-from ...algebra.formula import Node
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import groupby
+
+from ...algebra.formula import Node, plain
 from ...tagging.copied import copied
 from ...tagging.references import goal_of
 from ...tagging.speech import said
@@ -13,11 +18,25 @@ from ...typeset.box import MM, Box, beside
 from ...typeset.canvas import Ink
 from ...typeset.layout import layout, segments
 from ...typeset.words import layout_words
-from .base import Block
+from .base import Block, Tightness
 from .style import BODY
 
 _SKIP = 1.2  # mm between the lines of a broken formula
 _LEAST = 0.7  # how far a piece without equality sign may be made smaller
+_CLOSE, _CLOSEST = 4.0, 2.5  # pt between two formulas that follow each other, and however tightly they are set
+
+
+@dataclass(frozen=True, slots=True)
+class _Sides:
+    """How far a formula reaches to the left and to the right of where its relation begins (mm)."""
+
+    left: float
+    right: float
+
+    @property
+    def width(self) -> float:
+        """Both together."""
+        return self.left + self.right
 
 
 class Formula(Block):
@@ -32,6 +51,8 @@ class Formula(Block):
         self._em = size / MM
         self._number = layout_words(number, self._em) if number else None
         self._lines: tuple[tuple[float, Box], ...] = ()
+        self._left = 0.0  # mm
+        self._run: tuple[_Sides, ...] = ()  # of the formulas that stand in one column with it
         self._broken: dict[float, tuple[tuple[float, Box], ...]] = {}  # by room; for all copies
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
@@ -41,18 +62,46 @@ class Formula(Block):
         if room not in self._broken:
             self._broken[room] = lines(self.node, self._em, room)
         self._lines = self._broken[room]
+        self._left = self._start(room) + (width / MM - room) / 2
         boxes = [box for _, box in self._lines]
         self.height = (sum(box.height for box in boxes) + _SKIP * (len(boxes) - 1)) * MM
         return width, self.height
 
+    def tighten(self, degree: Tightness) -> None:
+        """Never so near to its neighbours that a line over letters touches what is above."""
+        super().tighten(degree)
+        if self._run:
+            self.spaceBefore, self.spaceAfter = max(self.spaceBefore, _CLOSEST), max(self.spaceAfter, _CLOSEST)
+
+    def sides(self) -> _Sides | None:
+        """What stands on each side of its first relation; None where it has none."""
+        says = plain(self.node)
+        at = Kind.TIGHT if "→" in says and "=" not in says and "/" not in says else Kind.RELATION
+        first, *rest = segments(self.node, self._em, before=True, at=at)
+        return _Sides(first.width, layout(self.node, self._em).width - first.width) if rest else None
+
+    def follow(self, run: tuple[_Sides, ...], *, first: bool, last: bool) -> None:
+        """It stands in a column of these formulas, close to its neighbours."""
+        self._run = run
+        self.spaceBefore, self.spaceAfter = self.spaceBefore if first else _CLOSE, self.spaceAfter if last else _CLOSE
+
+    def _start(self, room: float) -> float:
+        """Where it begins in so much room: with its relation under that of its neighbours, in the middle else."""
+        own, wide = self.sides(), max(x + box.width for x, box in self._lines)
+        fitting = [one for one in self._run if one.width <= room]
+        if own is not None and fitting:
+            left, right = max(one.left for one in fitting), max(one.right for one in fitting)
+            start = (room - left - right) / 2 + left - own.left
+            if left + right <= room and 0.0 <= start <= room - wide:
+                return start
+        return max(0.0, (room - wide) / 2)
+
     def draw(self) -> None:
-        """Draw the lines as one centred group."""
+        """Draw the lines as one group."""
         ink, lang = Ink(self.canv), tree_of(self.canv).lang
         tag = Tag(Role.FORMULA, self.tag.within, said(self.node, lang))
         ink.under(tree_of(self.canv).opener(tag, copied(self.node)))
-        group = max(x + box.width for x, box in self._lines)
-        left = max(0.0, (self.width - group * MM) / 2)
-        y = self.height
+        left, y = self._left * MM, self.height
         for x, box in self._lines:
             base = y - box.ascent * MM
             ink.box(box, left + x * MM, base)
@@ -61,6 +110,16 @@ class Formula(Block):
             ink.under(tree_of(self.canv).opener(Tag(Role.P, self.tag.within)))
             ink.box(self._number, self.width - self._number.width * MM, base)
         ink.flush()
+
+
+def in_columns(story: Iterable[object]) -> None:
+    """Formulas that follow each other stand with their relations under each other."""
+    for shown, some in groupby(story, key=lambda one: isinstance(one, Formula)):
+        run = [one for one in some if isinstance(one, Formula)]
+        if shown and len(run) > 1:
+            sides = tuple(found for one in run if (found := one.sides()) is not None)
+            for n, one in enumerate(run):
+                one.follow(sides, first=n == 0, last=n == len(run) - 1)
 
 
 def lines(node: Node, em: float, width: float) -> tuple[tuple[float, Box], ...]:

@@ -12,9 +12,11 @@ from ...typeset.box import MM, Glyphs
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
 from .cells import BLANK, Cell, Gap, Kind, gap, parted
+from .text.balanced import balanced, spaces
 
 _LOOSEST = 0.5  # em added to a gap beyond which a line is rather left ragged
-_NORM = 0.08  # em added to a gap beyond which a line is rather broken within a formula
+_NORM = 0.08  # em added to a gap beyond which the lines before share it
+_SHARED = 0.25  # em added to each gap beyond which a line is rather broken within a long formula
 _LEAST_GAP = 0.75  # how far blanks may shrink before a line is broken earlier
 
 
@@ -36,17 +38,32 @@ class Line:
 def break_lines(
     cells: Sequence[Cell], width: float, em: float, first: float = 0.0, *, least: float = _LEAST_GAP
 ) -> list[Line]:
-    """Greedy lines of the given width (mm), the first one indented, none stretched too far that could be fuller;
+    """Lines of the given width (mm), the first one indented, filled one after the other; where one would be stretched
+    far, the lines of the paragraph share it, and only where these cannot a long formula is broken within.
     least: share of a blank that it may shrink to, 1 where the lines are set as they come."""
-    lines: list[Line] = []
     cells = list(cells)
-    gaps = [gap(a, b, em) for a, b in pairwise(cells)]
+    gaps = spaces(cells, em)
+    lines = _greedy([*cells], [*gaps], width, em, first, least, cut=False)
+    if any(not line.last and _is_loose(line, width) for line in lines):
+        ends = balanced(cells, gaps, width, em, first, least)
+        shared = [_line(cells, gaps, start, end, 0.0 if start else first, em) for start, end in pairwise((0, *ends))]
+        if shared and not any(not line.last and _is_loose(line, width, _SHARED) for line in shared):
+            return shared
+        return _greedy(cells, gaps, width, em, first, least, cut=True)
+    return lines
+
+
+def _greedy(
+    cells: list[Cell], gaps: list[Gap], width: float, em: float, first: float, least: float, *, cut: bool
+) -> list[Line]:
+    """Each line as full as it may be; cut: long formulas are, where a line would be stretched far else."""
+    lines: list[Line] = []
     start = 0
     while start < len(cells):
         indent = first if start == 0 else 0.0
         end = _fill(cells, gaps, start, width - indent, least)
         line = _line(cells, gaps, start, end, indent, em)
-        if not line.last and _is_loose(line, width):
+        if cut and not line.last and _is_loose(line, width):
             end = _fuller(cells, gaps, start, end, width - indent, em)
             line = _line(cells, gaps, start, end, indent, em)
         lines.append(line)
@@ -54,13 +71,13 @@ def break_lines(
     return lines
 
 
-def _is_loose(line: Line, width: float) -> bool:
-    return width - line.indent - line.width > _NORM * line.em * sum(g.stretch for g in line.gaps)
+def _is_loose(line: Line, width: float, most: float = _NORM) -> bool:
+    return width - line.indent - line.width > most * line.em * sum(g.stretch for g in line.gaps)
 
 
 def _fuller(cells: list[Cell], gaps: list[Gap], start: int, end: int, width: float, em: float) -> int:
-    """The index after the last cell of a line that goes on into what is kept together after it: as far as a relation's
-    sign, or a sign within a formula, which is cut there; its end where neither fits."""
+    """The index after the last cell of a line that goes on into a long formula after it, which is cut behind one of its
+    signs; its end where nothing of it fits."""
     best, cut = end, None
     for at in range(end, len(cells)):
         for halves in parted(cells[at], em):
@@ -68,8 +85,6 @@ def _fuller(cells: list[Cell], gaps: list[Gap], start: int, end: int, width: flo
                 best, cut = at + 1, halves
         if not _fits(cells, gaps, start, at, cells[at], width) or at == len(gaps):
             break
-        if gaps[at].at_worst:
-            best, cut = at + 1, None
     if cut is not None:
         cells[best - 1 : best] = cut
         gaps[best - 1 : best - 1] = [gap(*cut, em)]

@@ -19,7 +19,7 @@ from .blocks import KINDS, Callout, Divider, Drawing, Heading, Plate, SheetPage
 from .contents import Contents
 from .cover import Cover, TitleBlock
 from .equation import EquationFlow
-from .formula import Formula
+from .formula import Formula, in_columns
 from .para import Para, numbered
 from .style import CAPTION, NOTE
 from .table import DataTable
@@ -138,6 +138,7 @@ class _Reader:
             if child.tag == "answer" and isinstance(out[-1] if out else None, Block) and out[-1].tag.within is not None:
                 out[-1].keepWithNext = 1  # the box of answers stands with the last step
             out.extend(reader(child))
+        in_columns(out)
         return out
 
     def _paragraph(self, element: Element) -> list[Any]:

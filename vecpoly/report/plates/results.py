@@ -31,17 +31,17 @@ def concluded(
 
 
 def _attempts(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list[list[Listed]]:
-    """In full, then without what was read on paper, then without yes and no; in the order of the box of answers."""
+    """All of them, then without yes and no; in the order of the box of answers."""
     every = list(answers)
     numbers = [one for one in every if one.reading.unit != YES_NO]
-    tried = [(every, True), (every, False), *([(numbers, read) for read in (True, False)] if numbers != every else [])]
-    return [_listed(some, solution, lang, read) for some, read in tried if some]
+    return [_listed(some, solution, lang) for some in (every, *([numbers] if numbers != every else [])) if some]
 
 
-def _listed(answers: Iterable[Answer], solution: Solution, lang: Lang, read: bool) -> list[Listed]:
+def _listed(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list[Listed]:
+    """What came out of each, on every sheet in the one form that has room on all: the ways to it stand in the steps."""
     idle = broken(solution)
     return [
-        Listed(part.heading(lang, idle), tuple(named_line(one, solution, lang, read=read) for one in part.answers))
+        Listed(part.heading(lang, idle), tuple(named_line(one, solution, lang) for one in part.answers))
         for part in arranged(answers)
     ]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...algebra.formula import plain
 from ...board.acts import Compute
 from ...board.construction import Step
 from ...board.place import Pane
@@ -167,5 +168,16 @@ def _points(answer: Answer) -> bool:
 
 
 def working_room(solution: Solution) -> float:
-    """How much room the work needs, mm: more for a step with a formula than for a line ruled; equations have rows."""
+    """How much room the work needs, mm: more for a step with a formula than for a line ruled; equations have rows. None
+    where nothing is computed but what lengths on paper come to, for which the table has room."""
+    steps = solution.construction.steps
+    if not any(step.equation or step.listing for step in steps) and all(
+        _only_read(plain(line)) for step in steps for line in step.formulas
+    ):
+        return 0.0
     return float(sum(8 if step.formulas or step.listing else 3 for step in solution.construction.steps))
+
+
+def _only_read(line: str) -> bool:
+    """Whether a line is a reading, or one times its scale: φ = 140°, l_AB = μ_l AB = 0.001 × 44.7 = 44.7 mm."""
+    return line.count(" = ") < 2 or " = μ" in line

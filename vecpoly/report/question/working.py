@@ -97,7 +97,10 @@ class Working(Block):
 
 
 def working(title: str, need: float, foot: Sequence[Block], lang: Lang) -> list[Block]:
-    """Squares (need: in mm) with this at their foot; after them, where it would leave no room on a page."""
+    """Squares (need: in mm) with this at their foot; after them, where it would leave no room on a page; it alone where
+    none are needed."""
+    if not need and foot:
+        return [*foot]
     need *= MM
     if sum(_tall(one, COLUMN) for one in foot) <= _TALLEST:
         return [Working(title, need, foot, lang)]

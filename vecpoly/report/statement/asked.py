@@ -43,7 +43,9 @@ def in_order(solution: Solution) -> list[tuple[Group | None, list[str]]]:
         listed += [(key, one) for one in centres]
     known = {one for _, one in listed}
     listed += [(key, key) for key in solution.answers if key not in known]
-    return [(group, [key for _, key in some]) for group, some in asked_by_kinds(listed)]
+    by_kinds = parted([key for key, _ in _listed(solution)])  # as the question tells them
+    groups = asked_by_kinds(listed) if by_kinds else [(None, listed)]
+    return [(group, [key for _, key in some]) for group, some in groups]
 
 
 def _listed(solution: Solution) -> Iterator[tuple[str, Ask | None]]:

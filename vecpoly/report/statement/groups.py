@@ -60,11 +60,10 @@ def parted(keys: Sequence[str]) -> bool:
 
 
 def by_groups(things: Iterable[T], key: Callable[[T], str]) -> list[tuple[Group | None, list[T]]]:
-    """The things by their kinds, each kind where its first comes; what is of no kind comes last."""
+    """The things by their kinds, these as they follow from each other; what is of no kind comes last."""
     found: dict[Group | None, list[T]] = {}
     every = list(things)
     keys = {key(one) for one in every}
     for one in every:
         found.setdefault(group_of(key(one), keys), []).append(one)
-    rest = found.pop(None, None)
-    return [*found.items(), *([(None, rest)] if rest else [])]
+    return [(kind, found[kind]) for kind in (*GROUPS, None) if kind in found]

@@ -94,7 +94,7 @@ def _triangles(draft: Draft, pins: Mapping[str, Points]) -> dict[str, Points]:
     board = draft.board
     board.step(
         Words(
-            "在 $GE$ 上作 $△GEH$ ∽ $△BCE$，在 $ME$ 上作 $△MEN$ ∽ $△CBE$（字母顺序的转向相同）。",
+            "在 $GE$ 上作 $△GEH ∽ △BCE$，在 $ME$ 上作 $△MEN ∽ △CBE$（字母顺序的转向相同）。",
             "On $GE$ draw $GEH$ similar to $BCE$, and on $ME$ draw $MEN$ similar to $CBE$, each with the same order of "
             "letters.",
         ),
@@ -123,7 +123,7 @@ def _third_pivot(draft: Draft, pins: Mapping[str, Points]) -> dict[str, Points]:
     off = abs(complex(nominal(true - f)))
     board.remark(
         Words(
-            f"校核：$△ADF$ ∽ $△BCE$，由此所得 $F$ 相差 {off:.2f} mm。",
+            f"校核：$△ADF ∽ △BCE$，由此所得 $F$ 相差 {off:.2f} mm。",
             f" Check: $ADF$ is similar to $BCE$; $F$ found so differs by {off:.2f} mm.",
         )
     )

@@ -15,12 +15,10 @@ from ....analytic.keyed import size
 from ....analytic.numbers import unit, worked
 from ....findings.study.study import Study
 from ....words import Words
-from ...formulas import beside
 from ..numbering import SMALL, Press
 
 _NOTHING = 1e-14  # SI: what rounding leaves of zero
 _LEFT = 1e-10  # of the terms of a sum: what rounding leaves where they cancel
-_MOST = 3  # formulas in a line
 _PAIRS = 4  # of quantity and value beside each other
 _HEADER = {"zh": ["量", "数值"], "en": ["Quantity", "Value"]}
 
@@ -33,7 +31,7 @@ def section(study: Study, press: Press) -> dict[str, Any]:
     groups = [
         {
             "title": group.title.of(press.lang),
-            "formulas": [press.objects.add("f", node) for node in beside([worked(e, env) for e in told(group)], _MOST)],
+            "formulas": [press.objects.add("f", node) for node in (worked(e, env) for e in told(group))],
         }
         for group, env in zip(study.model.groups, envs, strict=True)
     ]

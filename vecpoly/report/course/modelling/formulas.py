@@ -12,12 +12,9 @@ from ....analytic.equations import GroupModel, Part
 from ....analytic.expr import Const
 from ....findings.study.study import Study
 from ....words import Lang, Words
-from ...formulas import beside
 from ..numbering import Press
 from .forces import forces_group
 from .order import order
-
-_MOST = 3  # equations in a line
 
 
 def chapter(study: Study, press: Press) -> dict[str, Any]:
@@ -27,15 +24,15 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
     return {
         "order": order(study, press),
         "groups": [
-            *(_group(group, press, study.dense) for group in study.model.groups),
-            *([_group(forces, press, True)] if forces else []),
+            *(_group(group, press) for group in study.model.groups),
+            *([_group(forces, press)] if forces else []),
         ],
     }
 
 
-def _group(group: GroupModel, press: Press, dense: bool) -> dict[str, Any]:
+def _group(group: GroupModel, press: Press) -> dict[str, Any]:
     stages = [
-        {"title": stage.title.of(press.lang), "parts": [_part(part, press, dense) for part in stage.parts]}
+        {"title": stage.title.of(press.lang), "parts": [_part(part, press) for part in stage.parts]}
         for stage in group.stages
     ]
     return {
@@ -59,16 +56,12 @@ def _jacobian(group: GroupModel, press: Press) -> str:
     return press.table(Words("雅可比矩阵 $J$ = $∂f/∂q$", "The Jacobian $J$ = $∂f/∂q$"), header, rows, "c" * len(header))
 
 
-def _part(part: Part, press: Press, dense: bool) -> dict[str, Any]:
-    nodes = [equation.node for equation in part.equations]
-    rows = beside(nodes, _alike(len(nodes))) if dense else nodes
-    formulas = [{"ref": press.objects.add("f", row), "number": f"({press.number('equation')})"} for row in rows]
+def _part(part: Part, press: Press) -> dict[str, Any]:
+    formulas = [
+        {"ref": press.objects.add("f", equation.node), "number": f"({press.number('equation')})"}
+        for equation in part.equations
+    ]
     return {"said": part.said.of(press.lang), "formulas": formulas}
-
-
-def _alike(count: int) -> int:
-    """How many formulas stand in a line so that no line has many more than another: 2 and 2, not 3 and 1."""
-    return -(-count // max(1, -(-count // _MOST)))
 
 
 def _constants(group: GroupModel, lang: Lang) -> Iterator[str]:

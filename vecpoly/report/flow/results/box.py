@@ -1,10 +1,11 @@
-"""The box that ends a problem: a framed list of what was asked, in columns of one width."""
+"""The box that ends a problem: a framed list of what was asked, one under the other in two or three
+columns, rows of one height."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import groupby
+from itertools import accumulate, groupby
 
 from ....tagging.tag import Role, Tag
 from ....tagging.tree import artifact, tree_of
@@ -15,19 +16,18 @@ from ....words import Lang, Words
 from ...answers.line import AnswerLine
 from ..base import Block, Tightness
 from ..style import CELL
-from .grid import SMALL, GridRow, Told, columns, laid, sentence
+from .grid import GridRow, Told, columns, even, gridded, in_reading_order, laid, sentence
 
 TITLE = Words("答", "Answer")
-_PAD, _SKIP = 2.6, 1.7  # mm: inside the frame, between rows
+_PAD, _SKIP = 2.6, 1.4  # mm: inside the frame, between rows
 _AFTER_TITLE = 3.0  # mm
 WHOLE = 75.0 * MM  # a box no taller than this is not parted
-_APART = 1.2  # mm between two kinds of quantity
 _LEAST = 3  # rows that a page break leaves together
 _FRAME = 0.6  # pt
 
 
 class AnswerBox(Block):
-    """lines: one a quantity; notes on them, in small type; said: sentences that are answers of their own."""
+    """lines: one a quantity; notes on them; said: sentences that are answers of their own."""
 
     role = Role.DIV
     pieces = True
@@ -74,29 +74,25 @@ class AnswerBox(Block):
         """The rows in a frame of this width (mm) inside."""
         room = width if above else width - self._title.width - _AFTER_TITLE
         title: tuple[GridRow, ...] = (((0.0, self._title, self._named),),) if above else ()
-        return (*title, *self._grouped(room), *self._sentences(room))
+        rows = (*title, *self._grouped(room), *self._sentences(room))
+        return tuple(even(rows, self.lines, self._em))
 
     def _grouped(self, room: float) -> Iterator[GridRow]:
-        """The rows of each part of the list, under its heading, a little white before each but the first."""
-        count = columns(self.lines, self._em, room)
-        for number, (_, some) in enumerate(groupby(self.lines, key=lambda one: one.group)):
-            lines = tuple(some)
-            first, *rest = (*self._heading(lines[0].heading), *laid(lines, count, self._em, room))
-            yield _lower(first) if number else first
-            yield from rest
+        """The rows of each part of the list, under its heading."""
+        parts = [tuple(some) for _, some in groupby(self.lines, key=lambda one: one.heading)]
+        edges = columns(parts, self._em, room)
+        for lines in parts:
+            yield from (*self._heading(lines[0].heading), *laid(lines, edges, self._em, room))
 
     def _heading(self, text: str) -> Iterator[GridRow]:
         if text:
             yield ((0.0, layout_words(text, self._em, True), Told(None, after=text)),)
 
     def _sentences(self, room: float) -> Iterator[GridRow]:
-        """The notes, a little white before them, and what is said beside."""
-        every = [(text, SMALL * self._em) for text in self.notes] + [(text, self._em) for text in self.said]
-        for number, (text, em) in enumerate(every):
+        """The notes, and what is said beside."""
+        for text in (*self.notes, *self.said):
             told = Told(None, after=text)
-            for nth, box in enumerate(sentence(text, em, room, self.lang == "zh")):
-                row = ((0.0, box, told),)
-                yield _lower(row) if self.notes and not number + nth else row
+            yield from (((0.0, box, told),) for box in sentence(text, self._em, room, self.lang == "zh"))
 
     def split(self, width: float, height: float) -> list[Block]:
         """Whole answers to each page, of a box too tall to be kept together."""
@@ -112,7 +108,18 @@ class AnswerBox(Block):
             count -= 1
         if count < _LEAST:
             return []
-        return [self._part(self._rows[:count], True), self._part(self._rows[count:], False)]
+        return [self._part(rows, first) for rows, first in zip(self._parted(count), (True, False), strict=True)]
+
+    def _parted(self, count: int) -> tuple[tuple[GridRow, ...], tuple[GridRow, ...]]:
+        """So many rows and the others; of quantities that a page break parts, those that come first in the first."""
+        other = [n for n, row in enumerate(self._rows) if row[0][2].node is None]
+        start = max((n + 1 for n in other if n < count), default=0)
+        end = min((n for n in other if n >= count), default=len(self._rows))
+        block = self._rows[start:end]
+        cells = [(box, told) for _, _, box, told in in_reading_order(block)]
+        edges, first = [x for x, _, _ in block[0]] if block else [], sum(map(len, self._rows[start:count]))
+        head, tail = (tuple(gridded(some, edges)) if some else () for some in (cells[:first], cells[first:]))
+        return (*self._rows[:start], *head), (*tail, *self._rows[end:])
 
     def _parts(self, count: int) -> bool:
         """Whether a page may end there: not within a sentence, nor under a heading."""
@@ -131,31 +138,30 @@ class AnswerBox(Block):
         with artifact(self.canv):
             self.canv.setLineWidth(_FRAME)
             self.canv.rect(0.0, 0.0, self.width, self.height)
-        ink, y, last = Ink(self.canv), self.height / MM - _PAD, None
+        ink, last = Ink(self.canv), None
         margin = 0.0 if self._above else self._title.width + _AFTER_TITLE
-        for number, row in enumerate(self._rows):
-            base = y - max(box.ascent for _, box, _ in row)
-            if not number and not self._above:
-                self._tell(ink, self._named)
-                ink.box(self._title, _PAD * MM, base * MM)
-            for x, box, told in row:
-                if told is not last:
-                    self._tell(ink, told)
-                    last = told
-                ink.box(box, (_PAD + margin + x) * MM, base * MM)
-            y -= _height(row) + self._skip
+        levels = self._levels()
+        if not self._above:
+            self._tell(ink, self._named)
+            ink.box(self._title, _PAD * MM, levels[0] * MM)
+        for n, x, box, told in in_reading_order(self._rows):
+            if told is not last:
+                self._tell(ink, told)
+                last = told
+            ink.box(box, (_PAD + margin + x) * MM, levels[n] * MM)
         ink.flush()
+
+    def _levels(self) -> tuple[float, ...]:
+        """Where the base line of each row is, in mm."""
+        tops = accumulate((_height(row) + self._skip for row in self._rows), initial=_PAD)
+        above = (max(box.ascent for _, box, _ in row) for row in self._rows)
+        return tuple(self.height / MM - top - up for top, up in zip(tops, above, strict=False))
 
     def _tell(self, ink: Ink, told: Told) -> None:
         """What follows is this answer."""
         heard = told.heard(self.lang) if told.node else ""
         tag = Tag(Role.FORMULA if told.node else Role.P, self.tag, heard)
         ink.under(tree_of(self.canv).opener(tag, told.plain))
-
-
-def _lower(row: GridRow) -> GridRow:
-    """The row with white over it."""
-    return tuple((x, replace(box, ascent=box.ascent + _APART), told) for x, box, told in row)
 
 
 def _height(row: GridRow) -> float:

@@ -27,7 +27,10 @@ class Aligned:
         return self.before + self.after
 
     def indent(self, text: str, room: float) -> float | None:
-        """Where a cell begins in a column of this width, its numbers in the middle; None of what is no number."""
+        """Where a cell begins in a column of this width, its numbers in the middle; None of what is no number,
+        and of a plain 0 among numbers with decimals, which has no decimals to stand by."""
+        if text == "0" and self.after > 0.0:
+            return None
         parts = _parts(text, self.em, self.chinese)
         return None if parts is None else (room - self.width) / 2 + self.before - parts[0]
 

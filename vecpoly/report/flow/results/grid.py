@@ -1,10 +1,10 @@
-"""Cells of the box of answers: each quantity a line, in columns of one width."""
+"""Cells of the box of answers: each quantity a line, one under the other in two or three columns, all rows alike."""
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import accumulate, groupby
 from math import ceil
 
 from ....algebra.formula import Node
@@ -20,10 +20,9 @@ from ..formula import lines as broken
 from ..lines import break_lines
 
 MOST = 3  # columns
-GUTTER = 4.0  # mm between two of them
+GUTTER, NARROW = 12.0, 5.0  # mm between two of them, and where they would have no room else
 _BLANK = 1.2  # mm between what a quantity is called and its line
 _LEAD = 0.9  # mm between the lines of a cell
-SMALL = 0.88  # of the type: notes on the quantities, under them
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,36 +45,69 @@ class Told:
         return " ".join(filter(None, (spoken(self.before), formula, spoken(self.after))))
 
 
+Placed = tuple[Box, Told]
 GridRow = tuple[tuple[float, Box, Told], ...]  # boxes on one base line, with their left ends (mm)
 
 
-def columns(lines: Sequence[AnswerLine], em: float, room: float) -> int:
-    """So many columns that no line is wider than its own; two at least, where there is more than one line, and no more
-    where these take as many rows."""
-    if len(lines) < 2:
-        return 1
-    widest, sizes = max(_head(one, em).width for one in lines), Counter(one.group for one in lines).values()
-    rows = {count: sum(ceil(size / count) for size in sizes) for count in (2, MOST)}
-    return MOST if rows[MOST] < rows[2] and widest <= _wide(room, MOST) else 2
+def columns(parts: Sequence[Sequence[AnswerLine]], em: float, room: float) -> tuple[float, ...]:
+    """The left edges of three columns, or of two where these take as many rows, each as wide as its widest line; of one
+    where a line would be broken in more."""
+    wide = [[_head(one, em).width for one in part] for part in parts]
+    rows = {count: sum(ceil(len(part) / count) for part in wide) for count in range(1, MOST + 1)}
+    for count in range(MOST, 1, -1):
+        if rows[count] == rows[count - 1]:
+            continue
+        widths = [max(column, default=0.0) for column in zip(*(_widest(part, count) for part in wide), strict=True)]
+        white = room - sum(widths)
+        if white >= (count - 1) * NARROW:
+            gutter = min(GUTTER, white / (count - 1))
+            return tuple(accumulate((width + gutter for width in widths[:-1]), initial=0.0))
+    return (0.0,)
 
 
-def laid(lines: Sequence[AnswerLine], count: int, em: float, room: float) -> Iterator[GridRow]:
-    """The lines in so many columns of this room (mm), each at the left edge of its own, in reading order."""
-    wide = _wide(room, count)
-    made = [(_cell(one, em, wide), Told(one.node, one.before)) for one in lines]
-    for start in range(0, len(made), count):
-        row = made[start : start + count]
-        yield tuple((n * (wide + GUTTER), box, told) for n, (box, told) in enumerate(row))
+def _widest(widths: Sequence[float], count: int) -> list[float]:
+    """Of lines that run down so many columns: the widest in each."""
+    rows = ceil(len(widths) / count)
+    return [max(widths[n * rows : (n + 1) * rows], default=0.0) for n in range(count)]
+
+
+def laid(lines: Sequence[AnswerLine], edges: Sequence[float], em: float, room: float) -> Iterator[GridRow]:
+    """The lines down the columns with these left edges, in so much room (mm)."""
+    wide = room if len(edges) == 1 else float("inf")
+    return gridded([(_cell(one, em, wide), Told(one.node, one.before)) for one in lines], edges)
+
+
+def gridded(cells: Sequence[Placed], edges: Sequence[float]) -> Iterator[GridRow]:
+    """What is read down one column after the other, in rows."""
+    rows = ceil(len(cells) / len(edges))
+    for n in range(rows):
+        yield tuple((x, *placed) for x, placed in zip(edges, cells[n::rows], strict=False))
+
+
+def in_reading_order(rows: Sequence[GridRow]) -> Iterator[tuple[int, float, Box, Told]]:
+    """What stands in these rows with the number of its row: quantities down one column after the other."""
+    numbered = groupby(enumerate(rows), key=lambda row: row[1][0][2].node is not None)
+    for block in (tuple(some) for _, some in numbered):
+        for column in range(max(len(row) for _, row in block)):
+            yield from ((n, *row[column]) for n, row in block if column < len(row))
+
+
+def even(rows: Sequence[GridRow], lines: Iterable[AnswerLine], em: float) -> Iterator[GridRow]:
+    """The rows, none lower than the highest of them but for what is broken: of one height where nothing is."""
+    whole = [_head(one, em) for one in lines] + [box for row in rows for _, box, told in row if told.node is None]
+    up, down = max((box.ascent for box in whole), default=0.0), max((box.descent for box in whole), default=0.0)
+    for row in rows:
+        yield tuple((x, _raised(box, up, down), told) for x, box, told in row)
+
+
+def _raised(box: Box, up: float, down: float) -> Box:
+    return replace(box, ascent=max(box.ascent, up), descent=max(box.descent, down))
 
 
 def sentence(text: str, em: float, room: float, chinese: bool) -> Iterator[Box]:
     """A text in lines of this width (mm), no blank of which is shrunk."""
     for line in break_lines(cells(text, em, chinese), room, em, least=1.0):
         yield joined(list(line.cells), em)
-
-
-def _wide(room: float, count: int) -> float:
-    return (room - (count - 1) * GUTTER) / count
 
 
 def _head(one: AnswerLine, em: float) -> Box:

@@ -1,13 +1,18 @@
-"""What no line break parts: a number and its unit, the sides of a short equation, a word and the number after it."""
+"""What no line break parts: a number and its unit, the sides of a short equation, a word and the number after it,
+a pair of coordinates, a sense of turning."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator, Sequence
 
 from ....typeset.atoms import is_unit
 
 _RELATIONS = frozenset("=≈≙≤≥<>≠")
-_NUMBER = re.compile(r"[(（]?[+−-]?\d[\d.,:]*(?:×10\^\{?[−-]?\d+\}?)?")
+_NUMBER = re.compile(r"[(（]?[+−-]?\d[\d.,:]*(?:×10\^\{?[−-]?\d+\}?)?\)?")
+_OPENS, _COORDINATE = re.compile(r"\([+−-]?\d[\d.]*,?"), re.compile(r"[+−-]?\d[\d.]*")
+_MARKS = "°),.;:!?，。；：、"
+_SENSES = frozenset(("逆时", "顺时", "时针"))
 _BEFORE_NUMBERS = frozenset(
     ("link", "links", "step", "steps", "Step", "problem", "Problem", "figure", "Figure", "table", "Table")
 )
@@ -23,12 +28,26 @@ def held(before: str, after: str) -> bool:
         return is_number(after.rstrip("°,.;:，。；、"))
     if after in _RELATIONS:
         return before == "$" or is_number(before)
+    if before + after in _SENSES or (before == "$" and after in ("逆", "顺")):
+        return True
     return (before in _BEFORE_NUMBERS or before in _HAN_BEFORE_NUMBERS) and after[:1].isdigit()
 
 
-def is_relation(text: str) -> bool:
-    """Whether a piece is a sign between two sides: =, ≤."""
-    return text in _RELATIONS
+def in_brackets(texts: Sequence[str]) -> Iterator[int]:
+    """Which pieces go on with a pair of coordinates: (46 mm, 9 mm), (0, −130)."""
+    start: int | None = None
+    for n, text in enumerate(texts):
+        if (
+            start is not None
+            and _COORDINATE.fullmatch(text.rstrip(_MARKS)) is None
+            and not is_unit(text.rstrip(_MARKS))
+        ):
+            start = None
+        if start is not None and ")" in text:
+            yield from range(start + 1, n + 1)
+            start = None
+        elif _OPENS.fullmatch(text):
+            start = n
 
 
 def is_number(text: str) -> bool:

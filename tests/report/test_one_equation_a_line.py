@@ -1,0 +1,60 @@
+"""Each equation of a step has a line of its own, and those that follow each other stand by their equality signs."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.drawn_library import IDS, drawn
+from tests.each import each
+from tests.laws import few
+from vecpoly.algebra.formula import Row, Sym, Txt, plain
+from vecpoly.report.content import Objects, sections
+from vecpoly.report.flow.base import Tightness
+from vecpoly.report.flow.formula import Formula, in_columns
+from vecpoly.report.flow.para import Para
+from vecpoly.typeset.box import MM
+
+ROOM = 170.0 * MM
+
+
+def formulas(*texts: str) -> list[Formula]:
+    """Formulas that follow each other, each told as left side and right side."""
+    made = [Formula(Row((Sym(*text.split("|")[0].split("_")), Txt(text.split("|")[1])))) for text in texts]
+    in_columns(made)
+    for one in made:
+        one.wrap(ROOM, 1e4)
+    return made
+
+
+def relations(made: list[Formula]) -> list[float]:
+    """Where the relation of each begins, in mm."""
+    return [one._left + sides.left for one in made if (sides := one.sides()) is not None]
+
+
+@each(few(IDS, 6))
+def test_a_step_sets_each_of_its_equations_by_itself(name: str) -> None:
+    solution = drawn(name).solution
+    told = [step for section in sections(solution, "zh", Objects()) for step in section["steps"]]
+    assert [len(step["formulas"]) for step in told] == [len(step.formulas) for step in solution.construction.steps]
+    assert not any(",\u2003" in plain(line) for step in solution.construction.steps for line in step.formulas)
+
+
+def test_equations_that_follow_each_other_have_their_equality_signs_under_each_other() -> None:
+    made = formulas("v_B2| = 0.6 × 0.05 = 3.000 m/s", "a_B3B2123| = 1 m", "P_23| → ∞")
+    assert relations(made) == pytest.approx([relations(made)[0]] * 3)
+    assert made[0].spaceAfter == made[1].spaceBefore < made[0].spaceBefore
+
+
+def test_an_equation_that_stands_alone_is_in_the_middle() -> None:
+    alone = formulas("v_B2| = 3 m/s")[0]
+    wide = max(x + box.width for x, box in alone._lines)
+    assert alone._left == pytest.approx((ROOM / MM - wide) / 2)
+    story = [alone, Para("and", lang="en"), formulas("a_B3B2123| = 1")[0]]
+    in_columns(story)
+    assert not alone._run, "a sentence between two parts them"
+
+
+def test_equations_set_tightly_do_not_touch() -> None:
+    made = formulas("v_B2| = 3 m/s", "v_B3| = 4 m/s")
+    made[0].tighten(Tightness(white=0.1))
+    assert made[0].spaceAfter > 2.0
