@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable
 from math import degrees, isfinite
 
 from ...algebra.rounding import places_of, read_back
 from ...printed.angles import bearing_told
-from ...printed.digits import coordinates, drawn_number, exact_number, on_paper
-from ...printed.places import place_parts
+from ...printed.digits import drawn_number, exact_number, on_paper
 from ...printed.units import printed_unit
 from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution
@@ -16,10 +15,11 @@ from ...typeset.box import Rgb
 from ...words import Lang, Words
 from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
-from ..values import called, class_told, direction_of_load, is_class, rough, value
-from .errors import NOTHING, alike, expected_errors
+from ..values import called, class_told, direction_of_load, is_class, value
+from .errors import NOTHING, expected_errors
 from .line import is_length_times_scale
 from .order import listed
+from .placed import ALIGN_PLACES, PLACES, angle, clean, endless, gaps, place_row, places_table
 
 _DIRECTION = Words("方向", "Direction")
 _HEADS = (
@@ -36,19 +36,8 @@ _HEADS = (
 _VALUE, _OFF, _WITH_UNIT, _ALIGN = 4, 7, (4, 6, 8), "lcdcddddd"
 _DEVIATION = Words("偏差", "Deviation")
 _COMPUTED = Words("计算值", "Computed")
-_PLACES = (
-    Words("点", "Point"),
-    Words("量得 $x$ /mm", "Drawn $x$ /mm"),
-    Words.same("$y$ /mm"),
-    Words("精确 $x$ /mm", "Exact $x$ /mm"),
-    Words.same("$y$ /mm"),
-    Words("距离 /mm", "Distance /mm"),
-    Words("预期误差 /mm", "Expected error /mm"),
-)
-_ALIGN_PLACES = "ldddddd"
 _SHORT = Words("（过短）", " (too short)")
 _SENSE = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
-_APART = 1e-9  # m: places that all hands find alike, a fixed pivot
 
 
 def readings_tables(solution: Solution, lang: Lang) -> tuple[DataTable, ...]:
@@ -58,7 +47,7 @@ def readings_tables(solution: Solution, lang: Lang) -> tuple[DataTable, ...]:
         return ()
     places, others = _sorted(answers)
     found = [_values(others, solution, lang)] if others else []
-    return (*found, *([_places(places, solution, lang)] if places else []))
+    return (*found, *([places_table(places, solution, lang)] if places else []))
 
 
 def readings_at(
@@ -71,11 +60,11 @@ def readings_at(
     for where, solution, answers in positions:
         spots, others = _sorted(answers)
         values += _at(where, [_row(one, solution, lang, _unit(one)) for one in others])
-        placed = [(*_place_row(one), gap) for one, gap in zip(spots, _gaps(spots), strict=True)]
+        placed = [(*place_row(one), gap) for one, gap in zip(spots, gaps(spots), strict=True)]
         places += _at(where, placed)
         for told, of_one in zip(inks, (others, spots), strict=True):
             told += inks_of(solution, (one.key for one in of_one))
-    tables = ((values, _HEADS, _ALIGN, inks[0]), (places, _PLACES, _ALIGN_PLACES, inks[1]))
+    tables = ((values, _HEADS, _ALIGN, inks[0]), (places, PLACES, ALIGN_PLACES, inks[1]))
     return tuple(
         trimmed([drive, *(head.of(lang) for head in heads[:-1])], rows, (), f"l{align[:-1]}", lang, hues, 1)
         for rows, heads, align, hues in tables
@@ -91,14 +80,9 @@ def _sorted(answers: Iterable[Answer]) -> tuple[list[Answer], list[Answer]]:
     """The places, and all that is none; a place at infinity, which is a direction, beside others in their table."""
     every = list(answers)
     finite = {one.key for one in every if one.is_place and None not in (one.drawn_vector, one.exact_vector)}
-    places = [one for one in every if one.key in finite or (finite and _endless(one))]
+    places = [one for one in every if one.key in finite or (finite and endless(one))]
     kept = {one.key for one in places}
     return places, [one for one in every if one.key not in kept]
-
-
-def _endless(answer: Answer) -> bool:
-    """Whether it is a place at infinity, on paper and exactly."""
-    return answer.is_place and answer.drawn_vector is None and answer.exact_vector is None and not answer.undefined
 
 
 def counted(answer: Answer) -> bool:
@@ -150,7 +134,7 @@ def _unit(answer: Answer) -> str:
 
 def _row(answer: Answer, solution: Solution, lang: Lang, unit: str) -> tuple[str, ...]:
     r = answer.reading
-    exact, read = _clean(answer), _is_read(answer, solution)
+    exact, read = clean(answer), _is_read(answer, solution)
     return (
         called(r.symbol, r.key, lang),
         unit or NOTHING,
@@ -180,18 +164,13 @@ def _plain(answer: Answer, size: float, lang: Lang) -> str:
     return f"∞, {angle(size)}" if answer.is_place else ""
 
 
-def _clean(answer: Answer) -> float:
-    """The exact value; zero where only rounding noise is left."""
-    return 0.0 if abs(answer.exact) < 1e-9 * max(1.0, abs(answer.expected_error)) else answer.exact
-
-
 def _deviation(answer: Answer) -> str:
     """Of the two values as they stand beside it, in per cent, of an angle in degrees; nothing where a formula gave the
     exact value, and of an exact value of zero."""
     angular = answer.reading.unit == "deg"
     if answer.computed or answer.is_place or not isfinite(answer.relative_deviation if not angular else answer.drawn):
         return NOTHING
-    exact = _clean(answer)
+    exact = clean(answer)
     if not angular and not exact:
         return NOTHING
     told = exact_number(answer, exact)
@@ -208,52 +187,4 @@ def way(answer: Answer, problem: Problem, lang: Lang) -> str:
     fixed = direction_of_load(problem, answer.key)
     if fixed is not None:
         return Words(f"{bearing_told(degrees(fixed))} 方向", f"at {bearing_told(degrees(fixed))}").of(lang)
-    return _SENSE[answer.sense].of(lang) if answer.sense and _clean(answer) else NOTHING
-
-
-def angle(turn: float) -> str:
-    """An angle to a tenth of a degree: −76.1°."""
-    return f"{turn:.1f}°".replace("-", "−")
-
-
-def _places(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
-    ends = zip(_gaps(answers), _reaches(answers), strict=True)
-    rows = [(*_place_row(one), *end) for one, end in zip(answers, ends, strict=True)]
-    inks = inks_of(solution, (one.key for one in answers))
-    return trimmed([head.of(lang) for head in _PLACES], rows, (), _ALIGN_PLACES, lang, inks)
-
-
-def _place_row(answer: Answer) -> tuple[str, ...]:
-    """A point (m): both coordinates as drawn and exact; one at infinity by the direction in which it lies."""
-    if _endless(answer):
-        ways = [f"∞ ({angle(turn)})" for turn in (answer.drawn, _clean(answer))]
-        return (f"${answer.reading.symbol}$", ways[0], NOTHING, ways[1], NOTHING)
-    drawn, exact = answer.drawn_vector, answer.exact_vector
-    assert drawn is not None and exact is not None
-    places = coordinates(answer)
-    return (f"${answer.reading.symbol}$", *place_parts(drawn, places), *place_parts(exact, places + 1))
-
-
-def _gaps(answers: Iterable[Answer]) -> Iterator[str]:
-    """How far apart (mm) the drawn and the exact point are."""
-    found = [
-        None if _endless(one) or one.drawn_vector is None or one.exact_vector is None
-        else abs(one.drawn_vector - one.exact_vector)
-        for one in answers
-    ]  # fmt: skip
-    told = iter(alike([1e3 * off for off in found if off is not None and off > _APART]))
-    yield from (NOTHING if off is None else "0" if off <= _APART else next(told) for off in found)
-
-
-def _reaches(answers: Sequence[Answer]) -> Iterator[str]:
-    """Within which distance (mm) a point is found; at infinity within which angle."""
-    told = iter(alike([1e3 * one.expected_error for one in answers if _reaches_mm(one)]))
-    for one in answers:
-        if _reaches_mm(one):
-            yield next(told)
-        else:
-            yield f"{rough(one.expected_error)}°" if _endless(one) and one.expected_error else NOTHING
-
-
-def _reaches_mm(answer: Answer) -> bool:
-    return not _endless(answer) and answer.expected_error > _APART
+    return _SENSE[answer.sense].of(lang) if answer.sense and clean(answer) else NOTHING

@@ -19,7 +19,7 @@ from ....printed.places import place_parts
 from ....printed.units import printed_unit
 from ....solution import YES_NO, Answer
 from ....words import Words
-from ...answers.tables import angle
+from ...answers.placed import angle
 from ...values import called, direction_of_load, unit_after, value
 
 _AXES = {

@@ -1,0 +1,85 @@
+"""Drawn beside exact places: both coordinates, how far they are apart, and within what a point is found."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from ...printed.digits import coordinates
+from ...printed.places import place_parts
+from ...solution import Answer, Solution
+from ...words import Lang, Words
+from ..flow.table import DataTable
+from ..tables import inks_of, trimmed
+from ..values import rough
+from .errors import NOTHING, alike
+
+PLACES = (
+    Words("点", "Point"),
+    Words("量得 $x$ /mm", "Drawn $x$ /mm"),
+    Words.same("$y$ /mm"),
+    Words("精确 $x$ /mm", "Exact $x$ /mm"),
+    Words.same("$y$ /mm"),
+    Words("距离 /mm", "Distance /mm"),
+    Words("预期误差 /mm", "Expected error /mm"),
+)
+ALIGN_PLACES = "ldddddd"
+_APART = 1e-9  # m: places that all hands find alike, a fixed pivot
+
+
+def angle(turn: float) -> str:
+    """An angle to a tenth of a degree: −76.1°."""
+    return f"{turn:.1f}°".replace("-", "−")
+
+
+def clean(answer: Answer) -> float:
+    """The exact value; zero where only rounding noise is left."""
+    return 0.0 if abs(answer.exact) < 1e-9 * max(1.0, abs(answer.expected_error)) else answer.exact
+
+
+def endless(answer: Answer) -> bool:
+    """Whether it is a place at infinity, on paper and exactly."""
+    return answer.is_place and answer.drawn_vector is None and answer.exact_vector is None and not answer.undefined
+
+
+def places_table(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
+    """The table of the places."""
+    ends = zip(gaps(answers), _reaches(answers), strict=True)
+    rows = [(*place_row(one), *end) for one, end in zip(answers, ends, strict=True)]
+    inks = inks_of(solution, (one.key for one in answers))
+    return trimmed([head.of(lang) for head in PLACES], rows, (), ALIGN_PLACES, lang, inks)
+
+
+def place_row(answer: Answer) -> tuple[str, ...]:
+    """A point (m): both coordinates as drawn and exact; one at infinity by the direction in which it lies."""
+    if endless(answer):
+        ways = [f"∞ ({angle(turn)})" for turn in (answer.drawn, clean(answer))]
+        return (f"${answer.reading.symbol}$", ways[0], NOTHING, ways[1], NOTHING)
+    drawn, exact = answer.drawn_vector, answer.exact_vector
+    assert drawn is not None and exact is not None
+    places = coordinates(answer)
+    return (f"${answer.reading.symbol}$", *place_parts(drawn, places), *place_parts(exact, places + 1))
+
+
+def gaps(answers: Iterable[Answer]) -> Iterator[str]:
+    """How far apart (mm) the drawn and the exact point are."""
+    found = [
+        None if endless(one) or one.drawn_vector is None or one.exact_vector is None
+        else abs(one.drawn_vector - one.exact_vector)
+        for one in answers
+    ]  # fmt: skip
+    told = iter(alike([1e3 * off for off in found if off is not None and off > _APART]))
+    yield from (NOTHING if off is None else "0" if off <= _APART else next(told) for off in found)
+
+
+def _reaches(answers: Sequence[Answer]) -> Iterator[str]:
+    """Within which distance (mm) a point is found; at infinity within which angle."""
+    told = iter(alike([1e3 * one.expected_error for one in answers if _reaches_mm(one)]))
+    for one in answers:
+        if _reaches_mm(one):
+            yield next(told)
+        else:
+            yield f"{rough(one.expected_error)}°" if endless(one) and one.expected_error else NOTHING
+
+
+def _reaches_mm(answer: Answer) -> bool:
+    return not endless(answer) and answer.expected_error > _APART
