@@ -19,7 +19,7 @@ from pypdf import PdfReader
 from pypdf.generic import DictionaryObject
 
 from tests.laws import few
-from tests.studies import course_report, studied
+from tests.studies import course_report, stations, studied
 from vecpoly import oracle
 from vecpoly.algebra.formula import plain
 from vecpoly.analytic.expr import ONE, ZERO, Const, Num, Sum, Var
@@ -32,7 +32,6 @@ from vecpoly.mechanism.model import Mechanism
 from vecpoly.names import At
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load
-from vecpoly.report.course.checks.comparison import compared
 from vecpoly.report.course.results.positions import at_position
 from vecpoly.report.document import write_report
 from vecpoly.solution import solve
@@ -155,7 +154,7 @@ def test_a_problem_at_another_position_is_assembled_as_on_the_way_there(name: st
 
 def test_drawings_over_the_cycle_agree_with_the_exact_values() -> None:
     it = studied("A-27")
-    found = compared(it)
+    found = stations("A-27")
     assert len(found.stations) == 24 and not found.refused
     assert 1e-6 < found.worst(it) < 0.02  # drawn, not copied
     exact = oracle.solve(it.mech, np.array([s.phi for s in found.stations])).alpha("5")
