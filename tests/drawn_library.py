@@ -123,7 +123,8 @@ def hanging(value: object, kind: type[T] | tuple[type[T], ...]) -> Iterator[T]:
         for part in value:
             yield from hanging(part, kind)
     else:
-        for name in _fields_of(type(value)):
+        own: type = type(value)
+        for name in _fields_of(own):
             yield from hanging(getattr(value, name), kind)
 
 
