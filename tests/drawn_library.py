@@ -122,11 +122,18 @@ def hanging(value: object, kind: type[T] | tuple[type[T], ...]) -> Iterator[T]:
     elif isinstance(value, tuple | list):
         for part in value:
             yield from hanging(part, kind)
-    elif is_dataclass(value):
-        for field in fields(value):
-            yield from hanging(getattr(value, field.name), kind)
+    else:
+        own: type = type(value)
+        for name in _fields_of(own):
+            yield from hanging(getattr(value, name), kind)
 
 
-def sentences(value: object) -> Iterator[Words]:
-    """Every sentence in a value."""
-    return hanging(value, Words)
+@cache
+def _fields_of(kind: type) -> tuple[str, ...]:
+    return tuple(field.name for field in fields(kind)) if is_dataclass(kind) else ()
+
+
+@cache
+def said(name: str) -> tuple[Words, ...]:
+    """Every sentence of a construction."""
+    return tuple(hanging(drawn(name).construction, Words))

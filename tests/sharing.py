@@ -28,6 +28,7 @@ MADE = (
     "tests.grading.drawings.made",
     "tests.grading.cases",
 )
+JOINED = {"tests.projects": "tests.studies"}  # a report of a project is read with the course reports too
 IMPORT = re.compile(r"^from (tests\.[\w.]+) import", re.MULTILINE)
 LONGEST = (
     "tests.batch.homework",
@@ -52,7 +53,8 @@ LONGEST = (
 def group(file: Path) -> str:
     """The name of those with whom a file shares a worker: what they have in common, or its own."""
     imported = IMPORT.findall(file.read_text(encoding="utf-8"))
-    return next((made for made in MADE if made in imported), f"{file.parent.name}/{file.stem}")
+    makers = [JOINED.get(name, name) for name in imported]
+    return next((made for made in MADE if made in makers), f"{file.parent.name}/{file.stem}")
 
 
 def arrange(items: list[pytest.Item]) -> None:

@@ -8,7 +8,12 @@ import pytest
 
 from vecpoly.findings.study.study import Study, study
 from vecpoly.problem.load import load
+from vecpoly.report import document as reports
+from vecpoly.report.content import Objects
 from vecpoly.report.course import document
+from vecpoly.report.course.checks.comparison import Compared, compared
+from vecpoly.report.course.machine.chapters import Machine
+from vecpoly.report.course.machine.chapters import found as found_of
 from vecpoly.report.document import report_bytes
 from vecpoly.solution import Solution, solve
 from vecpoly.words import Lang
@@ -27,9 +32,33 @@ def studied(name: str) -> Study:
 
 
 @cache
+def stations(name: str) -> Compared:
+    """Its drawings over the cycle beside the exact values."""
+    return compared(studied(name))
+
+
+@cache
+def machine(name: str) -> Machine:
+    """What is found of it as a machine."""
+    return found_of(studied(name))
+
+
+@cache
+def course_text(name: str, lang: Lang) -> tuple[str, Objects]:
+    """The filled template of its course report and the things it names: about one study in both languages."""
+    it = studied(name)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(document, "_studied", lambda _: (it, stations(name), machine(name)))
+        return reports.markup([it.given], lang, "course", {}, None, None)
+
+
+@cache
 def course_report(name: str, lang: Lang) -> bytes:
     """The course report of this problem, as a PDF."""
-    return course_of(studied(name), lang)
+    made = course_text(name, lang)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(reports, "markup", lambda *_: made)
+        return report_bytes([solved(name)], lang=lang, style="course")
 
 
 def course_of(it: Study, lang: Lang) -> bytes:

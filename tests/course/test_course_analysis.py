@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from functools import cache
 from math import cos, degrees, pi, radians, sqrt
 
 import numpy as np
@@ -33,6 +34,7 @@ from vecpoly.solution import solve
 NONE = Compared((), (), ())
 
 
+@cache
 def said(name: str) -> str:
     it = studied(name)
     groups = conditioning(it)

@@ -7,11 +7,9 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.drawn_library import drafted
 from tests.laws import few
-from tests.studies import studied
+from tests.studies import course_text, studied
 from vecpoly.report.course.results.drawings import chosen
-from vecpoly.report.document import markup
 from vecpoly.report.flow.table import DataTable, continued
 from vecpoly.words import Lang
 
@@ -32,9 +30,7 @@ def numbers(text: str, kind: str, lang: Lang) -> Iterator[tuple[str, int]]:
 
 @pytest.mark.parametrize(("name", "lang"), few(REPORTS, 8))
 def test_every_table_and_figure_is_called_in_the_text_before_it(name: str, lang: Lang) -> None:
-    solution = drafted(name)
-    assert solution is not None
-    text, objects = markup([solution], lang, "course", {}, None, None)
+    text, objects = course_text(name, lang)
     wanted = 0
     for match in re.finditer(r'<(table|figure) ref="(\w+)"', text):
         thing = objects.named[match[2]]

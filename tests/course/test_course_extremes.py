@@ -6,14 +6,13 @@ import pytest
 
 from tests.laws import few
 from tests.pocket import sums
-from tests.studies import studied
+from tests.studies import machine, studied
 from vecpoly.algebra.quantity import number
 from vecpoly.curves import peaks
 from vecpoly.cycle import Column
-from vecpoly.findings.machine.running import Running, running
+from vecpoly.findings.machine.running import Running
 from vecpoly.findings.strokes import _angles
 from vecpoly.mechanism.asked.machine import equivalents
-from vecpoly.problem.load import load
 from vecpoly.report.course.machine.flywheel import _divided
 from vecpoly.report.course.machine.work import _told
 from vecpoly.report.course.results.plots import curve
@@ -35,8 +34,8 @@ def test_a_curve_marks_the_extremes_that_are_told(name: str, monkeypatch: pytest
         return told(spot, drive)
 
     monkeypatch.setattr(peaks, "told", heard)
-    machine = [equivalents(it.mech)[0].inertia.key] if name in NAMES[:1] else []
-    for key in (*(f"{stem}_{link}" for link in it.links for stem in ("omega", "alpha")), *machine):
+    reduced = [equivalents(it.mech)[0].inertia.key] if name in NAMES[:1] else []
+    for key in (*(f"{stem}_{link}" for link in it.links for stem in ("omega", "alpha")), *reduced):
         if it.varies(key):
             curve(it, "en", [key])
     sure = 0
@@ -48,8 +47,8 @@ def test_a_curve_marks_the_extremes_that_are_told(name: str, monkeypatch: pytest
         assert (place, value) in tops or ends or any(abs(value - top) < 1e-9 * abs(tops[0][1]) for _, top in tops), key
         sure += (place, value) in tops
     assert sure >= 4
-    if machine:
-        at = [place for key, place, _ in marked if key == machine[0]]
+    if reduced:
+        at = [place for key, place, _ in marked if key == reduced[0]]
         assert any(abs(place - 196.8) < 0.1 for place in at) and not any(abs(place - 343.2) < 0.1 for place in at)
 
 
@@ -77,7 +76,7 @@ def test_k_follows_from_the_angles_printed(forth: float, back: float) -> None:
 @pytest.mark.parametrize("name", few(["press-flywheel", "shaper-flywheel", "engine-flywheel"], 3))
 def test_the_surplus_of_work_and_the_flywheel_follow_from_the_figures_printed(name: str) -> None:
     """ΔW = E_max − E_min, and J_F = ΔW / (ω² δ), in the table both calculation and result."""
-    run = running(load(name))
+    run = machine(name).motion
     assert isinstance(run, Running) and run.steady is not None and run.cuts is not None and run.found is not None
     read = [one for lang in BOTH for one in sums(_told(studied(name), run).of(lang))]
     results = (run.by_areas, run.found.flywheel)

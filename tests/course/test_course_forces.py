@@ -64,7 +64,7 @@ def turns(draw: st.DrawFn) -> Cycle:
     return cycle(mech, loads=Loads(forces=(force,), moments=(Moment(name="M_1", link="1"),), friction=friction))
 
 
-@settings(max_examples=often(8))
+@settings(max_examples=often(4))
 @given(turns(), st.sampled_from(["M_1", "eta", "R_12", "R_43"]))
 def test_no_value_on_a_dense_grid_lies_beyond_the_extremes(turn: Cycle, key: str) -> None:
     """Whatever breaks the column: self-locking, a change of the side of friction, the end of a piece."""

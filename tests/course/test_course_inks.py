@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import pytest
 
 from tests.laws import few
-from tests.studies import solved, studied
+from tests.studies import course_text, solved, studied
 from vecpoly.board.paper.tones import whose
 from vecpoly.drawing.hues import ink_of
 from vecpoly.figures.hue import Hue
 from vecpoly.report.answers.tables import readings_at
-from vecpoly.report.content import Objects
-from vecpoly.report.course.document import course
 from vecpoly.report.course.results.drawings import chosen
 from vecpoly.report.course.spoken_symbols import used, words_in
 from vecpoly.report.flow.table import DataTable
@@ -21,11 +17,8 @@ from vecpoly.report.tables import inks_of
 from vecpoly.words import Lang
 
 
-@cache
 def tables(name: str, lang: Lang) -> list[DataTable]:
-    objects = Objects()
-    course(solved(name), lang, objects)
-    return [one for one in objects.named.values() if isinstance(one, DataTable)]
+    return [one for one in course_text(name, lang)[1].named.values() if isinstance(one, DataTable)]
 
 
 def test_readings_at_other_positions_stand_in_the_inks_of_their_vectors_behind_the_position() -> None:

@@ -19,11 +19,11 @@ from pypdfium2 import PdfDocument
 
 from tests.laws import few
 from tests.presses import Kept
-from tests.studies import course_report, studied
+from tests.studies import course_report, machine, studied
 from vecpoly.algebra.quantity import number
 from vecpoly.cycle import cycle, extremes
 from vecpoly.findings.machine.running import Running, running
-from vecpoly.findings.machine.shaking import Shaking, shaking
+from vecpoly.findings.machine.shaking import Shaking
 from vecpoly.mechanism.groups.assur import pivot_of
 from vecpoly.oracle import solve
 from vecpoly.problem.load import load
@@ -43,14 +43,14 @@ CHAPTERS: dict[Lang, tuple[str, ...]] = {
 
 @cache
 def running_of(name: str) -> Running:
-    found = running(load(name))
+    found = machine(name).motion
     assert isinstance(found, Running)
     return found
 
 
 @cache
 def shaking_of(name: str) -> Shaking:
-    found = shaking(studied(name))
+    found = machine(name).balance
     assert isinstance(found, Shaking)
     return found
 
@@ -163,8 +163,8 @@ def test_with_centres_of_mass_on_their_pivots_the_force_is_what_counterweights_l
         replace(mass, centre=pivot_of(problem.mechanism, mass.link)) if mass.link in moved else mass
         for mass in loads.masses
     )
-    machine = replace(problem.machine, loads=replace(loads, masses=masses))
-    highest = extremes(cycle(replace(problem, machine=machine)), "shaking_F").highest
+    moving = replace(problem.machine, loads=replace(loads, masses=masses))
+    highest = extremes(cycle(replace(problem, machine=moving)), "shaking_F").highest
     assert highest is not None and highest.value == pytest.approx(found.left, rel=1e-9)
 
 

@@ -7,12 +7,12 @@ from functools import cache
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.each import Later, each
 from tests.generators.family import families, member
-from tests.laws import few
+from tests.laws import few, often
 from vecpoly import oracle
 from vecpoly.analytic.build import model
 from vecpoly.analytic.equations import Model
@@ -122,10 +122,16 @@ def test_a_cam_with_a_profile_has_no_model_in_formulas(name: str) -> None:
         modelled(mechanisms()[name])
 
 
+@cache
+def of_library(name: str) -> tuple[Mechanism, Model]:
+    """A mechanism of the library with its formulas."""
+    mech = from_pivots(mechanisms()[name])
+    return mech, modelled(mech)
+
+
 @each(Later(lambda: (name for name in IDS if name not in GEARED)))
 def test_the_model_of_every_mechanism_moves_as_the_oracle_does(name: str) -> None:
-    mech = from_pivots(load(name).mechanism)
-    assert off(mech, modelled(mech)) == {}
+    assert off(*of_library(name)) == {}
 
 
 @pytest.mark.parametrize("name", sorted(GEARED))
@@ -180,7 +186,7 @@ def test_every_condition_of_a_model_says_something() -> None:
     for name in IDS:
         if name in GEARED:
             continue
-        for group in modelled(from_pivots(load(name).mechanism)).groups:
+        for group in of_library(name)[1].groups:
             conditions = [equation for equation in group.equations if not equation.gives]
             assert all(equation.left != equation.right for equation in conditions), name
             if group.loops is not None:
@@ -203,6 +209,7 @@ find: [v_C]
 """
 
 
+@settings(max_examples=often(8))
 @given(
     planet=st.floats(12, 40),
     sun=st.floats(45, 70),

@@ -4,22 +4,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cache
 from io import BytesIO
+from itertools import pairwise
 from math import pi
 from pathlib import Path
 from typing import cast
 
 import numpy as np
-import pdfplumber
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from pypdf import PdfReader
 from pypdf.generic import DictionaryObject
+from pypdfium2 import PdfDocument, PdfPage
 
 from tests.laws import few
-from tests.studies import course_report, studied
+from tests.studies import course_report, stations, studied
 from vecpoly import oracle
 from vecpoly.algebra.formula import plain
 from vecpoly.analytic.expr import ONE, ZERO, Const, Num, Sum, Var
@@ -32,7 +34,6 @@ from vecpoly.mechanism.model import Mechanism
 from vecpoly.names import At
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load
-from vecpoly.report.course.checks.comparison import compared
 from vecpoly.report.course.results.positions import at_position
 from vecpoly.report.document import write_report
 from vecpoly.solution import solve
@@ -155,7 +156,7 @@ def test_a_problem_at_another_position_is_assembled_as_on_the_way_there(name: st
 
 def test_drawings_over_the_cycle_agree_with_the_exact_values() -> None:
     it = studied("A-27")
-    found = compared(it)
+    found = stations("A-27")
     assert len(found.stations) == 24 and not found.refused
     assert 1e-6 < found.worst(it) < 0.02  # drawn, not copied
     exact = oracle.solve(it.mech, np.array([s.phi for s in found.stations])).alpha("5")
@@ -183,31 +184,46 @@ def report(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     return path
 
 
+@dataclass(frozen=True, slots=True)
+class Read:
+    """A page: its size, its text, and the boxes of its letters (left, bottom, right, top; from the lower left)."""
+
+    size: tuple[float, float]
+    text: str
+    boxes: tuple[tuple[float, float, float, float], ...]
+
+
 @cache
-def pages(path: Path) -> tuple[pdfplumber.page.Page, ...]:
+def pages(path: Path) -> tuple[Read, ...]:
     """The pages, read once."""
-    with pdfplumber.open(path) as document:
-        for page in document.pages:
-            assert page.chars is not None
-        return tuple(document.pages)
+    with PdfDocument(path) as document:
+        return tuple(_read(page) for page in document)
+
+
+def _read(page: PdfPage) -> Read:
+    told = page.get_textpage()
+    boxes = tuple(told.get_charbox(n, loose=True) for n in range(told.count_chars()))
+    return Read(page.get_size(), told.get_text_range(), boxes)
 
 
 @cache
 def texts(path: Path) -> tuple[str, ...]:
     """The text of every page, without blanks."""
-    return tuple(re.sub(r"\s", "", page.extract_text()) for page in pages(path))
+    return tuple(re.sub(r"\s", "", page.text) for page in pages(path))
 
 
 def test_the_report_of_a_27_has_fifteen_to_thirty_pages_none_nearly_empty(report: Path) -> None:
     assert 15 <= len(pages(report)) <= 30
-    for page in pages(report):
-        assert len({round(char["bottom"]) for char in page.chars}) >= 8, page.page_number
+    for number, page in enumerate(pages(report), 1):
+        assert len({round(bottom) for _, bottom, _, _ in page.boxes}) >= 8, number
 
 
 def test_nothing_of_the_report_lies_outside_its_pages(report: Path) -> None:
     for page in pages(report):
-        for char in page.chars:
-            assert char["x0"] >= 0 and char["x1"] <= page.width and char["top"] >= 0 and char["bottom"] <= page.height
+        wide, high = page.size
+        assert page.boxes
+        for left, bottom, right, top in page.boxes:
+            assert left >= 0 and right <= wide and top <= high and bottom >= 0
 
 
 def test_every_font_of_the_report_is_embedded(report: Path) -> None:
@@ -218,10 +234,9 @@ def test_every_font_of_the_report_is_embedded(report: Path) -> None:
 
 
 def test_the_contents_name_the_page_on_which_each_chapter_begins(report: Path) -> None:
-    lines = pages(report)[1].extract_text().splitlines()
-    entries = [
-        m.groups() for line in lines if (m := re.match(r"(\S.*?)[ .]*(\d+)$", line)) and not re.search(r"/ ?\d+$", line)
-    ]
+    lines = pages(report)[1].text.splitlines()
+    pairs = ((head.strip(), page) for head, page in pairwise(lines) if page.isdigit())
+    entries = [(head, page) for head, page in pairs if not head.isdigit() and not head.endswith("/")]
     assert len(entries) >= 18
     for head, page in entries:
         assert re.sub(r"\s", "", head) in texts(report)[int(page) - 1], (head, page)

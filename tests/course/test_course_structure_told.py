@@ -26,7 +26,7 @@ from vecpoly.report.course.symbols import symbols
 from vecpoly.report.flow.table import DataTable
 from vecpoly.report.statement.structure import kind_of
 
-SEVERAL = Later(lambda: (*few(ids(), 3), "3-1f", "3-3", "dump-hoist", "scissor-lift"))  # conclusions of every kind
+SEVERAL = Later(lambda: (*few(ids(), 8), "3-1f", "3-3", "dump-hoist", "scissor-lift"))  # conclusions of every kind
 CLASSES = {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ"}
 NAMES = ("A-27", "B-24", "3-9", "3-5", "slider-crank-dynamic")
 

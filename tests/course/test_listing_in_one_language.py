@@ -9,6 +9,7 @@ import pytest
 import ruamel.yaml
 
 from tests.each import each
+from tests.laws import few
 from vecpoly.foundation.data import data_dir
 from vecpoly.report.course.one_language import in_one_language
 from vecpoly.report.flow.listing import Listing
@@ -30,7 +31,7 @@ def told(value: Any, lang: str) -> Any:
     return [told(one, lang) for one in value] if isinstance(value, list) else value
 
 
-@each(FILES[::3])
+@each(few(FILES, 8))
 def test_a_file_in_one_language_says_all_else_as_before(file: Path) -> None:
     text = file.read_text(encoding="utf-8")
     reader = ruamel.yaml.YAML(typ="safe")

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import vecpoly
 from tests.devices.cams_moving import FOLLOWERS, cam_of, motions, moved
-from tests.laws import few
+from tests.laws import few, often
 from vecpoly import oracle
 from vecpoly.devices.cams.cam import Cam
 from vecpoly.devices.cams.motion import piece_at
@@ -59,6 +59,7 @@ def followed(problem: Problem) -> tuple[float, float]:
     return float(np.imag(motion.velocity(one.end))), float(np.imag(motion.acceleration(one.end)))
 
 
+@settings(max_examples=often(8))
 @given(case=cases())
 def test_the_follower_moves_as_the_law_says(case: Case) -> None:
     """v = ω ds/dφ, a = ω² d²s/dφ² + α ds/dφ, ω and α those of the cam in the sense for which it was designed."""
@@ -113,7 +114,7 @@ def test_velocities_and_accelerations_are_central_differences(case: Case) -> Non
     assert np.asarray(found.acceleration(one.end))[1] == pytest.approx(expected, abs=2e-6)
 
 
-@settings(max_examples=25)
+@settings(max_examples=often(8))
 @given(case=cases())
 def test_the_linkage_that_replaces_the_pair_moves_as_the_law_says(case: Case) -> None:
     """The drawn centre of curvature, in the ordinary mechanism of a disc: it knows nothing of the law."""

@@ -64,7 +64,7 @@ def kloss_slip(start: float, greatest: float) -> float:
 
 
 @given(st.floats(50, 500), st.floats(0.2, 5), st.floats(1, 45), st.floats(0, 2), st.floats(0.1, 20), st.floats(50, 99))
-@settings(max_examples=often(8))
+@settings(max_examples=often(3))
 def test_a_straight_run_up_follows_the_closed_formula(
     a: float, b: float, load: float, drag: float, inertia: float, share: float
 ) -> None:
@@ -85,7 +85,7 @@ def test_a_straight_run_up_follows_the_closed_formula(
 
 
 @given(st.floats(0.05, 0.5), st.floats(1.0, 30.0), st.floats(0, 0.004))
-@settings(max_examples=often(5))
+@settings(max_examples=often(2))
 def test_an_asynchronous_motor_reaches_its_speed_as_small_steps_do(slip: float, load: float, fan: float) -> None:
     found = agree(
         run(

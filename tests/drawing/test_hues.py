@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from io import BytesIO
 from itertools import combinations
 
@@ -194,10 +195,15 @@ def _lab(linear: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize(("style", "plain"), [("solution", True), ("question", False)])
 def test_an_examination_is_printed_in_black_and_so_is_every_question(style: str, plain: bool) -> None:
     page = report_bytes([drawn("4-3a").solution], style=style, plain=plain)
-    coloured = report_bytes([drawn("4-3a").solution])
-    assert _hues_of_lines(page) == set() and len(_hues_of_lines(coloured)) >= 4
+    assert _hues_of_lines(page) == set() and len(_hues_of_lines(_coloured())) >= 4
 
 
+@cache
+def _coloured() -> bytes:
+    return report_bytes([drawn("4-3a").solution])
+
+
+@cache
 def _hues_of_lines(pdf: bytes) -> set[tuple[float, ...]]:
     """The inks of lines and letters that are neither black nor grey, nor the pale squares to work on."""
     with pdfplumber.open(BytesIO(pdf)) as pages:

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from tests.drawn_library import IDS, drawn
+from tests.drawn_library import DRAFTED, IDS, drawn
 from tests.drawn_sheets import laid
 from tests.each import Later, each
 from vecpoly.board.acts import Locate, Measure
@@ -23,7 +23,7 @@ from vecpoly.report.answers.line import answer_line
 from vecpoly.report.answers.tables import readings_tables
 
 NO_ROOM = {"best-gamma", "stephenson-valve-gear", "B-26.5", "B-29.5"}  # one sheet holds them only without details
-KNOTTED = Later(lambda: (n for n in IDS if n not in NO_ROOM and any(map(knots, drawn(n).construction.figures))))
+KNOTTED = Later(lambda: (n for n in DRAFTED if n not in NO_ROOM and any(map(knots, drawn(n).construction.figures))))
 SHORT = Later(lambda: (name for name in IDS if any(one.short for one in drawn(name).solution.answers.values())))
 
 

@@ -9,11 +9,12 @@ from typing import get_args
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.drawn_library import DRAFTED, drafted, hanging
 from tests.each import each
+from tests.laws import often
 from tests.pocket import Sum, sums
 from vecpoly.algebra.formula import Node, Sym, plain
 from vecpoly.algebra.quantity import Expr, Of, Rooted, magnitude
@@ -40,11 +41,16 @@ def solved(name: str) -> Solution:
 
 
 @cache
+def texts(name: str) -> tuple[str, ...]:
+    """All that is printed of its construction."""
+    return tuple(printed(solved(name).construction))
+
+
+@cache
 def told(name: str) -> tuple[Sum, ...]:
     """Every sum in the steps, read once for all claims."""
-    texts = list(printed(solved(name).construction))
-    read = {text: tuple(sums(text)) for text in dict.fromkeys(texts)}
-    return tuple(one for text in texts for one in read[text])
+    read = {text: tuple(sums(text)) for text in dict.fromkeys(texts(name))}
+    return tuple(one for text in texts(name) for one in read[text])
 
 
 @each(DRAFTED)
@@ -55,7 +61,7 @@ def test_every_line_of_the_steps_gives_its_printed_result(name: str) -> None:
 
 @each(DRAFTED)
 def test_a_scale_in_a_line_is_positive_whatever_way_the_length_lies(name: str) -> None:
-    for text in printed(solved(name).construction):
+    for text in texts(name):
         assert not NEGATIVE_SCALE.search(text), text
 
 
@@ -71,6 +77,7 @@ def test_thousands_of_sums_are_read() -> None:
 SIZES = st.floats(1e-3, 9e4)
 
 
+@settings(max_examples=often(8))
 @given(SIZES, SIZES, SIZES)
 def test_any_sum_is_printed_so_that_it_reproduces(a: float, b: float, c: float) -> None:
     one, two, three = (magnitude(name, size, "") for name, size in (("a", a), ("b", b), ("c", c)))

@@ -60,7 +60,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory):  # type: ignore[no-untyped-
 # -- the page -----------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", few(FORCES, 4))
+@pytest.mark.parametrize("name", few(FORCES, 8))
 @pytest.mark.parametrize("style", ["solution", "question"])
 def test_every_problem_of_chapters_4_and_5_becomes_a_report(name: str, style: str, pages) -> None:  # type: ignore[no-untyped-def]
     """The solution in one language, the question in the other, and the next problem the other way round."""

@@ -243,7 +243,7 @@ def test_squares_that_a_page_break_parts_take_no_more_room_than_they_were_given(
 
 
 _TONGUES: tuple[Lang, ...] = ("zh", "en")
-SHEETS = few(tuple((name, lang) for name in IDS for lang in _TONGUES), 7)  # in both languages by turns
+SHEETS = few(tuple((name, lang) for name in IDS for lang in _TONGUES), 21)  # in both languages by turns
 
 
 @each(SHEETS)

@@ -8,6 +8,7 @@ from typing import Any
 
 from pypdf import PdfReader
 
+from tests.laws import few
 from tests.studies import course_report
 from vecpoly.report.flow.blocks import Heading, SheetPage
 from vecpoly.report.flow.contents import Contents
@@ -126,7 +127,7 @@ def _flat(outline: list[Any]) -> list[Any]:
 
 def test_the_only_line_under_a_heading_goes_with_it_to_the_page_of_its_table() -> None:
     table = DataTable(["a", "b"], [["1", "2"]] * 5, None, "cc", lang="en")
-    for filling in range(20, 60):
+    for filling in few(range(20, 60), 2):
         lines = [Para("word", None, "en") for _ in range(filling)]
         story = [*lines, Heading("5 Results", 2, "en"), Para("The values:", None, "en"), table]
         doc = ReportDoc(story, META)

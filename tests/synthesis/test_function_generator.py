@@ -117,7 +117,7 @@ def test_a_crank_that_stands_alike_above_and_below_the_frame_has_its_generator(p
 angles = st.tuples(st.floats(15, 60), st.floats(10, 60), st.floats(10, 60))
 
 
-@settings(max_examples=often(8))
+@settings(max_examples=often(3))
 @given(phi=angles, psi=angles, where=st.floats(0, 360))
 def test_every_drawn_generator_closes_at_its_three_pairs_and_is_that_of_the_equation(
     phi: tuple[float, ...], psi: tuple[float, ...], where: float
@@ -140,7 +140,7 @@ def test_every_drawn_generator_closes_at_its_three_pairs_and_is_that_of_the_equa
     assert np.abs(np.abs(100 + c * turn_out - a * turn_in) - values["BC"]).max() < 1e-7 * size
 
 
-@settings(max_examples=often(8))
+@settings(max_examples=often(3))
 @given(
     function=st.sampled_from(["x^2", "log10(x)", "1/x", "sqrt(x)", "exp(x)"]),
     top=st.floats(1.5, 4),

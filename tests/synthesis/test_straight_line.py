@@ -34,7 +34,7 @@ def test_a_range_in_which_the_links_do_not_reach_is_refused_with_the_distances()
         posed("straight-line", **data, phi=["10 deg", "90 deg"])
 
 
-@settings(max_examples=often(10))
+@settings(max_examples=often(4))
 @given(
     lengths=st.tuples(st.floats(20, 40), st.floats(70, 100), st.floats(70, 100), st.floats(70, 100)),
     e=st.tuples(st.floats(-80, 80), st.floats(-80, 80)),

@@ -12,22 +12,30 @@ import pikepdf
 import pytest
 from pdfua import validate
 
-from tests.batch.test_sheet import pdf as class_sheet
 from tests.each import each
-from tests.marked.classes import NUMBERS, answers, graded, wide
+from tests.marked.classes import NUMBERS, answers, graded, register, wide
 from tests.projects import printed as project
-from tests.studies import course_report
+from tests.studies import course_report, solved
 from tests.tagging.document_read import ARTIFACT, Piece, Read, kids
+from vecpoly.batch.codes import sheet_id
+from vecpoly.batch.sheet.compose import composed
+from vecpoly.batch.sheet.write import sheet_bytes
+from vecpoly.batch.student import Student
 from vecpoly.drawing.backends.pdf import to_pdf
 from vecpoly.drawing.sheets.sheet import sheets
-from vecpoly.problem.load import load
 from vecpoly.report.document import report_bytes
-from vecpoly.solution import Solution, solve
+from vecpoly.variants.seeds import Seed
 
 
-@cache
-def solved(name: str) -> Solution:
-    return solve(load(name), repeats=0)
+def class_sheet() -> bytes:
+    """The sheet of a student who has 3-9 as it stands."""
+    one = register().sheets[0]
+    pages = composed(
+        [(solved("3-9"), one.parts[0].key, Seed(assignment="hw", problem="3-9", student=NUMBERS[0]))], "zh"
+    )
+    sheet = sheet_id("hw", "", NUMBERS[0])
+    who = Student(number=NUMBERS[0], name="张三", team="")
+    return sheet_bytes(pages, title="作业", assignment="hw", sheet=sheet, student=who, lang="zh")
 
 
 def drawn() -> bytes:
@@ -50,7 +58,7 @@ KINDS: dict[str, Callable[[], bytes]] = {
     "solutions": lambda: report_bytes([solved("5-5"), solved("2-6"), solved("8-5")], lang="en"),
     "question": lambda: report_bytes([solved("3-5"), solved("7-3"), solved("6-3a")], lang="zh", style="question"),
     "course": lambda: course_report("A-27", "zh"),
-    "project": lambda: project("design-shaper", "en"),
+    "project": lambda: project("design-feeder", "en"),
     "class sheet": class_sheet,
     "feedback": feedback,
     "drawing": drawn,

@@ -64,12 +64,11 @@ class Plan:
             run, bodies = self.start(asked, strict)
             for step in self.steps:
                 bodies |= self.placed(step, bodies, run)
+            run, bodies = run.arrived(bodies)
             if order > 0:
                 for step in self.steps:
                     bodies |= step.move(bodies, run)
-        if run.track is None:
-            return bodies
-        return {name: body.take(slice(run.track.size, None)) for name, body in bodies.items()}
+        return bodies
 
     def placed(self, step: Step, bodies: dict[str, Body], run: Run) -> dict[str, Body]:
         """The step's links; AssemblyError where they do not close at a position asked for."""

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import DeadPointError
 from ..foundation.slotted import dataclass
 from ..words import Words
-from .state import Points, Reals
+from .state import Bodies, Body, Points, Reals
 
 STEP = 1 / 128  # of a turn, or of the scale for a sliding drive: the stride of a followed path
 DEAD = 1e-6  # sine between two links below which rates have no reliable value
@@ -63,6 +65,13 @@ class Run:
     def asked(self) -> int:
         """Index of the first position that was asked for."""
         return self.track.size if self.track else 0
+
+    def arrived(self, bodies: Bodies) -> tuple[Run, dict[str, Body]]:
+        """Without the path, which serves places alone: the positions asked for, and the bodies there."""
+        if self.track is None:
+            return self, {**bodies}
+        asked = slice(self.track.size, None)
+        return replace(self, q=self.q[asked], track=None), {name: body.take(asked) for name, body in bodies.items()}
 
     def first(self, bad: NDArray[np.bool_]) -> int:
         """Index of the first failing position: among those asked for, else on the path to them."""
