@@ -1,6 +1,7 @@
 """Random problems of every family: drawn, exact and differenced values agree, or the program declines in words.
 
-A few members each, one where a member is dear, and not the dearest; `make soak` judges hundreds, `python -m tests.generators` thousands.
+A few members each, one where a member is dear, and not the dearest; `make soak` judges hundreds,
+`python -m tests.generators` thousands.
 """
 
 from __future__ import annotations
