@@ -12,13 +12,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
-from tests.batch.homework import FOUR, TEXT, files, made, made_in_shards, people
+from tests.batch.homework import FOUR, TEXT, files, made, made_in_shards, people, piloted
 from vecpoly.batch.classwork import Made
 from vecpoly.batch.outputs import outputs
 from vecpoly.batch.register import Register, read_register
+from vecpoly.cli.app import app
 from vecpoly.errors import NotAskedError, VecpolyError
 from vecpoly.solution import solve
+
+RUN = ["class", "hw3.yaml", "--roster", "r.csv", "-o", "broken", "-j", "1"]
 
 
 def test_shards_together_are_the_whole_and_the_order_of_the_roster_does_not_matter(
@@ -84,13 +88,19 @@ def test_what_is_no_register_is_refused_in_both_languages(tmp_path: Path) -> Non
 
 
 def test_a_run_that_was_killed_goes_on_and_ends_with_the_bytes_of_one_that_was_not(
-    whole: tuple[Path, Made], tmp_path: Path
+    whole: tuple[Path, Made], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Killed as soon as the first sheets are there; what was finished is not done again."""
     (tmp_path / "hw3.yaml").write_text(TEXT, encoding="utf-8")
     rows = "".join(f"{one.number},{one.name},{one.team}\n" for one in FOUR)
     (tmp_path / "r.csv").write_text("学号,姓名,班级\n" + rows, encoding="utf-8")
-    broken = run(tmp_path, "broken")
+    broken = subprocess.Popen(
+        [sys.executable, "-m", "vecpoly", *RUN],
+        cwd=tmp_path,
+        start_new_session=True,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
     while len(list((tmp_path / "broken" / "questions").glob("*.pdf"))) < 2 and broken.poll() is None:
         time.sleep(0.02)
     assert broken.poll() is None
@@ -98,18 +108,13 @@ def test_a_run_that_was_killed_goes_on_and_ends_with_the_bytes_of_one_that_was_n
     broken.wait()
     kept = {file: file.stat().st_mtime_ns for file in (tmp_path / "broken" / ".work").glob("*.json")}
     assert not (tmp_path / "broken" / "register.json").exists() and kept
-    run(tmp_path, "broken").wait()
+    monkeypatch.chdir(tmp_path)
+    with piloted():
+        assert CliRunner().invoke(app, RUN).exit_code == 0
     shutil.copytree(whole[0], tmp_path / "through")
     assert tuple(outputs(whole[1].register, tmp_path / "through", None, lambda *_: None))  # as the command bundles them
     assert files(tmp_path / "broken") == files(tmp_path / "through")
     assert all(file.stat().st_mtime_ns == when for file, when in kept.items())
-
-
-def run(folder: Path, out: str) -> subprocess.Popen[bytes]:
-    command = [sys.executable, "-m", "vecpoly", "class", "hw3.yaml", "--roster", "r.csv", "-o", out, "-j", "1"]
-    return subprocess.Popen(
-        command, cwd=folder, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-    )
 
 
 def test_more_students_than_values_is_refused_before_anything_is_drawn(tmp_path: Path) -> None:

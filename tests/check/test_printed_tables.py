@@ -155,12 +155,15 @@ def test_the_six_bar_tables_were_computed_with_two_crank_lengths(
 
 @pytest.mark.parametrize(
     ("table", "problem", "header", "rows"),
-    [
-        ("B_table_1A", "B-24", "theta3_deg", range(0, 61, 10)),
-        ("B_table_1B", "B-29.5", "theta3_deg", (0, 40)),
-        ("B_table_1B", "B-29.5", "theta6_deg", range(0, 81, 10)),
-        ("B_table_1A", "B-26.5", "theta3_deg", range(0, 61, 10)),
-    ],
+    few(
+        [
+            ("B_table_1A", "B-24", "theta3_deg", range(0, 61, 10)),
+            ("B_table_1B", "B-29.5", "theta3_deg", (0, 40)),
+            ("B_table_1B", "B-29.5", "theta6_deg", range(0, 81, 10)),
+            ("B_table_1A", "B-26.5", "theta3_deg", range(0, 61, 10)),
+        ],
+        3,
+    ),
 )
 def test_rows_typed_over_are_found_and_told_by_the_velocities_beside_them(
     table: str, problem: str, header: str, rows: Sequence[int]
@@ -191,7 +194,14 @@ A_E = (
 
 @pytest.mark.parametrize(
     ("table", "problem", "l1", "l1_of_rates"),
-    [("B_table_1A", "B-24", 24.0, 26.5), ("B_table_1B", "B-29.5", 29.5, 24.0), ("B_table_1A", "B-26.5", 24.0, 26.5)],
+    few(
+        [
+            ("B_table_1A", "B-24", 24.0, 26.5),
+            ("B_table_1B", "B-29.5", 29.5, 24.0),
+            ("B_table_1A", "B-26.5", 24.0, 26.5),
+        ],
+        2,
+    ),
 )
 def test_speed_and_acceleration_of_e_hold_three_slips_of_their_formulas_beside_the_two_crank_lengths(
     table: str, problem: str, l1: float, l1_of_rates: float
@@ -226,7 +236,7 @@ VARIANTS = {
 
 
 @pytest.mark.parametrize(
-    ("table", "problem"), [("B_table_1A", "B-24"), ("B_table_1B", "B-29.5"), ("B_table_1A", "B-26.5")]
+    ("table", "problem"), few([("B_table_1A", "B-24"), ("B_table_1B", "B-29.5"), ("B_table_1A", "B-26.5")], 2)
 )
 def test_lengths_that_belong_to_variants_of_the_problem_are_named_by_them(table: str, problem: str) -> None:
     last = checked(problem, table).whole[-1]

@@ -43,7 +43,7 @@ def test_it_is_drawn_by_one_straight_line_after_any_construction_of_the_circle(c
     assert answer.drawn_vector == pytest.approx(complex(*case["ball"]) / 1e3, abs=1e-10)
 
 
-@settings(max_examples=often(12))
+@settings(max_examples=often(6))
 @given(linkages())
 def test_what_is_drawn_is_what_the_rates_tell(case: dict[str, Any]) -> None:
     try:

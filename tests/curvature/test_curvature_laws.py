@@ -45,7 +45,7 @@ def shape(case: dict[str, Any]) -> Curvatures | None:
         return None
 
 
-@settings(max_examples=often(12))
+@settings(max_examples=often(6))
 @given(linkages(), st.sampled_from(WAYS))
 def test_whatever_is_drawn_is_what_the_rates_tell(case: dict[str, Any], way: str) -> None:
     try:

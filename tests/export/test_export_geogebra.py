@@ -113,7 +113,7 @@ def same_answers(solution: Solution, known: dict[str, Any]) -> int:
 
 
 @pytest.mark.parametrize("problem", few(SEVERAL, 3))
-@pytest.mark.parametrize("by", [0.0, 1.1, -0.27][: often(2)])
+@pytest.mark.parametrize("by", [1.1, 0.0, -0.27][: often(1)])
 def test_wherever_the_slider_stands_letters_and_answers_are_those_of_solve(problem: str, by: float) -> None:
     there = moved(load(problem), by)
     solution = solve(there, by="exact", repeats=0, precise=False)
@@ -203,7 +203,7 @@ def test_points_are_made_of_points_not_of_numbers() -> None:
 
 
 def test_labels_are_given_once_and_before_they_are_used() -> None:
-    for problem in SEVERAL:
+    for problem in few(SEVERAL, 3):
         labels = [one.get("label") for one in construction(exported(problem)) if one.tag == "element"]
         assert len(labels) == len(set(labels))
 

@@ -15,16 +15,17 @@ from tests.fuzz.files import damaged_files, damaged_tables
 from tests.fuzz.kills import killed
 from tests.fuzz.outcome import End, Outcome
 from tests.fuzz.workers import Worker, outcomes
+from tests.laws import often
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes of another kind")
 
 
 def test_no_damaged_problem_file_ends_in_a_traceback_or_a_hang(tmp_path: Path) -> None:
-    ends: Counter[End] = Counter()
-    for path, outcome in outcomes(_file, damaged_files(np.random.default_rng(7), 150, tmp_path / "p.yaml")):
+    ends, count = Counter[End](), often(75)
+    for path, outcome in outcomes(_file, damaged_files(np.random.default_rng(3), count, tmp_path / "p.yaml")):
         ends[outcome.end] += 1
         assert outcome.end in (End.SOLVED, End.REFUSED), f"{outcome.said}\n{Path(path).read_text('utf-8', 'replace')}"
-    assert ends[End.SOLVED] > 10 and ends[End.REFUSED] > 40
+    assert ends[End.SOLVED] > count / 15 and ends[End.REFUSED] > count / 3.75
 
 
 def test_no_damaged_table_ends_in_a_traceback_or_a_hang(tmp_path: Path) -> None:
@@ -36,8 +37,8 @@ def test_no_damaged_table_ends_in_a_traceback_or_a_hang(tmp_path: Path) -> None:
 
 
 def test_a_killed_run_leaves_whole_files_or_none(tmp_path: Path) -> None:
-    rng, early = np.random.default_rng(7), 0
-    for n in range(4):
+    rng, early = np.random.default_rng(24), 0  # a second after the start, where files are about to be written
+    for n in range(often(2)):
         (tmp_path / str(n)).mkdir()
         kill = killed(rng, tmp_path / str(n))
         early += kill.early

@@ -131,7 +131,7 @@ find: [v_C, a_C, omega_1, omega_2, alpha_1, alpha_2]
 """
 
 
-@family("cylinder-inside", often=2)
+@family("cylinder-inside", often=1)
 def inside(rng: np.random.Generator) -> str:
     """A cylinder between two moving links of a four-bar:
     crank and rocker, crank and coupler, coupler and rocker, frame and coupler."""
@@ -169,7 +169,7 @@ find: [v_B, v_C, a_C, omega_1, omega_2, omega_3, omega_4, alpha_1, alpha_2, alph
 """
 
 
-@family("motor-in-hinge", often=2)
+@family("motor-in-hinge", often=1)
 def motor(rng: np.random.Generator) -> str:
     """A motor at the hinge of coupler and rocker, or of crank and coupler."""
     phi, ab, bc = rng.uniform(0, 2 * np.pi), rng.integers(60, 250), rng.integers(100, 300)

@@ -25,25 +25,32 @@ def content(solution: Solution) -> str:
 class Family:
     """One kind of problem: its name, what writes a random member, a further check of the solution (a third party's).
 
-    often: members that are judged in every run of the tests, fewer where one takes long; `make soak` judges hundreds.
+    often: members that are judged in every run of the tests, fewer where one takes long, from `first` on, which is
+    where the members that come before take long; `make soak` judges hundreds.
     """
 
     name: str
     make: Make
     also: Check
     often: int
+    first: int
+
+    @property
+    def tried(self) -> range:
+        """The numbers of the members that are judged in every run of the tests."""
+        return range(self.first, self.first + self.often)
 
 
 _FAMILIES: dict[str, Family] = {}
 
 
-def family(name: str, also: Check = content, often: int = 2) -> Callable[[Make], Make]:
+def family(name: str, also: Check = content, often: int = 2, first: int = 0) -> Callable[[Make], Make]:
     """Register a function as the maker of a family's members."""
 
     def register(make: Make) -> Make:
         if name in _FAMILIES:
             raise ValueError(f"two functions make the family {name}")
-        _FAMILIES[name] = Family(name=name, make=make, also=also, often=often)
+        _FAMILIES[name] = Family(name=name, make=make, also=also, often=often, first=first)
         return make
 
     return register

@@ -25,13 +25,13 @@ def balanced(rng: np.random.Generator, text: str) -> str:
     return loaded(rng, text, f'  X_b: {{on: {link}{way if force else ""}, size: "?"}}\n', find="")
 
 
-@family("forces-class-iii", also=every_reaction)
+@family("forces-class-iii", also=every_reaction, often=1)
 def of_class_iii(rng: np.random.Generator) -> str:
     """A central link on three legs."""
     return balanced(rng, class_iii(rng))
 
 
-@family("forces-class-iii-friction", also=every_reaction, often=2)
+@family("forces-class-iii-friction", also=every_reaction, often=1, first=2)
 def with_friction(rng: np.random.Generator) -> str:
     """The same with friction circles of some pins."""
     bare = class_iii(rng)

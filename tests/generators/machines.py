@@ -129,7 +129,7 @@ def the_machine_is_as_even_as_was_asked(solution: Solution) -> str:
     return f"with this flywheel ω_min is {slowest}, not {wanted}" if wrong else ""
 
 
-@family("machine-flywheels", also=the_machine_is_as_even_as_was_asked, often=1)
+@family("machine-flywheels", also=the_machine_is_as_even_as_was_asked, often=1, first=3)
 def flywheel(rng: np.random.Generator) -> str:
     """A crank-rocker whose rocker meets a moment during part of the turn."""
     crank = rng.uniform(60, 110)

@@ -74,7 +74,7 @@ def _free(mech: Mechanism) -> str:
     return f'  X_b: {{on: {link}{way}, size: "?"}}\n'
 
 
-@family("forces-alone-gears", often=2, also=no_power_is_left)
+@family("forces-alone-gears", also=no_power_is_left, often=1, first=3)
 def of_gears(rng: np.random.Generator) -> str:
     """Any of the mechanisms with gears and racks."""
     made = [one for one in families() if one.name.startswith("gears-")]
@@ -87,7 +87,7 @@ def of_class_iii(rng: np.random.Generator) -> str:
     return loaded(rng, class_iii(rng))
 
 
-@family("forces-floating-cylinder", also=every_reaction, often=2)
+@family("forces-floating-cylinder", also=every_reaction, often=1)
 def of_cylinders(rng: np.random.Generator) -> str:
     """A cylinder between two links of a four-bar whose thrust balances, with every reaction."""
     text = inside(rng)

@@ -90,14 +90,14 @@ def rubbing(rng: np.random.Generator, text: str) -> str:
     return f"friction:\n{told}" if told else ""
 
 
-@family("forces-gears", also=teeth_press)
+@family("forces-gears", also=teeth_press, first=4)
 def of_gears(rng: np.random.Generator) -> str:
     """Any of the mechanisms with gears and racks."""
     made = [one for one in families() if one.name.startswith("gears-")]
     return balanced(rng, made[int(rng.integers(len(made)))].make(rng))
 
 
-@family("forces-gears-friction", also=teeth_press)
+@family("forces-gears-friction", also=teeth_press, often=1)
 def with_friction(rng: np.random.Generator) -> str:
     """The same with friction in the bearings."""
     made = [one for one in families() if one.name.startswith("gears-")]

@@ -36,7 +36,7 @@ def two_trains(rng: np.random.Generator) -> str:
     return balanced(rng, grown(rng))
 
 
-@family("forces-two-trains-friction", also=teeth_press)
+@family("forces-two-trains-friction", also=teeth_press, often=1, first=7)
 def with_friction(rng: np.random.Generator) -> str:
     """The same with friction in the bearings."""
     bare = grown(rng)

@@ -12,7 +12,7 @@ FEW = ("pencil: whole sheets accepted", "pencil: quantities accepted", "pencil: 
        "another student's sheet accepted", "follow-through lowered a mark")  # fmt: skip
 
 
-@pytest.mark.parametrize("name", few(["3-9", "4-3a", "5-2", "3-2"], 3))
+@pytest.mark.parametrize("name", few(["3-9", "4-3a", "5-2", "3-2"], 4))
 def test_right_work_is_accepted_slips_are_caught_and_no_other_sheet_passes(name: str) -> None:
     total, _ = prove(name, 40)
     for claim in FEW:

@@ -17,6 +17,7 @@ from typer.testing import CliRunner
 
 import vecpoly
 from tests.drawn_library import DRAFTED, drafted, drawn, ids
+from tests.laws import few
 from vecpoly import load, loads, solve
 from vecpoly.answer import YES_NO
 from vecpoly.check.alarm import Cause, Weighed, alarm_at
@@ -76,13 +77,14 @@ def _by_pencil(name: str) -> Solution | None:
 
 def test_a_right_drawing_raises_no_alarm_by_any_hand() -> None:
     raised, solved = [], 0
-    for name in DRAFTED:
-        for by, solution in (("drafting", drafted(name)), ("pencil", _by_pencil(name))):
-            solved += solution is not None
-            if solution is None or (by == "pencil" and not _finds_all(solution)):
-                continue
-            raised += [(name, by, key) for key, answer in solution.answers.items() if answer.suspect]
-    assert solved > 1.5 * len(DRAFTED)
+    by_hands = [("drafting", name, drafted(name)) for name in DRAFTED]
+    by_hands += [("pencil", name, _by_pencil(name)) for name in few(DRAFTED, 3)]
+    for by, name, solution in by_hands:
+        solved += solution is not None
+        if solution is None or (by == "pencil" and not _finds_all(solution)):
+            continue
+        raised += [(name, by, key) for key, answer in solution.answers.items() if answer.suspect]
+    assert solved > 0.75 * len(by_hands)
     assert raised == []
 
 

@@ -14,7 +14,7 @@ from tests.laws import often
 from tests.machine.engines import DATA, SHAPER, engine, machine
 from vecpoly.check.truth import exact_values
 from vecpoly.errors import EquilibriumError
-from vecpoly.oracle.machine import reduce
+from vecpoly.oracle.machine import periodic, reduce
 from vecpoly.oracle.machine.forward import Mover, Outcome
 from vecpoly.oracle.machine.run import follow
 from vecpoly.oracle.machine.started import ending, motion_of
@@ -112,9 +112,10 @@ def test_a_place_that_is_not_reached_is_refused_with_how_it_ended() -> None:
         exact_values(engine(["omega_at_600"], phi=30, loads=push, more=run))
 
 
-def test_a_drive_that_never_weakens_comes_to_no_steady_motion() -> None:
+def test_a_drive_that_never_weakens_comes_to_no_steady_motion(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(periodic, "TURNS", 20)
     run = "machine: {start: {phi: 30 deg, omega: 0 rad/s}, until: steady}\n"
-    with pytest.raises(EquilibriumError, match="has not settled"):
+    with pytest.raises(EquilibriumError, match="after 20 turns it has not settled"):
         exact_values(engine(["T_cycle"], phi=30, loads=("M_1: {on: 1, size: 5 N*m ccw}",), more=run))
 
 

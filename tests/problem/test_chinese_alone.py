@@ -12,6 +12,7 @@ import typer
 from typer.testing import CliRunner
 
 from tests.fuzz.files import damaged_files
+from tests.laws import often
 from vecpoly import load, solve
 from vecpoly.cli.app import app
 from vecpoly.errors import VecpolyError
@@ -54,14 +55,14 @@ def test_an_english_phrase_in_a_chinese_text_is_seen() -> None:
 
 
 def test_what_is_told_of_damaged_files_in_chinese_holds_no_english(made: list[Words], tmp_path: Path) -> None:
-    refused = 0
-    for _ in damaged_files(np.random.default_rng(11), 80, tmp_path / "p.yaml"):
+    refused, count = 0, often(40)
+    for _ in damaged_files(np.random.default_rng(11), count, tmp_path / "p.yaml"):
         try:
             solve(load(tmp_path / "p.yaml"), repeats=0)
         except VecpolyError:
             refused += 1
     wrong = {words.zh: english_in(words) for words in made if english_in(words)}
-    assert refused > 20 and len(made) > 1000 and not wrong
+    assert refused > count / 4 and len(made) > 1000 and not wrong
 
 
 @pytest.mark.parametrize("name", ["three-legged-plate", "scissor-lift", "3-5", "4-3a", "geared-five-bar"])

@@ -19,7 +19,8 @@ from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem, Shape
 from vecpoly.problem.template import template_text
 
-IDS = [entry.id for entry in library()]
+TITLES = {entry.id: entry.title for entry in library()}
+IDS = [*TITLES]
 CH3 = {f"3-{n}" for n in ("4a", "4a-straight", "4b", "5", "5-xD400", "6", *range(8, 15))}
 CH3 |= {f"3-7{letter}" for letter in "abcde"} | {"C-conveyor", "ex10"}
 
@@ -55,7 +56,7 @@ def test_every_file_loads_with_both_languages_and_something_to_find(name: str) -
 
 @each(IDS)
 def test_the_cheap_head_tells_the_title_of_the_file(name: str) -> None:
-    assert next(entry.title for entry in library() if entry.id == name) == problem_of(name).title
+    assert TITLES[name] == problem_of(name).title
 
 
 def test_the_six_bar_of_problem_27_takes_fifteen_lines() -> None:

@@ -71,6 +71,11 @@ class Hand:
     rng: np.random.Generator
 
     @property
+    def is_ideal(self) -> bool:
+        """Whether it neither rounds nor scatters, with no repetitions beside it."""
+        return self.nominal == EXACT and not self.repeats
+
+    @property
     def slack(self) -> float:
         """How far (mm) a point of the nominal sheet may lie beside its place: ten times what the dividers scatter."""
         return 10.0 * self.nominal.dividers

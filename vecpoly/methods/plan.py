@@ -42,7 +42,9 @@ def construct(
         desk = draw(problem, Board(by, found.scales, amended), said)
         readings, repeats = answered(desk, problem)
         ideal, motion = found.ideal, found.motion
-        if ideal is None:  # all scales are given, and nothing was sketched
+        if ideal is None and by.is_ideal and amended == AS_DRAWN:
+            ideal, motion = readings, motion_of(desk)  # what would be sketched is what was drawn
+        elif ideal is None:  # all scales are given, and nothing was sketched
             plain = sketch or sketch_of(problem, found.scales)
             ideal, motion = answered(plain, problem)[0], motion_of(plain)
     return Drawn(_finished(problem, by, desk, readings), repeats, ideal, motion, desk.board.hands)

@@ -51,8 +51,8 @@ def nearly_locked(rng: np.random.Generator, text: str) -> str:
     return times(text, share * low)
 
 
-def _registered(name: str, make: Make, also: Check = in_equilibrium, often: int = 1) -> None:
-    @family(f"near-locking-{name}", also=also, often=often)
+def _registered(name: str, make: Make, also: Check = in_equilibrium, first: int = 0) -> None:
+    @family(f"near-locking-{name}", also=also, often=1, first=first)
     def one(rng: np.random.Generator) -> str:
         return nearly_locked(rng, make(rng))
 
@@ -61,5 +61,5 @@ _registered("groups", of_any_groups)
 _registered("owners", of_owners)
 _registered("slots", of_slots)
 _registered("gears", of_gears, teeth_press)
-_registered("class-iii", of_class_iii, every_reaction, often=2)  # of which many are refused
+_registered("class-iii", of_class_iii, every_reaction, first=2)  # those before it are dear, or refused
 _registered("special-points", by_special_points_with_friction, every_reaction)

@@ -155,7 +155,7 @@ def pressure(rng: Random) -> str:
     return f"{text}find: [{', '.join(keys)}]\n"
 
 
-@family("elsewhere-machine", often=1)
+@family("elsewhere-machine", often=1, first=2)
 def machine(rng: Random) -> str:
     """A period with a load in part of a stroke, and the constant moment that does its work."""
     text, one = made(rng)
@@ -169,7 +169,7 @@ def machine(rng: Random) -> str:
     )
 
 
-@family("elsewhere-motion", also=as_walked, often=1)
+@family("elsewhere-motion", also=as_walked, often=1, first=1)
 def motion(rng: Random) -> str:
     """Positions alone, all round: by the oracle, and as they are posed for reports and the player."""
     return f"{made(rng, (*ALL, *BARS))[0]}find: [omega_2]\n"

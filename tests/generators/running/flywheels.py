@@ -8,7 +8,7 @@ from .machines import SORTS, Random, driven, loaded, weighed
 HEAD = "id: machine\ntitle: machine\n"
 
 
-@family("machine-any-load", often=1)
+@family("machine-any-load", often=1, first=8)
 def any_load(rng: Random) -> str:
     """A constant moment makes good what the loads take over the period."""
     made = SORTS[int(rng.integers(len(SORTS)))](rng)
@@ -18,7 +18,7 @@ def any_load(rng: Random) -> str:
     return f"{HEAD}{driven(rng, made)}{loads}{weighed(rng, made)}{run}{asked}"
 
 
-@family("forces-constant", often=1)
+@family("forces-constant", often=1, first=3)
 def constant(rng: Random) -> str:
     """The constant moment and what balances at the given position, with no speed demanded."""
     made = SORTS[int(rng.integers(len(SORTS)))](rng)

@@ -39,7 +39,7 @@ def curvature(rng: Random) -> str:
     return f"{text}method: curvature\nconstruction: {rng.choice(WAYS)}\nfind: [{asked}]\n"
 
 
-@family("any-equivalent", often=2)
+@family("any-equivalent", first=2)
 def equivalent(rng: Random) -> str:
     """J_e and M_e of the drive and of another link, masses anywhere, a moment somewhere."""
     text, mech = moving(rng)
@@ -51,7 +51,7 @@ def equivalent(rng: Random) -> str:
     return f"{text}{load}{masses(rng, mech)}find: [{', '.join(asked)}]\n"
 
 
-@family("any-flywheel", often=3)
+@family("any-flywheel", first=1)
 def flywheel(rng: Random) -> str:
     """A constant moment on the drive, a moment on another link during part of the turn."""
     text, mech = moving(rng)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import re
 from io import BytesIO
-from itertools import islice
 from zipfile import ZipFile
 
 import numpy as np
-import pdfplumber
 from ezdxf import recover
+from pypdfium2 import PdfDocument
 
 from vecpoly.drawing.backends.svg import to_svg
 from vecpoly.drawing.sheets.sheet import sheets
@@ -34,14 +33,14 @@ def _lang(rng: np.random.Generator) -> Lang:
 
 
 def _faulty(pdf: bytes) -> str:
-    """A page on which nothing stands, or what no reader should see."""
-    with pdfplumber.open(BytesIO(pdf)) as book:
-        for page in islice(book.pages, 40):
-            text = page.extract_text() or ""
-            if not (text or page.curves or page.lines):
-                return f"page {page.page_number} is empty"
+    """A page on which nothing is written, or what no reader should see."""
+    with PdfDocument(pdf) as book:
+        for number, page in enumerate(book, 1):
+            text = page.get_textpage().get_text_range()
+            if not text.strip():
+                return f"page {number} is empty"
             if said := NEVER.search(text):
-                return f"page {page.page_number} says {text[max(0, said.start() - 40) : said.end() + 20]!r}"
+                return f"page {number} says {text[max(0, said.start() - 40) : said.end() + 20]!r}"
     return ""
 
 
@@ -101,8 +100,8 @@ def played(solution: Solution, rng: np.random.Generator) -> str:
     return "" if page.html.rstrip().endswith("</html>") and all(told) else "a page is empty"
 
 
-family("used-report", also=reported, often=2)(anything("report"))
-family("used-course", also=studied, often=1)(
+family("used-report", also=reported, first=5)(anything("report"))
+family("used-course", also=studied, often=1, first=33)(
     anything(
         "course",
         "linkage",
@@ -117,8 +116,8 @@ family("used-course", also=studied, often=1)(
         "machine",
     )
 )
-family("used-drawn", also=drawn, often=1)(anything("drawn"))
-family("used-geogebra", also=moving, often=2)(
+family("used-drawn", also=drawn, often=1, first=10)(anything("drawn"))
+family("used-geogebra", also=moving, often=1, first=8)(
     anything("geogebra", "linkage", "class-iii", "gears", "offset", "pin-in", "four")
 )
-family("used-player", also=played, often=1)(anything("player"))
+family("used-player", also=played, often=1, first=7)(anything("player"))

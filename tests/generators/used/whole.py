@@ -112,4 +112,4 @@ def _within(turn: Cycle, keys: list[str], mech: Mechanism) -> str:
     return ""
 
 
-family("used-cycle", also=over_the_cycle, often=2)(anything("cycle", *MOTIONS))
+family("used-cycle", also=over_the_cycle, often=1, first=2)(anything("cycle", *MOTIONS))

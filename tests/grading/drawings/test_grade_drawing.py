@@ -56,7 +56,7 @@ def test_another_order_of_addition_is_as_right(problem: str) -> None:
 @pytest.mark.parametrize("problem", few(["3-9", "3-7a", "4-3a"], 2))
 def test_every_slip_that_is_drawn_is_caught_and_most_are_named(problem: str) -> None:
     key = key_of(problem)
-    marks = [(slip, marked(key, drawn(world), declared=True)) for slip, world in key.worlds]
+    marks = [(slip, marked(key, drawn(world), declared=True)) for slip, world in few(key.worlds, 2)]
     assert [str(slip) for slip, mark in marks if mark.right] == []
     assert [str(slip) for slip, mark in marks if mark.slip not in (None, slip)] == []
     assert sum(mark.slip == slip for slip, mark in marks) >= 0.8 * len(marks)

@@ -20,7 +20,7 @@ from vecpoly.drawing.style import Dash
 from vecpoly.grading.drawings.overlay import overlay
 from vecpoly.words import Lang, bare
 
-FEW = settings(max_examples=often(8))
+FEW = settings(max_examples=often(4))
 places = st.complex_numbers(max_magnitude=5_000, allow_nan=False, allow_infinity=False)
 WRONG = ("an_C2B reversed", "ak_C2C3 halved", "v_B turned")
 

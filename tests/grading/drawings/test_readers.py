@@ -22,6 +22,8 @@ from vecpoly.export.dxf.document import figure_dxf
 from vecpoly.export.geogebra.document import to_ggb
 from vecpoly.export.recording import record
 from vecpoly.grading.drawings.judging.mark import Verdict
+from vecpoly.grading.drawings.readers import dxf as dxf_reader
+from vecpoly.grading.drawings.readers import found
 from vecpoly.grading.drawings.readers.door import parsed, read_drawing
 from vecpoly.grading.drawings.segment import Drawing
 
@@ -183,7 +185,9 @@ def test_what_unpacks_beyond_all_measure_is_refused_unread(monkeypatch: pytest.M
             parsed("a.pdf", b"%PDF-1.4\nstream\n" + packed + b"\nendstream")
 
 
-def test_blocks_within_blocks_are_counted_before_they_are_all_unfolded() -> None:
+def test_blocks_within_blocks_are_counted_before_they_are_all_unfolded(monkeypatch: pytest.MonkeyPatch) -> None:
+    for module in (dxf_reader, found):
+        monkeypatch.setattr(module, "DRAWN", 2_000)  # of ten million
     doc = ezdxf.new("R2010", units=4)  # type: ignore[attr-defined]
     doc.blocks.new("b0").add_line((0, 0), (1, 0))
     for level in range(1, 8):
