@@ -43,7 +43,7 @@ def test_two_parallel_forces_are_laid_off_interchanged_and_their_resultant_divid
     one, two = points["E"], points["S_1"]
     at = one + (two - one) * 17658 / (17658 + 9000)  # Q EX = G XS
     assert _lines_through(at, marks) >= {90}
-    assert [step for step in solution.construction.steps if "互换截取" in step.words.zh]
+    assert [step for step in solution.construction.steps if "截取另一力" in step.words.zh]
     assert any(letter.startswith("P_") for letter in points)
 
 

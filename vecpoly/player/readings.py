@@ -11,7 +11,7 @@ from ..report.answers.tables import way
 from ..report.values import called, value
 from ..solution import YES_NO, Answer, Solution
 from ..tagging.speech import spoken
-from ..words import Words
+from ..words import Lang, Words
 from .figures import LANGS
 from .inverted import Turned
 from .setting.ink import inked
@@ -34,10 +34,14 @@ def names(solution: Solution, faces: Faces) -> tuple[tuple[Words, Words], ...]:
 
 
 def ways_heard(turns: Sequence[Turned]) -> dict[str, str]:
-    """How the senses of turning in the table are read out: by the sign that they begin with."""
+    """How what stands for a direction in the table is read out: a sense in its own words, a sign by its name."""
     solutions = [turn.solution for turn in turns]
     found = {way(a, one.problem, lang): lang for one in solutions for a in one.answers.values() for lang in LANGS}
-    return {text: spoken(text.split()[0], lang) for text, lang in found.items() if not any(map(str.isdigit, text))}
+    return {text: _heard(text, lang) for text, lang in found.items() if not any(map(str.isdigit, text))}
+
+
+def _heard(text: str, lang: Lang) -> str:
+    return text if any(map(str.isalpha, text)) else spoken(text, lang)
 
 
 def readings(turns: Sequence[Turned], faces: Faces) -> list[list[Cells]]:

@@ -19,7 +19,6 @@ from ..flow.table import DataTable
 _FIGURE, _TABLE = Words("图", "Figure"), Words("表", "Table")
 SMALL = Style(size=8.3, leading=10.0, after=0.0, align="left")
 
-_TO = Words("至", " to ")
 _BOTH = Words("数值列于{}，曲线见{}。", "The values are listed in {}, the curves drawn in {}.")
 _LISTED, _DRAWN = Words("数值列于{}。", "The values are listed in {}."), Words("见{}。", "See {}.")
 _GAP, _ROOM = 4.0, 170.0  # mm between two figures beside each other, and for both
@@ -47,7 +46,7 @@ class Press:
 
     @property
     def called(self) -> dict[str, str]:
-        """What each figure and table is called, by its name for the template: Table 5-2, Figure 5-1 to Figure 5-2."""
+        """What each figure and table is called, by its name for the template: Table 5-2, Figures 5-1 and 5-2."""
         return {name: self.through(some) for name, some in self._called.items()}
 
     def number(self, kind: str) -> str:
@@ -100,9 +99,12 @@ class Press:
         return name
 
     def through(self, called: Sequence[str]) -> str:
-        """The first and the last of what is numbered through."""
+        """What is numbered through: Figure 5-1, Figures 5-1 and 5-2, Figures 5-1 to 5-3."""
         first, last = called[0], called[-1]
-        return first if first == last else f"{first}{_TO.of(self.lang)}{last}"
+        if first == last or self.lang == "zh":
+            return first if first == last else f"{first}{'、' if len(called) == 2 else '至'}{last}"
+        kind, _, number = first.partition(" ")
+        return f"{kind}s {number} {'and' if len(called) == 2 else 'to'} {last.partition(' ')[2]}"
 
     def shown(self, tables: Sequence[str], figures: Sequence[str]) -> str:
         """A sentence that says where values and curves of a section are found: in Table 5-2, in Figure 5-3."""
