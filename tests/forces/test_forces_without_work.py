@@ -76,7 +76,7 @@ def test_the_table_of_lines_tells_a_couple_at_infinity_and_leaves_out_forces_of_
     assert table is not None
     rows = {row[0]: row for row in table.rows}
     assert set(rows) == {"$R_{32}$", "$R_{43}$"}
-    assert "at infinity: a couple of 12 N·m, cw" in rows["$R_{32}$"][3]
+    assert "at infinity: a couple of 12 N·m, clockwise" in rows["$R_{32}$"][3]
 
 
 def test_a_couple_through_the_yoke_beside_a_force_moves_the_force_aside() -> None:

@@ -39,10 +39,10 @@ def misread(error: Any, text: str) -> Misread:
         return _at(here, Words("此处有制表符；请用空格缩进", "a tab; indent with spaces"))
     if "quoted scalar" in context:
         return _quoted(here, Misread(_FALLBACK, opened.line, opened.column), problem, lines)
-    if "'?'" in problem or "mapping keys are not allowed" in problem:
+    if ("'?'" in problem or "mapping keys are not allowed" in problem) and _sign(here, lines) in ("?", ""):
         return _at(here, Words('问号要加引号：size: "?"', 'a question mark goes between quotes: size: "?"'))
     if "cannot start any token" in problem or "undefined alias" in problem:
-        sign = lines[mark.line][mark.column : mark.column + 1] if mark.line < len(lines) else ""
+        sign = _sign(here, lines)
         return _at(
             here, Words(f"以“{sign}”开头的文本要加引号", f"a text that begins with '{sign}' goes between quotes")
         )
@@ -55,6 +55,11 @@ def misread(error: Any, text: str) -> Misread:
     if "could not find expected ':'" in problem:
         return _no_colon(Misread(_FALLBACK, opened.line, opened.column), lines)
     return _block(here, problem, lines)
+
+
+def _sign(at: Misread, lines: list[str]) -> str:
+    """The character there; none past the end. A key that begins where none may is called '?' by the reader, too."""
+    return lines[at.line][at.column : at.column + 1] if at.line < len(lines) else ""
 
 
 def _at(where: Misread, words: Words) -> Misread:
@@ -77,7 +82,7 @@ def _quoted(here: Misread, opened: Misread, problem: str, lines: list[str]) -> M
 def _bracket(here: Misread, opened: Misread, lines: list[str]) -> Misread:
     """A bracket left open, or a comma left out."""
     sign = lines[opened.line][opened.column : opened.column + 1]
-    found = lines[here.line][here.column : here.column + 1] if here.line < len(lines) else ""
+    found = _sign(here, lines)
     if found in "}]" and found and found != _CLOSER.get(sign):
         return _at(
             here,
