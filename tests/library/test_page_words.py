@@ -87,7 +87,7 @@ def test_both_pages_of_a_report_hold_the_same_objects_with_the_same_numbers(name
         if isinstance(here, DataTable) and isinstance(there, DataTable):
             assert decimals_of(here) == decimals_of(there), key
         elif isinstance(here, Drawing) and isinstance(there, Drawing):
-            assert (here.width, here.height) == pytest.approx((there.width, there.height), abs=12.0), key
+            assert here.size == pytest.approx(there.size, abs=34.0), key  # 12 mm: titles are wider in one language
 
 
 def besides_sheets(objects: Mapping[str, object]) -> list[str]:
