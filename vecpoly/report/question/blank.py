@@ -12,10 +12,11 @@ from ...algebra.quantity import number
 from ...board.construction import Figure, View
 from ...board.paper.extent import bounds
 from ...board.paper.marks import Arc, Dot, FixedGuide, Ground, Mark, Note, Point, RackMark, Role, Segment, Vector
+from ...figures.balancing import END_VIEW
 from ...figures.energy import INDICATOR
 from ...words import Words
 from ..picture import to_scale
-from .known import NEAR
+from .known import NEAR, begun
 
 PAST, _PARTS = 2.0, 360  # mm between a circle and the frame; parts of a circle that is cut off there
 EDGE = 9.0  # mm that stay free beside what runs through a frame
@@ -32,7 +33,9 @@ def framed(figure: Figure, size: tuple[float, float], known: Sequence[Mark]) -> 
     """The frame of this size about a figure, on the figure, and what stands in it; known: what is given of it."""
     if figure.view is View.MECHANISM:
         box = _about(figure, size)
-        return (box, (*_given(figure, known, box),)) if to_scale(figure) else (box, ())
+        return box, tuple(_given(figure, known, box)) if to_scale(figure) else begun(figure)
+    if figure.view is END_VIEW:
+        return _about(figure, size), begun(figure)
     if (axes := _axes(figure)) is not None:
         box, marks = _diagram(figure, axes, size)
         return box, (*marks, *known)

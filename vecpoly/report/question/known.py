@@ -66,6 +66,19 @@ def stands(construction: Construction, figure: Figure, problem: Problem) -> tupl
     return (*(mark for mark in found if mark in told), *(guide for guide in guides if guide is not None))
 
 
+def begun(figure: Figure) -> tuple[Mark, ...]:
+    """With what a figure begins that rests on no datum: the axes of an end view with their centre, the circle of a
+    polygon of centres with the numbers of the links."""
+    first = min(mark.step for mark in figure.marks)
+    here = [mark for mark in figure.marks if mark.step == first]
+    lines = [mark for mark in here if isinstance(mark, Segment) and mark.role is Role.CENTRE]
+    ends = {0j, *(end for line in lines for end in (line.a, line.b))}
+    axes = (mark for mark in here if isinstance(mark, Point) and mark.at in ends) if lines else ()
+    numbers = [mark for mark in here if isinstance(mark, Point) and mark.label.isdigit()]
+    circles = (mark for mark in here if isinstance(mark, Arc)) if numbers else ()
+    return (*lines, *axes, *circles, *numbers)
+
+
 def _cam(cam: Cam, figure: Figure) -> tuple[Mark, ...]:
     """What a place of a cam that is drawn apart begins with: its centre, and its base circle where that is given."""
     centre = next((m for m in figure.marks if isinstance(m, Point) and m.label == "O" and m.dot is Dot.JOINT), None)
