@@ -71,6 +71,22 @@ def test_a_moment_has_a_sense(size: str, value: float) -> None:
     assert acting(text).moments[0].size == pytest.approx(value, rel=1e-15)
 
 
+@pytest.mark.parametrize(
+    ("size", "en"),
+    [
+        ("20 N*m", "20 N·m (counter-clockwise)"),
+        ("-3 N*m", "3 N·m (clockwise)"),
+        ("20 N·m cw", "20 N·m (clockwise)"),
+        ("500 N*mm 逆时针", "500 N·mm (counter-clockwise)"),
+    ],
+)
+def test_a_given_moment_is_told_with_its_sense_and_no_sign(size: str, en: str) -> None:
+    text = CRANK.replace(
+        "F: {on: 3, at: C, size: 1000 N, direction: 180 deg, role: driving}", f"M_2: {{on: 2, size: {size}}}"
+    )
+    assert f"moment $M_2$ = {en} on link 2" in told(loads(text), "en")
+
+
 def test_an_unknown_load_with_point_and_direction_is_a_force() -> None:
     text = CRANK.replace(
         'M_1: {on: 1, size: "?", role: resisting}', 'F_b: {on: 1, at: B, size: "?", direction: 90 deg}'

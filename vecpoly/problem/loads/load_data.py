@@ -14,6 +14,8 @@ from ..problem import Datum
 from ..schema.models import LoadSpec, ProblemSpec
 from .law_data import told_constant, told_motor, told_spring, told_table, told_windows, written
 
+_SENSE = re.compile(r"\s*(?:c?cw|(?:counter-?)?clockwise|[逆顺]时针)\s*$")
+
 
 def data_of_loads(spec: ProblemSpec, loads: Loads) -> tuple[Datum, ...]:
     """The loads for 已知, and whether weights and inertia forces count."""
@@ -40,10 +42,17 @@ def _lawful(load: Load, spec: LoadSpec) -> Datum:
         case Motor():
             return told_motor(load, spec)
         case None:
-            plain = _told(load, written(str(spec.size)), _direction(spec))
+            plain = _told(load, _sensed(load, written(str(spec.size))), _direction(spec))
             return replace(plain, words=plain.words + when) if plain.words is not None else plain
         case other:
             assert_never(other)
+
+
+def _sensed(load: Load, size: str) -> str:
+    """A moment with its sense, whichever way that was written: −30 N·m and 30 N·m 顺时针 are 30 N·m cw."""
+    if isinstance(load, Force) or not load.size:
+        return size
+    return f"{_SENSE.sub('', size).lstrip('-−+ ')} {'ccw' if load.size > 0 else 'cw'}"
 
 
 def _direction(spec: LoadSpec) -> str:
