@@ -77,7 +77,8 @@ def test_a_moment_has_a_sense(size: str, value: float) -> None:
         ("20 N*m", "20 N·m (counter-clockwise)"),
         ("-3 N*m", "3 N·m (clockwise)"),
         ("20 N·m cw", "20 N·m (clockwise)"),
-        ("500 N*mm 逆时针", "500 N·mm (counter-clockwise)"),
+        ("500 N*mm 逆时针方向", "500 N·mm (counter-clockwise)"),
+        ("2 kN*m anticlockwise", "2 kN·m (counter-clockwise)"),
     ],
 )
 def test_a_given_moment_is_told_with_its_sense_and_no_sign(size: str, en: str) -> None:

@@ -9,12 +9,13 @@ from typing import assert_never
 from ...foundation.slotted import replace
 from ...mechanism.laws.sizes import Motor, Table
 from ...mechanism.loads import Force, Load, Loads
+from ...units.patterns import SENSE
 from ...words import Words
 from ..problem import Datum
 from ..schema.models import LoadSpec, ProblemSpec
 from .law_data import told_constant, told_motor, told_spring, told_table, told_windows, written
 
-_SENSE = re.compile(r"\s*(?:c?cw|(?:counter-?)?clockwise|[逆顺]时针)\s*$")
+_SENSE = re.compile(rf"\s*{SENSE}\s*$")
 
 
 def data_of_loads(spec: ProblemSpec, loads: Loads) -> tuple[Datum, ...]:
