@@ -87,7 +87,7 @@ def test_a_table_that_agrees_ends_in_zero_and_one_that_does_not_in_another_code(
         ("M_1", "$M_1$", "$M_1$"),
         ("R_12_0", "$M_1$", "$M_1$"),
         ("self_locking", "自锁（$M_1$）", "self-locking ($M_1$)"),
-        ("determined", "运动确定", "the motion is determined"),
+        ("determined", "运动是否确定", "the motion is determined"),
     ],
 )
 def test_a_value_is_called_by_its_symbol_and_the_way_it_was_found(key: str, zh: str, en: str) -> None:

@@ -98,7 +98,7 @@ def called(symbol: str, key: str, lang: Lang) -> str:
     if _STATION.fullmatch(key):
         return f"${symbol}$"
     if key == "determined":
-        return "运动确定" if lang == "zh" else "the motion is determined"
+        return "运动是否确定" if lang == "zh" else "the motion is determined"
     if key in _BALANCED:
         return f"{_BALANCED[key].of(lang)}（${symbol}$）" if lang == "zh" else f"{_BALANCED[key].en} (${symbol}$)"
     if is_class(key):

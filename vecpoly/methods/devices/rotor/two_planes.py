@@ -41,8 +41,8 @@ def in_two_planes(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> 
 def _sum(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> Polygon:
     """ΣW: whether the rotor is in static balance."""
     board, unit, view = bench.board, rotor.weighing, polygon_view(rotor)
-    board.section(Words("静不平衡", "Static unbalance"))
-    place = board.open_pane(view, "S", Words("静不平衡：各质径积之和", "Static: the sum of all products"))
+    board.section(Words("静平衡校核", "Static balance"))
+    place = board.open_pane(view, "S", Words("静平衡校核：各质径积之和", "Static balance: the sum of all products"))
     board.step(
         Words(
             f"先看静平衡：按 ${view.mu.symbol}$ 把各质径积首尾相接，其和 $W_S$ 由极点 $O$ 指向末端。量得：",
