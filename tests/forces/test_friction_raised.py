@@ -44,3 +44,32 @@ def test_where_steep_slides_help_they_are_raised_in_step_with_the_pins(angles: t
 def test_where_the_same_slides_help_less_it_is_locked() -> None:
     with pytest.raises(LockedError, match="friction"):
         exact_hand(STEEP_SLIDES % (47.25, 30))
+
+
+# With all of its friction at once the lines of action met far off, in another equilibrium than that which grows from
+# none: X_b was −34.2 N in place of −19.4 N.
+LONG_LEVER = """
+id: x
+title: two equilibria without a couple that has to be found
+frame: {A: [0 mm, 0 mm], D: [-48.42 mm, -78.83 mm]}
+links:
+  2: {block: C}
+  1: {AB: 62.2539 mm}
+  3: {BC: 182.6315 mm, E: {along: BC, at: 97 mm, left: -38 mm}}
+joints: [2 slides on line through D at -48 deg]
+branch: [C right of BD]
+input: {link: 1, phi: -1.0429 deg, omega: -12 rad/s, alpha: 30 rad/s^2}
+loads:
+  F_q0: {on: 3, at: B, size: 303 N, direction: 16 deg}
+  X_b: {on: 1, size: "?"}
+masses:
+  1: {mass: 3.09 kg, inertia: 0.0037 kg*m^2, centre: {along: AB, at: 113 mm}}
+  3: {mass: 0.75 kg, inertia: 0.0195 kg*m^2, centre: {along: BC, at: 67 mm}}
+weight: no
+friction: {A: {rho: 24.48888 mm}, B: {rho: 30.78275 mm}, C: {rho: 6.065003 mm}, 2-4: {phi: 58.12715 deg}}
+"""
+
+
+def test_a_reaction_that_would_leap_is_led_there_by_less_friction() -> None:
+    solution = exact_hand(LONG_LEVER)
+    assert agreeing(solution) and solution.answers["X_b"].drawn == pytest.approx(-19.353775145761, rel=1e-9)

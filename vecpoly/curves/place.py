@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import inf
 from typing import Any
 
@@ -16,6 +17,7 @@ Points = NDArray[np.complex128]
 WAYS = np.exp(2j * np.pi * np.arange(16) / 16)
 _OWN = 1.3  # mm about a point of a curve: there runs the curve itself
 NEAR = (1.5, 2.4, 3.6, 5.0)  # mm from the point to the text
+STEP, AROUND = 0.5, complex(20.0, 20.0)  # mm: from point to point of a line; beyond the axes no line is looked at
 
 
 class Placer:
@@ -25,7 +27,8 @@ class Placer:
         self.at = at
         low, high = (complex(*at.transAxes.transform(corner)) for corner in ((0, 0), (1, 1)))
         self.low, self.high = low, high
-        self.taken = np.concatenate([_dense(self.mm(line)) for line in lines]) if lines else np.zeros(0, np.complex128)
+        runs = [_dense(self.mm(line), low - AROUND, high + AROUND) for line in lines]
+        self.taken = np.concatenate(runs) if runs else np.zeros(0, np.complex128)
         self.boxes: list[tuple[complex, complex]] = []
 
     def mm(self, places: Points) -> Points:
@@ -85,11 +88,25 @@ class Placer:
         return float(hits) + 20.0 * laps + 100.0 * out
 
 
-def _dense(line: Points) -> Points:
-    """Points every 0.5 mm along a line, which may be interrupted."""
+def _dense(line: Points, low: complex, high: complex) -> Points:
+    """Points every 0.5 mm along a line, which may be interrupted, where it runs between these corners."""
     parts = [line[np.isfinite(line)]]
-    a, b = line[:-1], line[1:]
-    for p, q in zip(a, b, strict=True):
-        if np.isfinite(p) and np.isfinite(q) and abs(q - p) > 0.5:
-            parts.append(p + (q - p) * np.linspace(0.0, 1.0, int(abs(q - p) / 0.5) + 1))
+    for p, q in pairwise(line):
+        if np.isfinite(p) and np.isfinite(q) and abs(q - p) > STEP:
+            start, end = _between(complex(p), complex(q), low, high)
+            if start < end:
+                parts.append(p + (q - p) * np.linspace(start, end, int((end - start) * abs(q - p) / STEP) + 1))
     return np.concatenate(parts)
+
+
+def _between(p: complex, q: complex, low: complex, high: complex) -> tuple[float, float]:
+    """Which share of the way from p to q lies between two corners of a rectangle; none where the end is not behind the
+    start."""
+    start, end = 0.0, 1.0
+    for a, b, least, most in ((p.real, q.real, low.real, high.real), (p.imag, q.imag, low.imag, high.imag)):
+        if a == b:
+            end = end if least <= a <= most else start
+            continue
+        first, last = sorted(((least - a) / (b - a), (most - a) / (b - a)))
+        start, end = max(start, first), min(end, last)
+    return start, end

@@ -75,8 +75,8 @@ def settled(
 def _raised(
     start: Statics, ideal: Statics, rubbed: Further, walk: Walk, couples: dict[tuple[str, str], Reals]
 ) -> tuple[Statics, dict[tuple[str, str], Reals]]:
-    """All of the friction at once where nothing changes sides; else share by share, smaller ones where a share binds
-    that may not with the senses and couples of a little less."""
+    """All of the friction at once where nothing changes sides, nor any reaction by much; else share by share, smaller
+    ones where a share binds that may not with the senses and couples of a little less."""
     guide, path = ideal, [Reached(share=0.0, couples=couples)]
     stride = SHARE if ideal.by_moments or ideal.hubs or ideal.balanced else 1.0
     while (last := path[-1]).share < 1.0:
@@ -95,7 +95,7 @@ def _raised(
         answering = last.answering if not answer.size else _answering(last, found, rubbed, walk, couples, answer)
         turned, far = answering * last.side <= 0, is_far(found, guide)
         leapt = turned and not far and not is_past_pole(last.answering, answering)
-        if (KINK if leapt else FINEST) <= stride <= (1.0 if leapt else SHARE) and (turned or far):
+        if stride >= (KINK if leapt else FINEST) and (turned or far):
             stride = min(stride / 2, SHARE)  # too far to be sure that it is the same equilibrium, grown
             continue
         if turned and (far or (leapt and is_far(found, guide, CLOSE))):

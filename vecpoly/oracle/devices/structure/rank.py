@@ -15,6 +15,7 @@ from .rows import Floats, Rows
 
 # share of the largest singular value below which one counts as zero; places are written to about 1e-6 of the size
 RANK = 2e-5
+DRIVES = 2e-6  # the same where a driver is held fast: one that hardly moves the others still says how they move
 LOOSE = 1e-3  # share of a dependence below which a constraint has no part in it: rounding of what is written
 CLOSED = 2e-5  # by how much constraints may be broken in the second position, in sizes: rounding of what is written
 STEP, TRIES, ROUNDS = 0.06, 4, 30  # first move along the motion, in rad or sizes; directions tried; Newton rounds
@@ -75,12 +76,12 @@ def ranks(chain: Chain) -> Ranks:
     )
 
 
-def rank(jac: Floats) -> int:
+def rank(jac: Floats, share: float = RANK) -> int:
     """How many constraints are independent."""
     if not jac.size:
         return 0
     values = np.linalg.svd(jac, compute_uv=False)
-    return int((values > RANK * max(float(values[0]), 1e-300)).sum())
+    return int((values > share * max(float(values[0]), 1e-300)).sum())
 
 
 def determined(chain: Chain, drivers: tuple[str, ...]) -> bool:
@@ -91,7 +92,7 @@ def determined(chain: Chain, drivers: tuple[str, ...]) -> bool:
     here = Rows(chain, _size(chain), np.zeros(3 * len(chain.links)))
     positions = [here, *(rows for seed in range(TRIES) if (rows := _onward(here, seed)) is not None)]
     return max(
-        rank(np.vstack([rows.jacobian(), *(_held(rows, link) for link in drivers)])) for rows in positions
+        rank(np.vstack([rows.jacobian(), *(_held(rows, link) for link in drivers)]), DRIVES) for rows in positions
     ) == found.coordinates - len(found.idle)
 
 
