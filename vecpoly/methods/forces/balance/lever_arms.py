@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isfinite
 
 import numpy as np
 
@@ -32,8 +33,9 @@ class Arm:
 
     @property
     def way(self) -> int:
-        """Sense by the nominal hand, 0 where there is no arm."""
-        return int(nominal(self.sign))
+        """Sense by the nominal hand, 0 where there is no arm, or none that is finite."""
+        sign = float(nominal(self.sign))
+        return int(sign) if isfinite(sign) else 0
 
 
 def force_arm(st: Statics, pane: Pane, tips: Tips, at: At, along: Points, named: Named) -> Arm:
