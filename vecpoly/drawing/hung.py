@@ -38,8 +38,8 @@ def _turned(ground: Ground, lines: Any, marks: Iterable[Mark]) -> Ground:
     near = shapely.intersection(lines, shapely.Point(ground.at.real, ground.at.imag).buffer(2 * FOOT_HEIGHT))
     if ground.down != WAYS[0] or near.is_empty:
         return ground
-    rays = [mark.start for mark in marks if isinstance(mark, AngleMark) and abs(mark.at - ground.at) < NEAR]
-    costs = {way: _covered(ground.at, way, near) for way in WAYS if way.imag or not rays}
+    angled = any(isinstance(mark, AngleMark) and abs(mark.at - ground.at) < NEAR for mark in marks)
+    costs = {way: _covered(ground.at, way, near) for way in WAYS if way.imag or not angled}  # never on a ray
     least = min(costs.values())
     return ground if costs[WAYS[0]] < least + DEAR else replace(ground, down=min(costs, key=lambda way: costs[way]))
 
