@@ -119,3 +119,11 @@ def test_a_table_behind_its_heading_is_parted_where_it_would_leave_a_hole() -> N
     table = DataTable(["a", "b"], [["1", "2"]] * 20, lang="en")
     doc = laid_out(*lines(20), Heading("Check", 3, "en"), table)
     assert isinstance(doc.heads[2], DataTable) and doc.filled[0] > 0.9
+
+
+@pytest.mark.parametrize("height", [215.0, 225.0, 240.0])
+def test_what_has_no_room_is_put_off_again_where_a_figure_opens_the_next_page(height: float) -> None:
+    """A table that was put off, and then found a figure before it, was called too large for any page."""
+    table = Drawing(80.0, 60.0, lambda *_: None)
+    doc = laid_out(*lines(31), Plate(80.0, height, lambda *_: None), table, *lines(3))
+    assert doc.page == 3 and isinstance(doc.heads[2], Plate) and doc.heads[3] is not None

@@ -54,6 +54,8 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
         elif isinstance(first, Divider) and self._opens:
             del flowables[0]
         else:
+            if self._curPageFlowableCount:  # put off already, it may be so again by a figure that opened this page
+                first.__dict__.pop("_postponed", None)
             super().handle_flowable(flowables)
             if self._curPageFlowableCount:
                 self.heads.setdefault(self.page, first)
