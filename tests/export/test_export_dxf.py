@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 from tests.laws import few
 from vecpoly import load, solve
 from vecpoly.board.construction import Construction, Figure, View
-from vecpoly.board.paper.marks import Arc, Role, Segment, Vector
+from vecpoly.board.paper.marks import AngleMark, Arc, Role, Segment, Vector
 from vecpoly.cli.app import app
 from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.errors import VecpolyError
@@ -167,3 +167,10 @@ def test_without_its_package_nothing_is_written_and_the_refusal_says_what_to_ins
     with pytest.raises(VecpolyError, match=r"pip install vecpoly\[cad\]") as refused:
         library()
     assert refused.value.code == "package"
+
+
+def test_angles_have_the_rays_that_they_have_on_paper() -> None:
+    (figure,) = solved("dead-centre").construction.figures
+    pivot = next(mark.at for mark in figure.marks if isinstance(mark, AngleMark) and mark.label.startswith("ψ"))
+    rays = [ends for ends in lines(read(figure_dxf(figure)), "centre") if abs(ends[0] - pivot) < CLOSE]
+    assert rays and all((end - start).imag == pytest.approx(0.0, abs=CLOSE) for start, end in rays)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import vecpoly
 
-# The crank turns by 0.0014 % of what the links behind it do: by its rank the motion was called undetermined.
+# With the crank held fast the least singular value is 1.4·10⁻⁵ of the largest: the motion was called undetermined.
 LAZY = """
 id: x
 title: a driver and three groups, two of them of class III

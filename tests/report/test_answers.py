@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from itertools import groupby
 from math import isfinite
 
@@ -233,13 +234,19 @@ def test_a_box_is_parted_between_rows_and_no_part_is_higher_than_its_room() -> N
     assert box.split(width, 0.1 * whole) == [], "a part of less than three rows is none"
 
 
-@each(DRAFTED)
-def test_the_cells_of_a_box_begin_at_the_edges_of_two_or_three_columns_and_keep_within_them(name: str) -> None:
+def boxes(name: str) -> Iterator[AnswerBox]:
+    """The box of the problem in either language, laid out."""
     solution = drafted(name)
     for lang in LANGS if solution is not None else ():
         assert solution is not None
         box = answer_box(solution, lang)
         box.wrap(170.0 * MM, 1e4)
+        yield box
+
+
+@each(DRAFTED)
+def test_the_cells_of_a_box_begin_at_the_edges_of_two_or_three_columns_and_keep_within_them(name: str) -> None:
+    for box in boxes(name):
         rows = [row for row in box._rows if row[0][2].node is not None]
         edges = sorted({x for row in rows for x, _, _ in row})
         assert len(edges) == len(max(rows, key=len)) <= 3, "one grid in all rows"
@@ -250,11 +257,7 @@ def test_the_cells_of_a_box_begin_at_the_edges_of_two_or_three_columns_and_keep_
 
 @each(DRAFTED)
 def test_the_rows_of_a_box_have_one_height_and_its_quantities_run_down_columns_without_a_hole(name: str) -> None:
-    solution = drafted(name)
-    for lang in LANGS if solution is not None else ():
-        assert solution is not None
-        box = answer_box(solution, lang)
-        box.wrap(170.0 * MM, 1e4)
+    for box in boxes(name):
         heights = {round(max(cell.ascent + cell.descent for _, cell, _ in row), 6) for row in box._rows}
         assert len(heights) == 1 or max(map(len, box._rows)) == 1, "one column may have a broken line"
         told = [told.node for _, _, _, told in in_reading_order(box._rows) if told.node is not None]

@@ -12,17 +12,15 @@ from ..board.paper.marks import Ground
 from ..typeset import Box, layout
 from ..words import Lang
 from .beside import beside
-from .hung import hung
+from .cleared import cleared
 from .labels.ground import broken
 from .labels.notes import LEADING, folded, lines
 from .labels.obstacles import Obstacles
 from .labels.placing import Placed, place
 from .labels.want import Spot, Want
 from .labels.wants import unnamed, wants
-from .rays import rayed
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
-from .swung import swung
 from .symbols.around import Surroundings
 from .symbols.marks import draw
 
@@ -61,7 +59,7 @@ class Bare:
 
         held: the supports as they stand in another position, to stay so.
         """
-        marks = rayed(figure.view, swung(hung(beside(figure.view, figure.marks), held)))
+        marks = cleared(figure.view, beside(figure.view, figure.marks), held)
         around = Surroundings.of(figure.view, marks, lang, figure.tones)
         items = unique(tuple(item for mark in marks for item in draw(mark, around)))
         return cls(items, wants(figure.view, marks, lang, figure.tones), unnamed(marks))

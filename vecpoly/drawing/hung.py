@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import pairwise
 from typing import Any
 
+import numpy as np
 import shapely
 
-from ..board.paper.marks import AngleMark, Block, FixedGuide, Ground, Mark, Outline, Plate, Role, Segment
-from .symbols.bodies import FOOT_HEIGHT, GROUND_HALF, block_corners
+from ..board.paper.marks import AngleMark, FixedGuide, Ground, Mark
+from .symbols.bodies import FOOT_HEIGHT, GROUND_HALF
+from .symbols.outlines import outlines
 from .symbols.shapes import NEAR
 
 WAYS = (-1j, 1j, -1 + 0j, 1 + 0j)  # below first: elsewhere only where that covers less
@@ -28,7 +29,7 @@ def hung(marks: tuple[Mark, ...], held: Sequence[Ground] = ()) -> tuple[Mark, ..
     if len(held) == len(grounds):
         found = {id(ground): replace(ground, down=other.down) for ground, other in zip(grounds, held, strict=True)}
     else:
-        lines = shapely.union_all([*_lines(marks)])
+        lines = _lines(marks)
         found = {id(ground): _turned(ground, lines, marks) for ground in grounds}
     return tuple(found.get(id(mark), mark) for mark in marks) if found else marks
 
@@ -52,20 +53,8 @@ def _covered(at: complex, down: complex, lines: Any) -> float:
     return float(shapely.intersection(lines, body).length)
 
 
-def _lines(marks: Iterable[Mark]) -> Iterator[Any]:
+def _lines(marks: Sequence[Mark]) -> Any:
     """Links, bodies and guides as lines."""
-    for mark in marks:
-        match mark:
-            case Segment(a=a, b=b, role=Role.LINK) | FixedGuide(a=a, b=b) if abs(b - a) > NEAR:
-                yield _line((a, b))
-            case Plate(points=points) | Outline(points=points) if len(points) > 2:
-                yield from (_line(side) for side in pairwise((*points, points[0])))
-            case Block():
-                corners = block_corners(mark)
-                yield from (_line(side) for side in pairwise((*corners, corners[0])))
-            case _:
-                pass
-
-
-def _line(ends: Iterable[complex]) -> Any:
-    return shapely.LineString([(z.real, z.imag) for z in ends])
+    guides = [(mark.a, mark.b) for mark in marks if isinstance(mark, FixedGuide) and abs(mark.b - mark.a) > NEAR]
+    ends = np.array([*outlines(marks), *guides], dtype=complex).reshape(-1, 2)
+    return shapely.union_all(shapely.linestrings(np.stack([ends.real, ends.imag], axis=-1)))

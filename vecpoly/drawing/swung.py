@@ -6,16 +6,16 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from itertools import pairwise
 from math import pi
 from typing import Any
 
 import numpy as np
 import shapely
 
-from ..board.paper.marks import AngleMark, Block, FixedGuide, Ground, Mark, Outline, Plate, Role, Segment, TurnArrow
+from ..board.paper.marks import AngleMark, FixedGuide, Ground, Mark, TurnArrow
 from .symbols.angles import Arc, narrow, sweep_of
-from .symbols.bodies import FOOT_HEIGHT, GROUND_HALF, block_corners
+from .symbols.bodies import FOOT_HEIGHT, GROUND_HALF
+from .symbols.outlines import outlines
 from .symbols.shapes import NEAR
 
 RADII = (1.0, 0.85, 0.7, 1.25, 0.6, 0.5)  # of what it has: the first that is clear
@@ -93,20 +93,8 @@ def _meets(arc: Arc, other: Arc) -> bool:
 
 def _lines(marks: Iterable[Mark]) -> Any:
     """The outlines of links and bodies."""
-    found: list[tuple[complex, complex]] = []
-    for mark in marks:
-        match mark:
-            case Segment(a=a, b=b, role=Role.LINK) if abs(b - a) > NEAR:
-                found.append((a, b))
-            case Plate(points=points) | Outline(points=points) if len(points) > 2:
-                found += pairwise((*points, points[0]))
-            case Block():
-                corners = block_corners(mark)
-                found += pairwise((*corners, corners[0]))
-            case _:
-                pass
-    ends = np.array(found, dtype=complex).reshape(-1, 2)
-    return shapely.linestrings(np.stack([ends.real, ends.imag], axis=-1)) if found else np.zeros(0, dtype=object)
+    ends = np.array([*outlines(marks)], dtype=complex).reshape(-1, 2)
+    return shapely.linestrings(np.stack([ends.real, ends.imag], axis=-1)) if len(ends) else np.zeros(0, dtype=object)
 
 
 def _grounds(marks: Iterable[Mark]) -> Iterator[Any]:

@@ -8,13 +8,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...board.construction import Figure
+from ...drawing.cleared import cleared
 from ...drawing.figure import drawing
-from ...drawing.hung import hung
 from ...drawing.scene import Item, Rect, TextBox
 from ...drawing.sheets.redbox import red_box
 from ...drawing.sheets.sheet import Sheet
 from ...drawing.sheets.titleblock import furniture
-from ...drawing.swung import swung
 from ...drawing.symbols.around import Surroundings
 from ...errors import VecpolyError
 from ...words import Lang, Words
@@ -85,7 +84,7 @@ def library() -> Any:
 
 def _figure(paper: Paper, part: Part, lang: Lang, upto: int | None) -> None:
     """Marks from the lowest to the highest, then the lettering."""
-    figure, marks = part.figure, swung(hung(part.figure.marks))
+    figure, marks = part.figure, cleared(part.figure.view, part.figure.marks)
     around = Surroundings.of(figure.view, marks, lang)
     for mark in marks:
         if upto is None or mark.step <= upto:

@@ -100,11 +100,13 @@ class Press:
 
     def through(self, called: Sequence[str]) -> str:
         """What is numbered through: Figure 5-1, Figures 5-1 and 5-2, Figures 5-1 to 5-3."""
-        first, last = called[0], called[-1]
-        if first == last or self.lang == "zh":
-            return first if first == last else f"{first}{'、' if len(called) == 2 else '至'}{last}"
+        first, last, two = called[0], called[-1], len(called) == 2
+        if first == last:
+            return first
+        if self.lang == "zh":
+            return f"{first}{'、' if two else '至'}{last}"
         kind, _, number = first.partition(" ")
-        return f"{kind}s {number} {'and' if len(called) == 2 else 'to'} {last.partition(' ')[2]}"
+        return f"{kind}s {number} {'and' if two else 'to'} {last.partition(' ')[2]}"
 
     def shown(self, tables: Sequence[str], figures: Sequence[str]) -> str:
         """A sentence that says where values and curves of a section are found: in Table 5-2, in Figure 5-3."""

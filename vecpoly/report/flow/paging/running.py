@@ -9,7 +9,6 @@ from typing import Any
 
 from reportlab.platypus.flowables import PageBreak
 
-from ..base import Block
 from ..blocks import Divider, Heading, SheetPage
 from ..doc import ReportDoc
 from ..para import Para
@@ -27,17 +26,9 @@ def run_on(story: Sequence[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
         if again is None:
             break
         found = again
-        doc = ReportDoc(fresh(found), doc.metadata)
+        doc = ReportDoc(found, doc.metadata)
         doc.counted()
     return found, doc
-
-
-def fresh(story: Sequence[Any]) -> list[Any]:
-    """The story as no page has put it off yet."""
-    found = [copy(item) if isinstance(item, Block) else item for item in story]
-    for item in found:
-        getattr(item, "__dict__", {}).pop("_postponed", None)
-    return found
 
 
 def _shared(story: Sequence[Any], doc: ReportDoc) -> list[Any] | None:

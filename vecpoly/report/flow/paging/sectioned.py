@@ -9,7 +9,6 @@ from typing import Any
 
 from ..blocks import Heading, SheetPage
 from ..doc import ReportDoc
-from .running import fresh
 from .setting import faults_of
 from .together import first_of
 
@@ -25,7 +24,7 @@ def sectioned(story: list[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
     text = [item for item in story if item not in sheets]
     for at in _heads(text):
         found = [*text[:at], *map(_settled, sheets), *text[at:]]
-        tried = ReportDoc(fresh(found), doc.metadata)
+        tried = ReportDoc(found, doc.metadata)
         if tried.counted() <= doc.page and _parts_well(tried) and faults_of(tried) <= faults_of(doc):
             return found, tried
     return story, doc

@@ -16,11 +16,10 @@ def tightened(story: Sequence[Any], degree: Tightness) -> list[Any]:
 
 
 def reset(item: Any, degree: Tightness | None) -> Any:
-    """A copy that no page has put off yet, set so where it is to be."""
+    """A copy, set so where it is to be."""
     if not isinstance(item, Block):
         return item
     own = copy(item)
-    own.__dict__.pop("_postponed", None)
     if degree is not None:
         own.tighten(degree)
     return own

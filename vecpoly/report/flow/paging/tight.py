@@ -13,7 +13,7 @@ from typing import Any
 from ..base import Tightness
 from ..doc import Metadata, ReportDoc
 from .loose import loosened
-from .running import fresh, run_on, split
+from .running import run_on, split
 from .sectioned import sectioned
 from .setting import faults_of, reset, tightened
 
@@ -38,14 +38,14 @@ def settled(story: Sequence[Any], meta: Metadata) -> list[Any]:
     plain = ReportDoc(story, meta)
     plain.counted()
     if len(plain.ends) > 1:
-        return fresh(run_on(story, plain)[0])
+        return run_on(story, plain)[0]
     tried = {part: _degree(story, part, pages, meta) for part, pages in plain.leftover.items()}
     chosen = {part: degree for part, degree in tried.items() if degree is not None}
     if chosen:
         story = _set(story, chosen)
         plain = ReportDoc(story, meta)
         plain.counted()
-    return fresh(loosened(*_mended(*sectioned(*run_on(story, plain)))))
+    return [*loosened(*_mended(*sectioned(*run_on(story, plain))))]
 
 
 def _mended(story: list[Any], doc: ReportDoc) -> tuple[Sequence[Any], ReportDoc]:

@@ -1,0 +1,14 @@
+"""The marks of a figure as they are inked: supports and arcs where they cross nothing, angles with both rays."""
+
+from __future__ import annotations
+
+from ..board.construction import View
+from ..board.paper.marks import Ground, Mark
+from .hung import hung
+from .rays import rayed
+from .swung import swung
+
+
+def cleared(view: View, marks: tuple[Mark, ...], held: tuple[Ground, ...] = ()) -> tuple[Mark, ...]:
+    """held: the supports as they stand in another position, to stay so."""
+    return rayed(view, swung(hung(marks, held)))

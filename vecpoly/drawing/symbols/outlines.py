@@ -1,0 +1,25 @@
+"""The lines of links and bodies, as ends: what arcs and supports keep clear of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import pairwise
+
+from ...board.paper.marks import Block, Mark, Outline, Plate, Role, Segment
+from .bodies import block_corners
+from .shapes import NEAR
+
+
+def outlines(marks: Iterable[Mark]) -> Iterator[tuple[complex, complex]]:
+    """Bars, the edges of plates and bodies, the sides of blocks."""
+    for mark in marks:
+        match mark:
+            case Segment(a=a, b=b, role=Role.LINK) if abs(b - a) > NEAR:
+                yield a, b
+            case Plate(points=points) | Outline(points=points) if len(points) > 2:
+                yield from pairwise((*points, points[0]))
+            case Block():
+                corners = block_corners(mark)
+                yield from pairwise((*corners, corners[0]))
+            case _:
+                pass
