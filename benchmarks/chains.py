@@ -8,7 +8,8 @@ from math import log
 from vecpoly.board.construction import Construction
 from vecpoly.drawing.figure import drawing, unique
 from vecpoly.drawing.sheets.sheet import sheets
-from vecpoly.drawing.symbols.marks import Surroundings, draw
+from vecpoly.drawing.symbols.around import Surroundings
+from vecpoly.drawing.symbols.marks import draw
 from vecpoly.mechanism.groups.assur import decompose
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
