@@ -141,3 +141,24 @@ def test_weights_count_in_the_diagram_of_moments_over_a_period() -> None:
     run = "machine: {n: 176 r/min, delta: 0.11}\nfind: [M_c, dW_max, J_F]\n"
     for key, one in vecpoly.loads(text + run).solve(by="exact").answers.items():
         assert one.drawn == pytest.approx(one.exact, rel=1e-9), key
+
+
+def test_equivalents_of_a_rocker_that_just_turns_back_are_nothing_and_no_contradiction() -> None:
+    """At its outer limit, the input written to nine decimals, the rocker still turns by a hundred-billionth."""
+    problem = vecpoly.problem(
+        {
+            "id": "limit",
+            "title": "limit",
+            "frame": {"A": 0j, "D": 0.1 + 0.02j},
+            "links": {1: {"AB": "30 mm"}, 2: {"BC": "80 mm"}, 3: {"DC": "60 mm"}},
+            "input": {"link": 1, "phi": "43.914659528 deg", "omega": 10.0},
+            "branch": ["C left of BD"],
+            "loads": {"M_q": {"on": 3, "size": "86 N*m"}},
+            "masses": {3: {"mass": "2 kg", "inertia": "0.008 kg*m^2", "centre": "D"}},
+            "find": ["J_e", "M_e"],
+        }
+    )
+    answers = problem.solve().answers
+    assert 0.0 < abs(answers["M_e"].exact) < 1e-7
+    assert [one.drawn for one in answers.values()] == [0.0, 0.0]
+    assert not any(one.suspect for one in answers.values())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..mechanism.loads import Loads
+from ..mechanism.loads import GRAVITY, Loads
 from ..problem.problem import Problem
 
 
@@ -11,7 +11,8 @@ def natural(problem: Problem) -> dict[str, float]:
     drive, long = problem.mechanism.drive, problem.mechanism.scale
     rate = abs(drive.rate) / (long if drive.slide else 1.0)
     accel = rate**2 + abs(drive.accel) / (long if drive.slide else 1.0)
-    force = _largest_force(problem.loads, long) if problem.loads else 0.0
+    loads = problem.acting or Loads()
+    force, mass = _largest_force(loads, long), sum(one.mass + one.inertia / long**2 for one in loads.masses)
     return {
         "m": long,
         "m/s": rate * long,
@@ -20,12 +21,21 @@ def natural(problem: Problem) -> dict[str, float]:
         "rad/s^2": accel,
         "N": force,
         "N·m": force * long,
+        "kg": mass,
+        "kg·m^2": mass * long**2,
     }
 
 
 def _largest_force(loads: Loads, long: float) -> float:
-    """The largest given force; a moment as the force that it makes with the mechanism's size as its arm (N)."""
+    """The largest given force or weight; a moment as the force that it makes with the mechanism's size as its arm (N).
+
+    Equivalents vanish where all that is loaded rests: they are held against what loads and masses could do elsewhere.
+    """
     return max(
-        (*(abs(one.size or 0.0) for one in loads.forces), *(abs(one.size or 0.0) / long for one in loads.moments)),
+        (
+            *(abs(one.size or 0.0) for one in loads.forces),
+            *(abs(one.size or 0.0) / long for one in loads.moments),
+            *(GRAVITY * one.mass for one in loads.masses if loads.weight),
+        ),
         default=0.0,
     )
