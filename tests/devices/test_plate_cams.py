@@ -316,6 +316,14 @@ def test_an_arm_to_the_left_is_the_mirror_image_of_one_to_the_right(follower: di
     assert right == pytest.approx(left, abs=1e-9)
 
 
+def test_where_the_acceleration_jumps_the_radius_just_before_counts_too() -> None:
+    """It falls to 38.5148 mm there, by differences of the pitch curve; at the piece's beginning it is 38.5209 mm."""
+    motion = ["rise 11 deg in 149 deg 3-4-5", "dwell 14 deg", "return in 93 deg parabolic", "dwell 104 deg"]
+    arm = {"OA": "65 mm", "AB": "82 mm"}
+    found = agree(device("cam", follower={"roller": "9 mm", "arm": arm}, r0="40 mm", motion=motion, turns="cw"))
+    assert found["rho_min"] == pytest.approx(38.5148, abs=5e-5)
+
+
 @pytest.mark.parametrize(
     ("arm", "said"),
     [

@@ -12,7 +12,7 @@ from ....devices.cams.motion import Law, Piece
 Array = npt.NDArray[np.float64]
 Raised = tuple[Array, Array, Array]  # s, ds/dφ, d²s/dφ²
 GRID, ZOOMS = 241, 6
-AFTER = 1e-12  # of a piece: just after the middle, where the acceleration has jumped
+BESIDE = 1e-12  # of a piece: just before and just after the middle, where the acceleration jumps
 
 
 def unit_law(law: Law, u: Array) -> Raised:
@@ -59,8 +59,8 @@ def spans(piece: Piece) -> tuple[tuple[float, float], ...]:
     """The stretches of a piece on which the acceleration is continuous."""
     if piece.law is not Law.PARABOLIC:
         return ((piece.start, piece.end),)
-    middle = piece.start + piece.angle / 2
-    return (piece.start, middle), (middle + AFTER * piece.angle, piece.end)
+    middle, beside = piece.start + piece.angle / 2, BESIDE * piece.angle
+    return (piece.start, middle - beside), (middle + beside, piece.end)
 
 
 def _greatest(of: Callable[[Piece, Array], Array], piece: Piece, low: float, high: float) -> tuple[float, float]:
