@@ -143,10 +143,23 @@ def test_no_value_of_a_fine_grid_lies_beyond_the_extremes_and_they_are_where_the
             ) >= -6e-5 * size  # five digits are printed
             if "*" in place:
                 continue  # a limit from one side: there is no value at the place itself
-            there = shown(re.sub("[° a-z]", "", place)) / it.turn.drive.factor
-            near = info.factor * np.asarray(it.turn.at(key, np.array([there])))
-            assert abs(abs(near[0]) if info.is_vector else near[0]) == pytest.approx(abs(shown(text)), abs=2e-3 * size)
+            for one in re.split("[、,]", place.rstrip("…")):  # both of two that are alike
+                there = shown(re.sub("[° a-z]", "", one)) / it.turn.drive.factor
+                near = info.factor * np.asarray(it.turn.at(key, np.array([there])))
+                found = abs(near[0]) if info.is_vector else near[0]
+                assert abs(found) == pytest.approx(abs(shown(text)), abs=2e-3 * size)
     assert len(told) >= 5
+
+
+def test_two_positions_in_which_a_value_is_greatest_are_both_told() -> None:
+    """The rate of the swinging block of 3-9 is the same on both sides of the line of its pivots."""
+    kept = press()
+    extremes(studied("3-9"), kept)
+    pairs = [place for row in kept.made[0].rows for place in (row[3], row[5]) if "," in place]
+    assert pairs
+    for pair in pairs:
+        one, two = (float(text.rstrip("°")) for text in pair.split(", "))
+        assert (one + two) % 360 == pytest.approx(0.0, abs=0.02)
 
 
 @pytest.mark.parametrize(("name", "unit"), [("3-4a-straight", "°"), ("elliptic-trammel", " mm")])

@@ -7,8 +7,11 @@ import pytest
 
 from tests.drawn_library import drawn
 from vecpoly.board.construction import Figure
-from vecpoly.board.paper.marks import AngleMark, Arc, Point, Role, Segment, Vector
+from vecpoly.board.paper.marks import AngleMark, Arc, Dot, Mark, Point, RackMark, Role, Segment, Vector
+from vecpoly.drawing.sheets.lettering import title_width
+from vecpoly.figures import View
 from vecpoly.report.question.blank import framed
+from vecpoly.report.question.frames import frames
 
 
 def figure(name: str, view: str, called: str = "") -> Figure:
@@ -34,3 +37,45 @@ def test_a_polygon_of_centres_begins_with_the_numbers_of_the_links_and_no_line(n
         assert labels == [str(n) for n in range(1, links + 1)]
         assert not any(isinstance(mark, Segment | Vector) for mark in marks)
     assert polygons or name == "3-12"
+
+
+def blanks(name: str) -> dict[tuple[str, str], tuple[Mark, ...]]:
+    """What stands in each frame of a question, by its view and name, in the order of the sheets."""
+    sheets, _ = frames(drawn(name).construction, drawn(name).problem)
+    return {(one.view.name, one.name): one.marks[4:] for one in sheets.figures}
+
+
+@pytest.mark.parametrize("name", ["4-3a", "4-6", "5-3", "winch-gears", "C-inertia"])
+def test_a_force_polygon_begins_at_the_first_force_and_a_free_body_at_one_joint(name: str) -> None:
+    for (view, called), marks in blanks(name).items():
+        if view not in (View.FORCE.name, View.BODY.name):
+            continue
+        (start,) = (mark for mark in marks if isinstance(mark, Point))
+        figures = drawn(name).construction.figures
+        answer = next(one for one in figures if (one.view.name, one.name) == (view, called))
+        if view == View.BODY.name:
+            assert start in answer.marks and start.dot is Dot.JOINT
+        else:
+            vectors = [mark for mark in answer.marks if isinstance(mark, Vector)]
+            first = min(mark.step for mark in vectors)
+            assert any(abs(mark.a - start.at) < 1e-9 for mark in vectors if mark.step == first)
+
+
+def test_a_rack_that_moves_is_not_printed_where_it_is_found_to_lie() -> None:
+    racks = [m for marks in blanks("crank-rack-pinion").values() for m in marks if isinstance(m, RackMark)]
+    fixed = [m for marks in blanks("rack-lift").values() for m in marks if isinstance(m, RackMark)]
+    assert not racks and all(mark.fixed for mark in fixed)
+
+
+def test_the_frames_follow_the_steps_of_the_solution() -> None:
+    """The line of the released clamp is drawn after the polygons of clamping, and has its frame behind theirs."""
+    assert [called for _, called in blanks("5-3")] == ["clamp", "disc", "disc", "ideal", "released"]
+    assert [called for _, called in blanks("4-3a")] == ["", "", "3 ideal", "2", "3", "3", "1"]
+
+
+@pytest.mark.parametrize("name", ["4-3a", "4-6", "winch-gears"])
+def test_a_frame_is_as_wide_as_the_title_below_it(name: str) -> None:
+    sheets, _ = frames(drawn(name).construction, drawn(name).problem)
+    for one in sheets.figures:
+        border = [mark for mark in one.marks[:4] if isinstance(mark, Segment)]
+        assert max(abs(mark.b - mark.a) for mark in border if mark.a.imag == mark.b.imag) >= title_width(one), one.name

@@ -37,6 +37,7 @@ from vecpoly.devices.cams.cam import Cam
 from vecpoly.devices.dynamics.flywheel import Flywheel
 from vecpoly.devices.dynamics.run_up import RunUp
 from vecpoly.drawing.scene import Rect
+from vecpoly.drawing.sheets.lettering import title_width
 from vecpoly.drawing.sheets.sheet import Hung, hung
 from vecpoly.drawing.sheets.space import CAPTION, CLEAR, room_inside
 from vecpoly.figures import View
@@ -51,7 +52,7 @@ from vecpoly.report.flow.paging.tight import DEGREES
 from vecpoly.report.picture import to_scale
 from vecpoly.report.question.blanks import empty_table, kind, working_room
 from vecpoly.report.question.equations import KEY, numbers
-from vecpoly.report.question.frames import frames
+from vecpoly.report.question.frames import MARGIN, frames
 from vecpoly.report.question.grid import shares
 from vecpoly.report.question.sketch import sketched
 from vecpoly.report.question.working import SQUARE, working
@@ -101,7 +102,7 @@ def test_every_figure_that_is_to_scale_fits_its_frame(name: str) -> None:
 
 @each(DRAWN)
 def test_a_frame_shows_what_is_given_and_of_a_polygon_nothing_but_its_pole(name: str) -> None:
-    """Of a diagram there are its axes, and a curve only where the problem gives it."""
+    """Of a diagram there are its axes, and a curve only where the problem gives it; of a free body one joint."""
     problem = drawn(name).problem
     curves = isinstance(problem.subject, Flywheel | RunUp)
     for frame in blank_of(name)[0].figures:
@@ -119,7 +120,8 @@ def test_a_frame_shows_what_is_given_and_of_a_polygon_nothing_but_its_pole(name:
             assert frame.view.across is not None or frame.view.name in ("indicator", "loop", "end-view")
             assert curves or not any(getattr(mark, "role", None) is Role.RESULT for mark in inside)
         else:
-            assert [mark.dot for mark in inside if isinstance(mark, Point)] in ([], [Dot.POLE])
+            start = Dot.JOINT if frame.view is View.BODY else Dot.POLE
+            assert [mark.dot for mark in inside if isinstance(mark, Point)] in ([], [start])
             assert len(inside) <= 1
 
 
@@ -169,7 +171,7 @@ def is_fixed(count: int, parts: list[float]) -> bool:
 
 
 @each(DRAWN)
-def test_of_two_frames_side_by_side_the_wider_one_has_the_wider_drawing(name: str) -> None:
+def test_of_two_frames_side_by_side_the_wider_one_has_the_wider_drawing_or_title(name: str) -> None:
     answer = drawn(name).construction
     blank, places = blank_of(name)
     waiting = list(blank.figures)
@@ -177,8 +179,13 @@ def test_of_two_frames_side_by_side_the_wider_one_has_the_wider_drawing(name: st
         here, waiting = waiting[: len(page.tops)], waiting[len(page.tops) :]
         for (top, one), (level, other) in permutations(zip(page.tops, here, strict=True), 2):
             if top.imag == level.imag and border(one)[0] > border(other)[0] + 1.0:
-                wide, narrow = (extent(drawing_of(answer, frame).marks) for frame in (one, other))
-                assert wide[0] > narrow[0], (one.name, other.name)
+                wide, narrow = (taken(drawing_of(answer, frame)) for frame in (one, other))
+                assert wide > narrow, (one.name, other.name)
+
+
+def taken(figure: Figure) -> float:
+    """How wide a drawing is with its white, or its title, which stands under its frame."""
+    return max(extent(figure.marks)[0] + 2 * MARGIN, title_width(figure))
 
 
 def drawing_of(answer: Construction, frame: Figure) -> Figure:

@@ -12,8 +12,8 @@ def reading_order(figures: Sequence[Figure]) -> tuple[Figure, ...]:
     body that were closed before, without friction, stand before the bodies."""
     first = {(f.view, f.name) for f in figures}
     beside = [f for f in figures if (f.view.beside, f.name) in first]
-    begun = min(map(_begun, beside), default=0)
-    early = [f for f in figures if f.view.beside is not None and f not in beside and _begun(f) < begun]
+    begun = min(map(begun_in, beside), default=0)
+    early = [f for f in figures if f.view.beside is not None and f not in beside and begun_in(f) < begun]
     ordered: list[Figure] = []
     for figure in figures:
         if early and figure.view is early[0].view.beside:
@@ -23,6 +23,6 @@ def reading_order(figures: Sequence[Figure]) -> tuple[Figure, ...]:
     return tuple(ordered)
 
 
-def _begun(figure: Figure) -> int:
+def begun_in(figure: Figure) -> int:
     """The step that began it."""
     return min((mark.step for mark in figure.marks), default=0)

@@ -22,11 +22,21 @@ def shown(study: Study, key: str, value: float, digits: int = 4) -> str:
     return text + (unit if unit == "°" else f" {unit}" if unit else "")
 
 
-def places(study: Study, found: Extremes, spot: Spot) -> Words:
-    """All the positions of the input link in which a turning point is as high (or low) as this one."""
+def span(study: Study) -> Words:
+    """What is told of: a cycle of motion, or the working range of a drive that cannot turn right round."""
+    return Words("一个运动循环", "cycle") if study.whole.whole else Words("工作范围", "working range")
+
+
+def alike(study: Study, found: Extremes, spot: Spot) -> list[Spot]:
+    """All the turning points that are as high (or low) as this one, in the order of the input link's positions."""
     ends = (found.highest, found.lowest, spot)
     near = _ALIKE * max((abs(s.value) for s in ends if s is not None and np.isfinite(s.value)), default=0.0)
     spots = [s for s in (*found.maxima, *found.minima) if abs(s.value - spot.value) <= near] or [spot]
-    every = list(dict.fromkeys(study.where(s.phi) for s in sorted(spots, key=lambda s: study.reduced(s.phi))))
+    return sorted(spots, key=lambda s: study.reduced(s.phi))
+
+
+def places(study: Study, found: Extremes, spot: Spot) -> Words:
+    """All the positions of the input link in which a turning point is as high (or low) as this one."""
+    every = list(dict.fromkeys(study.where(s.phi) for s in alike(study, found, spot)))
     told = [every[0], *(place.split(" = ")[1] for place in every[1:])]
     return Words("、".join(told), " and ".join(told))

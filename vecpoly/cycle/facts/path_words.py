@@ -36,7 +36,7 @@ def path_sentences(cycle: Cycle, found: Path) -> tuple[Words, ...]:
 
 def _shape(cycle: Cycle, found: Path) -> Words:
     """What kind of line it is, and how long."""
-    point, kind = f"${found.point}$", _SHAPES[found.shape]
+    point, kind = f"${subscripted(found.point)}$", _SHAPES[found.shape]
     start = Words(
         f"点 {point} 的轨迹{kind.zh}" if found.shape is not Shape.STILL else f"点 {point} {kind.zh}",
         f"Point {point} {kind.en}",
@@ -108,9 +108,10 @@ def _circle(cycle: Cycle, found: Path) -> Words:
         if times > 1
         else Words("", "")
     )
+    name = subscripted(found.point)
     return Words(
-        f"点 ${found.point}$ 的轨迹为以 {pivot} 为圆心、半径 {_mm(radius)} mm 的整圆，长 {way} mm{laps.zh}。",
-        f"Point ${found.point}$ moves on a circle of radius {_mm(radius)} mm about {pivot}, {way} mm long{laps.en}.",
+        f"点 ${name}$ 的轨迹为以 {pivot} 为圆心、半径 {_mm(radius)} mm 的整圆，长 {way} mm{laps.zh}。",
+        f"Point ${name}$ moves on a circle of radius {_mm(radius)} mm about {pivot}, {way} mm long{laps.en}.",
     )
 
 

@@ -25,16 +25,16 @@ RESERVE = 2.0  # mm
 
 def lettered(figure: Figure) -> Size:
     """Width and height of a figure with its labels, title and scale (mm), as it is drawn."""
-    (wide, high), title = _bare(figure), _title(figure)
+    (wide, high), title = _bare(figure), title_width(figure)
     return max(wide, min(title, FOLDED)), high + UNDER + (HIGH if title > FOLDED else 0.0)
 
 
 def beside_title(figure: Figure) -> float:
     """The white (mm) in the width of a figure that is narrower than its title."""
-    return max(min(_title(figure), FOLDED) - _bare(figure)[0], 0.0)
+    return max(min(title_width(figure), FOLDED) - _bare(figure)[0], 0.0)
 
 
-def _title(figure: Figure) -> float:
+def title_width(figure: Figure) -> float:
     """How long the title is in one line, or the scale below it."""
     zh, en = (len(title.replace("$", "")) for title in (figure.title.zh, figure.title.en))
     return max(CHINESE * zh, LATIN * en, SHORTEST)

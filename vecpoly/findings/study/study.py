@@ -24,6 +24,7 @@ from ...solution import Solution
 from ...words import Words
 from .also_asked import widened
 from .from_pivots import from_pivots
+from .reactions import reactions, without_twins
 from .told import STILL, links_told, points_told
 from .working_range import working_range
 
@@ -196,11 +197,9 @@ class Study:
         if self.problem.loads is None:
             return ()
         asked = {ask.rel.key for ask in self.problem.asks}
-        reactions = [key for key in asked if key.startswith("R_")] or [
-            c.key for c in self.whole.columns if c.key.startswith("R_")
-        ]
-        keys = [c.key for c in self.whole.columns if c.key in (self.problem.loads.unknown.name, "eta", *reactions)]
-        return tuple(key for key in keys if np.isfinite(self.turn.real(key)).any())
+        wanted = [key for key in asked if key.startswith("R_")] or reactions(self.whole)
+        keys = [c.key for c in self.whole.columns if c.key in (self.problem.loads.unknown.name, "eta", *wanted)]
+        return without_twins(self.turn, keys)
 
     def model_name(self, link: str) -> str:
         """A link's subscript in the formulas."""

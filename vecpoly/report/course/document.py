@@ -45,6 +45,7 @@ def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     told = {
         "id": subject.problem.id,
         "assumed": statement.assumed(subject).of(lang),
+        "whole": subject.whole.whole,
         "title": subject.problem.title.of(lang),
         "kind": KIND.of(lang),
         "cover": cover(solution, lang, objects),

@@ -23,6 +23,8 @@ _ROWS: tuple[tuple[str, Row], ...] = (
     ("$ω_m", ("$ω_m$", Words("平均角速度", "mean angular velocity"), "rad/s")),
     ("$δ$", ("$δ$", Words("速度不均匀系数", "coefficient of speed fluctuation"), "—")),
     ("$J_F$", ("$J_F$", Words("飞轮的转动惯量", "moment of inertia of the flywheel"), "kg·m²")),
+    ("$r_{Si}$", ("$r_{Si}$", Words("由简化中心到质心 $S_i$ 的矢径", "position vector of the centre $S_i$"), "m")),
+    ("$m_c r_c$", ("$m_c r_c$", Words("配重的质径积", "mass-radius product of a counterweight"), "kg·m")),
     ("$F_I$", ("$F_I$", Words("总惯性力", "resultant inertia force"), "N")),
     ("$M_I$", ("$M_I$", Words("总惯性力矩", "resultant inertia moment"), "N·m")),
 )

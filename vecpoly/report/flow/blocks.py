@@ -52,6 +52,20 @@ class Heading(Para):
         return []
 
 
+class Subheading(Para):
+    """A heading within a section, at the margin and without an outline entry; it stays with what follows."""
+
+    keepWithNext = 1
+
+    def __init__(self, text: str, lang: Lang = "zh") -> None:
+        super().__init__(text, HEADINGS[3], lang)
+        self.tag = Tag(Role.H4)
+
+    def split(self, width: float, height: float) -> list[Block]:
+        """A heading stays whole."""
+        return []
+
+
 class Callout(Block):
     """A verdict or remark on a tinted ground with a coloured bar; kind: pass, warn, fail, note."""
 

@@ -41,6 +41,7 @@ HEADINGS = (
     Style(size=17.0, leading=25.0, before=0.0, after=9.0, bold=True, align="centre"),
     Style(size=13.0, leading=19.0, before=12.0, after=5.0, bold=True, align="left"),
     Style(size=11.0, leading=17.0, before=8.0, after=3.0, bold=True, align="left"),
+    Style(size=10.5, leading=17.0, before=3.0, after=2.0, bold=True, align="left"),
 )
 
 

@@ -15,7 +15,7 @@ from ...errors import VecpolyError
 from ...tagging.tag import Role, Tag
 from ...words import Lang, Words
 from .base import Block
-from .blocks import KINDS, Callout, Divider, Drawing, Heading, Plate, SheetPage
+from .blocks import KINDS, Callout, Divider, Drawing, Heading, Plate, SheetPage, Subheading
 from .contents import Contents
 from .cover import Cover, TitleBlock
 from .equation import EquationFlow
@@ -103,6 +103,7 @@ class _Reader:
         self._list: Tag | None = None  # the list that goes on where steps follow steps
         self._readers: dict[str, Callable[[Element], list[Any]]] = {
             "h1": self._heading, "h2": self._heading, "h3": self._heading,
+            "h4": lambda e: [Subheading(_text(e), lang)],
             "p": self._paragraph,
             "note": lambda e: [Para(_text(e), NOTE, lang)],
             "caption": lambda e: [Para(_text(e), CAPTION, lang)],

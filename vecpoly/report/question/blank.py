@@ -16,7 +16,7 @@ from ...figures.balancing import END_VIEW
 from ...figures.energy import INDICATOR
 from ...words import Words
 from ..picture import to_scale
-from .known import NEAR, begun
+from .known import NEAR, begins_at, begun
 
 PAST, _PARTS = 2.0, 360  # mm between a circle and the frame; parts of a circle that is cut off there
 EDGE = 9.0  # mm that stay free beside what runs through a frame
@@ -41,10 +41,8 @@ def framed(figure: Figure, size: tuple[float, float], known: Sequence[Mark]) -> 
         return box, (*marks, *known)
     if figure.view is INDICATOR:
         return _levels(figure, size)
-    pole = next((mark for mark in figure.marks if isinstance(mark, Point) and mark.dot is Dot.POLE), None)
-    if pole is None:
-        return _about(figure, size), ()
-    return _round(figure, pole.at, size), (pole,)
+    start = begins_at(figure)
+    return (_about(figure, size), ()) if start is None else (_round(figure, start.at, size), (start,))
 
 
 def _about(figure: Figure, size: tuple[float, float]) -> Box:
@@ -73,9 +71,9 @@ def _share(before: float, behind: float, room: float, of: Sequence[float]) -> fl
 
 
 def _given(figure: Figure, known: Sequence[Mark], box: Box) -> Iterator[Mark]:
-    """Fixed pivots with their letters, racks, and guides right through the frame, not where their blocks stand."""
+    """Fixed pivots with their letters, fixed racks, guides right through the frame, not where their blocks stand."""
     pivots = [mark.at for mark in known if isinstance(mark, Ground)]
-    yield from (mark for mark in figure.marks if isinstance(mark, RackMark))
+    yield from (mark for mark in figure.marks if isinstance(mark, RackMark) and mark.fixed)
     for mark in figure.marks:
         if isinstance(mark, Point) and mark.dot is not Dot.NONE and "P_" not in mark.label and mark.at in pivots:
             yield mark

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ...board.construction import Figure
 from ...board.paper.marks import Dot, Point
 from ...devices.structure import Structure
 from ...figures import View
@@ -12,16 +13,22 @@ from ...words import Lang, Words
 from ..content import Objects
 from ..flow.blocks import Heading
 from .blanks import empty_table, equation_rows, working_room
-from .known import stands
+from .known import begins_at, stands
 from .working import working
 
 WORKING = Words("计算过程", "Working")
 _READ, _FOUND = Words("量取结果", "Readings"), Words("结果", "Results")
 
 
+def _starts(figure: Figure) -> bool:
+    """Whether a force polygon, or a link that is set free, has its first point in its frame."""
+    return figure.view in (View.FORCE, View.BODY) and begins_at(figure) is not None
+
+
 def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     """Names of the rows for vector equations, and of the squares with the table of results at their foot; whether a
-    polygon is drawn from a pole, whether a diagram has axes, and whether pivots or guides stand in a frame.
+    polygon is drawn from a pole, or from a point that is printed, whether a diagram has axes, and whether anything that
+    is given stands in a frame.
 
     Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
     """
@@ -34,5 +41,6 @@ def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]
         "working": [objects.add("work", one) for one in working(WORKING.of(lang), working_room(solution), foot, lang)],
         "poles": any(isinstance(mark, Point) and mark.dot is Dot.POLE for figure in figures for mark in figure.marks),
         "axes": any(figure.view.across is not None for figure in figures),
-        "placed": any(stands(solution.construction, figure, solution.problem) for figure in figures),
+        "starts": any(map(_starts, figures)),
+        "placed": any(stands(solution.construction, one, solution.problem) or _starts(one) for one in figures),
     }

@@ -8,7 +8,8 @@ from dataclasses import replace
 from ...board.construction import Construction, Figure, View
 from ...board.paper.extent import extent
 from ...board.paper.marks import Mark, Role, Segment
-from ...drawing.order import reading_order
+from ...drawing.order import begun_in, reading_order
+from ...drawing.sheets.lettering import title_width
 from ...drawing.sheets.sheet import Hung
 from ...drawing.sheets.space import CAPTION, CLEAR, room_inside
 from ...drawing.sheets.titleblock import TO_BE_DRAWN
@@ -33,7 +34,7 @@ def frames(construction: Construction, problem: Problem) -> tuple[Construction, 
     """
     on = problem.paper
     figures = construction.figures
-    asked = reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY])
+    asked = as_solved(reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY]))
     found, told = min((_laid(construction, asked, way, on.format) for way in on.ways), key=_preferred)
     sizes = [size for sheet in found for size in sheet.sizes]
     drawn = tuple(
@@ -43,6 +44,14 @@ def frames(construction: Construction, problem: Problem) -> tuple[Construction, 
     return replace(construction, figures=drawn, hand=TO_BE_DRAWN), tuple(
         Hung(sheet.landscape, sheet.tops) for sheet in found
     )
+
+
+def as_solved(figures: Sequence[Figure]) -> list[Figure]:
+    """The figures in the order in which they are begun; links that are set free, with their polygons, stay together."""
+    bodies = {figure.name for figure in figures if figure.view is View.BODY}
+    free = [f for f in figures if f.view is View.BODY or (f.view.beside is View.BODY and f.name in bodies)]
+    together = min(map(begun_in, free), default=0)
+    return sorted(figures, key=lambda figure: together if figure in free else begun_in(figure))
 
 
 def _laid(
@@ -69,9 +78,9 @@ def _written(figure: Figure, some: Sequence[int], room: float) -> Sequence[int]:
 
 
 def _needed(figure: Figure, lined: float) -> Size:
-    """The room that a figure takes with the white that it should have round it, and with lines over it."""
+    """The room that a figure takes with the white that it should have round it, lines over it, its title below it."""
     wide, high = extent(figure.marks)
-    return wide + 2 * MARGIN, high + 2 * MARGIN + lined
+    return max(wide + 2 * MARGIN, title_width(figure)), high + 2 * MARGIN + lined
 
 
 def _best(needs: Sequence[Size], landscape: bool, of: Format) -> list[Grid]:

@@ -9,13 +9,17 @@ from itertools import combinations, permutations
 from ...drawing.sheets.space import CAPTION, CLEAR, room_inside
 from ...foundation.stock import Format
 
-NARROWEST = 55.0  # mm: a frame with its title under it
+NARROWEST = 55.0  # mm: a frame with a short title under it
+_SLIM = 2.6  # times as long as wide, beyond which a frame looks drawn out
 AMPLE = 1.2  # times the room that a figure needs
 Size = tuple[float, float]
 _SHARES: dict[int, tuple[tuple[float, ...], ...]] = {
     1: ((1.0,),),
-    2: ((1 / 2, 1 / 2), (1 / 3, 2 / 3), (2 / 3, 1 / 3)),
-    3: ((1 / 3, 1 / 3, 1 / 3), *sorted(set(permutations((1 / 2, 1 / 4, 1 / 4))))),
+    2: ((1 / 2, 1 / 2), (1 / 3, 2 / 3), (2 / 3, 1 / 3), (2 / 5, 3 / 5), (3 / 5, 2 / 5)),
+    3: (
+        (1 / 3, 1 / 3, 1 / 3),
+        *(one for some in ((1 / 2, 1 / 4, 1 / 4), (2 / 5, 3 / 10, 3 / 10)) for one in sorted(set(permutations(some)))),
+    ),
 }  # of a sheet for its rows, and of a row for its frames
 
 
@@ -33,13 +37,14 @@ class Grid:
     slim: float
 
 
-def tightness(sheets: Sequence[Grid]) -> tuple[int, int, float, float, float]:
-    """No figure without its white is best; then the fewer the sheets the better, no tight frame, none that is much
-    looser than another, no slim one."""
+def tightness(sheets: Sequence[Grid]) -> tuple[int, int, int, float, float, float]:
+    """No figure without its white is best; then the fewer the sheets the better, no frame drawn out, no tight one,
+    none that is much looser than another, no slim one."""
     bare = sum(sheet.ease < 1 for sheet in sheets)
     ease = min((sheet.ease for sheet in sheets), default=1.0)
     spread, slim = (max((getattr(one, name) for one in sheets), default=1.0) for name in ("spread", "slim"))
-    return bare, len(sheets), -ease, round(spread, 1), slim
+    drawn_out = sum(sheet.slim > _SLIM for sheet in sheets)
+    return bare, len(sheets), drawn_out, -ease, round(spread, 1), slim
 
 
 def grid(needs: Sequence[Size], landscape: bool, of: Format) -> Grid | None:

@@ -79,6 +79,22 @@ def begun(figure: Figure) -> tuple[Mark, ...]:
     return (*lines, *axes, *circles, *numbers)
 
 
+def begins_at(figure: Figure) -> Point | None:
+    """The point from which a polygon, or a link that is set free, is drawn: the pole, the start of the first force, the
+    first joint."""
+    points = [mark for mark in figure.marks if isinstance(mark, Point)]
+    if pole := next((mark for mark in points if mark.dot is Dot.POLE), None):
+        return pole
+    if figure.view is View.BODY:
+        joints = (mark for mark in points if mark.dot is Dot.JOINT and mark.label)
+        return min(joints, key=lambda mark: mark.label, default=None)
+    first = min((mark for mark in figure.marks if isinstance(mark, Vector)), key=lambda mark: mark.step, default=None)
+    if figure.view is not View.FORCE or first is None:
+        return None
+    letter = next((mark.label for mark in points if abs(mark.at - first.a) < NEAR), "")
+    return Point(at=first.a, label=letter, dot=Dot.POLE, step=1)
+
+
 def _cam(cam: Cam, figure: Figure) -> tuple[Mark, ...]:
     """What a place of a cam that is drawn apart begins with: its centre, and its base circle where that is given."""
     centre = next((m for m in figure.marks if isinstance(m, Point) and m.label == "O" and m.dot is Dot.JOINT), None)

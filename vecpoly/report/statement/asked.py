@@ -77,7 +77,7 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
         return Words(f"{of} 的位置", f"the position of {of}").of(lang)
     if reading.unit == YES_NO:
         name = called(reading.symbol, reading.key, lang)
-        return Words(f"是否{name}", f"whether {name}").of(lang)
+        return Words(name if "是否" in name else f"是否{name}", f"whether {name}").of(lang)
     if (kind := asked_load(solution.problem, reading.key)) is not None:
         return _load_told(kind, reading.key, symbol, solution).of(lang)
     if (meant := meant_by(solution.problem.subject, reading.key, symbol)) is not None:

@@ -11,7 +11,7 @@ from ....cycle.facts.found import Stroke
 from ....findings.conditioning import Conditioning
 from ....findings.motion import evenness
 from ....findings.output_links import ends, motions
-from ....findings.shown import places, shown
+from ....findings.shown import places, shown, span
 from ....findings.strokes import is_repeated
 from ....findings.study.study import Study
 from ....mechanism.groups.mobility import mobility
@@ -83,11 +83,11 @@ def _drawn(study: Study, drawn: Compared) -> Iterator[Words]:
         )
         worst = f"{100 * drawn.worst(study):.2f} %"
         yield Words(
-            f"在{places.zh}作图，若只计 0.1 mm 的读数舍入，图解结果与解析结果的偏差不超过各量循环内最大值的 "
-            f"{worst}，两种方法互相印证；计入手工作图误差时见 6.2 的预期误差。",
+            f"在{places.zh}作图，若只计 0.1 mm 的读数舍入，图解结果与解析结果的偏差不超过各量在"
+            f"{span(study).zh}内最大值的 {worst}，两种方法互相印证；计入手工作图误差时见 6.2 的预期误差。",
             f"Drawings at {places.en} equally spaced positions, with nothing but readings rounded to "
             f"0.1 mm, agree with the analysis within {worst} of each quantity's largest value in "
-            "the cycle; for the errors of a drawing hand see 6.2.",
+            f"the {span(study).en}; for the errors of a drawing hand see 6.2.",
         )
 
 
@@ -158,18 +158,18 @@ def _stroke(study: Study, stroke: Stroke) -> Words:
     )
     return Words(
         f"往复{'摆动' if info.unit == 'rad' else '移动'}，{what.zh} {swing}，{quick.zh}",
-        f"goes to and fro, {what.en} {swing}, {quick.en}",
+        f"{'oscillates' if info.unit == 'rad' else 'reciprocates'}, {what.en} {swing}, {quick.en}",
     )
 
 
 def _repeated(study: Study, key: str) -> Words:
     swing = next(s for s in study.facts.swings if s.key == key)
     assert swing.highest is not None and swing.lowest is not None
-    span = shown(study, key, swing.highest.value - swing.lowest.value)
+    size = shown(study, key, swing.highest.value - swing.lowest.value)
     return Words(
         f"每循环往复 {len(swing.maxima)} 次，总{'摆角' if study.whole.info(key).unit == 'rad' else '行程'} "
-        f"{span}（各行程见 8.1）",
-        f"goes to and fro {len(swing.maxima)} times a cycle, through {span} in all (strokes in 8.1)",
+        f"{size}（各行程见 8.1）",
+        f"goes to and fro {len(swing.maxima)} times a cycle, through {size} in all (strokes in 8.1)",
     )
 
 
@@ -183,13 +183,10 @@ def _points(study: Study) -> Iterator[Words]:
         if v is None or a is None or found.shape is Shape.STILL or not study.varies(f"v_{letter}"):
             continue
         length = shown(study, f"p_{letter}", found.length)
-        span = Words(
-            "一个循环" if study.whole.whole else "在工作范围内",
-            "in a cycle" if study.whole.whole else "in the working range",
-        )
+        within = Words(f"在{span(study).zh}内", "in a cycle" if study.whole.whole else "in the working range")
         at = subscripted(letter)
-        zh = f"${at}$ 点{span.zh}走过的路程为 {length}，" if found.length else f"${at}$ 点："
-        en = f"Point ${at}$ travels {length} {span.en}; " if found.length else f"Of point ${at}$: "
+        zh = f"${at}$ 点{within.zh}走过的路程为 {length}，" if found.length else f"${at}$ 点："
+        en = f"Point ${at}$ travels {length} {within.en}; " if found.length else f"Of point ${at}$: "
         top = [(shown(study, e.key, spot.value), places(study, e, spot)) for e, spot in ((of_v, v), (of_a, a))]
         yield Words(
             f"{zh}$|v_{{{letter}}}|$ 最大 {top[0][0]}（{top[0][1].zh}），$|a_{{{letter}}}|$ 最大 {top[1][0]}（"
@@ -242,7 +239,7 @@ def _conditioned(study: Study, groups: list[Conditioning], mending: str) -> Iter
         link, angles = study.mech.drive.link, any(one.gamma for one in groups)
         zh_, en_ = (f"（以构件 {link} 为原动件）", f" (link {link} being the driver)") if study.forces else ("", "")
         yield Words(
-            f"各杆组在全循环内均为良态{'，传动角均不小于 40°' + zh_ if angles else ''}。",
+            f"各杆组在{span(study).zh}内均为良态{'，传动角均不小于 40°' + zh_ if angles else ''}。",
             "All groups are well-conditioned "
             f"throughout{', with transmission angles of 40° and more' + en_ if angles else ''}.",
         )

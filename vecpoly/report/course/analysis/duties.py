@@ -8,7 +8,7 @@ import numpy as np
 
 from ....cycle import Spot
 from ....cycle.facts.duties import Cause, Duty, duties, within
-from ....findings.shown import shown
+from ....findings.shown import shown, span
 from ....findings.study.study import Study
 from ....mechanism.asked.forces import load_named, load_symbol, without_friction
 from ....words import Lang, Words
@@ -128,7 +128,7 @@ def table(study: Study, press: Press) -> str:
         for duty, spots in made
     ]
     return press.table(
-        Words("各载荷在循环中的作用", "The parts of the loads over the cycle"),
+        Words(f"各载荷在{span(study).zh}内的作用", f"The parts of the loads over the {span(study).en}"),
         header,
         lines,
         "l" + "c" * (len(header) - 1),

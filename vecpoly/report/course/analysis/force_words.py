@@ -9,7 +9,8 @@ import numpy as np
 from ....cycle import Spot
 from ....cycle.facts.duties import Cause, Still, duties, stills
 from ....cycle.facts.force_words import constant_words
-from ....findings.shown import shown
+from ....findings.shown import shown, span
+from ....findings.study.reactions import are_alike, reactions
 from ....findings.study.study import Study
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.loads import Load, Loads
@@ -33,17 +34,17 @@ def results(study: Study) -> Words:
     if loads is None:
         return Words.same("")
     return joined(
-        [*_steady(loads), *constant_words(study.whole), *roles(study, loads), *_missing(study), *_equal(study)]
+        [*_steady(study, loads), *constant_words(study.whole), *roles(study, loads), *_missing(study), *_equal(study)]
     )
 
 
-def _steady(loads: Loads) -> Iterator[Words]:
+def _steady(study: Study, loads: Loads) -> Iterator[Words]:
     given = [load.name for load in loads.all if load.size is not None and load.law is None]
     if given:
         yield Words(
-            f"计算中 {listed(given)} 的大小和方向在整个循环内不变。",
+            f"计算中 {listed(given)} 的大小和方向在{span(study).zh}内不变。",
             f"{listed(given).replace('、', ', ')} {'keeps' if len(given) == 1 else 'keep'} size and direction "
-            "throughout the cycle.",
+            f"throughout the {span(study).en}.",
         )
 
 
@@ -128,11 +129,11 @@ def _no_slip(still: Still) -> Words:
 
 
 def _equal(study: Study) -> Iterator[Words]:
-    """Reactions asked for that are not tabled because another has the same size everywhere."""
+    """Reactions asked for, or all where none is, that are not tabled because another has the same size everywhere."""
     asked = [ask.rel.key for ask in study.given.problem.asks if ask.rel.key.startswith("R_")]
     twins: dict[str, list[str]] = {}
-    for key in (k for k in asked if k not in study.forces):
-        twin = next((other for other in study.forces if other.startswith("R_") and _same(study, key, other)), None)
+    for key in (k for k in asked or reactions(study.whole) if k not in study.forces):
+        twin = next((other for other in study.forces if are_alike(study.turn, key, other)), None)
         if twin is not None:
             twins.setdefault(twin, []).append(key)
     for twin, keys in twins.items():
@@ -143,16 +144,9 @@ def _equal(study: Study) -> Iterator[Words]:
         )
 
 
-def _same(study: Study, one: str, two: str) -> bool:
-    a, b = study.turn.real(one), study.turn.real(two)
-    return bool(np.allclose(a, b, rtol=1e-9, atol=0.0, equal_nan=True))
-
-
 def jumps(study: Study) -> Iterator[Words]:
     """How far the reactions and the balancing load jump where friction changes its side."""
-    keys: list[str] = []
-    for key in (k for k in study.forces if k != "eta"):
-        keys += [] if any(_same(study, key, other) for other in keys) else [key]
+    keys = [key for key in study.forces if key != "eta"]
     for still, where in each_still(study):
         own = [s.phi for s in stills(study.whole) if (s.who, s.turns) == (still.who, still.turns)]
         changes = [text for key in keys for text in _jumped(study, key, own)]

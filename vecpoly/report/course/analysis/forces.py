@@ -8,7 +8,7 @@ from math import degrees
 
 from ....cycle.facts.duties import Cause, Duty, duties, idle
 from ....findings.load_drive import Driven, driven
-from ....findings.shown import shown
+from ....findings.shown import shown, span
 from ....findings.study.study import Study
 from ....mechanism.loads import Loads
 from ....words import Words
@@ -106,7 +106,8 @@ def conclusion(study: Study) -> Iterator[Words]:
         parts = [_overall(study, key) for key in told(study)]
     if parts:
         yield Words(
-            f"全循环内：{'；'.join(w.zh for w in parts)}。", f"Over the cycle: {'; '.join(w.en for w in parts)}."
+            f"{span(study).zh}内：{'；'.join(w.zh for w in parts)}。",
+            f"Over the {span(study).en}: {'; '.join(w.en for w in parts)}.",
         )
     if locks := [d for d in duties(study.whole) if d.cause in _LOCKS]:
         where, symbol = ranges(study, locks), study.whole.drive.symbol

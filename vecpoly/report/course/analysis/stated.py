@@ -29,6 +29,7 @@ _AXES = {
     270: Words("向下", "downwards"),
 }
 _NEAR = 0.05  # degrees
+_MANY = 10  # quantities asked: of more, those of the output are told, and where the others stand
 _COMMA, _DRAWN, _EXACT = (
     Words("，", ", "),
     Words("（图解值/解析值）", " (drawn / exact)"),
@@ -39,16 +40,27 @@ RATES = (Kind.V, Kind.A, Kind.OMEGA, Kind.ALPHA)
 
 def stated(study: Study) -> Iterator[Words]:
     """All that is asked, in the order asked: size and sense, as drawn and exact, in the given position."""
-    told = [said for ask in study.given.problem.asks if (said := _asked(study, ask.rel.key)) is not None]
+    keys = [ask.rel.key for ask in study.given.problem.asks]
+    main = [key for key in keys if _is_output(study, key)] if len(keys) > _MANY and study.drawn else []
+    told = [said for key in main or keys if (said := _asked(study, key)) is not None]
     if not told:
         return
     at, how = study.where(study.mech.drive.position), _DRAWN if study.solution.answers else _EXACT
     rate = f"$|ω_{{{study.mech.drive.link}}}|$ = 1 rad/s"
     taken = Words(f"，按 {rate}", f", at {rate}") if study.sense_only and _has_rates(study) else Words("", "")
+    rest = Words("；其余各量见 6.2", "; for the others see 6.2") if 0 < len(main) < len(keys) else Words("", "")
     yield Words(
-        f"题设位置（{at}{taken.zh}）所求各量{how.zh}：{'；'.join(w.zh for w in told)}。",
-        f"Required quantities in the given position, {at}{taken.en}{how.en}: {'; '.join(w.en for w in told)}.",
+        f"题设位置（{at}{taken.zh}）所求各量{how.zh}：{'；'.join(w.zh for w in told)}{rest.zh}。",
+        f"Required quantities in the given position, {at}{taken.en}{how.en}: {'; '.join(w.en for w in told)}{rest.en}.",
     )
+
+
+def _is_output(study: Study, key: str) -> bool:
+    """Whether it is told of what the mechanism is for: an output link, a point on one, a load, the efficiency."""
+    stem, _, of = key.partition("_")
+    if stem in ("v", "a", "omega", "alpha"):
+        return of in (*output_pins(study), *ends(study), *study.points)
+    return stem not in ("an", "at", "ak", "ar", "R")
 
 
 def _has_rates(study: Study) -> bool:

@@ -94,10 +94,9 @@ def flat(study: Study, groups: list[Conditioning]) -> Iterator[Words]:
         low, high = f"{min(ratios):.2f}", f"{max(ratios):.2f}"
         span, span_en = (high, high) if low == high else (f"{low}～{high}", f"{low} to {high}")
         yield Words(
-            f"各构件的速度、加速度没有突出的峰值：最大绝对值与循环内均方根值之比为 {span}（按正弦规律变化时为 "
-            "√2 = 1.41）。",
+            f"各构件的速度、加速度没有突出的峰值：最大绝对值与均方根值之比为 {span}（按正弦规律变化时为 √2 = 1.41）。",
             f"The rates have no pronounced peaks: the largest absolute value is {span_en} times the "
-            "rms of the cycle (√2 = 1.41 for a sine).",
+            "rms (√2 = 1.41 for a sine).",
         )
 
 

@@ -24,11 +24,11 @@ STATIONS = 24
 FLAT, MARGIN = 0.35, 0.25  # of the frame that drawn values take at least; of what they take, beyond them
 _SHOWN, _DENSE = 3, 2  # curves, and of a long report
 _HEADER = {
-    "zh": ["量", "单位", "循环内最大值", "最大偏差", "占最大值", "所在位置", "均方根偏差", "手工作图 3σ（题设位置）"],
+    "zh": ["量", "单位", "最大值", "最大偏差", "占最大值", "所在位置", "均方根偏差", "手工作图 3σ（题设位置）"],
     "en": [
         "Quantity",
         "Unit",
-        "Largest in the cycle",
+        "Largest value",
         "Largest deviation",
         "of the largest",
         "At",

@@ -118,7 +118,7 @@ def judged(study: Study, keys: tuple[str, ...], found: tuple[Influence, ...]) ->
 def _limited(study: Study, found: tuple[Influence, ...]) -> Iterator[Words]:
     """The dimensions with which positions are lost soonest; that there is none."""
     span = Words(
-        "全循环内" if study.whole.whole else "工作范围内",
+        "一个运动循环内" if study.whole.whole else "工作范围内",
         "throughout the cycle" if study.whole.whole else "throughout its working range",
     )
     limits = sorted(

@@ -47,14 +47,13 @@ def _told(study: Study) -> Words:
     pivot = about(study.mech)
     return Words(
         f"原动件按题设匀速运动时，运动构件的惯性力系向固定点 ${pivot}$ 简化，得主矢 $F_I$ = −Σ$m_i a_{{Si}}$ 和主矩 "
-        "$M_I$ = "
-        f"−Σ[$r_{{Si}}$ × $m_i a_{{Si}}$ + $J_{{Si}} α_i$]（逆时针为正），由机架承受；载荷和重力不计在内。$F_I$ 的端迹"
-        "图上，"
-        "由极点到曲线的矢量即该位置的惯性力。",
+        f"$M_I$ = −Σ[$r_{{Si}}$ × $m_i a_{{Si}}$ + $J_{{Si}} α_i$]（逆时针为正；$r_{{Si}}$ 为由 ${pivot}$ "
+        "到质心 $S_i$ 的矢径），由机架承受；载荷和重力不计在内。$F_I$ 的端迹图上，由极点到曲线的矢量即该位置的惯性力。",
         "With the input link moving uniformly as given, the inertia forces of all moving links, reduced to the fixed "
         f"point ${pivot}$, are the force $F_I$ = −Σ$m_i a_{{Si}}$ and the moment $M_I$ = −Σ[$r_{{Si}}$ × $m_i a_{{Si}}$"
         f" + $J_{{Si}} α_i$] "
-        "(counter-clockwise positive), which the frame has to bear; loads and weights are not among them. In the "
+        f"(counter-clockwise positive; $r_{{Si}}$ is the position vector of the centre of mass $S_i$ from ${pivot}$), "
+        "which the frame has to bear; loads and weights are not among them. In the "
         "hodograph the vector "
         "from the pole to the curve is the force at that position.",
     )

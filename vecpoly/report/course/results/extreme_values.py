@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from math import floor, isfinite, log10
 
+from ....cycle import Extremes, Spot
+from ....findings.shown import alike
 from ....findings.study.study import Study
 from ....words import Words
 from ..analysis import force_words
 from ..numbering import Press
 from .tabled import decimal
 
+_TOLD = 2  # positions that are alike, of which the table has room
 _EXTREMES = {
     "zh": ["量", "单位", "最大值", "位置", "最小值", "位置"],
     "en": ["Quantity", "Unit", "Greatest", "At", "Least", "At"],
@@ -33,7 +36,7 @@ def extremes(study: Study, press: Press) -> str:
             for spot in both
             for text in (
                 _exact(info.factor * spot.value, info.factor * top),
-                _placed(study, spot.phi) + ("*" if force_words.is_limit(study, key, spot) else ""),
+                _placed(study, found, spot, press) + ("*" if force_words.is_limit(study, key, spot) else ""),
             )
         ]
         symbol = f"$|{info.symbol}|$" if info.is_vector else f"${info.symbol}$"
@@ -45,10 +48,14 @@ def extremes(study: Study, press: Press) -> str:
     return press.table(Words("极值及其位置", "Extreme values and where they occur"), header, rows, "lcrrrr")
 
 
-def _placed(study: Study, phi: float) -> str:
-    """The drive's position with two decimals."""
+def _placed(study: Study, found: Extremes, spot: Spot, press: Press) -> str:
+    """The drive's position with two decimals, of two that are alike both; of more the first, with a sign of more."""
     drive = study.turn.drive
-    return decimal(drive.factor * study.reduced(phi), 2) + ("°" if drive.shown_unit == "°" else f" {drive.shown_unit}")
+    unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
+    told = dict.fromkeys(decimal(drive.factor * study.reduced(s.phi), 2) for s in alike(study, found, spot))
+    every = [text + unit for text in told]
+    comma = "、" if press.lang == "zh" else ", "
+    return comma.join(every[:_TOLD]) + ("…" if len(every) > _TOLD else "")
 
 
 def _exact(value: float, top: float) -> str:
