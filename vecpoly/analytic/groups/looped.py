@@ -18,6 +18,7 @@ from ..variables import Scope
 from .chains import Chains
 
 DETERMINANT = "Δ_{J}"
+_FEW = 3  # right sides that are all named
 _NEWTON = Words(
     "用牛顿—拉弗森法求解：以邻近位置的解为初值，反复解 $J Δq = −f$，$q ← q + Δq$，直到 $f$ 足够小；"
     "题设位置的初值由题目给出的大致位置确定。雅可比矩阵 $J = ∂f/∂q$ 列于下表。",
@@ -140,7 +141,7 @@ def _closed(loops: Loops, conditions: list[tuple[Expr, Expr]]) -> tuple[Part, Pa
         Part(
             Words(
                 f"在其余转动副处封闭，得 {count // 2} 个封闭矢量方程，其投影为",
-                f"The remaining hinges close {count // 2} vector loops, whose projections are",
+                f"The remaining revolutes close {count // 2} vector loops, whose projections are",
             ),
             tuple(Equation(left, right, False) for left, right in conditions),
         ),
@@ -154,6 +155,14 @@ def _closed(loops: Loops, conditions: list[tuple[Expr, Expr]]) -> tuple[Part, Pa
     )
 
 
+def _listed(letter: str, count: int) -> Words:
+    """b_1, b_2; of many the first, dots, the last."""
+    names = [f"${letter}_{i}$" for i in (range(1, count + 1) if count <= _FEW else (1, count))]
+    if count > _FEW:
+        names.insert(1, "…")
+    return Words("，".join(names), ", ".join(names))
+
+
 def _rates(loops: Loops, title: Words, letter: str, sides: tuple[Expr, ...], order: int, more: list[Equation]) -> Stage:
     symbols = [rate.symbol for name in loops.unknowns if isinstance(rate := loops.rates[name][order], Var)]
     column = ", ".join(f"${s}$" for s in symbols)
@@ -163,10 +172,10 @@ def _rates(loops: Loops, title: Words, letter: str, sides: tuple[Expr, ...], ord
         else Words("再求导一次", "Differentiating once more")
     )
     said = Words(
-        f"{start.zh}，得线性方程组 $J$ ({column.replace(', ', '，')})ᵀ = (${letter}_1$，…，"
-        f"${letter}_{len(sides)}$)ᵀ，系数矩阵与位置方程相同，右端为",
-        f"{start.en} gives linear equations with the same matrix, $J$ ({column})ᵀ = (${letter}_1$, "
-        f"…, ${letter}_{len(sides)}$)ᵀ, with the right sides",
+        f"{start.zh}，得线性方程组 $J$ ({column.replace(', ', '，')})ᵀ = ({_listed(letter, len(sides)).zh})ᵀ，"
+        "系数矩阵与位置方程相同，右端为",
+        f"{start.en} gives linear equations with the same matrix, $J$ ({column})ᵀ = "
+        f"({_listed(letter, len(sides)).en})ᵀ, with the right sides",
     )
     equations = tuple(Equation(Var(f"{letter}_{{{i}}}"), side) for i, side in enumerate(sides, 1))
     rest = (Part(Words("从而", "and then"), tuple(more)),) if more else ()

@@ -12,7 +12,8 @@ from ...solution import Answer
 from ...words import Lang, Words
 from ..values import is_worded
 
-PLAIN = frozenset({"determined", "v_allowed"})  # keys of conditions whose yes says all: their reason is in the steps
+# keys of conditions whose yes says all: their reason is in the steps
+PLAIN = frozenset({"determined", "v_allowed", "static", "dynamic"})
 HOPELESS = 0.5  # share of a value: with a reading error above it, nothing was read
 UNREADABLE = Words("此值过小，按本图的比例尺读不准", "too small to be read at this scale")
 INSTEAD = Words("应放大比例尺或用计算求得", "draw it larger, or compute it")

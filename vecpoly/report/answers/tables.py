@@ -186,5 +186,5 @@ def way(answer: Answer, problem: Problem, lang: Lang) -> str:
         return NOTHING if answer.direction is None else bearing_told(answer.direction)
     fixed = direction_of_load(problem, answer.key)
     if fixed is not None:
-        return Words(f"{bearing_told(degrees(fixed))} 方向", f"at {bearing_told(degrees(fixed))}").of(lang)
+        return bearing_told(degrees(fixed))
     return _SENSE[answer.sense].of(lang) if answer.sense and clean(answer) else NOTHING

@@ -14,11 +14,11 @@ COUNTED: tuple[Row, ...] = (  # in the chapter on the structure, which every rep
     ("$F$", Words("机构的自由度", "degrees of freedom"), "—"),
 )
 _ROWS: tuple[tuple[str, Row], ...] = (
-    ("$K$", ("$K$", Words("行程速度变化系数", "time ratio of the strokes"), "—")),
-    ("$θ$", ("$θ$", Words("极位夹角", "angle between the limit positions of the drive"), "°")),
+    ("$K$ = ", ("$K$", Words("行程速度变化系数", "time ratio of the strokes"), "—")),
+    ("$θ$ = ", ("$θ$", Words("极位夹角", "angle between the limit positions of the drive"), "°")),
     ("$J_e$", ("$J_e$", Words("等效转动惯量", "equivalent moment of inertia"), "kg·m²")),
     ("$M_e$", ("$M_e$", Words("等效力矩", "equivalent moment"), "N·m")),
-    ("$E$", ("$E$", Words("动能的增量", "change of the kinetic energy"), "J")),
+    ("∫$M$", ("$E$", Words("动能的增量", "change of the kinetic energy"), "J")),
     ("$ΔW", ("$ΔW$", Words("盈亏功", "surplus or deficit of work"), "J")),
     ("$ω_m", ("$ω_m$", Words("平均角速度", "mean angular velocity"), "rad/s")),
     ("$δ$", ("$δ$", Words("速度不均匀系数", "coefficient of speed fluctuation"), "—")),

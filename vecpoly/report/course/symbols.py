@@ -48,7 +48,7 @@ def _model(study: Study) -> Iterator[Row]:
         )
     yield (
         "$φ_i$、$ω_i$、$α_i$",
-        Words("构件 $i$ 的转角、角速度、角加速度", "angle and angular rates of link $i$"),
+        Words("构件 $i$ 的转角、角速度、角加速度", "angle, angular velocity and acceleration of link $i$"),
         "°, rad/s, rad/s²",
     )
     letter = next(iter(study.points), "")
@@ -61,7 +61,7 @@ def _model(study: Study) -> Iterator[Row]:
             f"$s_{{{pair}}}$、$v_{{{pair}}}$、$a_{{{pair}}}$",
             Words(
                 f"构件 {pair[:1]} 沿构件 {pair[1:]} 的滑移及其变化率",
-                f"sliding of link {pair[:1]} along link {pair[1:]}, its rates",
+                f"sliding of link {pair[:1]} along link {pair[1:]}, with its velocity and acceleration",
             ),
             "mm, m/s, m/s²",
         )
@@ -85,7 +85,8 @@ def _point(letter: str) -> Iterator[Row]:
     yield (
         f"$v_{{{letter}x}}$、$a_{{{letter}x}}$",
         Words(
-            f"${subscripted(letter)}$ 点速度、加速度的 $x$ 分量", f"$x$ components of ${subscripted(letter)}$'s rates"
+            f"${subscripted(letter)}$ 点速度、加速度的 $x$ 分量",
+            f"$x$ components of the velocity and acceleration of ${subscripted(letter)}$",
         ),
         "m/s, m/s²",
     )

@@ -63,12 +63,14 @@ def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[s
     (one, first), (other, second) = rotor.correct.items()
     board.section(Words("向两校正平面分解", "Shares of the two planes"))
     over = [name for name in rotor.masses if min(share[name] for share in rotor.shares.values()) < -1e-12]
+    arm_told = f"$l_i$ = $z_i$ − $z_{{b{one}}}$"
+    span_told = f"$L$ = $z_{{b{other}}}$ − $z_{{b{one}}}$"
     board.step(
         Words(
-            f"把每个质径积按杠杆关系分解到平面 ${one}$ 和 ${other}$：$l_i$ 为质量 $i$ 到平面 ${one}$ 的距离，"
-            "$L$ 为两平面的距离。",
-            f"Share every product between the planes ${one}$ and ${other}$ by the lever: $l_i$ is the distance of mass "
-            f"$i$ from plane ${one}$, $L$ that of the two planes.",
+            f"把每个质径积按杠杆关系分解到平面 ${one}$ 和 ${other}$：{arm_told} 为质量 $i$ 到平面 ${one}$ 的距离，"
+            f"{span_told} 为两平面的距离。",
+            f"Share every product between the planes ${one}$ and ${other}$ by the lever: {arm_told} is the distance of "
+            f"mass $i$ from plane ${one}$, {span_told} that of the two planes.",
         )
         + _overhung(over)
     )

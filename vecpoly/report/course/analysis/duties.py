@@ -36,6 +36,8 @@ def stretch(study: Study, duty: Duty) -> str:
     drive = study.whole.drive
     low, high = (f"{drive.factor * q:.2f}" for q in within(study.whole, duty))
     low, high = (text.lstrip("-") if float(text) == 0 else text.replace("-", "−") for text in (low, high))
+    if study.whole.period and low == f"{drive.factor * study.whole.period:.2f}":  # where the turn ends, the next begins
+        low = "0.00"
     unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
     return f"{low}{unit}～{high}{unit}" if unit == "°" else f"{low}～{high}{unit}"
 

@@ -20,7 +20,7 @@ from ....printed.units import printed_unit
 from ....solution import YES_NO, Answer
 from ....words import Words
 from ...answers.placed import angle
-from ...values import called, direction_of_load, unit_after, value
+from ...values import called, direction_of_load, unit_after, value, way_of
 
 _AXES = {
     0: Words("向右", "to the right"),
@@ -82,7 +82,7 @@ def _asked(study: Study, key: str) -> Words | None:
     answer = study.solution.answers.get(key)
     if answer is None:
         return _computed(study, key) if any(column.key == key for column in study.whole.columns) else None
-    symbol = f"${answer.reading.symbol}$"
+    symbol, way = f"${answer.reading.symbol}$", _way(key)
     if answer.reading.unit == YES_NO or answer.undefined:
         name = Words(called(answer.reading.symbol, key, "zh"), called(answer.reading.symbol, key, "en"))
         return name + Words("：", ": ") + Words(value(answer.exact, YES_NO, "zh"), value(answer.exact, YES_NO, "en"))
@@ -93,7 +93,13 @@ def _asked(study: Study, key: str) -> Words | None:
     block = output_pins(study).get(key.partition("_")[2]) if key[0] in "va" else None
     number = study.name(block) if block else ""
     name = Words(f"（构件 {number}）" if block else " ", f" (of link {number}) " if block else " ")
-    return Words.same(symbol) + name + Words.same(f"= {_numbers(answer)}") + _sense(study, answer)
+    return Words.same(symbol) + way + name + Words.same(f"= {_numbers(answer)}") + _sense(study, answer)
+
+
+def _way(key: str) -> Words:
+    """By which way it is found, where one is found by several: （虚功率法）."""
+    way = None if key.startswith("R_") else way_of(key)
+    return Words("", "") if way is None else Words(f"（{way.zh}）", f" ({way.en})")
 
 
 def _place(answer: Answer) -> Words:

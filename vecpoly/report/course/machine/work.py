@@ -41,7 +41,8 @@ def _told(study: Study, run: Running) -> Words:
     gap = magnitude("E_{max}", run.high.value, "J") - magnitude("E_{min}", run.low.value, "J")
     surplus = number(run.surplus, 5)
     digits = figures_for(gap, surplus, 5)
-    told = f"$ΔW_{{max}}$ = {number(run.high.value, digits)} − ({number(run.low.value, digits)}) = {surplus} J"
+    top, least = (number(_plain(run, spot.value), digits) for spot in (run.high, run.low))
+    told = f"$ΔW_{{max}}$ = {top} − {least if run.low.value > 0 or least == '0' else f'({least})'} = {surplus} J"
     return _moment(run) + Words(
         f"动能 $E$ = ∫$M$ d$φ$ 在 {high} 处最大、{low} 处最小，最大盈亏功 {told}（自 {zero(study, run)} 起算）。",
         f"The energy $E$ = ∫$M$ d$φ$, counted from {zero(study, run)} on, is greatest at {high} and least at {low}: "
@@ -52,9 +53,7 @@ def _told(study: Study, run: Running) -> Words:
 def _moment(run: Running) -> Words:
     """The constant moment, and where it comes from."""
     if not run.name:
-        return Words(
-            "各载荷在一个周期内所作的功之和为零。", "Over the period the works of the loads add up to nothing. "
-        )
+        return Words("各载荷在一个周期内所作的功之和为零。", "Over the period the works of the loads add up to zero. ")
     size, symbol = number(abs(run.constant), 5), f"${load_symbol(run.name)}$"
     sense = Words("逆时针", "counter-clockwise") if run.constant > 0 else Words("顺时针", "clockwise")
     drives = run.of.constant > 0
@@ -89,20 +88,18 @@ def _table(study: Study, press: Press, run: Running) -> str:
     rows = []
     for a, b, gain, end in pieces(run):
         span = f"{_angle(run, a)}–{_angle(run, b)}"
-        rows.append(
-            (
-                span,
-                _KINDS[gain > 0].of(press.lang),
-                _five(gain),
-                _five(0.0 if abs(end) < _LITTLE * run.surplus else end),
-            )
-        )
+        rows.append((span, _KINDS[gain > 0].of(press.lang), _five(gain), _five(_plain(run, end))))
     return press.table(Words("盈功和亏功", "Surplus and deficit of work"), _HEADER[press.lang], rows, "lcrr")
 
 
 def _angle(run: Running, psi: float) -> str:
     """In degrees, the period's own end not called 0°."""
     return f"{np.degrees(run.of.sense * psi) % (np.degrees(run.of.period) + 1e-7):.1f}°"
+
+
+def _plain(run: Running, energy: float) -> float:
+    """An energy (J): nothing for what rounding leaves beside the greatest surplus."""
+    return 0.0 if abs(energy) < _LITTLE * run.surplus else energy
 
 
 def _five(value: float) -> str:
@@ -147,7 +144,7 @@ def energy(study: Study, lang: str, run: Running) -> Plotted:
     of = run.of
     angle, at = of_period(run)
     height = of.of_pieces(of.works, at).ravel()
-    marks = tuple((of.degrees(top.psi), top.value) for top in (run.high, run.low))
+    marks = tuple((of.degrees(top.psi), _plain(run, top.value)) for top in (run.high, run.low))
     symbol = study.turn.drive.symbol
     title = Words(f"盈亏功累计值 $E$ 随 ${symbol}$ 的变化", f"$E$ over ${symbol}$; dots: greatest, least")
     return given(study, lang, (angle, height), ("E", "J"), title, marks=marks)

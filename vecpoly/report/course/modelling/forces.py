@@ -136,7 +136,7 @@ def _friction_words(study: Study, loads: Loads) -> Words:
         rules.append(
             Words(
                 "转动副的总反力切于半径为 $ρ$ 的摩擦圆，对铰链中心之矩 $M_f$ = $ρ R$，与相对角速度反向",
-                "the reaction of a hinge touches the friction circle of radius $ρ$: its moment "
+                "the reaction of a pin joint is tangent to the friction circle of radius $ρ$: its moment "
                 "about the centre is $M_f$ = $ρ R$, against the relative rotation",
             )
         )

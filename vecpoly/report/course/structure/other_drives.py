@@ -41,7 +41,7 @@ def _on_frame(mech: Mechanism) -> Iterator[tuple[str, Words]]:
     for letter, names in hinges(mech).items():
         for name in names if FRAME in names else ():
             if name not in (FRAME, mech.drive.link, *thought):
-                yield name, Words(f"转动副 ${subscripted(letter)}$", f"hinge ${subscripted(letter)}$")
+                yield name, Words(f"转动副 ${subscripted(letter)}$", f"revolute ${subscripted(letter)}$")
     for joint in mech.joints:
         if isinstance(joint, Prismatic) and FRAME in ends(joint):
             name = next(end for end in ends(joint) if end != FRAME)

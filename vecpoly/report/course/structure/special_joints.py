@@ -41,7 +41,7 @@ def special(study: Study) -> Iterator[Words]:
         zh, en = "、".join(f"${c.point}$" for c in mech.contacts), ", ".join(f"${c.point}$" for c in mech.contacts)
         yield Words(
             f"{zh} 为高副；作运动分析时高副低代：以铰接于接触处两曲率中心（或沿平底移动）的构件代替。",
-            f"{en} is a higher pair; for the kinematics it is replaced by a link hinged at both "
+            f"{en} is a higher pair; for the kinematics it is replaced by a link pinned at both "
             "centres of curvature (or sliding on the flat face). ",
         )
     if mech.welded:
