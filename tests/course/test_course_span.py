@@ -77,3 +77,10 @@ def test_reactions_at_both_ends_of_a_two_force_link_are_told_once() -> None:
     it = studied("4-3a")
     sizes = [tuple(abs(it.turn.real(key)[::40])) for key in it.forces if key.startswith("R_")]
     assert len(sizes) == len(set(sizes)) > 1
+
+
+def test_a_shaking_force_that_is_least_at_two_positions_is_told_with_both() -> None:
+    _, objects = course_text("slider-crank-dynamic", "en")
+    tables = [one for one in objects.named.values() if isinstance(one, DataTable)]
+    (row,) = (row for one in tables for row in one.rows if row[0] == "$|F_I|$ /N")
+    assert re.fullmatch(r"[\d.]+° and [\d.]+°", row[4]) and row[2] == "0°"

@@ -50,7 +50,7 @@ def advice(study: Study, one: Conditioning) -> Iterator[Words]:
             f"{one.group.title.en}: $|{one.symbol}|$ is the distance of the block's pin from the "
             f"pivot of the guide along the guide. It is shortest, {_mm(one.least)} mm, at {where}, "
             "and the guide's ω is inversely proportional to it: to lower the peak there the pivot "
-            "must be moved away from the path of the pin; but the turns and the rates of the guide "
+            "must be moved away from the path of the pin; but the turns and the motion of the guide "
             "change with the place of its pivot, and the whole cycle must be computed "
             f"again.{square.en}",
         )

@@ -224,8 +224,8 @@ def _conditioned(study: Study, groups: list[Conditioning], mending: str) -> Iter
             f"{'原动件的行程有限' if study.mech.drive.slide else '原动件不能整周转动'}，"
             "接近行程端部的死点时各速度、加速度急剧增大，机构不宜在其附近工作。",
             f"The input link {'has a limited stroke' if study.mech.drive.slide else 'cannot make full revolutions'}, "
-            "and towards the dead points at the ends of its stroke the rates run away: the mechanism should "
-            "not work near them.",
+            "and towards the dead points at the ends of its stroke velocities and accelerations grow without bound: "
+            "the mechanism should not work near them.",
         )
     elif poor and (study.whole.whole or not all(study.facts.unlimited)):
         told = [_wanting(one) for one in poor]

@@ -50,8 +50,8 @@ def stated(study: Study) -> Iterator[Words]:
     taken = Words(f"，按 {rate}", f", at {rate}") if study.sense_only and _has_rates(study) else Words("", "")
     rest = Words("；其余各量见 6.2", "; for the others see 6.2") if 0 < len(main) < len(keys) else Words("", "")
     yield Words(
-        f"题设位置（{at}{taken.zh}）所求各量{how.zh}：{'；'.join(w.zh for w in told)}{rest.zh}。",
-        f"Required quantities in the given position, {at}{taken.en}{how.en}: {'; '.join(w.en for w in told)}{rest.en}.",
+        f"题设位置 {at}{taken.zh}{how.zh}：{'；'.join(w.zh for w in told)}{rest.zh}。",
+        f"In the given position, {at}{taken.en}{how.en}: {'; '.join(w.en for w in told)}{rest.en}.",
     )
 
 

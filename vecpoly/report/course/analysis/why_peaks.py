@@ -95,7 +95,7 @@ def flat(study: Study, groups: list[Conditioning]) -> Iterator[Words]:
         span, span_en = (high, high) if low == high else (f"{low}～{high}", f"{low} to {high}")
         yield Words(
             f"各构件的速度、加速度没有突出的峰值：最大绝对值与均方根值之比为 {span}（按正弦规律变化时为 √2 = 1.41）。",
-            f"The rates have no pronounced peaks: the largest absolute value is {span_en} times the "
+            f"Velocities and accelerations have no pronounced peaks: the largest absolute value is {span_en} times the "
             "rms (√2 = 1.41 for a sine).",
         )
 

@@ -9,8 +9,9 @@ from ....algebra.quantity import number
 from ....cycle import Extremes, table
 from ....cycle.shaking import FORCE, MOMENT, about
 from ....findings.machine.shaking import Best, Shaking
+from ....findings.shown import places
 from ....findings.study.study import Study
-from ....words import Words
+from ....words import Lang, Words
 from ..numbering import Press
 from ..results.plots import curve, swept
 from ..results.tabled import laid_out
@@ -65,17 +66,18 @@ def _extremes(study: Study, press: Press, found: Shaking) -> str:
         if one.highest is not None and one.lowest is not None and not one.is_constant:
             unit = f"({column.unit})" if "·" in column.unit else column.unit
             symbol = f"$|{column.symbol}|$" if column.is_vector else f"${column.symbol}$"
-            rows.append((f"{symbol} /{unit}", *_spots(study, one)))
+            rows.append((f"{symbol} /{unit}", *_spots(study, one, press.lang)))
     title = Words("惯性力、惯性力矩的极值", "Extremes of the shaking force and the shaking moment")
     return press.table(title, _EXTREMES[press.lang], rows, "lrrrr")
 
 
-def _spots(study: Study, one: Extremes) -> tuple[str, ...]:
+def _spots(study: Study, one: Extremes, lang: Lang) -> tuple[str, ...]:
+    """Greatest and least, each with all its places."""
     assert one.highest is not None and one.lowest is not None
     return tuple(
         text
         for spot in (one.highest, one.lowest)
-        for text in (number(spot.value, 5).replace("-", "−"), study.where(spot.phi).split(" = ")[1])
+        for text in (number(spot.value, 5).replace("-", "−"), places(study, one, spot).of(lang).split(" = ")[1])
     )
 
 

@@ -199,7 +199,7 @@ def _range(study: Study, press: Press) -> str:
         "The drive "
         f"{'has a limited stroke' if study.mech.drive.slide else 'cannot make full revolutions'}; "
         f"the tables cover its working range, {low} to {high}. Beyond it lie dead points, towards "
-        "which the rates run away.",
+        "which velocities and accelerations grow without bound.",
     ).of(press.lang)
 
 
