@@ -16,7 +16,7 @@ from ....words import Words
 from ..numbering import Press
 from . import tolerances
 
-_NOTHING = 1e-13
+_NOTHING, _BESIDE = 1e-13, 1e-9  # no value at all; none beside the largest of its kind, as across a guide
 _CHECKED = {
     "zh": ["量", "与独立求解结果之差", "差商（步长 2 格）", "差商（步长 1 格）", "两者之比"],
     "en": ["Quantity", "From the independent solution", "Differences, 2 steps", "Differences, 1 step", "Their ratio"],
@@ -49,10 +49,10 @@ def _power(value: float) -> str:
 def _checked(study: Study, press: Press) -> str:
     """Of every rate told: the model less the solver,
     and the model's rate less the difference quotient of what it is the rate of."""
-    rows = []
-    for symbol, own, exact, base in _rates(study):
-        size = float(np.nanmax(np.abs(exact)))
-        if not size > _NOTHING:
+    rows, rates = [], [(one, float(np.nanmax(np.abs(one[2])))) for one in _rates(study)]
+    largest = {kind: max(size for one, size in rates if one[0][0] == kind) for kind in {one[0][0] for one, _ in rates}}
+    for (symbol, own, exact, base), size in rates:
+        if not size > max(_NOTHING, _BESIDE * largest[symbol[0]]):
             continue
         row = [f"${symbol}$", _percent(float(np.nanmax(np.abs(own - exact))) / size)]
         if not study.mech.drive.accel:
