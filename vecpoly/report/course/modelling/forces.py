@@ -52,13 +52,13 @@ def _opening(study: Study, loads: Loads, found: ForceModel) -> Words:
 _CUT_FREE = Words(
     "取各构件为分离体列平衡方程。$R_{ij}$ 为构件 $i$ 对构件 $j$ 的反力，$R_{ji}$ = −$R_{ij}$，下标 $x$、"
     "$y$ 表示投影；力矩以逆时针为正。",
-    "Each link is cut free. $R_{ij}$ is the force of link $i$ on link $j$, $R_{ji}$ = −$R_{ij}$, with "
+    "Each link is isolated. $R_{ij}$ is the force of link $i$ on link $j$, $R_{ji}$ = −$R_{ij}$, with "
     "components $x$ and $y$; moments are positive counter-clockwise. ",
 )
 _OF_SLIDES = Words(
     "移动副的反力简化为垂直于导路的 $N$（导路正向左侧为正）和对滑块铰链中心的力偶矩 $T$，"
     "沿导路的速度 $v$ 和摩擦力 $F_f$ 以导路正向为正。",
-    "The reaction of a slide is a force $N$ square to the guide (positive to the left of its "
+    "The reaction of a prismatic joint is a force $N$ normal to the guide (positive to the left of its "
     "direction) and a couple $T$ about the block's pin; $v$ and friction $F_f$ along the guide are "
     "positive in its direction. ",
 )

@@ -46,11 +46,11 @@ def _on_frame(mech: Mechanism) -> Iterator[tuple[str, Words]]:
         if isinstance(joint, Prismatic) and FRAME in ends(joint):
             name = next(end for end in ends(joint) if end != FRAME)
             if name not in (mech.drive.link, *thought):
-                yield name, Words("移动副", "slide")
+                yield name, Words("移动副", "prismatic")
 
 
 def _row(study: Study, press: Press, link: str, joint: Words) -> tuple[str, ...] | None:
-    slide = joint.en == "slide"
+    slide = joint.en == "prismatic"
     try:
         groups = decompose(replace(study.mech, drives=(Drive(link=link, position=0.0, rate=1.0, slide=slide),)))
     except VecpolyError:
