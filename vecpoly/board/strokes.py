@@ -77,15 +77,15 @@ class Strokes(Log):
         """Mark a right angle."""
         self.log(done.Corner(head=self.head(at, u, v, on=view), at=spot(at), u=spot(u), v=spot(v)))
 
-    def rule(self, view: Place, line: Line, to: Points, label: str = "") -> None:
-        """Leave a direction line on the paper, from its start to a little past `to`, as a ruler leaves it."""
+    def rule(self, view: Place, line: Line, to: Points, label: str = "", said: Words | None = None) -> None:
+        """Leave a direction line on the paper, from its start to a little past `to`, as a ruler leaves it; label, or in
+        words said: its direction."""
         start, end = spot(line.at), spot(to)
         along = spot(line.along)
         past = along if abs(end - start) < NO_LENGTH else (end - start) / abs(end - start)
         back = 0.0 if abs(end - start) > 2 * OVERRUN else OVERRUN
-        self.log(
-            done.Rule(head=self.head(line, to, on=view), a=start - past * back, b=end + past * OVERRUN, label=label)
-        )
+        a, b = start - past * back, end + past * OVERRUN
+        self.log(done.Rule(head=self.head(line, to, on=view), a=a, b=b, label=label, said=said))
 
     def swing(self, view: Place, centre: Points, radius: Reals, through: Points) -> None:
         """Leave the short compass arc about a centre near the point it passes."""

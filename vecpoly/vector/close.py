@@ -155,8 +155,8 @@ def _corner(
     if t1.along is not None and t2.along is not None:
         g, h = board.parallel(p1, t1.along, key=t1.key), board.parallel(p2, t2.along, key=t2.key)
         corner = _meet(board, g, h, t1, what)
-        board.rule(view, g, corner, _lettered(t1))
-        board.rule(view, h, corner, _lettered(t2))
+        board.rule(view, g, corner, _lettered(t1), _said(t1))
+        board.rule(view, h, corner, _lettered(t2), _said(t2))
         return corner
     if t1.along is None and t2.along is None:
         assert t1.mm is not None and t2.mm is not None
@@ -194,6 +194,11 @@ def _lettered(term: Term) -> str:
     """The direction of a line in letters, ⊥BC, where it has letters."""
     text = term.direction.zh.replace("$", "").replace(" ", "")
     return text if text.isascii() or text.lstrip("⊥∥").isascii() else ""
+
+
+def _said(term: Term) -> Words | None:
+    """The direction of a line in words, ∥guide, where it has no letters."""
+    return term.direction if term.direction.zh[:1] in ("⊥", "∥") and not _lettered(term) else None
 
 
 def _first(a: Points, b: Points) -> Points:

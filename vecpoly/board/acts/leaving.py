@@ -43,11 +43,12 @@ class Arrow(Done):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rule(Done):
-    """Leave a direction line on the paper, from a to b, with its direction in letters at b."""
+    """Leave a direction line on the paper, from a to b, with its direction at b, in letters or else in words."""
 
     a: complex
     b: complex
     label: str = ""
+    said: Words | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

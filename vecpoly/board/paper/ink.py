@@ -74,8 +74,9 @@ def _left(act: Leaving) -> tuple[Mark, ...]:
         case done.Arrow():
             return (Vector(a=act.a, b=act.b, role=act.role, label=act.label),) if act.shown else ()
         case done.Rule():
-            line, end = Segment(a=act.a, b=act.b, role=Role.DIRECTION), Point(at=act.b, label=act.label, dot=Dot.NONE)
-            return (line, end) if act.label else (line,)
+            line = Segment(a=act.a, b=act.b, role=Role.DIRECTION)
+            end = Point(at=act.b, label=act.label, dot=Dot.NONE, said=act.said)
+            return (line, end) if act.label or act.said else (line,)
         case done.Swing():
             return (Arc(centre=act.centre, radius=act.radius, start=act.start, sweep=act.sweep, role=act.role),)
         case done.Curve():

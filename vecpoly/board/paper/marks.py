@@ -65,11 +65,12 @@ class Curve(Ink):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Point(Ink):
-    """A lettered point."""
+    """A lettered point; said: what stands there in words, where there are no letters for it."""
 
     at: complex
     label: str
     dot: Dot
+    said: Words | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable
-from functools import lru_cache
 
-from ...algebra.formula import Txt, row
+from ...algebra.formula import Txt
 from ...board.construction import View
 from ...board.paper.marks import (
     AngleMark,
@@ -21,15 +19,13 @@ from ...board.paper.marks import (
     Note,
     Passing,
     Point,
-    Role,
     Segment,
     TurnArrow,
     Vector,
 )
-from ...board.strokes import OVERRUN
-from ...typeset import Box, layout
+from ...typeset import layout
 from ...words import Lang
-from ..hues import Tones, line_hue, mark_hue
+from ..hues import Tones, mark_hue
 from ..style import (
     DOT_RADIUS,
     JOINT_RADIUS,
@@ -46,11 +42,10 @@ from ..style import (
 from ..symbols.angles import TAIL, narrow
 from ..symbols.bodies import foot_of
 from ..symbols.shapes import HATCH, NEAR
-from .actions import along_action, line_of_action
 from .bows import along, bow
-from .dimensions import beyond_end, dimension_line, over
 from .notes import lines
 from .numbers import FRACTIONS, along_line, number_of_link
+from .points import keep_at, piece, points
 from .want import Piece, Spot, Thing, Want
 
 _RADIUS = {
@@ -63,37 +58,34 @@ _RADIUS = {
 }
 ASIDE = (0.0, 1.0, -1.0, 2.0, -2.0)  # mm along its axis by which a number may stand beside its tick
 TICK = 8.0  # mm: a longer line at an axis is no tick, as an ordinate
-INNER = 0.3  # of a line: a letter nearer to an end is the name of the end
-MEASURED = (Role.CONSTRUCTION, Role.IDEAL)
-NAMED = (Role.CENTRE, Role.HIDDEN)  # lines that have a name at an end
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
 
 def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones = None) -> tuple[Want, ...]:
     """All that is to be lettered; points at the same place share one label. tones: by which vectors are told apart."""
     taken = _taken(marks)
-    found = list(_points(marks, taken, tones))
+    found = list(points(marks, taken, lang, tones))
     for mark in marks:
         match mark:
             case Vector(label=label) if label:
                 found.append(_vector(mark, mark_hue(mark, view, label, tones)))
             case LinkNumber(a=a, number=number) if (ground := _ground(mark, marks)) is not None:
                 a, b = foot_of(ground)
-                found.append(along_line(a, b, HATCH, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
+                found.append(along_line(a, b, HATCH, (piece(number, Hue.BLACK, mark.step),), Thing.LINK))
             case LinkNumber(a=a, b=b, number=number):
-                keep = LINK / 2 if abs(b - a) > NEAR else max(_keep(a, taken), _disc(a, marks))
-                found.append(number_of_link(mark, _piece(number, Hue.BLACK, mark.step), marks, keep))
+                keep = LINK / 2 if abs(b - a) > NEAR else max(keep_at(a, taken), _disc(a, marks))
+                found.append(number_of_link(mark, piece(number, Hue.BLACK, mark.step), marks, keep))
             case TurnArrow(label=label) if label:
                 hue = mark_hue(mark, view, label, tones)
-                found.append(bow(mark, _piece(label, hue, mark.step), marks, FRACTIONS))
+                found.append(bow(mark, piece(label, hue, mark.step), marks, FRACTIONS))
             case AngleMark(label=label) if label:
-                piece = _piece(label, Hue.BLACK, mark.step)
-                found.append(_outside(mark, piece) if narrow(mark) else bow(mark, piece, marks, FRACTIONS))
+                its = piece(label, Hue.BLACK, mark.step)
+                found.append(_outside(mark, its) if narrow(mark) else bow(mark, its, marks, FRACTIONS))
             case FrictionCircle() if mark.label or mark.enlarged > 1:
                 found.append(_circle(mark))
             case Note(at=at, words=words):
-                piece = Piece(lines(words.of(lang), NOTE), 0.0, Hue.BLACK, mark.step)
-                found.append(_note(mark, piece, marks, _keep(at, taken)))
+                note = Piece(lines(words.of(lang), NOTE), 0.0, Hue.BLACK, mark.step)
+                found.append(_note(mark, note, marks, keep_at(at, taken)))
             case _:
                 pass
     return tuple(found)
@@ -127,77 +119,6 @@ def unnamed(marks: tuple[Mark, ...]) -> tuple[Spot, ...]:
     return tuple((at, radius) for at, radius in silent.items() if all(abs(at - other) > NEAR for other in named))
 
 
-def _piece(text: str, hue: Hue, step: int, dx: float = 0.0) -> Piece:
-    return Piece(_lettered(text), dx, hue, step)
-
-
-@lru_cache(maxsize=1024)
-def _lettered(text: str) -> Box:
-    """A symbol in type; the same few come again and again."""
-    return layout(row(text), LETTER)
-
-
-def _points(marks: tuple[Mark, ...], taken: list[Spot], tones: Tones) -> Iterable[Want]:
-    groups: list[tuple[complex, list[Point]]] = []
-    lines = [mark for mark in marks if isinstance(mark, Segment)]
-    ruled = {mark.b: mark for mark in lines if mark.role is Role.DIRECTION}
-    named = {
-        end: mark for mark in lines if mark.role in NAMED and abs(mark.b - mark.a) > NEAR for end in (mark.a, mark.b)
-    }
-    for mark in marks:
-        if isinstance(mark, Point) and mark.label:
-            home = next((g for at, g in groups if abs(at - mark.at) < NEAR), None)
-            if home is None:
-                groups.append((mark.at, [mark]))
-            elif all(other.label != mark.label for other in home):
-                home.append(mark)
-    for at, group in groups:
-        pieces: list[Piece] = []
-        for mark in group:
-            x = pieces[-1].dx + pieces[-1].box.width if pieces else 0.0
-            if pieces:
-                comma = Piece(layout(Txt(","), LETTER), x, Hue.BLACK, mark.step)
-                pieces.append(comma)
-                x += comma.box.width + 0.3 * LETTER
-            pieces.append(_piece(mark.label, line_hue(mark.key, tones, Hue.BLACK), mark.step, x))
-        if any(mark.dot is not Dot.NONE for mark in group):
-            yield Want(tuple(pieces), (at,), (0j,), _keep(at, taken), (at, at), thing=Thing.POINT)
-        elif (action := line_of_action(group[0], lines)) is not None:
-            yield along_action(tuple(pieces), at, action)
-        elif (measured := dimension_line(at, marks)) is not None:
-            yield over(measured, tuple(pieces))
-        elif group[0].label[:1].islower() and (line := _through(at, lines)) is not None:
-            yield along_line(line.a, line.b, THIN / 2, tuple(pieces), Thing.END)
-        else:
-            keep = _keep(at, taken)
-            bare = at in named and at not in ruled and not keep
-            yield beyond_end(tuple(pieces), at, named[at]) if bare else _end(tuple(pieces), at, keep, ruled.get(at))
-
-
-def _through(at: complex, lines: Iterable[Segment]) -> Segment | None:
-    """The shortest measured line in the middle of which a place lies: the small letter that stands there is its
-    length."""
-    found = [line for line in lines if line.role in MEASURED and abs(line.b - line.a) > NEAR and _between(at, line)]
-    return min(found, key=lambda line: abs(line.b - line.a), default=None)
-
-
-def _between(at: complex, line: Segment) -> bool:
-    part = (at - line.a) / (line.b - line.a)
-    return INNER < part.real < 1 - INNER and abs(part.imag * (line.b - line.a)) < NEAR
-
-
-def _end(pieces: tuple[Piece, ...], at: complex, radius: float, line: Segment | None) -> Want:
-    """A name at the end of a line; a direction's stands beyond its line, or beside what of it runs on past the point
-    that it found."""
-    if line is None or abs(line.b - line.a) < NEAR:
-        return Want(pieces, (at,), (0j,), radius, (at, at), thing=Thing.END)
-    u = (at - line.a) / abs(at - line.a)
-    foot = at - min(OVERRUN, abs(at - line.a)) * u
-    feet = tuple(at + (foot - at) * share for share in (0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5))
-    ways = (u, *(u * side for _ in range(3) for side in (1j, -1j)))
-    return Want(pieces, feet, ways, THIN / 2, (foot, at), one_sided=True, thing=Thing.DIRECTION)
-
-
 def _taken(marks: tuple[Mark, ...]) -> list[Spot]:
     """Each place at which something is drawn, and the radius of that."""
     found: list[Spot] = []
@@ -216,18 +137,13 @@ def _taken(marks: tuple[Mark, ...]) -> list[Spot]:
     return found
 
 
-def _keep(at: complex, taken: list[Spot]) -> float:
-    """The radius of whatever is drawn at a point."""
-    return max((radius for here, radius in taken if abs(here - at) < NEAR), default=0.0)
-
-
 def _disc(at: complex, marks: tuple[Mark, ...]) -> float:
     """The radius of a roller about a place: the number of a roller stands beside its rim."""
     return max((m.radius for m in marks if isinstance(m, Disc) and abs(m.centre - at) < NEAR), default=0.0)
 
 
 def _vector(mark: Vector, hue: Hue) -> Want:
-    return along_line(mark.a, mark.b, RESULT / 2, (_piece(mark.label, hue, mark.step),), Thing.VECTOR)
+    return along_line(mark.a, mark.b, RESULT / 2, (piece(mark.label, hue, mark.step),), Thing.VECTOR)
 
 
 def _outside(mark: AngleMark, piece: Piece) -> Want:
@@ -242,7 +158,7 @@ def _outside(mark: AngleMark, piece: Piece) -> Want:
 
 def _circle(mark: FrictionCircle) -> Want:
     """The letter of a friction circle, and how much larger than true it is drawn."""
-    pieces: tuple[Piece, ...] = (_piece(mark.label, Hue.BLACK, mark.step),) if mark.label else ()
+    pieces: tuple[Piece, ...] = (piece(mark.label, Hue.BLACK, mark.step),) if mark.label else ()
     if mark.enlarged > 1:
         x = pieces[0].box.width + 0.3 * LETTER if pieces else 0.0
         pieces += (Piece(layout(Txt(f"×{mark.enlarged:g}"), NOTE), x, Hue.BLACK, mark.step),)

@@ -1,0 +1,115 @@
+"""The names of points and of lines' ends: those at one place share one label."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import lru_cache
+
+from ...algebra.formula import Txt, row
+from ...board.paper.marks import Dot, Mark, Point, Role, Segment
+from ...board.strokes import OVERRUN
+from ...typeset import Box, layout, layout_words
+from ...words import Lang
+from ..hues import Tones, line_hue
+from ..style import LETTER, THIN, Hue
+from ..symbols.shapes import NEAR
+from .actions import along_action, line_of_action
+from .dimensions import beyond_end, dimension_line, over
+from .numbers import along_line
+from .want import Piece, Spot, Thing, Want
+
+INNER = 0.3  # of a line: a letter nearer to an end is the name of the end
+MEASURED = (Role.CONSTRUCTION, Role.IDEAL)
+NAMED = (Role.CENTRE, Role.HIDDEN)  # lines that have a name at an end
+
+
+def piece(text: str, hue: Hue, step: int, dx: float = 0.0) -> Piece:
+    """A symbol in type that belongs to a step."""
+    return Piece(_lettered(text), dx, hue, step)
+
+
+@lru_cache(maxsize=1024)
+def _lettered(text: str) -> Box:
+    """A symbol in type; the same few come again and again."""
+    return layout(row(text), LETTER)
+
+
+def points(marks: tuple[Mark, ...], taken: list[Spot], lang: Lang, tones: Tones) -> Iterable[Want]:
+    """The label of every lettered place."""
+    lines = [mark for mark in marks if isinstance(mark, Segment)]
+    ruled = {mark.b: mark for mark in lines if mark.role is Role.DIRECTION}
+    named = {
+        end: mark for mark in lines if mark.role in NAMED and abs(mark.b - mark.a) > NEAR for end in (mark.a, mark.b)
+    }
+    for at, group in _grouped(marks):
+        pieces = _pieces(group, lang, tones)
+        if any(mark.dot is not Dot.NONE for mark in group):
+            yield Want(pieces, (at,), (0j,), keep_at(at, taken), (at, at), thing=Thing.POINT)
+        elif (action := line_of_action(group[0], lines)) is not None:
+            yield along_action(pieces, at, action)
+        elif (measured := dimension_line(at, marks)) is not None:
+            yield over(measured, pieces)
+        elif group[0].label[:1].islower() and (line := _through(at, lines)) is not None:
+            yield along_line(line.a, line.b, THIN / 2, pieces, Thing.END)
+        else:
+            keep = keep_at(at, taken)
+            bare = at in named and at not in ruled and not keep
+            yield beyond_end(pieces, at, named[at]) if bare else _end(pieces, at, keep, ruled.get(at))
+
+
+def _grouped(marks: Iterable[Mark]) -> list[tuple[complex, list[Point]]]:
+    """The points that have a name, those at one place together, none twice."""
+    groups: list[tuple[complex, list[Point]]] = []
+    for mark in marks:
+        if isinstance(mark, Point) and (mark.label or mark.said):
+            home = next((g for at, g in groups if abs(at - mark.at) < NEAR), None)
+            if home is None:
+                groups.append((mark.at, [mark]))
+            elif all((other.label, other.said) != (mark.label, mark.said) for other in home):
+                home.append(mark)
+    return groups
+
+
+def _pieces(group: Iterable[Point], lang: Lang, tones: Tones) -> tuple[Piece, ...]:
+    """Their names in one line, with commas between."""
+    pieces: list[Piece] = []
+    for mark in group:
+        x = pieces[-1].dx + pieces[-1].box.width if pieces else 0.0
+        if pieces:
+            comma = Piece(layout(Txt(","), LETTER), x, Hue.BLACK, mark.step)
+            pieces.append(comma)
+            x += comma.box.width + 0.3 * LETTER
+        if mark.said is not None and not mark.label:
+            pieces.append(Piece(layout_words(mark.said.of(lang), LETTER), x, Hue.BLACK, mark.step))
+        else:
+            pieces.append(piece(mark.label, line_hue(mark.key, tones, Hue.BLACK), mark.step, x))
+    return tuple(pieces)
+
+
+def _through(at: complex, lines: Iterable[Segment]) -> Segment | None:
+    """The shortest measured line in the middle of which a place lies: the small letter that stands there is its
+    length."""
+    found = [line for line in lines if line.role in MEASURED and abs(line.b - line.a) > NEAR and _between(at, line)]
+    return min(found, key=lambda line: abs(line.b - line.a), default=None)
+
+
+def _between(at: complex, line: Segment) -> bool:
+    part = (at - line.a) / (line.b - line.a)
+    return INNER < part.real < 1 - INNER and abs(part.imag * (line.b - line.a)) < NEAR
+
+
+def _end(pieces: tuple[Piece, ...], at: complex, radius: float, line: Segment | None) -> Want:
+    """A name at the end of a line; a direction's stands beyond its line, or beside what of it runs on past the point
+    that it found."""
+    if line is None or abs(line.b - line.a) < NEAR:
+        return Want(pieces, (at,), (0j,), radius, (at, at), thing=Thing.END)
+    u = (at - line.a) / abs(at - line.a)
+    foot = at - min(OVERRUN, abs(at - line.a)) * u
+    feet = tuple(at + (foot - at) * share for share in (0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5))
+    ways = (u, *(u * side for _ in range(3) for side in (1j, -1j)))
+    return Want(pieces, feet, ways, THIN / 2, (foot, at), one_sided=True, thing=Thing.DIRECTION)
+
+
+def keep_at(at: complex, taken: list[Spot]) -> float:
+    """The radius of whatever is drawn at a point."""
+    return max((radius for here, radius in taken if abs(here - at) < NEAR), default=0.0)
