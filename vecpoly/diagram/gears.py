@@ -14,6 +14,7 @@ from .posed import Posed
 
 HALF = 1.3  # of the gear's radius: the rack to either side of the pitch point
 HALF_HATCH = 15.0  # mm: the hatching of a fixed gear to either side
+FACE = 2.2  # mm from the pitch line to the body of a rack, to which its pins are joined
 DEEP = 7.2  # mm from the pitch line to the underside of a rack
 RIM = 2.0  # mm from a ring to its number
 BESIDE = 0.3  # mm: a pin nearer to the pitch line stands on it
@@ -56,8 +57,10 @@ def rack_marks(posed: Posed, joint: Rolling, rack: Rack) -> Iterator[Mark]:
         ahead = (b - a) / abs(b - a) * HALF_HATCH
         yield FixedGuide(a=middle - ahead + DEEP * under, b=middle + ahead + DEEP * under, about=middle)
     for pin, travel in zip(pins, travels, strict=True):
-        if abs(pin - foot - along * travel) > BESIDE:
-            yield Segment(a=foot + along * travel, b=pin, role=Role.LINK)
+        on_line = foot + along * travel
+        if abs(pin - on_line) > BESIDE:
+            yield Segment(a=on_line, b=pin, role=Role.LINK)
+        yield Segment(a=on_line, b=on_line - FACE * 1j * (b - a) / abs(b - a), role=Role.LINK)
 
 
 def guided_rack(posed: Posed, link: str) -> Prismatic | None:

@@ -16,6 +16,7 @@ from ..board.paper.marks import (
     Ground,
     LinkNumber,
     Outline,
+    Plate,
     Point,
     Role,
     Segment,
@@ -31,6 +32,11 @@ from .owners import FIXED, joint, link
 def outline(owner: str, *points: Points, fixed: bool = False) -> Symbol:
     """A solid body with corners; a fixed one is hatched."""
     return Symbol.of(owner, (Outline(points=tuple(spot(p) for p in points), fixed=fixed),))
+
+
+def plate(owner: str, *points: Points) -> Symbol:
+    """A link with three pins or more, not in line."""
+    return Symbol.of(owner, (Plate(points=tuple(spot(p) for p in points)),))
 
 
 def disc(owner: str, centre: Points, radius: Reals) -> Symbol:

@@ -131,6 +131,8 @@ def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     size = on_paper.value * scale.value if known is None else known.value
     values = size * np.exp(1j * direction)
     exact_zero = abs(complex(nominal(end - start))) < NO_LENGTH
+    if not exact_zero and not board.stands(view, spot(end), spot(start)):
+        board.arrow_once(view, start, end, key=rel.key)  # of two points of an image no vector stands there yet
     board.answer(rel.key, 0j if exact_zero else spot(values), rel.kind.unit, start, end, size, direction, each=values)
     reading = Reading(
         key=rel.key,

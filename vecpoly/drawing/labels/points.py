@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from functools import lru_cache
 
-from ...algebra.formula import Txt, row
+from ...algebra.formula import Row, Txt, row
 from ...board.paper.marks import Dot, Mark, Point, Role, Segment
 from ...board.strokes import OVERRUN
 from ...typeset import Box, layout, layout_words
@@ -20,6 +21,7 @@ from .want import Piece, Spot, Thing, Want
 
 INNER = 0.3  # of a line: a letter nearer to an end is the name of the end
 MEASURED = (Role.CONSTRUCTION, Role.IDEAL)
+AXIS = re.compile(r"(.+)(/(?:mm|m|rad|s))")  # what is set out along an axis, and its unit
 NAMED = (Role.CENTRE, Role.HIDDEN)  # lines that have a name at an end
 
 
@@ -30,8 +32,9 @@ def piece(text: str, hue: Hue, step: int, dx: float = 0.0) -> Piece:
 
 @lru_cache(maxsize=1024)
 def _lettered(text: str) -> Box:
-    """A symbol in type; the same few come again and again."""
-    return layout(row(text), LETTER)
+    """A symbol in type, of an axis with its unit upright; the same few come again and again."""
+    axis = AXIS.fullmatch(text)
+    return layout(row(text) if axis is None else Row((*row(axis[1]).items, Txt(axis[2]))), LETTER)
 
 
 def points(marks: tuple[Mark, ...], taken: list[Spot], lang: Lang, tones: Tones) -> Iterable[Want]:

@@ -12,7 +12,8 @@ from .obstacles import Complexes, Floats
 from .want import Thing, Want
 
 DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)
-GAPS = (0.55, 1.1, 1.9, 3.0, 4.4)
+GAPS = (0.55, 0.95, 1.9, 3.0, 4.4)
+TIGHT = 2.0  # what the closest of them costs beyond its distance: a digit all but touches a thick bar there
 FAR = (5.5, 6.5, 8.0, 9.5, 11.0, 13.0)
 # In a crowd; the usual ones come first, so that each place keeps its number.
 FARTHER = (*FAR, 12.0, 14.2, 15.5, 16.8, 18.0, 20.0, 22.0, 24.5, 27.0, 30.0)
@@ -57,9 +58,10 @@ def beside(want: Want, middle: complex) -> Spots:
     base = PER_FRACTION * number + 1.0 * (1 - (sides * away.conjugate()).real)
     gap = np.array(GAPS)[:, None]
     near = feet[..., None] + _offset(sides[:, None], want.radius + gap, half, all_round)
+    by_gap = PER_DISTANCE * gap + TIGHT * (gap == GAPS[0]) + OFF_LEVEL * want.level * np.abs(gap - LEVEL)
     return Spots(
         near.ravel(),
-        (base[:, None] + PER_DISTANCE * gap + OFF_LEVEL * want.level * np.abs(gap - LEVEL)).ravel(),
+        (base[:, None] + by_gap).ravel(),
         np.full(near.size, complex(math.nan, math.nan)),
         np.broadcast_to(feet[..., None], near.shape).ravel(),
     )

@@ -91,11 +91,12 @@ def transferred(
     if _on_line(p, q, corner):  # either way
         way = np.where(bare(dot(q - p, corner - p)) > 0, 1.0, -1.0)
         return board.lay_off(on[0], way * unit(on[1] - on[0]), np.abs(corner - p))
-    if abs(float(nominal(cross(*legs)))) < GRAZING:
-        return board.image(of, on)
     radii = np.abs(corner - p), np.abs(corner - q)
     what = Words(f"转移 ${letter}$", f"carrying ${letter}$ over")
-    met = of_each(bare(cross(q - p, corner - p)) > 0, *board.arcs(on[0], radii[0], on[1], radii[1], what))
+    if abs(float(nominal(cross(*legs)))) < GRAZING:
+        met = board.image(of, on)
+    else:
+        met = of_each(bare(cross(q - p, corner - p)) > 0, *board.arcs(on[0], radii[0], on[1], radii[1], what))
     for centre, radius in zip(on, radii, strict=True):
         board.swing(place, centre, radius, met)
     return met

@@ -10,7 +10,9 @@ from ....algebra.quantity import magnitude
 from ....board.paper.marks import Dot, Role
 from ....designs.straight_line import BAND, L, StraightLine
 from ....designs.verdict import Verdict
-from ....plane import Points, circles_meet, nominal
+from ....diagram.single import plate
+from ....plane import Points, circles_meet, nominal, unit
+from ....plane.geometry import cross
 from ....words import Words
 from ..chart import Axis, Chart, chart
 from ..draft import SHEET, Draft
@@ -19,6 +21,7 @@ from ..linkage import drawn, pin, pivot
 from ..registry import design_method
 
 STATIONS, FINE = 9, 120
+FLAT = 0.5  # mm: E nearer to BC lies on it
 Path = Callable[[float], complex]
 
 
@@ -60,13 +63,22 @@ def _traced(draft: Draft, design: StraightLine) -> dict[str, Points]:
     for n, (b, c, e) in enumerate(stations):
         if n in (0, STATIONS - 1, middle):
             drawn(draft, *(((a, b, c, d),) if n == middle else ((), (a, b, c, d))))
-            for one in (b, c):
-                board.join(SHEET, one, e, Role.LINK if n == middle else Role.OTHER)
+            _joined(draft, (b, c, e), thick=n == middle)
     for letter, at in zip("BC", stations[middle], strict=False):
         pin(draft, letter, at)
     lettered = [pin(draft, f"E_{n}", e) for n, (_, _, e) in enumerate(stations, 1)]
     board.curve(SHEET, lettered, Role.RESULT)
     return {"A": a, "D": d, "E1": lettered[0], "E2": lettered[-1]}
+
+
+def _joined(draft: Draft, coupler: tuple[Points, Points, Points], thick: bool) -> None:
+    """The coupler BCE: a plate where its three points are not in line."""
+    b, c, e = coupler
+    if thick and abs(float(nominal(cross(unit(c - b), e - b)))) > FLAT:
+        draft.board.depict(SHEET, plate("coupler", b, c, e))
+        return
+    for one in (b, c):
+        draft.board.join(SHEET, one, e, Role.LINK if thick else Role.OTHER)
 
 
 def _station(
