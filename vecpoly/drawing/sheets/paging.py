@@ -14,6 +14,7 @@ from ...foundation.stock import ANY_A4, Paper
 from ..figure import title_line
 from ..order import reading_order as reading_order
 from ..scene import Rect, Scene
+from .evening import evened
 from .packing import TIGHT, Layout, flat, pack, packed, slicings
 from .redbox import BAND
 from .slicing import Pair, Size
@@ -23,7 +24,7 @@ from .spreading import sunk
 UPRIGHT = 0.04  # of a page's area by which figures must spread wider over one that lies across
 CROWDED = 6.5  # mm of white below which a page is full to the brim
 LONGEST = 12  # figures on a page
-WELL = 0.75  # of a page that figures fill as a rule: titles on one line are worth no less
+WELL = 0.65  # of a page that figures fill as a rule: titles on one line are worth no less
 
 
 class Sized(Protocol):
@@ -115,14 +116,25 @@ def trimmed(figures: Sequence[Sized], layout: Layout) -> Layout:
 def lined(figures: Sequence[Drawn], layout: Layout, still: Sequence[Rect] = ()) -> Layout:
     """With the titles of figures side by side on one line, unless the figures would be lost on the page then;
     still: what else stands there."""
+    boxes, lines = _standing(figures, layout)
+    falls = sunk(boxes, lines, still, min(TIGHT, max(layout.white, 0.0)))
+    made = replace(layout, corners=tuple(at - 1j * by for at, by in zip(layout.corners, falls, strict=True)))
+    return made if covered(figures, made) >= min(WELL, covered(figures, layout)) else layout
+
+
+def even(figures: Sequence[Drawn], layout: Layout, still: Sequence[Rect] = ()) -> Layout:
+    """With as much white to the frame as between the figures, where they can be drawn together."""
+    moves = evened(*_standing(figures, layout), layout.page, still)
+    return replace(layout, corners=tuple(at + by for at, by in zip(layout.corners, moves, strict=True)))
+
+
+def _standing(figures: Sequence[Drawn], layout: Layout) -> tuple[list[Rect], list[float]]:
+    """The rectangle that each figure takes on its page, and on which height its title stands."""
     boxes = [
         Rect(at.real, at.imag, at.real + one.size[0], at.imag + one.size[1])
         for at, one in zip(layout.corners, figures, strict=True)
     ]
-    lines = [box.y0 + one.line for box, one in zip(boxes, figures, strict=True)]
-    falls = sunk(boxes, lines, still, min(TIGHT, max(layout.white, 0.0)))
-    made = replace(layout, corners=tuple(at - 1j * by for at, by in zip(layout.corners, falls, strict=True)))
-    return made if covered(figures, made) >= min(WELL, covered(figures, layout)) else layout
+    return boxes, [box.y0 + one.line for box, one in zip(boxes, figures, strict=True)]
 
 
 def under_box(figures: tuple[F, ...], layout: Layout) -> list[Page[F]]:

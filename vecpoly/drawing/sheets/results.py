@@ -14,7 +14,7 @@ from ...words import Words
 from ..scene import Fill, Item, Layer, Rect, Stroke, TextBox
 from ..style import NOTE, THIN
 from .packing import Layout, pack
-from .paging import Drawn, lined, pairs_of
+from .paging import Drawn, even, lined, pairs_of
 from .redbox import BAND
 from .sheet import Sheet, placed
 from .slicing import Size
@@ -121,6 +121,7 @@ class _Room:
         low = layout.page[0] - MARGIN - block.width
         stands = Rect(low, MARGIN, low + block.width, MARGIN + block.height)
         hung = lined(self.group, replace(layout, corners=layout.corners[:-1]), (stands,))
+        hung = even(self.group, hung, (stands,)) if self.sheet.warning is None else hung
         moved = placed(self.group, hung, self.sheet.strip, self.sheet.lang, self.sheet.warning)
         return _with(moved, block, complex(low + FRAME, MARGIN + FRAME + STRIP))
 

@@ -16,7 +16,7 @@ from ..details.knots import knots
 from ..scene import Item, Rect, Scene
 from .detailing import arrangements, drawn, loose
 from .packing import Layout
-from .paging import Drawn, Page, arranged, best_paged, fullness, lined, paged, reading_order, trimmed, under_box
+from .paging import Drawn, Page, arranged, best_paged, even, fullness, lined, paged, reading_order, trimmed, under_box
 from .redbox import BAND, red_box
 from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
 from .titleblock import Strip, furniture
@@ -126,7 +126,7 @@ def sheets(
     pages = _pages(reading_order(construction.figures), lang, on, construction.warning is not None)
     if plates and on.way is None:
         pages = [(group, trimmed(group, layout)) for group, layout in pages]
-    return _numbered([(group, lined(group, layout)) for group, layout in pages], construction, lang, title)
+    return _numbered([(group, even(group, lined(group, layout))) for group, layout in pages], construction, lang, title)
 
 
 def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> list[Page[Drawn]]:

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from ..scene import Rect
 from .slicing import TOUCH, Cut, Piece, Size
 
+HANG = 1.5  # mm by which letters of titles on one line hang lower than others
+
 Box = tuple[float, float, float, float]  # left, top (downwards from the upper edge), width, height
 
 
@@ -100,10 +102,10 @@ def sunk(boxes: Sequence[Rect], lines: Sequence[float], still: Sequence[Rect], c
     """By how much each figure sinks, so that the titles of those side by side stand on one line.
 
     A figure goes down to the next lower line of a neighbour where it keeps this clear (mm) of all others and of what
-    stands still, and no lower than the lowest. lines: on which height the titles stand.
+    stands still, and no lower than the lowest; or else up. lines: on which height the titles stand.
     """
     now, at = list(boxes), list(lines)
-    floor = min((box.y0 for box in boxes), default=0.0) - TOUCH
+    floor = min((box.y0 for box in boxes), default=0.0) - HANG
     for i in sorted(range(len(now)), key=lambda one: lines[one]):
         others = [*(now[k] for k in range(len(now)) if k != i), *still]
         lower = {at[k] for k in range(len(now)) if k != i and at[k] <= at[i] and now[k].y1 > now[i].y0}
@@ -112,7 +114,24 @@ def sunk(boxes: Sequence[Rect], lines: Sequence[float], still: Sequence[Rect], c
             if low.y0 >= floor and not any(low.grown(clear - TOUCH).overlaps(other) for other in others):
                 now[i], at[i] = low, line
                 break
+    _rise(now, at, still, clear)
     return [old - new for old, new in zip(lines, at, strict=True)]
+
+
+def _rise(now: list[Rect], at: list[float], still: Sequence[Rect], clear: float) -> None:
+    """A figure whose title stands alone goes up to the next higher line of a neighbour where it keeps clear, and no
+    higher than the highest."""
+    ceiling = max((box.y1 for box in now), default=0.0) + HANG
+    for i, box in enumerate(now):
+        others = [k for k in range(len(now)) if k != i]
+        if any(abs(at[k] - at[i]) < TOUCH for k in others):
+            continue
+        beside = [k for k in others if now[k].y0 < box.y1 and box.y0 < now[k].y1]
+        for line in sorted({at[k] for k in beside if at[k] > at[i]}):
+            high, around = _lowered(box, at[i] - line), [*(now[k] for k in others), *still]
+            if high.y1 <= ceiling and not any(high.grown(clear - TOUCH).overlaps(other) for other in around):
+                now[i], at[i] = high, line
+                break
 
 
 def _lowered(box: Rect, by: float) -> Rect:
