@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import cmath
 from dataclasses import replace
 from itertools import pairwise
+from math import tau
 
-from ...board.paper.marks import Block, Dot, LinkNumber, Mark, Passing, Point
+from ...board.paper.marks import Block, Disc, Dot, LinkNumber, Mark, Passing, Point
 from ..style import RESULT
 from ..symbols.bodies import block_corners
 from ..symbols.shapes import NEAR
 from .want import Piece, Thing, Want
 
 FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
+RINGS, AROUND = (0.6, 1.0), 12  # of the radius of a disc at which its number may stand, and where about its centre
 ON = 0.3  # mm: a joint so near to a bar, as an unsteady hand finds it, lies on it
 
 
@@ -25,9 +28,13 @@ def along_line(a: complex, b: complex, radius: float, pieces: tuple[Piece, ...],
 
 
 def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Want:
-    """The number of a link: of a block beside its outline, of a bar beside its longest piece between two joints."""
+    """The number of a link: of a block beside its outline, of a disc in it or at its rim, of a bar beside its longest
+    piece between two joints."""
     a, b = mark.a, mark.b
     if abs(b - a) < NEAR:
+        discs = (m for m in marks if isinstance(m, Disc) and m.owner == mark.owner and abs(m.centre - a) > NEAR)
+        if (disc := next(discs, None)) is not None:
+            return _in_disc(disc, a, piece)
         blocks = (m for m in marks if isinstance(m, Block) and m.owner == mark.owner and abs(m.at - a) < NEAR)
         block = next(blocks, None)
         return along_line(a, b, keep, (piece,), Thing.LINK) if block is None else _beside_block(block, piece)
@@ -46,6 +53,14 @@ def _joints_between(a: complex, b: complex, marks: tuple[Mark, ...]) -> list[flo
             if abs(along.imag * (b - a)) < ON and ON < along.real * abs(b - a) < abs(b - a) - ON:
                 found.append(along.real)
     return found
+
+
+def _in_disc(disc: Disc, at: complex, piece: Piece) -> Want:
+    """First of all where it was put, as far from the pin as the disc is large."""
+    ring = [cmath.rect(disc.radius, cmath.phase(at - disc.centre) + tau * k / AROUND) for k in range(AROUND + 1)]
+    feet = (at, *(disc.centre + share * out for share in RINGS for out in ring[:-1]))
+    rim = tuple(disc.centre + out for out in ring)
+    return Want((piece,), feet, (0j,) * len(feet), RESULT / 2, (at, at), thing=Thing.LINK, bow=rim)
 
 
 def _beside_block(block: Block, piece: Piece) -> Want:

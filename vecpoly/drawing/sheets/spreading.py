@@ -105,7 +105,7 @@ def sunk(boxes: Sequence[Rect], lines: Sequence[float], still: Sequence[Rect], c
     stands still, and no lower than the lowest; or else up. lines: on which height the titles stand.
     """
     now, at = list(boxes), list(lines)
-    floor = min((box.y0 for box in boxes), default=0.0) - HANG
+    floor = min((box.y0 for box in boxes), default=0.0) - TOUCH
     for i in sorted(range(len(now)), key=lambda one: lines[one]):
         others = [*(now[k] for k in range(len(now)) if k != i), *still]
         lower = {at[k] for k in range(len(now)) if k != i and at[k] <= at[i] and now[k].y1 > now[i].y0}
