@@ -17,8 +17,8 @@ from .labels.ground import broken
 from .labels.notes import LEADING, folded, lines
 from .labels.obstacles import Obstacles
 from .labels.placing import Placed, place
-from .labels.want import Spot, Want
-from .labels.wants import unnamed, wants
+from .labels.want import Line, Spot, Want
+from .labels.wants import grounds, unnamed, wants
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
 from .symbols.around import Surroundings
@@ -52,6 +52,7 @@ class Bare:
     items: tuple[Item, ...]
     wanted: tuple[Want, ...]
     unnamed: tuple[Spot, ...]
+    grounds: tuple[Line, ...]
 
     @classmethod
     def of(cls, figure: Figure, lang: Lang, held: tuple[Ground, ...] = ()) -> Bare:
@@ -62,7 +63,7 @@ class Bare:
         marks = cleared(figure.view, beside(figure.view, figure.marks), held)
         around = Surroundings.of(figure.view, marks, lang, figure.tones)
         items = unique(tuple(item for mark in marks for item in draw(mark, around)))
-        return cls(items, wants(figure.view, marks, lang, figure.tones), unnamed(marks))
+        return cls(items, wants(figure.view, marks, lang, figure.tones), unnamed(marks), grounds(marks))
 
     @property
     def extents(self) -> Rect:
@@ -93,7 +94,7 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
     What was drawn last is kept: question, solution, course report and player of one problem draw a figure once.
     """
     bare = Bare.of(figure, lang)
-    placed = place(bare.wanted, Obstacles.of(bare.items), bare.extents, frame, bare.unnamed)
+    placed = place(bare.wanted, Obstacles.of(bare.items), bare.extents, frame, bare.unnamed, bare.grounds)
     items = broken(bare.items, [label.rect for label in placed])
     lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))
     scene = lettered + Scene.of(caption_items(figure, lettered.extents, lang)) if caption else lettered

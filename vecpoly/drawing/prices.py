@@ -11,13 +11,12 @@ import numpy as np
 from .labels.obstacles import Complexes, Floats, Indices, Obstacles
 from .labels.rivals import Named, misled
 from .labels.spots import Spots, beside, on_leaders, price_of_leader
-from .labels.want import Spot, Thing, Want
+from .labels.want import Line, Spot, Want
 from .scene import Rect
 from .standing import Trial
 
 OUTSIDE, BEYOND_FRAME = 0.25, 60.0  # a mm beyond the drawn lines, beyond the allowed frame
 IN_CROWD = 0.3  # so much of its price has what a leader crosses in a crowd: better that than a letter on a line
-STRANGE = 1.6  # of the price of a line between, for a number: beyond hatching or another bar it is taken for that
 BATCH = 96  # places that are weighed together, the cheapest first
 FREE = 6.0  # dearer than the cheapest place by less than this is free to choose
 
@@ -31,6 +30,7 @@ class Around:
     drawn: Rect
     frame: Rect | None
     unnamed: tuple[Spot, ...] = ()  # points without a letter
+    grounds: tuple[Line, ...] = ()  # edges of hatching, beside which a number is taken for the frame's
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -176,14 +176,13 @@ def price(places: Sequence[Places]) -> None:
     led = [part for part in places if part.led]
     crossed = dict(zip(map(id, led), _crossed(around.obstacles, led), strict=True))
     near = [part for part in places if not part.led]
-    named = Named.by(around.wanted, around.unnamed)
+    named = Named.by(around.wanted, around.unnamed, around.grounds)
     parted = dict(zip(map(id, near), _parted(around.obstacles, near), strict=True))
     for part, cost in zip(places, costs, strict=True):
         if part.led:
             cost += crossed[id(part)]
         else:
-            dear = STRANGE if part.want.thing is Thing.LINK else 1.0
-            cost += dear * parted[id(part)] + misled(part.want, named, part.spots.centre)
+            cost += parted[id(part)] + misled(part.want, named, part.spots.centre)
         if around.frame is not None:
             cost += BEYOND_FRAME * beyond(part.want, part.spots.centre, around.frame)
         part._hard = cost

@@ -48,7 +48,7 @@ class Follower:
                 return _together(paper.obstacles, paper.labels)
         bare = Bare.of(figure, self.lang, self.supports)
         seen = tuple(resized(want, self.size) for want in bare.wanted)
-        around = Around(Obstacles.of(bare.items), seen, bare.extents, None, bare.unnamed)
+        around = Around(Obstacles.of(bare.items), seen, bare.extents, None, bare.unnamed, bare.grounds)
         placed = self._follow(_names(bare.wanted), around)
         return _together(broken(bare.items, [label.rect for label in placed]), placed)
 
@@ -134,7 +134,7 @@ def _costs(stayed: Mapping[int, Placed], around: Around) -> Floats:
     cost = around.obstacles.cost(at, sizes[:, 0], sizes[:, 1], (own[:, 0], own[:, 1]), [slice(0, len(at))])
     led = np.array([label.foot is not None for label in labels], dtype=bool)
     middles = {number: label.centre for number, label in stayed.items()}
-    return cost + np.where(led, 0.0, misled_here(Named.by(around.wanted, around.unnamed), middles))
+    return cost + np.where(led, 0.0, misled_here(Named.by(around.wanted, around.unnamed, around.grounds), middles))
 
 
 def _touch(a: Placed, b: Placed) -> bool:

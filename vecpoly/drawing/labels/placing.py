@@ -12,7 +12,7 @@ from ..scene import Item, Layer, Rect, Stroke, TextBox
 from ..standing import Meeting, Standing
 from ..style import THIN, Hue
 from .obstacles import Floats, Obstacles
-from .want import Piece, Spot, Want
+from .want import Line, Piece, Spot, Want
 
 BAD = 38.0  # a label that costs more than this by where it stands is on something
 PASSES = 8
@@ -62,9 +62,10 @@ def place(
     drawn: Rect,
     frame: Rect | None = None,
     unnamed: tuple[Spot, ...] = (),
+    grounds: tuple[Line, ...] = (),
 ) -> tuple[Placed, ...]:
     """A place for each label; the same input always gives the same places."""
-    table = _Table.of(Around(obstacles, wanted, drawn, frame, unnamed))
+    table = _Table.of(Around(obstacles, wanted, drawn, frame, unnamed, grounds))
     for around in CROWDS:
         crowded = [i for i, trouble in enumerate(table.troubles) if trouble > BAD]
         if not crowded:

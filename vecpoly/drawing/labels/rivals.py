@@ -11,19 +11,20 @@ from numpy.typing import NDArray
 
 from ..standing import NOWHERE
 from .obstacles import Complexes, Floats, Indices, clip
-from .want import Spot, Thing, Want
+from .want import Line, Spot, Thing, Want
 
 WRONG = 55.0  # nearer to another than to its own, with no leader to tell
 DOUBTFUL = 0.6  # mm: nearly as near
 REACH = 20.0  # mm from what it names within which a label without a leader stands
 PRESSED, CLEAR = 9.0, 3.2  # a number that stands on a joint; mm from its middle beyond which that costs nothing
+EDGES = 2.0  # mm between both edges of hatching
 ON = 0.3  # mm: a point so near to a line is on it
 
 
 @dataclass(frozen=True, slots=True)
 class Named:
-    """All that labels of a figure name, points without a name after them: lines a -> b, and of which of all things each
-    is a part; the place of each thing that is a point, of another nan."""
+    """All that labels of a figure name, points without a name and edges of hatching after them: lines a -> b, and of
+    which of all things each is a part; the place of each thing that is a point, of another nan."""
 
     wanted: Sequence[Want]
     a: Complexes
@@ -31,12 +32,16 @@ class Named:
     radius: Floats
     of: Indices
     points: Complexes
+    fixed: int  # from this of all things on they are hatched
 
     @classmethod
-    def by(cls, wanted: Sequence[Want], unnamed: Sequence[Spot]) -> Named:
-        """What these labels name, and the points that have none."""
+    def by(cls, wanted: Sequence[Want], unnamed: Sequence[Spot], grounds: Sequence[Line] = ()) -> Named:
+        """What these labels name, the points that have none, and the hatching that has none."""
+        free = [line for line in grounds if not any(_near(line, want.own) for want in wanted)]
+        fixed = len(wanted) + len(unnamed)
         lines = [(a, b, want.radius, i) for i, want in enumerate(wanted) for a, b in pairwise(want.course)]
         lines += [(at, at, radius, len(wanted) + i) for i, (at, radius) in enumerate(unnamed)]
+        lines += [(a, b, 0.0, fixed + i) for i, (a, b) in enumerate(free)]
         a, b, radius, of = zip(*lines, strict=True) if lines else ((), (), (), ())
         points = [want.own[0] if want.thing is Thing.POINT else NOWHERE for want in wanted]
         return cls(
@@ -45,7 +50,8 @@ class Named:
             np.array(b, dtype=complex),
             np.array(radius, float),
             np.array(of, dtype=np.intp),
-            np.array([*points, *(at for at, _ in unnamed)], dtype=complex),
+            np.array([*points, *(at for at, _ in unnamed), *(NOWHERE for _ in free)], dtype=complex),
+            fixed,
         )
 
     def rivals(self, want: Want) -> NDArray[np.bool_]:
@@ -56,7 +62,13 @@ class Named:
         a, b = np.array([*pairwise(want.course)], dtype=complex).T
         strange = np.abs(_on(self.points[:, None], a, b) - self.points[:, None]).min(axis=1) > ON
         strange[: len(self.wanted)] |= [_alike(want, other) for other in self.wanted]
+        strange[self.fixed :] = want.thing is Thing.LINK
         return np.asarray(strange[self.of])
+
+
+def _near(one: Line, other: Line) -> bool:
+    """Whether a line is an edge of the hatching along another."""
+    return max(abs(a - b) for a, b in zip(one, other, strict=True)) < EDGES
 
 
 def _alike(want: Want, other: Want) -> bool:

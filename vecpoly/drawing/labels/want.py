@@ -9,6 +9,7 @@ from ...typeset import Box
 from ..style import Hue
 
 Spot = tuple[complex, float]  # a place, and the radius of what is drawn there
+Line = tuple[complex, complex]  # from end to end
 
 
 @dataclass(frozen=True, slots=True)

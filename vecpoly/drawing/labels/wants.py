@@ -12,6 +12,7 @@ from ...board.paper.marks import (
     Block,
     Disc,
     Dot,
+    FixedGuide,
     FrictionCircle,
     Ground,
     LinkNumber,
@@ -46,7 +47,7 @@ from .bows import along, bow
 from .notes import lines
 from .numbers import FRACTIONS, along_line, number_of_link
 from .points import keep_at, piece, points
-from .want import Piece, Spot, Thing, Want
+from .want import Line, Piece, Spot, Thing, Want
 
 _RADIUS = {
     Dot.JOINT: JOINT_RADIUS,
@@ -140,6 +141,18 @@ def _taken(marks: tuple[Mark, ...]) -> list[Spot]:
 def _disc(at: complex, marks: tuple[Mark, ...]) -> float:
     """The radius of a roller about a place: the number of a roller stands beside its rim."""
     return max((m.radius for m in marks if isinstance(m, Disc) and abs(m.centre - at) < NEAR), default=0.0)
+
+
+def grounds(marks: tuple[Mark, ...]) -> tuple[Line, ...]:
+    """Both edges of what is hatched as fixed: under pivots and along guides."""
+    found: list[Line] = []
+    for mark in marks:
+        if isinstance(mark, Ground):
+            found.append(foot_of(mark))
+        elif isinstance(mark, FixedGuide) and abs(mark.b - mark.a) > NEAR:
+            found.append((mark.a, mark.b))
+    deep = [-1j * HATCH * (b - a) / abs(b - a) for a, b in found]
+    return (*found, *((a + by, b + by) for (a, b), by in zip(found, deep, strict=True)))
 
 
 def _vector(mark: Vector, hue: Hue) -> Want:
