@@ -57,7 +57,7 @@ def _shape(item: Item) -> shapely.Geometry | None:
 def astray(drawn: Drawing, unnamed: Sequence[Spot] = ()) -> list[str]:
     """Every label without a leader that stands nearer to another thing of its kind than to its own, or to a point
     that is not on the line that it names."""
-    named = [(label.want.thing, _line(label), label.want.radius, _text(label)) for label in drawn.labels]
+    named = [(label.want.thing, _line(label), label.want.radius, text_of(label)) for label in drawn.labels]
     named += [(Thing.POINT, shapely.Point(at.real, at.imag), radius, "a point") for at, radius in unnamed]
     found: list[str] = []
     for label in drawn.labels:
@@ -69,7 +69,7 @@ def astray(drawn: Drawing, unnamed: Sequence[Spot] = ()) -> list[str]:
             away = float(box.distance(line)) - radius
             other = not line.equals(mine) if thing is label.want.thing else not line.dwithin(mine, ON)
             if other and thing in (label.want.thing, Thing.POINT) and away < own - 1e-6:
-                found.append(f"{_text(label)} stands nearer to {text} ({away:.1f} mm) than to its own ({own:.1f} mm)")
+                found.append(f"{text_of(label)} stands nearer to {text} ({away:.1f} mm) than to its own ({own:.1f} mm)")
     return found
 
 
@@ -80,7 +80,7 @@ def crammed(drawn: Drawing) -> list[str]:
         r, q = label.rect, other.rect
         dx, dy = max(r.x0, q.x0) - min(r.x1, q.x1), max(r.y0, q.y0) - min(r.y1, q.y1)
         if (dy < -LEVEL and dx < BESIDE) or (dx < -LEVEL and dy < OVER):
-            found.append(f"{_text(label)} and {_text(other)} stand {max(dx, dy):.1f} mm apart")
+            found.append(f"{text_of(label)} and {text_of(other)} stand {max(dx, dy):.1f} mm apart")
     return found
 
 
@@ -92,7 +92,7 @@ def fractions(drawn: Drawing) -> list[str]:
             r, q = label.rect, other.rect
             dx, dy = max(r.x0, q.x0) - min(r.x1, q.x1), max(r.y0, q.y0) - min(r.y1, q.y1)
             if dx < -APART and dy < FRACTION:
-                found.append(f"{_text(label)} and {_text(other)} stand over each other, {dy:.1f} mm apart")
+                found.append(f"{text_of(label)} and {text_of(other)} stand over each other, {dy:.1f} mm apart")
     return found
 
 
@@ -100,7 +100,7 @@ def parted(drawn: Drawing) -> list[str]:
     """Every label without a leader that a straight line parts from what it names."""
     lines = [item for item in drawn.obstacles if isinstance(item, Stroke) and len(item.points) == 2 and not item.closed]
     ruled = [shapely.LineString([(z.real, z.imag) for z in item.points]) for item in lines if not is_ground(item)]
-    return [_text(label) for label in drawn.labels if label.foot is None and _is_parted(label, ruled)]
+    return [text_of(label) for label in drawn.labels if label.foot is None and _is_parted(label, ruled)]
 
 
 def _is_parted(label: Placed, ruled: Sequence[shapely.LineString]) -> bool:
@@ -122,7 +122,8 @@ def _line(label: Placed) -> shapely.Geometry:
     return shapely.LineString([(z.real, z.imag) for z in label.want.course])
 
 
-def _text(label: Placed) -> str:
+def text_of(label: Placed) -> str:
+    """What a label says."""
     return "".join(
         glyphs.text for piece in label.want.pieces for glyphs in piece.box.items if isinstance(glyphs, Glyphs)
     )

@@ -12,7 +12,7 @@ from ..scene import Rect
 from .slicing import TOUCH, Size
 
 STEPS = tuple(1.0 - 0.02 * n for n in range(16))  # of their distances from the middle of the page
-MARGIN = 18.0  # mm to the frame beyond which no more is asked
+MARGIN, WORTH = 18.0, 0.2  # mm of white beyond which no more is asked; by which it must grow for figures to move
 ASUNDER, BESIDE = 12.0, 4.0  # mm that figures keep of each other, and of what stands still, if they had it
 
 
@@ -30,16 +30,12 @@ def evened(boxes: Sequence[Rect], lines: Sequence[float], page: Size, still: Seq
 def _drawn_together(
     boxes: Sequence[Rect], keys: Sequence[float], page: Size, still: Sequence[Rect], across: bool
 ) -> list[complex]:
-    """The first way to draw them together after which the frame is as far off as the next figure, or the last that is
-    allowed; none where they stand so already."""
-    best = [0j] * len(boxes)
+    """The way that leaves most white about the figures, each counted where it has least; of like ones the widest."""
+    best, most = [0j] * len(boxes), _room(boxes, page, across)
     for moves in _ways(boxes, keys, page, across):
         made = [_moved(box, by) for box, by in zip(boxes, moves, strict=True)]
-        if _crowds(made, boxes, still):
-            continue
-        best = moves
-        if _edge(made, page, across) >= min(_gap(made, across), MARGIN) - TOUCH:
-            break
+        if (room := _room(made, page, across)) > most + WORTH and not _crowds(made, boxes, still):
+            best, most = moves, room
     return best
 
 
@@ -60,14 +56,14 @@ def _ends(boxes: Iterable[Rect], page: Size, across: bool) -> tuple[float, float
     return min(low for low, _ in sides), min(high for _, high in sides)
 
 
-def _edge(boxes: Sequence[Rect], page: Size, across: bool) -> float:
-    return min(_ends(boxes, page, across))
-
-
-def _gap(boxes: Sequence[Rect], across: bool) -> float:
-    """The least white between two that stand side by side, or one above the other."""
-    spans = [_apart(a, b) for a, b in combinations(boxes, 2)]
-    return min((dx if across else dy for dx, dy in spans if (dy if across else dx) < 0), default=float("inf"))
+def _room(boxes: Sequence[Rect], page: Size, across: bool) -> float:
+    """The white between each figure and the frame or the next beside it, or above or below it; the sum of that."""
+    found = [min(_ends([box], page, across)) for box in boxes]
+    for (i, a), (k, b) in combinations(enumerate(boxes), 2):
+        dx, dy = _apart(a, b)
+        if (dy if across else dx) < 0:
+            found[i], found[k] = (min(room, dx if across else dy) for room in (found[i], found[k]))
+    return sum(min(room, MARGIN) for room in found)
 
 
 def _crowds(made: Sequence[Rect], boxes: Sequence[Rect], still: Sequence[Rect]) -> bool:
