@@ -169,11 +169,11 @@ def _panel(
 
 
 def _common(group: list[Column]) -> str:
-    """The symbol of one curve, or the letter that all have in common."""
-    if len(group) == 1:
-        return group[0].symbol
-    stems = list(dict.fromkeys(column.symbol.partition("_")[0] for column in group))
-    return ", ".join(stems)
+    """The symbol of one curve, or the letter that all have in common; of vectors, of which the sizes are drawn, between
+    bars."""
+    sized = [(column.symbol, column.key.endswith(".abs")) for column in group]
+    stems = sized if len(group) == 1 else [(symbol.partition("_")[0], size) for symbol, size in sized]
+    return ", ".join(f"|{symbol}|" if size else symbol for symbol, size in dict.fromkeys(stems))
 
 
 def _legend_width(group: list[Column]) -> float:
