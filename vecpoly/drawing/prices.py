@@ -17,6 +17,7 @@ from .standing import Trial
 
 OUTSIDE, BEYOND_FRAME = 0.25, 60.0  # a mm beyond the drawn lines, beyond the allowed frame
 IN_CROWD = 0.3  # so much of its price has what a leader crosses in a crowd: better that than a letter on a line
+BROAD, WIDENS = 8.5, 1.5  # mm: what a label so broad costs a mm beyond the drawn lines, as it may ask for another page
 BATCH = 96  # places that are weighed together, the cheapest first
 FREE = 6.0  # dearer than the cheapest place by less than this is free to choose
 
@@ -69,7 +70,8 @@ class Places:
 
     @cached_property
     def _outside(self) -> Floats:
-        return OUTSIDE * beyond(self.want, self.spots.centre, self.around.drawn)
+        price = OUTSIDE if self.want.width < BROAD else WIDENS
+        return price * beyond(self.want, self.spots.centre, self.around.drawn)
 
     def above(self, price: float) -> bool:
         """Whether no place here costs less than this, even where it stands on nothing; of leaders that is mostly known

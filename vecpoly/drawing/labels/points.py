@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 
 from ...algebra.formula import Row, Txt, row
 from ...board.paper.marks import Dot, Mark, Point, Role, Segment
 from ...board.strokes import OVERRUN
 from ...typeset import Box, layout, layout_words
-from ...words import Lang
+from ...words import Lang, Words
 from ..hues import Tones, line_hue
-from ..style import LETTER, THIN, Hue
+from ..style import LETTER, NOTE, THIN, Hue
 from ..symbols.shapes import NEAR
 from .actions import along_action, line_of_action
 from .dimensions import beyond_end, dimension_line, over
 from .numbers import along_line
 from .want import Piece, Spot, Thing, Want
 
+Named = tuple[complex, list[Point]]  # a place, and the points that have a name there
+ON_LINE = 0.5  # mm: a line so near to another is one with it
 INNER = 0.3  # of a line: a letter nearer to an end is the name of the end
 MEASURED = (Role.CONSTRUCTION, Role.IDEAL)
 AXIS = re.compile(r"(.+)(/(?:mm|m|rad|s))")  # what is set out along an axis, and its unit
@@ -44,7 +46,7 @@ def points(marks: tuple[Mark, ...], taken: list[Spot], lang: Lang, tones: Tones)
     named = {
         end: mark for mark in lines if mark.role in NAMED and abs(mark.b - mark.a) > NEAR for end in (mark.a, mark.b)
     }
-    for at, group in _grouped(marks):
+    for at, group in _once(_grouped(marks), ruled):
         pieces = _pieces(group, lang, tones)
         if any(mark.dot is not Dot.NONE for mark in group):
             yield Want(pieces, (at,), (0j,), keep_at(at, taken), (at, at), thing=Thing.POINT)
@@ -60,9 +62,9 @@ def points(marks: tuple[Mark, ...], taken: list[Spot], lang: Lang, tones: Tones)
             yield beyond_end(pieces, at, named[at]) if bare else _end(pieces, at, keep, ruled.get(at))
 
 
-def _grouped(marks: Iterable[Mark]) -> list[tuple[complex, list[Point]]]:
+def _grouped(marks: Iterable[Mark]) -> list[Named]:
     """The points that have a name, those at one place together, none twice."""
-    groups: list[tuple[complex, list[Point]]] = []
+    groups: list[Named] = []
     for mark in marks:
         if isinstance(mark, Point) and (mark.label or mark.said):
             home = next((g for at, g in groups if abs(at - mark.at) < NEAR), None)
@@ -71,6 +73,24 @@ def _grouped(marks: Iterable[Mark]) -> list[tuple[complex, list[Point]]]:
             elif all((other.label, other.said) != (mark.label, mark.said) for other in home):
                 home.append(mark)
     return groups
+
+
+def _once(groups: list[Named], ruled: Mapping[complex, Segment]) -> Iterator[Named]:
+    """Without directions in words that stand on the same line once more."""
+    said: list[tuple[Words, Segment]] = []
+    for at, group in groups:
+        words, line = group[0].said, ruled.get(at)
+        if words is not None and not group[0].label and line is not None:
+            if any(words == other and _on(line, before) for other, before in said):
+                continue
+            said.append((words, line))
+        yield at, group
+
+
+def _on(line: Segment, other: Segment) -> bool:
+    """Whether both are parts of one straight line."""
+    along = (other.b - other.a) / max(abs(other.b - other.a), NEAR)
+    return all(abs(((end - other.a) * along.conjugate()).imag) < ON_LINE for end in (line.a, line.b))
 
 
 def _pieces(group: Iterable[Point], lang: Lang, tones: Tones) -> tuple[Piece, ...]:
@@ -83,7 +103,7 @@ def _pieces(group: Iterable[Point], lang: Lang, tones: Tones) -> tuple[Piece, ..
             pieces.append(comma)
             x += comma.box.width + 0.3 * LETTER
         if mark.said is not None and not mark.label:
-            pieces.append(Piece(layout_words(mark.said.of(lang), LETTER), x, Hue.BLACK, mark.step))
+            pieces.append(Piece(layout_words(mark.said.of(lang), NOTE), x, Hue.BLACK, mark.step))
         else:
             pieces.append(piece(mark.label, line_hue(mark.key, tones, Hue.BLACK), mark.step, x))
     return tuple(pieces)

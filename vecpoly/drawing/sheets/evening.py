@@ -12,7 +12,7 @@ from ..scene import Rect
 from .slicing import TOUCH, Size
 
 STEPS = tuple(1.0 - 0.02 * n for n in range(16))  # of their distances from the middle of the page
-MARGIN, WORTH = 18.0, 0.2  # mm of white beyond which no more is asked; by which it must grow for figures to move
+MARGIN, WORTH = 18.0, 1.0  # mm of white beyond which no more is asked; by which it must grow for figures to move
 ASUNDER, BESIDE = 12.0, 4.0  # mm that figures keep of each other, and of what stands still, if they had it
 
 
@@ -31,10 +31,10 @@ def _drawn_together(
     boxes: Sequence[Rect], keys: Sequence[float], page: Size, still: Sequence[Rect], across: bool
 ) -> list[complex]:
     """The way that leaves most white about the figures, each counted where it has least; of like ones the widest."""
-    best, most = [0j] * len(boxes), _room(boxes, page, across)
+    best, most = [0j] * len(boxes), _room(boxes, page, across) + WORTH
     for moves in _ways(boxes, keys, page, across):
         made = [_moved(box, by) for box, by in zip(boxes, moves, strict=True)]
-        if (room := _room(made, page, across)) > most + WORTH and not _crowds(made, boxes, still):
+        if (room := _room(made, page, across)) > most + TOUCH and not _crowds(made, boxes, still):
             best, most = moves, room
     return best
 

@@ -58,7 +58,9 @@ def with_results(sheet: Sheet, attempts: Sequence[Sequence[Listed]]) -> Sheet:
             if (done := next((one for one in made if one is not None), None)) is not None:
                 return done
             found += blocks
-    return next((one for block in found if (one := room.along(block)) is not None), sheet)
+    rooms = [room, *([wider] if (wider := room.spread()) is not None else [])]
+    made = (one.along(block) for one in rooms for block in found)
+    return next((one for one in made if one is not None), sheet)
 
 
 def _blocks(sheet: Sheet, parts: Sequence[Listed], em: float) -> Iterator[Block]:
@@ -112,6 +114,14 @@ class _Room:
         """With the block along the frame, where there is room."""
         at = next((at for at in _places(self.sheet, block) if self.free.clear(at, block)), None)
         return None if at is None else _with(self.sheet, block, at)
+
+    def spread(self) -> _Room | None:
+        """With the figures spread over the sheet, which may leave room at its frame."""
+        layout = self._layout(self.sizes)
+        if layout is None:
+            return None
+        hung = lined(self.group, layout)
+        return _Room.on(placed(self.group, hung, self.sheet.strip, self.sheet.lang, self.sheet.warning))
 
     def moved(self, block: Block) -> Sheet | None:
         """With the block in its corner and the figures closer together, in their order, the block being the last."""
