@@ -31,7 +31,7 @@ from vecpoly.drawing.labels.want import Thing
 from vecpoly.drawing.scene import Stroke
 from vecpoly.drawing.style import Hue
 from vecpoly.typeset import Glyphs
-from vecpoly.words import Lang
+from vecpoly.words import Lang, Words
 
 
 @pytest.mark.parametrize("problem", ["3-5", "4-3a", "7-1"])
@@ -122,3 +122,17 @@ def test_a_compass_stroke_is_inked_shorter_about_the_point_that_it_finds(radius:
 def test_a_whole_circle_of_the_construction_stays_whole() -> None:
     circle = Arc(centre=0j, radius=2.0, start=0.0, sweep=2 * pi, role=Role.CONSTRUCTION)
     assert any(isinstance(item, Stroke) and item.closed for item in drawing(figure(circle)).obstacles)
+
+
+def test_words_that_name_lines_of_two_directions_and_those_of_a_line_that_has_them_already_are_left_out() -> None:
+    guide = Words("∥导路", "∥guide")
+
+    def ruled(a: complex, b: complex) -> tuple[Segment, Point]:
+        return Segment(a=a, b=b, role=Role.DIRECTION), Point(at=b, label="", dot=Dot.NONE, said=guide)
+
+    for marks, count in (
+        ((*ruled(0j, 40 + 0j), *ruled(60 + 0j, 95 + 0j)), 1),
+        ((*ruled(0j, 40 + 0j), *ruled(30j, 40 + 30j)), 2),
+        ((*ruled(0j, 40 + 0j), *ruled(30j, 70j)), 0),
+    ):
+        assert len(drawing(figure(*marks), lang="en").labels) == count

@@ -20,7 +20,7 @@ from .numbers import along_line
 from .want import Piece, Spot, Thing, Want
 
 Named = tuple[complex, list[Point]]  # a place, and the points that have a name there
-ON_LINE = 0.5  # mm: a line so near to another is one with it
+ON_LINE, PARALLEL = 0.5, 0.05  # mm by which a line is off one with it; sine of an angle between lines of one direction
 INNER = 0.3  # of a line: a letter nearer to an end is the name of the end
 MEASURED = (Role.CONSTRUCTION, Role.IDEAL)
 AXIS = re.compile(r"(.+)(/(?:mm|m|rad|s))")  # what is set out along an axis, and its unit
@@ -76,15 +76,24 @@ def _grouped(marks: Iterable[Mark]) -> list[Named]:
 
 
 def _once(groups: list[Named], ruled: Mapping[complex, Segment]) -> Iterator[Named]:
-    """Without directions in words that stand on the same line once more."""
-    said: list[tuple[Words, Segment]] = []
+    """Without directions in words that stand on the same line once more, or that name lines of two directions."""
+    told = [(group[0].said, ruled[at]) for at, group in groups if not group[0].label and at in ruled]
+    said: list[tuple[Words | None, Segment]] = []
     for at, group in groups:
-        words, line = group[0].said, ruled.get(at)
-        if words is not None and not group[0].label and line is not None:
-            if any(words == other and _on(line, before) for other, before in said):
+        one = (group[0].said, ruled[at]) if not group[0].label and at in ruled else None
+        if one is not None:
+            like = [line for words, line in told if words == one[0]]
+            before = [line for words, line in said if words == one[0]]
+            if not all(_parallel(one[1], line) for line in like) or any(_on(one[1], line) for line in before):
                 continue
-            said.append((words, line))
+            said.append(one)
         yield at, group
+
+
+def _parallel(line: Segment, other: Segment) -> bool:
+    """Whether two lines have one direction."""
+    u, v = (one.b - one.a for one in (line, other))
+    return abs((u * v.conjugate()).imag) < PARALLEL * max(abs(u) * abs(v), NEAR)
 
 
 def _on(line: Segment, other: Segment) -> bool:
