@@ -191,10 +191,10 @@ def test_hardly_any_label_lies_across_another_line_from_what_it_names() -> None:
 
 @each(DRAFTED)
 def test_the_letters_of_a_figure_have_one_size(name: str) -> None:
-    """Those that name something; numbers and notes are smaller, and alike too."""
+    """Those that name something; numbers, notes and directions in words are smaller, and alike too."""
     for one in _drawn(name):
         assert sizes(one) <= {LETTER, NOTE}
-        named = {Thing.POINT, Thing.VECTOR, Thing.LINK, Thing.END, Thing.DIRECTION}
+        named = {Thing.POINT, Thing.VECTOR, Thing.LINK, Thing.END}
         assert sizes(one, named) <= {LETTER}
 
 

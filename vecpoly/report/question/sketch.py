@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ...board.construction import Construction, Figure, View
-from ...board.paper.marks import AngleMark, Ground, Mark, Point, Role, Segment
+from ...board.paper.marks import AngleMark, Ground, Mark, Plate, Point, Role, Segment
 from ...designs.base import Design
 from ...designs.straight_line import StraightLine
 from ...problem.problem import Problem
@@ -38,10 +38,11 @@ def linkage(figure: Figure) -> list[Mark]:
     """A mechanism that is given whole, in the one of its positions that is drawn in full; of the points of several
     positions that of this one, without its number."""
     bars = [mark for mark in figure.marks if isinstance(mark, Segment) and mark.role is Role.LINK]
-    ends = [end for bar in bars for end in (bar.a, bar.b)]
+    plates = [mark for mark in figure.marks if isinstance(mark, Plate)]
+    ends = [end for bar in bars for end in (bar.a, bar.b)] + [corner for plate in plates for corner in plate.points]
     points = [mark for mark in figure.marks if isinstance(mark, Point) and mark.label and _is_at(mark.at, ends)]
     pivots = [mark for mark in figure.marks if isinstance(mark, Ground)]
-    return [*bars, *(replace(mark, label=mark.label.partition("_")[0]) for mark in points), *pivots]
+    return [*plates, *bars, *(replace(mark, label=mark.label.partition("_")[0]) for mark in points), *pivots]
 
 
 def _is_at(place: complex, ends: Sequence[complex]) -> bool:
