@@ -18,8 +18,9 @@ BAR = 0.05  # thickness of bars, em
 SIMILAR, GROWN = "∽∼", 1.4  # signs that the face has too small between triangles, and how much larger they are set
 
 
+@lru_cache(maxsize=8192)
 def layout(node: Node, em_mm: float, bold: bool = False) -> Box:
-    """The formula set at the given size (1 em = the size of its type, mm)."""
+    """The formula set at the given size (1 em = the size of its type, mm); what was set last is kept."""
     match node:
         case Sym():
             return _sym(node, em_mm, bold)
@@ -126,6 +127,7 @@ def _tall(bracket: Box, height: float, em: float) -> Box:
     return place([(0.0, shift, grown)], grown.width)
 
 
+@lru_cache(maxsize=4096)
 def segments(node: Node, em: float, bold: bool = False, *, before: bool, at: Kind = Kind.RELATION) -> tuple[Box, ...]:
     """The formula cut before (or after) its relations: lines of a display, pieces of running text."""
     return tuple(_set(part, em, bold) for part in _cut(node, before, at))

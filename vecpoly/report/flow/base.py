@@ -78,7 +78,7 @@ class Block(Flowable):  # type: ignore[misc]
     def undrawn(self) -> Self:
         """A copy that takes its room and leaves no ink."""
         own = copy(self)
-        own.draw = _nothing
+        own.drawOn = _nothing
         return own
 
     def colour(self, rgb: Colour) -> None:
@@ -87,5 +87,5 @@ class Block(Flowable):  # type: ignore[misc]
         self.canv.setStrokeColorRGB(*rgb)
 
 
-def _nothing() -> None:
+def _nothing(canvas: Any, x: float, y: float, _sW: float = 0) -> None:
     """No ink."""

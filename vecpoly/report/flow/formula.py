@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import groupby
 
 from ...algebra.formula import Node, plain
@@ -75,10 +76,7 @@ class Formula(Block):
 
     def sides(self) -> _Sides | None:
         """What stands on each side of its first relation; None where it has none."""
-        says = plain(self.node)
-        at = Kind.TIGHT if "→" in says and "=" not in says and "/" not in says else Kind.RELATION
-        first, *rest = segments(self.node, self._em, before=True, at=at)
-        return _Sides(first.width, layout(self.node, self._em).width - first.width) if rest else None
+        return _sides(self.node, self._em)
 
     def follow(self, run: tuple[_Sides, ...], *, first: bool, last: bool) -> None:
         """It stands in a column of these formulas, close to its neighbours."""
@@ -110,6 +108,14 @@ class Formula(Block):
             ink.under(tree_of(self.canv).opener(Tag(Role.P, self.tag.within)))
             ink.box(self._number, self.width - self._number.width * MM, base)
         ink.flush()
+
+
+@lru_cache(maxsize=4096)
+def _sides(node: Node, em: float) -> _Sides | None:
+    says = plain(node)
+    at = Kind.TIGHT if "→" in says and "=" not in says and "/" not in says else Kind.RELATION
+    first, *rest = segments(node, em, before=True, at=at)
+    return _Sides(first.width, layout(node, em).width - first.width) if rest else None
 
 
 def in_columns(story: Iterable[object]) -> None:

@@ -45,8 +45,8 @@ class _Set:
     head: _Row
     body: tuple[_Row, ...]
     points: tuple[Aligned | None, ...]
-    top: float
-    heights: tuple[float, ...]
+    top: float = 0.0
+    heights: tuple[float, ...] = ()
 
 
 def continued(caption: str, lang: Lang) -> str:
@@ -93,9 +93,10 @@ class DataTable(Block):
         self._continued = False  # from the page before: its heading has been read
 
     def tighten(self, degree: Tightness) -> None:
-        """Its rows closer too."""
+        """Its rows closer too, their lines as they are."""
         super().tighten(degree)
-        self._vertical, self._found = degree.white * _VERTICAL, {}
+        self._vertical = degree.white * _VERTICAL
+        self._found = {width: self._measured(found) for width, found in self._found.items()}
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; for the same width it was found before."""
@@ -119,9 +120,12 @@ class DataTable(Block):
         points = tuple(self._aligned(i) for i in range(len(self.header)))
         widths = self._columns(width / MM, (header, *rows), points)
         head, body = self._lines(header, widths), tuple(self._lines(row, widths) for row in rows)
+        return self._measured(_Set(widths, head, body, points))
+
+    def _measured(self, found: _Set) -> _Set:
         caption = CAPTION.leading + 2.0 if self.caption or self._continued else 0.0
-        top = caption + _HEAVY + self._height(head) + _FINE
-        return _Set(widths, head, body, points, top, tuple(map(self._height, body)))
+        top = caption + _HEAVY + self._height(found.head) + _FINE
+        return replace(found, top=top, heights=tuple(map(self._height, found.body)))
 
     def _aligned(self, column: int) -> Aligned | None:
         """How the numbers of a column stand under each other."""

@@ -41,7 +41,7 @@ class AnswerBox(Block):
         self._title = layout_words(TITLE.of(lang), self._em, True)
         self._rows: tuple[GridRow, ...] = ()
         self._named = Told(None, after=TITLE.of(lang))
-        self._set_in: dict[tuple[float, float], tuple[bool, tuple[GridRow, ...]]] = {}  # by width and skip
+        self._set_in: dict[float, tuple[tuple[GridRow, ...], ...]] = {}  # by width: without the title above, with it
         self._above = False  # whether the title stands above the lines
         self._set = False  # a part of a box keeps the rows that it was given
 
@@ -54,16 +54,15 @@ class AnswerBox(Block):
         """Size in a column: the title in the margin, or above where that takes less height."""
         self.width = width
         if not self._set:
-            key = (width, self._skip)
-            if key not in self._set_in:
-                self._set_in[key] = self._best(width / MM - 2 * _PAD)
-            self._above, self._rows = self._set_in[key]
+            self._above, self._rows = self._best(width)
         self.height = (self._high(self._rows) + 2 * _PAD) * MM
         return width, self.height
 
-    def _best(self, room: float) -> tuple[bool, tuple[GridRow, ...]]:
-        """Whether the title stands above, and the rows, in a frame of this width (mm) inside."""
-        beside_it, under = self._laid(room, False), self._laid(room, True)
+    def _best(self, width: float) -> tuple[bool, tuple[GridRow, ...]]:
+        """Whether the title stands above, and the rows, in a column of this width (pt)."""
+        if width not in self._set_in:
+            self._set_in[width] = tuple(self._laid(width / MM - 2 * _PAD, above) for above in (False, True))
+        beside_it, under = self._set_in[width]
         above = self._high(under) < self._high(beside_it)
         return above, under if above else beside_it
 
