@@ -120,7 +120,14 @@ class Places:
 
     def among(self, at: int) -> tuple[int, int]:
         """In which batch a place is, and which of its places it is there."""
-        return divmod(int(np.flatnonzero(self._by_price == at)[0]), BATCH)
+        return divmod(self._rank[at], BATCH)
+
+    @cached_property
+    def _rank(self) -> list[int]:
+        rank = np.empty_like(self._by_price)
+        rank[self._by_price] = np.arange(len(rank))
+        found: list[int] = rank.tolist()
+        return found
 
     @property
     def leaders(self) -> tuple[Complexes, Complexes]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import isnan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +22,7 @@ _OVER = {Thing.POINT: Thing.LINK, Thing.LINK: Thing.POINT}
 OVERLAP, PER_AREA = 120.0, 8.0
 LEADER_ON_LABEL, LEADERS_CROSS = 60.0, 80.0
 NOWHERE = complex(np.nan, np.nan)
-NEVER, AWAY = -2, -1  # of another label: not looked at yet; standing nowhere near
+AWAY = -1  # of another label: standing nowhere near
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,47 +37,43 @@ class Trial:
     @property
     def span(self) -> Rect:
         """The rectangle about them all."""
-        (x, y), half = (self.centre.real, self.centre.imag), self.half
-        about = Rect(x.min() - half.real, y.min() - half.imag, x.max() + half.real, y.max() + half.imag)
-        if self.foot is None:
-            return about
-        x, y = self.foot.real, self.foot.imag
-        return about | Rect(x.min(), y.min(), x.max(), y.max())
+        middles, half = _about(self.centre), self.half
+        about = Rect(middles.x0 - half.real, middles.y0 - half.imag, middles.x1 + half.real, middles.y1 + half.imag)
+        return about if self.foot is None else about | _about(self.foot)
 
 
 @dataclass(slots=True)
 class Standing:
     """Each label's place now, by number (-1: none yet), its middle, half its size, the foot of its leader."""
 
-    chosen: Indices
+    chosen: list[int]
     centre: Complexes
     half: Complexes
     foot: Complexes
-    low: Complexes  # lower left corner of all that belongs to it
-    high: Complexes
+    reach: list[Rect]  # of each label all that belongs to it
     things: NDArray[np.object_]  # what each names
+    moves: list[int]  # the labels that were put somewhere, the last one last
 
     @classmethod
     def nowhere(cls, things: Sequence[Thing]) -> Standing:
         """No label has a place yet."""
-        named = np.array(things, dtype=object)
-        centre, half, foot, low, high = np.full((5, len(things)), NOWHERE)
-        return cls(np.full(len(things), AWAY), centre, half, foot, low, high, named)
+        count, named = len(things), np.array(things, dtype=object)
+        centre, half, foot = np.full((3, count), NOWHERE)
+        return cls([AWAY] * count, centre, half, foot, [Rect(np.nan, np.nan, np.nan, np.nan)] * count, named, [])
 
     def put(self, i: int, place: int, centre: complex, half: complex, foot: complex) -> None:
         """Label i stands here; foot: of its leader, nan where it has none."""
         self.chosen[i], self.centre[i], self.half[i], self.foot[i] = place, centre, half, foot
         low, high = centre - half, centre + half
-        self.low[i] = complex(np.fmin(low.real, foot.real), np.fmin(low.imag, foot.imag))
-        self.high[i] = complex(np.fmax(high.real, foot.real), np.fmax(high.imag, foot.imag))
+        reach = Rect(low.real, low.imag, high.real, high.imag)
+        self.reach[i] = reach if isnan(foot.real) else reach | Rect(foot.real, foot.imag, foot.real, foot.imag)
+        self.moves.append(i)
 
-    def about(self, span: Rect, but: int) -> Indices:
-        """Of each label, but this one, its place where that reaches into a rectangle, or nearly; else AWAY."""
-        low, high = self.low, self.high
-        across = (low.real < span.x1 + AS_ONE) & (high.real > span.x0 - AS_ONE)
-        across &= (low.imag < span.y1 + FRACTION) & (high.imag > span.y0 - FRACTION)
-        across[but] = False
-        return np.where(across, self.chosen, AWAY)
+    def place_in(self, span: Rect, i: int) -> int:
+        """The place of a label where that reaches into a rectangle, or nearly; else AWAY."""
+        own = self.reach[i]
+        level = own.x0 < span.x1 + AS_ONE and own.x1 > span.x0 - AS_ONE
+        return self.chosen[i] if level and own.y0 < span.y1 + FRACTION and own.y1 > span.y0 - FRACTION else AWAY
 
     def clashes(self, trial: Trial, others: Indices) -> Floats:
         """What some places of a label cost for each of these others where they are now; shape (places, others)."""
@@ -107,30 +104,56 @@ class Standing:
 
 
 class Meeting:
-    """What the places of label i cost for the other labels where it last saw them: only who moved is weighed again."""
+    """What the places of label i cost for the other labels where it last saw them: only who moved is weighed again, and
+    who came back to where it was seen before costs the same."""
 
     def __init__(self, trial: Trial, i: int, count: int) -> None:
         self._trial, self._i, self._span = trial, i, trial.span
-        self._seen = np.full(count, NEVER)
+        self._moves = 0  # that it knows of
+        self._seen = [AWAY] * count
         self._each = np.zeros((len(trial.centre), count))
+        self._known: dict[tuple[int, int], Floats] = {}  # by the other label and its place
         self.cost: Floats = np.zeros(len(trial.centre))
 
-    def look(self, standing: Standing) -> bool:
-        """Whether anybody who counts has moved since; their cost is then found anew."""
-        now = standing.about(self._span, but=self._i)
-        moved = np.flatnonzero(now != self._seen)
-        if not len(moved):
-            return False
-        self._each[:, moved] = 0.0
-        here = moved[now[moved] != AWAY]
-        if len(here):
-            self._each[:, here] = standing.clashes(self._trial, here)
-        self._seen, self.cost = now, self._each.sum(axis=1)
-        return True
+    def again(self) -> Meeting:
+        """The same while nobody stands anywhere."""
+        fresh = Meeting(self._trial, self._i, len(self._seen))
+        fresh._known = self._known
+        return fresh
+
+    def look(self, standing: Standing) -> None:
+        """See who has moved since; what those cost that count is then found anew."""
+        moved = False
+        fresh = list[int]()
+        for k in {*standing.moves[self._moves :]} - {self._i}:
+            now = standing.place_in(self._span, k)
+            if now == self._seen[k]:
+                continue
+            self._seen[k], moved = now, True
+            if now == AWAY:
+                self._each[:, k] = 0.0
+            elif (known := self._known.get((k, now))) is not None:
+                self._each[:, k] = known
+            else:
+                fresh.append(k)
+        self._moves = len(standing.moves)
+        if fresh:
+            self._weigh(standing, fresh)
+        if moved:
+            self.cost = self._each.sum(axis=1)
+
+    def _weigh(self, standing: Standing, others: list[int]) -> None:
+        found = self._each[:, others] = standing.clashes(self._trial, np.array(others))
+        self._known |= {(k, self._seen[k]): one for k, one in zip(others, found.T.copy(), strict=True)}
 
     def whom(self, place: int) -> list[int]:
         """The other labels that make this place dear, as they were last seen."""
         return [int(k) for k in np.flatnonzero(self._each[place])]
+
+
+def _about(points: Complexes) -> Rect:
+    x, y = points.real, points.imag
+    return Rect(float(x.min()), float(y.min()), float(x.max()), float(y.max()))
 
 
 def _struck(foot: Complexes, end: Complexes, centre: Complexes, half: Complexes | complex) -> Floats:

@@ -97,7 +97,12 @@ class _Table:
         )
         around = replace(self.around, wanted=wanted)
         kept = zip(wanted, self.rows, strict=True)
-        return _Table(around, tuple(row if want is row.led.want else row.eased(want, around) for want, row in kept))
+        rows = tuple(row if want is row.led.want else row.eased(want, around) for want, row in kept)
+        known = ((key, one) for key, one in self.meetings.items() if rows[key[0]].parts[key[1]] is self._part(*key))
+        return _Table(around, rows, {key: one.again() for key, one in known})
+
+    def _part(self, i: int, k: int, _: int) -> Places:
+        return self.rows[i].parts[k]
 
     def near(self, i: int, k: int) -> float:
         """How far apart the middles of two labels stand."""
@@ -119,10 +124,10 @@ class _Table:
         freedom = [row.freedom for row in self.rows]
         order = sorted(range(len(self.rows)), key=lambda i: (freedom[i], i))
         for _ in range(PASSES):
-            before = standing.chosen.copy()
+            before = [*standing.chosen]
             for i in order:
                 self._choose(i, standing)
-            if (standing.chosen == before).all():
+            if standing.chosen == before:
                 break
         self._make_room(standing)
         return standing
@@ -146,7 +151,7 @@ class _Table:
         others = self.meetings[i, int(part.led), batch].whom(place)
         if not 0 < len(others) <= FEW:
             return False
-        numbers = {k: int(standing.chosen[k]) for k in (i, *others)}
+        numbers = {k: standing.chosen[k] for k in (i, *others)}
         before = now + sum(self._cost(k, standing) for k in others)
         self._put(i, part.first + at, standing)
         for k in others:
@@ -159,7 +164,7 @@ class _Table:
 
     def _cost(self, i: int, standing: Standing) -> float:
         """What label i costs where it stands, the others included."""
-        part, at = self.rows[i].of_number(int(standing.chosen[i]))
+        part, at = self.rows[i].of_number(standing.chosen[i])
         batch, place = part.among(at)
         return float(part.total[at] + self._meeting(i, int(part.led), batch, standing)[place])
 
@@ -188,14 +193,14 @@ class _Table:
         return tuple(self._trouble(i) for i in range(len(self.rows)))
 
     def _trouble(self, i: int) -> float:
-        k = int(self.standing.chosen[i])
+        k = self.standing.chosen[i]
         part, at = self.rows[i].of_number(k)
         batch, place = part.among(at)
         return float(part.hard[at] + self._meeting(i, int(part.led), batch, self.standing)[place])
 
     def placed(self, i: int) -> Placed:
         """Label i at its chosen place."""
-        part, at = self.rows[i].of_number(int(self.standing.chosen[i]))
+        part, at = self.rows[i].of_number(self.standing.chosen[i])
         foot = complex(part.spots.foot[at])
         return Placed(
             self.around.wanted[i], complex(part.spots.centre[at]), self.troubles[i], None if isnan(foot.real) else foot
