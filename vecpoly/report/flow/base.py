@@ -36,6 +36,7 @@ class Block(Flowable):  # type: ignore[misc]
     width: float
     height: float
     keepWithNext: int = 0
+    ghost = False  # takes its room and leaves no ink
 
     def __init__(self, before: float = 0.0, after: float = 0.0) -> None:
         super().__init__()
@@ -55,6 +56,8 @@ class Block(Flowable):  # type: ignore[misc]
 
     def drawOn(self, canvas: Any, x: float, y: float, _sW: float = 0) -> None:
         """As reportlab draws it, as marked content; where references lead to it, with a bookmark."""
+        if self.ghost:
+            return
         if self.goal:
             canvas.mark_place(self.goal, x, y + self.height)
         if self.pieces:
@@ -78,14 +81,10 @@ class Block(Flowable):  # type: ignore[misc]
     def undrawn(self) -> Self:
         """A copy that takes its room and leaves no ink."""
         own = copy(self)
-        own.drawOn = _nothing
+        own.ghost = True
         return own
 
     def colour(self, rgb: Colour) -> None:
         """Set fill and stroke."""
         self.canv.setFillColorRGB(*rgb)
         self.canv.setStrokeColorRGB(*rgb)
-
-
-def _nothing(canvas: Any, x: float, y: float, _sW: float = 0) -> None:
-    """No ink."""

@@ -22,7 +22,7 @@ from ...typeset.fonts import Face, load
 from ...typeset.words import layout_words
 from .base import Block
 from .contents import page_form, tell_contents
-from .furniture import COLUMN, FOOT, MARGIN, SHEET_FOOT, SMALL, TOTAL, beside, foot, head
+from .furniture import COLUMN, FOOT, MARGIN, SHEET_FOOT, SMALL, TOTAL, TextFrame, beside, foot, head
 from .paging.floating import Floating, template_of
 from .paging.together import HOLE, HeldTogether, led
 from .style import BODY, GREY
@@ -95,7 +95,7 @@ class ReportDoc(Floating):
     def _templates(self) -> list[PageTemplate]:
         upright, across = self._size(), self._size(across=True)
         width, height = upright
-        text = Frame(beside(width), MARGIN, COLUMN, height - 2 * MARGIN, 0, 0, 0, 0, id="text")
+        text = TextFrame(beside(width), MARGIN, COLUMN, height - 2 * MARGIN, 0, 0, 0, 0, id="text")
         zero = {"leftPadding": 0, "rightPadding": 0, "topPadding": 0, "bottomPadding": 0}
         sheets = [
             PageTemplate(

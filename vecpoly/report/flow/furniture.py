@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from copy import copy
 from typing import Any
+
+from reportlab.platypus.frames import Frame
 
 from ...foundation.stock import A4
 from ...tagging.tree import FOOTER, HEADER, artifact
@@ -16,6 +19,13 @@ COLUMN = A4.width * MM - 2 * MARGIN  # the width of the text, on any paper
 FOOT, SHEET_FOOT = 11 * MM, 4.5 * MM  # of what stands at the foot of a page, and under the frame of a sheet
 SMALL = 8.5 / MM
 TOTAL = "vecpoly-total"  # the form of the number of pages
+
+
+class TextFrame(Frame):  # type: ignore[misc]
+    """The column of text, which reportlab copies with all that it holds for every step that is held together."""
+
+    def __deepcopy__(self, memo: object) -> TextFrame:
+        return copy(self)  # it holds numbers and names
 
 
 def beside(width: float) -> float:

@@ -4,6 +4,7 @@ would draw, and what they take of the paper."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 from math import inf, log, sqrt
 
 from ....board.construction import View
@@ -56,6 +57,19 @@ def by_place(kind: Place) -> tuple[View, str]:
     return view_of(kind), kind.name if isinstance(kind, Pane) else ""
 
 
+@lru_cache(maxsize=4096)
+def _needed(sizes: tuple[Size, ...], page: Size, clear: float, pairs: frozenset[Pair]) -> int:
+    """How many sheets hold figures of these sizes: asked again of the same ones while scales grow by turns."""
+    cut = Slicing(padded(sizes, clear), inner(page, clear), pairs)
+    area = [(w + clear) * (h + clear) for w, h in sizes]
+    wide, high = inner(page, clear)
+    count = [0]
+    for end in range(1, len(sizes) + 1):
+        starts = (s for s in range(end) if sum(area[s:end]) <= wide * high and cut.shapes(s, end))
+        count.append(1 + min((count[start] for start in starts), default=len(sizes)))
+    return count[-1]
+
+
 class Composing:
     """Figures on sheets of one size, with so much white between them (mm)."""
 
@@ -74,15 +88,7 @@ class Composing:
 
     def needed(self, scales: Mapping[Place, float]) -> int:
         """How many sheets hold the figures; more than there are figures where one fits none."""
-        sizes = self.sizes(scales)
-        cut = Slicing(padded(sizes, self.clear), inner(self.page, self.clear), self.pairs)
-        area = [(w + self.clear) * (h + self.clear) for w, h in sizes]
-        wide, high = inner(self.page, self.clear)
-        count = [0]
-        for end in range(1, len(sizes) + 1):
-            starts = (s for s in range(end) if sum(area[s:end]) <= wide * high and cut.shapes(s, end))
-            count.append(1 + min((count[start] for start in starts), default=len(sizes)))
-        return count[-1]
+        return _needed(tuple(self.sizes(scales)), self.page, self.clear, self.pairs)
 
     def share(self, scales: Mapping[Place, float]) -> float:
         """What the figures take of one page; 1 where they need more than one."""
