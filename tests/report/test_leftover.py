@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from io import BytesIO
 
 import pytest
@@ -10,12 +11,16 @@ from reportlab.platypus.flowables import PageBreak
 
 import vecpoly
 from tests.drawn_library import drawn
+from vecpoly.algebra.formula import sym
+from vecpoly.report.answers.line import AnswerLine
 from vecpoly.report.document import report_bytes
+from vecpoly.report.flow.base import Block
 from vecpoly.report.flow.blocks import Callout, Drawing
 from vecpoly.report.flow.doc import Metadata, ReportDoc
 from vecpoly.report.flow.equation import EquationFlow
 from vecpoly.report.flow.paging.setting import tightened
 from vecpoly.report.flow.paging.tight import DEGREES, saved
+from vecpoly.report.flow.results.box import AnswerBox
 from vecpoly.report.flow.table import DataTable
 from vecpoly.words import Lang
 
@@ -87,3 +92,18 @@ def test_the_rows_of_an_equation_keep_clear_of_the_line_below_however_tightly_th
     block = EquationFlow(table, "en")
     block.tighten(DEGREES[-1])
     assert block.spaceBefore < 3.0 and block.spaceAfter > 5.0
+
+
+def test_what_is_set_more_tightly_after_it_was_laid_out_takes_the_room_of_what_was_so_from_the_start() -> None:
+    rows = [("$v_B$", "of the pin of the crank, which turns evenly"), ("$v_C$", "0.49 m/s")] * 4
+    asked = [AnswerLine(key=f"v_{letter}", node=sym(f"v_{letter}"), before=f"point {letter}") for letter in "BCDEF"]
+    makers: tuple[Callable[[], Block], ...] = (
+        lambda: DataTable(("a", "b"), rows, lang="en"),
+        lambda: AnswerBox(asked, ("Said.",), "en"),
+    )
+    for made in makers:
+        known = made()
+        known.wrap(300.0, 900.0)
+        (late,), (early,) = tightened([known], DEGREES[-1]), tightened([made()], DEGREES[-1])
+        assert late.wrap(300.0, 900.0) == early.wrap(300.0, 900.0)
+        assert late.height < known.height
