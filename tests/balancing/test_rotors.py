@@ -16,6 +16,7 @@ from tests.rotor_cases import CASES, agree, blind, dalby, grade, holes, lumps, p
 from vecpoly import load
 from vecpoly.board.hand import hand
 from vecpoly.board.paper.marks import Point, Vector
+from vecpoly.board.place import view_named
 from vecpoly.drawing.sheets.paper import DrawingPaper
 from vecpoly.methods.devices.plan import construct_device
 from vecpoly.problem.asked.asks import AskNamed
@@ -213,9 +214,9 @@ def test_a_rotor_in_balance_is_told_so_by_every_hand_and_has_no_directions(by: s
 
 
 def test_the_permitted_circle_the_rounded_weights_and_what_they_leave_are_named_on_the_polygon() -> None:
-    figure = next(
-        f for f in load("rotor-bolt-circle").solve(by="exact").construction.figures if f.scale.symbol == "μ_U"
-    )
+    figures = load("rotor-bolt-circle").solve(by="exact").construction.figures
+    figure = next(f for f in figures if f.view is view_named("unbalances"))
+    assert figure.scale.symbol == "μ_W"
     arrows = {mark.label for mark in figure.marks if isinstance(mark, Vector)}
     letters = {mark.label for mark in figure.marks if isinstance(mark, Point)}
     assert {"W′_{b,1}", "W′_{b,2}", "W_{r}"} <= arrows and "" not in arrows

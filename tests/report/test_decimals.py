@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from tests.studies import solved
 from vecpoly.algebra.formula import plain
-from vecpoly.report.flow.results.decimal import aligned
+from vecpoly.report.flow.results.decimal import aligned, grouped
 from vecpoly.report.flow.table import DataTable
 from vecpoly.report.tables import padded, trimmed
 from vecpoly.typeset.box import MM
@@ -79,3 +79,10 @@ def test_a_value_with_which_several_lines_go_on_has_one_form_in_all_of_them() ->
     with_it = [line for line in lines if "12.5" in line]
     assert len(with_it) > 5 and all("12.566" in line for line in with_it)
     assert any("ω_1\u2009l_AB = 12.566 × 0.1 = 1.257" in line for line in with_it)
+
+
+def test_numbers_of_other_units_do_not_push_a_unit_s_own_aside() -> None:
+    texts, units = ["0.2825", "6161", "0.5", "12"], ["kg·m²", "N", "kg·m²", "N"]
+    columns = grouped(texts, units, EM, False)
+    assert columns[0] == columns[2] == aligned(["0.2825", "0.5"], EM, False)
+    assert columns[1] == columns[3] == aligned(["6161", "12"], EM, False) != columns[0]

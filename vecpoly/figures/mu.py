@@ -10,7 +10,8 @@ from ..words import Words
 class Mu:
     """A scale without its value. symbol: ``μ_v``, ``μ_{φ}``; unit: of the quantity that is drawn, ``m/s``.
 
-    example: as one writes it; called: 速度比例尺, a velocity scale; listed: in a list of symbols.
+    example: as one writes it; called: 速度比例尺, a velocity scale; listed: in a list of symbols. typed: how a problem
+    file writes it, where another scale has the same symbol.
     """
 
     symbol: str
@@ -18,11 +19,12 @@ class Mu:
     called: Words
     listed: Words
     example: str
+    typed: str = ""
 
     @property
     def key(self) -> str:
         """How a problem file and a reader at a keyboard write it: ``mu_v``, ``mu_phi``."""
-        return self.symbol.translate(_ASCII)
+        return self.typed or self.symbol.translate(_ASCII)
 
 
 _ASCII = str.maketrans(

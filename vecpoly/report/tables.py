@@ -90,8 +90,10 @@ def trimmed(
     lang: Lang = "zh",
     inks: Sequence[Rgb | None] = (),
     inked: int = 0,
+    groups: Sequence[str] = (),
 ) -> DataTable:
-    """The table without columns in which nothing stands; inks: of what stands in the column `inked`."""
+    """The table without columns in which nothing stands; inks: of what stands in the column `inked`; groups: of the
+    rows, the units of their numbers."""
     kept = [i for i in range(len(header)) if not rows or any(row[i] not in (_NONE, "") for row in rows)]
     return DataTable(
         [header[i] for i in kept],
@@ -101,6 +103,7 @@ def trimmed(
         lang=lang,
         inks=inks,
         inked=kept.index(inked) if inked in kept else 0,
+        groups=groups,
     )
 
 

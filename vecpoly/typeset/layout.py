@@ -187,8 +187,8 @@ def _power(body: Node, exponent: str, em: float, bold: bool) -> Box:
 
 def _frac(num: Box, den: Box, em: float) -> Box:
     width = max(num.width, den.width) + 0.16 * em
-    high = (AXIS + 0.18) * em + num.descent
-    low = (AXIS - 0.19) * em - den.ascent
+    high = (AXIS + 0.22) * em + num.descent
+    low = (AXIS - 0.23) * em - den.ascent
     bar = Box(width, 0.0, 0.0, (Rule(0.0, (AXIS - BAR / 2) * em, width, BAR * em),))
     side = 0.06 * em
     over, under = (width - num.width) / 2 + side, (width - den.width) / 2 + side

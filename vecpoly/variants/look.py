@@ -110,7 +110,7 @@ def _angle(meet: Meet, acts: Sequence[Act]) -> float:
 
 def sizes_mm(problem: Problem, sketch: Construction) -> Mapping[str, float]:
     """How long each asked vector is on paper, at the scales of the problem."""
-    mu = {view.mu.symbol: problem.scales.of(view.mu) for view in views()}
+    mu = {view.mu.symbol: value for view in views() if (value := problem.scales.of(view.mu))}
     return {
         key: abs(one.scalar) / scale
         for key, one in sketch.readings.items()

@@ -27,10 +27,10 @@ def unfit(figures: Iterable[Figure], given: Iterable[View]) -> tuple[Words, ...]
 
 
 def _unused(view: View) -> Words:
-    symbol = view.mu.symbol
+    key = view.mu.key
     return Words(
-        f"题中给出 ${symbol}$，但本题不作这种图，该比例尺没有用到",
-        f"${symbol}$ is given, but no such figure is drawn here: the scale is not used",
+        f"题中给出 {key}，但本题不作这种图，该比例尺没有用到",
+        f"{key} is given, but no such figure is drawn here: the scale is not used",
     )
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from math import hypot
 
+from ...algebra.rounding import read_back
 from ...printed.digits import coordinates
 from ...printed.places import place_parts
 from ...solution import Answer, Solution
@@ -61,14 +63,21 @@ def place_row(answer: Answer) -> tuple[str, ...]:
 
 
 def gaps(answers: Iterable[Answer]) -> Iterator[str]:
-    """How far apart (mm) the drawn and the exact point are."""
-    found = [
-        None if endless(one) or one.drawn_vector is None or one.exact_vector is None
-        else abs(one.drawn_vector - one.exact_vector)
-        for one in answers
-    ]  # fmt: skip
-    told = iter(alike([1e3 * off for off in found if off is not None and off > _APART]))
-    yield from (NOTHING if off is None else "0" if off <= _APART else next(told) for off in found)
+    """How far apart (mm) the drawn and the exact point are, as they stand beside each other."""
+    found = [_gap(one) for one in answers]
+    told = iter(alike([off for off in found if off]))
+    yield from (NOTHING if off is None else next(told) if off else "0" for off in found)
+
+
+def _gap(answer: Answer) -> float | None:
+    """As printed (mm); nothing where there is no place on paper, or none at all."""
+    drawn, exact = answer.drawn_vector, answer.exact_vector
+    if endless(answer) or drawn is None or exact is None:
+        return None
+    places = coordinates(answer)
+    told = (*place_parts(drawn, places), *place_parts(exact, places + 1))
+    x, y, true_x, true_y = (read_back(text)[0] for text in told)
+    return hypot(x - true_x, y - true_y)
 
 
 def _reaches(answers: Sequence[Answer]) -> Iterator[str]:

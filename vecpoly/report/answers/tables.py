@@ -33,7 +33,7 @@ _HEADS = (
     Words("偏差 /%", "Deviation /%"),
     Words("预期误差", "Expected error"),
 )
-_VALUE, _OFF, _WITH_UNIT, _ALIGN = 4, 7, (4, 6, 8), "lcdcddddd"
+_VALUE, _OFF, _WITH_UNIT, _ALIGN = 4, 7, (4, 6, 8), "lcdcududu"
 _DEVIATION = Words("偏差", "Deviation")
 _COMPUTED = Words("计算值", "Computed")
 _SHORT = Words("（过短）", " (too short)")
@@ -66,7 +66,16 @@ def readings_at(
             told += inks_of(solution, (one.key for one in of_one))
     tables = ((values, _HEADS, _ALIGN, inks[0]), (places, PLACES, ALIGN_PLACES, inks[1]))
     return tuple(
-        trimmed([drive, *(head.of(lang) for head in heads[:-1])], rows, (), f"l{align[:-1]}", lang, hues, 1)
+        trimmed(
+            [drive, *(head.of(lang) for head in heads[:-1])],
+            rows,
+            (),
+            f"l{align[:-1]}",
+            lang,
+            hues,
+            1,
+            groups=[row[2] for row in rows],
+        )
         for rows, heads, align, hues in tables
         if rows
     )
@@ -103,7 +112,8 @@ def _values(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
     rows = [_row(one, solution, lang, "" if one_unit else _unit(one)) for one in answers]
     header[_OFF], offs = _deviations(header[_OFF], [row[_OFF] for row in rows], lang)
     rows = [(*row[:_OFF], off, errors[one.key]) for row, off, one in zip(rows, offs, answers, strict=True)]
-    return trimmed(header, rows, (), _ALIGN, lang, inks_of(solution, (one.key for one in answers)))
+    inks = inks_of(solution, (one.key for one in answers))
+    return trimmed(header, rows, (), _ALIGN, lang, inks, groups=[_unit(one) for one in answers])
 
 
 def _deviations(head: str, offs: list[str], lang: Lang) -> tuple[str, list[str]]:

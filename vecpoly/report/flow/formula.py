@@ -25,6 +25,8 @@ from .style import BODY
 _SKIP = 1.2  # mm between the lines of a broken formula
 _LEAST = 0.7  # how far a piece without equality sign may be made smaller
 _CLOSE, _CLOSEST = 4.0, 2.5  # pt between two formulas that follow each other, and however tightly they are set
+_STRUT = (0.78, 0.26)  # em over and under the base line, however low a line is: simple ones stand evenly
+_TALL, _AIR = 1.4, 0.12  # em: a line higher than this, a fraction, has so much more white over and under it
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +63,7 @@ class Formula(Block):
         self.width = width
         room = width / MM - (2 * self._number.width + self._em if self._number else 0.0)
         if room not in self._broken:
-            self._broken[room] = lines(self.node, self._em, room)
+            self._broken[room] = tuple((x, _strutted(box, self._em)) for x, box in lines(self.node, self._em, room))
         self._lines = self._broken[room]
         self._left = self._start(room) + (width / MM - room) / 2
         boxes = [box for _, box in self._lines]
@@ -108,6 +110,13 @@ class Formula(Block):
             ink.under(tree_of(self.canv).opener(Tag(Role.P, self.tag.within)))
             ink.box(self._number, self.width - self._number.width * MM, base)
         ink.flush()
+
+
+def _strutted(box: Box, em: float) -> Box:
+    """The line with the room that it keeps free over and under it."""
+    air = _AIR * em if box.height > _TALL * em else 0.0
+    over, under = (max(part + air, least * em) for part, least in zip((box.ascent, box.descent), _STRUT, strict=True))
+    return Box(box.width, over, under, box.items)
 
 
 @lru_cache(maxsize=4096)

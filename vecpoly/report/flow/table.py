@@ -20,20 +20,18 @@ from ...words import Lang, Words
 from .base import Block, Tightness
 from .cells import Cell, cells, joined
 from .lines import Line, break_lines, draw_line
-from .results.decimal import Aligned, aligned
+from .results.decimal import Aligned, grouped
 from .style import CAPTION, CELL, Style
 
-_PAD = 1.5  # mm at either side of a cell
-_VERTICAL = 1.6  # pt above and below a row
+_PAD, _VERTICAL = 1.5, 1.6  # mm at either side of a cell, pt above and below a row
 _HEAVY, _FINE = 0.9, 0.45  # pt
-_ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre"}
+_ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre", "u": "centre"}
 
 _Row = tuple[tuple[Line, ...], ...]
 
 CONTINUED = Words("续表", "(continued)")
-_MANY_ROWS = 10
 _NUMBER = re.compile(r"(?:续?表|Table) ?([\dA-Z]+-\d+)")  # at the head of a caption
-_LEAST_ROWS = 4  # rows that a page break leaves together, before and after it
+_MANY_ROWS, _LEAST_ROWS = 10, 4  # that a page break leaves together, before and after it: of a whole table, of others
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +42,7 @@ class _Set:
     widths: tuple[float, ...]
     head: _Row
     body: tuple[_Row, ...]
-    points: tuple[Aligned | None, ...]
+    points: tuple[tuple[Aligned, ...] | None, ...]
     top: float = 0.0
     heights: tuple[float, ...] = ()
 
@@ -58,10 +56,10 @@ def continued(caption: str, lang: Lang) -> str:
 
 
 class DataTable(Block):
-    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r, d each; inks: of what
-    stands in one column of the rows, the first unless `inked` says another.
+    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r, d, u each; inks: of
+    what stands in one column of the rows, the first unless `inked` says another.
 
-    d: numbers under each other by their decimal points, the column in the middle; what is no number is centred.
+    d: numbers under each other by their decimal points, u: those of each of the `groups` of rows; others are centred.
     """
 
     role = Role.TABLE
@@ -79,12 +77,14 @@ class DataTable(Block):
         style: Style = CELL,
         inks: Sequence[Rgb | None] = (),
         inked: int = 0,
+        groups: Sequence[str] = (),
     ) -> None:
         super().__init__(6.0, 8.0)
         self.goal = goal_of(caption)
         self.header, self.rows = tuple(header), tuple(tuple(row) for row in rows)
         self.lang, self.caption, self.style = lang, caption, style
         self.inked, self.inks = inked, tuple(inks) or (None,) * len(self.rows)
+        self.groups = tuple(groups) or ("",) * len(self.rows)
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
         self.align = (align + "c" * len(self.header))[: len(self.header)]
@@ -127,19 +127,19 @@ class DataTable(Block):
         top = caption + _HEAVY + self._height(found.head) + _FINE
         return replace(found, top=top, heights=tuple(map(self._height, found.body)))
 
-    def _aligned(self, column: int) -> Aligned | None:
-        """How the numbers of a column stand under each other."""
-        if self.align[column] != "d":
-            return None
-        return aligned((row[column] for row in self.rows), self.style.em, self.lang == "zh")
+    def _aligned(self, column: int) -> tuple[Aligned, ...] | None:
+        """How the numbers of a column stand under each other, row by row."""
+        texts, way = [row[column] for row in self.rows], self.align[column]
+        groups = self.groups if way == "u" else [""] * len(texts)
+        return grouped(texts, groups, self.style.em, self.lang == "zh") if way in "du" else None
 
     def _columns(
-        self, width: float, rows: Sequence[Sequence[list[Cell]]], points: Sequence[Aligned | None]
+        self, width: float, rows: Sequence[Sequence[list[Cell]]], points: Sequence[tuple[Aligned, ...] | None]
     ) -> tuple[float, ...]:
         em = self.style.em
         wanted = self.widths or tuple(
-            max(point.width if point is not None else 0.0, *(joined(row[i], em).width for row in rows)) + 2 * _PAD
-            for i, point in enumerate(points)
+            max(*(joined(row[i], em).width for row in rows), *(one.width for one in column or ())) + 2 * _PAD
+            for i, column in enumerate(points)
         )
         total = sum(wanted)
         if total <= width:
@@ -176,10 +176,10 @@ class DataTable(Block):
 
     def _part(self, start: int, end: int, widths: Sequence[float]) -> DataTable:
         caption = self.caption if start == 0 else continued(self.caption, self.lang)
-        rows, inks = self.rows[start:end], self.inks[start:end]
+        rows, inks, groups = self.rows[start:end], self.inks[start:end], self.groups[start:end]
         part = type(self)(
             self.header, rows, widths, self.align,
-            lang=self.lang, caption=caption, style=self.style, inks=inks, inked=self.inked,
+            lang=self.lang, caption=caption, style=self.style, inks=inks, inked=self.inked, groups=groups,
         )  # fmt: skip
         part._continued, part._vertical = self._continued or start > 0, self._vertical
         part.goal = self.goal if start == 0 else ""
@@ -196,10 +196,10 @@ class DataTable(Block):
         y = self._rule(ink, left, y, width, _HEAVY)
         y = self._row(ink, found.head, found.widths, left, y, "c" * len(self.header), header=True)
         y = self._rule(ink, left, y, width, _FINE)
-        for row, texts in zip(found.body, self.rows, strict=True):
+        for n, (row, texts) in enumerate(zip(found.body, self.rows, strict=True)):
             shifts = [
-                point.indent(text, width - 2 * _PAD) if point is not None and len(cell) == 1 else None
-                for cell, text, width, point in zip(row, texts, found.widths, found.points, strict=True)
+                column[n].indent(text, width - 2 * _PAD) if column is not None and len(cell) == 1 else None
+                for cell, text, width, column in zip(row, texts, found.widths, found.points, strict=True)
             ]
             y = self._row(ink, row, found.widths, left, y, self.align, shifts)
         self._rule(ink, left, y, width, _HEAVY)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
+from math import ceil
 
 import numpy as np
 
@@ -193,7 +194,7 @@ def _tried(draft: Draft, figure: _Figure) -> None:
     board.section(Words("轨迹的校核", "A check of the path"))
     spots = [figure.led(turned) for turned in np.linspace(0, 2 * np.pi, TURN + 1)]
     reached = [at for at in spots if at is not None]
-    worst = max(figure.off(at) for at in reached)
+    worst = max(ceil(100 * max(figure.off(at) for at in reached)), 1) / 100  # mm, as far as one can be told
     board.step(
         Words(
             f"曲柄 $AB$ 转一周，描出 $E$ 的轨迹（{len(reached)} 点）。在各点处两同源机构均能闭合，连杆长度相差不超过 "

@@ -1,9 +1,9 @@
-"""Numbers of a column under each other by their decimal points."""
+"""Numbers of a column under each other by their decimal points, those of one unit at a time."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ..cells import cells, joined
@@ -40,6 +40,15 @@ def aligned(texts: Iterable[str], em: float, chinese: bool) -> Aligned:
     parts = [part for text in texts if (part := _parts(text, em, chinese)) is not None]
     before, after = max((a for a, _ in parts), default=0.0), max((b for _, b in parts), default=0.0)
     return Aligned(before, after, em, chinese)
+
+
+def grouped(texts: Sequence[str], groups: Sequence[str], em: float, chinese: bool) -> tuple[Aligned, ...]:
+    """The column of each text: those of one group under each other, each group in the middle."""
+    found = {
+        group: aligned((text for text, other in zip(texts, groups, strict=True) if other == group), em, chinese)
+        for group in dict.fromkeys(groups)
+    }
+    return tuple(found[group] for group in groups)
 
 
 def _parts(text: str, em: float, chinese: bool) -> tuple[float, float] | None:
