@@ -13,6 +13,7 @@ from .slicing import TOUCH, Size
 
 STEPS = tuple(1.0 - 0.02 * n for n in range(16))  # of their distances from the middle of the page
 MARGIN, WORTH = 18.0, 1.0  # mm of white beyond which no more is asked; by which it must grow for figures to move
+LEAST = 0.6  # of the page that they take together, if they did
 ASUNDER, BESIDE = 12.0, 4.0  # mm that figures keep of each other, and of what stands still, if they had it
 
 
@@ -34,7 +35,8 @@ def _drawn_together(
     best, most = [0j] * len(boxes), _room(boxes, page, across) + WORTH
     for moves in _ways(boxes, keys, page, across):
         made = [_moved(box, by) for box, by in zip(boxes, moves, strict=True)]
-        if (room := _room(made, page, across)) > most + TOUCH and not _crowds(made, boxes, still):
+        thinner = _taken(made, page) < LEAST <= _taken(boxes, page)
+        if (room := _room(made, page, across)) > most + TOUCH and not thinner and not _crowds(made, boxes, still):
             best, most = moves, room
     return best
 
@@ -64,6 +66,12 @@ def _room(boxes: Sequence[Rect], page: Size, across: bool) -> float:
         if (dy if across else dx) < 0:
             found[i], found[k] = (min(room, dx if across else dy) for room in (found[i], found[k]))
     return sum(min(room, MARGIN) for room in found)
+
+
+def _taken(boxes: Sequence[Rect], page: Size) -> float:
+    """What the box about all of them takes of the page."""
+    wide = max(box.x1 for box in boxes) - min(box.x0 for box in boxes)
+    return wide * (max(box.y1 for box in boxes) - min(box.y0 for box in boxes)) / (page[0] * page[1])
 
 
 def _crowds(made: Sequence[Rect], boxes: Sequence[Rect], still: Sequence[Rect]) -> bool:
