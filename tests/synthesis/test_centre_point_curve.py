@@ -1,4 +1,4 @@
-"""The curve of centre points that is drawn by circles over opposite poles is that of the determinant."""
+"""The centre-point curve that is drawn by circles over opposite poles is that of the determinant."""
 
 from __future__ import annotations
 

@@ -10,6 +10,7 @@ from ..board.construction import Construction, Figure, View
 from ..board.paper.extent import extent
 from ..board.paper.marks import AngleMark, Cell, Dot, FixedGuide, Mark, Note, Point, Role, Vector
 from ..designs.base import Design
+from ..devices.structure import Structure
 from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
 from ..words import Words
@@ -18,6 +19,7 @@ from .sizes.sized import sized
 
 SKETCH = Words("机构简图（示意）", "The mechanism (sketch)")
 DEVICE = Words("简图（示意）", "Sketch")
+NOT_TO_SCALE = Words("机构示意图", "The mechanism (not to scale)")
 POWERS = Words("传动简图与各处的功率", "Block diagram with the powers")
 BLOCKS = 168.0  # mm, width of a block diagram
 _HELP = {Role.CONSTRUCTION, Role.DIRECTION, Role.IDEAL, Role.HIDDEN}
@@ -31,7 +33,8 @@ def picture(problem: Problem, construction: Construction, width: float, height: 
     if isinstance(problem.subject, Design):
         return None  # what is given of a synthesis are numbers; what its first steps draw is what is asked
     if not isinstance(problem.subject, Mechanism):
-        return sized(problem, _device(figure, width, height))
+        drawn = _device(figure, width, height)
+        return sized(problem, replace(drawn, title=NOT_TO_SCALE) if isinstance(problem.subject, Structure) else drawn)
     position = construction.steps[0].section
     marks = _given_links(figure, max(step.number for step in construction.steps if step.section == position))
     loads = problem.loads or (problem.machine.loads if problem.machine is not None else None)

@@ -17,6 +17,7 @@ class Kind(Enum):
     """What a problem is about."""
 
     KINEMATICS = Words("平面机构运动分析图解作业", "Graphical kinematics of planar mechanisms")
+    TRANSMISSION = Words("机构压力角与传动角图解作业", "Pressure and transmission angles, graphically")
     FORCES = Words("平面机构力分析图解作业", "Graphical force analysis of planar mechanisms")
     STRUCTURE = Words("平面机构结构分析作业", "Structure of planar mechanisms")
     SYNTHESIS = Words("平面连杆机构综合图解作业", "Graphical synthesis of planar linkages")
@@ -27,6 +28,7 @@ class Kind(Enum):
     EFFICIENCY = Words("机械的效率和自锁作业", "Efficiency and self-locking of machines")
 
 
+PRESSURE = frozenset({"alpha", "gamma"})  # keys of the pressure angle and the transmission angle
 _OF_DEVICE = {
     "structure": Kind.STRUCTURE,
     "cam": Kind.CAMS,
@@ -54,13 +56,17 @@ def subject(solutions: Sequence[Solution]) -> Words:
 
 
 def kind_of(problem: Problem) -> Kind:
-    """Kinematics, forces, structure, cams, gears, motion of machines, balance, or efficiency and self-locking."""
+    """Kinematics, pressure and transmission angles, forces, structure, cams, gears, motion of machines, balance, or
+    efficiency and self-locking."""
     if isinstance(problem.subject, Mechanism):
         if problem.counterweights is not None and problem.loads is None:
             return Kind.BALANCE
         if problem.machine is not None and problem.loads is None:
             return Kind.MOTION
-        return Kind.KINEMATICS if problem.loads is None else Kind.FORCES
+        if problem.loads is not None:
+            return Kind.FORCES
+        angles = problem.asks and all(ask.rel.key in PRESSURE for ask in problem.asks)
+        return Kind.TRANSMISSION if angles else Kind.KINEMATICS
     if isinstance(problem.subject, Design):
         return Kind.SYNTHESIS
     if (kind := _OF_DEVICE.get(problem.subject.kind)) is not None:

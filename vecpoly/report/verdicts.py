@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..check.printed.answers import PrintedCheck
-from ..check.printed.verdict import Verdict
+from ..check.printed.verdict import Checked, Verdict
 from ..solution import Solution
 from ..words import Lang, Words, stopped
 from .tables import percent, symbol_of
@@ -18,6 +18,8 @@ _HEADINGS = {
 }
 
 
+_AGREE = Words("原书答案与精确值相符。", "The textbook answers agree with the exact values.")
+_SAME = Words("各数与原书答案一致。", "The textbook answers are the same.")
 _GAP: dict[Lang, str] = {"zh": "　", "en": "  "}
 _AFTER: dict[Lang, str] = {"zh": "", "en": " "}
 
@@ -42,9 +44,7 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
         and not said
         and all(c.verdict in (Verdict.REPRODUCED, Verdict.ROUNDING) for c in checked.answers)
     ):
-        said.append(
-            ("pass", Words("原书答案与精确值相符。", "The textbook answers agree with the exact values.").of(lang))
-        )
+        said.append(("pass", (_SAME if all(_counted(c) for c in checked.answers) else _AGREE).of(lang)))
     said += [("note", e.of(lang)) for e in solution.problem.errata]
     boxes = [
         (kind, _HEADINGS[kind].of(lang), _listed([text for k, text in said if k == kind], lang))
@@ -61,3 +61,9 @@ def _listed(texts: Sequence[str], lang: Lang) -> str:
     if len(texts) == 1:
         return texts[0]
     return _GAP[lang].join(f"({i}) {text}" for i, text in enumerate(texts, 1))
+
+
+def _counted(one: Checked) -> bool:
+    """Whether a printed answer is a number of things, which has no exact value to come near to."""
+    rel = one.printed.rel
+    return rel is not None and not rel.is_vector and not rel.unit and float(one.exact).is_integer()

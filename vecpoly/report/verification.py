@@ -20,6 +20,8 @@ _NONE, _YES, _NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
 MARGIN = Words("杆长余量", "Margin")
 _ERROR, _CIRCUIT = Words("杆长相差", "Length error"), Words("同回路同分支", "One circuit, branch")
 _GAMMA = Words.same("$γ_{min}$")
+_TYPE, _TURNS = Words("机构类型", "Type"), Words("整周转动", "Turns fully")
+_TYPE_OF, _ALL_TURNS = Words("$ABCD$ 的类型", "Type of $ABCD$"), Words("连同杆组整周转动", "All of it turns fully")
 _MEANT = {  # heads that do not say all
     _ERROR: Words(
         "“杆长相差”为同一杆在各给定位置的最大长度之差",
@@ -32,6 +34,10 @@ _MEANT = {  # heads that do not say all
     MARGIN: Words(
         "“杆长余量”为其余两杆之和减去最短杆与最长杆之和",
         "“Margin” is the sum of the two other links less that of the shortest and the longest",
+    ),
+    _ALL_TURNS: Words(
+        "“连同杆组整周转动”：四杆机构 $ABCD$ 的曲柄即使能转整周，加装的杆组也未必能随之转满一周",
+        "“All of it turns fully”: what is added to the four-bar $ABCD$ need not follow a full turn of its crank",
     ),
     _GAMMA: Words("$γ_{min}$ 为最小传动角", "$γ_{min}$ is the least transmission angle"),
 }
@@ -82,14 +88,15 @@ class _Line:
         """Item by item, in one order for all."""
         one = self.moved
         swings = one.unit == "°"
+        named, turning = (_TYPE_OF, _ALL_TURNS) if self._added() else (_TYPE, _TURNS)
         stroke, unit = ("psi", "°") if swings else ("H", " mm")
         return [
             (_ERROR, self._closes()),
             (_CIRCUIT, self._yes()),
             (Words("次序", "Order"), self._order()),
-            (Words("机构类型", "Type"), _NONE if one.kind is None else one.kind),
+            (named, _NONE if one.kind is None else one.kind),
             (MARGIN, _NONE if one.kind is None else Words.same(f"{number(one.margin)} mm")),
-            (Words("整周转动", "Turns fully"), self._turns()),
+            (turning, self._turns()),
             (Words.same("$K$"), self._beside(one.ratio, "K", "", 4)),
             (Words("摆角", "Swing") if swings else Words("行程", "Stroke"), self._beside(one.stroke, stroke, unit, 4)),
             (_GAMMA, self._beside(one.gamma, "gamma_min", "°", 4) if one.full else _NONE),
@@ -111,6 +118,11 @@ class _Line:
             return self.design.plan().bars()
         known = {named.key for named in self.design.quantities()}
         return [(one, two) for one, two in _BARS if {one + two, two + one} & known]
+
+    def _added(self) -> bool:
+        """Whether links are added to a four-bar, of which alone the type is told."""
+        bars = {frozenset(bar) for bar in self._bars()} if isinstance(self.design, Stages) else set()
+        return self.moved.kind is not None and bool(bars - {frozenset(bar) for bar in (*_BARS, ("A", "D"))})
 
     @property
     def positions(self) -> int:

@@ -19,6 +19,7 @@ from .plan import FRAME, Body, CentrePoints, Find, Pin, Plan, Stage
 from .written import Place, Pose, on, said
 
 _BODY = "S"
+MANY = 4  # positions: neither end of a bar is given, and how many linkages there are comes out
 _MOVING = {"A": "B", "D": "C"}
 
 

@@ -42,7 +42,7 @@ class Law(StrEnum):
 _CALLED = {
     Law.UNIFORM: Words("等速运动", "uniform motion"),
     Law.PARABOLIC: Words("等加速等减速运动", "constant acceleration and deceleration"),
-    Law.COSINE: Words("余弦加速度（简谐）运动", "cosine acceleration (simple harmonic motion)"),
+    Law.COSINE: Words("余弦加速度（简谐）运动", "simple harmonic motion (cosine acceleration)"),
     Law.SINE: Words("正弦加速度（摆线）运动", "sine acceleration (cycloidal motion)"),
     Law.POLYNOMIAL: Words("3-4-5 次多项式运动", "3-4-5 polynomial motion"),
 }

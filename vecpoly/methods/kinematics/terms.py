@@ -7,6 +7,7 @@ import numpy as np
 from ...algebra.quantity import Quantity, Times, magnitude
 from ...board.board import NO_LENGTH
 from ...board.construction import View
+from ...diagram.cams.contact import contact_replaced
 from ...mechanism.model import FRAME, Prismatic
 from ...names import At, Kind, Rel, omega
 from ...plane import Points, nominal
@@ -54,12 +55,13 @@ def _note_slide(desk: Desk, joint: Prismatic, to: At, ref: At) -> None:
 
 
 def guide_name(desk: Desk, joint: Prismatic) -> Words:
-    """∥ the guide, by two letters on it where there are two, else in words."""
+    """∥ the guide, by two letters on it where there are two, else in words; a face that a disc touches is no guide."""
     letters = [joint.pin, *desk.mech.link(joint.guide).points]
     on_line = [p for p in dict.fromkeys(letters) if _on_guide(desk, joint, p)]
     if joint.guide != FRAME and len(on_line) >= 2:
         return Words.same(f"∥$ {on_line[1]}{on_line[0]}$")
-    return Words("∥导路", "∥guide")
+    flat = contact_replaced(desk.mech, joint.block) is not None
+    return Words("∥平底", "∥face") if flat else Words("∥导路", "∥guide")
 
 
 def _on_guide(desk: Desk, joint: Prismatic, point: str) -> bool:

@@ -15,7 +15,9 @@ from ..values import is_worded
 # keys of conditions whose yes says all: their reason is in the steps
 PLAIN = frozenset({"determined", "v_allowed", "static", "dynamic"})
 HOPELESS = 0.5  # share of a value: with a reading error above it, nothing was read
-UNREADABLE = Words("此值过小，按本图的比例尺读不准", "too small to be read at this scale")
+UNREADABLE = Words(
+    "误差达读数的一半以上，按本图的比例尺读不准", "not to be read at this scale, with an error of half of it or more"
+)
 INSTEAD = Words("应放大比例尺或用计算求得", "draw it larger, or compute it")
 COARSE = Words("读数误差可达", "reading error up to")
 

@@ -128,8 +128,11 @@ def _deviations(head: str, offs: list[str], lang: Lang) -> tuple[str, list[str]]
 
 
 def directed(table: DataTable, lang: Lang) -> bool:
-    """Whether a table has a column of directions."""
-    return _DIRECTION.of(lang) in table.header
+    """Whether a table has a column of directions with an angle in it, not senses of turning alone."""
+    if (head := _DIRECTION.of(lang)) not in table.header:
+        return False
+    column = table.header.index(head)
+    return any("°" in row[column] for row in table.rows)
 
 
 def _braced(unit: str) -> str:

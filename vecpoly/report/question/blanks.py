@@ -8,6 +8,7 @@ from ...algebra.formula import plain
 from ...board.acts import Compute
 from ...board.construction import Step
 from ...board.place import Pane
+from ...designs.inversion.positions import MANY, Positions
 from ...errors import UnknownNameError
 from ...names import Kind, Rel, parse_rel
 from ...solution import Answer, Solution
@@ -29,6 +30,7 @@ _HEAD = {
     "en": ("Quantity", "On paper, mm", "Value with unit", "Direction, sense"),
 }
 _WIDTHS = (38.0, 36.0, 54.0, 42.0)
+_SOLVED, _ROOM = Words("解 {}", "Solution {}"), 4  # columns for the solutions of a synthesis, not as many as there are
 _NONE = "—"
 _PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　　　　　) mm")
 _OTHERS = Words("其他", "Others")
@@ -110,12 +112,38 @@ def empty_table(solution: Solution, lang: Lang) -> RuledTable:
     """What is asked, in the order in which it is asked, with room for what is read, what it comes to, and where it
     points; then what has to be known on the way."""
     asked = list(solution.answers.values())
+    if all_sought(solution):
+        return _solutions(solution, lang)
     read, points = (any(map(test, asked)) for test in (_measured, _points))
     kept = [i for i, shown in enumerate((True, read, True, points)) if shown]
     rows = [[cells[i] for i in kept] for cells in (*_sought(solution, lang), *_between(solution, lang))]
     heads = [_HEAD[lang][i] for i in kept]
     share = COLUMN / MM / sum(_WIDTHS[i] for i in kept)
     return RuledTable(heads, rows, [_WIDTHS[i] * share for i in kept], "lccc"[: len(kept)], lang=lang)
+
+
+def all_sought(solution: Solution) -> bool:
+    """Whether a synthesis asks for every linkage that fits, none of its quantities with a number: of four positions how
+    many there are comes out."""
+    design = solution.problem.subject
+    free = isinstance(design, Positions) and len(design.poses) == MANY
+    return free and not any(one.key[-1].isdigit() for one in solution.answers.values())
+
+
+def _solutions(solution: Solution, lang: Lang) -> RuledTable:
+    """A column a solution; of each quantity what is read, and what it comes to."""
+    heads = [_HEAD[lang][0], *(_SOLVED.of(lang).format(n) for n in range(1, _ROOM + 1))]
+    comma = Words("，", ", ").of(lang)
+    told = [
+        f"{called(one.reading.symbol, one.reading.key, lang)}{comma}{head if lang == 'zh' else head.lower()}"
+        for one in solution.answers.values()
+        for head, has in zip(_HEAD[lang][1:3], (_measured(one), True), strict=True)
+        if has
+    ]
+    first = 52.0
+    rows = [(name, *("" for _ in range(_ROOM))) for name in told]
+    widths = [first, *((COLUMN / MM - first) / _ROOM for _ in range(_ROOM))]
+    return RuledTable(heads, rows, widths, "l" + "c" * _ROOM, lang=lang)
 
 
 def _sought(solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:

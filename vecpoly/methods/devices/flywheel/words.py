@@ -36,10 +36,10 @@ def constant(load: Torques) -> Words:
     one, other = ("M_d", "M_r") if load.sought == "d" else ("M_r", "M_d")
     return Words(
         f"稳定运转时一个周期内驱动功等于阻力功，故常数力矩 ${one}$ 的矩形与 ${other}$ 线下的面积相等（横轴以下为负）。"
-        "量出面积与周期的长度 $OT$：",
+        f"量出 ${other}$ 线与横轴所围的面积 $S_i$ 和周期的长度 $OT$：",
         f"In steady motion the driving and the resisting moment do equal work in a period, so the rectangle under the "
         f"constant ${one}$ has the same area as ${other}$ encloses (areas below the axis are negative). "
-        "Measure the area and the length $OT$ of the period:",
+        f"Measure the areas $S_i$ between ${other}$ and the axis, and the length $OT$ of the period:",
     )
 
 

@@ -227,16 +227,18 @@ def _tip(bench: Bench, rack: Rack, radii: tuple[float, float], thick: Quantity, 
     r = magnitude("r", 1e3 * radii[0], "mm")
     half = board.compute("ψ_a", DEGREE * thick / (TWO * r) + angle - DEGREE * way / base, "deg")
     tip = bench.worked(S_TIP, Times(2, magnitude("r_a", 1e3 * radii[1], "mm") * half) / DEGREE)
-    board.remark(_pointed(float(nominal(tip.value)) / (1e3 * rack.gear.m.si)))
+    board.remark(_pointed(float(nominal(tip.value)), 1e3 * rack.gear.m.si))
 
 
-def _pointed(modules: float) -> Words:
-    """Whether the tip is thick enough, in modules."""
+def _pointed(tip: float, module: float) -> Words:
+    """Whether the tip is thick enough (mm), told in modules too, an italic letter that is no metre."""
+    modules = tip / module
+    thick = f"$s_a = {number(tip, 4)}$ mm $= {number(modules)} m$"
     if modules <= 0:
         return Words("齿顶变尖：应减小变位系数。", " The tooth is pointed: take a smaller shift.")
     if modules < THIN:
         return Words(
-            f"$s_a$ = {number(modules)} $m$，小于 {THIN:g} $m$，齿顶过薄。",
-            f" $s_a$ = {number(modules)} $m$ is less than {THIN:g} $m$: the tip is too thin.",
+            f"{thick}，小于 ${THIN:g} m$ = {number(THIN * module)} mm，齿顶过薄。",
+            f" {thick}, less than ${THIN:g} m$ = {number(THIN * module)} mm: the tip is too thin.",
         )
-    return Words(f"$s_a$ = {number(modules)} $m$，足够厚。", f" $s_a$ = {number(modules)} $m$ is thick enough.")
+    return Words(f"{thick}，足够厚。", f" {thick}, which is thick enough.")

@@ -54,11 +54,11 @@ def _collar(bench: Bench, device: ScrewJack) -> Quantity:
     ring = board.open_pane(View.MECHANISM, "collar", Words("支承环面", "Collar ring"))
     board.step(
         Words(
-            "载荷均布在内径 $d_0$、外径 $D$ 的环面上，压强 $q = 4Q/π(D^2 − d_0^2)$；半径 $r$ 处宽 d$r$ 的圆环上的摩"
+            "载荷均布在内径 $d_0$、外径 $D$ 的环面上，压强 $q = 4Q/[π(D^2 − d_0^2)]$；半径 $r$ 处宽 d$r$ 的圆环上的摩"
             f"擦力矩为 ${rub} q · 2π r^2$d$r$，自 $r = d_0/2$ 积分到 $D/2$ 即得 $M_1$。注意 $D$、$d_0$ 是直径，"
             "系数为 1/3（用半径时才是 2/3）：",
             "The load is uniformly distributed over the ring between the diameters $d_0$ and $D$, with "
-            "the pressure $q = 4Q/π(D^2 − d_0^2)$; on a ring of radius $r$ and width d$r$ "
+            "the pressure $q = 4Q/[π(D^2 − d_0^2)]$; on a ring of radius $r$ and width d$r$ "
             f"friction has the moment ${rub} q · 2π r^2$d$r$; the integral from $r = d_0/2$ to "
             "$D/2$ is $M_1$. $D$ and $d_0$ are diameters: the factor is 1/3 (2/3 goes with radii):",
         ),
@@ -153,10 +153,11 @@ def _back(bench: Bench, jack: Thread, m1: Quantity, m0: Quantity) -> None:
     """M' = M_1 + Q d_2 tan(φ − α) / 2 lowers the load."""
     bench.board.step(
         Words(
-            "放下重物时各摩擦力矩反向，所需的力矩为 $M′$（为负时表示须制动）；以载荷为驱动力时的效率 $η′ = "
-            "−M′/M_0$，$η′ ≤ 0$ 时载荷不能自行下降：",
-            "Lowering the load reverses all friction; it takes the moment $M′$ (negative: a "
-            "braking moment). With the load driving, the efficiency is $η′ = −M′/M_0$; "
+            "放下重物时各摩擦力矩反向，所需的力矩为 $M′$（以放下的转向为正；为负时重物自行下降，须制动）；"
+            "以载荷为驱动力时的效率 $η′ = −M′/M_0$，$η′ ≤ 0$ 时载荷不能自行下降：",
+            "Lowering the load reverses all friction; it takes the moment $M′$, positive in the "
+            "sense of lowering (negative: the load runs down and must be braked). "
+            "With the load driving, the efficiency is $η′ = −M′/M_0$; "
             "where $η′ ≤ 0$ the load does not sink by itself:",
         )
     )

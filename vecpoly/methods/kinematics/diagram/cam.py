@@ -23,11 +23,11 @@ def say_replaced(desk: Desk, stage: Stage, group: Group) -> None:
         contact = contact_replaced(desk.mech, name)
         if contact is not None and stage is Stage.POSITION:
             desk.board.step(
-                _bar(contact, group) if isinstance(contact.on, Circle) else _block(contact, group), View.MECHANISM
+                _bar(desk, contact, group) if isinstance(contact.on, Circle) else _block(contact, group), View.MECHANISM
             )
         elif contact is not None and stage is Stage.ACCELERATION:
-            profiled = any(cam.point == contact.point for cam in desk.mech.cams)
-            desk.board.step(_here(contact, group) if profiled else _same_motion(contact, group), View.ACCELERATION)
+            said = _here(contact, group) if _profiled(desk, contact) else _same_motion(contact, group)
+            desk.board.step(said, View.ACCELERATION)
 
 
 def letter_contacts(desk: Desk, links: tuple[str, ...]) -> None:
@@ -52,8 +52,9 @@ def tangent_words(desk: Desk, joint: Prismatic) -> Words | None:
     if contact is None:
         return None
     o, link = contact.disc.centre, contact.on.link
-    profiled = any(cam.point == contact.point for cam in desk.mech.cams)
-    r = "ρ" if profiled else f"r_{contact.disc.link}"  # as the step calls it that finds the osculating circle
+    r = (
+        "ρ" if _profiled(desk, contact) else f"r_{contact.disc.link}"
+    )  # as the step calls it that finds the osculating circle
     return Words(
         f"平底与 ${o}$ 始终相距 ${r}$：过 ${o}$ 的虚拟导路与平底平行，由此定出构件 {link} 的位置",
         f"The face keeps the distance ${r}$ from ${o}$: the guide through ${o}$ is parallel to it, "
@@ -61,10 +62,21 @@ def tangent_words(desk: Desk, joint: Prismatic) -> Words | None:
     )
 
 
-def _bar(contact: Contact, group: Group) -> Words:
+def _profiled(desk: Desk, contact: Contact) -> bool:
+    """Whether a circle stands for a profile here."""
+    return any(cam.point == contact.point for cam in desk.mech.cams)
+
+
+def _bar(desk: Desk, contact: Contact, group: Group) -> Words:
     assert isinstance(contact.on, Circle)
     bar, one, two = contact.substitute, contact.disc.link, contact.on.link
-    length = f"r_{two} − r_{one}" if contact.internal else f"r_{one} + r_{two}"
+    length = (
+        "ρ"  # of the tip's path on the cam, as the step calls it that finds the osculating circle
+        if _profiled(desk, contact)
+        else f"r_{two} − r_{one}"
+        if contact.internal
+        else f"r_{one} + r_{two}"
+    )
     real = _real(group, contact)
     return Words(
         f"高副低代：接触点 ${contact.point}$ 处两廓线的曲率中心为 ${contact.disc.centre}$、"

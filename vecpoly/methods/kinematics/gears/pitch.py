@@ -46,6 +46,13 @@ def wheel(joint: Rolling, link: str) -> Circle | Rack:
     return joint.gear if joint.gear.link == link else joint.on
 
 
+def fixed_gear(joint: Rolling, link: str) -> Words:
+    """What the link rolls on is called where it stands still: a ring gear about the link, or a gear."""
+    mine, other = wheel(joint, link), wheel(joint, partner(joint, link))
+    ring = joint.internal and isinstance(mine, Circle) and isinstance(other, Circle) and other.radius > mine.radius
+    return Words("固定内齿轮", "fixed ring gear") if ring else Words("固定齿轮", "fixed gear")
+
+
 def letter_pitch_points(desk: Desk, joints: Iterable[Joint]) -> None:
     """Find the pitch points on the diagram, and take the pitch radii over as lengths."""
     for joint in rolling_in(joints):
@@ -64,7 +71,7 @@ def pitch_velocity(desk: Desk, joint: Rolling, link: str) -> None:
             on = (
                 Words("固定齿条", "a fixed rack")
                 if isinstance(wheel(joint, other), Rack)
-                else Words("固定的齿轮", "a fixed gear")
+                else Words("", "a ") + fixed_gear(joint, link)
             )
             desk.board.step(
                 Words(

@@ -50,12 +50,27 @@ def _said(desk: Desk, drive: Drive, pivot: str, others: list[str]) -> Words:
     first = fixed_points(desk) + Words("；", "; ")
     if desk.thought:
         return first + _at_angle(drive, pivot, others, "")
+    cam = next((one for one in desk.mech.cams if one.link == drive.link and others == [one.centre]), None)
+    if cam is not None:
+        return first + _centre_found(desk, drive, pivot, cam.centre)
     if not others and (gear := next((c for c in pitch_circles(desk.mech) if c.link == drive.link), None)) is not None:
         return first + Words(
             f"以 ${pivot}$ 为圆心、$r_{gear.link}/μ_l$ 为半径作齿轮 {gear.link} 的节圆。",
             f"about ${pivot}$ draw the pitch circle of gear {gear.link} with the radius $r_{gear.link}/μ_l$.",
         )
     return first + _at_angle(drive, pivot, others, f" = {number(math.degrees(drive.position), 5)}°")
+
+
+def _centre_found(desk: Desk, drive: Drive, pivot: str, k: str) -> Words:
+    """The cam's own angle is no direction of its centre of curvature, which is found beforehand."""
+    points, phi = desk.mech.link(drive.link).points, f"$φ_{drive.link}$ = {number(math.degrees(drive.position), 5)}°"
+    size = f"$l_{pivot}{k}$ = {number(1e3 * abs(points[k] - points[pivot]))} mm"
+    return Words(
+        f"凸轮 {drive.link} 在 {phi} 时的曲率中心 ${k}$ 已作得（{size}），连 ${pivot}{k}$，为代换机构的"
+        f"构件 {drive.link}。",
+        f"the centre of curvature ${k}$ of cam {drive.link} at {phi} is found already ({size}): join ${pivot}{k}$, "
+        f"link {drive.link} of the substitute.",
+    )
 
 
 def _at_angle(drive: Drive, pivot: str, others: list[str], phi: str) -> Words:

@@ -12,7 +12,7 @@ from ....mechanism.travel import counted_from
 from ....words import Words
 from ...desk import Desk
 from ...registry import Stage, method
-from ..gears.pitch import letter_pitch_points, partner, rolling_of, wheel
+from ..gears.pitch import fixed_gear, letter_pitch_points, partner, rolling_of, wheel
 from .standing import said_standing, standing
 
 _SOURCE = "机械原理, pure rolling: the pitch point lies on the line of centres"
@@ -30,7 +30,7 @@ def position_gear(desk: Desk, group: Group) -> None:
     joint, gear = rolling_of(group), group.links[0]
     mine = wheel(joint, gear)
     assert isinstance(mine, Circle)
-    desk.board.step(_words(gear, mine.centre, joint.point, _partner(joint, partner(joint, gear))), View.MECHANISM)
+    desk.board.step(_words(gear, mine.centre, joint.point, _partner(joint, gear)), View.MECHANISM)
     desk.settle_turned(gear, mine.centre, standing(desk, gear))
     desk.board.remark(said_standing(desk, gear))
     letter_pitch_points(desk, (joint,))
@@ -74,10 +74,13 @@ def position_rack(desk: Desk, group: Group) -> None:
     letter_pitch_points(desk, (joint,))
 
 
-def _partner(joint: Rolling, other: str) -> Words:
+def _partner(joint: Rolling, link: str) -> Words:
+    other = partner(joint, link)
     if isinstance(joint.on, Rack):
         return Words("齿条", "the rack")
-    return Words("固定的齿轮", "the fixed gear") if other == FRAME else Words(f"齿轮 {other} ", f"gear {other}")
+    if other == FRAME:
+        return Words("", "the ") + fixed_gear(joint, link)
+    return Words(f"齿轮 {other} ", f"gear {other}")
 
 
 def _words(gear: str, c: str, h: str, on: Words) -> Words:

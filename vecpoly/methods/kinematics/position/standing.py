@@ -48,7 +48,8 @@ def said_standing(desk: Desk, link: str) -> Words:
         return Words("", "")
     first = pivot(desk, body)
     lean = float(np.angle(body.points[other] - body.points[first]))
-    angle = number((degrees(start.value + lean) + 180) % 360 - 180, 5)
+    turned = degrees(start.value + lean)
+    angle = number(turned if abs(lean) < 1e-9 else (turned + 180) % 360 - 180, 5)  # as it is given, where it is
     zero, zero_en = (
         (f" ${''.join(start.ray)}$ ", f"${''.join(start.ray)}$") if start.ray else (" $x$ 轴", "the $x$ axis")
     )

@@ -1,4 +1,4 @@
-"""The curve of centre points of four positions, point by point from an opposite-pole quadrilateral (Burmester).
+"""The centre-point curve of four positions, point by point from an opposite-pole quadrilateral (Burmester).
 
 From a centre point M the line to the pole P_ij halves the angle B_i M B_j. So the opposite sides P12 P13 and P24 P34 of
 the quadrilateral are seen from M under one angle γ (or its supplement): for every γ two circles, over these sides with
@@ -50,14 +50,14 @@ def centre_point_curve(sheet: Sheet, body: str, found: Mapping[str, Points]) -> 
 
 def _opened(draft: Draft) -> Pane:
     board = draft.board
-    place = board.open_pane(View.MECHANISM, "centre points", Words("圆心曲线", "The curve of centre points"))
+    place = board.open_pane(View.MECHANISM, "centre points", Words("圆心曲线", "The centre-point curve"))
     board.step(
         Words(
             "作极点 $P_{12}$、$P_{13}$、$P_{24}$、$P_{34}$，得对极四边形。过 $P_{12}P_{13}$ 和 $P_{24}P_{34}$ 作"
             "圆周角同为 $γ$ 的两圆，其交点是圆心曲线上的点；改变 $γ$，逐点描出曲线。所得圆心点都在此曲线上。",
             "The poles $P_{12}$, $P_{13}$, $P_{24}$, $P_{34}$ make an opposite-pole quadrilateral. Two circles, over "
-            "$P_{12}P_{13}$ and over $P_{24}P_{34}$ with the same inscribed angle $γ$, meet at points of the curve of "
-            "centre points; other angles $γ$ give it point by point. The centre points that were found lie on it.",
+            "$P_{12}P_{13}$ and over $P_{24}P_{34}$ with the same inscribed angle $γ$, meet at points of the "
+            "centre-point curve; other angles $γ$ give it point by point. The centre points that were found lie on it.",
         ),
         place,
     )

@@ -200,7 +200,8 @@ def one_sided(study: Study) -> Words:
 
 
 def role_note(study: Study, phi: float) -> Words:
-    """For a sheet: M 驱动，F 阻碍, where the parts are not those that the problem tells; nothing else."""
+    """For a sheet which loads drive and which resist, where the parts are not those that the problem tells; nothing
+    else."""
     loads = study.problem.loads
     if loads is None:
         return Words.same("")
@@ -213,7 +214,7 @@ def role_note(study: Study, phi: float) -> Words:
     ):
         return Words.same("")
     return Words(
-        f"{listed(here.drives)} 驱动，{listed(here.resists)} 阻碍",
+        f"{listed(here.drives)} 为驱动力（矩），{listed(here.resists)} 为阻力（矩）",
         f"{listed(here.drives).replace('、', ', ')} drives, {listed(here.resists).replace('、', ', ')} resists",
     )
 

@@ -135,7 +135,7 @@ def _part(study: Study, loads: Loads, duty: Duty) -> Words:
     some = drives.replace("、", " and ") or "inertia"
     who = Words(
         (f"{drives} 驱动" if drives else "惯性力驱动" if dynamic else "驱动")
-        + (f"、{resists} 阻碍" if resists else ""),
+        + (f"、{resists} 为阻力（矩）" if resists else ""),
         f"{some} {'drive' if ' and ' in some else 'drives'}"
         + (f" against {resists.replace('、', ' and ')}" if resists else ""),
     )

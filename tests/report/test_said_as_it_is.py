@@ -1,0 +1,112 @@
+"""What is said of a drawing is so: no datum is named that is not given, no word stands for something else."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tests.drawn_library import drafted, given, said
+from vecpoly.check.printed.answers import check_problem
+from vecpoly.report.answers.notes import UNREADABLE, notes_of
+from vecpoly.report.answers.tables import directed, readings_tables
+from vecpoly.report.picture import NOT_TO_SCALE
+from vecpoly.report.question.blanks import empty_table
+from vecpoly.report.question.sketch import sketched
+from vecpoly.report.titles import Kind, kind_of
+from vecpoly.report.verdicts import verdicts
+from vecpoly.report.verification import heads_told, verification_table
+from vecpoly.solution import Solution
+from vecpoly.words import Lang
+
+LANGS: tuple[Lang, ...] = ("zh", "en")
+
+
+def solved(name: str) -> Solution:
+    """A problem of the library, drawn."""
+    found = drafted(name)
+    assert found is not None
+    return found
+
+
+def _told(name: str, lang: Lang = "zh") -> str:
+    return "\n".join(words.of(lang) for words in said(name))
+
+
+@pytest.mark.parametrize("lang", LANGS)
+def test_a_cams_centre_of_curvature_is_not_laid_off_at_the_angle_of_the_cam(lang: Lang) -> None:
+    """K of the heart cam lies at its own angle, ρ from the tip; a radius r_1 is no datum."""
+    told = _told("cam-knife-load", lang)
+    assert "l_{KB} = ρ" in told
+    assert "r_1 + r_2" not in told and "作与 $x$ 轴成" not in told and "draw link 1" not in told
+
+
+def test_a_flat_face_is_no_guide() -> None:
+    """What slides along a flat face moves parallel to the face."""
+    tables = [step.equation for step in solved("4-5").construction.steps if step.equation is not None]
+    directions = {words.zh for table in tables for words in table.directions}
+    assert "∥平底" in directions and "∥导路" not in directions
+
+
+@pytest.mark.parametrize("lang", LANGS)
+def test_the_type_of_a_four_bar_is_told_of_it_alone(lang: Lang) -> None:
+    """A crank-rocker to which a dyad is added may stop before a full turn: both are told, and of what."""
+    table = verification_table(solved("8-12"), lang)
+    assert table is not None
+    assert "$ABCD$" in " ".join(table.header) and "$ABCD$" in heads_told(table, lang)
+    plain = verification_table(solved("8-4"), lang)
+    assert plain is not None and "$ABCD$" not in " ".join(plain.header)
+
+
+def test_a_reading_that_its_error_swallows_is_not_called_small() -> None:
+    """13.4° is no small angle: it is read with an error of more than half of it, and the other one is not."""
+    notes = [note for note in notes_of(list(solved("8-4").answers.values()), "zh") if UNREADABLE.zh in note]
+    assert len(notes) == 1 and "(1)" in notes[0] and "(2)" not in notes[0] and "过小" not in notes[0]
+
+
+def test_a_question_on_structure_prints_no_kinematic_diagram() -> None:
+    """The picture of a chain is not to scale, and is not asked for where it is printed."""
+    for name in ("2-1", "2-2", "2-3", "2-4"):
+        one = solved(name)
+        shown = sketched(one.problem, one.construction, 120.0, 70.0)
+        assert shown is not None and shown.title == NOT_TO_SCALE
+        assert one.problem.statement is not None and "绘制机构运动简图" not in one.problem.statement.zh
+
+
+def test_where_all_solutions_are_asked_there_is_room_for_several() -> None:
+    """More columns than there are solutions; where they are asked by number each has its row."""
+    one, other = solved("four-positions-b"), solved("four-positions")
+    assert len(empty_table(one, "zh").header) - 1 > len(one.construction.candidates)
+    assert "解 1" not in " ".join(empty_table(other, "zh").header)
+
+
+def test_a_report_on_pressure_angles_is_called_so() -> None:
+    """Angles of pressure and of transmission are no kinematics."""
+    for name in ("8-2a", "8-2b", "8-2c", "8-2d"):
+        assert kind_of(given(name)) is Kind.TRANSMISSION
+    assert kind_of(given("3-9")) is Kind.KINEMATICS
+
+
+def test_senses_of_turning_alone_are_no_directions() -> None:
+    """Where directions count from is told over a table that has one."""
+    for name, has in (("7-2b", False), ("hoist", False), ("4-5", True)):
+        assert any(directed(table, "zh") for table in readings_tables(solved(name), "zh")) is has
+
+
+def test_a_count_that_agrees_is_the_same_as_the_books() -> None:
+    """A number of links has no exact value to come near to."""
+    one = solved("2-5")
+    assert [text for kind, text in verdicts(one, check_problem(one.problem), "zh") if kind == "pass"] == [
+        "各数与原书答案一致。"
+    ]
+
+
+def test_an_angle_is_told_as_it_is_given() -> None:
+    """190° stays 190°, and a gear that stands about another one is a ring gear."""
+    told = _told("two-trains-one-sun")
+    assert "成 190° 定出" in told and "−170°" not in told and "固定内齿轮上纯滚动" in told
+
+
+def test_a_module_is_no_metre() -> None:
+    """The thickness of a tip is told in mm beside modules, an italic m."""
+    assert re.search(r"mm \$= [\d.]+ m\$，小于 \$0\.25 m\$ = 2\.5 mm", _told("gear-shifted"))
