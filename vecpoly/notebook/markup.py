@@ -13,7 +13,7 @@ from ..words import Lang, Words
 
 EM = 4.0  # mm: size in which a formula is laid out; on the page it follows the size of the text
 PAD = 0.06 * EM  # slanted letters lean out of their widths
-_SIDES = {"l": "left", "c": "center", "r": "right", "d": "right"}
+_SIDES = {"l": "left", "c": "center", "r": "right", "d": "right", "u": "right"}
 _ROWS = (Words("方向", "direction"), Words("大小", "magnitude"))
 
 
