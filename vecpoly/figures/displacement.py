@@ -58,8 +58,8 @@ LOOP = register(
     View(
         name="loop",
         order=7,
-        title=Words("s–ds/dφ 线图", "s over ds/dφ"),
-        called=Words("s–ds/dφ 线图", "the diagram of s over ds/dφ"),
+        title=Words("$s$–d$s$/d$φ$ 线图", "$s$ over d$s$/d$φ$"),
+        called=Words("$s$–d$s$/d$φ$ 线图", "the diagram of $s$ over d$s$/d$φ$"),
         mu=STROKE,
         ink=INK,
     )

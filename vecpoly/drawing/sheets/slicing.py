@@ -35,8 +35,8 @@ class Slicing:
     """The shapes of figures in order, on pages no wider and no higher than `room`.
 
     tied: pairs of neighbours that no cut may part from each other; an interval that holds only one of a pair has no
-    shape unless it is that one alone. abreast: the pairs stand side by side, not one below the other. by_rows: only what is one
-    row stands to the left of anything, so that figures are read row by row; no column stands before another.
+    shape unless it is that one alone. abreast: the pairs stand side by side, not one below the other. by_rows: only
+    what is one row stands to the left of anything, so that figures are read row by row; no column before another.
     """
 
     sizes: Sequence[Size]
