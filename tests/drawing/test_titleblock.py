@@ -8,9 +8,14 @@ from tests.drawn_library import drafted, ids
 from tests.drawn_sheets import laid
 from vecpoly.board.acts.inkless import Measure
 from vecpoly.devices.structure import Structure
+from vecpoly.drawing.labels.notes import WIDE_SPACE, folded
 from vecpoly.drawing.scene import TextBox
+from vecpoly.drawing.sheets import titleblock
+from vecpoly.drawing.sheets.space import STRIP
+from vecpoly.drawing.style import NOTE
 from vecpoly.problem.load import load
-from vecpoly.typeset import Glyphs
+from vecpoly.typeset import Glyphs, layout_words
+from vecpoly.words import Lang, label
 
 STRUCTURES = [name for name in ids(mechanisms=False) if isinstance(load(name).subject, Structure)]
 
@@ -32,3 +37,27 @@ def test_sheets_that_are_measured_say_how_finely(name: str) -> None:
     solution = drafted(name)
     assert solution is not None and any(isinstance(act, Measure) for act in solution.construction.acts)
     assert all("读至0.1" in text for text in printed(name))
+
+
+ROOMS = (52.0, 74.0, 79.6)  # mm: cells of titles on plates and on an upright sheet
+
+
+@pytest.mark.parametrize("room", ROOMS)
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_a_long_title_parts_no_word_and_fits_its_cell(lang: Lang, room: float) -> None:
+    for name in ids(mechanisms=False):
+        task = load(name)
+        text = f"{label(name).of(lang)}{WIDE_SPACE}{task.title.of(lang)}".strip(WIDE_SPACE)
+        assert titleblock._fitted(text, 1.2 * NOTE, room).width <= room
+        first, *rest = folded(text, NOTE, room).split("\n")
+        assert len(rest) <= 1
+        if rest and lang == "en":
+            assert text[len(first)] in f" {WIDE_SPACE}" and first.split()[-1] in text.split()
+
+
+def test_a_title_of_two_lines_keeps_a_margin_and_parts_its_name_first() -> None:
+    text = "图 6-1　题 8-9　摇杆与滑块的三组对应位置"
+    assert folded(text, NOTE, 52.0) == "图 6-1　题 8-9\n摇杆与滑块的三组对应位置"
+    assert folded("平面四杆机构和滑块的力分析", NOTE, 30.0) == "平面四杆机构\n和滑块的力分析"
+    title, hand = titleblock._fitted(text, 1.2 * NOTE, 52.0), layout_words("作图：精确", NOTE)
+    assert (1 - titleblock._lower(title, hand)) * STRIP - title.height > 2 * 1.2

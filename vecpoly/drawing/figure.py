@@ -7,12 +7,13 @@ from functools import lru_cache
 
 from ..algebra.formula import Node, Power, Row, Txt, row
 from ..algebra.quantity import number
-from ..board.construction import Figure, Scale
+from ..board.construction import Figure, Scale, View
 from ..board.paper.marks import Ground
 from ..typeset import Box, layout
-from ..words import Lang
+from ..words import Lang, Words
 from .beside import beside
 from .cleared import cleared
+from .labels.actions import is_line_of_action
 from .labels.ground import broken
 from .labels.notes import LEADING, folded, lines
 from .labels.obstacles import Obstacles
@@ -27,6 +28,7 @@ from .symbols.marks import draw
 TITLE_GAP, LINE = 6.0, 6.0  # mm: lowest ink to the title's capitals; title to scale
 _FIGURES = 6  # of a scale
 KEPT = 64  # drawings
+WITH_LINES = Words("与力的作用线", " with lines of action")
 TITLE_WIDTH = 70.0  # a title wider than this and than its figure takes two lines
 
 
@@ -115,9 +117,15 @@ def unique(items: tuple[Item, ...]) -> tuple[Item, ...]:
     return tuple(seen.values())
 
 
+def titled(figure: Figure) -> Words:
+    """The title of a figure; where lines stand for forces on a diagram, which show no sense, it says what they are."""
+    plain = figure.title == figure.view.title and figure.view is View.MECHANISM
+    return figure.title + WITH_LINES if plain and any(map(is_line_of_action, figure.marks)) else figure.title
+
+
 def caption_items(figure: Figure, over: Rect, lang: Lang) -> tuple[Item, ...]:
     """The title and the scale, centred under a figure; a sketch without a scale has none printed."""
-    text = folded(figure.title.of(lang), TITLE, max(over.width, TITLE_WIDTH))
+    text = folded(titled(figure).of(lang), TITLE, max(over.width, TITLE_WIDTH))
     title, middle = lines(text, TITLE), over.centre.real
     y = over.y0 - TITLE_GAP - title.ascent / 2
     under = TextBox(box=title, x=middle - title.width / 2, y=y)

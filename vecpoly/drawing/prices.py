@@ -10,7 +10,7 @@ import numpy as np
 
 from .labels.obstacles import Complexes, Floats, Indices, Obstacles
 from .labels.rivals import Named, misled
-from .labels.spots import Spots, beside, on_leaders, price_of_leader
+from .labels.spots import Spots, beside, ends, on_leaders, price_of_leader
 from .labels.want import Line, Spot, Want
 from .scene import Rect
 from .standing import Trial
@@ -132,9 +132,7 @@ class Places:
     @property
     def leaders(self) -> tuple[Complexes, Complexes]:
         """Where the leader of each place starts and ends."""
-        foot, c = self.spots.foot, self.spots.centre
-        w, h = self.half.real + 0.4, self.half.imag + 0.4
-        return foot, np.clip(foot.real, c.real - w, c.real + w) + 1j * np.clip(foot.imag, c.imag - h, c.imag + h)
+        return self.spots.foot, ends(self.spots.foot, self.spots.centre, self.half)
 
 
 @dataclass(frozen=True, slots=True)

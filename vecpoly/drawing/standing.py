@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .labels.obstacles import Complexes, Floats, Indices, clip, crossed
+from .labels.spots import ends
 from .labels.want import Thing
 from .scene import Rect
 
@@ -20,7 +21,8 @@ FRACTION, READ_SO = 3.2, 30.0  # the same of the letter of a point and the numbe
 TIGHT = 0.9  # mm one over the other below which they are taken for one
 _OVER = {Thing.POINT: Thing.LINK, Thing.LINK: Thing.POINT}
 OVERLAP, PER_AREA = 120.0, 8.0
-LEADER_ON_LABEL, LEADERS_CROSS = 60.0, 80.0
+LEADER_ON_LABEL, LEADERS_CROSS = 180.0, 80.0  # a letter struck through is read wrongly, dearer than one on a line
+CLEAR = 0.4  # mm between a leader and lettering that is not its own
 NOWHERE = complex(np.nan, np.nan)
 AWAY = -1  # of another label: standing nowhere near
 
@@ -90,12 +92,14 @@ class Standing:
         fraction = over & (dy > APART - FRACTION)
         cost += np.where(fraction & self._as_fraction(trial.thing, others), READ_SO, 0.0)
         if trial.foot is not None:
-            cost += LEADER_ON_LABEL * _struck(trial.foot[:, None], mine, c, size)
+            start, end = trial.foot[:, None], ends(trial.foot, trial.centre, half)[:, None]
+            cost += LEADER_ON_LABEL * _struck(start, end, c, size)
         theirs = np.flatnonzero(~np.isnan(led.real))
         if len(theirs):
-            cost[:, theirs] += LEADER_ON_LABEL * _struck(led[theirs], c[theirs], mine, half)
+            feet, tips = led[theirs], ends(led[theirs], c[theirs], size[theirs])
+            cost[:, theirs] += LEADER_ON_LABEL * _struck(feet, tips, mine, half)
             if trial.foot is not None:
-                cost[:, theirs] += LEADERS_CROSS * crossed(trial.foot[:, None], mine, led[theirs], c[theirs])
+                cost[:, theirs] += LEADERS_CROSS * crossed(start, end, feet, tips)
         return cost
 
     def _as_fraction(self, thing: Thing, others: Indices) -> NDArray[np.bool_]:
@@ -158,5 +162,5 @@ def _about(points: Complexes) -> Rect:
 
 def _struck(foot: Complexes, end: Complexes, centre: Complexes, half: Complexes | complex) -> Floats:
     """1 where a leader from foot to end runs through a label, else 0."""
-    _, hit = clip(foot, end, centre, half.real + 0.4, half.imag + 0.4)
+    _, hit = clip(foot, end, centre, half.real + CLEAR, half.imag + CLEAR)
     return np.where(hit, 1.0, 0.0)

@@ -72,6 +72,8 @@ def pen(role: Role, hue: Hue) -> Pen:
             return Pen(width=GIVEN, hue=hue)
         case Role.DIRECTION | Role.CONSTRUCTION:
             return Pen(width=THIN, hue=Hue.GREY)
+        case Role.PLACE:
+            return Pen(width=HATCHING, hue=Hue.FAINT)
         case Role.CENTRE:
             return Pen(width=THIN, dash=Dash.DASH_DOT, hue=Hue.GREY)
         case Role.IDEAL:

@@ -34,7 +34,7 @@ DISPLACEMENT = register(
     View(
         name="displacement",
         order=5,
-        title=Words("位移线图 s–φ", "Displacement s over φ"),
+        title=Words("位移线图 $s$–$φ$", "Displacement $s$ over $φ$"),
         called=Words("位移线图", "the displacement diagram"),
         mu=STROKE,
         across=TURNED,
@@ -46,7 +46,7 @@ ANGULAR = register(
     View(
         name="swing",
         order=6,
-        title=Words("角位移线图 ψ–φ", "Swing ψ over φ"),
+        title=Words("角位移线图 $ψ$–$φ$", "Swing $ψ$ over $φ$"),
         called=Words("角位移线图", "the diagram of swings"),
         mu=SWING,
         across=TURNED,
@@ -58,8 +58,8 @@ LOOP = register(
     View(
         name="loop",
         order=7,
-        title=Words("s–ds/dφ 线图", "s over ds/dφ"),
-        called=Words("s–ds/dφ 线图", "the diagram of s over ds/dφ"),
+        title=Words("$s$–d$s$/d$φ$ 线图", "$s$ over d$s$/d$φ$"),
+        called=Words("$s$–d$s$/d$φ$ 线图", "the diagram of $s$ over d$s$/d$φ$"),
         mu=STROKE,
         ink=INK,
     )

@@ -16,6 +16,7 @@ class Hue:
 
     BLACK: ClassVar[Hue]
     GREY: ClassVar[Hue]
+    FAINT: ClassVar[Hue]  # of many lines close together, which look as dark as one in grey
     GHOST: ClassVar[Hue]  # what is not of the highlighted step
     ALARM: ClassVar[Hue]  # what must not be taken for an answer
     WHITE: ClassVar[Hue]
@@ -34,6 +35,7 @@ class Hue:
 
 Hue.BLACK = Hue("black", (0.0, 0.0, 0.0))
 Hue.GREY = Hue("grey", (0.38, 0.38, 0.38))
+Hue.FAINT = Hue("faint", (0.6, 0.6, 0.6))
 Hue.GHOST = Hue("ghost", (0.78, 0.78, 0.78))
 Hue.ALARM = Hue("alarm", (0.78, 0.0, 0.0))
 Hue.WHITE = Hue("white", (1.0, 1.0, 1.0), is_tint=True)
@@ -45,4 +47,13 @@ TONES = tuple(
     Hue(f"tone_{n}", tuple(int(text[i : i + 2], 16) / 255 for i in (0, 2, 4)))  # type: ignore[arg-type]
     for n, text in enumerate(("006bf2", "cc4a12", "228051", "750d8c", "297d99", "593600", "732954", "0004f2"), start=1)
 )
-PLAIN = (Hue.BLACK, Hue.GREY, Hue.GHOST, Hue.ALARM, Hue.WHITE, Hue.PLATE, Hue.HATCH)  # those of no kind of figure
+PLAIN = (
+    Hue.BLACK,
+    Hue.GREY,
+    Hue.FAINT,
+    Hue.GHOST,
+    Hue.ALARM,
+    Hue.WHITE,
+    Hue.PLATE,
+    Hue.HATCH,
+)  # those of no kind of figure

@@ -22,7 +22,7 @@ INERTIA = register(
     View(
         name="inertia",
         order=71,
-        title=Words("等效转动惯量线图 J_e–φ", "Equivalent inertia J_e over φ"),
+        title=Words("等效转动惯量线图 $J_e$–$φ$", "Equivalent inertia $J_e$ over $φ$"),
         called=Words("等效转动惯量线图", "the diagram of the inertia"),
         mu=MASS,
         across=TURNED,
@@ -34,7 +34,7 @@ WITTENBAUER = register(
     View(
         name="energy-mass",
         order=73,
-        title=Words("能量–质量图 E–J_e", "Energy over inertia (Wittenbauer)"),
+        title=Words("能量–质量图 $E$–$J_e$", "Energy over inertia (Wittenbauer)"),
         called=Words("能量–质量图", "the diagram of energy over inertia"),
         mu=WORK,
         across=MASS,

@@ -22,7 +22,7 @@ DEVICE = Words("简图（示意）", "Sketch")
 NOT_TO_SCALE = Words("机构示意图", "The mechanism (not to scale)")
 POWERS = Words("传动简图与各处的功率", "Block diagram with the powers")
 BLOCKS = 168.0  # mm, width of a block diagram
-_HELP = {Role.CONSTRUCTION, Role.DIRECTION, Role.IDEAL, Role.HIDDEN}
+_HELP = {Role.CONSTRUCTION, Role.PLACE, Role.DIRECTION, Role.IDEAL, Role.HIDDEN}
 
 
 def picture(problem: Problem, construction: Construction, width: float, height: float) -> Figure | None:

@@ -13,6 +13,7 @@ class Role(StrEnum):
     GIVEN = "given"  # 0.35 mm: known vectors
     DIRECTION = "direction"  # 0.25 mm: direction lines of a polygon, run a little past their meeting point
     CONSTRUCTION = "construction"  # 0.25 mm: arcs, helping lines in the kinematic diagram
+    PLACE = "place"  # 0.18 mm light: one of many places of a line, of which only what they leave is looked at
     CENTRE = "centre"  # 0.25 mm dash-dot: centre lines, pitch circles
     IDEAL = "ideal"  # 0.25 mm dashed grey: the construction without friction, beside that with it
     OTHER = "other"  # 0.35 mm dashed: a link in another position than the one that is drawn thick

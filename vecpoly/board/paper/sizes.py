@@ -36,16 +36,15 @@ def _unused(view: View) -> Words:
 
 def _said(wide: float, high: float, figure: Figure) -> Iterable[Words]:
     scale, measures = figure.scale, f"{number(wide)} × {number(high)} mm"
+    title = figure.title.en[:1].lower() + figure.title.en[1:]  # its symbols as they are
     symbol = f"${scale.symbol}$ = {number(scale.value)} {scale.per_mm}"
     if max(wide, high) < SMALL:
         yield Words(
             f"{symbol}：{figure.title.zh}只有 {measures}，读数不可靠；请取较小的比例尺或 auto",
-            f"{symbol}: the {figure.title.en.lower()} measures only {measures}, too small to be "
-            "read; choose a smaller scale, or auto",
+            f"{symbol}: the {title} measures only {measures}, too small to be read; choose a smaller scale, or auto",
         )
     if max(wide, high) > max(SHEET) or min(wide, high) > min(SHEET):
         yield Words(
             f"{symbol}：{figure.title.zh}为 {measures}，A4 图纸容不下；请取较大的比例尺或 auto",
-            f"{symbol}: the {figure.title.en.lower()} measures {measures}, more than an A4 sheet "
-            "holds; choose a larger scale, or auto",
+            f"{symbol}: the {title} measures {measures}, more than an A4 sheet holds; choose a larger scale, or auto",
         )

@@ -18,13 +18,14 @@ from .knots import MOST, knots
 from .within import spoken, unlettered, within
 
 ROMAN = "ⅠⅡⅢⅣⅤⅥⅦⅧⅨⅩⅪⅫ"
+ROW = 25.0  # mm: the height of a row in which knots are read from left to right
 NEAR = 4.0  # radii of a knot about it in which its number looks for room
 
 
 def detailed(figure: Figure, first: int = 1, most: int = MOST) -> tuple[Figure, ...]:
     """The figure with its worst knots circled and left with the letters that are spoken of alone, then each detail,
     which has all, numbered from `first` on; the figure alone where it has no knot."""
-    found = knots(figure)[:most]
+    found = shown(figure, most)
     if not found:
         return (figure,)
     names = [numeral(first + n) for n in range(len(found))]
@@ -38,6 +39,11 @@ def detailed(figure: Figure, first: int = 1, most: int = MOST) -> tuple[Figure, 
         rings += _ringed(figure, knot, name, inner)
         details.append(_detail(figure, knot, name, number, inner))
     return (replace(figure, marks=(*marks, *rings)), *details)
+
+
+def shown(figure: Figure, most: int = MOST) -> tuple[Knot, ...]:
+    """The worst knots of a figure, so many at most, as they are read: row by row."""
+    return tuple(sorted(knots(figure)[:most], key=lambda knot: (-round(knot.centre.imag / ROW), knot.centre.real)))
 
 
 def all_detailed(figures: Sequence[Figure], most: int = MOST) -> tuple[tuple[Figure, ...], ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ...board.paper.marks import Point, Role, Segment
+from ...board.paper.marks import Mark, Point, Role, Segment
 from ..style import THIN
 from ..symbols.shapes import NEAR
 from .dimensions import fan
@@ -19,6 +19,11 @@ def line_of_action(point: Point, lines: Iterable[Segment]) -> Segment | None:
     """The line of the force that is named at its end."""
     own = (line for line in lines if line.role in _LINES and line.key and line.key == point.key)
     return next((line for line in own if min(abs(line.a - point.at), abs(line.b - point.at)) < NEAR), None)
+
+
+def is_line_of_action(mark: Mark) -> bool:
+    """Whether it shows where a reaction acts, not which way."""
+    return isinstance(mark, Segment) and mark.role in _LINES and mark.key.startswith("R_")
 
 
 def along_action(pieces: tuple[Piece, ...], at: complex, line: Segment) -> Want:

@@ -9,6 +9,8 @@ from ...typeset.box import place, scaled
 from ...typeset.words import is_han
 
 LEADING = 1.3  # baseline to baseline, em
+WIDE_SPACE = "\u3000"  # parts the names in a title strip
+MARKS, PARTICLES = "，、：；", "的"  # behind which a line of Chinese may end without parting a word
 WORTH = 1.2  # by how much larger type must become for a line to be folded
 
 
@@ -36,20 +38,31 @@ def folded(text: str, em: float, width: float) -> str:
 
 
 def _folded(line: str, em: float, width: float) -> str:
+    """On two lines: parted where a name ends, or else between words or behind a mark, or else wherever it may be."""
     if lines(line, em).width <= width:
         return line
-    halves = [f"{line[:i].rstrip()}\n{line[i:].lstrip()}" for i in _breaks(line)]
-    return min(halves, key=lambda half: lines(half, em).width, default=line)
+    breaks = _breaks(line)
+    for some in ([i for i in breaks if line[i - 1] == WIDE_SPACE], [i for i in breaks if _is_between(line, i)], breaks):
+        halves = [f"{line[:i].rstrip()}\n{line[i:].lstrip()}" for i in some]
+        best = min(halves, key=lambda half: lines(half, em).width, default=line)
+        if lines(best, em).width <= width:
+            return best
+    return best
+
+
+def _is_between(text: str, i: int) -> bool:
+    """Whether two words or parts of a sentence meet here, for certain: Chinese writes most words without a space."""
+    return text[i - 1] in f" {WIDE_SPACE}{MARKS}{PARTICLES}" or text[i] in "（【“与和及"
 
 
 def _breaks(text: str) -> list[int]:
     """Where a line may end: at spaces and between Chinese characters, never inside a formula, beside an equals sign,
-    before a number or punctuation."""
+    before a number, a dash or punctuation."""
     return [
         i
         for i in range(1, len(text))
         if text[:i].count("$") % 2 == 0
-        and text[i] not in "，。、：；）)】,.:;= 0123456789"
-        and text[:i].rstrip()[-1:] not in "（(="
-        and (text[i - 1] in " \u3000，、：" or (is_han(text[i]) and is_han(text[i - 1])))
+        and text[i] not in "，。、：；）)】”,.:;=—– 0123456789"
+        and text[:i].rstrip()[-1:] not in "（(=“"
+        and (text[i - 1] in f" {WIDE_SPACE}{MARKS}" or (is_han(text[i]) and is_han(text[i - 1])) or text[i] in "（“")
     ]

@@ -12,6 +12,7 @@ from ..scene import Item, Layer, Rect, Stroke, TextBox
 from ..standing import Meeting, Standing
 from ..style import THIN, Hue
 from .obstacles import Floats, Obstacles
+from .spots import SHORT
 from .want import Line, Piece, Spot, Want
 
 BAD = 38.0  # a label that costs more than this by where it stands is on something
@@ -44,7 +45,7 @@ class Placed:
         if self.foot is None:
             return text
         step = min(piece.step for piece in self.want.pieces)
-        end = _nearest(self.foot, rect.grown(0.4))
+        end = _nearest(self.foot, rect.grown(SHORT))
         return (Stroke(points=(self.foot, end), width=THIN, hue=Hue.GREY, layer=Layer.TEXT, step=step), *text)
 
 

@@ -24,6 +24,7 @@ ON_LINE, PARALLEL = 0.5, 0.05  # mm by which a line is off one with it; sine of 
 INNER = 0.3  # of a line: a letter nearer to an end is the name of the end
 MEASURED = (Role.CONSTRUCTION, Role.IDEAL)
 AXIS = re.compile(r"(.+)(/(?:mm|m|rad|s))")  # what is set out along an axis, and its unit
+RATE = re.compile(r"d([a-zψ])/d([tφ])")  # a derivative: its d are no symbols
 NAMED = (Role.CENTRE, Role.HIDDEN)  # lines that have a name at an end
 
 
@@ -35,6 +36,8 @@ def piece(text: str, hue: Hue, step: int, dx: float = 0.0) -> Piece:
 @lru_cache(maxsize=1024)
 def _lettered(text: str) -> Box:
     """A symbol in type, of an axis with its unit upright; the same few come again and again."""
+    if (rate := RATE.fullmatch(text)) is not None:
+        return layout(Row((Txt("d"), *row(rate[1]).items, Txt("/d"), *row(rate[2]).items)), LETTER)
     axis = AXIS.fullmatch(text)
     return layout(row(text) if axis is None else Row((*row(axis[1]).items, Txt(axis[2]))), LETTER)
 

@@ -22,6 +22,7 @@ LEADER = 22.0  # what resorting to a leader line costs
 LETTERED = 12.0  # what it costs beyond that for the letter of a point: first of all that stands beside its own
 SOONER = 0.4  # of that in a crowd: a leader tells better than a place beside something else
 PER_DISTANCE, PER_FRACTION = 1.2, 6.0
+SHORT = 0.8  # mm that a leader ends before the lettering
 LEVEL, OFF_LEVEL = GAPS[1], 24.0  # where the numbers of an axis stand, and what a mm off that line costs
 
 
@@ -80,6 +81,12 @@ def on_leaders(want: Want) -> Spots:
 def price_of_leader(want: Want) -> float:
     """What resorting to a leader costs a label, however short it is."""
     return LEADER * (SOONER if want.farther else 1.0) + (LETTERED if want.thing is Thing.POINT else 0.0)
+
+
+def ends(foot: Complexes, centre: Complexes, half: Complexes | complex) -> Complexes:
+    """Where leaders end, just short of labels with these middles and halves of their sizes."""
+    w, h, off = half.real + SHORT, half.imag + SHORT, foot - centre
+    return centre + np.clip(off.real, -w, w) + 1j * np.clip(off.imag, -h, h)
 
 
 def _half(want: Want) -> complex:

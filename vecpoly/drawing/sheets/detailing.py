@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from ...board.construction import Figure
 from ...words import Lang
-from ..details.apart import all_detailed
-from ..details.knots import MOST, knots
+from ..details.apart import all_detailed, shown
+from ..details.knots import MOST
 from ..details.room import Grow
 from ..figure import draw_figure
 from .nested import nested
@@ -44,8 +44,8 @@ def _beside(made: Whole, figure: Figure) -> dict[Grow, Drawn]:
     main, *details = made
     if not details:
         return dict.fromkeys(Grow, main)
-    shown = [(one.scene, knot.centre) for one, knot in zip(details, knots(figure), strict=False)]
-    return {grow: replace(main, details=_moved(details, ways)) for grow, ways in nested(main.scene, shown).items()}
+    pairs = [(one.scene, knot.centre) for one, knot in zip(details, shown(figure, len(details)), strict=True)]
+    return {grow: replace(main, details=_moved(details, ways)) for grow, ways in nested(main.scene, pairs).items()}
 
 
 def _moved(details: Sequence[Drawn], ways: Sequence[complex]) -> Whole:

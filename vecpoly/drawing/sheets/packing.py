@@ -6,12 +6,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...foundation.slotted import dataclass
-from .slicing import Pair, Piece, Shape, Size, Slicing, depth
+from .slicing import Curve, Pair, Piece, Shape, Size, Slicing, depth, is_read
 from .space import HIGHEST, NARROW, PLATE
 from .spreading import spread
 
 TIGHT = 2.5  # mm of white between figures, and to the frame, at least: what is planned leaves more
 AROUND = 8.0  # mm of white about the figures of a plate, on both sides together
+NEARLY = 5.5  # mm of white less that figures may have for being read row by row
+LITTLE = 0.06  # of a plate that may be left white for it
 AMPLE = 11.0  # mm of white that leaves nothing to be wished: then the plainest arrangement is the best
 
 
@@ -62,21 +64,38 @@ def slicings(sizes: Sequence[Size], page: Size, pairs: frozenset[Pair]) -> tuple
 
 
 def packed(slicing: Slicing, start: int, end: int, sizes: Sequence[Size], page: Size) -> Layout | None:
-    """The best arrangement of some figures of a slicing on a page; None: they do not fit."""
-    shapes = slicing.shapes(start, end)
+    """The best arrangement of some figures of a slicing on a page, read row by row where that is nearly as good;
+    None: they do not fit."""
+    free, in_order = _best(slicing, start, end, sizes, page)
+    if free is None or in_order:
+        return free
+    rows, _ = _best(slicing.read, start, end, sizes, page)
+    return free if rows is None or rows.white < min(free.white, AMPLE) - NEARLY else rows
+
+
+def _best(slicing: Slicing, start: int, end: int, sizes: Sequence[Size], page: Size) -> tuple[Layout | None, bool]:
+    """The arrangement with most white, of like ones the plainest, and whether it is read row by row."""
     together = sum(start <= i and j < end for i, j in slicing.tied)
-    made = [(_layout(piece, start, end, sizes, page, together), depth(piece)) for _, _, piece in shapes]
-    best = max(made, key=lambda one: (min(one[0].white, AMPLE), -one[1], one[0].white), default=None)
-    return best[0] if best is not None else None
+    pieces = [piece for _, _, piece in slicing.shapes(start, end)]
+    made = [(_layout(piece, start, end, sizes, page, together), piece) for piece in pieces]
+    found = max(made, key=lambda one: (min(one[0].white, AMPLE), -depth(one[1]), one[0].white), default=None)
+    return (None, True) if found is None else (found[0], is_read(found[1]))
 
 
 def flat(sizes: Sequence[Size], pairs: frozenset[Pair] = frozenset()) -> Layout | None:
     """The figures on a plate no larger than they need; None where it would be as high as a page."""
     for slicing in slicings(sizes, (PLATE, HIGHEST), pairs):
-        made = [_plate(shape, sizes, len(slicing.tied)) for shape in slicing.shapes(0, len(sizes))]
+        made, read = ([_plate(one, sizes, len(slicing.tied)) for one in curve] for curve in _curves(slicing, sizes))
         if made:
-            return max(made, key=lambda layout: layout.share(sizes))
+            least = max(layout.share(sizes) for layout in made) - LITTLE
+            wide = [one for one in read if one.share(sizes) >= least]
+            return max(wide or made, key=lambda layout: layout.share(sizes))
     return None
+
+
+def _curves(slicing: Slicing, sizes: Sequence[Size]) -> tuple[Curve, Curve]:
+    """The shapes of all figures, and of those the ones that are read row by row."""
+    return slicing.shapes(0, len(sizes)), slicing.read.shapes(0, len(sizes))
 
 
 def _plate(shape: Shape, sizes: Sequence[Size], together: int) -> Layout:

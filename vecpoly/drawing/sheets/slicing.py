@@ -8,7 +8,7 @@ figures is found by joining two curves, not by trying all cuts.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from operator import itemgetter
 
 Size = tuple[float, float]
@@ -35,14 +35,24 @@ class Slicing:
     """The shapes of figures in order, on pages no wider and no higher than `room`.
 
     tied: pairs of neighbours that no cut may part from each other; an interval that holds only one of a pair has no
-    shape unless it is that one alone. abreast: the pairs stand side by side, not one below the other.
+    shape unless it is that one alone. abreast: the pairs stand side by side, not one below the other. by_rows: only
+    what is one row stands to the left of anything, so that figures are read row by row; no column before another.
     """
 
     sizes: Sequence[Size]
     room: Size
     tied: frozenset[Pair] = frozenset()
     abreast: bool = False
+    by_rows: bool = False
     _curves: dict[Pair, Curve] = field(default_factory=dict)
+    _read: Slicing | None = None
+
+    @property
+    def read(self) -> Slicing:
+        """The same row by row."""
+        if self._read is None:
+            self._read = replace(self, by_rows=True, _curves={})
+        return self._read
 
     def shapes(self, start: int, end: int) -> Curve:
         """Every box that figures start, ..., end − 1 can fill and none betters; none where the page is too small."""
@@ -60,9 +70,13 @@ class Slicing:
         for middle in range(start + 1, end):
             before, after = self.shapes(start, middle), self.shapes(middle, end)
             if before and after:
-                found += _side_by_side(before, after)
+                found += _side_by_side(self._rows(before), after)
                 found += () if self.abreast and (start, end - 1) in self.tied else _stacked(before, after)
         return self._within(found)
+
+    def _rows(self, curve: Curve) -> Curve:
+        """Those that may stand to the left of others."""
+        return tuple(one for one in curve if is_row(one[2])) if self.by_rows else curve
 
     def _whole(self, start: int, end: int) -> bool:
         """Whether no pair is torn by the ends."""
@@ -110,6 +124,18 @@ def _stacked(upper: Curve, lower: Curve) -> list[Trial]:
 def _cut(down: bool, a: Piece, b: Piece) -> Cut:
     """Two pieces cut apart; a row beside a piece is a longer row."""
     return Cut(down, (*_pieces(down, a), *_pieces(down, b)))
+
+
+def is_row(piece: Piece) -> bool:
+    """Whether nothing in it stands below anything else."""
+    return not isinstance(piece, Cut) or (not piece.down and all(map(is_row, piece.pieces)))
+
+
+def is_read(piece: Piece) -> bool:
+    """Whether its figures are read row by row: no column stands to the left of anything."""
+    if not isinstance(piece, Cut):
+        return True
+    return all(map(is_read, piece.pieces)) and (piece.down or all(map(is_row, piece.pieces[:-1])))
 
 
 def depth(piece: Piece) -> int:

@@ -6,17 +6,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ...typeset import Box, layout_words
-from ...typeset.box import place
+from ...typeset.box import place, scaled
 from ...words import Lang, Words, label
-from ..labels.notes import folded
+from ..labels.notes import WIDE_SPACE, folded
 from ..scene import Item, Layer, Rect, Stroke, TextBox
 from ..style import GIVEN, NOTE, RESULT, THIN
 from .space import FRAME, STRIP
 
 BAR = 50.0
 BAR_CELL = 62.0  # width of the strip's last cell
-LOWER = 0.45  # of the strip: the height of its lower row; a title of two lines needs more
-EVEN = 0.5  # the same on a plate, where both rows may have two lines
+LOWER = 0.45  # of the strip: the height of its lower row
+UNDER = 0.38  # the same under a title of two lines, which needs more
+EVEN = 0.5  # the same where both rows have two lines
+ONE_LINE = 1.5 * NOTE  # higher type stands on two lines
 CLOSE = 1.15  # baseline to baseline in the strip, em
 UNNAMED = Words.same("")
 LABELS = {
@@ -61,7 +63,9 @@ def furniture(page: Rect, strip: Strip, lang: Lang, *, blanks: bool = True) -> t
     y, x1 = frame.y0 + STRIP, frame.x1
     x_bar = x1 - BAR_CELL
     x_name = frame.x0 + 0.44 * (x1 - frame.x0) if blanks else x_bar
-    lower = LOWER if blanks else EVEN
+    numbered = blanks or strip.total > 1
+    title, hand, sheet = _told(strip, lang, x_name - frame.x0 - 4, numbered=numbered)
+    lower = _lower(title, hand)
     mid = frame.y0 + lower * STRIP
     x_half = (x_name + x_bar) / 2
     ruled = [
@@ -74,30 +78,33 @@ def furniture(page: Rect, strip: Strip, lang: Lang, *, blanks: bool = True) -> t
     return (
         border,
         *ruled,
-        *_titles(frame, x_name, strip, lang, lower, numbered=blanks or strip.total > 1),
-        *(_blanks(frame, x_name, x_half, lang) if blanks else ()),
+        _text(title, frame.x0 + 2, frame.y0 + (1 + lower) / 2 * STRIP),
+        _text(hand, frame.x0 + 2, frame.y0 + lower / 2 * STRIP),
+        _text(sheet, x_name - 2 - sheet.width, frame.y0 + lower / 2 * STRIP),
+        *(_blanks(frame, x_name, x_half, lang, lower) if blanks else ()),
         *check_bar(complex((x_bar + x1 - BAR) / 2, frame.y0 + 4.2), lang),
     )
 
 
-def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang, lower: float, *, numbered: bool) -> tuple[Item, ...]:
-    """What the sheet is, and by which hand; lower: the share of the strip that the lower row takes."""
+def _told(strip: Strip, lang: Lang, room: float, *, numbered: bool) -> tuple[Box, Box, Box]:
+    """What the sheet is, by which hand, and which of how many it is; room: the width of their cells, mm."""
     title, name = strip.title.of(lang), label(strip.problem).of(lang)
-    full = "　".join(filter(None, (strip.name.of(lang), name or ("" if title else strip.problem), title)))
+    full = WIDE_SPACE.join(filter(None, (strip.name.of(lang), name or ("" if title else strip.problem), title)))
     drawn = HANDS.get(strip.hand, Words(f"作图：{strip.hand}", f"Drawn {strip.hand}"))
     hand = (drawn + FINELY.get(strip.hand, Words.same("")) if strip.read else drawn).of(lang)
-    sheet = LABELS["sheet"].of(lang).format(n=strip.number, total=strip.total)
-    room = x1 - frame.x0 - 4
-    right, low = layout_words(sheet if numbered else "", NOTE), frame.y0 + lower / 2 * STRIP
-    return (
-        _text(_fitted(full, NOTE * 1.2, room), frame.x0 + 2, frame.y0 + (1 + lower) / 2 * STRIP),
-        _text(_fitted(hand, NOTE, room - right.width - 3), frame.x0 + 2, low),
-        _text(right, x1 - 2 - right.width, low),
-    )
+    sheet = layout_words(LABELS["sheet"].of(lang).format(n=strip.number, total=strip.total) if numbered else "", NOTE)
+    return _fitted(full, NOTE * 1.2, room), _fitted(hand, NOTE, room - sheet.width - 3), sheet
 
 
-def _blanks(frame: Rect, x0: float, x1: float, lang: Lang) -> tuple[Item, ...]:
-    upper, lower = (1 + LOWER) / 2, LOWER / 2
+def _lower(title: Box, hand: Box) -> float:
+    """The share of the strip that its lower row takes: two lines of type keep a margin."""
+    if title.height <= ONE_LINE:
+        return LOWER if hand.height <= ONE_LINE else 1 - UNDER
+    return UNDER if hand.height <= ONE_LINE else EVEN
+
+
+def _blanks(frame: Rect, x0: float, x1: float, lang: Lang, low: float) -> tuple[Item, ...]:
+    upper, lower = (1 + low) / 2, low / 2
     cells = (("group", x0, upper), ("name", x1, upper), ("number", x0, lower), ("date", x1, lower))
     return tuple(
         _text(layout_words(LABELS[key].of(lang), NOTE), x + 1.2, frame.y0 + part * STRIP) for key, x, part in cells
@@ -120,9 +127,11 @@ def _text(box: Box, x: float, middle: float) -> TextBox:
 
 
 def _fitted(text: str, em: float, room: float) -> Box:
-    """A line of type; two lines in the size of notes where one would not fit its cell: no size between."""
+    """A line of type; in the size of notes where it would not fit its cell, or else two lines of it: no size between,
+    and a smaller one only where a line were longer than the cell."""
     box = layout_words(text, em)
     if box.width <= room:
         return box
     both = [layout_words(line, NOTE) for line in folded(text, NOTE, room).split("\n")]
-    return place([(0.0, -CLOSE * NOTE * i, one) for i, one in enumerate(both)], max(one.width for one in both))
+    made = place([(0.0, -CLOSE * NOTE * i, one) for i, one in enumerate(both)], max(one.width for one in both))
+    return made if made.width <= room else scaled(made, room / made.width)

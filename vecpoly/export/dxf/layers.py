@@ -52,6 +52,7 @@ _ACI = {
     Role.GIVEN.value: 3,
     Role.DIRECTION.value: 8,
     Role.CONSTRUCTION.value: 9,
+    Role.PLACE.value: 253,
     Role.CENTRE.value: 4,
     Role.IDEAL.value: 8,
     Role.OTHER.value: 5,

@@ -66,11 +66,10 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     board.step(_turned(desk, drive, pivot, b), View.ACCELERATION)
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
     size = board.compute(name, w.squared() * desk.length(pivot, b), "m/s^2")
-    board.write_length(
-        View.ACCELERATION, "p′ n′" if drive.accel else f"p′ {desk.tip_label(View.ACCELERATION, At(b))}", size
-    )
+    first = _normal(drive) if drive.accel else desk.tip_label(View.ACCELERATION, At(b))
+    board.write_length(View.ACCELERATION, f"p′ {first}", size)
     along = desk.towards(b, pivot)
-    tip = _first_vector(desk, View.ACCELERATION, b, along, size.value, last=not drive.accel)
+    tip = _first_vector(desk, View.ACCELERATION, b, along, size.value, _normal(drive) if drive.accel else "")
     if not drive.accel:
         desk.known_as[View.ACCELERATION, At(b)] = (
             Words.same(f"${b}→{pivot}$"),
@@ -81,12 +80,17 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     images_of_link(desk, View.ACCELERATION, drive.link)
 
 
+def _normal(drive: Drive) -> str:
+    """The letter of the tip of its normal acceleration, with the link's number as those of others have it."""
+    return f"n_{drive.link}^′"
+
+
 def _tangential(desk: Desk, drive: Drive, pivot: str, b: str, tip: Points) -> None:
     """a_B^t = α_1 l_AB laid off from the end of a_B^n; it ends in b′."""
     board = desk.board
     eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
     size_t = board.compute(f"a^t_{{{desk.show(At(b))}}}", eps * desk.length(pivot, b), "m/s^2")
-    board.write_length(View.ACCELERATION, f"n′ {desk.tip_label(View.ACCELERATION, At(b))}", size_t)
+    board.write_length(View.ACCELERATION, f"{_normal(drive)} {desk.tip_label(View.ACCELERATION, At(b))}", size_t)
     parts = [desk.key(Rel(kind, At(b))) for kind in (Kind.AT, Kind.A)]
     end = board.lay_off(
         tip,
@@ -102,14 +106,14 @@ def _tangential(desk: Desk, drive: Drive, pivot: str, b: str, tip: Points) -> No
 
 def _turned(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
     """The directions of a_B^n and a_B^t, or of a_B at constant speed."""
-    tip, link = desk.tip_label(View.ACCELERATION, At(b)), drive.link
+    tip, link, n = desk.tip_label(View.ACCELERATION, At(b)), drive.link, _normal(drive)
     if drive.accel:
         return Words(
             f"原动件的法向加速度由 ${b}$ 指向 ${pivot}$，切向加速度垂直于 ${pivot}{b}$，指向与 $α_{link}$ 一致；"
-            f"取极点 $p′$，依次作 $p′n′$、$n′{tip}$：",
+            f"取极点 $p′$，依次作 $p′{n}$、${n}{tip}$：",
             f"The normal acceleration of the driving link points from ${b}$ to ${pivot}$, the "
             f"tangential one is perpendicular to ${pivot}{b}$ in the sense of $α_{link}$; from the "
-            f"pole $p′$ lay off $p′n′$ and $n′{tip}$:",
+            f"pole $p′$ lay off $p′{n}$ and ${n}{tip}$:",
         )
     return Words(
         f"原动件匀速转动（$α_{link}$ = 0），$a_{{{desk.show(At(b))}}}$ 只有法向分量，由 ${b}$ 指向 ${pivot}$；"
@@ -173,12 +177,12 @@ def _no_vector(desk: Desk, view: View, drive: Drive, b: str) -> None:
     images_of_link(desk, view, drive.link)
 
 
-def _first_vector(desk: Desk, view: View, b: str, along: Points, size: Reals, last: bool = True) -> Points:
-    """Lay the first vector off from the pole."""
+def _first_vector(desk: Desk, view: View, b: str, along: Points, size: Reals, part: str = "") -> Points:
+    """Lay the first vector off from the pole; part: the letter of its tip where it is not the whole."""
     board = desk.board
-    name = desk.key(Rel(VECTOR[view] if last else Kind.AN, At(b)))
+    name = desk.key(Rel(VECTOR[view] if not part else Kind.AN, At(b)))
     tip = board.lay_off(0j, along, board.to_paper(view, size), key=name)
-    tip = desk.put_tip(view, At(b), tip) if last else board.locate(view, "n′", tip)
+    tip = desk.put_tip(view, At(b), tip) if not part else board.locate(view, part, tip)
     board.arrow(view, 0j, tip, Role.GIVEN, key=name)
-    board.plot(view, tip, desk.tip_label(view, At(b)) if last else "n′")
+    board.plot(view, tip, part or desk.tip_label(view, At(b)))
     return tip

@@ -70,7 +70,7 @@ def _loop(bench: Bench, cam: Cam, allowed: Allowed) -> tuple[Line, Line]:
 
 def _axes(board: Board, cam: Cam) -> None:
     wide = max(piece.lift / piece.angle for piece in cam.pieces) * 2 / board.scale_of(LOOP).value
-    for end, label in ((wide + BEYOND + 0j, "d s/d φ"), (1j * (cam.lift / board.scale_of(LOOP).value + BEYOND), "s")):
+    for end, label in ((wide + BEYOND + 0j, "ds/dφ"), (1j * (cam.lift / board.scale_of(LOOP).value + BEYOND), "s")):
         board.arrow(LOOP, 0j, end, Role.DIRECTION)
         board.plot(LOOP, end, label, Dot.NONE)
 

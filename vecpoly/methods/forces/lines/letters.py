@@ -44,6 +44,8 @@ def slide_couple(symbol: str) -> str:
 
 
 def foot_letter(tip: str, symbol: str) -> str:
-    """The letter of a tip's foot on the direction of a force: b_{F}, s_{2,I2}."""
+    """The letter of a tip's foot on the direction of a force: b_{F}, s_{2,I2}; d_{F3} of F_3, as d_3 would be
+    a point of link 3."""
     letter, _, digits = tip.partition("_")
-    return f"{letter}_{{{digits + ',' if digits else ''}{subscript(symbol)}}}"
+    told = subscript(symbol)
+    return f"{letter}_{{{digits + ',' if digits else ''}{bare(symbol) if told.isdigit() else told}}}"
