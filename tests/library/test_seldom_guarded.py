@@ -22,7 +22,7 @@ from vecpoly.check.printed.verdict import Verdict
 from vecpoly.cycle.facts.path import Path, Shape, path
 from vecpoly.cycle.facts.path_words import path_sentences
 from vecpoly.cycle.whole_cycle import cycle
-from vecpoly.drawing.details.apart import ROMAN, detailed
+from vecpoly.drawing.details.apart import ROMAN, detailed, shown
 from vecpoly.drawing.details.knot import Knot
 from vecpoly.drawing.details.knots import ROUND, knots
 from vecpoly.errors import NoMethodError, NotAskedError
@@ -263,7 +263,7 @@ def details() -> list[tuple[Figure, Knot, Figure]]:
     """Every knot with its figure and its detail: of the library, and of one made here."""
     figures = [knotted(), *(f for name in IDS for f in drawn(name).construction.figures)]
     return [
-        (f, knot, detail) for f in figures if knots(f) for knot, detail in zip(knots(f), detailed(f)[1:], strict=True)
+        (f, knot, detail) for f in figures if knots(f) for knot, detail in zip(shown(f), detailed(f)[1:], strict=True)
     ]
 
 

@@ -34,7 +34,7 @@ WITTENBAUER = register(
     View(
         name="energy-mass",
         order=73,
-        title=Words("能量–质量图 $E$–$J_e$", "Energy over inertia (Wittenbauer)"),
+        title=Words("能量–质量图 $E$–$J_e$", "Energy over inertia, $E$–$J_e$ (Wittenbauer)"),
         called=Words("能量–质量图", "the diagram of energy over inertia"),
         mu=WORK,
         across=MASS,
