@@ -57,9 +57,10 @@ def pictured(name: str) -> Figure | None:
 
 
 def is_told(symbol: str, texts: Iterable[str]) -> bool:
-    """Whether one of these texts has it, a length by either order of its ends, a sequence of points by its points."""
+    """Whether one of these texts has it, or its differential, a length by either order of its ends, a sequence of
+    points by its points."""
     texts = tuple(texts)
-    ways = {symbol, f"x_{symbol}", f"y_{symbol}", *(f"l_{b}{a}" for a, b in _LENGTH.findall(symbol))}
+    ways = {symbol, f"d{symbol}", f"x_{symbol}", f"y_{symbol}", *(f"l_{b}{a}" for a, b in _LENGTH.findall(symbol))}
     if any(re.search(rf"(?<!\w){re.escape(way)}(?:_\d|(?!\w))", text) for way in ways for text in texts):
         return True
     points = {text[0] for text in texts if re.match(r"[A-Z](?![a-z])", text)}
