@@ -8,6 +8,7 @@ from ...algebra.quantity import number
 from ...board.construction import Construction, Figure
 from ...board.paper.marks import Cell, Dot, LinkNumber, Mark, Point, TurnArrow, Vector
 from ...drawing.details.apart import is_detail
+from ...drawing.figure import titled
 from ...drawing.sheets.sheet import Placed
 from ...errors import UnknownNameError
 from ...names import parse_rel
@@ -28,7 +29,7 @@ _PART = Words("；所属图形：", "; part of: ")
 
 def shown(figure: Figure, lang: Lang, *, scaled: bool = True) -> str:
     """The figure in words; scaled: lengths mean something on it."""
-    parts = [words_said(figure.title.of(lang), lang)]
+    parts = [words_said(titled(figure).of(lang), lang)]
     if scaled and figure.scale.symbol and figure.scale.value:
         scale = f"{figure.scale.symbol} = {number(figure.scale.value)} {figure.scale.per_mm}"
         parts.append(f"{_SCALE.of(lang)} {spoken(scale, lang)}")
@@ -46,7 +47,7 @@ def placed(one: Placed, construction: Construction, lang: Lang) -> str:
             return shown(figure, lang)
         if one.figure is not None and figure.view is one.view and is_detail(one.name, figure):
             return f"{shown(one.figure, lang)}{_PART.of(lang)}{words_said(figure.title.of(lang), lang)}"
-    return one.view.title.of(lang)
+    return words_said(one.view.title.of(lang), lang)
 
 
 def _listed(names: list[str], lang: Lang) -> str:
