@@ -16,7 +16,7 @@ PAGE = (190.0, 260.0)
 
 
 def moved(boxes: list[Rect], moves: list[complex]) -> list[Rect]:
-    return [Rect(b.x0 + m.real, b.y0 + m.imag, b.x1 + m.real, b.y1 + m.imag) for b, m in zip(boxes, moves, strict=True)]
+    return [box.moved(by) for box, by in zip(boxes, moves, strict=True)]
 
 
 def white(a: Rect, b: Rect) -> float:

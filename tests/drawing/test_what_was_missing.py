@@ -124,6 +124,13 @@ def test_a_whole_circle_of_the_construction_stays_whole() -> None:
     assert any(isinstance(item, Stroke) and item.closed for item in drawing(figure(circle)).obstacles)
 
 
+def test_a_part_of_a_circle_is_no_stroke_however_short() -> None:
+    """As the half circle from which a cosine law is drawn."""
+    half = Arc(centre=0j, radius=4.0, start=0.0, sweep=pi, role=Role.CONSTRUCTION)
+    (line,) = [item for item in drawing(figure(half)).obstacles if isinstance(item, Stroke)]
+    assert [line.points[0], line.points[-1]] == pytest.approx([4.0 + 0j, -4.0 + 0j])
+
+
 def test_words_that_name_lines_of_two_directions_and_those_of_a_line_that_has_them_already_are_left_out() -> None:
     guide = Words("∥导路", "∥guide")
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import sys
 from functools import cache
+from math import radians
 from pathlib import Path
 from typing import Any
 
@@ -74,6 +75,15 @@ def velocity(construction: Construction) -> Figure:
     found = construction.figure(View.VELOCITY)
     assert found is not None
     return found
+
+
+def test_a_stroke_of_the_compass_is_as_long_as_on_paper() -> None:
+    (figure,) = (one for one in solved("3-4a").construction.figures if one.view is View.MECHANISM)
+    strokes = [
+        entity.dxf.radius * radians((entity.dxf.end_angle - entity.dxf.start_angle) % 360)
+        for entity in read(figure_dxf(figure)).modelspace().query('ARC[layer=="construction"]')
+    ]
+    assert len(strokes) >= 4 and strokes == pytest.approx([9.0] * len(strokes))
 
 
 def test_lengths_are_mm_and_layers_have_the_widths_of_the_house() -> None:

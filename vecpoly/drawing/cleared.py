@@ -1,4 +1,5 @@
-"""The marks of a figure as they are inked: supports and arcs where they cross nothing, angles with both rays."""
+"""The marks of a figure as they are inked: supports and arcs where they cross nothing, angles with both rays, short
+strokes of the compass."""
 
 from __future__ import annotations
 
@@ -6,9 +7,10 @@ from ..board.construction import View
 from ..board.paper.marks import Ground, Mark
 from .hung import hung
 from .rays import rayed
+from .strokes import short
 from .swung import swung
 
 
 def cleared(view: View, marks: tuple[Mark, ...], held: tuple[Ground, ...] = ()) -> tuple[Mark, ...]:
     """held: the supports as they stand in another position, to stay so."""
-    return rayed(view, swung(hung(marks, held)))
+    return short(rayed(view, swung(hung(marks, held))))

@@ -39,6 +39,10 @@ class Rect:
         """With a margin all round."""
         return Rect(self.x0 - by, self.y0 - by, self.x1 + by, self.y1 + by)
 
+    def moved(self, by: complex) -> Rect:
+        """As large, elsewhere."""
+        return Rect(self.x0 + by.real, self.y0 + by.imag, self.x1 + by.real, self.y1 + by.imag)
+
     def __or__(self, other: Rect) -> Rect:
         return Rect(min(self.x0, other.x0), min(self.y0, other.y0), max(self.x1, other.x1), max(self.y1, other.y1))
 

@@ -124,9 +124,7 @@ class Scene:
 
     def moved(self, by: complex) -> Scene:
         """The scene shifted by a vector."""
-        e = self.extents
-        shifted = Rect(e.x0 + by.real, e.y0 + by.imag, e.x1 + by.real, e.y1 + by.imag)
-        return Scene(tuple(moved(item, by) for item in self.items), shifted)
+        return Scene(tuple(moved(item, by) for item in self.items), self.extents.moved(by))
 
     def upto(self, step: int) -> Scene:
         """What stands on the board after a step; lettering and extents stay where they are."""

@@ -47,13 +47,5 @@ TONES = tuple(
     Hue(f"tone_{n}", tuple(int(text[i : i + 2], 16) / 255 for i in (0, 2, 4)))  # type: ignore[arg-type]
     for n, text in enumerate(("006bf2", "cc4a12", "228051", "750d8c", "297d99", "593600", "732954", "0004f2"), start=1)
 )
-PLAIN = (
-    Hue.BLACK,
-    Hue.GREY,
-    Hue.FAINT,
-    Hue.GHOST,
-    Hue.ALARM,
-    Hue.WHITE,
-    Hue.PLATE,
-    Hue.HATCH,
-)  # those of no kind of figure
+# those of no kind of figure
+PLAIN = (Hue.BLACK, Hue.GREY, Hue.FAINT, Hue.GHOST, Hue.ALARM, Hue.WHITE, Hue.PLATE, Hue.HATCH)

@@ -115,8 +115,12 @@ def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable | None:
 
 def agreed(c: Checked) -> bool:
     """Whether the answer is a count, or yes or no, and right: a sentence says so."""
-    counts = c.printed.rel is not None and c.printed.rel.unit in ("", YES_NO) and float(c.exact).is_integer()
-    return counts and not c.deviation and c.slip is None
+    return counted(c) and not c.deviation and c.slip is None
+
+
+def counted(c: Checked) -> bool:
+    """Whether the answer is a count, or yes or no, which has no exact value to come near to."""
+    return c.printed.rel is not None and c.printed.rel.unit in ("", YES_NO) and float(c.exact).is_integer()
 
 
 def _printed_row(c: Checked, lang: Lang) -> tuple[str, ...]:

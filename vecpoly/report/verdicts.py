@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..check.printed.answers import PrintedCheck
-from ..check.printed.verdict import Checked, Verdict
+from ..check.printed.verdict import Verdict
 from ..solution import Solution
 from ..words import Lang, Words, stopped
-from .tables import percent, symbol_of
+from .tables import counted, percent, symbol_of
 
 _HEADINGS = {
     "fail": Words("总评：", "On the whole: "),
@@ -44,7 +44,7 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
         and not said
         and all(c.verdict in (Verdict.REPRODUCED, Verdict.ROUNDING) for c in checked.answers)
     ):
-        said.append(("pass", (_SAME if all(_counted(c) for c in checked.answers) else _AGREE).of(lang)))
+        said.append(("pass", (_SAME if all(map(counted, checked.answers)) else _AGREE).of(lang)))
     said += [("note", e.of(lang)) for e in solution.problem.errata]
     boxes = [
         (kind, _HEADINGS[kind].of(lang), _listed([text for k, text in said if k == kind], lang))
@@ -61,9 +61,3 @@ def _listed(texts: Sequence[str], lang: Lang) -> str:
     if len(texts) == 1:
         return texts[0]
     return _GAP[lang].join(f"({i}) {text}" for i, text in enumerate(texts, 1))
-
-
-def _counted(one: Checked) -> bool:
-    """Whether a printed answer is a number of things, which has no exact value to come near to."""
-    rel = one.printed.rel
-    return rel is not None and not rel.is_vector and not rel.unit and float(one.exact).is_integer()

@@ -6,7 +6,9 @@ Titles on one line stay on one line, and figures one above the other stay so: al
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import reduce
 from itertools import combinations, product
+from operator import or_
 
 from ..scene import Rect
 from .slicing import TOUCH, Size
@@ -23,7 +25,7 @@ def evened(boxes: Sequence[Rect], lines: Sequence[float], page: Size, still: Seq
     for across in (True, False):
         keys = [box.centre.real for box in now] if across else falls
         moves = _drawn_together(now, keys, page, still, across)
-        now = [_moved(box, by) for box, by in zip(now, moves, strict=True)]
+        now = [box.moved(by) for box, by in zip(now, moves, strict=True)]
         falls = [line + by.imag for line, by in zip(falls, moves, strict=True)]
     return [complex(new.x0 - old.x0, new.y0 - old.y0) for new, old in zip(now, boxes, strict=True)]
 
@@ -32,11 +34,11 @@ def _drawn_together(
     boxes: Sequence[Rect], keys: Sequence[float], page: Size, still: Sequence[Rect], across: bool
 ) -> list[complex]:
     """The way that leaves most white about the figures, each counted where it has least; of like ones the widest."""
-    best, most = [0j] * len(boxes), _room(boxes, page, across) + WORTH
+    best, most, least = [0j] * len(boxes), _room(boxes, page, across) + WORTH, _least(boxes, page)
     for moves in _ways(boxes, keys, page, across):
-        made = [_moved(box, by) for box, by in zip(boxes, moves, strict=True)]
-        thinner = _taken(made, page) < LEAST <= _taken(boxes, page)
-        if (room := _room(made, page, across)) > most + TOUCH and not thinner and not _crowds(made, boxes, still):
+        made = [box.moved(by) for box, by in zip(boxes, moves, strict=True)]
+        room = _room(made, page, across)
+        if room > most + TOUCH and _taken(made, page) >= least and not _crowds(made, boxes, still):
             best, most = moves, room
     return best
 
@@ -47,7 +49,7 @@ def _ways(boxes: Sequence[Rect], keys: Sequence[float], page: Size, across: bool
     middle = (min(keys) + max(keys)) / 2
     for share in STEPS:
         moves = [unit * (share - 1.0) * (key - middle) for key in keys]
-        made = [_moved(box, by) for box, by in zip(boxes, moves, strict=True)]
+        made = [box.moved(by) for box, by in zip(boxes, moves, strict=True)]
         low, high = _ends(made, page, across)
         yield [by + unit * (high - low) / 2 for by in moves]
 
@@ -68,10 +70,15 @@ def _room(boxes: Sequence[Rect], page: Size, across: bool) -> float:
     return sum(min(room, MARGIN) for room in found)
 
 
+def _least(boxes: Sequence[Rect], page: Size) -> float:
+    """What they go on to take of the page, where they are not sparse already."""
+    return LEAST if _taken(boxes, page) >= LEAST else 0.0
+
+
 def _taken(boxes: Sequence[Rect], page: Size) -> float:
     """What the box about all of them takes of the page."""
-    wide = max(box.x1 for box in boxes) - min(box.x0 for box in boxes)
-    return wide * (max(box.y1 for box in boxes) - min(box.y0 for box in boxes)) / (page[0] * page[1])
+    whole = reduce(or_, boxes)
+    return whole.width * whole.height / (page[0] * page[1])
 
 
 def _crowds(made: Sequence[Rect], boxes: Sequence[Rect], still: Sequence[Rect]) -> bool:
@@ -89,7 +96,3 @@ def _white(a: Rect, b: Rect) -> float:
 def _apart(a: Rect, b: Rect) -> tuple[float, float]:
     """How far apart they are across, and up and down; negative where they overlap so."""
     return max(b.x0 - a.x1, a.x0 - b.x1), max(b.y0 - a.y1, a.y0 - b.y1)
-
-
-def _moved(box: Rect, by: complex) -> Rect:
-    return Rect(box.x0 + by.real, box.y0 + by.imag, box.x1 + by.real, box.y1 + by.imag)

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...foundation.slotted import dataclass
-from .slicing import Curve, Pair, Piece, Shape, Size, Slicing, depth, is_read
+from .slicing import Pair, Piece, Shape, Size, Slicing, depth, is_read
 from .space import HIGHEST, NARROW, PLATE
 from .spreading import spread
 
@@ -85,17 +85,17 @@ def _best(slicing: Slicing, start: int, end: int, sizes: Sequence[Size], page: S
 def flat(sizes: Sequence[Size], pairs: frozenset[Pair] = frozenset()) -> Layout | None:
     """The figures on a plate no larger than they need; None where it would be as high as a page."""
     for slicing in slicings(sizes, (PLATE, HIGHEST), pairs):
-        made, read = ([_plate(one, sizes, len(slicing.tied)) for one in curve] for curve in _curves(slicing, sizes))
+        made = _plates(slicing, sizes)
         if made:
             least = max(layout.share(sizes) for layout in made) - LITTLE
-            wide = [one for one in read if one.share(sizes) >= least]
+            wide = [layout for layout in _plates(slicing.read, sizes) if layout.share(sizes) >= least]
             return max(wide or made, key=lambda layout: layout.share(sizes))
     return None
 
 
-def _curves(slicing: Slicing, sizes: Sequence[Size]) -> tuple[Curve, Curve]:
-    """The shapes of all figures, and of those the ones that are read row by row."""
-    return slicing.shapes(0, len(sizes)), slicing.read.shapes(0, len(sizes))
+def _plates(slicing: Slicing, sizes: Sequence[Size]) -> list[Layout]:
+    """All figures on a plate, in every shape."""
+    return [_plate(shape, sizes, len(slicing.tied)) for shape in slicing.shapes(0, len(sizes))]
 
 
 def _plate(shape: Shape, sizes: Sequence[Size], together: int) -> Layout:

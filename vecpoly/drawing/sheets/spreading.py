@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from math import inf
 
 from ..scene import Rect
 from .slicing import TOUCH, Cut, Piece, Size
@@ -107,13 +108,8 @@ def sunk(boxes: Sequence[Rect], lines: Sequence[float], still: Sequence[Rect], c
     now, at = list(boxes), list(lines)
     floor = min((box.y0 for box in boxes), default=0.0) - TOUCH
     for i in sorted(range(len(now)), key=lambda one: lines[one]):
-        others = [*(now[k] for k in range(len(now)) if k != i), *still]
         lower = {at[k] for k in range(len(now)) if k != i and at[k] <= at[i] and now[k].y1 > now[i].y0}
-        for line in sorted(lower, reverse=True):
-            low = _lowered(now[i], at[i] - line)
-            if low.y0 >= floor and not any(low.grown(clear - TOUCH).overlaps(other) for other in others):
-                now[i], at[i] = low, line
-                break
+        _hang(now, at, i, sorted(lower, reverse=True), still, clear, (floor, inf))
     _rise(now, at, still, clear)
     return [old - new for old, new in zip(lines, at, strict=True)]
 
@@ -127,12 +123,23 @@ def _rise(now: list[Rect], at: list[float], still: Sequence[Rect], clear: float)
         if any(abs(at[k] - at[i]) < TOUCH for k in others):
             continue
         beside = [k for k in others if now[k].y0 < box.y1 and box.y0 < now[k].y1]
-        for line in sorted({at[k] for k in beside if at[k] > at[i]}):
-            high, around = _lowered(box, at[i] - line), [*(now[k] for k in others), *still]
-            if high.y1 <= ceiling and not any(high.grown(clear - TOUCH).overlaps(other) for other in around):
-                now[i], at[i] = high, line
-                break
+        _hang(now, at, i, sorted({at[k] for k in beside if at[k] > at[i]}), still, clear, (-inf, ceiling))
 
 
-def _lowered(box: Rect, by: float) -> Rect:
-    return Rect(box.x0, box.y0 - by, box.x1, box.y1 - by)
+def _hang(
+    now: list[Rect],
+    at: list[float],
+    i: int,
+    lines: Iterable[float],
+    still: Sequence[Rect],
+    clear: float,
+    within: tuple[float, float],
+) -> None:
+    """Figure i goes to the first of these lines where it keeps clear of all others, and within these heights."""
+    others = [*(box for k, box in enumerate(now) if k != i), *still]
+    for line in lines:
+        box = now[i].moved(1j * (line - at[i]))
+        near = box.grown(clear - TOUCH)
+        if within[0] <= box.y0 and box.y1 <= within[1] and not any(near.overlaps(other) for other in others):
+            now[i], at[i] = box, line
+            return

@@ -125,8 +125,6 @@ def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
         case Arc(centre=centre, radius=radius, start=start, sweep=sweep, role=role):
             p = pen(role, Hue.BLACK)
             full = abs(abs(sweep) - 2 * math.pi) < 1e-9
-            if role is Role.CONSTRUCTION:
-                start, sweep = shapes.stroke(radius, start, sweep)
             points = shapes.circle(centre, radius) if full else shapes.arc(centre, radius, start, sweep)
             layer = Layer.THIN if p.width == THIN else Layer.LINE
             line = Stroke(

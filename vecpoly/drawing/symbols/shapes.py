@@ -13,7 +13,6 @@ HATCH = 1.7  # mm: how deep ground is hatched
 NEAR = 1e-4  # mm: places closer than this are one
 HOLLOW = 0.72  # mm: width of a hollow shaft
 SAGITTA = 0.004  # mm: how far a curve may be from its chords
-STROKE, SWUNG = 9.0, 14.0 + 1e-6  # mm: length of a compass stroke as it is inked, and as it is swung at most
 
 
 def arc(centre: complex, radius: float, start: float, sweep: float) -> tuple[complex, ...]:
@@ -23,16 +22,6 @@ def arc(centre: complex, radius: float, start: float, sweep: float) -> tuple[com
     chord = 2 * math.acos(max(0.0, 1 - SAGITTA / radius))
     n = max(2, math.ceil(abs(sweep) / chord))
     return tuple(centre + cmath.rect(radius, start + sweep * i / n) for i in range(n + 1))
-
-
-def stroke(radius: float, start: float, sweep: float) -> tuple[float, float]:
-    """Where a compass stroke begins and how far it goes on: a short one about the point that it finds is shorter, so
-    that the letter of the point has room beside it."""
-    length = radius * abs(sweep)
-    if not STROKE < length <= SWUNG:
-        return start, sweep
-    shorter = math.copysign(STROKE / radius, sweep)
-    return start + (sweep - shorter) / 2, shorter
 
 
 def circle(centre: complex, radius: float) -> tuple[complex, ...]:

@@ -36,34 +36,35 @@ def spoken(text: str) -> str:
     return "".join(parts).replace("**", "")
 
 
-class Heading(Para):
-    """A heading of level 1 (the title) to 3, with an outline entry; it stays with what follows."""
+class _Head(Para):
+    """A heading of any level; it stays with what follows."""
 
     keepWithNext = 1
+
+    def __init__(self, text: str, level: int, lang: Lang) -> None:
+        super().__init__(text, HEADINGS[level - 1], lang)
+        self.tag = Tag(Role(f"H{level}"))
+
+    def split(self, width: float, height: float) -> list[Block]:
+        """A heading stays whole."""
+        return []
+
+
+class Heading(_Head):
+    """A heading of level 1 (the title) to 3, with an outline entry."""
 
     def __init__(self, text: str, level: int = 2, lang: Lang = "zh") -> None:
-        super().__init__(text, HEADINGS[level - 1], lang)
+        super().__init__(text, level, lang)
         self.level = level
         self.outline = spoken(text)
-        self.tag, self.goal = Tag(Role(f"H{level}")), goal_of(self.outline)
-
-    def split(self, width: float, height: float) -> list[Block]:
-        """A heading stays whole."""
-        return []
+        self.goal = goal_of(self.outline)
 
 
-class Subheading(Para):
-    """A heading within a section, at the margin and without an outline entry; it stays with what follows."""
-
-    keepWithNext = 1
+class Subheading(_Head):
+    """A heading within a section, at the margin and without an outline entry."""
 
     def __init__(self, text: str, lang: Lang = "zh") -> None:
-        super().__init__(text, HEADINGS[3], lang)
-        self.tag = Tag(Role.H4)
-
-    def split(self, width: float, height: float) -> list[Block]:
-        """A heading stays whole."""
-        return []
+        super().__init__(text, 4, lang)
 
 
 class Callout(Block):

@@ -52,9 +52,7 @@ def tangent_words(desk: Desk, joint: Prismatic) -> Words | None:
     if contact is None:
         return None
     o, link = contact.disc.centre, contact.on.link
-    r = (
-        "ρ" if _profiled(desk, contact) else f"r_{contact.disc.link}"
-    )  # as the step calls it that finds the osculating circle
+    r = "ρ" if _profiled(desk, contact) else f"r_{contact.disc.link}"
     return Words(
         f"平底与 ${o}$ 始终相距 ${r}$：过 ${o}$ 的虚拟导路与平底平行，由此定出构件 {link} 的位置",
         f"The face keeps the distance ${r}$ from ${o}$: the guide through ${o}$ is parallel to it, "
@@ -63,20 +61,16 @@ def tangent_words(desk: Desk, joint: Prismatic) -> Words | None:
 
 
 def _profiled(desk: Desk, contact: Contact) -> bool:
-    """Whether a circle stands for a profile here."""
+    """Whether a circle stands for a profile here: of radius ρ, as the step calls it that finds it."""
     return any(cam.point == contact.point for cam in desk.mech.cams)
 
 
 def _bar(desk: Desk, contact: Contact, group: Group) -> Words:
     assert isinstance(contact.on, Circle)
     bar, one, two = contact.substitute, contact.disc.link, contact.on.link
-    length = (
-        "ρ"  # of the tip's path on the cam, as the step calls it that finds the osculating circle
-        if _profiled(desk, contact)
-        else f"r_{two} − r_{one}"
-        if contact.internal
-        else f"r_{one} + r_{two}"
-    )
+    length = f"r_{two} − r_{one}" if contact.internal else f"r_{one} + r_{two}"
+    if _profiled(desk, contact):
+        length = "ρ"  # of the tip's path on the cam
     real = _real(group, contact)
     return Words(
         f"高副低代：接触点 ${contact.point}$ 处两廓线的曲率中心为 ${contact.disc.centre}$、"

@@ -49,8 +49,11 @@ def _power(value: float) -> str:
 def _checked(study: Study, press: Press) -> str:
     """Of every rate told: the model less the solver,
     and the model's rate less the difference quotient of what it is the rate of."""
-    rows, rates = [], [(one, float(np.nanmax(np.abs(one[2])))) for one in _rates(study)]
-    largest = {kind: max(size for one, size in rates if one[0][0] == kind) for kind in {one[0][0] for one, _ in rates}}
+    rates = [(one, float(np.nanmax(np.abs(one[2])))) for one in _rates(study)]
+    largest: dict[str, float] = {}  # by the first letter of the symbol: v, a, ω, α
+    for (symbol, *_), size in rates:
+        largest[symbol[0]] = max(size, largest.get(symbol[0], 0.0))
+    rows = []
     for (symbol, own, exact, base), size in rates:
         if not size > max(_NOTHING, _BESIDE * largest[symbol[0]]):
             continue
