@@ -56,13 +56,22 @@ class Ink:
         if name == MISSING:
             lost(self._canvas).update(dict.fromkeys(string))
             name, size, string = Face.STIX.value, size / 2, "".join(map(missing_text, string))
-        font = load(Face(name))
-        for subset, codes in font.splitString(string, self._canvas._doc):
-            inner = font.getSubsetInternalName(subset, self._canvas._doc)
+        for inner, shown in self._shown(name, string):
             if (inner, size) != self._font:
                 out.append(f"{inner} {size:.5g} Tf")
                 self._font = (inner, size)
-            out.append(f"({self._canvas._escape(codes)}) Tj")
+            out.append(shown)
+
+    def _shown(self, name: str, string: str) -> list[tuple[str, str]]:
+        """The string in the subsets of its face, each with the operator that shows it; found once for a canvas."""
+        known: dict[tuple[str, str], list[tuple[str, str]]] = self._canvas.__dict__.setdefault("_vecpoly_shown", {})
+        if (name, string) not in known:
+            font, document = load(Face(name)), self._canvas._doc
+            known[name, string] = [
+                (font.getSubsetInternalName(subset, document), f"({self._canvas._escape(codes)}) Tj")
+                for subset, codes in font.splitString(string, document)
+            ]
+        return known[name, string]
 
     def _turn(self, out: list[str]) -> None:
         """Close what marked content is open, and open what is wanted."""

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import compress, islice
 from math import ceil
 
+import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from ...algebra.formula import Node
 from ...typeset import Box, layout, layout_words
@@ -107,12 +110,15 @@ class _Room:
 
     def in_corner(self, block: Block) -> Sheet | None:
         """The sheet with the block in its corner, where nothing stands there."""
-        at = next(_places(self.sheet, block), None)
-        return None if at is None or not self.free.clear(at, block) else _with(self.sheet, block, at)
+        return self._at(list(islice(_places(self.sheet, block), 1)), block)
 
     def along(self, block: Block) -> Sheet | None:
         """With the block along the frame, where there is room."""
-        at = next((at for at in _places(self.sheet, block) if self.free.clear(at, block)), None)
+        return self._at(list(_places(self.sheet, block)), block)
+
+    def _at(self, places: Sequence[complex], block: Block) -> Sheet | None:
+        """With the block at the first of these places where nothing stands."""
+        at = next(compress(places, self.free.clear(places, block)), None)
         return None if at is None else _with(self.sheet, block, at)
 
     def spread(self) -> _Room | None:
@@ -153,11 +159,14 @@ class _Free:
 
     tree: shapely.STRtree
 
-    def clear(self, at: complex, block: Block) -> bool:
-        """Whether a block with its lower left corner there keeps clear of everything."""
-        x, y = at.real, at.imag
-        room = shapely.box(x - CLEAR, y - CLEAR, x + block.width + CLEAR, y + block.height + CLEAR)
-        return len(self.tree.query(room, predicate="intersects")) == 0
+    def clear(self, at: Sequence[complex], block: Block) -> NDArray[np.bool_]:
+        """Whether a block with its lower left corner there keeps clear of everything, place by place."""
+        x, y = np.real(at), np.imag(at)
+        rooms = shapely.box(x - CLEAR, y - CLEAR, x + block.width + CLEAR, y + block.height + CLEAR)
+        taken, _ = self.tree.query(rooms, predicate="intersects")
+        free = np.ones(len(at), dtype=bool)
+        free[taken] = False
+        return free
 
 
 def _free(sheet: Sheet) -> _Free:

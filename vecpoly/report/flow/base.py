@@ -50,7 +50,7 @@ class Block(Flowable):  # type: ignore[misc]
 
     def made_of(self, whole: Block, *, first: bool) -> Self:
         """Itself as a part of a block that a page break parts: its element, and its white at the outer end."""
-        self.tag = whole.tag
+        self.tag, self.ghost = whole.tag, whole.ghost
         self.spaceBefore, self.spaceAfter = (whole.spaceBefore, 0.0) if first else (0.0, whole.spaceAfter)
         return self
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum, auto
 from functools import lru_cache
@@ -67,7 +67,8 @@ class Gap:
     breakable: bool
 
 
-def cells(text: str, em: float, chinese: bool, bold: bool = False) -> list[Cell]:
+@lru_cache(maxsize=4096)
+def cells(text: str, em: float, chinese: bool, bold: bool = False) -> tuple[Cell, ...]:
     """The cells of a paragraph with ``$formulas$`` and ``**bold**``."""
     out: list[Cell] = []
     spaced = False
@@ -84,7 +85,7 @@ def cells(text: str, em: float, chinese: bool, bold: bool = False) -> list[Cell]
                 out.extend(replace(cell, goal=goal) for cell in found) if goal else out.extend(found)
     for n in in_brackets([cell.text for cell in out]):
         out[n] = replace(out[n], kept=True)
-    return out
+    return tuple(out)
 
 
 def _emphasis(text: str) -> Iterator[tuple[bool, str]]:
@@ -225,7 +226,7 @@ def _overlap(a: Cell, b: Cell) -> float:
     return b.lead if a.kind is Kind.OPEN and b.kind is Kind.OPEN else 0.0
 
 
-def joined(parts: list[Cell], em: float) -> Box:
+def joined(parts: Sequence[Cell], em: float) -> Box:
     """All cells on one line, unjustified."""
     boxes: list[Box] = []
     for i, cell in enumerate(parts):

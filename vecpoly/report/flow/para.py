@@ -30,7 +30,7 @@ class Para(Block):
         super().__init__(self.style.before, self.style.after)
         self.lang = lang
         self.text = text
-        self._label = cells(label, self.style.em, lang == "zh", True) if label else []
+        self._label = cells(label, self.style.em, lang == "zh", True) if label else ()
         self._broken: dict[float, list[Line]] = {}  # by width; one for the paragraph and all its copies
         self._item: Tag | None = None
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -16,12 +15,13 @@ from ...tagging.tag import cell as cell_tag
 from ...tagging.tree import artifact, tree_of
 from ...typeset.box import MM, Rgb, inked
 from ...typeset.canvas import Ink
-from ...words import Lang, Words
+from ...words import Lang
 from .base import Block, Tightness
 from .cells import Cell, cells, joined
 from .lines import Line, break_lines, draw_line
 from .results.decimal import Aligned, grouped
 from .style import CAPTION, CELL, Style
+from .text.continued import CONTINUED, continued
 
 _PAD, _VERTICAL = 1.5, 1.6  # mm at either side of a cell, pt above and below a row
 _HEAVY, _FINE = 0.9, 0.45  # pt
@@ -29,8 +29,6 @@ _ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre", "u": "centre"
 
 _Row = tuple[tuple[Line, ...], ...]
 
-CONTINUED = Words("续表", "(continued)")
-_NUMBER = re.compile(r"(?:续?表|Table) ?([\dA-Z]+-\d+)")  # at the head of a caption
 _MANY_ROWS, _LEAST_ROWS = 10, 4  # that a page break leaves together, before and after it: of a whole table, of others
 
 
@@ -45,14 +43,6 @@ class _Set:
     points: tuple[tuple[Aligned, ...] | None, ...]
     top: float = 0.0
     heights: tuple[float, ...] = ()
-
-
-def continued(caption: str, lang: Lang) -> str:
-    """What stands over the part of a table on a later page: 续表 5-2, Table 5-2 (continued)."""
-    number = _NUMBER.match(caption)
-    if number is None:
-        return ""
-    return f"续表 {number[1]}" if lang == "zh" else f"Table {number[1]} (continued)"
 
 
 class DataTable(Block):
@@ -116,8 +106,8 @@ class DataTable(Block):
         rows = [[cells(text, em, chinese, False) for text in row] for row in self.rows]
         for row, rgb in zip(rows, self.inks, strict=True):
             if rgb is not None:
-                row[self.inked] = [replace(cell, box=inked(cell.box, rgb)) for cell in row[self.inked]]
-        points = tuple(self._aligned(i) for i in range(len(self.header)))
+                row[self.inked] = tuple(replace(cell, box=inked(cell.box, rgb)) for cell in row[self.inked])
+        points = self._points()
         widths = self._columns(width / MM, (header, *rows), points)
         head, body = self._lines(header, widths), tuple(self._lines(row, widths) for row in rows)
         return self._measured(_Set(widths, head, body, points))
@@ -127,6 +117,9 @@ class DataTable(Block):
         top = caption + _HEAVY + self._height(found.head) + _FINE
         return replace(found, top=top, heights=tuple(map(self._height, found.body)))
 
+    def _points(self) -> tuple[tuple[Aligned, ...] | None, ...]:
+        return tuple(self._aligned(i) for i in range(len(self.header)))
+
     def _aligned(self, column: int) -> tuple[Aligned, ...] | None:
         """How the numbers of a column stand under each other, row by row."""
         texts, way = [row[column] for row in self.rows], self.align[column]
@@ -134,7 +127,7 @@ class DataTable(Block):
         return grouped(texts, groups, self.style.em, self.lang == "zh") if way in "du" else None
 
     def _columns(
-        self, width: float, rows: Sequence[Sequence[list[Cell]]], points: Sequence[tuple[Aligned, ...] | None]
+        self, width: float, rows: Sequence[Sequence[Sequence[Cell]]], points: Sequence[tuple[Aligned, ...] | None]
     ) -> tuple[float, ...]:
         em = self.style.em
         wanted = self.widths or tuple(
@@ -149,7 +142,7 @@ class DataTable(Block):
         share = (width - narrow) / sum(w for w in wanted if w > fair)
         return tuple(w if w <= fair else w * share for w in wanted)
 
-    def _lines(self, row: Sequence[list[Cell]], widths: Sequence[float]) -> _Row:
+    def _lines(self, row: Sequence[Sequence[Cell]], widths: Sequence[float]) -> _Row:
         rooms = (width - 2 * _PAD + 1e-3 for width in widths)
         return tuple(tuple(break_lines(p, room, self.style.em)) for p, room in zip(row, rooms, strict=True))
 
@@ -171,18 +164,20 @@ class DataTable(Block):
         count = min(count, len(self.rows) - least)
         if count < min(least, len(self.rows)):
             return []
-        head, tail = (self._part(*ends, found.widths) for ends in ((0, count), (count, len(self.rows))))
+        head, tail = (self._part(*ends, width, found) for ends in ((0, count), (count, len(self.rows))))
         return [head, FrameBreak(), tail]  # the rest is not split once more on this page
 
-    def _part(self, start: int, end: int, widths: Sequence[float]) -> DataTable:
+    def _part(self, start: int, end: int, width: float, found: _Set) -> DataTable:
+        """Some of its rows, in lines already in the column of the whole."""
         caption = self.caption if start == 0 else continued(self.caption, self.lang)
         rows, inks, groups = self.rows[start:end], self.inks[start:end], self.groups[start:end]
         part = type(self)(
-            self.header, rows, widths, self.align,
+            self.header, rows, found.widths, self.align,
             lang=self.lang, caption=caption, style=self.style, inks=inks, inked=self.inked, groups=groups,
         )  # fmt: skip
         part._continued, part._vertical = self._continued or start > 0, self._vertical
         part.goal = self.goal if start == 0 else ""
+        part._found = {width: part._measured(replace(found, body=found.body[start:end], points=part._points()))}
         return part.made_of(self, first=start == 0)
 
     def draw(self) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from ..cells import cells, joined
 
@@ -51,6 +52,7 @@ def grouped(texts: Sequence[str], groups: Sequence[str], em: float, chinese: boo
     return tuple(found[group] for group in groups)
 
 
+@lru_cache(maxsize=4096)
 def _parts(text: str, em: float, chinese: bool) -> tuple[float, float] | None:
     """The widths of a number before its point and from there on."""
     found = _NUMBER.match(text)
