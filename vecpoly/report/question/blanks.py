@@ -10,7 +10,7 @@ from ...board.construction import Step
 from ...board.place import Pane
 from ...designs.inversion.positions import MANY, Positions
 from ...errors import UnknownNameError
-from ...names import Kind, Rel, parse_rel
+from ...names import Kind, Named, Rel, parse_rel
 from ...solution import Answer, Solution
 from ...tagging.tree import artifact, marked
 from ...typeset.box import MM
@@ -127,7 +127,7 @@ def all_sought(solution: Solution) -> bool:
     many there are comes out."""
     design = solution.problem.subject
     free = isinstance(design, Positions) and len(design.poses) == MANY
-    return free and not any(one.key[-1].isdigit() for one in solution.answers.values())
+    return free and not any(isinstance(one.rel, Named) and one.rel.solution for one in solution.answers.values())
 
 
 def _solutions(solution: Solution, lang: Lang) -> RuledTable:
