@@ -22,6 +22,11 @@ class Words:
         """The sentence in one language."""
         return self.zh if lang == "zh" else self.en
 
+    @property
+    def plain(self) -> Words:
+        """Without the signs of its symbols, for where no type can be set."""
+        return Words(bare(self.zh), bare(self.en))
+
     @classmethod
     def same(cls, text: str) -> Words:
         """A text that is the same in both languages: symbols, letters of a direction."""

@@ -9,6 +9,7 @@ from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
 from pypdf import PdfReader, PdfWriter
 
+from ..words import bare
 from .register import Register
 from .run.tasks import question_file, solution_file
 
@@ -22,7 +23,10 @@ def merged(register: Register, out: Path, *, solutions: bool = False) -> bytes:
         file = out / (solution_file if solutions else question_file)(sheet.student)
         name = f"{sheet.student.number} {sheet.student.name} ({sheet.sheet})"
         writer.append(PdfReader(file), outline_item=name, import_outline=False)
-    writer.metadata = {"/Title": register.title.of("zh" if register.lang == "zh" else "en"), "/Producer": "vecpoly"}
+    writer.metadata = {
+        "/Title": bare(register.title.of("zh" if register.lang == "zh" else "en")),
+        "/Producer": "vecpoly",
+    }
     writer.write(target)
     return target.getvalue()
 

@@ -15,6 +15,7 @@ from ..drawing.scene import Item, Rect, Scene
 from ..names import written_unit
 from ..words import Lang, Words
 from .setting.ink import UNIT, Ink
+from .setting.type import html
 
 LANGS: tuple[Lang, ...] = ("zh", "en")
 MARGIN = 2.0  # mm round each figure
@@ -22,10 +23,11 @@ MARGIN = 2.0  # mm round each figure
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """A figure on the page: its key, title, box in units (x, y, width, height), markup, the steps that draw in it, and
-    what a millimetre stands for: 0.006 m/s."""
+    """A figure on the page: its key, name, title as HTML, box in units (x, y, width, height), markup, the steps that
+    draw in it, and what a millimetre stands for: 0.006 m/s."""
 
     key: str
+    name: Words
     title: Words
     box: tuple[int, int, int, int]
     svg: str
@@ -57,7 +59,8 @@ def _shown(figure: Figure, ink: Ink) -> Shown:
     extents = scenes["zh"].extents | scenes["en"].extents
     steps = tuple(sorted({one.step for one in (*items["zh"], *items["en"])}))
     mu = f"{figure.scale.value:g} {written_unit(figure.scale.unit)}" if figure.scale.symbol else ""
-    return Shown(key_of(figure), figure.title, box(extents.grown(MARGIN)), "".join(_groups(parts, ink)), steps, mu)
+    frame, svg = box(extents.grown(MARGIN)), "".join(_groups(parts, ink))
+    return Shown(key_of(figure), figure.title.plain, html(figure.title, ink.faces), frame, svg, steps, mu)
 
 
 def box(rect: Rect) -> tuple[int, int, int, int]:

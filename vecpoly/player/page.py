@@ -21,8 +21,8 @@ from .pointing import pointed
 from .readings import names, readings, ways_heard
 from .setting.faces import font_css
 from .setting.ink import Ink
-from .setting.type import words_html
-from .steps import html, sections
+from .setting.type import html, words_html
+from .steps import sections
 from .traces import curves
 from .turned import Cycle, cycle
 
@@ -69,10 +69,11 @@ def _page(solution: Solution, through: Cycle, lang: Lang, check: bool) -> Page:
     """The page with these places of the drive."""
     ink, cut = Ink(), beats(solution.construction)
     turning = len(through.turns) > 1
-    warning = _warning(solution, through)
+    title, warning = _title(solution), _warning(solution, through)
     context: dict[str, Any] = {
         "lang": lang,
-        "title": _title(solution),
+        "name": title.plain,
+        "title": html(title, ink.faces),
         "warning": html(warning, ink.faces) if warning else None,
         "problem": _problem(solution, ink),
         "sections": sections(solution.construction.steps, cut, ink.faces, lang),

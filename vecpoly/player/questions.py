@@ -30,8 +30,7 @@ from ..tagging.units_said import unit_said
 from ..words import Words
 from .figures import LANGS
 from .following import Following, followings
-from .setting.type import Faces, words_html
-from .steps import html
+from .setting.type import Faces, html, words_html
 
 KINDS = (Kind.VECTOR, Kind.SIGNED, Kind.SCALAR)
 ALWAYS = (

@@ -15,8 +15,8 @@ from ..words import Lang, Words
 from .figures import LANGS
 from .inverted import Turned
 from .setting.ink import inked
-from .setting.type import Faces, words_html
-from .steps import heard, html
+from .setting.type import Faces, html, words_html
+from .steps import heard
 
 Cells = tuple[str, str, str, str, str]  # value zh, value en, direction zh, direction en, exact
 

@@ -19,7 +19,7 @@ from ..typeset import layout, layout_words
 from ..words import Lang, Words
 from .beats import Beat
 from .setting.ink import inked
-from .setting.type import Faces, formula_html, symbol_html, words_html
+from .setting.type import Faces, formula_html, html, symbol_html, words_html
 
 WIDEST, CELL, SIGN = 18.2, 0.35, 1.1  # em: a phone's column less white, white in a cell, a sign with its white
 CAPTION = 0.85  # em: size of the rows' names
@@ -58,11 +58,6 @@ def sections(steps: tuple[Step, ...], cut: Sequence[Beat], faces: Faces, lang: L
         Section(html(title, faces), tuple(_told(step, of[step.number], faces, lang) for step in inside))
         for title, inside in groupby(steps, key=lambda s: s.section)
     )
-
-
-def html(words: Words, faces: Faces) -> Words:
-    """Words with their symbols as HTML."""
-    return Words(words_html(words.zh, faces), words_html(words.en, faces))
 
 
 def _told(step: Step, own: Sequence[Beat], faces: Faces, lang: Lang) -> Told:

@@ -75,13 +75,13 @@ def letters(text: str, em: float, bold: bool) -> Box:
     return place(parts, x) if len(parts) != 1 else parts[0][2]
 
 
-_WORD = pattern(r"(?<![a-z])(?:max|min|mean|lim|opt|rim|local|redundant|low|all|in|out|red)(?![a-z])")
+WORD = pattern(r"(?<![a-z])(?:max|min|mean|lim|opt|rim|local|redundant|low|all|in|out|red)(?![a-z])")
 
 
 def index(text: str, em: float, bold: bool) -> Box:
     """The letters of an index: words (max, min, rim) are upright, what stands for a quantity or a point is italic."""
     parts, end = list[Box](), 0
-    for found in _WORD.finditer(text):
+    for found in WORD.finditer(text):
         parts += [letters(text[end : found.start()], em, bold)] if found.start() > end else []
         parts.append(run(found[0], roman_or_italic(False, bold), em))
         end = found.end()

@@ -115,7 +115,7 @@ def _asked(register: Register, sheet: Sheet, part: Part, lang: Lang) -> _Asked:
 
 def _category(root: xml.Element, register: Register, name: str, sort: str, lang: Lang) -> None:
     question = xml.SubElement(root, "question", type="category")
-    path = "/".join(("$course$", "top", register.title.of(lang).replace("/", "//"), sort, name))
+    path = "/".join(("$course$", "top", bare(register.title.of(lang)).replace("/", "//"), sort, name))
     xml.SubElement(xml.SubElement(question, "category"), "text").text = path
 
 

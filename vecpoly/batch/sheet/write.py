@@ -12,7 +12,7 @@ from ...drawing.backends.pdf import new_canvas
 from ...report.flow.blocks import spoken
 from ...tagging.tag import Role, Tag
 from ...tagging.tree import artifact, marked
-from ...words import Lang, Words
+from ...words import Lang, Words, bare
 from ..codes import page_code
 from ..student import Student
 from .blanks import draw_blank, draw_frame
@@ -29,7 +29,7 @@ def sheet_bytes(
     """The PDF of these pages; only its title line has the student's name."""
     layout, target = layout_of(pages), BytesIO()
     canvas = new_canvas(target, WIDTH, HEIGHT, lang)
-    canvas.setTitle(f"{title} {sheet}")
+    canvas.setTitle(f"{bare(title)} {sheet}")
     for one in pages:
         code = page_code(assignment, sheet, one.page.number, layout.hash)
         with artifact(canvas):

@@ -9,7 +9,7 @@ from ...tagging.tag import Role, Tag, boxed
 from ...tagging.tree import marked
 from ...typeset import canvas as type_canvas
 from ...typeset.box import MM
-from ...words import Lang
+from ...words import Lang, bare
 from ..scene import Fill, Item, Scene, Stroke, TextBox
 from ..style import Dash, Hue
 
@@ -76,6 +76,7 @@ def to_pdf(*pages: Scene, title: str = "vecpoly", lang: Lang = "en") -> bytes:
     """The PDF of these scenes, each a page of its own extents and a figure with this title."""
     target, first = BytesIO(), pages[0].extents
     canvas = new_canvas(target, first.width, first.height, lang)
+    title = bare(title)
     canvas.setTitle(title)
     for page in pages:
         e = page.extents

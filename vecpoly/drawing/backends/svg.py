@@ -8,6 +8,7 @@ from typing import assert_never
 
 from ...typeset.outlines import outlined_group
 from ...typeset.svg import svg_group
+from ...words import bare
 from ..scene import Fill, Item, Scene, Stroke, TextBox
 
 
@@ -19,7 +20,7 @@ def to_svg(scene: Scene, title: str = "", *, desc: str = "", outlined: bool = Fa
     e = scene.extents
     size = f'width="{e.width:.3f}mm" height="{e.height:.3f}mm" viewBox="0 0 {e.width:.3f} {e.height:.3f}"'
     head = f'<svg xmlns="http://www.w3.org/2000/svg" {size} fill="none" stroke-linecap="round" stroke-linejoin="round">'
-    told = "".join(f"<{tag}>{escape(text)}</{tag}>" for tag, text in (("title", title), ("desc", desc)) if text)
+    told = "".join(f"<{tag}>{escape(text)}</{tag}>" for tag, text in (("title", bare(title)), ("desc", desc)) if text)
     return f"{head}{told}{''.join(_groups(scene, -e.x0, e.y1, outlined))}</svg>"
 
 

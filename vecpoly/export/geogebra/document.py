@@ -17,7 +17,7 @@ from ...board import acts as done
 from ...board.paper.tones import tones
 from ...board.place import View, view_of
 from ...plane.derived import moves
-from ...words import Lang
+from ...words import Lang, bare
 from ..parts import Numbers
 from ..recording import Recording
 from ..terms import Term, values
@@ -63,7 +63,7 @@ class _Writer:
         extents: dict[View, tuple[complex, complex]],
     ) -> None:
         self.recording, self.lang, self.terms = recording, lang, recording.terms
-        self.page = Page(recording.problem.title.of(lang))
+        self.page = Page(bare(recording.problem.title.of(lang)))
         self.spelling = Spelling(_roots(recording.desk.board.acts, self.terms), self.page.hidden)
         self.written_down: set[str] = set()
         self.anchors = anchors

@@ -9,12 +9,13 @@ from html import escape
 from typing import assert_never
 
 from ...algebra.formula import Node, Sym, Txt, row, split_words
+from ...report.flow.text.held import is_number, unbroken
 from ...tagging.speech import said
 from ...typeset import Box, Glyphs, Rule, layout
 from ...typeset.box import MM
 from ...typeset.fonts import MISSING, Face, glyph, missing_text
 from ...typeset.layout import segments
-from ...typeset.runs import SHOWN
+from ...typeset.runs import SHOWN, WORD
 from ...words import Lang, Words
 
 EM = 10.0  # mm: size at which formulas for the page are set; 1 em = 1000 units
@@ -105,14 +106,22 @@ def _svg(box: Box, faces: Faces) -> str:
     return f'<svg aria-hidden="true" viewBox="{view}" style="{size}">{set_box(box, faces, units)}</svg>'
 
 
+def html(words: Words, faces: Faces) -> Words:
+    """Words with their symbols as HTML."""
+    return Words(words_html(words.zh, faces), words_html(words.en, faces))
+
+
 def words_html(text: str, faces: Faces) -> str:
-    """A sentence with its symbols between dollar signs, as HTML."""
-    return "".join(
-        f'<span class="m">{"".join(_inline(item, faces) for item in row(piece).items)}</span>'
-        if formula
-        else _running(piece, faces)
-        for formula, piece in split_words(text)
-    )
+    """A sentence with its symbols between dollar signs, as HTML in which no line parts a number from its unit."""
+    out, before = "", ""
+    for formula, piece in split_words(text):
+        if formula:
+            out += f'<span class="m">{"".join(_inline(item, faces) for item in row(piece).items)}</span>'
+        else:
+            out += _running(unbroken(piece, before), faces)
+        last = piece.rpartition(" ")[2]
+        before = "$" if formula and not is_number(last) else last
+    return out
 
 
 def _running(text: str, faces: Faces) -> str:
@@ -129,14 +138,20 @@ def _inline(node: Node, faces: Faces) -> str:
         case Sym(base, sub, sup):
             if sup and not sup.strip("′'"):
                 letter, prime = _sloped(base, faces), f'<span class="prime">{_sloped(sup, faces)}</span>'
-                return f'<span class="nb">{letter}{prime}{f"<sub>{_sloped(sub, faces)}</sub>" if sub else ""}</span>'
-            below = f"<sub>{_sloped(sub, faces)}</sub>" if sub else ""
-            above = f"<sup>{_sloped(sup, faces)}</sup>" if sup else ""
+                return f'<span class="nb">{letter}{prime}{f"<sub>{_index(sub, faces)}</sub>" if sub else ""}</span>'
+            below = f"<sub>{_index(sub, faces)}</sub>" if sub else ""
+            above = f"<sup>{_index(sup, faces)}</sup>" if sup else ""
             scripts = f'<span class="ss">{above}{below}</span>' if above and below else above + below
             return f'<span class="nb">{_sloped(base, faces)}{scripts}</span>'
         case Txt(text):
             return _running(text, faces)
     raise AssertionError(node)
+
+
+def _index(text: str, faces: Faces) -> str:
+    """The letters of an index as in type: words (max, min, rim) upright."""
+    pieces = re.split(f"({WORD.pattern})", text)
+    return "".join(_running(piece, faces) if i % 2 else _sloped(piece, faces) for i, piece in enumerate(pieces))
 
 
 def _sloped(text: str, faces: Faces) -> str:

@@ -20,6 +20,7 @@ from ...typeset.box import MM
 from ...typeset.canvas import Ink, lost
 from ...typeset.fonts import Face, load
 from ...typeset.words import layout_words
+from ...words import bare
 from .base import Block
 from .contents import page_form, tell_contents
 from .furniture import COLUMN, FOOT, MARGIN, SHEET_FOOT, SMALL, TOTAL, TextFrame, beside, foot, head
@@ -81,7 +82,7 @@ class ReportDoc(Floating):
         lang = "zh-CN" if metadata.lang == "zh" else "en-GB"
         super().__init__(
             "", pagesize=self._size(), leftMargin=MARGIN, rightMargin=MARGIN, topMargin=MARGIN, bottomMargin=MARGIN,
-            title=metadata.title, author=metadata.author, subject=metadata.subject or metadata.title,
+            title=bare(metadata.title), author=metadata.author, subject=bare(metadata.subject or metadata.title),
             creator=metadata.creator, producer="vecpoly", keywords=list(metadata.words), lang=lang,
             invariant=1, pageCompression=1, keepTogetherClass=HeldTogether,
             displayDocTitle=True, pageTemplates=self._templates(),

@@ -18,6 +18,7 @@ _BEFORE_NUMBERS = frozenset(
 )
 _BEFORE_NUMBERS |= {"chapter", "Chapter", "sheet", "Sheet", "body", "gear", "group", "point"}
 _HAN_BEFORE_NUMBERS = frozenset("件第题图表步")
+UNBROKEN = "\u00a0"  # a blank at which no line ends
 
 
 def held(before: str, after: str) -> bool:
@@ -48,6 +49,17 @@ def in_brackets(texts: Sequence[str]) -> Iterator[int]:
             start = None
         elif _OPENS.fullmatch(text):
             start = n
+
+
+def unbroken(text: str, before: str = "") -> str:
+    """The text with blanks at which no line ends between what stays together; before: the piece that it follows."""
+    pieces = text.split(" ")
+    bracketed = set(in_brackets(pieces))
+    out, last = pieces[0], pieces[0] or before
+    for n, piece in enumerate(pieces[1:], 1):
+        out += (UNBROKEN if n in bracketed or held(last, piece) else " ") + piece
+        last = piece
+    return out
 
 
 def is_number(text: str) -> bool:

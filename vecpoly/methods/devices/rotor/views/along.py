@@ -31,10 +31,10 @@ def along(bench: Bench, rotor: Rotor) -> None:
     board.step(
         Words(
             "按 $μ_l$ 画出转子的轴向简图：各质量和校正平面的轴向位置"
-            + ("，半径方向取投影 $r$sin$θ$" if true else "（半径方向不按比例）")
+            + ("，半径方向取投影 $r sin θ$" if true else "（半径方向不按比例）")
             + ("；方位待求的质量向上画出。" if sought else "。"),
             "Draw the rotor along its axis to the scale $μ_l$: the planes of the masses and those of the correction"
-            + (", radially the projections $r$ sin $θ$" if true else " (radially to no scale)")
+            + (", radially the projections $r sin θ$" if true else " (radially to no scale)")
             + ("; masses whose direction is sought are drawn upwards." if sought else "."),
         ),
         View.MECHANISM,

@@ -1,0 +1,40 @@
+"""Symbols on the page of the player: titles set as mathematics, words of indices upright, numbers with their units."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tests.player.pages import page_of
+from vecpoly.player.setting.type import Faces, words_html
+
+TITLES = ("8-4", "A-30-b")  # whose titles hold a symbol
+
+
+@pytest.mark.parametrize("name", TITLES)
+def test_titles_hold_no_sign_of_their_symbols(name: str) -> None:
+    page = page_of(name)
+    page = page[: page.rindex("<script>")]
+    heading = page[page.index("<h1>") : page.index("</h1>")]
+    assert "<i>" in heading, "a symbol is italic in the heading"
+    titles = [*re.findall(r"<title.*?</title>", page), *re.findall(r' data-title-\w+="[^"]*"', page), heading]
+    assert len(titles) == 5 and not any(sign in title for title in titles for sign in "${}")
+
+
+@pytest.mark.parametrize(
+    ("text", "kept"),
+    [
+        ("$l_{BC}$ = 180 mm, $φ_1$ = 64°", "=\u00a0180\u00a0mm, "),
+        ("$μ_W = 0.15$ kg·m/mm and more", "\u00a0kg·m/mm and more"),
+        ("$A$(165, −65) mm and more", "(165,\u00a0−65)\u00a0mm and more"),
+        ("see link 3 there", "see link\u00a03 there"),
+    ],
+)
+def test_no_line_parts_a_number_from_its_sign_or_its_unit(text: str, kept: str) -> None:
+    assert kept in words_html(text, Faces())
+
+
+def test_words_of_an_index_are_upright_and_its_letters_italic() -> None:
+    said = words_html("$γ_{min}$, $n_{maxB}$, $l_{AB}$", Faces())
+    assert re.findall(r"<sub>(.*?)</sub>", said) == ["min", "max<i>B</i>", "<i>AB</i>"]
