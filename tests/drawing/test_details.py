@@ -16,7 +16,7 @@ from vecpoly.board.ruler import READABLE
 from vecpoly.drawing.details.apart import all_detailed, detailed, is_detail, numeral
 from vecpoly.drawing.details.knot import FACTORS, FULL
 from vecpoly.drawing.details.knots import knots
-from vecpoly.drawing.details.room import WHITE, Grow
+from vecpoly.drawing.details.room import CELL, WHITE, Grow, Room, along, reach_of
 from vecpoly.drawing.scene import Fill, Rect, Scene, Stroke
 from vecpoly.drawing.sheets.nested import nested
 from vecpoly.drawing.sheets.sheet import sheets
@@ -131,3 +131,15 @@ def test_beside_a_ring_there_are_two_letters_at_most() -> None:
                     mark.at for mark in whole.marks if isinstance(mark, Point) and mark.label and knot.holds(mark.at)
                 }
                 assert 1 <= len({complex(round(at.real, 1), round(at.imag, 1)) for at in left}) <= 2
+
+
+def test_a_detail_finds_room_beyond_lines_that_run_on_past_the_figure_on_every_side() -> None:
+    """As of a sketch that is drawn four times as large, whose lines of direction grow with it."""
+    figure, detail = Rect(0.0, 0.0, 20.0, 20.0), Rect(0.0, 0.0, 30.0, 30.0)
+    lines = [along([complex(-90, y), complex(110, y)]) for y in range(-70, 91, 20)]
+    room = Room.about(figure, lines, reach_of([detail]))
+    assert not len(room.free(detail.width + 2 * WHITE, detail.height + 2 * WHITE)), "none is near"
+    found = room.put(detail, figure.centre, Grow.LEAST)
+    assert (found.width, found.height) == (30.0, 30.0)
+    assert not any(found.grown(WHITE - CELL).overlaps(Rect(-90.0, y, 110.0, y)) for y in range(-70, 91, 20))
+    assert room.extents == figure | found

@@ -38,6 +38,7 @@ class Room:
     foot: float  # how high the figure itself stands
     low: complex  # lower left corner of the cells
     taken: Taken = field(repr=False)
+    ink: list[Spots] = field(default_factory=list, repr=False)  # all of it, also beyond the cells
 
     @classmethod
     def about(cls, extents: Rect, ink: Iterable[Spots], reach: float) -> Room:
@@ -51,10 +52,23 @@ class Room:
 
     def take(self, points: Spots) -> None:
         """Ink at these points."""
+        self.ink.append(points)
+        self._mark(points)
+
+    def _mark(self, points: Spots) -> None:
         at = (points - self.low) / CELL
         rows, columns = (np.floor(part).astype(int) for part in (at.imag, at.real))
         inside = (rows >= 0) & (columns >= 0) & (rows < self.taken.shape[0]) & (columns < self.taken.shape[1])
         self.taken[rows[inside], columns[inside]] = True
+
+    def widen(self, reach: float) -> None:
+        """Cells so much farther out on every side: where lines go on beyond the figure there may be no room nearer."""
+        count = ceil(reach / CELL)
+        high, wide = self.taken.shape
+        self.low -= count * CELL * (1 + 1j)
+        self.taken = np.zeros((high + 2 * count, wide + 2 * count), dtype=bool)
+        for points in self.ink:
+            self._mark(points)
 
     def free(self, wide: float, high: float) -> Spots:
         """Lower left corners (mm) of boxes of this size on which nothing stands."""
@@ -67,7 +81,9 @@ class Room:
     def put(self, box: Rect, wanted: complex, grow: Grow) -> Rect:
         """A box where it stands best: the figure grows little, and the place wanted is near. It is taken now."""
         size = complex(box.width, box.height)
-        corners = self.free(size.real + 2 * WHITE, size.imag + 2 * WHITE) + complex(WHITE, WHITE)
+        while not len(corners := self.free(size.real + 2 * WHITE, size.imag + 2 * WHITE)):
+            self.widen(reach_of([box]))
+        corners = corners + complex(WHITE, WHITE)
         e, ends = self.extents, corners + size
         wider = np.maximum(ends.real, e.x1) - np.minimum(corners.real, e.x0) - e.width
         higher = np.maximum(ends.imag, e.y1) - np.minimum(corners.imag, e.y0) - e.height

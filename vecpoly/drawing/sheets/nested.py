@@ -18,7 +18,7 @@ def nested(scene: Scene, details: Sequence[tuple[Scene, complex]]) -> dict[Grow,
     bare = Room.about(scene.extents, (_spots(item) for item in scene.items), reach_of(boxes))
     moved = dict[Grow, tuple[complex, ...]]()
     for grow in Grow:
-        room = replace(bare, taken=bare.taken.copy())
+        room = replace(bare, taken=bare.taken.copy(), ink=[*bare.ink])
         found = [room.put(e, shown, grow) for e, (_, shown) in zip(boxes, details, strict=True)]
         moved[grow] = tuple(complex(at.x0 - e.x0, at.y0 - e.y0) for at, e in zip(found, boxes, strict=True))
     return moved
