@@ -45,7 +45,8 @@ def linkage(problem: Problem, candidates: Sequence[Candidate]) -> Problem:
     if one is not None:
         from .check.found import linkage as made  # late, likewise
 
-        if (found := made(problem.design, one.values, f"{problem.id}-{problem.design.take}")) is not None:
+        name, title = f"{problem.id}-{problem.design.take}", _titled(problem, len(_valid(candidates)))
+        if (found := made(problem.design, one.values, name, title)) is not None:
             return found
     raise NotAskedError(
         Words(
@@ -54,6 +55,12 @@ def linkage(problem: Problem, candidates: Sequence[Candidate]) -> Problem:
         ),
         code="no-solution",
     )
+
+
+def _titled(problem: Problem, count: int) -> Words:
+    """The motion of the linkage that was found: of several, of that with this number."""
+    title, take = Words("所求机构的运动分析", "Motion of the linkage that was found"), problem.design.take
+    return title + Words(f"（解 {take}）", f" (solution {take})") if count > 1 else title
 
 
 def objection(problem: Problem, candidates: Sequence[Candidate]) -> Words | None:

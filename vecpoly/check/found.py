@@ -61,10 +61,10 @@ class Verified:
         return {"solution": self.number, **moved, **ill, **lost}
 
 
-def linkage(design: Design, values: Mapping[str, float], name: str) -> Problem | None:
+def linkage(design: Design, values: Mapping[str, float], name: str, title: Words | None = None) -> Problem | None:
     """The problem of a linkage with these lengths (mm), its crank as the input; None of a task that builds none."""
-    data = design.built(values)
-    return None if data is None else made({"id": name, "title": name, **data})
+    data, called = design.built(values), title or Words.same(name)
+    return None if data is None else made({"id": name, "title": {"zh": called.zh, "en": called.en}, **data})
 
 
 def verified(

@@ -16,6 +16,7 @@ from ..completion import ids
 from ..errors import Tally, about
 from ..files import STDOUT, put, spared
 from ..jobs import each, problems
+from ..onward import ThenOption, onward
 from ..options import Lang, LangOption, OutsideOption, place
 from ..terminal import warn
 
@@ -96,11 +97,12 @@ def cycle(
     hodograph: Hodograph = "",
     lang: LangOption = "en",
     allow_outside: OutsideOption = False,
+    then: ThenOption = None,
 ) -> None:
     """Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves."""
     _one_drawing(path, hodograph, plot)
     tally = Tally()
-    found = problems([name], tally, allow_outside)
+    found = onward(problems([name], tally, allow_outside), then, tally, lang)
     spared(output, TABLES, found)
     spared(plot, PLOTS, found)
     from ...cycle import cycle as whole

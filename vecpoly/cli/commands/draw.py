@@ -14,6 +14,7 @@ from ..errors import Tally, about
 from ..files import STDOUT, put, spared
 from ..jobs import each, problems
 from ..letters import warn_of_letters
+from ..onward import ThenOption, onward
 from ..options import HandOption, Lang, LangOption, OutOption, OutsideOption, PaperOption, PlainOption, SeedOption
 from ..terminal import warn
 
@@ -70,6 +71,7 @@ def draw(
     plain: PlainOption = False,
     paper: PaperOption = None,
     allow_outside: OutsideOption = False,
+    then: ThenOption = None,
 ) -> None:
     """Draw a figure or the sheet as SVG, PNG, PDF or DXF.
 
@@ -78,7 +80,7 @@ def draw(
     """
     path = output or Path(f"{Path(name).stem}-{figure.replace(':', '-').replace(' ', '-')}.svg")
     tally = Tally()
-    found = problems([name], tally, allow_outside, paper)
+    found = onward(problems([name], tally, allow_outside, paper), then, tally, lang, hand, seed)
     spared(path, FORMATS, found)
     from ...solution import solve
 

@@ -9,6 +9,7 @@ from ...words import Words
 from ..errors import Tally, about
 from ..files import put, spared
 from ..jobs import each, problems
+from ..onward import ThenOption, onward
 from ..options import Lang, LangOption, OutOption, OutsideOption
 from ..terminal import warn
 from .draw import Id
@@ -19,7 +20,13 @@ if TYPE_CHECKING:
 ENDINGS = (".ggb", ".dxf", ".csv")
 
 
-def export(name: Id, output: OutOption = None, lang: LangOption = "zh", allow_outside: OutsideOption = False) -> None:
+def export(
+    name: Id,
+    output: OutOption = None,
+    lang: LangOption = "zh",
+    allow_outside: OutsideOption = False,
+    then: ThenOption = None,
+) -> None:
     """Write a GeoGebra file: turn the crank with a slider, and diagram, velocity and acceleration polygon follow.
 
     Points are made of earlier points, as on the sheet; poles can be dragged. Drawn exactly; loads are left away.
@@ -27,7 +34,7 @@ def export(name: Id, output: OutOption = None, lang: LangOption = "zh", allow_ou
     """
     path = output or Path(f"{Path(name).stem}.ggb")
     tally = Tally()
-    found = problems([name], tally, allow_outside)
+    found = onward(problems([name], tally, allow_outside), then, tally, lang)
     spared(path, ENDINGS, found)
     for problem in found:
         with tally.job(), about(problem.id):

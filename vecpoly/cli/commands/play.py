@@ -11,6 +11,7 @@ from ...foundation.files import is_special
 from ..errors import Tally, about
 from ..files import STDOUT, put, spared
 from ..jobs import each, problems
+from ..onward import ThenOption, onward
 from ..options import HandOption, LangOption, OutOption, OutsideOption, PlainOption, SeedOption
 from ..terminal import warn
 from .draw import Id
@@ -35,6 +36,7 @@ def play(
     check: Check = False,
     plain: PlainOption = False,
     allow_outside: OutsideOption = False,
+    then: ThenOption = None,
 ) -> None:
     """Write a step player: one HTML file for class, phone or desktop, in both languages.
 
@@ -42,7 +44,7 @@ def play(
     and the finished figures for every place of the crank.
     """
     tally = Tally()
-    found = problems([name], tally, allow_outside)
+    found = onward(problems([name], tally, allow_outside), then, tally, lang, hand, seed)
     from ...player.page import player
     from ...solution import solve
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,7 @@ from ..errors import Tally, about
 from ..files import STDOUT, put, spared
 from ..jobs import Job, jobs
 from ..letters import warn_of_letters
+from ..onward import Then, ThenOption, onward
 from ..options import (
     Documents,
     Hand,
@@ -52,6 +54,7 @@ def report(
     plain: PlainOption = False,
     paper: PaperOption = None,
     allow_outside: OutsideOption = False,
+    then: ThenOption = None,
 ) -> None:
     """Write reports as PDF.
 
@@ -59,7 +62,11 @@ def report(
     Without -o the files are written here.
     """
     tally = Tally()
-    plan = _plan([job.on(paper) for job in jobs(names, tally, allow_outside)], output, lang, style)
+    found = [job.on(paper) for job in jobs(names, tally, allow_outside)]
+    if then is not None:
+        found = [_gone_on(job, then, tally, lang, style, hand, seed) for job in found]
+        found = [job for job in found if job.problems]
+    plan = _plan(found, output, lang, style)
     orders = [_Order(job, lang, style, hand, seed, plain, alone=len(plan) == 1) for job, _ in plan]
     waiting = spread(_drawn_up, orders, processes or os.cpu_count() or 1)
     for (_, path), made in zip(progress(plan, Words("写入", "writing")), waiting, strict=True):
@@ -70,6 +77,16 @@ def report(
                 warn(name, warnings, lang)
                 tally.weigh(name, alarm, lang)
     tally.settle()
+
+
+def _gone_on(job: Job, then: Then, tally: Tally, lang: Lang, style: Style, hand: Hand, seed: int) -> Job:
+    """The document of the linkages that were found; in a solution each stands behind its synthesis."""
+    told = {
+        problem.id: (*([problem] if style == "solution" else []), *onward([problem], then, tally, lang, hand, seed))
+        for problem in job.problems
+    }
+    made = tuple(one for pair in told.values() for one in pair)
+    return replace(job, name=made[-1].id if made and job.path is None else job.name, problems=made)
 
 
 @dataclass(frozen=True, slots=True)

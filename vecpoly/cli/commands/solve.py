@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -11,6 +11,7 @@ from ...words import Words, bare
 from ..errors import Tally, about
 from ..files import STDOUT, spared, write_json
 from ..jobs import problems
+from ..onward import ThenOption
 from ..options import JSON, HandOption, JsonOption, Lang, LangOption, OutsideOption, Problems, SeedOption
 from ..terminal import add, progress, say, show, table, warn
 from ..wording import drawn, exact, gap, reach, symbol, way
@@ -30,12 +31,6 @@ _HANDS = {
 
 ActsOption = Annotated[
     bool, typer.Option("--acts", help="List the steps of the construction too, and what the hand did in each.")
-]
-
-
-ThenOption = Annotated[
-    Literal["analyse"] | None,
-    typer.Option("--then", metavar="analyse", help="Of a synthesis: go on with the linkage that was found, analyse."),
 ]
 
 
@@ -60,15 +55,14 @@ def solve(
     for problem in progress(found, Words("求解", "solving")):
         with tally.job(), about(problem.id):
             solutions.append(solved(problem, by=hand, seed=seed))
+            if then == "analyse":
+                solutions.append(solved(solutions[-1].linkage, by=hand, seed=seed))
     for solution in solutions:
         tally.weigh(solution.problem.id, solution.construction.warning, lang)
         if json != STDOUT:
             _print(solution, lang)
             if acts:
                 typer.echo(told(solution.construction.steps, solution.construction.acts, lang) + "\n")
-            if then == "analyse" and solution.construction.candidates:
-                with about(solution.problem.id):
-                    _print(solved(solution.linkage, by=hand, seed=seed), lang)
         warn(solution.problem.id, solution.warnings, lang)
     if json is not None and solutions:
         data = [solution.as_json() for solution in solutions]
