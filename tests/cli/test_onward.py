@@ -45,7 +45,7 @@ def test_a_report_has_both_and_a_question_sheet_only_the_linkage(run: Run) -> No
 
 @pytest.mark.parametrize("words", [("cycle", "8-4"), ("draw", "8-4", "-o", "x.svg"), ("export", "8-4", "-o", "x.ggb")])
 def test_cycle_draw_and_export_take_the_linkage(run: Run, words: tuple[str, ...]) -> None:
-    assert run(*words).exit_code != 0 or words[0] == "draw", "without it they have the synthesis, which has no cycle"
+    assert run(*words).exit_code != 0 or words[0] == "draw", "without it they have the synthesis, which does not move"
     result = run(*words, "--then", "analyse")
     assert result.exit_code == 0, result.output
 
@@ -68,3 +68,9 @@ def test_the_alarm_of_the_linkage_is_one_of_the_command(run: Run, monkeypatch: p
     monkeypatch.setattr(vecpoly.solution, "solve", alarmed)
     result = run("solve", "8-4", "--then", "analyse")
     assert result.exit_code == 3 and f"{FOUND}: red" in result.output
+
+
+@pytest.mark.parametrize("words", [("cycle", "8-4"), ("report", "8-4", "--style", "course")])
+def test_a_synthesis_without_a_cycle_of_its_own_is_told_how_to_go_on(run: Run, words: tuple[str, ...]) -> None:
+    result = run(*words)
+    assert result.exit_code == 2 and "8-4 is a synthesis" in result.output and "--then analyse" in result.output

@@ -34,17 +34,7 @@ def onward(
     linkages: list[Problem] = []
     for problem in found:
         with tally.job(), about(problem.id):
-            _refuse_others(problem)
             solution = solve(problem, by=hand, seed=seed, repeats=0)
             linkages.append(solution.linkage)
             tally.weigh(problem.id, solution.construction.warning, lang)
     return linkages
-
-
-def _refuse_others(problem: Problem) -> None:
-    """NotAskedError for a problem in which nothing was to be found, before it is drawn."""
-    from ..designs.base import Design
-    from ..found import linkage
-
-    if not isinstance(problem.subject, Design):
-        linkage(problem, ())

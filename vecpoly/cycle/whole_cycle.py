@@ -10,6 +10,7 @@ from ..foundation.arguments import of_kind
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
+from ..problem.without_cycle import no_cycle
 from ..words import Words
 from .cycle import Cycle
 from .grid import range_of
@@ -51,10 +52,5 @@ def cycle(
 
 def _parts(problem: Problem) -> tuple[Mechanism, Loads | None, str]:
     if not isinstance(problem.subject, Mechanism):
-        raise MobilityError(
-            Words(
-                "机械装置和未给尺寸的机构没有运动循环；须为有 input 的机构",
-                "a device, or a structure without dimensions, has no cycle; a cycle needs a mechanism with an input",
-            )
-        )
+        raise MobilityError(no_cycle(problem))
     return problem.subject, problem.loads, problem.id

@@ -16,6 +16,7 @@ from ...foundation.arguments import of_kind
 from ...mechanism.model import Mechanism
 from ...problem.problem import Problem
 from ...problem.text.held import Held
+from ...problem.without_cycle import no_cycle
 from ...words import Words
 from ..slips.base import explained, weighed_by
 from ..slips.explain import Explanation, suspect
@@ -84,12 +85,7 @@ def check_table(problem: Problem, path: str | Path | Held, columns: Mapping[str,
     of_kind(path, (str, Path, Held), Words("文件名", "the name of a file"))
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     if not isinstance(problem.subject, Mechanism):
-        raise TableError(
-            Words(
-                f"{problem.id} 是机械装置题，不是作运动的机构，没有整周数据表",
-                f"{problem.id} is about a device, not about a mechanism that moves; it has no table over a cycle",
-            )
-        )
+        raise TableError(no_cycle(problem))
     sheet = read_sheet(path if isinstance(path, Held) else Path(path))
     table = read_table(sheet, problem, columns or {})
     given = suspect(problem.mechanism, table.positions, table.columns)

@@ -20,6 +20,7 @@ from ...mechanism.model import Mechanism
 from ...names import At, Kind, Rel
 from ...problem.asked.asks import AskPoint
 from ...problem.problem import Problem
+from ...problem.without_cycle import no_cycle
 from ...solution import Solution
 from ...words import Words
 from .also_asked import widened
@@ -238,12 +239,8 @@ def study(solution: Solution) -> Study:
     """The study of a solved problem. Raises NotAskedError for a device."""
     if not isinstance(solution.problem.subject, Mechanism):
         raise NotAskedError(
-            Words(
-                f"题目 {solution.problem.id} 是机械装置题，没有运动循环；课程报告需要有原动件的机构，"
-                "请改写解答报告（--style solution）",
-                f"problem {solution.problem.id} is about a device, which has no cycle of positions: a course "
-                "report needs a mechanism with a driving link; write its solution report (--style solution) "
-                "instead",
-            )
+            Words("课程报告需要运动循环：", "a course report needs a cycle: ")
+            + no_cycle(solution.problem)
+            + Words("；或改写解答报告（--style solution）", "; or write its solution report (--style solution)")
         )
     return Study(widened(solution), solution)
