@@ -9,7 +9,7 @@ from functools import reduce
 from itertools import groupby
 
 from ..board.construction import Construction, Figure, Scale, View
-from ..board.paper.marks import Cell, Note
+from ..board.paper.marks import words_of
 from ..drawing.labels.following import Follower
 from ..drawing.order import reading_order
 from ..drawing.scene import Item, Layer, Rect, Scene, TextBox
@@ -49,7 +49,8 @@ def moving(cycle: Cycle, given: Construction, ink: Ink) -> list[Data]:
 
 
 def _figure(figure: Figure, places: Sequence[Figure | None], start: int, size: float, ink: Ink) -> Data:
-    worded = any(isinstance(mark, (Note, Cell)) for one in places if one is not None for mark in one.marks)
+    marks = (mark for one in places if one is not None for mark in one.marks)
+    worded = any(words.zh != words.en for mark in marks if (words := words_of(mark)) is not None)
     frames = [_frames(places, start, size, lang) for lang in (LANGS if worded else (None,))]
     given = Scene.of(frames[0].items[start]).extents
     seen = [Scene.of(items).extents for one in frames for items in one.items if items]

@@ -179,3 +179,14 @@ class Note(Ink):
 Trace = Segment | Vector | Arc | Curve
 Solid = FrictionCircle | Disc | Outline | Hatched | Cell
 Mark = Trace | Point | RightAngle | ImageOf | Body | TurnArrow | AngleMark | LinkNumber | Solid | Note
+
+
+def words_of(mark: Mark) -> Words | None:
+    """What stands there in words, if anything does."""
+    match mark:
+        case Note() | Cell():
+            return mark.words
+        case Point():
+            return mark.said
+        case _:
+            return None

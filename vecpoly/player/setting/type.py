@@ -9,7 +9,7 @@ from html import escape
 from typing import assert_never
 
 from ...algebra.formula import Node, Sym, Txt, row, split_words
-from ...report.flow.text.held import is_number, unbroken
+from ...report.flow.text.held import UNBROKEN, is_number, unbroken
 from ...tagging.speech import said
 from ...typeset import Box, Glyphs, Rule, layout
 from ...typeset.box import MM
@@ -20,6 +20,7 @@ from ...words import Lang, Words
 
 EM = 10.0  # mm: size at which formulas for the page are set; 1 em = 1000 units
 _UPRIGHT = "π∞Σ"
+_BEFORE_RELATION = re.compile(rf"{UNBROKEN}(?=[=≈≙≤≥<>≠])")  # where a line of a formula may end
 _RAISED = re.compile(r"\^\{?([-−]?\d+)\}?")
 
 
@@ -144,7 +145,7 @@ def _inline(node: Node, faces: Faces) -> str:
             scripts = f'<span class="ss">{above}{below}</span>' if above and below else above + below
             return f'<span class="nb">{_sloped(base, faces)}{scripts}</span>'
         case Txt(text):
-            return _running(text, faces)
+            return _running(_BEFORE_RELATION.sub(" ", text.replace(" ", UNBROKEN)), faces)
     raise AssertionError(node)
 
 

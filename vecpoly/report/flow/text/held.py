@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from ....typeset.atoms import is_unit
 
-_RELATIONS = frozenset("=≈≙≤≥<>≠")
+_RELATIONS, _SIGNS = frozenset("=≈≙≤≥<>≠"), frozenset("+−×")
 _NUMBER = re.compile(r"[(（]?[+−-]?\d[\d.,:]*(?:×10\^\{?[−-]?\d+\}?)?\)?")
 _OPENS, _COORDINATE = re.compile(r"\([+−-]?\d[\d.]*,?"), re.compile(r"[+−-]?\d[\d.]*")
 _MARKS = "°),.;:!?，。；：、"
@@ -57,9 +57,16 @@ def unbroken(text: str, before: str = "") -> str:
     bracketed = set(in_brackets(pieces))
     out, last = pieces[0], pieces[0] or before
     for n, piece in enumerate(pieces[1:], 1):
-        out += (UNBROKEN if n in bracketed or held(last, piece) else " ") + piece
+        out += (UNBROKEN if n in bracketed or _kept(last, piece) else " ") + piece
         last = piece
     return out
+
+
+def _kept(before: str, after: str) -> bool:
+    """As `held`, in a narrow column: sums of numbers are not parted, a chain goes on with its next equality sign."""
+    if before in _SIGNS:
+        return is_number(after.rstrip("°,.;:，。；、"))
+    return after in _SIGNS if is_number(before) and (after in _SIGNS or after in _RELATIONS) else held(before, after)
 
 
 def is_number(text: str) -> bool:
