@@ -71,3 +71,14 @@ def test_the_direction_of_a_line_near_180_degrees_scatters_no_more_than_any_othe
     guide += "input: {link: 1, phi: 20 deg, omega: 10 rad/s ccw}\nfind: [P_34]\n"
     answers = [check_answers(loads(guide), {"P_34": text}) for text in ("0.2°", "179.8°", "10°")]
     assert [one.right for one in answers] == [True, True, False]
+
+
+@pytest.mark.parametrize("said", ["自锁", "能自锁", "self-locking", "是", "1"])
+def test_a_yes_is_correct_without_an_error_beside_it(said: str) -> None:
+    (one,) = check_answers(load("5-5"), {"self_locking": said}).answers
+    assert [told.id for told in one.messages] == ["right"] and one.value == 1 and one.off == 0
+
+
+def test_one_quantity_under_two_spellings_is_given_twice() -> None:
+    with pytest.raises(ArgumentError, match="given twice"):
+        check_answers(load("3-9"), ["ω3=1.99 cw", "ω_3=5 cw"])

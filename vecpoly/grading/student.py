@@ -98,7 +98,7 @@ def _split(answers: Mapping[str, str | float] | Iterable[str]) -> dict[str, str 
             raise ArgumentError(
                 Words(f"“{text}”不是答案；请写 v_D=0.49", f"'{text}' is no answer; write v_D=0.49"), code="answer"
             )
-        if symbol.strip() in found:
+        if squeezed(symbol) in map(squeezed, found):  # ω3 and ω_3 are one
             raise ArgumentError(
                 Words(f"{symbol.strip()} 写了两次；请只留一个", f"{symbol.strip()} is given twice; leave one of them"),
                 code="twice",
