@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 import vecpoly
 from vecpoly.errors import AssemblyError, ProblemFileError
+from vecpoly.oracle import solve
 from vecpoly.oracle.synthesis.registry import linkages
 
 CASES = {
@@ -85,6 +87,18 @@ def test_the_rocker_of_a_dead_centre_turns_back_there() -> None:
     pins = solution.construction.candidates[0].pins
     b, c = pins["B2"] - pins["A"], pins["C2"] - pins["A"]
     assert abs((b.conjugate() * c).imag) < 1e-9 * abs(b) * abs(c)
+
+
+def test_a_dead_centre_of_a_link_that_is_no_crank_is_moved_from_its_first_position() -> None:
+    """AB cannot stand at 60°; positions 1 and 2 lie 80° apart, where AB turns by so much while DC turns by 60°."""
+    data = {"AD": "120 mm", "CD": "50 mm", "psi_1": "60 deg", "psi_2": "120 deg", "phi_12": "80 deg"}
+    solution = posed("dead-centre", **data).solve(by="exact")
+    (moved,) = solution.verification
+    assert moved.broken is None and not moved.full
+    mech = solution.mechanism
+    rocker, points = solve(mech, np.array([mech.drive.position])).body("3"), mech.link("3").points
+    (dc,) = np.degrees(np.angle(rocker.point(points["C"]) - rocker.point(points["D"])))
+    assert dc == pytest.approx(60, abs=1e-9)
 
 
 @pytest.mark.parametrize(
