@@ -165,3 +165,19 @@ def test_the_linkage_that_was_found_goes_on_as_a_problem_of_its_own() -> None:
     solution = vecpoly.load("8-16").solve(by="exact")
     assert solution.mechanism.drive.rate == 1.0
     assert solution.linkage.id == "8-16-1" and solution.as_json()["verification"][0]["turns_fully"]
+
+
+@pytest.mark.parametrize(
+    ("kind", "data"),
+    [("slider-crank-limits", {"AB": "40 mm", "BC": "110 mm"}), ("guide-bar-limits", {"AB": "50 mm", "AC": "130 mm"})],
+)
+def test_an_offset_that_is_written_as_zero_is_none(kind: str, data: dict[str, str]) -> None:
+    central, written = (posed(kind, **data, **more).solve(by="exact").answers for more in ({}, {"e": "0 mm"}))
+    assert {key: one.drawn for key, one in central.items()} == {key: one.drawn for key, one in written.items()}
+    with pytest.raises(ProblemFileError, match=r"must not be negative; write 25 mm"):
+        posed(kind, **data, e="-25 mm")
+
+
+def test_a_slider_crank_without_quick_return_is_told_what_it_is() -> None:
+    with pytest.raises(ProblemFileError, match="e = 0 and AB = H/2, whatever BC"):
+        posed("slider-crank", K="1", H="50 mm", BC="90 mm")

@@ -185,6 +185,20 @@ def positive(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
     return quantity
 
 
+def not_negative(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
+    """A quantity that may be zero, such as an offset."""
+    quantity = read(text, dim)
+    if quantity.si < 0:
+        without = quantity.text.replace("−", "-").strip().lstrip("-")
+        raise FaultError(
+            Words(
+                f"“{quantity.text}”不应为负；请写 {without}", f"'{quantity.text}' must not be negative; write {without}"
+            ),
+            code="out-of-range",
+        )
+    return quantity
+
+
 def pure(text: object, example: str) -> float:
     """A finite number without a unit, or a fraction of two, 1/50; raises FaultError."""
     above, below = m.groups() if (m := _FRACTION.fullmatch(str(text))) else (str(text), "1")

@@ -52,7 +52,7 @@ def _elsewhere(mech: Mechanism) -> Words:
     return Words(
         f"原动件 {link} 转 {MOST} 周以内机构都没有回到原处（齿轮传动比不是小整数之比），没有周期；"
         "请以转一周即复原的构件为 input，如曲柄所在的齿轮",
-        f"within {MOST} turns of the drive {link} the mechanism is never back where it was (a ratio of gears that is none "
-        "of small whole numbers), and there is no period; take as input a link after whose turn all is as it was, such "
-        "as the wheel that bears the crank",
+        f"within {MOST} turns of the drive {link} the mechanism is never back where it was (a ratio of gears that is "
+        "none of small whole numbers), and there is no period; take as input a link after whose turn all is as it was, "
+        "such as the wheel that bears the crank",
     )
