@@ -189,13 +189,9 @@ def not_negative(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
     """A quantity that may be zero, such as an offset."""
     quantity = read(text, dim)
     if quantity.si < 0:
-        without = quantity.text.replace("−", "-").strip().lstrip("-")
-        raise FaultError(
-            Words(
-                f"“{quantity.text}”不应为负；请写 {without}", f"'{quantity.text}' must not be negative; write {without}"
-            ),
-            code="out-of-range",
-        )
+        text, without = quantity.text, quantity.text.strip(" -−")
+        why = Words(f"“{text}”不应为负；请写 {without}", f"'{text}' must not be negative; write {without}")
+        raise FaultError(why, code="out-of-range")
     return quantity
 
 
