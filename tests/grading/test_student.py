@@ -82,3 +82,14 @@ def test_a_yes_is_correct_without_an_error_beside_it(said: str) -> None:
 def test_one_quantity_under_two_spellings_is_given_twice() -> None:
     with pytest.raises(ArgumentError, match="given twice"):
         check_answers(load("3-9"), ["ω3=1.99 cw", "ω_3=5 cw"])
+
+
+def test_a_length_under_its_printed_symbol_answers_what_is_asked() -> None:
+    """A step of 8-16 has the symbol of its result: l_AB, of which AB is asked."""
+    right, wrong = (check_answers(load("8-16"), {"l_AB": text}).answers for text in ("21.5 mm", "25 mm"))
+    assert [(one.key, one.is_right) for one in (*right, *wrong)] == [("AB", True), ("AB", False)]
+
+
+def test_where_no_name_is_near_those_that_are_asked_are_told_first() -> None:
+    with pytest.raises(UnknownNameError, match=r"there are r0_apex, e_apex, s0_apex, r0, e, s0"):
+        check_answers(load("cam-least-circle"), ["qqqq=1"])

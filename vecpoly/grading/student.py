@@ -110,7 +110,8 @@ def _split(answers: Mapping[str, str | float] | Iterable[str]) -> dict[str, str 
 def _key_for(problem: Problem, symbols: tuple[str, ...]) -> tuple[AnswerKey, Problem]:
     """The key, and the problem with what else is answered asked for too."""
     key = answer_key(problem)
-    known = [one.key for one in key.quantities] + list(key.scales) + [row.key for row in key.equations]
+    asked_first = sorted(key.quantities, key=lambda one: not one.asked)
+    known = [one.key for one in asked_first] + list(key.scales) + [row.key for row in key.equations]
     more = [rel for symbol in symbols if (rel := _unasked(symbol, known)) is not None]
     if not more:
         return key, problem
