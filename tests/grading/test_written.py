@@ -190,6 +190,7 @@ def test_minutes_and_seconds_of_arc_are_parts_of_a_degree(text: str, deg: float)
     found = written(text)
     assert found.state is State.READ and found.unit is not None
     assert found.value * found.unit.factor * 180 / pi == pytest.approx(deg, abs=5e-5)
+    assert found.digits == (2 if text == "36°" else 0)  # minutes of arc are not counted as digits
 
 
 def test_minutes_beyond_sixty_are_no_angle() -> None:

@@ -130,7 +130,8 @@ def _spoilt(bare: str) -> Words | None:
 
 def _one(raw: str, bare: str) -> Written:
     """A number with what stands beside it."""
-    bare = in_degrees(bare)
+    arc, bare = bare, in_degrees(bare)
+    is_arc = arc != bare
     turned = _TURNED.search(bare)
     bare, senses = split_sense(bare[: turned.start()] if turned else bare)
     found = NUMBER.match(bare)
@@ -159,7 +160,7 @@ def _one(raw: str, bare: str) -> Written:
         signed=value.signed,
         unit=known,
         sense=sense,
-        digits=value.digits,
+        digits=0 if is_arc else value.digits,  # of minutes of arc none are counted
         last=value.last,
         direction=float(turned[1]) if turned else None,
     )
