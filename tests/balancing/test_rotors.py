@@ -146,17 +146,23 @@ def test_what_two_planes_take_leaves_no_force_and_no_couple(
 
 
 @settings(max_examples=often(20), deadline=None)
-@given(unbalance=st.floats(100, 900), at=st.floats(0, 359), pitch=st.sampled_from([20, 30, 45, 60, 90]))
-def test_neighbouring_places_share_a_correction_with_two_weights_that_are_added(
-    unbalance: float, at: float, pitch: int
+@given(
+    unbalance=st.floats(100, 900),
+    at=st.floats(0, 359),
+    pitch=st.sampled_from([20, 30, 40, 45, 60, 72, 90]),
+    only=st.sampled_from(["add", "remove"]),
+)
+def test_neighbouring_places_share_a_correction_with_two_weights_that_are_added_or_removed(
+    unbalance: float, at: float, pitch: int, only: str
 ) -> None:
-    assume(abs((at + 180) % pitch) > 0.01 and abs((at + 180) % pitch - pitch) > 0.01)
-    plane = {"r": "80 mm", "places": f"{pitch} deg", "only": "add"}
+    beside, sign = (at + 180, 1) if only == "add" else (at, -1)
+    assume(0.01 < beside % pitch < pitch - 0.01)
+    plane = {"r": "80 mm", "places": f"{pitch} deg", "only": only}
     found = agree(
         device("rotor", masses={"1": {"U": f"{unbalance!r} g*mm", "at": f"{at!r} deg"}}, correct={"I": plane})
     )
     shares = [rect(found[f"W_b_{i}"], radians(found[f"theta_b_{i}"])) for i in (1, 2)]
-    assert min(found["W_b_1"], found["W_b_2"]) > 0
+    assert min(sign * found["W_b_1"], sign * found["W_b_2"]) > 0
     assert abs(sum(shares) + rect(unbalance, radians(at))) < 1e-7 * unbalance
 
 

@@ -48,6 +48,12 @@ def test_the_counterweight_and_the_largest_force_are_those_of_the_worked_engine(
     assert at_0["phi_max"] == pytest.approx(by["at_phi_deg"], abs=5e-4)
 
 
+def test_a_crank_that_is_balanced_by_itself_leaves_the_rods_share_alone() -> None:
+    found, rod = agree(engine(m1="0 kg"), within=1e-8), agree(engine(), within=1e-8)
+    assert found["m_rot"] == pytest.approx(rod["m_rot"] - TOLD["inputs"]["crank_unbalance_at_B_kg"], rel=1e-12)
+    assert found["m_rec"] == rod["m_rec"]
+
+
 def test_the_best_fraction_makes_the_largest_force_least() -> None:
     found = agree(engine(c="best"), within=1e-7)
     assert found["c"] == pytest.approx(TOLD["results"]["best_c"], abs=2e-9)

@@ -71,3 +71,25 @@ def test_the_direction_of_a_line_near_180_degrees_scatters_no_more_than_any_othe
     guide += "input: {link: 1, phi: 20 deg, omega: 10 rad/s ccw}\nfind: [P_34]\n"
     answers = [check_answers(loads(guide), {"P_34": text}) for text in ("0.2°", "179.8°", "10°")]
     assert [one.right for one in answers] == [True, True, False]
+
+
+@pytest.mark.parametrize("said", ["自锁", "能自锁", "self-locking", "是", "1"])
+def test_a_yes_is_correct_without_an_error_beside_it(said: str) -> None:
+    (one,) = check_answers(load("5-5"), {"self_locking": said}).answers
+    assert [told.id for told in one.messages] == ["right"] and one.value == 1 and one.off == 0
+
+
+def test_one_quantity_under_two_spellings_is_given_twice() -> None:
+    with pytest.raises(ArgumentError, match="given twice"):
+        check_answers(load("3-9"), ["ω3=1.99 cw", "ω_3=5 cw"])
+
+
+def test_a_length_under_its_printed_symbol_answers_what_is_asked() -> None:
+    """A step of 8-16 has the symbol of its result: l_AB, of which AB is asked."""
+    right, wrong = (check_answers(load("8-16"), {"l_AB": text}).answers for text in ("21.5 mm", "25 mm"))
+    assert [(one.key, one.is_right) for one in (*right, *wrong)] == [("AB", True), ("AB", False)]
+
+
+def test_where_no_name_is_near_those_that_are_asked_are_told_first() -> None:
+    with pytest.raises(UnknownNameError, match=r"there are r0_apex, e_apex, s0_apex, r0, e, s0"):
+        check_answers(load("cam-least-circle"), ["qqqq=1"])

@@ -180,3 +180,45 @@ def test_an_unknown_symbol_is_refused_with_the_nearest_and_one_of_two_with_both(
 
 def test_full_width_letters_are_ordinary_ones() -> None:
     assert plain("　ＡＢ＝１．２×１０²　") == "AB=1.2×10^2"
+
+
+@pytest.mark.parametrize(
+    ("text", "deg"),
+    [("63°12′", 63.2), ("63°12′30″", 63.208333), ("63度12分30秒", 63.208333), ("−16° 30'", -16.5), ("36°", 36.0)],
+)
+def test_minutes_and_seconds_of_arc_are_parts_of_a_degree(text: str, deg: float) -> None:
+    found = written(text)
+    assert found.state is State.READ and found.unit is not None
+    assert found.value * found.unit.factor * 180 / pi == pytest.approx(deg, abs=5e-5)
+    assert found.digits == (2 if text == "36°" else 0)  # minutes of arc are not counted as digits
+
+
+def test_minutes_beyond_sixty_are_no_angle() -> None:
+    assert written("63°72′").state is State.UNREADABLE
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("=40+6.42", "it is a formula"),
+        ("=B3/2", "it is a formula"),
+        ("=SUM(B3:B5)", "it is a formula"),
+        ("2026-03-02 00:00:00", "made a date of it"),
+    ],
+)
+def test_what_a_spreadsheet_spoilt_is_told_as_that(text: str, told: str) -> None:
+    found = written(text)
+    assert found.state is State.UNREADABLE and found.why is not None and told in found.why.en
+
+
+@pytest.mark.parametrize("text", ["=0.3", "= 1.5*10^3", "=12 1/s", "=-3 rad/s"])
+def test_an_equals_sign_before_an_answer_makes_no_formula_of_it(text: str) -> None:
+    assert written(text).state is State.READ
+
+
+@pytest.mark.parametrize(
+    ("typed", "key"),
+    [("θ", "theta"), ("θ_b", "theta_b"), ("ψ", "psi"), ("β", "beta"), ("ΔW_max", "dW_max"), ("θ_bL", "theta_bL")],
+)
+def test_every_greek_letter_that_is_printed_can_be_typed(typed: str, key: str) -> None:
+    assert keyed(typed, ["theta", "theta_b", "psi", "beta", "dW_max", "m_b", "theta_bL"]) == key

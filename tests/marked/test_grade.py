@@ -209,3 +209,26 @@ def test_a_file_of_no_answers_is_refused_by_name(tmp_path: Path, name: str, data
     (tmp_path / name).write_bytes(data)
     with pytest.raises((TableError, VecpolyError), match=name):
         graded(tmp_path / "out", tmp_path / name)
+
+
+def test_a_formula_whose_value_the_workbook_lacks_waits_for_a_person(tmp_path: Path) -> None:
+    book = Workbook()
+    page = book.active
+    assert page is not None
+    page.append(["学号", "3-9:v_E", "3-9:omega_3"])
+    page.append([NUMBERS[0], "=0.1+0.07", "2 顺"])
+    book.save(tmp_path / "a.xlsx")
+    (mine, *_) = graded(tmp_path / "out", tmp_path / "a.xlsx").results
+    assert mine.marks["3-9"]["v_E"].outcome.value == "unreadable"
+    queue = (tmp_path / "out" / "queue.csv").read_text("utf-8-sig")
+    assert "这是公式" in queue
+
+
+def test_a_number_of_full_width_digits_is_the_students_own(tmp_path: Path) -> None:
+    wide_number = NUMBERS[0].translate({ord("0") + n: ord("０") + n for n in range(10)})
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", {wide_number: answers(NUMBERS[0])}))
+    assert not done.faults and done.results[0].total == 20
+    page = json.dumps({"student": wide_number, "answers": {"3-9": answers(NUMBERS[0])}}, ensure_ascii=False)
+    (tmp_path / "one.json").write_text(page, encoding="utf-8")
+    done = graded(tmp_path / "again", tmp_path / "one.json")
+    assert not done.faults and done.results[0].total == 20

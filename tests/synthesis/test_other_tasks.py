@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 import vecpoly
 from vecpoly.errors import AssemblyError, ProblemFileError
+from vecpoly.oracle import solve
 from vecpoly.oracle.synthesis.registry import linkages
 
 CASES = {
@@ -87,6 +89,18 @@ def test_the_rocker_of_a_dead_centre_turns_back_there() -> None:
     assert abs((b.conjugate() * c).imag) < 1e-9 * abs(b) * abs(c)
 
 
+def test_a_dead_centre_of_a_link_that_is_no_crank_is_moved_from_its_first_position() -> None:
+    """AB cannot stand at 60°; positions 1 and 2 lie 80° apart, where AB turns by so much while DC turns by 60°."""
+    data = {"AD": "120 mm", "CD": "50 mm", "psi_1": "60 deg", "psi_2": "120 deg", "phi_12": "80 deg"}
+    solution = posed("dead-centre", **data).solve(by="exact")
+    (moved,) = solution.verification
+    assert moved.broken is None and not moved.full
+    mech = solution.mechanism
+    rocker, points = solve(mech, np.array([mech.drive.position])).body("3"), mech.link("3").points
+    (dc,) = np.degrees(np.angle(rocker.point(points["C"]) - rocker.point(points["D"])))
+    assert dc == pytest.approx(60, abs=1e-9)
+
+
 @pytest.mark.parametrize(
     ("kind", "change", "told"),
     [
@@ -151,3 +165,19 @@ def test_the_linkage_that_was_found_goes_on_as_a_problem_of_its_own() -> None:
     solution = vecpoly.load("8-16").solve(by="exact")
     assert solution.mechanism.drive.rate == 1.0
     assert solution.linkage.id == "8-16-1" and solution.as_json()["verification"][0]["turns_fully"]
+
+
+@pytest.mark.parametrize(
+    ("kind", "data"),
+    [("slider-crank-limits", {"AB": "40 mm", "BC": "110 mm"}), ("guide-bar-limits", {"AB": "50 mm", "AC": "130 mm"})],
+)
+def test_an_offset_that_is_written_as_zero_is_none(kind: str, data: dict[str, str]) -> None:
+    central, written = (posed(kind, **data, **more).solve(by="exact").answers for more in ({}, {"e": "0 mm"}))
+    assert {key: one.drawn for key, one in central.items()} == {key: one.drawn for key, one in written.items()}
+    with pytest.raises(ProblemFileError, match=r"must not be negative; write 25 mm"):
+        posed(kind, **data, e="-25 mm")
+
+
+def test_a_slider_crank_without_quick_return_is_told_what_it_is() -> None:
+    with pytest.raises(ProblemFileError, match="e = 0 and AB = H/2, whatever BC"):
+        posed("slider-crank", K="1", H="50 mm", BC="90 mm")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from ..devices.base import Length, as_written
+from ..devices.base import Beside, Length, as_written
 from ..names import Named
 from .base import Design
 from .linkages import four_bar, guide_bar, slider_crank
@@ -49,7 +49,7 @@ class SliderCrankLimits(Design):
     kind: ClassVar[str] = "slider-crank-limits"
     AB: Length
     BC: Length
-    e: Length | None = None
+    e: Beside | None = None
 
     def quantities(self) -> tuple[Named, ...]:
         """θ, K, stroke, greatest pressure and least transmission angle; the lengths as given."""
@@ -81,7 +81,7 @@ class GuideBarLimits(Design):
     kind: ClassVar[str] = "guide-bar-limits"
     AB: Length
     AC: Length
-    e: Length | None = None
+    e: Beside | None = None
 
     def quantities(self) -> tuple[Named, ...]:
         """θ, K, swing, greatest pressure and least transmission angle; the lengths as given."""

@@ -8,8 +8,10 @@ from typing import Any, ClassVar
 from pydantic import model_validator
 
 from ..devices.base import Length, as_written
+from ..errors import FaultError
 from ..names import Named
-from .base import Design, Quick, between_limits
+from ..words import Words
+from .base import Advance, Design, between_limits
 from .linkages import slider_crank
 from .quantities import AB, ALPHA_MAX, BC, GAMMA_MIN, OFFSET, STROKE, THETA
 from .quantities import K as ADVANCE
@@ -19,7 +21,7 @@ class SliderCrank(Design):
     """K, the stroke H, and the offset e, the crank or the coupler; C₁ is the origin, C₂ on the x axis, A above it."""
 
     kind: ClassVar[str] = "slider-crank"
-    K: Quick
+    K: Advance
     H: Length
     e: Length | None = None
     AB: Length | None = None
@@ -27,6 +29,16 @@ class SliderCrank(Design):
 
     @model_validator(mode="after")
     def _determined(self) -> SliderCrank:
+        if self.K.si == 1:
+            raise FaultError(
+                Words(
+                    "K = 1：θ = 0，则 e = 0、AB = H/2，BC 任意，没有什么可作图求的；已知 AB、BC 时用 "
+                    "synthesis: slider-crank-limits，否则须 K > 1，如 1.5",
+                    "K = 1 means θ = 0, so that e = 0 and AB = H/2, whatever BC: nothing is left to be drawn; use "
+                    "synthesis: slider-crank-limits with AB and BC; else K > 1 is needed, e.g. 1.5",
+                ),
+                code="out-of-range",
+            )
         self.one_of("e", "AB", "BC")
         return self
 

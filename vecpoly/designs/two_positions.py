@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from cmath import exp, phase
 from collections.abc import Mapping
-from math import pi
+from math import degrees, pi
 from typing import Any, ClassVar
 
 from ..devices.base import Angle, Length, as_written
 from ..names import Named
 from .base import Design, Quick
+from .inversion.built import posed_four_bar
 from .linkages import four_bar
 from .quantities import FOUR_BAR, GAMMA_MIN
 from .quantities import K as ADVANCE
@@ -43,8 +45,12 @@ class DeadCentre(Design):
         return as_written(written)
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any]:
-        """The four-bar with A in the origin and D on the x axis."""
-        return four_bar(values, self.omega)
+        """The four-bar in its first position: the input link need be no crank, and may reach no other."""
+        a, b, c, d = (values[named.key] for named in FOUR_BAR)
+        c1, c2 = (d + c * exp(1j * psi.si) for psi in (self.psi_1, self.psi_2))
+        ahead = a * c2 / abs(c2) / exp(1j * self.phi_12.si)
+        b1 = min((ahead, -ahead), key=lambda pin: abs(abs(c1 - pin) - b))  # A, B, C or B, A, C in one line
+        return posed_four_bar(values, degrees(phase(b1)), degrees(self.psi_1.si), 0.0, self.omega)
 
     @property
     def size(self) -> float:

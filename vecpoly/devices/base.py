@@ -15,7 +15,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
 from ..errors import FaultError, PluginError, UnknownNameError
 from ..foundation.plugins import DEVICES, load_entries, load_modules
 from ..names import Named
-from ..units.reading import Dim, Quantity, positive, pure, read
+from ..units.reading import Dim, Quantity, not_negative, positive, pure, read
 from ..words import Words
 
 
@@ -57,6 +57,7 @@ def _efficiency(text: Any) -> Quantity:
 
 _QUANTITY = WithJsonSchema({"type": ["string", "number"]})
 Length = Annotated[Quantity, BeforeValidator(_reader(Dim.LENGTH, positive)), _QUANTITY]
+Beside = Annotated[Quantity, BeforeValidator(_reader(Dim.LENGTH, not_negative)), _QUANTITY]
 Signed = Annotated[Quantity, BeforeValidator(_reader(Dim.LENGTH, read)), _QUANTITY]
 Angle = Annotated[Quantity, BeforeValidator(_reader(Dim.ANGLE, read)), _QUANTITY]
 ForceSize = Annotated[Quantity, BeforeValidator(_reader(Dim.FORCE, positive)), _QUANTITY]

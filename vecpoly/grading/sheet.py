@@ -14,7 +14,7 @@ from ..units.reading import PerMm, read
 from ..words import Words
 from .key import AnswerKey
 from .reading.symbol import keyed
-from .reading.written import Written, written
+from .reading.written import State, Written, written
 
 __all__ = ["Scale", "Sheet", "sheet_of", "views"]
 
@@ -56,8 +56,17 @@ def sheet_of(key: AnswerKey, cells: Mapping[str, str | float | None], *, printed
                 answers[meant] = written(cell)
         elif (value := _scale(mu, cell, faults)) is not None:
             own[mu] = value
+    _asked_by_symbol(key, answers)
     stated = frozenset(key.scales) if printed_scales else frozenset(own)
     return Sheet(answers=answers, scales=own, stated=stated, ticks=marks, faults=tuple(faults))
+
+
+def _asked_by_symbol(key: AnswerKey, answers: dict[str, Written]) -> None:
+    """What stands under the printed symbol of what is asked, l_AB, answers that (AB) and no step of the same symbol."""
+    for one in key.quantities:
+        if one.asked and (one.key not in answers or answers[one.key].state is State.BLANK):
+            for step in [name for name in one.needs if name in answers and key[name].symbol == one.symbol]:
+                answers[one.key] = answers.pop(step)
 
 
 def _scale_named(symbol: str, key: AnswerKey) -> str | None:

@@ -98,7 +98,7 @@ def _split(answers: Mapping[str, str | float] | Iterable[str]) -> dict[str, str 
             raise ArgumentError(
                 Words(f"“{text}”不是答案；请写 v_D=0.49", f"'{text}' is no answer; write v_D=0.49"), code="answer"
             )
-        if symbol.strip() in found:
+        if squeezed(symbol) in map(squeezed, found):  # ω3 and ω_3 are one
             raise ArgumentError(
                 Words(f"{symbol.strip()} 写了两次；请只留一个", f"{symbol.strip()} is given twice; leave one of them"),
                 code="twice",
@@ -110,7 +110,8 @@ def _split(answers: Mapping[str, str | float] | Iterable[str]) -> dict[str, str 
 def _key_for(problem: Problem, symbols: tuple[str, ...]) -> tuple[AnswerKey, Problem]:
     """The key, and the problem with what else is answered asked for too."""
     key = answer_key(problem)
-    known = [one.key for one in key.quantities] + list(key.scales) + [row.key for row in key.equations]
+    asked_first = sorted(key.quantities, key=lambda one: not one.asked)
+    known = [one.key for one in asked_first] + list(key.scales) + [row.key for row in key.equations]
     more = [rel for symbol in symbols if (rel := _unasked(symbol, known)) is not None]
     if not more:
         return key, problem

@@ -71,7 +71,7 @@ _COMMON = {
     "N*m/rad": (1.0, "angle -1 length 2 mass 1 time -2"),
     "N*m*s": (1.0, "length 2 mass 1 time -1"),
 }
-_USUAL = "mm cm m s min rad deg r rad/s r/min m/s m/s^2 m/mm"
+_USUAL = "mm cm m in s min rad deg r rad/s r/min m/s m/s^2 kg g N N*m kg*m kg*m^2 W MPa m/mm"
 
 
 _SPELLING = str.maketrans({"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"})

@@ -84,6 +84,7 @@ class Quantity:
 
 _GREATEST: dict[Dim | PerMm, float] = {Dim.ANGLE: MOST_ANGLE, Dim.LENGTH: MOST_LENGTH}
 _NUMBER = pattern(r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I)
+_FRACTION = pattern(r"\s*([+\-−]?\d+(?:\.\d+)?)\s*/\s*(\d+(?:\.\d+)?)\s*")
 _COMMA = pattern(r"\s*([+\-−]?\d+)[,，](\d+)")
 _SENSE = pattern(r"\s*(?:\b(ccw|acw|cw|(?:counter|anti)-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$", re.I)
 
@@ -184,11 +185,22 @@ def positive(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
     return quantity
 
 
+def not_negative(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
+    """A quantity that may be zero, such as an offset."""
+    quantity = read(text, dim)
+    if quantity.si < 0:
+        text, without = quantity.text, quantity.text.strip(" -−")
+        why = Words(f"“{text}”不应为负；请写 {without}", f"'{text}' must not be negative; write {without}")
+        raise FaultError(why, code="out-of-range")
+    return quantity
+
+
 def pure(text: object, example: str) -> float:
-    """A finite number without a unit; raises FaultError."""
+    """A finite number without a unit, or a fraction of two, 1/50; raises FaultError."""
+    above, below = m.groups() if (m := _FRACTION.fullmatch(str(text))) else (str(text), "1")
     try:
-        number = float(str(text).replace("−", "-"))
-    except ValueError:
+        number = float(above.replace("−", "-")) / float(below)
+    except (ValueError, ZeroDivisionError):
         refuse_comma(str(text))
         raise FaultError(
             Words(f"“{text}”不是纯数；如写 {example}", f"'{text}' is no pure number; write e.g. {example}"),

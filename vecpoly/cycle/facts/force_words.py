@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from ...mechanism.asked.forces import load_symbol
 from ...oracle.forces import Cause
 from ...oracle.forces.laws.period import constant_size
+from ...oracle.forces.laws.returning import turns_of
 from ...words import Words
 from ..cycle import Cycle
 from .duties import Duty, Still, duties, stills, within
@@ -41,7 +42,7 @@ def constant_words(cycle: Cycle) -> Iterator[Words]:
     one = cycle.loads.constant if cycle.loads is not None else None
     if cycle.loads is None or one is None:
         return
-    size, turns = constant_size(cycle.mech, cycle.loads), cycle.loads.turns
+    size, turns = constant_size(cycle.mech, cycle.loads), turns_of(cycle.mech, cycle.loads, cycle.low)
     told = f"{size:.6g}".replace("-", "−")
     over = Words("一周", "one turn") if turns == 1 else Words(f"{turns} 周", f"{turns} turns")
     yield Words(

@@ -15,7 +15,7 @@ from ...names import Named
 from ...units.reading import Quantity, pure
 from ...words import Words
 from ..base import Angle, Device, Length, as_written
-from .written import MassSize, Turning
+from .written import MassOrNone, MassSize, Turning
 
 BEST = Quantity(0.0, "best")
 MOST_C = 2.0
@@ -61,7 +61,7 @@ class ShakingForce(Device):
     r: Length
     l: Length  # noqa: E741 - the textbook's letter
     n: Turning
-    m1: MassSize
+    m1: MassOrNone
     m2: MassSize
     BS2: Length
     m3: MassSize

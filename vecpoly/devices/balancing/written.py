@@ -9,7 +9,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
 
 from ...errors import FaultError
-from ...units.reading import Dim, Quantity, positive, read
+from ...units.reading import Dim, Quantity, not_negative, positive, read
 from ...words import Words
 
 SOUGHT = Quantity(0.0, "?")
@@ -43,6 +43,7 @@ def _positive(dim: Dim) -> BeforeValidator:
 
 
 MassSize = Annotated[Quantity, _positive(Dim.MASS), _TEXT]
+MassOrNone = Annotated[Quantity, BeforeValidator(_reader(Dim.MASS, not_negative)), _TEXT]
 Product = Annotated[Quantity, _positive(Dim.PRODUCT), _TEXT]
 Density = Annotated[Quantity, _positive(Dim.DENSITY), _TEXT]
 Turning = Annotated[Quantity, _positive(Dim.OMEGA), _TEXT]

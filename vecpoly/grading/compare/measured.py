@@ -52,8 +52,9 @@ def measured(written: Written, graded: Graded, scale: float | None = None) -> Me
         factor, fault = scale, None
     sense = written.sense or (1 if written.signed else 0) * (-1 if written.value < 0 else 1)
     at = None if written.at is None else (written.at[0] * factor, written.at[1] * factor)
+    value = written.value if written.yes is None else float(written.yes)
     return Measured(
-        value=written.value * factor, sense=sense, direction=written.direction, at=at, yes=written.yes,
+        value=value * factor, sense=sense, direction=written.direction, at=at, yes=written.yes,
         half=written.last * factor / 2, fault=fault,
     )  # fmt: skip
 

@@ -64,6 +64,8 @@ def _right(found: Verdicts, why: Causes, one: Graded, outcome: Outcome, basis: B
         case Basis.SLIP | Basis.SCALE:
             return message(Told.OK_SLIP, src=found.key[why.source[one.key]].symbol)
         case Basis.EXACT:
+            if one.kind is Kind.YES_NO:
+                return message(Told.RIGHT)
             if outcome is Outcome.CLOSE:
                 return message(Told.CLOSE, e=_off(found, one), t=_amount(one, one.allowed, 2))
             if one.allowed_mm is None or one.kind not in (Kind.READING, Kind.VECTOR):
@@ -85,6 +87,8 @@ def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Itera
     elif outcome is Outcome.DIRECTION:
         direction, exact = found.given[one.key].direction or 0.0, one.degrees or 0.0
         yield message(Told.DIRECTION, d=f"{abs((direction - exact + 180) % 360 - 180):.0f}")
+    elif one.kind is Kind.YES_NO and (said is None or said.id is Told.TWO_SLIPS):
+        yield message(Told.NOT_RIGHT)
     elif said is None or said.id in (Told.TWO_SLIPS, Told.SWAPPED):
         yield message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed, 2))
     if said is not None:

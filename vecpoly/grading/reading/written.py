@@ -10,6 +10,7 @@ from enum import StrEnum
 
 from ...words import Words
 from .characters import plain
+from .minutes import in_degrees
 from .number import NUMBER, number
 from .sense import split_sense
 from .unit import Unit, unit
@@ -69,10 +70,28 @@ _NONE = {
     "×",
     "x",
 }
-_YES = {"是", "有", "存在", "能", "自锁", "yes", "y", "true", "√", "✓", "✔", "对"}
-_NO = {"否", "不", "不能", "不自锁", "不存在", "no", "n", "false", "错"}
+_YES = {"是", "有", "存在", "能", "会", "自锁", "能自锁", "会自锁", "√", "✓", "✔", "对"}
+_YES |= {"yes", "y", "true", "self-locking"}
+_NO = {
+    "否",
+    "不",
+    "不是",
+    "不能",
+    "不会",
+    "不自锁",
+    "不能自锁",
+    "不会自锁",
+    "不存在",
+    "no",
+    "n",
+    "false",
+    "not self-locking",
+    "错",
+}
 _LEAD = re.compile(r"^(?:[≈~=≅]|约为|约|大约|about|ca\.?|approx\.?|\s)+", re.I)
 _TURNED = re.compile(r"[,;]?\s*(?:∠|@|方向(?:角)?\s*[:=]?|at)\s*([+-]?\d+(?:\.\d+)?)\s*(?:°|deg|度)?\s*$", re.I)
+_DATE = re.compile(r"\d{4}-\d{2}-\d{2}(?: \d{2}:\d{2}:\d{2})?")
+_FORMULA = re.compile(r"=\s*-?(?:\$?[A-Z]{1,3}\$?\d|[A-Z]{2,}\(|\(?[\d.]+\s*(?!\*\s*10\s*\^)[*/+-]\s*[\d(A-Z$])")
 _TWO = re.compile(r"^\(\s*([^,;]+?)\s*[,;]\s*([^,;]+?)\s*\)\s*(\S*)$")
 
 
@@ -86,6 +105,8 @@ def written(raw: str | float | None) -> Written:
         return Written(raw=text, state=State.NONE, yes=False if bare in ("无", "没有", "×", "x") else None)
     if bare.lower() in _YES or bare.lower() in _NO:
         return Written(raw=text, state=State.READ, yes=bare.lower() in _YES)
+    if (why := _spoilt(bare)) is not None:
+        return _refused(text, why)
     if len(bare) > LONGEST:
         return _refused(text, Words("过长，不像一个答案", "too long for an answer"))
     if (two := _TWO.match(bare)) is not None:
@@ -93,8 +114,24 @@ def written(raw: str | float | None) -> Written:
     return _one(text, _LEAD.sub("", bare).rstrip(".,; "))
 
 
+def _spoilt(bare: str) -> Words | None:
+    """What a spreadsheet made of an answer: a date of 3-2, a formula whose value was never reckoned."""
+    if _DATE.fullmatch(bare):
+        return Words(
+            "表格软件把它变成了日期；请作为文本重新输入", "a spreadsheet made a date of it; type it again, as text"
+        )
+    if _FORMULA.match(bare):
+        return Words(
+            "这是公式，文件里没有它的值；请用表格软件打开、保存后再交",
+            "it is a formula, and the file does not hold its value; open the file in a spreadsheet and save it again",
+        )
+    return None
+
+
 def _one(raw: str, bare: str) -> Written:
     """A number with what stands beside it."""
+    arc, bare = bare, in_degrees(bare)
+    is_arc = arc != bare
     turned = _TURNED.search(bare)
     bare, senses = split_sense(bare[: turned.start()] if turned else bare)
     found = NUMBER.match(bare)
@@ -123,7 +160,7 @@ def _one(raw: str, bare: str) -> Written:
         signed=value.signed,
         unit=known,
         sense=sense,
-        digits=value.digits,
+        digits=0 if is_arc else value.digits,  # of minutes of arc none are counted
         last=value.last,
         direction=float(turned[1]) if turned else None,
     )

@@ -8,6 +8,7 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
+from ...batch.roster import plain
 from ...errors import Place, TableError, UnknownNameError
 from ...grading.key import AnswerKey
 from ...problem.text.source import read
@@ -40,11 +41,10 @@ def documents(
 ) -> None:
     """Add what a file holds. Raises TableError for what is no such document, with the key that is wrong."""
     for n, one in enumerate(_parsed(path), 1):
-        keys, place = keys_of(one.student), Place(str(path), n)
+        number, place = plain(one.student), Place(str(path), n)
+        keys = keys_of(number)
         if keys is None:
-            said = Words(
-                f"名册中没有学号 {one.student}；请核对", f"the register has no student {one.student}; check the number"
-            )
+            said = Words(f"名册中没有学号 {number}；请核对", f"the register has no student {number}; check the number")
             returned.fault(place, "stranger", said)
             continue
         for problem, cells in one.answers.items():
@@ -55,7 +55,7 @@ def documents(
                 )
                 returned.fault(place, "problem", said)
                 continue
-            _add(one.student, problem, cells, keys, place, returned)
+            _add(number, problem, cells, keys, place, returned)
 
 
 def _add(

@@ -7,6 +7,7 @@ import io
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from zipfile import BadZipFile, ZipFile
 
 from ...batch.roster import decoded
 from ...errors import Place, TableError
@@ -41,15 +42,16 @@ def pages(path: Path) -> list[Page]:
 
 
 def _workbook(path: Path) -> Iterator[Page]:
-    from zipfile import BadZipFile
-
     from openpyxl import load_workbook
 
     try:
         book = load_workbook(path, read_only=True, data_only=True)
-        for sheet in book.worksheets:
-            rows = tuple(tuple(_text(cell) for cell in row) for row in sheet.iter_rows(values_only=True))
-            yield Page(str(path), sheet.title, rows)
+        written = load_workbook(path, read_only=True) if _has_formulas(path) else book
+        for sheet, formulas in zip(book.worksheets, written.worksheets, strict=True):
+            rows = [tuple(_text(cell) for cell in row) for row in sheet.iter_rows(values_only=True)]
+            if written is not book:
+                rows = list(map(_reckoned, rows, formulas.iter_rows(values_only=True)))
+            yield Page(str(path), sheet.title, tuple(rows))
     except (BadZipFile, KeyError, ValueError, IndexError) as error:
         raise TableError(
             Words(
@@ -58,6 +60,18 @@ def _workbook(path: Path) -> Iterator[Page]:
             ),
             code="no-workbook",
         ) from None
+
+
+def _has_formulas(path: Path) -> bool:
+    with ZipFile(path) as parts:
+        sheets = [name for name in parts.namelist() if name.startswith("xl/worksheets/")]
+        return any(sign in parts.read(name) for name in sheets for sign in (b"<f>", b"<f "))
+
+
+def _reckoned(row: tuple[str, ...], formulas: tuple[object, ...]) -> tuple[str, ...]:
+    """The row, with the formula itself where the file does not hold its value."""
+    pairs = zip(row, formulas, strict=True)
+    return tuple(_text(one) if not text and str(one).startswith("=") else text for text, one in pairs)
 
 
 def _csv(path: Path) -> Iterator[tuple[str, ...]]:

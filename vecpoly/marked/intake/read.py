@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
+from ...batch.roster import plain
 from ...errors import Place, TableError, UnknownNameError
 from ...grading.key import AnswerKey
 from ...words import Words
@@ -85,7 +86,7 @@ def _wide_rows(
 ) -> None:
     """One row a student; a row of units under the header is left out."""
     for n, row in enumerate(page.rows[i + 1 :], i + 1):
-        number = row[student].strip() if student < len(row) else ""
+        number = plain(row[student]) if student < len(row) else ""
         if not number:
             if any(cell.strip() for cell in row) and n > i + 1:
                 returned.fault(
@@ -118,6 +119,7 @@ def _long_rows(
     places: dict[tuple[str, str], dict[str, str]] = {}
     for n, row in enumerate(page.rows[i + 1 :], i + 1):
         cell = {what: row[j].strip() if j < len(row) else "" for what, j in {**columns, "student": student}.items()}
+        cell["student"] = plain(cell["student"])
         keys = keys_of(cell["student"])
         if keys is None:
             if cell["student"]:

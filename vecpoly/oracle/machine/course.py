@@ -15,6 +15,7 @@ from ...mechanism.model import Mechanism
 from ...words import Words
 from ..forces.laws.corners import corners
 from ..forces.laws.drives import drive_range
+from ..forces.laws.returning import turns_of
 from ..pieces import followed
 from ..state import Reals
 from .reduced import reduce
@@ -109,7 +110,7 @@ def _cuts(mech: Mechanism, loads: Loads, sense: float) -> Reals:
         raise EquilibriumError(_rocks(mech, low, high), code="no-period", numbers={"low": low, "high": high})
     if motors := [one.name for one in loads.all if one.law is not None and isinstance(one.law.size, Motor)]:
         raise EquilibriumError(_knows_speed(motors[0]), code="speed")
-    high = low + 2 * np.pi * loads.turns
+    high = low + 2 * np.pi * turns_of(mech, loads, low)
     even = np.linspace(low, high, round((high - low) / PIECE) + 1)
     cuts = np.unique(np.concatenate([even, corners(mech, loads)]))
     cuts = cuts[np.append(True, np.diff(cuts) > SAME)]

@@ -19,6 +19,7 @@ from ...mechanism.model import Mechanism
 from ...words import Words
 from ..forces.laws.corners import corners
 from ..forces.laws.drives import drive_range
+from ..forces.laws.returning import turns_of
 from ..state import Reals
 from .reduced import Reduced, reduce
 from .tables import Tables, tables
@@ -96,6 +97,12 @@ class Mover:
         """How far the drive goes."""
         return drive_range(self.mech)
 
+    @cached_property
+    def period(self) -> float:
+        """After which way of the drive all is as it was (rad); ∞ where it does not turn right round."""
+        low, _, whole = self.range
+        return 2 * np.pi * turns_of(self.mech, self.loads, low) if whole else np.inf
+
     def reduced(self, phi: float, omega: float) -> Reduced:
         """The equivalent link at this state."""
         rate = omega if omega else STILL
@@ -132,7 +139,7 @@ class Mover:
         if not len(self.corner):
             return sense * np.inf
         low, _, whole = self.range
-        period = 2 * np.pi * self.loads.turns
+        period = self.period
         turns = np.floor((phi - low) / period) if whole else 0.0
         around = np.concatenate([self.corner + (turns + k) * period for k in ((-1, 0, 1) if whole else (0,))])
         ahead = around[sense * (around - phi) > 1e-9]

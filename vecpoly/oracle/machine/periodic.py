@@ -18,7 +18,7 @@ def settled(mover: Mover, phi: float, omega: float) -> Moved:
 
     Raises EquilibriumError where the machine stalls, swings to and fro, or never settles.
     """
-    period = 2 * np.pi * mover.loads.turns
+    period = _turn(mover)
     last = np.nan
     for turn in range(TURNS):
         moved = follow(mover, phi, omega, period)
@@ -32,11 +32,16 @@ def settled(mover: Mover, phi: float, omega: float) -> Moved:
     return follow(mover, phi, _fixed(mover, phi, last, omega), period)
 
 
+def _turn(mover: Mover) -> float:
+    """The way of the drive that is a period (rad); where it does not turn right round, a turn that it never makes."""
+    return mover.period if mover.range[2] else 2 * np.pi * mover.loads.turns
+
+
 def _fixed(mover: Mover, phi: float, last: float, omega: float) -> float:
     """The speed with which a period begins as it ends, by secants; last, omega: two turns running, nearly settled."""
 
     def missed(speed: float) -> float:
-        return follow(mover, phi, speed, 2 * np.pi * mover.loads.turns).end[2] - speed
+        return follow(mover, phi, speed, _turn(mover)).end[2] - speed
 
     a, b = (last, omega - last), (omega, missed(omega))
     for _ in range(SECANTS):

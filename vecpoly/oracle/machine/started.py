@@ -33,17 +33,17 @@ def started_values(mech: Mechanism, machine: Machine, keys: Iterable[str]) -> di
     """Key → value of what is asked; EquilibriumError for a place that is not reached, a period that there is not."""
     run, asked = machine.started, tuple(keys)
     assert run is not None
-    moved = motion_of(mech, machine)
+    moved, mover = motion_of(mech, machine), Mover(mech, machine.loads, run.flywheel)
     (t, phi, omega), (fast, slow) = moved.end, moved.extremes
     mean = (abs(fast[1]) + abs(slow[1])) / 2
     values = {
         "omega_end": omega if moved.outcome is Outcome.REACHED else 0.0,
         "t_end": t,
         "phi_end": float(np.degrees(phi)),
-        "alpha_0": Mover(mech, machine.loads, run.flywheel).acceleration(run.phi, run.omega),
+        "alpha_0": mover.acceleration(run.phi, run.omega),
         "T_cycle": t if run.turned is None else moved.period,
-        "phi_max": _within(fast[0], machine),
-        "phi_min": _within(slow[0], machine),
+        "phi_max": _within(fast[0], mover),
+        "phi_min": _within(slow[0], mover),
         "omega_max": fast[1],
         "omega_min": slow[1],
         "delta": (abs(fast[1]) - abs(slow[1])) / mean if mean else np.nan,
@@ -57,8 +57,10 @@ def started_values(mech: Mechanism, machine: Machine, keys: Iterable[str]) -> di
     return {key: float(values[key]) for key in asked if key in values}
 
 
-def _within(phi: float, machine: Machine) -> float:
-    return float(np.degrees(phi) % (360.0 * machine.loads.turns))
+def _within(phi: float, mover: Mover) -> float:
+    """Degrees within the period, or within a turn where there is none."""
+    turn = 360.0 * mover.loads.turns
+    return float(np.degrees(phi) % (np.degrees(mover.period) if mover.range[2] else turn))
 
 
 def _refuse_missing(moved: Moved, run: Started, values: dict[str, float], asked: tuple[str, ...]) -> None:

@@ -11,6 +11,7 @@ from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ..forces.laws.corners import corners
 from ..forces.laws.drives import drive_range
+from ..forces.laws.returning import turns_of
 from ..state import Reals
 from .reduced import reduce
 
@@ -45,7 +46,7 @@ class Tables:
 def tables(mech: Mechanism, loads: Loads, sense: float) -> Tables:
     """For motion in this sense, from two speeds; the drive must go right round."""
     low, _, _ = drive_range(mech)
-    high = low + 2 * np.pi * loads.turns
+    high = low + 2 * np.pi * turns_of(mech, loads, low)
     cuts = np.unique(np.concatenate([np.linspace(low, high, round((high - low) / PIECE) + 1), corners(mech, loads)]))
     cuts = cuts[np.append(True, np.diff(cuts) > SAME)]
     places = (cuts[:-1, None] + np.diff(cuts)[:, None] / 2 * (1 + _AT)).ravel()

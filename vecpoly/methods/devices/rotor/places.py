@@ -63,13 +63,14 @@ def at_places(bench: Bench, rotor: Rotor, end: str, polygon: Polygon) -> Points:
 
 
 def _chosen(plane: RotorPlane, needed: complex) -> tuple[float, float]:
-    """The two asked for; else the neighbours between which the direction needed lies (deg)."""
+    """The two asked for; else the neighbours between which the direction needed lies, or, where mass may only be
+    removed, the opposite one (deg)."""
     if plane.use is not None:
         return degrees(plane.use[0].si), degrees(plane.use[1].si)
     assert plane.places is not None
     if len(plane.places) == 2:
         return degrees(plane.places[0].si), degrees(plane.places[1].si)
-    turn = float(np.degrees(np.angle(needed)))
+    turn = float(np.degrees(np.angle(-needed if plane.only == "remove" else needed)))
     ahead = sorted((degrees(one.si) - turn - 1e-9) % 360.0 for one in plane.places)
     return round((turn + 1e-9 + ahead[-1]) % 360.0, 9), round((turn + 1e-9 + ahead[0]) % 360.0, 9)
 

@@ -23,14 +23,15 @@ def resolved(plane: RotorPlane, needed: complex) -> tuple[Share, Share]:
 
 
 def _chosen(plane: RotorPlane, needed: complex) -> tuple[float, float]:
-    """Those that are asked for; else the neighbours on either side of the direction needed."""
+    """Those that are asked for; else the neighbours on either side of the direction needed, or, where mass may only be
+    removed, of the opposite one."""
     if plane.use is not None:
         return plane.use[0].si, plane.use[1].si
     assert plane.places is not None
     around = sorted(one.si % tau for one in plane.places)
     if len(around) == 2:
         return plane.places[0].si, plane.places[1].si
-    way = phase(needed) % tau
+    way = phase(-needed if plane.only == "remove" else needed) % tau
     after = next((k for k, one in enumerate(around) if one > way + 1e-12), 0)
     return around[after - 1], around[after]
 

@@ -14,6 +14,7 @@ from ....mechanism.loads import Load, Loads
 from ....mechanism.model import Mechanism
 from ...state import Reals
 from .drives import drive_range, unit_drive
+from .returning import turns_of
 from .stands import ROUNDING, Stands
 from .strokes import STEPS, zeros
 
@@ -24,17 +25,16 @@ Watched = Callable[[Stands], Reals]
 def corners(mech: Mechanism, loads: Loads) -> Reals:
     """The places of the drive (rad, or m) at which a load jumps or bends, in order, from the beginning of its range on.
 
-    Over a whole turn, or as many turns as the loads need to repeat themselves (`Loads.turns`).
+    Over a whole turn, or as many turns as loads and mechanism need to repeat themselves (`turns_of`).
     """
     low, high, whole = drive_range(mech)
     moving = mech if mech.drive.rate else unit_drive(mech)
-    grid = np.linspace(low, high, STEPS + 1)
-    once = [
+    turns = turns_of(mech, loads, low) if whole else 1
+    grid = np.linspace(low, low + turns * (high - low), turns * STEPS + 1)
+    found = [
         zeros(partial(_at, moving, watched), grid, partial(_at, moving, watched, rounding=0.0))
         for watched in _watched(loads)
     ]
-    turns = loads.turns if whole else 1
-    found = [part + 2 * np.pi * k for part in once for k in range(turns)]
     found += [np.array(list(_of_the_drive(load, low, high + 2 * np.pi * (turns - 1), whole))) for load in loads.all]
     places = np.sort(np.concatenate([np.empty(0), *found]))
     return np.asarray(places[np.append(True, np.diff(places) > SAME * max(high - low, 1e-300))[: len(places)]])

@@ -16,6 +16,7 @@ from ...state import Reals
 from ..acting import given
 from .corners import corners
 from .drives import drive_range
+from .returning import turns_of
 
 PIECE = np.radians(10.0)  # no piece of the period is longer
 
@@ -28,7 +29,7 @@ def cuts_of(mech: Mechanism, loads: Loads) -> Reals:
     low, high, whole = drive_range(mech)
     if not whole:
         raise EquilibriumError(_aperiodic(mech, loads, low, high), code="no-period")
-    high = low + 2 * np.pi * loads.turns
+    high = low + 2 * np.pi * turns_of(mech, loads, low)
     even = np.linspace(low, high, round((high - low) / PIECE) + 1)
     return np.unique(np.concatenate([even, corners(mech, loads)]))
 
