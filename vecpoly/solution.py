@@ -204,7 +204,8 @@ def constructed(problem: Problem, by: Hand, amended: Amended) -> Drawn:
 def _expected(scalars: Any) -> float:
     """3σ of the repeated hands; of none 0."""
     repeated = np.asarray(scalars)
-    found = repeated[1:][np.isfinite(repeated[1:])] if repeated.ndim else repeated[None]
+    found = repeated[1:] if repeated.ndim else repeated[None]  # all hands find the same
+    found = found[np.isfinite(found)]
     # no repeated hand closes the polygon: nothing can be promised
     return 3.0 * scatter(found) if found.size else inf
 
