@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import hypot
+from math import atan2, degrees, hypot
 from typing import Any
 
 import numpy as np
@@ -336,3 +336,13 @@ def test_a_flat_face_that_cannot_swing_so_is_refused(arm: str, said: str) -> Non
     text = load("cam-flat-arm").text.replace("{OA: 90 mm, face: 6 mm, side: left}", arm).replace("12 deg", "25 deg")
     with pytest.raises(ProblemFileError, match=said):
         loads(text)
+
+
+@pytest.mark.parametrize("rise", [30, 50, 70])
+def test_a_rise_that_begins_beyond_the_allowed_angle_on_the_other_side_is_told(rise: int) -> None:
+    text = load("cam-least-circle").text.replace("rise: 30 deg", f"rise: {rise} deg")
+    solution = solve(loads(text), repeats=0)
+    e, s0 = (float(solution.answers[key].drawn.real) for key in ("e", "s0"))
+    begins = degrees(atan2(e, s0))
+    told = [step.words.en for step in solution.construction.steps if "third line" in step.words.en]
+    assert bool(told) is (begins > rise) and all(f"about {begins:.0f}°" in words for words in told)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import cos, sin
+from math import atan2, cos, degrees, sin
 
 import numpy as np
 
@@ -24,7 +24,7 @@ from .scales import DISPLACEMENT, LOOP
 
 EACH = 6  # stations of half a rise or a return that are drawn of the loop
 BELOW, MARK, BEYOND = 1.35, 24.0, 10.0  # how far the bounds run past the apex; mm: an angle mark, the axes
-ON = 1e-6  # mm: a place so near to a bound lies on it
+ON = 1e-6  # mm, or °: a place so near to a bound lies on it
 
 
 def least_circle(bench: Bench, cam: Cam) -> None:
@@ -32,7 +32,8 @@ def least_circle(bench: Bench, cam: Cam) -> None:
     assert cam.alpha is not None
     bounds = _loop(bench, cam, cam.alpha)
     apex = _apex(bench, cam, bounds)
-    _nearest(bench, cam, bounds, apex)
+    _tell_start(bench.board, _nearest(bench, cam, bounds, apex), cam.alpha)
+    _central(bench, bounds)
 
 
 def _loop(bench: Bench, cam: Cam, allowed: Allowed) -> tuple[Line, Line]:
@@ -127,7 +128,7 @@ def _measured(bench: Bench, at: Points, named: tuple[Named, Named, Named], lette
     length(bench, named[2], LOOP, level, at, f"{letter}′ {letter}")
 
 
-def _nearest(bench: Bench, cam: Cam, bounds: tuple[Line, Line], apex: Points) -> None:
+def _nearest(bench: Bench, cam: Cam, bounds: tuple[Line, Line], apex: Points) -> Points:
     """The foot of the perpendicular from B_0 on a bound, where the other one allows it; else the apex."""
     board = bench.board
     feet = [foot(line, 0j) for line in bounds]
@@ -155,7 +156,26 @@ def _nearest(bench: Bench, cam: Cam, bounds: tuple[Line, Line], apex: Points) ->
         board.plot(LOOP, at, "E", Dot.POINT)
         board.right_angle(LOOP, at, bounds[which].along, -across.along)
     _measured(bench, at, (R0, E, S0), "D" if which is None else "E", cam.sense)
-    _central(bench, bounds)
+    return at
+
+
+def _tell_start(board: Board, at: Points, allowed: Allowed) -> None:
+    """Where the rise begins the follower is pushed to the other side, if O lies to the right: what is not bounded."""
+    spot = complex(nominal(at))
+    angle = degrees(atan2(spot.real, -spot.imag))
+    if angle <= degrees(allowed.rise.si) + ON:
+        return
+    board.step(
+        Words(
+            f"推程起始处（$s$ = 0，d$s$/d$φ$ = 0）的压力角即 $B_0 O$ 与纵轴的夹角，约 {angle:.0f}°，法线偏向另一侧，"
+            "大于 $[α_1]$。若这一侧也须限制，应再过 $B_0$ 作与纵轴成 $[α_1]$ 的第三条界线，$O$ 取在三线之下。",
+            "Where the rise begins ($s$ = 0, d$s$/d$φ$ = 0) the pressure angle is that between $B_0 O$ and the "
+            f"vertical, about {angle:.0f}°; the normal leans to the other side there, by more than $[α_1]$. If that "
+            "side is to be bounded too, a third line is drawn through $B_0$ at $[α_1]$ to the vertical, and $O$ must "
+            "lie below all three.",
+        ),
+        LOOP,
+    )
 
 
 def _inside(at: Points, bounds: tuple[Line, Line]) -> bool:
