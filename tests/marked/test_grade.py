@@ -232,3 +232,17 @@ def test_a_number_of_full_width_digits_is_the_students_own(tmp_path: Path) -> No
     (tmp_path / "one.json").write_text(page, encoding="utf-8")
     done = graded(tmp_path / "again", tmp_path / "one.json")
     assert not done.faults and done.results[0].total == 20
+
+
+def test_a_row_with_the_sheet_of_another_student_is_told_and_not_used(tmp_path: Path) -> None:
+    """As where the answers were sorted without the column of numbers."""
+    one, two, three = NUMBERS
+    rows = {
+        one: {"卷号": "S1"} | answers(two),
+        two: {"卷号": "s-1"} | answers(two),
+        three: {"卷号": ""} | answers(three),
+    }
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", rows))
+    (fault,) = done.faults
+    assert fault.code == "other-sheet" and "line 3, column 2" in fault.words.en and "S0" in fault.said.en
+    assert [result.total for result in done.results] == [0.0, 20.0, 20.0]

@@ -16,6 +16,7 @@ from .pages import Page, pages
 from .returned import Answers, Returned
 
 KeysOf = Callable[[str], Mapping[str, AnswerKey] | None]  # of a student: problem → key; None for a stranger
+Sheets = Mapping[str, str]  # student → the number of the sheet that was handed out
 HEADS = 10  # rows among which the header is looked for
 _LONG = {
     "step": ("step", "量", "symbol", "符号", "quantity"),
@@ -28,16 +29,17 @@ _LONG = {
 }
 
 
-def read_answers(path: Path, any_keys: Mapping[str, AnswerKey], keys_of: KeysOf) -> Returned:
+def read_answers(path: Path, any_keys: Mapping[str, AnswerKey], keys_of: KeysOf, sheets: Sheets) -> Returned:
     """What a file holds; any_keys: problem → the key of some student, for the names; keys_of: those of one.
 
-    Raises TableError where no page of it can be read, OSError. What belongs to nobody is kept as a fault.
+    Raises TableError where no page of it can be read, OSError. What belongs to nobody, or to the sheet of another
+    student, is kept as a fault.
     """
     returned = Returned()
     if path.suffix.lower() in (".yaml", ".yml", ".json"):
         documents(path, any_keys, keys_of, returned)
         return returned
-    found = [_read(page, any_keys, keys_of, returned) for page in pages(path)]
+    found = [_read(page, any_keys, keys_of, sheets, returned) for page in pages(path)]
     if not any(found):
         raise TableError(
             Words(
@@ -50,7 +52,7 @@ def read_answers(path: Path, any_keys: Mapping[str, AnswerKey], keys_of: KeysOf)
     return returned
 
 
-def _read(page: Page, keys: Mapping[str, AnswerKey], keys_of: KeysOf, returned: Returned) -> bool:
+def _read(page: Page, keys: Mapping[str, AnswerKey], keys_of: KeysOf, sheets: Sheets, returned: Returned) -> bool:
     """Read one page; whether it has a header."""
     for i, row in enumerate(page.rows[:HEADS]):
         columns = {what: j for j, cell in enumerate(row) if (what := identity(cell)) is not None}
@@ -60,7 +62,8 @@ def _read(page: Page, keys: Mapping[str, AnswerKey], keys_of: KeysOf, returned: 
         if "step" in long and "value" in long:
             _long_rows(page, i, columns["student"], long, keys_of, returned)
         else:
-            _wide_rows(page, i, columns["student"], _heads(page, i, columns, keys, returned), keys_of, returned)
+            others = _of_others(page, i, columns, sheets, returned)
+            _wide_rows(page, i, columns["student"], _heads(page, i, columns, keys, returned), keys_of, returned, others)
         return True
     return False
 
@@ -81,11 +84,32 @@ def _heads(
     return found
 
 
-def _wide_rows(
-    page: Page, i: int, student: int, heads: Mapping[int, Head], keys_of: KeysOf, returned: Returned
-) -> None:
-    """One row a student; a row of units under the header is left out."""
+def _of_others(page: Page, i: int, columns: Mapping[str, int], sheets: Sheets, returned: Returned) -> set[int]:
+    """The rows with the sheet of another student, as where columns were sorted by themselves: told, and not used."""
+    found, column = set[int](), columns.get("sheet")
+    if column is None:
+        return found
     for n, row in enumerate(page.rows[i + 1 :], i + 1):
+        number, sheet = (plain(row[at]) if at < len(row) else "" for at in (columns["student"], column))
+        own = sheets.get(number)
+        if sheet and own is not None and _bare(sheet) != _bare(own):
+            found.add(n)
+            returned.fault(page.place(n, columns["sheet"]), "other-sheet", _other(number, sheet, own))
+    return found
+
+
+def _bare(sheet: str) -> str:
+    """9km9-pc62 is 9KM9PC62."""
+    return "".join(filter(str.isalnum, sheet)).upper()
+
+
+def _wide_rows(
+    page: Page, i: int, student: int, heads: Mapping[int, Head], keys_of: KeysOf, returned: Returned, others: set[int]
+) -> None:
+    """One row a student; a row of units under the header is left out. others: rows that are not used."""
+    for n, row in enumerate(page.rows[i + 1 :], i + 1):
+        if n in others:
+            continue
         number = plain(row[student]) if student < len(row) else ""
         if not number:
             if any(cell.strip() for cell in row) and n > i + 1:
@@ -140,6 +164,14 @@ def _long_rows(
     for (number, problem), mine in parts.items():
         key = (keys_of(number) or {})[problem]
         returned.add(Answers(student=number, problem=problem, cells=joined(key, mine), places=places[number, problem]))
+
+
+def _other(number: str, sheet: str, own: str) -> Words:
+    return Words(
+        f"学号 {number} 的卷号是 {own}，此行却写 {sheet}：行可能错位（例如只对部分列排了序）；此行未用，请核对后再交",
+        f"the sheet of {number} is {own}, and this row says {sheet}: rows may have been mixed up (some columns sorted "
+        "by themselves, say); the row is not used, correct it and mark again",
+    )
 
 
 def _stranger(number: str) -> Words:
