@@ -206,8 +206,7 @@ def _expected(scalars: Any) -> float:
     repeated = np.asarray(scalars)
     found = repeated[1:] if repeated.ndim else repeated[None]  # all hands find the same
     found = found[np.isfinite(found)]
-    # no repeated hand closes the polygon: nothing can be promised
-    return 3.0 * scatter(found) if found.size else inf
+    return 3.0 * scatter(found) if found.size else inf  # no repeated hand closes the polygon: nothing can be promised
 
 
 def _answer(
