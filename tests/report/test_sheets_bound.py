@@ -69,7 +69,7 @@ def test_a_table_is_not_torn_by_a_sheet_that_may_stand_before_its_heading() -> N
 
 def test_a_page_of_little_does_not_stand_alone_behind_a_sheet() -> None:
     doc = settled_doc(*lines(20), head("Forces"), *lines(14), head("Check"), *lines(15))
-    assert isinstance(doc.heads[2], SheetPage) and doc.heads[3].outline == "Forces"
+    assert doc.page == 3 and min(doc.filled) >= HALF
 
 
 def test_a_sheet_is_no_reason_to_leave_a_page_mostly_white_or_to_take_another() -> None:
