@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Self
 
 from reportlab.platypus.flowables import Flowable
@@ -97,7 +98,7 @@ def _fit(widths: tuple[float, ...], width: float) -> bool:
     return 2 * sum(widths) + _GAP <= width / MM
 
 
-def _words(head: list[Cell]) -> list[list[Cell]]:
+def _words(head: Sequence[Cell]) -> list[list[Cell]]:
     """A head at its blanks."""
     found: list[list[Cell]] = [[]]
     for cell in head:
