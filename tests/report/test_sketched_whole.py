@@ -7,7 +7,7 @@ import re
 from tests.drawn_library import IDS, drawn, given
 from tests.each import Later, each
 from tests.report.test_statement_figures import letters, pictured, plain
-from vecpoly.board.paper.marks import AngleMark, Point, Role, Segment, Vector
+from vecpoly.board.paper.marks import AngleMark, Dot, Point, Role, Segment, Vector
 from vecpoly.designs.base import Design
 from vecpoly.designs.inversion.cognates import Cognates
 from vecpoly.designs.inversion.positions import Positions
@@ -44,6 +44,26 @@ def test_a_linkage_of_which_cognates_are_sought_is_given_whole() -> None:
     assert isinstance(drawn("cognates").problem.subject, Cognates) and shown is not None
     assert set("ABCDE") <= letters([shown]) and not set("FGHMN") & letters([shown])
     assert {"l_AB", "l_BC", "l_CD", "l_AD", "φ"} <= letters([shown])
+
+
+@each(DESIGNS)
+def test_a_pin_between_two_given_bars_stands_on_the_sketch_with_its_letter(name: str) -> None:
+    """Of the four-bar to which a rocker is added, C in the first position."""
+    shown, subject = pictured(name), drawn(name).problem.subject
+    if shown is None or not isinstance(subject, Design):
+        return
+    here = {mark.label[0] for mark in shown.marks if isinstance(mark, Point) and mark.dot is Dot.JOINT and mark.label}
+    bars = [plain(symbol)[2:] for symbol, _ in subject.given() if re.fullmatch(r"l_[A-Z]{2}", plain(symbol))]
+    for letter in {letter for bar in bars for letter in bar}:
+        ends = {end for bar in bars if letter in bar for end in bar if end != letter}
+        if len(ends) > 1 and ends <= here:
+            assert letter in here, letter
+
+
+def test_the_known_four_bar_is_drawn_before_a_rocker_is_added() -> None:
+    shown = pictured("8-12")
+    assert shown is not None and {"A", "B_1", "C_1", "D", "l_BC", "l_CD"} <= letters([shown])
+    assert "C_2" not in letters([shown]) and "E_1" not in letters([shown])
 
 
 @each(DESIGNS)

@@ -15,6 +15,7 @@ from ...words import Words
 from ..picture import SKETCH, picture, reduced
 from ..sizes.coordinates import coordinates
 from ..sizes.sized import sized
+from .assembled import assembled
 from .known import NEAR, given
 
 GIVEN = Words("已知条件（示意）", "What is given (sketch)")
@@ -33,6 +34,7 @@ def sketched(problem: Problem, construction: Construction, width: float, height:
     marks = [_fine(mark) for mark in shown]
     if sum(isinstance(mark, (Point, Segment)) for mark in marks) < _FEWEST:
         return None
+    marks += assembled(problem.subject, figure, marks)
     marks += coordinates(problem.subject, figure, marks)
     return sized(problem, replace(reduced(figure, marks, width, height), title=GIVEN))
 
