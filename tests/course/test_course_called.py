@@ -10,7 +10,8 @@ import pytest
 from tests.laws import few
 from tests.studies import course_text, studied
 from vecpoly.report.course.results.drawings import chosen
-from vecpoly.report.flow.table import DataTable, continued
+from vecpoly.report.flow.table import DataTable
+from vecpoly.report.flow.text.continued import continued
 from vecpoly.words import Lang
 
 REPORTS = [(name, lang) for name in ("3-9", "4-6", "six-bar-dynamic", "shaper-flywheel") for lang in ("zh", "en")]

@@ -138,7 +138,7 @@ def test_sums_and_products_leave_out_zeros_and_ones() -> None:
     x = Var("x_B")
     assert (x - ZERO, x + Const("x_A", 0.0), x * ONE, x * ZERO) == (x, x, x, ZERO)
     assert plain((ZERO - x).node) == "−x_B"
-    assert plain((Num(2.0) * (x - Var("x_C")) * -x).node) == "−2\u2009(x_B − x_C)\u2009x_B"
+    assert plain((Num(2.0) * (x - Var("x_C")) * -x).node) == "−2\u2009x_B\u2009(x_B − x_C)"
     assert isinstance(x - (Var("y_B") - Var("y_C")), Sum)
     assert plain((x - (Var("y_B") - Var("y_C"))).node) == "x_B − y_B + y_C"
 

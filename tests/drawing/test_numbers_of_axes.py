@@ -37,3 +37,10 @@ def test_the_numbers_under_an_axis_stand_on_one_line(name: str) -> None:
             if label.want.level and label.foot is None and label.want.normals[0] == UNDER:
                 rows[round(label.want.feet[0].imag, 3)].add(label.centre.imag)
         assert all(max(row) - min(row) < LEVEL for row in rows.values()), rows
+
+
+@each(("cam-heart", "cam-flat-arm", "cam-flat-face", "cam-rocker", "cam-roller-offset", "cam-undercut"))
+def test_no_number_of_a_cams_axis_is_moved_off_to_a_leader_by_a_tick(name: str) -> None:
+    figures = [figure for figure in drawn(name).construction.figures if any(map(is_under, figure.marks))]
+    labels = [label for figure in figures for label in drawing(figure).labels if label.want.level]
+    assert labels and all(label.foot is None for label in labels)

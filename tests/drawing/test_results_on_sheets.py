@@ -13,7 +13,7 @@ from tests.drawn_sheets import laid
 from tests.each import each
 from vecpoly.algebra.formula import plain
 from vecpoly.drawing.scene import Item, Rect, Stroke, TextBox, rect_of
-from vecpoly.drawing.sheets.results import CLEAR, SIZES
+from vecpoly.drawing.sheets.results import CLEAR, MARGINS, SIZES
 from vecpoly.drawing.sheets.sheet import Sheet, sheets
 from vecpoly.drawing.sheets.space import FRAME, STRIP
 from vecpoly.printed.digits import drawn_number
@@ -78,8 +78,16 @@ def _apart(sheet: Sheet, block: Rect) -> bool:
 
 def test_results_stand_as_a_rule_over_the_right_end_of_the_title_strip() -> None:
     blocks = [(sheet, _block(sheet)) for name in DRAFTED for sheet in _laid(name) if sheet.results]
-    low = [r.y0 < FRAME + STRIP + 4.0 and r.x1 > sheet.size[0] - FRAME - 4.0 for sheet, r in blocks]
+    low = [r.y0 < FRAME + STRIP + 5.0 and r.x1 > sheet.size[0] - FRAME - 5.0 for sheet, r in blocks]
     assert sum(low) > 0.8 * len(low)
+
+
+def test_results_keep_four_millimetres_to_the_frame_wherever_the_sheet_has_room_for_them() -> None:
+    blocks = [(sheet, _block(sheet)) for name in DRAFTED for sheet in _laid(name) if sheet.results]
+    white = [
+        min(r.x0 - FRAME, r.y0 - FRAME - STRIP, s.size[0] - FRAME - r.x1, s.size[1] - FRAME - r.y1) for s, r in blocks
+    ]
+    assert min(white) >= MARGINS[-1] - 0.1 and sum(one > 4.0 for one in white) > 0.95 * len(white)
 
 
 @pytest.mark.parametrize("name", ["4-2", "4-7", "A-27", "8-15", "rotor-dalby"])

@@ -32,6 +32,7 @@ from vecpoly.board.paper.marks import (
     Vector,
 )
 from vecpoly.designs.base import Design
+from vecpoly.designs.inversion.cognates import Cognates
 from vecpoly.designs.straight_line import StraightLine
 from vecpoly.devices.cams.cam import Cam
 from vecpoly.devices.dynamics.flywheel import Flywheel
@@ -330,7 +331,7 @@ DESIGNS = Later(lambda: [name for name in IDS if isinstance(given(name).subject,
 def test_the_sketch_of_a_synthesis_shows_data_and_nothing_that_is_found(name: str) -> None:
     problem, answer = drawn(name).problem, drawn(name).construction
     found = sketched(problem, answer, 125.0, 62.0)
-    whole = isinstance(problem.subject, StraightLine)  # all its lengths are data: arcs alone find its pins
+    whole = isinstance(problem.subject, StraightLine | Cognates)  # all its lengths are data: arcs alone find its pins
     sought = (Measure, Compute) if whole else (Meet, Measure, Compute)
     for mark in found.marks if found is not None else ():
         needs = needed(answer.acts, [mark.act])
@@ -340,7 +341,15 @@ def test_the_sketch_of_a_synthesis_shows_data_and_nothing_that_is_found(name: st
 def test_a_furnace_door_is_pictured_closed_and_open() -> None:
     found = sketched(drawn("8-6").problem, drawn("8-6").construction, 125.0, 62.0)
     assert found is not None
-    assert {mark.label for mark in found.marks if isinstance(mark, Point)} == {"B_1", "C_1", "B_2", "C_2"}
+    assert {mark.label for mark in found.marks if isinstance(mark, Point)} == {
+        "B_1",
+        "C_1",
+        "B_2",
+        "C_2",
+        "A, D",
+        "x",
+        "y",
+    }
 
 
 @pytest.mark.parametrize(

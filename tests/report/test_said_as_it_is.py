@@ -8,8 +8,8 @@ import pytest
 
 from tests.drawn_library import drafted, given, said
 from vecpoly.check.printed.answers import check_problem
+from vecpoly.report.answers.box import answer_box
 from vecpoly.report.answers.notes import UNREADABLE, notes_of
-from vecpoly.report.answers.tables import directed, readings_tables
 from vecpoly.report.picture import NOT_TO_SCALE
 from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.sketch import sketched
@@ -88,9 +88,9 @@ def test_a_report_on_pressure_angles_is_called_so() -> None:
 
 
 def test_senses_of_turning_alone_are_no_directions() -> None:
-    """Where directions count from is told over a table that has one."""
+    """Where directions count from is told under a box of answers that has one."""
     for name, has in (("7-2b", False), ("hoist", False), ("4-5", True)):
-        assert any(directed(table, "zh") for table in readings_tables(solved(name), "zh")) is has
+        assert answer_box(solved(name), "zh").directed is has
 
 
 def test_a_count_that_agrees_is_the_same_as_the_books() -> None:

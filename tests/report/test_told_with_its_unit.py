@@ -50,10 +50,10 @@ def test_a_column_of_degrees_alone_has_its_unit_in_its_head() -> None:
     assert "Deviation /°" in table.header and not any("°" in cell for row in table.rows for cell in row)
 
 
-def test_directions_are_explained_where_a_table_has_a_column_of_them() -> None:
+def test_directions_are_explained_where_the_answer_has_an_angle_of_one() -> None:
     for name, shown in (("8-2g", False), ("3-9", True)):
         document, _ = markup([of(name)], "en", "solution", {}, None, None)
-        assert ("Directions are counter-clockwise" in document) is shown
+        assert ("Direction angles (∠) in the answer are counter-clockwise" in document) is shown
 
 
 @pytest.mark.parametrize("name", ["5-3", "tipper", "whitworth-quick-return", "class-iii-slides"])

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from enum import IntEnum, auto
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,15 @@ from ..algebra.formula import Frac, Node, Row, Txt, signed, sym
 Values = Any  # a float, or an array over the positions
 Env = Mapping[str, NDArray[np.float64] | float]
 THIN = "\u2009"
+
+
+class Place(IntEnum):
+    """The order of factors as they are printed: 2 ω v sin φ."""
+
+    NUMBER = auto()
+    LETTER = auto()
+    BRACKET = auto()
+    FUNCTION = auto()
 
 
 class Expr:
@@ -45,6 +55,11 @@ class Expr:
         """As it is printed."""
         raise NotImplementedError
 
+    @property
+    def place(self) -> Place:
+        """Where it is printed in a product."""
+        return Place.LETTER
+
     def value(self, env: Env) -> Values:
         """Its value where the variables have these."""
         raise NotImplementedError
@@ -63,6 +78,10 @@ class Num(Expr):
     @property
     def node(self) -> Node:
         return Txt(f"{self.size:g}")
+
+    @property
+    def place(self) -> Place:
+        return Place.NUMBER
 
     def value(self, env: Env) -> Values:
         return self.size
@@ -108,6 +127,10 @@ class Sum(Expr):
     def node(self) -> Node:
         return signed((term.node for term, _ in self.terms), (sign for _, sign in self.terms))
 
+    @property
+    def place(self) -> Place:
+        return Place.BRACKET
+
     def value(self, env: Env) -> Values:
         return sum(sign * term.value(env) for term, sign in self.terms)
 
@@ -117,14 +140,19 @@ class Sum(Expr):
 
 @dataclass(frozen=True, slots=True)
 class Product(Expr):
-    """Factors side by side."""
+    """Factors side by side; they are multiplied as they come, and printed by kinds."""
 
     factors: tuple[Expr, ...]
 
     @property
+    def printed(self) -> tuple[Expr, ...]:
+        """The factors as they are printed."""
+        return tuple(sorted(self.factors, key=lambda one: one.place))
+
+    @property
     def node(self) -> Node:
         items: list[Node] = []
-        for i, factor in enumerate(self.factors):
+        for i, factor in enumerate(self.printed):
             items += ([Txt(THIN)] if i else []) + [bracketed(factor)]
         return Row(tuple(items))
 

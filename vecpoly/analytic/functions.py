@@ -8,7 +8,7 @@ from math import pi
 import numpy as np
 
 from ..algebra.formula import Frac, Node, Power, Root, Row, Txt
-from .expr import ONE, THIN, ZERO, Const, Env, Expr, Num, Sum, Values, bracketed, total, vanishes
+from .expr import ONE, THIN, ZERO, Const, Env, Expr, Num, Place, Sum, Values, bracketed, total, vanishes
 
 _QUARTER = 1e-12  # of a right angle
 
@@ -22,6 +22,10 @@ class Square(Expr):
     @property
     def node(self) -> Node:
         return Power(bracketed(self.body), "2")
+
+    @property
+    def place(self) -> Place:
+        return self.body.place
 
     def value(self, env: Env) -> Values:
         return self.body.value(env) ** 2
@@ -58,6 +62,10 @@ class Wave(Expr):
     @property
     def node(self) -> Node:
         return Row((Txt(f"{self.name}{THIN}"), bracketed(self.angle)))
+
+    @property
+    def place(self) -> Place:
+        return Place.FUNCTION
 
     def value(self, env: Env) -> Values:
         return (np.cos if self.name == "cos" else np.sin)(self.angle.value(env))

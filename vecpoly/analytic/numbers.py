@@ -52,11 +52,11 @@ def numbers(expr: Expr, env: Env, digits: int = FIGURES) -> Node:
                 items += [Txt(" + " if sign > 0 else " − ")] if i else [Txt("−")] if sign < 0 else []
                 items.append(_guarded(term, env, digits))
             return Row(tuple(items))
-        case Product(factors):
+        case Product():
             return Row(
                 tuple(
                     node
-                    for i, factor in enumerate(factors)
+                    for i, factor in enumerate(expr.printed)
                     for node in ((Txt(" × "),) if i else ()) + (_guarded(factor, env, digits),)
                 )
             )
@@ -103,7 +103,7 @@ def _angular(expr: Expr, env: Env, digits: int) -> Node:
         return Row(
             tuple(
                 node
-                for i, factor in enumerate(expr.factors)
+                for i, factor in enumerate(expr.printed)
                 for node in ((Txt(" × "),) if i else ())
                 + ((_degrees if is_angle(factor) else _guarded)(factor, env, digits),)
             )

@@ -22,7 +22,8 @@ from ..foundation.stock import one_format
 from ..solution import REPEATS, Solution
 from ..words import Lang, Words, label
 from .answers.box import answer_box
-from .answers.tables import directed, readings_tables
+from .answers.checks import check_tables, unlisted
+from .answers.tables import counted
 from .content import Objects, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Plate
 from .flow.doc import Metadata, ReportDoc, Stamp
@@ -195,7 +196,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     """What a template may say of a problem's solution."""
     checked, lines = check_problem(solution.problem), lines_table(solution, lang)
     blocks = diagram(solution.construction)
-    read = readings_tables(solution, lang)
+    answer = answer_box(solution, lang, conclusions(solution, lang))
     verified, printed = verification_table(solution, lang), printed_table(checked.answers, lang)
     bound = [] if blocks or _repeats(solution.construction) else _pages(solution.construction, solution, lang, objects)
     return {
@@ -209,15 +210,17 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
             lambda _, header, rows, align: objects.add("tab", DataTable(header, rows, None, align, lang=lang)),
         ),
         "sections": sections(solution, lang, objects),
-        "results": [objects.add("tab", made) for made in read],
-        "directed": any(directed(made, lang) for made in read),
+        "results": [objects.add("tab", made) for made in check_tables(solution, lang)],
+        "unlisted": unlisted(solution),
+        "counts": all(map(counted, solution.answers.values())),
+        "directed": answer.directed,
         "graphical": any(
             c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers
         ),
         "design": isinstance(solution.problem.subject, Design),
         "printed": objects.add("tab", printed) if printed is not None else "",
         "verdicts": verdicts(solution, checked, lang),
-        "answer": objects.add("ans", answer_box(solution, lang, conclusions(solution, lang))),
+        "answer": objects.add("ans", answer),
         "cautions": cautions(solution, lang),
         "diagram": objects.add("pic", sketch_of(blocks, solution, lang)) if blocks else "",
         "sheets": bound,

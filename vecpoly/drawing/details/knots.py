@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
 
@@ -16,21 +17,25 @@ from .knot import Knot, Trouble
 from .nest import Nest
 
 CROWDED = 6.0  # mm: three letters that lie no farther apart than this crowd together
+TWINS = 0.3, 1.6  # mm: two letters so near to each other, and no nearer, can be told apart in a detail alone
 SPECK = 0.15  # mm: a vector shorter than this is none at 20:1 either
 ROUND = 4.0  # mm: on which side a line of action touches a friction circle that is less across is hardly seen
 APART = 0.05  # mm: letters at one place share a label
+_LETTER = re.compile(r"[A-Za-z][′'^{}]*")
 MOST = 3  # knots of a figure
 
 
 @dataclass(frozen=True, slots=True)
 class Crowd:
     """What of a figure may be too near: where its letters belong, the ends of its vectors, how far it is across, mm;
-    circles: the ends of a diameter of each friction circle."""
+    circles: the ends of a diameter of each friction circle; own: places of letters that are of no numbered series,
+    where the neighbours would tell which is which."""
 
     places: tuple[complex, ...]
     vectors: tuple[tuple[complex, complex], ...]
     across: float
     circles: tuple[tuple[complex, complex], ...] = ()
+    own: tuple[complex, ...] = ()
 
     @classmethod
     def of(cls, figure: Figure) -> Crowd:
@@ -38,21 +43,24 @@ class Crowd:
         polygon = not figure.view.bodies
         if figure.view.across is not None or not (polygon or figure.view is View.MECHANISM):
             return cls((), (), 0.0)
-        lettered = (m.at for m in figure.marks if isinstance(m, Point) and m.label and m.dot is not Dot.NONE)
+        lettered = [m for m in figure.marks if isinstance(m, Point) and m.label and m.dot is not Dot.NONE]
+        own = _distinct(m.at for m in lettered if _LETTER.fullmatch(m.label))
         ends = ((m.a, m.b) for m in figure.marks if isinstance(m, Vector) and polygon)
         across = max(extent(figured(figure.marks)))
-        return cls(tuple(_distinct(lettered)), tuple(ends), across, _circles(figure))
+        places = _distinct(m.at for m in lettered)
+        return cls(tuple(places), tuple(ends), across, _circles(figure), tuple(own))
 
     def times(self, factor: float) -> Crowd:
         """As many times larger."""
         ends, circles = (tuple((a * factor, b * factor) for a, b in some) for some in (self.vectors, self.circles))
-        return Crowd(tuple(at * factor for at in self.places), ends, self.across * factor, circles)
+        places, own = (tuple(at * factor for at in some) for some in (self.places, self.own))
+        return Crowd(places, ends, self.across * factor, circles, own)
 
     @property
     def knots(self) -> tuple[Knot, ...]:
         """The places that are to be drawn apart, the worst first: circles none of which overlap."""
         small = (*_short(self.vectors, READABLE), *_short(self.circles, ROUND))
-        left, found = _snapped([*_crowds(self.places), *small]), list[Knot]()
+        left, found = _snapped([*_crowds(self.places), *_twins(self.own), *small]), list[Knot]()
         while left and len(found) < MOST:
             best = Nest.of(left).best(self.across, found)
             if best is None:
@@ -98,6 +106,13 @@ def _crowds(places: Sequence[complex]) -> list[Trouble]:
     near = (abs(at[:, None] - at) <= CROWDED) & ~np.eye(len(at), dtype=np.bool_)
     thirds = near.astype(np.int64) @ near  # how many letters are near to both
     return [Trouble(places[i], places[j], False) for i, j in np.argwhere(np.triu(near & (thirds > 0))).tolist()]
+
+
+def _twins(places: Sequence[complex]) -> list[Trouble]:
+    """Every two letters that all but coincide: as much trouble as a vector that is too short."""
+    least, most = TWINS
+    pairs = ((a, b) for n, a in enumerate(places) for b in places[:n])
+    return [Trouble(a, b, True) for a, b in pairs if least <= abs(a - b) <= most]
 
 
 def _distinct(places: Iterable[complex]) -> list[complex]:

@@ -57,7 +57,8 @@ _RADIUS = {
     Dot.POINT: DOT_RADIUS,
     Dot.NONE: 0.0,
 }
-ASIDE = (0.0, 1.0, -1.0, 2.0, -2.0)  # mm along its axis by which a number may stand beside its tick
+# mm along its axis by which a number may stand beside its tick
+ASIDE = (0.0, 1.0, -1.0, 2.0, -2.0, 2.6, -2.6, 3.8, -3.8)
 TICK = 8.0  # mm: a longer line at an axis is no tick, as an ordinate
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 

@@ -25,7 +25,7 @@ from .space import FRAME, STRIP
 
 TITLE = Words("结果", "Results")
 PAD, SKIP, BESIDE = 2.0, 1.5, 5.0  # mm: inside the block's frame; between its lines; between its columns
-MARGIN, CLEAR = 3.0, 4.0  # mm of white to the frame of the sheet; to whatever stands on it
+MARGINS, CLEAR = (4.2, 3.0), 4.0  # mm of white to the frame of the sheet, and at least; to whatever stands on it
 STEP, MOST = 4.0, 4  # mm by which places along the frame differ; columns
 SIZES = (3.8, NOTE)  # em: of the type, where there is room, and else
 AMONG, ASIDE = 4.0, 2.0  # mm of white among figures moved together; beside the block, beyond what they have
@@ -53,7 +53,13 @@ def with_results(sheet: Sheet, attempts: Sequence[Sequence[Listed]]) -> Sheet:
     """The sheet with the first of these lists of results for which it has room: over the right end of the title strip,
     the figures moved together for it where they must; else anywhere along its frame; as it is where it has room for
     none."""
-    room, found = _Room.on(sheet), list[Block]()
+    made = (_with_results(sheet, attempts, margin) for margin in MARGINS)
+    return next((one for one in made if one is not None), sheet)
+
+
+def _with_results(sheet: Sheet, attempts: Sequence[Sequence[Listed]], margin: float) -> Sheet | None:
+    """With so much white to the frame; None where it has no room."""
+    room, found = _Room.on(sheet, margin), list[Block]()
     for parts in attempts:
         for em in SIZES:
             blocks = [*_blocks(sheet, parts, em)]
@@ -63,7 +69,7 @@ def with_results(sheet: Sheet, attempts: Sequence[Sequence[Listed]]) -> Sheet:
             found += blocks
     rooms = [room, *([wider] if (wider := room.spread()) is not None else [])]
     made = (one.along(block) for one in rooms for block in found)
-    return next((one for one in made if one is not None), sheet)
+    return next((one for one in made if one is not None), None)
 
 
 def _blocks(sheet: Sheet, parts: Sequence[Listed], em: float) -> Iterator[Block]:
@@ -101,20 +107,21 @@ class _Room:
     group: tuple[Drawn, ...]
     sizes: tuple[Size, ...]
     free: _Free
+    margin: float
 
     @classmethod
-    def on(cls, sheet: Sheet) -> _Room:
+    def on(cls, sheet: Sheet, margin: float) -> _Room:
         """Of a sheet as it is."""
         group = sheet.groups
-        return cls(sheet, group, tuple(one.size for one in group), _free(sheet))
+        return cls(sheet, group, tuple(one.size for one in group), _free(sheet), margin)
 
     def in_corner(self, block: Block) -> Sheet | None:
         """The sheet with the block in its corner, where nothing stands there."""
-        return self._at(list(islice(_places(self.sheet, block), 1)), block)
+        return self._at(list(islice(_places(self.sheet, block, self.margin), 1)), block)
 
     def along(self, block: Block) -> Sheet | None:
         """With the block along the frame, where there is room."""
-        return self._at(list(_places(self.sheet, block)), block)
+        return self._at(list(_places(self.sheet, block, self.margin)), block)
 
     def _at(self, places: Sequence[complex], block: Block) -> Sheet | None:
         """With the block at the first of these places where nothing stands."""
@@ -127,19 +134,20 @@ class _Room:
         if layout is None:
             return None
         hung = lined(self.group, layout)
-        return _Room.on(placed(self.group, hung, self.sheet.strip, self.sheet.lang, self.sheet.warning))
+        made = placed(self.group, hung, self.sheet.strip, self.sheet.lang, self.sheet.warning)
+        return _Room.on(made, self.margin)
 
     def moved(self, block: Block) -> Sheet | None:
         """With the block in its corner and the figures closer together, in their order, the block being the last."""
         layout = self._layout((*self.sizes, (block.width + ASIDE, block.height + ASIDE)))
         if layout is None or layout.white < AMONG:
             return None
-        low = layout.page[0] - MARGIN - block.width
-        stands = Rect(low, MARGIN, low + block.width, MARGIN + block.height)
+        low, foot = layout.page[0] - self.margin - block.width, self.margin
+        stands = Rect(low, foot, low + block.width, foot + block.height)
         hung = lined(self.group, replace(layout, corners=layout.corners[:-1]), (stands,))
         hung = even(self.group, hung, (stands,)) if self.sheet.warning is None else hung
         moved = placed(self.group, hung, self.sheet.strip, self.sheet.lang, self.sheet.warning)
-        return _with(moved, block, complex(low + FRAME, MARGIN + FRAME + STRIP))
+        return _with(moved, block, complex(low + FRAME, foot + FRAME + STRIP))
 
     def _layout(self, sizes: Sequence[Size]) -> Layout | None:
         """No pair parted, on a sheet that stays as large as it is."""
@@ -199,11 +207,11 @@ def _block(title: Box, parts: Sequence[Sequence[Box]]) -> Block:
     return Block(tuple(placed), width, height)
 
 
-def _places(sheet: Sheet, block: Block) -> Iterator[complex]:
+def _places(sheet: Sheet, block: Block, margin: float) -> Iterator[complex]:
     """Lower left corners along the frame: the lower right corner of the sheet first, the others, then its sides."""
-    x0, y0 = FRAME + MARGIN, FRAME + STRIP + MARGIN
+    x0, y0 = FRAME + margin, FRAME + STRIP + margin
     top = sheet.size[1] - FRAME - (BAND if sheet.warning is not None else 0.0)
-    x1, y1 = sheet.size[0] - FRAME - MARGIN - block.width, top - MARGIN - block.height
+    x1, y1 = sheet.size[0] - FRAME - margin - block.width, top - margin - block.height
     if x1 < x0 or y1 < y0:
         return
     yield from (complex(x, y) for y in (y0, y1) for x in (x1, x0))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from math import degrees, isfinite
 
 from ...algebra.rounding import places_of, read_back
@@ -45,7 +45,7 @@ def readings_tables(solution: Solution, lang: Lang) -> tuple[DataTable, ...]:
     answers = listed(solution.answers.values())
     if all(map(counted, answers)):
         return ()
-    places, others = _sorted(answers)
+    places, others = parted(answers)
     found = [_values(others, solution, lang)] if others else []
     return (*found, *([places_table(places, solution, lang)] if places else []))
 
@@ -58,8 +58,8 @@ def readings_at(
     places: list[tuple[str, ...]] = []
     inks: tuple[list[Rgb | None], list[Rgb | None]] = ([], [])
     for where, solution, answers in positions:
-        spots, others = _sorted(answers)
-        values += _at(where, [_row(one, solution, lang, _unit(one)) for one in others])
+        spots, others = parted(answers)
+        values += _at(where, [row_of(one, solution, lang, unit_of(one)) for one in others])
         placed = [(*place_row(one), gap) for one, gap in zip(spots, gaps(spots), strict=True)]
         places += _at(where, placed)
         for told, of_one in zip(inks, (others, spots), strict=True):
@@ -85,7 +85,7 @@ def _at(where: str, rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
     return [("" if n else where, *row) for n, row in enumerate(rows)]
 
 
-def _sorted(answers: Iterable[Answer]) -> tuple[list[Answer], list[Answer]]:
+def parted(answers: Iterable[Answer]) -> tuple[list[Answer], list[Answer]]:
     """The places, and all that is none; a place at infinity, which is a direction, beside others in their table."""
     every = list(answers)
     finite = {one.key for one in every if one.is_place and None not in (one.drawn_vector, one.exact_vector)}
@@ -101,22 +101,28 @@ def counted(answer: Answer) -> bool:
 
 
 def _values(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
-    units = {_unit(one) for one in answers if one.reading.unit != YES_NO}
+    header, one_unit = headed(answers, lang)
+    errors = expected_errors(answers)
+    rows = [row_of(one, solution, lang, "" if one_unit else unit_of(one)) for one in answers]
+    header[_OFF], offs = deviations(header[_OFF], [row[_OFF] for row in rows], lang)
+    rows = [(*row[:_OFF], off, errors[one.key]) for row, off, one in zip(rows, offs, answers, strict=True)]
+    inks = inks_of(solution, (one.key for one in answers))
+    return trimmed(header, rows, (), _ALIGN, lang, inks, groups=[unit_of(one) for one in answers])
+
+
+def headed(answers: Sequence[Answer], lang: Lang) -> tuple[list[str], str]:
+    """The heads of all columns, and the unit that stands in them where the answers have but one."""
+    units = {unit_of(one) for one in answers if one.reading.unit != YES_NO}
     one_unit = units.pop() if len(units) == 1 else ""
     header = [head.of(lang) for head in _HEADS]
     if all(one.computed for one in answers):
         header[_VALUE] = _COMPUTED.of(lang)
     if one_unit not in ("", NOTHING):
         header = [f"{head} /{_braced(one_unit)}" if n in _WITH_UNIT else head for n, head in enumerate(header)]
-    errors = expected_errors(answers)
-    rows = [_row(one, solution, lang, "" if one_unit else _unit(one)) for one in answers]
-    header[_OFF], offs = _deviations(header[_OFF], [row[_OFF] for row in rows], lang)
-    rows = [(*row[:_OFF], off, errors[one.key]) for row, off, one in zip(rows, offs, answers, strict=True)]
-    inks = inks_of(solution, (one.key for one in answers))
-    return trimmed(header, rows, (), _ALIGN, lang, inks, groups=[_unit(one) for one in answers])
+    return header, one_unit
 
 
-def _deviations(head: str, offs: list[str], lang: Lang) -> tuple[str, list[str]]:
+def deviations(head: str, offs: list[str], lang: Lang) -> tuple[str, list[str]]:
     """The head and the cells of the column of deviations: degrees alone have their unit in the head, as per cents have;
     of two units in one column each stands beside its number."""
     told = [off for off in offs if off != NOTHING]
@@ -127,25 +133,17 @@ def _deviations(head: str, offs: list[str], lang: Lang) -> tuple[str, list[str]]
     return _DEVIATION.of(lang), [off if off.endswith(("°", NOTHING)) else f"{off} %" for off in offs]
 
 
-def directed(table: DataTable, lang: Lang) -> bool:
-    """Whether a table has a column of directions with an angle in it, not senses of turning alone."""
-    if (head := _DIRECTION.of(lang)) not in table.header:
-        return False
-    column = table.header.index(head)
-    return any("°" in row[column] for row in table.rows)
-
-
 def _braced(unit: str) -> str:
     return f"({unit})" if "/" in unit or "·" in unit else unit
 
 
-def _unit(answer: Answer) -> str:
+def unit_of(answer: Answer) -> str:
     """The unit as it stands in the table; of a pure number nothing."""
     unit = printed_unit(answer.reading.unit)[1]
     return {"deg": "°", "": NOTHING, YES_NO: NOTHING}.get(unit, unit)
 
 
-def _row(answer: Answer, solution: Solution, lang: Lang, unit: str) -> tuple[str, ...]:
+def row_of(answer: Answer, solution: Solution, lang: Lang, unit: str) -> tuple[str, ...]:
     r = answer.reading
     exact, read = clean(answer), _is_read(answer, solution)
     return (

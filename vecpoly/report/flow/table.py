@@ -23,7 +23,7 @@ from .results.decimal import Aligned, grouped
 from .style import CAPTION, CELL, Style
 from .text.continued import CONTINUED, continued
 
-_PAD, _VERTICAL = 1.5, 1.6  # mm at either side of a cell, pt above and below a row
+PAD, _VERTICAL = 1.5, 1.6  # mm at either side of a cell, pt above and below a row
 _HEAVY, _FINE = 0.9, 0.45  # pt
 _ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre", "u": "centre"}
 
@@ -131,7 +131,7 @@ class DataTable(Block):
     ) -> tuple[float, ...]:
         em = self.style.em
         wanted = self.widths or tuple(
-            max(*(joined(row[i], em).width for row in rows), *(one.width for one in column or ())) + 2 * _PAD
+            max(*(joined(row[i], em).width for row in rows), *(one.width for one in column or ())) + 2 * PAD
             for i, column in enumerate(points)
         )
         total = sum(wanted)
@@ -143,7 +143,7 @@ class DataTable(Block):
         return tuple(w if w <= fair else w * share for w in wanted)
 
     def _lines(self, row: Sequence[Sequence[Cell]], widths: Sequence[float]) -> _Row:
-        rooms = (width - 2 * _PAD + 1e-3 for width in widths)
+        rooms = (width - 2 * PAD + 1e-3 for width in widths)
         return tuple(tuple(break_lines(p, room, self.style.em)) for p, room in zip(row, rooms, strict=True))
 
     def _height(self, row: _Row) -> float:
@@ -193,7 +193,7 @@ class DataTable(Block):
         y = self._rule(ink, left, y, width, _FINE)
         for n, (row, texts) in enumerate(zip(found.body, self.rows, strict=True)):
             shifts = [
-                column[n].indent(text, width - 2 * _PAD) if column is not None and len(cell) == 1 else None
+                column[n].indent(text, width - 2 * PAD) if column is not None and len(cell) == 1 else None
                 for cell, text, width, column in zip(row, texts, found.widths, found.points, strict=True)
             ]
             y = self._row(ink, row, found.widths, left, y, self.align, shifts)
@@ -229,8 +229,8 @@ class DataTable(Block):
                 advance = self._advance(line)
                 rise = (advance - self.style.size) / 2 + 0.86 * self.style.size
                 rise = max(rise, line.ascent * MM + 1.0)
-                begin, way = x + (_PAD + (shift or 0.0)) * MM, _ALIGN[side] if shift is None else "left"
-                draw_line(ink, line, begin, y - rise, width - 2 * _PAD, way, marks)
+                begin, way = x + (PAD + (shift or 0.0)) * MM, _ALIGN[side] if shift is None else "left"
+                draw_line(ink, line, begin, y - rise, width - 2 * PAD, way, marks)
                 y -= advance
             marks.finish()
             x += width * MM

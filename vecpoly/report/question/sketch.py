@@ -8,11 +8,14 @@ from dataclasses import replace
 from ...board.construction import Construction, Figure, View
 from ...board.paper.marks import AngleMark, Ground, Mark, Plate, Point, Role, Segment
 from ...designs.base import Design
+from ...designs.inversion.cognates import Cognates
 from ...designs.straight_line import StraightLine
 from ...problem.problem import Problem
 from ...words import Words
 from ..picture import SKETCH, picture, reduced
+from ..sizes.coordinates import coordinates
 from ..sizes.sized import sized
+from .assembled import assembled
 from .known import NEAR, given
 
 GIVEN = Words("已知条件（示意）", "What is given (sketch)")
@@ -23,7 +26,7 @@ _FEWEST = 3  # places and lines that are worth a picture
 def sketched(problem: Problem, construction: Construction, width: float, height: float) -> Figure | None:
     """The picture of a question, to fit width × height mm; None where nothing given can be drawn."""
     figure = construction.figure(View.MECHANISM)
-    if isinstance(problem.subject, StraightLine) and figure is not None:
+    if isinstance(problem.subject, StraightLine | Cognates) and figure is not None:
         return sized(problem, replace(reduced(figure, linkage(figure), width, LOW * height), title=SKETCH))
     if not isinstance(problem.subject, Design) or figure is None:
         return picture(problem, construction, width, height)
@@ -31,17 +34,21 @@ def sketched(problem: Problem, construction: Construction, width: float, height:
     marks = [_fine(mark) for mark in shown]
     if sum(isinstance(mark, (Point, Segment)) for mark in marks) < _FEWEST:
         return None
+    marks += assembled(problem.subject, figure, marks)
+    marks += coordinates(problem.subject, figure, marks)
     return sized(problem, replace(reduced(figure, marks, width, height), title=GIVEN))
 
 
 def linkage(figure: Figure) -> list[Mark]:
-    """A mechanism that is given whole, in the one of its positions that is drawn in full; of the points of several
+    """A mechanism that is given whole, in the first of its positions that is drawn in full; of the points of several
     positions that of this one, without its number."""
     bars = [mark for mark in figure.marks if isinstance(mark, Segment) and mark.role is Role.LINK]
-    plates = [mark for mark in figure.marks if isinstance(mark, Plate)]
+    first = min((bar.step for bar in bars), default=0)
+    bars = [bar for bar in bars if bar.step == first]
+    plates = [mark for mark in figure.marks if isinstance(mark, Plate) and mark.step == first]
     ends = [end for bar in bars for end in (bar.a, bar.b)] + [corner for plate in plates for corner in plate.points]
     points = [mark for mark in figure.marks if isinstance(mark, Point) and mark.label and _is_at(mark.at, ends)]
-    pivots = [mark for mark in figure.marks if isinstance(mark, Ground)]
+    pivots = [mark for mark in figure.marks if isinstance(mark, Ground) and _is_at(mark.at, ends)]
     return [*plates, *bars, *(replace(mark, label=mark.label.partition("_")[0]) for mark in points), *pivots]
 
 

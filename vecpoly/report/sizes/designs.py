@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from math import pi, radians
 
 from ...board.construction import Figure
 from ...board.paper.marks import AngleMark, Dot, Ground, Mark, Point, Segment
 from ...designs.base import Design
 from ...errors import VecpolyError
 from ...units.reading import Dim, read
-from .lines import AXIS, letter, span
+from .lines import AXIS, angle, letter, ray, span
 
 _BAR = re.compile(r"l_\{?([A-Z])([A-Z])\}?")  # as data name it, and as statements do
+_ANGLE = re.compile(r"(-?[\d.]+) deg")
 _ENDS = (("E_1", "E_2"), ("F_1", "F_2"), ("C_1", "C_2"))  # of a stroke
 _LIKE = 2e-3  # part of a length by which it may be drawn differently
 _UNDER, _OVER = 11.0, 7.0  # mm: a dimension under two pivots, over two places
 _SWING, _STROKE = "ψ", "H"
+_TURNED = (("φ", "A", "B"), ("φ_1", "A", "B_1"), ("ψ_1", "D", "C_1"))  # angles, pivots and pins
 
 
 def design(subject: Design, told: str, figure: Figure) -> Iterator[Mark]:
@@ -36,6 +39,7 @@ def design(subject: Design, told: str, figure: Figure) -> Iterator[Mark]:
             if (text := data.get(symbol)) is None or _is_drawn(text, abs(b - a) * figure.scale.value):
                 yield from _length(figure, a, b, symbol)
                 break
+    yield from _turned(data, figure, spots)
     if any(symbol == _SWING for symbol, _ in subject.given()):
         yield from _swing(figure, spots)
 
@@ -75,6 +79,20 @@ def _length(figure: Figure, a: complex, b: complex, symbol: str) -> Iterator[Mar
 
 def _same(line: Segment, a: complex, b: complex) -> bool:
     return min(abs(line.a - a) + abs(line.b - b), abs(line.a - b) + abs(line.b - a)) < 1e-6
+
+
+def _turned(data: Mapping[str, str], figure: Figure, spots: dict[str, complex]) -> Iterator[Mark]:
+    """Each single angle of a link on the frame, from the horizontal through its pivot: to its pin where that stands so,
+    else to a thin line of that direction."""
+    for symbol, pivot, pin in _TURNED:
+        found = _ANGLE.fullmatch(data.get(symbol, ""))
+        if found is None or pivot not in spots or _marked(figure.marks, symbol):
+            continue
+        told, at = radians(float(found[1])) % (2 * pi), spots[pivot]
+        if pin not in spots:
+            yield from ray(at, told, 1.5 * AXIS)
+        if pin not in spots or abs(cmath.phase(spots[pin] - at) % (2 * pi) - told) < _LIKE:
+            yield from angle(at, told, symbol, AXIS)
 
 
 def _swing(figure: Figure, spots: dict[str, complex]) -> Iterator[Mark]:

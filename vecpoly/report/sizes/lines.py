@@ -48,6 +48,11 @@ def angle(at: complex, size: float, symbol: str, away: float, start: float = 0.0
     yield AngleMark(at=at, radius=away, start=start, sweep=size, label=symbol, step=1)
 
 
+def ray(at: complex, turn: float, length: float) -> Iterator[Mark]:
+    """A thin line in a direction that is given."""
+    yield _thin(at, at + cmath.rect(length, turn))
+
+
 def letter(at: complex, symbol: str) -> Mark:
     """A letter beside a place."""
     return Point(at=at, label=symbol, dot=Dot.NONE, step=1)

@@ -20,13 +20,13 @@ def loosened(story: Sequence[Any], doc: ReportDoc) -> Sequence[Any]:
     if not filled or min(doc.filled) >= ENOUGH:
         return story
     for share in TRIED:
-        opener = tightened(story, _grown(min(OPENEST, share * (len(doc.filled) / filled - 1))))
+        opener = tightened(story, grown(min(OPENEST, share * (len(doc.filled) / filled - 1))))
         tried = ReportDoc(opener, doc.metadata)
         if tried.counted() <= doc.page and faults_of(tried) <= faults_of(doc):
             return opener
     return story
 
 
-def _grown(share: float) -> Tightness:
+def grown(share: float) -> Tightness:
     """So open that a text of the common kind takes this share more of room."""
     return Tightness(white=1 + 4.8 * share, lines=1 + 0.3 * share, figures=1 + 0.45 * share)

@@ -15,6 +15,7 @@ from ..para import Para
 from .together import first_of, led
 
 ROUNDS = 8  # what begins on a page of another may end on one that holds little
+FEW = 2  # pages behind its sheets that a part may have, at most
 FULL = 0.8  # of the last page of a part: what is less is shared with what comes next
 
 
@@ -57,8 +58,9 @@ def _opened(doc: ReportDoc) -> list[Any]:
 
 def _after(heads: Sequence[Any]) -> int:
     """Behind how many pages of a part that open so its sheets stand: before the last page that opens with a section, or
-    else with a step, so that no table or formula is torn from what it belongs to."""
-    pages = range(len(heads) - 1, 0, -1)
+    else with a step, so that no table or formula is torn from what it belongs to; no farther from where they belong
+    than a few pages."""
+    pages = range(len(heads) - 1, max(0, len(heads) - 1 - FEW), -1)
     for kind in (Heading, Para):
         if (found := next((page for page in pages if isinstance(heads[page], kind)), None)) is not None:
             return found

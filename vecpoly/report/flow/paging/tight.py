@@ -12,6 +12,7 @@ from typing import Any
 
 from ..base import Tightness
 from ..doc import Metadata, ReportDoc
+from .balanced import balanced
 from .loose import loosened
 from .running import run_on, split
 from .sectioned import sectioned
@@ -34,7 +35,7 @@ def saved(story: Sequence[Any], meta: Metadata) -> bytes:
 
 def settled(story: Sequence[Any], meta: Metadata) -> list[Any]:
     """The story as `saved` sets it; of one of many parts, which run on, none is set more tightly than another."""
-    story = _set(story, {})
+    story = given = _set(story, {})
     plain = ReportDoc(story, meta)
     plain.counted()
     if len(plain.ends) > 1:
@@ -45,7 +46,7 @@ def settled(story: Sequence[Any], meta: Metadata) -> list[Any]:
         story = _set(story, chosen)
         plain = ReportDoc(story, meta)
         plain.counted()
-    return [*loosened(*_mended(*sectioned(*run_on(story, plain))))]
+    return [*balanced(loosened(*_mended(*sectioned(*run_on(story, plain)))), given, meta)]
 
 
 def _mended(story: list[Any], doc: ReportDoc) -> tuple[Sequence[Any], ReportDoc]:

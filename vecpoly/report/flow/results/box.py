@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import accumulate, groupby
 
+from ....algebra.formula import plain
 from ....tagging.tag import Role, Tag
 from ....tagging.tree import artifact, tree_of
 from ....typeset.box import MM
@@ -44,6 +45,11 @@ class AnswerBox(Block):
         self._set_in: dict[float, tuple[tuple[GridRow, ...], ...]] = {}  # by width: without the title above, with it
         self._above = False  # whether the title stands above the lines
         self._set = False  # a part of a box keeps the rows that it was given
+
+    @property
+    def directed(self) -> bool:
+        """Whether a direction stands in it as an angle."""
+        return any("∠" in plain(line.node) for line in self.lines)
 
     def tighten(self, degree: Tightness) -> None:
         """Rows closer too."""

@@ -1,0 +1,44 @@
+"""No page of a report is left half empty where its text, set a little otherwise, would fill it."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.drawn_library import drawn
+from tests.report.test_pages_filled import META, laid_out, text
+from vecpoly.report.flow.blocks import SheetPage
+from vecpoly.report.flow.doc import ReportDoc
+from vecpoly.report.flow.paging.balanced import balanced, emptiness
+from vecpoly.words import Lang
+
+HALF_EMPTY = ("7-6", "3-4a-straight", "shaper-flywheel", "dump-hoist", "8-6", "tipper", "C-conveyor")  # as they were
+
+
+@pytest.mark.parametrize("name", HALF_EMPTY)
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_every_page_of_a_report_is_more_than_half_full(name: str, lang: Lang) -> None:
+    doc = laid_out([drawn(name).solution], lang)
+    assert min(doc.filled) > 0.5
+    assert not doc.widows and not doc.parted
+
+
+def test_a_text_of_little_more_than_a_page_is_spread_over_two() -> None:
+    story = text(44)
+    plain = ReportDoc(story, META)
+    plain.counted()
+    assert len(plain.filled) == 2 and emptiness(plain.filled)
+    doc = ReportDoc(balanced(story, story, META), META)
+    assert doc.counted() == 2 and emptiness(doc.filled) < emptiness(plain.filled)
+
+
+def test_a_text_that_fills_its_pages_is_left_as_it_is() -> None:
+    sheet = SheetPage(lambda canvas, x, y: None, title="s")
+    story = [*text(62), sheet]
+    assert balanced(story, story, META) is story
+
+
+def test_a_sheet_before_the_text_stays_before_it() -> None:
+    sheet = SheetPage(lambda canvas, x, y: None, title="s")
+    story = [sheet, *text(44)]
+    found = balanced(story, story, META)
+    assert isinstance(found[0], SheetPage) and len(found) == len(story)

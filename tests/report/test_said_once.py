@@ -1,0 +1,87 @@
+"""The box of answers, the results on the sheet and the table of the check each say what the others do not."""
+
+from __future__ import annotations
+
+from io import BytesIO
+
+import pytest
+from pypdf import PdfReader
+
+from tests.drawn_library import DRAFTED, IDS, drafted, drawn
+from tests.each import each
+from vecpoly.printed.digits import exact_number
+from vecpoly.problem.load import load
+from vecpoly.report.answers.checks import check_tables, checked, unlisted
+from vecpoly.report.answers.placed import clean
+from vecpoly.report.answers.tables import readings_tables
+from vecpoly.report.document import report_bytes
+from vecpoly.report.flow.results.halved import LONG, HalvedTable
+from vecpoly.report.values import called
+from vecpoly.solution import solve
+from vecpoly.typeset.box import MM
+from vecpoly.words import Lang
+
+COLUMN = 170.0 * MM
+_SAID_ABOVE = ("On paper", "Scale", "Drawn", "Direction", "图上长度", "比例尺", "量得", "方向")
+
+
+@each(DRAFTED)
+def test_no_column_of_the_check_says_what_the_box_of_answers_says(name: str) -> None:
+    solution = drafted(name)
+    for lang in ("zh", "en") if solution is not None else ():
+        assert solution is not None
+        heads = [head for table in check_tables(solution, lang) for head in table.header]
+        assert not [head for head in heads if head.startswith(_SAID_ABOVE)]
+
+
+@each(DRAFTED)
+def test_whatever_was_read_is_checked_and_what_is_computed_has_no_row(name: str) -> None:
+    solution = drafted(name)
+    if solution is None:
+        return
+    rows = {row[0]: row for table in check_tables(solution, "en") for row in table.rows}
+    listed = {one.key for one in checked(solution)}
+    for answer in solution.answers.values():
+        read = answer.expected_error > 1e-9 * abs(answer.exact)
+        assert not read or answer.key in listed, answer.key
+        if answer.key in listed and not answer.is_place:
+            row = rows[called(answer.reading.symbol, answer.key, "en")]
+            assert row[1:] != ("—",) * (len(row) - 1)
+            assert exact_number(answer, clean(answer)) in row or answer.reading.unit == "yes/no"
+    assert unlisted(solution) is (0 < len(listed) < len(solution.answers))
+
+
+@each(IDS)
+def test_a_long_check_stands_in_two_halves_side_by_side(name: str) -> None:
+    for lang in ("zh", "en"):
+        for table in check_tables(drawn(name).solution, lang):
+            assert isinstance(table, HalvedTable)
+            table.wrap(COLUMN, 1e4)
+            halves = table._parted(COLUMN)
+            if halves is None:
+                continue
+            first, second = halves
+            assert len(table.rows) > LONG and (*first.rows, *second.rows) == table.rows
+            assert 0 <= len(first.rows) - len(second.rows) <= 1
+            assert 2 * sum(first.widths or ()) < 170.0 and first.header == second.header == table.header
+
+
+def test_halves_take_little_more_than_half_the_height_and_are_not_torn() -> None:
+    (table,) = check_tables(solve(load("3-5")), "zh")
+    whole = readings_tables(solve(load("3-5")), "zh")[0]
+    high = table.wrap(COLUMN, 1e4)[1]
+    assert len(table.rows) > LONG and high < 0.65 * whole.wrap(COLUMN, 1e4)[1]
+    assert table.split(COLUMN, 0.8 * high) == []
+
+
+@pytest.mark.parametrize(("lang", "head"), [("zh", "校核"), ("en", "Check")])
+def test_the_report_says_that_what_is_not_listed_is_exact(lang: Lang, head: str) -> None:
+    text = "".join(
+        page.extract_text() for page in PdfReader(BytesIO(report_bytes([solve(load("7-6"))], lang=lang))).pages
+    )
+    flat = "".join(text.split())
+    told = {
+        "zh": "未列的量由计算得出，与精确值一致。",
+        "en": "Quantities that are not listed were computed, and equal the exact values.",
+    }
+    assert head in text and told[lang].replace(" ", "") in flat

@@ -1,0 +1,74 @@
+"""Pages that hold little are evened out: the text is set a little tighter or opener, its sheets stand elsewhere, as far
+as it needs no page more."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from copy import copy
+from typing import Any
+
+from ..base import Tightness
+from ..blocks import Heading, SheetPage
+from ..doc import Metadata, ReportDoc
+from .loose import OPENEST, grown
+from .setting import tightened
+
+ENOUGH, LAST = 0.72, 0.6  # of a page of text, and of the last one: what is filled so far looks full
+_SHARES = (0.0, *(OPENEST * n / 5 for n in range(1, 6)))
+_CLOSER = (Tightness(white=0.8), Tightness(white=0.6), Tightness(white=0.5, lines=0.97, figures=0.85))
+_Score = tuple[int, int, int, float]
+
+
+def balanced(story: Sequence[Any], plain: Sequence[Any], meta: Metadata) -> Sequence[Any]:
+    """The story; or the plain one, of which nothing is set otherwise yet, in the first way that fills its pages, or
+    else in the best, where it needs no page more."""
+    doc = _laid_out(story, meta)
+    best, found = _score(doc), story
+    if len(doc.filled) < 2:
+        return story
+    for one in _ways(plain):
+        if not best[-1]:
+            break
+        score = _score(_laid_out(one, meta))
+        if score < best:
+            best, found = score, one
+    return found
+
+
+def _laid_out(story: Sequence[Any], meta: Metadata) -> ReportDoc:
+    doc = ReportDoc(story, meta)
+    doc.counted()
+    return doc
+
+
+def emptiness(filled: Sequence[float]) -> float:
+    """What pages lack that hold too little, the emptier the more."""
+    *others, last = filled
+    return sum(max(0.0, ENOUGH - full) ** 2 for full in others) + max(0.0, LAST - last) ** 2
+
+
+def _score(doc: ReportDoc) -> _Score:
+    return int(doc.page), len(doc.widows), doc.parted, round(emptiness(doc.filled), 4)
+
+
+def _ways(plain: Sequence[Any]) -> Iterator[Sequence[Any]]:
+    """The text as it is, then opener, then closer; its sheets behind it, then before each of its sections."""
+    count = next((n for n, item in enumerate(reversed(plain)) if not isinstance(item, SheetPage)), 0)
+    text, sheets = plain[: len(plain) - count], plain[len(plain) - count :]
+    degrees = (*map(grown, _SHARES), *_CLOSER)
+    for at in (len(text), *(_heads(text) if sheets else ())):
+        placed = [*text[:at], *map(_settled, sheets), *text[at:]]
+        yield from (tightened(placed, degree) for degree in degrees)
+
+
+def _heads(text: Sequence[Any]) -> Iterator[int]:
+    """Where sections begin, the last first."""
+    for at in range(len(text) - 1, 0, -1):
+        if isinstance(text[at], Heading) and not getattr(text[at - 1], "keepWithNext", 0):
+            yield at
+
+
+def _settled(sheet: SheetPage) -> SheetPage:
+    own = copy(sheet)
+    own.behind = 0
+    return own
