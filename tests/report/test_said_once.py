@@ -1,4 +1,5 @@
-"""The box of answers, the results on the sheet and the table of the check each say what the others do not."""
+"""The box of answers says lengths, scales and directions; the table of the check sets what was read beside the exact
+values."""
 
 from __future__ import annotations
 
@@ -22,7 +23,7 @@ from vecpoly.typeset.box import MM
 from vecpoly.words import Lang
 
 COLUMN = 170.0 * MM
-_SAID_ABOVE = ("On paper", "Scale", "Drawn", "Direction", "图上长度", "比例尺", "量得", "方向")
+_SAID_ABOVE = ("On paper", "Scale", "Direction", "图上长度", "比例尺", "方向")
 
 
 @each(DRAFTED)
