@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import re
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
@@ -24,7 +24,7 @@ from vecpoly.cycle.facts.path_words import path_sentences
 from vecpoly.cycle.whole_cycle import cycle
 from vecpoly.drawing.details.apart import ROMAN, detailed, shown
 from vecpoly.drawing.details.knot import Knot
-from vecpoly.drawing.details.knots import ROUND, knots
+from vecpoly.drawing.details.knots import ROUND, TWINS, knots
 from vecpoly.errors import NoMethodError, NotAskedError
 from vecpoly.problem.load import loads
 from vecpoly.solution import solve
@@ -317,7 +317,10 @@ def test_letters_of_a_knot_stand_in_the_detail_and_all_but_two_no_longer_in_the_
         small = [m for m in figure.marks if isinstance(m, Vector) and 0.1 < abs(m.b - m.a) < READABLE]
         held = [m for m in small if knot.holds(m.a) and knot.holds(m.b) and abs(m.b - m.a) * knot.factor >= READABLE]
         circles = [m for m in figure.marks if isinstance(m, FrictionCircle) and knot.holds(m.centre)]
-        assert len(set(left)) <= 2 and (len(inside) >= 3 or held or any(2 * m.radius < ROUND for m in circles))
+        places = [m.at for m in figure.marks if isinstance(m, Point) and knot.holds(m.at) and m.label]
+        twins = any(TWINS[0] <= abs(a - b) <= TWINS[1] for a, b in combinations(places, 2))
+        assert len(set(left)) <= 2
+        assert len(inside) >= 3 or held or twins or any(2 * m.radius < ROUND for m in circles)
         assert set(inside) <= {m.label for m in detail.marks if isinstance(m, Point)}
         names = {m.label for m in detailed(figure)[0].marks if isinstance(m, Point)}
         assert any(f" {name}（" in detail.title.zh and f" {name} (" in detail.title.en for name in names & set(ROMAN))

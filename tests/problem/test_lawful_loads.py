@@ -112,3 +112,10 @@ def test_what_is_varied_is_what_is_drawn() -> None:
 def test_a_record_keeps_windows_tables_springs_and_the_constant(name: str) -> None:
     problem = load(name)
     assert from_json(to_json(problem), Problem) == problem
+
+
+def test_of_which_line_the_free_angle_of_a_torsion_spring_is_stands_beside_it() -> None:
+    """Turned round, DC is 180° from CD: the file's letters decide, so that the reader must see them."""
+    told = [datum.words for datum in load("return-spring").given.loads if datum.words is not None]
+    assert any("$φ_0$ = 90 deg (angle of $DC$ from the $x$ axis)" in words.en for words in told)
+    assert any("$φ_0$ = 90 deg（$DC$ 自 $x$ 轴起的转角）" in words.zh for words in told)

@@ -180,6 +180,10 @@ class Mechanism:
         names = tuple(link.name for link in self.links if point in link.points)
         return (*names, FRAME) if point in self.frame else names
 
+    def shared(self, one: str, other: str) -> tuple[str, ...]:
+        """The letters that two links have in common, as that of the pin between them."""
+        return tuple(point for point in self.link(one).points if point in self.link(other).points)
+
     @property
     def scale(self) -> float:
         """Largest distance between two points of one link or of the frame (m): the scale of its errors."""

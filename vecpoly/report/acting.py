@@ -11,15 +11,17 @@ from ..board.paper.marks import Block, Disc, Dot, FrictionCircle, Mark, Point, R
 from ..board.paper.pulling import pulls
 from ..diagram.single import pivot
 from ..diagram.springs.straight import damper, spring_symbol
+from ..diagram.springs.torsion import OUTER, coil_symbol
 from ..foundation.slotted import replace
 from ..mechanism.asked.forces import load_named, load_symbol
-from ..mechanism.laws.springs import Spring
+from ..mechanism.laws.springs import Coil, Spring
 from ..mechanism.loads import Force, Load, Loads, Moment
 from ..mechanism.model import FRAME, Mechanism
 
 ARROW = 16.0  # mm, length of a force
 TURN_RADIUS = 7.0  # mm, of a moment's arrow
 BESIDE = 14.0  # mm, of a moment's arrow about a pivot that the driving arrow turns about
+COILED = OUTER + 2.0  # mm, from a pin to the letter of the torsion spring about it
 CLEAR = 1.5  # mm between a force's arrow and its point
 LEAST = 2.2  # mm, the smallest friction circle that can be seen about a pin
 
@@ -34,7 +36,7 @@ def acting(mech: Mechanism, loads: Loads, figure: Figure, sheet: Figure) -> tupl
         if rho and pin in spots
     )
     arrows = tuple(mark for load in loads.all if (mark := _arrow(mech, load, spots, figure, sheet)) is not None)
-    return circles + _springs(mech, loads, spots) + arrows
+    return circles + _springs(mech, loads, spots) + _coils(mech, loads, spots) + arrows
 
 
 def _springs(mech: Mechanism, loads: Loads, spots: dict[str, complex]) -> tuple[Mark, ...]:
@@ -49,6 +51,16 @@ def _springs(mech: Mechanism, loads: Loads, spots: dict[str, complex]) -> tuple[
         symbols = (draw(foot, point), *((pivot(foot),) if mech.links_at(spring.foot) == (FRAME,) else ()))
         found += [replace(mark, step=1) for symbol in symbols for mark in symbol.marks]
         found.append(Point(at=(foot + point) / 2 + aside, label=load_symbol(spring.name), dot=Dot.NONE, step=1))
+    return tuple(found)
+
+
+def _coils(mech: Mechanism, loads: Loads, spots: dict[str, complex]) -> tuple[Mark, ...]:
+    """Torsion springs about their pins, each with its letter."""
+    found: list[Mark] = []
+    for coil in (one for one in loads.springs if isinstance(one, Coil)):
+        for pin in (one for one in mech.shared(coil.link, coil.against)[:1] if one in spots):
+            found += [replace(mark, step=1) for mark in coil_symbol(spots[pin]).marks]
+            found.append(Point(at=spots[pin] - COILED, label=load_symbol(coil.name), dot=Dot.NONE, step=1))
     return tuple(found)
 
 

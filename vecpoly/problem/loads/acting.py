@@ -41,6 +41,6 @@ def read_acting(spec: ProblemSpec, bodies: Bodies, moved: Moved, weights: Weight
     loads = replace(loads, friction=friction)
     machine, running = read_machine(spec, mechanism, loads, faults)
     faults.settle()
-    told = (*data_of_loads(spec, loads), *rubbing, *weights[1], *hung, *running)
+    told = (*data_of_loads(spec, loads, mechanism), *rubbing, *weights[1], *hung, *running)
     balanced = loads.balancing and ((machine is None and not spec.counterweights) or needs_balance(spec))
     return loads if balanced else None, machine, counterweights, told

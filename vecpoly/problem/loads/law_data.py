@@ -7,7 +7,7 @@ from typing import assert_never
 from ...mechanism.laws.springs import Coil, Elastic
 from ...mechanism.laws.windows import During, Moving, Turning
 from ...mechanism.loads import Constant, Load
-from ...mechanism.model import FRAME
+from ...mechanism.model import FRAME, Mechanism
 from ...words import Words
 from ..problem import Datum
 from ..schema.models import LoadSpec, TableSpec
@@ -115,13 +115,14 @@ def told_constant(one: Constant) -> Datum:
     )
 
 
-def told_spring(spring: Elastic, spec: LoadSpec) -> Datum:
+def told_spring(spring: Elastic, spec: LoadSpec, mech: Mechanism) -> Datum:
     """A spring or a damper."""
     symbols = (("k", "k"), ("l_0", "l_0"), ("phi_0", "φ_0"), ("preload", "F_0"), ("c", "c"))
     values = [
-        f"${'M_0' if key == 'preload' and isinstance(spring, Coil) else symbol}$ = {written(getattr(spec, key))}"
+        Words.same(f"${'M_0' if key == 'preload' and isinstance(spring, Coil) else symbol}$ = {written(told)}")
+        + (_angle_of(spring, mech) if key == "phi_0" and isinstance(spring, Coil) else Words("", ""))
         for key, symbol in symbols
-        if getattr(spec, key) is not None
+        if (told := getattr(spec, key)) is not None
     ]
     kind = Words("弹簧", "a spring") if spring.stiffness else Words("阻尼器", "a damper")
     if isinstance(spring, Coil):
@@ -134,7 +135,17 @@ def told_spring(spring: Elastic, spec: LoadSpec) -> Datum:
         where = Words(f"{ends.replace(' ', '、')} 两点之间", ends.replace(" ", " and "))
     return Datum(
         words=Words(
-            f"{where.zh}有{kind.zh} ${spring.name}$：{'，'.join(values)}",
-            f"{kind.en} ${spring.name}$ between {where.en}: {', '.join(values)}",
+            f"{where.zh}有{kind.zh} ${spring.name}$：{'，'.join(one.zh for one in values)}",
+            f"{kind.en} ${spring.name}$ between {where.en}: {', '.join(one.en for one in values)}",
         )
     )
+
+
+def _angle_of(coil: Coil, mech: Mechanism) -> Words:
+    """Of which line the free angle is, and from where it counts: a link is turned as the line of its first letters."""
+    own, other = ("".join([*mech.link(name).points][:2]) for name in (coil.link, coil.against))
+    if len(own) < 2:
+        return Words("", "")
+    if coil.against == FRAME:
+        return Words(f"（${own}$ 自 $x$ 轴起的转角）", f" (angle of ${own}$ from the $x$ axis)")
+    return Words(f"（${own}$ 相对 ${other}$ 的转角）", f" (angle of ${own}$ from ${other}$)")

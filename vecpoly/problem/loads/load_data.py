@@ -9,6 +9,7 @@ from typing import assert_never
 from ...foundation.slotted import replace
 from ...mechanism.laws.sizes import Motor, Table
 from ...mechanism.loads import Force, Load, Loads
+from ...mechanism.model import Mechanism
 from ...units.patterns import SENSE
 from ...words import Words
 from ..problem import Datum
@@ -18,10 +19,10 @@ from .law_data import told_constant, told_motor, told_spring, told_table, told_w
 _SENSE = re.compile(rf"\s*{SENSE}\s*$")
 
 
-def data_of_loads(spec: ProblemSpec, loads: Loads) -> tuple[Datum, ...]:
+def data_of_loads(spec: ProblemSpec, loads: Loads, mech: Mechanism) -> tuple[Datum, ...]:
     """The loads for 已知, and whether weights and inertia forces count."""
     data = [_lawful(load, spec.loads[load.name]) for load in loads.all if load.name in spec.loads]
-    data += [told_spring(spring, spec.loads[spring.name]) for spring in loads.springs]
+    data += [told_spring(spring, spec.loads[spring.name], mech) for spring in loads.springs]
     if loads.constant is not None:
         data.append(told_constant(loads.constant))
     if loads.weight:

@@ -170,9 +170,9 @@ def _tell_start(board: Board, at: Points, allowed: Allowed) -> None:
             f"推程起始处（$s$ = 0，d$s$/d$φ$ = 0）的压力角即 $B_0 O$ 与纵轴的夹角，约 {angle:.0f}°，法线偏向另一侧，"
             "大于 $[α_1]$。若这一侧也须限制，应再过 $B_0$ 作与纵轴成 $[α_1]$ 的第三条界线，$O$ 取在三线之下。",
             "Where the rise begins ($s$ = 0, d$s$/d$φ$ = 0) the pressure angle is that between $B_0 O$ and the "
-            f"vertical, about {angle:.0f}°; the normal leans to the other side there, by more than $[α_1]$. If that "
-            "side is to be bounded too, a third line is drawn through $B_0$ at $[α_1]$ to the vertical, and $O$ must "
-            "lie below all three.",
+            f"vertical, about {angle:.0f}°; the follower is pushed to the other side there, at more than $[α_1]$. If "
+            "that side is to be bounded too, a third line is drawn through $B_0$ at $[α_1]$ to the vertical, and $O$ "
+            "must lie below all three.",
         ),
         LOOP,
     )

@@ -122,8 +122,7 @@ def turned(at: OffPaper, coil: Coil) -> tuple[tuple[Moment, ...], dict[str, Pull
         ),
         View.MECHANISM,
     )
-    pin = _pin(at, coil)
-    if pin:
+    for pin in at.desk.mech.shared(coil.link, coil.against)[:1]:
         board.depict(View.MECHANISM, coil_symbol(at.desk.at[pin]))
     terms: list[tuple[Expr, int]] = []
     if coil.preload:
@@ -132,7 +131,13 @@ def turned(at: OffPaper, coil: Coil) -> tuple[tuple[Moment, ...], dict[str, Pull
         terms.append(_against(magnitude("k", coil.stiffness, "N·m/rad"), "Δφ", at.turned(coil), "rad"))
     if coil.damping:
         terms.append(_against(magnitude("c", coil.damping, "N·m·s"), "ω_{r}", at.turning(coil), "rad/s"))
-    size = board.compute(named.symbol, Sum(tuple(x for x, _ in terms), tuple(y for _, y in terms)), "N·m").value
+    total = sum(sign * float(nominal(term.value)) for term, sign in terms)
+    way, turn = (1, Words("逆", "counter-clockwise")) if total >= 0 else (-1, Words("顺", "clockwise"))
+    board.remark(
+        Words(f"它对构件 {coil.link} 的力矩为{turn.zh}时针方向。", f" Its moment on link {coil.link} is {turn.en}.")
+    )
+    whole = Sum(tuple(term for term, _ in terms), tuple(way * sign for _, sign in terms))
+    size = way * board.compute(named.symbol, whole, "N·m").value
     value = float(nominal(size))
     board.keep(Reading(key=named.key, symbol=named.symbol, unit="N·m", scalar=value), size)
     moment = Moment(name=coil.name, link=coil.link, size=value)
@@ -146,10 +151,3 @@ def _against(factor: Quantity, symbol: str, value: Reals, unit_text: str) -> tup
     """A term that turns against an angle, or a rate: its size, and its sign."""
     sense = 1 if float(nominal(value)) >= 0 else -1
     return factor * magnitude(symbol, sense * value, unit_text), -sense
-
-
-def _pin(at: OffPaper, coil: Coil) -> str:
-    """The letter at which both links are hinged, about which the spring is drawn."""
-    mech = at.desk.mech
-    common = [p for p in mech.link(coil.link).points if p in mech.link(coil.against).points]
-    return common[0] if common else ""
