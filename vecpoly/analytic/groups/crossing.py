@@ -76,7 +76,7 @@ def _velocity(scope: Scope, one: Track, two: Track, c: str) -> tuple[Part, ...]:
             both(one.velocity(scope, c), two.velocity(scope, c), gives=False),
         ),
         Part(
-            Words("其中 $v_r$ 为沿导路的滑动速度。解为", "$v_r$ being the sliding speeds. The solution is"),
+            _sliding(one, two),
             (
                 Equation(dx, x2 - x1),
                 Equation(dy, y2 - y1),
@@ -84,6 +84,15 @@ def _velocity(scope: Scope, one: Track, two: Track, c: str) -> tuple[Part, ...]:
                 *both(scope.v(c), one.velocity(scope, c)),
             ),
         ),
+    )
+
+
+def _sliding(one: Track, two: Track) -> Words:
+    """What the speeds along the guides are called."""
+    first, second = one.speed.symbol, two.speed.symbol
+    return Words(
+        f"其中 ${first}$、${second}$ 为沿导路的滑动速度。解为",
+        f"${first}$ and ${second}$ being the sliding speeds along the guides. The solution is",
     )
 
 

@@ -109,7 +109,7 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...]) -> W
             + Words(f"；{driver.zh}为原动件。", f"; {driver.en} drives.")
         )
     zh = "、".join(
-        f"{_group_zh(g)}（构件 {'、'.join(_told(mech, name).zh for name in g.links)}{_as_bar(g).zh}）" for g in groups
+        f"{group_zh(g)}（构件 {'、'.join(_told(mech, name).zh for name in g.links)}{_as_bar(g).zh}）" for g in groups
     )
     en = ", ".join(f"{kind_of(g).en} ({_links(mech, g.links)}{_as_bar(g).en})" for g in groups)
     kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
@@ -152,7 +152,7 @@ def _inside(groups: tuple[Group, ...]) -> Words:
     zh, en = "、".join(own.links), ", ".join(own.links)
     others = (
         Words(
-            "；其余为 " + "、".join(f"{_group_zh(g)}（构件 {'、'.join(g.links)}）" for g in rest),
+            "；其余为 " + "、".join(f"{group_zh(g)}（构件 {'、'.join(g.links)}）" for g in rest),
             "; the rest is made up of " + ", ".join(f"{kind_of(g).en} (links {', '.join(g.links)})" for g in rest),
         )
         if rest
@@ -181,7 +181,7 @@ def kind_of(group: Group) -> Words:
     )
 
 
-def _group_zh(group: Group) -> str:
+def group_zh(group: Group) -> str:
     """RRR 杆组, Ⅲ 级杆组."""
     kind = kind_of(group).zh
     return f"{kind}{' ' * kind.isascii()}杆组"

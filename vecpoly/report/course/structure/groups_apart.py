@@ -16,8 +16,8 @@ from ....mechanism.groups.assur import Group, decompose, ends
 from ....mechanism.model import Mechanism, Prismatic, Revolute
 from ....names import subscripted
 from ....problem.problem import Problem
-from ....words import Words
-from ...statement.structure import kind_of
+from ....words import Words, begun
+from ...statement.structure import group_zh, kind_of
 from .kinds import ROLLING
 
 _WIDE, _HIGH = 70.0, 52.0  # mm that a group may take
@@ -36,8 +36,10 @@ def apart(study: Study) -> list[Figure]:
         names = [study.name(link) for link in group.links]
         kind = ROLLING.get(
             group.kind,
-            Words(f"{kind_of(group).zh} 杆组", f"{kind_of(group).en} group")
-            if group.dyad or group.ram or group.kind == "driven"
+            Words(group_zh(group), f"{kind_of(group).en} group")
+            if group.dyad or group.ram
+            else Words(group_zh(group), begun(kind_of(group)).en)
+            if group.kind == "driven"
             else Words(f"{group.kind.removeprefix('class ')} 级杆组", f"{group.kind} group"),
         )
         many = "links" if len(names) > 1 else "link"

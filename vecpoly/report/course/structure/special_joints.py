@@ -10,7 +10,7 @@ from ....mechanism.groups.assur import Group, decompose, hinges
 from ....mechanism.model import Prismatic, Rolling
 from ....mechanism.rams import driver_words
 from ....words import Words
-from ...statement.structure import kind_of, welded
+from ...statement.structure import group_zh, kind_of, welded
 from .kinds import ROLLING
 
 
@@ -63,6 +63,10 @@ def _highest(groups: Sequence[Group]) -> str:
     )
 
 
+def _members(study: Study, group: Group) -> str:
+    return f"构件 {'、'.join(map(study.name, group.links))}"
+
+
 def concluded(study: Study) -> Words:
     """The class of the mechanism: that of its highest group."""
     groups = decompose(study.mech)
@@ -86,7 +90,8 @@ def concluded(study: Study) -> Words:
     )
     if any(group.kind == "driven" for group in groups):
         return Words(
-            f"因此机构由 {'、'.join(zh)} 等杆组组成，驱动副（{driver.zh.strip()}）在杆组之内。",
+            f"因此机构由{'、'.join(f'{group_zh(one)}（{_members(study, one)}）' for one in groups)}组成，"
+            f"驱动副（{driver.zh.strip()}）在杆组之内。",
             f"So the mechanism consists of {', '.join(en)}; what drives, {driver.en}, is inside the group.",
         )
     if any(group.dyad is None and group.ram is None and not group.kind.startswith("class") for group in groups):
