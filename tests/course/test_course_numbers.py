@@ -15,6 +15,8 @@ import pytest
 from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.algebra.formula import Frac, Node, Power, Root, Row, Txt, plain
+from vecpoly.analytic.equations import Equation
+from vecpoly.analytic.expr import Num, Sum, Var
 from vecpoly.analytic.numbers import worked
 from vecpoly.cycle import cycle
 from vecpoly.findings.given_lengths import Dimension, given_dimensions
@@ -254,3 +256,10 @@ def test_the_conclusion_tells_what_was_drawn_with_the_digits_of_the_table(name: 
     rows = {re.sub("[{}]", "", row[0]): row for table in readings_tables(it.given, "en") for row in table.rows}
     found = re.findall(r"(\$[vaωα][^$]*\$)[^=;$]* = −?([\d.]+)/", re.sub("[{}]", "", said.en))
     assert found and all(drawn in rows[symbol] for symbol, drawn in found), found
+
+
+def test_a_line_whose_numbers_are_its_value_says_it_once() -> None:
+    once = worked(Equation(Var("G_1"), Sum(((Num(1.0), -1),))), {"G_1": -1.0})
+    assert plain(once) == "G_1 = −1"
+    both = worked(Equation(Var("G_1"), Sum(((Num(1.0), -1), (Num(2.0), -1)))), {"G_1": -3.0})
+    assert plain(both) == "G_1 = −1 − 2 = −3"

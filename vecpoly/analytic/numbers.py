@@ -9,7 +9,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..algebra.formula import Frac, Node, Power, Root, Row, Txt
+from ..algebra.formula import Frac, Node, Power, Root, Row, Txt, plain
 from ..algebra.quantity import number
 from .equations import Equation
 from .expr import THIN, Const, Expr, Num, Product, Quotient, Sum, Var
@@ -25,16 +25,15 @@ def worked(equation: Equation, env: Env) -> Node:
     assert isinstance(equation.left, Var)
     value = env[equation.left.symbol]
     angle = equation.left.symbol[0] in ANGLES
-    end = (
-        Txt(f" = {turned(value)}")
-        if angle
-        else Txt(f" = {number(value, FIGURES)} {unit(equation.left.symbol)}".rstrip())
-    )
+    told = turned(value) if angle else number(value, FIGURES)
+    end = Txt(f" = {told} {'' if angle else unit(equation.left.symbol)}".rstrip())
     bare = isinstance(equation.right, (Var, Const, Num))
     if bare:
         return Row((equation.left.node, end))
     digits = figures_for(equation.right, env, value, angle)
     body = (_angular if angle else numbers)(equation.right, env, digits)
+    if plain(body).replace(" ", "") == told.replace("-", "−"):  # −1, which a formula gave: nothing is worked out
+        return Row((equation.left.node, end))
     return Row((equation.left.node, Txt(" = "), body, end))
 
 
