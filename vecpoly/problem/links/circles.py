@@ -59,4 +59,5 @@ def _circle(draft: Draft, kind: str, data: Mapping[str, Value]) -> None:
     radius = read(data["radius"], Dim.LENGTH) if edge else positive(data["radius"])
     circle = Circle(link=draft.name, centre=centre, radius=radius.si)
     draft.gear, draft.disc = (circle, None) if kind == "gear" else (None, circle)
-    draft.note(f"r_{draft.name}", radius.si, radius.text)
+    if radius.si:  # of a knife edge there is nothing to tell
+        draft.note(f"r_{draft.name}", radius.si, radius.text)

@@ -51,7 +51,7 @@ def give_profile(draft: Draft, data: Mapping[str, Value]) -> None:
         )
     draft.cam = _read({key: value for key, value in given.items() if key not in OWN}, draft.name)
     draft.points[about] = 0j
-    draft.say(_told(draft, about))
+    draft.say(_told(draft, about, draft.cam))
 
 
 def letter_centres(bodies: Bodies, joints: Iterable[object]) -> None:
@@ -90,8 +90,11 @@ def _base_circle(cam: Cam) -> float:
     return cam.r0.si - cam.follower.radius
 
 
-def _told(draft: Draft, about: str) -> Words:
-    return Words(
+def _told(draft: Draft, about: str, cam: Cam) -> Words:
+    from ...devices.cams.told import shape_told
+
+    turning = Words(
         f"构件 {draft.name} 为绕 ${about}$ 转动的盘形凸轮，$φ_{draft.name}$ = 0 时从动件在最低位置",
         f"link {draft.name} is a plate cam that turns about ${about}$; at $φ_{draft.name}$ = 0 the follower is lowest",
     )
+    return turning + Words("，", "; ") + shape_told(cam)
