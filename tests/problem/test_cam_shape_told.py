@@ -9,7 +9,7 @@ def test_the_shape_of_a_cam_is_among_what_is_given() -> None:
     told = [datum.words for datum in load("cam-moves-arm").given.data if datum.words is not None]
     (words,) = [one for one in told if "plate cam" in one.en]
     assert words.en.endswith(
-        "its base circle has the radius $r_0$ = 35 mm; over the cam's angle the follower swings out 25° from 0° to "
+        "base circle $r_0$ = 35 mm; the follower swings out 25° from 0° to "
         "120° by simple harmonic motion (cosine acceleration), dwells from 120° to 150°, swings back 25° from 150° to "
         "270° by constant acceleration and deceleration, dwells from 270° to 360°"
     )

@@ -16,8 +16,7 @@ def shape_told(cam: Cam) -> Words:
     text = cam.r0.text
     return Words(
         f"基圆半径 $r_0$ = {text}，从动件在凸轮转角 {'，'.join(one.zh for one in told)}",
-        f"its base circle has the radius $r_0$ = {text}; over the cam's angle the follower "
-        + ", ".join(one.en for one in told),
+        f"base circle $r_0$ = {text}; the follower " + ", ".join(one.en for one in told),
     )
 
 

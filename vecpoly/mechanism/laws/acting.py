@@ -52,7 +52,9 @@ def is_within(window: Window, at: Standing) -> Reals:
             if not window.is_part:
                 return moves
             gone, stroke = at.travelled(link, point, way)
-            return moves * (gone >= window.low * stroke) * (gone < window.high * stroke)
+            begun: Reals = gone >= window.low * stroke if window.low > 0 else True
+            goes_on: Reals = gone < window.high * stroke if window.high < 1 else True  # a stroke ends with its motion
+            return moves * begun * goes_on
         case other:
             assert_never(other)
 

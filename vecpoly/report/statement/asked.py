@@ -7,6 +7,7 @@ from typing import TypeVar
 
 from ...algebra.quantity import number
 from ...mechanism.asked.centres import count
+from ...mechanism.model import Mechanism
 from ...names import is_centre, is_place
 from ...problem.asked.asks import Ask, AskCoriolis, AskNamed, AskPoint
 from ...solution import YES_NO, Solution
@@ -15,6 +16,10 @@ from ..values import asked_load, called, curved, way_of
 from .cam_words import meant_by
 from .groups import Group, by_groups, parted
 
+_MEANT = {
+    "h": Words("原动件上力偶的力臂 {}", "the arm {} of the couple on the input link"),
+    "eta": Words("效率 {}", "the efficiency {}"),
+}
 ALL_CENTRES = Words("全部瞬心", "all instant centres")
 T = TypeVar("T")
 
@@ -82,6 +87,8 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
         return _load_told(kind, reading.key, symbol, solution).of(lang)
     if (meant := meant_by(solution.problem.subject, reading.key, symbol)) is not None:
         return meant.of(lang)
+    if isinstance(solution.problem.subject, Mechanism) and reading.key in _MEANT:
+        return _MEANT[reading.key].of(lang).format(symbol)
     return curved(ask.rel, lang) + called(reading.symbol, reading.key, lang)
 
 
