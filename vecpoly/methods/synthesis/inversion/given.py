@@ -38,7 +38,10 @@ def laid_out(draft: Draft, plan: Plan) -> Sheet:
 
 
 _COUNTED = {2: Words("两", "two"), 3: Words("三", "three"), 4: Words("四", "four")}
-_LINE = Words("，$P$ 在所给坐标处，$PQ$ 沿所给方向", ", $P$ at the place given, $PQ$ in the direction given")
+_LINE = Words(
+    "，$P$ 在所给坐标处，$PQ$ 沿所给方向，长度任取",
+    ", $P$ at the place given, $PQ$ in the direction given, of any length",
+)
 
 
 def _told(plan: Plan) -> Words:
