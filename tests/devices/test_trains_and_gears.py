@@ -16,7 +16,9 @@ from vecpoly.errors import NotAskedError, ProblemFileError
 from vecpoly.methods.devices.epicyclic.scales import TURNS
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.problem.load import load, loads
+from vecpoly.report.answers.notes import notes_of
 from vecpoly.solution import solve
+from vecpoly.words import Lang
 
 TEETH = st.integers(12, 60)
 SPEED = st.integers(-30, 30)
@@ -212,3 +214,29 @@ def test_a_careful_hand_is_off_by_no_more_than_its_drawing_error(name: str) -> N
     assert not solution.suspect
     for answer in solution.answers.values():
         assert abs(answer.deviation) <= 1.7 * answer.expected_error + 1e-9 * abs(answer.exact), answer.key
+
+
+def test_a_tip_near_the_limit_is_judged_by_the_exact_hand_and_left_open_by_one_that_cannot_tell() -> None:
+    exact, drafted = drawn(gear(m="10 mm", z=10, x="0.45")), solve(load("gear-shifted"), by="drafting").construction
+    told = [one.readings["s_tip"].remark for one in (exact, drafted)]
+    assert told[0] is not None and "齿顶过薄" in told[0].zh and "the tip is too thin" in told[0].en
+    assert told[1] is not None and "不能由图判定" in told[1].zh and "reading error" in told[1].en
+    assert not any(" m$" in text or "0.239" in text for one in told if one for text in (one.zh, one.en))
+
+
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_what_the_tip_is_stands_in_the_answer_and_no_undercut_stands_there_once(lang: Lang) -> None:
+    notes = notes_of(list(solve(load("gear-shifted"), by="exact").answers.values()), lang)
+    assert sum("0.25·m" in note for note in notes) == 1
+    assert not any("x_min" in note for note in notes)
+    cut = notes_of(list(solve(load("gear-undercut"), by="exact").answers.values()), lang)
+    assert sum("x_min" in note for note in cut) == 1
+
+
+def test_every_symbol_of_the_tip_is_lettered_on_the_sheet_and_the_circle_of_the_module_is_the_reference_circle() -> (
+    None
+):
+    steps = solve(load("gear-shifted"), by="exact").construction.steps
+    said = " ".join(step.words.en for step in steps)
+    assert "reference circle" in said and "pitch circle" not in said
+    assert not any("δ" in str(formula) for step in steps for formula in step.formulas)

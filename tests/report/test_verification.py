@@ -8,6 +8,7 @@ from functools import cache
 import pytest
 
 import vecpoly
+from vecpoly.check.grashof import grashof
 from vecpoly.report.answers.order import arranged, broken
 from vecpoly.report.content import conclusions
 from vecpoly.report.verification import MARGIN, verification_table
@@ -28,7 +29,7 @@ def test_both_solutions_of_8_4_stand_beside_their_exact_values() -> None:
     assert [text.partition("(")[2] for text in found["Swing"]] == ["40.74°)", "105.8°)"]
     assert found["Type"] == ("crank-rocker", "crank-rocker")
     assert all(float(text.removesuffix(" mm")) > 0 for text in found[MARGIN.en])
-    assert found["Turns fully"] == ("yes", "yes")
+    assert found["Driver $AB$ turns fully"] == ("yes", "yes")
 
 
 @pytest.mark.parametrize("name", ["8-4", "8-8", "8-13", "8-18", "three-positions"])
@@ -50,7 +51,7 @@ def test_what_a_solution_has_not_leaves_no_line() -> None:
 def test_a_solution_that_cannot_move_has_its_line_and_no_solution_is_left_out() -> None:
     found = table("four-positions")
     assert found["No."] == ("1", "2", "3")
-    assert found["Turns fully"] == ("no", "no", "does not move") and found["Order"][2] == "—"
+    assert found["Driver $AB$ turns fully"] == ("no", "no", "does not move") and found["Order"][2] == "—"
 
 
 @pytest.mark.parametrize("lang", ["zh", "en"])
@@ -74,3 +75,18 @@ def test_every_length_of_every_solution_is_asked() -> None:
     """Each of the three has its four bars in the box of answers."""
     parts = arranged(vecpoly.load("four-positions").solve(by="drafting", seed=1).answers.values())
     assert [[one.key.partition("_")[0] for one in part.answers] for part in parts] == 3 * [["AB", "BC", "CD", "AD"]]
+
+
+def test_a_crank_rocker_driven_by_its_rocker_says_which_is_the_crank_and_which_does_not_turn() -> None:
+    assert table("8-8")["Type"] == ("crank-rocker ($CD$ the crank)",)
+    assert table("8-8")["Driver $AB$ turns fully"] == ("no",)
+    assert "曲柄摇杆机构" in grashof(30.0, 55.55, 22.2, 60.0)[0].zh
+
+
+def test_a_given_link_that_need_not_be_a_crank_is_called_a_link() -> None:
+    problem = vecpoly.load("8-8")
+    assert problem.statement is not None and "曲柄" not in problem.statement.zh
+    first = problem.solve(by="exact").construction.steps[0].words
+    assert (
+        "构件 $AB$ 的各位置、标线 $DE$" in first.zh and "of the link $AB$, the positions of the line $DE$" in first.en
+    )

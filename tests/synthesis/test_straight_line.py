@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vecpoly
+from tests.drawn_library import drawn
 from tests.laws import often
 from tests.synthesis.inversion import posed, solved
+from vecpoly.board.paper.marks import Curve, Point
+from vecpoly.designs.straight_line import StraightLine
 from vecpoly.errors import ProblemFileError
+
+KNOWN = ["straight-chebyshev", "straight-roberts", "straight-hoecken"]
 
 
 @pytest.mark.parametrize(
     ("name", "length", "band"),
     [
-        ("straight-chebyshev", 79.930837114, 0.195074662),
+        ("straight-chebyshev", 80.0, 0.195074662),  # E from above A to above D, by symmetry
         ("straight-roberts", 60.0, 0.603786662),
         ("straight-hoecken", 80.0, 0.195074662),  # a cognate of Chebyshev's: the same curve
     ],
@@ -26,6 +33,40 @@ def test_the_straight_part_is_as_long_and_its_band_as_wide_as_is_known(name: str
     assert solution.answers["L"].drawn == pytest.approx(length, abs=1e-8)
     assert solution.answers["delta"].drawn == pytest.approx(band, abs=1e-8)
     assert solution.answers["delta"].exact == pytest.approx(band, abs=1e-8)
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_the_places_of_e_are_equally_far_apart_whatever_ab_turns_between_them(name: str) -> None:
+    figure = solved(vecpoly.load(name)).construction.figures[0]
+    places = [mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label.startswith("E_")]
+    steps = [abs(b - a) for a, b in pairwise(places)]
+    assert len(places) == 9 and max(steps) - min(steps) < 0.02 * max(steps)
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_the_curve_of_deviations_of_a_symmetrical_path_is_symmetrical(name: str) -> None:
+    figure = solved(vecpoly.load(name)).construction.figures[1]
+    (curve,) = (mark for mark in figure.marks if isinstance(mark, Curve))
+    x, y = np.real(curve.points), np.imag(curve.points)
+    order = np.argsort(x)
+    mirrored = np.interp(x.min() + x.max() - x[order], x[order], y[order])
+    assert np.abs(mirrored - y[order]).max() < 0.05
+
+
+def test_heights_too_small_to_be_read_off_the_drawing_are_said_to_be_computed() -> None:
+    told = drawn("straight-chebyshev").construction.steps[1].words
+    assert "0.24 mm" in told.en and "computed" in told.en and "由计算求得" in told.zh
+
+
+def test_a_length_that_is_a_whole_number_of_divisions_is_a_reading_too() -> None:
+    assert not any(one.computed for one in vecpoly.load("straight-roberts").solve().answers.values())
+
+
+def test_at_a_dead_point_the_arcs_only_touch_and_c_is_laid_off_in_line() -> None:
+    design = vecpoly.load("straight-chebyshev").subject
+    assert isinstance(design, StraightLine)
+    assert [design.dead(end.si) for end in design.phi] == [True, False]
+    assert "$φ_1$ 为死点" in drawn("straight-chebyshev").construction.steps[0].words.zh
 
 
 def test_a_range_in_which_the_links_do_not_reach_is_refused_with_the_distances() -> None:

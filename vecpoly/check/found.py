@@ -24,14 +24,15 @@ RARE = 0.02  # of the repeated hands: so many may miss a grazing meeting without
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Verified:
-    """One solution as it moves. kind, margin (mm): of a four-bar. stroke: of the last link, in `unit` (° or mm).
+    """One solution as it moves. driver: the letters of its input link. kind, margin (mm): of a four-bar.
 
-    gamma, gamma_at: least transmission angle and the crank's angle there (deg). loose: key of each length of which the
-    drawing tells less than 2 %, with what it may be off by. lost: the share of repeated hands that do not find it,
-    where they are more than a few. broken: why it does not move.
+    stroke: of the last link, in `unit` (° or mm). gamma, gamma_at: least transmission angle and the crank's angle there
+    (deg). loose: key of each length of which the drawing tells less than 2 %, with what it may be off by. lost: the
+    share of repeated hands that do not find it, where they are more than a few. broken: why it does not move.
     """
 
     number: int
+    driver: str = ""
     full: bool = False
     kind: Words | None = None
     margin: float = nan
@@ -47,7 +48,7 @@ class Verified:
 
     def as_json(self) -> dict[str, Any]:
         """Plain data; lengths in mm, angles in degrees."""
-        kind = {} if self.kind is None else {"type": self.kind.en, "grashof_margin_mm": self.margin}
+        kind = {} if self.kind is None else {"type": self.kind.en.replace("$", ""), "grashof_margin_mm": self.margin}
         told = {
             "K": self.ratio,
             "theta_deg": self.theta,
@@ -94,6 +95,7 @@ def _moved(number: int, values: Mapping[str, float], loose: Mapping[str, float],
     angle = stroke is not None and stroke.key.startswith("phi")
     return Verified(
         number=number,
+        driver="".join(list(turn.mech.link(turn.mech.drive.link).points)[:2]),
         full=turn.whole,
         kind=kind,
         margin=margin,

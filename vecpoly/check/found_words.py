@@ -7,6 +7,8 @@ from math import isfinite
 from ..words import Words
 from .found import LOOSE, Verified
 
+CANNOT = Words("不能整周转动", "cannot turn right round")
+
 
 def told(one: Verified, alone: bool) -> Words:
     """The line of verification of one solution; alone: there is no other."""
@@ -35,8 +37,8 @@ def _parts(one: Verified) -> list[Words]:
                 "than the two others)",
             )
         )
-    full = Words("主动件可整周转动", "the driver turns right round")
-    parts.append(full if one.full else Words("主动件不能整周转动", "the driver cannot turn right round"))
+    driver = Words(f"原动件 ${one.driver}$ ", f"the driver ${one.driver}$ ")
+    parts.append(driver + (Words("可整周转动", "turns right round") if one.full else CANNOT))
     if isfinite(one.ratio):
         name = Words("摆角", "swing") if one.unit == "°" else Words("行程", "stroke")
         unit = one.unit if one.unit == "°" else " mm"

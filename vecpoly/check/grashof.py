@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ..words import Words
 
-CRANK_ROCKER, ROCKER_CRANK = Words("曲柄摇杆机构", "crank-rocker"), Words("摇杆曲柄机构", "rocker-crank")
+CRANK_ROCKER = Words("曲柄摇杆机构", "crank-rocker")
+DRIVEN_BY_ROCKER = CRANK_ROCKER + Words("（$CD$ 为曲柄）", " ($CD$ the crank)")
 DOUBLE_CRANK, DOUBLE_ROCKER = Words("双曲柄机构", "double crank"), Words("双摇杆机构", "double rocker")
 NOT_GRASHOF = Words("双摇杆机构（不满足杆长条件）", "triple rocker (not Grashof)")
 
@@ -15,5 +16,5 @@ def grashof(ab: float, bc: float, cd: float, ad: float) -> tuple[Words, float]:
     margin = sum(middle) - least - most
     if margin < 0:
         return NOT_GRASHOF, margin
-    kinds = {ab: CRANK_ROCKER, bc: DOUBLE_ROCKER, cd: ROCKER_CRANK, ad: DOUBLE_CRANK}
+    kinds = {ab: CRANK_ROCKER, bc: DOUBLE_ROCKER, cd: DRIVEN_BY_ROCKER, ad: DOUBLE_CRANK}
     return kinds[least], margin

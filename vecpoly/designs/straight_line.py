@@ -49,11 +49,20 @@ class StraightLine(Design):
             self._reaches(phi)
         return self
 
-    def _reaches(self, phi: float) -> None:
-        """BC and CD can be joined with AB there."""
+    def _spans(self, phi: float) -> tuple[float, float, float]:
+        """BD with AB there, and between which distances BC and CD reach (m)."""
         a, d = self.AB.si, self.AD.si
         apart = max(a * a + d * d - 2 * a * d * cos(phi), 0.0) ** 0.5
-        least, most = abs(self.BC.si - self.CD.si), self.BC.si + self.CD.si
+        return apart, abs(self.BC.si - self.CD.si), self.BC.si + self.CD.si
+
+    def dead(self, phi: float) -> bool:
+        """Whether B, C and D are in line there: AB turns no further, and E leaves the place at once."""
+        apart, least, most = self._spans(phi)
+        return min(abs(apart - least), abs(apart - most)) <= SLACK * most
+
+    def _reaches(self, phi: float) -> None:
+        """BC and CD can be joined with AB there."""
+        apart, least, most = self._spans(phi)
         if not least - SLACK * most <= apart <= most * (1 + SLACK):
             raise FaultError(
                 Words(

@@ -20,7 +20,7 @@ _NONE, _YES, _NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
 MARGIN = Words("杆长余量", "Margin")
 _ERROR, _CIRCUIT = Words("杆长相差", "Length error"), Words("同回路同分支", "One circuit, branch")
 _GAMMA = Words.same("$γ_{min}$")
-_TYPE, _TURNS = Words("机构类型", "Type"), Words("整周转动", "Turns fully")
+_TYPE = Words("机构类型", "Type")
 _TYPE_OF, _ALL_TURNS = Words("$ABCD$ 的类型", "Type of $ABCD$"), Words("连同杆组整周转动", "All of it turns fully")
 _MEANT = {  # heads that do not say all
     _ERROR: Words(
@@ -55,7 +55,9 @@ def verification_table(solution: Solution, lang: Lang) -> DataTable | None:
     found = {one.number: one for one in solution.construction.candidates}
     true: dict[int, Mapping[str, float]] = dict(enumerate(exact(design), 1))
     mu = 1e3 * solution.construction.figures[0].scale.value
-    lines = [_Line(design, one, found[one.number], true.get(one.number, {}), mu).items() for one in moved]
+    driver = next(one.driver for one in moved if one.broken is None)
+    turning = Words(f"原动件 ${driver}$ 整周转动", f"Driver ${driver}$ turns fully")
+    lines = [_Line(design, one, found[one.number], true.get(one.number, {}), mu, turning).items() for one in moved]
     told = [n for n in range(len(lines[0])) if any(line[n][1] != _NONE for line in lines)]
     header = [_NUMBER.of(lang), *(lines[0][n][0].of(lang) for n in told)]
     rows = [[str(one.number), *(line[n][1].of(lang) for n in told)] for one, line in zip(moved, lines, strict=True)]
@@ -80,15 +82,17 @@ def beside_exact(solution: Solution) -> bool:
 class _Line:
     """What is said of one solution."""
 
-    def __init__(self, design: Design, moved: Verified, drawn: Candidate, true: Mapping[str, float], mu: float) -> None:
+    def __init__(
+        self, design: Design, moved: Verified, drawn: Candidate, true: Mapping[str, float], mu: float, turning: Words
+    ) -> None:
         self.design, self.moved, self.drawn, self.mu = design, moved, drawn, mu
-        self.exact = true
+        self.exact, self.turning = true, turning
 
     def items(self) -> list[tuple[Words, Words]]:
         """Item by item, in one order for all."""
         one = self.moved
         swings = one.unit == "°"
-        named, turning = (_TYPE_OF, _ALL_TURNS) if self._added() else (_TYPE, _TURNS)
+        named, turning = (_TYPE_OF, _ALL_TURNS) if self._added() else (_TYPE, self.turning)
         stroke, unit = ("psi", "°") if swings else ("H", " mm")
         return [
             (_ERROR, self._closes()),

@@ -14,6 +14,11 @@ class Hinged:
     c: str
     d: str
 
+    @property
+    def letters(self) -> tuple[str, ...]:
+        """Of its hinges, in order."""
+        return self.a, self.b, self.c, self.d
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sliding:
@@ -23,6 +28,11 @@ class Sliding:
     b: str
     c: str
     along: complex
+
+    @property
+    def letters(self) -> tuple[str, ...]:
+        """Of its hinges, in order."""
+        return self.a, self.b, self.c
 
 
 Loop = Hinged | Sliding

@@ -95,12 +95,18 @@ class Positions(Design):
         return posed_four_bar(values, ab, dc, ad, self.omega)
 
     def given(self) -> tuple[tuple[str, str], ...]:
-        """The positions, the pins, the lines."""
-        lined = len(self.body) < 2  # with two pins of its own the body is drawn as the line that joins them
-        poses = tuple((_pose(n, lined), pose.text) for n, pose in enumerate(self.poses, 1))
+        """The pins, the lines."""
         pins = tuple((letter, place.text) for letter, place in (*self.body.items(), *self.frame.items()))
         lines = tuple(said(letter, line) for letter in "ABCD" if (line := self._line(letter)))
-        return (*poses, *pins, *lines)
+        return (*pins, *lines)
+
+    def told(self) -> tuple[Words, ...]:
+        """The positions: of a point and a line of the body; of its coordinates where two pins of its own are given in
+        them, and the line that joins these is drawn."""
+        poses = enumerate(self.poses, 1)
+        if len(self.body) == 2:
+            return tuple(_posed(n, pose, _ORIGIN, _ACROSS) for n, pose in poses)
+        return (_LINED, *(_posed(n, pose, Words.same("$P$"), Words.same("$PQ$")) for n, pose in poses))
 
     @property
     def size(self) -> float:
@@ -126,9 +132,21 @@ class Positions(Design):
         return Find(pin=sought, on=carrier, known=known, lies=None if line is None else on(line), kept=self.onto - 1)
 
 
-def _pose(n: int, lined: bool) -> str:
-    """S_1; with the line PQ by which it is drawn."""
-    return f"S_{{{n}}} (P_{{{n}}}Q_{{{n}}})" if lined else f"S_{{{n}}}"
+_LINED = Words(
+    f"平面 ${_BODY}$ 以其上一点 $P$ 和过 $P$ 的标线 $PQ$ 表示（$PQ$ 的长度任取）",
+    f"the body ${_BODY}$ is shown by its point $P$ and a line $PQ$ of any length",
+)
+_ORIGIN = Words(f"${_BODY}$ 的动坐标原点", f"the origin of ${_BODY}$")
+_ACROSS = Words("动坐标轴 $x′$", "its axis $x′$")
+
+
+def _posed(n: int, pose: Pose, point: Words, line: Words) -> Words:
+    """Position 1: P at (0, 0) mm, PQ at 0 deg."""
+    at, _, angle = pose.text.partition(" at ")
+    return Words(
+        f"位置 {n}：{point.zh}在 {at}、{line.zh}的方向角为 {angle}",
+        f"position {n}: {point.en} at {at}, {line.en} at {angle}",
+    )
 
 
 def _letters(key: str, places: dict[str, Place], known: str) -> None:

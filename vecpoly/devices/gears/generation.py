@@ -43,7 +43,7 @@ Shift = Annotated[float, BeforeValidator(_shift), WithJsonSchema({"type": ["numb
 
 
 class GearGeneration(Device):
-    """The rack rolls on the pitch circle; its places envelop the teeth."""
+    """The rack rolls on the reference circle; its places envelop the teeth."""
 
     kind: ClassVar[str] = "gear-generation"
     m: Length

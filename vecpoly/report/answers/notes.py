@@ -14,6 +14,7 @@ from ..values import is_worded
 
 # keys of conditions whose yes says all: their reason is in the steps
 PLAIN = frozenset({"determined", "v_allowed", "static", "dynamic"})
+PLAIN_NO = frozenset({"undercut"})  # and those of which a no does
 HOPELESS = 0.5  # share of a value: with a reading error above it, nothing was read
 UNREADABLE = Words(
     "误差达读数的一半以上，按本图的比例尺读不准", "not to be read at this scale, with an error of half of it or more"
@@ -30,7 +31,7 @@ def notes_of(answers: Sequence[Answer], lang: Lang) -> tuple[str, ...]:
 def remark_of(answer: Answer, lang: Lang) -> str:
     """The conclusion that the construction came to, with no full stop; nothing of most."""
     remark = answer.reading.remark
-    if remark is None or (answer.key in PLAIN and answer.drawn):
+    if remark is None or answer.key in (PLAIN if answer.drawn else PLAIN_NO):
         return ""
     return remark.of(lang).strip().rstrip("。.")
 

@@ -1,7 +1,8 @@
-"""A gear by generation (范成法): pitch circle, line of action, limits of undercut, thickness of the teeth."""
+"""A gear by generation (范成法): reference circle, line of action, limits of undercut, thickness of the teeth."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import degrees, pi, sin, tan
 
 import numpy as np
@@ -21,10 +22,10 @@ from ..registry import device_method
 from .places import draw_places, draw_tooth
 from .rack import VIEW, Rack, contact, place_rack
 from .start import crossing, cuts_in
+from .tip import pointed
 
 TALL, WIDE, PITCHES = 130.0, 158.0, 1.25  # mm: the tip radius, the figure; of the circles to either side
 DEGREE = Quantity(Txt("57.296°"), degrees(1.0), "deg", "57.296")
-THIN = 0.25  # modules: a tip that is thinner breaks
 TWO = Quantity(Txt("2"), 2.0, "")
 
 
@@ -60,8 +61,8 @@ def draw_generation(bench: Bench, gear: GearGeneration) -> None:
     board.step(
         Words(
             "使齿条节线在分度圆上作纯滚动，逐次画出齿条齿廓的位置，其包络线即被切齿轮的齿廓。",
-            "Let the rack's rolling line roll on the pitch circle and draw the rack in one place after another: the "
-            "envelope of its flanks is the tooth.",
+            "Let the rack's rolling line roll on the reference circle and draw the rack in one place after another: "
+            "the envelope of its flanks is the tooth.",
         ),
         VIEW,
     )
@@ -70,10 +71,10 @@ def draw_generation(bench: Bench, gear: GearGeneration) -> None:
 
 
 def _circles(bench: Bench, gear: GearGeneration, mm: float) -> tuple[float, float]:
-    """Pitch, tip and root circle; gives the first two radii (m)."""
+    """Reference, tip and root circle; gives the first two radii (m)."""
     board = bench.board
     board.section(Words("齿轮坯与齿条", "Blank and rack"))
-    board.step(Words("作分度圆、齿顶圆和齿根圆：", "Draw pitch circle, tip circle and root circle:"), VIEW)
+    board.step(Words("作分度圆、齿顶圆和齿根圆：", "Draw reference circle, tip circle and root circle:"), VIEW)
     m, z, x = magnitude("m", 1e3 * gear.m.si, "mm"), magnitude("z", float(gear.z), ""), magnitude("x", gear.x, "")
     ha, c = magnitude("h_a^{*}", gear.ha.si, ""), magnitude("c^{*}", gear.c.si, "")
     r = bench.worked(R, m * z / TWO)
@@ -149,14 +150,14 @@ def _limits(bench: Bench, gear: GearGeneration, rack: Rack) -> None:
 
 
 def _thickness(bench: Bench, rack: Rack) -> Quantity:
-    """s on the pitch circle is the width of the rack's space on the rolling line."""
+    """s on the reference circle is the width of the rack's space on the rolling line."""
     board = bench.board
     board.section(Words("齿厚", "Thickness"))
     board.step(
         Words(
             "分度圆齿厚等于齿条节线上的齿槽宽：节线与齿条两侧齿廓交于 $E$、$F$，量得：",
-            "The thickness on the pitch circle is the width of the rack's space on the rolling line, which meets the "
-            "flanks at $E$ and $F$:",
+            "The thickness on the reference circle is the width of the rack's space on the rolling line, which meets "
+            "the flanks at $E$ and $F$:",
         ),
         VIEW,
     )
@@ -223,22 +224,10 @@ def _tip(bench: Bench, rack: Rack, radii: tuple[float, float], thick: Quantity, 
     scale = board.scale_of(VIEW)
     mu = magnitude(scale.symbol, 1e3 * scale.value, "mm/mm")
     way = board.compute("PK", mu * board.measure(rack.pole, at, "P K"), "mm")
-    angle = magnitude("δ", np.degrees(board.gauge(0j, rack.pole / at)), "deg")
+    angle = magnitude("∠POK", np.degrees(board.gauge(0j, rack.pole / at)), "deg")
     r = magnitude("r", 1e3 * radii[0], "mm")
     half = board.compute("ψ_a", DEGREE * thick / (TWO * r) + angle - DEGREE * way / base, "deg")
     tip = bench.worked(S_TIP, Times(2, magnitude("r_a", 1e3 * radii[1], "mm") * half) / DEGREE)
-    board.remark(_pointed(float(nominal(tip.value)), 1e3 * rack.gear.m.si))
-
-
-def _pointed(tip: float, module: float) -> Words:
-    """Whether the tip is thick enough (mm), told in modules too, an italic letter that is no metre."""
-    modules = tip / module
-    thick = f"$s_a = {number(tip, 4)}$ mm $= {number(modules)} m$"
-    if modules <= 0:
-        return Words("齿顶变尖：应减小变位系数。", " The tooth is pointed: take a smaller shift.")
-    if modules < THIN:
-        return Words(
-            f"{thick}，小于 ${THIN:g} m$ = {number(THIN * module)} mm，齿顶过薄。",
-            f" {thick}, less than ${THIN:g} m$ = {number(THIN * module)} mm: the tip is too thin.",
-        )
-    return Words(f"{thick}，足够厚。", f" {thick}, which is thick enough.")
+    said = pointed(tip.value, 1e3 * rack.gear.m.si)
+    board.remark(said)
+    board.revise(replace(board.readings[S_TIP.key], remark=said))

@@ -6,8 +6,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from ....board.paper.marks import Dot
 from ....board.said.behind import behind
-from ....designs.inversion.loops import Hinged, Loop, Sliding
+from ....designs.inversion.loops import Loop, Sliding
 from ....designs.inversion.plan import Find, On
 from ....designs.quantities import TURN_AB, TURN_AD, TURN_DC
 from ....designs.verdict import Verdict
@@ -40,6 +41,8 @@ def joined(sheet: Sheet, verdict: Verdict) -> None:
         drawn(draft, thick, *thin, verdict=verdict)
         if isinstance(loop, Sliding):
             slider(draft, sheet.pins[loop.c], loop.along)
+    if sheet.labels and verdict is Verdict.VALID:
+        _lettered(sheet)
     draft.rejected = verdict is not Verdict.VALID
     rejected(draft, verdict)
     _lengths(sheet)
@@ -73,6 +76,16 @@ def _told(sheet: Sheet, verdict: Verdict) -> Words:
     return behind(told, driver)
 
 
+def _lettered(sheet: Sheet) -> None:
+    """The pins of a linkage by the letters of its lengths, beside those by which each of them was found."""
+    draft, found = sheet.draft, [letter for loop in sheet.plan.loops for letter in loop.letters]
+    letters = [draft.letter(one if sheet.still(one) else f"{one}1") for one in found]
+    for one, letter in zip(found, letters, strict=True):
+        draft.board.plot(SHEET, sheet.pins[one][0], letter, Dot.NONE)
+    same = [f"${letter}$ = ${sheet.named(one, 0)}$" for one, letter in zip(found, letters, strict=True)]
+    draft.board.remark(Words(f"各铰链的字母：{'、'.join(same)}。", f" Letters of its pins: {', '.join(same)}."))
+
+
 def _kinds(sheet: Sheet) -> Words:
     """Of what type its slider-cranks are: whether the link on the frame can turn fully."""
     told = Words("", "")
@@ -87,8 +100,7 @@ def _kinds(sheet: Sheet) -> Words:
 
 
 def _chain(sheet: Sheet, loop: Loop, n: int) -> tuple[Points, ...]:
-    letters = (loop.a, loop.b, loop.c, loop.d) if isinstance(loop, Hinged) else (loop.a, loop.b, loop.c)
-    return tuple(sheet.pins[letter][n] for letter in letters)
+    return tuple(sheet.pins[letter][n] for letter in loop.letters)
 
 
 def _lengths(sheet: Sheet) -> None:

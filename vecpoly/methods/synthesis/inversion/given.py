@@ -38,7 +38,10 @@ def laid_out(draft: Draft, plan: Plan) -> Sheet:
 
 
 _COUNTED = {2: Words("两", "two"), 3: Words("三", "three"), 4: Words("四", "four")}
-_LINE = Words("，$P$ 在所给坐标处，$PQ$ 沿所给方向", ", $P$ at the place given, $PQ$ in the direction given")
+_LINE = Words(
+    "，$P$ 在所给坐标处，$PQ$ 沿所给方向，长度任取",
+    ", $P$ at the place given, $PQ$ in the direction given, of any length",
+)
 
 
 def _told(plan: Plan) -> Words:
@@ -53,23 +56,26 @@ def _told(plan: Plan) -> Words:
     for body in plan.bodies:
         marks = _lines(plan, body)
         said = _LINE if _free(body) else Words("", "")
-        zh.append(f"{_body_zh(body)}{'（' + '、'.join(marks) + said.zh + '）' if marks else ''}、")
-        en.append(f"{_body_en(body)}{' (' + ', '.join(marks) + said.en + ')' if marks else ''}, ")
+        zh.append(f"{_body_zh(plan, body)}{'（' + '、'.join(marks) + said.zh + '）' if marks else ''}、")
+        en.append(f"{_body_en(plan, body)}{' (' + ', '.join(marks) + said.en + ')' if marks else ''}, ")
     return Words("".join(zh).rstrip("、") + "。", "".join(en).rstrip(", ") + ".")
 
 
-def _body_zh(body: Body) -> str:
-    return (
-        f"平面 ${body.name}$ 的{_COUNTED[len(body.positions)].zh}个位置"
-        if _free(body)
-        else f"标线 ${body.name}$ 的各位置"
-    )
+def _body_zh(plan: Plan, body: Body) -> str:
+    if _free(body):
+        return f"平面 ${body.name}$ 的{_COUNTED[len(body.positions)].zh}个位置"
+    return f"{'构件' if _pinned(plan, body) else '标线'} ${body.name}$ 的各位置"
 
 
-def _body_en(body: Body) -> str:
+def _body_en(plan: Plan, body: Body) -> str:
     if _free(body):
         return f"the {_COUNTED[len(body.positions)].en} positions of the body ${body.name}$"
-    return f"the positions of the line ${body.name}$"
+    return f"the positions of the {'link' if _pinned(plan, body) else 'line'} ${body.name}$"
+
+
+def _pinned(plan: Plan, body: Body) -> bool:
+    """Whether its line is the link itself, with a pin at its end, and not a mark on a link whose pins are sought."""
+    return any(one.on == body.name and one.letter == body.name[1] for one in plan.pins)
 
 
 def _lines(plan: Plan, body: Body) -> list[str]:

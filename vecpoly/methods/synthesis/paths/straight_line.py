@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from math import degrees
 
 import numpy as np
 
@@ -11,18 +11,18 @@ from ....board.paper.marks import Dot, Role
 from ....designs.straight_line import BAND, L, StraightLine
 from ....designs.verdict import Verdict
 from ....diagram.single import plate
-from ....plane import Points, circles_meet, nominal, unit
+from ....plane import Points, nominal, unit
 from ....plane.geometry import cross
 from ....words import Words
 from ..chart import Axis, Chart, chart
 from ..draft import SHEET, Draft
-from ..generator.greatest import place_of_greatest
 from ..linkage import drawn, pin, pivot
 from ..registry import design_method
+from .path import Path
 
-STATIONS, FINE = 9, 120
+STATIONS, FINE = 9, 80
 FLAT = 0.5  # mm: E nearer to BC lies on it
-Path = Callable[[float], complex]
+LEGIBLE = 2.0  # mm: of a narrower band on the drawing a reading says nothing
 
 
 @design_method(
@@ -34,31 +34,22 @@ Path = Callable[[float], complex]
 )
 def draw_straight_line(draft: Draft, design: StraightLine) -> None:
     """The stations, the curve, its length and band."""
-    ends = _traced(draft, design)
-    path = _path(design)
-    places = [_furthest(path, way) for way in (1, -1, 1j, -1j)]
-    _read(draft, path, places)
+    path = Path(design)
+    stations = path.stations(STATIONS - 1)
+    ends = _traced(draft, design, [path.phi(share) for share in stations])
+    _read(draft, path, stations)
     lengths = (draft.mm(one.si) for one in (design.AB, design.BC, design.AD))
     draft.candidate(Verdict.VALID, (*lengths, 0.0), **ends)
 
 
-def _traced(draft: Draft, design: StraightLine) -> dict[str, Points]:
+def _traced(draft: Draft, design: StraightLine, phis: list[float]) -> dict[str, Points]:
     """The linkage in its stations and the path of E; the pins that do not move, and E at both ends."""
     board = draft.board
     board.section(Words("连杆点的轨迹", "The path of the coupler point"))
-    board.step(
-        Words(
-            f"选 $μ_l$，画 $A$、$D$；将 $AB$ 在给定范围内等分为 {STATIONS} 个位置，以两弧求 $C$，作出各位置的 $E$，"
-            "连成光滑曲线。",
-            f"Choose $μ_l$, draw $A$ and $D$; set $AB$ to {STATIONS} equally spaced positions over the range, find $C$ "
-            "by two arcs and with it $E$, and lead a smooth curve through these.",
-        ),
-        SHEET,
-    )
+    board.step(_positions(design, phis), SHEET)
     a = pivot(draft, "A", 0j)
     d = pivot(draft, "D", board.lay_off(a, 1 + 0j, draft.mm(design.AD.si), key="AD"))
-    first, last = (end.si for end in design.phi)
-    stations = [_station(draft, design, (a, d), float(phi)) for phi in np.linspace(first, last, STATIONS)]
+    stations = [_station(draft, design, (a, d), phi) for phi in phis]
     middle = STATIONS // 2
     for n, (b, c, e) in enumerate(stations):
         if n in (0, STATIONS - 1, middle):
@@ -69,6 +60,26 @@ def _traced(draft: Draft, design: StraightLine) -> dict[str, Points]:
     lettered = [pin(draft, f"E_{n}", e) for n, (_, _, e) in enumerate(stations, 1)]
     board.curve(SHEET, lettered, Role.RESULT)
     return {"A": a, "D": d, "E1": lettered[0], "E2": lettered[-1]}
+
+
+def _positions(design: StraightLine, phis: list[float]) -> Words:
+    """The first step: where AB is set, and how C is found."""
+    angles = [f"{degrees(phi):.2f}".rstrip("0").rstrip(".") + "°" for phi in phis]
+    dead = [f"$φ_{n}$" for n, phi in enumerate(phis, 1) if design.dead(phi)]
+    told = Words(
+        f"选 $μ_l$，画 $A$、$D$；在给定范围内取 $AB$ 的 {STATIONS} 个位置，使 $E$ 的各点间距相等："
+        f"$φ$ = {'、'.join(angles)}。以两弧求 $C$，作出各位置的 $E$，连成光滑曲线。",
+        f"Choose $μ_l$, draw $A$ and $D$; set $AB$ to {STATIONS} positions over the range, so that the places of $E$ "
+        f"are equally far apart: $φ$ = {', '.join(angles)}. Find $C$ by two arcs and with it $E$, and lead a smooth "
+        "curve through these.",
+    )
+    if not dead:
+        return told
+    return told + Words(
+        f"{'、'.join(dead)} 为死点，$B$、$C$、$D$ 共线，两弧相切，$C$ 直接在直线 $BD$ 上量取。",
+        f" {' and '.join(dead)}: a dead point; $B$, $C$ and $D$ are in line, the arcs only touch, and $C$ is laid off "
+        "on the line $BD$.",
+    )
 
 
 def _joined(draft: Draft, coupler: tuple[Points, Points, Points], thick: bool) -> None:
@@ -87,62 +98,65 @@ def _station(
     """B, C and E with AB at an angle."""
     board, (a, d) = draft.board, pivots
     b = board.lay_off(a, board.ray(a, 1 + 0j, phi).along, draft.mm(design.AB.si))
-    met = board.arcs(b, draft.mm(design.BC.si), d, draft.mm(design.CD.si), Words("求 $C$", "finding $C$"))
-    c = met[0 if design.side == "left" else 1]
+    bc, cd = draft.mm(design.BC.si), draft.mm(design.CD.si)
+    if design.dead(phi):
+        folded = abs(nominal(d - b)) < cd  # the rocker reaches over B
+        c = board.lay_off(b, unit(b - d) if folded and cd > bc else unit(d - b), bc)
+    else:
+        c = board.arcs(b, bc, d, cd, Words("求 $C$", "finding $C$"))[0 if design.side == "left" else 1]
     return b, c, board.image((np.complex128(0), np.complex128(design.BC.si), np.complex128(design.E.at)), (b, c))
 
 
-def _path(design: StraightLine) -> Path:
-    """E (m) at a share of the range, on scratch paper."""
-    first, last = (end.si for end in design.phi)
-
-    def at(share: float) -> complex:
-        b = design.AB.si * np.exp(1j * (first + share * (last - first)))
-        met = circles_meet(b, design.BC.si, complex(design.AD.si), design.CD.si)
-        c = complex(nominal(met[0 if design.side == "left" else 1]))
-        return complex(b + design.E.at / design.BC.si * (c - b))
-
-    return at
-
-
-def _furthest(path: Path, way: complex) -> complex:
-    """The point of the path that lies furthest in this direction."""
-    return path(place_of_greatest(lambda share: (complex(way).conjugate() * path(share)).real))
-
-
-def _read(draft: Draft, path: Path, places: list[complex]) -> None:
+def _read(draft: Draft, path: Path, stations: list[float]) -> None:
     """The path with its height enlarged, between two parallels to AD: length and width of the band."""
-    board, (right, left, high, low) = draft.board, places
-    spots = [1e3 * path(n / FINE) for n in range(FINE + 1)]
-    base = 1e3 * low.imag
-    over = Axis(symbol="x", unit="mm", low=1e3 * left.real, high=1e3 * right.real)
-    up = Axis(symbol="y", unit="mm", low=0.0, high=1e3 * high.imag - base)
+    shares = [path.furthest(way) for way in (1, -1, 1j, -1j)]
+    places = [1e3 * path(share) for share in shares]
+    right, left, high, low = places
+    base = low.imag
+    over = Axis(symbol="x", unit="mm", low=left.real, high=right.real)
+    up = Axis(symbol="y", unit="mm", low=0.0, high=high.imag - base)
     curve = chart(draft, "band", Words("轨迹的偏差（高度放大）", "The path, its height enlarged"), over, up)
-    board.step(
-        Words(
-            "以放大的比例画出轨迹的高度（自最低点量起），作平行于 $AD$ 的两直线夹住曲线，量出近似直线段的长度 $L$ "
-            "和这段轨迹偏离直线的宽度 $δ$（两平行线的距离）：",
-            "Plot the height of the path, counted from its lowest point, to an enlarged scale; two parallels to $AD$ "
-            "enclose it. Read the length $L$ of the straight part and the width $δ$ of its band:",
-        ),
-        curve.place,
-    )
+    marked = [1e3 * path(share) - 1j * base for share in stations]
+    draft.board.step(_computed(draft, up.high, [at.imag for at in marked]), curve.place)
     curve.ruled()
+    spots = [1e3 * path(share) for share in sorted({*path.stations(FINE), *shares})]
     curve.curve([at.real for at in spots], [at.imag - base for at in spots])
+    for at in marked:
+        draft.board.plot(curve.place, np.complex128(curve.at(at.real, at.imag)), "", Dot.POINT)
     _measured(draft, curve, places, base)
+
+
+def _computed(draft: Draft, band: float, heights: list[float]) -> Words:
+    """The second step: whence the heights are known."""
+    on_paper = draft.mm(1e-3 * band)
+    places = max(0, 2 - int(np.floor(np.log10(band)))) if band > 0 else 0
+    rows = [f"{height:.{min(places, 6)}f}" for height in heights]
+    narrow = Words(
+        f"轨迹的高低在上图中仅差 {on_paper:.2g} mm，量不准，故由计算求得：",
+        f"On the drawing the heights of the path differ by {on_paper:.2g} mm only, too little to be read well; they "
+        "are computed: ",
+    )
+    wide = Words("轨迹的高度由计算求得：", "The heights of the path are computed: ")
+    return (narrow if on_paper < LEGIBLE else wide) + Words(
+        "在 $△BCD$ 中由余弦定理求 $∠CBD$，得 $C$、$E$ 的坐标。自最低点量起，$E_1$ 至 "
+        f"$E_{STATIONS}$ 的高度为 {'、'.join(rows)} mm；其间再算若干点，以放大的比例画出。"
+        "作平行于 $AD$ 的两直线夹住曲线，量出近似直线段的长度 $L$ 和这段轨迹偏离直线的宽度 $δ$（两平行线的距离）：",
+        "the law of cosines gives $∠CBD$ in $△BCD$, and so the coordinates of $C$ and $E$. Counted from the lowest "
+        f"point, $E_1$ to $E_{STATIONS}$ are {', '.join(rows)} mm high; compute more places between them, and plot all "
+        "to an enlarged scale. Two parallels to $AD$ enclose the curve. Read the length $L$ of the straight part and "
+        "the width $δ$ of its band:",
+    )
 
 
 def _measured(draft: Draft, curve: Chart, places: list[complex], base: float) -> None:
     board, scale = draft.board, draft.board.scale_of(curve.place)
-    right, left, high, low = (np.complex128(curve.at(1e3 * at.real, 1e3 * at.imag - base)) for at in places)
-    for level in (high, low):
-        board.join(curve.place, 1j * level.imag, right.real + 1j * level.imag, Role.CENTRE)
-    for named, one, other, letters, mu in (
-        (L, left.real + 0j, right.real + 0j, "L", scale.right),
-        (BAND, 1j * low.imag, 1j * high.imag, "δ", scale),
-    ):
-        on_paper = board.measure(np.complex128(one), np.complex128(other), letters)
-        board.plot(curve.place, (np.complex128(one) + np.complex128(other)) / 2, letters, Dot.NONE)
+    right, _, high, _ = (curve.at(at.real, at.imag - base) for at in places)
+    end, top = board.lay_off(np.complex128(0), 1 + 0j, right.real), board.lay_off(np.complex128(0), 1j, high.imag)
+    for level in (top, np.complex128(0)):
+        board.join(curve.place, level, level + right.real, Role.CENTRE)
+    for named, other, letters, mu in ((L, end, "L", scale.right), (BAND, top, "δ", scale)):
+        on_paper = board.measure(np.complex128(0), other, letters)
+        board.plot(curve.place, other / 2, letters, Dot.NONE)
         size = magnitude(mu.symbol, mu.value, "mm/mm") * on_paper
         draft.worked(draft.of_this(named), size)
         draft.read_off(draft.of_this(named), curve.place, on_paper, letters, mu)

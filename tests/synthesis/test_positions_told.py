@@ -1,0 +1,42 @@
+"""Positions of a body in the words of a textbook, and the letters of the linkage that leads it through them."""
+
+from __future__ import annotations
+
+import pytest
+
+import vecpoly
+from tests.drawn_library import IDS, drawn
+from tests.each import each
+from vecpoly.board.paper.marks import Point
+from vecpoly.designs.inversion.positions import Positions
+
+POSITIONS = tuple(name for name in IDS if isinstance(vecpoly.load(name).subject, Positions))
+
+
+@each(POSITIONS)
+def test_a_position_is_no_quantity_that_equals_a_point_its_point_and_its_line_are_told(name: str) -> None:
+    data = vecpoly.load(name).given.data
+    told = [one.of("en") for one in data if one.words is not None]
+    assert not any(one.symbol.startswith("S_") for one in data)
+    subject = vecpoly.load(name).subject
+    assert isinstance(subject, Positions)
+    assert sum(text.startswith("position ") for text in told) == len(subject.poses)
+
+
+def test_the_line_by_which_a_body_is_shown_may_have_any_length_and_the_question_says_so() -> None:
+    told = [one.of("zh").replace(" ", "") for one in vecpoly.load("four-positions-b").given.data]
+    assert "$PQ$的长度任取" in told[0] and told[1] == "位置1：$P$在(0,0)mm、$PQ$的方向角为0°"
+
+
+def test_no_title_promises_a_good_condition_that_the_report_denies() -> None:
+    problem = vecpoly.load("four-positions-b")
+    (found,) = (one for one in problem.solve(by="drafting", seed=1).verification if one.broken is None)
+    assert found.loose and "良好" not in problem.title.zh and "well" not in problem.title.en
+
+
+@pytest.mark.parametrize(("name", "valid"), [("four-positions-b", 1), ("four-positions", 3)])
+def test_every_linkage_that_answers_has_the_letters_of_its_lengths_on_the_sheet(name: str, valid: int) -> None:
+    labels = {mark.label for mark in drawn(name).construction.figures[0].marks if isinstance(mark, Point)}
+    for n in range(valid):
+        primes = "′" * n
+        assert {f"A{primes}", f"B{primes}_1", f"C{primes}_1", f"D{primes}"} <= labels

@@ -1,0 +1,47 @@
+"""The path of a coupler point on scratch paper, place by place, and equal steps along it."""
+
+from __future__ import annotations
+
+from cmath import exp
+
+import numpy as np
+
+from ....designs.straight_line import StraightLine
+from ..generator.greatest import place_of_greatest
+
+DENSE = 2000  # trials over the range
+
+
+class Path:
+    """E (m) at a share of the range of AB, by the law of cosines."""
+
+    def __init__(self, design: StraightLine) -> None:
+        self.design = design
+
+    def phi(self, share: float) -> float:
+        """The angle of AB there (rad)."""
+        first, last = (end.si for end in self.design.phi)
+        return first + share * (last - first)
+
+    def __call__(self, share: float) -> complex:
+        design = self.design
+        b = design.AB.si * exp(1j * self.phi(share))
+        way = design.AD.si - b
+        along = (abs(way) ** 2 + design.BC.si**2 - design.CD.si**2) / (2 * abs(way))
+        across = max(design.BC.si**2 - along**2, 0.0) ** 0.5  # 0 at a dead point
+        c = complex(along, across if design.side == "left" else -across) * way / abs(way)
+        return b + design.E.at / design.BC.si * c
+
+    def furthest(self, way: complex) -> float:
+        """The share at which the path lies furthest in this direction."""
+        return place_of_greatest(lambda share: (complex(way).conjugate() * self(share)).real)
+
+    def stations(self, steps: int) -> list[float]:
+        """The shares of so many equal steps along the path, both ends included.
+
+        Near a dead point E moves as the root of the angle: the trials are dense at both ends.
+        """
+        shares = (1 - np.cos(np.linspace(0, np.pi, DENSE + 1))) / 2
+        gone = np.append(0.0, np.cumsum(np.abs(np.diff([self(float(share)) for share in shares]))))
+        inner = np.interp(gone[-1] * np.arange(1, steps) / steps, gone, shares)
+        return [0.0, *map(float, inner), 1.0]
