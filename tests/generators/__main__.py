@@ -33,7 +33,7 @@ def _all(cases: list[Case], jobs: int) -> Iterator[tuple[Case, Verdict]]:
     if jobs == 1:
         yield from map(judged, cases)
         return
-    with Pool(jobs) as pool:
+    with Pool(jobs, signal.signal, (signal.SIGTERM, signal.SIG_DFL)) as pool:  # workers end at once, and tell nothing
         yield from pool.imap_unordered(judged, cases, chunksize=8)
 
 
