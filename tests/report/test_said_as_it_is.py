@@ -108,5 +108,7 @@ def test_an_angle_is_told_as_it_is_given() -> None:
 
 
 def test_a_module_is_no_metre() -> None:
-    """The thickness of a tip is told in mm beside modules, an italic m."""
-    assert re.search(r"mm \$= [\d.]+ m\$，小于 \$0\.25 m\$ = 2\.5 mm", _told("gear-shifted"))
+    """The limit of the thickness of a tip is a product of modules, and told in mm beside it; no number stands alone
+    before an m."""
+    told = _told("gear-shifted")
+    assert "小于 $0.25·m$ = 2.5 mm" in told and not re.search(r"\d m\$", told)

@@ -9,9 +9,10 @@ from itertools import count, takewhile
 from math import pi
 
 from ...algebra.quantity import number
-from ...board.construction import Figure, View
+from ...board.construction import Figure, Scale, View
 from ...board.paper.extent import bounds
 from ...board.paper.marks import Arc, Dot, FixedGuide, Ground, Mark, Note, Point, RackMark, Role, Segment, Vector
+from ...board.paper.scales import round_up
 from ...figures.balancing import END_VIEW
 from ...figures.energy import INDICATOR
 from ...words import Words
@@ -23,7 +24,10 @@ EDGE = 9.0  # mm that stay free beside what runs through a frame
 _PLACES = (1 / 2, 1 / 3, 2 / 3, 1 / 4, 3 / 4, 1 / 5, 4 / 5, 1 / 8, 7 / 8)  # of a frame, for a pole; the first that does
 _FLOORS = (0.0, 1 / 4, 1 / 2, 3 / 4)  # likewise for the axis of a diagram
 _HATCHED = 16.0  # mm of a guide
-_TICK, _APART = 1.5, 10.0  # mm: half a tick, from tick to tick
+_TICK, _APART = 1.5, 10.0  # mm: half a tick, from tick to tick at least
+_WIDE = 15.0  # mm: from tick to tick, where each has its number
+_METRE, _MILLIMETRE, MILLI = "m", "mm", 1e3
+_ROUND = (1.0, 2.0, 5.0, 10.0)
 _BELOW = -10.0  # mm: no lower stand the numbers of an axis
 _GUIDE = Words("导路", "guide")
 Box = tuple[complex, complex]
@@ -147,7 +151,8 @@ def _diagram(figure: Figure, axes: tuple[Vector, Vector], size: tuple[float, flo
 def _across(figure: Figure, right: Vector, box: Box) -> Iterator[Mark]:
     """The axis to the right with the numbers that the drawing has."""
     end = complex(box[1].real - EDGE, right.b.imag)
-    yield Vector(a=right.a, b=end, role=Role.DIRECTION, step=1)
+    start = complex(box[0].real + EDGE, right.a.imag) if right.a.real < -NEAR else right.a
+    yield Vector(a=start, b=end, role=Role.DIRECTION, step=1)
     name = next((mark.label for mark in figure.marks if isinstance(mark, Point) and mark.at == right.b), "")
     numbers, scale = dict(_written(figure, right.step)), figure.scale.right
     if name:
@@ -156,7 +161,9 @@ def _across(figure: Figure, right: Vector, box: Box) -> Iterator[Mark]:
     for x, text in numbers.items():
         yield from _tick(x + 0j, -1j, text)
     if not numbers:
-        yield from _numbered(scale.value, right.a, end - 4.0, 1 + 0j)
+        yield from _numbered(scale, complex(max(right.a.real, 0.0), right.a.imag), end - 4.0)
+        if start != right.a:
+            yield from _numbered(scale, complex(0.0, right.a.imag), start)
 
 
 def _written(figure: Figure, step: int) -> Iterator[tuple[float, str]]:
@@ -188,9 +195,9 @@ def _scaled(figure: Figure, name: str, foot: complex, end: complex) -> Iterator[
     if name:
         yield _named(end, name, figure.scale.unit)
     zero = complex(foot.real, 0.0)
-    yield from _numbered(figure.scale.value, zero, end - 4.0j, 1j)
+    yield from _numbered(figure.scale, zero, end - 4.0j)
     if foot.imag < -NEAR:
-        yield from _numbered(-figure.scale.value, zero, foot, -1j)
+        yield from _numbered(figure.scale, zero, foot)
 
 
 def _levels(figure: Figure, size: tuple[float, float]) -> tuple[Box, tuple[Mark, ...]]:
@@ -206,15 +213,21 @@ def _levels(figure: Figure, size: tuple[float, float]) -> tuple[Box, tuple[Mark,
     return box, (base, *_scaled(figure, "E", foot, end))
 
 
-def _numbered(per_mm: float, zero: complex, end: complex, way: complex) -> Iterator[Mark]:
-    """A tick every 10 mm, a number at every other."""
-    side = -1j if way.imag == 0 else -1 + 0j
-    for n in range(1, int(abs(end - zero) / _APART) + 1):
-        text = number(n * _APART * per_mm, 3) if n % 2 == 0 else ""
-        yield from _tick(zero + n * _APART * way, side, text)
+def _numbered(scale: Scale, zero: complex, end: complex) -> Iterator[Mark]:
+    """A tick every round number from zero to the end, some 10 mm apart, a number at every other, at each where
+    they are wide apart; negative to the left and below."""
+    per_mm = scale.value * (MILLI if scale.unit == _METRE else 1.0)
+    apart = round_up(_APART * per_mm, _ROUND) / per_mm
+    way = (end - zero) / abs(end - zero)
+    side, sign = (-1j if way.imag == 0 else -1 + 0j), (1.0 if way.real + way.imag > 0 else -1.0)
+    for n in range(1, int(abs(end - zero) / apart) + 1):
+        text = number(sign * n * apart * per_mm, 3) if n % 2 == 0 or apart >= _WIDE else ""
+        yield from _tick(zero + n * apart * way, side, text)
 
 
 def _named(at: complex, letter: str, unit: str) -> Mark:
-    """The letter of an axis, with its unit."""
+    """The letter of an axis, with its unit; a derivative in brackets, its d upright. Lengths are told in mm."""
+    unit = _MILLIMETRE if unit == _METRE else unit
     told = f"({unit})" if "·" in unit or "/" in unit else unit
-    return Note(at=at, words=Words.same(f"${letter}$/{told}" if unit else f"${letter}$"), step=1)
+    name = "/".join(f"d${part[1:]}$" for part in letter.split("/")) if "/" in letter else f"${letter}$"
+    return Note(at=at, words=Words.same(f"{f'({name})' if '/' in letter else name}/{told}" if unit else name), step=1)

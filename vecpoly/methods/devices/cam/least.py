@@ -70,9 +70,14 @@ def _loop(bench: Bench, cam: Cam, allowed: Allowed) -> tuple[Line, Line]:
 
 
 def _axes(board: Board, cam: Cam) -> None:
-    wide = max(piece.lift / piece.angle for piece in cam.pieces) * 2 / board.scale_of(LOOP).value
-    for end, label in ((wide + BEYOND + 0j, "ds/dφ"), (1j * (cam.lift / board.scale_of(LOOP).value + BEYOND), "s")):
-        board.arrow(LOOP, 0j, end, Role.DIRECTION)
+    """ds/dφ to both sides, the return's being negative, and s upwards."""
+    scale = board.scale_of(LOOP).value
+    right, left = (
+        max((piece.lift / piece.angle for piece in cam.pieces if piece.rises == way), default=0.0) * 2 / scale + BEYOND
+        for way in (1, -1)
+    )
+    for start, end, label in ((-left, right + 0j, "ds/dφ"), (0j, 1j * (cam.lift / scale + BEYOND), "s")):
+        board.arrow(LOOP, start, end, Role.DIRECTION)
         board.plot(LOOP, end, label, Dot.NONE)
 
 

@@ -1,0 +1,35 @@
+"""The axes of an empty diagram: round numbers, lengths in mm, both sides where both are needed."""
+
+from __future__ import annotations
+
+import re
+
+from tests.drawn_library import drawn
+from tests.each import each
+from vecpoly.board.paper.marks import Note, Vector
+from vecpoly.report.question.frames import frames
+
+CAMS = ("cam-least-circle", "cam-roller-offset", "cam-flat-face", "cam-rocker", "two-stroke-flywheel")
+
+
+def noted(name: str) -> list[str]:
+    found = frames(drawn(name).construction, drawn(name).problem)[0].figures
+    return [mark.words.en for figure in found for mark in figure.marks if isinstance(mark, Note)]
+
+
+@each(CAMS)
+def test_the_first_number_of_an_empty_axis_is_one_two_four_or_five_of_a_power_of_ten(name: str) -> None:
+    sizes = [float(text.strip("−")) for text in noted(name) if re.fullmatch(r"−?[\d.]+", text)]
+    assert float(f"{min(sizes):e}".partition("e")[0]) in (1.0, 2.0, 4.0, 5.0)
+
+
+def test_the_loop_of_a_cam_has_an_axis_on_both_sides_for_rise_and_return() -> None:
+    texts = noted("cam-least-circle")
+    assert {"10", "20", "−10", "−20"} <= set(texts)
+    loop = next(one for one in drawn("cam-least-circle").construction.figures if one.view.name == "loop")
+    assert any(isinstance(mark, Vector) and mark.a.real < -20 < 20 < mark.b.real for mark in loop.marks)
+
+
+def test_a_derivative_stands_in_brackets_before_its_unit_and_lengths_are_in_millimetres() -> None:
+    texts = noted("cam-least-circle")
+    assert "(d$s$/d$φ$)/mm" in texts and "$s$/mm" in texts and not any(text.endswith("/m") for text in texts)
