@@ -24,7 +24,7 @@ from vecpoly.report.course.structure.chapter import _pairs, _pins
 from vecpoly.report.course.structure.special_joints import concluded, special
 from vecpoly.report.course.symbols import symbols
 from vecpoly.report.flow.table import DataTable
-from vecpoly.report.statement.structure import kind_of
+from vecpoly.report.statement.structure import group_zh, kind_of
 
 SEVERAL = Later(lambda: (*few(ids(), 8), "3-1f", "3-3", "dump-hoist", "scissor-lift"))  # conclusions of every kind
 CLASSES = {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ"}
@@ -88,7 +88,8 @@ def test_the_conclusion_names_every_group_with_its_links_and_the_highest_class(n
         links = [it.name(link) for link in group.links]
         if group.dyad or group.ram or group.kind == "driven":
             kind = kind_of(group)
-            assert f"{kind.zh}（构件" in words.zh and f"{kind.en} (" in words.en
+            called = group_zh(group) if any(one.kind == "driven" for one in groups) else kind.zh
+            assert f"{called}（构件" in words.zh and f"{kind.en} (" in words.en
         assert f"（构件 {'、'.join(links)}）" in words.zh and f"({', '.join(links)})" in words.en
     kinds = {group.kind for group in groups}
     if all(group.dyad or group.ram or group.kind.startswith("class") for group in groups) and "driven" not in kinds:
