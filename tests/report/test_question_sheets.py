@@ -356,7 +356,7 @@ def test_a_furnace_door_is_pictured_closed_and_open() -> None:
     ("name", "zh", "en"),
     [
         ("function-log", "lg $x$", "log₁₀ $x$"),
-        ("8-9", "30° → 78 mm", "30° → 78 mm"),
+        ("8-9", "$φ_{1}$ = 30°，$x_{C1}$ = 78 mm", "$φ_{1}$ = 30°, $x_{C1}$ = 78 mm"),
         ("8-6", "(55, −79) mm、动坐标轴 $x′$", "at (55, −79) mm, its axis $x′$ at 90°"),
         ("two-stroke-flywheel", "420（30°）", "420 (30°)"),
     ],

@@ -83,7 +83,12 @@ class AnglePairs(Design):
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """The pairs, and the links that are given."""
-        pairs = tuple((f"φ_{{{n}}}", pair.text) for n, pair in enumerate(self.pairs, 1))
+        of = "x_{{C{}}}" if self.slides else "ψ_{{{}}}"
+        pairs = tuple(
+            (symbol.format(n), text.strip())
+            for n, pair in enumerate(self.pairs, 1)
+            for symbol, text in zip(("φ_{{{}}}", of), pair.text.replace("→", "->").split("->"), strict=True)
+        )
         lengths = (("l_{AB}", self.AB), ("l_{AD}", self.AD))
         lines = (("C", self.guide), ("C", self.C), ("B", self.B))
         return (*as_written(lengths), *(said(letter, line) for letter, line in lines if line is not None), *pairs)
