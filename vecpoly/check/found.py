@@ -48,7 +48,7 @@ class Verified:
 
     def as_json(self) -> dict[str, Any]:
         """Plain data; lengths in mm, angles in degrees."""
-        kind = {} if self.kind is None else {"type": self.kind.en.replace("$", ""), "grashof_margin_mm": self.margin}
+        kind = {} if self.kind is None else {"type": self.kind.plain.en, "grashof_margin_mm": self.margin}
         told = {
             "K": self.ratio,
             "theta_deg": self.theta,
@@ -95,7 +95,7 @@ def _moved(number: int, values: Mapping[str, float], loose: Mapping[str, float],
     angle = stroke is not None and stroke.key.startswith("phi")
     return Verified(
         number=number,
-        driver="".join(list(turn.mech.link(turn.mech.drive.link).points)[:2]),
+        driver="".join(turn.mech.link(turn.mech.drive.link).axis),
         full=turn.whole,
         kind=kind,
         margin=margin,

@@ -173,7 +173,7 @@ def _gamma_words(mech: Mechanism, name: str) -> Words:
 
 
 def _angle_words(mech: Mechanism, name: str) -> Words:
-    letters = tuple(mech.link(name).points)[:2]
+    letters = mech.link(name).axis
     said = f"{letters[0]}{letters[1]}" if len(letters) == 2 else ""
     return Words(
         f"构件 {name} 的转角" + (f"（{said} 的方向）" if said else ""),

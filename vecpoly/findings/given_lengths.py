@@ -71,7 +71,7 @@ def _of_link(mech: Mechanism, link: Link, written: frozenset[str]) -> Iterator[D
     """The distance of its first two points, then what sets out the others; points at one foot share it."""
     for one in dims.of_link(mech, link):
         if isinstance(one, Bar):
-            yield Dimension(_length(written, *list(link.points)[:2]), mech, one)
+            yield Dimension(_length(written, *link.axis), mech, one)
         else:
             yield from _of_placement(mech, link, one, written)
 

@@ -46,6 +46,11 @@ class Link:
     def __post_init__(self) -> None:
         object.__setattr__(self, "points", FrozenMap(dict(self.points)))
 
+    @property
+    def axis(self) -> tuple[str, ...]:
+        """The letters of the line that is its x axis; fewer than two of a link that has no more."""
+        return tuple(self.points)[:2]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Drive:

@@ -81,11 +81,11 @@ def report(
 
 def _gone_on(job: Job, then: Then, tally: Tally, lang: Lang, style: Style, hand: Hand, seed: int) -> Job:
     """The document of the linkages that were found; in a solution each stands behind its synthesis."""
-    told = {
-        problem.id: (*([problem] if style == "solution" else []), *onward([problem], then, tally, lang, hand, seed))
+    made = tuple(
+        one
         for problem in job.problems
-    }
-    made = tuple(one for pair in told.values() for one in pair)
+        for one in (*([problem] if style == "solution" else []), *onward([problem], then, tally, lang, hand, seed))
+    )
     return replace(job, name=made[-1].id if made and job.path is None else job.name, problems=made)
 
 

@@ -85,9 +85,9 @@ class AnglePairs(Design):
         """The pairs, and the links that are given."""
         of = "x_{{C{}}}" if self.slides else "ψ_{{{}}}"
         pairs = tuple(
-            (symbol.format(n), text.strip())
+            (symbol.format(n), text)
             for n, pair in enumerate(self.pairs, 1)
-            for symbol, text in zip(("φ_{{{}}}", of), pair.text.replace("→", "->").split("->"), strict=True)
+            for symbol, text in zip(("φ_{{{}}}", of), pair.told, strict=True)
         )
         lengths = (("l_{AB}", self.AB), ("l_{AD}", self.AD))
         lines = (("C", self.guide), ("C", self.C), ("B", self.B))

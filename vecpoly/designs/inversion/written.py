@@ -59,6 +59,13 @@ class Pair:
     def __str__(self) -> str:
         return self.text
 
+    @property
+    def told(self) -> tuple[str, str]:
+        """Both, as they were written."""
+        m = _PAIR.fullmatch(self.text)
+        assert m is not None
+        return m["one"], m["two"]
+
 
 def _point(written: Any) -> Point:
     """[30 mm, 5 mm], (30, 5) mm or 30 mm at 40 deg."""

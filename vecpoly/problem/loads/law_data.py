@@ -143,9 +143,10 @@ def told_spring(spring: Elastic, spec: LoadSpec, mech: Mechanism) -> Datum:
 
 def _angle_of(coil: Coil, mech: Mechanism) -> Words:
     """Of which line the free angle is, and from where it counts: a link is turned as the line of its first letters."""
-    own, other = ("".join([*mech.link(name).points][:2]) for name in (coil.link, coil.against))
-    if len(own) < 2:
+    axes = [mech.link(name).axis for name in (coil.link, coil.against)]
+    if len(axes[0]) < 2:
         return Words("", "")
+    own, other = map("".join, axes)
     if coil.against == FRAME:
         return Words(f"（${own}$ 自 $x$ 轴起的转角）", f" (angle of ${own}$ from the $x$ axis)")
     return Words(f"（${own}$ 相对 ${other}$ 的转角）", f" (angle of ${own}$ from ${other}$)")

@@ -9,12 +9,11 @@ from ...words import Lang
 from ..flow.results.halved import HalvedTable
 from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
-from .errors import expected_errors
 from .order import listed
 from .placed import places_table
-from .tables import counted, deviations, headed, parted, row_of, unit_of
+from .tables import counted, filled, parted, unit_of
 
-_KEPT, _OFF = (0, 1, 4, 6, 7, 8), 7  # of the columns of readings: not the length, its scale, its direction
+_KEPT = (0, 1, 4, 6, 7, 8)  # of the columns of readings: not the length, its scale, its direction
 _ALIGN = "lcuudu"
 
 
@@ -41,12 +40,7 @@ def _settled(answer: Answer) -> bool:
 
 
 def _values(answers: Sequence[Answer], solution: Solution, lang: Lang) -> DataTable:
-    heads, one_unit = headed(answers, lang)
-    errors = expected_errors(answers)
-    rows = [row_of(one, solution, lang, "" if one_unit else unit_of(one)) for one in answers]
-    heads[_OFF], told = deviations(heads[_OFF], [row[_OFF] for row in rows], lang)
-    header = [heads[n] for n in _KEPT]
-    whole = ((*row[:_OFF], gap, errors[one.key]) for row, gap, one in zip(rows, told, answers, strict=True))
-    cells = [tuple(row[n] for n in _KEPT) for row in whole]
+    heads, rows = filled(answers, solution, lang)
+    header, cells = [heads[n] for n in _KEPT], [tuple(row[n] for n in _KEPT) for row in rows]
     inks, units = inks_of(solution, (one.key for one in answers)), [unit_of(one) for one in answers]
     return HalvedTable.of(trimmed(header, cells, (), _ALIGN, lang, inks, groups=units))

@@ -100,17 +100,22 @@ def counted(answer: Answer) -> bool:
     return (whole or answer.reading.unit == YES_NO) and answer.drawn == answer.exact
 
 
-def _values(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
-    header, one_unit = headed(answers, lang)
+def filled(answers: Sequence[Answer], solution: Solution, lang: Lang) -> tuple[list[str], list[tuple[str, ...]]]:
+    """The heads and the rows of all columns."""
+    header, one_unit = _headed(answers, lang)
     errors = expected_errors(answers)
     rows = [row_of(one, solution, lang, "" if one_unit else unit_of(one)) for one in answers]
-    header[_OFF], offs = deviations(header[_OFF], [row[_OFF] for row in rows], lang)
-    rows = [(*row[:_OFF], off, errors[one.key]) for row, off, one in zip(rows, offs, answers, strict=True)]
+    header[_OFF], offs = _deviations(header[_OFF], [row[_OFF] for row in rows], lang)
+    return header, [(*row[:_OFF], off, errors[one.key]) for row, off, one in zip(rows, offs, answers, strict=True)]
+
+
+def _values(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
+    header, rows = filled(answers, solution, lang)
     inks = inks_of(solution, (one.key for one in answers))
     return trimmed(header, rows, (), _ALIGN, lang, inks, groups=[unit_of(one) for one in answers])
 
 
-def headed(answers: Sequence[Answer], lang: Lang) -> tuple[list[str], str]:
+def _headed(answers: Sequence[Answer], lang: Lang) -> tuple[list[str], str]:
     """The heads of all columns, and the unit that stands in them where the answers have but one."""
     units = {unit_of(one) for one in answers if one.reading.unit != YES_NO}
     one_unit = units.pop() if len(units) == 1 else ""
@@ -122,7 +127,7 @@ def headed(answers: Sequence[Answer], lang: Lang) -> tuple[list[str], str]:
     return header, one_unit
 
 
-def deviations(head: str, offs: list[str], lang: Lang) -> tuple[str, list[str]]:
+def _deviations(head: str, offs: list[str], lang: Lang) -> tuple[str, list[str]]:
     """The head and the cells of the column of deviations: degrees alone have their unit in the head, as per cents have;
     of two units in one column each stands beside its number."""
     told = [off for off in offs if off != NOTHING]

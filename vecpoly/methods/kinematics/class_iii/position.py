@@ -98,7 +98,7 @@ def _chosen(desk: Desk, star: Star, options: list[Assembly]) -> tuple[Assembly, 
 
 def _which(desk: Desk, star: Star, after: list[dict[str, complex]], fits: bool) -> Words:
     """The assemblies there are, by the places of the central link's points."""
-    letters = list(desk.mech.link(star.plate).points)[:2]
+    letters = desk.mech.link(star.plate).axis
     mm = 1e3 / desk.mm(1.0)
     told = "; ".join(
         "{" + ", ".join(f"{p}: [{at[p].real * mm:.4g} mm, {at[p].imag * mm:.4g} mm]" for p in letters) + "}"

@@ -14,7 +14,7 @@ from ....mechanism.loads import Load, Loads
 from ....mechanism.model import Mechanism
 from ...state import Reals
 from .drives import drive_range, unit_drive
-from .returning import turns_of
+from .returning import laps, turns_of
 from .stands import ROUNDING, Stands
 from .strokes import STEPS, zeros
 
@@ -29,12 +29,13 @@ def corners(mech: Mechanism, loads: Loads) -> Reals:
     """
     low, high, whole = drive_range(mech)
     moving = mech if mech.drive.rate else unit_drive(mech)
-    turns = turns_of(mech, loads, low) if whole else 1
-    grid = np.linspace(low, low + turns * (high - low), turns * STEPS + 1)
-    found = [
+    count, turns = (laps(mech, low), turns_of(mech, loads, low)) if whole else (1, 1)
+    grid = np.linspace(low, low + count * (high - low), count * STEPS + 1)
+    once = [
         zeros(partial(_at, moving, watched), grid, partial(_at, moving, watched, rounding=0.0))
         for watched in _watched(loads)
     ]
+    found = [part + 2 * np.pi * k for part in once for k in range(0, turns, count)]
     found += [np.array(list(_of_the_drive(load, low, high + 2 * np.pi * (turns - 1), whole))) for load in loads.all]
     places = np.sort(np.concatenate([np.empty(0), *found]))
     return np.asarray(places[np.append(True, np.diff(places) > SAME * max(high - low, 1e-300))[: len(places)]])

@@ -63,24 +63,25 @@ def _highest(groups: Sequence[Group]) -> str:
     )
 
 
-def _members(study: Study, group: Group) -> str:
-    return f"构件 {'、'.join(map(study.name, group.links))}"
+def _kind(group: Group, inside: bool) -> str:
+    """RRR, Ⅲ 级; inside: beside a group in which the input acts, 杆组 follows."""
+    if inside:
+        return group_zh(group)
+    if group.dyad or group.ram:
+        return kind_of(group).zh
+    if group.kind in ROLLING:
+        return ROLLING[group.kind].zh
+    return f"{NUMERALS.get(group.kind.removeprefix('class '), group.kind)} 级"
 
 
 def concluded(study: Study) -> Words:
     """The class of the mechanism: that of its highest group."""
     groups = decompose(study.mech)
+    inside = any(group.kind == "driven" for group in groups)
     zh, en = [], []
     for group in groups:
         names = [study.name(link) for link in group.links]
-        kind = (
-            kind_of(group).zh
-            if group.dyad or group.ram or group.kind == "driven"
-            else ROLLING[group.kind].zh
-            if group.kind in ROLLING
-            else f"{NUMERALS.get(group.kind.removeprefix('class '), group.kind)} 级"
-        )
-        zh.append(f"{kind}（构件 {'、'.join(names)}）")
+        zh.append(f"{_kind(group, inside)}（构件 {'、'.join(names)}）")
         en.append(f"{kind_of(group).en} ({', '.join(names)})")
     driver = driver_words(study.mech)
     driven = (
@@ -88,10 +89,9 @@ def concluded(study: Study) -> Words:
         if study.mech.drive.between
         else Words(f"原动件 {study.mech.drive.link} ", f"the driving link {study.mech.drive.link}")
     )
-    if any(group.kind == "driven" for group in groups):
+    if inside:
         return Words(
-            f"因此机构由{'、'.join(f'{group_zh(one)}（{_members(study, one)}）' for one in groups)}组成，"
-            f"驱动副（{driver.zh.strip()}）在杆组之内。",
+            f"因此机构由{'、'.join(zh)}组成，驱动副（{driver.zh.strip()}）在杆组之内。",
             f"So the mechanism consists of {', '.join(en)}; what drives, {driver.en}, is inside the group.",
         )
     if any(group.dyad is None and group.ram is None and not group.kind.startswith("class") for group in groups):

@@ -4,13 +4,13 @@ as it needs no page more."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from copy import copy
 from typing import Any
 
 from ..base import Tightness
-from ..blocks import Heading, SheetPage
+from ..blocks import SheetPage
 from ..doc import Metadata, ReportDoc
 from .loose import OPENEST, grown
+from .sectioned import heads, settled
 from .setting import tightened
 
 ENOUGH, LAST = 0.72, 0.6  # of a page of text, and of the last one: what is filled so far looks full
@@ -56,19 +56,6 @@ def _ways(plain: Sequence[Any]) -> Iterator[Sequence[Any]]:
     count = next((n for n, item in enumerate(reversed(plain)) if not isinstance(item, SheetPage)), 0)
     text, sheets = plain[: len(plain) - count], plain[len(plain) - count :]
     degrees = (*map(grown, _SHARES), *_CLOSER)
-    for at in (len(text), *(_heads(text) if sheets else ())):
-        placed = [*text[:at], *map(_settled, sheets), *text[at:]]
+    for at in (len(text), *(heads(text) if sheets else ())):
+        placed = [*text[:at], *map(settled, sheets), *text[at:]]
         yield from (tightened(placed, degree) for degree in degrees)
-
-
-def _heads(text: Sequence[Any]) -> Iterator[int]:
-    """Where sections begin, the last first."""
-    for at in range(len(text) - 1, 0, -1):
-        if isinstance(text[at], Heading) and not getattr(text[at - 1], "keepWithNext", 0):
-            yield at
-
-
-def _settled(sheet: SheetPage) -> SheetPage:
-    own = copy(sheet)
-    own.behind = 0
-    return own

@@ -22,8 +22,8 @@ def sectioned(story: list[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
     if not sheets or len(sheets) != sum(isinstance(item, SheetPage) for item in story) or _stands(doc):
         return story, doc
     text = [item for item in story if item not in sheets]
-    for at in _heads(text):
-        found = [*text[:at], *map(_settled, sheets), *text[at:]]
+    for at in heads(text):
+        found = [*text[:at], *map(settled, sheets), *text[at:]]
         tried = ReportDoc(found, doc.metadata)
         if tried.counted() <= doc.page and _parts_well(tried) and faults_of(tried) <= faults_of(doc):
             return found, tried
@@ -35,7 +35,7 @@ def _stands(doc: ReportDoc) -> bool:
     return isinstance(first_of(doc.heads.get(doc.page)), Heading) and doc.filled[-1] >= HALF
 
 
-def _heads(text: Sequence[Any]) -> Iterator[int]:
+def heads(text: Sequence[Any]) -> Iterator[int]:
     """Where sections begin, the last first."""
     for at in range(len(text) - 1, 0, -1):
         if isinstance(text[at], Heading) and not getattr(text[at - 1], "keepWithNext", 0):
@@ -48,7 +48,7 @@ def _parts_well(doc: ReportDoc) -> bool:
     return before >= HALF and (pages > 1 or last >= HALF)
 
 
-def _settled(sheet: SheetPage) -> SheetPage:
+def settled(sheet: SheetPage) -> SheetPage:
     """The sheet in its place."""
     own = copy(sheet)
     own.behind = 0

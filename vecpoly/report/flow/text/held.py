@@ -66,7 +66,9 @@ def _kept(before: str, after: str) -> bool:
     """As `held`, in a narrow column: sums of numbers are not parted, a chain goes on with its next equality sign."""
     if before in _SIGNS:
         return is_number(after.rstrip("°,.;:，。；、"))
-    return after in _SIGNS if is_number(before) and (after in _SIGNS or after in _RELATIONS) else held(before, after)
+    if is_number(before) and after in _SIGNS | _RELATIONS:
+        return after in _SIGNS
+    return held(before, after)
 
 
 def is_number(text: str) -> bool:
