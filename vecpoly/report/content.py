@@ -150,10 +150,8 @@ def _disagreed(wrong: list[Answer]) -> Words:
         for values in ([answer.drawn for answer in wrong], [answer.exact for answer in wrong])
     )
     return Words(
-        f"注意：按计数 {ours.replace(', ', '，')}；按独立求得的结果（约束方程的秩）{its.replace(', ', '，')}，"
-        "二者不符，以后者为准。",
-        f"Beware: the count gives {ours}, the independent result (rank of the constraints) {its}. "
-        "They disagree; the latter holds.",
+        f"注意：按计数 {ours.replace(', ', '，')}；按约束方程的秩{its.replace(', ', '，')}，二者不符，以后者为准。",
+        f"Beware: the count gives {ours}, the rank of the constraint equations {its}. They disagree; the latter holds.",
     )
 
 

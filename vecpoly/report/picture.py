@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import fields, replace
+from itertools import combinations
+from math import inf
 from typing import Any
 
 from ..board.construction import Construction, Figure, View
@@ -22,6 +24,11 @@ DEVICE = Words("简图（示意）", "Sketch")
 NOT_TO_SCALE = Words("机构示意图", "The mechanism (not to scale)")
 POWERS = Words("传动简图与各处的功率", "Block diagram with the powers")
 BLOCKS = 168.0  # mm, width of a block diagram
+ACTS = 30.0  # mm of the width, for arrows of forces beside a mechanism
+CLEAR = 6.5  # mm between two letters of a sketch
+TOUCH = 0.01  # mm: nearer than this is one place
+SMALL = 45.0  # mm: a sketch is not left smaller
+ROOMIER = 1.4  # of the height, where letters would crowd
 _HELP = {Role.CONSTRUCTION, Role.PLACE, Role.DIRECTION, Role.IDEAL, Role.HIDDEN}
 
 
@@ -40,7 +47,7 @@ def picture(problem: Problem, construction: Construction, width: float, height: 
     loads = problem.loads or (problem.machine.loads if problem.machine is not None else None)
     if loads is None:
         return reduced(figure, marks, width, height)
-    plain = reduced(figure, marks, width - 30.0, height - 20.0)
+    plain = reduced(figure, marks, width - ACTS, height)
     return replace(plain, marks=plain.marks + acting(problem.subject, loads, plain, figure))
 
 
@@ -88,14 +95,27 @@ def diagram(construction: Construction) -> Figure | None:
 
 def reduced(figure: Figure, marks: Sequence[Mark], width: float, height: float) -> Figure:
     """These marks of a figure, reduced so that they fit width × height mm; symbols keep their size."""
-    size = extent(marks)
-    factor = min(1.0, width / max(size[0], 1.0), height / max(size[1], 1.0))
+    factor = _factor(marks, width, height)
     return replace(
         figure,
         title=SKETCH if not figure.name else figure.title,
         marks=tuple(scaled(m, factor) for m in marks),
         scale=replace(figure.scale, value=figure.scale.value / factor),
     )
+
+
+def _factor(marks: Sequence[Mark], width: float, height: float) -> float:
+    """So that the marks fit; where letters would crowd, or nothing could be seen, larger, and higher by ROOMIER."""
+    across, up = (max(size, 1.0) for size in extent(marks))
+    fits = min(1.0, width / across, height / up)
+    wanted = max(CLEAR / _nearest(marks), SMALL / max(across, up), fits)
+    return max(fits, min(wanted, width / across, ROOMIER * height / up))
+
+
+def _nearest(marks: Sequence[Mark]) -> float:
+    """mm between the two points with letters that are nearest to each other, those at one place aside."""
+    places = [mark.at for mark in marks if isinstance(mark, Point) and mark.label]
+    return min((gap for one, other in combinations(places, 2) if (gap := abs(one - other)) > TOUCH), default=inf)
 
 
 def scaled(mark: Mark, factor: float) -> Any:

@@ -20,9 +20,9 @@ HALF_BLOCK, BEYOND = 2.5, 9.0  # mm: from the middle of a block to its guide; ho
 
 
 def drawn(draft: Draft, thick: Chain, *thin: Chain, verdict: Verdict = Verdict.VALID) -> None:
-    """The links of a candidate as chains of pins in its positions; a rejected one has thin dashes in all of them."""
-    for chain in thin:
-        _bars(draft, chain, Role.OTHER if verdict is Verdict.VALID else Role.HIDDEN)
+    """The links of a candidate as chains of pins in its positions; a rejected one in thin dashes, in the first."""
+    for chain in thin if verdict is Verdict.VALID else ():
+        _bars(draft, chain, Role.OTHER)
     full = Role.LINK if draft.number == draft.take else Role.GIVEN
     _bars(draft, thick, full if verdict is Verdict.VALID else Role.HIDDEN)
 

@@ -1,17 +1,18 @@
-"""Lines at the head of a frame on which the vector equations of its figure are written: each has the name of its kind
-and the number of its rows, and says nothing else."""
+"""The line at the head of a frame that tells by their numbers which vector equations are drawn in it, and nothing
+else."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import groupby
 
 from ...board.construction import Construction, Figure
-from ...board.paper.marks import Mark, Note, Role, Segment
+from ...board.paper.marks import Mark, Note
 from ...board.place import Pane, Place
 from ...words import Words
 
-KEY = "equation"  # of a mark that belongs to such a line
-_ROW, _EDGE, _RAISED = 8.0, 4.0, 2.4  # mm: a line; from the frame to its ends; its name stands over it
+KEY = "equation"  # of that line
+_HEAD, _EDGE = 7.0, 4.0  # mm: its height; from the frame to its words
 _NAMES = {
     "velocity": Words("速度方程", "Velocity equation"),
     "acceleration": Words("加速度方程", "Acceleration equation"),
@@ -38,15 +39,20 @@ def named(place: Place | None) -> Words:
 
 
 def band(equations: Sequence[int]) -> float:
-    """How high so many lines are (mm)."""
-    return len(equations) * _ROW + _EDGE / 2 if equations else 0.0
+    """How high the line of words over a drawing is (mm)."""
+    return _HEAD if equations else 0.0
 
 
-def lines(figure: Figure, equations: Sequence[int], corner: complex, width: float) -> Iterator[Mark]:
-    """The lines under the upper left corner of a frame of this width."""
-    name = named(figure.view)
-    for row, number in enumerate(equations, 1):
-        start = corner + _EDGE - 1j * row * _ROW
-        words = Words(f"({number})　{name.zh}", f"({number}) {name.en}")
-        yield Segment(a=start, b=start + width - 2 * _EDGE, role=Role.CONSTRUCTION, step=1, key=KEY)
-        yield Note(at=start + 1j * _RAISED, words=words, side=1 + 0j, step=1, key=KEY)
+def head(equations: Sequence[int], corner: complex) -> Iterator[Mark]:
+    """Which equations are drawn in a frame, under its upper left corner."""
+    if not equations:
+        return
+    runs = ["–".join(f"({n})" for n in dict.fromkeys((run[0], run[-1]))) for run in _runs(equations)]
+    words = Words(f"按方程 {'、'.join(runs)} 作图", f"Equation{'s' * (len(equations) > 1)} {', '.join(runs)}")
+    yield Note(at=corner + _EDGE - 1j * _HEAD / 2, words=words, side=1 + 0j, step=1, key=KEY)
+
+
+def _runs(numbers: Sequence[int]) -> Iterator[list[int]]:
+    """Numbers that follow one another, together."""
+    for _, run in groupby(enumerate(numbers), key=lambda pair: pair[1] - pair[0]):
+        yield [number for _, number in run]

@@ -11,13 +11,12 @@ from ...board.paper.marks import Mark, Role, Segment
 from ...drawing.order import begun_in, reading_order
 from ...drawing.sheets.lettering import title_width
 from ...drawing.sheets.sheet import Hung
-from ...drawing.sheets.space import CAPTION, CLEAR, room_inside
 from ...drawing.sheets.titleblock import TO_BE_DRAWN
 from ...foundation.stock import Format
 from ...problem.problem import Problem
 from ..picture import to_scale
 from .blank import framed
-from .equations import band, lines, numbers
+from .equations import band, head, numbers
 from .grid import Grid, Size, grid, tightness
 from .known import stands
 
@@ -27,7 +26,7 @@ MOST = 6  # frames on a sheet
 
 def frames(construction: Construction, problem: Problem) -> tuple[Construction, tuple[Hung, ...]]:
     """The blank sheets: for each figure a frame with what is given in it (fixed pivots, guides, racks), its pole or
-    its axes, a line for each of its vector equations, and its place.
+    its axes, the numbers of its vector equations, and its place.
 
     Frames are of a few fixed sizes and together fill the sheet: a large drawing has a large frame, but neither the
     proportions of a polygon nor where it lies can be told from it.
@@ -35,7 +34,9 @@ def frames(construction: Construction, problem: Problem) -> tuple[Construction, 
     on = problem.paper
     figures = construction.figures
     asked = as_solved(reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY]))
-    found, told = min((_laid(construction, asked, way, on.format) for way in on.ways), key=_preferred)
+    told = [numbers(construction, figure) for figure in asked]
+    needs = [_needed(figure, band(some)) for figure, some in zip(asked, told, strict=True)]
+    found = min((_laid(needs, way, on.format) for way in on.ways), key=tightness)
     sizes = [size for sheet in found for size in sheet.sizes]
     drawn = tuple(
         _frame(figure, size, stands(construction, figure, problem), some)
@@ -54,37 +55,8 @@ def as_solved(figures: Sequence[Figure]) -> list[Figure]:
     return sorted(figures, key=lambda figure: together if figure in free else begun_in(figure))
 
 
-def _laid(
-    construction: Construction, asked: Sequence[Figure], landscape: bool, of: Format
-) -> tuple[list[Grid], list[Sequence[int]]]:
-    """The sheets when they lie this way, and the equations for which each frame has lines."""
-    room = room_inside(landscape, of)[1] - 2 * CLEAR - CAPTION
-    told = [_written(figure, numbers(construction, figure), room) for figure in asked]
-    needs = [_needed(figure, band(some)) for figure, some in zip(asked, told, strict=True)]
-    return _best(needs, landscape, of), told
-
-
-def _preferred(laid: tuple[list[Grid], list[Sequence[int]]]) -> tuple[float, ...]:
-    """Sheets on which nothing is bare, then those with most equations, then by how tight they are."""
-    bare, *others = tightness(laid[0])
-    return bare, -sum(map(len, laid[1])), *others
-
-
-def _written(figure: Figure, some: Sequence[int], room: float) -> Sequence[int]:
-    """The equations for which the frame of this figure has lines: as many as fit a sheet with it."""
-    while some and _needed(figure, band(some))[1] > room:
-        some = some[:-1]
-    return some
-
-
-def _needed(figure: Figure, lined: float) -> Size:
-    """The room that a figure takes with the white that it should have round it, lines over it, its title below it."""
-    wide, high = extent(figure.marks)
-    return max(wide + 2 * MARGIN, title_width(figure)), high + 2 * MARGIN + lined
-
-
-def _best(needs: Sequence[Size], landscape: bool, of: Format) -> list[Grid]:
-    """The fewest sheets, in order, with the most ease among these."""
+def _laid(needs: Sequence[Size], landscape: bool, of: Format) -> list[Grid]:
+    """The fewest sheets that lie this way, in order, with the most ease among these."""
     best: list[list[Grid]] = [[]]
     for end in range(1, len(needs) + 1):
         options = [
@@ -96,6 +68,12 @@ def _best(needs: Sequence[Size], landscape: bool, of: Format) -> list[Grid]:
     return best[-1]
 
 
+def _needed(figure: Figure, told: float) -> Size:
+    """The room of a figure with the white that it should have round it, words over it and its title below it."""
+    wide, high = extent(figure.marks)
+    return max(wide + 2 * MARGIN, title_width(figure)), high + 2 * MARGIN + told
+
+
 def _frame(figure: Figure, size: Size, known: Sequence[Mark], equations: Sequence[int]) -> Figure:
     """The figure as a blank frame of this size."""
     lined = band(equations)
@@ -103,4 +81,4 @@ def _frame(figure: Figure, size: Size, known: Sequence[Mark], equations: Sequenc
     high += 1j * lined
     box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
-    return replace(figure, marks=border + shown + tuple(lines(figure, equations, box[3], size[0])))
+    return replace(figure, marks=border + shown + tuple(head(equations, box[3])))
