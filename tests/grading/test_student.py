@@ -30,6 +30,19 @@ def test_what_was_not_asked_for_is_checked_too() -> None:
     assert check_answers(problem, ["α4=3.66 逆"]).right
 
 
+@pytest.mark.parametrize("behind", ["→", "向右", "to the right", "↗", "@ 0°"])
+def test_an_arrow_that_points_the_other_way_is_not_right(behind: str) -> None:
+    """3-12's C goes to the left."""
+    assert check_answers(load("3-12"), ["v_C=0.506 m/s ←"]).right
+    assert not check_answers(load("3-12"), [f"v_C=0.506 m/s {behind}"]).right
+
+
+@pytest.mark.parametrize("text", ["v_C=0.506 m/s ccw", "ω2=1.256 rad/s →"])
+def test_no_vector_turns_and_no_angular_velocity_points(text: str) -> None:
+    (found,) = check_answers(load("3-12"), [text]).answers
+    assert not found.is_right and found.outcome.for_a_person
+
+
 @pytest.mark.parametrize(
     ("text", "why"),
     [("v_Q=3", "point Q"), ("q=2", "nothing asked"), ("v_D", "write v_D=0.49"), ("=3", "write v_D=0.49")],

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from vecpoly.errors import UnknownNameError
 from vecpoly.grading.reading.characters import plain
+from vecpoly.grading.reading.direction import Pointing
 from vecpoly.grading.reading.symbol import keyed
 from vecpoly.grading.reading.written import State, written
 
@@ -39,6 +40,9 @@ WIDE = str.maketrans("0123456789.-+ ", "０１２３４５６７８９．－＋�
         ("2 米每二次方秒", 2),
         ("64 N.m", 64),
         ("64 牛·米", 64),
+        ("64 牛米", 64),
+        ("2 m/sec", 2),
+        ("2 m/sec²", 2),
         ("1.5 弧度/秒", 1.5),
         ("79.5%", 0.795),
         ("3.5 1/s", 3.5),
@@ -114,10 +118,31 @@ def test_blank_is_not_zero_and_neither_is_a_dash() -> None:
 
 
 def test_a_direction_and_two_coordinates_stand_beside_a_number() -> None:
-    assert written("0.49 m/s ∠ 35°").direction == 35 and written("0.49 m/s，方向 −30.3°").direction == -30.3
+    assert written("0.49 m/s ∠ 35°").direction == Pointing(35.0)
+    assert written("0.49 m/s，方向 −30.3°").direction == Pointing(-30.3)
+    assert written("0.49 m/s 18.1 deg").direction == Pointing(18.1) and written("180 deg").direction is None
     assert written("(−130, 164.4) mm").at == (-130, 164.4)
     assert written("(1 mm, 2 m)").state is State.UNREADABLE
     assert (written("是").yes, written("不自锁").yes, written("无").yes) == (True, False, False)
+
+
+@pytest.mark.parametrize(
+    ("text", "degrees"),
+    [
+        ("0.49 m/s →", 0), ("0.49（←）", 180), ("0.49 m/s，方向向左", 180), ("0.49 m/s 水平向右", 0),
+        ("50 N 竖直向下", 270),
+        ("50 N, up", 90), ("50 N to the left", 180), ("50 N ↙", 225), ("50 N 左上方", 135), ("50 N upper right", 45),
+    ],
+)  # fmt: skip
+def test_a_direction_is_read_in_words_and_as_an_arrow(text: str, degrees: float) -> None:
+    found = written(text)
+    assert found.state is State.READ and found.direction is not None and found.direction.degrees == degrees
+    assert found.direction.reach > 0  # no hand is asked to hit it
+
+
+@pytest.mark.parametrize("text", ["0.49 m/s?", "0.49 m/s §", "0.49 m/s → ccw →", "0.49 m/s#"])
+def test_what_stands_behind_a_unit_is_not_passed_over(text: str) -> None:
+    assert written(text).state is State.UNREADABLE
 
 
 @pytest.mark.parametrize(

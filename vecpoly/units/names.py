@@ -77,6 +77,9 @@ _USUAL = "mm cm m in s min rad deg r rad/s r/min m/s m/s^2 kg g N N*m kg*m kg*m^
 _SPELLING = str.maketrans({"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"})
 
 
+_STRANGE = re.compile(r"[^\w\s*/().^·°-]")
+
+
 def plain(unit: str) -> str:
     """A unit as `unit_of` knows it: m/s² is m/s**2, N·m is N*m, ° is deg."""
     return unit.translate(_SPELLING).replace("^", "**")
@@ -92,6 +95,8 @@ def unit_by_pint(unit: str) -> tuple[float, str]:
     """The same from pint, for spellings not known by heart."""
     _no_great_power(unit)
     try:
+        if _STRANGE.search(unit):  # pint passes over what it cannot read: m/s? would be m/s
+            raise ValueError(unit)
         quantity = _registry().Quantity(1.0, unit).to_base_units()
         if not 1 / MOST <= quantity.magnitude <= MOST:
             raise OverflowError(unit)

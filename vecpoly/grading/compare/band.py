@@ -83,8 +83,9 @@ def _turned(given: Measured, graded: Graded, target: Target, rule: Allowance) ->
         return None
     if target.mm is not None and target.mm < rule.short:
         return None
-    off = abs((given.direction - target.degrees + 180.0) % 360.0 - 180.0)
-    reach = max(rule.direction, rule.wrong * rule.k * graded.turned, degrees(target.allowed / abs(target.value)))
+    off = abs((given.direction.degrees - target.degrees + 180.0) % 360.0 - 180.0)
+    hand = max(rule.direction, rule.wrong * rule.k * graded.turned, degrees(target.allowed / abs(target.value)))
+    reach = hand + given.direction.reach
     if off <= reach:
         return None
     return Outcome.SENSE if abs(off - 180.0) <= reach else Outcome.DIRECTION

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from ..key import Graded, Kind
+from ..reading.direction import Pointing
 from ..reading.unit import unit
 from ..reading.written import State, Written
 
@@ -26,7 +27,7 @@ class Measured:
 
     value: float
     sense: int = 0
-    direction: float | None = None
+    direction: Pointing | None = None
     at: tuple[float, float] | None = None
     yes: bool | None = None
     half: float = 0.0
@@ -45,7 +46,7 @@ def measured(written: Written, graded: Graded, scale: float | None = None) -> Me
         return Measured(value=0.0, yes=False)  # “none” is the right answer where there is none
     if written.state is not State.READ or (written.yes is None) is (graded.kind is Kind.YES_NO):
         return _number_for_yes(written, graded)
-    if (written.at is None) is (graded.kind is Kind.PLACE):
+    if (written.at is None) is (graded.kind is Kind.PLACE) or _beside_the_point(written, graded):
         return None
     factor, fault = _factor(written, graded)
     if fault is UnitFault.DIMENSION and scale and graded.kind is Kind.VECTOR and written.unit == unit("mm"):
@@ -57,6 +58,11 @@ def measured(written: Written, graded: Graded, scale: float | None = None) -> Me
         value=value * factor, sense=sense, direction=written.direction, at=at, yes=written.yes,
         half=written.last * factor / 2, fault=fault,
     )  # fmt: skip
+
+
+def _beside_the_point(written: Written, graded: Graded) -> bool:
+    """A sense of turning of what moves along a line, or a direction of what turns."""
+    return bool(written.sense) if graded.kind is Kind.VECTOR else graded.kind is Kind.SIGNED and bool(written.direction)
 
 
 def _number_for_yes(written: Written, graded: Graded) -> Measured | None:

@@ -85,7 +85,8 @@ def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Itera
     if outcome is Outcome.SENSE:
         yield message({Kind.SIGNED: Told.SENSE, Kind.VECTOR: Told.REVERSED}.get(one.kind, Told.SIGN))
     elif outcome is Outcome.DIRECTION:
-        direction, exact = found.given[one.key].direction or 0.0, one.degrees or 0.0
+        pointing, exact = found.given[one.key].direction, one.degrees or 0.0
+        direction = pointing.degrees if pointing is not None else 0.0
         yield message(Told.DIRECTION, d=f"{abs((direction - exact + 180) % 360 - 180):.0f}")
     elif one.kind is Kind.YES_NO and (said is None or said.id is Told.TWO_SLIPS):
         yield message(Told.NOT_RIGHT)

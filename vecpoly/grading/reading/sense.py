@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-_CCW = r"逆时针(?:方向)?|逆|counter-?\s?clockwise|anti-?\s?clockwise|ccw|acw|↺|⟲|⭯"
+_CCW = r"逆时针(?:方向)?|反时针(?:方向)?|逆|counter-?\s?clockwise|anti-?\s?clockwise|ccw|acw|↺|⟲|⭯"
 _CW = r"顺时针(?:方向)?|顺|clockwise|cw|↻|⟳|⭮"
 _WORD = re.compile(
     rf"[\s,;(\[]*(?:方向|转向|sense|dir(?:ection)?)?\s*[:=]?\s*(?:(?P<ccw>{_CCW})|(?P<cw>{_CW}))[\s)\].]*", re.I

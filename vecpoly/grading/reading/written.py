@@ -10,6 +10,7 @@ from enum import StrEnum
 
 from ...words import Words
 from .characters import plain
+from .direction import Pointing, split_direction
 from .minutes import in_degrees
 from .number import NUMBER, number
 from .sense import split_sense
@@ -32,7 +33,7 @@ class State(StrEnum):
 class Written:
     """raw: as it stands in the file. value: the number, with the sign that it has; unit: None where none was written.
 
-    sense: 1 counter-clockwise, −1 clockwise, 0 not said. direction: of a vector (deg). at: two coordinates. digits:
+    sense: 1 counter-clockwise, −1 clockwise, 0 not said. direction: of a vector. at: two coordinates. digits:
     significant ones; last: one unit of the last. why: what cannot be read, or contradicts itself.
     """
 
@@ -42,7 +43,7 @@ class Written:
     signed: bool = False
     unit: Unit | None = None
     sense: int = 0
-    direction: float | None = None
+    direction: Pointing | None = None
     at: tuple[float, float] | None = None
     yes: bool | None = None
     digits: int = 0
@@ -89,7 +90,6 @@ _NO = {
     "错",
 }
 _LEAD = re.compile(r"^(?:[≈~=≅]|约为|约|大约|about|ca\.?|approx\.?|\s)+", re.I)
-_TURNED = re.compile(r"[,;]?\s*(?:∠|@|方向(?:角)?\s*[:=]?|at)\s*([+-]?\d+(?:\.\d+)?)\s*(?:°|deg|度)?\s*$", re.I)
 _DATE = re.compile(r"\d{4}-\d{2}-\d{2}(?: \d{2}:\d{2}:\d{2})?")
 _FORMULA = re.compile(r"=\s*-?(?:\$?[A-Z]{1,3}\$?\d|[A-Z]{2,}\(|\(?[\d.]+\s*(?!\*\s*10\s*\^)[*/+-]\s*[\d(A-Z$])")
 _TWO = re.compile(r"^\(\s*([^,;]+?)\s*[,;]\s*([^,;]+?)\s*\)\s*(\S*)$")
@@ -132,8 +132,8 @@ def _one(raw: str, bare: str) -> Written:
     """A number with what stands beside it."""
     arc, bare = bare, in_degrees(bare)
     is_arc = arc != bare
-    turned = _TURNED.search(bare)
-    bare, senses = split_sense(bare[: turned.start()] if turned else bare)
+    bare, direction = split_direction(bare)
+    bare, senses = split_sense(bare)
     found = NUMBER.match(bare)
     if found is None:
         return _refused(raw, Words("其中没有可读的数", "there is no number in it"))
@@ -162,7 +162,7 @@ def _one(raw: str, bare: str) -> Written:
         sense=sense,
         digits=0 if is_arc else value.digits,  # of minutes of arc none are counted
         last=value.last,
-        direction=float(turned[1]) if turned else None,
+        direction=direction,
     )
 
 
