@@ -118,16 +118,17 @@ class Cammed:
         return next(j for j in self.mech.joints if isinstance(j, Prismatic) and self._fixed(j.guide, j.block))
 
     def _between(self, bodies: Bodies, found: Followed) -> Body:
-        """The bar from the first letter of the substitute to its second, or the block along the face."""
+        """The bar from the first letter of the substitute to its second, or the block along the face.
+
+        A bar is carried by the follower's tip, on which other groups may hang: its length changes as the profile bends.
+        """
         centre = _on_cam(self.profile, bodies, found.centre)
         link, follower = self.mech.link(self.contact.substitute), bodies[self.profile.follower]
         if isinstance(self.contact.on, Rack):
             return Body(0j, centre, follower.unit * complex(np.exp(1j * self.contact.on.direction)))
         end = follower.point(self.mech.link(self.profile.follower).points[self.profile.end])
-        first = next(iter(link.points))
-        start, far = (centre, end) if first == self.profile.centre else (end, centre)
-        ray = far - start
-        return Body(0j, start, ray / np.abs(ray))
+        ray = end - centre if next(iter(link.points)) == self.profile.centre else centre - end
+        return Body(link.points[self.profile.end], end, ray / np.abs(ray))
 
     def move(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """ds/dt = s′ ω, d²s/dt² = s″ ω² + s′ α, ω and α those of the cam in its sense."""
@@ -151,9 +152,7 @@ class Cammed:
         ray = follower.point(end) - centre
         relative = follower.velocity_of(end) - v, follower.acceleration_of(end) - a
         omega, alpha = (cross(ray, part) / np.abs(ray) ** 2 for part in relative)
-        starts = next(iter(self.mech.link(self.contact.substitute).points)) == self.profile.centre
-        first = (v, a) if starts else (follower.velocity_of(end), follower.acceleration_of(end))
-        return bar.moving(first[0], omega, first[1], alpha)
+        return bar.moving(follower.velocity_of(end), omega, follower.acceleration_of(end), alpha)
 
     def miss(self, bodies: Bodies, run: Run) -> Reals:
         """The law places the follower at every angle."""

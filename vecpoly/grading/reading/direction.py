@@ -1,0 +1,43 @@
+"""The direction that stands behind the size of a vector: ∠210°, →, 向左, up."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+_ANGLE = r"([+-]?\d+(?:\.\d+)?)\s*"
+_DEGREES = re.compile(rf"[,;]?\s*(?:∠|@|方向(?:角)?\s*[:=]?|at)\s*{_ANGLE}(?:°|deg|度)?\s*$", re.I)
+_UNIT = r"(?:(?<=[a-z秒米牛分度])|(?<=\^[2-4]))"  # an angle behind a unit needs no sign
+_BEHIND = re.compile(rf"{_UNIT}[\s,;]+{_ANGLE}(?:°|deg|度)\s*$", re.I)
+_WINDS = {  # slanting ones first: 左上 is not 上
+    45.0: "↗|⇗|右上|upper right",
+    135.0: "↖|⇖|左上|upper left",
+    225.0: "↙|⇙|左下|lower left",
+    315.0: "↘|⇘|右下|lower right",
+    0.0: "→|⇒|右|right",
+    90.0: "↑|⇑|上|up(?:wards?)?",
+    180.0: "←|⇐|左|left",
+    270.0: "↓|⇓|下|down(?:wards?)?",
+}
+_NAMED = r"[\s,;(]*(?:方向|指向|dir(?:ection)?\.?)?\s*[:=]?\s*"
+_LED = r"(?:水平|竖直|铅垂|铅直|horizontally|vertically|to the)?\s*[向朝往]?\s*"
+_WIND = re.compile(_NAMED + _LED + "(?:" + "|".join(f"({signs})" for signs in _WINDS.values()) + r")方?[\s).]*$", re.I)
+STRAIGHT, SLANTING = 22.5, 45.0  # deg: how far → and ↗ reach to either side
+
+
+@dataclass(frozen=True, slots=True)
+class Pointing:
+    """degrees: from +x, counter-clockwise. reach: how far to either side the words reach (deg); 0 of a number."""
+
+    degrees: float
+    reach: float = 0.0
+
+
+def split_direction(text: str) -> tuple[str, Pointing | None]:
+    """The text before its direction, and the direction; None where it has none."""
+    if (told := _DEGREES.search(text) or _BEHIND.search(text)) is not None:
+        return text[: told.start()], Pointing(float(told[1]))
+    if (wind := _WIND.search(text)) is not None and wind.lastindex is not None and wind.start():
+        degrees = [*_WINDS][wind.lastindex - 1]
+        return text[: wind.start()], Pointing(degrees, SLANTING if degrees % 90.0 else STRAIGHT)
+    return text, None
