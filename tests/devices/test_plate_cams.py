@@ -346,3 +346,10 @@ def test_a_rise_that_begins_beyond_the_allowed_angle_on_the_other_side_is_told(r
     begins = degrees(atan2(e, s0))
     told = [step.words.en for step in solution.construction.steps if "third line" in step.words.en]
     assert bool(told) is (begins > rise) and all(f"about {begins:.0f}°" in words for words in told)
+
+
+def test_between_two_stations_nothing_is_asked_and_the_nearest_are_named() -> None:
+    text = load("cam-roller-offset").text
+    assert "find: [" in text
+    with pytest.raises(ProblemFileError, match="there is no station at 200, the nearest are s_195 and s_210"):
+        loads(text.replace("find: [", "find: [s_200, "))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import radians, tan
+
 import pytest
 
 from tests.oracle.test_oracle_models import (
@@ -18,6 +20,7 @@ from tests.oracle.test_oracle_models import (
     pins,
     sine,
 )
+from vecpoly import loads, solve
 from vecpoly.errors import MobilityError
 from vecpoly.mechanism.groups.assur import decompose, hinges
 from vecpoly.mechanism.groups.mobility import check, mobility
@@ -153,6 +156,33 @@ def test_a_structure_and_a_drive_too_many_are_told() -> None:
     )
     with pytest.raises(MobilityError, match="nothing can move"):
         check(stiff)
+
+
+WEDGE = """
+id: wedge
+title: wedge
+frame: {A: [0 mm, 0 mm]}
+links: {1: {block: P, slot: {through: P, angle: 25 deg from line}}, 2: {block: Q}}
+joints: [1 slides on y = 0 mm, WEDGED, 2 slides on x = 80 mm]
+input: {link: 1, s: 30 mm, v: 0.1 m/s}
+find: [v_Q]
+"""
+
+
+def test_a_loop_of_slides_alone_moves_and_how_it_is_written_is_told() -> None:
+    with pytest.raises(MobilityError, match="'Q runs in 1'"):
+        loads(WEDGE.replace("WEDGED", "2 slides in 1"))
+    found = solve(loads(WEDGE.replace("WEDGED", "Q runs in 1"))).answers["v_Q"]
+    assert (
+        found.exact == pytest.approx(0.1 * tan(radians(25))) and abs(found.drawn - found.exact) < found.expected_error
+    )
+
+
+def test_an_open_chain_is_named() -> None:
+    arm = "id: arm\ntitle: arm\nframe: {A: [0 mm, 0 mm]}\nlinks: {1: {AB: 200 mm}, 2: {BC: 150 mm}}\ninput:\n"
+    arm += "  - {link: 1, phi: 40 deg, omega: 1 rad/s ccw}\n  - {link: 2, on: 1, phi: -120 deg, omega: 2 rad/s cw}\n"
+    with pytest.raises(MobilityError, match="an open chain"):
+        solve(loads(arm + "find: [v_C]\n"))
 
 
 def test_links_that_hang_on_nothing_known_are_named() -> None:

@@ -51,3 +51,11 @@ def test_a_friction_circle_may_fill_half_its_link_and_no_more(pin: str) -> None:
     loads(text.replace("RHO", f"{0.999 * most:.6g}"))
     with pytest.raises(ProblemFileError, match="more than half"):
         loads(text.replace("RHO", f"{1.001 * most:.6g}"))
+
+
+def test_the_angle_of_a_groove_goes_with_a_coefficient_and_not_with_an_angle_of_friction() -> None:
+    text = SLIDER_CRANK + "input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}\nbranch: [C right of A]\n"
+    text += 'loads:\n  F: {on: 3, at: C, size: 10 N, direction: 0 deg}\n  M_1: {on: 1, size: "?"}\n'
+    assert loads(text + "friction: {3-4: {f: 0.1, V: 40 deg}}\n")
+    with pytest.raises(ProblemFileError, match="V goes with the f of the groove's faces"):
+        loads(text + "friction: {3-4: {phi: 8 deg, V: 40 deg}}\n")

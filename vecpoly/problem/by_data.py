@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -27,6 +28,9 @@ from .schema.validate import validate
 from .schema.warnings import warnings_of
 from .text.source import Tree
 from .values.written import written_of
+
+_AT_PLACE = re.compile(r"([a-zA-Z]+)_(\d+(?:\.\d+)?)")
+_STATIONS = 6  # names with one stem, at least, that are places
 
 Subject = devices.Device | designs.Design
 
@@ -162,6 +166,20 @@ def _known(key: str, named: dict[str, Named], sort: Sort) -> Named:
             Words(
                 f"“{key}”不是此{sort.called.zh}可求的量", f"'{key}' is nothing that this {sort.called.en} is asked for"
             )
-            + meant(key, named)
+            + (_beside(key, named) or meant(key, named))
         )
     return named[key]
+
+
+def _beside(key: str, named: Mapping[str, Named]) -> Words | None:
+    """Of a place at which nothing is worked out (psi_200): the two nearest at which it is."""
+    if (wanted := _AT_PLACE.fullmatch(key)) is None:
+        return None
+    places = [(float(at[2]), one) for one in named if (at := _AT_PLACE.fullmatch(one)) and at[1] == wanted[1]]
+    if len(places) < _STATIONS:
+        return None
+    near = [one for _, one in sorted(places, key=lambda place: abs(place[0] - float(wanted[2])))[:2]]
+    return Words(
+        f"：{wanted[2]} 处没有分点，最近的是 {'、'.join(near)}",
+        f": there is no station at {wanted[2]}, the nearest are {' and '.join(near)}",
+    )

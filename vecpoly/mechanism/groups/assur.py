@@ -52,21 +52,28 @@ def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
         tried = _candidates(mech, tuple(rest), tuple(known), pins, pressing, held)
         group = next((one for one in islice(tried, MOST) if one is not None), None)
         if group is None:
-            left = ", ".join(
-                name for unit in rest for name in unit if name[0].isdigit()
-            )  # a pin's own block has no number
-            raise MobilityError(
-                Words(
-                    f"构件 {left.replace(', ', '、')} 与已知构件 {'、'.join(known)} 之间不成杆组："
-                    "缺少或多出了运动副或原动件",
-                    f"links {left} form no Assur group on the known links {', '.join(known)}: a joint or a "
-                    "drive is missing, or one too many",
-                )
-            )
+            raise MobilityError(_unsolved(mech, [name for unit in rest for name in unit], known))
         groups.append(group)
         known += group.links
         rest = [unit for unit in rest if not set(unit) & set(group.links)]
     return tuple(groups)
+
+
+def _unsolved(mech: Mechanism, rest: Iterable[str], known: Iterable[str]) -> Words:
+    """Why what remains is no group; an open chain, whose last link a drive alone holds, is named as such."""
+    left = ", ".join(name for name in rest if name[0].isdigit())  # a pin's own block has no number
+    hung = next((one for one in mech.drives if one.between and len(one.pair & set(known)) == 1), None)
+    told = Words(
+        f"构件 {left.replace(', ', '、')} 与已知构件 {'、'.join(known)} 之间不成杆组：",
+        f"links {left} form no Assur group on the known links {', '.join(known)}: ",
+    )
+    if hung is not None:
+        return told + Words(
+            f"构件 {hung.link} 只由相对构件 {hung.on} 的原动件带动，是开式链（如机械臂）；本程序只解闭链机构",
+            f"link {hung.link} is held by its drive against link {hung.on} alone: an open chain, as of a robot's "
+            "arm, and only closed chains are solved",
+        )
+    return told + Words("缺少或多出了运动副或原动件", "a joint or a drive is missing, or one too many")
 
 
 def joint_letter(joint: Joint) -> str:

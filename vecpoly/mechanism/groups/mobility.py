@@ -7,6 +7,7 @@ from ...foundation.slotted import dataclass
 from ...words import Words
 from ..model import Joint, Mechanism, Prismatic, Revolute, Rolling
 from .assur import ends, hinges, is_held
+from .sliding import slides_alone
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,6 +32,12 @@ class Mobility:
     def __str__(self) -> str:
         n, low, high = self.links, self.lower, self.higher
         return f"F = 3n - 2p_L - p_H = 3·{n} - 2·{low} - {high} = {self.freedom}"
+
+
+_STUCK = Words(
+    "：机构不能运动；请去掉多余的运动副，或补上缺少的构件",
+    ": nothing can move; remove a redundant joint, or add the missing link",
+)
 
 
 def mobility(mech: Mechanism) -> Mobility:
@@ -67,11 +74,7 @@ def check(mech: Mechanism) -> Mobility:
     )
     if count.freedom < 1:
         raise MobilityError(
-            said
-            + Words(
-                "：机构不能运动；请去掉多余的运动副，或补上缺少的构件",
-                ": nothing can move; remove a redundant joint, or add the missing link",
-            )
+            said + (slides_alone(slide for slide in _real(mech) if isinstance(slide, Prismatic)) or _STUCK)
         )
     if count.freedom > count.drives:
         loose = [name for name in mech.numbered if _joints_at(mech, name) < 2]

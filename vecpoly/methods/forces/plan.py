@@ -187,9 +187,10 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: D
 
 def _refuse_locked(ideal: Statics, st: Statics) -> None:
     """Friction may only lower a resisting load, not through zero:
-    it would have to help. Inertia forces may turn it round."""
+    it would have to help. Inertia forces may turn it round, and one that is called driving may help."""
     before, after = float(nominal(ideal.balance)), float(nominal(st.balance))
-    if not st.loads.dynamic and before * after <= 0 and abs(before) > NOTHING * abs(after):
+    helps = st.loads.dynamic or st.unknown.role == "driving"
+    if not helps and before * after <= 0 and abs(before) > NOTHING * abs(after):
         raise LockedError(
             Words(
                 f"{st.unknown.name} 有摩擦时为 {after:.4g}，无摩擦时为 {before:.4g}：它反向后须帮助运动；"

@@ -110,9 +110,10 @@ class Judge:
             )
 
     def locked(
-        self, system: System, balances: tuple[Balance, Balance], reached: Reals, inertia: bool, rates: Bodies
+        self, system: System, balances: tuple[Balance, Balance], reached: Reals, helps: bool, rates: Bodies
     ) -> None:
-        """LockedError where the driving loads cannot move the mechanism against its friction."""
+        """LockedError where the driving loads cannot move the mechanism against its friction; helps: the balancing load
+        may turn round and drive with them, against inertia or because it is called driving."""
         dry, wet = balances
         free, lever = system.free, system.free.power(rates)
         before, after = dry.load * lever, wet.load * lever
@@ -120,7 +121,7 @@ class Judge:
         driven = before < 0
         if (at := self.bad(reached < 1.0, np.where(driven, Cause.LOCKED, Cause.BOUND))) is not None:
             raise LockedError(self._bound(free.name, at, float(reached[at]), bool(driven[at])))
-        if not inertia and (at := self.bad((before < 0) & (after >= 0), Cause.LOCKED)) is not None:
+        if not helps and (at := self.bad((before < 0) & (after >= 0), Cause.LOCKED)) is not None:
             powers = ((act.name, act.power(rates)) for act in system.known)
             names = ", ".join(name for name, power in powers if float(np.broadcast_to(power, self.run.q.shape)[at]) > 0)
             raise LockedError(self._consumed(names, free.name, at, float(before[at]), float(after[at])))

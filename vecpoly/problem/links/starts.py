@@ -4,7 +4,6 @@ a link's ``phi`` or ``s``, the angle of a point of a gear."""
 from __future__ import annotations
 
 import cmath
-import re
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError
@@ -92,7 +91,7 @@ def phased(draft: Draft, point: str, key: str, length: Value, text: str) -> comp
     Gives the point in the gear's coordinates, whose x axis is that line. Raises FaultError.
     """
     centre = next(iter(draft.points))
-    if {*re.findall(LETTER, key)} != {centre, point}:
+    if key not in (centre + point, point + centre):
         raise FaultError(
             Words(
                 f"长度应为 {centre}{point}，即从轮心量起", f"the length must be {centre}{point}, from the gear's centre"

@@ -93,11 +93,19 @@ def friction_angle(name: str, spec: FrictionSpec) -> tuple[Datum, float]:
         "V",
     )
     if spec.phi is not None:
-        if spec.f is not None or spec.f_v is not None or spec.V is not None:
+        if spec.f is not None or spec.f_v is not None:
             raise FaultError(
                 Words(
                     "phi 与 f 都给了，而 phi = arctan f；请去掉其一",
                     "phi and f are both given, though phi = arctan f; leave out one of them",
+                ),
+                code="contradiction",
+            )
+        if spec.V is not None:
+            raise FaultError(
+                Words(
+                    "V 须与槽面的 f 同用（f_v = f / sin V）；请改写 f，或去掉 V",
+                    "V goes with the f of the groove's faces (f_v = f / sin V), not with phi; write f, or leave out V",
                 ),
                 code="contradiction",
             )
