@@ -29,7 +29,7 @@ def test_the_inertia_force_of_a_cam_at_constant_speed_needs_no_moment_anywhere()
     assert turn.column("M_1") == pytest.approx(without.column("M_1"), rel=1e-9, nan_ok=True)
     pressed = turn.column("R_31") - without.column("R_31")
     moves = np.isfinite(pressed)
-    assert 18 < moves.sum() < 36  # where friction does not lock
+    assert moves.all()  # M_1 is called driving: where the loads drive too, it helps them over the friction
     assert pressed[moves] == pytest.approx(-140.0 * np.exp(1j * turn.phi[moves]), rel=1e-9)
 
 

@@ -81,7 +81,7 @@ def _loose(one: Verified, alone: bool) -> Words | None:
     zh, en = ("", "") if alone else (f"（解 {one.number}）", f" (solution {one.number})")
     such = Words("该长度", "This length") if len(one.loose) == 1 else Words("这些长度", "These lengths")
     return Words(
-        f"病态作图{zh}：{parts.replace(', ', '、')}（预期作图误差超过 {100 * LOOSE:g} %），"
+        f"作图条件差{zh}，误差大：{parts.replace(', ', '、')}（预期作图误差超过 {100 * LOOSE:g} %），"
         f"{such.zh}对作图误差很敏感，宜用解析法求得。",
         f"Ill-conditioned construction{en}: {parts}, an expected drawing error above {100 * LOOSE:g} %. "
         f"{such.en} should be found by calculation.",

@@ -33,8 +33,8 @@ INDICATOR = register(
     View(
         name="indicator",
         order=74,
-        title=Words("能量指示图", "Energy indicator bar"),
-        called=Words("能量指示图", "the energy indicator bar"),
+        title=Words("能量指示图", "Energy-fluctuation diagram"),
+        called=Words("能量指示图", "the energy-fluctuation diagram"),
         mu=WORK,
         ink=INK,
     )

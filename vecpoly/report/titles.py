@@ -23,7 +23,7 @@ class Kind(Enum):
     SYNTHESIS = Words("平面连杆机构综合图解作业", "Graphical synthesis of planar linkages")
     CAMS = Words("凸轮机构设计作业", "Design of cam mechanisms")
     GEARS = Words("齿轮机构与轮系作业", "Gears and gear trains")
-    MOTION = Words("机械的运转及其速度波动作业", "Motion of machines and its fluctuation")
+    MOTION = Words("机械的运转及其速度波动作业", "Machine dynamics: motion and speed fluctuation")
     BALANCE = Words("转子与机械的平衡作业", "Balance of rotors and machines")
     EFFICIENCY = Words("机械的效率和自锁作业", "Efficiency and self-locking of machines")
 

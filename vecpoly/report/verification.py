@@ -18,7 +18,7 @@ from .flow.table import DataTable
 _NUMBER = Words("解", "No.")
 _NONE, _YES, _NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
 MARGIN = Words("杆长余量", "Margin")
-_ERROR, _CIRCUIT = Words("杆长相差", "Length error"), Words("同回路同分支", "One circuit, branch")
+_ERROR, _CIRCUIT = Words("杆长相差", "Length error"), Words("同回路同分支", "Same circuit and branch")
 _GAMMA = Words.same("$γ_{min}$")
 _TYPE = Words("机构类型", "Type")
 _TYPE_OF, _ALL_TURNS = Words("$ABCD$ 的类型", "Type of $ABCD$"), Words("连同杆组整周转动", "All of it turns fully")
@@ -29,7 +29,7 @@ _MEANT = {  # heads that do not say all
     ),
     _CIRCUIT: Words(
         "“同回路同分支”指机构不拆开即可依次通过各给定位置",
-        "“One circuit, branch”: the linkage passes through all given positions without being taken apart",
+        "“Same circuit and branch”: the linkage passes through all given positions without being taken apart",
     ),
     MARGIN: Words(
         "“杆长余量”为其余两杆之和减去最短杆与最长杆之和",

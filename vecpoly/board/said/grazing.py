@@ -13,9 +13,9 @@ def grazing(angles: Sequence[float]) -> Words:
     if len(told) == 1:
         return Words(
             f"（两方向线交角仅 {told[0]}，交点不易准确。）",
-            f" (The two lines meet at only {told[0]}: an uncertain point.)",
+            f" (The two lines meet at only {told[0]}: a poorly defined intersection.)",
         )
     return Words(
         f"（几处两方向线交角仅 {'、'.join(told)}，交点均不易准确。）",
-        f" (Lines meet at only {', '.join(told[:-1])} and {told[-1]}: uncertain points.)",
+        f" (Lines meet at only {', '.join(told[:-1])} and {told[-1]}: poorly defined intersections.)",
     )

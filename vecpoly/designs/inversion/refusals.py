@@ -111,7 +111,7 @@ def _lost(found: int, valid: int) -> AssemblyError:
     """A hand that scatters does not find what is there."""
     return AssemblyError(
         Words(
-            f"病态作图：按此手法作图只得到 {found} 个圆心点，而准确作图有 {valid} 个解；"
+            f"作图条件差，误差大：按此手法作图只得到 {found} 个圆心点，而准确作图有 {valid} 个解；"
             "请用 --hand drafting 或改变所给位置",
             f"ill-conditioned: this hand finds only {found} centre points, where an exact drawing has {valid} "
             "solutions; use --hand drafting, or other positions",

@@ -128,8 +128,9 @@ def _read(desk: Desk, driven: Driven, marked: Marked, keys: set[str]) -> None:
         Words(
             f"力与速度方向所夹的锐角为压力角 ${alpha.symbol}$，其余角（力与速度垂线的夹角）为传动角 "
             f"${gamma.symbol}$。量得：",
-            f" The acute angle of force and velocity is the pressure angle ${alpha.symbol}$; its complement, the angle "
-            f"of the force to the normal of the velocity, is the transmission angle ${gamma.symbol}$. By protractor:",
+            f" The acute angle between the force and the velocity is the pressure angle ${alpha.symbol}$; its "
+            "complement, the angle between the force and the normal to the velocity, is the transmission angle "
+            f"${gamma.symbol}$. By protractor:",
         )
     )
     for named, base in ((alpha, marked.way), (gamma, marked.across)):

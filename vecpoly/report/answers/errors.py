@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from math import floor, isfinite, log10
 
 from ...algebra.rounding import to_places
@@ -11,21 +11,25 @@ from ...solution import Answer
 from ..values import rough
 
 NOTHING = "—"
+DIGITS = tuple("0123456789")
 SMALL, ROUND = 1e-5, 100.0  # smaller errors are told by powers of ten, larger ones in tens
 
 
-def expected_errors(answers: Iterable[Answer]) -> dict[str, str]:
-    """The expected errors by key, in printed units; nothing of what was computed."""
-    by_unit: dict[str, list[Answer]] = {}
-    for one in answers:
-        by_unit.setdefault(one.reading.unit, []).append(one)
-    found: dict[str, str] = {}
-    for unit, some in by_unit.items():
-        read = [one for one in some if not one.computed]
-        sizes = alike([printed_unit(unit)[0] * one.expected_error for one in read])
-        found |= dict.fromkeys((one.key for one in some), NOTHING)
-        found |= {one.key: text for one, text in zip(read, sizes, strict=True)}
-    return found
+def beside(answers: Sequence[Answer], deviations: Sequence[str]) -> list[str]:
+    """The expected errors as the deviations beside them are told: in per cent of the exact value, of angles in degrees;
+    where there is no deviation in the printed unit, beside the number; nothing of what was computed."""
+    found = [NOTHING] * len(answers)
+    for sign in ("", "°", NOTHING):
+        rows = [n for n, off in enumerate(deviations) if off.endswith(sign or DIGITS) and not answers[n].computed]
+        sizes = [_size(answers[n], sign) for n in rows]
+        for n, text in zip(rows, alike(sizes), strict=True):
+            found[n] = f"{text}{sign}" if sign != NOTHING else f"{text} {printed_unit(answers[n].reading.unit)[1]}"
+    return [text.strip() for text in found]
+
+
+def _size(answer: Answer, sign: str) -> float:
+    size = printed_unit(answer.reading.unit)[0] * answer.expected_error
+    return size if sign else 100.0 * answer.expected_error / abs(answer.exact)
 
 
 def alike(sizes: Sequence[float]) -> list[str]:

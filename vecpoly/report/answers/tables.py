@@ -16,12 +16,13 @@ from ...words import Lang, Words
 from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
 from ..values import called, class_told, direction_of_load, is_class, value
-from .errors import NOTHING, expected_errors
+from .errors import NOTHING, beside
 from .line import is_length_times_scale
 from .order import listed
 from .placed import ALIGN_PLACES, PLACES, angle, clean, endless, gaps, place_row, places_table
 
-_DIRECTION = Words("方向", "Direction")
+_DIRECTION, _DEVIATION = Words("方向", "Direction"), Words("偏差", "Deviation")
+_EXPECTED = Words("预期误差", "Expected error")
 _HEADS = (
     Words("量", "Quantity"),
     Words("单位", "Unit"),
@@ -31,10 +32,9 @@ _HEADS = (
     _DIRECTION,
     Words("精确值", "Exact"),
     Words("偏差 /%", "Deviation /%"),
-    Words("预期误差", "Expected error"),
+    _EXPECTED,
 )
-_VALUE, _OFF, _WITH_UNIT, _ALIGN = 4, 7, (4, 6, 8), "lcdcududu"
-_DEVIATION = Words("偏差", "Deviation")
+_VALUE, _OFF, _WITH_UNIT, _ALIGN = 4, 7, (4, 6), "lcdcududu"
 _COMPUTED = Words("计算值", "Computed")
 _SHORT = Words("（过短）", " (too short)")
 _SENSE = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
@@ -103,10 +103,11 @@ def counted(answer: Answer) -> bool:
 def filled(answers: Sequence[Answer], solution: Solution, lang: Lang) -> tuple[list[str], list[tuple[str, ...]]]:
     """The heads and the rows of all columns."""
     header, one_unit = _headed(answers, lang)
-    errors = expected_errors(answers)
     rows = [row_of(one, solution, lang, "" if one_unit else unit_of(one)) for one in answers]
-    header[_OFF], offs = _deviations(header[_OFF], [row[_OFF] for row in rows], lang)
-    return header, [(*row[:_OFF], off, errors[one.key]) for row, off, one in zip(rows, offs, answers, strict=True)]
+    told = [row[_OFF] for row in rows]
+    header[_OFF], offs = _in_one_unit(_DEVIATION.of(lang), told)
+    header[-1], errors = _in_one_unit(_EXPECTED.of(lang), beside(answers, told))
+    return header, [(*row[:_OFF], off, error) for row, off, error in zip(rows, offs, errors, strict=True)]
 
 
 def _values(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
@@ -127,15 +128,15 @@ def _headed(answers: Sequence[Answer], lang: Lang) -> tuple[list[str], str]:
     return header, one_unit
 
 
-def _deviations(head: str, offs: list[str], lang: Lang) -> tuple[str, list[str]]:
-    """The head and the cells of the column of deviations: degrees alone have their unit in the head, as per cents have;
-    of two units in one column each stands beside its number."""
-    told = [off for off in offs if off != NOTHING]
-    if not any(off.endswith("°") for off in told):
-        return head, offs
-    if all(off.endswith("°") for off in told):
-        return f"{_DEVIATION.of(lang)} /°", [off.removesuffix("°") for off in offs]
-    return _DEVIATION.of(lang), [off if off.endswith(("°", NOTHING)) else f"{off} %" for off in offs]
+def _in_one_unit(head: str, cells: list[str]) -> tuple[str, list[str]]:
+    """The head and the cells of a column of deviations: a unit that all have stands in the head, per cents where there
+    is none; of two units in one column each stands beside its number."""
+    spaced = [cell.replace("°", " °") for cell in cells]
+    full = [cell if " " in cell or cell == NOTHING else f"{cell} %" for cell in spaced]
+    units = {cell.partition(" ")[2] for cell in full if cell != NOTHING}
+    if len(units) != 1:
+        return head, [cell.replace(" °", "°") for cell in full]
+    return f"{head} /{_braced(*units)}", [cell.partition(" ")[0] for cell in full]
 
 
 def _braced(unit: str) -> str:

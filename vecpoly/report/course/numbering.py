@@ -19,7 +19,7 @@ from ..flow.table import DataTable
 _FIGURE, _TABLE = Words("图", "Figure"), Words("表", "Table")
 SMALL = Style(size=8.3, leading=10.0, after=0.0, align="left")
 
-_BOTH = Words("数值列于{}，曲线见{}。", "The values are listed in {}, the curves drawn in {}.")
+_BOTH = Words("数值列于{}，曲线见{}。", "The values are listed in {}, and the curves are drawn in {}.")
 _LISTED, _DRAWN = Words("数值列于{}。", "The values are listed in {}."), Words("见{}。", "See {}.")
 _GAP, _ROOM = 4.0, 170.0  # mm between two figures beside each other, and for both
 TINY = Style(size=7.5, leading=8.8, after=0.0, align="left")

@@ -17,9 +17,17 @@ from .style import Colour
 class Tightness:
     """How tightly a part is set: its share of the white between paragraphs, of the leading, of the size of sketches."""
 
-    white: float
+    white: float = 1.0
     lines: float = 1.0
     figures: float = 1.0
+
+    def towards(self, other: Tightness, share: float) -> Tightness:
+        """Between this and another."""
+        return Tightness(
+            white=self.white + share * (other.white - self.white),
+            lines=self.lines + share * (other.lines - self.lines),
+            figures=self.figures + share * (other.figures - self.figures),
+        )
 
 
 class Block(Flowable):  # type: ignore[misc]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from ...algebra.formula import plain
@@ -37,6 +38,9 @@ _OTHERS = Words("其他", "Others")
 _ON_THE_WAY = Words("中间量", "On the way")
 _CAPTIONS = (Words("方程", "Equation"), Words("方向", "Direction"), Words("大小", "Magnitude"))
 _FRICTION = (Words("（计入摩擦）", ", with friction"), Words("（不计摩擦）", ", without friction"))
+_OF, _LINK = Words("（{}）", " ({})"), Words("构件 {}", "link {}")
+_BODIES = re.compile(r"\d+(?:-\d+)*")  # 2, or a group: 2-3-4
+_REACTION = re.compile(r"R['′]?_\{\d(\d)[,}]")  # R_{12}, on link 2
 IDEAL = "ideal"  # name of a polygon without friction
 _ROW, _TITLE = 9.0 * MM, 6.5 * MM
 _TERMS = 7  # columns to write in: as many as the longest equation of the textbooks has
@@ -95,9 +99,24 @@ def kinds(steps: Sequence[Step], lang: Lang) -> list[str]:
     told = [kind(step, lang) for step in steps]
     ideal = [isinstance(step.view, Pane) and step.view.name == IDEAL for step in steps]
     twice = {name for name, without in zip(told, ideal, strict=True) if without and told.count(name) > 1}
-    return [
+    told = [
         name + _FRICTION[without].of(lang) if name in twice else name for name, without in zip(told, ideal, strict=True)
     ]
+    return [
+        f"{name}{_OF.of(lang).format(_whose(step, lang))}" if told.count(name) > 1 and _whose(step, lang) else name
+        for name, step in zip(told, steps, strict=True)
+    ]
+
+
+def _whose(step: Step, lang: Lang) -> str:
+    """What an equation is for, where several are of one kind: a vector of motion, or the link on which forces act."""
+    symbols = step.equation.symbols if step.equation is not None else ()
+    if symbols and symbols[0][0] in "va":
+        return f"${symbols[0]}$"
+    if isinstance(step.view, Pane) and _BODIES.fullmatch(step.view.name):
+        return _LINK.of(lang).format(step.view.name)
+    acting = next((found for symbol in symbols if (found := _REACTION.match(symbol))), None)
+    return _LINK.of(lang).format(acting[1]) if acting else ""
 
 
 def kind(step: Step, lang: Lang) -> str:
@@ -105,7 +124,9 @@ def kind(step: Step, lang: Lang) -> str:
     part, name = step.section.of(lang), named(step.view).of(lang)
     if part[:2] == name[:2]:
         return name
-    return f"{part}：{name}" if lang == "zh" else f"{part}: {name[0].lower()}{name[1:]}"
+    if lang == "zh":
+        return f"{part}{'，' if '：' in part else '：'}{name}"
+    return f"{part}{',' if ':' in part else ':'} {name[0].lower()}{name[1:]}"
 
 
 def empty_table(solution: Solution, lang: Lang) -> RuledTable:

@@ -148,7 +148,9 @@ def _remarks(fig: CentreFigure, search: Search, here: Centre) -> None:
         fig.board.remark(Words(f"（{p} 落在图外。）", f" ({p} falls off the paper.)"))
     elif len(lines) == 2 and not here.endless and abs(float(nominal(cross(lines[0].along, lines[1].along)))) < GOOD:
         fig.board.remark(
-            Words("（两线交角很小，交点不易准确。）", " (The lines meet at a small angle: an uncertain point.)")
+            Words(
+                "（两线交角很小，交点不易准确。）", " (The lines meet at a small angle: a poorly defined intersection.)"
+            )
         )
 
 

@@ -34,11 +34,13 @@ def curves_drawn(load: Torques) -> Words:
 def constant(load: Torques) -> Words:
     """Why the other one has this height."""
     one, other = ("M_d", "M_r") if load.sought == "d" else ("M_r", "M_d")
+    dips = load.highest[0] < 0
+    below = Words("（横轴以下为负）", " (areas below the axis are negative)") if dips else Words("", "")
     return Words(
-        f"稳定运转时一个周期内驱动功等于阻力功，故常数力矩 ${one}$ 的矩形与 ${other}$ 线下的面积相等（横轴以下为负）。"
+        f"稳定运转时一个周期内驱动功等于阻力功，故常数力矩 ${one}$ 的矩形与 ${other}$ 线下的面积相等{below.zh}。"
         f"量出 ${other}$ 线与横轴所围的面积 $S_i$ 和周期的长度 $OT$：",
         f"In steady motion the driving and the resisting moment do equal work in a period, so the rectangle under the "
-        f"constant ${one}$ has the same area as ${other}$ encloses (areas below the axis are negative). "
+        f"constant ${one}$ has the same area as ${other}$ encloses{below.en}. "
         f"Measure the areas $S_i$ between ${other}$ and the axis, and the length $OT$ of the period:",
     )
 
@@ -70,7 +72,7 @@ def read_off_bar(top: str, bottom: str, between: float) -> Words:
     )
 
 
-BAR_SECTION = Words("能量指示图", "Energy indicator bar")
+BAR_SECTION = Words("能量指示图", "Energy-fluctuation diagram")
 BAR = Words(
     "取能量比例尺 $μ_E$，从基线起顺次画各功：盈功向上，亏功向下；一个周期后应回到基线。",
     "Choose a scale $μ_E$. From the base line draw the works one after the other, upwards where work is gained and "

@@ -34,11 +34,10 @@ def draw_reduced(bench: Bench, train: ReducedTrain) -> None:
     board = bench.board
     place = board.open_pane(View.MECHANISM, "train", Words("传动简图（示意）", "The train (sketch)"))
     board.section(Words("传动比", "Ratios of the speeds"))
+    wheels = _BELTED if any(pair.belt for pair in train.pairs) else _MESHING
     board.step(
         Words(
-            f"取轴 {train.main} 为等效构件。相啮合的两轮（或带轮）节线速度相等，故转速与齿数（直径）成反比：",
-            f"Take shaft {train.main} as the equivalent link. Two gears in mesh, or two pulleys joined by a belt, have "
-            "the same pitch-line velocity, so their speeds are inversely proportional to their teeth (diameters):",
+            f"取轴 {train.main} 为等效构件。{wheels.zh}", f"Take shaft {train.main} as the equivalent link. {wheels.en}"
         ),
         place,
     )
@@ -55,6 +54,18 @@ def draw_reduced(bench: Bench, train: ReducedTrain) -> None:
         if name != train.main and ratio is not None:
             bench.worked(alpha_of(name), ratio * alpha)
     run_up(bench, train, ratios, alpha)
+
+
+_MESHING = Words(
+    "相啮合的两轮节线速度相等，故转速与齿数成反比，传动比取大小：",
+    "Two gears in mesh have the same pitch-line velocity, so the magnitudes of their speeds are inversely proportional "
+    "to their teeth:",
+)
+_BELTED = Words(
+    "相啮合的两轮、同一带上的两带轮节线速度相等，故转速与齿数（直径）成反比，传动比取大小：",
+    "Two gears in mesh, or two pulleys joined by a belt, have the same pitch-line velocity, so the magnitudes of their "
+    "speeds are inversely proportional to their teeth (diameters):",
+)
 
 
 def _ratio(bench: Bench, train: ReducedTrain, name: str) -> Quantity | None:

@@ -44,8 +44,8 @@ def balancing_by_power(st: Statics, load: Load | None) -> None:
             "$M$ 与 $ω$ 同向时功率为正。",
             "By virtual power: without friction the powers of all loads and inertia forces sum "
             "to zero, $Σ$ $F v$ + $Σ$ $M ω$ = 0; each velocity is the component along the "
-            "force: measured on the velocity polygon from $p$ to the foot of the tip on the "
-            "force's direction. The power of $M$ is positive where it turns with $ω$.",
+            "force: project the tip of the velocity on the line of the force through $p$, and measure from $p$. "
+            "The power of $M$ is positive if $M$ has the sense of $ω$.",
         ),
         View.VELOCITY,
     )

@@ -32,7 +32,7 @@ def pulled(at: OffPaper, spring: Spring) -> tuple[tuple[Force, ...], dict[str, P
         at.desk.board.remark(Words("此时不受力。", " It does nothing here."))
         return (), {}
     says = Words("受拉", "it is in tension") if way > 0 else Words("受压", "it is compressed")
-    at.desk.board.remark(Words(f"{says.zh}。", f" Here {says.en}."))
+    at.desk.board.remark(Words(f"{'弹簧' if spring.stiffness else '阻尼器'}{says.zh}。", f" Here {says.en}."))
     along = -way * unit(point - foot)
     force = _force(spring.name, spring.link, spring.point, along, size)
     found = {force.name: Pull(size=way * size, along=along)}

@@ -78,10 +78,10 @@ def _told(st: Statics, mesh: Mesh) -> Words:
         need = Words("的指向由不计摩擦的力分析得知", "presses as it does without friction")
     return Words(
         f"构件 {i}、{j} 的轮齿在节点 ${h}$ 啮合，不计齿面摩擦：${symbol}$ 沿啮合线，过 ${h}$，与节圆公切线 $t–t$ 成"
-        f"压力角 $α$ = {alpha}；${symbol}$ {need.zh}，且两轮齿只能相压，由此定出工作齿面的啮合线。",
+        f"压力角 $α$ = {alpha}；${symbol}$ {need.zh}；齿面间只能受压，由此确定工作齿面及其啮合线。",
         f"The teeth of links {i} and {j} mesh at the pitch point ${h}$. Without friction on the flanks ${symbol}$ acts "
         f"along the line of action, through ${h}$ at the pressure angle $α$ = {alpha} to the common tangent $t–t$. "
-        f"${symbol}$ {need.en}, and teeth only press: that tells the flank.",
+        f"${symbol}$ {need.en}, and teeth can only press: this determines the flank.",
     )
 
 

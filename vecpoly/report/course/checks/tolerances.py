@@ -104,7 +104,7 @@ def judged(study: Study, keys: tuple[str, ...], found: tuple[Influence, ...]) ->
     if idle:
         yield Words(
             f"{'、'.join(w.zh for w in idle)} 与表中各量无关，不列入。",
-            f"{', '.join(w.en for w in idle)} have no influence on these and are left out.",
+            f"{', '.join(w.en for w in idle)} {'has' if len(idle) == 1 else 'have'} no influence on these.",
         )
     ranked = sorted(
         (one for one in found if one.gaps and one.gaps[-1] > NOTHING * largest(study, keys[-1])),

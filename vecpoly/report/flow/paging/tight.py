@@ -8,6 +8,7 @@ saves no page is left as it was.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 from ..base import Tightness
@@ -24,6 +25,7 @@ DEGREES = (
     Tightness(white=0.5, lines=0.95, figures=0.85),
     Tightness(white=0.4, lines=0.92, figures=0.7),
 )
+SHARES = (1 / 3, 2 / 3)  # of the way from one degree to the next, the looser first
 SHORT = 3  # pages of a part of which the lines are set closer too; in a longer one this would catch the eye
 
 
@@ -67,8 +69,15 @@ def _mended(story: list[Any], doc: ReportDoc) -> tuple[Sequence[Any], ReportDoc]
 def _degree(story: Sequence[Any], part: int, pages: int, meta: Metadata) -> Tightness | None:
     """The least tightness with which a part of so many pages needs fewer."""
     items = [text for text, _ in split(story) if text][part]
-    degrees = DEGREES if pages <= SHORT else [one for one in DEGREES if one.lines == 1.0]
-    return next((one for one in degrees if ReportDoc(tightened(items, one), meta).counted() < pages), None)
+    degrees = [Tightness(), *(one for one in DEGREES if pages <= SHORT or one.lines == 1.0)]
+
+    def saves(one: Tightness) -> bool:
+        return ReportDoc(tightened(items, one), meta).counted() < pages
+
+    for looser, tighter in pairwise(degrees):
+        if saves(tighter):
+            return next((one for one in (looser.towards(tighter, share) for share in SHARES) if saves(one)), tighter)
+    return None
 
 
 def _set(story: Sequence[Any], chosen: Mapping[int, Tightness]) -> list[Any]:
