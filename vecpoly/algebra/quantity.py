@@ -6,6 +6,7 @@ Values are SI (lengths on paper in mm, scales in SI per mm), `float` or arrays o
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import isinf
 from operator import attrgetter
 from typing import Any, cast
 
@@ -25,6 +26,8 @@ def number(value: float, digits: int = FIGURES) -> str:
     """A number as a hand writes it: `digits` significant digits, no exponent unless it must be."""
     if value == 0:
         return "0"
+    if isinf(value):
+        return "∞" if value > 0 else "−∞"
     text = f"{to_figures(value, digits):.{digits}g}"
     if "e" in text and 1 <= abs(value) < 1e6:
         text = f"{to_places(value, 0):.0f}"

@@ -120,10 +120,13 @@ class Model:
         """By how much each condition fails to hold at these positions, group by group."""
         env: Values = {self.drive: position, **dict(self.given)} if self.closed else self.values(position)
         for group in self.groups:
-            pending = list(group.equations)
-            for equation in pending if self.closed else ():
-                if equation.gives and isinstance(equation.left, Var):
-                    env[equation.left.symbol] = equation.right.value(env)
-            for equation in pending:
-                if not equation.gives:
-                    yield equation, np.abs(equation.left.value(env) - equation.right.value(env))
+            with np.errstate(invalid="ignore", divide="ignore"):  # at a change point rates have no value
+                for equation in group.equations if self.closed else ():
+                    if equation.gives and isinstance(equation.left, Var):
+                        env[equation.left.symbol] = equation.right.value(env)
+                found = [
+                    (equation, np.abs(equation.left.value(env) - equation.right.value(env)))
+                    for equation in group.equations
+                    if not equation.gives
+                ]
+            yield from found

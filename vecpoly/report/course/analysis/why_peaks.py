@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import log
+from math import isfinite, log
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,7 +66,8 @@ def causes(study: Study, groups: list[Conditioning]) -> list[Cause]:
                 for s in spots
                 if abs(s.value) >= (_FURTHER * usual if is_own else (1 - _ALIKE) * top)
             ]
-    return found[-_ROWS:]
+    known = [one for one in found if isfinite(one.down + one.up)]  # at a change point both vanish
+    return known[-_ROWS:]
 
 
 def _told(study: Study, groups: list[Conditioning]) -> Iterator[tuple[str, Conditioning, bool]]:

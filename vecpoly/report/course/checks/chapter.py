@@ -26,7 +26,7 @@ Reals = NDArray[np.float64]
 
 def chapter(study: Study, press: Press) -> dict[str, Any]:
     """The tables with what is said of them."""
-    gaps = [float(np.nanmax(gap)) for equation, gap in study.model.gaps(study.turn.phi) if np.isfinite(gap).any()]
+    gaps = [_most(gap) for _, gap in study.model.gaps(study.turn.phi)]
     step = study.turn.drive.factor * float(study.turn.phi[1] - study.turn.phi[0])
     unit = "°" if study.turn.drive.shown_unit == "°" else f" {study.turn.drive.shown_unit}"
     return {
@@ -49,7 +49,7 @@ def _power(value: float) -> str:
 def _checked(study: Study, press: Press) -> str:
     """Of every rate told: the model less the solver,
     and the model's rate less the difference quotient of what it is the rate of."""
-    rates = [(one, float(np.nanmax(np.abs(one[2])))) for one in _rates(study)]
+    rates = [(one, _most(one[2])) for one in _rates(study)]
     largest: dict[str, float] = {}  # by the first letter of the symbol: v, a, ω, α
     for (symbol, *_), size in rates:
         largest[symbol[0]] = max(size, largest.get(symbol[0], 0.0))
@@ -57,7 +57,7 @@ def _checked(study: Study, press: Press) -> str:
     for (symbol, own, exact, base), size in rates:
         if not size > max(_NOTHING, _BESIDE * largest[symbol[0]]):
             continue
-        row = [f"${symbol}$", _percent(float(np.nanmax(np.abs(own - exact))) / size)]
+        row = [f"${symbol}$", _percent(_most(own - exact) / size)]
         if not study.mech.drive.accel:
             row += _by_quotients(study, base, own, size)
         rows.append(tuple(row))
@@ -71,6 +71,13 @@ def _checked(study: Study, press: Press) -> str:
         if rows
         else ""
     )
+
+
+def _most(values: Reals) -> float:
+    """The largest of them, leaving out places at which a rate runs away: change points, dead points."""
+    with np.errstate(invalid="ignore"):
+        sizes = np.abs(values)
+    return float(np.max(sizes[np.isfinite(sizes)], initial=0.0))
 
 
 def _by_quotients(study: Study, base: Reals | None, rate: Reals, size: float) -> list[str]:
@@ -123,5 +130,4 @@ def _quotient_gap(study: Study, base: Reals, rate: Reals, steps: int) -> float:
     found = (
         (base[inner + steps] - base[inner - steps]) / (phi[inner + steps] - phi[inner - steps]) * study.mech.drive.rate
     )
-    gap = np.abs(found - rate[inner])
-    return float(np.nanmax(gap)) if np.isfinite(gap).any() else 0.0
+    return _most(found - rate[inner])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees
+from math import degrees, isfinite
 from typing import Any
 
 from ....algebra.quantity import number
@@ -23,9 +23,15 @@ _WEIGHTS = {"zh": ["构件", "支点", "$m_c r_c$ /(kg·m)", "方位"], "en": ["
 def sections(study: Study, press: Press, found: Shaking) -> list[dict[str, Any]]:
     """What acts on the frame; what counterweights leave."""
     parts = [_acting(study, press, found)]
-    if found.weights or found.best is not None:
+    if _bounded(found) and (found.weights or found.best is not None):
         parts.append(_counterweights(study, press, found))
     return parts
+
+
+def _bounded(found: Shaking) -> bool:
+    """Whether the force has a greatest value: at a change point, and where a drive goes through a dead point, it has
+    none."""
+    return found.force.highest is None or isfinite(found.force.highest.value)
 
 
 def _acting(study: Study, press: Press, found: Shaking) -> dict[str, Any]:
@@ -77,7 +83,7 @@ def _spots(study: Study, one: Extremes, lang: Lang) -> tuple[str, ...]:
     return tuple(
         text
         for spot in (one.highest, one.lowest)
-        for text in (number(spot.value, 5).replace("-", "−"), places(study, one, spot).of(lang).split(" = ")[1])
+        for text in (number(spot.value, 5), places(study, one, spot).of(lang).split(" = ")[1])
     )
 
 
@@ -136,7 +142,7 @@ def _weights(study: Study, press: Press, found: Shaking) -> str:
 def conclusion(study: Study, found: Shaking) -> list[Words]:
     """The greatest shaking force, and what the crank's counterweight leaves."""
     top, best = found.force.highest, found.best
-    if top is None:
+    if top is None or not _bounded(found):
         return []
     size, place = number(top.value, 4), study.where(top.phi)
     less = (

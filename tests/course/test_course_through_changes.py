@@ -1,0 +1,37 @@
+"""Where rates run away in the cycle, at a change point, the course report tells numbers, or ∞: no inf and no nan."""
+
+from __future__ import annotations
+
+import re
+from io import BytesIO
+
+from pypdf import PdfReader
+
+from vecpoly import loads, solve
+from vecpoly.algebra.quantity import number
+from vecpoly.report.document import report_bytes
+
+ANTIPARALLELOGRAM = """
+id: change-points
+title: change points
+frame: {A: [0 mm, 0 mm], D: [116 mm, 0 mm], F: [58.0 mm, -400 mm]}
+links:
+  1: {AB: 53 mm}
+  2: {BC: 116 mm, E: {along: BC, at: 22 mm, left: -8 mm}}
+  3: {DC: 53 mm}
+  4: {EG: 300 mm}
+  5: {FG: 330 mm}
+input: {link: 1, phi: 120 deg, omega: -5 rad/s}
+branch: [ABCD antiparallelogram, G left of FE]
+find: [v_C, a_C, v_G, a_G, omega_2, omega_3, omega_5, alpha_2, alpha_3, alpha_5]
+"""
+
+
+def test_a_course_report_through_a_change_point_tells_numbers() -> None:
+    written = report_bytes([solve(loads(ANTIPARALLELOGRAM), repeats=0)], lang="en", style="course")
+    text = " ".join(page.extract_text() for page in PdfReader(BytesIO(written)).pages)
+    assert not re.search(r"\b(inf|nan)\b", text)
+
+
+def test_what_is_infinite_is_written_as_a_hand_writes_it() -> None:
+    assert (number(float("inf")), number(-float("inf"))) == ("∞", "−∞")
