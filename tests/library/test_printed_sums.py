@@ -93,7 +93,7 @@ def test_a_difference_that_four_figures_lose_gets_more_and_what_has_no_value_is_
     assert read.holds
     nothing = magnitude("c", np.float64(0.0), "")
     with np.errstate(divide="ignore"):
-        assert plain(worked(Sym("d"), one / nothing, "m")).endswith("= inf m")
+        assert plain(worked(Sym("d"), one / nothing, "m")).endswith("= ∞ m")
 
 
 def test_guard_figures_are_written_only_where_they_are_needed() -> None:

@@ -16,7 +16,7 @@ from ....plane.geometry import cross
 from ....words import Words
 from ..chart import Axis, Chart, chart
 from ..draft import SHEET, Draft
-from ..linkage import drawn, pin, pivot
+from ..linkage import drawn, pin, pivot, point
 from ..registry import design_method
 from .path import Path
 
@@ -55,9 +55,11 @@ def _traced(draft: Draft, design: StraightLine, phis: list[float]) -> dict[str, 
         if n in (0, STATIONS - 1, middle):
             drawn(draft, *(((a, b, c, d),) if n == middle else ((), (a, b, c, d))))
             _joined(draft, (b, c, e), thick=n == middle)
+            for letter, at in (("B", b), ("C", c)) if n != middle else ():
+                pin(draft, f"{letter}_{n + 1}", at)
     for letter, at in zip("BC", stations[middle], strict=False):
         pin(draft, letter, at)
-    lettered = [pin(draft, f"E_{n}", e) for n, (_, _, e) in enumerate(stations, 1)]
+    lettered = [point(draft, f"E_{n}", e) for n, (_, _, e) in enumerate(stations, 1)]
     board.curve(SHEET, lettered, Role.RESULT)
     return {"A": a, "D": d, "E1": lettered[0], "E2": lettered[-1]}
 

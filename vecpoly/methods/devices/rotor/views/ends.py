@@ -21,6 +21,7 @@ from ...bench import Bench
 from ..polygon import heading
 from ..scales import AXIS, END_VIEW, FEW, LUMP, has_plane_views, widest
 
+RIM = 6.0  # mm from the outermost mass to the rim of a disc
 FIRST, STEP = 8.0, 4.5  # mm: radius of the first angle, from one to the next
 NO_PART = 1e-12  # of a mass: so small a part falls to a plane only by rounding
 
@@ -37,7 +38,7 @@ def from_its_end(bench: Bench, rotor: Rotor) -> None:
     arms.sort(key=lambda one: one[0])
     for away, name, mass in arms:
         label = product_of(name, rotor.weighing).symbol if mass.r is None else f"m_{{{name}}}"
-        _mass_seen(bench, view, mass, away, label, missing=mass.removed)
+        _mass_seen(bench, view, mass, away, label, missing=mass.removed, within=_is_disc(rotor))
     rings = [FIRST + STEP * i for i in range(len(arms))]
     if len(seen) <= FEW and all(ring < away for ring, (away, _, _) in zip(rings, arms, strict=True)):
         for ring, (_, _, mass) in zip(rings, arms, strict=True):
@@ -96,7 +97,7 @@ def solved_from_its_end(bench: Bench, rotor: Rotor, which: str) -> None:
             continue
         missing = mass.removed or (size is not None and float(nominal(size)) < 0)
         placed = mass.r.si / mm * complex(heading(at))
-        _mass_at(bench, view, placed, f"m_{{{name}}}", missing=missing)
+        _mass_at(bench, view, placed, f"m_{{{name}}}", missing=missing, within=_is_disc(rotor))
 
 
 def _parts_in(one: str, other: str) -> Words:
@@ -127,33 +128,48 @@ def added_seen(bench: Bench, rotor: Rotor, end: str, plane: RotorPlane, turns: l
     for turn, label in zip(turns, labels, strict=True):
         at = complex(heading(turn)) * away
         board.join(view, 0j, at, Role.HIDDEN)
-        board.circle(view, at, LUMP, Role.RESULT)
+        board.circle(view, at, LUMP, Role.RESULT if plane.hole is None else Role.HIDDEN)
         board.plot(view, at, label, Dot.NONE)
 
 
 def _axes(bench: Bench, rotor: Rotor, view: Place) -> None:
     board = bench.board
     reach = widest(rotor) / board.scale_of(END_VIEW).value
+    beyond = reach + (RIM if _is_disc(rotor) else 0.0) + AXIS
     for way in (1, 1j):
-        board.join(view, -way * (reach + AXIS), way * (reach + AXIS), Role.CENTRE)
-    board.plot(view, reach + AXIS + 0j, "x", Dot.NONE)
+        board.join(view, -way * beyond, way * beyond, Role.CENTRE)
+    if _is_disc(rotor):
+        board.circle(view, 0j, reach + RIM, Role.GIVEN)
+    board.plot(view, beyond + 0j, "x", Dot.NONE)
     board.plot(view, 0j, "O", Dot.JOINT)
 
 
-def _mass_seen(bench: Bench, view: Place, mass: RotorMass, away: float, label: str, *, missing: bool) -> None:
+def _is_disc(rotor: Rotor) -> bool:
+    """Whether it is one disc, in which there are holes, or is to be one: its rim is drawn, to no scale."""
+    holes = (*(mass.removed for mass in rotor.masses.values()), *(plane.hole for plane in rotor.correct.values()))
+    return rotor.static and any(holes)
+
+
+def _mass_seen(
+    bench: Bench, view: Place, mass: RotorMass, away: float, label: str, *, missing: bool, within: bool = False
+) -> None:
     """A mass on its arm; what is missing (of a hole, of a part that counts as negative) is a ring."""
     at = rect(away, mass.at.si)
     if mass.r is None:
         bench.board.arrow(view, 0j, at, Role.GIVEN, label=label)
     else:
-        _mass_at(bench, view, at, label, missing=missing)
+        _mass_at(bench, view, at, label, missing=missing, within=within)
 
 
-def _mass_at(bench: Bench, view: Place, at: complex, label: str, *, missing: bool) -> None:
+def _mass_at(bench: Bench, view: Place, at: complex, label: str, *, missing: bool, within: bool) -> None:
+    """Within a disc a thin line leads to it, and what is missing is a hole; else it sits on an arm."""
     board = bench.board
-    board.depict(view, rod(f"mass {label}", 0j, at * (1 - LUMP / abs(at))))
+    if within:
+        board.join(view, 0j, at, Role.CONSTRUCTION)
+    else:
+        board.depict(view, rod(f"mass {label}", 0j, at * (1 - LUMP / abs(at))))
     if missing:
-        board.circle(view, at, LUMP, Role.HIDDEN)
+        board.circle(view, at, LUMP, Role.GIVEN if within else Role.HIDDEN)
     else:
         board.depict(view, disc(f"mass {label}", at, LUMP))
     board.plot(view, at, label, Dot.NONE)
