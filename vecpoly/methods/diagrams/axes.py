@@ -1,10 +1,10 @@
-"""The axes of a diagram, with numbers along the one that goes to the right."""
+"""The axes of a diagram, with round numbers along both."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from math import degrees
+from math import ceil, degrees, floor, log10
 
 from ...board.board import Board
 from ...board.construction import Place
@@ -14,6 +14,7 @@ from ...words import Words
 BEYOND, TICK = 9.0, 1.5  # mm: how far the axes run on; half a tick
 STEPS = (1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180, 360)  # deg from tick to tick
 MOST = 8  # ticks
+LEVELS = 4  # round numbers, about, along the axis that goes up
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,17 +30,38 @@ class Axes:
 
 def draw_axes(board: Board, place: Place, axes: Axes, ticks: Iterable[tuple[float, str]]) -> None:
     """Both axes with their letters; ticks: how far to the right (mm), and what is written there: below the axis, or
-    above it where the curve lies mostly below."""
+    above it where the curve lies mostly below. Where there are some, the upright axis has round numbers too."""
     right, top = axes.wide + BEYOND + 0j, 1j * (axes.high + BEYOND)
     bottom = 1j * (axes.low - BEYOND / 2) if axes.low < 0 else 0j
     board.arrow(place, 0j, right, Role.DIRECTION)
     board.arrow(place, bottom, top, Role.DIRECTION)
     board.plot(place, right, axes.across, Dot.NONE)
-    board.plot(place, top, axes.up, Dot.NONE)
+    ticks, scale = [*ticks], board.scale_of(place)
+    board.plot(place, top, f"{axes.up}/{scale.behind}" if ticks and scale.unit else axes.up, Dot.NONE)
+    for level, text in _levels(axes, scale.value) if ticks else ():
+        board.join(place, level * 1j - TICK, level * 1j + TICK, Role.CONSTRUCTION)
+        board.note(place, level * 1j - TICK, Words.same(text), -1 + 0j)
     side = -1j if axes.high >= -axes.low else 1j
     for at, written in ticks:
         board.join(place, at - TICK * 1j, at + TICK * 1j, Role.CONSTRUCTION)
         board.note(place, at + TICK * side, Words.same(written), side)
+
+
+def divisions(low: float, high: float, parts: float) -> list[float]:
+    """Round numbers from end to end, at about so many equal steps: of 1, 2, 5 times a power of ten."""
+    rough = (high - low) / parts
+    power = 10.0 ** floor(log10(rough))
+    step = next(power * n for n in (1, 2, 5, 10) if power * n >= 0.999 * rough)
+    first, last = ceil(low / step - 1e-9), floor(high / step + 1e-9)
+    return [n * step for n in range(first, last + 1)]
+
+
+def _levels(axes: Axes, scale: float) -> Iterator[tuple[float, str]]:
+    """How high a number stands on the upright axis (mm), and the number."""
+    low, high = min(axes.low, 0.0) * scale, max(axes.high, 0.0) * scale
+    for value in divisions(low, high, LEVELS) if high > low else ():
+        if abs(value) > 1e-9 * (high - low):
+            yield value / scale, f"{value:.6g}".replace("-", "−")
 
 
 def angle_ticks(board: Board, place: Place, period: float) -> Iterable[tuple[float, str]]:

@@ -13,6 +13,7 @@ from ...board.paper.scales import round_up
 from ...board.place import Pane
 from ...plane import Points
 from ...words import Words
+from ..diagrams.axes import divisions
 from .draft import Draft
 
 WIDE, HIGH = 100.0, 45.0  # mm: of a chart, at most
@@ -35,11 +36,7 @@ class Axis:
 
     def divisions(self) -> list[float]:
         """Round numbers from end to end."""
-        rough = (self.high - self.low) / DIVISIONS
-        power = 10.0 ** np.floor(np.log10(rough))
-        step = next(power * n for n in (1, 2, 5, 10) if power * n >= 0.999 * rough)
-        first, last = np.ceil(self.low / step - 1e-9), np.floor(self.high / step + 1e-9)
-        return [float(n * step) + 0.0 for n in np.arange(first, last + 1)]
+        return divisions(self.low, self.high, DIVISIONS)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
