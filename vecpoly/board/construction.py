@@ -61,11 +61,6 @@ class Scale:
         return self.across or self
 
     @property
-    def behind(self) -> str:
-        """The unit as it stands behind the letter of an axis: mm, (N·m)."""
-        return f"({self.unit})" if "/" in self.unit or "·" in self.unit else self.unit
-
-    @property
     def per_mm(self) -> str:
         """The unit of the scale as printed: m/mm, (m/s)/mm."""
         return f"({self.unit})/mm" if "/" in self.unit else f"{self.unit}/mm"

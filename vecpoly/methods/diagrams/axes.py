@@ -9,6 +9,7 @@ from math import ceil, degrees, floor, log10
 from ...board.board import Board
 from ...board.construction import Place
 from ...board.paper.marks import Dot, Role
+from ...units.names import braced
 from ...words import Words
 
 BEYOND, TICK = 9.0, 1.5  # mm: how far the axes run on; half a tick
@@ -37,7 +38,7 @@ def draw_axes(board: Board, place: Place, axes: Axes, ticks: Iterable[tuple[floa
     board.arrow(place, bottom, top, Role.DIRECTION)
     board.plot(place, right, axes.across, Dot.NONE)
     ticks, scale = [*ticks], board.scale_of(place)
-    board.plot(place, top, f"{axes.up}/{scale.behind}" if ticks and scale.unit else axes.up, Dot.NONE)
+    board.plot(place, top, f"{axes.up}/{braced(scale.unit)}" if ticks and scale.unit else axes.up, Dot.NONE)
     for level, text in _levels(axes, scale.value) if ticks else ():
         board.join(place, level * 1j - TICK, level * 1j + TICK, Role.CONSTRUCTION)
         board.note(place, level * 1j - TICK, Words.same(text), -1 + 0j)

@@ -12,6 +12,7 @@ from ...printed.units import printed_unit
 from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution
 from ...typeset.box import Rgb
+from ...units.names import braced
 from ...words import Lang, Words
 from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
@@ -124,7 +125,7 @@ def _headed(answers: Sequence[Answer], lang: Lang) -> tuple[list[str], str]:
     if all(one.computed for one in answers):
         header[_VALUE] = _COMPUTED.of(lang)
     if one_unit not in ("", NOTHING):
-        header = [f"{head} /{_braced(one_unit)}" if n in _WITH_UNIT else head for n, head in enumerate(header)]
+        header = [f"{head} /{braced(one_unit)}" if n in _WITH_UNIT else head for n, head in enumerate(header)]
     return header, one_unit
 
 
@@ -136,11 +137,7 @@ def _in_one_unit(head: str, cells: list[str]) -> tuple[str, list[str]]:
     units = {cell.partition(" ")[2] for cell in full if cell != NOTHING}
     if len(units) != 1:
         return head, [cell.replace(" °", "°") for cell in full]
-    return f"{head} /{_braced(*units)}", [cell.partition(" ")[0] for cell in full]
-
-
-def _braced(unit: str) -> str:
-    return f"({unit})" if "/" in unit or "·" in unit else unit
+    return f"{head} /{braced(*units)}", [cell.partition(" ")[0] for cell in full]
 
 
 def unit_of(answer: Answer) -> str:

@@ -15,6 +15,7 @@ from ...board.paper.marks import Arc, Dot, FixedGuide, Ground, Mark, Note, Point
 from ...board.paper.scales import round_up
 from ...figures.balancing import END_VIEW
 from ...figures.energy import INDICATOR
+from ...units.names import braced
 from ...words import Words
 from ..picture import to_scale
 from .known import NEAR, begins_at, begun
@@ -186,7 +187,7 @@ def _upwards(figure: Figure, up: Vector, box: Box) -> Iterator[Mark]:
     """The axis upwards, right through the frame where something lies below the other axis."""
     name = next((mark.label for mark in figure.marks if isinstance(mark, Point) and mark.at == up.b), "")
     foot = complex(up.a.real, box[0].imag + EDGE if up.a.imag < -NEAR else 0.0)
-    name = name.removesuffix(f"/{figure.scale.behind}")
+    name = name.removesuffix(f"/{braced(figure.scale.unit)}")
     yield from _scaled(figure, name, foot, complex(up.a.real, box[1].imag - EDGE))
 
 
@@ -226,13 +227,9 @@ def _numbered(scale: Scale, zero: complex, end: complex) -> Iterator[Mark]:
         yield from _tick(zero + n * apart * way, side, text)
 
 
-def _braced(unit: str) -> str:
-    return f"({unit})" if "·" in unit or "/" in unit else unit
-
-
 def _named(at: complex, letter: str, unit: str) -> Mark:
     """The letter of an axis, with its unit; a derivative in brackets, its d upright. Lengths are told in mm."""
     unit = _MILLIMETRE if unit == _METRE else unit
-    told = _braced(unit)
+    told = braced(unit)
     name = "/".join(f"d${part[1:]}$" for part in letter.split("/")) if "/" in letter else f"${letter}$"
     return Note(at=at, words=Words.same(f"{f'({name})' if '/' in letter else name}/{told}" if unit else name), step=1)
