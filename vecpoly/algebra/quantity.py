@@ -24,10 +24,8 @@ _PI, _OF_PI = (named("π"), Txt("π")), 5  # as every pocket calculator and ever
 
 def number(value: float, digits: int = FIGURES) -> str:
     """A number as a hand writes it: `digits` significant digits, no exponent unless it must be."""
-    if value == 0:
-        return "0"
-    if isinf(value):
-        return "∞" if value > 0 else "−∞"
+    if value == 0 or isinf(value):
+        return "0" if value == 0 else "∞" if value > 0 else "−∞"
     text = f"{to_figures(value, digits):.{digits}g}"
     if "e" in text and 1 <= abs(value) < 1e6:
         text = f"{to_places(value, 0):.0f}"

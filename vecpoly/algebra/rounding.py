@@ -57,3 +57,8 @@ def places_of(text: str) -> int:
 def guarded(least: int, holds: Callable[[int], bool]) -> int:
     """The fewest figures, no fewer than these, that do; these where none do."""
     return next((digits for digits in range(least, MOST + 1) if holds(digits)), least)
+
+
+def braced(unit: str) -> str:
+    """A unit as it stands behind a letter and a stroke, in a head or on an axis: v/(m/s), l/mm."""
+    return f"({unit})" if "/" in unit or "·" in unit else unit

@@ -85,11 +85,6 @@ def plain(unit: str) -> str:
     return unit.translate(_SPELLING).replace("^", "**")
 
 
-def braced(unit: str) -> str:
-    """A unit as it stands behind a letter and a stroke, in a head or on an axis: v/(m/s), l/mm."""
-    return f"({unit})" if "/" in unit or "·" in unit else unit
-
-
 @lru_cache(maxsize=256)
 def unit_of(unit: str) -> tuple[float, str]:
     """SI factor and dimension of a unit; raises FaultError where it is unknown."""

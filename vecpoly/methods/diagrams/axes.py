@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from math import ceil, degrees, floor, log10
 
+from ...algebra.rounding import braced
 from ...board.board import Board
 from ...board.construction import Place
 from ...board.paper.marks import Dot, Role
-from ...units.names import braced
 from ...words import Words
 
 BEYOND, TICK = 9.0, 1.5  # mm: how far the axes run on; half a tick

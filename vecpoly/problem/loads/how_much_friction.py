@@ -81,6 +81,26 @@ def _shortest(name: str, mech: Mechanism) -> tuple[float, str]:
     return min(found)
 
 
+def _phi_alone(spec: FrictionSpec) -> None:
+    """Raise FaultError where a coefficient or a groove stands beside an angle of friction."""
+    if spec.f is not None or spec.f_v is not None:
+        raise FaultError(
+            Words(
+                "phi 与 f 都给了，而 phi = arctan f；请去掉其一",
+                "phi and f are both given, though phi = arctan f; leave out one of them",
+            ),
+            code="contradiction",
+        )
+    if spec.V is not None:
+        raise FaultError(
+            Words(
+                "V 须与槽面的 f 同用（f_v = f / sin V）；请改写 f，或去掉 V",
+                "V goes with the f of the groove's faces (f_v = f / sin V), not with phi; write f, or leave out V",
+            ),
+            code="contradiction",
+        )
+
+
 def friction_angle(name: str, spec: FrictionSpec) -> tuple[Datum, float]:
     """φ of a slide or a contact: given, or arctan f; in a V-groove of half angle V, f_v = f / sin V."""
     _only(
@@ -93,22 +113,7 @@ def friction_angle(name: str, spec: FrictionSpec) -> tuple[Datum, float]:
         "V",
     )
     if spec.phi is not None:
-        if spec.f is not None or spec.f_v is not None:
-            raise FaultError(
-                Words(
-                    "phi 与 f 都给了，而 phi = arctan f；请去掉其一",
-                    "phi and f are both given, though phi = arctan f; leave out one of them",
-                ),
-                code="contradiction",
-            )
-        if spec.V is not None:
-            raise FaultError(
-                Words(
-                    "V 须与槽面的 f 同用（f_v = f / sin V）；请改写 f，或去掉 V",
-                    "V goes with the f of the groove's faces (f_v = f / sin V), not with phi; write f, or leave out V",
-                ),
-                code="contradiction",
-            )
+        _phi_alone(spec)
         phi = _within("phi", lambda: _not_negative(spec.phi, Dim.ANGLE))
         if phi.si >= math.pi / 2 * (1 - 1e-12):
             raise FaultError(

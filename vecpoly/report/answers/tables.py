@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from math import degrees, isfinite
 
-from ...algebra.rounding import places_of, read_back
+from ...algebra.rounding import braced, places_of, read_back
 from ...printed.angles import bearing_told
 from ...printed.digits import drawn_number, exact_number, on_paper
 from ...printed.units import printed_unit
 from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution
 from ...typeset.box import Rgb
-from ...units.names import braced
 from ...words import Lang, Words
 from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
