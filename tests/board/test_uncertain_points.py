@@ -31,7 +31,7 @@ def remarked(apart: complex, degrees: float) -> str:
     ("degrees", "uncertain"), [(14.9, True), (9.0, True), (171.0, True), (15.2, False), (90.0, False)]
 )
 def test_lines_that_cross_at_less_than_15_degrees_make_an_uncertain_point(degrees: float, uncertain: bool) -> None:
-    assert ("uncertain" in remarked(30 + 10j, degrees)) == uncertain
+    assert ("poorly defined" in remarked(30 + 10j, degrees)) == uncertain
 
 
 @pytest.mark.parametrize("degrees", [2.0, 9.0, 171.0])
@@ -47,7 +47,7 @@ def shaper() -> Solution:
 def test_forces_that_all_act_at_the_ram_s_pin_need_no_crossing(shaper: Solution) -> None:
     (ram,) = [step for step in shaper.construction.steps if step.words.en.startswith("Isolate link 5")]
     assert "pass through $E$, so $R_{65}$ must" in ram.words.en and "均过 $E$，故 $R_{65}$ 必过 $E$" in ram.words.zh
-    assert "uncertain" not in ram.words.en and "不易准确" not in ram.words.zh and "cross" not in ram.words.en
+    assert "poorly defined" not in ram.words.en and "不易准确" not in ram.words.zh and "cross" not in ram.words.en
 
 
 def test_a_flat_crossing_that_finds_a_point_is_still_told(shaper: Solution) -> None:
@@ -57,5 +57,5 @@ def test_a_flat_crossing_that_finds_a_point_is_still_told(shaper: Solution) -> N
 
 def test_several_flat_crossings_of_a_step_are_told_in_one_sentence() -> None:
     (step,) = [step for step in load("four-positions").solve().construction.steps if "$M^{(3)}$" in step.words.en[:24]]
-    assert step.words.en.count("(Lines meet at only") == step.words.en.count("uncertain") == 1
+    assert step.words.en.count("(Lines meet at only") == step.words.en.count("poorly defined") == 1
     assert "11° and 8°" in step.words.en and step.words.zh.count("不易准确") == 1 and "11°、8°" in step.words.zh

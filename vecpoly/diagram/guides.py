@@ -22,10 +22,18 @@ ARM = 3.0  # mm: a point farther beside a slot is joined to it by an arm
 
 
 def guide_body(posed: Posed, link: str, joint: Prismatic, shape: Shape) -> Iterator[Mark]:
-    """A slotted link or a rod: from its own points along the guide to a little past the block."""
+    """A slotted link or a rod: from its own points along the guide to a little past the block.
+
+    A slot in which a block slides, and which leads through a pin of its link, is drawn as its line with the block on
+    it, as GB/T 4460 draws a guide bar: how long the slot is, nobody says.
+    """
     line, own = posed.guide(joint), posed.spots(link)
     pin = posed.at.get(joint.pin, line.at)
-    yield from _slot(posed, joint, own, pin) if shape is Shape.SLOT else through(line, pin, BEYOND, own)
+    barred = not joint.pin_in_slot and any(abs(line.off(spot)) < BESIDE for spot in own)
+    if shape is Shape.SLOT and not barred:
+        yield from _slot(posed, joint, own, pin)
+    else:
+        yield from through(line, pin, BEYOND, own)
 
 
 def is_slot(posed: Posed, link: str, joint: Prismatic) -> bool:
