@@ -9,6 +9,8 @@ from functools import cache
 from math import pi
 from typing import TypeVar
 
+import pytest
+
 from tests.drawn_library import desk_of, drawn, ids
 from tests.each import Later, each
 from vecpoly import oracle
@@ -260,3 +262,27 @@ def test_pressure_angles_of_a_profile_are_marked_but_under_a_flat_face_that_slid
     profiles = [name for name in CAMS if drawn(name).problem.mechanism.cams and drawn(name).problem.loads is None]
     marked = [name for name in profiles if any(m.label == "α" for m in marks(name, AngleMark))]
     assert marked == ["cam-moves-arm", "cam-moves-flat-arm", "cam-moves-roller"]
+
+
+@pytest.mark.parametrize("name", ["3-8", "3-12", "shaper-cut"])
+def test_a_guide_bar_is_a_line_through_its_block(name: str) -> None:
+    """GB/T 4460: how long its slot is, nobody says."""
+    figure = diagram(name)
+    assert not any(isinstance(mark, Slot) for mark in figure.marks)
+    bars = [mark for mark in figure.marks if isinstance(mark, Segment) and mark.role is Role.LINK]
+    led = [
+        (block, bar)
+        for block in figure.marks
+        if isinstance(block, Block)
+        for bar in bars
+        if abs(((bar.b - bar.a) / block.along).imag) < 1e-6 and abs(((block.at - bar.a) / block.along).imag) < 1e-6
+    ]
+    assert led
+    for block, bar in led:  # it goes through
+        along = sorted(((end - block.at) / block.along).real for end in (bar.a, bar.b))
+        assert along[0] < -5 and along[1] > 5
+
+
+def test_a_pin_runs_in_a_slot() -> None:
+    figure = diagram("crank-pin-in-slot")
+    assert any(isinstance(mark, Slot) for mark in figure.marks)
