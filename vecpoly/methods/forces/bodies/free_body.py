@@ -23,7 +23,8 @@ from ..closing.thrust import in_cylinders
 from ..couples import couples_on
 from ..inertia import SHORT, draw_arm
 from ..state import Statics
-from .arrows import REACH, Arrow, place_arrows, say_far
+from .arrows import REACH, Arrow, place_arrows
+from .brought import brought_near
 from .given_loads import ways_of_loads
 
 SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
@@ -62,15 +63,15 @@ def draw_free_bodies(st: Statics, problem: Problem, solved: Sequence[str]) -> No
             *pressing,
         ]
         spots = [*_spots(st, name), *(complex(nominal(force.at)) for force in pressing)]
+        forces, couples = brought_near(st, name, forces, spots)
         pressed = pushed.union(_pressing(st, name), (force.named.symbol for force in pressing))
         arrows = place_arrows(forces, spots, pressed, pulled)
-        say_far(st, forces, spots)
         _displaced(st, pane, name)
         _carry_on(st, pane, forces, arrows)
         for arrow in arrows:
             st.board.arrow(pane, arrow.start, arrow.end, Role.RESULT, key=arrow.key, label=arrow.symbol)
         _draw_normals(st, pane, name, {arrow.symbol: arrow for arrow in arrows})
-        _couple(st, pane, name)
+        _couple(st, pane, name, couples)
 
 
 def _guided(st: Statics, link: str) -> tuple[complex, ...]:
@@ -167,8 +168,8 @@ def _draw_leaning(st: Statics, pane: Pane, joint: Prismatic | Contact, force: Ac
     st.board.angle(pane, at, n, float(np.angle(u / n)), NORMAL * 0.8, "φ")
 
 
-def _couple(st: Statics, pane: Pane, link: str) -> None:
-    """All couples and the balancing moment as curved arrows at the link's pin."""
+def _couple(st: Statics, pane: Pane, link: str, brought: Sequence[tuple[str, float]]) -> None:
+    """All couples, those of forces brought near, and the balancing moment as curved arrows at the link's pin."""
     pivot = next((p for p in st.mech.link(link).points if p in st.mech.frame), next(iter(st.mech.link(link).points)))
     at, free = complex(nominal(st.desk.at[pivot])), st.unknown
     own = (
@@ -176,6 +177,6 @@ def _couple(st: Statics, pane: Pane, link: str) -> None:
         if isinstance(free, Moment) and free.link == link and not st.balanced
         else []
     )
-    turning = [(symbol, size) for symbol, size in (*couples_on(st, link), *own) if nominal(size)]
+    turning = [(symbol, size) for symbol, size in (*couples_on(st, link), *brought, *own) if nominal(size)]
     for i, (symbol, size) in enumerate(turning):
         st.board.curved_arrow(pane, at, COUPLE + 3 * i, 2.2, bool(nominal(size) > 0), symbol)
