@@ -395,3 +395,12 @@ def test_a_mechanism_hashes_and_its_maps_do_not_change() -> None:
         one.frame._held = {}  # type: ignore[attr-defined]
     with pytest.raises(TypeError):
         solve(load("3-9"), repeats=0).answers["v_B"] = None  # type: ignore[index]
+
+
+def test_an_acceleration_of_the_drive_decides_nothing_of_velocities() -> None:
+    text = changed(("omega: 10 rad/s ccw", "omega: 10 rad/s ccw, alpha: 5 rad/s^2"))
+    assert "alpha: 5" in text
+    asked = text.split("find: [")[0]
+    (words,) = (one for one in idle(loads(asked + "find: [v_C, omega_2]\n")) if "acceleration" in one.en)
+    assert "may be left out" in words.en
+    assert not [one for one in idle(loads(asked + "find: [v_C, a_C]\n")) if "acceleration" in one.en]

@@ -1,5 +1,5 @@
-"""What is written in a problem file and changes nothing:
-branches and guesses without which the same assembly is found."""
+"""What is written in a problem file and changes nothing: branches and guesses without which the same assembly is found,
+the acceleration of a drive where places and velocities alone are sought."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ import numpy as np
 from .. import oracle
 from ..errors import VecpolyError
 from ..mechanism.model import Mechanism, Statement
+from ..names import Kind, Rel
+from ..problem.asked.asks import AskPoint
 from ..problem.problem import Problem
 from ..words import Words
 
@@ -25,7 +27,27 @@ def idle(problem: Problem) -> tuple[Words, ...]:
         if _same(mech, fewer := replace(least, branches=tuple(other for other in least.branches if other is not one))):
             least = fewer
     told = [_said(one) for one in mech.branches if all(one is not kept for kept in least.branches)]
-    return (*told, *([_roughly(mech)] if mech.guesses and not least.guesses else []))
+    rough = [_roughly(mech)] if mech.guesses and not least.guesses else []
+    return (*told, *rough, *([_ACCELERATED] if _is_accelerated_for_nothing(problem, mech) else []))
+
+
+_ACCELERATED = Words(
+    "input：所求只是位置和速度，原动件的加速度不起作用；这一项可以删去",
+    "input: only places and velocities are sought, for which the acceleration of the drive decides nothing; it may be "
+    "left out",
+)
+
+
+def _is_accelerated_for_nothing(problem: Problem, mech: Mechanism) -> bool:
+    sought = [*problem.asks, *problem.printed]  # of a point with a given acceleration the place
+    return (
+        any(drive.accel for drive in mech.drives)
+        and problem.loads is None
+        and problem.machine is None
+        and bool(problem.asks)
+        and not any(isinstance(one, AskPoint) for one in problem.asks)
+        and all(isinstance(one.rel, Rel) and one.rel.kind in (Kind.P, Kind.V, Kind.OMEGA) for one in sought)
+    )
 
 
 def _roughly(mech: Mechanism) -> Words:

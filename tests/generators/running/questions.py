@@ -51,7 +51,7 @@ def equivalent(rng: Random) -> str:
     return f"{text}{load}{masses(rng, mech)}find: [{', '.join(asked)}]\n"
 
 
-@family("any-flywheel", first=1)
+@family("any-flywheel", first=6)
 def flywheel(rng: Random) -> str:
     """A constant moment on the drive, a moment on another link during part of the turn."""
     text, mech = moving(rng)

@@ -41,4 +41,4 @@ def made_again(solution: Solution, rng: np.random.Generator) -> str:
 
 
 family("used-record", also=read_again, often=2)(anything("record"))
-family("used-data", also=made_again, often=2)(anything("data"))
+family("used-data", also=made_again, often=2, first=2)(anything("data"))

@@ -65,8 +65,10 @@ def _items(one: Finding, graded: Graded, ends: tuple[complex, complex]) -> Itera
     if not abs(exact) or one.value is None or graded.mm is None:
         return
     size = abs(one.value / graded.exact) * graded.mm
-    direction = one.written.direction
-    along = exact / abs(exact) if direction is None else cmath.exp(1j * radians(direction))
+    along, told = exact / abs(exact), one.written.direction
+    if told is not None:  # an arrow or a word tells it roughly
+        turned = cmath.exp(1j * radians(told.degrees)) / along
+        along *= 1.0 if abs(cmath.phase(turned)) <= radians(told.reach) else turned
     tip, hue = start + size * along, Hue.BLACK if one.is_right else Hue.ALARM
     yield Stroke(points=(start, tip), width=RESULT, dash=Dash.DASHED, hue=hue, layer=Layer.OVER)
     for side in (-_HALF, _HALF):

@@ -1,0 +1,42 @@
+"""What a student wrote of a vector is drawn over the exact one, its direction as it was written: in degrees or by an
+arrow."""
+
+from __future__ import annotations
+
+import cmath
+from math import degrees
+from pathlib import Path
+
+import pytest
+
+from tests.marked.classes import NUMBERS, answers, graded, register, wide
+from vecpoly.drawing.scene import Stroke
+from vecpoly.drawing.style import Dash
+from vecpoly.marked.out.overlay import overlays
+from vecpoly.solution import solve
+
+
+@pytest.mark.parametrize(("behind", "right"), [("", True), ("AS IS", True), ("ROUGHLY", True), ("BACK", False)])
+def test_an_arrow_is_drawn_where_it_points(tmp_path: Path, behind: str, right: bool) -> None:
+    sheet = register().sheet(NUMBERS[0])
+    assert sheet is not None
+    exact = sheet.parts[0].key["v_E"]
+    assert exact.degrees is not None
+    rough = "→↗↑↖←↙↓↘"[round(exact.degrees / 45) % 8]
+    back = "→↗↑↖←↙↓↘"[(round(exact.degrees / 45) + 4) % 8]
+    told = {"": "", "AS IS": f" ∠{exact.degrees:.1f}°", "ROUGHLY": f" {rough}", "BACK": f" {back}"}[behind]
+    mine = answers(NUMBERS[0]) | {"v_E": f"{exact.exact:.4g} m/s{told}"}
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", {NUMBERS[0]: mine}))
+    marked = done.results[0].marks["3-9"]
+    assert marked["v_E"].is_right is right
+    drawn = [
+        scene for _, scene in overlays(solve(register().variant(sheet.parts[0]), repeats=0).construction, marked, "en")
+    ]
+    ways = [
+        degrees(cmath.phase(item.points[1] - item.points[0]))
+        for scene in drawn
+        for item in scene.items
+        if isinstance(item, Stroke) and item.dash is Dash.DASHED and len(item.points) == 2
+    ]
+    gap = min(abs((way - exact.degrees + 180) % 360 - 180) for way in ways)
+    assert (gap < 1.0) or not right
