@@ -43,7 +43,7 @@ from .question.sketch import sketched
 from .tables import given_tables, printed_table
 from .templates import filled
 from .titles import subject
-from .verdicts import verdicts
+from .verdicts import by_size, verdicts
 from .verification import beside_exact, heads_told, verification_table
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
@@ -217,6 +217,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "graphical": any(
             c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers
         ),
+        "by_size": any(by_size(c.printed.rel) for c in checked.answers),
         "design": isinstance(solution.problem.subject, Design),
         "printed": objects.add("tab", printed) if printed is not None else "",
         "verdicts": verdicts(solution, checked, lang),

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from ..check.printed.answers import PrintedCheck
 from ..check.printed.verdict import Verdict
+from ..names import Key
 from ..solution import Solution
 from ..words import Lang, Words, stopped
 from .tables import counted, percent, symbol_of
@@ -61,3 +62,8 @@ def _listed(texts: Sequence[str], lang: Lang) -> str:
     if len(texts) == 1:
         return texts[0]
     return _GAP[lang].join(f"({i}) {text}" for i, text in enumerate(texts, 1))
+
+
+def by_size(rel: Key | None) -> bool:
+    """Whether a printed answer is compared by its size where no sense is printed: a vector, what turns, a moment."""
+    return rel is not None and (rel.is_vector or rel.key.startswith(("omega_", "alpha_", "M_")))
