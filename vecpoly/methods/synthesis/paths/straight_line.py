@@ -14,6 +14,7 @@ from ....diagram.single import plate
 from ....plane import Points, nominal, unit
 from ....plane.geometry import cross
 from ....words import Words
+from ...devices.sketches.dimensions import dimension
 from ..chart import Axis, Chart, chart
 from ..draft import SHEET, Draft
 from ..linkage import drawn, pin, pivot, point
@@ -22,6 +23,7 @@ from .path import Path
 
 STATIONS, FINE = 9, 80
 FLAT = 0.5  # mm: E nearer to BC lies on it
+APART = 7.0  # mm from the curve to a dimension
 LEGIBLE = 2.0  # mm: of a narrower band on the drawing a reading says nothing
 
 
@@ -156,9 +158,10 @@ def _measured(draft: Draft, curve: Chart, places: list[complex], base: float) ->
     end, top = board.lay_off(np.complex128(0), 1 + 0j, right.real), board.lay_off(np.complex128(0), 1j, high.imag)
     for level in (top, np.complex128(0)):
         board.join(curve.place, level, level + right.real, Role.CENTRE)
-    for named, other, letters, mu in ((L, end, "L", scale.right), (BAND, top, "δ", scale)):
+    over, beside = complex(nominal(top)) + 1j * APART, complex(nominal(end)) + APART
+    for named, other, letters, mu, away in ((L, end, "L", scale.right, over), (BAND, top, "δ", scale, beside)):
         on_paper = board.measure(np.complex128(0), other, letters)
-        board.plot(curve.place, other / 2, letters, Dot.NONE)
+        dimension(draft, curve.place, away, away + complex(nominal(other)), letters)
         size = magnitude(mu.symbol, mu.value, "mm/mm") * on_paper
         draft.worked(draft.of_this(named), size)
         draft.read_off(draft.of_this(named), curve.place, on_paper, letters, mu)
