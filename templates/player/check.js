@@ -3,15 +3,29 @@ const check = {
   rule: JSON.parse(atob(one("#answers").textContent)),
   TENS: 7, NEAR: 0.05, // powers of ten, and how near a factor is one
 
-  // What was typed: its value, whether a sign was written, half a unit of its last digit, a direction behind ∠ or @; null for what is no number.
+  // A direction in words or as an arrow, and how far to either side it reaches (deg); as grading/reading/direction.py has it.
+  WINDS: {
+    "↗|右上|upper right": 45, "↖|左上|upper left": 135, "↙|左下|lower left": 225, "↘|右下|lower right": 315,
+    "→|右|right": 0, "↑|上|up(?:wards?)?": 90, "←|左|left": 180, "↓|下|down(?:wards?)?": 270,
+  },
+  wind(text) {
+    for (const [signs, degrees] of Object.entries(check.WINDS)) {
+      const found = new RegExp(`[\\s,;(]*(?:方向|指向)?\\s*[:=]?\\s*(?:水平|竖直|铅垂|铅直|to the)?\\s*[向朝往]?\\s*(?:${signs})方?[\\s).]*$`, "i").exec(text);
+      if (found) return { degrees, reach: degrees % 90 ? 45 : 22.5, before: text.slice(0, found.index) };
+    }
+    return null;
+  },
+
+  // What was typed: its value, whether a sign was written, half a unit of its last digit, a direction behind it; null for what is no number.
   read(text) {
     const turned = /[,;]?\s*(?:∠|@|方向(?:角)?\s*[:=]?|at)\s*([+-]?\d+(?:\.\d+)?)\s*(?:°|deg|度)?\s*$/i;
-    const whole = text.normalize("NFKC").trim().replace(/[−–]/g, "-"), behind = turned.exec(whole);
-    const plain = whole.replace(turned, "").replace(/°$/, "").trim().replace(/\s*[×x*]\s*10\^?\s*([-+]?\d+)$/, "e$1").replace(/^([-+]?\d+),(\d+)$/, "$1.$2");
+    const whole = text.normalize("NFKC").trim().replace(/[−–]/g, "-"), behind = turned.exec(whole), wind = behind ? null : check.wind(whole);
+    const plain = (wind ? wind.before : whole.replace(turned, "")).replace(/°$/, "").trim().replace(/\s*[×x*]\s*10\^?\s*([-+]?\d+)$/, "e$1").replace(/^([-+]?\d+),(\d+)$/, "$1.$2");
     const found = /^([-+]?)(\d*)(?:\.(\d*))?(?:e([-+]?\d+))?$/i.exec(plain);
     if (!found || !(found[2] || found[3])) return null;
     const half = 0.5 * 10 ** ((+found[4] || 0) - (found[3] || "").length);
-    return { value: Number(plain), signed: found[1] !== "", half, direction: behind ? Number(behind[1]) : null };
+    const direction = behind ? Number(behind[1]) : wind ? wind.degrees : null;
+    return { value: Number(plain), signed: found[1] !== "", half, direction, around: wind ? wind.reach : 0 };
   },
 
   // right, close, sense, direction, unsaid, wrong; as grading/compare/band.py has it. target: x, t, deg, mm.
@@ -27,7 +41,8 @@ const check = {
     if (Math.abs(x) <= t) return "";
     if (row.kind === "si") return !mine.sense ? "unsaid" : mine.sense > 0 !== x > 0 ? "sense" : "";
     if (row.kind !== "ve" || mine.direction === null || deg === null || mm !== null && mm < check.rule.short) return "";
-    const reach = Math.max(check.rule.turned, check.rule.wrong * check.rule.k * row.scatter, t / Math.abs(x) * 180 / Math.PI);
+    const hand = Math.max(check.rule.turned, check.rule.wrong * check.rule.k * row.scatter, t / Math.abs(x) * 180 / Math.PI);
+    const reach = hand + mine.around;
     const off = check.apart(mine.direction, deg);
     return off <= reach ? "" : Math.abs(off - 180) <= reach ? "sense" : "direction";
   },
@@ -38,10 +53,10 @@ const check = {
 
   // What was typed, with a sense or a direction beside it; null for what is no number.
   given(index, text, sense = 0, aim = "") {
-    const mine = check.read(text), along = check.read(aim);
-    if (!mine) return null;
+    const mine = check.read(text), wind = check.wind(aim), along = wind ? null : check.read(aim);
+    if (!mine || aim.trim() && !wind && !along) return null;
     mine.sense = sense || (mine.signed ? Math.sign(mine.value) || 1 : 0);
-    if (along) mine.direction = along.value;
+    if (along || wind) [mine.direction, mine.around] = wind ? [wind.degrees, wind.reach] : [along.value, 0];
     return mine;
   },
 

@@ -123,6 +123,20 @@ def test_a_direction_is_looked_at_where_it_is_written(off: float, verdict: str, 
         assert json.loads(page.value(f"JSON.stringify({call})")) == {"verdict": verdict, "said": [sentence]}
 
 
+@pytest.mark.parametrize(("turn", "verdict"), [(0, "right"), (4, "wrong"), (2, "wrong")])
+def test_an_arrow_is_looked_at_as_the_marking_does(turn: int, verdict: str, page: Page) -> None:
+    at(page, "3-9")
+    index = [one.key for one in asked("3-9")].index("v_E")
+    one = asked("3-9")[index]
+    assert one.degrees is not None
+    text, arrow = f"{one.exact:.4g}", "→↗↑↖←↙↓↘"[(round(one.degrees / 45) + turn) % 8]
+    (mine,) = check_answers(load("3-9"), {"v_E": f"{text} {arrow}"}).answers
+    assert mine.is_right is (verdict == "right")
+    for call in (f"check.judge({index}, '{text}', 0, '{arrow}')", f"check.judge({index}, '{text} {arrow}')"):
+        assert json.loads(page.value(f"JSON.stringify({call})"))["verdict"] == verdict
+    assert json.loads(page.value(f"JSON.stringify(check.judge({index}, '{text}', 0, 'there'))"))["said"] == ["unread"]
+
+
 def test_the_sentence_names_the_own_value_as_it_was_typed(page: Page) -> None:
     at(page, "3-9")
     names = [one.key for one in asked("3-9")]
