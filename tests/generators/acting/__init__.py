@@ -4,6 +4,7 @@ friction, masses, pins that a link carries, cams, thrusts."""
 from __future__ import annotations
 
 from . import cams as cams
+from . import helped as helped
 from . import laws as laws
 from . import locking as locking
 from . import thrusts as thrusts
