@@ -119,3 +119,18 @@ def test_a_problem_that_asks_nothing_is_told_what_it_might_ask() -> None:
     problem = loads(FOUR_BAR.replace("find: [v_C]\n", ""))
     assert problem.id == "四杆-1" and problem.title.en == problem.title.zh == "铰链四杆机构"
     assert "find: [v_C, a_C, omega_3, alpha_3]" in nothing_asked(problem).en and not nothing_asked(loads(FOUR_BAR)).en
+
+
+def test_of_what_is_known_the_numbered_ones_are_not_listed() -> None:
+    """AB, and not AB_1 to AB_9 for each of nine solutions."""
+    text = "id: t\ntitle: t\nsynthesis: angle-pairs\ndata:\n  guide: on y = 19 mm\n"
+    text += "  pairs: [51 deg -> 123 mm, 78 deg -> 99 mm, 114 deg -> 93 mm]\nfind: [omega_1]\n"
+    with pytest.raises(ProblemFileError, match=r"known: AB, BC, delta_B$"):
+        loads(text)
+
+
+def test_lengths_that_are_nothing_beside_the_others_end_in_no_traceback() -> None:
+    text = load("whitworth-by-K").text.replace("id: whitworth-by-K", "id: x")
+    at = text.index("AB: ")
+    changed = text[:at] + "AB: 1e-19 m" + text[text.index(",", at) :]
+    assert solve(loads(changed), repeats=0).answers["theta"].exact == pytest.approx(60.0)

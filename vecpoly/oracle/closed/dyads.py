@@ -23,7 +23,7 @@ ROUND = 1e-13  # what rounding leaves of a vanishing square
 
 def _root(square: Reals) -> Reals:
     """Square root; NaN where negative beyond rounding."""
-    if square.min() < 0:
+    if square.min(initial=0.0) < 0:
         square = np.where(square > -ROUND, np.maximum(square, 0.0), np.nan)
     root: Reals = np.sqrt(square)
     return root

@@ -57,8 +57,9 @@ def meant(word: str, known: Iterable[str]) -> Words:
     close = get_close_matches(word, names, n=1, cutoff=0.6) or get_close_matches(word.lower(), names, n=1)
     if close:
         return Words(f"；是否指“{close[0]}”？", f"; did you mean '{close[0]}'?")
-    there = ", ".join(names)
-    return Words(f"；已有：{there}", f"; known: {there}") if 0 < len(names) <= 30 else Words.same("")
+    plain = [name for name in names if name.rpartition("_")[0] not in names]  # not AB_1 to AB_9 beside AB
+    there = ", ".join(plain)
+    return Words(f"；已有：{there}", f"; known: {there}") if 0 < len(plain) <= 30 else Words.same("")
 
 
 def not_on_link(letter: str, link: str, points: Iterable[str]) -> FaultError:
