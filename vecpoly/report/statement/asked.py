@@ -20,6 +20,7 @@ _MEANT = {
     "h": Words("原动件上力偶的力臂 {}", "the arm {} of the couple on the input link"),
     "eta": Words("效率 {}", "the efficiency {}"),
 }
+_CHECKED = "_sine"
 ALL_CENTRES = Words("全部瞬心", "all instant centres")
 T = TypeVar("T")
 
@@ -54,13 +55,17 @@ def in_order(solution: Solution) -> list[tuple[Group | None, list[str]]]:
 
 
 def _listed(solution: Solution) -> Iterator[tuple[str, Ask | None]]:
-    """Each question by the key by which its kind is known; None where all instant centres are asked."""
+    """Each question by the key by which its kind is known; None where all instant centres are asked. That a quantity is
+    checked by the sine rule is no question of its own."""
     coriolis = {ask.rel.key for ask in solution.problem.asks if isinstance(ask, AskCoriolis)}
     centres = [ask.rel for ask in solution.problem.asks if isinstance(ask, AskNamed) and is_centre(ask.rel)]
     every = bool(centres) and len(centres) == count(solution.problem.mechanism)
     if every:
         yield "", None
+    keys = {ask.rel.key for ask in solution.problem.asks}
     for ask in solution.problem.asks:
+        if ask.rel.key.endswith(_CHECKED) and ask.rel.key.removesuffix(_CHECKED) in keys:
+            continue
         if (ask.rel.key in coriolis and not isinstance(ask, AskCoriolis)) or (every and ask.rel in centres):
             continue
         plain = isinstance(ask, AskPoint | AskCoriolis) or is_place(ask.rel)
