@@ -17,13 +17,14 @@ from ..check.structure import dependence
 from ..drawing.beside import beside as drawn_apart
 from ..mechanism.model import Mechanism
 from ..problem.asked.asks import AskCoriolis, AskNamed
-from ..solution import Answer, Solution, fewer_digits
+from ..solution import YES_NO, Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
 from .answers.asked_in_words import answered_in_words
 from .sources import printed_source
 from .statement.asked import asked
 from .statement.structure import numbering, structure
 from .tables import listed
+from .values import called, value
 
 
 @dataclass(slots=True)
@@ -146,12 +147,24 @@ def cautions(solution: Solution, lang: Lang) -> list[str]:
 def _disagreed(wrong: list[Answer]) -> Words:
     """Counts in which no hand can err, and what the oracle says."""
     ours, its = (
-        ", ".join(f"${answer.reading.symbol}$ = {number(value)}" for answer, value in zip(wrong, values, strict=True))
-        for values in ([answer.drawn for answer in wrong], [answer.exact for answer in wrong])
+        sum((_counted(*one, n) for n, one in enumerate(zip(wrong, sizes, strict=True))), Words("", ""))
+        for sizes in ([answer.drawn for answer in wrong], [answer.exact for answer in wrong])
     )
     return Words(
-        f"注意：按计数 {ours.replace(', ', '，')}；按约束方程的秩{its.replace(', ', '，')}，二者不符，以后者为准。",
-        f"Beware: the count gives {ours}, the rank of the constraint equations {its}. They disagree; the latter holds.",
+        f"注意：按计数 {ours.zh}；按约束方程的秩 {its.zh}。二者不符，以后者为准。",
+        f"Beware: the count gives {ours.en}, the rank of the constraint equations {its.en}. "
+        "They disagree; the latter holds.",
+    )
+
+
+def _counted(answer: Answer, size: float, n: int) -> Words:
+    """F = 1; the motion is determined: no; n: behind how many others it stands."""
+    before = Words("，", ", ") if n else Words("", "")
+    if answer.reading.unit != YES_NO:
+        return before + Words.same(f"${answer.reading.symbol}$ = {number(size)}")
+    return before + Words(
+        f"{called('', answer.key, 'zh')}：{value(size, YES_NO, 'zh')}",
+        f"{called('', answer.key, 'en')}: {value(size, YES_NO, 'en')}",
     )
 
 
