@@ -3,17 +3,12 @@ const check = {
   rule: JSON.parse(atob(one("#answers").textContent)),
   TENS: 7, NEAR: 0.05, // powers of ten, and how near a factor is one
 
-  // A direction in words or as an arrow, and how far to either side it reaches (deg); as grading/reading/direction.py has it.
-  WINDS: {
-    "↗|右上|upper right": 45, "↖|左上|upper left": 135, "↙|左下|lower left": 225, "↘|右下|lower right": 315,
-    "→|右|right": 0, "↑|上|up(?:wards?)?": 90, "←|左|left": 180, "↓|下|down(?:wards?)?": 270,
-  },
+  // A direction in words or as an arrow, and how far to either side it reaches (deg): by the pattern of grading/reading/direction.py.
   wind(text) {
-    for (const [signs, degrees] of Object.entries(check.WINDS)) {
-      const found = new RegExp(`[\\s,;(]*(?:方向|指向)?\\s*[:=]?\\s*(?:水平|竖直|铅垂|铅直|to the)?\\s*[向朝往]?\\s*(?:${signs})方?[\\s).]*$`, "i").exec(text);
-      if (found) return { degrees, reach: degrees % 90 ? 45 : 22.5, before: text.slice(0, found.index) };
-    }
-    return null;
+    const found = new RegExp(check.rule.wind, "i").exec(text);
+    if (!found) return null;
+    const [degrees, reach] = check.rule.winds[found.slice(1).findIndex(sign => sign !== undefined)];
+    return { degrees, reach, before: text.slice(0, found.index) };
   },
 
   // What was typed: its value, whether a sign was written, half a unit of its last digit, a direction behind it; null for what is no number.

@@ -111,9 +111,7 @@ class Model:
             if group.loops is not None:
                 starts[i] = group.loops.places(env, starts[i])
                 env |= group.loops.solved(env, starts[i])
-            for equation in group.equations:
-                if equation.gives and isinstance(equation.left, Var):
-                    env[equation.left.symbol] = equation.right.value(env)
+            _reckon(group, env)
         return env
 
     def gaps(self, position: NDArray[np.float64]) -> Iterator[tuple[Equation, NDArray[np.float64]]]:
@@ -121,12 +119,18 @@ class Model:
         env: Values = {self.drive: position, **dict(self.given)} if self.closed else self.values(position)
         for group in self.groups:
             with np.errstate(invalid="ignore", divide="ignore"):  # at a change point rates have no value
-                for equation in group.equations if self.closed else ():
-                    if equation.gives and isinstance(equation.left, Var):
-                        env[equation.left.symbol] = equation.right.value(env)
+                if self.closed:
+                    _reckon(group, env)
                 found = [
                     (equation, np.abs(equation.left.value(env) - equation.right.value(env)))
                     for equation in group.equations
                     if not equation.gives
                 ]
             yield from found
+
+
+def _reckon(group: GroupModel, env: Values) -> None:
+    """Every variable of the group that an equation gives, in order."""
+    for equation in group.equations:
+        if equation.gives and isinstance(equation.left, Var):
+            env[equation.left.symbol] = equation.right.value(env)

@@ -39,13 +39,13 @@ _ACCELERATED = Words(
 
 
 def _is_accelerated_for_nothing(problem: Problem, mech: Mechanism) -> bool:
-    sought = [*problem.asks, *problem.printed]  # of a point with a given acceleration the place
+    sought = [*problem.asks, *problem.printed]
     return (
         any(drive.accel for drive in mech.drives)
         and problem.loads is None
         and problem.machine is None
         and bool(problem.asks)
-        and not any(isinstance(one, AskPoint) for one in problem.asks)
+        and not any(isinstance(one, AskPoint) for one in sought)  # the place of a point with a given acceleration
         and all(isinstance(one.rel, Rel) and one.rel.kind in (Kind.P, Kind.V, Kind.OMEGA) for one in sought)
     )
 

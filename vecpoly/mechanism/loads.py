@@ -172,6 +172,12 @@ class Loads:
         """Whether accelerations are needed."""
         return self.inertia and bool(self.masses)
 
+    @property
+    def helps(self) -> bool:
+        """Whether the balancing load may turn round and drive with the others where friction takes more than they
+        give: against inertia, or because it is called driving."""
+        return self.dynamic or self.unknown.role == "driving"
+
     def on(self, link: str) -> tuple[Load, ...]:
         """The forces and moments on a link, the balancing one included."""
         return tuple(load for load in self.all if load.link == link)

@@ -15,6 +15,7 @@ from ..algebra.quantity import number
 from ..grading.compare.band import target_of
 from ..grading.derive.keyed import answer_key
 from ..grading.key import AnswerKey, Graded, Kind
+from ..grading.reading.direction import WIND, WINDS
 from ..grading.rules import USUAL_RULES
 from ..grading.slips.mutants import Mutant, mutants
 from ..grading.slips.single import mistaken_for
@@ -76,6 +77,7 @@ def box(problem: Problem, faces: Faces) -> Box:
     rule = {
         "lone": LONE, "margin": MARGIN, "k": allowance.k, "wrong": allowance.wrong, "turned": allowance.direction,
         "short": allowance.short, "reach": USUAL_RULES.reach, "rows": rows,
+        "wind": WIND.pattern, "winds": [[one.degrees, one.reach] for one in WINDS],
     }  # fmt: skip
     data = b64encode(json.dumps(rule, separators=(",", ":")).encode()).decode()
     return Box(questions=tuple(_question(one, faces) for one in asked), sentences=tuple(said.items()), data=data)

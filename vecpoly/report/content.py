@@ -147,22 +147,22 @@ def cautions(solution: Solution, lang: Lang) -> list[str]:
 def _disagreed(wrong: list[Answer]) -> Words:
     """Counts in which no hand can err, and what the oracle says."""
     ours, its = (
-        sum((_counted(*one, n) for n, one in enumerate(zip(wrong, sizes, strict=True))), Words("", ""))
+        [_counted(answer, size) for answer, size in zip(wrong, sizes, strict=True)]
         for sizes in ([answer.drawn for answer in wrong], [answer.exact for answer in wrong])
     )
     return Words(
-        f"注意：按计数 {ours.zh}；按约束方程的秩 {its.zh}。二者不符，以后者为准。",
-        f"Beware: the count gives {ours.en}, the rank of the constraint equations {its.en}. "
-        "They disagree; the latter holds.",
+        f"注意：按计数 {'，'.join(one.zh for one in ours)}；按约束方程的秩 {'，'.join(one.zh for one in its)}。"
+        "二者不符，以后者为准。",
+        f"Beware: the count gives {', '.join(one.en for one in ours)}, the rank of the constraint equations "
+        f"{', '.join(one.en for one in its)}. They disagree; the latter holds.",
     )
 
 
-def _counted(answer: Answer, size: float, n: int) -> Words:
-    """F = 1; the motion is determined: no; n: behind how many others it stands."""
-    before = Words("，", ", ") if n else Words("", "")
+def _counted(answer: Answer, size: float) -> Words:
+    """F = 1; the motion is determined: no."""
     if answer.reading.unit != YES_NO:
-        return before + Words.same(f"${answer.reading.symbol}$ = {number(size)}")
-    return before + Words(
+        return Words.same(f"${answer.reading.symbol}$ = {number(size)}")
+    return Words(
         f"{called('', answer.key, 'zh')}：{value(size, YES_NO, 'zh')}",
         f"{called('', answer.key, 'en')}: {value(size, YES_NO, 'en')}",
     )

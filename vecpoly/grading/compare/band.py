@@ -83,7 +83,7 @@ def _turned(given: Measured, graded: Graded, target: Target, rule: Allowance) ->
         return None
     if target.mm is not None and target.mm < rule.short:
         return None
-    off = abs((given.direction.degrees - target.degrees + 180.0) % 360.0 - 180.0)
+    off = given.direction.beside(target.degrees)
     hand = max(rule.direction, rule.wrong * rule.k * graded.turned, degrees(target.allowed / abs(target.value)))
     reach = hand + given.direction.reach
     if off <= reach:

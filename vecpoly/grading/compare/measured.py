@@ -62,7 +62,9 @@ def measured(written: Written, graded: Graded, scale: float | None = None) -> Me
 
 def _beside_the_point(written: Written, graded: Graded) -> bool:
     """A sense of turning of what moves along a line, or a direction of what turns."""
-    return bool(written.sense) if graded.kind is Kind.VECTOR else graded.kind is Kind.SIGNED and bool(written.direction)
+    if graded.kind is Kind.VECTOR:
+        return written.sense != 0
+    return graded.kind is Kind.SIGNED and written.direction is not None
 
 
 def _number_for_yes(written: Written, graded: Graded) -> Measured | None:

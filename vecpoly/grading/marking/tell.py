@@ -85,9 +85,9 @@ def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Itera
     if outcome is Outcome.SENSE:
         yield message({Kind.SIGNED: Told.SENSE, Kind.VECTOR: Told.REVERSED}.get(one.kind, Told.SIGN))
     elif outcome is Outcome.DIRECTION:
-        pointing, exact = found.given[one.key].direction, one.degrees or 0.0
-        direction = pointing.degrees if pointing is not None else 0.0
-        yield message(Told.DIRECTION, d=f"{abs((direction - exact + 180) % 360 - 180):.0f}")
+        direction = found.given[one.key].direction
+        assert direction is not None and one.degrees is not None
+        yield message(Told.DIRECTION, d=f"{direction.beside(one.degrees):.0f}")
     elif one.kind is Kind.YES_NO and (said is None or said.id is Told.TWO_SLIPS):
         yield message(Told.NOT_RIGHT)
     elif said is None or said.id in (Told.TWO_SLIPS, Told.SWAPPED):

@@ -9,7 +9,7 @@ _ANGLE = r"([+-]?\d+(?:\.\d+)?)\s*"
 _DEGREES = re.compile(rf"[,;]?\s*(?:∠|@|方向(?:角)?\s*[:=]?|at)\s*{_ANGLE}(?:°|deg|度)?\s*$", re.I)
 _UNIT = r"(?:(?<=[a-z秒米牛分度])|(?<=\^[2-4]))"  # an angle behind a unit needs no sign
 _BEHIND = re.compile(rf"{_UNIT}[\s,;]+{_ANGLE}(?:°|deg|度)\s*$", re.I)
-_WINDS = {  # slanting ones first: 左上 is not 上
+_SIGNS = {  # slanting ones first: 左上 is not 上
     45.0: "↗|⇗|右上|upper right",
     135.0: "↖|⇖|左上|upper left",
     225.0: "↙|⇙|左下|lower left",
@@ -21,8 +21,8 @@ _WINDS = {  # slanting ones first: 左上 is not 上
 }
 _NAMED = r"[\s,;(]*(?:方向|指向|dir(?:ection)?\.?)?\s*[:=]?\s*"
 _LED = r"(?:水平|竖直|铅垂|铅直|horizontally|vertically|to the)?\s*[向朝往]?\s*"
-_WIND = re.compile(_NAMED + _LED + "(?:" + "|".join(f"({signs})" for signs in _WINDS.values()) + r")方?[\s).]*$", re.I)
-STRAIGHT, SLANTING = 22.5, 45.0  # deg: how far → and ↗ reach to either side
+WIND = re.compile(_NAMED + _LED + "(?:" + "|".join(f"({signs})" for signs in _SIGNS.values()) + r")方?[\s).]*$", re.I)
+_STRAIGHT, _SLANTING = 22.5, 45.0  # deg: how far → and ↗ reach to either side
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,12 +32,18 @@ class Pointing:
     degrees: float
     reach: float = 0.0
 
+    def beside(self, degrees: float) -> float:
+        """How far from another direction (deg, at most 180)."""
+        return abs((self.degrees - degrees + 180.0) % 360.0 - 180.0)
+
+
+WINDS = tuple(Pointing(at, _SLANTING if at % 90.0 else _STRAIGHT) for at in _SIGNS)  # a group of WIND each
+
 
 def split_direction(text: str) -> tuple[str, Pointing | None]:
     """The text before its direction, and the direction; None where it has none."""
     if (told := _DEGREES.search(text) or _BEHIND.search(text)) is not None:
         return text[: told.start()], Pointing(float(told[1]))
-    if (wind := _WIND.search(text)) is not None and wind.lastindex is not None and wind.start():
-        degrees = [*_WINDS][wind.lastindex - 1]
-        return text[: wind.start()], Pointing(degrees, SLANTING if degrees % 90.0 else STRAIGHT)
+    if (wind := WIND.search(text)) is not None and wind.lastindex is not None and wind.start():
+        return text[: wind.start()], WINDS[wind.lastindex - 1]
     return text, None

@@ -24,7 +24,6 @@ _LATIN = (
     (r"rev(?=/)", "r"),
     (r"1/s", "rad/s"),
     (r"deg\.", "deg"),
-    (r"(.*)/sec(.*)", r"\1/s\2"),
     (r"N\.?mm", "N*mm"),
     (r"N\.?m", "N*m"),
     (r"kN\.?m", "kN*m"),
@@ -59,7 +58,8 @@ def _spelt(text: str) -> str:
     for chinese, plain in _CHINESE:
         found = found.replace(chinese, plain)
     for pattern, latin in _LATIN:
-        found = re.sub(rf"^(?:{pattern})$", latin, found, flags=re.I if latin == "rpm" else 0)
+        found = latin if re.fullmatch(pattern, found, re.I if latin == "rpm" else 0) else found
+    found = re.sub(r"/sec(?![a-z])", "/s", found)
     found = re.sub(r"(?<=[A-Za-z秒米分])\s*([2-4])(?![\d.])", r"^\1", found)  # m/s2
     found = re.sub(r"\s*[·*.]\s*|(?<=[\w)])\s+(?=[\w(])", "*", found)
     return re.sub(r"(s|秒)/\1$", r"\1^2", found).replace(" ", "").replace("^", "**")  # m/s/s

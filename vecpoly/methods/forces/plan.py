@@ -187,10 +187,9 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: D
 
 def _refuse_locked(ideal: Statics, st: Statics) -> None:
     """Friction may only lower a resisting load, not through zero:
-    it would have to help. Inertia forces may turn it round, and one that is called driving may help."""
+    it would have to help, which not every load may."""
     before, after = float(nominal(ideal.balance)), float(nominal(st.balance))
-    helps = st.loads.dynamic or st.unknown.role == "driving"
-    if not helps and before * after <= 0 and abs(before) > NOTHING * abs(after):
+    if not st.loads.helps and before * after <= 0 and abs(before) > NOTHING * abs(after):
         raise LockedError(
             Words(
                 f"{st.unknown.name} 有摩擦时为 {after:.4g}，无摩擦时为 {before:.4g}：它反向后须帮助运动；"

@@ -44,6 +44,6 @@ def balanced(mech: Mechanism, loads: Loads, position: ArrayLike | None, *, stric
         judge.senseless(system, rates, moving)
         dry, wet, reached = solved(system, skip)
         judge.unsolved(dry)
-        judge.locked(system, (dry, wet), reached, loads.dynamic or loads.unknown.role == "driving", rates)
+        judge.locked(system, (dry, wet), reached, loads.helps, rates)
         judge.parting(system, wet)
     return Equilibrium(mech, loads, motion, rates, system, dry, wet.without(judge.lost), judge.causes, stands)

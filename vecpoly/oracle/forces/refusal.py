@@ -112,8 +112,7 @@ class Judge:
     def locked(
         self, system: System, balances: tuple[Balance, Balance], reached: Reals, helps: bool, rates: Bodies
     ) -> None:
-        """LockedError where the driving loads cannot move the mechanism against its friction; helps: the balancing load
-        may turn round and drive with them, against inertia or because it is called driving."""
+        """LockedError where the driving loads cannot move the mechanism against its friction; helps: as of `Loads`."""
         dry, wet = balances
         free, lever = system.free, system.free.power(rates)
         before, after = dry.load * lever, wet.load * lever

@@ -11,7 +11,6 @@ from ...solution import Answer
 from ..values import rough
 
 NOTHING = "—"
-DIGITS = tuple("0123456789")
 SMALL, ROUND = 1e-5, 100.0  # smaller errors are told by powers of ten, larger ones in tens
 
 
@@ -20,11 +19,16 @@ def beside(answers: Sequence[Answer], deviations: Sequence[str]) -> list[str]:
     where there is no deviation in the printed unit, beside the number; nothing of what was computed."""
     found = [NOTHING] * len(answers)
     for sign in ("", "°", NOTHING):
-        rows = [n for n, off in enumerate(deviations) if off.endswith(sign or DIGITS) and not answers[n].computed]
+        rows = [n for n, off in enumerate(deviations) if _sign(off) == sign and not answers[n].computed]
         sizes = [_size(answers[n], sign) for n in rows]
         for n, text in zip(rows, alike(sizes), strict=True):
             found[n] = f"{text}{sign}" if sign != NOTHING else f"{text} {printed_unit(answers[n].reading.unit)[1]}"
     return [text.strip() for text in found]
+
+
+def _sign(off: str) -> str:
+    """What stands behind a deviation: ° of an angle, nothing of per cents; NOTHING where there is none."""
+    return off if off == NOTHING else "°" if off.endswith("°") else ""
 
 
 def _size(answer: Answer, sign: str) -> float:

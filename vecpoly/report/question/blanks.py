@@ -103,7 +103,7 @@ def kinds(steps: Sequence[Step], lang: Lang) -> list[str]:
         name + _FRICTION[without].of(lang) if name in twice else name for name, without in zip(told, ideal, strict=True)
     ]
     return [
-        f"{name}{_OF.of(lang).format(_whose(step, lang))}" if told.count(name) > 1 and _whose(step, lang) else name
+        f"{name}{_OF.of(lang).format(whose)}" if told.count(name) > 1 and (whose := _whose(step, lang)) else name
         for name, step in zip(told, steps, strict=True)
     ]
 

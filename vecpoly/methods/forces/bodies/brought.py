@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from ....board.board import NO_LENGTH
 from ....mechanism.groups.assur import ends
 from ....mechanism.model import Prismatic, Rolling
 from ....plane import nominal
@@ -12,9 +13,9 @@ from ....plane.geometry import cross
 from ....words import Words
 from ..acting import Acting
 from ..state import Statics
+from .arrows import REACH
 
-NO_LENGTH = 1e-9  # mm of a vector
-AWAY, REACH = 45.0, 80.0  # mm: so far from its block the reaction of a guide leaves the free body, any other force
+AWAY = 45.0  # mm: farther from its block the reaction of a guide leaves the free body, as any force beyond REACH
 
 
 def brought_near(
