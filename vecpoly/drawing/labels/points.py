@@ -10,6 +10,7 @@ from ...algebra.formula import Row, Txt, row
 from ...board.paper.marks import Dot, Mark, Point, Role, Segment
 from ...board.strokes import OVERRUN
 from ...typeset import Box, layout, layout_words
+from ...typeset.atoms import is_unit
 from ...words import Lang, Words
 from ..hues import Tones, line_hue
 from ..style import LETTER, NOTE, THIN, Hue
@@ -23,7 +24,6 @@ Named = tuple[complex, list[Point]]  # a place, and the points that have a name 
 ON_LINE, PARALLEL = 0.5, 0.05  # mm by which a line is off one with it; sine of an angle between lines of one direction
 INNER = 0.3  # of a line: a letter nearer to an end is the name of the end
 MEASURED = (Role.CONSTRUCTION, Role.IDEAL)
-AXIS = re.compile(r"(.+)(/(?:mm|m|rad|s))")  # what is set out along an axis, and its unit
 RATE = re.compile(r"d([a-zψ])/d([tφ])")  # a derivative: its d are no symbols
 NAMED = (Role.CENTRE, Role.HIDDEN)  # lines that have a name at an end
 
@@ -38,8 +38,8 @@ def _lettered(text: str) -> Box:
     """A symbol in type, of an axis with its unit upright; the same few come again and again."""
     if (rate := RATE.fullmatch(text)) is not None:
         return layout(Row((Txt("d"), *row(rate[1]).items, Txt("/d"), *row(rate[2]).items)), LETTER)
-    axis = AXIS.fullmatch(text)
-    return layout(row(text) if axis is None else Row((*row(axis[1]).items, Txt(axis[2]))), LETTER)
+    symbol, stroke, unit = text.partition("/")
+    return layout_words(f"${symbol}$/{unit}", LETTER) if stroke and is_unit(unit) else layout(row(text), LETTER)
 
 
 def points(marks: tuple[Mark, ...], taken: list[Spot], lang: Lang, tones: Tones) -> Iterable[Want]:
