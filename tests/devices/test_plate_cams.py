@@ -82,6 +82,33 @@ def test_the_least_circle_keeps_both_pressure_angles() -> None:
     assert angles == pytest.approx(CASES["r0-1"]["results"]["alpha_max_with_minimum"], rel=1e-5)
 
 
+@settings(max_examples=often(20), deadline=None)
+@given(rise=st.floats(20, 50), back=st.floats(40, 80), start=st.floats(10, 60), turns=st.sampled_from(["ccw", "cw"]))
+def test_with_the_start_bounded_no_smaller_circle_keeps_all_three_pressure_angles(
+    rise: float, back: float, start: float, turns: str
+) -> None:
+    """Against all places of O on a grid of directions: by the cam's motion alone, no bounds drawn."""
+    allowed = {"rise": f"{rise} deg", "return": f"{back} deg", "start": f"{start} deg"}
+    cam = device("cam", follower={"knife": "yes"}, alpha=allowed, motion=MOTION, turns=turns)
+    assert isinstance(cam, Cam)
+    found, sense = agree(cam), 1 if turns == "ccw" else -1
+    e, s0 = sense * found["e"], found["s0"]
+    assert keeps(cam, e, s0, slack=1e-4) and not keeps(cam, 0.999 * e, 0.999 * s0)
+    around = np.radians(np.linspace(1, 179, 179))
+    assert not any(keeps(cam, 0.999 * found["r0"] * np.cos(at), 0.999 * found["r0"] * np.sin(at)) for at in around)
+
+
+def keeps(cam: Cam, e: float, s0: float, slack: float = 0.0) -> bool:
+    """Whether the follower's pressure angles (mm, the axis at (e, −s0)) stay under what is allowed of each stroke."""
+    assert cam.alpha and cam.alpha.start
+    good = np.arctan2(e, s0) <= cam.alpha.start.si + slack
+    for piece in (piece for piece in cam.pieces if piece.rises):
+        s, slope, _ = raised(piece, np.linspace(piece.start, piece.end, 721))
+        leaning = np.arctan2(piece.rises * (1e3 * slope - e), s0 + 1e3 * s)
+        good &= bool(leaning.max() <= (cam.alpha.rise if piece.rises > 0 else cam.alpha.back).si + slack)
+    return bool(good)
+
+
 # -- the laws of motion --------------------------------------------------------------------------------------------
 
 
@@ -250,6 +277,7 @@ TEXT = load("cam-roller-offset").text
         ("deg cosine", "deg cosin", "no law of motion; there are uniform"),
         ("rise 30 mm in 120 deg cosine", "rise quickly", "write e.g. rise 30 mm"),
         ("r0: 50 mm", "alpha: {rise: 30 deg, return: 95 deg}", "between 0 and 90 deg"),
+        ("r0: 50 mm", "alpha: {rise: 30 deg, return: 70 deg, start: 0 deg}", "alpha.start = 0 deg.*between 0 and 90"),
         ("r0: 50 mm", "", "write one of r0 and alpha"),
         ("stations: 15 deg", "stations: 2 deg", "5 … 45 deg"),
     ],

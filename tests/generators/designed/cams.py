@@ -52,4 +52,6 @@ def least_circle(rng: np.random.Generator) -> str:
         "turns": str(rng.choice(["ccw", "cw"])),
         "motion": _motion(rng, f"{rng.integers(10, 40)} mm"),
     }
+    if rng.integers(2):  # the other side is bounded too where the rise begins
+        data["alpha"] = data["alpha"].replace("}", f", start: {rng.integers(10, 60)} deg}}")
     return task("cam", data, "r0, e, s0", "device")

@@ -50,16 +50,20 @@ FINEST, COARSEST = 5.0, 45.0  # deg between stations
 
 
 class Allowed(BaseModel):
-    """The greatest pressure angles that are allowed, on the rise and on the return."""
+    """The greatest pressure angles that are allowed, on the rise and on the return.
+
+    start: to the other side where the rise begins (s = 0, ds/dφ = 0), if that is bounded too.
+    """
 
     model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True, populate_by_name=True)
     rise: Angle
     back: Angle = Field(alias="return")
+    start: Angle | None = None
 
     @model_validator(mode="after")
     def _are_acute(self) -> Allowed:
-        for key, angle in (("rise", self.rise), ("return", self.back)):
-            if not 0 < angle.si < pi / 2:
+        for key, angle in (("rise", self.rise), ("return", self.back), ("start", self.start)):
+            if angle and not 0 < angle.si < pi / 2:
                 raise FaultError(
                     Words(
                         f"alpha.{key} = {angle.text}：许用压力角应在 0 与 90 deg 之间；如写 30 deg",
@@ -179,7 +183,7 @@ class Cam(Device):
         """r0 or [α], follower, motion."""
         f, told = self.follower, [("r_0", self.r0)]
         if self.alpha:
-            told = [("[α_1]", self.alpha.rise), ("[α_2]", self.alpha.back)]
+            told = [("[α_1]", self.alpha.rise), ("[α_2]", self.alpha.back), ("[α_0]", self.alpha.start)]
         told += [("r_r", f.roller), ("e", f.offset)]
         if f.arm:
             told += [("l_{OA}", f.arm.OA), ("l_{AB}", f.arm.AB), ("d", f.arm.face)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import atan2, cos, degrees, sin
+from math import cos, sin
 
 import numpy as np
 
@@ -13,18 +13,18 @@ from ....devices.cams.asked import APEX, CENTRAL, R0, S0, E
 from ....devices.cams.cam import Allowed, Cam
 from ....devices.cams.motion import Piece
 from ....names import Named
-from ....plane import Line, Points, Reals, cross, foot, nominal
+from ....plane import Line, Points, Reals, cross, nominal
 from ....words import Words
 from ..bench import Bench, trial_board
 from ..inclined import between
 from .extremes import Merit, best
 from .laws import Lift, lift
+from .nearest import BELOW, MARK, nearest, tell_start, third_bound
 from .read.readings import length
 from .scales import DISPLACEMENT, LOOP
 
 EACH = 6  # stations of half a rise or a return that are drawn of the loop
-BELOW, MARK, BEYOND = 1.35, 24.0, 10.0  # how far the bounds run past the apex; mm: an angle mark, the axes
-ON = 1e-6  # mm, or °: a place so near to a bound lies on it
+BEYOND = 10.0  # mm: the axes past the loop
 
 
 def least_circle(bench: Bench, cam: Cam) -> None:
@@ -32,7 +32,11 @@ def least_circle(bench: Bench, cam: Cam) -> None:
     assert cam.alpha is not None
     bounds = _loop(bench, cam, cam.alpha)
     apex = _apex(bench, cam, bounds)
-    _tell_start(bench.board, _nearest(bench, cam, bounds, apex), cam.alpha)
+    third = third_bound(bench, cam.alpha.start.si, apex) if cam.alpha.start else None
+    at, letter = nearest(bench.board, bounds, apex, third)
+    _measured(bench, at, (R0, E, S0), letter, cam.sense)
+    if third is None:
+        tell_start(bench.board, at, cam.alpha)
     _central(bench, bounds)
 
 
@@ -131,62 +135,6 @@ def _measured(bench: Bench, at: Points, named: tuple[Named, Named, Named], lette
     right = 1 if float(nominal(at.real)) >= 0 else -1
     length(bench, named[1], LOOP, 0j, level, f"B_0 {letter}′", right * sense)
     length(bench, named[2], LOOP, level, at, f"{letter}′ {letter}")
-
-
-def _nearest(bench: Bench, cam: Cam, bounds: tuple[Line, Line], apex: Points) -> Points:
-    """The foot of the perpendicular from B_0 on a bound, where the other one allows it; else the apex."""
-    board = bench.board
-    feet = [foot(line, 0j) for line in bounds]
-    good = [_inside(spot, bounds) for spot in feet]
-    which = next((i for i, ok in enumerate(good) if ok), None)
-    board.step(
-        Words("区域内离 $B_0$ 最近的点：", "The point of the region below both lines that is nearest to $B_0$: ")
-        + (
-            Words(
-                "$B_0$ 到两线的垂足都在区域之外，最近点就是 $D$。", "both feet of the perpendiculars lie outside: $D$."
-            )
-            if which is None
-            else Words(
-                f"$B_0$ 到 $[α_{which + 1}]$ 界线的垂足 $E$ 在区域内，它比 $D$ 更近。",
-                f"the foot $E$ of the perpendicular on the bound of $[α_{which + 1}]$ lies in it and is nearer than "
-                "$D$.",
-            )
-        ),
-        LOOP,
-    )
-    at = apex
-    if which is not None:
-        across = board.parallel(0j, 1j * bounds[which].along)
-        at = board.meet(across, bounds[which], "")
-        board.plot(LOOP, at, "E", Dot.POINT)
-        board.right_angle(LOOP, at, bounds[which].along, -across.along)
-    _measured(bench, at, (R0, E, S0), "D" if which is None else "E", cam.sense)
-    return at
-
-
-def _tell_start(board: Board, at: Points, allowed: Allowed) -> None:
-    """Where the rise begins the follower is pushed to the other side, if O lies to the right: what is not bounded."""
-    spot = complex(nominal(at))
-    angle = degrees(atan2(spot.real, -spot.imag))
-    if angle <= degrees(allowed.rise.si) + ON:
-        return
-    board.step(
-        Words(
-            f"推程起始处（$s$ = 0，d$s$/d$φ$ = 0）的压力角即 $B_0 O$ 与纵轴的夹角，约 {angle:.0f}°，法线偏向另一侧，"
-            "大于 $[α_1]$。若这一侧也须限制，应再过 $B_0$ 作与纵轴成 $[α_1]$ 的第三条界线，$O$ 取在三线之下。",
-            "Where the rise begins ($s$ = 0, d$s$/d$φ$ = 0) the pressure angle is that between $B_0 O$ and the "
-            f"vertical, about {angle:.0f}°; the follower is pushed to the other side there, at more than $[α_1]$. If "
-            "that side is to be bounded too, a third line is drawn through $B_0$ at $[α_1]$ to the vertical, and $O$ "
-            "must lie below all three.",
-        ),
-        LOOP,
-    )
-
-
-def _inside(at: Points, bounds: tuple[Line, Line]) -> bool:
-    """Whether a place lies below both bounds: right of the first as it runs down, left of the second."""
-    spot, (one, two) = complex(nominal(at)), bounds
-    return bool(nominal(cross(one.along, spot - one.at)) > -ON and nominal(cross(two.along, spot - two.at)) < ON)
 
 
 def _central(bench: Bench, bounds: tuple[Line, Line]) -> None:
