@@ -26,7 +26,7 @@ from ..forces.masses import weights
 from ..forces.state import Statics
 from ..kinematics.doors import draw_drives, draw_group
 from ..kinematics.image import found_tip
-from ..positions.placed import elsewhere, refuse_told
+from ..positions.placed import elsewhere, refuse_profiles
 from ..registry import Stage
 
 JUMP = 1e-12  # rad: how closely the place is found at which a load begins or ends
@@ -60,7 +60,7 @@ def _drawn_once(mech: Mechanism, loads: Loads, phi: float) -> Station:
 
 def drawn(mech: Mechanism, loads: Loads, phi: float, by: Hand) -> Station:
     """As this hand draws it, with all its readings. Raises AssemblyError, DeadPointError."""
-    refuse_told(mech)
+    refuse_profiles(mech)
     desk = _desk(replace(mech, drives=(replace(mech.drive, accel=0.0), *mech.drives[1:])), phi, by)
     rate = mech.drive.rate
     here, pulls = found_loads(desk, replace(loads, inertia=False))

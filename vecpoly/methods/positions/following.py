@@ -8,7 +8,7 @@ change point, and the nearest is taken.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
@@ -22,6 +22,7 @@ from ..desk import Desk
 from ..kinematics.diagram.cam import letter_contacts
 from ..kinematics.doors import draw_drives, draw_group
 from ..registry import Stage
+from .rolled import Contacts, contacts, opened, rolled_on, with_told
 from .scratch import position_desk
 from .sides import Key, Sides
 
@@ -36,12 +37,13 @@ Places = dict[str, complex]
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Stand:
     """A place on the way: how far from the own position, where all letters are (m), which sides were taken; before:
-    this place and the last ones; desk: as it was drawn, where it still is at hand."""
+    this place and the last ones; rolled: how the gears stand; desk: as it was drawn, where it still is at hand."""
 
     way: float
     places: Places
     taken: Mapping[Key, int]
     before: tuple[tuple[float, Places], ...]
+    rolled: Contacts
     desk: Desk | None = None
 
     def led(self, way: float) -> Places:
@@ -98,10 +100,10 @@ class Follower:
         """The next place; None where one does not see how, unless strides come no shorter."""
         led = stand.led(way)
         try:
-            desk = self._drawn(way, led, stand.taken)
+            desk = self._rolled(stand, way, led, stand.taken)
             if last and desk.sides.nearest:
                 kept = {key: side for key, side in stand.taken.items() if key not in desk.sides.nearest}
-                desk = self._drawn(way, led, kept)
+                desk = self._rolled(stand, way, led, kept)
         except VecpolyError:
             if last:
                 raise
@@ -110,7 +112,7 @@ class Follower:
         if not last and (desk.sides.nearest or self._is_jump(stand.places, led, places)):
             return None
         before = ((way, places), *stand.before[:2])
-        return Stand(way=way, places=places, taken=desk.sides.taken, before=before, desk=desk)
+        return Stand(way=way, places=places, taken=desk.sides.taken, before=before, rolled=contacts(desk), desk=desk)
 
     def _is_jump(self, here: Places, led: Places, there: Places) -> bool:
         gone, off = (max((abs(there[p] - one[p]) for p in self.by_trial), default=0.0) for one in (here, led))
@@ -119,11 +121,15 @@ class Follower:
     def drawn(self, position: float) -> tuple[Desk, tuple[Group, ...]]:
         """The position diagram there by an exact hand, the drive at unit rate; and the groups."""
         stand = self.at(position)
-        return stand.desk or self._drawn(stand.way, stand.places, stand.taken), self.groups
+        return stand.desk or self._drawn(stand.way, stand.places, stand.taken, stand.rolled.told), self.groups
 
-    def _drawn(self, way: float, led: Places, kept: Mapping[Key, int]) -> Desk:
-        position = self.mech.drive.position + way
-        return drawn(moved(self.mech, position, led), self.groups, Sides(kept=kept))
+    def _rolled(self, stand: Stand, way: float, led: Places, kept: Mapping[Key, int]) -> Desk:
+        """Drawn where gears have rolled on from this place."""
+        return rolled_on(lambda told: self._drawn(way, led, kept, told), stand.rolled)
+
+    def _drawn(self, way: float, led: Places, kept: Mapping[Key, int], told: Sequence[float]) -> Desk:
+        mech = with_told(moved(self.mech, self.mech.drive.position + way, led), told)
+        return drawn(mech, self.groups, Sides(kept=kept))
 
     def comes_to(self, mech: Mechanism, places: Places) -> bool:
         """Whether it comes to these places at this mechanism's own position."""
@@ -147,7 +153,7 @@ class Assemblies:
         places = letters(desk)
         one = next((one for one in self.found if one.comes_to(mech, places)), None)
         if one is None:
-            one = _begun(mech, groups, places, desk.sides.taken)
+            one = _begun(mech, groups, desk)
             self.found.append(one)
         return one
 
@@ -158,7 +164,7 @@ def follower(mech: Mechanism) -> Follower:
 
     Raises AssemblyError, DeadPointError where its own position cannot be drawn.
     """
-    mech = replace(mech, drives=tuple(replace(drive, rate=1.0, accel=0.0) for drive in mech.drives))
+    mech = opened(replace(mech, drives=tuple(replace(drive, rate=1.0, accel=0.0) for drive in mech.drives)))
     return _assemblies(moved(mech, 0.0, {})).of(mech)
 
 
@@ -168,20 +174,21 @@ def _assemblies(bare: Mechanism) -> Assemblies:
     return Assemblies()
 
 
-def _begun(mech: Mechanism, groups: tuple[Group, ...], places: Places, taken: Mapping[Key, int]) -> Follower:
+def _begun(mech: Mechanism, groups: tuple[Group, ...], own: Desk) -> Follower:
+    places, taken = letters(own), own.sides.taken
     trial = [group for group in groups if group.dyad is None and group.ram is None]
     found = frozenset(p for group in trial for link in group.links for p in mech.link(link).points)
     step = (BY_TRIAL if trial else STEP) * (mech.scale if mech.drive.slide else 1.0)
     one = Follower(mech=mech, groups=groups, step=step, by_trial=found & places.keys())
-    before: tuple[tuple[float, Places], ...] = ((0.0, places),)
+    first = Stand(way=0.0, places=places, taken=taken, before=((0.0, places),), rolled=contacts(own))
     for way in (SEED * step, -SEED * step):
         try:
-            beside = letters(one._drawn(way, places, taken))
+            beside = letters(one._rolled(first, way, places, taken))
         except VecpolyError:
             continue
-        before = (*before, (way, beside))
+        first = replace(first, before=(*first.before, (way, beside)))
         break
-    one.stands[0] = Stand(way=0.0, places=places, taken=taken, before=before)
+    one.stands[0] = first
     return one
 
 
@@ -193,8 +200,8 @@ def moved(mech: Mechanism, position: float, led: Mapping[str, complex]) -> Mecha
 
 
 def is_followed(mech: Mechanism) -> bool:
-    """Whether what is known of the mechanism holds in all positions: of a profile, or of a gear, it need not."""
-    return not mech.starts and not mech.cams
+    """Whether what is known of the mechanism holds in all positions: of a profile it does not."""
+    return not mech.cams
 
 
 def drawn(mech: Mechanism, groups: tuple[Group, ...], sides: Sides | None = None) -> Desk:

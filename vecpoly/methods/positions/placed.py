@@ -12,6 +12,7 @@ from ...mechanism.model import Mechanism
 from ...words import Words
 from ..desk import Desk
 from .following import draw_positions, follower, is_followed, moved
+from .rolled import with_told
 from .scratch import position_desk
 from .sides import Sides
 
@@ -34,14 +35,15 @@ class There:
 def elsewhere(mech: Mechanism, position: float) -> There:
     """Followed to this position (rad, or m) from its own, where its statements are read.
 
-    What is known of a profile, or of a gear, holds for the own position alone: these are not followed, and drawn as the
-    statements say. Raises AssemblyError where the way there ends, DeadPointError likewise.
+    What is known of a profile holds for the own position alone: it is not followed, and drawn as the statements say.
+    Gears roll on. Raises AssemblyError where the way there ends, DeadPointError likewise.
     """
     if position == mech.drive.position or not is_followed(mech):
         return _as_told(mech, position)
     one = follower(mech)
     stand = one.at(position)
-    return There(mech=moved(mech, position, stand.places), groups=one.groups, sides=Sides(kept=stand.taken))
+    there = replace(moved(mech, position, stand.places), starts=with_told(one.mech, stand.rolled.told).starts)
+    return There(mech=there, groups=one.groups, sides=Sides(kept=stand.taken))
 
 
 def placed(desk: Desk, position: float) -> Desk:
@@ -75,18 +77,8 @@ def _on_scratch(desk: Desk, there: There) -> Desk:
     return scratch
 
 
-def refuse_told(mech: Mechanism) -> None:
-    """NoMethodError where a gear, or an arm that gears move, is told in the mechanism's own position only, or a profile
-    is replaced there only, so that no drawing knows how it stands in others."""
-    if mech.starts:
-        raise NoMethodError(
-            Words(
-                "齿轮（或其系杆）的位置只在图示位置给定，不能由图得出其在原动件其他位置时的位置；请用 vecpoly exact",
-                "gears, or arms that gears move, are told in the given position only, and no drawing on file follows "
-                "them to other positions of the drive; use 'vecpoly exact'",
-            ),
-            code="no-method",
-        )
+def refuse_profiles(mech: Mechanism) -> None:
+    """NoMethodError where a profile is replaced in the mechanism's own position only: no drawing follows it on."""
     if mech.cams:
         raise NoMethodError(
             Words(

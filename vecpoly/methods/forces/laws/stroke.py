@@ -31,7 +31,7 @@ _STAGES = (Stage.POSITION, Stage.VELOCITY)
 
 @dataclass(frozen=True, slots=True)
 class AsTold:
-    """A mechanism of which a profile, or a gear, is not followed: drawn in every place as the statements say."""
+    """A mechanism of which a profile is not followed: drawn in every place as the statements say."""
 
     mech: Mechanism
 
