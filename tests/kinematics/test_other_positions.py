@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vecpoly import loads, oracle
+from tests.each import each
+from vecpoly import load, loads, oracle
 from vecpoly.board.acts import Curve
 from vecpoly.board.paper.marks import Role
 from vecpoly.errors import AssemblyError, NoMethodError
@@ -64,6 +65,20 @@ def test_all_positions_that_follow_from_each_other_are_followed_once() -> None:
     here, there = (made(ROCKER.replace("330 deg", phi) + PLAIN).mechanism for phi in ("330 deg", "200 deg"))
     assert follower(here) is follower(there)
     assert follower(here) is not follower(made(ROCKER + "branch: [C right of BD]\n").mechanism)
+
+
+ROLL = (
+    "curv-9", "crank-rack-pinion", "geared-five-bar", "hypocycloid-drive", "planet-drive", "planetary-reactions",
+    "planetary-sun-drives", "rack-drives-pinion", "rack-lift", "stepped-planet", "travel-doubler",
+    "two-trains-one-sun", "winch-gears",
+)  # fmt: skip
+
+
+@each(ROLL)
+def test_gears_that_are_told_in_the_given_position_roll_on_to_all_others(name: str) -> None:
+    mech = load(name).mechanism
+    far = 0.05 if mech.drive.slide else 4 * np.pi
+    assert mech.starts and farthest(mech, np.linspace(-far, far, 9)) < 1e-9
 
 
 STROKE = """loads:

@@ -6,12 +6,13 @@ from textwrap import dedent
 
 import pytest
 
-from vecpoly.errors import EquilibriumError
+from vecpoly.errors import AssemblyError, EquilibriumError, NoMethodError
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.oracle.machine.answers import machine_values
 from vecpoly.oracle.machine.started import started_values
 from vecpoly.problem.load import loads
 from vecpoly.problem.problem import Problem
+from vecpoly.solution import solve
 
 PRESS = """
     id: press
@@ -72,9 +73,21 @@ def test_a_ratio_of_no_small_whole_numbers_has_no_period() -> None:
         values(at_the_pinion("M_d, dW_max, J_F", pinion=39.9713))
 
 
-def test_a_kite_brings_its_long_link_round_in_two_turns() -> None:
-    """Both assemblies together turn DC by as much as AB: 20 N·m over 170° of two turns, shared over 720°."""
-    text = """
+@pytest.mark.parametrize("pinion", [40, 80])
+def test_a_press_is_drawn_through_as_many_turns_of_its_pinion_as_its_period_has(pinion: float) -> None:
+    found = solve(at_the_pinion("M_d, dW_max, J_F", pinion=pinion), by="exact", repeats=0, precise=False).answers
+    for answer in found.values():
+        assert answer.drawn == pytest.approx(answer.exact, rel=1e-7)
+
+
+def test_a_period_too_long_to_be_drawn_is_left_to_the_exact_answers() -> None:
+    problem = at_the_pinion("M_d, dW_max, J_F", pinion=10)
+    assert values(problem)["J_F"] > 0
+    with pytest.raises(NoMethodError, match="within 6 turns of the drive the mechanism is not back"):
+        solve(problem, by="exact", repeats=0, precise=False)
+
+
+KITE = """
         id: kite
         title: t
         frame: {A: [0 mm, 0 mm], D: [40 mm, 0 mm]}
@@ -86,7 +99,14 @@ def test_a_kite_brings_its_long_link_round_in_two_turns() -> None:
         machine: {n: 100 r/min, delta: 0.05}
         find: [M_d]
     """
-    assert values(loads(dedent(text)))["M_d"] == pytest.approx(20 * 170 / 720, rel=1e-9)
+
+
+def test_a_kite_brings_its_long_link_round_in_two_turns() -> None:
+    """Both assemblies together turn DC by as much as AB: 20 N·m over 170° of two turns, shared over 720°."""
+    kite = loads(dedent(KITE))
+    assert values(kite)["M_d"] == pytest.approx(20 * 170 / 720, rel=1e-9)
+    with pytest.raises(AssemblyError, match="do not meet"):  # in one place of the turn B lies on D
+        solve(kite, by="exact", repeats=0, precise=False)
 
 
 def test_a_pinion_let_go_swings_beyond_one_turn() -> None:

@@ -55,6 +55,7 @@ class Board(Compass):
         super().__init__(hand, scales, amended)
         self.recorded = recorded  # whether the numbers of its acts know how they were computed
         self._ruler = Ruler(hand)
+        self.beside: Mapping[str, Reals] = {}  # of given values: how far every hand's own is from what is told
 
     @property
     def readings(self) -> Mapping[str, Reading]:
@@ -73,8 +74,11 @@ class Board(Compass):
         over.ledger = self.ledger.below()
         return over
 
-    def given(self, value: float, name: str) -> float:
-        """What the problem gives and may be changed: on a recorded sheet a variable of this name."""
+    def given(self, value: float, name: str) -> Reals:
+        """What the problem gives and may be changed: on a recorded sheet a variable of this name; on scratch paper for
+        many places at once, what it is in each."""
+        if name in self.beside:
+            return value + self.beside[name]
         return cast("float", variable(value, name)) if self.recorded else value
 
     # -- measuring and computing --------------------------------------------------------------------------------

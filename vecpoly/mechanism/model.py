@@ -80,6 +80,11 @@ class Drive:
         return f"{'s' if self.slide else 'φ'}_{{{self.link}{self.on if self.between else ''}}}"
 
     @property
+    def key(self) -> str:
+        """Of its position on a sheet: phi_1, s_1."""
+        return f"{'s' if self.slide else 'phi'}_{self.link}"
+
+    @property
     def pair(self) -> frozenset[str]:
         """The two links between which it acts."""
         return frozenset((self.link, self.on))

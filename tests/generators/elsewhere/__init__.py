@@ -22,6 +22,7 @@ from ..acting.laws import balanced_by_hand
 from ..family import family
 from ..pressures import by_velocities
 from ..running.machines import weighed
+from . import gears  # noqa: F401  a family of its own
 from .machines import ALL, BARS, SMALL, Random, made
 from .walk import both_ways
 

@@ -19,3 +19,8 @@ class Start:
     value: float
     ray: tuple[str, ...] = ()
     slide: bool = False
+
+    @property
+    def key(self) -> str:
+        """Of its value on a sheet."""
+        return f"start_{self.link}"

@@ -25,7 +25,7 @@ from ..centres.copy import mechanism_copied
 from ..centres.onto import opened
 from ..centres.size import Paper
 from ..desk import Desk
-from ..positions.placed import placed, refuse_thought, refuse_profiles
+from ..positions.placed import placed, refuse_profiles, refuse_thought
 from .pairs import Pair, pairs_of
 from .readings import keep_length
 from .room import fitted

@@ -8,10 +8,11 @@ closer: a smooth curve of degree n is off by about its last coefficients, so the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from itertools import pairwise
+from math import lcm
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -21,8 +22,10 @@ from ...mechanism.laws.sizes import Table
 from ...mechanism.laws.windows import During, Moving
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
+from ..positions.laps import laps
 from ..roots import halved
-from .turn import Station, bends, jumps, station
+from .changes import bends, jumps
+from .turn import Station, stations
 
 Array = NDArray[np.float64]
 Piece = tuple[float, float, Array, Array]  # from, to; coefficients of M and of J_e
@@ -55,7 +58,7 @@ class French:
 
     @property
     def period(self) -> float:
-        """2π, or 4π (rad)."""
+        """2π, or some turns (rad)."""
         return float(self.cuts[-1])
 
     def moment(self, psi: float, *, before: bool = False) -> float:
@@ -121,11 +124,11 @@ def _alone(f: Callable[[int, Array], Array], piece: int, x: float) -> float:
 def french(mech: Mechanism, loads: Loads) -> French:
     """Corners first, then every piece. Raises AssemblyError, DeadPointError."""
     sense = float(np.sign(mech.drive.rate)) or 1.0
-    period = 2 * np.pi * loads.turns
+    period = 2 * np.pi * lcm(loads.turns, laps(mech))
     looked = _looked(loads, sense, period)
     places = looked if sense > 0 else [-one for one in reversed(looked)]
     own, bent = (sorted(sense * q % period for q in of(mech, loads, places)) for of in (jumps, bends))
-    fit = partial(_fitted, partial(station, mech, loads), sense)
+    fit = partial(_fitted, partial(stations, mech, loads), sense)
     rough = [(a, b, *fit(a, b)) for a, b in pairwise(_cuts(loads, sense, period, [*own, *bent]))]
     great = tuple(max(float(np.abs(piece[k]).sum(axis=-1)) for piece in rough) for k in (2, 3))
     pieces = [part for piece in rough for part in _settled(piece, fit, great, DEEPEST)]
@@ -168,9 +171,9 @@ def _cuts(loads: Loads, sense: float, period: float, own: list[float]) -> Array:
     return np.asarray(cuts[np.append(True, np.diff(cuts) > 1e-9)], np.float64)
 
 
-def _fitted(drawn: Callable[[float], Station], sense: float, a: float, b: float) -> tuple[Array, Array]:
+def _fitted(drawn: Callable[[Sequence[float]], list[Station]], sense: float, a: float, b: float) -> tuple[Array, Array]:
     """Coefficients of M and J_e between two places."""
-    there = [drawn(sense * (a + (b - a) / 2 * (1 + x))) for x in _AT]
+    there = drawn([float(sense * (a + (b - a) / 2 * (1 + x))) for x in _AT])
     moments = np.array([sense * float(one.moment) for one in there])
     inertias = np.array([float(one.inertia) for one in there])
     return _FITTED @ moments, _FITTED @ inertias

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
-from itertools import pairwise
+from functools import lru_cache
 
 import numpy as np
 
 from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.hand import Hand, hand
-from ...mechanism.laws.acting import stretch
-from ...mechanism.laws.sizes import Table
+from ...errors import VecpolyError
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ...names import At, omega
@@ -21,31 +19,23 @@ from ...plane import Reals
 from ..desk import Desk
 from ..forces.balance.power_terms import works
 from ..forces.laws.found import found_loads
-from ..forces.laws.off_paper import OffPaper
 from ..forces.masses import weights
 from ..forces.state import Statics
 from ..kinematics.doors import draw_drives, draw_group
 from ..kinematics.image import found_tip
-from ..positions.placed import elsewhere, refuse_profiles
+from ..positions.placed import elsewhere, further, refuse_profiles
 from ..registry import Stage
 
-JUMP = 1e-12  # rad: how closely the place is found at which a load begins or ends
-MOST = 8  # changes between two places that are looked at
-Names = tuple[str, ...]
+SAME = 1e-6  # mm: two drawings of one place
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Station:
-    """One position of the drive: J_e (kg·m²), M_e of the given loads (N·m), by every hand.
-
-    acting: which loads act. stretches: on which straight parts of their tables they are.
-    """
+    """One position of the drive: J_e (kg·m²), M_e of the given loads (N·m), by every hand."""
 
     phi: float
     inertia: Reals
     moment: Reals
-    acting: Names
-    stretches: tuple[Reals, ...] = ()
 
 
 def station(mech: Mechanism, loads: Loads, phi: float) -> Station:
@@ -60,32 +50,53 @@ def _drawn_once(mech: Mechanism, loads: Loads, phi: float) -> Station:
 
 def drawn(mech: Mechanism, loads: Loads, phi: float, by: Hand) -> Station:
     """As this hand draws it, with all its readings. Raises AssemblyError, DeadPointError."""
-    refuse_profiles(mech)
-    desk = _desk(replace(mech, drives=(replace(mech.drive, accel=0.0), *mech.drives[1:])), phi, by)
-    rate = mech.drive.rate
-    here, pulls = found_loads(desk, replace(loads, inertia=False))
-    st = Statics(desk=desk, loads=here, pulls=pulls)
-    weights(st)
-    power: Reals = sum((work.value for work in works(st)), 0.0)
-    energy: Reals = sum((_energy(st, link) for link in range(len(loads.masses))), 0.0)
-    acting = tuple(load.name for load in here.all if load.size)
-    return Station(phi, energy / rate**2, power / rate, acting, _stretches(desk, loads))
+    return Station(phi, *_reduced(desk_at(mech, phi, by), loads))
 
 
-def _stretches(desk: Desk, loads: Loads) -> tuple[Reals, ...]:
-    at, tables = OffPaper(desk), [load.law.size for load in loads.all if load.law is not None]
-    return tuple(one for table in tables if isinstance(table, Table) for one in stretch(table, at))
+def stations(mech: Mechanism, loads: Loads, places: Sequence[float]) -> list[Station]:
+    """In places between which nothing begins or ends to act: all at once where that can be. Raises likewise."""
+    desk = at_once(mech, places)
+    if desk is None:
+        return [station(mech, loads, phi) for phi in places]
+    both = (np.broadcast_to(one, len(places)) for one in _reduced(desk, loads))
+    return [Station(phi, inertia, moment) for phi, inertia, moment in zip(places, *both, strict=True)]
 
 
-def _desk(mech: Mechanism, phi: float, by: Hand) -> Desk:
+def at_once(mech: Mechanism, places: Sequence[float]) -> Desk | None:
+    """Position and velocity polygon in all of these places, as if each were another hand's, on the sides of the first.
+
+    None where other meetings are chosen on the way, as the last place shows.
+    """
+    try:
+        desk = desk_at(mech, places[0], hand("exact"), further(mech, places))
+        last = elsewhere(mech, places[-1]).desk(hand("exact"))
+    except VecpolyError:
+        return None
+    off = [np.ravel(at)[-1] - last.at[letter] for letter, at in desk.at.items() if letter in last.at]
+    return desk if np.abs(off).max(initial=0.0) < SAME else None
+
+
+def desk_at(mech: Mechanism, phi: float, by: Hand, ahead: Mapping[str, Reals] | None = None) -> Desk:
     """Position and velocity polygon on paper that is thrown away."""
-    there = elsewhere(mech, phi)
-    desk = there.desk(by)
+    refuse_profiles(mech)
+    there = elsewhere(replace(mech, drives=(replace(mech.drive, accel=0.0), *mech.drives[1:])), phi)
+    desk = there.desk(by, ahead)
     desk.told = mech
     draw_drives(desk, Stage.VELOCITY)
     for group in there.groups:
         draw_group(desk, Stage.VELOCITY, group)
     return desk
+
+
+def _reduced(desk: Desk, loads: Loads) -> tuple[Reals, Reals]:
+    """J_e; M_e of the loads that are given."""
+    rate = desk.mech.drive.rate
+    here, pulls = found_loads(desk, replace(loads, inertia=False))
+    st = Statics(desk=desk, loads=here, pulls=pulls)
+    weights(st)
+    power: Reals = sum((work.value for work in works(st)), 0.0)
+    energy: Reals = sum((_energy(st, link) for link in range(len(loads.masses))), 0.0)
+    return energy / rate**2, power / rate
 
 
 def _energy(st: Statics, number: int) -> Reals:
@@ -97,36 +108,3 @@ def _energy(st: Statics, number: int) -> Reals:
     moving = np.where(np.abs(tip) < NO_LENGTH, 0.0, speed.value)
     found: Reals = mass.mass * moving**2 + mass.inertia * np.asarray(turn.value) ** 2
     return found
-
-
-def jumps(mech: Mechanism, loads: Loads, places: Sequence[float]) -> tuple[float, ...]:
-    """Where a load begins or ends to act between these places: tried on scratch paper, each trial halving the way."""
-    return _changes(partial(station, mech, loads), lambda one: one.acting, places)
-
-
-def bends(mech: Mechanism, loads: Loads, places: Sequence[float]) -> tuple[float, ...]:
-    """Where the table of a load over a travel turns a corner, likewise."""
-    return _changes(partial(station, mech, loads), lambda one: one.stretches, places)
-
-
-def _changes(
-    drawn_at: Callable[[float], Station], what: Callable[[Station], object], places: Sequence[float]
-) -> tuple[float, ...]:
-    """Where something changes between the first and the last of these places."""
-    found = []
-    for low, high in pairwise(places):
-        here, end = drawn_at(low), drawn_at(high)
-        for _ in range(MOST):  # of several changes one at a time
-            if what(here) == what(end):
-                break
-            here = _halved(drawn_at, what, here, end)
-            found.append(here.phi)
-    return tuple(one for one in found if places[0] < one < places[-1])
-
-
-def _halved(drawn_at: Callable[[float], Station], what: Callable[[Station], object], a: Station, b: Station) -> Station:
-    """The first station behind a change."""
-    while b.phi - a.phi > JUMP:
-        middle = drawn_at((a.phi + b.phi) / 2)
-        a, b = (middle, b) if what(middle) == what(a) else (a, middle)
-    return b

@@ -8,7 +8,7 @@ change point, and the nearest is taken.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
@@ -100,10 +100,10 @@ class Follower:
         """The next place; None where one does not see how, unless strides come no shorter."""
         led = stand.led(way)
         try:
-            desk = self._rolled(stand, way, led, stand.taken)
+            desk, rolled = self._rolled(stand, way, led, stand.taken)
             if last and desk.sides.nearest:
                 kept = {key: side for key, side in stand.taken.items() if key not in desk.sides.nearest}
-                desk = self._rolled(stand, way, led, kept)
+                desk, rolled = self._rolled(stand, way, led, kept)
         except VecpolyError:
             if last:
                 raise
@@ -112,7 +112,7 @@ class Follower:
         if not last and (desk.sides.nearest or self._is_jump(stand.places, led, places)):
             return None
         before = ((way, places), *stand.before[:2])
-        return Stand(way=way, places=places, taken=desk.sides.taken, before=before, rolled=contacts(desk), desk=desk)
+        return Stand(way=way, places=places, taken=desk.sides.taken, before=before, rolled=rolled, desk=desk)
 
     def _is_jump(self, here: Places, led: Places, there: Places) -> bool:
         gone, off = (max((abs(there[p] - one[p]) for p in self.by_trial), default=0.0) for one in (here, led))
@@ -123,11 +123,11 @@ class Follower:
         stand = self.at(position)
         return stand.desk or self._drawn(stand.way, stand.places, stand.taken, stand.rolled.told), self.groups
 
-    def _rolled(self, stand: Stand, way: float, led: Places, kept: Mapping[Key, int]) -> Desk:
-        """Drawn where gears have rolled on from this place."""
-        return rolled_on(lambda told: self._drawn(way, led, kept, told), stand.rolled)
+    def _rolled(self, stand: Stand, way: float, led: Places, kept: Mapping[Key, int]) -> tuple[Desk, Contacts]:
+        """Drawn where gears have rolled on from this place, and how they stand."""
+        return rolled_on(lambda told: self._drawn(way, led, kept, told), stand.rolled, way - stand.way)
 
-    def _drawn(self, way: float, led: Places, kept: Mapping[Key, int], told: Sequence[float]) -> Desk:
+    def _drawn(self, way: float, led: Places, kept: Mapping[Key, int], told: Iterable[float]) -> Desk:
         mech = with_told(moved(self.mech, self.mech.drive.position + way, led), told)
         return drawn(mech, self.groups, Sides(kept=kept))
 
@@ -183,7 +183,7 @@ def _begun(mech: Mechanism, groups: tuple[Group, ...], own: Desk) -> Follower:
     first = Stand(way=0.0, places=places, taken=taken, before=((0.0, places),), rolled=contacts(own))
     for way in (SEED * step, -SEED * step):
         try:
-            beside = letters(one._rolled(first, way, places, taken))
+            beside = letters(one._rolled(first, way, places, taken)[0])
         except VecpolyError:
             continue
         first = replace(first, before=(*first.before, (way, beside)))

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+
+import numpy as np
 
 from ...board.hand import Hand
 from ...errors import NoMethodError
 from ...foundation.slotted import dataclass
 from ...mechanism.groups.assur import Group, decompose
 from ...mechanism.model import Mechanism
+from ...plane import Reals
 from ...words import Words
 from ..desk import Desk
 from .following import draw_positions, follower, is_followed, moved
@@ -25,11 +29,22 @@ class There:
     groups: tuple[Group, ...]
     sides: Sides
 
-    def desk(self, by: Hand) -> Desk:
-        """Its position diagram on paper that is thrown away, by this hand."""
-        desk = position_desk(self.mech, self.groups, by, self.sides)
+    def desk(self, by: Hand, ahead: Mapping[str, Reals] | None = None) -> Desk:
+        """Its position diagram on paper that is thrown away, by this hand; ahead: in places farther on (`further`), on
+        the same sides."""
+        desk = position_desk(self.mech, self.groups, by, self.sides, ahead)
         draw_positions(desk, self.groups)
         return desk
+
+
+def further(mech: Mechanism, places: Sequence[float]) -> Mapping[str, Reals]:
+    """How far the drive, and what gears leave open, are on in each of these places from the first (rad, or m)."""
+    ahead: dict[str, Reals] = {mech.drive.key: np.subtract(places, places[0])}
+    if mech.starts:
+        one = follower(mech)
+        told = np.array([one.at(place).rolled.told for place in places]).T
+        ahead |= {start.key: values - values[0] for start, values in zip(one.mech.starts, told, strict=True)}
+    return ahead
 
 
 def elsewhere(mech: Mechanism, position: float) -> There:

@@ -12,7 +12,7 @@ Source: 机械原理, pure rolling: arcs of equal length run off.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -30,17 +30,21 @@ ROUNDS = 12  # trials at most
 CLOSED = 1e-14  # of the mechanism's size: a slip that is none
 NEAR = 1e-9  # of the mechanism's size: a slip that rounding leaves
 NUDGE = 1e-5  # rad, or of the mechanism's size: how far a guess is moved to see what becomes of the slip
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Contacts:
     """How everything that rolls stands in one place: what is told of each open link, where it counts from, the
-    directions of the links that roll and of the lines of centres, travels along racks (m)."""
+    directions of the links that roll and of the lines of centres, travels along racks (m). change: of every slip with
+    every open link, as it was found there; pace: of what is told, over the drive's way."""
 
     told: tuple[float, ...] = ()
     zeros: tuple[complex, ...] = ()
     axes: Mapping[str, complex] | None = None
     ways: tuple[complex, ...] = ()
+    change: Array | None = None
+    pace: Array | None = None
 
 
 def opened(mech: Mechanism) -> Mechanism:
@@ -53,10 +57,8 @@ def opened(mech: Mechanism) -> Mechanism:
     return replace(mech, starts=(*mech.starts, *(Start(link=name, value=0.0) for name in bare)))
 
 
-def with_told(mech: Mechanism, told: Sequence[float]) -> Mechanism:
+def with_told(mech: Mechanism, told: Iterable[float]) -> Mechanism:
     """The mechanism whose open links stand elsewhere."""
-    if not len(told):
-        return mech
     return replace(mech, starts=tuple(replace(s, value=float(v)) for s, v in zip(mech.starts, told, strict=True)))
 
 
@@ -74,32 +76,44 @@ def contacts(desk: Desk) -> Contacts:
     )
 
 
-def rolled_on(draw: Callable[[Sequence[float]], Desk], before: Contacts) -> Desk:
-    """Drawn where nothing has slipped since the last place. Raises AssemblyError where no trial ends there."""
-    desk = draw(before.told)
+def rolled_on(draw: Callable[[Array], Desk], before: Contacts, stride: float) -> tuple[Desk, Contacts]:
+    """Drawn where nothing has slipped since the last place, a stride of the drive (rad, or m) back.
+
+    Raises AssemblyError where no trial ends there.
+    """
+    guess = np.array(before.told)
     if not before.told:
-        return desk
-    size, guess = desk.mech.scale, np.array(before.told)
-    slip, tries = _slip(desk, before), np.diag([size * NUDGE if s.slide else NUDGE for s in desk.mech.starts])
-    change = np.stack([(_slip(draw(guess + one), before) - slip) / one.max() for one in tries], axis=1)
+        return draw(guess), before
+    guess = guess if before.pace is None else guess + before.pace * stride
+    desk = draw(guess)
+    size, slip = desk.mech.scale, _slip(desk, before)
+    change = _change(draw, guess, slip, before, desk) if before.change is None else before.change
     for _ in range(ROUNDS):
-        if np.abs(slip).max() < CLOSED * size:
-            return desk
+        great = np.abs(slip).max()
+        if great < CLOSED * size:
+            break
         mend = np.linalg.lstsq(change, -slip, rcond=None)[0]
-        desk = draw(guess + mend)
-        left = _slip(desk, before)
-        if np.abs(left).max() >= np.abs(slip).max() and np.abs(slip).max() < NEAR * size:
-            return desk
+        other = draw(guess + mend)
+        left = _slip(other, before)
+        if np.abs(left).max() >= great and great < NEAR * size:
+            break  # rounding alone is left
         change = change + np.outer(left - slip - change @ mend, mend) / (mend @ mend)
-        guess, slip = guess + mend, left
-    if np.abs(slip).max() < NEAR * size:
-        return desk
-    raise AssemblyError(
-        Words(
-            "齿轮由上一位置滚到此位置时，试凑不出无滑动的位置",
-            "no place is found by trial to which the gears roll from the last one without slip",
+        desk, guess, slip = other, guess + mend, left
+    if not np.abs(slip).max() < NEAR * size:
+        raise AssemblyError(
+            Words(
+                "齿轮由上一位置滚到此位置时，试凑不出无滑动的位置",
+                "no place is found by trial to which the gears roll from the last one without slip",
+            )
         )
-    )
+    pace = (guess - before.told) / stride if stride else before.pace
+    return desk, replace(contacts(desk), change=change, pace=pace)
+
+
+def _change(draw: Callable[[Array], Desk], guess: Array, slip: Array, before: Contacts, desk: Desk) -> Array:
+    """How every slip changes with what is told of every open link: each is moved a little."""
+    tries = np.diag([desk.mech.scale * NUDGE if s.slide else NUDGE for s in desk.mech.starts])
+    return np.stack([(_slip(draw(guess + one), before) - slip) / one.max() for one in tries], axis=1)
 
 
 def _rolls(mech: Mechanism) -> list[Rolling]:
@@ -116,7 +130,7 @@ def _way(desk: Desk, joint: Rolling) -> complex:
     return complex(float(nominal(gone.real)) / desk.mm(1.0))
 
 
-def _slip(desk: Desk, before: Contacts) -> NDArray[np.float64]:
+def _slip(desk: Desk, before: Contacts) -> Array:
     """What is run off more on the one side than on the other since the last place (m), of each rolling pair."""
     now = contacts(desk)
     assert now.axes is not None and before.axes is not None

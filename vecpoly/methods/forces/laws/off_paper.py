@@ -32,7 +32,8 @@ class OffPaper:
 
     def drive(self) -> Reals:
         """The drive's own coordinate, which is given."""
-        return self.desk.mech.drive.position
+        drive = self.desk.mech.drive
+        return drive.position + self.desk.board.beside.get(drive.key, 0.0)
 
     def travelled(self, link: str, point: str, direction: float) -> tuple[Reals, float]:
         """How far the point is from where its stroke begins, and how long the stroke is (m)."""
@@ -41,8 +42,9 @@ class OffPaper:
 
     def speed(self, link: str, point: str, direction: float) -> Reals:
         """v · u off the velocity polygon (m/s); 0 where the tip is at the pole."""
-        mm = float(nominal(dot(complex(np.exp(1j * direction)), self.tip(link, point))))
-        return 0.0 if abs(mm) < NO_LENGTH else mm * self.desk.board.scales[View.VELOCITY].value
+        mm = dot(complex(np.exp(1j * direction)), self.tip(link, point))
+        mm = mm if self.desk.board.beside else float(nominal(mm))  # whether it moves is seen on the nominal sheet
+        return np.where(np.abs(mm) < NO_LENGTH, 0.0, mm) * self.desk.board.scales[View.VELOCITY].value
 
     def spin(self, link: str) -> Reals:
         """ω (rad/s), as it was found."""

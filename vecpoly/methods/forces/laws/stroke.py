@@ -21,6 +21,7 @@ from ...exchange.exchange import exchanged
 from ...kinematics.doors import draw_drives, draw_group
 from ...kinematics.image import found_tip
 from ...positions.following import Follower, drawn, follower, is_followed
+from ...positions.laps import MOST, laps
 from ...registry import Stage
 from ...roots import halved
 
@@ -74,11 +75,12 @@ def _stroke(way: Follower | AsTold, link: str, point: str, direction: float) -> 
             seen[at] = _seen(way, at, link, point, direction)
         return seen[at]
 
-    ahead, behind = ([own + sense * step * k for k in range(1, TRIALS + 1)] for sense in (1, -1))
+    ahead, behind = ([own + sense * step * k for k in range(1, TRIALS * MOST + 1)] for sense in (1, -1))
     if seen_at(own) is None:
         return False, 0.0, 0.0
-    if not drive.slide and all(seen_at(at) is not None for at in ahead):
-        return True, *_ends([own, *ahead], seen_at)
+    if not drive.slide and all(seen_at(at) is not None for at in ahead[:TRIALS]):
+        count = laps(way.mech) if isinstance(way, Follower) else 1
+        return True, *_ends([own, *ahead[: TRIALS * count]], seen_at)
     reach = [*_reached(behind, seen_at)[::-1], own, *_reached(ahead, seen_at)]
     return False, *_ends(sorted([*reach, *_edges(reach, step, seen_at)]), seen_at)
 

@@ -58,7 +58,8 @@ def _clause(at: OffPaper, window: Window, *, here: bool) -> Words:
 
 def _moving(at: OffPaper, window: Moving, *, here: bool) -> Words:
     """Which way the point moves, and where on its stroke it is."""
-    goes, point, way = at.speed(window.link, window.point, window.direction) > 0, window.point, window.direction
+    point, way = window.point, window.direction
+    goes = bool(nominal(at.speed(window.link, point, way)) > 0)
     side = _SIDES.get(round(way / (np.pi / 2)) % 4) if abs(way / (np.pi / 2) % 1) < 1e-9 else None
     side = side or Words(f"朝 {np.degrees(way):g}° 方向", f"in the direction {np.degrees(way):g}°")
     found = Words(

@@ -33,7 +33,7 @@ def position_crank(desk: Desk, drive: Drive) -> None:
     link, board = desk.mech.link(drive.link), desk.board
     pivot, others = desk.crank(drive.link)
     board.step(_said(desk, drive, pivot, others), View.MECHANISM)
-    along = board.turn(np.exp(1j * board.given(drive.position, f"phi_{drive.link}")))
+    along = board.turn(np.exp(1j * board.given(drive.position, drive.key)))
     local = link.points[pivot]
     desk.pose[drive.link] = Pose(desk.at[pivot] - along * desk.mm(1.0) * local, along)
     for name in others:
@@ -105,7 +105,8 @@ def position_slide(desk: Desk, drive: Drive) -> None:
         View.MECHANISM,
     )
     line = desk.locus(joint, drive.link, joint.pin)
-    desk.letter(joint.pin, board.lay_off(line.at, line.along, desk.mm(board.given(drive.position, f"s_{drive.link}"))))
+    travel = board.given(drive.position, drive.key) / board.scales[View.MECHANISM].value
+    desk.letter(joint.pin, board.lay_off(line.at, line.along, travel))
     desk.settle_turned(drive.link, joint.pin, line.along * np.exp(1j * joint.turn))
 
 

@@ -9,11 +9,12 @@ from ....board.construction import View
 from ....mechanism.groups.assur import Group
 from ....mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
 from ....mechanism.travel import counted_from
+from ....plane import Reals
 from ....words import Words
 from ...desk import Desk
 from ...registry import Stage, method
 from ..gears.pitch import fixed_gear, letter_pitch_points, partner, rolling_of, wheel
-from .standing import said_standing, standing
+from .standing import said_standing, standing, told_in
 
 _SOURCE = "机械原理, pure rolling: the pitch point lies on the line of centres"
 
@@ -48,7 +49,7 @@ def position_rack(desk: Desk, group: Group) -> None:
     the pitch point is the foot of the gear's centre on its pitch line."""
     joint, rack = rolling_of(group), group.links[0]
     slide = next(outer.joint for outer in group.outer if isinstance(outer.joint, Prismatic))
-    travel = next((one.value for one in desk.mech.starts if one.link == rack and one.slide), 0.0)
+    travel: Reals = next((told_in(desk, one) for one in desk.mech.starts if one.link == rack and one.slide), 0.0)
     pin, c, h = slide.pin, joint.gear.centre, joint.point
     desk.board.step(
         Words(
@@ -62,11 +63,11 @@ def position_rack(desk: Desk, group: Group) -> None:
     )
     line = desk.guide_line(slide)
     if slide.block == rack:
-        foot = desk.board.lay_off(line.at, line.along, desk.mm(travel))
+        foot = desk.board.lay_off(line.at, line.along, desk.mm(1.0) * travel)
         desk.letter(pin, foot + 1j * line.along * desk.mm(slide.offset))
         desk.settle_turned(rack, pin, line.along * np.exp(1j * slide.turn))
     else:
-        origin = desk.at[pin] - 1j * line.along * desk.mm(slide.offset) - line.along * desk.mm(travel)
+        origin = desk.at[pin] - 1j * line.along * desk.mm(slide.offset) - line.along * desk.mm(1.0) * travel
         first, local = next(iter(desk.mech.link(rack).points.items()))
         axis = line.along * np.exp(-1j * slide.direction)
         desk.letter(first, origin + axis * desk.mm(1.0) * (local - slide.origin))

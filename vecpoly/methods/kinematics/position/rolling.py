@@ -13,13 +13,13 @@ from ....foundation.slotted import dataclass
 from ....mechanism.gearing import reach
 from ....mechanism.groups.assur import Dyad
 from ....mechanism.model import FRAME, Circle, Joint, Prismatic, Rack, Revolute, Rolling, Side
-from ....plane import Line, Points, unit
+from ....plane import Line, Points, Reals, unit
 from ....words import Words, begun
 from ...desk import Desk
 from ...registry import Stage, method
 from ..gears.pitch import letter_pitch_points, wheel
 from .assembly import choose, said
-from .standing import said_standing, standing, start_of
+from .standing import said_standing, standing, start_of, told_in
 
 _SOURCE = "机械原理, kinematic diagrams by Assur groups"
 
@@ -29,7 +29,7 @@ class Round:
     """The hinge lies on a circle (mm on paper)."""
 
     about: Points
-    radius: float
+    radius: Reals
 
 
 Locus = Round | Line
@@ -140,7 +140,7 @@ def _rolled(desk: Desk, joint: Rolling, link: str, c: str) -> Locus:
             desk.place(joint.on.link, joint.on.origin) + 1j * left * along * desk.mm(mine.radius) + shift, along
         )
     other = joint.on if joint.gear.link == link else joint.gear
-    return Round(desk.at[other.centre] + shift, abs(_out(desk, joint, link, c)) if turned else desk.mm(reach(joint)))
+    return Round(desk.at[other.centre] + shift, np.abs(_out(desk, joint, link, c)) if turned else desk.mm(reach(joint)))
 
 
 def _with_centres(desk: Desk, joint: Rolling, link: str, c: str) -> bool:
@@ -156,12 +156,14 @@ def _with_centres(desk: Desk, joint: Rolling, link: str, c: str) -> bool:
     )
 
 
-def _out(desk: Desk, joint: Rolling, link: str, c: str) -> complex:
+def _out(desk: Desk, joint: Rolling, link: str, c: str) -> Points:
     """The hinge from the other gear's centre, in coordinates along the line of centres (mm)."""
     start, mine = start_of(desk, link), wheel(joint, link)
     assert start is not None and isinstance(mine, Circle)
     points, sign = desk.mech.link(link).points, 1 if start.ray[1] == mine.centre else -1
-    return desk.mm(1.0) * complex(reach(joint) + sign * np.exp(1j * start.value) * (points[c] - points[mine.centre]))
+    out = sign * np.exp(1j * told_in(desk, start)) * (points[c] - points[mine.centre])
+    found: Points = desk.mm(1.0) * (reach(joint) + out)
+    return found
 
 
 def settle_on(desk: Desk, joint: Joint, link: str, c: str, locus: Locus) -> None:
@@ -181,7 +183,7 @@ def settle_on(desk: Desk, joint: Joint, link: str, c: str, locus: Locus) -> None
                 way = unit((desk.at[c] - locus.about) / _out(desk, joint, link, c)) * (
                     1 if start.ray[1] == mine.centre else -1
                 )
-                desk.settle_turned(link, c, way * np.exp(1j * start.value))
+                desk.settle_turned(link, c, way * np.exp(1j * told_in(desk, start)))
             else:
                 desk.settle_turned(link, c, standing(desk, link))
             desk.board.remark(said_standing(desk, link))

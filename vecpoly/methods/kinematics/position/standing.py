@@ -10,7 +10,7 @@ from ....algebra.quantity import number
 from ....errors import NoMethodError
 from ....mechanism.assembly.start import Start
 from ....mechanism.model import Link
-from ....plane import Points
+from ....plane import Points, Reals
 from ....words import Words
 from ...desk import Desk
 
@@ -18,6 +18,11 @@ from ...desk import Desk
 def start_of(desk: Desk, link: str) -> Start | None:
     """What the problem tells of this link's angle, if anything."""
     return next((one for one in desk.mech.starts if one.link == link and not one.slide), None)
+
+
+def told_in(desk: Desk, start: Start) -> Reals:
+    """What is told of a link's angle (rad) or travel (m), in every place that is drawn."""
+    return start.value + desk.board.beside.get(start.key, 0.0)
 
 
 def standing(desk: Desk, link: str) -> Points:
@@ -38,7 +43,7 @@ def standing(desk: Desk, link: str) -> Points:
             )
         )
     zero: Points = desk.towards(*start.ray) if start.ray else 1 + 0j
-    return desk.board.turn(zero * np.exp(1j * start.value))
+    return desk.board.turn(zero * np.exp(1j * told_in(desk, start)))
 
 
 def said_standing(desk: Desk, link: str) -> Words:
