@@ -75,11 +75,10 @@ class Board(Compass):
         return over
 
     def given(self, value: float, name: str) -> Reals:
-        """What the problem gives and may be changed: on a recorded sheet a variable of this name; on scratch paper for
-        many places at once, what it is in each."""
-        if name in self.beside:
-            return value + self.beside[name]
-        return cast("float", variable(value, name)) if self.recorded else value
+        """What the problem gives and may be changed: on a recorded sheet a variable of this name."""
+        if self.recorded:
+            return cast("float", variable(value, name))
+        return value + self.beside[name] if name in self.beside else value
 
     # -- measuring and computing --------------------------------------------------------------------------------
 

@@ -41,6 +41,10 @@ _CAM = {
     ),
     "Allowed.rise": Words("推程许用压力角", "allowed on the rise"),
     "Allowed.return": Words("回程许用压力角", "allowed on the return"),
+    "Allowed.start": Words(
+        "推程起始处另一侧的许用压力角（过起始点的第三条界线）",
+        "allowed to the other side where the rise begins: a third bound through that point",
+    ),
 }
 
 _GEARS = {
