@@ -76,9 +76,7 @@ class Board(Compass):
 
     def given(self, value: float, name: str) -> Reals:
         """What the problem gives and may be changed: on a recorded sheet a variable of this name."""
-        if self.recorded:
-            return cast("float", variable(value, name))
-        return value + self.beside[name] if name in self.beside else value
+        return cast("float", variable(value, name)) if self.recorded else value + self.beside.get(name, 0.0)
 
     # -- measuring and computing --------------------------------------------------------------------------------
 
