@@ -40,13 +40,13 @@ def plate_cam(rng: np.random.Generator) -> str:
 @family("plate cam with a dyad", moved_as_the_law_says, often=2)
 def plate_cam_with_a_dyad(rng: np.random.Generator) -> str:
     """A rocker hung on the follower's tip, which a profile whose curvature changes must not carry away."""
-    return hung_on(*_followed(rng), side=float(rng.choice([-1, 1])))
+    return hung_on(*followed(rng), side=float(rng.choice([-1, 1])))
 
 
 @family("forces-plate-cam-with-a-dyad", in_equilibrium, often=2)
 def forces_on_a_plate_cam_with_a_dyad(rng: np.random.Generator) -> str:
     """The same with masses and loads, frictionless or not."""
-    text = hung_on(*_followed(rng), side=float(rng.choice([-1, 1])))
+    text = hung_on(*followed(rng), side=float(rng.choice([-1, 1])))
     centre = f"{{along: BC, at: {rng.integers(30, 120)} mm}}"
     loads = f"masses: {{7: {{mass: 1 kg, inertia: 0.002 kg*m^2, centre: {centre}}}}}\n"
     loads += f"loads:\n  Q: {{on: 2, at: B, size: {rng.integers(600, 900)} N, direction: -90 deg}}\n"
@@ -60,7 +60,7 @@ def forces_on_a_plate_cam_with_a_dyad(rng: np.random.Generator) -> str:
     return text.replace("find: [", f"{loads}find: [M_1, R_12, R_27, ")
 
 
-def _followed(rng: np.random.Generator) -> tuple[str, str, str, float]:
+def followed(rng: np.random.Generator) -> tuple[str, str, str, float]:
     """A follower with a tip, its motion, the sense of its cam, the angle at which it stands."""
     follower = str(rng.choice([one for one in sorted(FOLLOWERS) if "face" not in one]))
     by = f"{rng.integers(6, 12)} {'deg' if 'arm' in follower else 'mm'}"

@@ -12,6 +12,7 @@ from vecpoly.board.paper.marks import Role
 from vecpoly.errors import AssemblyError, NoMethodError
 from vecpoly.mechanism.assembly.branch import margin
 from vecpoly.mechanism.model import Mechanism
+from vecpoly.methods.exchange.profile import osculated
 from vecpoly.methods.positions.following import follower
 from vecpoly.problem.problem import Problem
 from vecpoly.solution import Solution, solve
@@ -176,3 +177,13 @@ method: curvature
 def test_positions_of_an_input_between_moving_links_are_not_taken_for_those_of_the_link_thought_to_drive() -> None:
     with pytest.raises(NoMethodError, match="other positions of the input"):
         drawn(LIFTED + "find: [{centrodes: 2, positions: 5, over: [87.4 mm, 90.4 mm]}]\n")
+
+
+@each(("cam-face-load", "cam-knife-load", "cam-moves-arm", "cam-moves-flat-arm", "cam-roller-load"))
+def test_a_cam_s_follower_is_followed_all_round_with_a_disc_that_touches_in_each_place(name: str) -> None:
+    mech = load(name).mechanism
+    one, at = follower(osculated(mech)[0]), mech.drive.position + np.linspace(-7, 7, 15)
+    motion, centres = oracle.solve(mech, at, order=0), {profile.centre for profile in mech.cams}
+    for letter in {p for link in mech.links for p in link.points} - centres:
+        exact = np.broadcast_to(motion.position(letter), at.shape)
+        assert max(abs(one.at(q).places[letter] - exact[k]) for k, q in enumerate(at)) < 1e-9 * mech.scale

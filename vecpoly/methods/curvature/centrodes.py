@@ -25,7 +25,7 @@ from ..centres.copy import mechanism_copied
 from ..centres.onto import opened
 from ..centres.size import Paper
 from ..desk import Desk
-from ..positions.placed import placed, refuse_profiles, refuse_thought
+from ..positions.placed import placed, refuse_thought
 from .pairs import Pair, pairs_of
 from .readings import keep_length
 from .room import fitted
@@ -50,7 +50,6 @@ class Rolled:
 def draw_centrodes(desk: Desk, groups: Sequence[Group], asked: Centrodes, sharing: float, *, alone: bool) -> None:
     """The fixed centrode is the locus of the poles on the frame, the moving one that on the link; they roll. alone:
     whether they are all that is drawn on the diagram."""
-    refuse_profiles(desk.mech)
     refuse_thought(desk)
     pairs, there = pairs_of(desk.mech, asked.link), [placed(desk, q) for q in asked.drive]
     sheet = _paper(desk, there, asked, pairs, sharing)

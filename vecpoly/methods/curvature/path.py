@@ -12,7 +12,6 @@ from ...errors import VecpolyError
 from ...plane import Points, nominal
 from ...words import Words
 from ..centres.size import Paper
-from ..positions.following import is_followed
 from ..positions.placed import placed
 from .state import CurvatureFigure
 
@@ -24,7 +23,7 @@ WHOLE = 2.6  # rad: from so much to both sides
 
 def draw_paths(fig: CurvatureFigure, paper: Paper) -> None:
     """Path and osculating circle of every point of which the centre was found."""
-    if not fig.centres or not is_followed(fig.desk.mech):
+    if not fig.centres:
         return
     letters = "、".join(f"${fig.shown(p)}$" for p in fig.centres)
     some, rings = ("path", "circle") if len(fig.centres) == 1 else ("paths", "circles")

@@ -7,10 +7,10 @@ the same position, velocity and acceleration, at this one place of the cam. The 
 
 from __future__ import annotations
 
-import cmath
 from dataclasses import replace
 from functools import lru_cache
-from math import degrees
+from math import degrees, pi
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,25 +19,19 @@ from ...board.board import Board
 from ...board.construction import View
 from ...board.hand import hand
 from ...errors import NoMethodError
-from ...foundation.slotted import dataclass
-from ...mechanism.model import CamProfile, Circle, Contact, Joint, Link, Mechanism, Prismatic, Rack, Side, SideOf
+from ...mechanism.model import CamProfile, Mechanism
 from ...plane import nominal
 from ...problem.problem import Scales
 from ...words import Words
+from .disc import Osculating, with_disc
+
+if TYPE_CHECKING:
+    from ...devices.cams.cam import Cam
+    from ..devices.cam.pose import Pose
 
 EVERY = 3.0  # deg of the cam between the points of the outline that is drawn
 RESTS = 1e-6  # mm on paper: a centre of curvature so near to the axis lies on it
 FARTHEST = 5.0  # sizes of the cam: a centre of curvature farther away is on no sheet
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Osculating:
-    """The circle of the profile at the contact: centre in the cam's coordinates (m), radius (m) of the pitch curve,
-    or of the profile under a face, negative where it is hollow; the follower's tip in the same coordinates."""
-
-    centre: complex
-    radius: float
-    tip: complex
 
 
 def osculated(mech: Mechanism) -> tuple[Mechanism, Words | None]:
@@ -48,19 +42,71 @@ def osculated(mech: Mechanism) -> tuple[Mechanism, Words | None]:
     said: Words | None = None
     for profile in mech.cams:
         found = _circle(profile, mech.drive.position)
-        mech, told = _with(mech, profile, found), _told(profile, found, mech.drive.position)
+        mech, told = with_disc(mech, profile, found, _drawn(profile)), _told(profile, found, mech.drive.position)
         said = told if said is None else said + told
     return mech, said
+
+
+def touching(mech: Mechanism) -> Mechanism:
+    """The mechanism with a disc for each profile that only touches where the profile does: position and velocity are
+    the same whatever point of the common normal is its centre. Half as large as the base circle, it is never about the
+    cam's axis.
+
+    Raises NoMethodError where the profile is undercut.
+    """
+    for profile in mech.cams:
+        mech = with_disc(mech, profile, _disc(profile, mech.drive.position), _drawn(profile))
+    return mech
 
 
 @lru_cache(maxsize=256)
 def _circle(profile: CamProfile, turn: float) -> Osculating:
     """By Hartmann's construction on scratch paper."""
+    from ..devices.cam.pose import osculating
+
+    board, cam, phi, it = _turned(profile, turn)
+    centre, tip = (complex(nominal(spot)) for spot in osculating(board, cam, it))
+    inward = complex(nominal(-it.outward(cam)))
+    mm = board.scale_of(View.MECHANISM).value
+    radius = float(((centre - tip) * inward.conjugate()).real)
+    _refuse(profile, phi, centre, mm * radius, FARTHEST * cam.size)
+    return Osculating(centre=mm * centre, radius=mm * radius, tip=mm * tip)
+
+
+@lru_cache(maxsize=1024)
+def _disc(profile: CamProfile, turn: float) -> Osculating:
+    """By inversion on scratch paper: the contact with its normal."""
+    board, cam, _, it = _turned(profile, turn)
+    assert cam.r0 is not None
+    mm = board.scale_of(View.MECHANISM).value
+    tip, outward = (complex(nominal(spot)) for spot in (it.foot if cam.follower.flat else it.b, it.outward(cam)))
+    radius = cam.r0.si / 2
+    return Osculating(centre=mm * tip - radius * outward, radius=radius, tip=mm * tip)
+
+
+def corners(mech: Mechanism) -> list[float]:
+    """Positions of the drive (rad, within a turn) where a cam's law passes from one piece to another."""
+    from ...devices.cams.cam import Cam
+    from ..devices.cam.laws import stretches
+
+    cams = [profile.cam for profile in mech.cams]
+    return [
+        cam.sense * place % (2 * pi)
+        for cam in cams
+        if isinstance(cam, Cam)
+        for piece in cam.pieces
+        for low, high, _ in stretches(piece)
+        for place in (low, high)
+    ]
+
+
+def _turned(profile: CamProfile, turn: float) -> tuple[Board, Cam, float, Pose]:
+    """The follower where the cam has turned so far, drawn about the standing cam."""
     from ...devices.cams.cam import Cam  # late: pydantic, which checks its data, is slow to load
     from ...devices.cams.motion import piece_at
     from ..devices.cam.diagram import place_of
     from ..devices.cam.laws import lift, stretches
-    from ..devices.cam.pose import osculating, pose
+    from ..devices.cam.pose import pose
 
     cam = profile.cam
     assert isinstance(cam, Cam)
@@ -68,13 +114,7 @@ def _circle(profile: CamProfile, turn: float) -> Osculating:
     piece, phi = piece_at(cam.pieces, cam.sense * turn)
     late = [late for low, _, late in stretches(piece) if low < phi][-1]
     at = lift(board, place_of(cam), piece, phi, late=late)
-    it = pose(board, View.MECHANISM, cam, phi, at)
-    centre, tip = (complex(nominal(spot)) for spot in osculating(board, cam, it))
-    inward = complex(nominal(-it.way if cam.follower.flat else it.normal))
-    mm = board.scale_of(View.MECHANISM).value
-    radius = float(((centre - tip) * inward.conjugate()).real)
-    _refuse(profile, phi, centre, mm * radius, FARTHEST * cam.size)
-    return Osculating(centre=mm * centre, radius=mm * radius, tip=mm * tip)
+    return board, cam, phi, pose(board, View.MECHANISM, cam, phi, at)
 
 
 def _refuse(profile: CamProfile, phi: float, centre: complex, radius: float, most: float) -> None:
@@ -115,6 +155,11 @@ def _paper(cam: object) -> Board:
     return board
 
 
+def _drawn(profile: CamProfile) -> tuple[complex, ...]:
+    """Its outline, the same whether one was drawn already."""
+    return _outline(replace(profile, outline=()))
+
+
 @lru_cache(maxsize=32)
 def _outline(profile: CamProfile) -> tuple[complex, ...]:
     """Points of the profile by inversion; NoMethodError where it is undercut."""
@@ -135,67 +180,6 @@ def _outline(profile: CamProfile) -> tuple[complex, ...]:
             code="undercut",
         )
     return tuple(complex(spot) for edge in outlined(board, cam, EVERY) for spot in edge)
-
-
-def _with(mech: Mechanism, profile: CamProfile, found: Osculating) -> Mechanism:
-    contact = next(one for one in mech.contacts if one.point == profile.point)
-    replaced = _contact(contact, profile, found)
-    drawn = replace(profile, outline=_outline(replace(profile, outline=())))
-    return replace(
-        mech,
-        links=tuple(_link(link, profile, contact, found) for link in mech.links),
-        joints=tuple(_joint(joint, contact, found) for joint in mech.joints),
-        contacts=tuple(replaced if one is contact else one for one in mech.contacts),
-        branches=(*mech.branches, *_side(mech, profile, contact, found)),
-        cams=tuple(drawn if one is profile else one for one in mech.cams),
-    )
-
-
-def _contact(contact: Contact, profile: CamProfile, found: Osculating) -> Contact:
-    """The discs as they touch here: in a hollow of the cam the follower's lies inside."""
-    ends = {end.link: end for end in (contact.disc, contact.on)}
-    cam, other = ends[profile.link], ends[profile.follower]
-    assert isinstance(cam, Circle)
-    if isinstance(other, Rack):
-        return replace(contact, disc=replace(cam, radius=found.radius))
-    if found.radius > 0:
-        disc = replace(cam, radius=found.radius - other.radius)
-        return replace(contact, disc=disc) if contact.disc is cam else replace(contact, on=disc)
-    return replace(contact, disc=other, on=replace(cam, radius=other.radius - found.radius), internal=True)
-
-
-def _link(link: Link, profile: CamProfile, contact: Contact, found: Osculating) -> Link:
-    if link.name == profile.link:
-        return replace(link, points={**link.points, profile.centre: found.centre})
-    if link.name == contact.substitute and len(link.points) > 1:
-        first, second = link.points
-        return replace(link, points={first: 0j, second: complex(abs(found.radius))})
-    return link
-
-
-def _joint(joint: Joint, contact: Contact, found: Osculating) -> Joint:
-    """The guide thought parallel to a face, as far from it as the circle is large."""
-    if not isinstance(contact.on, Rack) or not isinstance(joint, Prismatic) or joint.block != contact.substitute:
-        return joint
-    side = 1j if contact.side is Side.LEFT else -1j
-    return replace(joint, origin=contact.on.origin + side * cmath.rect(found.radius, contact.on.direction))
-
-
-def _side(mech: Mechanism, profile: CamProfile, contact: Contact, found: Osculating) -> tuple[SideOf, ...]:
-    """Which of two meetings is the follower's: that on whose side the profile has it."""
-    if isinstance(contact.on, Rack):
-        return ()
-    turned = cmath.exp(1j * mech.drive.position)
-    pin = next(
-        (letter for letter in mech.link(profile.follower).points if letter in mech.frame and letter != profile.end),
-        None,
-    )
-    up = turned * (found.tip - found.centre)
-    if pin is None:
-        return (SideOf(point=profile.end, side=Side.ABOVE if up.imag > 0 else Side.BELOW, ref=(profile.centre,)),)
-    ray = mech.frame[pin] - mech.frame[profile.pivot] - turned * found.centre
-    left = (ray.conjugate() * up).imag > 0
-    return (SideOf(point=profile.end, side=Side.LEFT if left else Side.RIGHT, ref=(profile.centre, pin)),)
 
 
 def _told(profile: CamProfile, found: Osculating, turn: float) -> Words:

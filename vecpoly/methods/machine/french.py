@@ -22,6 +22,7 @@ from ...mechanism.laws.sizes import Table
 from ...mechanism.laws.windows import During, Moving
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
+from ..exchange.profile import corners
 from ..positions.laps import laps
 from ..roots import halved
 from .changes import bends, jumps
@@ -128,8 +129,11 @@ def french(mech: Mechanism, loads: Loads) -> French:
     looked = _looked(loads, sense, period)
     places = looked if sense > 0 else [-one for one in reversed(looked)]
     own, bent = (sorted(sense * q % period for q in of(mech, loads, places)) for of in (jumps, bends))
+    laws = [
+        (sense * place + 2 * np.pi * k) % period for place in corners(mech) for k in range(round(period / (2 * np.pi)))
+    ]
     fit = partial(_fitted, partial(stations, mech, loads), sense)
-    rough = [(a, b, *fit(a, b)) for a, b in pairwise(_cuts(loads, sense, period, [*own, *bent]))]
+    rough = [(a, b, *fit(a, b)) for a, b in pairwise(_cuts(loads, sense, period, [*own, *bent, *laws]))]
     great = tuple(max(float(np.abs(piece[k]).sum(axis=-1)) for piece in rough) for k in (2, 3))
     pieces = [part for piece in rough for part in _settled(piece, fit, great, DEEPEST)]
     cuts = np.array([0.0, *(piece[1] for piece in pieces)])

@@ -23,7 +23,7 @@ from ..forces.masses import weights
 from ..forces.state import Statics
 from ..kinematics.doors import draw_drives, draw_group
 from ..kinematics.image import found_tip
-from ..positions.placed import elsewhere, further, refuse_profiles
+from ..positions.placed import elsewhere, further
 from ..registry import Stage
 
 SAME = 1e-6  # mm: two drawings of one place
@@ -65,8 +65,10 @@ def stations(mech: Mechanism, loads: Loads, places: Sequence[float]) -> list[Sta
 def at_once(mech: Mechanism, places: Sequence[float]) -> Desk | None:
     """Position and velocity polygon in all of these places, as if each were another hand's, on the sides of the first.
 
-    None where other meetings are chosen on the way, as the last place shows.
+    None where other meetings are chosen on the way, as the last place shows, and where a cam has another disc in each.
     """
+    if mech.cams:
+        return None
     try:
         desk = desk_at(mech, places[0], hand("exact"), further(mech, places))
         last = elsewhere(mech, places[-1]).desk(hand("exact"))
@@ -78,7 +80,6 @@ def at_once(mech: Mechanism, places: Sequence[float]) -> Desk | None:
 
 def desk_at(mech: Mechanism, phi: float, by: Hand, ahead: Mapping[str, Reals] | None = None) -> Desk:
     """Position and velocity polygon on paper that is thrown away."""
-    refuse_profiles(mech)
     there = elsewhere(replace(mech, drives=(replace(mech.drive, accel=0.0), *mech.drives[1:])), phi)
     desk = there.desk(by, ahead)
     desk.told = mech

@@ -19,6 +19,7 @@ from ...mechanism.groups.assur import Group, decompose
 from ...mechanism.model import Mechanism, Shaped
 from ...plane import nominal
 from ..desk import Desk
+from ..exchange.profile import touching
 from ..kinematics.diagram.cam import letter_contacts
 from ..kinematics.doors import draw_drives, draw_group
 from ..registry import Stage
@@ -129,7 +130,7 @@ class Follower:
 
     def _drawn(self, way: float, led: Places, kept: Mapping[Key, int], told: Iterable[float]) -> Desk:
         mech = with_told(moved(self.mech, self.mech.drive.position + way, led), told)
-        return drawn(mech, self.groups, Sides(kept=kept))
+        return drawn(mech, self.groups, Sides(kept=_carried(mech, kept)))
 
     def comes_to(self, mech: Mechanism, places: Places) -> bool:
         """Whether it comes to these places at this mechanism's own position."""
@@ -165,6 +166,7 @@ def follower(mech: Mechanism) -> Follower:
     Raises AssemblyError, DeadPointError where its own position cannot be drawn.
     """
     mech = opened(replace(mech, drives=tuple(replace(drive, rate=1.0, accel=0.0) for drive in mech.drives)))
+    mech = touching(mech)
     return _assemblies(moved(mech, 0.0, {})).of(mech)
 
 
@@ -193,15 +195,18 @@ def _begun(mech: Mechanism, groups: tuple[Group, ...], own: Desk) -> Follower:
 
 
 def moved(mech: Mechanism, position: float, led: Mapping[str, complex]) -> Mechanism:
-    """The mechanism with its drive there, its letters near these places, and the statements that hold all round."""
+    """The mechanism with its drive there, its letters near these places, and the statements that hold all round; with
+    discs that touch there for its profiles."""
     drives = (replace(mech.drive, position=position), *mech.drives[1:])
     held = tuple(one for one in mech.branches if isinstance(one, Shaped))
-    return replace(mech, drives=drives, branches=held, guesses={**mech.guesses, **led} if led else {})
+    guesses = {**mech.guesses, **led} if led else {}
+    return touching(replace(mech, drives=drives, branches=held, guesses=guesses))
 
 
-def is_followed(mech: Mechanism) -> bool:
-    """Whether what is known of the mechanism holds in all positions: of a profile it does not."""
-    return not mech.cams
+def _carried(mech: Mechanism, kept: Mapping[Key, int]) -> Mapping[Key, int]:
+    """The sides that are carried on: not that of a cam's follower, whose disc is another in every place."""
+    ends = {profile.end for profile in mech.cams}
+    return {key: side for key, side in kept.items() if key[0] not in ends} if ends else kept
 
 
 def drawn(mech: Mechanism, groups: tuple[Group, ...], sides: Sides | None = None) -> Desk:

@@ -15,7 +15,7 @@ from ...mechanism.model import Mechanism
 from ...plane import Reals
 from ...words import Words
 from ..desk import Desk
-from .following import draw_positions, follower, is_followed, moved
+from .following import draw_positions, follower, moved
 from .rolled import with_told
 from .scratch import position_desk
 from .sides import Sides
@@ -50,10 +50,10 @@ def further(mech: Mechanism, places: Sequence[float]) -> Mapping[str, Reals]:
 def elsewhere(mech: Mechanism, position: float) -> There:
     """Followed to this position (rad, or m) from its own, where its statements are read.
 
-    What is known of a profile holds for the own position alone: it is not followed, and drawn as the statements say.
-    Gears roll on. Raises AssemblyError where the way there ends, DeadPointError likewise.
+    Gears roll on; a profile is replaced by a disc that touches there, which is good for positions and velocities.
+    Raises AssemblyError where the way there ends, DeadPointError likewise.
     """
-    if position == mech.drive.position or not is_followed(mech):
+    if position == mech.drive.position:
         return _as_told(mech, position)
     one = follower(mech)
     stand = one.at(position)
@@ -90,20 +90,6 @@ def _on_scratch(desk: Desk, there: There) -> Desk:
         scratch.letter(name, at * scratch.mm(1.0))
     draw_positions(scratch, there.groups)
     return scratch
-
-
-def refuse_profiles(mech: Mechanism) -> None:
-    """NoMethodError where a profile is replaced in the mechanism's own position only: no drawing follows it on."""
-    if mech.cams:
-        raise NoMethodError(
-            Words(
-                "凸轮廓线在各位置要另作替代机构，没有图解法得出机构在原动件其他位置（如一个周期内）的图；"
-                "请用 vecpoly exact",
-                "a cam's profile is replaced anew in every position, and no drawing on file follows it to other "
-                "positions of the drive, such as those of a period; use 'vecpoly exact'",
-            ),
-            code="no-method",
-        )
 
 
 def refuse_thought(desk: Desk) -> None:

@@ -78,7 +78,7 @@ def _unbalanced(solution: Solution) -> Words:
     if not left:
         return Words("各阶惯性力和惯性力偶均已平衡。", "All forces and couples are balanced.")
     if len(left) == len(_TERMS):
-        return Words("四项均未平衡。", "None of the four is balanced.")
+        return Words("四项均未平衡。", "All four are unbalanced.")
     named = joined(left)
     verb = "is" if len(left) == 1 else "are"
     return Words(

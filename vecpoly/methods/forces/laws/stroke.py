@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
 
@@ -11,16 +10,13 @@ import numpy as np
 
 from ....board.construction import View
 from ....errors import EquilibriumError, VecpolyError
-from ....mechanism.groups.assur import Group, decompose
 from ....mechanism.laws.told import no_stroke
 from ....mechanism.model import Mechanism
 from ....names import At
 from ....plane import dot, nominal
-from ...desk import Desk
-from ...exchange.exchange import exchanged
 from ...kinematics.doors import draw_drives, draw_group
 from ...kinematics.image import found_tip
-from ...positions.following import Follower, drawn, follower, is_followed
+from ...positions.following import Follower, follower
 from ...positions.laps import MOST, laps
 from ...registry import Stage
 from ...roots import halved
@@ -30,41 +26,17 @@ HALVINGS = 48
 _STAGES = (Stage.POSITION, Stage.VELOCITY)
 
 
-@dataclass(frozen=True, slots=True)
-class AsTold:
-    """A mechanism of which a profile is not followed: drawn in every place as the statements say."""
-
-    mech: Mechanism
-
-    def drawn(self, at: float) -> tuple[Desk, tuple[Group, ...]]:
-        """The position diagram in this place of the drive, and the groups."""
-        even = replace(self.mech.drive, position=at, rate=self.mech.drive.rate or 1.0, accel=0.0)
-        moved = exchanged(replace(self.mech, drives=(even, *self.mech.drives[1:])), _STAGES).mech
-        groups = decompose(moved)
-        return drawn(moved, groups), groups
-
-
 def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[float, float]:
     """Least and greatest coordinate of a point along a direction (m); EquilibriumError where it has no stroke."""
-    if is_followed(mech):
-        _, low, high = _stroke(follower(mech), link, point, direction)
-    else:
-        whole, low, high = _stroke(AsTold(_at_zero(mech)), link, point, direction)
-        if not whole:
-            _, low, high = _stroke(AsTold(mech), link, point, direction)
+    low, high = _stroke(follower(mech), link, point, direction)
     if (why := no_stroke(link, point, direction, high - low, mech.scale)) is not None:
         raise EquilibriumError(why, code="contradiction")
     return low, high
 
 
-def _at_zero(mech: Mechanism) -> Mechanism:
-    """The same for every place of the drive: the trials of a whole turn serve for them all."""
-    return mech if mech.drive.slide else replace(mech, drives=(replace(mech.drive, position=0.0), *mech.drives[1:]))
-
-
 @lru_cache(maxsize=128)
-def _stroke(way: Follower | AsTold, link: str, point: str, direction: float) -> tuple[bool, float, float]:
-    """Whether the drive goes right round, and both ends: at the dead centres, where the velocity turns round, or where
+def _stroke(way: Follower, link: str, point: str, direction: float) -> tuple[float, float]:
+    """Both ends: at the dead centres, where the velocity turns round, or where
     the drive comes to its own end."""
     drive = way.mech.drive
     own, step = drive.position, (way.mech.scale / 18 if drive.slide else 2 * np.pi / TRIALS)
@@ -77,18 +49,17 @@ def _stroke(way: Follower | AsTold, link: str, point: str, direction: float) -> 
 
     ahead, behind = ([own + sense * step * k for k in range(1, TRIALS * MOST + 1)] for sense in (1, -1))
     if seen_at(own) is None:
-        return False, 0.0, 0.0
+        return 0.0, 0.0
     if not drive.slide and all(seen_at(at) is not None for at in ahead[:TRIALS]):
-        count = laps(way.mech) if isinstance(way, Follower) else 1
-        return True, *_ends([own, *ahead[: TRIALS * count]], seen_at)
+        return _ends([own, *ahead[: TRIALS * laps(way.mech)]], seen_at)
     reach = [*_reached(behind, seen_at)[::-1], own, *_reached(ahead, seen_at)]
-    return False, *_ends(sorted([*reach, *_edges(reach, step, seen_at)]), seen_at)
+    return _ends(sorted([*reach, *_edges(reach, step, seen_at)]), seen_at)
 
 
 Drawn = Callable[[float], tuple[float, float] | None]
 
 
-def _seen(way: Follower | AsTold, at: float, link: str, point: str, direction: float) -> tuple[float, float] | None:
+def _seen(way: Follower, at: float, link: str, point: str, direction: float) -> tuple[float, float] | None:
     """Coordinate (m) and velocity of the point along the direction in this place of the drive; None where there is
     none."""
     try:

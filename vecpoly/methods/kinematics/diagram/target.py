@@ -15,7 +15,7 @@ from ....plane import nominal
 from ....problem.asked.target import Target
 from ....words import Words
 from ...desk import Desk
-from ...positions.placed import placed, refuse_profiles
+from ...positions.placed import placed
 
 PLACES = 120  # of the drive, over a turn
 
@@ -47,7 +47,6 @@ def draw_target(desk: Desk, target: Target) -> None:
 
 def _path(desk: Desk, point: str) -> list[complex]:
     """The path through a turn of the drive; as far as it goes to both sides where it does not turn right round."""
-    refuse_profiles(desk.mech)
     ahead = list(_run(desk, point, 1))
     behind = [] if len(ahead) == PLACES else list(_run(desk, point, -1))
     return [*behind[::-1], complex(nominal(desk.at[point])), *ahead]
