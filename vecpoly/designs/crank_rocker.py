@@ -1,4 +1,4 @@
-"""A crank-rocker from the coefficient K of its quick return, its rocker, and one datum more."""
+"""A crank-rocker from its time ratio K, its rocker, and one datum more."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A slider-crank from the coefficient K of its quick return, its stroke, and one datum more."""
+"""A slider-crank from its time ratio K, its stroke, and one datum more."""
 
 from __future__ import annotations
 

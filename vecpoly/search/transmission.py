@@ -80,6 +80,6 @@ class TransmissionSearch:
         stroke = seen.strokes[-1]
         return (
             Measure(name=Words("最小传动角", "least transmission angle"), value=float(np.degrees(least)), unit="deg"),
-            Measure(name=Words("行程速比系数 K", "coefficient K"), value=stroke.ratio, unit=""),
+            Measure(name=Words("行程速比系数 K", "time ratio K"), value=stroke.ratio, unit=""),
             Measure(name=Words("摆角", "swing"), value=float(np.degrees(stroke.swing)), unit="deg"),
         )

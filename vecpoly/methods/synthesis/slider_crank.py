@@ -26,9 +26,7 @@ from .registry import design_method
 
 @design_method(
     SliderCrank,
-    title=Words(
-        "按行程速比系数 K 设计偏置曲柄滑块机构", "Offset slider-crank from the coefficient K of its quick return"
-    ),
+    title=Words("按行程速比系数 K 设计偏置曲柄滑块机构", "Offset slider-crank from its time ratio K"),
     source="机械原理, synthesis by the coefficient of travel speed variation: inscribed angle over the stroke C1C2",
     example="8-16",
 )

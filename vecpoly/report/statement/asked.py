@@ -98,11 +98,12 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
 
 
 def _load_told(kind: Words, key: str, symbol: str, solution: Solution) -> Words:
-    """The balancing load; where it is asked by another way before, that it is found once more."""
+    """The balancing load; where it is asked in another way before, in which way it is found."""
     first = next(ask.rel.key for ask in solution.problem.asks if asked_load(solution.problem, ask.rel.key) is not None)
     way = way_of(key)
     if way is not None and first != key and way_of(first) is None:
-        return Words(f"再求 {symbol}（{way.zh}）", f"{symbol} once more ({way.en})")
+        again = symbol == f"${solution.construction.readings[first].symbol}$"
+        return Words(f"{'再求 ' * again}{symbol}（{way.zh}）", f"{symbol}{' again' * again} ({way.en})")
     return kind + Words("", " ") + Words(*(called(symbol.strip("$"), key, lang) for lang in ("zh", "en")))
 
 

@@ -108,10 +108,8 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...]) -> W
             + _rolling(counted.higher > len(mech.contacts))
             + Words(f"；{driver.zh}为原动件。", f"; {driver.en} drives.")
         )
-    zh = "、".join(
-        f"{group_zh(g)}（构件 {'、'.join(_told(mech, name).zh for name in g.links)}{_as_bar(g).zh}）" for g in groups
-    )
-    en = ", ".join(f"{kind_of(g).en} ({_links(mech, g.links)}{_as_bar(g).en})" for g in groups)
+    zh = "、".join(f"{group_zh(g)}（{_links(mech, g.links).zh}{_as_bar(g).zh}）" for g in groups)
+    en = ", ".join(f"{kind_of(g).en} ({_links(mech, g.links).en}{_as_bar(g).en})" for g in groups)
     kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
     kind += " of" if len(groups) == 1 and groups[0].kind in _HIGHER else ""
     opening = Words(
@@ -197,11 +195,14 @@ def _class(groups: tuple[Group, ...]) -> Words:
     return Words(f" {_HIGHER[kinds[-1]]}", kinds[-1]) if kinds else Words(" Ⅱ 级", "class II")
 
 
-def _links(mech: Mechanism, links: Sequence[str]) -> str:
+def _links(mech: Mechanism, links: Sequence[str]) -> Words:
     """Links 2, 3; link 2, the substitute for K."""
-    told = {link: _told(mech, link).en for link in links}
-    numbered, others = [one for one in links if told[one] == one], [told[one] for one in links if told[one] != one]
-    return ", ".join((f"link{'s' * (len(numbered) > 1)} {', '.join(numbered)}", *others) if numbered else others)
+    told = {link: _told(mech, link) for link in links}
+    numbered = [one for one in links if told[one].en == one]
+    others = [told[one] for one in links if told[one].en != one]
+    first = Words(f"构件 {'、'.join(numbered)}", f"link{'s' * (len(numbered) > 1)} {', '.join(numbered)}")
+    every = (first, *others) if numbered else others
+    return Words("、".join(one.zh for one in every), ", ".join(one.en for one in every))
 
 
 def _told(mech: Mechanism, link: str) -> Words:

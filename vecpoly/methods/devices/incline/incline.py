@@ -54,7 +54,7 @@ def _apart(bench: Bench, along: Points, force: Points, phi: Quantity, limit: boo
     board.step(
         Words(
             "取滑块为分离体。滑块相对斜面的速度 $v_12$ 沿斜面向上，摩擦力沿斜面向下，故 $R_21$ 自法线 $n$ 向下滑一"
-            "侧偏转 $φ$，与 $v_12$ 成 $90° + φ$。$Q$ 全知，$F$、$R_21$ 方向已知，只有两个未知的大小；"
+            "侧偏转 $φ$，与 $v_12$ 成 $90° + φ$。$Q$ 已知，$F$、$R_21$ 方向已知，只有两个未知的大小；"
             "三力汇交于一点。",
             "Take the block as a free body. It slides up the plane ($v_12$), so friction acts "
             "down the plane and $R_21$ is turned from the normal $n$ by $φ$ down the slope: it "

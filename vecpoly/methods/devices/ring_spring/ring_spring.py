@@ -101,7 +101,7 @@ def _wedges_apart(bench: Bench, it: Faces, r12: Points, r42: Points) -> None:
     two = board.open_pane(View.BODY, "2", Words("楔块 2 受力图（压缩）", "Free body of wedge 2, compression"))
     board.step(
         Words(
-            "先取楔块 2 为分离体：$Q$ 全知，$R_12$、$R_42$ 只有大小未知，可解（楔块 1 上三力的大小都未知）。"
+            "先取楔块 2 为分离体：$Q$ 已知，$R_12$、$R_42$ 只有大小未知，可解（楔块 1 上三力的大小都未知）。"
             "2 相对 1 沿斜面向外上方滑动（$v_21$），相对 4 沿斜面向外下方滑动（$v_24$），故 $R_12$、"
             "$R_42$ 各自法线 $n$ 逆滑动方向偏转 $φ$；三力汇交于一点。",
             "Take wedge 2 first: $Q$ is known, and of $R_12$ and $R_42$ only the magnitudes are "

@@ -42,7 +42,7 @@ def close_couples(bench: Bench, rotor: Rotor, place: Pane, couples: Mapping[str,
     names = list(dict.fromkeys(name for name, _ in unknowns(rotor.masses)))
     board.step(
         Words(
-            "按 $μ_{Wl}$ 画力偶多边形：先首尾相接画出全知的力偶。",
+            "按 $μ_{Wl}$ 画力偶多边形：先首尾相接画出大小、方向均已知的力偶。",
             "Draw the couple polygon to the scale $μ_{Wl}$: first the couples that are wholly known. ",
         )
         + TURNED

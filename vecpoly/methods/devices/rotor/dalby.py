@@ -107,7 +107,7 @@ def _products(
     place = board.open_pane(view, which[1:], view.title + Words(tail, f", solution {which[1:]}" if which else ""))
     board.step(
         Words(
-            f"各质径积的方向现已全知，按 ${view.mu.symbol}$ 首尾相接，封闭边即参考平面内质量 {first} 的质径积：",
+            f"各质径积的方向现均已知，按 ${view.mu.symbol}$ 首尾相接，封闭边即参考平面内质量 {first} 的质径积：",
             f"All directions are known now. Lay the products off head to tail to the scale ${view.mu.symbol}$; the "
             f"closing side is the product of mass {first} in the reference plane:",
         ),

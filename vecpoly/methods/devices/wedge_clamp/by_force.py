@@ -48,7 +48,7 @@ def _wedge_apart(bench: Bench, slope: Points, high: Points, low: Points) -> None
     bench.board.step(
         Words(
             "设楔块向左退出，$F'$ 为阻止其退出所需的力。楔块相对 1、2 的速度 $v_31$、$v_32$ 均向左，故 $R_13$、"
-            "$R_23$ 都自法线 $n$ 向右偏转 $φ$。$R_23$ 全知，$R_13$、$F'$ 只有大小未知；三力汇交于一点。",
+            "$R_23$ 都自法线 $n$ 向右偏转 $φ$。$R_23$ 已知，$R_13$、$F'$ 只有大小未知；三力汇交于一点。",
             "Let the wedge slip out to the left, and let $F'$ be the force that stops it. It "
             "slides to the left on 1 and on 2 ($v_31$, $v_32$), so both reactions are turned to "
             "the right of the normals $n$ by $φ$. $R_23$ is known, of $R_13$ and $F'$ only the "

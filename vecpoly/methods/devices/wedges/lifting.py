@@ -43,7 +43,7 @@ def _wedge_two(bench: Bench, it: Shapes, lines: Lines, sign: Mapping[str, str]) 
     place = bench.board.open_pane(View.BODY, "2", Words("楔块 2 受力图（正行程）", "Free body of wedge 2, lifting"))
     bench.board.step(
         Words(
-            "先取楔块 2 为分离体：$Q$ 全知，$R_12$、$R_32$ 只有大小未知，可解（楔块 1 上三力的大小都未知）。"
+            "先取楔块 2 为分离体：$Q$ 已知，$R_12$、$R_32$ 只有大小未知，可解（楔块 1 上三力的大小都未知）。"
             f"2 相对 1 沿接触面向上滑动（$v_21$），故 $R_12$ 自法线 $n$ 逆滑动方向偏转 ${sign['12']}$；"
             f"2 相对 3 向上滑动（$v_23$），故 $R_32$ 自法线向下偏转 ${sign['23']}$；三力汇交于一点。",
             "Take wedge 2 first: $Q$ is known, and of $R_12$ and $R_32$ only the magnitudes are "

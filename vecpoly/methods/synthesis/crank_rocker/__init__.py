@@ -1,1 +1,1 @@
-"""A crank-rocker from the coefficient K of its quick return: the circle that sees C₁C₂ under θ, or a ray under θ."""
+"""A crank-rocker from its time ratio K: the circle that sees C₁C₂ under θ, or a ray under θ."""

@@ -16,7 +16,7 @@ from .by_swing import by_swing
 
 @design_method(
     CrankRocker,
-    title=Words("按行程速比系数 K 设计曲柄摇杆机构", "Crank-rocker from the coefficient K of its quick return"),
+    title=Words("按行程速比系数 K 设计曲柄摇杆机构", "Crank-rocker from its time ratio K"),
     source="机械原理, synthesis by the coefficient of travel speed variation: inscribed angle over the chord C1C2",
     example="8-15",
 )

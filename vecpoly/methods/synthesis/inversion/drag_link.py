@@ -23,7 +23,7 @@ from ..transmission import least_angle
 
 @design_method(
     DragLink,
-    title=Words("按行程速比系数 K 设计双曲柄机构", "Drag link from the coefficient K"),
+    title=Words("按行程速比系数 K 设计双曲柄机构", "Drag link from its time ratio K"),
     source="机械原理, inversion: two pairs of positions of a double crank, the driven crank turning by 180°",
     example="drag-link",
 )
