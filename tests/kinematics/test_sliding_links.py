@@ -3,8 +3,11 @@ guides keep their direction, rods may pass beside their pins."""
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
+from tests.generators.family import families, member
 from vecpoly import loads
 from vecpoly.board.acts import Locate
 from vecpoly.errors import AssemblyError, ProblemFileError
@@ -141,3 +144,16 @@ def test_the_tip_of_a_coriolis_acceleration_has_a_letter_of_its_own(text: str, t
     places = {act.names[0]: {one.at for one in points if one.names[0] == act.names[0]} for act in points}
     assert all(len(at) == 1 for at in places.values())
     assert sum(name.startswith("acceleration:") for name in places) == tips
+
+
+@pytest.mark.parametrize(("kind", "number", "pair"), [("linkage-rpp", 5, "P8P5"), ("linkage-prp", 13, "P9P1")])
+def test_a_coriolis_term_is_not_nothing_because_its_relative_velocity_was_read_first(
+    kind: str, number: int, pair: str
+) -> None:
+    """Members of the soak, of which one link slides on two others: v of the pair stands since it was asked."""
+    text = member(next(one for one in families() if one.name == kind), 613, number)
+    asked = re.sub("find: .*", f"find: [v_{pair}, ak_{pair}, ar_{pair}]", text)
+    answers = solve(loads(asked), by="exact", repeats=0).answers
+    assert abs(answers[f"ak_{pair}"].drawn_vector or 0j) > 1
+    for answer in answers.values():
+        assert answer.drawn_vector == pytest.approx(answer.exact_vector, rel=1e-9)

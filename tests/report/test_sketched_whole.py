@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+import vecpoly
 from tests.drawn_library import IDS, drawn, given
 from tests.each import Later, each
 from tests.report.test_statement_figures import letters, pictured, plain
@@ -11,6 +12,7 @@ from vecpoly.board.paper.marks import AngleMark, Dot, Point, Role, Segment, Vect
 from vecpoly.designs.base import Design
 from vecpoly.designs.inversion.cognates import Cognates
 from vecpoly.designs.inversion.positions import Positions
+from vecpoly.report.picture import picture
 
 PLACED = Later(lambda: [name for name in IDS if isinstance(given(name).subject, Positions)])
 DESIGNS = Later(lambda: [name for name in IDS if isinstance(given(name).subject, Design)])
@@ -76,3 +78,11 @@ def test_a_single_angle_of_a_link_on_the_frame_is_marked_on_the_sketch(name: str
     for symbol, text in subject.given():
         if symbol in ("φ", "φ_1", "ψ_1") and _ANGLE.fullmatch(text) and {"A", "D"} <= pivots:
             assert symbol in marked, (symbol, text)
+
+
+def test_a_face_that_all_but_passes_its_pivot_has_no_way_d_to_be_told_on_the_sketch() -> None:
+    text = vecpoly.load("cam-flat-arm").text
+    for face, told in (("1 mm", False), ("6 mm", True)):
+        problem = vecpoly.loads(re.sub(r"face: [^,}]*", f"face: {face}", text))
+        drawn = picture(problem, problem.solve(repeats=0).construction, 90.0, 60.0)
+        assert drawn is not None and any(getattr(mark, "label", "") == "d" for mark in drawn.marks) is told

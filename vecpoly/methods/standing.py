@@ -4,14 +4,17 @@ under its own key, as the opposite of another, or as that of the same sliding pa
 from __future__ import annotations
 
 from ..algebra.quantity import Quantity
+from ..board.board import NO_LENGTH
 from ..board.construction import View
 from ..errors import NoMethodError
-from ..names import At, Kind, Rel
-from ..plane import Points
+from ..foundation.slotted import replace
+from ..names import At, Kind, Rel, omega
+from ..plane import Points, nominal
 from ..words import Words
 from .desk import Desk, polygon_of
 from .lettered import lettered
 
+STILL = 1e-12  # rad/s: a link that does not turn
 Standing = tuple[View, Points, Points, str]  # figure, start, end, letters
 
 
@@ -22,6 +25,7 @@ def standing(desk: Desk, rel: Rel) -> Standing:
     and a^r of the one against the other are the same at every point.
     """
     found = _drawn(desk, rel) or _turned(_drawn(desk, _back(rel))) or _sliding(desk, rel)
+    found = found or _plain(desk, rel) or _turned(_plain(desk, _back(rel)))
     if found is None:
         raise NoMethodError(
             Words(
@@ -67,12 +71,26 @@ def _drawn(desk: Desk, rel: Rel | None) -> Standing | None:
     if rel.kind in (Kind.V, Kind.A) and desk.has_tip(view, own.to) and (own.ref is None or desk.has_tip(view, own.ref)):
         start = 0j if own.ref is None else desk.tip(view, own.ref)
         return _lettered(desk, view, own, (start, desk.tip(view, own.to)))
-    whole = Rel(Kind.A, own.to, own.ref)  # where no link turns, a^r is all the relative acceleration there is
-    if rel.kind is Kind.AR and (stood := desk.stands(whole)) is not None:
-        return _lettered(desk, view, whole, stood.ends)
-    if rel.kind is Kind.AK and desk.stands(Rel(Kind.V, own.to, own.ref)) is not None:
-        return View.ACCELERATION, 0j, 0j, "—"
     return None
+
+
+def _plain(desk: Desk, rel: Rel | None) -> Standing | None:
+    """Where no link of the pair turns, or nothing slides, a^r is all the relative acceleration, and a^k is nothing."""
+    if rel is None or rel.kind not in (Kind.AK, Kind.AR):
+        return None
+    own = _own(desk, rel)
+    moves, whole = (desk.stands(Rel(kind, own.to, own.ref)) for kind in (Kind.V, Kind.A))
+    if moves is None or (_turns(desk, rel) and abs(nominal(moves.ends[1] - moves.ends[0])) > NO_LENGTH):
+        return None
+    if rel.kind is Kind.AK:
+        return View.ACCELERATION, 0j, 0j, "—"
+    return None if whole is None else _lettered(desk, View.ACCELERATION, replace(own, kind=Kind.A), whole.ends)
+
+
+def _turns(desk: Desk, rel: Rel) -> bool:
+    """Whether either of the two links turns here."""
+    found = (desk.turns.get(omega(at.link)) for at in (rel.to, rel.ref) if at is not None)
+    return any(turn is not None and not turn.never and abs(float(nominal(turn.value))) > STILL for turn in found)
 
 
 def _as_drawn(desk: Desk, rel: Rel) -> Rel:
@@ -99,13 +117,12 @@ def _sliding(desk: Desk, rel: Rel) -> Standing | None:
     if rel.ref is None or rel.kind not in (Kind.V, Kind.AK, Kind.AR):
         return None
     ahead, back = (rel.to.link, rel.ref.link), (rel.ref.link, rel.to.link)
-    if ahead in desk.slides:
-        slide = desk.slides[ahead]
-        return _drawn(desk, Rel(rel.kind, slide.to, slide.ref))
-    if back in desk.slides:
-        slide = desk.slides[back]
-        return _turned(_drawn(desk, Rel(rel.kind, slide.to, slide.ref)))
-    return None
+    slide = desk.slides.get(ahead) or desk.slides.get(back)
+    if slide is None:
+        return None
+    other = Rel(rel.kind, slide.to, slide.ref)
+    found = _drawn(desk, other) or _plain(desk, other)
+    return found if ahead in desk.slides else _turned(found)
 
 
 def _lettered(desk: Desk, view: View, rel: Rel, ends: tuple[Points, Points]) -> Standing:

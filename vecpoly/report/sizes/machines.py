@@ -69,5 +69,5 @@ def _arm(device: Cam, figure: Figure, centre: complex, pivot: complex) -> Iterat
     if device.follower.arm.AB is not None and bars:
         bar = bars[0]
         yield from span(bar.a, bar.b, "l_{AB}", 1j * BELOW * (bar.b - bar.a) / abs(bar.b - bar.a) * -device.side)
-    elif device.face and bars:
+    elif device.face and len(bars) > 1:  # a face that passes the pivot on paper has no way to it
         yield from span(bars[0].a, bars[0].b, "d", BELOW * (bars[1].b - bars[1].a) / abs(bars[1].b - bars[1].a) * -1)
