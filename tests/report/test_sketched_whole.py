@@ -84,5 +84,5 @@ def test_a_face_that_all_but_passes_its_pivot_has_no_way_d_to_be_told_on_the_ske
     text = vecpoly.load("cam-flat-arm").text
     for face, told in (("1 mm", False), ("6 mm", True)):
         problem = vecpoly.loads(re.sub(r"face: [^,}]*", f"face: {face}", text))
-        drawn = picture(problem, problem.solve(repeats=0).construction, 90.0, 60.0)
+        drawn = picture(problem, problem.solve(by="exact").construction, 90.0, 60.0)
         assert drawn is not None and any(getattr(mark, "label", "") == "d" for mark in drawn.marks) is told
