@@ -11,7 +11,7 @@ import vecpoly
 from vecpoly.check.grashof import grashof
 from vecpoly.report.answers.order import arranged, broken
 from vecpoly.report.content import conclusions
-from vecpoly.report.verification import MARGIN, verification_table
+from vecpoly.report.verification import MARGIN, in_words, verification_table
 from vecpoly.words import Lang
 
 
@@ -90,3 +90,11 @@ def test_a_given_link_that_need_not_be_a_crank_is_called_a_link() -> None:
     assert (
         "构件 $AB$ 的各位置、标线 $DE$" in first.zh and "of the link $AB$, the positions of the line $DE$" in first.en
     )
+
+
+@pytest.mark.parametrize(("lang", "said"), [("zh", "原动件 $AB$ 能整周转动"), ("en", "the driver $AB$ turns fully")])
+def test_what_a_single_solution_does_is_said_in_a_sentence_and_of_several_in_a_table(lang: Lang, said: str) -> None:
+    one, several = (verification_table(vecpoly.load(name).solve(), lang) for name in ("8-5", "8-4"))
+    assert one is not None and several is not None and len(several.rows) > 1
+    assert said in in_words(one, lang) and in_words(several, lang) == "" == in_words(None, lang)
+    assert all(cell in in_words(one, lang) for cell in one.rows[0][1:] if cell[0].isdigit())

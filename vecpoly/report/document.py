@@ -44,7 +44,7 @@ from .tables import given_tables, printed_table
 from .templates import filled
 from .titles import subject
 from .verdicts import by_size, verdicts
-from .verification import beside_exact, heads_told, verification_table
+from .verification import as_moved, beside_exact, heads_told
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
     "zh": ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期"),
@@ -197,9 +197,10 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     checked, lines = check_problem(solution.problem), lines_table(solution, lang)
     blocks = diagram(solution.construction)
     answer = answer_box(solution, lang, conclusions(solution, lang))
-    verified, printed = verification_table(solution, lang), printed_table(checked.answers, lang)
+    printed, (verified, moved) = printed_table(checked.answers, lang), as_moved(solution, lang)
     bound = [] if blocks or _repeats(solution.construction) else _pages(solution.construction, solution, lang, objects)
     return {
+        "moved": moved,
         "verified": objects.add("tab", verified) if verified else "",
         "beside": "beside" if beside_exact(solution) else "",
         "heads": heads_told(verified, lang),
@@ -239,8 +240,7 @@ def _pages(construction: Construction, solution: Solution, lang: Lang, objects: 
     """The sheets of a construction, each put among the objects of the report."""
     problem = solution.problem
     loose = sheets(construction, lang=lang, title=problem.title, on=problem.paper, plates=True)
-    made = concluded(loose, solution, lang)
-    return _bound(made, construction, lang, objects)
+    return _bound(concluded(loose, solution, lang), construction, lang, objects)
 
 
 def _bound(made: Sequence[Sheet], shown: Construction, lang: Lang, objects: Objects) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from math import isfinite
 
@@ -41,8 +42,24 @@ _MEANT = {  # heads that do not say all
     ),
     _GAMMA: Words("$γ_{min}$ 为最小传动角", "$γ_{min}$ is the least transmission angle"),
 }
+_ORDER, _SWING, _STROKE = Words("次序", "Order"), Words("摆角", "Swing"), Words("行程", "Stroke")
 _BROKEN = Words("不能运动", "does not move")
+_SAID = {  # the same of a single solution, in a sentence
+    _ERROR: Words("同一杆在各给定位置的长度最多相差 {}", "the length of a link varies by {} at most"),
+    _CIRCUIT: Words(
+        "机构不拆开即可依次通过各给定位置", "the linkage passes through all given positions without being taken apart"
+    ),
+    _ORDER: Words("位置次序为 {}", "it takes them in the order {}"),
+    _TYPE: Words("机构类型为{}", "its type is {}"),
+    _TYPE_OF: Words("$ABCD$ 为{}", "$ABCD$ is of the type {}"),
+    MARGIN: Words(
+        "其余两杆之和减去最短杆与最长杆之和为 {}", "the two other links less the shortest and the longest are {}"
+    ),
+    _SWING: Words("摆角为 {}", "the swing is {}"),
+    _STROKE: Words("行程为 {}", "the stroke is {}"),
+}
 _BESIDE = frozenset({"K", "psi", "H", "gamma_min"})  # keys of what is moved and found exactly too
+_DRIVER = re.compile(r"(?:原动件|Driver) (\$\w+\$)")
 _BARS = (("A", "B"), ("B", "C"), ("C", "D"))
 
 
@@ -62,6 +79,34 @@ def verification_table(solution: Solution, lang: Lang) -> DataTable | None:
     header = [_NUMBER.of(lang), *(lines[0][n][0].of(lang) for n in told)]
     rows = [[str(one.number), *(line[n][1].of(lang) for n in told)] for one, line in zip(moved, lines, strict=True)]
     return DataTable(header, rows, None, "c" * len(header), lang=lang)
+
+
+def as_moved(solution: Solution, lang: Lang) -> tuple[DataTable | None, str]:
+    """What the solutions do, as moved: of several a table, of one a sentence."""
+    table = verification_table(solution, lang)
+    said = in_words(table, lang)
+    return (None if said else table), said
+
+
+def in_words(table: DataTable | None, lang: Lang) -> str:
+    """A table of one line as a sentence; nothing of another."""
+    if table is None or len(table.rows) > 1:
+        return ""
+    said = {head.of(lang): words.of(lang) for head, words in _SAID.items()}
+    pairs = list(zip(table.header[1:], table.rows[0][1:], strict=True))
+    told = [said[head].format(value) if head in said else _turning(head, value, lang) for head, value in pairs]
+    return stopped(Words("，", "; ").of(lang).join(told), lang)
+
+
+def _turning(head: str, value: str, lang: Lang) -> str:
+    """Whether the driver turns fully, with what is added to a four-bar; any other item as it is headed."""
+    turns = {_YES.of(lang): Words("能", "turns"), _NO.of(lang): Words("不能", "does not turn")}.get(value)
+    driver = next(iter(_DRIVER.findall(head)), "")
+    if turns is not None and driver:
+        return Words(f"原动件 {driver} {turns.zh}整周转动", f"the driver {driver} {turns.en} fully").of(lang)
+    if turns is not None and head == _ALL_TURNS.of(lang):
+        return Words(f"连同杆组{turns.zh}整周转动", f"with what is added it {turns.en} fully").of(lang)
+    return f"{head} = {value}" if head.startswith("$") else f"{head}{Words('：', ': ').of(lang)}{value}"
 
 
 def heads_told(table: DataTable | None, lang: Lang) -> str:
@@ -97,12 +142,12 @@ class _Line:
         return [
             (_ERROR, self._closes()),
             (_CIRCUIT, self._yes()),
-            (Words("次序", "Order"), self._order()),
+            (_ORDER, self._order()),
             (named, _NONE if one.kind is None else one.kind),
             (MARGIN, _NONE if one.kind is None else Words.same(f"{number(one.margin)} mm")),
             (turning, self._turns()),
             (Words.same("$K$"), self._beside(one.ratio, "K", "", 4)),
-            (Words("摆角", "Swing") if swings else Words("行程", "Stroke"), self._beside(one.stroke, stroke, unit, 4)),
+            (_SWING if swings else _STROKE, self._beside(one.stroke, stroke, unit, 4)),
             (_GAMMA, self._beside(one.gamma, "gamma_min", "°", 4) if one.full else _NONE),
         ]
 
