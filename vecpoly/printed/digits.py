@@ -131,5 +131,6 @@ def coarse(answer: Answer) -> float | None:
     error = answer.expected_error
     if not isfinite(error) or not error or abs(answer.drawn) < 1e-9 * error:
         return None
-    share = error / abs(answer.drawn)
+    whole = abs(answer.exact)  # as in the check beside it
+    share = error / (whole if whole and isfinite(whole) else abs(answer.drawn))
     return share if share >= COARSE else None

@@ -10,13 +10,13 @@ from ..base import Tightness
 from ..blocks import SheetPage
 from ..doc import Metadata, ReportDoc
 from .loose import OPENEST, grown
-from .sectioned import heads, settled
+from .sectioned import HALF, heads, settled
 from .setting import tightened
 
-ENOUGH, LAST = 0.72, 0.6  # of a page of text, and of the last one: what is filled so far looks full
+ENOUGH, LAST = 0.8, 0.6  # of a page of text, and of the last one: what is filled so far looks full
 _SHARES = (0.0, *(OPENEST * n / 5 for n in range(1, 6)))
 _CLOSER = (Tightness(white=0.8), Tightness(white=0.6), Tightness(white=0.5, lines=0.97, figures=0.85))
-_Score = tuple[int, int, int, float]
+_Score = tuple[int, int, int, int, float]
 
 
 def balanced(story: Sequence[Any], plain: Sequence[Any], meta: Metadata) -> Sequence[Any]:
@@ -48,7 +48,8 @@ def emptiness(filled: Sequence[float]) -> float:
 
 
 def _score(doc: ReportDoc) -> _Score:
-    return int(doc.page), len(doc.widows), doc.parted, round(emptiness(doc.filled), 4)
+    thin = sum(full < HALF for full in doc.filled)
+    return int(doc.page), len(doc.widows), doc.parted, thin, round(emptiness(doc.filled), 4)
 
 
 def _ways(plain: Sequence[Any]) -> Iterator[Sequence[Any]]:

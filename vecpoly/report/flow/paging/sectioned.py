@@ -12,7 +12,8 @@ from ..doc import ReportDoc
 from .setting import faults_of
 from .together import first_of
 
-HALF = 0.5  # of a page that text before the sheets fills at least, and the last page where it stands alone behind them
+HALF = 0.5  # of the last page, at least, where it stands alone behind the sheets
+FULL = 0.8  # of the page before the sheets, at least: a section is rather parted by them than a page left white
 
 
 def sectioned(story: list[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
@@ -45,7 +46,7 @@ def heads(text: Sequence[Any]) -> Iterator[int]:
 def _parts_well(doc: ReportDoc) -> bool:
     """Whether the text before the sheets, and behind them, fills its pages."""
     (_, before), (pages, last) = doc.ends
-    return before >= HALF and (pages > 1 or last >= HALF)
+    return before >= FULL and (pages > 1 or last >= HALF)
 
 
 def settled(sheet: SheetPage) -> SheetPage:
