@@ -106,13 +106,15 @@ def _inside(circle: Arc, box: Box) -> Iterator[Arc]:
 
 
 def _guide(guide: FixedGuide, about: complex, box: Box) -> Iterator[Mark]:
-    """The line on which the block's pin moves, from edge to edge, hatched at one end."""
+    """The line on which the block's pin moves, from edge to edge, hatched at both ends: its block may stand anywhere."""
     way = (guide.b - guide.a) / abs(guide.b - guide.a)
     back, on = _reach(about, -way, box), _reach(about, way, box)
     yield Segment(a=about - back * way, b=about + on * way, role=Role.CENTRE, step=1)
     shift = ((guide.a - about) / way).imag * 1j * way
-    end = about + on * way + shift
+    start, end = about - back * way + shift, about + on * way + shift
     yield FixedGuide(a=end - _HATCHED * way, b=end, step=1)
+    if back + on > 3 * _HATCHED:
+        yield FixedGuide(a=start, b=start + _HATCHED * way, step=1)
     yield Note(at=about + (on - _HATCHED / 2) * way, words=_GUIDE, step=1)
 
 
