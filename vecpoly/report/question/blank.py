@@ -106,7 +106,7 @@ def _inside(circle: Arc, box: Box) -> Iterator[Arc]:
 
 
 def _guide(guide: FixedGuide, about: complex, box: Box) -> Iterator[Mark]:
-    """The line on which the block's pin moves, from edge to edge, hatched at both ends: its block may stand anywhere."""
+    """The line on which the block's pin moves, from edge to edge, hatched at both ends."""
     way = (guide.b - guide.a) / abs(guide.b - guide.a)
     back, on = _reach(about, -way, box), _reach(about, way, box)
     yield Segment(a=about - back * way, b=about + on * way, role=Role.CENTRE, step=1)

@@ -32,7 +32,7 @@ _HEAD = {
 }
 _WIDTHS = (38.0, 36.0, 54.0, 42.0)
 _SOLVED, _ROOM = Words("解 {}", "Solution {}"), 4  # columns for the solutions of a synthesis, not as many as there are
-_NONE = "—"
+NONE = "—"
 _PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　　　　　) mm")
 _OTHERS = Words("其他", "Others")
 _ON_THE_WAY = Words("中间量", "Intermediate results")
@@ -183,7 +183,7 @@ def _headed(name: str) -> tuple[str, ...]:
 def _row(one: Answer, lang: Lang) -> tuple[str, ...]:
     """Dashes for what it has not: a scalar points nowhere, what is computed is not read."""
     name = called(one.reading.symbol, one.reading.key, lang)
-    paper, way = ("" if has(one) else _NONE for has in (_measured, _points))
+    paper, way = ("" if has(one) else NONE for has in (_measured, _points))
     return name, paper, _PLACE.of(lang) if one.is_place else "", way
 
 
@@ -194,7 +194,7 @@ def _between(solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:
     if found:
         yield _headed(_ON_THE_WAY.of(lang))
     for rel in found:
-        yield (f"${rel.symbol}$", _NONE, "", _NONE if rel.is_vector else "")
+        yield (f"${rel.symbol}$", NONE, "", NONE if rel.is_vector else "")
 
 
 def _motion(key: str) -> Rel | None:

@@ -12,12 +12,13 @@ from ...solution import Solution
 from ...words import Lang, Words
 from ..content import Objects
 from ..flow.blocks import Heading
-from .blanks import empty_table, equation_rows, working_room
+from .blanks import NONE, empty_table, equation_rows, working_room
 from .known import begins_at, stands
 from .working import working
 
 WORKING = Words("计算过程", "Working")
 _READ, _FOUND = Words("量取结果", "Readings"), Words("结果", "Results")
+_DASHES = Words("（“—”处不填）", " (nothing is filled in at —)")
 
 
 def _starts(figure: Figure) -> bool:
@@ -34,7 +35,9 @@ def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]
     """
     figures = solution.construction.figures
     title = _READ if any(figure.scale.symbol and figure.scale.value for figure in figures) else _FOUND
-    foot = [Heading(title.of(lang), 3, lang), empty_table(solution, lang)]
+    table = empty_table(solution, lang)
+    head = title + _DASHES if any(NONE in row for row in table.rows) else title
+    foot = [Heading(head.of(lang), 3, lang), table]
     shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
     return ({"given": ""} if shown else {}) | {
         "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],
