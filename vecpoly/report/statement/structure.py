@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ...foundation.roman import NUMERALS
+from ...mechanism.asked.pressure import pressure_quantities
 from ...mechanism.groups.assur import Group, decompose, hinges
 from ...mechanism.groups.mobility import Mobility, mobility
 from ...mechanism.model import FRAME, Mechanism
@@ -23,7 +24,16 @@ def structure(problem: Problem) -> Words:
     if not isinstance(problem.subject, Mechanism):
         return Words.same("")
     mech = problem.subject
-    return welded(mech) + _made_of(mech, mobility(mech), decompose(mech))
+    freedom = "" if _is_taken(problem, "F") else "$F$ = "
+    return welded(mech) + _made_of(mech, mobility(mech), decompose(mech), freedom)
+
+
+def _is_taken(problem: Problem, letter: str) -> bool:
+    """Whether a point, a load or the force of a pressure angle has this letter: one letter means one thing."""
+    mech, asked = problem.mechanism, {ask.rel.key for ask in problem.asks}
+    points = {p for link in mech.links for p in link.points} | set(mech.frame)
+    loads = {load.name for load in problem.loads.all} if problem.loads is not None else set()
+    return letter in points | loads or bool(asked & set(pressure_quantities(mech)))
 
 
 def welded(mech: Mechanism) -> Words:
@@ -94,10 +104,10 @@ def _seen(mech: Mechanism, count: Mobility) -> tuple[Mobility, Words]:
     )
 
 
-def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...]) -> Words:
+def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...], freedom: str) -> Words:
     count, slots = _seen(mech, counted)
     higher = f" − {count.higher}" if count.higher else ""
-    sum_up = f"$F$ = 3×{count.links} − 2×{count.lower}{higher} = {count.freedom}"
+    sum_up = f"{freedom}3×{count.links} − 2×{count.lower}{higher} = {count.freedom}"
     driver = driver_words(mech)
     if any("G" in g.kind or g.kind in ("gear", "rack", "gear train") for g in groups):
         return (
