@@ -189,7 +189,9 @@ def test_a_length_ends_with_millimetres_as_in_the_table() -> None:
 def test_a_coarse_reading_is_told_to_be_so_and_no_other() -> None:
     solution = solve(load("5-3"))
     told = {line.key: line.after for line in answer_box(solution, "en").lines}
-    assert "±17 %" in told["F"] and "±" not in told["R_21"] + told["R_31"]
+    force = solution.answers["F"]
+    of_the_exact = f"±{100 * force.expected_error / abs(force.exact):.0f} %"  # as the check beside it tells
+    assert of_the_exact in told["F"] and "±" not in told["R_21"] + told["R_31"]
     assert {key for key, text in told.items() if "±" in text} == {
         key for key, one in solution.answers.items() if (coarse(one) or 0.0) >= COARSE
     }
