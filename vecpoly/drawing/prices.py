@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from .labels.leading import alongside
 from .labels.obstacles import Complexes, Floats, Indices, Obstacles
 from .labels.rivals import Named, misled
 from .labels.spots import Spots, beside, ends, on_leaders, price_of_leader
@@ -187,7 +188,7 @@ def price(places: Sequence[Places]) -> None:
     parted = dict(zip(map(id, near), _parted(around.obstacles, near), strict=True))
     for part, cost in zip(places, costs, strict=True):
         if part.led:
-            cost += crossed[id(part)]
+            cost += crossed[id(part)] + alongside(part.want, around.obstacles, part.spots)
         else:
             cost += parted[id(part)] + misled(part.want, named, part.spots.centre)
         if around.frame is not None:
