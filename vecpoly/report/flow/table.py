@@ -29,7 +29,10 @@ _ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre", "u": "centre"
 
 _Row = tuple[tuple[Line, ...], ...]
 
-_MANY_ROWS, _LEAST_ROWS = 10, 4  # that a page break leaves together, before and after it: of a whole table, of others
+_MANY_ROWS, _LEAST_ROWS = (
+    10,
+    4,
+)  # that a page break leaves together: before it of a whole table; of others, and after it
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,9 +163,8 @@ class DataTable(Block):
         while count < len(self.rows) and used + found.heights[count] <= height:
             used += found.heights[count]
             count += 1
-        least = _MANY_ROWS if self.whole else _LEAST_ROWS
-        count = min(count, len(self.rows) - least)
-        if count < min(least, len(self.rows)):
+        count = min(count, len(self.rows) - _LEAST_ROWS)  # no row less than fit, beyond what goes on must have
+        if count < (_MANY_ROWS if self.whole else _LEAST_ROWS):
             return []
         head, tail = (self._part(*ends, width, found) for ends in ((0, count), (count, len(self.rows))))
         return [head, FrameBreak(), tail]  # the rest is not split once more on this page

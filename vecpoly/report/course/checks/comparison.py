@@ -4,12 +4,14 @@ the figures go on a sheet."""
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import floor, log10
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....algebra.quantity import number
+from ....algebra.rounding import as_printed
 from ....board.paper.sizes import unfit
 from ....errors import VecpolyError
 from ....findings.study.study import Study
@@ -23,8 +25,9 @@ from ..results.positions import at_position
 STATIONS = 24
 FLAT, MARGIN = 0.35, 0.25  # of the frame that drawn values take at least; of what they take, beyond them
 _SHOWN, _DENSE = 3, 2  # curves, and of a long report
+_DIGITS, _MOST = 3, 8  # significant digits of a deviation; decimals, beyond which a power of ten is shorter
 _HEADER = {
-    "zh": ["量", "单位", "最大值", "最大偏差", "占最大值", "所在位置", "均方根偏差", "手工作图 3σ（题设位置）"],
+    "zh": ["量", "单位", "最大值", "最大偏差", "占最大值", "所在位置", "均方根偏差", "手工 3σ", "占题设值"],
     "en": [
         "Quantity",
         "Unit",
@@ -33,7 +36,8 @@ _HEADER = {
         "of the largest",
         "At",
         "rms deviation",
-        "3σ of drawing by hand, given position",
+        "3σ by hand",
+        "of the value",
     ],
 }
 
@@ -129,6 +133,7 @@ def chapter(study: Study, press: Press, found: Compared) -> dict[str, Any]:
         "shown": press.shown([], figures),
         "count": len(found.stations),
         "refused": refused,
+        "by_hand": any(_by_hand(study, key)[0] != "—" for key in found.keys),
         "worst": f"{100 * found.worst(study):.2f} %",
     }
 
@@ -148,34 +153,36 @@ def _table(study: Study, press: Press, found: Compared) -> str:
                 share,
                 study.where(found.stations[k].phi).split(" = ")[1],
                 _number(info.factor * float(np.sqrt(np.mean(gaps**2)))),
-                _by_hand(study, key),
+                *_by_hand(study, key),
             )
         )
     return press.table(
         Words("图解值与精确值的偏差", "Deviations of the drawn values from the exact ones"),
         _HEADER[press.lang],
         rows,
-        "lcrrrrrr",
+        "lcddrrddr",
         style=SMALL,
     )
 
 
-def _by_hand(study: Study, key: str) -> str:
+def _by_hand(study: Study, key: str) -> tuple[str, str]:
     """Three standard deviations of the drawings by an unsteady hand at the given position,
     and their share of the value there."""
     answer = study.solution.answers.get(key)
     if answer is None or not answer.expected_error:
-        return "—"
-    share = (
-        f" ({100 * answer.expected_error / abs(answer.exact):.2g} %)"
-        if abs(answer.exact) > answer.expected_error
-        else ""
-    )
-    return _number(study.whole.info(key).factor * answer.expected_error) + share
+        return "—", "—"
+    told = abs(answer.exact) > answer.expected_error
+    share = f"{100 * answer.expected_error / abs(answer.exact):.2f} %" if told else "—"
+    return _number(study.whole.info(key).factor * answer.expected_error), share
 
 
 def _number(value: float) -> str:
-    return number(float(value), 3)
+    """Three digits with their last zeros, so that a column reads evenly."""
+    if not value or not np.isfinite(value):
+        return number(value)
+    told = as_printed(float(value), _DIGITS)
+    places = max(0, _DIGITS - 1 - floor(log10(abs(told))))
+    return f"{told:.{places}f}" if places <= _MOST else number(told, _DIGITS)
 
 
 def _chart(study: Study, press: Press, found: Compared) -> list[str]:
