@@ -127,8 +127,10 @@ def chapter(study: Study, press: Press, found: Compared) -> dict[str, Any]:
     refused = refusals(study, found.refused).of(press.lang)
     table = _table(study, press, found) if found.keys else ""
     figures = _chart(study, press, found) if found.stations and found.keys else []
+    single = bool(found.stations) and len(found.keys) == 1
     return {
         "table": table,
+        "alone": _alone(study, found).of(press.lang) if single else "",
         "figures": figures,
         "shown": press.shown([], figures),
         "count": len(found.stations),
@@ -139,29 +141,41 @@ def chapter(study: Study, press: Press, found: Compared) -> dict[str, Any]:
 
 
 def _table(study: Study, press: Press, found: Compared) -> str:
-    rows: list[tuple[str, ...]] = []
-    for key in found.keys if found.stations else ():
-        info, gaps, size = study.whole.info(key), found.gaps(key), study_size(study, key)
-        k = int(np.argmax(gaps))
-        share = f"{100 * gaps[k] / size:.2f} %" if size else "—"
-        rows.append(
-            (
-                f"${info.symbol}$",
-                info.shown_unit.replace("^2", "²"),
-                _number(info.factor * size),
-                _number(info.factor * gaps[k]),
-                share,
-                study.where(found.stations[k].phi).split(" = ")[1],
-                _number(info.factor * float(np.sqrt(np.mean(gaps**2)))),
-                *_by_hand(study, key),
-            )
-        )
-    return press.table(
-        Words("图解值与精确值的偏差", "Deviations of the drawn values from the exact ones"),
-        _HEADER[press.lang],
-        rows,
-        "lcddrrddr",
-        style=SMALL,
+    """One line a quantity; of a single one nothing, for a sentence tells it."""
+    rows = [_row(study, found, key) for key in (found.keys if found.stations else ())]
+    title = Words("图解值与精确值的偏差", "Deviations of the drawn values from the exact ones")
+    return press.table(title, _HEADER[press.lang], rows, "lcddrrddr", style=SMALL) if len(rows) > 1 else ""
+
+
+def _row(study: Study, found: Compared, key: str) -> tuple[str, ...]:
+    info, gaps, size = study.whole.info(key), found.gaps(key), study_size(study, key)
+    k = int(np.argmax(gaps))
+    return (
+        f"${info.symbol}$",
+        info.shown_unit.replace("^2", "²"),
+        _number(info.factor * size),
+        _number(info.factor * gaps[k]),
+        f"{100 * gaps[k] / size:.2f} %" if size else "—",
+        study.where(found.stations[k].phi).split(" = ")[1],
+        _number(info.factor * float(np.sqrt(np.mean(gaps**2)))),
+        *_by_hand(study, key),
+    )
+
+
+def _alone(study: Study, found: Compared) -> Words:
+    """The deviations of the only quantity that is compared, in a sentence or two."""
+    symbol, unit, size, gap, _, at, usual, hand, share = _row(study, found, found.keys[0])
+    told = Words(
+        f"{symbol} 的最大值为 {size} {unit}，最大偏差为 {gap} {unit}（{at}），均方根偏差为 {usual} {unit}。",
+        f"{symbol}, at most {size} {unit}, deviates by up to {gap} {unit} (at {at}), {usual} {unit} rms. ",
+    )
+    if hand == "—":
+        return told
+    of = ("", "") if share == "—" else (f"，占该处精确值的 {share}", f", {share} of the exact value there")
+    return told + Words(
+        f"真实的手工作图误差大得多：在题设位置，三倍标准差（3σ，即 6.2 的预期误差）为 {hand} {unit}{of[0]}。",
+        f"Drawing by hand is less accurate: at the given position its three standard deviations (3σ, the expected "
+        f"error of 6.2) are {hand} {unit}{of[1]}. ",
     )
 
 
