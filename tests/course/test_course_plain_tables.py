@@ -14,6 +14,7 @@ from vecpoly.report.course.results.chapter import sections
 from vecpoly.report.course.results.circling import is_trivial
 from vecpoly.report.course.results.extreme_values import extremes
 from vecpoly.report.flow.table import DataTable
+from vecpoly.report.flow.xml import to_flowables
 from vecpoly.typeset.box import MM
 from vecpoly.words import Lang, Words
 
@@ -88,3 +89,18 @@ def test_even_motion_on_a_circle_has_a_sentence_and_neither_table_nor_curves(lan
     assert "$|v_{B}|$ = 0.5 m/s" in told["words"] and "$|a_{B}|$ = 5 m/s²" in told["words"]
     table = kept.objects.named[extremes(it, kept)]
     assert isinstance(table, DataTable) and table.rows and not any("_{B}" in row[0] for row in table.rows)
+
+
+def test_a_table_that_is_read_down_one_half_and_then_the_other_is_not_parted() -> None:
+    table = DataTable(["a", "", "a"], [(str(n), "", str(n)) for n in range(14)], None, "lll", lang="zh")
+    assert table.split(160 * MM, 150.0)
+    table.undivided = True
+    assert not table.split(160 * MM, 150.0)
+
+
+@pytest.mark.parametrize(("name", "lang"), [("compound-hinge-six-bar", "en")])
+def test_the_list_of_symbols_stands_on_one_page(name: str, lang: Lang) -> None:
+    text, objects = course_text(name, lang)
+    to_flowables(text, objects.named, lang)
+    (table,) = (one for one in objects.named.values() if isinstance(one, DataTable) and one.caption == "Symbols")
+    assert table.undivided and len(table.rows) <= 20

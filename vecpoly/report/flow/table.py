@@ -29,10 +29,8 @@ _ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre", "u": "centre"
 
 _Row = tuple[tuple[Line, ...], ...]
 
-_MANY_ROWS, _LEAST_ROWS = (
-    10,
-    4,
-)  # that a page break leaves together: before it of a whole table; of others, and after it
+_MANY_ROWS, _LEAST_ROWS = 10, 4  # that a page break leaves before it of a whole table; of others, and behind it
+_PAGE_ROWS = 40  # for which a page has room
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +78,7 @@ class DataTable(Block):
         self.groups = tuple(groups) or ("",) * len(self.rows)
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
+        self.undivided = False  # rather goes to the next page than is parted
         self.align = (align + "c" * len(self.header))[: len(self.header)]
         self._vertical = _VERTICAL
         self._found: dict[float, _Set] = {}  # by width of the column; one for the table and all its copies
@@ -158,6 +157,8 @@ class DataTable(Block):
 
     def split(self, width: float, height: float) -> list[Flowable]:
         """Whole rows to each page, the header on both."""
+        if self.undivided and len(self.rows) <= _PAGE_ROWS:
+            return []
         found = self.set_in(width)
         used, count = found.top + _HEAVY, 0
         while count < len(self.rows) and used + found.heights[count] <= height:

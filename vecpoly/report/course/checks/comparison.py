@@ -127,10 +127,10 @@ def chapter(study: Study, press: Press, found: Compared) -> dict[str, Any]:
     refused = refusals(study, found.refused).of(press.lang)
     table = _table(study, press, found) if found.keys else ""
     figures = _chart(study, press, found) if found.stations and found.keys else []
-    single = bool(found.stations) and len(found.keys) == 1
+    alone = _alone(study, found) if found.stations and len(found.keys) == 1 else (Words("", ""),) * 2
     return {
         "table": table,
-        "alone": _alone(study, found).of(press.lang) if single else "",
+        "alone": [w.of(press.lang) for w in alone if w.zh],
         "figures": figures,
         "shown": press.shown([], figures),
         "count": len(found.stations),
@@ -162,21 +162,20 @@ def _row(study: Study, found: Compared, key: str) -> tuple[str, ...]:
     )
 
 
-def _alone(study: Study, found: Compared) -> Words:
-    """The deviations of the only quantity that is compared, in a sentence or two."""
+def _alone(study: Study, found: Compared) -> tuple[Words, Words]:
+    """The deviations of the only quantity that is compared, and those of a hand, in a sentence each."""
     symbol, unit, size, gap, _, at, usual, hand, share = _row(study, found, found.keys[0])
     told = Words(
         f"{symbol} 的最大值为 {size} {unit}，最大偏差为 {gap} {unit}（{at}），均方根偏差为 {usual} {unit}。",
         f"{symbol}, at most {size} {unit}, deviates by up to {gap} {unit} (at {at}), {usual} {unit} rms. ",
     )
-    if hand == "—":
-        return told
     of = ("", "") if share == "—" else (f"，占该处精确值的 {share}", f", {share} of the exact value there")
-    return told + Words(
+    by_hand = Words(
         f"真实的手工作图误差大得多：在题设位置，三倍标准差（3σ，即 6.2 的预期误差）为 {hand} {unit}{of[0]}。",
         f"Drawing by hand is less accurate: at the given position its three standard deviations (3σ, the expected "
-        f"error of 6.2) are {hand} {unit}{of[1]}. ",
+        f"error of 6.2) are {hand} {unit}{of[1]}.",
     )
+    return told, Words("", "") if hand == "—" else by_hand
 
 
 def _by_hand(study: Study, key: str) -> tuple[str, str]:
