@@ -26,6 +26,9 @@ def agreement(answers: Sequence[Answer]) -> Words:
     ]
     if not found:
         return Words("", "")
+    found = [(names, most) for names, most in found if read_back(most.rstrip("°% m"))[0]]
+    if not found:
+        return Words("图解与解析在所列位数内一致。", " Drawing and computation agree in all digits told.")
     zh = "，".join(f"{names.zh}最多相差 {most}" for names, most in found)
     en = ", ".join(f"{names.en} by no more than {most}" for names, most in found)
     return Words(f"图解与解析相比，{zh}。", f" Drawing and computation differ: {en}.")

@@ -149,7 +149,8 @@ def _sense(study: Study, answer: Answer) -> Words:
         return _COMMA + _direction(answer.exact_vector)
     if fixed is not None:
         return _COMMA + _direction(cmath.rect(1.0, fixed))
-    return _COMMA + _turning(answer.exact) if answer.turns else Words("", "")
+    turns = answer.turns and drawn_number(answer) != "0"  # what stands still has no sense
+    return _COMMA + _turning(answer.exact) if turns else Words("", "")
 
 
 def _turning(size: float) -> Words:
