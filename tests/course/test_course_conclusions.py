@@ -152,7 +152,9 @@ def test_the_conclusion_opens_with_what_was_asked() -> None:
     v, a = complex(here.velocity("F")), complex(here.acceleration("F"))
     assert v.real < 0 < a.real
     drawn = it.given.answers["v_F"].drawn
-    assert f"{drawn:.4g}/{abs(v):.4g} m/s，向左" in first.zh and f"/{abs(a):.4f} m/s²，向右" in first.zh
+    assert f"= {drawn:.3f} m/s，向左" in first.zh and " m/s²，向右" in first.zh
+    off = re.search(r"各值最多相差 ([\d.]+) %。", first.zh)
+    assert off and 100 * abs(drawn / abs(v) - 1) <= float(off[1]) + 0.1 and "/" not in first.zh.replace("m/s", "")
     assert sum("0.7394" in w.zh for w in conclusion(it, conditioning(it), NONE, (), "")) == 1
 
 

@@ -254,7 +254,7 @@ def test_the_conclusion_tells_what_was_drawn_with_the_digits_of_the_table(name: 
     it = studied(name)
     (said,) = stated.stated(it)
     rows = {re.sub("[{}]", "", row[0]): row for table in readings_tables(it.given, "en") for row in table.rows}
-    found = re.findall(r"(\$[vaωα][^$]*\$)[^=;$]* = −?([\d.]+)/", re.sub("[{}]", "", said.en))
+    found = re.findall(r"(\$[vaωα][^$]*\$)[^=;$]* = −?([\d.]+) ", re.sub("[{}]", "", said.en))
     assert found and all(drawn in rows[symbol] for symbol, drawn in found), found
 
 

@@ -72,22 +72,23 @@ def test_the_places_told_of_the_greatest_velocity_are_where_it_is(name: str) -> 
     assert any("最大" in words.zh for words in concluded(name))
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_the_range_told_of_an_output_link_is_that_of_the_cycle(name: str) -> None:
-    ranges = [
-        match
-        for words in concluded(name)
-        for match in re.finditer(
-            r"\$([ωα])_\{?(\d)\}?\$ varies from ([−\d.]+) rad/s\S* \(.*?\) to ([−\d.]+) rad/s", words.en
-        )
-    ]
-    assert ranges
-    for match in ranges:
-        values = np.asarray((dense(name).omega if match[1] == "ω" else dense(name).alpha)(match[2]))
+@pytest.mark.parametrize("name", (*NAMES, "A-27"))
+def test_the_rates_told_of_an_output_link_are_those_of_the_cycle(name: str) -> None:
+    """The range of what keeps its sense, the greatest size of what turns back."""
+    told = "\n".join(words.en for words in concluded(name) if words.en.startswith("Output link"))
+    rate = r"([ωα])_\{?(\d)\}?"
+    ranges = re.findall(rf"\${rate}\$ varies from ([−\d.]+) rad/s\S* \(.*?\) to ([−\d.]+) rad/s", told)
+    sizes = re.findall(rf"\$\|{rate}\|\$ is greatest, ([\d.]+) rad/s", told)
+    assert ranges or sizes
+    for letter, link, *limits in [*ranges, *((letter, link, top) for letter, link, top in sizes)]:
+        values = np.asarray((dense(name).omega if letter == "ω" else dense(name).alpha)(link))
         size = float(np.abs(values).max())
-        assert shown(match[3]) == pytest.approx(float(values.min()), abs=2e-3 * size) and shown(
-            match[4]
-        ) == pytest.approx(float(values.max()), abs=2e-3 * size)
+        if len(limits) == 2:
+            assert shown(limits[0]) == pytest.approx(float(values.min()), abs=2e-3 * size)
+            assert shown(limits[1]) == pytest.approx(float(values.max()), abs=2e-3 * size)
+            assert values.min() * values.max() > 0
+        else:
+            assert shown(limits[0]) == pytest.approx(size, rel=2e-3) and values.min() < 0 < values.max()
 
 
 @pytest.mark.parametrize("name", NAMES)

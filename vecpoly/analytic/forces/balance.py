@@ -45,6 +45,12 @@ class ForceModel:
     def friction(self) -> tuple[Equation, ...]:
         return tuple(equation for touch in self.touches for equation in touch.friction)
 
+    @property
+    def shared_pins(self) -> tuple[Touch, ...]:
+        """The rubbing hinges at letters with several such."""
+        rubbing = [touch for touch in self.touches if touch.rub]
+        return tuple(touch for touch in rubbing if sum(other.letter == touch.letter for other in rubbing) > 1)
+
 
 def force_model(mech: Mechanism, loads: Loads, motion: Model, turned: Mapping[str, float]) -> ForceModel | None:
     """The model for a mechanism whose motion has this model;
@@ -56,7 +62,7 @@ def force_model(mech: Mechanism, loads: Loads, motion: Model, turned: Mapping[st
     frame = Frame(mech, frozenset(given), turned)
     found = tuple(touches(frame, loads.friction))
     inertia = tuple(e for mass in loads.masses for e in _inertia(frame, mass)) if loads.dynamic else ()
-    springs = tuple(e for spring in loads.springs for e in spring_equations(frame, spring))
+    springs = tuple(e for spring in loads.springs for e in spring_equations(frame, spring, loads.springs))
     acts = [_load(frame, load) for load in loads.all]
     acts += [act for spring in loads.springs for act in spring_acts(frame, spring)]
     acts += [act for mass in loads.masses for act in _mass(frame, loads, mass)]

@@ -23,7 +23,8 @@ Pair = tuple[Expr, Expr]
 class Touch:
     """The force (N) and couple (N·m) about `at` of link a on link b; that on a is the opposite.
 
-    before: what must be known first; friction: the equations of the friction in it; unknowns: their symbols.
+    before: what must be known first; friction: the equations of the friction in it; unknowns: their symbols; rub: the
+    symbol of the moment of friction of a hinge.
     """
 
     a: str
@@ -35,6 +36,7 @@ class Touch:
     unknowns: tuple[str, ...]
     before: tuple[Equation, ...] = ()
     friction: tuple[Equation, ...] = ()
+    rub: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,10 +84,9 @@ class Frame:
 
 def touches(frame: Frame, friction: Friction) -> Iterator[Touch]:
     """Every pair of links that press on each other."""
-    thought, slots = frame.mech.substitutes, frame.mech.slot_pins
-    for joint in frame.mech.joints:
-        if isinstance(joint, Revolute) and not {joint.a, joint.b} & {*thought, *slots}:
-            yield _pin(frame, joint, friction.pins.get(joint.point, 0.0))
+    thought = frame.mech.substitutes
+    for pin in _pins(frame.mech):
+        yield _pin(frame, pin, friction.pins.get(pin.point, 0.0))
     for joint in frame.mech.joints:
         if isinstance(joint, Prismatic) and not {joint.guide, joint.block} & thought:
             yield _slide(frame, joint, friction.slides.get((joint.block, joint.guide), 0.0))
@@ -93,11 +94,17 @@ def touches(frame: Frame, friction: Friction) -> Iterator[Touch]:
         yield _contact(frame, contact, friction.contacts.get(contact.point, 0.0))
 
 
+def _pins(mech: Mechanism) -> Iterator[Revolute]:
+    """The hinges that there are: not those of a block that is only thought."""
+    thought = {*mech.substitutes, *mech.slot_pins}
+    return (joint for joint in mech.joints if isinstance(joint, Revolute) and not {joint.a, joint.b} & thought)
+
+
 def _pin(frame: Frame, joint: Revolute, radius: float) -> Touch:
     """A force of any direction; friction's couple is ρ R, against the relative rotation."""
     a, b = (joint.b, joint.a) if joint.b == FRAME else (joint.a, joint.b)  # of the frame on the link
     who = frame.mech.number(a) + frame.mech.number(b)
-    rx, ry, rub = Var(f"R_{{{who}x}}"), Var(f"R_{{{who}y}}"), Var(f"M_{{f{joint.point}}}")
+    rx, ry, rub = Var(f"R_{{{who}x}}"), Var(f"R_{{{who}y}}"), Var(_rub_symbol(frame.mech, joint.point, who))
     size = Const(f"ρ_{{{joint.point}}}", radius) * SquareRoot(square(rx) + square(ry))
     law = (Equation(rub, -(size * Sense(frame.rate(b) - frame.rate(a)))),) if radius else ()
     return Touch(
@@ -109,7 +116,14 @@ def _pin(frame: Frame, joint: Revolute, radius: float) -> Touch:
         couple=rub if radius else ZERO,
         unknowns=(rx.symbol, ry.symbol),
         friction=law,
+        rub=rub.symbol if radius else "",
     )
+
+
+def _rub_symbol(mech: Mechanism, letter: str, who: str) -> str:
+    """M_fC; at a multiple joint, where several links rub on the one that carries the pin, M_fC,23."""
+    hinged = [joint for joint in _pins(mech) if joint.point == letter]
+    return f"M_{{f{letter},{who}}}" if len(hinged) > 1 else f"M_{{f{letter}}}"
 
 
 def _slide(frame: Frame, joint: Prismatic, angle: float) -> Touch:

@@ -156,7 +156,7 @@ def row_of(answer: Answer, solution: Solution, lang: Lang, unit: str) -> tuple[s
         _plain(answer, answer.drawn, lang) or drawn_number(answer),
         way(answer, solution.problem, lang),
         _plain(answer, exact, lang) or exact_number(answer, exact),
-        _deviation(answer),
+        deviation_told(answer),
     )
 
 
@@ -177,7 +177,7 @@ def _plain(answer: Answer, size: float, lang: Lang) -> str:
     return f"∞, {angle(size)}" if answer.is_place else ""
 
 
-def _deviation(answer: Answer) -> str:
+def deviation_told(answer: Answer) -> str:
     """Of the two values as they stand beside it, in per cent, of an angle in degrees; nothing where a formula gave the
     exact value, and of an exact value of zero."""
     angular = answer.reading.unit == "deg"

@@ -8,13 +8,12 @@ from typing import Any
 import numpy as np
 
 from ...findings.study.study import Study
-from ...mechanism.joints import Revolute
-from ...mechanism.model import FRAME
 from ...names import subscripted
 from ...words import Words, joined
 from ..flow.listing import Listing
 from .numbering import TINY, Press
 from .one_language import in_one_language
+from .results.circling import circling
 from .results.tabled import tabled
 
 _COLUMNS = 12
@@ -34,7 +33,7 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
 
 def _tables(study: Study, press: Press) -> Iterator[str]:
     """The points that chapter 5 leaves out, two or three to a table; slides and transmission angles."""
-    shown = {*study.points, *_circling(study)}
+    shown = {*study.points, *circling(study)}
     rest = [c.key[2:] for c in study.whole.columns if c.key.startswith("p_") and c.key[2:] not in shown]
     parts, abreast = (("p_{}", "v_{}.abs", "a_{}.abs"), 3) if study.dense else (("p_{}", "v_{}", "a_{}"), 2)
     groups = [rest[i : i + abreast] for i in range(0, len(rest), abreast)]
@@ -56,13 +55,6 @@ def _tables(study: Study, press: Press) -> Iterator[str]:
         yield tabled(study, press, some, _title(study, some, bool(slides)), TINY, _every(study))
     if last:
         yield _points(study, press, last, parts)
-
-
-def _circling(study: Study) -> tuple[str, ...]:
-    """The points of a crank on a pivot of the frame: each runs round a circle, which needs no table."""
-    mech = study.problem.mechanism
-    turns = any(isinstance(one, Revolute) and {mech.drive.link, FRAME} == {one.a, one.b} for one in mech.joints)
-    return tuple(mech.link(mech.drive.link).points) if turns else ()
 
 
 def _title(study: Study, keys: list[str], slides: bool) -> Words:

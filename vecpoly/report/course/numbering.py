@@ -16,6 +16,7 @@ from ..flow.blocks import Drawing
 from ..flow.style import CAPTION, CELL, Style
 from ..flow.table import DataTable
 
+_NOTHING = ("—", "")
 _FIGURE, _TABLE = Words("图", "Figure"), Words("表", "Table")
 SMALL = Style(size=8.3, leading=10.0, after=0.0, align="left")
 
@@ -85,7 +86,10 @@ class Press:
         self, title: Words, header: Sequence[str], rows: Sequence[tuple[str, ...]], align: str, *, style: Style = CELL,
         inks: Sequence[Rgb | None] = (), inked: int = 0,
     ) -> str:  # fmt: skip
-        """A numbered table; its name for the template."""
+        """A numbered table without columns of dashes; its name for the template."""
+        kept = told_columns(header, rows)
+        header, rows = [header[i] for i in kept], [tuple(row[i] for i in kept) for row in rows]
+        align, inked = "".join(align[i] for i in kept), kept.index(inked) if inked in kept else 0
         caption = self._caption(_TABLE, "table", title)
         made = DataTable(
             header, rows, None, align, lang=self.lang, caption=caption.text, style=style, inks=inks, inked=inked
@@ -126,6 +130,12 @@ class Press:
     def _caption(self, what: Words, kind: str, title: Words) -> _Caption:
         called, gap = f"{what.of(self.lang)} {self.number(kind)}", "　" if self.lang == "zh" else ". "
         return _Caption(called, f"{called}{gap}{title.of(self.lang)}")
+
+
+def told_columns(header: Sequence[str], rows: Sequence[Sequence[str]]) -> list[int]:
+    """The columns in which something stands; of a table in two halves, parted by a blank one, all."""
+    every = range(len(header))
+    return [i for i in every if "" in header or not rows or any(row[i] not in _NOTHING for row in rows)]
 
 
 def _wide(scene: Scene, caption: _Caption) -> float:

@@ -29,7 +29,8 @@ _ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre", "u": "centre"
 
 _Row = tuple[tuple[Line, ...], ...]
 
-_MANY_ROWS, _LEAST_ROWS = 10, 4  # that a page break leaves together, before and after it: of a whole table, of others
+_MANY_ROWS, _LEAST_ROWS = 10, 4  # that a page break leaves before it of a whole table; of others, and behind it
+_PAGE_ROWS = 40  # for which a page has room
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +78,7 @@ class DataTable(Block):
         self.groups = tuple(groups) or ("",) * len(self.rows)
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
+        self.undivided = False  # rather goes to the next page than is parted
         self.align = (align + "c" * len(self.header))[: len(self.header)]
         self._vertical = _VERTICAL
         self._found: dict[float, _Set] = {}  # by width of the column; one for the table and all its copies
@@ -155,14 +157,15 @@ class DataTable(Block):
 
     def split(self, width: float, height: float) -> list[Flowable]:
         """Whole rows to each page, the header on both."""
+        if self.undivided and len(self.rows) <= _PAGE_ROWS:
+            return []
         found = self.set_in(width)
         used, count = found.top + _HEAVY, 0
         while count < len(self.rows) and used + found.heights[count] <= height:
             used += found.heights[count]
             count += 1
-        least = _MANY_ROWS if self.whole else _LEAST_ROWS
-        count = min(count, len(self.rows) - least)
-        if count < min(least, len(self.rows)):
+        count = min(count, len(self.rows) - _LEAST_ROWS)  # no row less than fit, beyond what goes on must have
+        if count < (_MANY_ROWS if self.whole else _LEAST_ROWS):
             return []
         head, tail = (self._part(*ends, width, found) for ends in ((0, count), (count, len(self.rows))))
         return [head, FrameBreak(), tail]  # the rest is not split once more on this page

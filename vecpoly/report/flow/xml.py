@@ -178,7 +178,8 @@ class _Reader:
     def _block(self, element: Element) -> list[Any]:
         found = self._lookup(element, Block, "a flowable")
         if isinstance(found, DataTable):
-            found.whole = element.attributes.get("whole") == "yes"
+            found.whole = element.attributes.get("whole") in ("yes", "page")
+            found.undivided = element.attributes.get("whole") == "page"
         return [found]
 
     def _sheet(self, element: Element) -> list[Any]:

@@ -38,8 +38,10 @@ def chapter(
     return {
         "motion": [w.of(press.lang) for w in (*motion(study, groups), *(() if told else peaks.flat(study, groups)))],
         "causes": peaks.table(study, press, told),
+        "peak": peaks.alone(study, told[0]).of(press.lang) if len(told) == 1 else "",
         "remarks": [w.of(press.lang) for w in remarks(study, told)],
         "conditioning": _conditioned(study, press, groups),
+        "condition": _only(study, groups[0]).of(press.lang) if len(groups) == 1 else "",
         "singular": [w.of(press.lang) for w in mending],
         "forces": [w.of(press.lang) for w in force_analysis.forces(study)],
         "conclusion": _paragraphs(
@@ -56,35 +58,53 @@ def _paragraphs(themes: Iterable[tuple[Words, Sequence[Words]]], lang: Lang) -> 
 
 
 def _conditioned(study: Study, press: Press, groups: list[Conditioning]) -> str:
-    """One line a group."""
-    rows = []
-    for one in groups:
-        steady = one.ratio > 1 - 1e-9
-        low, high = ("—", "—") if steady else (study.where(phi).split(" = ")[1] for phi in (one.phi, one.top))
-        steady_angle = Words("恒为 90°", "always 90°").of(press.lang) if is_square(study, one) else "—"
-        gamma = f"{degrees(one.gamma.least.value):.1f}°" if one.gamma is not None else steady_angle
-        rows.append(
-            (
-                one.group.title.of(press.lang),
-                f"${one.symbol}$",
-                low,
-                f"{one.ratio:.3f}",
-                high,
-                gamma,
-                one.times if one.gamma is not None else "—",
-                _verdict(study, one).of(press.lang),
-            )
-        )
+    """One line a group; of a single group nothing, for a sentence tells it."""
+    rows = [_row(study, one, press.lang) for one in groups]
+    title = Words("各杆组线性方程组的行列式", "The determinants of the groups' linear equations")
+    return press.table(title, _HEADER[press.lang], rows, "lccccccl") if len(rows) > 1 else ""
+
+
+def _row(study: Study, one: Conditioning, lang: Lang) -> tuple[str, ...]:
+    low, high = ("—", "—") if _is_steady(one) else (study.where(phi).split(" = ")[1] for phi in (one.phi, one.top))
+    square = Words("恒为 90°", "always 90°").of(lang) if is_square(study, one) else "—"
     return (
-        press.table(
-            Words("各杆组线性方程组的行列式", "The determinants of the groups' linear equations"),
-            _HEADER[press.lang],
-            rows,
-            "lccccccl",
-        )
-        if rows
-        else ""
+        one.group.title.of(lang),
+        f"${one.symbol}$",
+        low,
+        f"{one.ratio:.3f}",
+        high,
+        square if one.gamma is None else f"{degrees(one.gamma.least.value):.1f}°",
+        "—" if one.gamma is None else one.times,
+        _verdict(study, one).of(lang),
     )
+
+
+def _is_steady(one: Conditioning) -> bool:
+    """Whether the determinant does not change."""
+    return one.ratio > 1 - 1e-9
+
+
+def _only(study: Study, one: Conditioning) -> Words:
+    """The only group's determinant, its least transmission angle, and the verdict, in sentences."""
+    group, by, low, high = one.group.title, f"$|{one.symbol}|$", study.where(one.phi), study.where(one.top)
+    told = Words(f"{group.zh}的行列式 {by} 不变", f"{by}, the determinant of the {group.en}, does not change")
+    if not _is_steady(one):
+        told = Words(
+            f"{group.zh}的行列式 {by} 在 {high} 处最大，在 {low} 处最小，为最大值的 {one.ratio:.3f} 倍",
+            f"{by}, the determinant of the {group.en}, is largest at {high} and least at {low}, "
+            f"{one.ratio:.3f} of its largest",
+        )
+    if is_square(study, one):
+        told += Words("，传动角恒为 90°", ", and the transmission angle is always 90°")
+    if one.gamma is not None:
+        least = f"{degrees(one.gamma.least.value):.1f}°"
+        told += Words(
+            f"；最小传动角为 {least}，误差最多放大 1/$sin γ$ = {one.times} 倍",
+            f"; the least transmission angle is {least}, so that errors are magnified at most 1/$sin γ$ = "
+            f"{one.times} times",
+        )
+    verdict = _verdict(study, one)
+    return told + Words(f"。判断：{verdict.zh}。", f". Verdict: {verdict.en}.")
 
 
 def _verdict(study: Study, one: Conditioning) -> Words:

@@ -6,24 +6,21 @@ from collections.abc import Iterator, Sequence
 from math import degrees
 from typing import Any
 
-from ....cycle import Extremes, Shape, Spot
-from ....cycle.facts.found import Stroke
 from ....findings.conditioning import Conditioning
-from ....findings.motion import evenness
-from ....findings.output_links import ends, motions
-from ....findings.shown import places, shown, span
-from ....findings.strokes import is_repeated
+from ....findings.output_links import ends
+from ....findings.shown import span
 from ....findings.study.study import Study
+from ....findings.transmission import least_places
 from ....mechanism.groups.mobility import mobility
-from ....names import subscripted
 from ....words import Words
 from ..checks.comparison import Compared
 from ..checks.influences import CHANGE, influences
 from ..structure.special_joints import concluded
 from . import forces as force_analysis
-from .stated import output_pins, stated
+from .outputs import output, points
+from .stated import stated
 
-_EVEN = 1.0005
+_STEADY = 1e-9  # of the largest determinant
 _ASKED, _FORCES = Words("所求各量", "What was asked"), Words("所求各量与受力", "What was asked, and the forces")
 _MOTION, _QUALITY = Words("结构与运动", "Structure and motion"), Words("工作质量与精度", "Quality and accuracy")
 
@@ -46,8 +43,8 @@ def themes(
     the number of the section that tells better dimensions, nothing where none does.
     """
     yield _FORCES if study.problem.loads else _ASKED, [*stated(study), *force_analysis.conclusion(study)]
-    outputs = [said for link in ends(study) for said in _output(study, link)]
-    yield _MOTION, [_built(study), *outputs, *_points(study)]
+    outputs = [said for link in ends(study) for said in output(study, link)]
+    yield _MOTION, [_built(study), *outputs, *points(study)]
     shaped = [*_conditioned(study, groups, mending), *_margin(study)]
     yield _QUALITY, [*shaped, *_checked(tables), *_drawn(study, drawn)]
 
@@ -110,99 +107,6 @@ def _margin(study: Study) -> Iterator[Words]:
         )
 
 
-def _output(study: Study, link: str) -> Iterator[Words]:
-    """How an output link moves, and the ranges of its rates."""
-    name, frame = study.name(link), study.mech.frame_number
-    own = {
-        f"phi_{link}",
-        *(f"s_{one}" for one in (f"{name}{frame}", f"{frame}{name}", f"{link}{frame}", f"{frame}{link}")),
-    }
-    zh, en = [], []
-    for w in (
-        *(_stroke(study, s) for s in study.facts.strokes if s.key in own),
-        *(_repeated(study, s.key) for s in study.facts.swings if s.key in own and is_repeated(study, s)),
-        *(_turning(study, link) for _ in evenness(study, link)),
-    ):
-        zh.append(w.zh)
-        en.append(w.en)
-    for key in motions(study, link):
-        found, symbol = study.extremes(key), study.whole.info(key).symbol
-        if found.highest is None or found.lowest is None:
-            continue
-        low, high = shown(study, key, found.lowest.value), shown(study, key, found.highest.value)
-        a, b = _placed(study, found, found.lowest), _placed(study, found, found.highest)
-        zh.append(f"${symbol}$ 在 {low}（{a.zh}）至 {high}（{b.zh}）之间变化")
-        en.append(f"${symbol}$ varies from {low} ({a.en}) to {high} ({b.en})")
-    if zh:
-        yield Words(f"输出构件 {name}：{'；'.join(zh)}。", f"Output link {name}: {'; '.join(en)}.")
-
-
-def _turning(study: Study, link: str) -> Words:
-    """A link that turns right round, and whether it ever turns back."""
-    found = study.extremes(f"omega_{link}")
-    if found.highest is not None and found.lowest is not None and found.highest.value * found.lowest.value > 0:
-        return Words("整周转动，无极限位置，无急回", "makes full revolutions, without limits or quick return")
-    return Words("整周转动，但中途反转", "makes full revolutions, but reverses on the way")
-
-
-def _stroke(study: Study, stroke: Stroke) -> Words:
-    info, swing = study.whole.info(stroke.key), shown(study, stroke.key, stroke.swing)
-    what = Words("摆角" if info.unit == "rad" else "行程", "angle of swing" if info.unit == "rad" else "stroke")
-    quick = (
-        Words(
-            f"$K$ = {stroke.ratio:.3f}，$θ$ = {degrees(stroke.theta):.1f}°",
-            f"$K$ = {stroke.ratio:.3f}, $θ$ = {degrees(stroke.theta):.1f}°",
-        )
-        if stroke.ratio > _EVEN
-        else Words("无急回特性", "no quick return")
-    )
-    return Words(
-        f"往复{'摆动' if info.unit == 'rad' else '移动'}，{what.zh} {swing}，{quick.zh}",
-        f"{'oscillates' if info.unit == 'rad' else 'reciprocates'}, {what.en} {swing}, {quick.en}",
-    )
-
-
-def _repeated(study: Study, key: str) -> Words:
-    swing = next(s for s in study.facts.swings if s.key == key)
-    assert swing.highest is not None and swing.lowest is not None
-    size = shown(study, key, swing.highest.value - swing.lowest.value)
-    return Words(
-        f"每循环往复 {len(swing.maxima)} 次，总{'摆角' if study.whole.info(key).unit == 'rad' else '行程'} "
-        f"{size}（各行程见 8.1）",
-        f"goes to and fro {len(swing.maxima)} times a cycle, through {size} in all (strokes in 8.1)",
-    )
-
-
-def _points(study: Study) -> Iterator[Words]:
-    """The path, and the greatest velocity and acceleration, of every point told."""
-    blocks = output_pins(study)
-    for letter in (letter for letter in study.points if letter not in blocks):  # of an output block all is told
-        found = study.path(letter)
-        of_v, of_a = (study.extremes(f"{stem}_{letter}") for stem in "va")
-        v, a = of_v.highest, of_a.highest
-        if v is None or a is None or found.shape is Shape.STILL or not study.varies(f"v_{letter}"):
-            continue
-        length = shown(study, f"p_{letter}", found.length)
-        within = Words(f"在{span(study).zh}内", "in a cycle" if study.whole.whole else "in the working range")
-        at = subscripted(letter)
-        zh = f"${at}$ 点{within.zh}走过的路程为 {length}，" if found.length else f"${at}$ 点："
-        en = f"Point ${at}$ travels {length} {within.en}; " if found.length else f"Of point ${at}$: "
-        top = [(shown(study, e.key, spot.value), places(study, e, spot)) for e, spot in ((of_v, v), (of_a, a))]
-        yield Words(
-            f"{zh}$|v_{{{letter}}}|$ 最大 {top[0][0]}（{top[0][1].zh}），$|a_{{{letter}}}|$ 最大 {top[1][0]}（"
-            f"{top[1][1].zh}）。",
-            f"{en}$|v_{{{letter}}}|$ is greatest, {top[0][0]}, at {top[0][1].en}, "
-            f"$|a_{{{letter}}}|$, {top[1][0]}, at {top[1][1].en}.",
-        )
-
-
-def _placed(study: Study, found: Extremes, spot: Spot) -> Words:
-    """The positions; that one is an end of the range told, where it is."""
-    at, near = places(study, found, spot), 1e-6 * (study.whole.high - study.whole.low)
-    end = not study.whole.whole and min(spot.phi - study.whole.low, study.whole.high - spot.phi) < near
-    return at + Words("，工作范围的端部" if end else "", ", an end of the working range" if end else "")
-
-
 def _wanting(one: Conditioning) -> Words:
     """A group with the measure by which it is found wanting."""
     if one.gamma:
@@ -236,10 +140,29 @@ def _conditioned(study: Study, groups: list[Conditioning], mending: str) -> Iter
             f"{f' Remedies: see {mending}.' if mending else ''}",
         )
     elif groups and not poor:
-        link, angles = study.mech.drive.link, any(one.gamma for one in groups)
-        zh_, en_ = (f"（以构件 {link} 为原动件）", f" (link {link} being the driver)") if study.forces else ("", "")
-        yield Words(
-            f"各杆组在{span(study).zh}内均为良态{'，传动角均不小于 40°' + zh_ if angles else ''}。",
-            "All groups are well-conditioned "
-            f"throughout{', with transmission angles of 40° and more' + en_ if angles else ''}.",
+        yield _sound(study, groups)
+
+
+def _sound(study: Study, groups: list[Conditioning]) -> Words:
+    """How far all groups keep from their singular places: by the least transmission angle, or the least determinant."""
+    gammas = [one.gamma for one in groups if one.gamma is not None]
+    link = study.mech.drive.link
+    zh, en = (f"（以构件 {link} 为原动件）", f" (link {link} being the driver)") if study.forces else ("", "")
+    if gammas:
+        worst = min(gammas, key=lambda one: one.least.value)
+        size, steady = degrees(worst.least.value), worst.greatest.value - worst.least.value < _STEADY
+        where = least_places(study, worst)
+        at = ("", "") if steady else (f"（{where.zh}）", f" ({where.en})")
+        told = Words(
+            f"最小传动角为 {size:.1f}°{at[0]}，不小于一般要求的 40°{zh}",
+            f"the least transmission angle is {size:.1f}°{at[1]}, above the 40° usually demanded{en}",
         )
+    elif (ratio := min(one.ratio for one in groups)) > 1 - _STEADY:
+        told = Words("行列式为常数", "their determinants are constant")
+    else:
+        share = f"{100 * ratio:.0f} %"
+        told = Words(f"行列式最小时仍为其最大值的 {share}", f"no determinant falls below {share} of its largest value")
+    return Words(
+        f"各杆组在{span(study).zh}内均为良态：{told.zh}。",
+        f"All groups are well-conditioned throughout the {span(study).en}: {told.en}.",
+    )

@@ -14,13 +14,14 @@ from ....findings.study.study import Study
 from ....mechanism.model import Prismatic
 from ....names import Kind, Rel
 from ....printed.angles import bearing_told
-from ....printed.digits import coordinates, drawn_number, exact_number
+from ....printed.digits import coordinates, drawn_number
 from ....printed.places import place_parts
 from ....printed.units import printed_unit
 from ....solution import YES_NO, Answer
 from ....words import Words
 from ...answers.placed import angle
 from ...values import called, direction_of_load, unit_after, value, way_of
+from .agreement import agreement
 
 _AXES = {
     0: Words("向右", "to the right"),
@@ -32,26 +33,49 @@ _NEAR = 0.05  # degrees
 _MANY = 10  # quantities asked: of more, those of the output are told, and where the others stand
 _COMMA, _DRAWN, _EXACT = (
     Words("，", ", "),
-    Words("（图解值/解析值）", " (drawn / exact)"),
-    Words("（解析值）", " (exact)"),
+    Words("作图求得", "the drawing gives "),
+    Words("计算求得", "the computation gives "),
 )
 RATES = (Kind.V, Kind.A, Kind.OMEGA, Kind.ALPHA)
 
 
 def stated(study: Study) -> Iterator[Words]:
-    """All that is asked, in the order asked: size and sense, as drawn and exact, in the given position."""
+    """All that is asked, in the order asked: size and sense in the given position; and how far it is from exact."""
     keys = [ask.rel.key for ask in study.given.problem.asks]
-    main = [key for key in keys if _is_output(study, key)] if len(keys) > _MANY and study.drawn else []
-    told = [said for key in main or keys if (said := _asked(study, key)) is not None]
+    main = _main(study, keys) if len(keys) > _MANY and study.drawn else []
+    centres = [key for key in main if key.startswith("P_")]
+    gathered = centres if len(centres) > _MANY else []
+    told = [_centres(study, gathered)] if gathered else []
+    told += [said for key in main or keys if key not in gathered and (said := _asked(study, key)) is not None]
     if not told:
         return
     at, how = study.where(study.mech.drive.position), _DRAWN if study.solution.answers else _EXACT
     rate = f"$|ω_{{{study.mech.drive.link}}}|$ = 1 rad/s"
-    taken = Words(f"，按 {rate}", f", at {rate}") if study.sense_only and _has_rates(study) else Words("", "")
+    taken = Words(f"（按 {rate}）", f" (at {rate})") if study.sense_only and _has_rates(study) else Words("", "")
     rest = Words("；其余各量见 6.2", "; for the others see 6.2") if 0 < len(main) < len(keys) else Words("", "")
+    near = agreement([one for key in main or keys if (one := study.solution.answers.get(key)) is not None])
     yield Words(
-        f"题设位置 {at}{taken.zh}{how.zh}：{'；'.join(w.zh for w in told)}{rest.zh}。",
-        f"In the given position, {at}{taken.en}{how.en}: {'; '.join(w.en for w in told)}{rest.en}.",
+        f"题设位置 {at}{taken.zh}，{how.zh}{'；'.join(w.zh for w in told)}{rest.zh}。{near.zh}",
+        f"In the given position, {at}{taken.en}, {how.en}{'; '.join(w.en for w in told)}{rest.en}.{near.en}",
+    )
+
+
+def _main(study: Study, keys: list[str]) -> list[str]:
+    """Of many: what is told of the output, and of the one other link of which ω and α are asked."""
+    full = [key[6:] for key in keys if key.startswith("alpha_") and f"omega_{key[6:]}" in keys]
+    own = {f"{stem}_{link}" for stem in ("omega", "alpha") for link in full} if len(full) == 1 else set()
+    return [key for key in keys if key in own or _is_output(study, key)]
+
+
+def _centres(study: Study, keys: list[str]) -> Words:
+    """Many instant centres by their number, and which of them lie at infinity: the places fill a table."""
+    answers = [study.solution.answers[key] for key in keys if key in study.solution.answers]
+    far = [f"${one.reading.symbol}$" for one in answers if one.exact_vector is None]
+    count = len(answers)
+    return Words(
+        f"全部 {count} 个瞬心，位置列于 6.2" + (f"，其中 {'、'.join(far)} 在无穷远处" if far else ""),
+        f"all {count} instant centres, with their places in 6.2"
+        + (f", {' and '.join(far)} at infinity" if far else ""),
     )
 
 
@@ -78,7 +102,7 @@ def output_pins(study: Study) -> dict[str, str]:
 
 
 def _asked(study: Study, key: str) -> Words | None:
-    """$v_F$ = 0.319/0.3189 m/s, to the left; None of what is neither drawn nor a column of the cycle."""
+    """$v_F$ = 0.319 m/s, to the left; None of what is neither drawn nor a column of the cycle."""
     answer = study.solution.answers.get(key)
     if answer is None:
         return _computed(study, key) if any(column.key == key for column in study.whole.columns) else None
@@ -103,25 +127,19 @@ def _way(key: str) -> Words:
 
 
 def _place(answer: Answer) -> Words:
-    """$F$ (−130.0, 164.4)/(−130.04, 164.35) mm; one at infinity by its direction."""
+    """$F$ (−130.0, 164.4) mm; one at infinity by its direction."""
     symbol, drawn, exact = f"${answer.reading.symbol}$", answer.drawn_vector, answer.exact_vector
     if drawn is None or exact is None:
         turn = angle(answer.exact)
         return Words(f"{symbol} 在无穷远处，方向角 {turn}", f"{symbol} at infinity, at {turn} from $x$")
-    finer = coordinates(answer)
-    texts = [f"({', '.join(place_parts(at, n))})" for at, n in ((drawn, finer), (exact, finer + 1))]
-    same = answer.computed or place_parts(drawn, finer + 1) == place_parts(exact, finer + 1)
-    return Words.same(f"{symbol} {texts[0] if same else '/'.join(texts)} mm")
+    return Words.same(f"{symbol} ({', '.join(place_parts(drawn, coordinates(answer)))}) mm")
 
 
 def _numbers(answer: Answer) -> str:
-    """Sizes as drawn and exact, with the unit: what the sense tells has no sign."""
-    drawn, exact = drawn_number(answer), exact_number(answer, answer.exact)
-    if answer.turns:
-        drawn, exact = drawn.lstrip("−"), exact.lstrip("−")
+    """The size as drawn, with the unit: what the sense tells has no sign."""
+    drawn = drawn_number(answer)
     unit = unit_after(printed_unit(answer.reading.unit)[1]).replace("^2", "²")
-    both = drawn if answer.computed or drawn == exact else f"{drawn}{'°' if unit == '°' else ''}/{exact}"
-    return both + unit
+    return (drawn.lstrip("−") if answer.turns else drawn) + unit
 
 
 def _sense(study: Study, answer: Answer) -> Words:
@@ -131,7 +149,8 @@ def _sense(study: Study, answer: Answer) -> Words:
         return _COMMA + _direction(answer.exact_vector)
     if fixed is not None:
         return _COMMA + _direction(cmath.rect(1.0, fixed))
-    return _COMMA + _turning(answer.exact) if answer.turns else Words("", "")
+    turns = answer.turns and drawn_number(answer) != "0"  # what stands still has no sense
+    return _COMMA + _turning(answer.exact) if turns else Words("", "")
 
 
 def _turning(size: float) -> Words:

@@ -29,6 +29,12 @@ _HEADER = {
     "en": ["Quantity", "Peak", "Drive at", "Peak/rms", "Divided by", "Divisor/rms", "Numerator/rms", "Cause"],
 }
 GREW, SHRANK = Words("分子增大引起", "numerator large"), Words("分母减小引起", "divisor small")
+_BOTH = Words("两者兼有", "both")
+_WHY = {  # by the words of the table
+    GREW.zh: Words("峰值由分子增大引起", "the peak comes of a large numerator, not of a small divisor"),
+    SHRANK.zh: Words("峰值由分母减小引起", "the peak comes of a small divisor, not of a large numerator"),
+    _BOTH.zh: Words("分子增大和分母减小都是成因", "both a large numerator and a small divisor make the peak"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +56,7 @@ class Cause:
             return GREW
         if numerator <= 0 or divisor >= _MAIN * numerator:
             return SHRANK
-        return Words("两者兼有", "both")
+        return _BOTH
 
 
 def causes(study: Study, groups: list[Conditioning]) -> list[Cause]:
@@ -130,30 +136,35 @@ def rms(study: Study, values: NDArray[np.float64]) -> float:
 
 
 def table(study: Study, press: Press, told: list[Cause]) -> str:
-    """The peaks with their causes."""
-    rows = []
-    for one in told:
-        info, usual = study.whole.info(one.key), rms(study, study.turn.real(one.key))
-        rows.append(
-            (
-                f"${info.symbol}$",
-                shown(study, one.key, one.spot.value),
-                study.where(one.spot.phi).split(" = ")[1],
-                f"{abs(one.spot.value) / usual:.2f}" if usual else "—",
-                f"${one.by.symbol}$",
-                f"{one.down:.2f}",
-                f"{one.up:.2f}",
-                one.words.of(press.lang),
-            )
-        )
+    """The peaks with their causes; of a single one nothing, for a sentence tells it."""
+    rows = [_row(study, one, press) for one in told]
+    title = Words("各量的峰值及其成因", "The peaks and their causes")
+    return press.table(title, _HEADER[press.lang], rows, "lrrrcrrl", style=SMALL) if len(rows) > 1 else ""
+
+
+def _row(study: Study, one: Cause, press: Press) -> tuple[str, ...]:
+    usual = rms(study, study.turn.real(one.key))
     return (
-        press.table(
-            Words("各量的峰值及其成因", "The peaks and their causes"),
-            _HEADER[press.lang],
-            rows,
-            "lrrrcrrl",
-            style=SMALL,
-        )
-        if rows
-        else ""
+        f"${study.whole.info(one.key).symbol}$",
+        shown(study, one.key, one.spot.value),
+        study.where(one.spot.phi).split(" = ")[1],
+        f"{abs(one.spot.value) / usual:.2f}" if usual else "—",
+        f"${one.by.symbol}$",
+        f"{one.down:.2f}",
+        f"{one.up:.2f}",
+        one.words.of(press.lang),
+    )
+
+
+def alone(study: Study, one: Cause) -> Words:
+    """The only peak, and why it is there, in sentences."""
+    usual = rms(study, study.turn.real(one.key))
+    symbol, value = f"${study.whole.info(one.key).symbol}$", shown(study, one.key, one.spot.value)
+    times, at, by = f"{abs(one.spot.value) / usual:.2f}", study.where(one.spot.phi), f"${one.by.symbol}$"
+    why = _WHY[one.words.zh]
+    return Words(
+        f"突出的峰值只有一个：{symbol} = {value}（{at}），为其均方根值的 {times} 倍。该处算式的分子为其均方根值的 "
+        f"{one.up:.2f} 倍，分母 {by} 为 {one.down:.2f} 倍，所以{why.zh}。",
+        f"There is one pronounced peak: {symbol} = {value} at {at}, {times} times the rms of this quantity. There the "
+        f"numerator of its formula is {one.up:.2f} times its own rms, the divisor {by} {one.down:.2f} times: {why.en}.",
     )

@@ -4,12 +4,14 @@ the figures go on a sheet."""
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import floor, log10
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....algebra.quantity import number
+from ....algebra.rounding import as_printed
 from ....board.paper.sizes import unfit
 from ....errors import VecpolyError
 from ....findings.study.study import Study
@@ -23,8 +25,9 @@ from ..results.positions import at_position
 STATIONS = 24
 FLAT, MARGIN = 0.35, 0.25  # of the frame that drawn values take at least; of what they take, beyond them
 _SHOWN, _DENSE = 3, 2  # curves, and of a long report
+_DIGITS, _MOST = 3, 8  # significant digits of a deviation; decimals, beyond which a power of ten is shorter
 _HEADER = {
-    "zh": ["量", "单位", "最大值", "最大偏差", "占最大值", "所在位置", "均方根偏差", "手工作图 3σ（题设位置）"],
+    "zh": ["量", "单位", "最大值", "最大偏差", "占最大值", "所在位置", "均方根偏差", "手工 3σ", "占题设值"],
     "en": [
         "Quantity",
         "Unit",
@@ -33,7 +36,8 @@ _HEADER = {
         "of the largest",
         "At",
         "rms deviation",
-        "3σ of drawing by hand, given position",
+        "3σ by hand",
+        "of the value",
     ],
 }
 
@@ -123,59 +127,75 @@ def chapter(study: Study, press: Press, found: Compared) -> dict[str, Any]:
     refused = refusals(study, found.refused).of(press.lang)
     table = _table(study, press, found) if found.keys else ""
     figures = _chart(study, press, found) if found.stations and found.keys else []
+    alone = _alone(study, found) if found.stations and len(found.keys) == 1 else (Words("", ""),) * 2
     return {
         "table": table,
+        "alone": [w.of(press.lang) for w in alone if w.zh],
         "figures": figures,
         "shown": press.shown([], figures),
         "count": len(found.stations),
         "refused": refused,
+        "by_hand": any(_by_hand(study, key)[0] != "—" for key in found.keys),
         "worst": f"{100 * found.worst(study):.2f} %",
     }
 
 
 def _table(study: Study, press: Press, found: Compared) -> str:
-    rows: list[tuple[str, ...]] = []
-    for key in found.keys if found.stations else ():
-        info, gaps, size = study.whole.info(key), found.gaps(key), study_size(study, key)
-        k = int(np.argmax(gaps))
-        share = f"{100 * gaps[k] / size:.2f} %" if size else "—"
-        rows.append(
-            (
-                f"${info.symbol}$",
-                info.shown_unit.replace("^2", "²"),
-                _number(info.factor * size),
-                _number(info.factor * gaps[k]),
-                share,
-                study.where(found.stations[k].phi).split(" = ")[1],
-                _number(info.factor * float(np.sqrt(np.mean(gaps**2)))),
-                _by_hand(study, key),
-            )
-        )
-    return press.table(
-        Words("图解值与精确值的偏差", "Deviations of the drawn values from the exact ones"),
-        _HEADER[press.lang],
-        rows,
-        "lcrrrrrr",
-        style=SMALL,
+    """One line a quantity; of a single one nothing, for a sentence tells it."""
+    rows = [_row(study, found, key) for key in (found.keys if found.stations else ())]
+    title = Words("图解值与精确值的偏差", "Deviations of the drawn values from the exact ones")
+    return press.table(title, _HEADER[press.lang], rows, "lcddrrddr", style=SMALL) if len(rows) > 1 else ""
+
+
+def _row(study: Study, found: Compared, key: str) -> tuple[str, ...]:
+    info, gaps, size = study.whole.info(key), found.gaps(key), study_size(study, key)
+    k = int(np.argmax(gaps))
+    return (
+        f"${info.symbol}$",
+        info.shown_unit.replace("^2", "²"),
+        _number(info.factor * size),
+        _number(info.factor * gaps[k]),
+        f"{100 * gaps[k] / size:.2f} %" if size else "—",
+        study.where(found.stations[k].phi).split(" = ")[1],
+        _number(info.factor * float(np.sqrt(np.mean(gaps**2)))),
+        *_by_hand(study, key),
     )
 
 
-def _by_hand(study: Study, key: str) -> str:
+def _alone(study: Study, found: Compared) -> tuple[Words, Words]:
+    """The deviations of the only quantity that is compared, and those of a hand, in a sentence each."""
+    symbol, unit, size, gap, _, at, usual, hand, share = _row(study, found, found.keys[0])
+    told = Words(
+        f"{symbol} 的最大值为 {size} {unit}，最大偏差为 {gap} {unit}（{at}），均方根偏差为 {usual} {unit}。",
+        f"{symbol}, at most {size} {unit}, deviates by up to {gap} {unit} (at {at}), {usual} {unit} rms. ",
+    )
+    of = ("", "") if share == "—" else (f"，占该处精确值的 {share}", f", {share} of the exact value there")
+    by_hand = Words(
+        f"真实的手工作图误差大得多：在题设位置，三倍标准差（3σ，即 6.2 的预期误差）为 {hand} {unit}{of[0]}。",
+        f"Drawing by hand is less accurate: at the given position its three standard deviations (3σ, the expected "
+        f"error of 6.2) are {hand} {unit}{of[1]}.",
+    )
+    return told, Words("", "") if hand == "—" else by_hand
+
+
+def _by_hand(study: Study, key: str) -> tuple[str, str]:
     """Three standard deviations of the drawings by an unsteady hand at the given position,
     and their share of the value there."""
     answer = study.solution.answers.get(key)
     if answer is None or not answer.expected_error:
-        return "—"
-    share = (
-        f" ({100 * answer.expected_error / abs(answer.exact):.2g} %)"
-        if abs(answer.exact) > answer.expected_error
-        else ""
-    )
-    return _number(study.whole.info(key).factor * answer.expected_error) + share
+        return "—", "—"
+    told = abs(answer.exact) > answer.expected_error
+    share = f"{100 * answer.expected_error / abs(answer.exact):.2f} %" if told else "—"
+    return _number(study.whole.info(key).factor * answer.expected_error), share
 
 
 def _number(value: float) -> str:
-    return number(float(value), 3)
+    """Three digits with their last zeros, so that a column reads evenly."""
+    if not value or not np.isfinite(value):
+        return number(value)
+    told = as_printed(float(value), _DIGITS)
+    places = max(0, _DIGITS - 1 - floor(log10(abs(told))))
+    return f"{told:.{places}f}" if places <= _MOST else number(told, _DIGITS)
 
 
 def _chart(study: Study, press: Press, found: Compared) -> list[str]:

@@ -11,6 +11,7 @@ from ....analytic.forces.balance import ForceModel, LinkBalance, force_model
 from ....findings.study.study import Study
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.loads import GRAVITY, Loads
+from ....mechanism.model import Mechanism
 from ....words import Words
 from ...statement.structure import carried_pins
 
@@ -109,7 +110,7 @@ def _stages(study: Study, loads: Loads, found: ForceModel) -> Iterator[Stage]:
         )
     yield Stage(Words("平衡方程", "Equilibrium"), tuple(_balance(one, i == 0) for i, one in enumerate(found.links)))
     if found.friction:
-        yield Stage(Words("摩擦", "Friction"), (Part(_friction_words(study, loads), found.friction),))
+        yield Stage(Words("摩擦", "Friction"), (Part(_friction_words(study, loads, found), found.friction),))
     yield Stage(
         Words("求解", "Solution"),
         (Part(_solution(loads, found)), Part(_efficiency(loads)))
@@ -129,7 +130,18 @@ def _balance(one: LinkBalance, first: bool) -> Part:
     )
 
 
-def _friction_words(study: Study, loads: Loads) -> Words:
+def _shared_pin(mech: Mechanism, found: ForceModel) -> Iterator[Words]:
+    """That at a multiple joint there are several such moments, told apart by their links, where there are."""
+    for touch in found.shared_pins[:1]:
+        symbol, at, one, two = touch.rub, touch.letter, mech.number(touch.a), mech.number(touch.b)
+        yield Words(
+            f"复合铰链处有几个摩擦力矩，以两构件的号区别，如 ${symbol}$ 为 ${at}$ 处构件 {one} 对构件 {two} 的摩擦力矩",
+            f"at a multiple joint there are several such moments, told apart by the numbers of the two links: "
+            f"${symbol}$ is that of link {one} on link {two} at ${at}$",
+        )
+
+
+def _friction_words(study: Study, loads: Loads, found: ForceModel) -> Words:
     """What the friction circle and the angle of friction mean in the equations."""
     rules, friction = [], loads.friction
     if any(friction.pins.values()):
@@ -140,6 +152,7 @@ def _friction_words(study: Study, loads: Loads) -> Words:
                 "about the centre is $M_f$ = $ρ R$, against the relative rotation",
             )
         )
+    rules += _shared_pin(study.mech, found)
     angles = {study.mech.number(a) + study.mech.number(b): angle for (a, b), angle in friction.slides.items()} | dict(
         friction.contacts
     )

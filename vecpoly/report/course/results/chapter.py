@@ -15,8 +15,10 @@ from ....words import Words
 from ..analysis import duties as force_duties
 from ..analysis import force_words
 from ..numbering import SMALL, TINY, Press
+from .circling import is_trivial
+from .circling import told as circling_told
 from .extreme_values import extremes
-from .plots import LINES, curve, posed, swept, way
+from .plots import LINES, Plotted, curve, posed, swept, way
 from .tabled import COLUMNS, TIGHT, tabled
 
 _ABREAST = 4  # links in one table
@@ -50,7 +52,7 @@ def sections(study: Study, press: Press) -> list[dict[str, Any]]:
         _angles(study, press),
         _forces(study, press),
     ]
-    told = [one for one in found if one["tables"] or one["figures"]]
+    told = [one for one in found if one["tables"] or one["figures"] or one["before"]]
     return [one | {"shown": press.shown(one["tables"], one["figures"])} for one in told]
 
 
@@ -101,44 +103,51 @@ def _steady(study: Study, key: str) -> Words:
 
 def _point(study: Study, press: Press, letter: str) -> dict[str, Any]:
     """Position, velocity, acceleration of a point; its path and hodographs where it runs on a curve of its own."""
-    title = Words(f"${subscripted(letter)}$ 点的运动", f"Motion of ${subscripted(letter)}$")
-    table = tabled(
-        study,
-        press,
-        [f"p_{letter}", f"v_{letter}", f"a_{letter}"],
-        Words(
-            f"${subscripted(letter)}$ 点的位置、速度和加速度",
-            f"Position, velocity and acceleration of ${subscripted(letter)}$",
-        ),
-        TINY if study.dense else SMALL,
-    )
-    found = study.path(letter)
+    trivial, found = is_trivial(study, letter), study.path(letter)
+    tables = [] if trivial else [_rates_table(study, press, letter)]
     words = (" " if press.lang == "en" else "").join(w.of(press.lang) for w in path_sentences(study.whole, found))
+    words += circling_told(study, letter).of(press.lang) if trivial else ""
     own = found.shape is Shape.CURVE
     before = [posed(study, press.lang, letter, small=own and study.dense)] if letter == study.points[-1] else []
     if own and study.dense:
         before.append(way(study, press.lang, letter))
     first = press.figures(before)
     if letter == study.points[-1]:
-        where = press.called[first[0]]
-        words += Words(
-            f"{where}中细线为原动件等间隔各位置的机构，粗线为题设位置，虚线为轨迹。",
-            f" {where} shows the mechanism at equal steps of its drive in thin lines, the given position "
-            "in thick ones, the path dashed.",
-        ).of(press.lang)
+        words += _of_poses(press.called[first[0]]).of(press.lang)
+    plots = [] if trivial else _rates_curves(study, press, letter, own)
+    return {
+        "title": Words(f"${subscripted(letter)}$ 点的运动", f"Motion of ${subscripted(letter)}$").of(press.lang),
+        "words": words,
+        "before": first,
+        "tables": tables,
+        "figures": press.figures(plots),
+    }
+
+
+def _of_poses(where: str) -> Words:
+    return Words(
+        f"{where}中细线为原动件等间隔各位置的机构，粗线为题设位置，虚线为轨迹。",
+        f" {where} shows the mechanism at equal steps of its drive in thin lines, the given position "
+        "in thick ones, the path dashed.",
+    )
+
+
+def _rates_table(study: Study, press: Press, letter: str) -> str:
+    at = subscripted(letter)
+    title = Words(f"${at}$ 点的位置、速度和加速度", f"Position, velocity and acceleration of ${at}$")
+    keys = [f"{stem}_{letter}" for stem in "pva"]
+    return tabled(study, press, keys, title, TINY if study.dense else SMALL)
+
+
+def _rates_curves(study: Study, press: Press, letter: str, own: bool) -> list[Plotted]:
+    """own: whether it runs on a curve of its own, which has a figure, and hodographs."""
     plots = [curve(study, press.lang, keys) for stem in "pva" if (keys := _components(study, f"{stem}_{letter}"))]
     if own:
         plots += [
             *([] if study.dense else [way(study, press.lang, letter)]),
             *(swept(study, press.lang, f"{stem}_{letter}") for stem in "va"),
         ]
-    return {
-        "title": title.of(press.lang),
-        "words": words,
-        "before": first,
-        "tables": [table],
-        "figures": press.figures(plots),
-    }
+    return plots
 
 
 def _components(study: Study, key: str) -> list[str]:

@@ -10,6 +10,7 @@ from ....findings.study.study import Study
 from ....words import Words
 from ..analysis import force_words
 from ..numbering import Press
+from .circling import is_trivial
 from .tabled import decimal
 
 _TOLD = 2  # positions that are alike, of which the table has room
@@ -22,7 +23,8 @@ _EXTREMES = {
 def extremes(study: Study, press: Press) -> str:
     """Greatest and least values to full accuracy, and where they occur."""
     keys = [f"{stem}_{link}" for link in study.links for stem in ("omega", "alpha")]
-    keys += [key for letter in study.points for key in (f"p_{letter}.x", f"p_{letter}.y", f"v_{letter}", f"a_{letter}")]
+    points = [letter for letter in study.points if not is_trivial(study, letter)]
+    keys += [key for letter in points for key in (f"p_{letter}.x", f"p_{letter}.y", f"v_{letter}", f"a_{letter}")]
     keys += list(study.forces)
     rows = []
     for key in keys:

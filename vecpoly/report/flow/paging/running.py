@@ -47,7 +47,8 @@ def _shared(story: Sequence[Any], doc: ReportDoc) -> list[Any] | None:
         head = _opening(text)
         after = max(pages - 1, 1) if len(parts) == 1 else _after(heads)
         floating = (_behind(sheet, after) for sheet in sheets)
-        out += [*text[:head], *floating, *text[head:], *([] if last else [Divider()])]
+        ends = not last and any(isinstance(item, PageBreak) for item in behind)  # else it goes on behind its sheets
+        out += [*text[:head], *floating, *text[head:], *([Divider()] if ends else [])]
     return out if len(out) != len(story) or any(a is not b for a, b in zip(out, story, strict=True)) else None
 
 

@@ -1,0 +1,91 @@
+"""Conclusions are sentences that evaluate: no strings of numbers, no rule without its figure, no table of one row."""
+
+from __future__ import annotations
+
+import re
+from math import degrees
+
+import pytest
+
+from tests.studies import course_text, studied
+from vecpoly.findings.conditioning import conditioning
+from vecpoly.report.course.analysis.agreement import agreement
+from vecpoly.report.course.analysis.conclusion import conclusion
+from vecpoly.report.course.analysis.outputs import output
+from vecpoly.report.course.analysis.stated import stated
+from vecpoly.report.course.checks.comparison import Compared
+from vecpoly.report.flow.table import DataTable
+from vecpoly.words import Lang
+
+NONE = Compared((), (), ())
+
+
+def concluded(name: str) -> str:
+    it = studied(name)
+    return "\n".join(words.en for words in conclusion(it, conditioning(it), NONE, (), ""))
+
+
+def test_the_conclusion_tells_the_least_transmission_angle_of_the_table_and_sets_it_beside_what_is_demanded() -> None:
+    (one,) = conditioning(studied("D-3-knife"))
+    assert one.gamma is not None and f"{degrees(one.gamma.least.value):.1f}" == "68.0"
+    told = concluded("D-3-knife")
+    assert "the least transmission angle is 68.0°" in told and "above the 40° usually demanded" in told
+    assert "40° and more" not in told
+
+
+def test_without_transmission_angles_the_least_determinant_is_told() -> None:
+    share = min(one.ratio for one in conditioning(studied("stephenson-valve-gear")))
+    assert f"no determinant falls below {100 * share:.0f} %" in concluded("stephenson-valve-gear")
+
+
+@pytest.mark.parametrize("name", ["stephenson-valve-gear", "D-3-knife"])
+def test_no_conclusion_strings_two_numbers_together_with_a_stroke(name: str) -> None:
+    assert not re.search(r"\d[°)]?/[\d(]", concluded(name))
+
+
+def test_how_far_the_drawing_is_from_exact_is_the_largest_deviation_of_the_table() -> None:
+    it = studied("D-3-knife")
+    answers = list(it.solution.answers.values())
+    (v,) = (one for one in answers if one.key == "v_E")
+    told = re.search(r"各值最多相差 ([\d.]+) %，点的位置最多相差 ([\d.]+) mm", agreement(answers).zh)
+    assert told and float(told[1]) == pytest.approx(100 * abs(v.relative_deviation), abs=0.011)
+    assert agreement([]).zh == "" == agreement([]).en
+
+
+def test_what_agrees_in_all_digits_is_said_to_and_what_stands_still_turns_no_way() -> None:
+    (same,), (still,) = stated(studied("8-2g")), stated(studied("oldham-coupling"))
+    assert "agree in all digits told" in same.en and "no more than 0" not in same.en + same.zh
+    assert "$α_3$ = 0 rad/s²。" in still.zh and "$ω_3$ = 10 rad/s，逆时针" in still.zh
+
+
+def test_many_instant_centres_are_told_by_their_number() -> None:
+    (said,) = stated(studied("3-1d"))
+    assert "全部 15 个瞬心" in said.zh and "(" not in said.zh and said.zh.count("$P_") == 2
+
+
+def test_the_one_link_of_which_both_rates_are_asked_is_told_beside_the_output() -> None:
+    (said,) = stated(studied("stephenson-valve-gear"))
+    assert "$ω_4$ = " in said.zh and "$α_4$ = " in said.zh and "$ω_2$" not in said.zh
+
+
+def test_an_output_that_goes_to_and_fro_is_told_by_its_greatest_sizes_with_all_their_places() -> None:
+    (said,) = output(studied("D-3-knife"), "2")
+    assert "$|v_{23}|$ 最大 0.1604 m/s（$φ_{1}$ = 18.4°、161.6°）" in said.zh and "无急回特性" in said.zh
+
+
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_what_would_be_a_table_of_one_row_is_a_sentence(lang: Lang) -> None:
+    text, objects = course_text("D-3-knife", lang)
+    for match in re.finditer(r'<table ref="(\w+)"', text):
+        table = objects.named[match[1]]
+        assert isinstance(table, DataTable)
+        assert len(table.rows) > 1 or not re.match(r"(表|Table) [78]-", table.caption), table.caption
+    for part in ("1.81", "68.0°", "0.927", "0.000257"):
+        assert part in text, part
+
+
+def test_several_peaks_and_groups_still_have_their_tables() -> None:
+    text, objects = course_text("A-27", "en")
+    captions = [one.caption for one in objects.named.values() if isinstance(one, DataTable)]
+    assert sum("peaks and their causes" in one for one in captions) == 1 and "usual size" in text
+    assert sum("determinants of the groups" in one for one in captions) == 1
