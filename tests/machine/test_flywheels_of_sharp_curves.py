@@ -113,3 +113,9 @@ def test_a_branch_statement_of_the_given_position_leads_round_the_whole_turn() -
 
 def test_a_gear_whose_phase_is_told_in_one_position_rolls_on_through_the_two_turns_of_its_period() -> None:
     _agree(solve(vecpoly.loads(TOLD_GEAR), by="exact", repeats=0, precise=False))
+
+
+def test_a_force_that_turns_with_the_crank_has_its_direction_in_every_place_of_the_period() -> None:
+    text = DRAG_LINK.replace("{AB: 90 mm}", "{AB: 90 mm, E: {AE: 50 mm, angle: 40 deg from AB}}")
+    text = text.replace("150 deg]}", "150 deg]}, F_t: {on: 1, at: B, size: 90 N, direction: along BE}")
+    _agree(solve(vecpoly.loads(text), by="exact", repeats=0, precise=False))

@@ -45,7 +45,7 @@ def bends(mech: Mechanism, loads: Loads, places: Sequence[float]) -> tuple[float
 
 def _parts(mech: Mechanism) -> int:
     """In how many the way between two places is parted: in halves where each is drawn alone."""
-    return 2 if mech.starts else PARTS
+    return 2 if mech.starts or mech.cams else PARTS
 
 
 def _acting(desk: Desk, loads: Loads) -> tuple[Reals, ...]:

@@ -54,8 +54,10 @@ def drawn(mech: Mechanism, loads: Loads, phi: float, by: Hand) -> Station:
 
 
 def stations(mech: Mechanism, loads: Loads, places: Sequence[float]) -> list[Station]:
-    """In places between which nothing begins or ends to act: all at once where that can be. Raises likewise."""
-    desk = at_once(mech, places)
+    """In places between which nothing begins or ends to act: all at once where that can be, and no force turns with the
+    drive. Raises likewise."""
+    turning = any(force.along is not None for force in loads.forces)
+    desk = None if turning else at_once(mech, places)
     if desk is None:
         return [station(mech, loads, phi) for phi in places]
     both = (np.broadcast_to(one, len(places)) for one in _reduced(desk, loads))
