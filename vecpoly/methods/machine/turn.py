@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...board.board import NO_LENGTH
 from ...board.construction import View
@@ -27,6 +28,7 @@ from ..positions.placed import elsewhere, further
 from ..registry import Stage
 
 SAME = 1e-6  # mm: two drawings of one place
+ALIKE = 1e-10  # of the greatest of M or J: what two drawings of one place come to
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,14 +56,19 @@ def drawn(mech: Mechanism, loads: Loads, phi: float, by: Hand) -> Station:
 
 
 def stations(mech: Mechanism, loads: Loads, places: Sequence[float]) -> list[Station]:
-    """In places between which nothing begins or ends to act: all at once where that can be, and no force turns with the
-    drive. Raises likewise."""
-    turning = any(force.along is not None for force in loads.forces)
-    desk = None if turning else at_once(mech, places)
-    if desk is None:
-        return [station(mech, loads, phi) for phi in places]
-    both = (np.broadcast_to(one, len(places)) for one in _reduced(desk, loads))
-    return [Station(phi, inertia, moment) for phi, inertia, moment in zip(places, *both, strict=True)]
+    """In places between which nothing begins or ends to act: all at once where that comes, in the last of them, to what
+    is drawn there alone; no force then turns with the drive, and none changes its sense. Raises likewise."""
+    desk = at_once(mech, places)
+    if desk is not None:
+        inertias, moments = (np.broadcast_to(one, len(places)) for one in _reduced(desk, loads))
+        last = station(mech, loads, places[-1])
+        if _same(inertias, last.inertia) and _same(moments, last.moment):
+            return [Station(phi, j, m) for phi, j, m in zip(places, inertias, moments, strict=True)]
+    return [station(mech, loads, phi) for phi in places]
+
+
+def _same(values: NDArray[np.float64], last: Reals) -> bool:
+    return bool(abs(values[-1] - last) <= ALIKE * np.abs(values).max())
 
 
 def at_once(mech: Mechanism, places: Sequence[float]) -> Desk | None:

@@ -65,7 +65,8 @@ class OffPaper:
     def turned(self, coil: Coil) -> Reals:
         """φ - φ_0 within half a turn (rad), by the protractor."""
         relative = self.angle(coil.link) - self.angle(coil.against) - coil.free
-        return relative - 2 * np.pi * round(float(nominal(relative)) / (2 * np.pi))
+        seen = relative if self.desk.board.beside else nominal(relative)  # every hand has turned as often as the first
+        return relative - 2 * np.pi * np.round(seen / (2 * np.pi))
 
     def turning(self, coil: Coil) -> Reals:
         """ω - ω' (rad/s)."""
