@@ -30,6 +30,6 @@ def told(study: Study, letter: str) -> Words:
         f"${at}$ 是匀速转动的原动件 {link} 上的点，速度、加速度的大小不变，$|v_{{{at}}}|$ = {v}，$|a_{{{at}}}|$ = {a}"
         f"（指向圆心）；坐标和各分量都是转角的正弦、余弦函数，不列表，也不列入极值。",
         f" ${at}$ is a point of the driving link {link}, which rotates uniformly: its velocity and acceleration have "
-        f"the constant sizes $|v_{{{at}}}|$ = {v} and $|a_{{{at}}}|$ = {a} (towards the centre), and all components are "
-        "sines and cosines of the angle, which need no table and no extremes.",
+        f"the constant sizes $|v_{{{at}}}|$ = {v} and $|a_{{{at}}}|$ = {a} (towards the centre), and all components "
+        "are sines and cosines of the angle, which need no table and no extremes.",
     )
