@@ -12,7 +12,7 @@ from tests.laws import few
 from tests.machine.engines import DATA, PRESS, machine
 from tests.studies import solved
 from vecpoly.algebra.formula import plain
-from vecpoly.board.paper.marks import Point
+from vecpoly.board.paper.marks import Curve, Point
 from vecpoly.errors import EquilibriumError, NoMethodError
 from vecpoly.problem.load import loads
 from vecpoly.solution import Solution, solve
@@ -52,6 +52,19 @@ def test_the_figures_of_a_flywheel_are_all_there_each_with_its_scales(drawn: Sol
     assert torque.scale.across is not None
     pole = energy.scale.value / (torque.scale.value * torque.scale.across.value)
     assert pole == pytest.approx(round(pole), abs=1e-9)
+
+
+def test_the_curve_of_energies_turns_by_little_from_ordinate_to_ordinate_however_fast_the_moment_changes(
+    drawn: Solution,
+) -> None:
+    """From chord to chord of the E–φ diagram its slope, the moment, changes by a quarter of its range at most; between
+    two jumps of the loads."""
+    energy = next(one for one in drawn.construction.figures if one.view.name == "energy")
+    runs = [mark.points for mark in energy.marks if isinstance(mark, Curve)]
+    slopes = [np.array([(b - a).imag / (b - a).real for a, b in pairwise(run)]) for run in runs]
+    every = np.concatenate(slopes)
+    assert len(every) > 20
+    assert all(np.abs(np.diff(part)).max(initial=0.0) < 0.25 * np.ptp(every) for part in slopes)
 
 
 def test_areas_that_decide_are_large_enough_to_be_counted(drawn: Solution) -> None:

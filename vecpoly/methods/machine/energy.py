@@ -22,6 +22,7 @@ from .scales import ENERGY, TORQUE, Sizes
 RAYS = Words("极点与射线", "Pole and rays")
 TITLE = Words("能量线图（图解积分）", "Energy over the angle (graphical integration)")
 STRIP = np.radians(15.0)
+STEEP, NARROWER = 0.15, 2  # of the range of the moments: what changes more in a strip halves it; so often at most
 SAME = 1e-9
 TOLD = 2.0  # mm: rays that end nearer to each other share their label
 
@@ -47,7 +48,18 @@ def strips_of(period: Period, contacts: tuple[float, ...]) -> tuple[float, ...]:
     kept = sorted({*own, *(float(psi) for psi in even if all(abs(psi - one) > STRIP / 4 for one in own))})
     inner = [psi for psi in kept if SAME < psi < curve.period - SAME]
     ends = [0.0, *(psi for i, psi in enumerate(inner) if not i or psi - inner[i - 1] > SAME), curve.period]
-    return tuple(ends)
+    heights = [curve.moment(psi) for psi in ends]
+    steep = STEEP * (max(heights) - min(heights))
+    return 0.0, *(end for a, b in pairwise(ends) for end in _narrower(curve, a, b, steep, NARROWER))
+
+
+def _narrower(curve: French, a: float, b: float, steep: float, times: int) -> Iterator[float]:
+    """The ends of a strip's parts: it is halved as long as the moment changes much in it."""
+    if not times or abs(curve.moment(b, before=True) - curve.moment(a)) <= steep:
+        yield b
+        return
+    yield from _narrower(curve, a, (a + b) / 2, steep, times - 1)
+    yield from _narrower(curve, (a + b) / 2, b, steep, times - 1)
 
 
 def draw_energy(period: Period, sizes: Sizes, contacts: tuple[float, ...], constant: Reals) -> Energies:
@@ -108,12 +120,13 @@ def _say(period: Period, sizes: Sizes, pane: Pane) -> None:
     board = period.board
     board.step(
         Words(
-            f"图解积分：将力矩线图分成窄条，取各条中盈余力矩的平均高度；极距 $H$ = {sizes.pole:g} mm，自极点 $P$ 引射线"
-            "至各平均高度在 $M$ 轴上的投影（射线旁注窄条的序号），在 $E$–$φ$ 图中依次作其平行线。",
-            f"Graphical integration: divide the diagram of moments into strips and take the mean height of the surplus "
-            f"moment in each. With the pole distance $H$ = {sizes.pole:g} mm draw rays from the pole $P$ to these "
-            "heights on the $M$ axis, each by the number of its strip, and chords parallel to them in the $E$–$φ$ "
-            "diagram.",
+            "图解积分：将力矩线图分成窄条（力矩变化快处取得更窄），取各条中盈余力矩的平均高度；极距 "
+            f"$H$ = {sizes.pole:g} mm，自极点 $P$ 引射线至各平均高度在 $M$ 轴上的投影（射线旁注窄条的序号），在 "
+            "$E$–$φ$ 图中依次作其平行线。",
+            "Graphical integration: divide the diagram of moments into strips, narrower ones where the moment changes "
+            f"fast, and take the mean height of the surplus moment in each. With the pole distance "
+            f"$H$ = {sizes.pole:g} mm draw rays from the pole $P$ to these heights on the $M$ axis, each by the number "
+            "of its strip, and chords parallel to them in the $E$–$φ$ diagram.",
         ),
         pane,
     )
