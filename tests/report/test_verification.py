@@ -11,7 +11,7 @@ import vecpoly
 from vecpoly.check.grashof import grashof
 from vecpoly.report.answers.order import arranged, broken
 from vecpoly.report.content import conclusions
-from vecpoly.report.verification import MARGIN, in_words, verification_table
+from vecpoly.report.verification import MARGIN, as_moved, verification_table
 from vecpoly.words import Lang
 
 
@@ -94,7 +94,10 @@ def test_a_given_link_that_need_not_be_a_crank_is_called_a_link() -> None:
 
 @pytest.mark.parametrize(("lang", "said"), [("zh", "原动件 $AB$ 能整周转动"), ("en", "the driver $AB$ turns fully")])
 def test_what_a_single_solution_does_is_said_in_a_sentence_and_of_several_in_a_table(lang: Lang, said: str) -> None:
-    one, several = (verification_table(vecpoly.load(name).solve(), lang) for name in ("8-5", "8-4"))
+    solutions = [vecpoly.load(name).solve() for name in ("8-5", "8-4", "3-9")]
+    one, several, _ = (verification_table(solution, lang) for solution in solutions)
     assert one is not None and several is not None and len(several.rows) > 1
-    assert said in in_words(one, lang) and in_words(several, lang) == "" == in_words(None, lang)
-    assert all(cell in in_words(one, lang) for cell in one.rows[0][1:] if cell[0].isdigit())
+    (no_table, sentence), *others = (as_moved(solution, lang) for solution in solutions)
+    assert said in sentence and no_table is None
+    assert [(table and table.rows, words) for table, words in others] == [(several.rows, ""), (None, "")]
+    assert all(cell in sentence for cell in one.rows[0][1:] if cell[0].isdigit())

@@ -55,7 +55,6 @@ class Board(Compass):
         super().__init__(hand, scales, amended)
         self.recorded = recorded  # whether the numbers of its acts know how they were computed
         self._ruler = Ruler(hand)
-        self.beside: Mapping[str, Reals] = {}  # of given values: how far every hand's own is from what is told
 
     @property
     def readings(self) -> Mapping[str, Reading]:
@@ -76,7 +75,7 @@ class Board(Compass):
 
     def given(self, value: float, name: str) -> Reals:
         """What the problem gives and may be changed: on a recorded sheet a variable of this name."""
-        return cast("float", variable(value, name)) if self.recorded else value + self.beside.get(name, 0.0)
+        return cast("float", variable(value, name)) if self.recorded else self.in_each(value, name)
 
     # -- measuring and computing --------------------------------------------------------------------------------
 

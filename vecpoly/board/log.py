@@ -41,6 +41,7 @@ class Log:
         self.acts: list[Act] = []
         self.ledger = Ledger()
         self.hands: dict[int, Any] = {}  # number of an act → the point, length or value that it gave, by every hand
+        self.beside: Mapping[str, Reals] = {}  # of given values: how far every hand's own is from what is told
         self._marks: dict[Place, list[Mark]] = {view: [] for view in views()}  # of acts up to when they were looked at
         self._left = defaultdict[Place, list[Act]](list)  # acts since then that leave marks
         self._ends = defaultdict[Place, Ends](Ends)  # of the vectors there
@@ -50,6 +51,10 @@ class Log:
         self._section = Words.same("")
         self._short: list[Short] = []
         self._grazing: dict[int, tuple[float, ...]] = {}  # angles (deg) told of, by the step's number
+
+    def in_each(self, value: float, name: str) -> Reals:
+        """A given value by every hand, or in every place that is drawn at once."""
+        return value + self.beside.get(name, 0.0)
 
     # -- the record -------------------------------------------------------------------------------------------
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from math import isfinite
 
@@ -12,6 +11,7 @@ from ..check.candidates import exact
 from ..check.found import Verified
 from ..designs.base import Design
 from ..designs.inversion.stages import Stages
+from ..foundation.slotted import dataclass
 from ..solution import Solution
 from ..words import Lang, Words, stopped
 from .flow.table import DataTable
@@ -58,55 +58,60 @@ _SAID = {  # the same of a single solution, in a sentence
     _SWING: Words("摆角为 {}", "the swing is {}"),
     _STROKE: Words("行程为 {}", "the stroke is {}"),
 }
+_TURNS = {_YES: Words("能", "turns"), _NO: Words("不能", "does not turn")}
 _BESIDE = frozenset({"K", "psi", "H", "gamma_min"})  # keys of what is moved and found exactly too
-_DRIVER = re.compile(r"(?:原动件|Driver) (\$\w+\$)")
 _BARS = (("A", "B"), ("B", "C"), ("C", "D"))
+
+
+@dataclass(frozen=True, slots=True)
+class _Item:
+    """What is said of one solution: in a table under its head; the same as a clause."""
+
+    head: Words
+    cell: Words
+    clause: Words
 
 
 def verification_table(solution: Solution, lang: Lang) -> DataTable | None:
     """One line a solution, one column an item; None where no solution can be moved."""
-    moved = solution.verification
-    design = solution.problem.subject
-    if all(one.broken is not None for one in moved) or not isinstance(design, Design):
-        return None
-    found = {one.number: one for one in solution.construction.candidates}
-    true: dict[int, Mapping[str, float]] = dict(enumerate(exact(design), 1))
-    mu = 1e3 * solution.construction.figures[0].scale.value
-    driver = next(one.driver for one in moved if one.broken is None)
-    turning = Words(f"原动件 ${driver}$ 整周转动", f"Driver ${driver}$ turns fully")
-    lines = [_Line(design, one, found[one.number], true.get(one.number, {}), mu, turning).items() for one in moved]
-    told = [n for n in range(len(lines[0])) if any(line[n][1] != _NONE for line in lines)]
-    header = [_NUMBER.of(lang), *(lines[0][n][0].of(lang) for n in told)]
-    rows = [[str(one.number), *(line[n][1].of(lang) for n in told)] for one, line in zip(moved, lines, strict=True)]
-    return DataTable(header, rows, None, "c" * len(header), lang=lang)
+    return _table(solution, _lines(solution), lang)
 
 
 def as_moved(solution: Solution, lang: Lang) -> tuple[DataTable | None, str]:
     """What the solutions do, as moved: of several a table, of one a sentence."""
-    table = verification_table(solution, lang)
-    said = in_words(table, lang)
-    return (None if said else table), said
+    lines = _lines(solution)
+    if len(lines) != 1:
+        return _table(solution, lines, lang), ""
+    return None, stopped(Words("，", "; ").of(lang).join(one.clause.of(lang) for one in _told(lines)[0]), lang)
 
 
-def in_words(table: DataTable | None, lang: Lang) -> str:
-    """A table of one line as a sentence; nothing of another."""
-    if table is None or len(table.rows) > 1:
-        return ""
-    said = {head.of(lang): words.of(lang) for head, words in _SAID.items()}
-    pairs = list(zip(table.header[1:], table.rows[0][1:], strict=True))
-    told = [said[head].format(value) if head in said else _turning(head, value, lang) for head, value in pairs]
-    return stopped(Words("，", "; ").of(lang).join(told), lang)
+def _lines(solution: Solution) -> list[list[_Item]]:
+    """All items of every solution; none where no solution can be moved."""
+    moved = solution.verification
+    design = solution.problem.subject
+    if all(one.broken is not None for one in moved) or not isinstance(design, Design):
+        return []
+    found = {one.number: one for one in solution.construction.candidates}
+    true: dict[int, Mapping[str, float]] = dict(enumerate(exact(design), 1))
+    mu = 1e3 * solution.construction.figures[0].scale.value
+    driver = next(one.driver for one in moved if one.broken is None)
+    return [_Line(design, one, found[one.number], true.get(one.number, {}), mu, driver).items() for one in moved]
 
 
-def _turning(head: str, value: str, lang: Lang) -> str:
-    """Whether the driver turns fully, with what is added to a four-bar; any other item as it is headed."""
-    turns = {_YES.of(lang): Words("能", "turns"), _NO.of(lang): Words("不能", "does not turn")}.get(value)
-    driver = next(iter(_DRIVER.findall(head)), "")
-    if turns is not None and driver:
-        return Words(f"原动件 {driver} {turns.zh}整周转动", f"the driver {driver} {turns.en} fully").of(lang)
-    if turns is not None and head == _ALL_TURNS.of(lang):
-        return Words(f"连同杆组{turns.zh}整周转动", f"with what is added it {turns.en} fully").of(lang)
-    return f"{head} = {value}" if head.startswith("$") else f"{head}{Words('：', ': ').of(lang)}{value}"
+def _told(lines: list[list[_Item]]) -> list[list[_Item]]:
+    """Those that any of the solutions has."""
+    told = [n for n in range(len(lines[0])) if any(line[n].cell != _NONE for line in lines)]
+    return [[line[n] for n in told] for line in lines]
+
+
+def _table(solution: Solution, lines: list[list[_Item]], lang: Lang) -> DataTable | None:
+    if not lines:
+        return None
+    told = _told(lines)
+    header = [_NUMBER.of(lang), *(one.head.of(lang) for one in told[0])]
+    numbers = [str(one.number) for one in solution.verification]
+    rows = [[number, *(one.cell.of(lang) for one in line)] for number, line in zip(numbers, told, strict=True)]
+    return DataTable(header, rows, None, "c" * len(header), lang=lang)
 
 
 def heads_told(table: DataTable | None, lang: Lang) -> str:
@@ -128,27 +133,26 @@ class _Line:
     """What is said of one solution."""
 
     def __init__(
-        self, design: Design, moved: Verified, drawn: Candidate, true: Mapping[str, float], mu: float, turning: Words
+        self, design: Design, moved: Verified, drawn: Candidate, true: Mapping[str, float], mu: float, driver: str
     ) -> None:
         self.design, self.moved, self.drawn, self.mu = design, moved, drawn, mu
-        self.exact, self.turning = true, turning
+        self.exact, self.driver = true, driver
 
-    def items(self) -> list[tuple[Words, Words]]:
+    def items(self) -> list[_Item]:
         """Item by item, in one order for all."""
         one = self.moved
         swings = one.unit == "°"
-        named, turning = (_TYPE_OF, _ALL_TURNS) if self._added() else (_TYPE, self.turning)
         stroke, unit = ("psi", "°") if swings else ("H", " mm")
         return [
-            (_ERROR, self._closes()),
-            (_CIRCUIT, self._yes()),
-            (_ORDER, self._order()),
-            (named, _NONE if one.kind is None else one.kind),
-            (MARGIN, _NONE if one.kind is None else Words.same(f"{number(one.margin)} mm")),
-            (turning, self._turns()),
-            (Words.same("$K$"), self._beside(one.ratio, "K", "", 4)),
-            (_SWING if swings else _STROKE, self._beside(one.stroke, stroke, unit, 4)),
-            (_GAMMA, self._beside(one.gamma, "gamma_min", "°", 4) if one.full else _NONE),
+            _item(_ERROR, self._closes()),
+            _item(_CIRCUIT, self._yes()),
+            _item(_ORDER, self._order()),
+            _item(_TYPE_OF if self._added() else _TYPE, _NONE if one.kind is None else one.kind),
+            _item(MARGIN, _NONE if one.kind is None else Words.same(f"{number(one.margin)} mm")),
+            self._turning(),
+            _item(Words.same("$K$"), self._beside(one.ratio, "K", "", 4)),
+            _item(_SWING if swings else _STROKE, self._beside(one.stroke, stroke, unit, 4)),
+            _item(_GAMMA, self._beside(one.gamma, "gamma_min", "°", 4) if one.full else _NONE),
         ]
 
     def _closes(self) -> Words:
@@ -186,9 +190,19 @@ class _Line:
         """A candidate of another circuit or branch is none that is valid."""
         return _YES if self.positions > 1 and self.moved.broken is None else _NONE
 
-    def _turns(self) -> Words:
-        """Whether it turns right round; of one that does not move with the lengths read, that."""
-        return _BROKEN if self.moved.broken is not None else _YES if self.moved.full else _NO
+    def _turning(self) -> _Item:
+        """Whether it turns right round, with what is added; of one that does not move with the lengths read, that."""
+        ab, added = self.driver, self._added()
+        head = _ALL_TURNS if added else Words(f"原动件 ${ab}$ 整周转动", f"Driver ${ab}$ turns fully")
+        if self.moved.broken is not None:
+            return _item(head, _BROKEN)
+        cell = _YES if self.moved.full else _NO
+        turns = _TURNS[cell]
+        if added:
+            clause = Words(f"连同杆组{turns.zh}整周转动", f"with what is added it {turns.en} fully")
+        else:
+            clause = Words(f"原动件 ${ab}$ {turns.zh}整周转动", f"the driver ${ab}$ {turns.en} fully")
+        return _Item(head, cell, clause)
 
     def _order(self) -> Words:
         order = " → ".join(map(str, range(1, self.positions + 1)))
@@ -199,3 +213,11 @@ class _Line:
             return _NONE
         exact = f" ({number(self.exact[key], digits)}{unit})" if key in self.exact else ""
         return Words.same(f"{number(value, digits)}{unit}{exact}")
+
+
+def _item(head: Words, cell: Words) -> _Item:
+    """An item that stands in a sentence by its own words, or as it is headed."""
+    if (said := _SAID.get(head)) is not None:
+        return _Item(head, cell, Words(said.zh.format(cell.zh), said.en.format(cell.en)))
+    sign = Words.same(" = ") if head.en.startswith("$") else Words("：", ": ")
+    return _Item(head, cell, head + sign + cell)

@@ -124,7 +124,7 @@ def _say(period: Period, sizes: Sizes, pane: Pane) -> None:
             f"$H$ = {sizes.pole:g} mm，自极点 $P$ 引射线至各平均高度在 $M$ 轴上的投影（射线旁注窄条的序号），在 "
             "$E$–$φ$ 图中依次作其平行线。",
             "Graphical integration: divide the diagram of moments into strips, narrower ones where the moment changes "
-            f"fast, and take the mean height of the surplus moment in each. With the pole distance "
+            "fast, and take the mean height of the surplus moment in each. With the pole distance "
             f"$H$ = {sizes.pole:g} mm draw rays from the pole $P$ to these heights on the $M$ axis, each by the number "
             "of its strip, and chords parallel to them in the $E$–$φ$ diagram.",
         ),

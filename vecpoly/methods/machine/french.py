@@ -129,9 +129,7 @@ def french(mech: Mechanism, loads: Loads) -> French:
     looked = _looked(loads, sense, period)
     places = looked if sense > 0 else [-one for one in reversed(looked)]
     own, bent = (sorted(sense * q % period for q in of(mech, loads, places)) for of in (jumps, bends))
-    laws = [
-        (sense * place + 2 * np.pi * k) % period for place in corners(mech) for k in range(round(period / (2 * np.pi)))
-    ]
+    laws = _again([sense * place for place in corners(mech)], 2 * np.pi, period)
     fit = partial(_fitted, partial(stations, mech, loads), sense)
     rough = [(a, b, *fit(a, b)) for a, b in pairwise(_cuts(loads, sense, period, [*own, *bent, *laws]))]
     great = tuple(max(float(np.abs(piece[k]).sum(axis=-1)) for piece in rough) for k in (2, 3))
@@ -140,6 +138,11 @@ def french(mech: Mechanism, loads: Loads) -> French:
     moments, inertias = (np.array([piece[k] for piece in pieces]) for k in (2, 3))
     mean = -float(np.diff(cuts) @ moments[:, 0]) / period if loads.constant is not None else 0.0
     return French(sense, cuts, moments, inertias, tuple(own), mean)
+
+
+def _again(places: Sequence[float], every: float, period: float) -> list[float]:
+    """What recurs after every so much of the drive's way, within the period (rad)."""
+    return [(place + every * k) % period for place in places for k in range(max(round(period / every), 1))]
 
 
 def _looked(loads: Loads, sense: float, period: float) -> list[float]:
@@ -151,11 +154,11 @@ def _looked(loads: Loads, sense: float, period: float) -> list[float]:
     step = max(min([LOOKED, *(part / 2 for part in parts)]), CLOSEST)
     even = np.linspace(0.0, period, round(period / step) + 1)
     within = [
-        (sense * (start + (end - start) % one.period / 2) + k * one.period) % period
+        place
         for one in windows
         if isinstance(one, During) and one.period
         for start, end in ((one.low, one.high), (one.high, one.low))
-        for k in range(max(round(period / one.period), 1))
+        for place in _again([sense * (start + (end - start) % one.period / 2)], one.period, period)
     ]
     return [float(x) for x in np.unique(np.concatenate([even, within]))]
 
@@ -165,11 +168,10 @@ def _cuts(loads: Loads, sense: float, period: float, own: list[float]) -> Array:
     even = np.linspace(0.0, period, round(period / PIECE) + 1)
     tables = [load.law.size for load in loads.all if load.law is not None]
     over_drive = [
-        (sense * place + k * table.period) % period
+        place
         for table in tables
         if isinstance(table, Table) and table.over is None and table.period
-        for place in table.places
-        for k in range(max(round(period / table.period), 1))
+        for place in _again([sense * place for place in table.places], table.period, period)
     ]
     cuts = np.unique(np.concatenate([even, own, over_drive]))
     return np.asarray(cuts[np.append(True, np.diff(cuts) > 1e-9)], np.float64)

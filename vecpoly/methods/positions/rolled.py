@@ -21,10 +21,12 @@ from numpy.typing import NDArray
 from ...errors import AssemblyError
 from ...foundation.slotted import dataclass
 from ...mechanism.assembly.start import Start
+from ...mechanism.gearing import pitch_circles
 from ...mechanism.model import Circle, Mechanism, Rack, Rolling, Side
 from ...plane import nominal, unit
 from ...words import Words
 from ..desk import Desk
+from ..kinematics.gears.pitch import rolling_in
 
 ROUNDS = 12  # trials at most
 CLOSED = 1e-14  # of the mechanism's size: a slip that is none
@@ -50,9 +52,7 @@ class Contacts:
 def opened(mech: Mechanism) -> Mechanism:
     """The mechanism with a start for each gear that has none since no point of it but its centre is known."""
     known = {start.link for start in mech.starts} | {drive.link for drive in mech.drives}
-    gears = {
-        wheel.link for joint in _rolls(mech) for wheel in (joint.gear, joint.on) if isinstance(wheel, Circle)
-    } - known
+    gears = {circle.link for circle in pitch_circles(mech)} - known
     bare = [link.name for link in mech.links if link.name in gears and len(link.points) == 1]
     return replace(mech, starts=(*mech.starts, *(Start(link=name, value=0.0) for name in bare)))
 
@@ -64,7 +64,7 @@ def with_told(mech: Mechanism, told: Iterable[float]) -> Mechanism:
 
 def contacts(desk: Desk) -> Contacts:
     """As it is drawn."""
-    mech, rolls = desk.mech, _rolls(desk.mech)
+    mech, rolls = desk.mech, rolling_in(desk.mech.joints)
     if not mech.starts:
         return Contacts()
     links = {wheel.link for joint in rolls for wheel in (joint.gear, joint.on)}
@@ -116,10 +116,6 @@ def _change(draw: Callable[[Array], Desk], guess: Array, slip: Array, before: Co
     return np.stack([(_slip(draw(guess + one), before) - slip) / one.max() for one in tries], axis=1)
 
 
-def _rolls(mech: Mechanism) -> list[Rolling]:
-    return [joint for joint in mech.joints if isinstance(joint, Rolling)]
-
-
 def _way(desk: Desk, joint: Rolling) -> complex:
     """Direction of the line of centres; along a rack the travel of the centre, a real number."""
     centre = desk.at[joint.gear.centre]
@@ -138,7 +134,7 @@ def _slip(desk: Desk, before: Contacts) -> Array:
     for i, start in enumerate(desk.mech.starts):
         if not start.slide:
             turns[start.link] = now.told[i] - before.told[i] + _turned(now.zeros[i], before.zeros[i])
-    joints = zip(_rolls(desk.mech), now.ways, before.ways, strict=True)
+    joints = zip(rolling_in(desk.mech.joints), now.ways, before.ways, strict=True)
     return np.array([_gap(joint, turns, here, last) for joint, here, last in joints])
 
 

@@ -33,7 +33,7 @@ class OffPaper:
     def drive(self) -> Reals:
         """The drive's own coordinate, which is given."""
         drive = self.desk.mech.drive
-        return drive.position + self.desk.board.beside.get(drive.key, 0.0)
+        return self.desk.board.in_each(drive.position, drive.key)
 
     def travelled(self, link: str, point: str, direction: float) -> tuple[Reals, float]:
         """How far the point is from where its stroke begins, and how long the stroke is (m)."""

@@ -23,7 +23,6 @@ from ...roots import halved
 
 TRIALS = 72  # places of the drive
 HALVINGS = 48
-_STAGES = (Stage.POSITION, Stage.VELOCITY)
 
 
 def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[float, float]:
@@ -36,8 +35,7 @@ def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[fl
 
 @lru_cache(maxsize=128)
 def _stroke(way: Follower, link: str, point: str, direction: float) -> tuple[float, float]:
-    """Both ends: at the dead centres, where the velocity turns round, or where
-    the drive comes to its own end."""
+    """Both ends: at the dead centres, where the velocity turns round, or where the drive comes to its own end."""
     drive = way.mech.drive
     own, step = drive.position, (way.mech.scale / 18 if drive.slide else 2 * np.pi / TRIALS)
     seen: dict[float, tuple[float, float] | None] = {}

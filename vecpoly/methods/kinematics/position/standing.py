@@ -22,7 +22,7 @@ def start_of(desk: Desk, link: str) -> Start | None:
 
 def told_in(desk: Desk, start: Start) -> Reals:
     """What is told of a link's angle (rad) or travel (m), in every place that is drawn."""
-    return start.value + desk.board.beside.get(start.key, 0.0)
+    return desk.board.in_each(start.value, start.key)
 
 
 def standing(desk: Desk, link: str) -> Points:

@@ -28,10 +28,9 @@ def output(study: Study, link: str) -> Iterator[Words]:
     zh, en = "，".join(w.zh for w in rates), ", ".join(w.en for w in rates)
     ways_zh, ways_en = "，".join(w.zh for w in how), ", ".join(w.en for w in how)
     between = ("；", "; ") if how and rates else ("", "")
-    head = ("", "") if how else ("：", ":")
+    lead = (" ", " ") if how else ("：", ": ")
     yield Words(
-        f"输出构件 {name} {head[0]}{ways_zh}{between[0]}{zh}。".replace(" ：", "："),
-        f"Output link {name}{head[1]} {ways_en}{between[1]}{en}.",
+        f"输出构件 {name}{lead[0]}{ways_zh}{between[0]}{zh}。", f"Output link {name}{lead[1]}{ways_en}{between[1]}{en}."
     )
 
 
