@@ -88,6 +88,16 @@ def test_narrow_columns_keep_their_width_and_wide_ones_share_what_is_left() -> N
     assert long / half == pytest.approx(2.0, rel=0.05)
 
 
+def test_a_wide_column_is_as_wide_as_its_longest_word_where_others_can_give_way() -> None:
+    """best-gamma in English: a type of one word ran into the column beside it."""
+    word, many = "crank-rocker-with-a-slotted-lever", ("word " * 60).strip()
+    long = DataTable(("b",), [(word,)], lang="en").set_in(100 * MM).widths[0]
+    crowded = DataTable(("a", "b", "c"), [(many, word, many)], lang="en").set_in(100 * MM).widths
+    assert long > 100 / 3 and crowded[1] == pytest.approx(long) and sum(crowded) == pytest.approx(100.0)
+    none = DataTable(("a", "b"), [(word * 2, word * 2)], lang="en").set_in(60 * MM).widths
+    assert sum(none) == pytest.approx(60.0)
+
+
 @pytest.mark.parametrize(("whole", "least"), [(False, 4), (True, 10)])
 @pytest.mark.parametrize("height", range(20, 600, 30))
 def test_a_page_break_leaves_enough_rows_of_a_table_on_both_pages(whole: bool, least: int, height: int) -> None:

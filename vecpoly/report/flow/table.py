@@ -19,6 +19,7 @@ from ...words import Lang
 from .base import Block, Tightness
 from .cells import Cell, cells, joined
 from .lines import Line, break_lines, draw_line
+from .results.columns import longest, shared
 from .results.decimal import Aligned, grouped
 from .style import CAPTION, CELL, Style
 from .text.continued import CONTINUED, continued
@@ -139,10 +140,8 @@ class DataTable(Block):
         total = sum(wanted)
         if total <= width:
             return tuple(wanted)
-        fair = width / len(wanted)  # narrow columns keep their width, the wide ones share what is left
-        narrow = sum(w for w in wanted if w <= fair)
-        share = (width - narrow) / sum(w for w in wanted if w > fair)
-        return tuple(w if w <= fair else w * share for w in wanted)
+        least = [max(longest(row[i], em) for row in rows) + 2 * PAD for i in range(len(wanted))]
+        return shared(wanted, least, width)
 
     def _lines(self, row: Sequence[Sequence[Cell]], widths: Sequence[float]) -> _Row:
         rooms = (width - 2 * PAD + 1e-3 for width in widths)

@@ -1,0 +1,38 @@
+"""How wide the columns of a table are that has no room for all of its cells in one line each."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..cells import Cell
+from ..text.balanced import spaces
+
+
+def shared(wanted: Sequence[float], least: Sequence[float], width: float) -> tuple[float, ...]:
+    """Narrow columns keep the width they want, the wide ones share what is left; none is narrower than its least,
+    unless there is no room for that."""
+    fair = width / len(wanted)
+    kept = {n: one for n, one in enumerate(wanted) if one <= fair}
+    found = first = _parted(wanted, kept, width)
+    while tight := {n: least[n] for n, one in enumerate(found) if n not in kept and one < least[n]}:
+        kept |= tight
+        if len(kept) == len(wanted):
+            return first
+        found = _parted(wanted, kept, width)
+    return found
+
+
+def _parted(wanted: Sequence[float], kept: dict[int, float], width: float) -> tuple[float, ...]:
+    share = (width - sum(kept.values())) / sum(one for n, one in enumerate(wanted) if n not in kept)
+    return tuple(kept[n] if n in kept else one * share for n, one in enumerate(wanted))
+
+
+def longest(cells: Sequence[Cell], em: float) -> float:
+    """The width (mm) of the longest part of a text that no line break enters."""
+    runs = [0.0]
+    for cell, before in zip(cells, [None, *spaces(cells, em)], strict=True) if cells else ():
+        if before is None or before.breakable:
+            runs.append(cell.box.width - cell.lead)
+        else:
+            runs[-1] += before.width + cell.box.width
+    return max(runs)
