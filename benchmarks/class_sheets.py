@@ -14,6 +14,7 @@ from tempfile import TemporaryDirectory
 from vecpoly.batch.classwork import Made, Order, Told, make_class
 from vecpoly.batch.run.runners import Here
 from vecpoly.batch.student import Student
+from vecpoly.foundation.rubbish import seldom_looked_for
 from vecpoly.problem.assignment import load_assignment
 from vecpoly.words import Words
 
@@ -37,6 +38,7 @@ problems:
 
 def run() -> str:
     """One line of the report."""
+    seldom_looked_for()  # as the workers of a class do
     with TemporaryDirectory() as folder:
         pilots, drawn, printed = _timed(Path(folder))
         pages = [page for file in sorted(Path(folder).glob("hw/*/*.pdf")) for page in _read(file)]

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import gc
 import os
 import signal
 import sys
 
-# new ones between two looks for garbage: a command lives for a second, and hardly leaves any in circles
-_OBJECTS = 250_000
+from .foundation.rubbish import seldom_looked_for
 
 
 def main() -> None:
     """Run the command line."""
-    gc.set_threshold(_OBJECTS)
+    seldom_looked_for()
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # else it reads what every package here says of itself
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # for small matrices threads do nothing but wait for each other
     try:

@@ -17,11 +17,8 @@ from vecpoly.board.otherwise.amended import AS_DRAWN, Amended
 from vecpoly.grading import redraw
 from vecpoly.grading.allowance import STUDENT
 from vecpoly.grading.key import AnswerKey, Graded, Kind
-from vecpoly.mechanism.model import Mechanism
 from vecpoly.methods.drawn import Drawn
-from vecpoly.methods.plan import drawn_otherwise
 from vecpoly.problem.problem import Problem, Scales
-from vecpoly.solution import constructed
 
 SLOPPY = replace(
     hand_of("pencil").repeated, protractor=1.0 * pi / 180, dividers=0.35, square=0.7 * pi / 180, squares=0.5
@@ -57,8 +54,7 @@ def drawn_class(
     known = {"pencil": hand_of("pencil").repeated, "student": STUDENT.hand(0).repeated, "sloppy": SLOPPY}[skill]
     by = Hand("pencil", EXACT, known, count, np.random.Generator(np.random.PCG64(seed)))
     scaled = replace(problem, scales=Scales(dict(key.scales)))
-    linkage = isinstance(problem.subject, Mechanism)
-    drawn = drawn_otherwise(scaled, by, amended) if linkage else constructed(scaled, by, amended)
+    drawn = redraw.drawn_by(scaled, by, amended)
     return Class(key, {one.key: _each(drawn, one, count) for one in key.quantities if redraw.act_of(drawn, one)}, count)
 
 

@@ -63,6 +63,8 @@ def _methods(made: Any) -> dict[str, Method]:
         made.__init__(self, *some, **others)
 
     def equal(self: Any, other: object) -> Any:
+        if other is self:
+            return True
         return values(self) == values(other) if other.__class__ is self.__class__ else NotImplemented
 
     def hashed(self: Any) -> int:

@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from ..board.acts import Act, Area, Compute, Measure
 from ..board.acts import Answer as Wrote
-from ..board.hand import steady
-from ..board.otherwise.amended import Amended
+from ..board.hand import Hand, steady
+from ..board.otherwise.amended import AS_DRAWN, Amended
+from ..drawing.sheets.paper import DrawingPaper
 from ..mechanism.model import Mechanism
 from ..methods.drawn import Drawn
 from ..methods.plan import drawn_otherwise
@@ -36,14 +37,20 @@ def by_hands(problem: Problem, key: AnswerKey, amended: Amended, *, unsteady: bo
     many = len(amended.each) + len(amended.own)
     by = key.allowance.hand(many) if unsteady else steady(many)
     scaled = replace(problem, scales=Scales(dict(key.scales)))
-    linkage = isinstance(problem.subject, Mechanism)
-    drawn = drawn_otherwise(scaled, by, amended) if linkage else constructed(scaled, by, amended)
+    drawn = drawn_by(scaled, by, amended)
     found: dict[str, NDArray[Any]] = {}
     for one in key.quantities:
         act = act_of(drawn, one)
         if act is not None:
             found[one.key] = np.broadcast_to(values_of(drawn, act), (many + 1,))[1:]
     return found
+
+
+def drawn_by(problem: Problem, by: Hand, amended: Amended = AS_DRAWN) -> Drawn:
+    """The construction by these hands, for what each of them found; a linkage's without an ideal hand's beside it."""
+    if isinstance(problem.subject, Mechanism):
+        return drawn_otherwise(problem, by, amended, DrawingPaper(problem.paper))
+    return constructed(problem, by, amended)
 
 
 def act_of(drawn: Drawn, one: Graded) -> Act | None:

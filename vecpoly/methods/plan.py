@@ -56,11 +56,11 @@ def drawn_alone(problem: Problem, by: Hand) -> Construction:
     return drawn_otherwise(problem, by, AS_DRAWN).construction
 
 
-def drawn_otherwise(problem: Problem, by: Hand, amended: Amended) -> Drawn:
+def drawn_otherwise(problem: Problem, by: Hand, amended: Amended, paper: Paper | None = None) -> Drawn:
     """The same with amendments: what is done otherwise is meant to be off."""
     with _quietly():
         problem, said = _driven(problem)
-        desk = draw(problem, Board(by, scaled(problem).scales, amended), said)
+        desk = draw(problem, Board(by, scaled(problem, paper).scales, amended), said)
         readings, repeats = answered(desk, problem)
     return Drawn(_finished(problem, by, desk, readings), repeats, {}, {}, desk.board.hands)
 

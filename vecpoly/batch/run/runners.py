@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from ...errors import MissingPackageError
+from ...foundation.rubbish import seldom_looked_for
 from ...words import Words
 
 Done = tuple[int, Any]  # the number of a task, and its result
@@ -106,7 +107,7 @@ def runner(jobs: int, dask: str | None = None) -> Iterator[Runner]:
         context = multiprocessing.get_context("forkserver" if hasattr(os, "fork") else "spawn")
         if hasattr(os, "fork"):
             context.set_forkserver_preload(["vecpoly.batch.run.tasks"])
-        with ProcessPoolExecutor(jobs, mp_context=context, initializer=_leave_with, initargs=(os.getpid(),)) as pool:
+        with ProcessPoolExecutor(jobs, mp_context=context, initializer=_begun_by, initargs=(os.getpid(),)) as pool:
             try:
                 yield Processes(pool)
             except (KeyboardInterrupt, BrokenProcessPool):
@@ -127,8 +128,9 @@ def _client(address: str) -> Any:
     return Client(address)
 
 
-def _leave_with(parent: int) -> None:
+def _begun_by(parent: int) -> None:
     """A worker whose master was killed leaves too, instead of waiting for work for ever."""
+    seldom_looked_for()
 
     def watch() -> None:
         while _lives(parent):

@@ -9,19 +9,19 @@ from dataclasses import dataclass, replace
 from ...answer import YES_NO, Answer, bearing
 from ...board.acts import Act, Area, Compute, Measure
 from ...board.acts import Answer as Wrote
-from ...board.otherwise.amended import AS_DRAWN
 from ...board.place import View, views
 from ...errors import VecpolyError
 from ...figures import View as Figured
 from ...methods.drawn import Drawn
 from ...names import parse_rel
 from ...problem.problem import Problem
-from ...solution import Solution, constructed, scales_of, solve
+from ...solution import Solution, scales_of, solve
 from ...words import Words
 from ..allowance import STUDENT, Allowance
 from ..equations.priced import priced
 from ..equations.row import rows_of
 from ..key import AnswerKey, Graded, Kind
+from ..redraw import drawn_by
 from .blocks import block_of
 from .needs import needs, with_lines
 from .rubric import USUAL, Rubric, shared
@@ -43,7 +43,7 @@ def answer_key(problem: Problem, allowance: Allowance = STUDENT, rubric: Rubric 
         raise VecpolyError(
             Words("不能据此批改：", "no key to grade by: ") + solution.construction.warning, code="suspect"
         )
-    drawn = constructed(problem, allowance.hand(), AS_DRAWN)
+    drawn = drawn_by(problem, allowance.hand())
     found = _Found(solution, drawn)
     steps = found.steps()
     known = {act.number: one.key for act, one in steps} | found.on_the_way({one.key for _, one in steps})

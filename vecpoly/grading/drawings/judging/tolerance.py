@@ -11,13 +11,13 @@ import numpy as np
 
 from ....board.acts import Locate, Measure
 from ....board.hand import scatter
-from ....board.otherwise.amended import AS_DRAWN
 from ....methods.drawn import Drawn
 from ....problem.problem import Problem
-from ....solution import constructed, scales_of
+from ....solution import scales_of
 from ...allowance import Allowance
 from ...derive.tolerance import Scatter
 from ...key import Graded, Kind
+from ...redraw import drawn_by
 from ..expected import NOTHING, Edge, Shape
 
 
@@ -31,7 +31,7 @@ class Allowed:
 
 def tolerances(problem: Problem, shapes: Sequence[Shape], rule: Allowance) -> Mapping[tuple[str, str], Allowed]:
     """(figure, quantity) → T, by the scatter of students' hands that draw the whole construction."""
-    drawn = constructed(problem, rule.hand(), AS_DRAWN)
+    drawn = drawn_by(problem, rule.hand())
     scatter = Scatter(drawn, rule, scales_of(drawn.construction).given)
     pairs = [(shape, edge) for shape in shapes if not shape.diagram for edge in shape.edges]
     graded = scatter.bounded([_graded(shape, edge, drawn, rule) for shape, edge in pairs])

@@ -13,6 +13,7 @@ from ...desk import Desk
 from ..position.drive import swept
 
 Complexes = NDArray[np.complex128]
+Reals = NDArray[np.float64]
 
 ARROW_RADII = (10.0, 13.0, 16.0)  # mm: the first that keeps clear of circles about the pivot
 GROUND = 5.5  # mm from the pivot within which its ground is hatched
@@ -58,12 +59,14 @@ def _free_side(desk: Desk, pivot: complex, phi: float, radius: float) -> float:
         np.abs(np.abs(taken - pivot) - radius) < radius + GROUND
     ]  # what lies beyond is farther than the ground
     middles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
-    arcs = pivot + radius * np.exp(1j * (middles[:, None] + np.linspace(-1.0, 1.0, 9)).ravel())
-    clear = [_nearest(arc, taken) for arc in arcs.reshape(len(middles), -1)]
-    return float(middles[int(np.argmax(clear))])
+    arcs = radius * np.exp(1j * (middles[:, None] + np.linspace(-1.0, 1.0, 9)))
+    clear = _nearest(arcs.ravel(), taken - pivot).reshape(arcs.shape).min(axis=1)
+    return float(middles[int(np.argmax(np.round(clear, 6)))])  # of sides as free as each other the first
 
 
-def _nearest(arc: Complexes, taken: Complexes) -> float:
-    """The square of the least distance between two rows of points; of one arc at a time, which stays in the cache."""
-    right, up = arc.real[:, None] - taken.real, arc.imag[:, None] - taken.imag
-    return float((right**2 + up**2).min())
+def _nearest(circle: Complexes, taken: Complexes) -> Reals:
+    """The square of the distance from each point of a circle about 0 to the nearest of the others:
+    |c|² + |t|² − 2 c·t."""
+    both = np.column_stack([circle.real, circle.imag]) @ np.vstack([taken.real, taken.imag])
+    nearest: Reals = abs(circle[0]) ** 2 + (np.abs(taken) ** 2 - 2.0 * both).min(axis=1)
+    return nearest
