@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from enum import StrEnum
-from math import isfinite, isnan
+from math import inf, isfinite, isnan
 from typing import Any
 
 import numpy as np
@@ -23,6 +23,8 @@ NEAR = 1e-5  # of that size: beyond it what was found on the way is wrong, howev
 AGREE = 1e-7  # of the size of such quantities: what an ideal hand may be off by rounding alone
 VAGUE, LEGIBLE = 0.5, 0.1  # of that size: an expected error with which a reading that is so far off tells nothing
 MOST = 6  # symbols in a warning
+ENOUGH, FEWEST = 200, 15  # hands from which σ is known; fewer tell nothing: all may round to the same tenth
+RARE = 3.09  # σ of the normal distribution beyond which, on one side, lies 0.1 %
 Number = complex | float
 
 
@@ -30,12 +32,29 @@ def alarm_at(expected_error: float, scalars: Any, *, scatters: bool) -> float:
     """How far from the exact value a drawn one may lie before it is suspect.
 
     The expected error, 3σ; or, where the repeated hands have long tails, the farthest of them from their median. A hand
-    that scatters itself exceeds 3σ once in 370 readings and is allowed 5σ, once in two million.
+    that scatters itself exceeds 3σ once in 370 readings and is allowed 5σ, once in two million. σ from few hands may
+    come out too small.
     """
     repeated = np.asarray(scalars)[1:] if np.ndim(scalars) else np.empty(0)
     found = repeated[np.isfinite(repeated)]
     tail = float(np.max(np.abs(found - _median(found)))) if found.size else 0.0
-    return max(expected_error * (5 / 3 if scatters else 1.0), tail)
+    return max(expected_error * (5 / 3 if scatters else 1.0) * _unsure(repeated.size), tail)
+
+
+def _unsure(hands: int) -> float:
+    """How much larger than found σ may be (once in 1000 drawings it is), from so few hands; 1 from as many as usual.
+
+    (n−1) s²/σ² has the distribution χ², whose quantile is ν (1 − 2/9ν + z √(2/9ν))³ (Wilson and Hilferty, 1931).
+    """
+    if hands >= ENOUGH or not hands:
+        return 1.0
+    return _quantile(ENOUGH) / _quantile(hands) if hands >= FEWEST else inf
+
+
+def _quantile(hands: int) -> float:
+    """√(χ²/ν) at 0.1 %."""
+    part = 2.0 / (9.0 * (hands - 1))
+    return float((1.0 - part - RARE * part**0.5) ** 1.5)
 
 
 def _median(found: NDArray[np.float64]) -> float:
