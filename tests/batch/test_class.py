@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,8 @@ from tests.batch.homework import FOUR, TEXT, files, made, made_in_shards, people
 from vecpoly.batch.classwork import Made
 from vecpoly.batch.outputs import outputs
 from vecpoly.batch.register import Register, read_register
+from vecpoly.batch.sheet.apriltag import CODES
+from vecpoly.batch.sheet.layout import tags_of
 from vecpoly.cli.app import app
 from vecpoly.errors import NotAskedError, VecpolyError
 from vecpoly.solution import solve
@@ -115,6 +118,26 @@ def test_a_run_that_was_killed_goes_on_and_ends_with_the_bytes_of_one_that_was_n
     assert tuple(outputs(whole[1].register, tmp_path / "through", None, lambda *_: None))  # as the command bundles them
     assert files(tmp_path / "broken") == files(tmp_path / "through")
     assert all(file.stat().st_mtime_ns == when for file, when in kept.items())
+
+
+def test_answers_that_were_typed_are_never_written_over(whole: tuple[Path, Made], tmp_path: Path) -> None:
+    """A form that is still blank is written anew with its class; one that is filled in stays, and a blank lies beside
+    it."""
+    out, fewer = tmp_path / "hw", replace(whole[1].register, sheets=whole[1].register.sheets[:3])
+    shutil.copytree(whole[0], out)
+    written = [{path.name for path in outputs(one, out, None, lambda *_: None)} for one in (fewer, whole[1].register)]
+    assert all("answers.xlsx" in names and "answers.new.xlsx" not in names for names in written)
+    blank = (out / "answers.xlsx").read_bytes()
+    (out / "answers.xlsx").write_bytes(blank + b" typed")
+    names = {path.name for path in outputs(whole[1].register, out, None, lambda *_: None)}
+    assert (out / "answers.xlsx").read_bytes() == blank + b" typed" and "answers.xlsx" not in names
+    assert (out / "answers.new.xlsx").read_bytes() == blank
+
+
+def test_after_the_last_tag_they_begin_again() -> None:
+    every = [tags_of(page) for page in range(1, 200)]
+    assert all(len(set(tags)) == 8 and max(tags) < len(CODES) for tags in every)
+    assert len({*every[:73]}) == 73 and every[73] == every[0]
 
 
 def test_more_students_than_values_is_refused_before_anything_is_drawn(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from hashlib import sha256
 from pathlib import Path
 
 from ..foundation.files import write_whole
@@ -12,9 +13,13 @@ from .forms.profile import Profile, table_bytes
 from .forms.workbooks import answers_bytes, key_bytes
 from .moodle.quiz import Quizzes
 from .register import NAME, Register
+from .run.manifest import file_digest
+from .run.store import Store
 from .run.tasks import question_file
 
 Told = Callable[[Words, int, int], None]
+FORM, BESIDE = "answers.xlsx", "answers.new.xlsx"
+_FORMS = "forms"  # where the digests of the blank forms are kept that were written so far
 
 
 def outputs(register: Register, out: Path, profile: Profile | None, told: Told) -> Iterator[Path]:
@@ -22,7 +27,6 @@ def outputs(register: Register, out: Path, profile: Profile | None, told: Told) 
     quizzes = Quizzes(register)
     plan: list[tuple[str, Callable[[], bytes]]] = [
         ("key.xlsx", lambda: key_bytes(register)),
-        ("answers.xlsx", lambda: answers_bytes(register)),
         ("moodle-cloze.xml", quizzes.cloze),
         ("moodle-numerical.xml", quizzes.numerical),
         ("questions.pdf", lambda: merged(register, out)),
@@ -32,8 +36,18 @@ def outputs(register: Register, out: Path, profile: Profile | None, told: Told) 
     if profile is not None:
         plan.append((profile.file, lambda: table_bytes(register, profile)))
     doing = Words("汇总", "bundling")
+    yield _form(answers_bytes(register), out)
     for count, (name, made) in enumerate(plan):
         told(doing, count, len(plan))
         yield write_whole(out / name, made())
     told(doing, len(plan), len(plan))
     yield out / NAME
+
+
+def _form(blank: bytes, out: Path) -> Path:
+    """Write the blank form for answers; where somebody has typed into the one that lies there, beside it."""
+    form, store, mine = out / FORM, Store(out), sha256(blank).hexdigest()
+    known = dict.fromkeys([*(store.get(_FORMS) or ()), mine])
+    typed = form.exists() and file_digest(form) not in known
+    store.put(_FORMS, list(known), {})
+    return write_whole(out / BESIDE if typed else form, blank)

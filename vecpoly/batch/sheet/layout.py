@@ -12,6 +12,7 @@ WIDTH, HEIGHT = 210.0, 297.0
 TAG, EDGE, QUIET = 10.0, 9.0, 3.0  # side of a tag, its distance from the paper's edge, what stays white round it
 QR, QR_QUIET = 20.0, 3.2
 LEFT, RIGHT, BOTTOM, TOP = 24.0, 186.0, 38.0, 262.0  # of what is written and drawn
+SETS = 73  # of eight tags each, of the 587 there are
 BAR = 100.0
 BAR_AT = (24.0, 32.0)  # left end of the measuring bar
 BOXES = tuple(range(95, 104))  # measured lengths to be ticked
@@ -96,5 +97,7 @@ def corners_of_tags() -> tuple[Spot, ...]:
 
 
 def tags_of(page: int) -> tuple[int, ...]:
-    """The ids of the tags of a page: eight of its own."""
-    return tuple(range(8 * (page - 1), 8 * page))
+    """The ids of the tags of a page: eight of its own, as long as there are any; then they begin again, and the code
+    alone tells the page."""
+    first = 8 * ((page - 1) % SETS)
+    return tuple(range(first, first + 8))

@@ -150,10 +150,19 @@ def _shard(text: str, gather: Sequence[Path] | None) -> tuple[int, int] | None:
 
 
 def _bundle(made: Made, output: Path, profile: Profile | None, told: Told) -> None:
-    from ...batch.outputs import outputs
+    from ...batch.outputs import BESIDE, FORM, outputs
 
     for path in outputs(made.register, output, profile, told):
         wrote(path)
+        if path.name == BESIDE:
+            say(
+                told_in(
+                    Words(
+                        f"{output / FORM} 中已填有答案，未改动；新的空白表在 {path}",
+                        f"{output / FORM} holds answers and stays as it is; the new blank form is {path}",
+                    )
+                )
+            )
 
 
 def _report(made: Made) -> None:
