@@ -202,11 +202,12 @@ HELP = {
     "Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for a "
     "person.\n\nRight within what a drawing may be off by, or right by one's own earlier values; each "
     "mistake costs once, and is named where one slip alone explains it. Marked again, the same answers "
-    "have the same marks; --diff tells what changed.\n\nExit code: 0 all was marked, 2 something could not "
-    "be read (the rest is marked all the same).": (
+    "have the same marks; --diff tells what changed.\n\nExit code: 0 all was read (what waits for a person is "
+    "counted, and stands in queue.csv), 2 a file, a row or a drawing could not be read (the rest is marked all "
+    "the same).": (
         "批改全班的答案：成绩、每人一份反馈、逐题分析、待人工批改的清单。\n\n在作图允许误差之内为正确，"
         "按自己前面的结果算对的也为正确；每个错误只扣一次，只有一种差错能解释时说明原因。"
-        "同样的答案再批一次，成绩相同；--diff 列出与前次的不同。\n\n退出码：0 全部批改，"
-        "2 有读不出的内容（其余照常批改）。"
+        "同样的答案再批一次，成绩相同；--diff 列出与前次的不同。\n\n退出码：0 全部读入"
+        "（待人工批改者已计数，见 queue.csv），2 有文件、行或图读不出（其余照常批改）。"
     ),
 }

@@ -65,7 +65,8 @@ def grade(
     named where one slip alone explains it. Marked again, the same answers have the same marks; --diff tells what
     changed.
 
-    Exit code: 0 all was marked, 2 something could not be read (the rest is marked all the same).
+    Exit code: 0 all was read (what waits for a person is counted, and stands in queue.csv), 2 a file, a row or a
+    drawing could not be read (the rest is marked all the same).
     """
     from ...batch.register import read_register
     from ...marked.graded import Order

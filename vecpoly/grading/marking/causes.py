@@ -84,10 +84,12 @@ def _near(found: Verdicts, root: Graded) -> set[str]:
 
 
 def _spread(found: Verdicts, why: Causes, root: str, open_ones: Sequence[str], mutant: Mutant) -> None:
-    """What the same mistake makes wrong costs nothing more."""
-    for name in open_ones:
-        agreeing = name in mutant.values and agrees(found.key[name], found.given[name], mutant, found.key.allowance)
-        if name != root and agreeing:
+    """What the same mistake makes wrong, or less than right, costs nothing more."""
+    close = [name for name, outcome in found.outcome.items() if outcome is Outcome.CLOSE and name not in why.source]
+    for name in (*open_ones, *close):
+        if name == root or not (name in mutant.values or mutant.leaves_out(name)):
+            continue
+        if agrees(found.key[name], found.given[name], mutant, found.key.allowance):
             found.outcome[name], found.basis[name], why.source[name] = Outcome.RIGHT, Basis.SLIP, root
 
 

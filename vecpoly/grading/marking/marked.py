@@ -15,6 +15,8 @@ from ..key import AnswerKey
 from ..told.message import Message
 from .lines import LineMark
 
+TINY = 1e-6  # points
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Marked:
@@ -41,8 +43,9 @@ class Marked:
 
     @property
     def total(self) -> float:
-        """The points, to the nearest half; never below zero."""
-        return halves(max(0.0, self.exactly))
+        """The points, to the nearest half; never below zero, and all of them only where nothing was lost."""
+        points = halves(max(0.0, self.exactly))
+        return points if self.exactly > self._best - TINY else min(points, max(0.0, self.worth - 0.5))
 
     @property
     def exactly(self) -> float:
@@ -53,8 +56,12 @@ class Marked:
     @property
     def worth(self) -> float:
         """All points that can be had."""
+        return halves(self._best)
+
+    @property
+    def _best(self) -> float:
         beside = sum(one.worth for one in self.lines) + sum(one.worth for one in self.equations)
-        return halves(self.key.worth + beside)
+        return self.key.worth + beside
 
     @property
     def doubts(self) -> tuple[tuple[Words, Words], ...]:

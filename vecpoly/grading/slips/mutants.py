@@ -55,6 +55,10 @@ class Mutant:
     values: Mapping[str, Value] = field(default_factory=dict)
     also: tuple[Slip, ...] = ()
 
+    def leaves_out(self, name: str) -> bool:
+        """Whether it is this quantity that is left out: it may be written as 0, as well as right."""
+        return any(one.mistake is Mistake.DROPPED and one.key == name for one in (self.slip, *self.also))
+
 
 def mutants(problem: Problem, key: AnswerKey, of: Sequence[Slip] | None = None) -> tuple[Mutant, ...]:
     """Every slip that changes something and leaves a drawing.

@@ -43,7 +43,9 @@ def explain(
 
 
 def agrees(one: Graded, mine: Measured, mutant: Mutant, rule: Allowance) -> bool:
-    """Whether a value is what follows from the mistake."""
+    """Whether a value is what follows from the mistake; of what is left out, also 0."""
+    if not mine.value and mutant.leaves_out(one.key):
+        return True
     return weigh(mine, one, mutated(one, mutant, rule), rule) in (Outcome.RIGHT, Outcome.CLOSE, Outcome.UNSAID)
 
 
@@ -78,7 +80,7 @@ def _score(key: AnswerKey, given: Mapping[str, Measured], pool: Collection[str],
         if not agrees(one, mine, mutant, key.allowance):
             return None
         target = mutated(one, mutant, key.allowance)
-        if target.allowed and mine.yes is None:
+        if target.allowed and mine.yes is None and not (not mine.value and mutant.leaves_out(name)):
             off = distance(mine, one, target) / target.allowed
             if moved == [name] and off > LONE:
                 return None

@@ -1,0 +1,62 @@
+"""One root cause costs once, however it is written down."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.grading.cases import key_of, marked, mutants_of
+from vecpoly.grading.compare.outcome import Basis, Outcome
+from vecpoly.grading.key import Kind
+from vecpoly.grading.marking.marked import Marked
+from vecpoly.grading.slips.mutants import Mutant
+
+
+def left_out(name: str, term: str) -> Mutant:
+    """The mistake of one who leaves a term out of a polygon."""
+    return next(one for one in mutants_of(name) if one.leaves_out(term))
+
+
+def written(name: str, mutant: Mutant, **otherwise: float) -> dict[str, str]:
+    """All values as they follow from a mistake, with their senses, but for these."""
+    cells = {}
+    for one in key_of(name).quantities:
+        value = otherwise.get(one.key, mutant.values[one.key].value if one.key in mutant.values else one.exact)
+        sense = (" ccw" if value > 0 else " cw") if one.kind is Kind.SIGNED else ""
+        cells[one.key] = f"{abs(value):.4g}{sense}"
+    return cells
+
+
+def lost(sheet: Marked) -> float:
+    return sheet.key.worth - sheet.exactly
+
+
+def lost_at(sheet: Marked, key: str) -> float:
+    return sheet.key[key].points.total - sheet[key].earned.total
+
+
+@pytest.mark.parametrize(("name", "term"), [("3-9", "ak_C2C3"), ("3-12", "an_CB"), ("3-12", "ak_D5D4")])
+def test_a_term_that_is_left_out_may_be_written_as_zero_and_costs_once(name: str, term: str) -> None:
+    mutant = left_out(name, term)
+    sheet = marked(name, written(name, mutant, **{term: 0.0}))
+    assert sheet.roots == (term,) and sheet[term].outcome is Outcome.WRONG
+    assert sheet.slips == {term: mutant.slip}
+    assert lost(sheet) == pytest.approx(lost_at(sheet, term))
+
+
+@pytest.mark.parametrize(("name", "term"), [("3-9", "ak_C2C3"), ("3-12", "an_CB"), ("3-12", "ak_D5D4")])
+def test_what_a_mistake_moves_but_little_is_right_by_it_and_not_close(name: str, term: str) -> None:
+    sheet = marked(name, written(name, left_out(name, term)))
+    assert not [one.key for one in sheet.findings if one.outcome is Outcome.CLOSE]
+    moved = [one for one in sheet.findings if one.basis is Basis.SLIP]
+    assert moved and all(one.outcome is Outcome.RIGHT for one in moved)
+
+
+def test_whoever_lost_a_quarter_of_a_point_has_not_all_of_them() -> None:
+    key = key_of("3-9")
+    turning = next(one for one in key.quantities if one.kind is Kind.SIGNED and one.asked)
+    right = {one.key: f"{abs(one.exact):.4g}" + (" ccw" if one.exact > 0 else " cw") * (one.kind is Kind.SIGNED)
+             for one in key.quantities if one.kind in (Kind.VECTOR, Kind.SIGNED, Kind.READING)}  # fmt: skip
+    whole = marked("3-9", right)
+    wrong = marked("3-9", right | {turning.key: f"{abs(turning.exact) / 6.2832:.4g}" + right[turning.key][-4:]})
+    assert whole.exactly > wrong.exactly
+    assert wrong.total < whole.total
