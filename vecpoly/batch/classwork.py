@@ -13,11 +13,11 @@ from ..problem.assignment import Assignment
 from ..problem.problem import Problem
 from ..problem.schema.marking import MarkingSpec
 from ..problem.values.vary import data_of
+from ..variants.keyed import key_for
 from ..variants.pilot import Pilot, pilot
 from ..variants.seeds import Seed
 from ..words import Lang, Words
 from .drawing import Course, drawn, fingerprint, refuse_other_paper, refuse_too_few
-from .keyed import key_for
 from .printing import printed
 from .register import NAME, Exercise, Part, Register, read_register
 from .run.manifest import roster_digest, write_manifest
@@ -66,7 +66,7 @@ def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | N
         found = _pilot(order, problem)
         pilots[problem.id] = found
         if problem.ranges:
-            refuse_too_few(problem, found.passed, len(order.students))
+            refuse_too_few(problem, found, len(order.students))
         exercises.append(_exercise(order, problem, found))
         courses[problem.id] = Course(problem=problem, fingerprint=exercises[-1].fingerprint, standard=found.standard)
     parts, refused = _drawn(order, courses, old, run, told, 0.0 if shard is None else shard[0] / shard[1])

@@ -15,6 +15,8 @@ from ..problem.problem import Problem
 from ..variants.apart import Apart, Taken
 from ..variants.conditions import Condition
 from ..variants.judge import Standard
+from ..variants.obstacle import obstacle
+from ..variants.pilot import Pilot
 from ..variants.seeds import Seed
 from ..words import Words
 from .register import Part
@@ -24,6 +26,7 @@ from .run.tasks import Draw, cut
 
 BATCH = 10  # students of one task
 ROUNDS = 48  # in which somebody may be too near to another
+FAR_FEWER = 2.0  # times the students that seem to have room: more are refused before anything is drawn
 Told = Callable[[str, int, int], None]  # what is being done, how much of it, of how much
 
 
@@ -64,7 +67,7 @@ def drawn(
             if good is not None:
                 parts[seed.student] = good
             elif not found:
-                refused[seed.student] = _no_variant(course, Condition.REFUSED)
+                refused[seed.student] = _no_variant(course, obstacle(course.problem, seed, course.standard))
             else:
                 left.append((seed, found[-1].attempt + 1))
         stuck, waiting = bool(waiting) and len(left) == len(waiting), left
@@ -110,21 +113,30 @@ def finished(
     return results
 
 
-def refuse_too_few(problem: Problem, passed: float, students: int) -> None:
-    """Raise VecpolyError where the grids hold fewer good values than there are students, who are to be told apart."""
+def refuse_too_few(problem: Problem, found: Pilot, students: int) -> None:
+    """Raise VecpolyError where the grids hold fewer good values than there are students, who are to be told apart, or
+    where by far not so many can be."""
     count = prod(one.count for one in problem.ranges)
-    good = int(count * passed)
-    if problem.gate.apart and good < students:
-        raise VecpolyError(
-            Words(
-                f"题 {problem.id}：{count} 组数据中约 {good} 组合格，而学生有 {students} 名；"
-                f"请{Condition.APART.remedy.zh}，如 0",
-                f"problem {problem.id}: of {count} sets of values some {good} pass, for {students} students; "
-                f"{Condition.APART.remedy.en}, say to 0",
-            ),
-            code="too-few",
-            numbers={"good": good, "students": students},
-        )
+    good, some = int(count * found.passed), max(1.0, found.room)
+    if not problem.gate.apart or (good >= students and FAR_FEWER * some >= students):
+        return
+    few = Words(
+        f"{count} 组数据中约 {good} 组合格，而学生有 {students} 名",
+        f"of {count} sets of values some {good} pass, for {students} students",
+    )
+    near = Words(
+        f"读数能互相拉开距离的学生约 {some:.0f} 名，而学生有 {students} 名",
+        f"about {some:.0f} of {students} students can be told apart by their readings",
+    )
+    said, remedy = few if good < students else near, Condition.APART.remedy
+    raise VecpolyError(
+        Words(
+            f"题 {problem.id}：{said.zh}；请{remedy.zh}，如 0",
+            f"problem {problem.id}: {said.en}; {remedy.en}, say to 0",
+        ),
+        code="too-few",
+        numbers={"good": good, "room": min(some, count), "students": students},
+    )
 
 
 def refuse_other_paper(problem: Problem) -> None:

@@ -117,13 +117,15 @@ def slips_show(look: Look, standard: Standard) -> bool:
 
 def visible(look: Look) -> Table:
     """By how many tolerances each slip shows where it shows most; one that cannot close is told by the drawing."""
-    return _most(np.abs(look.places[1:] - look.places[0]))
+    with np.errstate(invalid="ignore"):
+        return _most(np.abs(look.places[1:] - look.places[0]))
 
 
 def told_apart(look: Look) -> Table:
     """By how many tolerances any two slips differ where they differ most."""
     rows = look.places[1:]
-    return _most(np.abs(rows[:, None, :] - rows[None, :, :]))
+    with np.errstate(invalid="ignore"):  # what does not close differs from all
+        return _most(np.abs(rows[:, None, :] - rows[None, :, :]))
 
 
 def _most(shifts: Table) -> Table:

@@ -6,6 +6,7 @@ from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
+from math import inf
 
 from ..board.otherwise.slip import Slip
 from ..errors import VecpolyError
@@ -13,10 +14,12 @@ from ..problem.problem import Problem
 from ..solution import scales_of
 from ..words import Words
 from .conditions import Condition
-from .draw import Trial, tried
+from .draw import ATTEMPTS, Trial, tried
 from .frames import scaled
 from .judge import Standard, deviation, failing, long_enough, signs, told_apart, visible
+from .keyed import key_for
 from .look import Look, least_meeting, sketch_of, work
+from .room import room
 from .seeds import Seed
 
 SETS = 12  # of values that are tried
@@ -28,13 +31,17 @@ LEAST = 0.01  # yield below which the ranges are refused
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Pilot:
-    """The standard of a problem's variants; how many of the draws pass it, and how many fail on what (of one draw)."""
+    """The standard of a problem's variants; how many of the draws pass it, and how many fail on what (of one draw).
+
+    room: how many students can be told apart, about.
+    """
 
     standard: Standard
     passed: float
     failed: Mapping[Condition, float]
     asked: tuple[str, ...]
     slips: int
+    room: float = inf
 
 
 def pilot(problem: Problem, seed: Seed) -> Pilot:
@@ -56,7 +63,9 @@ def pilot(problem: Problem, seed: Seed) -> Pilot:
     if passed < LEAST:
         raise _too_few(problem.id, passed, failed)
     slips = max((len(look.slips) for look in looks), default=0)
-    return Pilot(standard=standard, passed=passed, failed=failed, asked=asked, slips=slips)
+    good = [key_for(look.key, standard) for look in looks if failing(look, standard) is None]
+    found = room(good, problem.gate.apart, ATTEMPTS)
+    return Pilot(standard=standard, passed=passed, failed=failed, asked=asked, slips=slips, room=found)
 
 
 def _whole(trial: Trial) -> Trial:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import isfinite
 
 from ..problem.problem import Problem
 from ..problem.values.vary import parameters
 from ..words import Words
+from .conditions import Condition
 from .pilot import Pilot
 
 
@@ -19,6 +21,13 @@ def told(name: str, pilot: Pilot) -> Iterator[Words]:
         f"{name}：随机取值的 {100 * pilot.passed:.1f} % 合格" + (f"；不合格的原因：{zh}" if zh else ""),
         f"{name}: {100 * pilot.passed:.1f} % of the draws pass" + (f"; the others fail: {en}" if en else ""),
     )
+    if isfinite(pilot.room):
+        count = max(1, round(pilot.room))
+        yield Words(
+            f"能使读数互相拉开距离的学生约 {count} 名；更多时请{Condition.APART.remedy.zh}",
+            f"about {count} student{'s' * (count > 1)} can be told apart by their readings; for more, "
+            f"{Condition.APART.remedy.en}",
+        )
 
 
 def said_already(problem: Problem) -> Iterator[Words]:

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from typer.testing import CliRunner
 
+from tests.grading.cases import key_of as sheet_key
 from tests.grading.drawings.made import as_svg, drawn, key_of, marked, put, verdicts, with_slip
 from tests.laws import often
 from vecpoly.cli.app import app
@@ -17,7 +18,10 @@ from vecpoly.drawing.backends.pdf import to_pdf
 from vecpoly.drawing.backends.svg import to_svg
 from vecpoly.drawing.scene import Stroke
 from vecpoly.drawing.style import Dash
+from vecpoly.grading.drawings.grade import grade_drawing
 from vecpoly.grading.drawings.overlay import overlay
+from vecpoly.grading.marking.lines import paid_by_lines
+from vecpoly.grading.rules import Rules
 from vecpoly.words import Lang, bare
 
 FEW = settings(max_examples=often(4))
@@ -40,6 +44,18 @@ def test_ones_own_scale_changes_no_verdict(scale: float, problem: str) -> None:
     key = key_of(problem)
     mark = marked(key, put(drawn(key.exact), lambda z: scale * z))
     assert verdicts(mark) == verdicts(marked(key, drawn(key.exact))) and not mark.mirrored
+
+
+@pytest.mark.parametrize("times", [1.0, 1.13, 2.0])
+def test_a_sheet_larger_than_its_scales_say_is_right_and_left_for_a_person(times: float) -> None:
+    """A printer that enlarged it, or scales of one's own that nobody stated: the drawing does not tell."""
+    key = key_of("3-9")
+    scales = {shape.view.mu.key: shape.mu for shape in key.exact.shapes}
+    mark = grade_drawing(key, put(drawn(key.exact), lambda z: times * z), scales=scales)
+    assert mark.right and all(one.declared is (times == 1.0) for one in mark.figures)
+    assert any("times its size" in said.en for said in mark.remarks) is (times != 1.0)
+    lines = paid_by_lines(sheet_key("3-9"), mark, Rules())[1]
+    assert lines and all((line.doubt is None) is (times == 1.0) for line in lines)
 
 
 @FEW

@@ -15,10 +15,10 @@ from ...solution import solve
 from ...variants.apart import Taken
 from ...variants.draw import Variant, variants
 from ...variants.judge import Standard
+from ...variants.keyed import key_for
 from ...variants.seeds import Seed
 from ...words import Lang
 from ..codes import sheet_id
-from ..keyed import key_for
 from ..register import Part, Register, Sheet
 from ..sheet.compose import composed, layout_of
 from ..sheet.write import sheet_bytes

@@ -142,7 +142,7 @@ class _Grading:
             title=shape.view.title,
             mu=self.printed * shape.mu / fit.scale,
             unit=shape.view.mu.unit,
-            declared=declared,
+            declared=declared and self.printed == 1.0,
             vectors=marks,
             extra=tuple(one for one in match.extra if one.headed or not beside(one, match)),
             gap=widest,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ..grading.key import AnswerKey
-from ..variants.judge import Standard
+from .judge import Standard
 
 
 def key_for(key: AnswerKey, standard: Standard) -> AnswerKey:

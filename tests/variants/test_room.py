@@ -1,0 +1,65 @@
+"""How many students can be told apart is known before anything is drawn for them, and why somebody got nothing."""
+
+from __future__ import annotations
+
+from math import inf
+from pathlib import Path
+
+import pytest
+
+from tests.batch.homework import made, ordered, people
+from vecpoly import loads
+from vecpoly.batch.classwork import make_class
+from vecpoly.batch.run.runners import Here
+from vecpoly.errors import VecpolyError
+from vecpoly.grading.key import AnswerKey, Graded, Kind
+from vecpoly.variants.conditions import Condition
+from vecpoly.variants.obstacle import obstacle
+from vecpoly.variants.pilot import pilot
+from vecpoly.variants.room import room
+from vecpoly.variants.seeds import Seed
+
+TRAIN = """\
+title: {zh: 轮系, en: A train}
+id: hw3
+problems:
+  - problem: train-ring
+    vary: {omega_1: 10 rad/s ccw .. 30 rad/s ccw by 1 rad/s}
+"""
+
+
+def keys(*sizes: float) -> list[AnswerKey]:
+    """Keys of one value each, with T = 1."""
+    each = (
+        Graded(key="v", symbol="v", kind=Kind.SCALAR, unit="m/s", block="", exact=one, allowed=1.0, asked=True)
+        for one in sizes
+    )
+    return [AnswerKey(problem="p", quantities=(one,)) for one in each]
+
+
+def test_room_is_unlimited_where_all_are_far_apart_and_for_one_where_all_are_alike() -> None:
+    assert room(keys(0.0, 10.0, 20.0, 30.0), 3.0, 300) == inf
+    assert room(keys(0.0, 1.0, 2.0, 2.5), 3.0, 300) == 1.0
+    half = room(keys(0.0, 1.0, 100.0, 101.0), 3.0, 300)  # two pairs of six
+    assert half == pytest.approx(14.07, abs=0.01)
+    assert room(keys(0.0, 1.0), 3.0, 300) == inf  # two tell nothing
+
+
+def test_a_class_far_larger_than_its_ranges_can_tell_apart_is_refused_before_anything_is_drawn(tmp_path: Path) -> None:
+    with pytest.raises(VecpolyError, match=r"about \d+ of 20 students can be told apart"):
+        made(tmp_path / "hw", people(range(20)), TRAIN)
+
+
+def test_whoever_is_too_near_to_others_is_told_so_and_not_that_the_data_contradict_each_other(tmp_path: Path) -> None:
+    """Seven where some five have room: those who are left get the reason that is true."""
+    done = make_class(ordered(tmp_path / "hw", people(range(9)), TRAIN), Here(), lambda *_: None)
+    assert done.refused and len(done.register.sheets) >= 3
+    assert all("too near" in error.words.en for error in done.refused.values())
+
+
+def test_what_no_draw_passes_is_named() -> None:
+    text = "extends: 3-9\nid: short\nscales: null\nvary: {phi: 20 deg .. 70 deg by 5 deg}\n"
+    seed = Seed(assignment="a", problem="short", student="1", salt="")
+    standard = pilot(loads(text), seed).standard
+    narrow = loads(text + "gate: {vectors: 300 mm, alike: no}")
+    assert obstacle(narrow, seed, standard) in (Condition.VECTORS, Condition.SHORT)
