@@ -53,6 +53,10 @@ def answers(number: str, change: Change = lambda key, text: text) -> dict[str, s
     return cells
 
 
+def everybody() -> dict[str, dict[str, str]]:
+    return {number: answers(number) for number in NUMBERS}
+
+
 def wide(path: Path, rows: Mapping[str, Mapping[str, str]], *, encoding: str = "utf-8", mark: str = ",") -> Path:
     """A CSV file with a row of units, as the answers form has it."""
     heads = list(next(iter(rows.values())))

@@ -11,7 +11,7 @@ import pdfplumber
 import pytest
 from openpyxl import Workbook, load_workbook
 
-from tests.marked.classes import NUMBERS, answers, graded, register, wide
+from tests.marked.classes import NUMBERS, answers, everybody, graded, register, wide
 from vecpoly.errors import TableError, UnknownNameError, VecpolyError
 from vecpoly.grading.key import Points
 from vecpoly.grading.rules import Rules
@@ -26,10 +26,6 @@ def halved(key: str, text: str) -> str:
     return f"{float(text) / 2:.4g}" if key == "ak_C2C3" else "" if key in after else text
 
 
-def everybody() -> dict[str, dict[str, str]]:
-    return {number: answers(number) for number in NUMBERS}
-
-
 @pytest.mark.parametrize(
     ("encoding", "mark"), [("utf-8", ","), ("utf-8-sig", ";"), ("gb18030", "\t"), ("gb18030", ",")]
 )
@@ -37,14 +33,6 @@ def test_right_answers_have_all_points_in_whatever_encoding(tmp_path: Path, enco
     done = graded(tmp_path / "out", wide(tmp_path / "a.csv", everybody(), encoding=encoding, mark=mark))
     assert [one.total for one in done.results] == [one.worth for one in done.results] == [20.0] * 3
     assert not done.faults
-
-
-def test_one_students_answers_are_wrong_with_anothers_numbers(tmp_path: Path) -> None:
-    mixed = everybody() | {NUMBERS[0]: answers(NUMBERS[1])}
-    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", mixed))
-    mine = done.results[0]
-    assert NUMBERS[1] in mine.faults[0].en and not any(one.chain for one in mine.marks["3-9"].findings)
-    assert mine.total < 15 and done.results[1].total == 20 and not done.results[1].faults
 
 
 def test_a_workbook_with_columns_for_parts_says_the_same(tmp_path: Path) -> None:
@@ -232,17 +220,3 @@ def test_a_number_of_full_width_digits_is_the_students_own(tmp_path: Path) -> No
     (tmp_path / "one.json").write_text(page, encoding="utf-8")
     done = graded(tmp_path / "again", tmp_path / "one.json")
     assert not done.faults and done.results[0].total == 20
-
-
-def test_a_row_with_the_sheet_of_another_student_is_told_and_not_used(tmp_path: Path) -> None:
-    """As where the answers were sorted without the column of numbers."""
-    one, two, three = NUMBERS
-    rows = {
-        one: {"卷号": "S1"} | answers(two),
-        two: {"卷号": "s-1"} | answers(two),
-        three: {"卷号": ""} | answers(three),
-    }
-    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", rows))
-    (fault,) = done.faults
-    assert fault.code == "other-sheet" and "line 3, column 2" in fault.words.en and "S0" in fault.said.en
-    assert [result.total for result in done.results] == [0.0, 20.0, 20.0]

@@ -7,12 +7,11 @@ from dataclasses import replace
 
 from ..batch.register import Register
 from ..grading.compare.band import target_of, weigh
-from ..grading.compare.measured import measured
+from ..grading.compare.measured import Measured, measured
 from ..grading.compare.outcome import Finding
-from ..grading.key import AnswerKey
+from ..grading.key import AnswerKey, Kind
 from ..grading.marking.marked import Marked
 from ..grading.marking.marker import mark
-from ..grading.reading.written import Written
 from ..grading.rules import Rules
 from ..grading.scheme import Scheme
 from ..grading.sheet import Sheet
@@ -32,9 +31,13 @@ def own_work(register: Register, result: Result, scheme: Scheme) -> Result:
 
 
 def _whose(register: Register, number: str, problem: str, marked: Marked) -> str | None:
-    """The number of the student whose key all answers agree with."""
-    given = {one.key: one.written for one in marked.findings if one.outcome.answered}
-    if sum(_off(one, marked.key) for one in marked.findings) < FEWEST:
+    """The number of the student whose key all values agree with; lengths may have been found from them, by one's own
+    scale."""
+    answered = [one for one in marked.findings if one.outcome.answered]
+    values = [one for one in answered if marked.key[one.key].kind is not Kind.READING]
+    told = values if len(values) > FEWEST else answered
+    given = {one.key: _measured(one, marked.key) for one in told}
+    if sum(_off(one, marked.key) for one in told) < FEWEST:
         return None
     for sheet in register.sheets:
         part = next((part for part in sheet.parts if part.problem == problem), None)
@@ -49,10 +52,14 @@ def _off(one: Finding, key: AnswerKey) -> bool:
     return one.off is not None and abs(one.off) > key.allowance.wrong * graded.allowed
 
 
-def _agree(given: Mapping[str, Written], key: AnswerKey) -> bool:
-    for name, text in given.items():
+def _measured(one: Finding, key: AnswerKey) -> Measured | None:
+    """What was written, by one's own scales."""
+    return measured(one.written, key[one.key], key.scales.get(key[one.key].mu))
+
+
+def _agree(given: Mapping[str, Measured | None], key: AnswerKey) -> bool:
+    for name, mine in given.items():
         one = key.find(name)
-        mine = None if one is None else measured(text, one, key.scales.get(one.mu))
         if one is None or mine is None or not weigh(mine, one, target_of(one), key.allowance).is_right:
             return False
     return True

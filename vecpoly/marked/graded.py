@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -65,6 +65,7 @@ def grade(order: Order, told: Told) -> Graded:
         drawn = grade_drawings(register, returned, order.drawings, order.out, order.lang, told)
     marked = mark_class(register, returned, order.scheme, order.jobs, drawn)
     results = tuple(own_work(register, one, order.scheme) for one in _counted(marked, len(register.sheets), told))
+    results = tuple(replace(one, aside=one.student.number in returned.aside) for one in results)
     faults = (*returned.faults, *drawn.faults)
     changed = None if before is None else differences(before, record(results, register.assignment))
     files = list(_tables(order, results, faults, changed))

@@ -36,6 +36,7 @@ class Result:
     marks: Mapping[str, Marked]
     places: Mapping[tuple[str, str], str] = field(default_factory=dict)
     returned: bool = True
+    aside: bool = False  # a row of this student was not used
     drawings: Mapping[str, Work] = field(default_factory=dict)
     faults: tuple[Words, ...] = ()
 

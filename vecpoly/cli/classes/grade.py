@@ -93,13 +93,14 @@ def _report(done: Graded, output: Path) -> None:
         if path.parent == output:
             wrote(path)
     count = len(done.results)
-    missing = sum(not one.returned for one in done.results)
+    missing = sum(not (one.returned or one.aside) for one in done.results)
     waiting = sum(marked.waiting for one in done.results for marked in one.marks.values())
+    waiting += sum(one.aside + len(one.faults) for one in done.results)
     say(
         told_in(
             Words(
-                f"{count} 人，{missing} 人没有交，{waiting} 个答案待人工批改",
-                f"{count} students, {missing} returned nothing, {waiting} answers wait for a person",
+                f"{count} 人，{missing} 人没有交，{waiting} 处待人工批改",
+                f"{count} students, {missing} returned nothing, {waiting} answers or rows wait for a person",
             )
         )
     )

@@ -94,7 +94,7 @@ def _of_others(page: Page, i: int, columns: Mapping[str, int], sheets: Sheets, r
         own = sheets.get(number)
         if sheet and own is not None and _bare(sheet) != _bare(own):
             found.add(n)
-            returned.fault(page.place(n, columns["sheet"]), "other-sheet", _other(number, sheet, own))
+            returned.fault(page.place(n, columns["sheet"]), "other-sheet", _other(number, sheet, own), number)
     return found
 
 

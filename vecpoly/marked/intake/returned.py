@@ -42,8 +42,15 @@ class Returned:
                 f"学号 {one.student} 的题 {one.problem} 已在 {before} 读入；此行未用，请只留一行",
                 f"problem {one.problem} of {one.student} was read from {before} already; this row is not used",
             ),
+            one.student,
         )
 
-    def fault(self, place: Place, code: str, said: Words) -> None:
-        """Keep what cannot be used."""
-        self.faults.append(Fault(said=said, code=code, place=place))
+    def fault(self, place: Place, code: str, said: Words, student: str = "") -> None:
+        """Keep what cannot be used. student: the number, where it is known whose it is."""
+        numbers = {"student": student} if student else {}
+        self.faults.append(Fault(said=said, code=code, place=place, numbers=numbers))
+
+    @property
+    def aside(self) -> frozenset[str]:
+        """The numbers of those of whom a row was not used."""
+        return frozenset(str(one.numbers["student"]) for one in self.faults if "student" in one.numbers)

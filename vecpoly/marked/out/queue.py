@@ -32,6 +32,14 @@ def queue_rows(results: Sequence[Result], lang: Lang, faults: Sequence[Fault] = 
             ]
         rows += [[result.student.number, "", "", "", "", fault.of(lang)] for fault in result.faults]
     rows += [
-        ["", "", "", "", fault.place.words.of(lang) if fault.place else "", fault.said.of(lang)] for fault in faults
+        [
+            str(one.numbers.get("student", "")),
+            "",
+            "",
+            "",
+            one.place.words.of(lang) if one.place else "",
+            one.said.of(lang),
+        ]
+        for one in faults
     ]
     return rows

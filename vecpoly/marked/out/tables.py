@@ -30,6 +30,7 @@ _TAIL = (
 _LINES = Words("图线", "lines")
 _EQUATIONS = Words("方程", "equations")
 _NOTHING = Words("没有交", "nothing returned")
+_ASIDE = Words("有一行未用，见待人工批改的清单", "a row was not used, see the queue")
 _PAGES = (Words("成绩", "grades"), Words("逐题分析", "items"), Words("待人工批改", "queue"), SCHEME)
 
 
@@ -80,7 +81,8 @@ def _row(
     slips = [
         f"{problem}:{root} {slip}" for problem, marked in result.marks.items() for root, slip in marked.slips.items()
     ]
-    remarks = [fault.of(lang) for fault in result.faults] or ([] if result.returned else [_NOTHING.of(lang)])
+    remarks = [fault.of(lang) for fault in result.faults] + [_ASIDE.of(lang)] * result.aside
+    remarks = remarks or ([] if result.returned else [_NOTHING.of(lang)])
     who = result.student
     return [
         who.number, who.name, who.team, result.sheet, *(result.marks[problem].total for problem in problems),

@@ -1,0 +1,47 @@
+"""Whose work it is: copied answers, and rows that were mixed up."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.marked.classes import NUMBERS, answers, everybody, graded, register, wide
+
+
+def test_one_students_answers_are_wrong_with_anothers_numbers(tmp_path: Path) -> None:
+    mixed = everybody() | {NUMBERS[0]: answers(NUMBERS[1])}
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", mixed))
+    mine = done.results[0]
+    assert NUMBERS[1] in mine.faults[0].en and not any(one.chain for one in mine.marks["3-9"].findings)
+    assert mine.total < 15 and done.results[1].total == 20 and not done.results[1].faults
+
+
+def test_anothers_values_are_known_though_their_lengths_were_found_by_ones_own_scale(tmp_path: Path) -> None:
+    mine, theirs = (register().sheet(number) for number in NUMBERS[:2])
+    assert mine is not None and theirs is not None
+    key, copied = mine.parts[0].key, answers(NUMBERS[1])
+    scaled = {
+        f"3-9:{name} mm": f"{theirs.parts[0].key[name].exact / key.scales[key[name].mu] * 1.3:.1f}"
+        for name in copied
+        if key[name].mu in key.scales
+    }
+    own = {f"3-9:mu_{letter}": f"{key.scales[f'mu_{letter}'] / 1.3:.5g}" for letter in "va"}
+    row = {f"3-9:{name}": text for name, text in copied.items()} | scaled | own
+    (result, *_) = graded(tmp_path / "out", wide(tmp_path / "a.csv", {NUMBERS[0]: row})).results
+    assert NUMBERS[1] in result.faults[0].en and not result.marks["3-9"].slips
+
+
+def test_a_row_with_the_sheet_of_another_student_is_told_and_not_used(tmp_path: Path) -> None:
+    """As where the answers were sorted without the column of numbers."""
+    one, two, three = NUMBERS
+    rows = {
+        one: {"卷号": "S1"} | answers(two),
+        two: {"卷号": "s-1"} | answers(two),
+        three: {"卷号": ""} | answers(three),
+    }
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", rows))
+    (fault,) = done.faults
+    assert fault.code == "other-sheet" and "line 3, column 2" in fault.words.en and "S0" in fault.said.en
+    assert [result.total for result in done.results] == [0.0, 20.0, 20.0]
+    assert [result.aside for result in done.results] == [True, False, False]
+    queue, grades = ((tmp_path / "out" / name).read_text("utf-8-sig") for name in ("queue.csv", "grades.csv"))
+    assert f"{one}," in queue and "有一行未用" in grades and "没有交" not in grades
