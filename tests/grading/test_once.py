@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from tests.grading.cases import key_of, marked, mutants_of
+from tests.grading.cases import key_of, marked, mutants_of, problem_of
 from vecpoly.grading.compare.outcome import Basis, Outcome
 from vecpoly.grading.key import Kind
 from vecpoly.grading.marking.marked import Marked
 from vecpoly.grading.slips.mutants import Mutant
+from vecpoly.grading.student import check_answers
 
 
 def left_out(name: str, term: str) -> Mutant:
@@ -60,3 +61,20 @@ def test_whoever_lost_a_quarter_of_a_point_has_not_all_of_them() -> None:
     wrong = marked("3-9", right | {turning.key: f"{abs(turning.exact) / 6.2832:.4g}" + right[turning.key][-4:]})
     assert whole.exactly > wrong.exactly
     assert wrong.total < whole.total
+
+
+def test_the_solutions_of_a_synthesis_may_be_numbered_otherwise() -> None:
+    """What somebody calls the first is the key's second: right throughout, and said."""
+    key = key_of("8-4")
+    right = {one.key: f"{one.exact:.5g}" for one in key.quantities if one.asked}
+    other = {name[:-1] + {"1": "2", "2": "1"}[name[-1]] if name[-2:] in ("_1", "_2") else name: text
+             for name, text in right.items()}  # fmt: skip
+    assert key.solutions == (1, 2) and other != right
+    for cells, said in ((right, 0), (other, 1)):
+        sheet = marked("8-4", cells)
+        assert all(one.is_right for one in sheet.findings if one.written.raw)
+        assert len(sheet.messages) == said
+    checked = check_answers(problem_of("8-4"), other)
+    assert checked.right and "1 → 2, 2 → 1" in str(checked) and checked.as_json()["said"]
+    mixed = marked("8-4", right | {"AB_1": right["AB_2"]})
+    assert not mixed["AB_1"].is_right and mixed["AB_2"].is_right and mixed["BC_1"].is_right

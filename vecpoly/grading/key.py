@@ -102,6 +102,7 @@ class AnswerKey:
 
     scales: ``mu_v`` → SI per mm. stated: points for a scale that is stated with its unit.
     equations: the rows in which directions and magnitudes are ticked. allowance: the σ's behind the tolerances.
+    solutions: the numbers of the solutions of a synthesis (AB_1, AB_2), of which no one is the first.
     """
 
     problem: str
@@ -111,6 +112,7 @@ class AnswerKey:
     equations: tuple[EquationRow, ...] = ()
     allowance: Allowance = STUDENT
     version: int = VERSION
+    solutions: tuple[int, ...] = ()
 
     def __getitem__(self, key: str) -> Graded:
         """The quantity of this key. Raises UnknownNameError."""

@@ -22,6 +22,7 @@ from .marking.marker import mark
 from .reading.symbol import keyed, squeezed
 from .sheet import sheet_of
 from .slips.mutants import mutants
+from .told.catalogue import Told
 from .told.message import Message
 
 _STEM = re.compile(r"(omega|alpha|an|at|ak|ar|v|a|p)(?=[A-Z]|\d)(.+)")
@@ -51,7 +52,8 @@ class Checked:
 
     def __str__(self) -> str:
         """One line for each answer: symbol, what was written, verdict, reason."""
-        return "\n".join("  ".join(row) for row in self.rows(language()))
+        rows = ["  ".join(row) for row in self.rows(language())]
+        return "\n".join((*rows, *(words.of(language()) for words in self.said)))
 
     def rows(self, lang: Lang) -> list[tuple[str, str, str, str]]:
         """Symbol, what was written, verdict, reason."""
@@ -59,6 +61,11 @@ class Checked:
             (bare(self.marked.key[one.key].symbol), one.written.raw, one.outcome.words.of(lang), _reasons(one, lang))
             for one in self.answers
         ] + [(one.row.key, one.raw, one.outcome.words.of(lang), _said(one.messages, lang)) for one in self.ticked]
+
+    @property
+    def said(self) -> tuple[Words, ...]:
+        """What is said of the whole: that its solutions are numbered otherwise."""
+        return tuple(one.words for one in self.marked.messages if one.id is Told.RENUMBERED)
 
     def as_json(self) -> dict[str, Any]:
         """Plain data."""
@@ -69,6 +76,7 @@ class Checked:
             "right": self.right,
             "answers": [{name: one[name] for name in kept} for one in told],
             "equations": [one.as_json() for one in self.ticked],
+            **({"said": [{"zh": words.zh, "en": words.en} for words in self.said]} if self.said else {}),
         }
 
 

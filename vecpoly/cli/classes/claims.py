@@ -14,7 +14,7 @@ from ..errors import DISAGREES, Tally
 from ..files import STDOUT, spared, write_json
 from ..jobs import problems
 from ..options import JSON
-from ..terminal import add, show, table
+from ..terminal import add, say, show, table
 
 if TYPE_CHECKING:
     from ...grading.student import Checked
@@ -69,3 +69,5 @@ def _print(checked: Checked, lang: Lang) -> None:
     for row, right in zip(checked.rows(lang), fine, strict=True):
         add(made, row, alarmed=not right)
     show(made)
+    for words in checked.said:
+        say(words.of(lang))

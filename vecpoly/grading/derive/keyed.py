@@ -62,7 +62,14 @@ def answer_key(problem: Problem, allowance: Allowance = STUDENT, rubric: Rubric 
     return AnswerKey(
         problem=problem.id, quantities=quantities, scales=dict(scales), stated=stated, allowance=allowance,
         equations=priced(rows_of(solution.construction), quantities, rubric.equations),
+        solutions=_numbers(solution),
     )  # fmt: skip
+
+
+def _numbers(solution: Solution) -> tuple[int, ...]:
+    """The numbers of the candidates that are asked for by their numbers."""
+    numbers = (one.number for one in solution.construction.candidates)
+    return tuple(n for n in numbers if any(key.endswith(f"_{n}") for key in solution.answers))
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,6 +25,7 @@ from .causes import Causes, causes
 from .drawn import paid_by_length
 from .lines import drawn_by, paid_by_lines, with_lengths
 from .marked import Marked
+from .order import in_order
 from .points import earned
 from .scaled import at_own_scales, mutants_at
 from .tell import sentences, source_of
@@ -50,6 +51,7 @@ def mark(
     only where something is wrong. The same sheet has the same marks whatever is marked before it, and never fewer with
     follow-through than without.
     """
+    sheet, order = in_order(key, sheet)
     key, equations = paid_by_equations(key, sheet, rules)
     unpaid, lines = paid_by_lines(key, drawing, rules)
     paid = paid_by_length(unpaid, sheet)
@@ -65,7 +67,7 @@ def mark(
     return Marked(
         key=key, findings=findings, stated=stated, lost=rules.unit if faulty else 0.0, lines=lines, slips=why.slips,
         equations=equations,
-        roots=tuple(one.key for one in found.roots()), messages=tuple(_of_scales(key, sheet)), faults=sheet.faults,
+        roots=tuple(one.key for one in found.roots()), messages=(*order, *_of_scales(key, sheet)), faults=sheet.faults,
     )  # fmt: skip
 
 

@@ -58,6 +58,7 @@ class Told(StrEnum):
     TICK_GIVEN = "tick_given"
     TICK_UNKNOWN = "tick_unknown"
     NO_EQUATION = "no_equation"
+    RENUMBERED = "renumbered"
 
 
 SENTENCES: Mapping[Told, Words] = {
@@ -183,4 +184,7 @@ SENTENCES: Mapping[Told, Words] = {
         "矢量方程没有列对，此值不得准确分", "The vector equation is not right: no accuracy mark for this value"
     ),
     Told.TURNED: Words("大小正确，但方向不对", "Magnitude right, direction wrong"),
+    Told.RENUMBERED: Words(
+        "各解的先后不作规定，所写的编号按此对应：{pairs}", "Solutions have no order; yours are taken so: {pairs}"
+    ),
 }

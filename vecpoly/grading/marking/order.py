@@ -1,0 +1,63 @@
+"""Several solutions of a synthesis have no order: what somebody calls the first may be the second of the key."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import permutations
+
+from ..compare.band import target_of, weigh
+from ..compare.measured import measured
+from ..key import AnswerKey
+from ..reading.written import State
+from ..sheet import Sheet
+from ..told.catalogue import Told
+from ..told.message import Message, message
+
+_NUMBERED = re.compile(r"(.+?)(_?)(\(?)(\d+)(\)?)")  # AB_1, l_AB(1)
+MOST = 5  # solutions of which every order is tried
+
+
+def in_order(key: AnswerKey, sheet: Sheet) -> tuple[Sheet, tuple[Message, ...]]:
+    """The sheet with its solutions in the order of the key in which most is right, and what is said where that is
+    another than its own."""
+    if not 1 < len(key.solutions) <= MOST:
+        return sheet, ()
+    best, most = sheet, _right(key, sheet)
+    order: Mapping[str, str] = {}
+    for numbers in permutations(key.solutions):
+        meant = {str(theirs): str(ours) for theirs, ours in zip(key.solutions, numbers, strict=True)}
+        other = _renumbered(key, sheet, meant)
+        if (right := _right(key, other)) > most:
+            best, most, order = other, right, meant
+    if not order:
+        return sheet, ()
+    pairs = ", ".join(f"{theirs} → {ours}" for theirs, ours in order.items() if theirs != ours)
+    return best, (message(Told.RENUMBERED, pairs=pairs),)
+
+
+def _renumbered(key: AnswerKey, sheet: Sheet, meant: Mapping[str, str]) -> Sheet:
+    names = {one.key for one in key.quantities}
+    answers = {}
+    for name, text in sheet.answers.items():
+        other = _other(name, meant)
+        answers[other if other in names else name] = text
+    return replace(sheet, answers=answers) if len(answers) == len(sheet.answers) else sheet
+
+
+def _other(name: str, meant: Mapping[str, str]) -> str:
+    found = _NUMBERED.fullmatch(name)
+    if found is None or found[4] not in meant or not (found[2] or found[3]):
+        return name
+    return f"{found[1]}{found[2]}{found[3]}{meant[found[4]]}{found[5]}"
+
+
+def _right(key: AnswerKey, sheet: Sheet) -> int:
+    """How much is right by the exact values."""
+    right = 0
+    for name, text in sheet.answers.items():
+        one = key[name]
+        mine = measured(text, one, key.scales.get(one.mu)) if text.state is State.READ else None
+        right += mine is not None and weigh(mine, one, target_of(one), key.allowance).is_right
+    return right
