@@ -91,7 +91,7 @@ def _of_position(desk: Desk, problem: Problem, pulls: Pulls) -> Statics:
     _walk(st, groups, held)
     ideal, st = st, joined(st, desk)
     read_reactions(st, desk.mech)
-    check_methods(st, problem)
+    check_methods(st if floating is None else replace(st, loads=problem.loads), problem)
     if st.loads.friction:
         st = _with_friction(ideal, groups, held, desk)
     read_thrusts(st, problem.loads)

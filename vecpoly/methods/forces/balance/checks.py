@@ -10,8 +10,8 @@ from ..state import Statics
 
 
 def check_methods(st: Statics, problem: Problem) -> None:
-    """Draw the methods whose keys are asked."""
-    asked = {ask.rel.key for ask in problem.asks}
+    """Draw the methods whose keys are asked, but for one by which the load was found already."""
+    asked = {ask.rel.key for ask in problem.asks} - st.board.readings.keys()
     for way, group in (("power", "virtual power"), ("lever", "lever")):
         if f"{st.unknown.name}_{way}" in asked:
             BALANCING.find(Stage.FORCE, group).draw(st, None)

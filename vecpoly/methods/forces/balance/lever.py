@@ -27,7 +27,7 @@ from ..lines.pairs import Pair, pair_of
 from ..readings import keep_nothing, keep_value
 from ..senses import TURN
 from ..state import Statics
-from .lever_arms import Arm, Tips, draw_pair, force_arm, pair_arm
+from .lever_arms import Arm, Tips, draw_pair, force_arm, pair_arm, thrust_arm
 
 _SOURCE = "机械原理, Zhukovsky's lever"
 
@@ -86,6 +86,8 @@ def _given(st: Statics, pane: Pane, tips: Tips) -> list[Sum]:
 def _term(st: Statics, pane: Pane, tips: Tips, load: Load, size: Reals, sense: int) -> list[Sum]:
     """The moment of a force, or of the pair of forces that stands for a couple."""
     named = load_named(load)
+    if isinstance(load, Force) and load.against:
+        return _moment(magnitude(named.symbol, size, "N"), thrust_arm(st, pane, tips, load, sense))
     if isinstance(load, Force):
         along = sense * st.along(load)
         return _moment(
@@ -124,7 +126,10 @@ def _balance(st: Statics, pane: Pane, tips: Tips, load: Load, moments: list[Sum]
         _balance_pair(st, pane, tips, load, moments)
         return
     named, plain = quantities(st.mech, st.loads)[f"{load.name}_lever"], load_named(load)
-    arm = force_arm(st, pane, tips, At(load.point, load.link), complex(np.exp(1j * load.direction)), plain)
+    if load.against:
+        arm = thrust_arm(st, pane, tips, load, 1)
+    else:
+        arm = force_arm(st, pane, tips, At(load.point, load.link), complex(np.exp(1j * load.direction)), plain)
     if not arm.way:
         raise _idle(load)
     _say_sum(st, Words.same(""))

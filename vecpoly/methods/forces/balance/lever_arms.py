@@ -11,6 +11,8 @@ from ....algebra.quantity import Quantity
 from ....board.board import NO_LENGTH
 from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
+from ....mechanism.asked.forces import load_named
+from ....mechanism.loads import Force
 from ....names import At, Named, ascii_key
 from ....plane import Line, Points, Reals, cross, foot, nominal, unit
 from ...desk import POLE
@@ -56,6 +58,25 @@ def force_arm(st: Statics, pane: Pane, tips: Tips, at: At, along: Points, named:
     return arm
 
 
+def thrust_arm(st: Statics, pane: Pane, tips: Tips, thrust: Force, way: int) -> Arm:
+    """A thrust is two opposite forces at the tips of the pins of its cylinder: the arm is the distance of their lines.
+    way: +1 where it pushes the pins apart."""
+    named, along = load_named(thrust), way * st.desk.towards(thrust.foot, thrust.point)
+    head, base = At(thrust.point, thrust.link), At(thrust.foot, thrust.against)
+    tip, start = _tip(st, tips, head), _tip(st, tips, base)
+    end = foot(Line(tip, along), start)
+    side = cross(tip - start, along)
+    square = abs(nominal(end - tip)) < NO_LENGTH
+    pins = " ".join(st.desk.start_label(View.VELOCITY, st.desk.canonical(at)) for at in (base, head))
+    letters = pins if square else arm_about_pole(named.symbol)
+    arm = Arm(mm=st.board.measure(start, end, letters), sign=np.where(np.abs(side) < NO_LENGTH, 0, np.sign(side))[()])
+    _draw_force(st, pane, tip, along, named.symbol)
+    _draw_force(st, pane, start, -along, named.symbol)
+    if arm.way and not square:
+        _draw_arm(st, pane, tip, end, letters, start)
+    return arm
+
+
 def pair_arm(st: Statics, tips: Tips, pair: Pair, sense: int) -> Arm:
     """Two opposite forces at the tips of two points of the link; the arm of the pair is the distance of the tips."""
     one, two = (_tip(st, tips, At(letter, pair.link)) for letter in (pair.p, pair.q))
@@ -89,9 +110,9 @@ def _draw_force(st: Statics, pane: Pane, tip: Points, along: Points, symbol: str
     st.board.arrow(pane, tip, tip + ARROW * along, Role.RESULT, key=ascii_key(symbol), label=symbol)
 
 
-def _draw_arm(st: Statics, pane: Pane, tip: Points, end: Points, letter: str) -> None:
-    st.board.join(pane, 0j, end, Role.CONSTRUCTION)
-    st.board.plot(pane, end / 2, letter, Dot.NONE)
+def _draw_arm(st: Statics, pane: Pane, tip: Points, end: Points, letter: str, start: Points = 0j) -> None:
+    st.board.join(pane, start, end, Role.CONSTRUCTION)
+    st.board.plot(pane, (start + end) / 2, letter, Dot.NONE)
     if abs(nominal(end - tip)) > 1.0:
         st.board.join(pane, tip, end, Role.CONSTRUCTION)
-        st.board.right_angle(pane, end, -unit(end), unit(tip - end))
+        st.board.right_angle(pane, end, unit(start - end), unit(tip - end))
