@@ -36,12 +36,16 @@ def pair_of(st: Statics, link: str) -> Pair | None:
         found = _two_points(st, name)
         if found is not None:
             return found
+    number, name = st.mech.number(link), st.unknown.name
     raise NoMethodError(
         Words(
-            f"构件 {link} 上有力偶，但只有一个标字母的点；速度杠杆法需要其上两点，写 find: power 则不需要",
-            f"link {link} carries a couple but only one lettered point: the lever needs two points of it, "
-            "'find: power' answers without them",
-        )
+            f"构件 {number} 上有力偶，但只有一个标字母的点，而速度杠杆法需要其上两点；"
+            f"请给构件 {number} 再加一个点，或改求不需要它的 {name}_power（虚功率法）",
+            f"link {number} carries a couple but has one lettered point, and the lever needs two; give link {number} "
+            f"another point, or ask for {name}_power (virtual power), which needs none",
+        ),
+        code="no-method",
+        numbers={"link": number},
     )
 
 
