@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 from collections import Counter
+from dataclasses import replace
 from io import StringIO
 from pathlib import Path
 
@@ -13,11 +14,16 @@ import pytest
 from ezdxf.filemanagement import read as read_dxf
 from ezdxf.math import Matrix44
 
+from tests.grading.drawings.made import as_svg, changed
+from tests.grading.drawings.made import drawn as side_by_side
 from tests.marked.classes import NUMBERS, answers, graded, register, wide
 from vecpoly import Mistake, Slip, solve
+from vecpoly.board.hand import hand
+from vecpoly.board.otherwise.amended import AS_DRAWN
 from vecpoly.board.place import View
 from vecpoly.export.dxf.document import figure_dxf
 from vecpoly.grading.compare.outcome import Basis
+from vecpoly.grading.drawings.expected import shapes
 from vecpoly.grading.drawings.judging.mark import Verdict
 from vecpoly.grading.marking.lines import LineMark
 from vecpoly.grading.rules import Lines, Rules
@@ -26,6 +32,7 @@ from vecpoly.marked.drawn import grade_drawings
 from vecpoly.marked.graded import Graded
 from vecpoly.marked.intake.returned import Returned
 from vecpoly.marked.out.items import items
+from vecpoly.solution import constructed
 from vecpoly.words import Words
 
 WRONG = Slip(Mistake.HALVED, "v_B")
@@ -63,11 +70,31 @@ def test_every_drawing_is_judged_and_what_is_nobodys_is_told(folder: Path, tmp_p
     assert right == {NUMBERS[0]: True, NUMBERS[1]: False}
     assert len(drawn.faults) == 2 and any("2023009" in one.words.en for one in drawn.faults)
     rows = list(csv.reader((tmp_path / "drawings.csv").read_text("utf-8-sig").splitlines()))
-    assert {row[5] for row in rows[1:] if row[0] == NUMBERS[0]} == {"right"}
+    assert {row[5] for row in rows[1:] if row[0] == NUMBERS[0] and row[4]} == {"right"}
+    assert [row[6] for row in rows[1:] if row[0] == NUMBERS[0] and not row[4]] == [
+        "Acceleration polygon: this polygon was not found on the drawing"
+    ]
     assert ["v_B", "wrong"] in [row[4:6] for row in rows[1:] if row[0] == NUMBERS[1]]
     overlays = sorted(path.name for path in (tmp_path / "drawings").iterdir())
     assert overlays == [f"{number}_3-9.pdf" for number in NUMBERS[:2]]
     assert all((tmp_path / "drawings" / name).read_bytes().startswith(b"%PDF") for name in overlays)
+
+
+def test_a_polygon_that_does_not_close_is_told_in_the_table_and_to_the_student(tmp_path: Path, file: Path) -> None:
+    sheet = register().sheet(NUMBERS[0])
+    assert sheet is not None
+    there = shapes(constructed(register().variant(sheet.parts[0]), hand("exact"), AS_DRAWN))
+    plain = side_by_side(there)
+    longer = changed(plain, "velocity:v_C2B", lambda one: replace(one, end=one.end + 5 * one.along / abs(one.along)))
+    made = tmp_path / "drawn"
+    made.mkdir()
+    (made / f"{NUMBERS[0]}_3-9.svg").write_bytes(as_svg(longer))
+    done = graded(tmp_path / "out", file, drawings=made, feedback=True)
+    assert done.results[0].drawings["3-9"].mark["velocity"].gap == pytest.approx(5.0, abs=0.1)
+    assert "多边形不封闭，缺口 5.0 mm" in (tmp_path / "out" / "drawings.csv").read_text("utf-8-sig")
+    (sheet_file,) = (path for path in done.files if path.parent.name == "feedback" and NUMBERS[0] in path.name)
+    with pdfplumber.open(sheet_file) as pdf:
+        assert "多边形不封闭" in "".join(page.extract_text() for page in pdf.pages)
 
 
 def lines(done: Graded, number: str) -> dict[str, LineMark]:

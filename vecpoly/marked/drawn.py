@@ -153,3 +153,5 @@ def _rows(works: Iterable[Work], lang: Lang) -> Iterator[list[str | float]]:
             for one in figure.vectors if figure.drawn else ():
                 told = [figure.title.of(lang), one.key, one.verdict.words.of(lang), one.reason.of(lang)]
                 yield [*who, *told, Path(work.mark.file).name]
+        for said in work.mark.told:
+            yield [*who, "", "", "", said.of(lang), Path(work.mark.file).name]

@@ -67,8 +67,7 @@ def _print(mark: DrawingMark, lang: Lang) -> None:
         for one in figure.vectors if figure.drawn else ():
             add(made, (figure.title.of(lang), one.key, one.verdict.words.of(lang), bare(one.reason.of(lang))))
     show(made)
-    told = [figure.title + Words("：", ": ") + words for figure in mark.figures for words in figure.remarks]
-    for words in (*mark.remarks, *told):
+    for words in mark.told:
         typer.echo(bare(words.of(lang)))
     if mark.slip is not None:
         slip = Words("差错：", "slip: ") + Words.same(f"{mark.slip.key} ") + mark.slip.mistake.words

@@ -35,6 +35,7 @@ from ...report.templates import filled
 from ...solution import constructed
 from ...typeset.box import MM
 from ...words import Lang, Words, label
+from ..drawn import Work
 from ..work import Result
 from .overlay import overlays
 
@@ -78,7 +79,7 @@ def feedback_bytes(register: Register, result: Result, lang: Lang, rules: Rules 
     sheet = register.sheet(result.student.number)
     parts = {part.problem: part for part in sheet.parts} if sheet else {}
     problems = [
-        _problem(register, parts[name], marked, _scenes(result, name), lang, objects, open_)
+        _problem(register, parts[name], marked, result.drawings.get(name), lang, objects, open_)
         for name, marked in result.marks.items()
     ]
     said = ("；" if lang == "zh" else "; ").join(one.of(lang) for one in rules_told(rules))
@@ -104,18 +105,15 @@ def _fields(result: Result, lang: Lang) -> list[tuple[str, str]]:
     return list(zip(FIELDS[lang], (*known, "", ""), strict=True))
 
 
-def _scenes(result: Result, problem: str) -> tuple[Scene, ...]:
-    work = result.drawings.get(problem)
-    return () if work is None else work.scenes
-
-
 def _problem(
-    register: Register, part: Part, marked: Marked, drawn: Sequence[Scene], lang: Lang, objects: Objects, open_: bool
+    register: Register, part: Part, marked: Marked, work: Work | None, lang: Lang, objects: Objects, open_: bool
 ) -> dict[str, Any]:
     problem = register.variant(part)
     rows = [_row(one, marked, lang, open_) for one in marked.findings]
     table = DataTable(_HEAD[lang], rows, _WIDTHS, "lllrrl", lang=lang)
+    drawn: Sequence[Scene] = () if work is None else work.scenes
     said = [*(one.words.of(lang) for one in marked.messages), *(fault.of(lang) for fault in marked.faults)]
+    said += [] if work is None else [one.of(lang) for one in work.mark.told]
     return {
         "label": label(problem.id).of(lang), "title": problem.title.of(lang), "total": f"{marked.total:g}",
         "worth": f"{marked.worth:g}", "messages": said, "table": objects.add("tab", table),

@@ -123,6 +123,12 @@ class DrawingMark:
         return fair and not self.mirrored and all(one.drawn for one in self.figures)
 
     @property
+    def told(self) -> tuple[Words, ...]:
+        """What is said of the whole, and of each figure: that it does not close, that a letter stands elsewhere."""
+        figures = (one.title + Words("：", ": ") + said for one in self.figures for said in one.remarks)
+        return (*self.remarks, *figures)
+
+    @property
     def slip(self) -> Slip | None:
         """The one mistake that explains the drawing."""
         return self.slips[0] if len(self.slips) == 1 else None
