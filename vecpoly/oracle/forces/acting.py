@@ -13,6 +13,7 @@ from ...mechanism.model import FRAME, Mechanism
 from ...words import Words
 from ..state import NONE, STILL, Bodies, Body, Points, Reals, dot
 from .laws.stands import Stands, couple_here, pull_here, refuse_still, size_here
+from .laws.wound import refuse_wound
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -152,6 +153,7 @@ def _thrust(mech: Mechanism, load: Force, size: Reals, bodies: Bodies) -> Acting
 def _elastic(spring: Elastic, at: Stands) -> Acting:
     """What a spring with its damper does to its two links; on the link alone where the other is the frame."""
     if isinstance(spring, Coil):
+        refuse_wound(spring, at)
         turns = couple_here(spring, at)
         place = at.bodies[spring.link].at
         other = None
