@@ -8,6 +8,7 @@ from math import asin, cos, degrees, sin
 
 import numpy as np
 
+from ...designs.admitted import between
 from ...designs.crank_rocker import CrankRocker
 from ...designs.verdict import Verdict
 from ...errors import AssemblyError
@@ -42,15 +43,14 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
             ),
             code="no-solution",
         )
-    zh = " 或 ".join(f"{low:.4g} 至 {high:.4g} {unit}" for low, high in ranges)
-    en = " or ".join(f"{low:.4g} to {high:.4g} {unit}" for low, high in ranges)
+    told = between(ranges, unit)
     return AssemblyError(
         Words(
             f"{name} = {given}：与 K、摇杆长和摆角所定的圆没有可用的交点（无交点，或 A 在禁用弧上）；{name} 的允许范围"
-            f"是 {zh}",
+            f"是{told.zh.rstrip()}",
             f"{name} = {given} has no use on the circles that K, the rocker and its swing determine (no meeting, or A "
             f"on "
-            f"the forbidden arc); admissible is {name} from {en}",
+            f"the forbidden arc); admissible is {name} from {told.en}",
         ),
         code="no-solution",
         numbers={"low": ranges[0][0], "high": ranges[-1][1]},
