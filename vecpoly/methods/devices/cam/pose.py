@@ -116,7 +116,8 @@ def _swung(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pose
     one = board.lay_off(0j, 1j * towards, side * slope * oa / mm)
     other = board.lay_off(pivot, -1j * sense * towards, oa / mm)
     joined, line = board.parallel(other, unit(one - other)), board.parallel(0j, towards)
-    pole = board.meet(joined, line, Words("瞬心 $P$", "the instant centre $P$"))
+    paper = board.scratch() if np.any(alike) else board  # nobody looks for a meeting that is far away
+    pole = paper.meet(joined, line, Words("瞬心 $P$", "the instant centre $P$"))
     normal = unit(pole - b) * np.sign(spin)
     if np.any(alike):
         normal = traced(np.where(alike, -bare(towards), bare(normal)), acts_of(normal))
