@@ -31,6 +31,8 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
             ),
             code="no-solution",
         )
+    if design.AB is not None and not design.theta:
+        return _half_the_chord(design.AB.text, Chord(design).s / 2)
     name, given, unit, of = _datum(design)
     sides = SIDES if design.theta else SIDES[:1]
     ranges = [(low, high) for side in sides for low, high in _range(Chord(design), side, of)]
@@ -54,6 +56,20 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
         ),
         code="no-solution",
         numbers={"low": ranges[0][0], "high": ranges[-1][1]},
+    )
+
+
+def _half_the_chord(given: str, half: float) -> AssemblyError:
+    """K = 1: A lies on C₁C₂, whose half the crank is with any coupler."""
+    return AssemblyError(
+        Words(
+            f"AB = {given}：K = 1 时 A 在 C₁C₂ 线上，无论连杆多长都有 AB = C₁C₂/2 = {1e3 * half:.4g} mm；请改为给定 "
+            "BC、AD 或 gamma_min",
+            f"AB = {given}: with K = 1 the pivot A lies on C₁C₂, and AB = C₁C₂/2 = {1e3 * half:.4g} mm with any "
+            "coupler; give BC, AD or gamma_min instead",
+        ),
+        code="no-solution",
+        numbers={"AB": half},
     )
 
 
