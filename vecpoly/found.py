@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from math import isnan
 from typing import TYPE_CHECKING, Any
 
 from .board.candidates import Candidate
+from .board.construction import Construction, Reading
 from .errors import NotAskedError
 from .problem.problem import Problem
 from .words import Words, bare
@@ -20,6 +22,31 @@ def candidate_json(one: Candidate) -> dict[str, Any]:
     pins = {letter: [at.real, at.imag] for letter, at in one.pins.items()}
     why = {} if one.reason is None else {"rejected": bare(one.reason.en)}
     return {"number": one.number, "valid": one.reason is None, **why, "pins_mm": pins, "values": dict(one.values)}
+
+
+def found_json(construction: Construction, moved: Sequence[Verified]) -> dict[str, Any]:
+    """The candidates of a synthesis and what the valid ones do, or that none serves; nothing of other problems."""
+    ended = construction.conclusion
+    told = {} if ended is None else {"conclusion": {"zh": bare(ended.zh), "en": bare(ended.en)}}
+    if not construction.candidates:
+        return told
+    candidates = [candidate_json(one) for one in construction.candidates]
+    return {"candidates": candidates, "verification": [one.as_json() for one in moved], **told}
+
+
+def answered(construction: Construction, exact: Mapping[str, object]) -> dict[str, Reading]:
+    """The readings that are answers: all but those of a synthesis without a solution that have no value, drawn or
+    exact."""
+    return {key: one for key, one in construction.readings.items() if key in exact or not isnan(one.scalar)}
+
+
+def conclusion(problem: Problem, candidates: Sequence[Candidate]) -> Words | None:
+    """That no candidate of a synthesis serves, and why; None where one does, and of other problems."""
+    if not candidates or _valid(candidates):
+        return None
+    from .check.unsolvable import conclusion as told  # late: other problems need none of it
+
+    return told(problem)
 
 
 def verification(problem: Problem, candidates: Sequence[Candidate]) -> tuple[Verified, ...]:
@@ -48,10 +75,22 @@ def linkage(problem: Problem, candidates: Sequence[Candidate]) -> Problem:
         name, title = f"{problem.id}-{problem.design.take}", _titled(problem, len(_valid(candidates)))
         if (found := made(problem.design, one.values, name, title)) is not None:
             return found
+    if candidates and not _valid(candidates):
+        raise _of_no_use(problem)
     raise NotAskedError(
         Words(
             f"题目 {problem.id} 没有求出机构；只有综合题（synthesis）才有",
             f"problem {problem.id} found no mechanism; only a task of synthesis does",
+        ),
+        code="no-solution",
+    )
+
+
+def _of_no_use(problem: Problem) -> NotAskedError:
+    return NotAskedError(
+        Words(
+            f"题目 {problem.id} 的候选解均已舍去，没有机构可作进一步分析；请改动数据",
+            f"all candidates of problem {problem.id} are rejected: there is no linkage to go on with; change the data",
         ),
         code="no-solution",
     )

@@ -21,7 +21,7 @@ from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
 from .check.idle import idle
 from .check.precision import PLENTY, noise, sizes
 from .check.truth import ActsAt, size_of
-from .found import candidate_json, linkage, objection, verification
+from .found import answered, conclusion, found_json, linkage, objection, verification
 from .foundation.arguments import of_kind
 from .foundation.frozen import FrozenMap
 from .mechanism.model import Mechanism
@@ -95,9 +95,7 @@ class Solution:
         }
         if self.warnings:
             data["warnings"] = [{"zh": words.zh, "en": words.en} for words in self.warnings]
-        if self.construction.candidates:
-            data["candidates"] = [candidate_json(one) for one in self.construction.candidates]
-            data["verification"] = [one.as_json() for one in self.verification]
+        data |= found_json(self.construction, self.verification)
         forces = {key: reading_json(reading) for key, reading in self.construction.forces.items()}
         return cast("dict[str, Any]", plain(data | ({"forces": forces} if forces else {})))
 
@@ -145,10 +143,10 @@ def _answers(
     task: Task, drawn: Drawn, off: Mapping[str, float], size: Mapping[str, float], *, scatters: bool, judged: bool
 ) -> dict[str, Answer]:
     """What was read beside what is exact; `judged`: by the scatter of repeated hands too."""
-    asked, answers = task.asked, {}
+    asked, answers, readings = task.asked, {}, answered(drawn.construction, task.truth.values)
     places = {key for key, rel in asked.items() if is_place(rel)}
-    read, exact, spread = comparable(drawn.construction.readings, task.truth.values, drawn.repeats, places)
-    ideal, true, _ = comparable(drawn.ideal, task.truth.values, {}, places)
+    read, exact, spread = comparable(readings, task.truth.values, drawn.repeats, places)
+    ideal, true, _ = comparable({key: drawn.ideal[key] for key in readings}, task.truth.values, {}, places)
     for key, reading in read.items():
         reached = _expected(spread[key])
         limit = alarm_at(reached, spread[key], scatters=scatters)
@@ -171,9 +169,11 @@ def _warned(task: Task, drawn: Drawn, answers: Mapping[str, Answer]) -> Construc
     """The construction with its readings, and the alarm where something must not be taken for right."""
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
     wrong += [(rel.symbol, Cause.APART) for rel in contradicted(task.truth, drawn.motion) if rel.key not in answers]
-    readings = {key: answer.reading for key, answer in answers.items()}
-    said, other = warning(wrong), objection(task.problem, drawn.construction.candidates)
-    return replace(drawn.construction, readings=readings, warning=said + other if said and other else said or other)
+    readings = {**drawn.construction.readings, **{key: answer.reading for key, answer in answers.items()}}
+    said, found = warning(wrong), (task.problem, drawn.construction.candidates)
+    other, ended = objection(*found), conclusion(*found)
+    alarm = said + other if said and other else said or other
+    return replace(drawn.construction, readings=readings, warning=alarm, conclusion=ended)
 
 
 def fewer_digits(solution: Solution) -> Words | None:

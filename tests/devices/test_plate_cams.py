@@ -381,3 +381,48 @@ def test_between_two_stations_nothing_is_asked_and_the_nearest_are_named() -> No
     assert "find: [" in text
     with pytest.raises(ProblemFileError, match="there is no station at 200, the nearest are s_195 and s_210"):
         loads(text.replace("find: [", "find: [s_200, "))
+
+
+ARM = {"roller": "8.5 mm", "arm": {"OA": "84 mm", "AB": "73 mm"}}
+
+
+@pytest.mark.parametrize("turns", ["ccw", "cw"])
+@pytest.mark.parametrize("side", ["right", "left"])
+@pytest.mark.parametrize("law", ["cosine", "uniform", "3-4-5"])
+def test_an_arm_that_turns_faster_than_the_cam_keeps_its_roller_outside(turns: str, side: str, law: str) -> None:
+    """P comes from infinity on the other side: the normal into the cam then leads away from it (r was off by 10 mm)."""
+    follower = {**ARM, "arm": {**ARM["arm"], "side": side}}  # type: ignore[dict-item]
+    for up, down in ((30, 150), (120, 30)):
+        rest = f"dwell {300 - up - down} deg"
+        motion = [f"rise 40 deg in {up} deg {law}", "dwell 60 deg", f"return in {down} deg {law}", rest]
+        agree(device("cam", follower=follower, r0="34 mm", motion=motion, turns=turns, stations="5 deg"))
+
+
+@pytest.mark.parametrize("turns", ["ccw", "cw"])
+@pytest.mark.parametrize("law", ["parabolic", "sine"])
+def test_where_arm_and_cam_turn_alike_the_normal_is_parallel_to_the_line_of_their_pivots(turns: str, law: str) -> None:
+    """30° in 60° with twice the mean speed: P is at infinity in the middle (it was refused as a dead point)."""
+    motion = [f"rise 30 deg in 60 deg {law}", "dwell 60 deg", f"return in 60 deg {law}", "dwell 180 deg"]
+    agree(device("cam", follower=ARM, r0="34 mm", motion=motion, turns=turns))
+
+
+@pytest.mark.parametrize(("turns", "with_it"), [("ccw", "rise"), ("cw", "return")])
+@pytest.mark.parametrize(("law", "least"), [("cosine", 18.849), ("sine", 24.0), ("3-4-5", 22.5), ("uniform", 12.0)])
+def test_a_flat_face_that_would_swing_as_fast_as_the_cam_is_refused_with_the_range(
+    turns: str, with_it: str, law: str, least: float
+) -> None:
+    """Seen from the cam it stands still for a moment and is touched at infinity; swinging against the cam it may."""
+    text = load("cam-flat-arm").text.replace("r0: 45 mm", f"r0: 45 mm\n  turns: {turns}")
+    strokes = {"rise": "rise 12 deg in {} deg {}", "return": "return in {} deg {}"}
+
+    def posed(stroke: str, angle: float) -> str:
+        other = "return" if stroke == "rise" else "rise"
+        parts = {stroke: strokes[stroke].format(angle, law), other: strokes[other].format(120, "sine")}
+        motion = f"{parts['rise']}, dwell 90 deg, {parts['return']}, dwell {150 - angle:g} deg"
+        return text[: text.index("  motion:")] + f"  motion: [{motion}]\nfind: [psi0, l_min, l_max, rho_min]\n"
+
+    with pytest.raises(ProblemFileError, match="take more than"):
+        loads(posed(with_it, least - 0.5))
+    against = "return" if with_it == "rise" else "rise"
+    for stroke, angle in ((with_it, least + 3.0), (against, least - 0.5)):
+        assert not solve(loads(posed(stroke, angle)), by="exact", repeats=0).suspect

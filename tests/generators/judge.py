@@ -94,7 +94,10 @@ def _judged(text: str, also: Check) -> Verdict:
     if not wrong and isinstance(problem.subject, Mechanism):
         wrong = against_differences(problem.subject, solution)
     warning = solution.construction.warning
-    wrong = wrong or ("" if warning is None else f"alarm: {warning.en}") or also(solution)
+    wrong = wrong or ("" if warning is None else f"alarm: {warning.en}")
+    if not wrong and (none := solution.construction.conclusion) is not None:
+        return Verdict(kind=Kind.REFUSED, why=f"no solution: {none.en}")
+    wrong = wrong or also(solution)
     return Verdict(kind=Kind.WRONG if wrong else Kind.RIGHT, why=wrong)
 
 

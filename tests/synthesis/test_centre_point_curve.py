@@ -7,9 +7,12 @@ from itertools import product
 import numpy as np
 import pytest
 
+from tests.synthesis.inversion import pose, posed, solved
+from vecpoly.errors import AssemblyError
 from vecpoly.methods.synthesis.inversion.curve import meetings
 from vecpoly.oracle.synthesis.inversion.burmester import determinant
 from vecpoly.oracle.synthesis.inversion.motions import Pose, pole
+from vecpoly.oracle.synthesis.registry import linkages
 from vecpoly.plane import nominal
 
 PLACES = ((0j, 0), (13 + 19j, 24), (42 + 28j, 35), (83 + 15j, 54))
@@ -27,3 +30,22 @@ def test_circles_over_opposite_sides_with_one_inscribed_angle_meet_in_centre_poi
     assert len(points) >= 15
     for at in points:
         assert abs(determinant(FOUR, at)) < 1e-7 * abs(determinant(FOUR, at + 0.1 * (1 + abs(at))))
+
+
+@pytest.mark.parametrize(
+    "poses",
+    [
+        [pose(0, 0, 0), pose(27, 27, 11), pose(57, 60, 34), pose(64, 53, 56)],  # P34 lies on the line of the body
+        [pose(0, 0, 0), pose(30, 10, 20), pose(60, 5, 20), pose(85, -20, 50)],  # no turn from 2 to 3
+        [pose(0, 0, 0), pose(13, 19, 24), pose(42, 28, 35), pose(60, 30, 35)],  # nor from 3 to 4: P34 is at infinity
+    ],
+)
+def test_poles_that_are_hard_to_find_refuse_no_task(poses: list[str]) -> None:
+    for line in ("on y = -50 mm", "on x = 19 mm"):
+        problem = posed("positions", poses=poses, A=line, D=line)
+        try:
+            count = len(linkages(problem.design))
+        except AssemblyError:
+            continue
+        solution = solved(problem)
+        assert len(solution.construction.candidates) == count and not solution.suspect

@@ -87,10 +87,10 @@ def test_data_that_tell_no_function_are_refused_with_what_to_write(data: dict[st
         posed("function-generator", **{key: value for key, value in data.items() if value is not None})
 
 
-def test_a_range_that_the_linkage_cannot_pass_is_refused_with_the_reason() -> None:
+def test_a_linkage_that_cannot_pass_the_range_is_no_solution() -> None:
     data = {**LOG, "function": "x^2", "phi": ["50 deg", "140 deg"], "psi": ["230 deg", "290 deg"]}
-    with pytest.raises(AssemblyError, match="dead point within the given range"):
-        solved(posed("function-generator", **data))
+    drawn = solved(posed("function-generator", **data)).construction
+    assert drawn.conclusion is not None and "dead point within the given range" in drawn.conclusion.en
 
 
 @pytest.mark.parametrize(
@@ -132,6 +132,7 @@ def test_every_drawn_generator_closes_at_its_three_pairs_and_is_that_of_the_equa
         return
     assert not found.suspect
     (one,) = found.construction.candidates
+    assume(one.reason is None)
     values = one.values
     a = values["AB"] * (1 if values["delta_B"] < 90 else -1)
     c = values["CD"] * (1 if values["delta_C"] < 90 else -1)
@@ -163,5 +164,6 @@ def test_drawing_and_equation_agree_about_every_function_and_its_error(
             solved(problem)
         return
     (one,) = solved(problem).construction.candidates
-    for key in ("AB", "BC", "CD", "epsilon_max"):
+    assert one.verdict == exact[0].verdict.name
+    for key in ("AB", "BC", "CD", "epsilon_max") if one.reason is None else ():
         assert one.values[key] == pytest.approx(exact[0].values[key], rel=1e-7, abs=1e-7)

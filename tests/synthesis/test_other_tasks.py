@@ -131,15 +131,28 @@ def test_a_ratio_below_one_is_refused_with_the_one_that_may_be_meant(kind: str, 
     [
         ("shaper", {"DE": "9 mm"}, r"must exceed half the height of D's arc, 9\.503 mm"),
         ("limit-lines", {"line_2": "270 deg"}, "are parallel: no A"),
+        ("dead-centre", {"psi_2": "125 deg", "phi_12": "0 deg"}, "bisector is parallel"),
         ("crank-rocker-limits", {"AB": "70 mm", "BC": "126 mm"}, r"AB is no crank: AB \+ l_max = 196 mm, 190 mm"),
         ("slider-crank-limits", {"e": "66 mm"}, r"AB \+ e = 101 mm, BC = 100 mm"),
         ("guide-bar-limits", {"e": "26 mm"}, r"AB \+ e = 80 mm, AC = 80 mm"),
-        ("drag-link", {"AD": "80 mm"}, "no double crank"),
     ],
 )
 def test_what_cannot_be_found_is_refused_with_the_numbers(kind: str, change: dict[str, str], told: str) -> None:
     with pytest.raises(AssemblyError, match=told):
         posed(kind, **(CASES[kind][0] | change)).solve()
+
+
+@pytest.mark.parametrize(
+    ("kind", "change", "verdict"),
+    [
+        ("drag-link", {"AD": "80 mm"}, "NO_DOUBLE_CRANK"),
+        ("drag-link", {"AD": "50 mm", "AB": "50 mm", "phi_1": "300 deg", "K": "2"}, "NO_DOUBLE_CRANK"),
+        ("dead-centre", {"psi_2": "125 deg"}, "NO_LINK"),
+    ],
+)
+def test_what_is_found_and_no_use_is_drawn_with_its_verdict(kind: str, change: dict[str, str], verdict: str) -> None:
+    solution = posed(kind, **(CASES[kind][0] | change)).solve(by="exact")
+    assert [one.verdict for one in solution.construction.candidates] == [verdict] and not solution.suspect
 
 
 @given(st.integers(10, 90), st.integers(1, 60), st.sampled_from(["mm", "cm", "m"]))

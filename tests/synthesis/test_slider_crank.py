@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import vecpoly
 from vecpoly.errors import AssemblyError, ProblemFileError
+from vecpoly.oracle.synthesis.registry import linkages
 
 
 def posed(**data: str) -> vecpoly.Problem:
@@ -40,8 +43,16 @@ def test_an_offset_beyond_the_circle_is_refused_with_its_limit() -> None:
 
 
 def test_a_slider_that_would_have_to_pass_under_a_is_no_solution() -> None:
-    with pytest.raises(AssemblyError, match="between C1 and C2"):
-        posed(K="1.4", H="100 mm", e="180 mm").solve()
+    drawn = posed(K="1.4", H="100 mm", e="180 mm").solve().construction
+    assert drawn.conclusion is not None and "lies between $C_1$ and $C_2$" in drawn.conclusion.en
+
+
+@pytest.mark.parametrize("data", [{"AB": "49 mm"}, {"BC": "60 mm"}, {"e": "1 mm"}])
+def test_a_ratio_that_is_all_but_one_keeps_its_digits(data: dict[str, str]) -> None:
+    design = posed(K="1.000000001", H="100 mm", **data).design
+    (one,) = linkages(design)
+    a, b, theta = one.values["AB"], one.values["BC"], math.radians(one.values["theta"])
+    assert (2 * a * math.cos(theta / 2)) ** 2 + (2 * b * math.sin(theta / 2)) ** 2 == pytest.approx(1e4, rel=1e-12)
 
 
 def test_a_central_slider_crank_has_no_quick_return() -> None:

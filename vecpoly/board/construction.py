@@ -200,11 +200,10 @@ class Construction:
     figures: tuple[Figure, ...]
     steps: tuple[Step, ...]
     readings: Mapping[str, Reading]
-    forces: Mapping[str, Reading] = field(
-        default_factory=dict
-    )  # everything that a force analysis found, asked for or not
+    forces: Mapping[str, Reading] = field(default_factory=dict)  # all that a force analysis found, asked for or not
     acts: tuple[Act, ...] = ()  # what was done, in order; the marks of the figures follow from it
     candidates: tuple[Candidate, ...] = ()  # the linkages that a synthesis found, in the order of their numbers
+    conclusion: Words | None = None  # stands among the answers: that no candidate serves, and why
     warning: Words | None = None  # stands in red on every sheet: answers that must not be taken for right
 
     def __post_init__(self) -> None:

@@ -1,6 +1,7 @@
 """How a refusal sounds: 'vecpoly: ...' on stderr, exit code 2; 130 after Ctrl-C; silence where the reader went away.
 
-What was drawn and is contradicted by the analysis is told in red, with an exit code of its own, 3.
+What was drawn and is contradicted by the analysis is told in red, with an exit code of its own, 3; so is, with 4, that
+no linkage satisfies a synthesis: its sheet shows why.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from .usage import UsageError, in_chinese
 if TYPE_CHECKING:
     from ..words import Lang
 
-DISAGREES, REFUSED, SUSPECT, INTERRUPTED = 1, 2, 3, 130
+DISAGREES, REFUSED, SUSPECT, UNSOLVABLE, INTERRUPTED = 1, 2, 3, 4, 130
 Form = Literal["text", "json"]
 _FORM: ContextVar[Form] = ContextVar("form", default="text")  # for the length of one command
 
@@ -103,6 +104,7 @@ class Tally:
 
     failed: list[Exception] = field(default_factory=list)
     alarms: list[str] = field(default_factory=list)
+    without: list[str] = field(default_factory=list)
 
     @contextmanager
     def job(self) -> Iterator[None]:
@@ -114,16 +116,20 @@ class Tally:
         except (VecpolyError, OSError) as error:
             self.failed.append(error)
 
-    def weigh(self, problem: str, warning: Words | None, lang: Lang) -> None:
-        """Note the alarm that a solution raised, if it did."""
-        if warning is not None:
-            self.alarms.append(f"{problem}: {bare(warning.of(lang))}")
+    def weigh(self, problem: str, warning: Words | None, lang: Lang, conclusion: Words | None = None) -> None:
+        """Note the alarm that a solution raised, if it did; or that no linkage satisfies what a synthesis asks."""
+        for noted, words in ((self.alarms, warning), (self.without, conclusion)):
+            if words is not None:
+                noted.append(f"{problem}: {bare(words.of(lang))}")
 
     def settle(self) -> None:
-        """Tell the failures and the alarms, if there were any, and leave."""
+        """Tell the failures, the alarms and the tasks without a solution, if there were any, and leave with the code of
+        the gravest."""
         for error in self.failed:
             tell(error)
         for alarm in self.alarms:
             typer.secho(f"vecpoly: {alarm}", err=True, fg="red", bold=True)
-        if self.failed or self.alarms:
-            raise typer.Exit(SUSPECT if self.alarms else REFUSED)
+        for told in self.without:
+            typer.echo(f"vecpoly: {told}", err=True)
+        if self.failed or self.alarms or self.without:
+            raise typer.Exit(SUSPECT if self.alarms else REFUSED if self.failed else UNSOLVABLE)

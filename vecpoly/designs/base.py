@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cache
-from math import pi
+from math import degrees, pi
 from typing import Annotated, Any, ClassVar
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
@@ -88,11 +88,13 @@ class Design(BaseModel):
     """Data of a task of synthesis, frozen; its fields are quantities in SI together with how they were written.
 
     take: which of the solutions is meant by a quantity without a number. omega: of the crank of what is found, where it
-    is to be analysed afterwards; 1 rad/s where nothing is said.
+    is to be analysed afterwards; 1 rad/s where nothing is said. varied: the data of which it is told, the first first,
+    where they had to lie if no candidate serves.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
     kind: ClassVar[str] = ""
+    varied: ClassVar[tuple[Named, ...]] = ()
     take: Which = 1
     omega: Omega | None = None
 
@@ -136,6 +138,12 @@ class Design(BaseModel):
         """Whether a quantity is a length that is to be found."""
         return any(named.key == key and named.unit == "mm" for named in self.quantities())
 
+    def settled(self) -> Mapping[str, float]:
+        """What the data alone tell of all that may be asked, whatever linkages there are: lengths in mm, angles in
+        deg."""
+        given = {named.key: (named.unit, getattr(self, named.key, None)) for named in self.quantities()}
+        return {key: _in(unit, value) for key, (unit, value) in given.items() if isinstance(value, Quantity | float)}
+
     @property
     def size(self) -> float:
         """A length typical of its drawing (m), from which a scale is guessed before it is fitted."""
@@ -145,6 +153,12 @@ class Design(BaseModel):
         """What may be asked: of the solution that is taken, and of each by its number (AB_2)."""
         one = self.quantities()
         return (*one, *(numbered(named, n) for n in range(1, MOST + 1) for named in one))
+
+
+def _in(unit: str, value: Quantity | float) -> float:
+    """A datum (SI) in the unit in which it is asked."""
+    si = value.si if isinstance(value, Quantity) else value
+    return degrees(si) if unit == "deg" else 1e3 * si if unit == "mm" else si
 
 
 def numbered(named: Named, number: int) -> Named:

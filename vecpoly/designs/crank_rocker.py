@@ -15,10 +15,12 @@ from ..words import Words
 from .base import Advance, Design, between_limits
 from .linkages import four_bar
 from .place import Carried
-from .quantities import FOUR_BAR, GAMMA_MIN, SWING, THETA
+from .quantities import AB, AD, BC, FOUR_BAR, GAMMA_MIN, SWING, THETA
 from .quantities import K as ADVANCE
 
 _ONE_MORE = ("AD", "AB", "BC", "gamma_min", "A", "best")
+
+_VARIED = (AD, AB, BC, GAMMA_MIN, Named("A", "A", "mm"), Named("ADC", "∠ADC", "deg"), ADVANCE)
 
 
 class CrankRocker(Design):
@@ -28,6 +30,7 @@ class CrankRocker(Design):
     lies on the x axis.
     """
 
+    varied: ClassVar[tuple[Named, ...]] = _VARIED
     kind: ClassVar[str] = "crank-rocker"
     K: Advance
     CD: Length

@@ -16,10 +16,13 @@ from .linkages import slider_crank
 from .quantities import AB, ALPHA_MAX, BC, GAMMA_MIN, OFFSET, STROKE, THETA
 from .quantities import K as ADVANCE
 
+_VARIED = (OFFSET, AB, BC, ADVANCE)
+
 
 class SliderCrank(Design):
     """K, the stroke H, and the offset e, the crank or the coupler; C₁ is the origin, C₂ on the x axis, A above it."""
 
+    varied: ClassVar[tuple[Named, ...]] = _VARIED
     kind: ClassVar[str] = "slider-crank"
     K: Advance
     H: Length

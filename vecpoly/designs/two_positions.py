@@ -12,8 +12,10 @@ from ..names import Named
 from .base import Design, Quick
 from .inversion.built import posed_four_bar
 from .linkages import four_bar
-from .quantities import FOUR_BAR, GAMMA_MIN
+from .quantities import AD, CD, FOUR_BAR, GAMMA_MIN
 from .quantities import K as ADVANCE
+
+_DEAD_CENTRE = (Named("phi_12", "φ_{12}", "deg"), CD)
 
 
 class DeadCentre(Design):
@@ -22,6 +24,7 @@ class DeadCentre(Design):
     A is the origin, D on the x axis.
     """
 
+    varied: ClassVar[tuple[Named, ...]] = _DEAD_CENTRE
     kind: ClassVar[str] = "dead-centre"
     AD: Length
     CD: Length
@@ -58,9 +61,13 @@ class DeadCentre(Design):
         return 2 * self.AD.si
 
 
+_DRAG_LINK = (Named("phi_1", "φ_1", "deg"), ADVANCE, AD)
+
+
 class DragLink(Design):
     """AD, AB, K, the angles φ₁ of AB and ψ₁ of DC: while DC turns by 180° AB turns by 360°/(K + 1)."""
 
+    varied: ClassVar[tuple[Named, ...]] = _DRAG_LINK
     kind: ClassVar[str] = "drag-link"
     AD: Length
     AB: Length

@@ -55,7 +55,9 @@ def solution_html(solution: Solution, lang: Lang) -> str:
     read = "".join(table(one.header, one.rows, one.align) for one in readings_tables(solution, lang))
     warning = solution.construction.warning
     red = f'<p style="color:#b00020"><b>{sentence(warning.of(lang))}</b></p>' if warning else ""
-    said = "".join(paragraph(text) for text in cautions(solution, lang))
+    none = solution.construction.conclusion
+    told_of = [*([none.of(lang)] if none is not None else []), *cautions(solution, lang)]
+    said = "".join(map(paragraph, told_of))
     papers = "".join(map(_paper, _sheets(solution, lang)))
     return f"{_title(solution.problem, lang)}{red}{ended}{read}{said}{papers}"
 

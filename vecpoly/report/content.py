@@ -61,6 +61,7 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
         "scales": scales(solution, lang),
         "hued": "hued" if _has_hues(solution) else "",
         "dashed": "dashed" if _has_dashes(solution) else "",
+        "unsolvable": "unsolvable" if solution.construction.conclusion is not None else "",
         "doubled": "doubled" if _has_doubled(solution) else "",
     }
 
@@ -113,8 +114,10 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
     ]
     alone = len(solution.verification) == 1
     moved = [told(one, alone).of(lang) for one in solution.verification if one.broken is not None]  # others: in a table
+    ended = solution.construction.conclusion
     shaken = shaking_of(solution.problem, {key: one.drawn for key, one in solution.answers.items()})
     return [
+        *([ended.of(lang)] if ended is not None else []),
         *answered_in_words(solution, lang),
         *dict.fromkeys(coriolis),
         *moved,
@@ -125,7 +128,8 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
 def cautions(solution: Solution, lang: Lang) -> list[str]:
     """What is hardly meant; counts in which no hand can err,
     and which still are not what the oracle says, and why, as far as the oracle knows."""
-    named = [solution.answers[ask.rel.key] for ask in solution.problem.asks if isinstance(ask, AskNamed)]
+    keys = [ask.rel.key for ask in solution.problem.asks if isinstance(ask, AskNamed)]
+    named = [solution.answers[key] for key in keys if key in solution.answers]
     wrong = [
         answer for answer in named if answer.reading.mm is None and not answer.expected_error and not answer.computed
     ]

@@ -11,7 +11,7 @@ from ...designs.verdict import Verdict
 from ...errors import NotAskedError
 from ...foundation.frozen import FrozenMap
 from ...names import Rel
-from ...oracle.synthesis.registry import design_answers, linkages
+from ...oracle.synthesis.registry import counted, design_answers, linkages, solvable
 from ...problem.problem import Printed, Problem
 from ...words import Words
 from ..truth import ActsAt, Values, finite, knows
@@ -35,19 +35,24 @@ class DesignTruth:
 
     @cached_property
     def values(self) -> Values:
-        """Key → exact value, of all that is asked. Raises NotAskedError for a solution that does not exist."""
-        found = design_answers(self.design)
-        for ask in self.problem.asks:
-            if ask.rel.key not in found:
-                raise self._no_such(ask.rel.key)
-        return finite({ask.rel.key: found[ask.rel.key] for ask in self.problem.asks})
+        """Key → exact value, of all that is asked; where no linkage serves, of what has a value all the same.
+
+        Raises NotAskedError for one solution more than there are.
+        """
+        found, asked = design_answers(self.design), [ask.rel.key for ask in self.problem.asks]
+        if not solvable(self.design):
+            return finite({key: found[key] for key in asked if key in found})
+        for key in asked:
+            if key not in found:
+                raise self._no_such(key)
+        return finite({key: found[key] for key in asked})
 
     def _no_such(self, key: str) -> NotAskedError:
         count = sum(one.verdict is Verdict.VALID for one in linkages(self.design))
         return NotAskedError(
             Words(
                 f"{key}：可用的解只有 {count} 个；请改编号，或从 find 中去掉",
-                f"{key}: there are only {count} valid solutions; choose another number, or leave it out of `find`",
+                f"{key}: {counted(count)}; choose another number, or leave it out of `find`",
             ),
             code="no-solution",
             numbers={"solutions": count},

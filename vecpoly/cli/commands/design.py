@@ -83,7 +83,8 @@ def _tell(found: Project, lang: Lang, tally: Tally, *, quiet: bool) -> None:
 
     for part in found.parts:
         warn(part.problem.id, part.solution.warnings, lang)
-        tally.weigh(part.problem.id, part.solution.construction.warning, lang)
+        drawn = part.solution.construction
+        tally.weigh(part.problem.id, drawn.warning, lang, drawn.conclusion)
     if quiet or not found.demands:
         return
     made = table("", [(head, "left" if i in (0, 4) else "right") for i, head in enumerate(_COLUMNS[lang])])

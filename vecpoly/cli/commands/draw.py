@@ -93,7 +93,7 @@ def draw(
             for target, data in _files(solution, figure, lang, each(path, problem.id, len(found)), dpi, upto):
                 put(target, data)
             warn(problem.id, solution.warnings, lang)
-            tally.weigh(problem.id, solution.construction.warning, lang)
+            tally.weigh(problem.id, solution.construction.warning, lang, solution.construction.conclusion)
     tally.settle()
 
 

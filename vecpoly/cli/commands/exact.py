@@ -32,6 +32,7 @@ def exact(
     spared(json, JSON, found)
     from ...check.precision import noise, sizes
     from ...check.truth import truth_of
+    from ...check.unsolvable import conclusion
 
     data: list[dict[str, Any]] = []
     for problem in progress(found, Words("求解", "solving")):
@@ -48,6 +49,7 @@ def exact(
             )
             if json != STDOUT:
                 _print(problem, values, lang)
+            tally.weigh(problem.id, None, lang, conclusion(problem))
     if json is not None and data:
         from ...answer import plain
 
@@ -87,6 +89,8 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
     title = f"{problem.id}  {bare(problem.title.of(lang))}"
     made = table(title, [(name, "right" if i == 1 else "left") for i, name in enumerate(_COLUMNS[lang])])
     for ask in problem.asks:
+        if ask.rel.key not in values:  # of a synthesis without a solution
+            continue
         value, way = values[ask.rel.key], "—"
         if not isinstance(value, complex) and is_centre(ask.rel):
             size, way = "∞", f"{value:.3f}°"
@@ -97,7 +101,8 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
         else:
             size, way = number(abs(value), 7), bearing_told(degrees(cmath.phase(value)), 3) if value else "—"
         add(made, (symbol(ask.rel.key), size, written_unit(ask.rel.unit), way))
-    show(made)
+    if values:
+        show(made)
     from ...check.ending import ending_of
 
     if (told := ending_of(problem)) is not None:

@@ -57,7 +57,7 @@ def play(
             page = player(solution, lang=lang, places=places, seed=seed, check=check)
             put(path, page.html.encode())
             warn(problem.id, solution.warnings, lang)
-            tally.weigh(problem.id, page.warning, lang)
+            tally.weigh(problem.id, page.warning, lang, solution.construction.conclusion)
     tally.settle()
 
 

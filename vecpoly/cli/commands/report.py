@@ -73,9 +73,9 @@ def report(
         with tally.job():
             drawn_up = made()
             put(path, drawn_up.pdf)
-            for name, warnings, alarm in drawn_up.notes:
+            for name, warnings, alarm, conclusion in drawn_up.notes:
                 warn(name, warnings, lang)
-                tally.weigh(name, alarm, lang)
+                tally.weigh(name, alarm, lang, conclusion)
     tally.settle()
 
 
@@ -104,10 +104,10 @@ class _Order:
 
 @dataclass(frozen=True, slots=True)
 class _DrawnUp:
-    """A document, and of each of its problems the id, what is to be noted, and the alarm."""
+    """A document, and of each of its problems the id, what is to be noted, the alarm, and that it has no solution."""
 
     pdf: bytes
-    notes: tuple[tuple[str, tuple[Words, ...], Words | None], ...]
+    notes: tuple[tuple[str, tuple[Words, ...], Words | None, Words | None], ...]
 
 
 def _drawn_up(order: _Order) -> _DrawnUp:
@@ -116,7 +116,8 @@ def _drawn_up(order: _Order) -> _DrawnUp:
     inner = progress(job.problems, Words("作图", "drawing")) if order.alone else iter(job.problems)
     solutions = draw(inner, order.hand, order.seed, order.style)
     pdf = document(job, solutions, order.lang, order.style, order.plain)
-    notes = ((one.problem.id, tuple(one.warnings), one.construction.warning) for one in solutions)
+    drawn = ((one.problem.id, tuple(one.warnings), one.construction) for one in solutions)
+    notes = ((name, warnings, made.warning, made.conclusion) for name, warnings, made in drawn)
     return _DrawnUp(pdf, tuple(notes))
 
 

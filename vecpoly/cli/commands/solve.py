@@ -58,7 +58,7 @@ def solve(
             if then == "analyse":
                 solutions.append(solved(solutions[-1].linkage, by=hand, seed=seed))
     for solution in solutions:
-        tally.weigh(solution.problem.id, solution.construction.warning, lang)
+        tally.weigh(solution.problem.id, solution.construction.warning, lang, solution.construction.conclusion)
         if json != STDOUT:
             _print(solution, lang)
             if acts:
@@ -94,7 +94,8 @@ def _print(solution: Solution, lang: Lang) -> None:
             ),
             alarmed=answer.suspect is not None,
         )
-    show(made)
+    if solution.answers:
+        show(made)
     for answer in solution.answers.values():
         if answer.short:
             typer.echo(f"{symbol(answer.key)}: {told_short(answer).of(lang)}")

@@ -22,6 +22,8 @@ from .written import Corresponding, on, said
 
 AHEAD_C, AHEAD_B = Named("delta_C", "δ_{C}", "deg"), Named("delta_B", "δ_{B}", "deg")
 
+_VARIED = (AB,)
+
 
 class AnglePairs(Design):
     """pairs of a rocker, φ of AB -> ψ of a line DE of the output link: AB and AD are given, C is sought on the link
@@ -31,6 +33,7 @@ class AnglePairs(Design):
     onto: the position in which the link that is sought on is kept. A is the origin, D lies on the x axis.
     """
 
+    varied: ClassVar[tuple[Named, ...]] = _VARIED
     kind: ClassVar[str] = "angle-pairs"
     pairs: tuple[Corresponding, ...]
     AB: Length | None = None

@@ -41,7 +41,7 @@ from .asked import (
     radius,
     travel,
 )
-from .fits import clears, closes, first_angle, may_be_sized
+from .fits import clears, closes, first_angle, may_be_sized, stays_behind
 from .follower import Follower
 from .motion import Entry, Piece, pieces_of, read_entry, stations
 
@@ -112,6 +112,8 @@ class Cam(Device):
         clears(self.r0, self.follower)
         if self.arm:
             closes(self.r0, self.follower, self.lift)
+        if self.arm and self.follower.flat:
+            stays_behind(self.pieces, -self.sense * self.side)
         return self
 
     # -- what follows from the data ------------------------------------------------------------------------------

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import acos, asin, degrees, pi
 
 from ...errors import FaultError
+from ...foundation.bounds import below
 from ...units.reading import Quantity
 from ...words import Words
 from .follower import Arm, Follower
+from .motion import Piece
 
 SWUNG = pi * 0.95  # rad: an arm stays this far from stretched
 UPRIGHT = pi * 0.45  # rad: a flat face stays this far from standing across OA
@@ -107,6 +110,27 @@ def _tangent(r0: Quantity, arm: Arm, lift: float) -> None:
                 f"would stand nearly across OA; let it swing less than {degrees(UPRIGHT - psi0):.4g} deg",
             ),
             code="out-of-range",
+        )
+
+
+def stays_behind(pieces: Iterable[Piece], way: int) -> None:
+    """A flat face that swings with the cam (in the pieces that go this way) is slower than it: else the contact is at
+    infinity where both turn alike."""
+    for piece in pieces:
+        if piece.law is None or piece.rises != way or below(piece.law.fastest * piece.lift, piece.angle):
+            continue
+        swing, angle = degrees(piece.lift), degrees(piece.angle)
+        most, least = angle / piece.law.fastest, swing * piece.law.fastest
+        raise FaultError(
+            Words(
+                f"平底在凸轮转过 {angle:.4g} deg 时随凸轮同向摆 {swing:.4g} deg（{piece.law.called.zh}），某刻与凸轮"
+                f"转得一样快，切点在无穷远处；摆角应小于 {most:.4g} deg，或转角应大于 {least:.4g} deg",
+                f"the face swings {swing:.4g} deg with the cam while that turns {angle:.4g} deg "
+                f"({piece.law.called.en}): for a moment both turn alike, and the contact is at infinity; let it swing "
+                f"less than {most:.4g} deg, or take more than {least:.4g} deg of the cam for it",
+            ),
+            code="out-of-range",
+            numbers={"swing": swing, "angle": angle},
         )
 
 

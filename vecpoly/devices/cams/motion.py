@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import lru_cache
-from math import degrees, tau
+from math import degrees, pi, tau
 from typing import Literal
 
 from ...errors import FaultError
@@ -38,6 +38,11 @@ class Law(StrEnum):
         """等速运动, uniform motion."""
         return _CALLED[self]
 
+    @property
+    def fastest(self) -> float:
+        """The greatest ds/dφ of a rise by 1 in an angle of 1."""
+        return _FASTEST[self]
+
 
 _CALLED = {
     Law.UNIFORM: Words("等速运动", "uniform motion"),
@@ -46,6 +51,8 @@ _CALLED = {
     Law.SINE: Words("正弦加速度（摆线）运动", "sine acceleration (cycloidal motion)"),
     Law.POLYNOMIAL: Words("3-4-5 次多项式运动", "3-4-5 polynomial motion"),
 }
+
+_FASTEST = {Law.UNIFORM: 1.0, Law.PARABOLIC: 2.0, Law.COSINE: pi / 2, Law.SINE: 2.0, Law.POLYNOMIAL: 15 / 8}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import compress, islice
 from math import ceil
@@ -43,10 +43,12 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class Listed:
-    """Results that stand together; heading: over them, "" of a list that has none."""
+    """Results that stand together; heading: over them, "" of a list that has none. said: below them, the lines of a
+    sentence in type of this size."""
 
     heading: str
     nodes: tuple[Node, ...]
+    said: Callable[[float], tuple[Box, ...]] = lambda em: ()
 
 
 def with_results(sheet: Sheet, attempts: Sequence[Sequence[Listed]]) -> Sheet:
@@ -83,7 +85,7 @@ def _blocks(sheet: Sheet, parts: Sequence[Listed], em: float) -> Iterator[Block]
 
 def _columns(parts: Sequence[Listed], em: float) -> Iterator[list[list[Box]]]:
     """The lines from the top of one column to the next; of parts with headings, each in one piece."""
-    set_ = [[*_heading(part, em), *(layout(node, em) for node in part.nodes)] for part in parts]
+    set_ = [[*_heading(part, em), *(layout(node, em) for node in part.nodes), *part.said(em)] for part in parts]
     if any(part.heading for part in parts):
         yield [[box for part in set_ for box in part]]
         yield from [set_] if 1 < len(set_) <= MOST else []

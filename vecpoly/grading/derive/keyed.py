@@ -36,13 +36,14 @@ def answer_key(problem: Problem, allowance: Allowance = STUDENT, rubric: Rubric 
     """What is graded of a problem: all that is asked, and every length and value found on the way.
 
     T = clip(k √(Σ(∂y/∂e σ)² + σ_read²), floor, cap), the root as the scatter of 300 students' hands that draw the whole
-    construction. Raises what `solve` raises, and VecpolyError where an answer is suspect: there is nothing to grade by.
+    construction. Raises what `solve` raises, and VecpolyError where an answer is suspect or no linkage serves: there is
+    nothing to grade by.
     """
     solution = solve(problem, by="exact", repeats=0, precise=False)
-    if solution.construction.warning is not None:
-        raise VecpolyError(
-            Words("不能据此批改：", "no key to grade by: ") + solution.construction.warning, code="suspect"
-        )
+    said = {"suspect": solution.construction.warning, "no-solution": solution.construction.conclusion}
+    for code, why in said.items():
+        if why is not None:
+            raise VecpolyError(Words("不能据此批改：", "no key to grade by: ") + why, code=code)
     drawn = drawn_by(problem, allowance.hand())
     found = _Found(solution, drawn)
     steps = found.steps()

@@ -13,15 +13,14 @@ from ...algebra.quantity import Expr, Quantity, magnitude
 from ...algebra.worked import stated
 from ...board.candidates import Candidate
 from ...board.construction import Place, Reading, View
-from ...board.hand import scatter
 from ...designs.base import MOST, Design, numbered
 from ...designs.verdict import Verdict
 from ...foundation.frozen import FrozenMap
 from ...names import Named, subscripted
 from ...plane import Points, Reals, nominal
-from ...plane.traced import bare
 from ...words import Words
 from ..devices.bench import Bench
+from .telling import gap, lost, no_use, spread
 
 ONE, TWO = Quantity(Txt("1"), 1.0, ""), Quantity(Txt("2"), 2.0, "")
 WHOLE_TURN = Quantity(Txt("360°"), 360.0, "deg")
@@ -102,7 +101,7 @@ class Draft(Bench):
         left = {one.number: one.pins for one in self.sketched}
         numbers: list[int] = []
         for pins in found:
-            number = min(left, key=lambda n: _gap(pins, left[n]), default=len(self.sketched) + len(numbers) + 1)
+            number = min(left, key=lambda n: gap(pins, left[n]), default=len(self.sketched) + len(numbers) + 1)
             left.pop(number, None)
             numbers.append(number)
         self.numbers = tuple(numbers)
@@ -155,6 +154,12 @@ class Draft(Bench):
         Who has made a mistake may have none that is valid, and reads what is there.
         """
         self._say_order([one.number for one in self.found])
+        if self.sketched and not self.valid:
+            self._settle_none(design)
+        else:
+            self._settle_taken(design)
+
+    def _settle_taken(self, design: Design) -> None:
         valid = sorted(one.number for one in self.found if one.verdict is Verdict.VALID)
         valid = valid or sorted(one.number for one in self.found)
         taken = valid[design.take - 1] if design.take <= len(valid) else 0
@@ -164,6 +169,18 @@ class Draft(Bench):
             for key, number in ((named, taken), *((numbered(named, n), n) for n in range(1, MOST + 1))):
                 if key.key in self.asked and key.key not in self.board.readings:
                     self._copy(numbered(named, number) if number else named, named, key)
+
+    def _settle_none(self, design: Design) -> None:
+        """Of data that no linkage fits, what the data alone tell is an answer; all else has no value."""
+        if not self.any_valid:
+            self.board.section(Words("结论", "Conclusion"))
+            self.board.step(no_use(len(self.found)), SHEET)
+        told = design.settled()
+        for named in design.askable():
+            if named.key in self.asked - self.board.readings.keys() and named.key in told:
+                self.shared(named, told[named.key])
+            elif named.key in self.asked - told.keys():
+                self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=nan), np.float64(nan))
 
     def _say_order(self, numbers: list[int]) -> None:
         """Why what was found first is not number 1, where it is not."""
@@ -197,27 +214,9 @@ class Draft(Bench):
             verdict=one.verdict.name,
             reason=None if valid else one.verdict.value,
             values=FrozenMap({key: read[name].scalar for key, name in kept.items() if valid}),
-            spread=FrozenMap({key: _spread(found[name]) for key, name in kept.items() if valid}),
-            lost=max(map(_lost, one.pins.values()), default=0.0),
+            spread=FrozenMap({key: spread(found[name]) for key, name in kept.items() if valid}),
+            lost=max(map(lost, one.pins.values()), default=0.0),
         )
-
-
-def _lost(at: Points) -> float:
-    """The share of the repeated hands that do not find a pin."""
-    repeated = np.ravel(bare(at))[1:]
-    return float(np.mean(~np.isfinite(repeated))) if repeated.size else 0.0
-
-
-def _gap(pins: Mapping[str, Points], of: Mapping[str, Points]) -> float:
-    """How far pins lie beside those of another candidate."""
-    return sum(abs(complex(nominal(at)) - complex(nominal(of[letter]))) for letter, at in pins.items())
-
-
-def _spread(values: Reals) -> float:
-    """3σ of the repeated hands; of none 0."""
-    repeated = np.asarray(values, dtype=float)
-    others = repeated[1:][np.isfinite(repeated[1:])] if repeated.ndim else np.empty(0)
-    return 3.0 * scatter(others) if others.size else 0.0
 
 
 def _reading(named: Named, value: Reals) -> Reading:

@@ -107,7 +107,9 @@ def settled(
     crank = (np.abs(far - a) - np.abs(near - a)) / 2
     of_near: Points = a - unit(near - a) * crank
     of_far: Points = a + unit(far - a) * crank
-    drawn(draft, (a, of_far, far, *pivots.values()), (a, of_near, near, *pivots.values()), verdict=verdict)
+    chains = (a, of_far, far, *pivots.values()), (a, of_near, near, *pivots.values())
+    given_far = verdict is not Verdict.VALID and limits.letters[2] == "C_1"  # which all candidates have
+    drawn(draft, *(reversed(chains) if given_far else chains), verdict=verdict)
     rejected(draft, verdict)
     if verdict is Verdict.VALID:
         numbers = "12" if limits.first else "21"

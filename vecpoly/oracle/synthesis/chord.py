@@ -32,8 +32,8 @@ class Chord:
 
     def coupler(self, a: float) -> float:
         """b of a crank by the law of chords; NaN where there is none."""
-        square = (self.s**2 - 2 * a * a * (1 + cos(self.theta))) / (2 * (1 - cos(self.theta)))
-        return sqrt(square) if square > 0 else nan
+        square = self.s**2 - (2 * a * cos(self.theta / 2)) ** 2
+        return sqrt(square) / (2 * sin(self.theta / 2)) if square > 0 else nan
 
     def of_crank(self, a: float, side: int) -> Linkage:
         """The candidate with this crank."""

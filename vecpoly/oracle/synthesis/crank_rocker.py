@@ -1,6 +1,6 @@
 """Every crank-rocker with a given K and rocker, from the law of chords.
 
-2 a² (1 + cos θ) + 2 b² (1 − cos θ) = C₁C₂², for AC₁ = b − a, AC₂ = b + a and the angle θ between them.
+(2 a cos(θ/2))² + (2 b sin(θ/2))² = C₁C₂², for AC₁ = b − a, AC₂ = b + a and the angle θ between them.
 """
 
 from __future__ import annotations
@@ -18,13 +18,10 @@ from .registry import Linkage, synthesizes
 from .sweep import crossings, summits
 
 
-@synthesizes(CrankRocker)
+@synthesizes(CrankRocker, out_of_reach)
 def crank_rockers(design: CrankRocker) -> list[Linkage]:
     """Every candidate, by whatever is given beside K and the rocker."""
-    made = list(_by_limit(design) if design.swing is None else _by_swing(design, Chord(design)))
-    if not made or (design.swing is not None and all(one.verdict is not Verdict.VALID for one in made)):
-        raise out_of_reach(design)
-    return made
+    return list(_by_limit(design) if design.swing is None else _by_swing(design, Chord(design)))
 
 
 def _by_swing(design: CrankRocker, chord: Chord) -> Iterator[Linkage]:
@@ -41,7 +38,7 @@ def _by_swing(design: CrankRocker, chord: Chord) -> Iterator[Linkage]:
 
 
 def _by_coupler(chord: Chord, b: float) -> Iterator[Linkage]:
-    square = (chord.s**2 - 2 * b * b * (1 - cos(chord.theta))) / (2 * (1 + cos(chord.theta)))
+    square = (chord.s**2 - (2 * b * sin(chord.theta / 2)) ** 2) / (2 * cos(chord.theta / 2)) ** 2
     if square > 0 and below(chord.s / 2, b):
         sides = SIDES if chord.theta > 0 else SIDES[:1]
         yield from (chord.at(chord.pivot(sqrt(square), b, side)) for side in sides)

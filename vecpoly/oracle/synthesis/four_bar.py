@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cmath import phase
-from math import acos, degrees, inf, pi
+from math import acos, degrees, inf, nan, pi
 
 from ...designs.verdict import Verdict
 from .registry import Linkage
@@ -20,7 +20,9 @@ def least_angle(a: float, b: float, c: float, d: float) -> float:
 
 
 def extreme_angles(a: float, b: float, c: float, d: float) -> tuple[float, float]:
-    """γ (rad) with the crank on the line of the frame: along it, and the other way."""
+    """γ (rad) with the crank on the line of the frame: along it, and the other way; none where a link has no length."""
+    if not b * c:
+        return nan, nan
     near, far = (acos(max(-1.0, min(1.0, (b * b + c * c - side * side) / (2 * b * c)))) for side in (d - a, d + a))
     return min(near, pi - near), min(far, pi - far)
 

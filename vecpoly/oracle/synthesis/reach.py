@@ -8,6 +8,7 @@ from math import asin, cos, degrees, sin
 
 import numpy as np
 
+from ...designs.admitted import between
 from ...designs.crank_rocker import CrankRocker
 from ...designs.verdict import Verdict
 from ...errors import AssemblyError
@@ -30,6 +31,8 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
             ),
             code="no-solution",
         )
+    if design.AB is not None and not design.theta:
+        return _half_the_chord(design.AB.text, Chord(design).s / 2)
     name, given, unit, of = _datum(design)
     sides = SIDES if design.theta else SIDES[:1]
     ranges = [(low, high) for side in sides for low, high in _range(Chord(design), side, of)]
@@ -42,18 +45,31 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
             ),
             code="no-solution",
         )
-    zh = " 或 ".join(f"{low:.4g} 至 {high:.4g} {unit}" for low, high in ranges)
-    en = " or ".join(f"{low:.4g} to {high:.4g} {unit}" for low, high in ranges)
+    told = between(ranges, unit)
     return AssemblyError(
         Words(
             f"{name} = {given}：与 K、摇杆长和摆角所定的圆没有可用的交点（无交点，或 A 在禁用弧上）；{name} 的允许范围"
-            f"是 {zh}",
+            f"是{told.zh.rstrip()}",
             f"{name} = {given} has no use on the circles that K, the rocker and its swing determine (no meeting, or A "
             f"on "
-            f"the forbidden arc); admissible is {name} from {en}",
+            f"the forbidden arc); admissible is {name} from {told.en}",
         ),
         code="no-solution",
         numbers={"low": ranges[0][0], "high": ranges[-1][1]},
+    )
+
+
+def _half_the_chord(given: str, half: float) -> AssemblyError:
+    """K = 1: A lies on C₁C₂, whose half the crank is with any coupler."""
+    return AssemblyError(
+        Words(
+            f"AB = {given}：K = 1 时 A 在 C₁C₂ 线上，无论连杆多长都有 AB = C₁C₂/2 = {1e3 * half:.4g} mm；请改为给定 "
+            "BC、AD 或 gamma_min",
+            f"AB = {given}: with K = 1 the pivot A lies on C₁C₂, and AB = C₁C₂/2 = {1e3 * half:.4g} mm with any "
+            "coupler; give BC, AD or gamma_min instead",
+        ),
+        code="no-solution",
+        numbers={"AB": half},
     )
 
 

@@ -9,10 +9,10 @@ from typing import Any
 
 from ...designs.base import Design, numbered
 from ...designs.verdict import Verdict
-from ...errors import AssemblyError, NoMethodError, NotAskedError
+from ...errors import NoMethodError, NotAskedError, VecpolyError
 from ...foundation.frozen import FrozenMap
 from ...foundation.plugins import load_modules
-from ...words import Words, bare
+from ...words import Words
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,17 +33,22 @@ class Linkage:
 
 
 Exact = Callable[[Any], Iterable[Linkage]]
+Refusal = Callable[[Any], VecpolyError]
 _EXACT: dict[type[Design], Exact] = {}
+_REFUSALS: dict[type[Design], Refusal] = {}
 SAME = 1e-9  # of its size: two numbers by which candidates are ordered
 
 
-def synthesizes(design: type[Design]) -> Callable[[Exact], Exact]:
-    """Register the closed solution of a task: data → every candidate, valid or not."""
+def synthesizes(design: type[Design], refused: Refusal | None = None) -> Callable[[Exact], Exact]:
+    """Register the closed solution of a task: data → every candidate, valid or not; refused: what is said of data for
+    which it finds none, where it does not raise that itself."""
 
     def register(exact: Exact) -> Exact:
         if design in _EXACT:
             raise ValueError(f"two oracles answer for the synthesis {design.kind}")
         _EXACT[design] = exact
+        if refused is not None:
+            _REFUSALS[design] = refused
         return exact
 
     return register
@@ -51,54 +56,54 @@ def synthesizes(design: type[Design]) -> Callable[[Exact], Exact]:
 
 @lru_cache(maxsize=256)
 def linkages(design: Design) -> tuple[Linkage, ...]:
-    """Every candidate in the order of its number: the valid ones first, by AB, BC, AD, x of A.
+    """Every candidate in the order of its number: the valid ones first, by AB, BC, AD, x of A; of no use where none is.
 
-    Raises AssemblyError where there is none that is valid, NoMethodError where no oracle is on file.
+    Raises AssemblyError where nothing meets, NoMethodError where no oracle is on file.
     """
+    found = candidates(design)
+    if not found:
+        raise _REFUSALS[type(design)](design)
+    return tuple(sorted(found, key=lambda one: (one.verdict is not Verdict.VALID, *_rounded(one))))
+
+
+def candidates(design: Design) -> tuple[Linkage, ...]:
+    """The same as they are found; none where nothing meets."""
     load_modules("vecpoly.oracle.synthesis")
     if type(design) not in _EXACT:
         raise NoMethodError(
             Words(f"解析法不能求解综合题型 {design.kind}", f"the oracle knows no synthesis {design.kind}")
         )
-    found = sorted(_EXACT[type(design)](design), key=lambda one: (one.verdict is not Verdict.VALID, *_rounded(one)))
-    if not any(one.verdict is Verdict.VALID for one in found):
-        raise _none_valid(found)
-    return tuple(found)
+    return tuple(_EXACT[type(design)](design))
+
+
+def solvable(design: Design) -> bool:
+    """Whether any linkage serves."""
+    return any(one.verdict is Verdict.VALID for one in linkages(design))
 
 
 def _rounded(one: Linkage) -> tuple[float, ...]:
     return tuple(float(f"{value:.9g}") if abs(value) > SAME else 0.0 for value in one.order)
 
 
-def _none_valid(found: list[Linkage]) -> AssemblyError:
-    zh = "；".join(f"候选解 {n}：{_plain(one.verdict.value.zh)}" for n, one in enumerate(found, 1))
-    en = "; ".join(f"candidate {n}: {_plain(one.verdict.value.en)}" for n, one in enumerate(found, 1))
-    return AssemblyError(
-        Words(
-            f"按所给数据没有可用的机构：{zh}。请改动数据",
-            f"no linkage with these data is any use: {en}. Change the data",
-        ),
-        code="no-solution",
-        numbers={"candidates": len(found)},
-    )
-
-
-def _plain(text: str) -> str:
-    """A sentence without the signs of its symbols: C1C2."""
-    return bare(text).translate(str.maketrans("", "", "_{}"))
+def counted(valid: int) -> str:
+    """How many solutions there are, in English."""
+    return "there is only 1 valid solution" if valid == 1 else f"there are only {valid} valid solutions"
 
 
 def design_answers(design: Design) -> Mapping[str, float]:
-    """The exact value of everything that may be asked: of the solution taken, and of each by its number.
+    """The exact value of everything that may be asked: of the solution taken, and of each by its number; where no
+    linkage serves, what the data alone tell.
 
     Raises NotAskedError where the solution taken does not exist.
     """
     valid = [one for one in linkages(design) if one.verdict is Verdict.VALID]
+    if not valid:
+        return design.settled()
     if design.take > len(valid):
         raise NotAskedError(
             Words(
                 f"take: {design.take}：可用的解只有 {len(valid)} 个；请写 1 至 {len(valid)}",
-                f"take: {design.take}: there are only {len(valid)} valid solutions; write 1 to {len(valid)}",
+                f"take: {design.take}: {counted(len(valid))}; write 1 to {len(valid)}",
             ),
             code="no-solution",
             numbers={"take": design.take, "solutions": len(valid)},

@@ -1,6 +1,6 @@
 """Every slider-crank with a given K and stroke, from the law of chords and the area of the triangle A C₁ C₂.
 
-2 a² (1 + cos θ) + 2 b² (1 − cos θ) = H²; e H = (b² − a²) sin θ.
+(2 a cos(θ/2))² + (2 b sin(θ/2))² = H²; e H = (b² − a²) sin θ.
 """
 
 from __future__ import annotations
@@ -19,24 +19,25 @@ from .registry import Linkage, synthesizes
 def slider_cranks(design: SliderCrank) -> list[Linkage]:
     """The one candidate; its mirror image in the middle of the stroke is the same linkage."""
     h, theta = design.H.si, design.theta
+    sine, cosine = sin(theta / 2), cos(theta / 2)  # 1 − cos θ would lose all its digits where K is nearly 1
     if design.e is not None:
         most = h / 2 / tan(theta / 2)
         if not below(design.e.si, most):
             raise _refused("e", design.e.text, 0.0, most)
-        product = design.e.si * h / sin(theta)  # b² − a², and a² + b² − (b² − a²) cos θ = H²/2
-        a = sqrt((h * h / 2 - product * (1 - cos(theta))) / 2)
+        product = design.e.si * h / sin(theta)  # b² − a², and a² = H²/4 − (b² − a²) sin²(θ/2)
+        a = sqrt((h / 2) ** 2 - product * sine * sine)
         b = sqrt(a * a + product)
     elif design.AB is not None:
         a = design.AB.si
         if not below(a, h / 2):
             raise _refused("AB", design.AB.text, 0.0, h / 2)
-        b = sqrt((h * h - 2 * a * a * (1 + cos(theta))) / (2 * (1 - cos(theta))))
+        b = sqrt((h / 2) ** 2 - (a * cosine) ** 2) / sine
     else:
         assert design.BC is not None
         b = design.BC.si
         if not (below(h / 2, b) and below(b, h / 2 / sin(theta / 2))):
             raise _refused("BC", design.BC.text, h / 2, h / 2 / sin(theta / 2))
-        a = sqrt((h * h - 2 * b * b * (1 - cos(theta))) / (2 * (1 + cos(theta))))
+        a = sqrt((h / 2) ** 2 - (b * sine) ** 2) / cosine
     return [_linkage(design, a, b)]
 
 

@@ -24,6 +24,8 @@ def dead_centre(design: DeadCentre) -> list[Linkage]:
     along = c2 / abs(c2)
     b2 = along * _equally_far(0j, along, c2, c1 * turn)
     b1 = b2 / turn
+    if min(abs(b2), abs(c2 - b2)) < NEAR * abs(d):
+        return [_linkage(design, (b1, b2, c1, c2), Verdict.NO_LINK)]
     same = _side(b1, d, c1) * _side(b2, d, c2) > 0
     return [_linkage(design, (b1, b2, c1, c2), Verdict.VALID if same else Verdict.OTHER_SIDE)]
 
@@ -45,7 +47,7 @@ def drag_link(design: DragLink) -> list[Linkage]:
 def _equally_far(start: complex, along: complex, one: complex, other: complex) -> float:
     """t with |start + t along − one| = |start + t along − other|; raises AssemblyError where there is none."""
     lean = 2 * (along.conjugate() * (other - one)).real
-    if abs(lean) < NEAR * abs(other - one):
+    if abs(lean) <= NEAR * abs(other - one):  # the two coincide, too
         raise AssemblyError(
             Words(
                 "中垂线与给定的直线平行，没有交点；请改动角度",

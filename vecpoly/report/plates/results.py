@@ -8,10 +8,13 @@ from ...board.construction import View
 from ...drawing.sheets.results import Listed, with_results
 from ...drawing.sheets.sheet import Sheet
 from ...solution import YES_NO, Answer, Solution
-from ...words import Lang
+from ...words import Lang, Words
 from ..answers.line import named_line
 from ..answers.order import arranged, broken
+from ..flow.results.grid import sentence
 
+CONCLUSION = Words("结论", "Conclusion")
+WIDE = (70.0, 100.0, 130.0, 50.0)  # mm: of the lines in which a conclusion is told
 _READ_FROM = {"omega": View.VELOCITY, "alpha": View.ACCELERATION}
 
 
@@ -24,10 +27,25 @@ def concluded(
     kept = [one for one in answers if not one.is_place]
     home = {one.key: _home(one, made, solution) for one in kept}
     own = [[one for one in kept if home[one.key] == n] for n in range(len(made))]
+    ended = solution.construction.conclusion
     return tuple(
-        with_results(sheet, _attempts(some, solution, lang)) if some else sheet
-        for sheet, some in zip(made, own, strict=True)
+        with_results(sheet, _without_solution(some, solution, ended.of(lang), lang))
+        if ended is not None and n == 0
+        else with_results(sheet, _attempts(some, solution, lang))
+        if some
+        else sheet
+        for n, (sheet, some) in enumerate(zip(made, own, strict=True))
     )
+
+
+def _without_solution(answers: Sequence[Answer], solution: Solution, text: str, lang: Lang) -> list[list[Listed]]:
+    """That no linkage serves, in lines as long as there is room for."""
+
+    def lines(wide: float) -> Listed:
+        heading = CONCLUSION.of(lang)
+        return Listed(heading, (), lambda em: tuple(sentence(text, em, wide, lang == "zh")))
+
+    return [[*(_listed(answers, solution, lang) if answers else []), lines(wide)] for wide in WIDE]
 
 
 def _attempts(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list[list[Listed]]:

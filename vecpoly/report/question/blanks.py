@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from ...algebra.formula import plain
 from ...board.acts import Compute
-from ...board.construction import Step
+from ...board.construction import Reading, Step
 from ...board.place import Pane
 from ...designs.inversion.positions import MANY, Positions
 from ...errors import UnknownNameError
@@ -136,6 +136,7 @@ def empty_table(solution: Solution, lang: Lang) -> RuledTable:
     if all_sought(solution):
         return _solutions(solution, lang)
     read, points = (any(map(test, asked)) for test in (_measured, _points))
+    read = read or any(map(_is_length, _valueless(solution)))
     kept = [i for i, shown in enumerate((True, read, True, points)) if shown]
     rows = [[cells[i] for i in kept] for cells in (*_sought(solution, lang), *_between(solution, lang))]
     heads = [_HEAD[lang][i] for i in kept]
@@ -154,11 +155,11 @@ def all_sought(solution: Solution) -> bool:
 def _solutions(solution: Solution, lang: Lang) -> RuledTable:
     """A column a solution; of each quantity what is read, and what it comes to."""
     heads = [_HEAD[lang][0], *(_SOLVED.of(lang).format(n) for n in range(1, _ROOM + 1))]
-    comma = Words("，", ", ").of(lang)
+    comma, sought = Words("，", ", ").of(lang), [(one.reading, _measured(one)) for one in solution.answers.values()]
     told = [
-        f"{called(one.reading.symbol, one.reading.key, lang)}{comma}{head if lang == 'zh' else head.lower()}"
-        for one in solution.answers.values()
-        for head, has in zip(_HEAD[lang][1:3], (_measured(one), True), strict=True)
+        f"{called(one.symbol, one.key, lang)}{comma}{head if lang == 'zh' else head.lower()}"
+        for one, read in [*sought, *((one, _is_length(one)) for one in _valueless(solution))]
+        for head, has in zip(_HEAD[lang][1:3], (read, True), strict=True)
         if has
     ]
     first = 52.0
@@ -173,7 +174,9 @@ def _sought(solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:
     for group, keys in groups:
         if len(groups) > 1:
             yield _headed(group.called(len(keys), lang) if group is not None else _OTHERS.of(lang))
-        yield from (_row(solution.answers[key], lang) for key in keys)
+        for key in keys:
+            one = solution.answers.get(key)
+            yield _none(solution.construction.readings[key], lang) if one is None else _row(one, lang)
 
 
 def _headed(name: str) -> tuple[str, ...]:
@@ -185,6 +188,19 @@ def _row(one: Answer, lang: Lang) -> tuple[str, ...]:
     name = called(one.reading.symbol, one.reading.key, lang)
     paper, way = ("" if has(one) else NONE for has in (_measured, _points))
     return name, paper, _PLACE.of(lang) if one.is_place else "", way
+
+
+def _valueless(solution: Solution) -> list[Reading]:
+    """What a synthesis without a solution has no answer for, and is asked all the same: nothing gives that away."""
+    return [one for key, one in solution.construction.readings.items() if key not in solution.answers]
+
+
+def _is_length(one: Reading) -> bool:
+    return one.unit == "mm"
+
+
+def _none(one: Reading, lang: Lang) -> tuple[str, ...]:
+    return called(one.symbol, one.key, lang), "" if _is_length(one) else NONE, "", NONE
 
 
 def _between(solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:

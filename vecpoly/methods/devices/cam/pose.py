@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ....board.board import Board
 from ....board.construction import Place
+from ....board.strokes import spot
 from ....devices.cams.cam import Cam
 from ....plane import Line, Points, Reals, dot, foot, unit
+from ....plane.traced import acts_of, bare, traced
 from ....words import Words
 from .laws import Lift
+
+FAR = 1e7  # lengths of OA: where P is taken to be that is at infinity
+ALIKE = 2e-9  # rad a radian: arm and cam turn alike, and the lines to P are parallel
+LONG, OVER = 400.0, 60.0  # mm: as far as P is drawn; of the normal towards it, where it is not
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -20,7 +27,8 @@ class Pose:
 
     way: unit vector of the follower's motion on the rise; the normal of a flat face, out of the cam.
     spin: ω of the follower against the cam, for the cam's 1.
-    drift: the velocity of P in the cam's plane, as a vector on paper (mm).
+    normal: unit vector from B along the common normal, into the cam: towards P, or away from it where an arm turns
+    faster than the cam. drift: the velocity of P in the cam's plane, as a vector on paper (mm).
     """
 
     start: Points
@@ -28,6 +36,7 @@ class Pose:
     b: Points
     way: Points
     pole: Points
+    normal: Points
     spin: Reals
     drift: Points
 
@@ -50,9 +59,14 @@ class Pose:
         return dot(1j * self.way, self.drift) / self.spin
 
     @property
-    def normal(self) -> Points:
-        """The unit vector from B along the common normal, into the cam."""
-        return unit(self.pole - self.b)
+    def near(self) -> bool:
+        """Whether P is on the sheet, or not far from it."""
+        return abs(spot(self.pole - self.b)) < LONG
+
+    @property
+    def sighted(self) -> Points:
+        """P, or a point of the normal on the way there."""
+        return self.pole if self.near else self.b + OVER * unit(self.pole - self.b)
 
 
 def pose(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pose:
@@ -85,6 +99,7 @@ def _guided(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pos
         b=b,
         way=guide.along,
         pole=pole,
+        normal=unit(pole - b),
         spin=-sense + 0.0 * lift.s,
         drift=sense * across * (lift.bend / mm) - 1j * across * (lift.slope / mm),
     )
@@ -97,10 +112,15 @@ def _swung(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pose
     oa, towards = cam.arm[0], side * _back(board, cam, phi)
     pivot = board.lay_off(0j, towards, oa / mm)
     base, b, facing = _face(board, cam, pivot, lift.s, mm) if cam.follower.flat else _tip(board, cam, pivot, lift.s, mm)
-    one = board.lay_off(0j, 1j * towards, side * lift.slope * oa / mm)
+    slope, spin, alike = _apart(lift.slope, side * sense)
+    one = board.lay_off(0j, 1j * towards, side * slope * oa / mm)
     other = board.lay_off(pivot, -1j * sense * towards, oa / mm)
     joined, line = board.parallel(other, unit(one - other)), board.parallel(0j, towards)
-    pole = board.meet(joined, line, Words("瞬心 $P$", "the instant centre $P$"))
+    paper = board.scratch() if np.any(alike) else board  # nobody looks for a meeting that is far away
+    pole = paper.meet(joined, line, Words("瞬心 $P$", "the instant centre $P$"))
+    normal = unit(pole - b) * np.sign(spin)
+    if np.any(alike):
+        normal = traced(np.where(alike, -bare(towards), bare(normal)), acts_of(normal))
     rest = np.abs(pole - pivot)
     along = side * sense * lift.bend * rest**2 / (oa / mm)
     return Pose(
@@ -109,9 +129,21 @@ def _swung(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pose
         b=b,
         way=facing if cam.follower.flat else -1j * side * unit(b - pivot),
         pole=pole,
-        spin=-side * lift.slope - sense,
+        normal=normal,
+        spin=-sense * spin,
         drift=towards * along - 1j * sense * towards * dot(towards, pole),
     )
+
+
+def _apart(slope: Reals, way: int) -> tuple[Reals, Reals, Any]:
+    """ψ′, and by how much the cam turns faster than the arm; where both turn alike, P being at infinity, so little
+    apart that P is far away, and where that is."""
+    apart = 1.0 + way * slope
+    alike = np.abs(bare(apart)) < ALIKE
+    if not np.any(alike):
+        return slope, apart, alike
+    far = np.where(alike, -way * (1.0 - 1.0 / FAR), bare(slope))
+    return traced(far, acts_of(slope)), np.where(alike, 1.0 / FAR, bare(apart)), alike
 
 
 def _tip(board: Board, cam: Cam, pivot: Points, s: Reals, mm: float) -> tuple[Points, Points, Points]:
@@ -141,7 +173,7 @@ def centre_of_curvature(board: Board, it: Pose, share: float = 1.0) -> tuple[Poi
 
     Gives K and the two tips, both velocities drawn to this share.
     """
-    along = it.normal
+    along = unit(it.pole - it.b)
     tip = board.lay_off(it.b, -1j * along, share * it.spin * np.abs(it.pole - it.b))
     sideways = board.parallel(it.pole, -1j * along)
     moved = board.meet(board.parallel(it.pole + share * it.drift, along), sideways, "")

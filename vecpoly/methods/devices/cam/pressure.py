@@ -122,14 +122,22 @@ def show(bench: Bench, place: Pane, cam: Cam, it: Pose) -> None:
     """O, P, B, the guide or the arm, the normal."""
     board = bench.board
     board.join(place, it.start, it.b, Role.LINK if cam.arm else Role.CENTRE)
-    board.join(place, 0j, it.pole, Role.CONSTRUCTION)
+    if it.near:
+        board.join(place, 0j, it.pole, Role.CONSTRUCTION)
+    else:
+        board.remark(
+            Words(
+                " $P$ 在 $OA$ 上很远处，法线几乎与 $OA$ 平行。",
+                " $P$ is far away on $OA$: the normal is all but parallel to it.",
+            )
+        )
     if cam.arm:
         board.join(place, 0j, it.start, Role.CONSTRUCTION)
-    board.join(place, it.pole, it.b - it.normal * OVER, Role.DIRECTION)
+    board.join(place, it.sighted, it.b - it.normal * OVER, Role.DIRECTION)
     board.plot(place, 0j, "O", Dot.JOINT)
     if cam.arm:
         board.plot(place, it.start, "A", Dot.JOINT)
-    if abs(complex(nominal(it.pole))) > 1.0:
+    if it.near and abs(complex(nominal(it.pole))) > 1.0:
         board.plot(place, it.pole, "P", Dot.POINT)
     board.plot(place, it.b, "B", Dot.POINT)
     board.plot(place, it.b - it.normal * OVER, "n", Dot.NONE)

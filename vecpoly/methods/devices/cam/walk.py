@@ -56,7 +56,7 @@ def _station(board: Board, cam: Cam, number: int, outline: Sequence[Spots]) -> F
     it = pose(board, view, cam, phi, lift(trial_board(board), place_of(cam), piece, phi))
     draw_follower(board, cam, it)
     touch = complex(nominal(it.touch(cam, mm)))
-    board.join(view, it.pole, touch + (PAST + cam.follower.radius / mm) * it.outward(cam), Role.DIRECTION)
+    board.join(view, it.sighted, touch + (PAST + cam.follower.radius / mm) * it.outward(cam), Role.DIRECTION)
     board.plot(view, touch, "T", Dot.POINT)
     (figure,) = board.figures({view: CALLED})
     return figure

@@ -15,20 +15,24 @@ import numpy as np
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....board.place import Pane
-from ....plane import Points, Reals, circles_meet, nominal, unit
+from ....plane import Line, Points, Reals, circles_meet, cross, nominal, unit
 from ....words import Words
 from ..draft import Draft
 from .sheet import Sheet, Stands
 
 ANGLES = 6000  # circles of each side tried, over 180°
 APART, JOINED = 1.2, 4.0  # mm: how far apart points are plotted, and up to where they are joined
+STILL, LEVEL = 1e-6, 1e-9  # mm: a point that stays where it is; sine of two bisectors that do not meet
 CORNERS = ((0, 1), (0, 2), (1, 3), (2, 3))  # P12, P13, P24, P34
 
 
 def centre_point_curve(sheet: Sheet, body: str, found: Mapping[str, Points]) -> None:
     """Poles, quadrilateral and curve in a figure of their own, with the centre points that were found on lines."""
     starts = [at.start for at in sheet.bodies[body]]
-    poles = [_pole(sheet.draft, sheet.bodies[body], i, j) for i, j in CORNERS]
+    sought = (_pole(sheet.draft, sheet.bodies[body], i, j) for i, j in CORNERS)
+    poles = [pole for pole in sought if pole is not None]
+    if len(poles) < len(CORNERS):
+        return
     spots = [complex(nominal(pole)) for pole in poles]
     middle, window = _window([*starts, *found.values()])
     if max(abs(spot - middle) for spot in spots) > 2 * window:
@@ -64,11 +68,20 @@ def _opened(draft: Draft) -> Pane:
     return place
 
 
-def _pole(draft: Draft, stands: Sequence[Stands], i: int, j: int) -> Points:
-    """Where the bisectors of two points of the body meet."""
-    board, (one, two) = draft.board, (stands[i], stands[j])
-    lines = [board.parallel((a + b) / 2, 1j * unit(b - a)) for a, b in ((one.start, two.start), (one.end, two.end))]
-    return board.meet(lines[0], lines[1], Words(f"求 $P_{{{i + 1}{j + 1}}}$", f"finding $P_{{{i + 1}{j + 1}}}$"))
+def _pole(draft: Draft, stands: Sequence[Stands], i: int, j: int) -> Points | None:
+    """Where the bisectors of two points of the body meet: of a third point, where those of its line fall on each
+    other; none of two positions without a turn between them."""
+    board, one, two = draft.board, stands[i], stands[j]
+    aside = tuple(at.start + 1j * (at.end - at.start) for at in (one, two))
+    drawn: list[Line] = []
+    for a, b in ((one.start, two.start), (one.end, two.end), aside):
+        if abs(complex(nominal(b - a))) < STILL:
+            continue
+        line = board.parallel((a + b) / 2, 1j * unit(b - a))
+        if any(abs(float(nominal(cross(other.along, line.along)))) > LEVEL for other in drawn):
+            return board.meet(drawn[0], line, Words(f"求 $P_{{{i + 1}{j + 1}}}$", f"finding $P_{{{i + 1}{j + 1}}}$"))
+        drawn = [line]
+    return None
 
 
 def _window(spots: Sequence[Points]) -> tuple[complex, float]:

@@ -14,6 +14,7 @@ from ..angles import marked, valued
 from ..draft import SHEET, Draft
 from ..linkage import crank_circle, drawn, pin, pivot, point, rejected
 from ..registry import design_method
+from .judged import NONE
 
 
 @design_method(
@@ -50,8 +51,7 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
     b2 = pin(draft, "B_2", b2)
     back = board.ray(a, unit(b2 - a), -board.given(design.phi_12.si, "phi_12"))
     b1 = pin(draft, "B_1", board.lay_off(a, back.along, np.abs(b2 - a)))
-    same = float(nominal(cross(d - b1, c1 - b1) * cross(d - b2, c2 - b2))) > 0
-    verdict = Verdict.VALID if same else Verdict.OTHER_SIDE
+    verdict = _judged(a, d, (b1, c1), (b2, c2))
     drawn(draft, (a, b1, c1, d), (a, b2, c2, d), verdict=verdict)
     crank_circle(draft, a, np.abs(b2 - a))
     marked(draft, a, (b1, b2), valued("φ_{12}", np.degrees(design.phi_12.si)), key="phi_12")
@@ -61,6 +61,14 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
         draft.length(draft.of_this(BC), board.measure(b2, c2, "B_2 C_2"), "B_2 C_2")
     order = np.abs(b2 - a), np.abs(c2 - b2), np.abs(d - a), a.real
     draft.candidate(verdict, order, A=a, D=d, B1=b1, C1=c1, B2=b2, C2=c2)
+
+
+def _judged(a: Points, d: Points, first: tuple[Points, Points], second: tuple[Points, Points]) -> Verdict:
+    """A linkage whose links all have a length, with C on the same side of BD in both positions."""
+    if min(float(nominal(np.abs(second[0] - end))) for end in (a, second[1])) < NONE:
+        return Verdict.NO_LINK
+    sides = [float(nominal(cross(d - b, c - b))) for b, c in (first, second)]
+    return Verdict.VALID if sides[0] * sides[1] > 0 else Verdict.OTHER_SIDE
 
 
 def _given(draft: Draft, design: DeadCentre) -> tuple[Points, Points, Points, Points]:

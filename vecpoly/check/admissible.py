@@ -1,0 +1,100 @@
+"""Where one of the data of a synthesis had to lie for a linkage to serve, all others being as they are given."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import groupby
+from math import degrees, inf, pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..designs.admitted import between
+from ..designs.base import Design
+from ..designs.place import OnLine
+from ..designs.verdict import Verdict
+from ..errors import VecpolyError
+from ..names import Named
+from ..oracle.synthesis.registry import candidates
+from ..units.reading import Quantity
+from ..words import Words
+
+TRIED = 240  # places of a datum that are looked at
+HALVINGS = 30  # between one that serves and one that does not
+LONGEST = 30.0  # sizes of the task: a length that is tried; the shortest is as much smaller, and one figure more
+GREATEST = 6.0  # a time ratio that is tried
+Datum = Quantity | OnLine
+Places = NDArray[np.float64]
+
+
+def admissible(design: Design) -> Words | None:
+    """A sentence: the range of the first datum that may be told (`varied`) with which there is a solution; None where
+    no such datum has one."""
+    for named in design.varied:
+        if (given := getattr(design, named.key, None)) is None:
+            continue
+        if ranges := [*_ranges(_serves(design, named.key, given), *_tried(design, named, given))]:
+            told = between([(_told(low, named.unit), _told(high, named.unit)) for low, high in ranges], named.unit)
+            return Words(
+                f"其余数据不变时，{named.key} 可取{told.zh.rstrip()}。",
+                f" With all else as it is, {named.key} may be {told.en}.",
+            )
+    return None
+
+
+def _told(end: float, unit: str) -> float:
+    return degrees(end) if unit == "deg" else 1e3 * end if unit == "mm" else end
+
+
+def _tried(design: Design, named: Named, given: Datum) -> tuple[Places, tuple[float, float]]:
+    """The places of a datum to look at (SI), in order; the ends of a row that goes on as far as they do."""
+    most = LONGEST * design.size
+    if isinstance(given, OnLine):
+        return np.linspace(-most, most, 8 * TRIED + 1), (-inf, inf)
+    if named.unit == "mm":
+        return np.geomspace(most / LONGEST**2 / 10, most, TRIED), (-inf, inf)
+    if named.unit == "deg":
+        whole = 2 * pi if given.si >= 0 else -2 * pi
+        return np.sort(np.linspace(0.0, whole, TRIED + 1)), (min(0.0, whole), max(0.0, whole))
+    return np.geomspace(1.0, GREATEST, TRIED), (-inf, inf)
+
+
+def _serves(design: Design, name: str, given: Datum) -> Callable[[float], bool]:
+    """Whether there is a solution with another value of a datum."""
+
+    def serves(value: float) -> bool:
+        try:
+            varied = type(design)(**(dict(design) | {name: _valued(given, value)}))
+            return any(one.verdict is Verdict.VALID for one in candidates(varied))
+        except (VecpolyError, ValueError):  # pydantic's is one
+            return False
+
+    return serves
+
+
+def _valued(given: Datum, value: float) -> Datum:
+    if isinstance(given, OnLine):
+        return OnLine(complex(value) if given.along == 1j else 1j * value, given.along, f"{value:.17g}")
+    return Quantity(value, f"{value:.17g}")
+
+
+def _ranges(
+    serves: Callable[[float], bool], places: Places, ends: tuple[float, float]
+) -> Iterator[tuple[float, float]]:
+    """From the first to the last place of each row that serves, and what serves between it and its neighbour."""
+    tried = [float(place) for place in places]
+    seen = [serves(place) for place in tried]
+    for good, some in groupby(range(len(tried)), key=seen.__getitem__):
+        if good:
+            row = list(some)
+            low = _edge(serves, tried[row[0]], tried[row[0] - 1]) if row[0] > 0 else ends[0]
+            high = _edge(serves, tried[row[-1]], tried[row[-1] + 1]) if row[-1] + 1 < len(tried) else ends[1]
+            yield low, high
+
+
+def _edge(serves: Callable[[float], bool], good: float, bad: float) -> float:
+    """The last place that serves, between one that does and one that does not."""
+    for _ in range(HALVINGS):
+        middle = (good + bad) / 2
+        good, bad = (middle, bad) if serves(middle) else (good, middle)
+    return good
