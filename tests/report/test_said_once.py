@@ -35,6 +35,13 @@ def test_no_column_of_the_check_says_what_the_box_of_answers_says(name: str) -> 
         assert not [head for head in heads if head.startswith(_SAID_ABOVE)]
 
 
+@pytest.mark.parametrize("name", ["3-9", "4-3a", "8-14"])
+def test_no_sheet_of_a_report_says_what_its_box_of_answers_says(name: str) -> None:
+    pages = PdfReader(BytesIO(report_bytes([solve(load(name))], lang="en"))).pages
+    sheets = [text for page in pages if "50 mm when printed" in (text := page.extract_text())]
+    assert sheets and not any("Results" in text for text in sheets)
+
+
 @each(DRAFTED)
 def test_whatever_was_read_is_checked_and_what_is_computed_has_no_row(name: str) -> None:
     solution = drafted(name)
