@@ -13,7 +13,7 @@ from ....board.paper.scales import Sketched, round_up
 from ....board.place import Pane, Place, view_of
 from ....foundation.slotted import dataclass
 from ..packing import Layout, flat, inner, pack, padded
-from ..paging import Paging, covered, trimmed
+from ..pages import Paging, covered, trimmed
 from ..slicing import Pair, Size, Slicing
 from ..space import CLEAR, SPARSE
 
@@ -26,6 +26,7 @@ ROOM, CROWDED = 5.0, 0.85  # mm that a letter asks for; but of the usual size at
 CRAMPED = 12.0  # mm between the nearest two pins of a mechanism: about a shorter crank letters find no room
 OWN = 60.0  # mm that a mechanism itself measures, without what is constructed about it, wherever its sheet has room
 STANDS = 6.0  # mm of the mechanism itself for every letter on it, beside polygons that take room from it
+LOADED = 5.0  # the same where forces act: their lines reach the farther the larger it is
 SMALL = 0.66  # of the size that is wanted of a mechanism: a smaller one has too little room on its sheet
 LOST = SPARSE + 0.08  # planned share of a page that may turn out too small
 BEYOND = 0.25  # what a figure counts for that is larger than a hand would draw it
@@ -155,7 +156,8 @@ class Composing:
         """How much room a mechanism has, itself, beside polygons for its letters, and where forces act or centres are
         found on it for those and about its shortest link; enough from 1 on."""
         kinds = [kind for kind in self.kinds if view_of(kind) is View.MECHANISM]
-        room = min(self.alone(scales) / OWN, self.lettered(scales) / STANDS)
+        least = LOADED if View.FORCE in self.kinds else STANDS
+        room = min(self.alone(scales) / OWN, self.lettered(scales) / least)
         if View.FORCE in self.kinds or any(isinstance(kind, Pane) for kind in kinds):
             room = min(room, self.crank(scales) / CRAMPED, *(self.legible(kind, scales) / SMALL for kind in kinds))
         return room
