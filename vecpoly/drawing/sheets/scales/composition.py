@@ -26,7 +26,6 @@ ROOM, CROWDED = 5.0, 0.85  # mm that a letter asks for; but of the usual size at
 CRAMPED = 12.0  # mm between the nearest two pins of a mechanism: about a shorter crank letters find no room
 OWN = 60.0  # mm that a mechanism itself measures, without what is constructed about it, wherever its sheet has room
 STANDS = 6.0  # mm of the mechanism itself for every letter on it, beside polygons that take room from it
-LOADED = 5.0  # the same where forces act: their lines reach the farther the larger it is
 SMALL = 0.66  # of the size that is wanted of a mechanism: a smaller one has too little room on its sheet
 LOST = SPARSE + 0.08  # planned share of a page that may turn out too small
 BEYOND = 0.25  # what a figure counts for that is larger than a hand would draw it
@@ -156,8 +155,7 @@ class Composing:
         """How much room a mechanism has, itself, beside polygons for its letters, and where forces act or centres are
         found on it for those and about its shortest link; enough from 1 on."""
         kinds = [kind for kind in self.kinds if view_of(kind) is View.MECHANISM]
-        least = LOADED if View.FORCE in self.kinds else STANDS
-        room = min(self.alone(scales) / OWN, self.lettered(scales) / least)
+        room = min(self.alone(scales) / OWN, self.lettered(scales) / STANDS)
         if View.FORCE in self.kinds or any(isinstance(kind, Pane) for kind in kinds):
             room = min(room, self.crank(scales) / CRAMPED, *(self.legible(kind, scales) / SMALL for kind in kinds))
         return room
@@ -167,11 +165,16 @@ class Composing:
         sizes = (one.scale / scales[one.of] * one.linked for one in self.figures if one.of in self.kinds and one.of)
         return min((size for size in sizes if size), default=inf)
 
+    @property
+    def moving(self) -> bool:
+        """Whether polygons of motion alone are beside it: lines of forces reach the farther the larger it is."""
+        beside = {view_of(one.of) for one in self.figures if one.of is not None and any(one.size)}
+        return View.VELOCITY in beside and View.FORCE not in beside
+
     def lettered(self, scales: Mapping[Place, float]) -> float:
-        """How much of the mechanism there is for every letter on it (mm), where polygons are drawn beside it."""
-        if not any(
-            one.of is not None and view_of(one.of) is not View.MECHANISM and any(one.size) for one in self.figures
-        ):
+        """How much of the mechanism there is for every letter on it (mm), where polygons of motion are drawn beside
+        it."""
+        if not self.moving:
             return inf
         drawn = (one for one in self.figures if one.linked and one.letters and one.of in self.kinds)
         return min((one.scale / scales[one.of] * one.linked / one.letters for one in drawn if one.of), default=inf)

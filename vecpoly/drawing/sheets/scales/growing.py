@@ -19,7 +19,7 @@ def grown(page: Composing, start: Scales, most: int = 0) -> Scales | None:
     growing, waiting = set(page.kinds), set[Place]()
     while growing:
         kind = min(sorted(growing, key=by_place), key=lambda one: page.legible(one, scales))
-        if (trial := _larger(page, kind, scales, start, (sheets, most > 0))) is not None:
+        if (trial := _larger(page, kind, scales, start, (sheets, most > 0 and page.moving))) is not None:
             scales, growing, waiting = trial, growing | waiting, set()
         else:
             growing.remove(kind)
