@@ -22,7 +22,7 @@ from ..foundation.stock import one_format
 from ..solution import REPEATS, Solution
 from ..words import Lang, Words, label
 from .answers.box import answer_box
-from .answers.checks import check_tables, unlisted
+from .answers.checks import check_tables, check_words, unlisted
 from .answers.tables import counted
 from .content import Objects, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Plate
@@ -211,6 +211,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         ),
         "sections": sections(solution, lang, objects),
         "results": [objects.add("tab", made) for made in check_tables(solution, lang)],
+        "placed": check_words(solution, lang),
         "unlisted": unlisted(solution),
         "counts": all(map(counted, solution.answers.values())),
         "directed": answer.directed,
