@@ -64,7 +64,9 @@ def _roomier(trials: Sequence[Composing], page: Composing, best: Scales, start: 
     as they are: in a small mechanism, and about a short crank, lines and letters find no room."""
     sheets, share = page.needed(best) + 1, TAKEN if page.crank(best) < CRAMPED else LETTERS if page.moving else WELL
     made = [(one, found) for one in trials if (found := grown(one, start, sheets)) is not None]
-    made = [pair for pair in made if pair[0].taken(pair[1], sheets) >= share and pair[0].fullness(pair[1]) >= FULL]
+    made = [pair for pair in made if pair[0].taken(pair[1], sheets) >= share]
+    if page.moving:
+        made = [pair for pair in made if pair[0].fullness(pair[1]) >= FULL]
     one, found = max(
         made, key=lambda pair: (min(1.0, pair[0].roomy(pair[1])), pair[0].filled(pair[1])), default=(page, best)
     )

@@ -144,7 +144,7 @@ class Composing:
 
     def filled(self, scales: Mapping[Place, float]) -> float:
         """How large all kinds are against what is usual, the small ones counting most: a sum of logarithms."""
-        sizes = [log(self.legible(kind, scales)) for kind in self.kinds]
+        sizes = [log(self.legible(kind, scales)) for kind in sorted(self.kinds, key=by_place)]
         return sum(size if size < 0 else BEYOND * size for size in sizes)
 
     def legibles(self, scales: Mapping[Place, float]) -> tuple[float, ...]:
