@@ -11,12 +11,12 @@ import pytest
 from tests.drawn_library import drawn
 from tests.drawn_sheets import laid, share
 from vecpoly.board.construction import Construction, Figure, Scale, View
-from vecpoly.board.paper.marks import AngleMark, Dot, FrictionCircle, Mark, Point, Role, Segment, Vector
+from vecpoly.board.paper.marks import AngleMark, Dot, FrictionCircle, LinkNumber, Mark, Point, Role, Segment, Vector
 from vecpoly.board.paper.scales import Sketched, finer
 from vecpoly.drawing.details.apart import detailed
 from vecpoly.drawing.details.knots import knots
 from vecpoly.drawing.sheets.paper import linked, nearest_pins
-from vecpoly.drawing.sheets.scales.composition import CRAMPED, OWN, Composing
+from vecpoly.drawing.sheets.scales.composition import CRAMPED, OWN, STANDS, Composing
 from vecpoly.drawing.sheets.scales.growing import grown
 from vecpoly.drawing.sheets.sheet import bound, sheets
 from vecpoly.drawing.sheets.space import SPARSE, room_inside
@@ -213,3 +213,22 @@ def test_a_small_mechanism_with_forces_or_centres_about_it_has_the_room_of_one_s
 def test_a_mechanism_that_is_small_on_a_plate_has_a_page(name: str) -> None:
     (sheet,) = laid(name)
     assert not sheet.plate and linked(drawn(name).figures(View.MECHANISM)[0]) > 0.9 * OWN
+
+
+LETTERED = ["stephenson-valve-gear", "class-iii-slides", "B-24", "A-30-b", "dump-hoist"]
+
+
+@pytest.mark.parametrize("name", LETTERED)
+def test_a_mechanism_too_small_for_its_letters_beside_its_polygons_has_the_room_of_one_sheet_more(name: str) -> None:
+    diagram = drawn(name).figures(View.MECHANISM)[0]
+    letters = sum(1 for mark in diagram.marks if getattr(mark, "label", "") or isinstance(mark, LinkNumber))
+    assert len(laid(name)) == 2 and linked(diagram) > STANDS * letters
+
+
+@pytest.mark.parametrize("name", LETTERED)
+def test_no_sheet_that_is_one_more_for_the_letters_is_half_white(name: str) -> None:
+    assert all(share(sheet) > 0.5 for sheet in laid(name))
+
+
+def test_a_mechanism_stays_on_one_sheet_where_two_would_be_left_white() -> None:
+    assert len(laid("cam-roller")) == len(laid("planetary-reactions")) == 1

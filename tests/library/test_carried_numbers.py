@@ -39,12 +39,23 @@ def test_what_is_read_to_one_scale_has_one_count_of_decimals(name: str) -> None:
     assert all(len(counts) == 1 for counts in found.values()), found
 
 
-@pytest.mark.parametrize(("name", "symbol", "end"), [("3-12", "l_ED", "0.10375 m"), ("A-27", "ω_2", "14.49 rad/s")])
+@pytest.mark.parametrize(("name", "symbol", "end"), [("3-10", "l_CB", "0.11205 m"), ("A-27", "ω_2", "14.49 rad/s")])
 def test_a_number_that_is_not_asked_has_the_figures_that_later_lines_need_up_to_five(
     name: str, symbol: str, end: str
 ) -> None:
     ends = [parts[-1] for parts in lines_of(solve(load(name))) if parts[0] == symbol]
     assert ends == [end]
+
+
+@pytest.mark.parametrize(
+    ("name", "line"),
+    [
+        ("A-26", "a^n_CB = ω_2^2 l_BC = 2.812^2 × 0.2 = 1.58 m/s^2"),
+        ("watt-line", "a^n_CB = ω_2^2 l_BC = 1.147^2 × 0.06 = 0.0789 m/s^2"),
+    ],
+)
+def test_an_answer_has_one_number_and_what_goes_on_with_it_fewer_figures(name: str, line: str) -> None:
+    assert line in [" = ".join(parts) for parts in lines_of(solve(load(name)))]
 
 
 @each(DRAFTED)

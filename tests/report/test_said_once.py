@@ -12,7 +12,7 @@ from tests.drawn_library import DRAFTED, IDS, drafted, drawn
 from tests.each import each
 from vecpoly.printed.digits import exact_number
 from vecpoly.problem.load import load
-from vecpoly.report.answers.checks import check_tables, checked, unlisted
+from vecpoly.report.answers.checks import check_tables, check_words, checked, unlisted
 from vecpoly.report.answers.placed import clean
 from vecpoly.report.answers.tables import readings_tables
 from vecpoly.report.document import report_bytes
@@ -35,6 +35,13 @@ def test_no_column_of_the_check_says_what_the_box_of_answers_says(name: str) -> 
         assert not [head for head in heads if head.startswith(_SAID_ABOVE)]
 
 
+@pytest.mark.parametrize("name", ["3-9", "4-3a", "8-14"])
+def test_no_sheet_of_a_report_says_what_its_box_of_answers_says(name: str) -> None:
+    pages = PdfReader(BytesIO(report_bytes([solve(load(name))], lang="en"))).pages
+    sheets = [text for page in pages if "50 mm when printed" in (text := page.extract_text())]
+    assert sheets and not any("Results" in text for text in sheets)
+
+
 @each(DRAFTED)
 def test_whatever_was_read_is_checked_and_what_is_computed_has_no_row(name: str) -> None:
     solution = drafted(name)
@@ -50,6 +57,22 @@ def test_whatever_was_read_is_checked_and_what_is_computed_has_no_row(name: str)
             assert row[1:] != ("—",) * (len(row) - 1)
             assert exact_number(answer, clean(answer)) in row or answer.reading.unit == "yes/no"
     assert unlisted(solution) is (0 < len(listed) < len(solution.answers))
+
+
+@pytest.mark.parametrize("name", ["peaucellier", "A-27", "4-5-circles"])
+def test_a_lone_point_has_a_sentence_in_place_of_a_table_of_one_row(name: str) -> None:
+    solution = solve(load(name), repeats=20)
+    (table,) = check_tables(solution, "en")
+    (place,) = (one for one in checked(solution) if one.is_place)
+    assert len(table.rows) > 1 and check_words(solution, "en").startswith(
+        f"Point ${place.reading.symbol}$ was drawn at"
+    )
+    assert check_words(solution, "zh").startswith(f"点 ${place.reading.symbol}$ 量得")
+
+
+def test_points_that_are_several_or_all_that_is_asked_have_their_table() -> None:
+    solution = solve(load("3-6"), repeats=20)
+    assert not check_words(solution, "en") and len(check_tables(solution, "en")) == 2
 
 
 @each(IDS)

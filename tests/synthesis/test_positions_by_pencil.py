@@ -7,7 +7,7 @@ import pytest
 
 import vecpoly
 from tests.laws import few
-from vecpoly.check.found_words import ill_conditioned
+from vecpoly.check.found_words import all_ill_conditioned, ill_conditioned
 from vecpoly.designs.verdict import Verdict
 from vecpoly.errors import VecpolyError
 from vecpoly.methods.synthesis.inversion.sheet import Stands
@@ -60,6 +60,12 @@ def test_the_expected_error_holds_the_wandering_of_the_centre_points() -> None:
     assert any("vanishes in" in words for words in told)
     firm = vecpoly.load("four-positions-b").solve().answers["AD"]
     assert firm.expected_error < 0.02 * firm.exact
+
+
+def test_what_is_ill_conditioned_in_several_solutions_is_said_of_all_at_once() -> None:
+    loose, lost = all_ill_conditioned(vecpoly.load("four-positions").solve().verification)
+    assert "of solutions 1, 2 and 3. These" in loose.en and "解 1、2、3 的" in loose.zh
+    assert "lack solutions 1, 2 and 3." in lost.en and "得不到解 1、2、3。" in lost.zh
 
 
 def _stands(scatter: np.ndarray) -> list[Stands]:

@@ -81,6 +81,14 @@ def _as_told(line: Row, shown: str, told: Callable[[Node, float], str]) -> tuple
     return own, figures_for(own, shown)
 
 
+def goes_on(line: Row, shown: str, told: Callable[[Node, float], str]) -> bool:
+    """Whether the line gives this end with the numbers that are told elsewhere; so does one that goes on with none."""
+    own = cast("Expr", line.worked)
+    return _as_told(line, shown, told)[0] is not own or not any(
+        told(one.node, float(nominal(one.value))) for one in _quantities(own)
+    )
+
+
 def stated(quantity: Quantity) -> Row:
     """symbol = value with unit."""
     return Row((quantity.node, Txt(f" = {_with_unit(number(float(nominal(quantity.value))), quantity.unit)}")))

@@ -13,7 +13,7 @@ from typing import cast
 import numpy as np
 
 from ..algebra.formula import Node, letters_node, plain
-from ..algebra.quantity import Expr, Quantity, magnitude, paper
+from ..algebra.quantity import Expr, Quantity, magnitude, number, paper
 from ..algebra.worked import worked
 from ..names import ascii_key
 from ..plane import Points, Reals, around, nominal, shoelace
@@ -212,7 +212,7 @@ class Board(Compass):
     def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
         """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm; it was needed when it was laid off."""
         mm, name = float(nominal(self.to_paper(view, quantity.value))), paper(letters_node(letters), 0.0).node
-        line = worked(name, quantity / self.mu(view), "mm", f"{mm:.1f}" if abs(mm) >= LAID else "")
+        line = worked(name, quantity / self.mu(view), "mm", f"{mm:.1f}" if abs(mm) >= LAID else number(mm, 1))
         self.write(line, when=self.laid_off(ascii_key(plain(quantity.symbol()))))
 
     def write_worked(self, node: Node, expr: Expr, unit_text: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from math import isfinite
 
 from ..words import Words
@@ -59,6 +60,53 @@ def ill_conditioned(one: Verified, alone: bool) -> Words | None:
     """That some lengths hardly follow from the drawing; None where all do. alone: there is no other solution."""
     loose, lost = _loose(one, alone), _lost(one, alone)
     return loose + lost if loose and lost else loose or lost
+
+
+def all_ill_conditioned(every: Sequence[Verified]) -> list[Words]:
+    """The same of all solutions: of several at once, for the table beside tells by how much."""
+    some = [one for one in every if one.loose or one.lost]
+    if len(some) < 2:
+        return [words for one in some if (words := ill_conditioned(one, len(every) == 1)) is not None]
+    return [words for words in (_all_loose(some), _all_lost(some)) if words is not None]
+
+
+def _all_loose(some: Sequence[Verified]) -> Words | None:
+    which = _alike((", ".join(f"$l_{{{key}}}$" for key in one.loose), one.number) for one in some if one.loose)
+    if not which:
+        return None
+    zh = "；".join(f"{who.zh} 的 {lengths.replace(', ', '、')}" for lengths, who in which)
+    en = "; ".join(f"{lengths} of {who.en}" for lengths, who in which)
+    return Words(
+        f"作图条件差：{zh} 的预期作图误差超过 {100 * LOOSE:g} %，宜用解析法求得。",
+        f"Ill-conditioned construction: the expected drawing error is above {100 * LOOSE:g} % for {en}. These lengths "
+        "should be found by calculation.",
+    )
+
+
+def _all_lost(some: Sequence[Verified]) -> Words | None:
+    which = _alike((f"{100 * one.lost:.0f} %", one.number) for one in some if one.lost)
+    if not which:
+        return None
+    zh, en = (
+        "，".join(f"有 {s} 得不到{who.zh}" for s, who in which),
+        ", ".join(f"{s} lack {who.en}" for s, who in which),
+    )
+    return Words(
+        f"所给数据的微小误差即令解不存在：重复作图中{zh}。",
+        f"A small error in what is given loses a solution: of the repeated drawings {en}.",
+    )
+
+
+def _alike(told: Iterable[tuple[str, int]]) -> list[tuple[str, Words]]:
+    """What is said of solutions, and of which: 解 1、2, solutions 1 and 2."""
+    found: dict[str, list[str]] = {}
+    for said, number in told:
+        found.setdefault(said, []).append(str(number))
+    return [(said, Words(f"解 {'、'.join(of)}", _listed(of))) for said, of in found.items()]
+
+
+def _listed(of: Sequence[str]) -> str:
+    return f"solution {of[0]}" if len(of) == 1 else f"solutions {', '.join(of[:-1])} and {of[-1]}"
 
 
 def _lost(one: Verified, alone: bool) -> Words | None:

@@ -8,7 +8,8 @@ from math import isclose, isfinite, log10
 
 from ..algebra.columns import places_of
 from ..algebra.formula import Node, Row, Sym, Txt, named
-from ..algebra.worked import numbers_of, scale_of, size_of, told_again
+from ..algebra.quantity import number
+from ..algebra.worked import goes_on, numbers_of, scale_of, size_of, told_again
 from ..answer import YES_NO, Answer
 from .digits import MOST, TENTH, decimals, rounded
 from .lengths import is_length, only_length
@@ -16,7 +17,7 @@ from .units import printed_unit
 
 NUMBER = re.compile(r"(−?)\d+(?:\.\d+)?(?:×10\^\{−?\d+\})?")  # as `number` writes it
 EQUALS = " = "
-_FINE = 5  # figures of a number that is carried on, at most
+_FINE, _FEW = 5, 3  # figures of a number that is carried on, at most; of one that goes on with an answer, at least
 
 
 class Told:
@@ -26,6 +27,7 @@ class Told:
         asked = (one for one in answers if not one.is_place and not one.undefined and one.reading.unit != YES_NO)
         self._by_symbol = {named(one.reading.symbol): one for one in asked if isfinite(one.drawn)}
         self._carried: dict[Node, tuple[float, str]] = {}  # of what is not asked: its size, its number
+        self._later: dict[Node, list[tuple[Row, str]]] = {}  # the lines that go on with it, and their ends
 
     def carry(self, lines: Sequence[tuple[Row, Txt | None]]) -> None:
         """Learn how what is not asked is printed: from the last line to the first, for a number that is told to more
@@ -40,6 +42,7 @@ class Told:
             if shown is None:
                 continue
             for symbol, value, text in numbers_of(line, shown, self._told):
+                self._later.setdefault(symbol, []).append((line, shown))
                 if isinstance(symbol, Sym) and _figures(text) > _figures(needed.get(symbol, (0.0, ""))[1]):
                     needed[symbol] = abs(value), text
         given = needed.keys() - self._carried.keys() - self._by_symbol.keys()  # no line of the steps works these out
@@ -56,6 +59,19 @@ class Told:
         if isclose(wanted, size, rel_tol=1e-9) and _figures(text) < _figures(finer) <= _FINE:
             text = finer
         self._carried[symbol] = size, text
+        self._fewer(line, symbol)
+
+    def _fewer(self, line: Row, symbol: Node) -> None:
+        """A number that its line gives only with guard figures of an answer, told to fewer: an answer has one number,
+        1.324² × 0.4785 = 0.839 and not 1.3245² × 0.4785 = 0.8394; as it is where later lines need it so."""
+        (size, text), users = self._carried[symbol], self._later.get(symbol, [])
+        sign = "−" if (number_at_the_end(line.items[-1]) or "").startswith("−") else ""
+        if goes_on(line, sign + text, self._told):
+            return
+        few = number(size, _FEW)
+        self._carried[symbol] = size, few
+        if not goes_on(line, sign + few, self._told) or not all(goes_on(*one, self._told) for one in users):
+            self._carried[symbol] = size, text
 
     def _end(self, line: Row, end: Txt | None) -> Node:
         """The end of a line: this one, or its own with the number as it is carried on."""

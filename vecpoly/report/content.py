@@ -11,7 +11,7 @@ from typing import Any
 from ..algebra.quantity import number
 from ..board.construction import Step
 from ..board.paper.marks import Role, Segment
-from ..check.found_words import ill_conditioned, told
+from ..check.found_words import all_ill_conditioned, told
 from ..check.shaking import shaking_of
 from ..check.structure import dependence
 from ..drawing.beside import beside as drawn_apart
@@ -140,7 +140,7 @@ def cautions(solution: Solution, lang: Lang) -> list[str]:
         for words in (
             *solution.warnings,
             few,
-            *(ill_conditioned(one, len(solution.verification) == 1) for one in solution.verification),
+            *all_ill_conditioned(solution.verification),
             _disagreed(wrong) if wrong else None,
             why,
         )

@@ -22,7 +22,7 @@ from ..foundation.stock import one_format
 from ..solution import REPEATS, Solution
 from ..words import Lang, Words, label
 from .answers.box import answer_box
-from .answers.checks import check_tables, unlisted
+from .answers.checks import check_tables, check_words, unlisted
 from .answers.tables import counted
 from .content import Objects, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Plate
@@ -34,7 +34,6 @@ from .identity import identity
 from .lines import lines_table
 from .picture import diagram, to_scale
 from .plates.page import sheet_page
-from .plates.results import concluded
 from .plates.sketch import sketch_of
 from .printed_tables import printed_tables
 from .question.content import question
@@ -212,6 +211,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         ),
         "sections": sections(solution, lang, objects),
         "results": [objects.add("tab", made) for made in check_tables(solution, lang)],
+        "placed": check_words(solution, lang),
         "unlisted": unlisted(solution),
         "counts": all(map(counted, solution.answers.values())),
         "directed": answer.directed,
@@ -237,10 +237,10 @@ def _repeats(construction: Construction) -> bool:
 
 
 def _pages(construction: Construction, solution: Solution, lang: Lang, objects: Objects) -> list[str]:
-    """The sheets of a construction, each put among the objects of the report."""
+    """The sheets of a construction, each put among the objects of the report, whose box of answers has the results."""
     problem = solution.problem
-    loose = sheets(construction, lang=lang, title=problem.title, on=problem.paper, plates=True)
-    return _bound(concluded(loose, solution, lang), construction, lang, objects)
+    made = sheets(construction, lang=lang, title=problem.title, on=problem.paper, plates=True)
+    return _bound(made, construction, lang, objects)
 
 
 def _bound(made: Sequence[Sheet], shown: Construction, lang: Lang, objects: Objects) -> list[str]:

@@ -53,7 +53,8 @@ _SAID = {  # the same of a single solution, in a sentence
     _TYPE: Words("机构类型为{}", "its type is {}"),
     _TYPE_OF: Words("$ABCD$ 为{}", "$ABCD$ is of the type {}"),
     MARGIN: Words(
-        "其余两杆之和减去最短杆与最长杆之和为 {}", "the two other links less the shortest and the longest are {}"
+        "其余两杆之和减去最短杆与最长杆之和为 {}",
+        "the sum of the other two links less that of the shortest and the longest is {}",
     ),
     _SWING: Words("摆角为 {}", "the swing is {}"),
     _STROKE: Words("行程为 {}", "the stroke is {}"),

@@ -17,7 +17,8 @@ from ...words import Words
 from ..scene import Fill, Item, Layer, Rect, Stroke, TextBox
 from ..style import NOTE, THIN
 from .packing import Layout, pack
-from .paging import Drawn, even, lined, pairs_of
+from .pages import pairs_of
+from .paging import Drawn, even, lined
 from .redbox import BAND
 from .sheet import Sheet, placed
 from .slicing import Size

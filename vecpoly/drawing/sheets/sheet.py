@@ -16,7 +16,8 @@ from ..details.knots import knots
 from ..scene import Item, Rect, Scene
 from .detailing import arrangements, drawn, loose
 from .packing import Layout
-from .paging import Drawn, Page, arranged, best_paged, even, fullness, lined, paged, reading_order, trimmed, under_box
+from .pages import Page, fullness, trimmed
+from .paging import Drawn, arranged, best_paged, even, lined, paged, reading_order, under_box
 from .redbox import BAND, red_box
 from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
 from .titleblock import Strip, furniture

@@ -10,18 +10,26 @@ from ..flow.results.halved import HalvedTable
 from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
 from .order import listed
-from .placed import places_table
-from .tables import counted, filled, parted, unit_of
+from .placed import place_words, places_table
+from .tables import counted, filled, lone_place, parted, unit_of
 
 _KEPT = (0, 1, 4, 6, 7, 8)  # of the columns of readings: not the length, its scale, its direction
 _ALIGN = "lcuudu"
 
 
 def check_tables(solution: Solution, lang: Lang) -> tuple[DataTable, ...]:
-    """What was read beside the exact values, and how far it is off; none where all is computed, and exact."""
+    """What was read beside the exact values, and how far it is off; none where all is computed, and exact; a lone place
+    beside other answers has a sentence."""
     places, others = parted(checked(solution))
     found = [_values(others, solution, lang)] if others else []
-    return (*found, *([HalvedTable.of(places_table(places, solution, lang))] if places else []))
+    rows = places if lone_place(checked(solution)) is None else []
+    return (*found, *([HalvedTable.of(places_table(rows, solution, lang))] if rows else []))
+
+
+def check_words(solution: Solution, lang: Lang) -> str:
+    """A lone place beside its exact one."""
+    lone = lone_place(checked(solution))
+    return "" if lone is None else place_words(lone, lang)
 
 
 def checked(solution: Solution) -> tuple[Answer, ...]:

@@ -62,6 +62,18 @@ def place_row(answer: Answer) -> tuple[str, ...]:
     return (f"${answer.reading.symbol}$", *place_parts(drawn, places), *place_parts(exact, places + 1))
 
 
+def place_words(answer: Answer, lang: Lang) -> str:
+    """The same of a point that is the only one, as a sentence."""
+    symbol, x, y, true_x, true_y = place_row(answer)
+    (gap,), (reach,) = gaps([answer]), _reaches([answer])
+    error = Words("", "") if reach == NOTHING else Words(f"（预期误差 {reach} mm）", f" (expected error {reach} mm)")
+    said = Words(
+        f"点 {symbol} 量得 ({x}, {y}) mm，精确为 ({true_x}, {true_y}) mm，相距 {gap} mm",
+        f"Point {symbol} was drawn at ({x}, {y}) mm; exactly it is at ({true_x}, {true_y}) mm, {gap} mm away",
+    )
+    return (said + error + Words("。", ".")).of(lang)
+
+
 def gaps(answers: Iterable[Answer]) -> Iterator[str]:
     """How far apart (mm) the drawn and the exact point are, as they stand beside each other."""
     found = [_gap(one) for one in answers]

@@ -94,6 +94,12 @@ def parted(answers: Iterable[Answer]) -> tuple[list[Answer], list[Answer]]:
     return places, [one for one in every if one.key not in kept]
 
 
+def lone_place(answers: Iterable[Answer]) -> Answer | None:
+    """The only place beside other answers, which a sentence tells."""
+    places, others = parted(answers)
+    return places[0] if len(places) == 1 and others else None
+
+
 def counted(answer: Answer) -> bool:
     """Whether the answer is a number of things, or yes or no, and the same by the independent count."""
     whole = not answer.reading.unit and float(answer.drawn).is_integer() and answer.reading.mm is None

@@ -76,11 +76,16 @@ class Block(Flowable):  # type: ignore[misc]
 
     def getSpaceBefore(self) -> float:
         """Space above, given up at the head of a page."""
-        return self.spaceBefore
+        return self._stretch * self.spaceBefore
 
     def getSpaceAfter(self) -> float:
         """Space below."""
-        return self.spaceAfter
+        return self._stretch * self.spaceAfter
+
+    @property
+    def _stretch(self) -> float:
+        """As wide as the column has its white where it stands now."""
+        return float(getattr(getattr(self, "_frame", None), "stretch", 1.0))
 
     def tighten(self, degree: Tightness) -> None:
         """Set with less white around it."""

@@ -22,7 +22,20 @@ TOTAL = "vecpoly-total"  # the form of the number of pages
 
 
 class TextFrame(Frame):  # type: ignore[misc]
-    """The column of text, which reportlab copies with all that it holds for every step that is held together."""
+    """The column of text, which reportlab copies with all that it holds for every step that is held together.
+
+    stretch: by which the white between its blocks is multiplied; white: what it has of that, in points.
+    """
+
+    stretch, white = 1.0, 0.0
+
+    def add(self, flowable: Any, canv: Any, trySplit: int = 0) -> int:
+        before, top = self._prevASpace, self._atTop
+        added = super().add(flowable, canv, trySplit)
+        if added and self._y < self._y2:
+            above = 0.0 if top else max(flowable.getSpaceBefore() - before, 0.0)
+            self.white += above + flowable.getSpaceAfter()
+        return int(added)
 
     def __deepcopy__(self, memo: object) -> TextFrame:
         return copy(self)  # it holds numbers and names

@@ -37,10 +37,10 @@ class Grid:
     slim: float
 
 
-def tightness(sheets: Sequence[Grid]) -> tuple[int, int, int, float, float, float]:
+def tightness(sheets: Sequence[Grid]) -> tuple[float, int, int, float, float, float]:
     """No figure without its white is best; then the fewer the sheets the better, no frame drawn out, no tight one,
     none that is much looser than another, no slim one."""
-    bare = sum(sheet.ease < 1 for sheet in sheets)
+    bare = round(sum(max(0.0, 1.0 - sheet.ease) for sheet in sheets), 3)
     ease = min((sheet.ease for sheet in sheets), default=1.0)
     spread, slim = (max((getattr(one, name) for one in sheets), default=1.0) for name in ("spread", "slim"))
     drawn_out = sum(sheet.slim > _SLIM for sheet in sheets)

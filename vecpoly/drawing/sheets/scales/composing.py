@@ -23,7 +23,8 @@ from .growing import grown
 ENOUGH = 0.62  # of the usual size: no figure need be smaller for a plate
 LARGER = 1.3  # times as large a mechanism is drawn on one sheet more, at least: 1.5 for 2, 3 for 4
 TAKEN = 0.45  # planned share of all sheets that figures take where one more is drawn about a short crank
-WELL = 0.58  # the same of a mechanism that is small altogether
+FULL = 0.53  # planned share of the emptiest of these sheets, or of the plate that it becomes
+WELL, LETTERS = 0.58, 0.5  # the same of a mechanism that is small altogether; of one that is small for its letters
 
 
 def composed(figures: Sequence[Sketched], given: Mapping[View, float], on: Paper = ANY_A4) -> Scales:
@@ -61,9 +62,11 @@ def _composed(figures: Sequence[Sketched], kinds: set[Place], there: Scales, on:
 def _roomier(trials: Sequence[Composing], page: Composing, best: Scales, start: Scales) -> Scales:
     """The scales with one sheet more, where the mechanism is drawn larger on it and the sheets are not left white; else
     as they are: in a small mechanism, and about a short crank, lines and letters find no room."""
-    sheets, share = page.needed(best) + 1, TAKEN if page.crank(best) < CRAMPED else WELL
+    sheets, share = page.needed(best) + 1, TAKEN if page.crank(best) < CRAMPED else LETTERS if page.moving else WELL
     made = [(one, found) for one in trials if (found := grown(one, start, sheets)) is not None]
-    made = [(one, found) for one, found in made if one.taken(found, sheets) >= share]
+    made = [pair for pair in made if pair[0].taken(pair[1], sheets) >= share]
+    if page.moving:
+        made = [pair for pair in made if pair[0].fullness(pair[1]) >= FULL]
     one, found = max(
         made, key=lambda pair: (min(1.0, pair[0].roomy(pair[1])), pair[0].filled(pair[1])), default=(page, best)
     )

@@ -5,12 +5,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
+from itertools import starmap
 from math import inf, log, sqrt
 
 from ....board.construction import View
 from ....board.paper.scales import Sketched, round_up
 from ....board.place import Pane, Place, view_of
-from ..packing import flat, inner, pack, padded
+from ....foundation.slotted import dataclass
+from ..packing import Layout, flat, inner, pack, padded
+from ..pages import Paging, covered, trimmed
 from ..slicing import Pair, Size, Slicing
 from ..space import CLEAR, SPARSE
 
@@ -22,6 +25,7 @@ READ = 10.0  # mm: a vector as long is read to 1 %; a figure with a shorter one 
 ROOM, CROWDED = 5.0, 0.85  # mm that a letter asks for; but of the usual size at most
 CRAMPED = 12.0  # mm between the nearest two pins of a mechanism: about a shorter crank letters find no room
 OWN = 60.0  # mm that a mechanism itself measures, without what is constructed about it, wherever its sheet has room
+STANDS = 6.0  # mm of the mechanism itself for every letter on it, beside polygons that take room from it
 SMALL = 0.66  # of the size that is wanted of a mechanism: a smaller one has too little room on its sheet
 LOST = SPARSE + 0.08  # planned share of a page that may turn out too small
 BEYOND = 0.25  # what a figure counts for that is larger than a hand would draw it
@@ -70,6 +74,20 @@ def _needed(sizes: tuple[Size, ...], page: Size, clear: float, pairs: frozenset[
     return count[-1]
 
 
+@dataclass(frozen=True, slots=True)
+class _Planned:
+    """A figure as far as its place on a page goes."""
+
+    view: View
+    name: str
+    size: Size
+
+
+def _covered(figures: Sequence[_Planned], layout: Layout) -> float:
+    lone = len(figures) == 1 and figures[0].view is View.MECHANISM  # polygons have details, and hardly become plates
+    return covered(figures, trimmed(figures, layout) if lone else layout)
+
+
 class Composing:
     """Figures on sheets of one size, with so much white between them (mm)."""
 
@@ -96,6 +114,12 @@ class Composing:
         layout = pack(sizes, self.page, tuple(self.pairs))
         return 1.0 if layout is None else layout.share(sizes)
 
+    def fullness(self, scales: Mapping[Place, float]) -> float:
+        """What they take of the emptiest of their sheets; a mechanism alone of the plate that its sheet may become."""
+        sizes = zip(self.figures, self.sizes(scales), strict=True)
+        found = Paging([_Planned(one.view, one.name, size) for one, size in sizes], self.page).best()
+        return 0.0 if found is None else min(starmap(_covered, found[1]))
+
     def worth(self, scales: Mapping[Place, float]) -> tuple[int, bool, float]:
         """The more, the better: few sheets, on which figures are not lost, and large figures."""
         return -self.needed(scales), self.share(scales) >= LOST, self.filled(scales)
@@ -120,7 +144,7 @@ class Composing:
 
     def filled(self, scales: Mapping[Place, float]) -> float:
         """How large all kinds are against what is usual, the small ones counting most: a sum of logarithms."""
-        sizes = [log(self.legible(kind, scales)) for kind in self.kinds]
+        sizes = [log(self.legible(kind, scales)) for kind in sorted(self.kinds, key=by_place)]
         return sum(size if size < 0 else BEYOND * size for size in sizes)
 
     def legibles(self, scales: Mapping[Place, float]) -> tuple[float, ...]:
@@ -128,10 +152,10 @@ class Composing:
         return tuple(sorted(min(1.0, self.legible(kind, scales)) for kind in self.kinds))
 
     def roomy(self, scales: Mapping[Place, float]) -> float:
-        """How much room a mechanism has, itself, and where forces act or centres are found on it for those and about
-        its shortest link; enough from 1 on."""
+        """How much room a mechanism has, itself, beside polygons for its letters, and where forces act or centres are
+        found on it for those and about its shortest link; enough from 1 on."""
         kinds = [kind for kind in self.kinds if view_of(kind) is View.MECHANISM]
-        room = self.alone(scales) / OWN
+        room = min(self.alone(scales) / OWN, self.lettered(scales) / STANDS)
         if View.FORCE in self.kinds or any(isinstance(kind, Pane) for kind in kinds):
             room = min(room, self.crank(scales) / CRAMPED, *(self.legible(kind, scales) / SMALL for kind in kinds))
         return room
@@ -140,6 +164,20 @@ class Composing:
         """How large the mechanism itself is where it is drawn smallest, without what is constructed about it (mm)."""
         sizes = (one.scale / scales[one.of] * one.linked for one in self.figures if one.of in self.kinds and one.of)
         return min((size for size in sizes if size), default=inf)
+
+    @property
+    def moving(self) -> bool:
+        """Whether polygons of motion alone are beside it: lines of forces reach the farther the larger it is."""
+        beside = {view_of(one.of) for one in self.figures if one.of is not None and any(one.size)}
+        return View.VELOCITY in beside and View.FORCE not in beside
+
+    def lettered(self, scales: Mapping[Place, float]) -> float:
+        """How much of the mechanism there is for every letter on it (mm), where polygons of motion are drawn beside
+        it."""
+        if not self.moving:
+            return inf
+        drawn = (one for one in self.figures if one.linked and one.letters and one.of in self.kinds)
+        return min((one.scale / scales[one.of] * one.linked / one.letters for one in drawn if one.of), default=inf)
 
     def legible(self, kind: Place, scales: Mapping[Place, float]) -> float:
         """How large a kind is against what is wanted, less the shorter the shortest vector is that is read in it."""

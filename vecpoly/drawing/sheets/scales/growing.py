@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from ....board.paper.scales import coarser, finer
 from ....board.place import Place
-from .composition import Composing, Scales, by_place
+from .composition import Composing, Scales, by_place, usual
 
 MOST = 1.5  # of the usual size: larger no figure is drawn to fill a sheet
+ALONE = 1.6  # the same where sheets are one more, which hold fewer figures each
 
 
 def grown(page: Composing, start: Scales, most: int = 0) -> Scales | None:
@@ -18,7 +19,7 @@ def grown(page: Composing, start: Scales, most: int = 0) -> Scales | None:
     growing, waiting = set(page.kinds), set[Place]()
     while growing:
         kind = min(sorted(growing, key=by_place), key=lambda one: page.legible(one, scales))
-        if (trial := _larger(page, kind, scales, start, sheets)) is not None:
+        if (trial := _larger(page, kind, scales, start, (sheets, most > 0 and page.moving))) is not None:
             scales, growing, waiting = trial, growing | waiting, set()
         else:
             growing.remove(kind)
@@ -26,10 +27,13 @@ def grown(page: Composing, start: Scales, most: int = 0) -> Scales | None:
     return scales
 
 
-def _larger(page: Composing, kind: Place, scales: Scales, start: Scales, sheets: int) -> Scales | None:
-    """With this kind one step larger, and others smaller for it if the smallest of all gain by that."""
-    trial = scales | {kind: finer(scales[kind])}
-    if page.size(kind, trial) > MOST * page.wanted(kind):
+def _larger(page: Composing, kind: Place, scales: Scales, start: Scales, room: tuple[int, bool]) -> Scales | None:
+    """With this kind one step larger, and others smaller for it if the smallest of all gain by that.
+
+    room: how many sheets there are, and whether they are more than would do.
+    """
+    trial, (sheets, more) = scales | {kind: finer(scales[kind])}, room
+    if page.size(kind, trial) > (ALONE * usual(kind) if more else MOST * page.wanted(kind)):
         return None
     if page.needed(trial) <= sheets:
         return trial

@@ -88,28 +88,42 @@ def _spots(study: Study, one: Extremes, lang: Lang) -> tuple[str, ...]:
 
 
 def _counterweights(study: Study, press: Press, found: Shaking) -> dict[str, Any]:
-    words = [*([_static(found)] if found.weights else []), *([_crank(study, found.best)] if found.best else [])]
+    static = [_static(study, found)] if found.weights else []
+    words = [*static, *([_crank(study, found.best)] if found.best else [])]
     return {
         "title": Words("配重的作用", "What counterweights leave").of(press.lang),
         "words": [w.of(press.lang) for w in words],
-        "tables": [_weights(study, press, found)] if found.weights else [],
+        "tables": [_weights(study, press, found)] if len(found.weights) > 1 else [],
         "figures": [],
     }
 
 
-def _static(found: Shaking) -> Words:
+def _static(study: Study, found: Shaking) -> Words:
     top = found.force.highest.value if found.force.highest is not None else 0.0
     left, share = number(found.left, 4), 100 * (found.left / top - 1) if top else 0.0
     change = (f"{abs(share):.1f} %", Words("减小", "less") if share < 0 else Words("增大", "more"))
+    return _needed(study, found) + Words(
+        f"；此时惯性力的最大值为 {left} N，比原来{change[1].zh} {change[0]}，由作平面运动和移动的构件引起。",
+        f"; the greatest force is then {left} N, {change[0]} {change[1].en} than without, and comes from the links "
+        "that slide or move in general.",
+    )
+
+
+def _needed(study: Study, found: Shaking) -> Words:
+    """The counterweights for static balance: of one link all that is to be told, of several the table follows."""
+    if len(found.weights) > 1:
+        return Words(
+            "若在绕固定支点转动（摆动）的构件上各加配重，使其质心移到支点（静平衡），所需质径积如下表",
+            "With a counterweight on each link that turns about a fixed pivot, which brings its centre of mass to the "
+            "pivot (static balance), the products of mass and radius are those below",
+        )
+    (one,) = found.weights
+    link, product = study.mech.number(one.link), number(one.product, 4)
     return Words(
-        "若在绕固定支点转动（摆动）的构件上各加配重，使其质心移到支点（静平衡），所需质径积如下表；此时惯性力的最大值"
-        f"为 {left} N，"
-        f"比原来{change[1].zh} {change[0]}，由作平面运动和移动的构件引起。",
-        "With a counterweight on each link that turns about a fixed pivot, which brings its centre of mass to the "
-        "pivot (static "
-        f"balance), the products of mass and radius are those below; the greatest force is then {left} N, {change[0]} "
-        f"{change[1].en} "
-        "than without, and comes from the links that slide or move in general.",
+        f"若在绕固定支点 ${one.pivot}$ 转动（摆动）的构件 {link} 上加配重，使其质心移到支点（静平衡），所需质径积为 "
+        f"{product} kg·m，位于与质心相对的一侧",
+        f"With a counterweight on link {link}, which brings its centre of mass to the fixed pivot ${one.pivot}$ "
+        f"(static balance), the product of mass and radius is {product} kg·m, opposite the centre of mass",
     )
 
 

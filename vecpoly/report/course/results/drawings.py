@@ -13,7 +13,8 @@ from ....errors import VecpolyError
 from ....findings.study.study import Study
 from ....solution import Answer, Solution, solve
 from ....words import Lang, Words
-from ...answers.tables import readings_at, readings_tables
+from ...answers.placed import place_words
+from ...answers.tables import lone_place, readings_at, readings_tables
 from ...content import scales, sections
 from ...flow.blocks import SheetPage, spoken
 from ...plates.page import sheet_page
@@ -126,7 +127,7 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
     """Steps of the given position, its readings, the list of the others, all sheets."""
     press.chapter = "6"
     if not drawn:
-        return {"positions": "", "sections": [], "scales": "", "readings": "", "others": [], "sheets": []}
+        return {"positions": "", "sections": [], "scales": "", "readings": "", "placed": "", "others": [], "sheets": []}
     loose = [(one, sheet) for one in drawn for sheet in one.sheets]
     names = [press.sheet() for _ in loose]
     rows = [
@@ -144,6 +145,7 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
         "sections": sections(study.solution, press.lang, press.objects),
         "scales": scales(study.solution, press.lang),
         "readings": _given(study, press),
+        "placed": "" if (lone := _lone(study)) is None else place_words(lone, press.lang),
         "others": _others(study, press, drawn[1:]),
         "sheets": [
             press.objects.add("sheet", _page(study, one, sheet, press.lang))
@@ -155,7 +157,12 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
 def _given(study: Study, press: Press) -> list[str]:
     """The readings at the given position beside the exact values."""
     title = Words("题设位置的图解值与精确值", "Drawn and exact values at the given position")
-    return press.tabled(title, readings_tables(study.solution, press.lang), SMALL)
+    made = readings_tables(study.solution, press.lang)
+    return press.tabled(title, made if _lone(study) is None else made[:1], SMALL)
+
+
+def _lone(study: Study) -> Answer | None:
+    return lone_place(study.solution.answers.values())
 
 
 def _why(study: Study, one: Drawn) -> Words:

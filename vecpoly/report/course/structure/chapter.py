@@ -43,7 +43,7 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
 
 def told(study: Study, press: Press) -> dict[str, Any]:
     """The same within any chapter."""
-    count = mobility(study.mech)
+    count, (table, sentence) = mobility(study.mech), others(study, press)
     return {
         "words": "".join(w.of(press.lang) for w in special(study)),
         "concluded": concluded(study).of(press.lang),
@@ -56,7 +56,8 @@ def told(study: Study, press: Press) -> dict[str, Any]:
         "figure": press.figure(
             _side_by_side(study, press), Words("原动件与各基本杆组", "The driving link and the Assur groups")
         ),
-        "others": others(study, press),
+        "others": table,
+        "other": sentence,
         "n": count.links,
         "lower": count.lower,
         "higher": count.higher,

@@ -20,18 +20,22 @@ _HEADER = {
 }
 
 
-def others(study: Study, press: Press) -> str:
-    """A table with one line for every link on the frame that could drive instead; nothing where there is none."""
+def others(study: Study, press: Press) -> tuple[str, str]:
+    """A table with one line for every link on the frame that could drive instead, or a sentence about the only one;
+    nothing where there is none."""
     rows = [row for link, joint in _on_frame(study.mech) if (row := _row(study, press, link, joint))]
-    return (
-        press.table(
-            Words("改变原动件时的杆组和级别", "Groups and class with another link driven"),
-            _HEADER[press.lang],
-            rows,
-            "cclc",
-        )
-        if rows
-        else ""
+    if len(rows) < 2:
+        return "", _only(*rows[0]).of(press.lang) if rows else ""
+    title = Words("改变原动件时的杆组和级别", "Groups and class with another link driven")
+    return press.table(title, _HEADER[press.lang], rows, "cclc"), ""
+
+
+def _only(link: str, joint: str, groups: str, top: str) -> Words:
+    return Words(
+        f"机构的级别与原动件的选取有关。若改以另一连架构件 {link}（{joint}）为原动件，则杆组（按求解次序）为 {groups}，"
+        f"机构为 {top} 级机构。",
+        f"The class depends on which link drives. With another link on the frame, link {link} ({joint}), as the driver "
+        f"the groups in order of solution would be {groups}: a class {top} mechanism.",
     )
 
 

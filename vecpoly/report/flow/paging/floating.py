@@ -11,6 +11,7 @@ from reportlab.platypus.doctemplate import ActionFlowable, BaseDocTemplate, Next
 from reportlab.platypus.flowables import PageBreak
 
 from ..blocks import Callout, Divider, Drawing, SheetPage
+from .justified import stretches
 
 _ENDS = (NextPageTemplate, PageBreak, Divider)  # behind these no figure of what was before them stands
 
@@ -23,6 +24,8 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
     _waiting: list[tuple[SheetPage, int]]
     _figures: list[Drawing]  # that the next page opens with
     filled: list[float]  # how full each page of text is
+    white: list[float]  # what each has of white between its blocks, in points
+    stretched: tuple[float, ...] = ()  # by how much it is opened on each
     heads: dict[int, Any]  # what each page opens with
     parted: int  # steps that a page break parts
 
@@ -34,7 +37,7 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
     def float(self, story: list[Any]) -> list[Any]:
         """The story, at the end of which nothing is left waiting."""
         self._ahead, self._waiting, self._figures, self.filled, self.heads = [], [], [], [], {}
-        self.parted = 0
+        self.parted, self.white = 0, []
         return [*story, _Rest()] if any(_floats(item) for item in story) else story
 
     def handle_flowable(self, flowables: list[Any]) -> None:
@@ -82,10 +85,24 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
         flowables[0] = found
         return False
 
+    def handle_pageBegin(self) -> None:
+        """A page of text, with its white."""
+        super().handle_pageBegin()
+        if self.pageTemplate.id == "text":
+            page = len(self.filled)
+            self.frame.stretch = self.stretched[page] if page < len(self.stretched) else 1.0
+            self.frame.white = 0.0
+
+    def justify(self) -> None:
+        """Open the white of the pages that were counted as far as their feet."""
+        frame = next(template.frames[0] for template in self.pageTemplates if template.id == "text")
+        self.stretched = stretches(self.filled, self.white, frame._aH)
+
     def handle_pageEnd(self) -> None:
         """After a page of text, the sheets that stand behind it."""
         if self.pageTemplate.id == "text":
             self.filled.append(1 - (self.frame._y - self.frame._y1p) / self.frame._aH)
+            self.white.append(self.frame.white)
         if self.pageTemplate.id == "text" and self._waiting:
             self._waiting = [(sheet, pages - 1) for sheet, pages in self._waiting]
             due = [sheet for sheet, pages in self._waiting if pages <= 0]

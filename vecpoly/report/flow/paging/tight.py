@@ -31,8 +31,11 @@ SHORT = 3  # pages of a part of which the lines are set closer too; in a longer 
 
 def saved(story: Sequence[Any], meta: Metadata) -> bytes:
     """The document, each part of it on as few pages as a tighter setting gives it, none of which holds little where
-    something else can be set on it."""
-    return ReportDoc(settled(story, meta), meta).made()[0]
+    something else can be set on it, and all that are nearly full end at their foot."""
+    doc = ReportDoc(settled(story, meta), meta)
+    doc.counted()
+    doc.justify()
+    return doc.made()[0]
 
 
 def settled(story: Sequence[Any], meta: Metadata) -> list[Any]:

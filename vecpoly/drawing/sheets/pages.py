@@ -1,0 +1,105 @@
+"""Figures on pages turned one way, as far as their sizes tell: the pages of least cost, and how full they are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Generic, Protocol, TypeVar
+
+from ...board.construction import View
+from .packing import Layout, flat, packed, slicings
+from .slicing import Pair, Size
+from .space import SPARSE
+
+CROWDED = 6.5  # mm of white below which a page is full to the brim
+LONGEST = 12  # figures on a page
+
+
+class Sized(Protocol):
+    """A figure, as far as its place on a page goes."""
+
+    @property
+    def view(self) -> View: ...
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def size(self) -> Size: ...
+
+
+F = TypeVar("F", bound=Sized)
+
+
+Page = tuple[tuple[F, ...], Layout]
+Cost = tuple[int, int, int, int, int]
+NOTHING: Cost = (0, 0, 0, 0, 0)
+
+
+def fullness(pages: Sequence[Page[F]]) -> float:
+    """What the figures of the emptiest page take of it."""
+    return min((covered(figures, layout) for figures, layout in pages), default=0.0)
+
+
+def covered(figures: Sequence[Sized], layout: Layout) -> float:
+    """What the box about all figures takes of the page's area."""
+    return layout.share([one.size for one in figures])
+
+
+def trimmed(figures: Sequence[Sized], layout: Layout) -> Layout:
+    """The figures on a plate no higher than they need, where they would be lost on the page."""
+    if covered(figures, layout) >= SPARSE:
+        return layout
+    plate = flat([one.size for one in figures], pairs_of(figures))
+    return plate if plate is not None and covered(figures, plate) > covered(figures, layout) else layout
+
+
+class Paging(Generic[F]):
+    """The figures on pages turned one way; `tied` pairs stand together wherever they fit so."""
+
+    def __init__(self, drawn: Sequence[F], page: Size) -> None:
+        self.drawn, self.page = tuple(drawn), page
+        self.sizes = [one.size for one in self.drawn]
+        self.pairs = pairs_of(self.drawn)
+        self._slicings = slicings(self.sizes, self.page, self.pairs)
+
+    def best(self) -> tuple[Cost, list[Page[F]]] | None:
+        """The pages of least cost, of equal costs the fullest first; None where a figure fits no page."""
+        best: list[tuple[Cost, list[Page[F]]] | None] = [(NOTHING, [])]
+        for end in range(1, len(self.drawn) + 1):
+            options = self._options(best, end)
+            best.append(min(options, key=lambda o: (o[0], [-len(page) for page, _ in o[1]]), default=None))
+        return best[-1]
+
+    def _options(
+        self, best: Sequence[tuple[Cost, list[Page[F]]] | None], end: int
+    ) -> Iterator[tuple[Cost, list[Page[F]]]]:
+        for start in range(max(0, end - LONGEST), end):
+            if (before := best[start]) is None or (layout := self.arranged(start, end)) is None:
+                continue
+            cost = tuple(a + b for a, b in zip(before[0], self._cost(start, end, layout), strict=True))
+            yield cost, [*before[1], (self.drawn[start:end], layout)]  # type: ignore[misc]
+
+    def arranged(self, start: int, end: int) -> Layout | None:
+        """These figures on one page."""
+        if sum(w * h for w, h in self.sizes[start:end]) > self.page[0] * self.page[1]:
+            return None
+        made = (packed(slicing, start, end, self.sizes, self.page) for slicing in self._slicings)
+        return next((layout for layout in made if layout is not None), None)
+
+    def _cost(self, start: int, end: int, layout: Layout) -> Cost:
+        """Of a page: itself with each pair that is torn, those pairs,
+        what it lacks of being filled among several (in hundredths), an unnatural break before it, and crowding."""
+        torn = sum(start <= j < end for _, j in self.pairs) - layout.together
+        lacking = max(0.0, SPARSE - covered(self.drawn[start:end], layout)) if end - start < len(self.drawn) else 0.0
+        natural = start == 0 or (self.drawn[start].view.paired and not self.drawn[start - 1].view.paired)
+        return 1 + torn, torn, round(100 * lacking), int(not natural), int(layout.white < CROWDED)
+
+
+def pairs_of(drawn: Sequence[Sized]) -> frozenset[Pair]:
+    """Neighbours of which the second is the polygon of the first."""
+    return frozenset((i, i + 1) for i in range(len(drawn) - 1) if paired(drawn[i], drawn[i + 1]))
+
+
+def paired(a: Sized, b: Sized) -> bool:
+    """Whether the second is the polygon of the first."""
+    return b.view.beside is a.view and a.name == b.name
