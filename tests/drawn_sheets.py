@@ -2,11 +2,25 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
 
 from tests.drawn_library import drafted
+from vecpoly.drawing import figure as figures
+from vecpoly.drawing.figure import Drawing
 from vecpoly.drawing.sheets.sheet import Sheet, sheets
 from vecpoly.words import Lang
+
+# the house keeps the drawings of one problem; here labels and sheets of the whole library are looked at in turn
+KEPT = 1000
+figures.drawing = lru_cache(maxsize=KEPT)(figures.drawing.__wrapped__)
+
+
+@cache
+def lettered(name: str) -> tuple[Drawing, ...]:
+    """Every figure of this problem with its labels, drawn as its sheets draw it; none where no method draws it."""
+    solution = drafted(name)
+    asked = solution.construction.figures if solution else ()
+    return tuple(figures.drawing(one, lang="zh", caption=True, frame=None) for one in asked)
 
 
 @cache

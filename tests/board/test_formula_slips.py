@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 import vecpoly
 from tests.drawn_library import IDS, drawn, given, ids
-from tests.each import each
+from tests.each import Later, each
 from tests.laws import few
 from vecpoly.board.acts import Area, Measure
 from vecpoly.board.otherwise.amended import Amended
@@ -99,7 +99,7 @@ def test_all_hands_at_once_make_each_its_own(name: str) -> None:
         assert {key: found[key][i] for key in alone} == pytest.approx(alone), slip
 
 
-@each(few(ids(mechanisms=False), 8))
+@each(Later(lambda: few(ids(mechanisms=False), 8)))
 def test_every_device_is_drawn_by_all_who_mistake_a_formula_of_it(name: str) -> None:
     slips = tuple(one for one in slips_of(drawn(name).construction.acts) if one.mistake in TOLD_OF)
     found = by_hands(given(name), answer_key(given(name)), Amended(each=slips))

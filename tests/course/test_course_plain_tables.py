@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from tests.laws import few
 from tests.studies import course_text, stations, studied
 from vecpoly.report.content import Objects
 from vecpoly.report.course.checks import comparison
@@ -37,7 +38,7 @@ def test_a_table_in_two_halves_keeps_its_columns_and_an_empty_one_its_head() -> 
     assert made(["a", "b"], [], "rr").header == ("a", "b")
 
 
-@pytest.mark.parametrize("name", ["stephenson-valve-gear"])
+@pytest.mark.parametrize("name", few(["A-27", "stephenson-valve-gear"], 2))
 def test_no_table_of_a_course_report_has_a_column_of_dashes(name: str) -> None:
     _, objects = course_text(name, "zh")
     tables = [one for one in objects.named.values() if isinstance(one, DataTable)]
@@ -98,9 +99,9 @@ def test_a_table_that_is_read_down_one_half_and_then_the_other_is_not_parted() -
     assert not table.split(160 * MM, 150.0)
 
 
-@pytest.mark.parametrize(("name", "lang"), [("compound-hinge-six-bar", "en")])
-def test_the_list_of_symbols_stands_on_one_page(name: str, lang: Lang) -> None:
-    text, objects = course_text(name, lang)
-    to_flowables(text, objects.named, lang)
+@pytest.mark.parametrize("name", few(["A-27", "compound-hinge-six-bar"], 2))
+def test_the_list_of_symbols_stands_on_one_page(name: str) -> None:
+    text, objects = course_text(name, "en")
+    to_flowables(text, objects.named, "en")
     (table,) = (one for one in objects.named.values() if isinstance(one, DataTable) and one.caption == "Symbols")
     assert table.undivided and len(table.rows) <= 20

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from tests.drawn_library import drawn, ids
-from tests.each import each
+from tests.drawn_library import drawn, given, ids
+from tests.each import Later, each
 from vecpoly.board.construction import Figure
 from vecpoly.board.paper.bodies import FixedGuide
 from vecpoly.board.paper.marks import Point
 from vecpoly.devices.structure import Structure
 from vecpoly.names import subscripted
-from vecpoly.problem.load import load
 
-CHAINS = tuple(name for name in ids(mechanisms=False) if isinstance(load(name).subject, Structure))
+CHAINS = Later(lambda: (name for name in ids(mechanisms=False) if isinstance(given(name).subject, Structure)))
 
 
 def letters(figure: Figure) -> set[str]:
@@ -20,7 +19,7 @@ def letters(figure: Figure) -> set[str]:
 
 @each(CHAINS)
 def test_every_pair_of_a_chain_is_lettered_on_its_sketch(name: str) -> None:
-    chain = load(name).subject
+    chain = given(name).subject
     assert isinstance(chain, Structure)
     first = letters(drawn(name).construction.figures[0])
     assert {subscripted(pair.letter) for pair in chain.chain.pairs} <= first

@@ -7,13 +7,12 @@ from math import degrees
 import numpy as np
 import pytest
 
-from tests.drawn_library import IDS, drawn
-from tests.each import each
+from tests.drawn_library import IDS, drawn, given
+from tests.each import Later, each
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import AngleMark, FixedGuide, Segment, Slot, TurnArrow
 from vecpoly.devices.structure import Structure
 from vecpoly.devices.structure_pairs import FRAME
-from vecpoly.problem.load import load
 
 NAMES = ("3-5", "3-8", "3-9", "3-12", "A-27", "class-iii")
 CLEAR = 4.0  # mm
@@ -43,9 +42,9 @@ def test_the_crank_s_angle_is_marked_in_both_limit_positions_as_it_is_read() -> 
         assert mark.start == 0 and degrees(mark.sweep) == pytest.approx(solution.answers[key].exact, abs=1e-6)
 
 
-@each([entry for entry in IDS if isinstance(load(entry).subject, Structure)])
+@each(Later(lambda: (name for name in IDS if isinstance(given(name).subject, Structure))))
 def test_every_driver_that_is_left_when_all_groups_are_detached_has_its_arrow(name: str) -> None:
-    device = load(name).subject
+    device = given(name).subject
     assert isinstance(device, Structure)
     for figure in drawn(name).construction.figures:
         if figure.name.startswith("left "):

@@ -7,15 +7,15 @@ import re
 import pytest
 
 from tests.drawn_library import drawn, given, ids
-from tests.each import each
+from tests.each import Later, each
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import Point
 from vecpoly.designs.base import Design
 from vecpoly.devices.cams.cam import Cam
 
 MARK = re.compile(r"[MNPQ]_\d")  # points that mark a line or a body, and are no pins
-DESIGNS = tuple(name for name in ids(mechanisms=False) if isinstance(given(name).subject, Design))
-CAMS = tuple(name for name in ids(mechanisms=False) if isinstance(given(name).subject, Cam))
+DESIGNS = Later(lambda: (name for name in ids(mechanisms=False) if isinstance(given(name).subject, Design)))
+CAMS = Later(lambda: (name for name in ids(mechanisms=False) if isinstance(given(name).subject, Cam)))
 
 
 def plain(text: str) -> str:

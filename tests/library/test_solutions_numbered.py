@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from tests.drawn_library import drawn, ids
-from tests.each import each
+from tests.each import Later, each
 from vecpoly.algebra.formula import plain
 from vecpoly.board.construction import Step
 
@@ -17,7 +17,7 @@ def numbers(step: Step) -> list[int]:
     return [int(found[1]) for node in step.formulas if (found := NUMBER.search(plain(node).split(" = ")[0]))]
 
 
-@each(ids(mechanisms=False))
+@each(Later(lambda: ids(mechanisms=False)))
 def test_solutions_are_numbered_in_the_order_in_which_they_are_found(name: str) -> None:
     steps = drawn(name).construction.steps
     found = list(dict.fromkeys(number for step in steps for number in numbers(step)))

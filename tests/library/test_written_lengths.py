@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from tests.drawn_library import drawn, ids
-from tests.each import each
+from tests.each import Later, each
 from vecpoly.algebra.formula import plain
 from vecpoly.board.construction import Construction, View
 from vecpoly.board.paper.marks import Point
@@ -80,7 +80,7 @@ def test_every_length_that_is_written_lies_between_its_letters() -> None:
     assert other == []
 
 
-@each(ids())
+@each(Later(ids))
 def test_a_length_that_is_read_has_the_letters_that_stand_at_its_ends(name: str) -> None:
     construction = drawn(name).construction
     places = {scale: lettered(construction, view) for scale, view in POLYGONS.items()}
@@ -89,7 +89,7 @@ def test_a_length_that_is_read_has_the_letters_that_stand_at_its_ends(name: str)
         assert any(abs(abs(p - q) - length) < NEARLY for p in one for q in two), line
 
 
-@each(ids())
+@each(Later(ids))
 def test_two_lengths_of_a_polygon_have_not_the_same_letters(name: str) -> None:
     found: dict[tuple[str, frozenset[Letter]], float] = {}
     for scale, letters, length, line in lengths_read(name):

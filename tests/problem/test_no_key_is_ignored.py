@@ -3,19 +3,14 @@ changed or left out, the solution differs, or the file is refused, or a note is 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from functools import cache
 from itertools import zip_longest
 
 import pytest
 from pydantic import BaseModel
 
 from tests.lawful import CHANGED, EVERY
-from vecpoly.check.printed.answers import check_problem
-from vecpoly.drawing.sheets.sheet import sheets
-from vecpoly.errors import VecpolyError
-from vecpoly.problem.load import load, loads
-from vecpoly.problem.problem import Problem
+from tests.problem.effects import effect, effects
+from vecpoly.problem.load import load
 from vecpoly.problem.schema.models import (
     DeviceSpec,
     FindSpec,
@@ -33,7 +28,6 @@ from vecpoly.problem.schema.models import (
     TargetSpec,
 )
 from vecpoly.problem.schema.running import CounterweightSpec
-from vecpoly.solution import solve
 
 HEART, ROCKER, TRAIN = (load(name).text for name in ("cam-heart", "cam-rocker", "train-ring"))
 ENGINE, RUN, WEIGHED = (load(name).text for name in ("7-5", "motor-run-up", "balance-four-bar"))
@@ -242,41 +236,6 @@ SPECS: dict[str, type[BaseModel]] = {
 }
 
 
-def effects(text: str) -> Iterator[object]:
-    """Everything that a file leads to, one thing after the other: what a report prints of it, answers and drawing,
-    checks, sheets; or its refusal. Who has seen a difference asks for no more."""
-    try:
-        problem = loads(text)
-        yield said(problem)
-        solution = solve(problem, by="exact", repeats=0, precise=False)
-        yield solution.as_json(), solution.construction.figures
-        yield solve(problem, by="exact", repeats=0).warnings
-        yield check_problem(problem).answers
-        yield [sheet.size for sheet in sheets(solution.construction, on=problem.paper)]
-    except VecpolyError as error:
-        yield str(error)
-
-
-def said(problem: Problem) -> tuple[object, ...]:
-    """What a report prints of the problem itself."""
-    return (
-        problem.id,
-        problem.title,
-        problem.source,
-        problem.statement,
-        problem.errata,
-        problem.tables,
-        problem.ranges,
-        problem.gate,
-        problem.given,
-    )
-
-
-@cache
-def effect(text: str) -> tuple[object, ...]:
-    return tuple(effects(text))
-
-
 @pytest.mark.parametrize("key", CHANGES)
 def test_a_key_that_is_changed_changes_something(key: str) -> None:
     text, old, new = CHANGES[key]
@@ -291,7 +250,7 @@ def test_every_key_of_the_schema_is_tried() -> None:
 
 @pytest.mark.parametrize("text", [BASE, SLIDE, DRIVEN, CENTRES, CURVED, CYLINDER, MOTOR, EVERY, TRACED])
 def test_the_files_that_are_changed_are_good(text: str) -> None:
-    assert len(effect(text)) == 5, effect(text)
+    assert len(found := [*effect(text)]) == 5, found
 
 
 def test_the_keys_of_a_device_are_those_of_a_problem_and_its_data() -> None:
@@ -301,4 +260,4 @@ def test_the_keys_of_a_device_are_those_of_a_problem_and_its_data() -> None:
 
 @pytest.mark.parametrize("text", [BASE, CENTRES])
 def test_a_comment_changes_nothing(text: str) -> None:
-    assert effect(text) == effect(text + "# nothing\n")
+    assert [*effect(text)] == [*effect(text + "# nothing\n")]

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator
 
 import pytest
 
-from tests.drawn_library import IDS, drawn
-from tests.each import each
+from tests.drawn_library import IDS, drawn, given
+from tests.each import Later, each
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Point, Vector
 from vecpoly.devices.balancing.engine import InlineEngine
@@ -16,7 +16,6 @@ from vecpoly.devices.cams.cam import Cam
 from vecpoly.devices.eccentric_clamp import EccentricClamp
 from vecpoly.mechanism.asked.forces import load_symbol
 from vecpoly.mechanism.loads import Force
-from vecpoly.problem.load import load
 from vecpoly.report.content import statement
 from vecpoly.report.question.sketch import sketched
 from vecpoly.words import Words
@@ -78,7 +77,7 @@ def test_what_a_statement_names_stands_on_its_figure_or_in_its_data_or_is_found(
     assert not missing, missing
 
 
-LOADED = tuple(name for name in IDS if load(name).loads or load(name).machine)
+LOADED = Later(lambda: (name for name in IDS if given(name).loads or given(name).machine))
 
 
 @each(LOADED)
@@ -107,7 +106,7 @@ def pulls(figure: Figure, load: Force) -> bool | None:
     return None if at is None or arrow is None else abs(arrow.a - at) < abs(arrow.b - at)
 
 
-SIZED = tuple(name for name in IDS if isinstance(load(name).subject, Cam | EccentricClamp | InlineEngine))
+SIZED = Later(lambda: (name for name in IDS if isinstance(given(name).subject, Cam | EccentricClamp | InlineEngine)))
 _TOLD = {"m", "r", "l", "n", "f", "ρ", "Q"}  # of an engine's cylinder, of friction: not on the sketch of the whole
 
 

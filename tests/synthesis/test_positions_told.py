@@ -5,20 +5,20 @@ from __future__ import annotations
 import pytest
 
 import vecpoly
-from tests.drawn_library import IDS, drawn
-from tests.each import each
+from tests.drawn_library import IDS, drawn, given
+from tests.each import Later, each
 from vecpoly.board.paper.marks import Point
 from vecpoly.designs.inversion.positions import Positions
 
-POSITIONS = tuple(name for name in IDS if isinstance(vecpoly.load(name).subject, Positions))
+POSITIONS = Later(lambda: (name for name in IDS if isinstance(given(name).subject, Positions)))
 
 
 @each(POSITIONS)
 def test_a_position_is_no_quantity_that_equals_a_point_its_point_and_its_line_are_told(name: str) -> None:
-    data = vecpoly.load(name).given.data
+    data = given(name).given.data
     told = [one.of("en") for one in data if one.words is not None]
     assert not any(one.symbol.startswith("S_") for one in data)
-    subject = vecpoly.load(name).subject
+    subject = given(name).subject
     assert isinstance(subject, Positions)
     assert sum(text.startswith("position ") for text in told) == len(subject.poses)
 

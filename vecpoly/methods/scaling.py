@@ -28,7 +28,7 @@ FAR = 2.0  # a scale that comes out so much finer than guessed is guessed again
 ROUGH = 1.6  # so much smaller a sketch does not tell well what stands round a figure
 SPECK = 1e-6  # mm: a force polygon of less is rounding; nothing acts there
 SLOT = (150.0, 100.0)  # mm, what a figure fills where no paper is known
-KEPT = 16  # problems whose scales are remembered
+KEPT = 256  # problems whose scales are remembered, some KB each: more than the library has
 Scales = dict[Place, Scale]
 
 

@@ -38,7 +38,7 @@ def as_rolled(solution: Solution) -> str:
     return ""
 
 
-@family("elsewhere-gears", also=as_rolled, often=2)
+@family("elsewhere-gears", also=as_rolled, often=2, first=2)
 def gears(rng: np.random.Generator) -> str:
     """Any of the mechanisms with gears and racks."""
     return _of_any(rng, "gears-")
@@ -55,7 +55,7 @@ def _of_any(rng: np.random.Generator, name: str) -> str:
     return made[int(rng.integers(len(made)))].make(rng)
 
 
-@family("elsewhere-plate-cam-machine", often=1)
+@family("elsewhere-plate-cam-machine", often=1, first=2)
 def cam_machine(rng: np.random.Generator) -> str:
     """The period of a machine that a plate cam drives: a load on what hangs on the follower, in part of its motion."""
     text = hung_on(*followed(rng), side=float(rng.choice([-1, 1])))
