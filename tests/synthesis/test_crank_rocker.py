@@ -92,3 +92,9 @@ def test_the_best_a_stands_highest_on_the_curve_of_ten_trials() -> None:
         assert places["A"].imag >= max(at.imag for at in trials)
         (curve,) = (mark for mark in figure.marks if isinstance(mark, Curve))
         assert places["A"].imag == pytest.approx(max(at.imag for at in curve.points), rel=5e-3)
+
+
+def test_a_given_angle_is_met_close_to_the_limit_too() -> None:
+    """Four A have this γ_min, two of them 0.05 % of C₁C₂ from C₁, of which the closed solution knew one."""
+    solution = posed(K="1.25", CD="100 mm", swing="20 deg", gamma_min="2.0939 deg").solve(by="exact")
+    assert len(solution.construction.candidates) == 4 and not solution.suspect

@@ -20,6 +20,7 @@ from .quantities import K as ADVANCE
 
 _ONE_MORE = ("AD", "AB", "BC", "gamma_min", "A", "best")
 
+NEAREST = 1e-5  # of C₁C₂: no A that is nearer to C₁ is sought by trial
 _VARIED = (AD, AB, BC, GAMMA_MIN, Named("A", "A", "mm"), Named("ADC", "∠ADC", "deg"), ADVANCE)
 
 

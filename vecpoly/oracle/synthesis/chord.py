@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import cos, nan, pi, sin, sqrt
 
-from ...designs.crank_rocker import CrankRocker
+from ...designs.crank_rocker import NEAREST, CrankRocker
 from ...designs.verdict import Verdict
 from .four_bar import found
 from .registry import Linkage
@@ -49,6 +49,15 @@ class Chord:
             a, b = self.s / 2 * cos(u) / cos(self.theta / 2), self.s / 2 * sin(u) / sin(self.theta / 2)
             return self.at(self.pivot(a, b, side))
         return self.at(self.pivot(self.s / 2, self.s / 2 / (1 - t), -1))
+
+    def near(self, t: float, side: int) -> Linkage:
+        """The same in even ratios of AC₁ = C₁C₂ sin(u − θ/2) / sin θ, from the nearest that is sought."""
+        if not self.theta:
+            return self.tried(t, side)
+        half, least = self.theta / 2, NEAREST * sin(self.theta)
+        u = half + least * ((pi / 2 - half) / least) ** t
+        a, b = self.s / 2 * cos(u) / cos(half), self.s / 2 * sin(u) / sin(half)
+        return self.at(self.pivot(a, b, side))
 
     def sees(self, a_pin: complex, side: int) -> Verdict | None:
         """That from A the chord is seen under π − θ, where it is."""

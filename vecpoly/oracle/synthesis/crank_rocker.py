@@ -85,12 +85,12 @@ def _by_angle(design: CrankRocker, chord: Chord) -> Iterator[Linkage]:
     for side in SIDES if chord.theta else SIDES[:1]:
 
         def both(t: float, side: int = side) -> tuple[float, float]:
-            one = chord.tried(t, side)
+            one = chord.near(t, side)
             lengths = (one.values[key] for key in ("AB", "BC", "CD", "AD"))
             return extreme_angles(*lengths) if one.verdict is Verdict.VALID else (nan, nan)
 
         at = crossings(both, design.gamma_min.si) if design.gamma_min is not None else summits(both)
-        yield from (chord.tried(t, side) for t in at)
+        yield from (chord.near(t, side) for t in at)
 
 
 def _by_limit(design: CrankRocker) -> Iterator[Linkage]:

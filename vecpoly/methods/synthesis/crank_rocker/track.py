@@ -6,6 +6,7 @@ from math import pi
 
 import numpy as np
 
+from ....designs.crank_rocker import NEAREST
 from ....designs.verdict import Verdict
 from ....plane import Points, nominal
 from ..draft import Draft
@@ -13,7 +14,6 @@ from ..eta import Eta, Locus, Straight
 from ..limits import judged
 from .rocker import Rocker
 
-NEAREST = 1e-5  # of C₁C₂: how near A is to C₁ in the first trial
 NOTHING = (float("nan"), float("nan"))
 
 
