@@ -22,7 +22,7 @@ joints: [5 slides in 4]
 input: {cylinder: 4-5, length: 463 mm, v: SPEED}
 branch: [C left of BD, B above AD]
 loads: {Q: {on: 2, at: C, size: 400 N, direction: TURNED}, F_c: {cylinder: 4-5, size: "?"}}
-find: [F_c, F_c_power, F_c_lever, R_16, R_36]
+find: [F_c, F_c_power, F_c_lever, R_16, R_36, R_45, R_54]
 """
 
 
@@ -37,6 +37,8 @@ def test_a_thrust_between_two_moving_links_is_the_same_by_every_way(speed: str, 
     assert not solution.suspect
     found = [solution.answers[key] for key in ("F_c", "F_c_power", "F_c_lever")]
     assert [one.drawn for one in found] == pytest.approx([found[0].exact] * 3, rel=1e-9)
+    sideways = [solution.answers[key] for key in ("R_45", "R_54")]  # of piston and barrel
+    assert [one.drawn for one in sideways] == [one.exact for one in sideways] == [0.0, 0.0]
 
 
 def test_the_lever_has_both_ends_of_a_thrust_and_measures_between_their_lines() -> None:

@@ -179,9 +179,11 @@ def without_cylinders(groups: tuple[Group, ...], loads: Loads) -> tuple[Group, .
 
 
 def read_thrusts(st: Statics, loads: Loads) -> None:
-    """The reactions at a cylinder's pins are its thrust, and act there along the line of the two pins."""
+    """The reactions at a cylinder's pins are its thrust, and act there along the line of the two pins; piston and
+    barrel do not press on each other sideways."""
     for force in (one for one in loads.forces if one.against):
         outer = next(one for one in st.loads.forces if one.name == force.name)
+        _keep_none(st, loads, force)
         base = _beside(st.mech, force, force.foot)[0]
         for by, on, point in ((force.link, outer.link, force.point), (base, force.against, force.foot)):
             thrust = _thrust(st, outer)
@@ -191,6 +193,13 @@ def read_thrusts(st: Statics, loads: Loads) -> None:
                 _keep(st, named, sign * thrust, point)
                 if loads.friction and st.ideal is not None:
                     _keep(st, without_friction(named), sign * _thrust(st.without_friction, outer), point)
+
+
+def _keep_none(st: Statics, loads: Loads, force: Force) -> None:
+    pair = (force.link, force.against), (force.against, force.link)
+    for named in (reaction(st.mech.number(one), st.mech.number(two)) for one, two in pair):
+        for each in (named, without_friction(named)) if loads.friction else (named,):
+            st.keep(Reading(key=each.key, symbol=each.symbol, unit="N", scalar=0.0, vector=0j), np.zeros(()))
 
 
 def _thrust(st: Statics, outer: Force) -> Points:
