@@ -93,6 +93,21 @@ def test_translating_bar_has_its_slot_turned_against_the_guide() -> None:
     assert fixed.turn == pytest.approx(math.radians(120))
 
 
+def test_what_is_beside_a_guide_and_how_it_is_turned_may_be_said_in_either_order() -> None:
+    text = """
+id: order
+title: {zh: 次序, en: Order}
+frame: {A: [0 mm, 0 mm]}
+links: {1: {AB: 60 mm}, 2: {block: B}, 3: {CD: 80 mm, F: {along: CD, at: 40 mm, left: 20 mm}, slot: C}}
+joints: [2 slides in 3, 3 slides on y = -50 mm SAID]
+input: {link: 1, phi: 70 deg, omega: 10 rad/s cw}
+find: [p_B, p_C]
+"""
+    said = ("with F 10 mm left turned 30 deg", "turned 30 deg with F 10 mm left")
+    one, other = (loads(text.replace("SAID", words)).mechanism for words in said)
+    assert one == other and sliding(loads(text.replace("SAID", said[1])))[1].offset == 0.01
+
+
 def test_guide_rod_drives_the_sleeve() -> None:
     problem = load("3-11")
     sleeve, fixed = sliding(problem)

@@ -25,6 +25,7 @@ _SLIDE = pattern(
     rf"(?:(?P<pin>{LETTER}) of )?(?P<block>{LINK}) slides (?:in|on|along) (?P<guide>{GUIDE}){_ASIDE}"
     r"(?: turned (?P<turn>.+))?"
 )
+_TURNED_FIRST = pattern(rf"( turned .+?)( with {LETTER} .+? (?:left|right))$")  # said in the other order
 _THROUGH = pattern(rf"(?P<guide>{LINK}) passes through (?P<block>{LINK}){_ASIDE}")
 _RUNS = pattern(rf"(?P<pin>{LETTER}) runs in (?P<guide>{GUIDE})")
 FORMS = (_SLIDE, _THROUGH, _RUNS)  # for editors too
@@ -33,7 +34,7 @@ _SAME = 1e-9  # m
 
 def read_slide(text: str, bodies: Bodies) -> Prismatic | None:
     """A sliding joint; None where the sentence is none. A pin in a slot adds its massless block to the bodies."""
-    if m := _SLIDE.fullmatch(text):
+    if m := _SLIDE.fullmatch(_TURNED_FIRST.sub(r"\2\1", text)):
         return _rod(m, bodies) if _is_rod(m, bodies) else _slide(m, bodies)
     if m := _THROUGH.fullmatch(text):
         return _through(m["guide"], m["block"], m, bodies)
