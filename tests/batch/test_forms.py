@@ -116,7 +116,7 @@ def test_every_blank_of_a_cloze_question_is_one_to_moodle(done: tuple[Path, Regi
             assert all(answers) and first is not None and first[1] == "100"
             assert float(first[2]) == pytest.approx(abs(one.exact), rel=1e-5)
             assert {float(found[1]) for found in answers if found is not None} <= FRACTIONS
-        assert sum(sort == "MULTICHOICE" for _, sort, _ in blanks) == sum(one.kind is Kind.SIGNED for one in graded)
+        assert sum("↺" in body for _, _, body in blanks) == sum(one.kind is Kind.SIGNED for one in graded)
 
 
 def test_a_numerical_question_tries_the_narrow_band_before_the_wide_one(done: tuple[Path, Register]) -> None:

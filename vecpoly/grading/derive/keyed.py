@@ -14,6 +14,7 @@ from ...errors import VecpolyError
 from ...figures import View as Figured
 from ...methods.drawn import Drawn
 from ...names import parse_rel
+from ...problem.asked.checks import is_check
 from ...problem.problem import Problem
 from ...solution import Solution, scales_of, solve
 from ...words import Words
@@ -108,7 +109,7 @@ class _Found:
             unit=unit,
             block=block_of(None, unit),
             exact=answer.exact,
-            asked=True,
+            asked=not is_check(answer.key, self.solution.answers),
             mu=scale,
             mm=abs(answer.exact) / mu if mu and kind is Kind.VECTOR else None,
             degrees=bearing(vector) if vector is not None else None,
