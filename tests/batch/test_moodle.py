@@ -7,16 +7,19 @@ import xml.etree.ElementTree as xml
 from dataclasses import replace
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from tests.drawn_library import DRAFTED
 from tests.each import each
 from tests.grading.cases import key_of
 from tests.marked.classes import register
 from vecpoly.batch.moodle.answers import asked_of, bands
-from vecpoly.batch.moodle.cloze import plain_number, row
+from vecpoly.batch.moodle.cloze import UNITS, choice, plain_number, row, unit_of
 from vecpoly.batch.moodle.quiz import Quizzes
 from vecpoly.errors import VecpolyError
 from vecpoly.grading.key import Graded, Kind
+from vecpoly.names import written_unit
 from vecpoly.report.values import is_worded
 
 FOUND_EMPTY = ("train-differential", "7-6", "5-5", "5-1", "7-1", "8-9", "D-1", "D-3", "2-8")
@@ -38,6 +41,17 @@ def _answers(one: Graded) -> list[tuple[int, float, float]]:
     return [(int(part[1]), float(part[2]), float(part[3])) for part in parts if part is not None]
 
 
+# Moodle's own patterns and what it takes away again (qtype_multianswer), typed anew in Python
+_OPTION = re.compile(r"~?(=|%(-?[0-9]+)%)?(.+?(?<!\\|&)(?=[~#}]|$))(#(.*?(?<!\\)(?=[~}]|$)))?", re.S)
+_CHOICE = re.compile(r"\{[0-9]+:MULTICHOICE_S:((?:\\.|[^}])*)\}")
+
+
+def shown_by_moodle(body: str) -> list[tuple[str, str]]:
+    """The answers of a blank with what is said of each, as Moodle shows them."""
+    found = [(one[3], one[5] or "") for one in _OPTION.finditer(body)]
+    return [tuple(text.replace("\\}", "}").replace("\\#", "#") for text in pair) for pair in found]  # type: ignore[misc]
+
+
 @each(dict.fromkeys((*DRAFTED, *FOUND_EMPTY)))
 def test_every_number_that_is_asked_has_a_whole_answer_which_is_the_value_of_the_key(name: str) -> None:
     """Negative ones and zero too; what turns is asked by its size, its sense beside it."""
@@ -53,6 +67,21 @@ def test_every_number_that_is_asked_has_a_whole_answer_which_is_the_value_of_the
         assert percent == 100 and value == pytest.approx(right, rel=1e-5, abs=1e-9 * one.allowed)
         assert allowed == pytest.approx(one.allowed, rel=1e-5)
         assert len({answer[1:] for answer in answers}) == len(answers), "an answer stands twice"
+
+
+@pytest.mark.parametrize("unit", [*UNITS, *(other for others in UNITS.values() for other in others)])
+def test_a_unit_is_shown_as_it_is_printed(unit: str) -> None:
+    (body,) = _CHOICE.findall(choice(1, (written_unit(unit), "x")))
+    assert shown_by_moodle(body) == [(written_unit(unit), ""), ("x", "")]
+    assert "\\" not in unit_of(unit)
+
+
+@given(st.lists(st.text(alphabet='ab/\\}#~"{=·% ', min_size=1).map(lambda text: f"a{text}b"), min_size=2, max_size=4))
+def test_whatever_is_said_in_a_blank_moodle_shows_without_a_backslash(texts: list[str]) -> None:
+    """What Moodle cannot be told is written by a letter that looks like it."""
+    like = [text.replace("~", "～").replace("\\", "＼") for text in texts]
+    assert [said for said, _ in shown_by_moodle(choice(1, tuple(texts))[len("{1:MULTICHOICE_S:") : -1])] == like
+    assert shown_by_moodle(choice(1, ("right", "wrong"), texts[0])[len("{1:MULTICHOICE_S:") : -1])[1][1] == like[0]
 
 
 def test_what_is_told_in_words_is_a_choice() -> None:

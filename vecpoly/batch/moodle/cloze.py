@@ -20,12 +20,14 @@ UNITS = {
     "m": ("mm", "m/s"),
 }
 _SENSE = (Words("逆时针 ↺", "counter-clockwise ↺"), Words("顺时针 ↻", "clockwise ↻"))
+_ESCAPES = str.maketrans({"}": "\\}", "#": "\\#", "~": "～", "\\": "＼"})
 _CHECK = Words("检查矢量的指向", "look at where the vector points")
 
 
 def escaped(text: str) -> str:
-    """A text inside a blank: } # ~ " \\ have a meaning there."""
-    return "".join(f"\\{char}" if char in '}#~"\\/' else char for char in text)
+    """A text inside a blank. Moodle takes the backslash away before } and # alone (`qtype_multianswer`): it would stand
+    before anything else, so that ~ and a backslash itself are written by letters that look like them."""
+    return text.translate(_ESCAPES)
 
 
 def plain_number(value: float) -> str:
