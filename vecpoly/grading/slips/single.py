@@ -12,6 +12,7 @@ from ..compare.measured import Measured
 from ..key import AnswerKey, Graded, Kind
 from ..told.catalogue import Told
 from ..told.message import Message, message
+from .places import of_places
 
 NEAR = 0.05  # a factor is one only as near as this
 TENS = 7
@@ -20,7 +21,9 @@ _OF_TIME = ("m/s", "m/s^2", "rad/s", "rad/s^2")
 
 def explanations(one: Graded, mine: Measured, target: Target, key: AnswerKey) -> tuple[Message, ...]:
     """Every explanation that fits; more than one is none."""
-    if one.kind in (Kind.PLACE, Kind.YES_NO):
+    if one.kind is Kind.PLACE:
+        return tuple(of_places(one, mine, target, key))
+    if one.kind is Kind.YES_NO:
         return ()
     if abs(target.value) <= one.allowed and not one.exact:
         return (_why_zero(one),)

@@ -39,6 +39,8 @@ class Told(StrEnum):
     CORIOLIS_2 = "coriolis_2"
     TWO_SLIPS = "two_slips"
     SWAPPED = "swapped"
+    COORDINATE_SIGN = "coordinate_sign"
+    DIVIDED = "divided"
     TRANSLATES = "translates"
     ZERO = "zero"
     READ = "read"
@@ -135,6 +137,11 @@ SENTENCES: Mapping[Told, Words] = {
     ),
     Told.SWAPPED: Words(
         "这是 ${other}$ 的值：是否取错了矢量？", "This is the value of ${other}$: was the wrong vector taken?"
+    ),
+    Told.COORDINATE_SIGN: Words("坐标的正负号不对", "The sign of a coordinate is wrong"),
+    Told.DIVIDED: Words(
+        "与把 ${line}$ 内分（应为外分），或外分（应为内分）的结果一致",
+        "Matches ${line}$ divided between its ends in place of beyond them, or the other way round",
     ),
     Told.TRANSLATES: Words(
         "构件 {link} 此时不转动（平动），此量为 0", "Link {link} does not turn here, it translates: this is 0"
