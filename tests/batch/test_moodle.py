@@ -20,7 +20,8 @@ from vecpoly.batch.moodle.quiz import Quizzes
 from vecpoly.errors import VecpolyError
 from vecpoly.grading.key import Graded, Kind
 from vecpoly.names import written_unit
-from vecpoly.report.values import is_worded
+from vecpoly.report.values import called, is_worded
+from vecpoly.words import bare
 
 FOUND_EMPTY = ("train-differential", "7-6", "5-5", "5-1", "7-1", "8-9", "D-1", "D-3", "2-8")
 _NUMBER = re.compile(r"\{2:NUMERICAL:(.*?)\}")
@@ -82,6 +83,14 @@ def test_whatever_is_said_in_a_blank_moodle_shows_without_a_backslash(texts: lis
     like = [text.replace("~", "～").replace("\\", "＼") for text in texts]
     assert [said for said, _ in shown_by_moodle(choice(1, tuple(texts))[len("{1:MULTICHOICE_S:") : -1])] == like
     assert shown_by_moodle(choice(1, ("right", "wrong"), texts[0])[len("{1:MULTICHOICE_S:") : -1])[1][1] == like[0]
+
+
+def test_a_place_is_asked_by_both_coordinates_in_mm_from_a_point_that_is_named() -> None:
+    by_key = {one.key: one for one in _asked("D-1")}
+    x = by_key["P_13 x"]
+    assert bare(called(x.symbol, x.key, "en")) == "x(P_13), A = (0, 0)" and x.unit == "mm"
+    assert _answers(x)[0][1:] == pytest.approx((-31.9341, 1e3 * key_of("D-1")["P_13"].allowed), rel=1e-4)
+    assert _answers(by_key["P_13 y"])[0][1] == 0.0
 
 
 def test_what_is_told_in_words_is_a_choice() -> None:

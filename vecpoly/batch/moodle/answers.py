@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isfinite
 
 import numpy as np
@@ -34,8 +34,10 @@ class Worth:
 
 
 def asked_of(key: AnswerKey) -> tuple[Graded, ...]:
-    """What Moodle can mark by itself: what is asked and has a tolerance, or is a yes or a no."""
-    return tuple(one for one in key.quantities if one.asked and not one.demoted and _comparable(one))
+    """What Moodle can mark by itself: what is asked and has a tolerance, or is told in words; of a place each of its
+    coordinates."""
+    asked = (one for one in key.quantities if one.asked and not one.demoted and _comparable(one))
+    return tuple(part for one in asked for part in (_coordinates(one) if one.kind is Kind.PLACE else (one,)))
 
 
 def worths(problem: Problem, asked: tuple[Graded, ...]) -> dict[str, tuple[Worth, ...]]:
@@ -74,6 +76,22 @@ def worded(one: Graded, lang: Lang) -> tuple[str, ...]:
 
 def _comparable(one: Graded) -> bool:
     return is_worded(one.key, one.unit) or (isfinite(one.exact) and _rounded(one.allowed) > 0.0)
+
+
+def _coordinates(one: Graded) -> Iterator[Graded]:
+    """Both coordinates as numbers by themselves, in mm."""
+    there = f", {one.origin} = (0, 0)" if one.origin else ""
+    for axis, at in zip("xy", one.at or (), strict=False):
+        yield replace(
+            one,
+            key=f"{one.key} {axis}",
+            symbol=f"{axis}({one.symbol}){there}",
+            kind=Kind.SCALAR,
+            unit=one.written_in,
+            exact=at / one.one,
+            allowed=one.allowed / one.one,
+            at=None,
+        )
 
 
 def _again(one: Graded, right: float) -> tuple[float, ...]:

@@ -36,14 +36,11 @@ class _Asked:
 
     sheet: Sheet
     part: Part
+    asked: tuple[Graded, ...]
     said: dict[str, str]
     svg: bytes
     worths: dict[str, tuple[Worth, ...]]
     solution: str
-
-    @property
-    def asked(self) -> tuple[Graded, ...]:
-        return tuple(one for one in self.part.key.quantities if one.key in self.worths)
 
     @property
     def name(self) -> str:
@@ -109,7 +106,7 @@ def _asked(register: Register, sheet: Sheet, part: Part, lang: Lang) -> _Asked:
     drawn = picture(problem, solution.construction.toned({}), *PICTURE)  # a question is in black
     svg = to_svg(draw_figure(drawn, lang=lang, caption=False)).encode() if drawn else b""
     right = "；".join(_solved(one, lang) for one in asked)
-    return _Asked(sheet, part, statement(solution, lang), svg, worths(problem, asked), right)
+    return _Asked(sheet, part, asked, statement(solution, lang), svg, worths(problem, asked), right)
 
 
 def _solved(one: Graded, lang: Lang) -> str:

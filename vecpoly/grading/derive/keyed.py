@@ -12,6 +12,7 @@ from ...board.acts import Answer as Wrote
 from ...board.place import View, views
 from ...errors import VecpolyError
 from ...figures import View as Figured
+from ...mechanism.model import Mechanism
 from ...methods.drawn import Drawn
 from ...names import parse_rel
 from ...problem.asked.checks import is_check
@@ -114,7 +115,14 @@ class _Found:
             mm=abs(answer.exact) / mu if mu and kind is Kind.VECTOR else None,
             degrees=bearing(vector) if vector is not None else None,
             at=(place.real, place.imag) if place is not None else None,
+            origin=_origin(self.solution.problem) if kind is Kind.PLACE else "",
         )
+
+
+def _origin(problem: Problem) -> str:
+    """The fixed point in which the axes begin; nothing where the problem begins them elsewhere."""
+    frame = problem.subject.frame if isinstance(problem.subject, Mechanism) else {}
+    return next((letter for letter, at in frame.items() if abs(at) <= ZERO), "")
 
 
 def _kind(answer: Answer) -> Kind:
