@@ -19,7 +19,10 @@ from .causes import Causes
 from .verdict import Verdicts
 
 _OTHER_KIND = Words("写的不是所求的那种量", "it is not the kind of answer that is asked")
-_COORDINATES = Words("应写两个坐标，如 (12.5, −30) mm", "two coordinates are asked, as in (12.5, −30) mm")
+_ASKED = {
+    Kind.PLACE: Words("应写两个坐标，如 (12.5, −30) mm", "two coordinates are asked, as in (12.5, −30) mm"),
+    Kind.YES_NO: Words("应写“是”或“否”", "yes or no is asked"),
+}
 FINEST = 1e-4  # of T: of less so many noughts are no help
 
 
@@ -38,7 +41,7 @@ def sentences(found: Verdicts, why: Causes, one: Graded, rules: Rules) -> tuple[
 def _outcome(found: Verdicts, why: Causes, one: Graded) -> Iterator[Message]:
     outcome, basis = found.outcome[one.key], found.basis.get(one.key, Basis.EXACT)
     raw = found.sheet.answers[one.key]
-    reason = raw.why or (_COORDINATES if one.kind is Kind.PLACE else _OTHER_KIND)
+    reason = _ASKED.get(one.kind) or raw.why or _OTHER_KIND
     match outcome:
         case Outcome.BLANK:
             yield message(Told.BLANK)

@@ -11,11 +11,12 @@ from enum import StrEnum
 from ...words import Words
 from .characters import plain
 from .direction import Pointing, split_direction
-from .minutes import in_degrees
+from .minutes import beyond_sixty, in_degrees
 from .number import NUMBER, number
 from .pair import Pair, in_brackets, without_brackets
 from .sense import split_sense
 from .unit import Unit, unit
+from .yes_no import yes_or_no
 
 LONGEST = 80  # characters that an answer has at most
 
@@ -72,24 +73,6 @@ _NONE = {
     "×",
     "x",
 }
-_YES = {"是", "有", "存在", "能", "会", "自锁", "能自锁", "会自锁", "√", "✓", "✔", "对"}
-_YES |= {"yes", "y", "true", "self-locking"}
-_NO = {
-    "否",
-    "不",
-    "不是",
-    "不能",
-    "不会",
-    "不自锁",
-    "不能自锁",
-    "不会自锁",
-    "不存在",
-    "no",
-    "n",
-    "false",
-    "not self-locking",
-    "错",
-}
 _LEAD = re.compile(r"^(?:[≈~=≅]|约为|约|大约|about|ca\.?|approx\.?|\s)+", re.I)
 _DATE = re.compile(r"\d{4}-\d{2}-\d{2}(?: \d{2}:\d{2}:\d{2})?")
 _FORMULA = re.compile(r"=\s*-?(?:\$?[A-Z]{1,3}\$?\d|[A-Z]{2,}\(|\(?[\d.]+\s*(?!\*\s*10\s*\^)[*/+-]\s*[\d(A-Z$])")
@@ -103,8 +86,8 @@ def written(raw: str | float | None) -> Written:
         return Written(raw=text, state=State.BLANK)
     if bare.lower() in _NONE:
         return Written(raw=text, state=State.NONE, yes=False if bare in ("无", "没有", "×", "x") else None)
-    if bare.lower() in _YES or bare.lower() in _NO:
-        return Written(raw=text, state=State.READ, yes=bare.lower() in _YES)
+    if (truth := yes_or_no(bare)) is not None:
+        return Written(raw=text, state=State.READ, yes=truth)
     if (why := _spoilt(bare)) is not None:
         return _refused(text, why)
     if len(bare) > LONGEST:
@@ -132,6 +115,8 @@ def _spoilt(bare: str) -> Words | None:
 
 def _one(raw: str, bare: str) -> Written:
     """A number with what stands beside it."""
+    if beyond_sixty(bare):
+        return _refused(raw, Words("分、秒应小于 60", "minutes and seconds of arc are below 60"))
     arc, bare = bare, in_degrees(bare)
     is_arc = arc != bare
     bare, direction = split_direction(bare)
