@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as xml
+from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
 from zipfile import ZipFile
@@ -13,16 +14,22 @@ import pytest
 from pypdf import PdfReader
 
 from tests.batch.homework import TEXT, made
+from tests.grading.cases import key_of, problem_of
+from tests.marked.classes import register
 from vecpoly.batch.bundles import merged, zipped
 from vecpoly.batch.forms.columns import columns_of
 from vecpoly.batch.forms.profile import read_profile, table_bytes
 from vecpoly.batch.forms.workbooks import answers_bytes, key_bytes
 from vecpoly.batch.moodle.quiz import Quizzes
-from vecpoly.batch.register import Register
+from vecpoly.batch.register import Exercise, Part, Register, Sheet
 from vecpoly.batch.run.tasks import question_file
+from vecpoly.batch.sheet.compose import composed
+from vecpoly.batch.sheet.write import sheet_bytes
 from vecpoly.batch.student import Student
 from vecpoly.errors import VecpolyError
 from vecpoly.grading.key import Kind
+from vecpoly.solution import solve
+from vecpoly.variants.seeds import Seed
 
 CLASS = (Student(number="20230001", name="王小明", team="1"), Student(number="20230002", name="=1+1", team="@x"))
 FRACTIONS = {
@@ -79,6 +86,26 @@ def test_a_cell_takes_a_sense_from_a_list_and_a_length_that_fits_the_page(done: 
     assert float(rules[letters["block:v_E mm"]].formula2) == 400
 
 
+def test_a_place_is_asked_by_both_coordinates_from_a_point_that_is_named() -> None:
+    """On the sheet, in the form and in the key alike: (x, y) in mm."""
+    key = key_of("D-1")
+    part = Part(problem="D-1", attempt=0, values={}, scales={}, key=key)
+    sheet = Sheet(sheet="S", student=CLASS[0], parts=(part,))
+    few = replace(register(), sheets=(sheet,), exercises=(Exercise(id="D-1", data={}, fingerprint=""),))
+    units = {column.head: column.unit for column in columns_of(few)}
+    assert units["D-1:P_13"] == "(x, y) mm, A = (0, 0)"
+    page = openpyxl.load_workbook(BytesIO(key_bytes(few)))["D-1"]
+    cells = dict(zip((cell.value for cell in page[1]), (cell.value for cell in page[3]), strict=True))
+    assert cells["P_13"] == "(-31.9341, 0)" and cells["P_13 T"] == pytest.approx(1e3 * key["P_13"].allowed, rel=1e-5)
+    solution = solve(problem_of("D-1"))
+    pages = composed([(solution, key, Seed(assignment="hw", problem="D-1", student="1"))], "en")
+    (blank,) = [blank for one in pages for blank in one.page.blanks if blank.key == "P_13"]
+    assert (blank.place, blank.origin, blank.unit, blank.plain) == (True, "A", "mm", False)
+    whole = sheet_bytes(pages, title="t", assignment="hw", sheet="S", student=CLASS[0], lang="en")
+    text = " ".join(page.extract_text() for page in PdfReader(BytesIO(whole)).pages)
+    assert text.count("right and up") == 6
+
+
 def test_the_key_has_the_exact_values_of_the_register(done: tuple[Path, Register]) -> None:
     page = openpyxl.load_workbook(BytesIO(key_bytes(done[1])))["block"]
     heads = [cell.value for cell in page[1]]
@@ -116,7 +143,7 @@ def test_every_blank_of_a_cloze_question_is_one_to_moodle(done: tuple[Path, Regi
             assert all(answers) and first is not None and first[1] == "100"
             assert float(first[2]) == pytest.approx(abs(one.exact), rel=1e-5)
             assert {float(found[1]) for found in answers if found is not None} <= FRACTIONS
-        assert sum(sort == "MULTICHOICE" for _, sort, _ in blanks) == sum(one.kind is Kind.SIGNED for one in graded)
+        assert sum("↺" in body for _, _, body in blanks) == sum(one.kind is Kind.SIGNED for one in graded)
 
 
 def test_a_numerical_question_tries_the_narrow_band_before_the_wide_one(done: tuple[Path, Register]) -> None:

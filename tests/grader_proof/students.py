@@ -18,7 +18,7 @@ from vecpoly.grading import redraw
 from vecpoly.grading.allowance import STUDENT
 from vecpoly.grading.key import AnswerKey, Graded, Kind
 from vecpoly.methods.drawn import Drawn
-from vecpoly.problem.problem import Problem, Scales
+from vecpoly.problem.problem import Problem
 
 SLOPPY = replace(
     hand_of("pencil").repeated, protractor=1.0 * pi / 180, dividers=0.35, square=0.7 * pi / 180, squares=0.5
@@ -53,8 +53,7 @@ def drawn_class(
     """
     known = {"pencil": hand_of("pencil").repeated, "student": STUDENT.hand(0).repeated, "sloppy": SLOPPY}[skill]
     by = Hand("pencil", EXACT, known, count, np.random.Generator(np.random.PCG64(seed)))
-    scaled = replace(problem, scales=Scales(dict(key.scales)))
-    drawn = redraw.drawn_by(scaled, by, amended)
+    drawn = redraw.drawn_by(redraw.as_keyed(problem, key), by, amended)
     return Class(key, {one.key: _each(drawn, one, count) for one in key.quantities if redraw.act_of(drawn, one)}, count)
 
 
@@ -68,7 +67,8 @@ def _written(one: Graded, value: Any, rng: np.random.Generator) -> str:
     if one.kind is Kind.YES_NO:
         return "yes" if value else "no"
     if one.kind is Kind.PLACE:
-        return f"({value.real:.4g}, {value.imag:.4g})" if np.iscomplexobj(value) else f"{value:.4g}"
+        mm = value / one.one
+        return f"({mm.real:.4g}, {mm.imag:.4g})" if np.iscomplexobj(value) else f"{mm:.4g}"
     if one.kind is Kind.READING:
         return f"{abs(value):.1f}"
     if one.kind is Kind.SIGNED:

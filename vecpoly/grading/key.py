@@ -63,7 +63,8 @@ class Graded:
     from +x. mu: the scale it is drawn with (``mu_v``); line: the reading that it is computed from. needs: the graded
     quantities that it rests on directly. sigma: what a student's hand scatters by; allowed: T, both in the unit of
     `exact`; turned: what it scatters by in direction (deg). demoted: too badly conditioned to be held against the
-    exact value; it is graded by what it was computed from. points: nothing for a step on the way.
+    exact value; it is graded by what it was computed from. origin: of a place the fixed point from which its
+    coordinates are read, right and up. points: nothing for a step on the way.
     """
 
     key: str
@@ -83,7 +84,18 @@ class Graded:
     turned: float = 0.0
     demoted: bool = False
     asked: bool = False
+    origin: str = ""
     points: Points = NOTHING
+
+    @property
+    def written_in(self) -> str:
+        """The unit in which it is asked and written down: of a place mm, as the rule tells them."""
+        return "mm" if self.kind is Kind.PLACE else self.unit
+
+    @property
+    def one(self) -> float:
+        """One of these, in the unit of `exact`."""
+        return 1e-3 if self.kind is Kind.PLACE else 1.0
 
     @property
     def letters(self) -> str:

@@ -19,7 +19,7 @@ from ..drawing.sheets.paper import DrawingPaper
 from ..mechanism.model import Mechanism
 from ..methods.drawn import Drawn
 from ..methods.plan import drawn_otherwise
-from ..problem.problem import Problem, Scales
+from ..problem.problem import Problem
 from ..solution import constructed
 from .key import AnswerKey, Graded, Kind
 
@@ -36,14 +36,18 @@ def by_hands(problem: Problem, key: AnswerKey, amended: Amended, *, unsteady: bo
     """
     many = len(amended.each) + len(amended.own)
     by = key.allowance.hand(many) if unsteady else steady(many)
-    scaled = replace(problem, scales=Scales(dict(key.scales)))
-    drawn = drawn_by(scaled, by, amended)
+    drawn = drawn_by(as_keyed(problem, key), by, amended)
     found: dict[str, NDArray[Any]] = {}
     for one in key.quantities:
         act = act_of(drawn, one)
         if act is not None:
             found[one.key] = np.broadcast_to(values_of(drawn, act), (many + 1,))[1:]
     return found
+
+
+def as_keyed(problem: Problem, key: AnswerKey) -> Problem:
+    """The problem, to be drawn on the sheet of its key: at its scales, which a second figure shares where it did."""
+    return replace(problem, scales=problem.scales.kept(key.scales))
 
 
 def drawn_by(problem: Problem, by: Hand, amended: Amended = AS_DRAWN) -> Drawn:
@@ -55,8 +59,9 @@ def drawn_by(problem: Problem, by: Hand, amended: Amended = AS_DRAWN) -> Drawn:
 
 def act_of(drawn: Drawn, one: Graded) -> Act | None:
     """The act that gave a quantity."""
-    sort = Measure if one.kind is Kind.READING else Wrote if one.asked else Compute | Area
-    return next((act for act in drawn.construction.acts if isinstance(act, sort) and one.letters in act.names), None)
+    sorts = (Measure,) if one.kind is Kind.READING else (Wrote,) if one.asked else (Compute, Area, Wrote)
+    named = [act for act in drawn.construction.acts if isinstance(act, sorts) and one.letters in act.names]
+    return min(named, key=lambda act: (isinstance(act, Wrote), act.number), default=None)
 
 
 def values_of(drawn: Drawn, act: Act) -> Any:

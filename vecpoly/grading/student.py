@@ -22,9 +22,11 @@ from .marking.marker import mark
 from .reading.symbol import keyed, squeezed
 from .sheet import sheet_of
 from .slips.mutants import mutants
+from .told.alone import alone, has_wrong_unit
 from .told.catalogue import Told
 from .told.message import Message
 
+_WRONG_UNIT = Words("单位错", "wrong unit")
 _STEM = re.compile(r"(omega|alpha|an|at|ak|ar|v|a|p)(?=[A-Z]|\d)(.+)")
 
 
@@ -43,7 +45,7 @@ class Checked:
     @property
     def right(self) -> bool:
         """Whether all of it is right."""
-        return all(one.is_right for one in self.answers) and all(one.outcome.is_right for one in self.ticked)
+        return all(map(is_right, self.answers)) and all(one.outcome.is_right for one in self.ticked)
 
     @property
     def ticked(self) -> tuple[EquationMark, ...]:
@@ -58,7 +60,7 @@ class Checked:
     def rows(self, lang: Lang) -> list[tuple[str, str, str, str]]:
         """Symbol, what was written, verdict, reason."""
         return [
-            (bare(self.marked.key[one.key].symbol), one.written.raw, one.outcome.words.of(lang), _reasons(one, lang))
+            (bare(self.marked.key[one.key].symbol), one.written.raw, _verdict(one).of(lang), _said(one.messages, lang))
             for one in self.answers
         ] + [(one.row.key, one.raw, one.outcome.words.of(lang), _said(one.messages, lang)) for one in self.ticked]
 
@@ -74,7 +76,9 @@ class Checked:
         return {
             "id": self.problem.id,
             "right": self.right,
-            "answers": [{name: one[name] for name in kept} for one in told],
+            "answers": [
+                {name: one[name] for name in kept} | {"right": is_right(self.marked[one["key"]])} for one in told
+            ],
             "equations": [one.as_json() for one in self.ticked],
             **({"said": [{"zh": words.zh, "en": words.en} for words in self.said]} if self.said else {}),
         }
@@ -92,7 +96,18 @@ def check_answers(problem: Problem, answers: Mapping[str, str | float] | Iterabl
     given = _split(answers)
     key, problem = _key_for(problem, tuple(given))
     sheet = sheet_of(key, given)
-    return Checked(problem=problem, marked=mark(problem, key, lambda: mutants(problem, key), sheet))
+    marked = mark(problem, key, lambda: mutants(problem, key), sheet)
+    findings = tuple(replace(one, messages=alone(one.messages)) for one in marked.findings)
+    return Checked(problem=problem, marked=replace(marked, findings=findings))
+
+
+def is_right(one: Finding) -> bool:
+    """Whether an answer is right by itself: its number, and its unit."""
+    return one.is_right and not has_wrong_unit(one.messages)
+
+
+def _verdict(one: Finding) -> Words:
+    return _WRONG_UNIT if one.is_right and not is_right(one) else one.outcome.words
 
 
 def _split(answers: Mapping[str, str | float] | Iterable[str]) -> dict[str, str | float | None]:
@@ -140,10 +155,6 @@ def _unasked(symbol: str, known: list[str]) -> Rel | None:
         except UnknownNameError:
             raise unknown from None
     return None
-
-
-def _reasons(one: Finding, lang: Lang) -> str:
-    return _said(one.messages, lang)
 
 
 def _said(messages: Iterable[Message], lang: Lang) -> str:

@@ -37,9 +37,13 @@ __all__ = ["Datum", "Given", "Printed", "Problem", "Scales", "Shape", "as_printe
 
 @dataclass(frozen=True, slots=True)
 class Scales:
-    """Given scales in SI per mm on paper, each under the key of its μ (``mu_v``); the rest are auto."""
+    """Given scales in SI per mm on paper, each under the key of its μ (``mu_v``); the rest are auto.
+
+    chosen: those of them that are only kept as a drawing chose them: its sheet is laid out as it was.
+    """
 
     given: Mapping[str, float] = field(default_factory=lambda: FrozenMap({}))
+    chosen: frozenset[str] = frozenset()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "given", FrozenMap(self.given))
@@ -48,9 +52,17 @@ class Scales:
         """The value of this scale; None: auto."""
         return self.given.get(mu.key)
 
+    def wished(self, mu: Mu) -> float | None:
+        """The value that somebody gave it; None where a drawing chose, or is to choose, one for each of its figures."""
+        return None if mu.key in self.chosen else self.of(mu)
+
     def changed(self, mu: Mu, value: float) -> Scales:
         """These scales with another value of one."""
-        return Scales({**self.given, mu.key: value})
+        return Scales({**self.given, mu.key: value}, self.chosen)
+
+    def kept(self, drawn: Mapping[str, float]) -> Scales:
+        """The scales of a drawing to these, those that it chose itself among them."""
+        return Scales(drawn, frozenset(drawn) - frozenset(self.given))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -18,6 +18,7 @@ class What(StrEnum):
     SCALE = "scale"  # the student's own μ
     LENGTH = "mm"
     VALUE = "value"
+    PLACE = "place"  # both coordinates, in one cell
     DIRECTION = "deg"
     SENSE = "sense"
     TICKS = "ticks"  # of a row of an equation, a sign a term
@@ -38,7 +39,7 @@ class Column:
     def head(self) -> str:
         """``3-9:v_E``, ``3-9:v_E mm``, ``3-9:omega_3 sense``, ``3-9:mu_v``."""
         whole = f"{self.problem}:{self.key}"
-        return whole if self.what in (What.VALUE, What.SCALE, What.TICKS) else f"{whole} {self.what}"
+        return whole if self.what in (What.VALUE, What.PLACE, What.SCALE, What.TICKS) else f"{whole} {self.what}"
 
 
 IDENTITY = (("学号", "number"), ("姓名", "name"), ("班级", "class"), ("卷号", "sheet"))
@@ -68,6 +69,8 @@ def _of_row(problem: str, row: EquationRow) -> Column:
 def _parts(one: Graded) -> list[tuple[What, str]]:
     value = (What.VALUE, written_unit(one.unit))
     match one.kind:
+        case Kind.PLACE:
+            return [(What.PLACE, f"(x, y) {one.written_in}" + (f", {one.origin} = (0, 0)" if one.origin else ""))]
         case Kind.VECTOR:
             return [(What.LENGTH, "mm"), value, (What.DIRECTION, "°")]
         case Kind.SIGNED:

@@ -21,6 +21,7 @@ _CREATED = datetime(2000, 1, 1)
 _SENSES = ("顺", "逆", "↻", "↺", "cw", "ccw")
 TICK_LETTERS = 12  # at most, in each cell of an equation that is copied with its words
 _LENGTH, _TURN = 400.0, 360.0  # mm, degrees: nothing on a page is longer, no direction larger
+_PAIR = 3  # characters that two coordinates have at least
 _ANSWERS, _KEY = Words("答案", "answers"), Words("答案键", "key")
 _WRONG = Words("此处应为", "expected here: ")
 
@@ -76,6 +77,8 @@ def _validated(page: Any, i: int, column: Column, count: int, lang: str) -> None
         case What.TICKS:
             longest = TICK_LETTERS * column.terms
             rule |= {"validate": "length", "criteria": "between", "minimum": column.terms, "maximum": longest}
+        case What.PLACE:
+            rule |= {"validate": "length", "criteria": ">=", "value": _PAIR}
         case What.VALUE | What.SCALE:
             rule |= {"validate": "decimal", "criteria": "between", "minimum": -1e9, "maximum": 1e9}
     said = (_WRONG.zh if lang == "zh" else _WRONG.en) + f"{column.key} {column.unit}"
@@ -131,7 +134,7 @@ def _key_heads(part: Part, lang: str) -> tuple[list[str], list[str]]:
     for one in _asked(part):
         mark = Words("（连带）", " (follow-through)") if one.demoted else Words.same("")
         heads = [*heads, one.key + (mark.zh if lang == "zh" else mark.en), f"{one.key} T"]
-        units = [*units, written_unit(one.unit), written_unit(one.unit)]
+        units = [*units, written_unit(one.written_in), written_unit(one.written_in)]
         if one.kind is Kind.VECTOR:
             heads, units = [*heads, f"{one.key} mm", f"{one.key} deg"], [*units, "mm", "°"]
     return heads, units
@@ -141,10 +144,17 @@ def _key_row(sheet: Sheet, part: Part) -> list[str | float]:
     row: list[str | float] = [*identity(sheet), *part.values.values(), *(part.scales[mu] for mu in sorted(part.scales))]
     row += [shown(one.known) for one in part.key.equations]
     for one in _asked(part):
-        row += [_round(one.exact), _round(one.allowed)]
+        row += [_exact(one), _round(one.allowed / one.one)]
         if one.kind is Kind.VECTOR:
             row += [_round(one.mm or 0.0), _round(one.degrees) if one.degrees is not None else ""]
     return row
+
+
+def _exact(one: Graded) -> str | float:
+    """The value, of a place both coordinates."""
+    if one.at is None:
+        return _round(one.exact)
+    return "({:.6g}, {:.6g})".format(*(at / one.one + 0.0 for at in one.at))
 
 
 def _asked(part: Part) -> Sequence[Graded]:

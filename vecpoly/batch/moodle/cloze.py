@@ -3,9 +3,12 @@ it."""
 
 from __future__ import annotations
 
+from decimal import Decimal
+
 from ...grading.key import Graded, Kind
+from ...names import written_unit
 from ...words import Lang, Words
-from .answers import Worth
+from .answers import Worth, worded
 
 UNITS = {
     "m/s": ("mm/s", "rad/s"),
@@ -17,18 +20,21 @@ UNITS = {
     "m": ("mm", "m/s"),
 }
 _SENSE = (Words("逆时针 ↺", "counter-clockwise ↺"), Words("顺时针 ↻", "clockwise ↻"))
+_ESCAPES = str.maketrans({"}": "\\}", "#": "\\#", "~": "～", "\\": "＼"})
 _CHECK = Words("检查矢量的指向", "look at where the vector points")
 
 
 def escaped(text: str) -> str:
-    """A text inside a blank: } # ~ " \\ have a meaning there."""
-    return "".join(f"\\{char}" if char in '}#~"\\/' else char for char in text)
+    """A text inside a blank. Moodle takes the backslash away before } and # alone (`qtype_multianswer`): it would stand
+    before anything else, so that ~ and a backslash itself are written by letters that look like them."""
+    return text.translate(_ESCAPES)
 
 
 def plain_number(value: float) -> str:
-    """Without a leading plus, without an exponent that a pattern might miss."""
-    text = f"{value:.10f}".rstrip("0").rstrip(".")
-    return text if text not in ("", "-0") else "0"
+    """All its digits, without a leading plus, without an exponent that a pattern might miss."""
+    text = f"{Decimal(repr(value)):f}"
+    whole = text.rstrip("0").rstrip(".") if "." in text else text
+    return whole if whole not in ("", "-0") else "0"
 
 
 def blank(weight: int, worths: tuple[Worth, ...], lang: Lang) -> str:
@@ -42,10 +48,12 @@ def blank(weight: int, worths: tuple[Worth, ...], lang: Lang) -> str:
 
 
 def row(one: Graded, worths: tuple[Worth, ...], lang: Lang) -> str:
-    """Symbol = value, unit, and for ω and α the sense; there the value is a size."""
-    sized = tuple(worth for worth in worths if worth.value >= 0) if one.kind is not Kind.SIGNED else _sizes(worths)
-    text = f"{blank(2, sized, lang)} {unit_of(one.unit)}"
-    return text + (f" {sense(one, lang)}" if one.kind is Kind.SIGNED and one.exact else "")
+    """The value with its unit; of ω and α its size and its sense; a choice of what is told in words."""
+    if said := worded(one, lang):
+        return choice(2, said)
+    signed = one.kind is Kind.SIGNED
+    text = f"{blank(2, _sizes(worths) if signed else worths, lang)} {unit_of(one.unit)}".rstrip()
+    return f"{text} {sense(one, lang)}" if signed and one.exact else text
 
 
 def _sizes(worths: tuple[Worth, ...]) -> tuple[Worth, ...]:
@@ -65,12 +73,18 @@ def _sizes(worths: tuple[Worth, ...]) -> tuple[Worth, ...]:
 
 def unit_of(unit: str) -> str:
     """A choice of units, the right one among two others."""
-    shown = unit.replace("^2", "²")
-    wrong = "".join(f"~{escaped(other)}" for other in UNITS.get(unit, ()))
-    return f"{{1:MULTICHOICE_S:={escaped(shown)}{wrong}}}" if wrong else shown
+    shown, wrong = written_unit(unit), UNITS.get(unit, ())
+    return choice(1, (shown, *wrong)) if wrong else shown
 
 
 def sense(one: Graded, lang: Lang) -> str:
     """↺ or ↻."""
-    right, wrong = _SENSE if one.exact > 0 else _SENSE[::-1]
-    return f"{{1:MULTICHOICE:={escaped(right.of(lang))}~{escaped(wrong.of(lang))}#{escaped(_CHECK.of(lang))}}}"
+    right, wrong = (said.of(lang) for said in (_SENSE if one.exact > 0 else _SENSE[::-1]))
+    return choice(1, (right, wrong), _CHECK.of(lang))
+
+
+def choice(weight: int, options: tuple[str, ...], said: str = "") -> str:
+    """The first among others, shuffled, and what is said of those."""
+    right, *wrong = map(escaped, options)
+    told = f"#{escaped(said)}" if said else ""
+    return f"{{{weight}:MULTICHOICE_S:={right}{''.join(f'~{other}{told}' for other in wrong)}}}"

@@ -17,10 +17,11 @@ from ...names import written_unit
 from ...report.content import statement
 from ...report.document import PICTURE
 from ...report.picture import picture
+from ...report.values import called
 from ...solution import solve
 from ...words import Lang, Words, bare
 from ..register import Part, Register, Sheet
-from .answers import Worth, worths
+from .answers import Worth, asked_of, worded, worths
 from .cloze import plain_number, row
 
 VARIANTS = 20  # of each problem: Moodle warns of large banks of questions
@@ -35,14 +36,11 @@ class _Asked:
 
     sheet: Sheet
     part: Part
+    asked: tuple[Graded, ...]
     said: dict[str, str]
     svg: bytes
     worths: dict[str, tuple[Worth, ...]]
     solution: str
-
-    @property
-    def asked(self) -> tuple[Graded, ...]:
-        return tuple(one for one in self.part.key.quantities if one.key in self.worths)
 
     @property
     def name(self) -> str:
@@ -79,7 +77,7 @@ class Quizzes:
                 for variant in variants:
                     for one in variant.asked:
                         if one.key == key:
-                            _numerical(root, variant, one, lang)
+                            _alone(root, variant, one, lang)
         return _written(root)
 
 
@@ -104,13 +102,18 @@ def _by_problem(register: Register) -> Iterator[tuple[str, list[_Asked]]]:
 def _asked(register: Register, sheet: Sheet, part: Part, lang: Lang) -> _Asked:
     problem = register.variant(part)
     solution = solve(problem, precise=False)
-    asked = tuple(one for one in part.key.quantities if one.asked and not one.demoted and one.exact)
+    asked = asked_of(part.key)
     drawn = picture(problem, solution.construction.toned({}), *PICTURE)  # a question is in black
     svg = to_svg(draw_figure(drawn, lang=lang, caption=False)).encode() if drawn else b""
-    right = "；".join(
-        f"{one.key} = {one.exact:.4g} {written_unit(one.unit)}（{_SCALE.of(lang)} {one.allowed:.2g}）" for one in asked
-    )
-    return _Asked(sheet, part, statement(solution, lang), svg, worths(problem, asked), right)
+    right = "；".join(_solved(one, lang) for one in asked)
+    return _Asked(sheet, part, asked, statement(solution, lang), svg, worths(problem, asked), right)
+
+
+def _solved(one: Graded, lang: Lang) -> str:
+    """What is right, and within what."""
+    if said := worded(one, lang):
+        return f"{one.key}: {said[0]}"
+    return f"{one.key} = {one.exact:.4g} {written_unit(one.unit)}（{_SCALE.of(lang)} {one.allowed:.2g}）"
 
 
 def _category(root: xml.Element, register: Register, name: str, sort: str, lang: Lang) -> None:
@@ -141,21 +144,42 @@ def _text(one: _Asked, lang: Lang, *, blanks: bool) -> str:
         parts.append(f'<p><img src="@@PLUGINFILE@@/figure.svg" alt="{said["title"]}"></p>')
     if blanks:
         parts += [
-            f"<p>{escape(bare(asked.symbol))} = {escape(row(asked, one.worths[asked.key], lang), quote=False)}</p>"
+            f"<p>{escape(_label(asked, lang))} = {escape(row(asked, one.worths[asked.key], lang), quote=False)}</p>"
             for asked in one.asked
         ]
     return "".join(parts)
 
 
-def _numerical(root: xml.Element, variant: _Asked, one: Graded, lang: Lang) -> None:
-    asked = f"{_FIND.of(lang)}{escape(bare(one.symbol))} ({escape(written_unit(one.unit))})"
-    text = f"{_text(variant, lang, blanks=False)}<p>{asked}</p>"
-    question = _question(root, "numerical", variant, f"{variant.name} {one.key}", text, lang)
+def _label(one: Graded, lang: Lang) -> str:
+    """What is asked: its symbol, and by which way it is found where that is told."""
+    return bare(called(one.symbol, one.key, lang))
+
+
+def _alone(root: xml.Element, variant: _Asked, one: Graded, lang: Lang) -> None:
+    """A question of one quantity: a number within its bands, or a choice."""
+    words = worded(one, lang)
+    unit = "" if words or not one.unit else f" ({written_unit(one.unit)})"
+    text = f"{_text(variant, lang, blanks=False)}<p>{_FIND.of(lang)}{escape(_label(one, lang) + unit)}</p>"
+    sort = "multichoice" if words else "numerical"
+    question = _question(root, sort, variant, f"{variant.name} {one.key}", text, lang)
     _tell(question, "defaultgrade", "1")
     _tell(question, "hidden", "0")
-    for worth in variant.worths[one.key]:
-        answer = xml.SubElement(question, "answer", fraction=str(worth.percent), format="moodle_auto_format")
-        _tell(answer, "text", plain_number(worth.value))
+    if words:
+        _choices(question, words)
+    else:
+        _numbers(question, variant.worths[one.key], one, lang)
+
+
+def _choices(question: xml.Element, words: tuple[str, ...]) -> None:
+    for tag, said in (("single", "true"), ("shuffleanswers", "true"), ("answernumbering", "none")):
+        _tell(question, tag, said)
+    for n, said in enumerate(words):
+        _answer(question, 0 if n else 100, escape(said), "html")
+
+
+def _numbers(question: xml.Element, worths: tuple[Worth, ...], one: Graded, lang: Lang) -> None:
+    for worth in worths:
+        answer = _answer(question, worth.percent, plain_number(worth.value), "moodle_auto_format")
         _tell(answer, "tolerance", plain_number(worth.allowed))
         xml.SubElement(xml.SubElement(answer, "feedback", format="html"), "text").text = escape(worth.said.of(lang))
     unit = xml.SubElement(xml.SubElement(question, "units"), "unit")
@@ -163,6 +187,12 @@ def _numerical(root: xml.Element, variant: _Asked, one: Graded, lang: Lang) -> N
     _tell(unit, "unit_name", written_unit(one.unit))
     for tag, said in (("unitgradingtype", "0"), ("unitpenalty", "0.1"), ("showunits", "3"), ("unitsleft", "0")):
         _tell(question, tag, said)
+
+
+def _answer(question: xml.Element, percent: int, text: str, form: str) -> xml.Element:
+    answer = xml.SubElement(question, "answer", fraction=str(percent), format=form)
+    _tell(answer, "text", text)
+    return answer
 
 
 def _tell(parent: xml.Element, tag: str, text: str) -> None:

@@ -15,6 +15,9 @@ TICK = 10.0  # mm between the ticks of a frame
 CELL = 6.0  # mm, side of a box for one figure
 ROW = 9.5  # mm between rows
 _PAPER, _VALUE, _WAY, _SENSE = 17.0, 62.0, 106.0, 142.0  # mm from the left, of the parts of a row
+_AXES = 42.0  # mm from one coordinate to the other
+_FROM = Words("（自 {} 起，向右、向上为正）", "(from {}, right and up)")
+_FROM_AXES = Words("（按题给坐标系）", "(in the given axes)")
 _SCALE = Words("比例尺", "Scale")
 
 
@@ -46,8 +49,9 @@ def _pole(canvas: Any, at: Spot, letter: str) -> None:
     canvas.setFillColorRGB(0, 0, 0)
 
 
-def draw_blank(canvas: Any, blank: Blank) -> None:
-    """Symbol; □□□.□ mm on paper; the value with its unit; its direction □□□.□°, or the boxes ↻ ↺."""
+def draw_blank(canvas: Any, blank: Blank, lang: Lang) -> None:
+    """Symbol; □□□.□ mm on paper; the value with its unit; its direction □□□.□°, or the boxes ↻ ↺; of a place both
+    coordinates, and from where."""
     x, y = blank.at
     canvas.setStrokeColorRGB(0, 0, 0)
     canvas.setLineWidth(0.18 * MM)
@@ -55,6 +59,9 @@ def draw_blank(canvas: Any, blank: Blank) -> None:
     if blank.length:
         end = _figures(canvas, (x + _PAPER, y - 1.6))
         write(canvas, "mm", (end + 1.2, y), SMALL)
+    if blank.place:
+        _coordinates(canvas, blank, lang)
+        return
     value = x + (_PAPER + 5.0 if blank.plain else _VALUE)
     write(canvas, "=", (value - 5.0, y), SMALL)
     line(canvas, (value, y - 1.4), (value + 24.0, y - 1.4))
@@ -64,6 +71,18 @@ def draw_blank(canvas: Any, blank: Blank) -> None:
         write(canvas, "°", (end + 1.0, y), SMALL)
     if blank.sense:
         _senses(canvas, (x + _SENSE - 36.0, y))
+
+
+def _coordinates(canvas: Any, blank: Blank, lang: Lang) -> None:
+    """x = ____ mm, y = ____ mm, from A to the right and up."""
+    x, y = blank.at
+    for i, axis in enumerate("xy"):
+        left = x + _PAPER + i * _AXES
+        write(canvas, f"${axis}$ =", (left, y), SMALL)
+        line(canvas, (left + 7.0, y - 1.4), (left + 29.0, y - 1.4))
+        write(canvas, blank.unit, (left + 30.5, y), SMALL)
+    origin = _FROM.of(lang).format(f"${blank.origin}$") if blank.origin else _FROM_AXES.of(lang)
+    write(canvas, origin, (x + _PAPER + 2 * _AXES, y), SMALL)
 
 
 def _figures(canvas: Any, at: Spot) -> float:

@@ -120,9 +120,11 @@ def _blank(one: Graded, at: tuple[float, float]) -> Blank:
     return Blank(
         key=one.key,
         symbol=one.symbol,
-        unit=one.unit,
+        unit=one.written_in,
         at=at,
         length=one.mm is not None and bool(one.mm),
         direction=vector,
         sense=one.kind is Kind.SIGNED,
+        place=one.kind is Kind.PLACE,
+        origin=one.origin,
     )

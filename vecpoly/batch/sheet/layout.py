@@ -37,7 +37,7 @@ class Frame:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Blank:
     """Where an answer is written: baseline of its symbol; whether a length on paper, a direction, a sense are asked
-    with it."""
+    with it; place: whether it is two coordinates, origin: from which point."""
 
     key: str
     symbol: str
@@ -46,11 +46,13 @@ class Blank:
     length: bool
     direction: bool
     sense: bool
+    place: bool = False
+    origin: str = ""
 
     @property
     def plain(self) -> bool:
         """Whether a number is all that is asked, so that two go beside each other."""
-        return not (self.length or self.direction or self.sense)
+        return not (self.length or self.direction or self.sense or self.place)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -43,7 +43,7 @@ def sheet_bytes(
                 draw_frame(canvas, one.page.frame, one.figure.title.of(lang), _scale(one.figure), lang)
         for blank in one.page.blanks:
             with marked(canvas, Tag(Role.P)):
-                draw_blank(canvas, blank)
+                draw_blank(canvas, blank, lang)
         canvas.showPage()
     canvas.save()
     return target.getvalue()

@@ -25,6 +25,12 @@ def wrongly(
     return tuple(made), [(hand, one.value) for hand, one in made_by if one is not None]
 
 
+def upside_down(ratio: Expr) -> Chance | None:
+    """That a ratio of two lengths is turned over; None where they are alike."""
+    alike = isclose(abs(nominal(ratio.value)), 1.0, rel_tol=SAME)
+    return None if alike else Chance(Mistake.INVERTED, _name(ratio))
+
+
 def _is_other(wrong: Expr, right: Expr) -> bool:
     """Whether a formula gives another value, and any."""
     try:

@@ -62,9 +62,11 @@ def check_claims(
 
 
 def _print(checked: Checked, lang: Lang) -> None:
+    from ...grading.student import is_right
+
     title = f"{checked.problem.id}  {bare(checked.problem.title.of(lang))}"
     made = table(title, [(name, "left") for name in _COLUMNS[lang]])
-    fine = [one.is_right for one in checked.answers]
+    fine = [is_right(one) for one in checked.answers]
     fine += [one.outcome.is_right for one in checked.ticked]
     for row, right in zip(checked.rows(lang), fine, strict=True):
         add(made, row, alarmed=not right)

@@ -79,10 +79,10 @@ def _number_for_yes(written: Written, graded: Graded) -> Measured | None:
 def _factor(written: Written, graded: Graded) -> tuple[float, UnitFault | None]:
     if graded.kind is Kind.YES_NO:
         return 1.0, None
-    asked = unit(graded.unit) if graded.unit else None
+    asked = unit(graded.written_in) if graded.written_in else None
     if written.unit is None:
-        return 1.0, None if asked is None else UnitFault.MISSING
+        return graded.one, None if asked is None else UnitFault.MISSING
     mine, theirs = "" if asked is None else asked.dimension, written.unit.dimension
     if mine == theirs or mine == _ANGLE + theirs:  # 1/s for rad/s
-        return written.unit.factor / (asked.factor if asked else 1.0), None
-    return 1.0, UnitFault.DIMENSION
+        return graded.one * written.unit.factor / (asked.factor if asked else 1.0), None
+    return graded.one, UnitFault.DIMENSION

@@ -12,8 +12,10 @@ from ...board.acts import Answer as Wrote
 from ...board.place import View, views
 from ...errors import VecpolyError
 from ...figures import View as Figured
+from ...mechanism.model import Mechanism
 from ...methods.drawn import Drawn
 from ...names import parse_rel
+from ...problem.asked.checks import is_check
 from ...problem.problem import Problem
 from ...solution import Solution, scales_of, solve
 from ...words import Words
@@ -116,12 +118,19 @@ class _Found:
             unit=unit,
             block=block_of(None, unit),
             exact=answer.exact,
-            asked=True,
+            asked=not is_check(answer.key, self.solution.answers),
             mu=scale,
             mm=abs(answer.exact) / mu if mu and kind is Kind.VECTOR else None,
             degrees=bearing(vector) if vector is not None else None,
             at=(place.real, place.imag) if place is not None else None,
+            origin=_origin(self.solution.problem) if kind is Kind.PLACE else "",
         )
+
+
+def _origin(problem: Problem) -> str:
+    """The fixed point in which the axes begin; nothing where the problem begins them elsewhere."""
+    frame = problem.subject.frame if isinstance(problem.subject, Mechanism) else {}
+    return next((letter for letter, at in frame.items() if abs(at) <= ZERO), "")
 
 
 def _kind(answer: Answer) -> Kind:

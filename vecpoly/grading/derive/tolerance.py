@@ -57,7 +57,12 @@ class Scatter:
         largest: dict[str, float] = {}
         for one in graded:
             largest[one.unit] = max(abs(one.exact), largest.get(one.unit, 0.0))
-        return [self._bounded(one, self._shortest(one, lengths), largest[one.unit] or 1.0) for one in graded]
+        return [
+            self._bounded(
+                _rid_of_rounding(one, largest[one.unit]), self._shortest(one, lengths), largest[one.unit] or 1.0
+            )
+            for one in graded
+        ]
 
     def _shortest(self, one: Graded, lengths: dict[str, float]) -> float | None:
         below = [lengths[key] for key in one.needs if key in lengths]
@@ -87,6 +92,12 @@ class Scatter:
         if size <= COMPUTED * largest:
             return rule.arithmetic * largest
         return max(size * rule.floor / mm if mm else 0.0, rule.arithmetic * size)
+
+
+def _rid_of_rounding(one: Graded, largest: float) -> Graded:
+    """The quantity, nothing where it is not more than the rounding of the largest of its unit."""
+    nothing = one.kind is not Kind.PLACE and abs(one.exact) <= COMPUTED * largest
+    return replace(one, exact=0.0) if nothing else one
 
 
 def with_tolerance(one: Graded, act: Act, scatter: Scatter) -> Graded:

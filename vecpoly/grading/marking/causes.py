@@ -17,6 +17,7 @@ from ..told.message import Message, message
 from ..told.slip import told_of
 from .verdict import Verdicts
 
+FAR = -2  # powers of ten
 ALIKE = 3  # values that one wrong scale must explain, at least
 
 
@@ -51,11 +52,14 @@ def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mu
     settled = {name for name in found.given if name in why.said or name in why.source}
     for pool in (set(found.given) - settled, _near(found, root)):
         explained = explain(found.key, found.given, pool, mutants)
-        if explained.mutant is not None and _of_two(found, root, open_ones):
+        made = explained.mutant
+        rivals = _rivals(found, root, open_ones, made) if made is not None else ()
+        if any(map(_far_smaller, rivals)):
+            return
+        if rivals:
             why.said[root.key] = message(Told.TWO_SLIPS)
             return
-        if explained.mutant is not None:
-            made = explained.mutant
+        if made is not None:
             why.said[root.key], why.slips[root.key] = told_of(made.slip, made.also), made.slip
             _spread(found, why, root.key, open_ones, made)
             return
@@ -64,11 +68,18 @@ def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mu
             return
 
 
-def _of_two(found: Verdicts, root: Graded, open_ones: Collection[str]) -> bool:
-    """Whether a single wrong value has another explanation too."""
+def _rivals(found: Verdicts, root: Graded, open_ones: Collection[str], made: Mutant) -> tuple[Message, ...]:
+    """The other explanations of a single wrong value; another vector taken for it is none beside a mistake that was
+    made with the very quantity."""
     if len(open_ones) > 1 or found.outcome[root.key] is not Outcome.WRONG:
-        return False
-    return bool(explanations(root, found.given[root.key], target_of(root), found.key))
+        return ()
+    said = explanations(root, found.given[root.key], target_of(root), found.key)
+    return tuple(one for one in said if one.id is not Told.SWAPPED or made.slip.key != root.key)
+
+
+def _far_smaller(rival: Message) -> bool:
+    """Whether it is a power of ten by which T is so much smaller that hardly anything else comes as near."""
+    return rival.id is Told.POW10 and int(str(rival.numbers["n"])) <= FAR
 
 
 def _a_single_sense(found: Verdicts, root: Graded) -> bool:

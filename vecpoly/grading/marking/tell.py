@@ -18,6 +18,11 @@ from ..told.message import Message, message
 from .causes import Causes
 from .verdict import Verdicts
 
+_OTHER_KIND = Words("写的不是所求的那种量", "it is not the kind of answer that is asked")
+_ASKED = {
+    Kind.PLACE: Words("应写两个坐标，如 (12.5, −30) mm", "two coordinates are asked, as in (12.5, −30) mm"),
+    Kind.YES_NO: Words("应写“是”或“否”", "yes or no is asked"),
+}
 FINEST = 1e-4  # of T: of less so many noughts are no help
 
 
@@ -36,7 +41,7 @@ def sentences(found: Verdicts, why: Causes, one: Graded, rules: Rules) -> tuple[
 def _outcome(found: Verdicts, why: Causes, one: Graded) -> Iterator[Message]:
     outcome, basis = found.outcome[one.key], found.basis.get(one.key, Basis.EXACT)
     raw = found.sheet.answers[one.key]
-    reason = raw.why or Words("写的不是所求的那种量", "it is not the kind of answer that is asked")
+    reason = _ASKED.get(one.kind) or raw.why or _OTHER_KIND
     match outcome:
         case Outcome.BLANK:
             yield message(Told.BLANK)
@@ -123,10 +128,10 @@ def _unit(found: Verdicts, one: Graded, rules: Rules) -> Iterator[Message]:
     if mine is None:
         return
     if mine.fault is UnitFault.MISSING and not rules.printed:
-        yield message(Told.UNIT_MISSING, u=written_unit(one.unit))
+        yield message(Told.UNIT_MISSING, u=written_unit(one.written_in))
     if mine.fault is UnitFault.DIMENSION:
         unit = found.sheet.answers[one.key].unit
-        yield message(Told.UNIT_WRONG, given=unit.text if unit else "", u=written_unit(one.unit))
+        yield message(Told.UNIT_WRONG, given=unit.text if unit else "", u=written_unit(one.written_in))
 
 
 def _digits(found: Verdicts, one: Graded, digits: int, rules: Rules) -> Iterator[Message]:
@@ -159,7 +164,11 @@ def _gap(found: Verdicts, one: Graded) -> float:
 
 def _off(found: Verdicts, one: Graded) -> str:
     off = abs(_gap(found, one))
-    return f"{_rounded(off, one.allowed)} {written_unit(one.unit)}".strip() if isfinite(off) else "?"
+    return (
+        f"{_rounded(off / one.one, one.allowed / one.one)} {written_unit(one.written_in)}".strip()
+        if isfinite(off)
+        else "?"
+    )
 
 
 def _rounded(off: float, allowed: float) -> str:
@@ -175,4 +184,4 @@ def _mine(found: Verdicts, name: str) -> str:
 
 def _amount(one: Graded, value: float, digits: int = 3) -> str:
     """A number with the unit of its quantity, as it is printed."""
-    return f"{bare(number(value, digits))} {written_unit(one.unit)}".strip()
+    return f"{bare(number(value / one.one, digits))} {written_unit(one.written_in)}".strip()

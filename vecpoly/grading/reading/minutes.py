@@ -16,6 +16,12 @@ def in_degrees(text: str) -> str:
     return _ARC.sub(_decimal, text)
 
 
+def beyond_sixty(text: str) -> bool:
+    """Whether there are minutes or seconds of 60 and more: 35°60′ is nobody's 36°."""
+    found = _ARC.search(text)
+    return found is not None and _decimal(found) == found[0]
+
+
 def _decimal(found: re.Match[str]) -> str:
     minutes, seconds = float(found["min"]), float(found["sec"] or 0)
     if minutes >= SIXTY or seconds >= SIXTY:

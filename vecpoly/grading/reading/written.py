@@ -11,10 +11,12 @@ from enum import StrEnum
 from ...words import Words
 from .characters import plain
 from .direction import Pointing, split_direction
-from .minutes import in_degrees
+from .minutes import beyond_sixty, in_degrees
 from .number import NUMBER, number
+from .pair import Pair, in_brackets, without_brackets
 from .sense import split_sense
 from .unit import Unit, unit
+from .yes_no import yes_or_no
 
 LONGEST = 80  # characters that an answer has at most
 
@@ -71,28 +73,9 @@ _NONE = {
     "×",
     "x",
 }
-_YES = {"是", "有", "存在", "能", "会", "自锁", "能自锁", "会自锁", "√", "✓", "✔", "对"}
-_YES |= {"yes", "y", "true", "self-locking"}
-_NO = {
-    "否",
-    "不",
-    "不是",
-    "不能",
-    "不会",
-    "不自锁",
-    "不能自锁",
-    "不会自锁",
-    "不存在",
-    "no",
-    "n",
-    "false",
-    "not self-locking",
-    "错",
-}
 _LEAD = re.compile(r"^(?:[≈~=≅]|约为|约|大约|about|ca\.?|approx\.?|\s)+", re.I)
 _DATE = re.compile(r"\d{4}-\d{2}-\d{2}(?: \d{2}:\d{2}:\d{2})?")
 _FORMULA = re.compile(r"=\s*-?(?:\$?[A-Z]{1,3}\$?\d|[A-Z]{2,}\(|\(?[\d.]+\s*(?!\*\s*10\s*\^)[*/+-]\s*[\d(A-Z$])")
-_TWO = re.compile(r"^\(\s*([^,;]+?)\s*[,;]\s*([^,;]+?)\s*\)\s*(\S*)$")
 
 
 def written(raw: str | float | None) -> Written:
@@ -103,15 +86,17 @@ def written(raw: str | float | None) -> Written:
         return Written(raw=text, state=State.BLANK)
     if bare.lower() in _NONE:
         return Written(raw=text, state=State.NONE, yes=False if bare in ("无", "没有", "×", "x") else None)
-    if bare.lower() in _YES or bare.lower() in _NO:
-        return Written(raw=text, state=State.READ, yes=bare.lower() in _YES)
+    if (truth := yes_or_no(bare)) is not None:
+        return Written(raw=text, state=State.READ, yes=truth)
     if (why := _spoilt(bare)) is not None:
         return _refused(text, why)
     if len(bare) > LONGEST:
         return _refused(text, Words("过长，不像一个答案", "too long for an answer"))
-    if (two := _TWO.match(bare)) is not None:
+    if (two := in_brackets(bare)) is not None:
         return _place(text, two)
-    return _one(text, _LEAD.sub("", bare).rstrip(".,; "))
+    one = _one(text, _LEAD.sub("", bare).rstrip(".,; "))
+    two = without_brackets(bare) if one.state is State.UNREADABLE else None
+    return one if two is None else _place(text, two)
 
 
 def _spoilt(bare: str) -> Words | None:
@@ -130,6 +115,8 @@ def _spoilt(bare: str) -> Words | None:
 
 def _one(raw: str, bare: str) -> Written:
     """A number with what stands beside it."""
+    if beyond_sixty(bare):
+        return _refused(raw, Words("分、秒应小于 60", "minutes and seconds of arc are below 60"))
     arc, bare = bare, in_degrees(bare)
     is_arc = arc != bare
     bare, direction = split_direction(bare)
@@ -166,15 +153,15 @@ def _one(raw: str, bare: str) -> Written:
     )
 
 
-def _place(raw: str, two: re.Match[str]) -> Written:
-    """Two coordinates in brackets, with one unit behind them or each with its own."""
-    parts = [_one(raw, part) for part in (two[1], two[2])]
+def _place(raw: str, two: Pair) -> Written:
+    """Two coordinates, with one unit behind them or each with its own."""
+    parts = [_one(raw, part) for part in two[:2]]
     bad = next((part for part in parts if part.state is not State.READ), None)
     if bad is not None:
         return bad
-    behind = unit(two[3]) if two[3] else None
+    behind = unit(two[2]) if two[2] else None
     units = {part.unit for part in parts if part.unit} | ({behind} if behind else set())
-    if len(units) > 1 or (two[3] and behind is None):
+    if len(units) > 1 or (two[2] and behind is None):
         return _refused(
             raw, Words("两个坐标的单位不一致，或不可识别", "the units of the coordinates differ, or are not known")
         )

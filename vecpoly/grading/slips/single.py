@@ -12,38 +12,48 @@ from ..compare.measured import Measured
 from ..key import AnswerKey, Graded, Kind
 from ..told.catalogue import Told
 from ..told.message import Message, message
+from .places import of_places
 
 NEAR = 0.05  # a factor is one only as near as this
 TENS = 7
-_OF_TIME = ("m/s", "m/s^2", "rad/s", "rad/s^2")
+_POWERS = {"m/s": (1,), "rad/s": (1,), "m/s^2": (2,), "rad/s^2": (1, 2)}  # of ω in what has this unit
 
 
 def explanations(one: Graded, mine: Measured, target: Target, key: AnswerKey) -> tuple[Message, ...]:
     """Every explanation that fits; more than one is none."""
-    if one.kind in (Kind.PLACE, Kind.YES_NO):
+    if one.kind is Kind.PLACE:
+        return tuple(of_places(one, mine, target, key))
+    if one.kind is Kind.YES_NO:
         return ()
     if abs(target.value) <= one.allowed and not one.exact:
         return (_why_zero(one),)
     if not target.value or not mine.value:
         return ()
     near = min(NEAR, one.allowed / abs(one.exact)) if one.exact else NEAR
-    found = list(_factors(one, abs(mine.value / target.value), near))
-    return (*(said for said, _ in found), *_others(one, mine, key))
+    return (*_factors(one, abs(mine.value / target.value), near), *_others(one, mine, key))
 
 
-def _factors(one: Graded, ratio: float, near: float) -> Iterator[tuple[Message, float]]:
+def _factors(one: Graded, ratio: float, near: float) -> list[Message]:
+    """What a value may be off by, without what fits far less well than the best."""
+    fitting = [(abs(ratio / factor - 1), said) for factor, said in _known(one, ratio) if _is(ratio, factor, near)]
+    nearest = min((off for off, _ in fitting), default=0.0)
+    found: list[Message] = []
+    for off, said in fitting:
+        if off - nearest <= near / 2 and said not in found:
+            found.append(said)
+    return found
+
+
+def _known(one: Graded, ratio: float) -> Iterator[tuple[float, Message]]:
+    """Powers of ten; turns and minutes in what goes with ω, their squares in what goes with ω²."""
     power = round(log10(ratio))
-    if power and abs(power) <= TENS and _is(ratio, 10.0**power, near):
-        yield message(Told.POW10, n=str(power)), 10.0**power
-    if one.unit in _OF_TIME:
-        squared = (2 * pi, 4 * pi * pi)
-        if any(_is(ratio, factor, near) or _is(ratio, 1 / factor, near) for factor in squared):
-            yield message(Told.TURNS), 2 * pi
-        minutes = (2 * pi / 60, (2 * pi / 60) ** 2)
-        if any(_is(ratio, factor, near) or _is(ratio, 1 / factor, near) for factor in minutes):
-            yield message(Told.PER_MINUTE), 2 * pi / 60
-    if one.unit == "deg" and (_is(ratio, radians(1), near) or _is(ratio, 1 / radians(1), near)):
-        yield message(Told.DEGREES), radians(1)
+    if power and abs(power) <= TENS:
+        yield 10.0**power, message(Told.POW10, n=str(power))
+    for exponent in _POWERS.get(one.unit, ()):
+        for factor, told in ((2 * pi, Told.TURNS), (2 * pi / 60, Told.PER_MINUTE)):
+            yield from ((factor ** (sign * exponent), message(told)) for sign in (1, -1))
+    if one.unit == "deg":
+        yield from ((radians(1) ** sign, message(Told.DEGREES)) for sign in (1, -1))
 
 
 def _is(ratio: float, factor: float, near: float) -> bool:

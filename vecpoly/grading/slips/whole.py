@@ -73,8 +73,10 @@ def _stretched(one: Graded, value: Value, rule: Allowance) -> float:
 
 def _score(key: AnswerKey, given: Mapping[str, Measured], pool: Collection[str], mutant: Mutant) -> float | None:
     """Sum of squares over σ, of what scatters widely with what its density is thinned by; None where a value does not
-    agree."""
+    agree, or where nothing but a yes or a no would bear the mistake out."""
     total, moved = 0.0, [name for name in pool if name in mutant.values]
+    if len(moved) == 1 and given[moved[0]].yes is not None:
+        return None
     for name in pool:
         one, mine = key[name], given[name]
         if not agrees(one, mine, mutant, key.allowance):

@@ -39,6 +39,8 @@ class Told(StrEnum):
     CORIOLIS_2 = "coriolis_2"
     TWO_SLIPS = "two_slips"
     SWAPPED = "swapped"
+    COORDINATE_SIGN = "coordinate_sign"
+    DIVIDED = "divided"
     TRANSLATES = "translates"
     ZERO = "zero"
     READ = "read"
@@ -59,6 +61,16 @@ class Told(StrEnum):
     TICK_UNKNOWN = "tick_unknown"
     NO_EQUATION = "no_equation"
     RENUMBERED = "renumbered"
+    NOT_READ = "not_read"
+    CONTRADICTION = "contradiction"
+    NOT_CLOSED = "not_closed"
+    NO_UNIT_OF_IT = "no_unit_of_it"
+    NO_UNIT = "no_unit"
+    NUMBER_RIGHT = "number_right"
+    FOLLOWS_OWN = "follows_own"
+    FOLLOWS_SLIP = "follows_slip"
+    FOLLOWS_DRAWN = "follows_drawn"
+    ONE_FACTOR = "one_factor"
 
 
 SENTENCES: Mapping[Told, Words] = {
@@ -137,6 +149,11 @@ SENTENCES: Mapping[Told, Words] = {
     Told.SWAPPED: Words(
         "这是 ${other}$ 的值：是否取错了矢量？", "This is the value of ${other}$: was the wrong vector taken?"
     ),
+    Told.COORDINATE_SIGN: Words("坐标的正负号不对", "The sign of a coordinate is wrong"),
+    Told.DIVIDED: Words(
+        "与把 ${line}$ 内分（应为外分），或外分（应为内分）的结果一致",
+        "Matches ${line}$ divided between its ends in place of beyond them, or the other way round",
+    ),
     Told.TRANSLATES: Words(
         "构件 {link} 此时不转动（平动），此量为 0", "Link {link} does not turn here, it translates: this is 0"
     ),
@@ -186,5 +203,19 @@ SENTENCES: Mapping[Told, Words] = {
     Told.TURNED: Words("大小正确，但方向不对", "Magnitude right, direction wrong"),
     Told.RENUMBERED: Words(
         "各解的先后不作规定，所写的编号按此对应：{pairs}", "Solutions have no order; yours are taken so: {pairs}"
+    ),
+    Told.NOT_READ: Words("无法识别“{raw}”：{why}", "Could not read '{raw}': {why}"),
+    Told.CONTRADICTION: Words("“{raw}”自相矛盾：{why}", "'{raw}' contradicts itself: {why}"),
+    Told.NOT_CLOSED: Words("按你前面的结果图形不能闭合", "With your earlier results the figure does not close"),
+    Told.NO_UNIT_OF_IT: Words(
+        "“{given}”不是此量的单位（应为 {u}）", "'{given}' is no unit of this quantity (it should be {u})"
+    ),
+    Told.NO_UNIT: Words("缺单位（应为 {u}）", "Unit missing ({u})"),
+    Told.NUMBER_RIGHT: Words("数值正确，但单位不对", "The number is right, its unit is not"),
+    Told.FOLLOWS_OWN: Words("按你前面的 ${src}$ = {v} 计算，本步正确", "Right when continued from your ${src}$ = {v}"),
+    Told.FOLLOWS_SLIP: Words("与 ${src}$ 处的错误一致，本步正确", "Follows rightly from the mistake at ${src}$"),
+    Told.FOLLOWS_DRAWN: Words("与你图上的线（{v}）一致，读数正确", "Read rightly off your own line ({v})"),
+    Told.ONE_FACTOR: Words(
+        "各结果同乘 {k}：比例尺 ${mu}$ 用错", "All results differ by the same factor {k}: wrong scale ${mu}$"
     ),
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from contextlib import suppress
 
@@ -12,6 +13,7 @@ from ...words import Words
 from .catalogue import Told
 from .message import Message, message
 
+_RATIO = re.compile(r"omega_ratio_(\d+?)_?(\d+)")  # omega_ratio_13, omega_ratio_1_12
 SLIPS = (Told.SLIP, Told.EITHER, Told.CORIOLIS, Told.CORIOLIS_2)  # the sentences that tell of one
 MOST = 3  # slips that one sentence tells
 _SAID = {
@@ -70,6 +72,8 @@ def _said(slip: Slip) -> Words:
 
 def symbol_of(key: str) -> str:
     """A key as it is printed: ``a^k_{C2C3}``, ``R_{32}``, ``bc2``."""
+    if (ratio := _RATIO.fullmatch(key)) is not None:
+        return f"ω_{{{ratio[1]}}}/ω_{{{ratio[2]}}}"
     with suppress(UnknownNameError):
         if (rel := parse_rel(key)).kind is not Kind.P:  # p_L is a number of lower pairs
             return rel.symbol

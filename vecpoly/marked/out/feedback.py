@@ -131,7 +131,7 @@ def _row(one: Finding, marked: Marked, lang: Lang, open_: bool) -> tuple[str, ..
     verdict = _OWN if one.basis is not Basis.EXACT and one.is_right else one.outcome.words
     messages = veiled(one.messages) if open_ else one.messages
     why = ("；" if lang == "zh" else "; ").join(said.words.of(lang) for said in messages)
-    unit = written_unit(graded.unit)
+    unit = written_unit(graded.written_in)
     unit = f" /({unit})" if set(unit) & set("/·") else f" /{unit}" if unit else ""
     points = (f"{one.earned.total:.2g}", f"{graded.points.total:.2g}") if graded.points.total else ("", "")
     return (f"${graded.symbol}${unit}", one.written.raw or "—", verdict.of(lang), *points, why)

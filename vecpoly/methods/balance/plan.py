@@ -18,7 +18,7 @@ def balance_pass(desk: Desk, problem: Problem) -> None:
     """Draw all counterweights; the readings are on the board."""
     asked = problem.counterweights
     assert asked is not None
-    here = weighing_of(desk, asked, problem.scales.of(view_named("products").mu))
+    here = weighing_of(desk, asked, problem.scales.wished(view_named("products").mu))
     for one in asked.order:
         PASSINGS.find(Stage.BALANCE, _group(desk, one)).draw(here, one)
     desk.board.step(

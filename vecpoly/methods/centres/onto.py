@@ -27,7 +27,7 @@ def is_once(problem: Problem) -> bool:
 def sharing(problem: Problem, least: float) -> float:
     """The least size of the mechanism (mm), where all is on paper, at which both figures have one μ_l; least: at which
     its links are told apart. A scale that is given stays."""
-    if problem.scales.of(View.MECHANISM.mu) is not None:
+    if problem.scales.wished(View.MECHANISM.mu) is not None:
         return inf
     return least if is_once(problem) else ENOUGH
 

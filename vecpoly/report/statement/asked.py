@@ -10,6 +10,7 @@ from ...mechanism.asked.centres import count
 from ...mechanism.model import Mechanism
 from ...names import is_centre, is_place
 from ...problem.asked.asks import Ask, AskCoriolis, AskNamed, AskPoint
+from ...problem.asked.checks import is_check
 from ...solution import YES_NO, Solution
 from ...words import Lang, Words
 from ..values import asked_load, called, curved, way_of
@@ -20,7 +21,6 @@ _MEANT = {
     "h": Words("原动件上力偶的力臂 {}", "the arm {} of the couple on the input link"),
     "eta": Words("效率 {}", "the efficiency {}"),
 }
-_CHECKED = "_sine"
 ALL_CENTRES = Words("全部瞬心", "all instant centres")
 T = TypeVar("T")
 
@@ -64,7 +64,7 @@ def _listed(solution: Solution) -> Iterator[tuple[str, Ask | None]]:
         yield "", None
     keys = {ask.rel.key for ask in solution.problem.asks}
     for ask in solution.problem.asks:
-        if ask.rel.key.endswith(_CHECKED) and ask.rel.key.removesuffix(_CHECKED) in keys:
+        if is_check(ask.rel.key, keys):
             continue
         if (ask.rel.key in coriolis and not isinstance(ask, AskCoriolis)) or (every and ask.rel in centres):
             continue

@@ -18,6 +18,7 @@ from ....names import omega
 from ....plane import Points, Reals, cross, dot, nominal, unit
 from ....words import Words
 from ..state import CentreFigure
+from .proportion import proportioned
 from .spots import Spot, apart, given, measured, spot_of
 
 CLOSE = 1e-4  # mm: a centre so near an absolute one gives no ratio
@@ -152,9 +153,11 @@ class Motions:
             ),
             fig.pane,
         )
-        expr = self.sizes[via] * self._part(base, common, own) / self._part(own, common, base)
+        arms = self._part(base, common, own), self._part(own, common, base)
+        expr = self.sizes[via] * arms[0] / arms[1]
         way = np.sign(nominal(self.turns[via])) * (1.0 if outside else -1.0)
-        self._keep(link, way * expr.value, expr)
+        value = proportioned(fig.board, omega(link).key, way * expr.value, arms[0] / arms[1], "rad/s")
+        self._keep(link, value, expr)
 
     def _translating(self, via: str, link: str) -> None:
         """v_j = v_Pij: all points of a translating link have the velocity of P_ij."""

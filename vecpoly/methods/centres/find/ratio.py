@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ....algebra.formula import named as as_symbol
-from ....algebra.quantity import Expr, magnitude
+from ....algebra.quantity import Expr, Quotient, magnitude
 from ....algebra.worked import worked
 from ....board.construction import Reading
 from ....errors import NoMethodError
@@ -15,6 +15,7 @@ from ....words import Words
 from ...registry import Stage, method
 from ..state import CentreFigure
 from .motions import CLOSE, Motions
+from .proportion import proportioned
 from .spots import apart, measured, spot_of
 
 
@@ -30,6 +31,8 @@ def read_ratio(motions: Motions, pair: Pair) -> None:
     fig, name = motions.fig, ratio(motions.fig.mech, *pair)
     found = _alike if fig.known.of(*pair).endless else _measured
     value, expr = found(fig, pair, name)
+    if isinstance(expr, Quotient):
+        value = proportioned(fig.board, name.key, value, expr, "")
     node = as_symbol(name.symbol)
     fig.board.write_worked(node, expr, "")
     fig.board.keep(

@@ -1,0 +1,71 @@
+"""What somebody is told who checks his own answers: of one value, and of nobody who marks it."""
+
+from __future__ import annotations
+
+import pytest
+from typer.testing import CliRunner
+
+from tests.grading.cases import problem_of
+from vecpoly.cli.app import app
+from vecpoly.grading.reading.written import written
+from vecpoly.grading.student import check_answers
+
+
+def sentences(problem: str, *answers: str) -> str:
+    return " ".join(
+        said.words.en for one in check_answers(problem_of(problem), answers).answers for said in one.messages
+    )
+
+
+@pytest.mark.parametrize(
+    ("problem", "answer", "said"),
+    [
+        ("3-12", "ak_D5D4=1.156", "the 2 of $a^k_{D5D4}$"),
+        ("3-12", "a_F=0.2395", "off by 10^-1"),
+        ("3-12", "a_F=23.95", "off by 10^1"),
+        ("3-12", "v_D=4.9", "off by 10^1"),
+        ("D-1", "P_13=(-0.0319, 0)", "off by 10^-3"),
+    ],
+)
+def test_a_single_value_is_explained_by_what_lies_nearest(problem: str, answer: str, said: str) -> None:
+    """By a mistake made with the very quantity before another's value; by a power of ten that fits to the last digit
+    before a factor that hardly does."""
+    assert said in sentences(problem, answer)
+
+
+def test_a_yes_or_no_alone_bears_out_no_mistake() -> None:
+    assert sentences("5-5", "self_locking=no") == "Not correct"
+
+
+def test_a_number_of_another_dimension_is_not_right() -> None:
+    checked = check_answers(problem_of("3-12"), ["v_F=0.687 m/s²"])
+    assert not checked.right and not checked.as_json()["answers"][0]["right"]
+    assert checked.rows("en")[0][2] == "wrong unit" and checked.rows("zh")[0][2] == "单位错"
+    assert "The number is right, its unit is not" in sentences("3-12", "v_F=0.687 m/s²")
+    assert CliRunner().invoke(app, ["check", "3-12", "v_F=0.687 m/s²"]).exit_code == 1
+    assert CliRunner().invoke(app, ["check", "3-12", "v_F=0.687 m/s"]).exit_code == 0
+
+
+@pytest.mark.parametrize("answer", ["v_F=hello", "v_F=0.687 m/s²", "omega_2=-1.26 ccw", "v_D=1,234", "P_13=1"])
+def test_nobody_is_told_of_manual_marking_or_of_points_who_is_alone(answer: str) -> None:
+    problem = "D-1" if answer.startswith("P") else "3-12"
+    said = sentences(problem, answer)
+    assert said and "manual" not in said and "deducted" not in said and "penalised" not in said
+
+
+@pytest.mark.parametrize(
+    ("text", "truth"),
+    [
+        ("不平衡", False), ("动平衡", True), ("未平衡", False), ("unbalanced", False), ("statically balanced", True),
+        ("不能自锁", False), ("会自锁", True), ("不失真", False), ("发生根切", True), ("不满足", False), ("是。", True),
+        ("not self-locking", False), ("满足要求", None), ("平", None), ("3", None),
+    ],
+)  # fmt: skip
+def test_yes_and_no_are_read_in_the_words_of_what_is_asked(text: str, truth: bool | None) -> None:
+    assert written(text).yes is truth
+
+
+def test_what_cannot_be_read_says_what_is_asked() -> None:
+    assert "minutes and seconds of arc are below 60" in sentences("8-4", "theta=35°60′")
+    assert "yes or no is asked" in sentences("6-4", "dynamic=perhaps")
+    assert written("35°59′").value == pytest.approx(35 + 59 / 60, abs=1e-4)
