@@ -9,6 +9,7 @@ import numpy as np
 
 from ....algebra.quantity import Quotient, magnitude
 from ....board.construction import Reading
+from ....board.hand import EXACT
 from ....errors import LockedError
 from ....mechanism.loads import Force, Moment
 from ....names import Named
@@ -125,9 +126,18 @@ def _of_powers(st: Statics, into: Reals, out: Reals) -> None:
 
 
 def _keep(st: Statics, ratio: Quotient) -> None:
-    """Refused where it is not in [0, 1]."""
+    """Refused where it is not in [0, 1] by a hand that reads exactly; another may read a little more than 1."""
     value = st.board.compute("η", ratio, "")
-    _refuse(float(nominal(value.value)), st.unknown.name)
+    eta = float(nominal(value.value))
+    if st.board.hand.nominal == EXACT:
+        _refuse(eta, st.unknown.name)
+    elif eta > 1.0:
+        st.board.remark(
+            Words(
+                f"读得 $η$ = {eta:.4g} 略大于 1，系作图误差：摩擦损失小于读数误差。",
+                f" $η$ = {eta:.4g} is read, above 1 by the error of drawing: friction takes less than can be read.",
+            )
+        )
     keep_value(st, ETA, value.value, ratio)
 
 
