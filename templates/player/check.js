@@ -71,31 +71,33 @@ const check = {
   // The one slip that explains the value, or another reason; where more than one would do, that is said.
   why(row, mine) {
     const found = [];
-    for (const [x, t, name] of row.slips) {
+    for (const [x, t, name, own] of row.slips) {
       const off = Math.abs(row.kind === "sc" ? mine.value - x : Math.abs(mine.value) - Math.abs(x)) / t;
-      if (["right", "close", "unsaid"].includes(check.weigh(row, mine, { x, t, deg: null, mm: null })) && off <= check.rule.lone) found.push([(check.rule.k * off) ** 2, name]);
+      if (["right", "close", "unsaid"].includes(check.weigh(row, mine, { x, t, deg: null, mm: null })) && off <= check.rule.lone) found.push([(check.rule.k * off) ** 2, name, own]);
     }
     found.sort((a, b) => a[0] - b[0]);
-    const other = check.itself(row, mine);
-    if (found.length) return found.length > 1 && found[1][0] - found[0][0] < check.rule.margin || other.length ? ["two_slips"] : [found[0][1]];
-    const names = new Set(other);
+    const factors = check.factors(row, mine), others = check.others(row, mine), names = new Set([...factors, ...others]);
+    if (found.length > 1 && found[1][0] - found[0][0] < check.rule.margin) return ["two_slips"];
+    const rivals = found.length && found[0][2] ? factors : [...names];
+    if (found.length && !rivals.some((name) => name.startsWith("pow10:") && +name.slice(6) <= check.rule.far)) return rivals.length ? ["two_slips"] : [found[0][1]];
     return names.size > 1 ? ["two_slips"] : [...names];
   },
 
-  itself(row, mine) {
+  // What the value may be off by, without what fits far less well than the best.
+  factors(row, mine) {
     if (!row.x) return ["zero"];
     if (!mine.value) return [];
-    const found = [], ratio = Math.abs(mine.value / row.x), near = Math.min(check.NEAR, row.near);
-    const is = (factor) => Math.abs(ratio / factor - 1) <= near, either = (factor) => is(factor) || is(1 / factor) || is(factor ** 2) || is(factor ** -2);
-    const tens = Math.round(Math.log10(ratio));
-    if (tens && Math.abs(tens) <= check.TENS && is(10 ** tens)) found.push(`pow10:${tens}`);
-    if (["m/s", "m/s^2", "rad/s", "rad/s^2"].includes(row.unit)) {
-      if (either(2 * Math.PI)) found.push("two_pi");
-      if (either(Math.PI / 30)) found.push("per_minute");
-    }
-    if (row.unit === "deg" && (is(Math.PI / 180) || is(180 / Math.PI))) found.push("degrees");
-    for (const [x, t, name] of row.others) if (Math.abs(Math.abs(mine.value) - Math.abs(x)) <= t) found.push(name);
-    return found;
+    const ratio = Math.abs(mine.value / row.x), near = Math.min(check.NEAR, row.near), tens = Math.round(Math.log10(ratio)), known = [];
+    if (tens && Math.abs(tens) <= check.TENS) known.push([10 ** tens, `pow10:${tens}`]);
+    for (const n of row.powers) for (const [factor, name] of [[2 * Math.PI, "two_pi"], [Math.PI / 30, "per_minute"]]) known.push([factor ** n, name], [factor ** -n, name]);
+    if (row.unit === "deg") known.push([Math.PI / 180, "degrees"], [180 / Math.PI, "degrees"]);
+    const fitting = known.map(([factor, name]) => [Math.abs(ratio / factor - 1), name]).filter(([off]) => off <= near), best = Math.min(...fitting.map(([off]) => off));
+    return [...new Set(fitting.filter(([off]) => off - best <= near / 2).map(([, name]) => name))];
+  },
+
+  others(row, mine) {
+    if (!row.x || !mine.value) return [];
+    return row.others.filter(([x, t]) => Math.abs(Math.abs(mine.value) - Math.abs(x)) <= t).map(([, , name]) => name);
   },
 
   // By how much: of what is right or close to two digits, with what is allowed; of what is wrong only about, which gives nothing away.

@@ -90,12 +90,13 @@ def test_what_is_judged_here_is_what_the_program_says(name: str, key: str) -> No
     assert check_answers(load(name), {key: written}).answers == (judged(name, key, written),)
 
 
-def test_reasons_are_those_of_the_program(page: Page) -> None:
-    at(page, "3-9", "en")
-    index = [one.key for one in asked("3-9")].index("ak_C2C3")
-    exact = key_of("3-9")["ak_C2C3"].exact
-    for factor in (0.5, 10.0, 1.6, 0.01, 100.0):
-        mine = judged("3-9", "ak_C2C3", f"{exact * factor:.4g}")
+@pytest.mark.parametrize(("problem", "key"), [("3-9", "ak_C2C3"), ("3-9", "v_E"), ("4-3a", "M")])
+def test_reasons_are_those_of_the_program(problem: str, key: str, page: Page) -> None:
+    at(page, problem, "en")
+    index = [one.key for one in asked(problem)].index(key)
+    exact = key_of(problem)[key].exact
+    for factor in (0.5, 10.0, 1.6, 0.1, 0.01, 100.0):
+        mine = judged(problem, key, f"{exact * factor:.4g}")
         ids = {one.id.value for one in mine.messages}
         names = json.loads(page.value(f"JSON.stringify(check.judge({index}, '{exact * factor:.4g}').said)"))
         assert ("two_slips" in names) is ("two_slips" in ids) and ("sense" in names) is ("sense" in ids)

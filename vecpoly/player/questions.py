@@ -15,10 +15,11 @@ from ..algebra.quantity import number
 from ..grading.compare.band import target_of
 from ..grading.derive.keyed import answer_key
 from ..grading.key import AnswerKey, Graded, Kind
+from ..grading.marking.causes import FAR
 from ..grading.reading.direction import WIND, WINDS
 from ..grading.rules import USUAL_RULES
 from ..grading.slips.mutants import Mutant, mutants
-from ..grading.slips.single import mistaken_for
+from ..grading.slips.single import POWERS, mistaken_for
 from ..grading.slips.whole import LONE, MARGIN, mutated
 from ..grading.told.catalogue import SENTENCES, Told
 from ..grading.told.message import Message, message
@@ -75,8 +76,8 @@ def box(problem: Problem, faces: Faces) -> Box:
     rows = [_Row(one, key, slips, said, faces).data(its) for one, its in zip(asked, follows, strict=True)]
     allowance = key.allowance
     rule = {
-        "lone": LONE, "margin": MARGIN, "k": allowance.k, "wrong": allowance.wrong, "turned": allowance.direction,
-        "short": allowance.short, "reach": USUAL_RULES.reach, "rows": rows,
+        "lone": LONE, "margin": MARGIN, "far": FAR, "k": allowance.k, "wrong": allowance.wrong,
+        "turned": allowance.direction, "short": allowance.short, "reach": USUAL_RULES.reach, "rows": rows,
         "wind": WIND.pattern, "winds": [[one.degrees, one.reach] for one in WINDS],
     }  # fmt: skip
     data = b64encode(json.dumps(rule, separators=(",", ":")).encode()).decode()
@@ -113,12 +114,13 @@ class _Row:
         return {
             "kind": one.kind.name[:2].lower(), "x": self._size(one.exact), "t": self._size(one.allowed),
             "near": one.allowed / abs(one.exact) if one.exact else 1.0, "unit": one.unit,
+            "powers": POWERS.get(one.unit, ()),
             "deg": one.degrees, "mm": one.mm, "scatter": one.turned, "follows": _following(follows),
             "slips": list(self._slips()), "others": list(self._others()),
             "shown": f"{number(self.times * one.exact, 4)} ± {number(self.times * one.allowed, 2)}",
         }  # fmt: skip
 
-    def _slips(self) -> Iterator[tuple[float, float, str]]:
+    def _slips(self) -> Iterator[tuple[float, float, str, bool]]:
         for mutant in self.slips:
             if self.one.key in mutant.values:
                 target = mutated(self.one, mutant, self.key.allowance)
@@ -126,6 +128,7 @@ class _Row:
                     self._size(target.value),
                     self._size(target.allowed),
                     self._name(told_of(mutant.slip, mutant.also)),
+                    mutant.slip.key == self.one.key,
                 )
 
     def _others(self) -> Iterator[tuple[float, float, str]]:

@@ -16,7 +16,7 @@ from .places import of_places
 
 NEAR = 0.05  # a factor is one only as near as this
 TENS = 7
-_POWERS = {"m/s": (1,), "rad/s": (1,), "m/s^2": (2,), "rad/s^2": (1, 2)}  # of ω in what has this unit
+POWERS = {"m/s": (1,), "rad/s": (1,), "m/s^2": (2,), "rad/s^2": (1, 2)}  # of ω in what has this unit
 
 
 def explanations(one: Graded, mine: Measured, target: Target, key: AnswerKey) -> tuple[Message, ...]:
@@ -49,7 +49,7 @@ def _known(one: Graded, ratio: float) -> Iterator[tuple[float, Message]]:
     power = round(log10(ratio))
     if power and abs(power) <= TENS:
         yield 10.0**power, message(Told.POW10, n=str(power))
-    for exponent in _POWERS.get(one.unit, ()):
+    for exponent in POWERS.get(one.unit, ()):
         for factor, told in ((2 * pi, Told.TURNS), (2 * pi / 60, Told.PER_MINUTE)):
             yield from ((factor ** (sign * exponent), message(told)) for sign in (1, -1))
     if one.unit == "deg":
