@@ -129,7 +129,7 @@ def test_answers_beside_a_problem_are_checked_with_a_reason(run: Run) -> None:
         and "构件 3 此时不转动" in run("check", "3-12", "α3=12", "--lang", "zh").stdout
     )
     assert "of which problem" in run("check", "v_D=0.49").stderr
-    assert "'kg' is no unit of this quantity (m/s)" in run("check", "3-12", "v_D=1 kg").stdout
+    assert "'kg' is no unit of this quantity (it should be m/s)" in run("check", "3-12", "v_D=1 kg").stdout
 
 
 def test_checked_answers_go_to_programs_too(run: Run) -> None:

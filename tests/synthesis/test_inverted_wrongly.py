@@ -47,7 +47,7 @@ def test_an_answer_that_follows_from_it_is_told_so_and_costs_once() -> None:
     wrong = _drawn(problem, next(one for one in vecpoly.slips(problem) if one.mistake is Mistake.FORWARDS))
     told = str(vecpoly.check_answers(problem, [f"AB={wrong['AB']:.1f} mm", f"BC={wrong['BC']:.1f} mm"]))
     assert "turned back" in told
-    assert "not penalised again" in told
+    assert "Follows rightly from the mistake" in told
 
 
 @pytest.mark.parametrize(("name", "key", "answer"), [("8-16", "nn", "alpha_max"), ("8-3b", "nn", "alpha_max")])

@@ -43,8 +43,8 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
 
 def told(study: Study, press: Press) -> dict[str, Any]:
     """The same within any chapter."""
-    count, (table, sentence) = mobility(study.mech), others(study, press)
-    return {
+    count = mobility(study.mech)
+    said = {
         "words": "".join(w.of(press.lang) for w in special(study)),
         "concluded": concluded(study).of(press.lang),
         "count": str(count)
@@ -56,13 +56,13 @@ def told(study: Study, press: Press) -> dict[str, Any]:
         "figure": press.figure(
             _side_by_side(study, press), Words("原动件与各基本杆组", "The driving link and the Assur groups")
         ),
-        "others": table,
-        "other": sentence,
         "n": count.links,
         "lower": count.lower,
         "higher": count.higher,
         "freedom": count.freedom,
     }
+    table, sentence = others(study, press)  # last, as it stands: tables are numbered as they are made
+    return said | {"others": table, "other": sentence}
 
 
 def _joints(study: Study, press: Press) -> str:
