@@ -48,7 +48,7 @@ def variants(
 ) -> Iterator[Variant]:
     """The variants of a student from this attempt on, until so many are used up; too near to those who have theirs is
     left out."""
-    graded = frozenset(ask.rel.key for ask in problem.asks) - standard.demoted
+    graded = standard.graded(problem)
     for attempt in range(start, start + ATTEMPTS):
         for values, look in tried(problem, seed, attempt, standard, graded, taken).drawn:
             if isinstance(look, Look) and failing(look, standard) is None:

@@ -39,6 +39,10 @@ class Standard:
     hidden: frozenset[Slip] = frozenset()
     twins: frozenset[frozenset[Slip]] = field(default_factory=frozenset)
 
+    def graded(self, problem: Problem) -> frozenset[str]:
+        """What is asked of the problem and not demoted."""
+        return frozenset(ask.rel.key for ask in problem.asks) - self.demoted
+
 
 def looked_at(problem: Problem, standard: Standard) -> Look | Condition:
     """The drawing at round scales that fit the frames, or what it fails on before it is weighed."""
@@ -73,6 +77,11 @@ def failing(look: Look, standard: Standard) -> Condition | None:
         (Condition.SLIPS, lambda: slips_show(look, standard)),
     )
     return next((condition for condition, holds in tests if not holds()), None)
+
+
+def verdict(look: Look | Condition, standard: Standard) -> Condition | None:
+    """What a draw fails on, before or after it is weighed; None: it is good."""
+    return failing(look, standard) if isinstance(look, Look) else look
 
 
 def signs(look: Look) -> dict[str, float]:

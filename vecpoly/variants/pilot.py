@@ -16,7 +16,7 @@ from ..words import Words
 from .conditions import Condition
 from .draw import ATTEMPTS, Trial, tried
 from .frames import scaled
-from .judge import Standard, deviation, failing, long_enough, signs, told_apart, visible
+from .judge import Standard, deviation, failing, long_enough, signs, told_apart, verdict, visible
 from .keyed import key_for
 from .look import Look, least_meeting, sketch_of, work
 from .room import room
@@ -132,11 +132,11 @@ def _weighed(trials: Sequence[Trial], standard: Standard) -> tuple[float, dict[C
         drawn = tuple(trial.drawn)
         weight = left / len(drawn) if drawn else 0.0
         for _, look in drawn:
-            verdict = failing(look, standard) if isinstance(look, Look) else look
-            if verdict is None:
+            why = verdict(look, standard)
+            if why is None:
                 passed += weight
             else:
-                failed[verdict] += weight
+                failed[why] += weight
     shares = {condition: count / total for condition, count in failed.items() if count} if total else {}
     return passed / total if total else 0.0, shares
 

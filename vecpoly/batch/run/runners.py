@@ -129,7 +129,7 @@ def _client(address: str) -> Any:
 
 
 def _begun_by(parent: int) -> None:
-    """A worker whose master was killed leaves too, instead of waiting for work for ever."""
+    """A worker looks for rubbish seldom, and leaves when its master was killed instead of waiting for ever."""
     seldom_looked_for()
 
     def watch() -> None:
