@@ -22,7 +22,6 @@ from ....plane import Reals, cross, dot, nominal
 from ....words import Words
 from ..acting import Acting
 from ..couples import pin_couples
-from ..senses import velocity_of
 from ..state import Statics
 from .branch import CLOSE, Reached, bearing_nothing, determinant, foreseen, is_far, is_past_pole
 from .secant import Couples, gap, secant
@@ -171,7 +170,8 @@ def _pass(start: Statics, guide: Statics, couples: Couples, walk: Walk) -> Stati
 def _same_senses(st: Statics, guide: Statics) -> bool:
     """Whether every reaction has the sense that the guide foretold, and its friction opposes the motion as assumed;
     of one that was zero there it foretold none."""
-    return all(_kept(guide.push(*key), found) and _opposed(st, key, found) for key, found in st.acting.items())
+    pairs = [(key, guide.push(*key), found) for key, found in st.acting.items()]
+    return all(_kept(before, found) and _opposed(st, key, before, found) for key, before, found in pairs)
 
 
 def _kept(before: Acting | None, found: Acting) -> bool:
@@ -180,17 +180,16 @@ def _kept(before: Acting | None, found: Acting) -> bool:
     return float(nominal(dot(found.vector, before.vector))) >= 0
 
 
-def _opposed(st: Statics, key: tuple[str, str], found: Acting) -> bool:
-    """Whether a reaction turns about its pin, and leans in its slide, against the motion: steep as it may lean, its
-    direction alone does not tell on which side it presses."""
+def _opposed(st: Statics, key: tuple[str, str], before: Acting | None, found: Acting) -> bool:
+    """Whether a reaction turns about its pin against the motion, and presses in its slide on the side on which its
+    friction was laid: steep as it may lean, its direction alone does not tell the side."""
     by, on = key
     if abs(float(nominal(np.abs(found.vector)))) < NO_LENGTH:
         return True
     for joint in (one for one in st.mech.joints if set(ends(one)) == {by, on}):
         if isinstance(joint, Prismatic) and st.phi(joint):
-            at = st.desk.at[joint.pin]
-            slip = velocity_of(st, on, at) - velocity_of(st, by, at)
-            return float(nominal(dot(found.vector, slip))) <= 0
+            normal = 1j * st.desk.guide_line(joint).along
+            return before is None or float(nominal(dot(found.vector, normal) * dot(before.vector, normal))) >= 0
         if isinstance(joint, Revolute) and found.tangent and st.rho(joint.point):
             return float(nominal(cross(found.at - st.desk.at[joint.point], found.vector))) * found.tangent >= 0
     return True
