@@ -3,6 +3,7 @@ friction, masses, pins that a link carries, cams, thrusts."""
 
 from __future__ import annotations
 
+from . import burdened as burdened
 from . import cams as cams
 from . import helped as helped
 from . import laws as laws

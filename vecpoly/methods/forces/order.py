@@ -55,12 +55,12 @@ def _known_before(mech: Mechanism, moving: frozenset[str]) -> Order:
     """
     drive = mech.drive
     own = _apart(mech, drive)
-    joint = fixed_joint(own.mech, drive.link)
+    joint = fixed_joint(own.mech, drive.link) if drive.on == FRAME else None
     first = replace(own, held=None if joint is None else Held(link=drive.link, parent=FRAME, joint=joint), known=True)
-    if is_plain(own.groups):
+    if joint is not None and is_plain(own.groups):
         return first
-    for link in sorted(mech.numbered, key=lambda one: one not in moving):
-        if link not in moving and is_drawn(own.groups):
+    for link in sorted(mech.numbered, key=lambda one: (one not in moving, one in (drive.link, drive.on))):
+        if link not in moving and joint is not None and is_drawn(own.groups):
             break
         if link != drive.link and (found := _from_link(mech, link)) is not None:
             return found

@@ -35,10 +35,10 @@ from .closing.thrust import (
     as_outer_forces,
     floating_unknown,
     from_the_frame,
-    is_outer,
-    read_thrusts,
+    unknown_thrust,
     without_cylinders,
 )
+from .closing.thrust_readings import read_thrusts
 from .doors import DRIVERS
 from .groups.group import solve_group
 from .hubs import hub_couples, hubs_of, joined, say_hubs
@@ -75,7 +75,7 @@ def _of_position(desk: Desk, problem: Problem, pulls: Pulls) -> Statics:
     order = order_of(desk.mech, loads, moving(desk)) if floating is None else order_without(desk.mech, floating)
     hubs = hubs_of(desk.mech, order.mech)
     st = Statics(desk=replace(desk, mech=order.mech), loads=loads, hubs=hubs, own=desk.mech, pulls=pulls)
-    held, groups = order.held, without_cylinders(order.groups, problem.loads)
+    held, groups = order.held, without_cylinders(order.mech, order.groups, problem.loads)
     if not is_drawn(groups):
         raise refuse_undrawn(st, groups)
     inertia_forces(st)
@@ -86,17 +86,17 @@ def _of_position(desk: Desk, problem: Problem, pulls: Pulls) -> Statics:
     if floating is not None:
         power_first(st, problem.loads)
     elif order.known:
-        held = found_before(st, order)
+        held = found_before(st, order, problem.loads)
     assert held is not None
     _walk(st, groups, held)
     ideal, st = st, joined(st, desk)
     read_reactions(st, desk.mech)
-    check_methods(st if floating is None else replace(st, loads=problem.loads), problem)
+    check_methods(st if unknown_thrust(problem.loads) is None else replace(st, loads=problem.loads), problem)
     if st.loads.friction:
         st = _with_friction(ideal, groups, held, desk)
     read_thrusts(st, problem.loads)
     draw_free_bodies(st, problem, (*(link for group in groups for link in group.links), held.link))
-    read_efficiency(st)
+    read_efficiency(st if unknown_thrust(problem.loads) is None else replace(st, loads=problem.loads))
     if not st.loads.friction:
         _as_they_are(st, problem)
     return st
@@ -114,16 +114,15 @@ def _as_they_are(st: Statics, problem: Problem) -> None:
 
 
 def _are_reactions_drawn(desk: Desk, loads: Loads) -> bool:
-    """Whether all groups are dyads of hinges and slides, and every thrust acts on a link from the frame."""
-    if not all(is_outer(desk.mech, loads, force) for force in loads.forces if force.against):
-        return False
+    """Whether the reactions of all groups are drawn."""
     if (floating := floating_unknown(desk.mech, loads)) is not None:
         order = order_without(desk.mech, floating)
         return order.held is not None and is_drawn(order.groups)
     moved = replace(
-        loads, forces=tuple(as_moved(desk.mech, force) if force.against else force for force in loads.forces)
+        loads, forces=tuple(as_moved(desk.mech, loads, force) if force.against else force for force in loads.forces)
     )
-    return is_drawn(without_cylinders(order_of(desk.mech, moved, moving(desk)).groups, loads))
+    order = order_of(desk.mech, moved, moving(desk))
+    return is_drawn(without_cylinders(order.mech, order.groups, loads))
 
 
 def _balance_alone(desk: Desk, problem: Problem, pulls: Pulls) -> Statics:

@@ -6,7 +6,8 @@ from __future__ import annotations
 from ....board.construction import View
 from ....errors import NoMethodError
 from ....mechanism.groups.assur import decompose
-from ....mechanism.model import Rolling
+from ....mechanism.loads import Loads
+from ....mechanism.model import FRAME, Rolling
 from ....words import Words
 from ..lines.links_of_group import Held
 from ..order import Order
@@ -14,11 +15,13 @@ from ..state import Statics
 from .power_alone import power_first
 
 
-def found_before(st: Statics, order: Order) -> Held:
+def found_before(st: Statics, order: Order, loads: Loads) -> Held:
     """The balancing load acts on a link that does not close:
     by virtual power it is known before any reaction.
 
-    Raises NoMethodError with friction, of which virtual power knows nothing.
+    loads: as the problem has them, a thrust as one load that acts on two links.
+
+    Raises NoMethodError where no link closes.
     """
     name, link = st.unknown.name, st.mech.number(st.unknown.link)
     if order.held is None:
@@ -32,7 +35,7 @@ def found_before(st: Statics, order: Order) -> Held:
             code="no-method",
             numbers={"link": link},
         )
-    power_first(st)
+    power_first(st, loads if st.unknown.name in {one.name for one in loads.forces if one.against} else None)
     _say_exchanged(st, order.held)
     return order.held
 
@@ -40,6 +43,9 @@ def found_before(st: Statics, order: Order) -> Held:
 def _say_exchanged(st: Statics, held: Held) -> None:
     """From which link the groups are taken off, where it is not the driving one."""
     if held.link == st.mech.drive.link:
+        return
+    if st.mech.drive.on != FRAME:
+        _say_started(st, held)
         return
     had, has = _groups_before(st), _groups_after(st)
     name, number, driver = st.unknown_named.symbol, st.mech.number(held.link), st.mech.number(st.mech.drive.link)
@@ -51,6 +57,23 @@ def _say_exchanged(st: Statics, held: Held) -> None:
             f"Taken apart from link {driver} the mechanism has {had.en}. How it comes "
             "apart depends on the link from which one starts, but equilibrium does not: once "
             f"${name}$ is known, link {number} is taken as the driver. Then there are only {has.en}, "
+            f"which are solved one by one, and link {number} comes last.",
+        ),
+        View.MECHANISM,
+    )
+
+
+def _say_started(st: Statics, held: Held) -> None:
+    """From which link the groups are taken off where a drive between two moving links moves the mechanism."""
+    name, number, has = st.unknown_named.symbol, st.mech.number(held.link), _groups_after(st)
+    i, j = st.mech.number(st.mech.drive.on), st.mech.number(st.mech.drive.link)
+    st.board.step(
+        Words(
+            f"原动力作用于构件 {i}、{j} 之间，二者都不是由机架反力单独平衡的构件。力的平衡与取哪个构件为"
+            f"原动件无关：既求得 ${name}$，改取构件 {number} 为原动件拆组，机构由{has.zh}组成，逐组求反力，"
+            f"最后考虑构件 {number}。",
+            f"The drive acts between links {i} and {j}. Equilibrium does not depend on which link is taken as the "
+            f"driver: once ${name}$ is known, the groups are taken off from link {number}. There are only {has.en}, "
             f"which are solved one by one, and link {number} comes last.",
         ),
         View.MECHANISM,

@@ -19,7 +19,7 @@ from ....plane import nominal
 from ....problem.problem import Problem
 from ....words import Words
 from ..acting import Acting
-from ..closing.thrust import in_cylinders
+from ..closing.thrust_readings import in_cylinders
 from ..couples import couples_on
 from ..inertia import SHORT, draw_arm
 from ..state import Statics

@@ -1,5 +1,9 @@
-"""A cylinder whose links carry nothing else is a two-force member:
-its thrust acts on the moved link along the line of the two pins."""
+"""The thrust of a cylinder as outer forces.
+
+A cylinder whose links carry nothing else is a two-force member: its thrust acts on the moved link along the line of
+the two pins. Where they carry loads or masses, or something rubs there, it presses on piston and barrel, which stay a
+group.
+"""
 
 from __future__ import annotations
 
@@ -7,27 +11,21 @@ from dataclasses import replace
 
 import numpy as np
 
-from ....board.construction import LineOfAction, Reading, View
-from ....diagram.cylinders import pressed
-from ....errors import NoMethodError
-from ....mechanism.asked.forces import load_named, load_symbol, without_friction
+from ....board.construction import View
+from ....mechanism.asked.forces import load_symbol
 from ....mechanism.groups.assur import Group
 from ....mechanism.loads import Force, Loads
-from ....mechanism.model import FRAME, Mechanism, Prismatic
-from ....names import Named, reaction
-from ....plane import Line, Points, foot, nominal
+from ....mechanism.model import FRAME, Mechanism
+from ....names import reaction
+from ....plane import nominal
 from ....words import Words
 from ...desk import Desk
-from ..acting import OTHER_END, Acting
-from ..state import Statics
+from ..acting import OTHER_END
 
 
 def as_outer_forces(desk: Desk, loads: Loads) -> Loads:
-    """The loads with every thrust as a force on the link at the rod's end,
-    and an opposite one on that at the barrel's, if it moves.
-
-    Raises NoMethodError where a thrust is no such force.
-    """
+    """The loads with every thrust as forces: on the link at the rod's end, and an opposite one on that at the barrel's,
+    if it moves; or on the piston and on the barrel, where these are no two-force member."""
     return replace(
         loads,
         forces=tuple(
@@ -48,9 +46,12 @@ def _turned(mech: Mechanism, force: Force) -> Force:
     return force
 
 
-def is_outer(mech: Mechanism, loads: Loads, force: Force) -> bool:
-    """Whether the thrust acts on one link at each end, in a cylinder that carries nothing else and has no friction."""
-    return _hindered(mech, loads, force) is None
+def is_strut(mech: Mechanism, loads: Loads, force: Force) -> bool:
+    """Whether the thrust acts on one link at each end, in a cylinder that carries nothing else and has no friction: as
+    that of a two-force member. One that is sought with friction elsewhere must be on the frame for that."""
+    joins = all(len(beside(mech, force, pin)) == 1 for pin in (force.point, force.foot))
+    tried = is_floating(mech, force) and force.size is None and bool(loads.friction)
+    return joins and not tried and not loads.burdens(force) and not _rubs(loads, force)
 
 
 def opposite_name(force: Force) -> str:
@@ -64,47 +65,60 @@ def is_floating(mech: Mechanism, force: Force) -> bool:
     return mech.links_at(force.foot)[-1] != FRAME
 
 
+def unknown_thrust(loads: Loads) -> Force | None:
+    """The thrust that is sought, if it is one."""
+    return next((force for force in loads.forces if force.against and force.size is None), None)
+
+
 def floating_unknown(mech: Mechanism, loads: Loads) -> Force | None:
-    """The thrust that is sought, where its cylinder stands between two moving links."""
-    return next(
-        (force for force in loads.forces if force.against and force.size is None and is_floating(mech, force)), None
-    )
+    """The thrust that is sought, where its cylinder is a two-force member between two moving links."""
+    force = unknown_thrust(loads)
+    return force if force is not None and is_floating(mech, force) and is_strut(mech, loads, force) else None
 
 
-def as_moved(mech: Mechanism, force: Force) -> Force:
-    """The thrust as a load on the link at the rod's end, its direction left open:
+def as_moved(mech: Mechanism, loads: Loads, force: Force) -> Force:
+    """The thrust as a load on the link at the rod's end, or on the piston, its direction left open:
     enough to know which link it balances."""
-    return replace(force, link=_beside(mech, force, force.point)[0], against="", foot="")
+    moved = beside(mech, force, force.point)[0] if is_strut(mech, loads, force) else force.link
+    return replace(force, link=moved, against="", foot="")
 
 
-def _beside(mech: Mechanism, force: Force, pin: str) -> list[str]:
+def beside(mech: Mechanism, force: Force, pin: str) -> list[str]:
     """The links at a pin of the cylinder, without its own."""
     return [name for name in mech.links_at(pin) if name not in (force.link, force.against)]
 
 
-def _hindered(mech: Mechanism, loads: Loads, force: Force) -> Words | None:
-    """Why the thrust is not that of a two-force member between two links; None where it is."""
-    if loads.burdens(force):
-        return Words("油缸的构件上另有载荷或质量", "other loads or masses act on its links")
-    if _rubs(loads, force):
-        i, j = sorted((mech.number(force.link), mech.number(force.against)))
-        where = f"{force.foot}, {force.point}, {i}-{j}"
-        return Words(f"油缸的运动副中有摩擦（{where} 之一）", f"there is friction in one of its joints, {where}")
-    if is_floating(mech, force) and force.size is None and loads.friction:
-        return Words(
-            "油缸不与机架相连，而机构中有摩擦（虚功率法不计摩擦）",
-            "the cylinder is not on the frame and there is friction, of which virtual power knows nothing",
-        )
-    crowded = next((pin for pin in (force.point, force.foot) if len(_beside(mech, force, pin)) != 1), "")
-    return Words(f"${crowded}$ 处不止一个构件", f"at {crowded} there is not one link alone") if crowded else None
-
-
 def _outer(desk: Desk, loads: Loads, force: Force) -> tuple[Force, ...]:
+    return (_on_its_ends if is_strut(desk.mech, loads, force) else _on_its_links)(desk, force)
+
+
+def _on_its_links(desk: Desk, force: Force) -> tuple[Force, Force]:
+    """The thrust on the piston, and the opposite one on the barrel: both along the line of the pins."""
+    i, j = desk.mech.number(force.link), desk.mech.number(force.against)
+    symbol, back = load_symbol(force.name), load_symbol(opposite_name(force))
+    desk.board.step(
+        Words(
+            f"油缸 {force.against}-{force.link} 的构件上另有载荷、质量或摩擦，不是二力构件：推力 ${symbol}$ 沿 "
+            f"${force.foot}{force.point}$ 作用于构件 {i}，等值、反向的 ${back}$ 作用于构件 {j}，作为外力计入杆组。",
+            f"The links of the cylinder {force.against}-{force.link} carry loads or masses, or something rubs there, "
+            f"so it is no two-force member: its thrust ${symbol}$ acts along ${force.foot}{force.point}$ on link {i}, "
+            f"and the equal and opposite ${back}$ on link {j}; both count as outer forces on the group.",
+        ),
+        View.MECHANISM,
+    )
+    along = _along(desk, force)
+    push = replace(force, direction=along, against="", foot="")
+    return push, replace(push, name=opposite_name(force), link=force.against, point=force.foot, direction=along + np.pi)
+
+
+def _along(desk: Desk, force: Force) -> float:
+    return float(np.angle(complex(nominal(desk.towards(force.foot, force.point)))))
+
+
+def _on_its_ends(desk: Desk, force: Force) -> tuple[Force, ...]:
     mech = desk.mech
-    if (why := _hindered(mech, loads, force)) is not None:
-        raise _no_method(loads, force, why)
-    (moved,), (base,) = (_beside(mech, force, pin) for pin in (force.point, force.foot))
-    along = float(np.angle(complex(nominal(desk.towards(force.foot, force.point)))))
+    (moved,), (base,) = (beside(mech, force, pin) for pin in (force.point, force.foot))
+    along = _along(desk, force)
     below, above = (
         reaction(mech.number(by), mech.number(on)).symbol for by, on in ((base, force.against), (force.link, moved))
     )
@@ -147,92 +161,7 @@ def _rubs(loads: Loads, force: Force) -> bool:
     )
 
 
-def _no_method(loads: Loads, force: Force, why: Words) -> NoMethodError:
-    """Why, and what is drawn instead: without friction the balancing load alone, else without that of the cylinder."""
-    name = loads.unknown.name
-    alone = Words(
-        f"只求平衡载荷：find: [{name}]（虚功率法）", f"ask the balancing load alone, find: [{name}] (virtual power)"
-    )
-    if not loads.friction:
-        remedy = Words("可", "") + alone
-    elif _rubs(loads, force) and not loads.burdens(force):
-        remedy = Words(
-            "可去掉油缸处的摩擦（其余运动副的摩擦可保留）", "leave out that of the cylinder, the others' may stay"
-        )
-    else:
-        remedy = Words("可去掉摩擦，", "leave out the friction and ") + alone
-    return NoMethodError(
-        Words(
-            f"油缸推力 {force.name}：{why.zh}，已有的图解法不能求解；",
-            f"the thrust {force.name}: {why.en}, and no graphical method on file covers that; ",
-        )
-        + remedy
-        + Words("；vecpoly exact 给出解析解", "; 'vecpoly exact' gives it"),
-        code="thrust",
-    )
-
-
-def without_cylinders(groups: tuple[Group, ...], loads: Loads) -> tuple[Group, ...]:
+def without_cylinders(mech: Mechanism, groups: tuple[Group, ...], loads: Loads) -> tuple[Group, ...]:
     """The groups but those of two-force cylinders."""
-    rams = [{force.link, force.against} for force in loads.forces if force.against]
-    return tuple(group for group in groups if set(group.links) not in rams)
-
-
-def read_thrusts(st: Statics, loads: Loads) -> None:
-    """The reactions at a cylinder's pins are its thrust, and act there along the line of the two pins; piston and
-    barrel do not press on each other sideways."""
-    for force in (one for one in loads.forces if one.against):
-        outer = next(one for one in st.loads.forces if one.name == force.name)
-        _keep_none(st, loads, force)
-        base = _beside(st.mech, force, force.foot)[0]
-        for by, on, point in ((force.link, outer.link, force.point), (base, force.against, force.foot)):
-            thrust = _thrust(st, outer)
-            st.settle(by, on, thrust / st.scale.value, st.desk.at[point], computed=np.abs(thrust))
-            for one, two, sign in ((by, on, 1), (on, by, -1)):
-                named = reaction(st.mech.number(one), st.mech.number(two))
-                _keep(st, named, sign * thrust, point)
-                if loads.friction and st.ideal is not None:
-                    _keep(st, without_friction(named), sign * _thrust(st.without_friction, outer), point)
-
-
-def _keep_none(st: Statics, loads: Loads, force: Force) -> None:
-    pair = (force.link, force.against), (force.against, force.link)
-    for named in (reaction(st.mech.number(one), st.mech.number(two)) for one, two in pair):
-        for each in (named, without_friction(named)) if loads.friction else (named,):
-            st.keep(Reading(key=each.key, symbol=each.symbol, unit="N", scalar=0.0, vector=0j), np.zeros(()))
-
-
-def _thrust(st: Statics, outer: Force) -> Points:
-    """The thrust in this pass, as it acts on the moved link (N)."""
-    vector: Points = st.size_of(outer) * np.exp(1j * outer.direction)
-    return vector
-
-
-def _keep(st: Statics, named: Named, vector: Points, point: str) -> None:
-    at, metres = complex(nominal(vector)), complex(nominal(st.desk.at[point])) * st.board.scales[View.MECHANISM].value
-    st.keep(
-        Reading(
-            key=named.key, symbol=named.symbol, unit="N", scalar=abs(at), vector=at, acts=LineOfAction(point=metres)
-        ),
-        np.abs(vector),
-    )
-
-
-def in_cylinders(st: Statics, loads: Loads) -> dict[str, list[Acting]]:
-    """Every thrust where it presses, for the free bodies: on the piston, and oppositely on the bottom of the barrel.
-
-    On the moved link the rod's reaction stands in its place.
-    """
-    found: dict[str, list[Acting]] = {}
-    posed = st.desk.posed()
-    for force in (one for one in loads.forces if one.against):
-        outer = next(one for one in st.loads.forces if one.name == force.name)
-        pair, line = {force.link, force.against}, st.desk.towards(force.foot, force.point)
-        joint = next(j for j in st.mech.joints if isinstance(j, Prismatic) and {j.guide, j.block} == pair)
-        vector = _thrust(st, outer) / st.scale.value
-        for link, at in zip((joint.guide, joint.block), pressed(posed, joint), strict=True):
-            sign = 1 if link == force.link else -1
-            found.setdefault(link, []).append(
-                Acting(named=load_named(outer), vector=sign * vector, at=foot(Line(st.desk.at[force.foot], line), at))
-            )
-    return found
+    struts = [{one.link, one.against} for one in loads.forces if one.against and is_strut(mech, loads, one)]
+    return tuple(group for group in groups if set(group.links) not in struts)

@@ -67,8 +67,11 @@ def _pace(st: Statics) -> float:
     load = st.unknown
     if not isinstance(load, Force):
         return st.turning(load.link, "0")
-    along = complex(np.exp(1j * load.direction))
-    mm = float(nominal(dot(along, velocity_of(st, load.link, st.desk.at[load.point]))))
+    ends = [one for one in st.loads.forces if one.size is None]  # of a cylinder there are two
+    mm = sum(
+        float(nominal(dot(complex(np.exp(1j * one.direction)), velocity_of(st, one.link, st.desk.at[one.point]))))
+        for one in ends
+    )
     if abs(mm) < NO_LENGTH:
         raise idle(load)
     return mm * st.board.scales[View.VELOCITY].value

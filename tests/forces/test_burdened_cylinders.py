@@ -1,0 +1,68 @@
+"""A cylinder whose links carry loads or masses, or in which something rubs, is a group like any other."""
+
+from __future__ import annotations
+
+import pytest
+
+from vecpoly import Problem, load, loads, problem, solve
+from vecpoly.problem.values.vary import data_of
+
+HELD = """
+id: held
+title: held
+frame: {A: [0 mm, 0 mm], D: [400 mm, 0 mm]}
+links:
+  1: {AB: 100 mm}
+  2: {BC: 450 mm}
+  3: {DC: 350 mm, F: {along: DC, at: 200 mm, right: 60 mm}}
+  4: {cylinder: A}
+  5: {piston: F}
+joints: [5 slides in 4]
+input: {link: 1, phi: 75 deg, omega: 3 rad/s}
+branch: [C left of BD]
+"""
+
+
+def held(loaded: str) -> Problem:
+    return loads(HELD + loaded)
+
+
+def test_a_thrust_on_a_loaded_cylinder_is_drawn_as_it_is_computed() -> None:
+    solution = solve(
+        held(
+            'loads: {F_c: {cylinder: 4-5, size: 800 N}, M_b: {on: 4, size: 30 N*m}, M_1: {on: 1, size: "?"}}\n'
+            "friction: {A: {rho: 5 mm}, F: {rho: 3 mm}, 4-5: {f: 0.1}}\n"
+            "find: [M_1, M_1_0, R_12, R_53, R_64, R_45, eta]\n"
+        ),
+        by="exact",
+        repeats=0,
+    )
+    assert not solution.suspect
+    for answer in solution.answers.values():
+        assert answer.drawn == pytest.approx(answer.exact, rel=1e-9)
+
+
+def test_a_thrust_that_is_sought_is_put_on_trial_where_its_own_cylinder_rubs() -> None:
+    rubbing = "friction: {D: {rho: 4 mm}, F: {rho: 3 mm}, 4-5: {f: 0.1}}\n"
+    solution = solve(
+        held(
+            'loads: {F_c: {cylinder: 4-5, size: "?"}, M_1: {on: 1, size: 40 N*m}}\n'
+            + rubbing
+            + "find: [F_c, F_c_0, R_53, R_64, eta]\n"
+        ),
+        by="exact",
+        repeats=0,
+    )
+    thrust, ideal = solution.answers["F_c"], solution.answers["F_c_0"]
+    assert thrust.drawn == pytest.approx(thrust.exact, rel=1e-9) and ideal.drawn == pytest.approx(ideal.exact, rel=1e-9)
+    assert abs(thrust.drawn - ideal.drawn) > 1.0
+    assert any("by trial" in step.words.en for step in solution.construction.steps)
+
+
+def test_masses_that_vanish_leave_the_thrust_of_a_two_force_member() -> None:
+    light = data_of(load("boom-thrust")) | {"find": ["F_c", "R_31", "R_42", "R_41"]}
+    masses = light["masses"] | {3: {"mass": "1e-9 kg"}}
+    alone, burdened = (
+        solve(problem(data), by="exact", repeats=0).answers for data in (light, light | {"masses": masses})
+    )
+    assert [burdened[key].drawn for key in alone] == pytest.approx([one.drawn for one in alone.values()], rel=1e-6)
