@@ -48,7 +48,7 @@ def nowhere_larger(solution: Solution) -> str:
     assert isinstance(engine, ShakingForce)
     found = {key: answer.drawn for key, answer in solution.answers.items()}
     along = found["F_1"] * np.cos(TURN) + found["F_2"] * np.cos(2 * TURN)
-    size = np.abs(along - found["c"] * found["F_1"] * np.exp(1j * TURN))
+    size = np.abs(along - found.get("c", engine.c.si) * found["F_1"] * np.exp(1j * TURN))
     if abs(float(size.max()) - found["F_max"]) > 1e-4 * found["F_1"]:
         return f"F_max {found['F_max']}, on a row of places {size.max()}"
     return ""

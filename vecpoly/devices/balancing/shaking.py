@@ -89,9 +89,11 @@ class ShakingForce(Device):
         return self.c.text == BEST.text
 
     def quantities(self) -> tuple[Named, ...]:
-        """The two masses, λ, both orders, the fraction, the counterweight; the force at φ and the largest of a turn."""
-        where = () if self.seeks else (WHERE,)  # with the best fraction the force is as large at several places
-        return (ROTATING, RECIPROCATING, RATIO, FIRST, SECOND, FRACTION, COUNTERWEIGHT, FORCE, LARGEST, *where)
+        """The masses, λ, both orders, c if it is sought, the counterweight; the force at φ, the largest one."""
+        found = (ROTATING, RECIPROCATING, RATIO, FIRST, SECOND)
+        if self.seeks:  # with the best fraction the force is as large at several places
+            return (*found, FRACTION, COUNTERWEIGHT, FORCE, LARGEST)
+        return (*found, COUNTERWEIGHT, FORCE, LARGEST, WHERE)
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """Lengths, speed, masses, counterweight."""

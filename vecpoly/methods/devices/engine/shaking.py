@@ -166,7 +166,6 @@ def _circles(bench: Bench, orders: Orders) -> View:
 def _fraction(bench: Bench, device: ShakingForce, orders: Orders) -> float:
     """c as given; else that with which the largest force of the turn is least, by trial on scratch paper."""
     if not device.seeks:
-        bench.stated(FRACTION, device.c.si + 0.0 * np.abs(orders.first))
         return device.c.si
     bench.board.step(
         Words(
