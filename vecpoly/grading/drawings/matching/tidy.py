@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
 from ..segment import Drawing, Segment
+from .barbs import headed_by_barbs
 from .naming import figure_of, helping
 
 SHORTEST = 0.3  # mm: less is a slip of the mouse
@@ -31,14 +32,15 @@ class Strokes:
 
 def strokes(drawing: Drawing) -> Strokes:
     """The lines of a drawing, tidied."""
-    long = [one for one in drawing.segments if abs(one.along) > SHORTEST]
+    whole, barbs = headed_by_barbs(drawing.segments)
+    long = [one for one in whole if abs(one.along) > SHORTEST]
     aside = {n for n, one in enumerate(long) if not one.headed and helping(one.layer)}
     if any(one.headed for one in long):
         aside |= _thin(long)
     lines, twice = _once(_merged([one for n, one in enumerate(long) if n not in aside]))
     return Strokes(
         lines=tuple(lines),
-        helping=tuple(long[n] for n in sorted(aside)),
+        helping=(*(long[n] for n in sorted(aside)), *barbs),
         twice=tuple(twice),
         parts=tuple(_parts(lines)),
     )
