@@ -134,3 +134,11 @@ def test_lengths_that_are_nothing_beside_the_others_end_in_no_traceback() -> Non
     at = text.index("AB: ")
     changed = text[:at] + "AB: 1e-19 m" + text[text.index(",", at) :]
     assert solve(loads(changed), repeats=0).answers["theta"].exact == pytest.approx(60.0)
+
+
+@pytest.mark.parametrize(
+    ("key", "kind", "right"), [("design", "crank-rocker", "synthesis"), ("task", "rotor", "device")]
+)
+def test_a_kind_under_a_key_of_ones_own_is_told_where_it_belongs(key: str, kind: str, right: str) -> None:
+    with pytest.raises(ProblemFileError, match=f"line 3.*'{key}' is no key of a problem; write {right}: {kind}"):
+        loads(f"id: t\ntitle: t\n{key}: {kind}\ndata: {{K: 1.5}}\n")

@@ -63,19 +63,34 @@ def sort_of(tree: Tree) -> Sort | None:
     found = next((sort for sort in SORTS if sort.key in tree.data), None)
     if found is None and "data" in tree.data:
         faults = Faults(tree.name, tree.places)
-        known = ", ".join(devices.kinds())
-        with faults.at("data"):
-            raise FaultError(
-                Words(
-                    f"data 属于机械装置；请写出装置，如 device: {next(iter(devices.kinds()))}（已有：{known}），"
-                    f"或综合题型，如 synthesis: {next(iter(designs.kinds()))}",
-                    f"'data' belongs to a device; write e.g. device: {next(iter(devices.kinds()))} (known: {known}), "
-                    f"or to a task of synthesis: synthesis: {next(iter(designs.kinds()))}",
-                ),
-                code="spelling",
-            )
+        key, why = _misnamed(tree) or ("data", _nameless())
+        with faults.at(key):
+            raise FaultError(why, code="spelling")
         faults.settle()
     return found
+
+
+def _misnamed(tree: Tree) -> tuple[str, Words] | None:
+    """The key under which a device or a task of synthesis stands by its name, and under which it should: design: ..."""
+    for key, value in tree.data.items():
+        for sort in SORTS:
+            if isinstance(value, str) and value in sort.kinds():
+                right = f"{sort.key}: {value}"
+                return key, Words(
+                    f"没有键 '{key}'；{value} 是{sort.called.zh}，请写 {right}",
+                    f"'{key}' is no key of a problem; write {right}",
+                )
+    return None
+
+
+def _nameless() -> Words:
+    """That a problem with data must say of what."""
+    known, device, task = ", ".join(devices.kinds()), next(iter(devices.kinds())), next(iter(designs.kinds()))
+    return Words(
+        f"data 属于机械装置；请写出装置，如 device: {device}（已有：{known}），或综合题型，如 synthesis: {task}",
+        f"'data' belongs to a device; write e.g. device: {device} (known: {known}), or to a task of synthesis: "
+        f"synthesis: {task}",
+    )
 
 
 def build_by_data(tree: Tree, sort: Sort, path: Path | None = None) -> Problem:
