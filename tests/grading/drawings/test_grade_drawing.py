@@ -207,3 +207,20 @@ def test_pieces_of_one_line_are_one_vector() -> None:
         lines += [replace(one, end=middle, headed=False), replace(one, start=middle)] if cut else [one]
     mark = marked(key, Drawing(file="made", segments=tuple(lines)))
     assert mark.right and not any(one.extra for one in mark.figures)
+
+
+@pytest.mark.parametrize("turn", [1j, -1, -1j])
+@pytest.mark.parametrize("problem", few(["3-9", "3-12", "A-27", "4-3a"], 2))
+def test_a_sheet_that_lies_on_its_side_is_held_upright_and_left_to_a_person(problem: str, turn: complex) -> None:
+    key = key_of(problem)
+    mark = marked(key, put(drawn(key.exact), lambda z: turn * z))
+    assert mark.right and not mark.mirrored and abs(mark.turned) == (180.0 if turn == -1 else 90.0)
+    assert any("turned by" in words.en for words in mark.told)
+
+
+def test_polygons_that_are_turned_beside_an_upright_diagram_are_not_held_upright() -> None:
+    key = key_of("3-9")
+    polygons = put(drawn(key.exact, diagram=False), lambda z: 1j * z)
+    diagram = [one for one in drawn(key.exact).segments if one.where.startswith("mechanism:")]
+    mark = marked(key, _with(polygons, *diagram))
+    assert not mark.right and not mark.turned

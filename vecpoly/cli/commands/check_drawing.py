@@ -77,7 +77,7 @@ def _print(mark: DrawingMark, lang: Lang) -> None:
 
 def _as_json(mark: DrawingMark) -> dict[str, Any]:
     return {
-        "id": mark.problem, "file": mark.file, "right": mark.right, "mirrored": mark.mirrored,
+        "id": mark.problem, "file": mark.file, "right": mark.right, "mirrored": mark.mirrored, "turned": mark.turned,
         "slip": str(mark.slip) if mark.slip else None,
         "vectors": [
             {

@@ -21,6 +21,7 @@ from .judging.slipped import by_one_mistake
 from .matching.assign import Match, assigned
 from .matching.find import find
 from .matching.fit import Fit
+from .matching.held import UPRIGHT
 from .matching.naming import named
 from .matching.place import beside, drawn_places, gap
 from .matching.tidy import Strokes, strokes
@@ -72,12 +73,12 @@ class _Grading:
         self.strokes: Strokes = strokes(drawing)
         self.heads = any(one.headed for one in self.strokes.lines)
         self.own = Own(problem=key.problem, exact=key.exact, sketch=key.sketch)
-        self.mirrored, self.printed = False, 1.0
+        self.held, self.printed = UPRIGHT, 1.0
 
     def mark(self) -> DrawingMark:
         """The mark of the whole."""
         found = find(self.key, self.strokes, self.scales)
-        fits, self.mirrored, self.printed = found.fits, found.mirrored, found.printed
+        fits, self.held, self.printed = found.fits, found.held, found.printed
         by_name = {fit.shape.name: fit for fit in fits}
         matches = {fit.shape.name: self._match(fit) for fit in fits if not fit.shape.diagram}
         for fit in fits:
@@ -97,7 +98,8 @@ class _Grading:
             file=self.drawing.file,
             figures=figures,
             slips=slips,
-            mirrored=self.mirrored,
+            mirrored=self.held.mirror,
+            turned=0.0 if self.held.mirror else self.held.degrees,
             twice=self.strokes.twice,
             remarks=tuple(self._said()),
         )
@@ -128,7 +130,7 @@ class _Grading:
         wrong = [one for one in marks if one.verdict not in FAIR]
         widest = gap(shape, match, fit.scale)
         remarks = [*turned_over(shape, places, wrong), *exchanged(marks, match)]
-        if fit.origin is not None and not self.mirrored:
+        if fit.origin is not None and self.held == UPRIGHT:
             remarks += misplaced(fit, drawn_places(shape, match), self.drawing.labels, fit.origin)
         if widest > GAP:
             remarks.append(
@@ -191,9 +193,16 @@ class _Grading:
 
     def _said(self) -> list[Words]:
         said = list(self.drawing.remarks)
-        if self.mirrored:
+        if self.held.mirror:
             said.append(
                 Words("整幅图左右镜像了；以下按还原后衡量", "the drawing is mirrored; it was held as unmirrored")
+            )
+        elif self.held != UPRIGHT:
+            by = abs(self.held.degrees)
+            said.append(
+                Words(
+                    f"整幅图转过了 {by:g}°；以下按转正后衡量", f"the drawing is turned by {by:g}°; it was held upright"
+                )
             )
         if self.printed != 1.0:
             said.append(

@@ -100,7 +100,7 @@ class DrawingMark:
     """A drawing handed in: its figures, and what holds of all of it.
 
     slips: the catalogued mistakes that explain it; more than one where they draw the same, and none is named then.
-    twice: lines that were drawn a second time over another.
+    turned: degrees by which the whole sheet is turned; twice: lines that were drawn a second time over another.
     """
 
     problem: str
@@ -108,6 +108,7 @@ class DrawingMark:
     figures: tuple[FigureMark, ...]
     slips: tuple[Slip, ...] = ()
     mirrored: bool = False
+    turned: float = 0.0
     twice: tuple[Segment, ...] = ()
     remarks: tuple[Words, ...] = ()
 

@@ -1,4 +1,4 @@
-"""Where the figures stand on a sheet: also one that is held in a mirror, or was put out at another size."""
+"""Where the figures stand on a sheet: also one that is turned, or in a mirror, or was put out at another size."""
 
 from __future__ import annotations
 
@@ -7,19 +7,20 @@ from dataclasses import dataclass
 
 from ..model import DrawingKey
 from .fit import Fit, fitted
+from .held import MIRRORED, QUARTERS, UPRIGHT, Held
 from .tidy import Strokes
 
 SAME = 0.005  # of a scale
-MIRRORED, CLEARLY = 0.9, 0.2  # a drawing found so far is not mirrored; one found so much better in a mirror is
+FOUND, CLEARLY = 0.9, 0.2  # a drawing found so far stands upright; one found so much better otherwise does not
 SURE = 0.6  # of a figure found as it should be: no mistake need be sought to recognise it
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Found:
-    """The figures; mirrored: they were found in a mirror; printed: how much larger the sheet is than it says."""
+    """The figures; held: how the sheet had to be held for them; printed: how much larger the sheet is than it says."""
 
     fits: tuple[Fit, ...]
-    mirrored: bool = False
+    held: Held = UPRIGHT
     printed: float = 1.0
 
 
@@ -33,13 +34,15 @@ def find(key: DrawingKey, strokes: Strokes, scales: Mapping[str, float]) -> Foun
         return Found(fits=tuple(_upright(key, strokes, larger)), printed=times)
     fits = _upright(key, strokes, declared)
     share = _share(key, fits)
-    if share >= MIRRORED:
+    if share >= FOUND:
         return Found(fits=tuple(fits))
     plain = [(shape,) for shape in key.exact.shapes]
-    turned = [fitted(strokes, plain, declared, mirror=mirror) for mirror in (-1 + 0j, 1 + 0j)]
-    best = max(turned, key=lambda fits: _share(key, fits))
+    mirrored = [(held, fitted(strokes, plain, declared, held=held)) for held in MIRRORED]
+    turned = [(held, fitted(strokes, plain, declared, held=held)) for held in QUARTERS]
+    turned = [(held, fits) for held, fits in turned if any(fit.shape.diagram and fit.share >= FOUND for fit in fits)]
+    held, best = max((*mirrored, *turned), key=lambda way: _share(key, way[1]))
     if _share(key, best) > max(SURE, share + CLEARLY):
-        return Found(fits=tuple(best), mirrored=True)
+        return Found(fits=tuple(best), held=held)
     return Found(fits=tuple(fits))
 
 

@@ -11,6 +11,7 @@ from scipy.optimize import linear_sum_assignment
 
 from ..expected import Shape
 from ..segment import Segment
+from .held import UPRIGHT, Held
 from .naming import fits
 from .scale import LIKE, SAME_SCALE, SLACK, Vectors, chosen, nearer, nearly, ratios, refined
 from .tidy import Strokes
@@ -51,15 +52,14 @@ class _Try:
 
 
 def fitted(
-    strokes: Strokes, figures: Sequence[Sequence[Shape]], scales: Mapping[str, float], *, mirror: complex = 0j
+    strokes: Strokes, figures: Sequence[Sequence[Shape]], scales: Mapping[str, float], *, held: Held = UPRIGHT
 ) -> list[Fit]:
     """The figures that are found, each with the lines that belong to it.
 
     figures: of each figure what it should be, first as it is right, then as somebody draws it who makes a mistake.
-    scales: mm of the sheet for a mm of the reference, of the figures (by name) whose scale is declared. mirror: the
-    sheet is held in a mirror first, −1 left for right, 1 top for bottom.
+    scales: mm of the sheet for a mm of the reference, of the figures (by name) whose scale is declared.
     """
-    lines = [_mirrored(one, mirror) if mirror else one for one in strokes.lines]
+    lines = [held.seen(one) for one in strokes.lines]
     parts = [
         [n for n, part in enumerate(strokes.parts) if part == p] for p in range(max(strokes.parts, default=-1) + 1)
     ]
@@ -103,10 +103,6 @@ def _strays(
 
 def _gap(one: Segment, other: Segment) -> float:
     return min(abs(a - b) for a in (one.start, one.end) for b in (other.start, other.end))
-
-
-def _mirrored(one: Segment, mirror: complex) -> Segment:
-    return replace(one, start=mirror * one.start.conjugate(), end=mirror * one.end.conjugate())
 
 
 def _best(lines: Sequence[Segment], shapes: Sequence[Shape], declared: float | None, heads: bool) -> _Try:
