@@ -18,7 +18,6 @@ from vecpoly.problem.assignment import load_assignment
 from vecpoly.problem.problem import Problem
 from vecpoly.problem.values.vary import data_of
 from vecpoly.variants.pilot import Pilot
-from vecpoly.variants.seeds import Seed
 
 TEXT = """\
 title: {zh: 第三次作业, en: Homework 3}
@@ -55,14 +54,14 @@ def made(out: Path, students: Sequence[Student], text: str = TEXT) -> Made:
         return make_class(ordered(out, students, text), Here(), lambda *_: None)
 
 
-_PILOTS: dict[tuple[str, Seed], Pilot] = {}
+_PILOTS: dict[str, Pilot] = {}
 _draw_pilot = classwork._pilot
 
 
-def _remembered(order: Order, problem: Problem) -> Pilot:
-    key = (f"{data_of(problem)} {problem.ranges}", order.seed(problem.id, ""))
+def _remembered(problem: Problem) -> Pilot:
+    key = f"{data_of(problem)} {problem.ranges}"
     if key not in _PILOTS:
-        _PILOTS[key] = _draw_pilot(order, problem)
+        _PILOTS[key] = _draw_pilot(problem)
     return _PILOTS[key]
 
 

@@ -37,7 +37,7 @@ def seed(student: str) -> Seed:
 
 @cache
 def piloted() -> Pilot:
-    return pilot(block(), seed(""))
+    return pilot(block())
 
 
 @cache

@@ -17,7 +17,6 @@ from vecpoly.names import omega
 from vecpoly.variants.conditions import Condition
 from vecpoly.variants.frames import FRAMED, filled
 from vecpoly.variants.pilot import pilot
-from vecpoly.variants.seeds import Seed
 from vecpoly.variants.told import demoted, told
 
 STUDENTS = [f"2023{n:04}" for n in range(3)]
@@ -81,7 +80,7 @@ def _far(answer: vecpoly.Answer) -> float:
 
 def test_the_yield_is_told_and_what_cannot_be_drawn_well_is_demoted_aloud() -> None:
     assert piloted().passed + sum(piloted().failed.values()) == pytest.approx(1.0)
-    short = pilot(block("vectors: 40 mm, slips: 0"), Seed(assignment="homework", problem="block", student=""))
+    short = pilot(block("vectors: 40 mm, slips: 0"))
     assert short.standard.demoted
     said = " ".join(words.en for words in (*told("block", short), *demoted(short)))
     assert "% of the draws pass" in said and all(key in said for key in short.standard.demoted)
@@ -97,7 +96,7 @@ def test_the_yield_is_told_and_what_cannot_be_drawn_well_is_demoted_aloud() -> N
 def test_a_yield_below_one_in_a_hundred_is_refused_with_what_to_relax(text: str, gate: str, relax: str) -> None:
     problem = vecpoly.loads(f"{TEXT.partition('vary:')[0]}vary: {{{text}}}\n{gate}")
     with pytest.raises(VecpolyError) as refused:
-        pilot(problem, Seed(assignment="homework", problem="block", student=""))
+        pilot(problem)
     assert refused.value.code == "low-yield"
     assert relax in refused.value.words.en and relax in refused.value.words.zh
 

@@ -60,6 +60,6 @@ def test_whoever_is_too_near_to_others_is_told_so_and_not_that_the_data_contradi
 def test_what_no_draw_passes_is_named() -> None:
     text = "extends: 3-9\nid: short\nscales: null\nvary: {phi: 20 deg .. 70 deg by 5 deg}\n"
     seed = Seed(assignment="a", problem="short", student="1", salt="")
-    standard = pilot(loads(text), seed).standard
+    standard = pilot(loads(text)).standard
     narrow = loads(text + "gate: {vectors: 300 mm, alike: no}")
     assert obstacle(narrow, seed, standard) in (Condition.VECTORS, Condition.SHORT)

@@ -63,7 +63,7 @@ def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | N
     old, scheme = _old(order), _scheme(order.assignment)
     pilots, courses, exercises = {}, dict[str, Course](), list[Exercise]()
     for problem in map(_bare, order.assignment.problems):
-        found = _pilot(order, problem)
+        found = _pilot(problem)
         pilots[problem.id] = found
         if problem.ranges:
             refuse_too_few(problem, found, len(order.students))
@@ -131,12 +131,11 @@ def _bare(problem: Problem) -> Problem:
     return replace(problem, printed=(), errata=(), tables=(), source=None)
 
 
-def _pilot(order: Order, problem: Problem) -> Pilot:
+def _pilot(problem: Problem) -> Pilot:
     refuse_other_paper(problem)
     if not problem.ranges:
         return same_for_all(problem)
-    seed = order.seed(problem.id, "")
-    return pilot(problem, replace(seed, salt=f"{seed.salt}/pilot"))
+    return pilot(problem)
 
 
 def _exercise(order: Order, problem: Problem, found: Pilot) -> Exercise:

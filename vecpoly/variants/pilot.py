@@ -44,10 +44,13 @@ class Pilot:
     room: float = inf
 
 
-def pilot(problem: Problem, seed: Seed) -> Pilot:
-    """Draw some variants that nobody gets. Raises VecpolyError where too few draws pass, with what fails most and what
-    to relax."""
+def pilot(problem: Problem) -> Pilot:
+    """Draw some variants that nobody gets, the same for every class: what is demoted depends on the file alone.
+
+    Raises VecpolyError where too few draws pass, with what fails most and what to relax.
+    """
     problem = replace(problem, printed=(), tables=())
+    seed = Seed(assignment="pilot", problem=problem.id, student="")
     first = _standard(problem)
     trials = [_whole(tried(problem, seed, attempt, first, frozenset())) for attempt in range(SETS)]
     looks = [look for trial in trials for _, look in trial.drawn if isinstance(look, Look)]

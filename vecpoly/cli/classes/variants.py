@@ -55,7 +55,7 @@ def _tell(problem: Problem, assignment: str, count: int, salt: str, lang: Lang) 
             ).of(lang)
         )
         return
-    first: Pilot = pilot(problem, Seed(assignment=assignment, problem=problem.id, student="", salt=f"{salt}/pilot"))
+    first: Pilot = pilot(problem)
     for line in (*told(problem.id, first), *demoted(first), *said_already(problem)):
         typer.echo(line.of(lang))
     for number in range(1, count + 1):

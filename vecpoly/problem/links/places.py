@@ -113,7 +113,8 @@ def _note_offsets(
 ) -> None:
     """l_BD = 50 mm on the ray; l_DE = 40 mm where a point D is the foot of E; words otherwise."""
     side = "left" if "left" in data else "right"
-    beside = side in data and read(data[side], Dim.LENGTH).si != 0.0
+    beside = read(data[side], Dim.LENGTH).si if side in data else 0.0
+    away = str(data.get(side, "")).lstrip("-−+ ")
     produced = Words("的反向延长线上", " produced backwards") if at.si < 0 else Words("上", "")
     distance = at.text.lstrip("-−+ ")
     below = next((letter for letter, place in draft.points.items() if abs(place - foot) < 1e-12), "")
@@ -127,9 +128,10 @@ def _note_offsets(
                 )
             )
     elif below:
-        draft.note(f"l_{below}{point}", read(data[side], Dim.LENGTH).si, str(data[side]))
+        draft.note(f"l_{below}{point}", abs(beside), away)
     else:
-        zh, along, point = "左" if side == "left" else "右", str(data["along"]), subscripted(point)
+        zh, en = ("左", "left") if (side == "left") is (beside > 0) else ("右", "right")
+        along, point = str(data["along"]), subscripted(point)
         line, line_en = (
             (f"导槽中线（自 ${along}$ 起）", f"the slot's line from ${along}$")
             if len(along) == 1
@@ -138,9 +140,9 @@ def _note_offsets(
         draft.say(
             Words(
                 f"自 ${point}$ 作{line}的垂线，垂足{'在其反向延长线上，' if at.si < 0 else ''}"
-                f"距 ${origin}$ {distance}，${point}$ 位于{line}{zh}侧 {data[side]}",
+                f"距 ${origin}$ {distance}，${point}$ 位于{line}{zh}侧 {away}",
                 f"the foot of ${point}$ on {line_en}{produced.en} is {distance} from ${origin}$ and "
-                f"${point}$ lies {data[side]} to its {side}",
+                f"${point}$ lies {away} to its {en}",
             )
         )
 

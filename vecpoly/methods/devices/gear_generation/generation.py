@@ -25,7 +25,7 @@ from .start import crossing, cuts_in
 from .tip import pointed
 
 TALL, WIDE, PITCHES = 130.0, 158.0, 1.25  # mm: the tip radius, the figure; of the circles to either side
-DEGREE = Quantity(Txt("57.296°"), degrees(1.0), "deg", "57.296")
+DEGREE = Quantity(Txt("(180°/π)"), degrees(1.0), "deg", "57.296")
 TWO = Quantity(Txt("2"), 2.0, "")
 
 

@@ -13,7 +13,7 @@ from ....names import Named, reaction
 from ....plane import Line, Points, foot, nominal
 from ..acting import Acting
 from ..state import Statics
-from .thrust import beside, is_strut
+from .thrust import beside, is_strut, opposite_name
 
 
 def read_thrusts(st: Statics, loads: Loads) -> None:
@@ -69,8 +69,14 @@ def in_cylinders(st: Statics, loads: Loads) -> dict[str, list[Acting]]:
         joint = next(j for j in st.mech.joints if isinstance(j, Prismatic) and {j.guide, j.block} == pair)
         vector = _thrust(st, outer) / st.scale.value
         for link, at in zip((joint.guide, joint.block), pressed(posed, joint), strict=True):
-            sign = 1 if link == force.link else -1
+            sign, own = (1, outer) if link == force.link else (-1, _opposite(st, outer, link))
             found.setdefault(link, []).append(
-                Acting(named=load_named(outer), vector=sign * vector, at=foot(Line(st.desk.at[force.foot], line), at))
+                Acting(named=load_named(own), vector=sign * vector, at=foot(Line(st.desk.at[force.foot], line), at))
             )
     return found
+
+
+def _opposite(st: Statics, outer: Force, barrel: str) -> Force:
+    """F_c′ where the thrust counts as an outer force on the barrel; else it is F_c that presses there too."""
+    name = opposite_name(outer)
+    return next((one for one in st.loads.forces if one.name == name and one.link == barrel), outer)

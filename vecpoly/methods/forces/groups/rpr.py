@@ -8,7 +8,7 @@ from ....mechanism.model import Prismatic, Revolute
 from ....vector.equation import UNKNOWN
 from ....words import Words
 from ...registry import Stage, method
-from ..lines.arms import moments_about
+from ..lines.arms import moments_at
 from ..state import Statics
 from .body import group_pane
 from .corners import Reaction
@@ -32,7 +32,7 @@ def forces_rpr(st: Statics, d: Dyad) -> None:
     p, q = d.outer_j.point, d.outer_k.point
     first = split(st, d.links, d.parent_j, d.link_j, (p, q), (d.link_j, d.link_k))
     inner = lean(st, d.links, d.inner, d.link_k, d.link_j)
-    about = (p, moments_about(st, group_pane(st, *d.links), (d.link_j,), p))
+    about = (p, moments_at(st, group_pane(st, *d.links), (d.link_j,), st.desk.at[p], p))  # those about Q stand beside
     r_pj, r_kj, r_qk = reactions(st, d, draw_link_j(st, d, first, inner))
     settle_pin(st, d.parent_j, d.link_j, p, r_pj)
     settle_pin(st, d.parent_k, d.link_k, q, r_qk)
