@@ -33,6 +33,7 @@ _HEAD = {
 _WIDTHS = (38.0, 36.0, 54.0, 42.0)
 _SOLVED, _ROOM = Words("解 {}", "Solution {}"), 4  # columns for the solutions of a synthesis, not as many as there are
 NONE = "—"
+LINE, LISTED = 6, 4  # mm of squares for a line that is worked out, for an equation or a list
 _PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　　　　　) mm")
 _OTHERS = Words("其他", "Others")
 _ON_THE_WAY = Words("中间量", "Intermediate results")
@@ -233,16 +234,14 @@ def _points(answer: Answer) -> bool:
 
 
 def working_room(solution: Solution) -> float:
-    """How much room the work needs, mm: more for a step with a formula than for a line ruled; equations have rows. None
-    where nothing is computed but what lengths on paper come to, for which the table has room."""
+    """How much room the work needs, mm: for every line that is worked out, and for what the steps list. None where
+    nothing is computed but what lengths on paper come to, for which the table has room."""
     steps = solution.construction.steps
-    if not any(step.equation or step.listing for step in steps) and all(
-        _only_read(plain(line)) for step in steps for line in step.formulas
-    ):
-        return 0.0
-    return float(sum(8 if step.formulas or step.listing else 3 for step in solution.construction.steps))
+    lines = sum(not _only_read(plain(line)) for step in steps for line in step.formulas)
+    listed = sum(bool(step.equation or step.listing) for step in steps)
+    return float(LINE * lines + LISTED * listed)
 
 
 def _only_read(line: str) -> bool:
     """Whether a line is a reading, or one times its scale: φ = 140°, l_AB = μ_l AB = 0.001 × 44.7 = 44.7 mm."""
-    return line.count(" = ") < 2 or " = μ" in line
+    return line.count(" = ") < 2 or (" = μ" in line and "(" not in line and "/" not in line)
