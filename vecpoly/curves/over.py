@@ -71,13 +71,14 @@ def curves(
 
 
 def pens_of(group: list[Column], inks: Mapping[str, Hue]) -> Pens:
-    """A pen for each curve: the dashes by their order, the ink of a vector where it has one, its parts finer."""
+    """A pen for each curve: the dashes by their order, the ink of a vector where it has one; its parts finer, black."""
     made = []
     for column, pen in zip(group, style.PENS, strict=False):
         base, _, part = column.key.partition(".")
         ink = inks.get(base)
-        own = pen if ink is None else replace(pen, hue=ink, width=_PART if part in ("x", "y") else pen.width)
-        made.append(own)
+        if ink is not None:
+            pen = replace(pen, hue=Hue.BLACK, width=_PART) if part in ("x", "y") else replace(pen, hue=ink)
+        made.append(pen)
     return tuple(made)
 
 

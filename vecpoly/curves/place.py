@@ -64,6 +64,7 @@ class Placer:
             return
         spot = spots[best][0]
         self.boxes.append((spot - half, spot + half))
+        style.clear(self.at, spot.real - half.real, spot.imag - half.imag, 2 * half.real, 2 * half.imag)
         style.text(self.at, spot.real - half.real, spot.imag - half.imag + box.descent, words, size=size, hue=hue)
 
     def _crossed(self, here: complex, way: complex, gap: float) -> float:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator
 
 from ..drawing.style import GIVEN, THIN, Dash, Hue
@@ -18,6 +19,7 @@ from .record import DPI, MM
 WIDTH, PANEL = 150.0, 62.0  # mm
 TICK, LABEL = 3.1, 3.6  # em of the lettering, mm
 _TICK_ROOM = 7.5  # mm from one number of an axis to the next, at the least
+EDGE = 0.25  # mm: what stays of the ground inside the frame
 RIGHT, TOP, FOOT = 7.0, 9.0, 13.0  # margins, mm
 LEFT = 16.0  # mm: what all numbers of a y axis have, so that graphs under each other have one left edge
 
@@ -127,6 +129,16 @@ def text(
     """Lettering at a place in mm of the figure, or of the axes' data."""
     where = {"transform": at.transData} if data else {"transform": None}
     at.text(x, y, words, ha=ha, va=va, fontsize=size * MM, parse_math=False, clip_on=False, color=hue.value, **where)
+
+
+def clear(at: Any, x: float, y: float, width: float, height: float) -> None:
+    """White behind lettering (mm): grid and curves stop at it, the frame does not."""
+    frame = at.bbox
+    left, low = max(x, frame.x0 + EDGE), max(y, frame.y0 + EDGE)
+    right, high = min(x + width, frame.x1 - EDGE), min(y + height, frame.y1 - EDGE)
+    at.add_patch(
+        Rectangle((left, low), right - left, high - low, transform=None, facecolor=Hue.WHITE.value, edgecolor="none")
+    )
 
 
 def axis_label(symbol: str, unit: str) -> str:
