@@ -9,7 +9,7 @@ from typing import TypeVar
 from hypothesis import settings
 
 Case = TypeVar("Case")
-HOUSE, SOAK = 25, 1000  # examples of a law that names no number, in `make test` and in `make soak`
+HOUSE, SOAK = 12, 1000  # examples of a law that names no number, in `make test` and in `make soak`
 MORE = 20  # times as many of a dear one in the soak
 
 

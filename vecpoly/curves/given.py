@@ -35,7 +35,7 @@ def given_values(
     margin = (0.15 if marks else 0.08) * (float(np.ptp(y)) or 1.0)
     limit = (float(y.min()) - margin, float(y.max()) + margin)
     figure = style.sheet(width, panel)
-    left = style.left_edge(style.axes(style.sheet(width, panel), 20.0, 20.0, 50.0, panel - 25.0), [limit])
+    left = style.left_edge([limit])
     room, foot = panel - style.FOOT - style.TOP, style.FOOT
     at = style.axes(figure, left, foot, width - left - style.RIGHT, room)
     at.set_xlim(0.0, float(np.degrees(cycle.period)))

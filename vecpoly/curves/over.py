@@ -50,8 +50,7 @@ def curves(
     height = panel * len(groups)
     figure = style.sheet(width, height)
     limits = [_limits(cycle, group, _TOLD if marks else _BARE) for group in groups]
-    probe = style.axes(style.sheet(width, height), 20.0, 20.0, 50.0, panel - 25.0)
-    left = style.left_edge(probe, limits)
+    left = style.left_edge(limits)
     labels = [style.axis_label(_common(group), group[0].shown_unit) for group in groups]
     beside = all(
         _legend_width(group) + layout_words(label, style.LABEL).width + 6.0 <= width - style.RIGHT

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 from math import inf
 from typing import Any
@@ -14,6 +15,7 @@ from ..typeset import layout_words
 from . import style
 
 Points = NDArray[np.complex128]
+Spot = tuple[complex, complex, float]  # the middle of a text, and in which direction of its point and how far from it
 WAYS = np.exp(2j * np.pi * np.arange(16) / 16)
 _OWN = 1.3  # mm about a point of a curve: there runs the curve itself
 NEAR = (1.5, 2.4, 3.6, 5.0)  # mm from the point to the text
@@ -56,9 +58,10 @@ class Placer:
             for way in WAYS
         ]
         outward = outward / abs(outward) if abs(outward) else 1.0
-        own = most < inf  # a text that may be left out never stands beyond another curve
-        costs = [self._cost(s[0], half) + (own and self._crossed(here, s[1], s[2])) for s in spots]
         wishes = [0.4 * s[2] - 0.5 * (np.conj(outward) * s[1]).real for s in spots]
+        costs = [self._cost(s[0], half) for s in spots]
+        if most < inf:  # a text that may be left out never stands beyond another curve
+            self._cross(costs, wishes, here, spots)
         best = min(range(len(spots)), key=lambda i: costs[i] + wishes[i])
         if costs[best] > most:
             return
@@ -66,6 +69,15 @@ class Placer:
         self.boxes.append((spot - half, spot + half))
         style.clear(self.at, spot.real - half.real, spot.imag - half.imag, 2 * half.real, 2 * half.imag)
         style.text(self.at, spot.real - half.real, spot.imag - half.imag + box.descent, words, size=size, hue=hue)
+
+    def _cross(self, costs: list[float], wishes: list[float], here: complex, spots: Sequence[Spot]) -> None:
+        """Raise the costs of those spots that lie beyond something, as far as they could be the best."""
+        best = inf
+        for i in sorted(range(len(spots)), key=lambda i: costs[i] + wishes[i]):
+            if costs[i] + wishes[i] > best:
+                break
+            costs[i] += self._crossed(here, spots[i][1], spots[i][2])
+            best = min(best, costs[i] + wishes[i])
 
     def _crossed(self, here: complex, way: complex, gap: float) -> float:
         """What stands between a point and a text so far from it."""

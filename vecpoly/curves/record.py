@@ -3,6 +3,7 @@ ticks and curves stand, our backends draw them."""
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import matplotlib
@@ -116,7 +117,12 @@ def _points(polygon: Any) -> tuple[complex, ...]:
 
 def _hue(rgb: Any) -> Hue:
     """The nearest ink of the house."""
-    wanted = np.array(rgb[:3])
+    return _nearest(*(float(part) for part in rgb[:3]))
+
+
+@lru_cache(maxsize=256)
+def _nearest(red: float, green: float, blue: float) -> Hue:
+    wanted = np.array((red, green, blue))
     return min(hues(), key=lambda hue: float(np.abs(np.array(hue.value) - wanted).sum()))
 
 

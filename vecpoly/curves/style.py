@@ -62,8 +62,12 @@ def axes(figure: Figure, x: float, y: float, width: float, height: float) -> Any
         spine.set_linewidth(0.25 * MM)
     for axis in (made.xaxis, made.yaxis):
         axis.set_major_formatter(FuncFormatter(lambda value, _: number(value)))
-        axis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10]))
+        axis.set_major_locator(_round_steps())
     return made
+
+
+def _round_steps() -> MaxNLocator:
+    return MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10])
 
 
 def number(value: float) -> str:
@@ -157,15 +161,15 @@ def degrees_ticks(at: Any, low: float, high: float) -> None:
     )
 
 
-def gutter(at: Any, values: Sequence[float]) -> float:
+def gutter(values: Sequence[float]) -> float:
     """Width in mm that the tick labels of a y axis with these limits take."""
-    ticks = [t for t in at.yaxis.get_major_locator().tick_values(*values) if values[0] - 1e-9 <= t <= values[1] + 1e-9]
+    ticks = [t for t in _round_steps().tick_values(*values) if values[0] - 1e-9 <= t <= values[1] + 1e-9]
     return max((layout_words(number(t), TICK).width for t in ticks), default=0.0) + 3.0
 
 
-def left_edge(at: Any, limits: Iterable[tuple[float, float]]) -> float:
+def left_edge(limits: Iterable[tuple[float, float]]) -> float:
     """How far from the left a frame begins (mm): as far as all others, unless its numbers need more."""
-    return max(LEFT, *(gutter(at, limit) + 1.0 for limit in limits))
+    return max(LEFT, *(gutter(limit) + 1.0 for limit in limits))
 
 
 def thickness() -> float:

@@ -9,7 +9,8 @@ from math import isnan
 import numpy as np
 from numpy.typing import NDArray
 
-from .labels.obstacles import Complexes, Floats, Indices, clip, crossed
+from .labels.clipping import enters
+from .labels.obstacles import Complexes, Floats, Indices, crossed
 from .labels.spots import ends
 from .labels.want import Thing
 from .scene import Rect
@@ -162,5 +163,4 @@ def _about(points: Complexes) -> Rect:
 
 def _struck(foot: Complexes, end: Complexes, centre: Complexes, half: Complexes | complex) -> Floats:
     """1 where a leader from foot to end runs through a label, else 0."""
-    _, hit = clip(foot, end, centre, half.real + CLEAR, half.imag + CLEAR)
-    return np.where(hit, 1.0, 0.0)
+    return np.where(enters(foot, end, centre, half.real + CLEAR, half.imag + CLEAR), 1.0, 0.0)

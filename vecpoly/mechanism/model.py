@@ -194,7 +194,7 @@ class Mechanism:
         """The letters that two links have in common, as that of the pin between them."""
         return tuple(point for point in self.link(one).points if point in self.link(other).points)
 
-    @property
+    @cached_property
     def scale(self) -> float:
         """Largest distance between two points of one link or of the frame (m): the scale of its errors."""
         spans = [

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from ..scene import Fill, Item, Layer, Stroke, TextBox
 from ..style import THIN
+from .clipping import clip
 from .ground import is_ground
 
 Complexes = NDArray[np.complex128]
@@ -228,18 +229,3 @@ def _along(a: Complexes, b: Complexes, own: Own, which: Indices) -> NDArray[np.b
     off_a, off_b = ((a - p) * u).imag, ((b - p) * u).imag
     result: NDArray[np.bool_] = (length >= 1e-6) & (np.abs(off_a) < 0.05) & (np.abs(off_b) < 0.05)
     return result
-
-
-def clip(
-    a: Complexes, b: Complexes, centre: Complexes, dx: Floats | float, dy: Floats | float
-) -> tuple[Floats, NDArray[np.bool_]]:
-    """Length of each piece inside its box (centre ± dx, ± dy), and whether it enters at all (Liang and Barsky)."""
-    start, d = a - centre, b - a
-    low, high = np.zeros(start.shape), np.ones(start.shape)
-    for p, s, half in ((d.real, start.real, dx), (d.imag, start.imag, dy)):
-        steep = np.where(np.abs(p) < 1e-12, 1e-12, p)
-        t0, t1 = (-half - s) / steep, (half - s) / steep
-        low = np.maximum(low, np.minimum(t0, t1))
-        high = np.minimum(high, np.maximum(t0, t1))
-    span = np.maximum(high - low, 0.0)
-    return span * np.abs(d), span > 0.0

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..standing import NOWHERE
-from .obstacles import Complexes, Floats, Indices, clip
+from .clipping import enters
+from .obstacles import Complexes, Floats, Indices
 from .want import Line, Spot, Thing, Want
 
 WRONG = 55.0  # nearer to another than to its own, with no leader to tell
@@ -122,8 +123,7 @@ def distance(centre: Complexes, half: complex | Complexes, a: Complexes, b: Comp
     ends = np.minimum(_outside(a - c, half), _outside(b - c, half))
     corners = c[:, :, None] + np.stack([half, -half, np.conjugate(half), -np.conjugate(half)], axis=-1)
     touch = np.abs(corners - _on(corners, a[None, :, None], b[None, :, None])).min(axis=2)
-    start, end, middle = np.broadcast_arrays(a, b, c)
-    _, hit = clip(start, end, middle, half.real, half.imag)
+    hit = enters(a, b, c, half.real, half.imag)
     result: Floats = np.where(hit, 0.0, np.minimum(ends, touch))
     return result
 

@@ -9,6 +9,7 @@ gear's centre (`is_held`). Links that a drive joins are found together (`rams`).
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 from itertools import combinations, islice, pairwise
 
 from ...errors import MobilityError
@@ -16,9 +17,11 @@ from ...words import Words
 from ..model import FRAME, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling
 from ..pitch_lines import pitch_lines
 from ..rams import driven_kind, drives_within, units
-from .contours import class_of
+from .contours import class_of, connected
 from .group import Dyad, Group, Outer
+from .jointed import Jointed
 
+KEPT = 128  # mechanisms taken apart last: by lengths alone one differs from the next
 MOST = 120_000  # sets of links that are tried for a group: all of 16 links; of 22 those of up to six
 
 __all__ = [
@@ -43,6 +46,12 @@ def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
 
     Raises MobilityError where links remain that no known link determines.
     """
+    return _decomposed(Jointed(mech), pressing)
+
+
+@lru_cache(maxsize=KEPT)
+def _decomposed(jointed: Jointed, pressing: bool) -> tuple[Group, ...]:
+    mech = jointed.mech
     known = [FRAME, *(drive.link for drive in mech.drives if not drive.between)]
     rest = list(units(mech))
     pins = {} if pressing else hinges(mech)
@@ -167,7 +176,7 @@ def _group(
     inner, outer = _joints(mech, links, known, pins, pressing)
     drives = drives_within(mech, links)
     constraints = sum(1 if joint in held else 2 for joint in (*inner, *(out.joint for out in outer))) + len(drives)
-    if constraints != 3 * len(links) or not _connected(links, inner):
+    if constraints != 3 * len(links) or not connected(links, [ends(joint) for joint in inner]):
         return None
     if drives:
         kind, ram = driven_kind(mech, drives, inner, tuple((out.joint, out.link, out.parent) for out in outer))
@@ -218,16 +227,6 @@ def _joints(
         elif b in links and a in known:
             outer.append(Outer(joint=joint, link=b, parent=a))
     return tuple(inner), tuple(outer)
-
-
-def _connected(links: tuple[str, ...], inner: Iterable[Joint]) -> bool:
-    """Whether the inner joints hang all the links together."""
-    edges = [ends(joint) for joint in inner]
-    reached, before = {links[0]}, 0
-    while len(reached) != before:
-        before = len(reached)
-        reached |= {name for a, b in edges if a in reached or b in reached for name in (a, b)}
-    return reached == set(links)
 
 
 _RANK = {"R": 0, "P": 1, "G": 2}

@@ -1,4 +1,4 @@
-"""The class of an Assur group by its closed contours."""
+"""How inner joints hang the links of an Assur group together: its class by its closed contours."""
 
 from __future__ import annotations
 
@@ -19,3 +19,12 @@ def _loops(links: tuple[str, ...], edges: list[tuple[str, str]]) -> Iterator[tup
             degree = [sum(name in edge and set(edge) <= set(loop) for edge in edges) for name in loop]
             if all(d == 2 for d in degree):
                 yield loop
+
+
+def connected(links: tuple[str, ...], edges: list[tuple[str, str]]) -> bool:
+    """Whether the edges hang all the links together."""
+    reached, before = {links[0]}, 0
+    while len(reached) != before:
+        before = len(reached)
+        reached |= {name for a, b in edges if a in reached or b in reached for name in (a, b)}
+    return reached == set(links)
