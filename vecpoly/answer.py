@@ -10,12 +10,13 @@ from typing import Any
 from .board.construction import LineOfAction, Reading
 from .board.said.short import TOO_SHORT, about, is_short
 from .check.alarm import Cause, Weighed
-from .check.precision import PLENTY, digits
+from .check.precision import PLENTY, digits, settled
 from .foundation.slotted import dataclass
 from .names import Key, is_place
 from .words import Lang, Words
 
 _HEAD = {"zh": ("量", "图解", "精确", "单位", "预期误差"), "en": ("symbol", "drawn", "exact", "unit", "expected")}
+_NOTHING = 1e-14  # of what it is told beside: the rounding of a float, not a value
 YES_NO = "yes/no"  # unit of an answer that is 1 or 0
 
 
@@ -108,7 +109,9 @@ class Answer:
 
     def as_json(self) -> dict[str, Any]:
         """The answer as plain data, in the shape that `vecpoly solve --json` prints."""
-        data: dict[str, Any] = {"unit": self.reading.unit, "drawn": self.drawn, "exact": self.exact}
+        exact = settled(self.exact, self.weighed.noise, self.weighed.size)
+        drawn = 0.0 if exact == 0 and abs(self.drawn) <= _NOTHING * self.weighed.size else self.drawn
+        data: dict[str, Any] = {"unit": self.reading.unit, "drawn": drawn, "exact": exact}
         if self.undefined:
             return data | {"drawn": None, "exact": None, "undefined": True, "suspect": self.suspect is not None}
         if self.reading.unit == YES_NO:
@@ -118,8 +121,8 @@ class Answer:
         elif self.is_place:
             data["at_infinity"] = True
         elif self.drawn_vector is not None:
-            exact = self.exact_vector or 0j
-            towards = bearing(exact) if abs(exact) > 1e-9 * max(1.0, self.expected_error) else None
+            true = self.exact_vector or 0j
+            towards = bearing(true) if abs(true) > 1e-9 * max(1.0, self.expected_error) else None
             data |= (
                 {"direction_deg": self.direction, "exact_direction_deg": towards}
                 | line_of("", self.reading.acts)
@@ -150,7 +153,8 @@ def bearing(vector: complex) -> float:
 
 
 def place_of(at: complex) -> list[float]:
-    return [at.real, at.imag]
+    """Its coordinates; 0 for one that is nothing but the rounding of the other."""
+    return [0.0 if abs(part) <= _NOTHING * abs(at) else part for part in (at.real, at.imag)]
 
 
 def line_of(which: str, acts: LineOfAction | None) -> dict[str, Any]:

@@ -10,11 +10,12 @@ from ..mechanism.groups.assur import Dyad, Group, decompose
 from ..mechanism.model import FRAME, Joint, Mechanism, Prismatic, Revolute, Rolling
 from ..mechanism.profiles import refuse_profiles
 from ..words import Words
-from .drive import drive_symbols, driving, given_rates
+from .drive import drive_symbols, driving, given_angles, given_rates
 from .equations import GroupModel, Model, Part, Stage
 from .groups.crossing import crossing
 from .groups.gear import held_gear
 from .groups.looped import looped
+from .groups.rolled import in_closed_form
 from .groups.rolling import rolling
 from .groups.rpr import swinging
 from .groups.rrp import slider
@@ -38,13 +39,22 @@ def model(
     scope = Scope(mech, at, dict(turned) | {FRAME: 0.0}, lengths=lengths)
     groups = [driving(scope), *(_group(scope, group) for group in decompose(mech))]
     step = mech.scale / 50 if mech.drive.slide else radians(4.0)
-    return Model(tuple(groups), drive_symbols(scope)[0], given_rates(scope), mech.drive.position, step)
+    return Model(
+        tuple(groups), drive_symbols(scope)[0], given_rates(scope), mech.drive.position, step, _followed(scope)
+    )
+
+
+def _followed(scope: Scope) -> tuple[tuple[str, float], ...]:
+    """The angles that must not jump by a turn, as at the given position: all, where gears roll off of them."""
+    if not any(isinstance(joint, Rolling) for joint in scope.mech.joints):
+        return ()
+    return tuple((symbol, at) for symbol, at in given_angles(scope).items() if symbol != drive_symbols(scope)[0])
 
 
 def _group(scope: Scope, group: Group) -> GroupModel:
-    if group.kind == "gear":
+    if group.kind == "gear" and in_closed_form(scope.mech, group):
         return held_gear(scope, group)
-    if group.dyad is None:
+    if group.dyad is None or not in_closed_form(scope.mech, group):
         return looped(scope, group)
     d = group.dyad
     solved = _solved(scope, d)

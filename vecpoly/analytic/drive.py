@@ -24,6 +24,12 @@ def drive_symbols(scope: Scope) -> tuple[str, str, str]:
     return f"{stems[0]}_{{{name}}}", f"{stems[1]}_{{{name}}}", f"{stems[2]}_{{{name}}}"
 
 
+def given_angles(scope: Scope) -> dict[str, float]:
+    """The angles of all links at the given position, and the place of the drive as it is told, by their symbols."""
+    told = {f"φ_{{{scope.name(link.name)}}}": scope.turned[link.name] for link in scope.mech.links}
+    return told | {drive_symbols(scope)[0]: scope.mech.drive.position}
+
+
 def driving(scope: Scope) -> GroupModel:
     """The driving link's points from its given motion."""
     link = scope.mech.drive.link

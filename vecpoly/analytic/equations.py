@@ -71,6 +71,17 @@ class GroupModel:
 Values = dict[str, NDArray[np.float64] | float]
 
 
+@dataclass(slots=True)
+class Trail:
+    """Where the last step along the drive has left the unknowns of the loops, and the angles that are followed."""
+
+    unknowns: dict[int, NDArray[np.float64]]
+    angles: Values
+
+    def __bool__(self) -> bool:
+        return bool(self.unknowns or self.angles)
+
+
 @dataclass(frozen=True, slots=True)
 class Model:
     """The model of a mechanism; `given`: symbols and values of the drive's rates."""
@@ -80,6 +91,7 @@ class Model:
     given: tuple[tuple[str, float], ...]
     position: float = 0.0  # of the drive in the given position, from which Newton's method sets out
     step: float = 0.035  # of the drive, from one solution of the loops to the next (rad, or m)
+    followed: tuple[tuple[str, float], ...] = ()  # angles that must not jump by a turn, as at that position
 
     @property
     def closed(self) -> bool:
@@ -90,37 +102,39 @@ class Model:
         """Every variable at these positions of the drive, by the printed formulas.
         consts: other values of dimensions, by their symbol."""
         position = np.asarray(position, np.float64)
-        starts = {
-            i: np.tile(np.array(g.loops.start)[:, None], (1, position.size))
-            for i, g in enumerate(self.groups)
-            if g.loops is not None
-        }
+        trail = Trail(
+            {
+                i: np.tile(np.array(g.loops.start)[:, None], (1, position.size))
+                for i, g in enumerate(self.groups)
+                if g.loops is not None
+            },
+            dict(self.followed),
+        )
         gap = position - self.position
-        count = max(1, int(np.ceil(np.abs(gap).max(initial=0.0) / self.step))) if starts else 1
+        count = max(1, int(np.ceil(np.abs(gap).max(initial=0.0) / self.step))) if trail else 1
         with np.errstate(invalid="ignore", divide="ignore"):
             for share in np.arange(1, count) / count:  # walk there, so that the assembly stays the same
-                self._at(self.position + share * gap, starts, consts)
-            return self._at(position, starts, consts)
+                self._at(self.position + share * gap, trail, consts)
+            return self._at(position, trail, consts)
 
-    def _at(
-        self, position: NDArray[np.float64], starts: dict[int, NDArray[np.float64]], consts: Mapping[str, float] | None
-    ) -> Values:
-        """Every variable; the unknowns of the loops start from `starts` and are left there."""
+    def _at(self, position: NDArray[np.float64], trail: Trail, consts: Mapping[str, float] | None) -> Values:
+        """Every variable; the unknowns of the loops start from the trail and are left there."""
         env: Values = {self.drive: position, **dict(self.given), **(consts or {})}
         for i, group in enumerate(self.groups):
             if group.loops is not None:
-                starts[i] = group.loops.places(env, starts[i])
-                env |= group.loops.solved(env, starts[i])
-            _reckon(group, env)
+                trail.unknowns[i] = group.loops.places(env, trail.unknowns[i])
+                env |= group.loops.solved(env, trail.unknowns[i])
+            _reckon(group, env, trail.angles)
         return env
 
     def gaps(self, position: NDArray[np.float64]) -> Iterator[tuple[Equation, NDArray[np.float64]]]:
         """By how much each condition fails to hold at these positions, group by group."""
-        env: Values = {self.drive: position, **dict(self.given)} if self.closed else self.values(position)
+        at_once = self.closed and not self.followed
+        env: Values = {self.drive: position, **dict(self.given)} if at_once else self.values(position)
         for group in self.groups:
             with np.errstate(invalid="ignore", divide="ignore"):  # at a change point rates have no value
-                if self.closed:
-                    _reckon(group, env)
+                if at_once:
+                    _reckon(group, env, {})
                 found = [
                     (equation, np.abs(equation.left.value(env) - equation.right.value(env)))
                     for equation in group.equations
@@ -129,8 +143,13 @@ class Model:
             yield from found
 
 
-def _reckon(group: GroupModel, env: Values) -> None:
-    """Every variable of the group that an equation gives, in order."""
+def _reckon(group: GroupModel, env: Values, angles: Values) -> None:
+    """Every variable of the group that an equation gives, in order; an angle that is followed is the one, among those
+    that differ by whole turns, that is nearest to where it was."""
     for equation in group.equations:
         if equation.gives and isinstance(equation.left, Var):
-            env[equation.left.symbol] = equation.right.value(env)
+            symbol, value = equation.left.symbol, equation.right.value(env)
+            if symbol in angles:
+                value = value - 2 * np.pi * np.round((value - angles[symbol]) / (2 * np.pi))
+                angles[symbol] = value
+            env[symbol] = value

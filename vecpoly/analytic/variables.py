@@ -29,7 +29,6 @@ class Scope:
     still: set[str] = field(default_factory=lambda: {FRAME})  # links that do not turn
     anchors: dict[str, str] = field(default_factory=dict)  # a located letter of each link
     done: set[str] = field(default_factory=set)  # letters located
-    rolled: set[str] = field(default_factory=set)  # gears whose angle never jumps by a turn
     lengths: frozenset[str] = frozenset()  # symbols of the given lengths: l_CD
 
     # -- symbols ----------------------------------------------------------------------------------------------

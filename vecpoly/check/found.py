@@ -53,7 +53,7 @@ class Verified:
             "K": self.ratio,
             "theta_deg": self.theta,
             "gamma_min_deg": self.gamma,
-            "gamma_min_at_deg": self.gamma_at,
+            "gamma_min_at_deg": round(self.gamma_at, 9) % 360,  # 3e-13 is the rounding of a whole turn
         }
         stroke = {"swing_deg" if self.unit == "°" else "stroke_mm": self.stroke}
         ill = {"ill_conditioned": dict(self.loose)} if self.loose else {}

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import floor, inf, isnan, log10
+from typing import overload
 
 from ..errors import DeadPointError
 from ..problem.problem import Problem
@@ -18,6 +19,8 @@ from .truth import Truth, Values
 FEWEST = 3  # digits with which a value is still an answer
 PLENTY = 7  # digits of which nothing need be said
 WHOLE = 360.0  # deg
+ROUNDED = 4.0  # times the scatter: within it a value cannot be told from zero
+NOTHING = 1e-9  # of the size of such quantities: what may be taken for zero at all
 
 
 def sizes(problem: Problem, truth: Truth) -> dict[str, float]:
@@ -53,6 +56,21 @@ def digits(noise: float, size: float) -> int:
     return 15 if noise == 0 else max(0, min(15, floor(-log10(noise / size))))
 
 
+@overload
+def settled(value: float, noise: float, size: float) -> float: ...
+@overload
+def settled(value: complex, noise: float, size: float) -> complex: ...
+def settled(value: complex | float, noise: float, size: float) -> complex | float:
+    """The value, and 0 in the place of what is no more than its own rounding: of a complex number each part alone.
+
+    noise: what the data moved in their last places make of it, so that a small value that is true stays: it scatters
+    by far less than itself. size: of such quantities; nothing that is worth telling beside it is taken for zero.
+    """
+    if isinstance(value, complex):
+        return complex(settled(value.real, noise, size), settled(value.imag, noise, size))
+    return 0.0 if abs(value) <= min(ROUNDED * noise, NOTHING * size) else value
+
+
 def _scatter(key: str, value: complex | float, near: tuple[Values, ...], whole: float) -> float:
     """The farthest from the exact value that the nudged data bring it; whole: after which it comes round."""
     gaps = [abs(values[key] - value) for values in near if key in values]
@@ -61,14 +79,23 @@ def _scatter(key: str, value: complex | float, near: tuple[Values, ...], whole: 
 
 def _lost(key: str, off: float, size: float) -> DeadPointError:
     left = digits(off, size)
+    where = Words(
+        f"{key}：机构离死点（或变点）太近", f"{key}: the mechanism is so near to a dead point (or change point)"
+    )
+    if left == 0:
+        told = Words(
+            "，舍入误差与该量本身一样大，一位有效数字也不剩（准确值趋于无穷或不定）",
+            " that the error of rounding is as large as the quantity itself, which is infinite or undetermined there: "
+            "no digit of it is left",
+        )
+    else:
+        told = Words(
+            f"，舍入误差被放大到 ±{off:.2g}，而此类量的大小为 {size:.2g}，只剩 {left} 位有效数字",
+            f" that rounding alone makes ±{off:.2g} of a quantity of about {size:.2g}: "
+            f"{left} digit{'s are' if left > 1 else ' is'} left",
+        )
     return DeadPointError(
-        Words(
-            f"{key}：机构离死点（或变点）太近，舍入误差被放大到 ±{off:.2g}，而此类量的大小为 {size:.2g}，"
-            f"只剩 {left} 位有效数字；请改取原动件的其他位置",
-            f"{key}: the mechanism is so near to a dead point (or change point) that rounding alone makes "
-            f"±{off:.2g} of a quantity of about {size:.2g}: {left} digits are left; choose another position of "
-            "the input",
-        ),
+        where + told + Words("；请改取原动件的其他位置", "; choose another position of the input"),
         code="precision.lost",
         numbers={"noise": off, "size": size, "digits": left},
     )

@@ -71,6 +71,28 @@ _COMMON = {
     "N*m/rad": (1.0, "angle -1 length 2 mass 1 time -2"),
     "N*m*s": (1.0, "length 2 mass 1 time -1"),
 }
+# units that are not read, each with the one to write in its place and how much of that it is
+_FOREIGN = {
+    "kgf": ("N", 9.80665),
+    "kp": ("N", 9.80665),
+    "公斤力": ("N", 9.80665),
+    "lbf": ("N", 4.4482216152605),
+    "dyn": ("N", 1e-5),
+    "lb": ("kg", 0.45359237),
+    "oz": ("kg", 0.028349523125),
+    "t": ("kg", 1000.0),
+    "吨": ("kg", 1000.0),
+    "ft": ("mm", 304.8),
+    "yd": ("mm", 914.4),
+    "ms": ("s", 1e-3),
+    "psi": ("MPa", 6.894757293168e-3),
+    "atm": ("MPa", 0.101325),
+    "hp": ("W", 745.69987158227),
+    "PS": ("W", 735.49875),
+    "马力": ("W", 735.49875),
+    "kcal": ("J", 4186.8),
+    "mph": ("m/s", 0.44704),
+}
 _USUAL = "mm cm m in s min rad deg r rad/s r/min m/s m/s^2 kg g N N*m kg*m kg*m^2 W MPa m/mm"
 
 
@@ -119,12 +141,25 @@ def _no_great_power(unit: str) -> None:
 
 def _near(unit: str) -> Words:
     """'; did you mean rad/s?' of a unit written in other capitals or misspelt; else the units there are."""
+    if (foreign := _foreign(unit)) is not None:
+        return foreign
     known = {spelling.replace("**", "^"): spelling for spelling in _COMMON}
     by_small = {spelling.lower(): spelling for spelling in known}
     close = get_close_matches(unit.replace("**", "^").lower(), by_small, n=1, cutoff=0.7)
     if close:
         return Words(f"；是否指“{by_small[close[0]]}”？", f"; did you mean '{by_small[close[0]]}'?")
     return Words(f"；可用：{_USUAL}", f"; known: {_USUAL}")
+
+
+def _foreign(unit: str) -> Words | None:
+    """'; did you mean N? 1 kgf = 9.80665 N' where a unit of another system stands in it."""
+    names = [name for name in re.split(r"[^A-Za-z一-鿿]+", unit) if name]
+    found = next((name for name in names if name in _FOREIGN), None)
+    if found is None:
+        return None
+    ours, factor = _FOREIGN[found]
+    told = f"1 {found} = {factor:.7g} {ours}"
+    return Words(f"；是否指“{ours}”？换算：{told}", f"; did you mean '{ours}'? {told}")
 
 
 @lru_cache(maxsize=1)

@@ -1,31 +1,33 @@
 """A gear whose centre other links hold: only its turning is unknown, and pure rolling tells it.
 
-Where it carries further letters (a crank pin) its angle is needed too: φ = θ + φ_H ± (r_p / r)(φ_H − φ_p), θ from the
-given position. The angles on the right must not jump by a turn: those of the frame, of the drive, of gears on these.
+Where it carries further letters (a crank pin), or others roll on it, its angle is needed too:
+φ = θ + φ_H ± (r_p / r)(φ_H − φ_p), θ from the given position. The angles on the right must not jump by a turn: those
+that arctangents give are counted on from there (`Model.followed`).
 """
 
 from __future__ import annotations
 
-from ...errors import NoMethodError
 from ...mechanism.groups.assur import Group, hinges
 from ...mechanism.model import FRAME, Circle, Rolling
 from ...words import Words
+from ..drive import given_angles
 from ..equations import Equation, GroupModel, Part, Stage
 from ..expr import Const, Expr, Var
 from ..points import points
 from ..stages import ACCELERATION, POSITION, VELOCITY
 from ..variables import Scope
+from .rolled import angle_needed, radius
 
 
 def held_gear(scope: Scope, group: Group) -> GroupModel:
     """ω = ω_H ± (r_p / r)(ω_H − ω_p), H the link that holds both centres, p the partner; α alike."""
     link = group.links[0]
     joint = next(out.joint for out in group.outer if isinstance(out.joint, Rolling))
-    mine, other = _circles(scope, link, joint)
+    mine, other = _circles(link, joint)
     holder = _holder(scope, mine, other)
     name, (velocity, acceleration) = scope.name(link), _turning(scope, joint, mine, other, holder)
     scope.anchors[link] = mine.centre
-    standing = _standing(scope, joint, mine, other, holder) if len(scope.mech.link(link).points) > 1 else ()
+    standing = _standing(scope, joint, mine, other, holder) if angle_needed(scope.mech, link) else ()
     more = points(scope, group.links)
     held = Words("机架" if holder == FRAME else f"构件 {holder}", "the frame" if holder == FRAME else f"link {holder}")
     return GroupModel(
@@ -55,43 +57,40 @@ def _with(more: tuple[Stage, ...], *own: Stage) -> tuple[Stage, ...]:
 
 
 def _standing(scope: Scope, joint: Rolling, mine: Circle, other: Circle, holder: str) -> tuple[Stage, ...]:
-    """The gear's angle: that of the given position, and what it has rolled since. Raises NoMethodError."""
-    link, partner = mine.link, other.link
-    if not {holder, partner} <= {FRAME, scope.mech.drive.link, *scope.rolled}:
-        raise NoMethodError(
-            Words(
-                f"没有齿轮 {link} 的转角的解析式：构件 {partner}、{holder} 的转角由反三角函数给出，会跳变整周",
-                f"no closed form on file for the angle of gear {link}: it rolls on link {partner}, held by {holder}, "
-                "whose angles come from arctangents and jump by whole turns",
-            )
-        )
-    scope.rolled.add(link)
-    name, ratio = scope.name(link), _ratio(scope, mine, other)
-    arm, mate = (
-        scope.mech.drive.position if one == scope.mech.drive.link else scope.turned[one] for one in (holder, partner)
-    )
+    """The gear's angle: that of the given position, and what it has rolled since."""
+    link, name, ratio, given = mine.link, scope.name(mine.link), _ratio(scope, mine, other), given_angles(scope)
+    own, arm, mate = (float(scope.phi(one).value(given)) for one in (link, holder, other.link))
     sign = -1 if joint.internal else 1
-    start = scope.turned[link] - arm - sign * other.radius / mine.radius * (arm - mate)
+    start = own - arm - sign * other.radius / mine.radius * (arm - mate)
     angle = Const(f"θ_{{{name}}}", start, "rad") + _rolled(
-        scope.phi(holder), scope.phi(holder) - scope.phi(partner), ratio, joint.internal
+        scope.phi(holder), scope.phi(holder) - scope.phi(other.link), ratio, joint.internal
     )
     said = Words(
-        f"由给定位置（$θ_{name}$ 由此定出）起滚过的角度给出转角：",
-        f"The angle follows from what the gear has rolled since the given position, which tells $θ_{name}$:",
+        f"由给定位置（$θ_{name}$ 由此定出）起滚过的角度给出转角{_counted(scope, holder, other.link).zh}：",
+        f"The angle follows from what the gear has rolled since the given position, which tells $θ_{name}$"
+        f"{_counted(scope, holder, other.link).en}:",
     )
     return (Stage(POSITION, (Part(said, (Equation(Var(f"φ_{{{name}}}"), angle),)),)),)
 
 
-def _circles(scope: Scope, link: str, joint: Rolling) -> tuple[Circle, Circle]:
-    """The pitch circles of the gear and of its partner. Raises NoMethodError where either is none, or is stepped."""
+def _counted(scope: Scope, *links: str) -> Words:
+    """That angles which arctangents give are counted on, where they are none of the frame or of the drive."""
+    known = {FRAME, scope.mech.drive.link}
+    jumping = [
+        f"$φ_{{{scope.name(link)}}}$" for link in links if isinstance(scope.phi(link), Var) and link not in known
+    ]
+    if not jumping:
+        return Words("", "")
+    return Words(
+        f"（{'、'.join(jumping)} 自给定位置起连续计量，不跳变整周）",
+        f" ({', '.join(jumping)} counted on from there, without jumps by whole turns)",
+    )
+
+
+def _circles(link: str, joint: Rolling) -> tuple[Circle, Circle]:
+    """The pitch circles of the gear and of its partner."""
     mine, other = (joint.gear, joint.on) if joint.gear.link == link else (joint.on, joint.gear)
-    if not isinstance(mine, Circle) or not isinstance(other, Circle) or mine.mark or other.mark:
-        raise NoMethodError(
-            Words(
-                f"没有齿轮 {link} 的解析式：它应在另一齿轮上滚动，且不是双联齿轮",
-                f"no closed form on file for gear {link}: it must roll on a gear, and not be stepped",
-            )
-        )
+    assert isinstance(mine, Circle) and isinstance(other, Circle)
     return mine, other
 
 
@@ -110,8 +109,7 @@ def _turning(scope: Scope, joint: Rolling, mine: Circle, other: Circle, holder: 
 
 def _ratio(scope: Scope, mine: Circle, other: Circle) -> Expr:
     """r_p / r."""
-    partner = Const(f"r_{{{scope.mech.number(other.link)}}}", other.radius)
-    return partner / Const(f"r_{{{scope.name(mine.link)}}}", mine.radius)
+    return radius(scope, other) / radius(scope, mine)
 
 
 def _holder(scope: Scope, mine: Circle, other: Circle) -> str:
@@ -122,13 +120,6 @@ def _holder(scope: Scope, mine: Circle, other: Circle) -> str:
         for name in (*(li.name for li in scope.mech.links), FRAME)
         if {mine.centre, other.centre} <= {*scope.mech.link(name).points} and name in pins.get(mine.centre, ())
     ]
-    if not carriers:
-        raise NoMethodError(
-            Words(
-                f"没有齿轮 {mine.link} 的解析式：没有构件同时含有 {mine.centre} 和 {other.centre}",
-                f"no closed form on file for gear {mine.link}: no link holds both {mine.centre} and {other.centre}",
-            )
-        )
     return carriers[0]
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...mechanism.groups.assur import Group
+from ...mechanism.model import Rolling
 from ...words import Words
 from ..calculus import substituted
 from ..drive import drive_symbols
@@ -16,6 +17,7 @@ from ..points import points
 from ..stages import ACCELERATION, POSITION, VELOCITY
 from ..variables import Scope
 from .chains import Chains
+from .linear import is_linear, linear
 
 DETERMINANT = "Δ_{J}"
 _FEW = 3  # right sides that are all named
@@ -30,23 +32,16 @@ _NEWTON = Words(
 
 def looped(scope: Scope, group: Group) -> GroupModel:
     """Loop equations, Jacobian, linear equations of the rates.
-    Raises NoMethodError where gears roll, or loops close in slides."""
+    Raises NoMethodError where loops close in slides."""
     chains = Chains(scope, group)
     conditions = list(chains.closing(chains.grow()))
-    chains.unknowns = dict(sorted(chains.unknowns.items()))
-    told = {e.left.symbol: e.right for e in chains.places if isinstance(e.left, Var)}
-    gaps = tuple(substituted(left - right, told) for left, right in conditions)
-    loops = Loops(
-        conditions=gaps,
-        unknowns=tuple(chains.unknowns),
-        rates=chains.rates | dict(_known(scope)),
-        start=tuple(chains.unknowns.values()),
-        name=DETERMINANT,
-    )
+    loops = _loops(scope, chains, conditions)
+    if chains.geared and is_linear(loops):
+        return linear(scope, group, chains, loops, conditions)
     names = [scope.name(link) for link in group.links]
     more = points(scope, group.links)
     stages = [
-        _position(loops, chains, conditions),
+        _position(loops, chains, conditions, chains.geared),
         _rates(loops, VELOCITY, "b", loops.velocity_sides, 0, chains.speeds),
         _rates(loops, ACCELERATION, "c", loops.acceleration_sides, 1, chains.pushes),
     ]
@@ -69,6 +64,20 @@ def looped(scope: Scope, group: Group) -> GroupModel:
     )
 
 
+def _loops(scope: Scope, chains: Chains, conditions: list[tuple[Expr, Expr]]) -> Loops:
+    """The conditions with the points on the way eliminated."""
+    chains.unknowns = dict(sorted(chains.unknowns.items()))
+    told = {e.left.symbol: e.right for e in chains.places if isinstance(e.left, Var)}
+    gaps = tuple(substituted(left - right, told) for left, right in conditions)
+    return Loops(
+        conditions=gaps,
+        unknowns=tuple(chains.unknowns),
+        rates=chains.rates | dict(_known(scope)),
+        start=tuple(chains.unknowns.values()),
+        name=DETERMINANT,
+    )
+
+
 def _named(group: Group, names: list[str]) -> tuple[Words, Words]:
     """Title and first sentence of the group."""
     listed, listed_en, joints = (
@@ -86,6 +95,8 @@ def _named(group: Group, names: list[str]) -> tuple[Words, Words]:
                 f"{listed_en} {joints}; the position equations are solved together.",
             ),
         )
+    if any(isinstance(joint, Rolling) for joint in (*group.inner, *(out.joint for out in group.outer))):
+        return _geared(group, names)
     roman = group.kind.removeprefix("class ")
     zh = {"III": "Ⅲ", "IV": "Ⅳ"}.get(roman, roman)
     return (
@@ -95,6 +106,23 @@ def _named(group: Group, names: list[str]) -> tuple[Words, Words]:
             "不能拆成 Ⅱ 级杆组，位置方程没有封闭解，只能联立求解。",
             f"The class {roman} group consists of links {listed_en} {joints}. It cannot be taken "
             "apart into dyads: its position equations have no closed solution and are solved "
+            "together.",
+        ),
+    )
+
+
+def _geared(group: Group, names: list[str]) -> tuple[Words, Words]:
+    """Of gears and racks: what they have rolled is one equation among those of the loops."""
+    listed, listed_en = "、".join(names), ", ".join(names)
+    noun = "links" if len(names) > 1 else "link"
+    return (
+        Words(f"齿轮（齿条）传动的杆组（构件 {listed}）", f"The group of gears or racks ({noun} {listed_en})"),
+        Words(
+            f"该杆组由构件 {listed} 组成，其中有纯滚动。节点处速度恒相同，故自题设位置起两轮滚过的弧长相等"
+            "（齿条则为移动的距离）；$θ$ 由题设位置定出，各转角连续计量，不跳变整周。这些关系与封闭矢量方程联立求解。",
+            f"Gears roll in the group of {noun} {listed_en}. Both bodies always have one velocity at the pitch point, "
+            "so they have rolled equal arcs since the given position (a rack: lengths). That position tells $θ$; "
+            "angles are counted on, without jumps by whole turns. These relations and the vector loops are solved "
             "together.",
         ),
     )
@@ -117,9 +145,9 @@ def _known(scope: Scope) -> Iterator[tuple[str, tuple[Expr, Expr]]]:
             yield phi.symbol, (scope.omega(link.name), scope.alpha(link.name))
 
 
-def _position(loops: Loops, chains: Chains, conditions: list[tuple[Expr, Expr]]) -> Stage:
+def _position(loops: Loops, chains: Chains, conditions: list[tuple[Expr, Expr]], geared: bool) -> Stage:
     places = (_reached(loops, chains),) if chains.places else ()
-    return Stage(POSITION, (*places, *_closed(loops, conditions), Part(_NEWTON)))
+    return Stage(POSITION, (*places, *_closed(loops, conditions, geared), Part(_NEWTON)))
 
 
 def _reached(loops: Loops, chains: Chains) -> Part:
@@ -134,17 +162,16 @@ def _reached(loops: Loops, chains: Chains) -> Part:
     )
 
 
-def _closed(loops: Loops, conditions: list[tuple[Expr, Expr]]) -> tuple[Part, Part]:
+def _closed(loops: Loops, conditions: list[tuple[Expr, Expr]], geared: bool) -> tuple[Part, Part]:
     """The loops closed, and the equations that are left when the points on the way are eliminated."""
     count = len(conditions)
+    closing = Words(
+        f"在其余转动副处封闭，得 {count // 2} 个封闭矢量方程，其投影为",
+        f"The remaining revolutes close {count // 2} vector loops, whose projections are",
+    )
+    rolling = Words("由其余运动副的封闭条件和纯滚动条件得", "The remaining joints close, and the gears roll:")
     return (
-        Part(
-            Words(
-                f"在其余转动副处封闭，得 {count // 2} 个封闭矢量方程，其投影为",
-                f"The remaining revolutes close {count // 2} vector loops, whose projections are",
-            ),
-            tuple(Equation(left, right, False) for left, right in conditions),
-        ),
+        Part(rolling if geared else closing, tuple(Equation(left, right, False) for left, right in conditions)),
         Part(
             Words(
                 f"消去中间点的坐标并移项，得 {count} 个方程 $f_i = 0$，含 {count} 个未知量：",

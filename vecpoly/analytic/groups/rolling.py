@@ -5,9 +5,7 @@ from __future__ import annotations
 
 import cmath
 
-from ...errors import NoMethodError
 from ...mechanism.model import Circle, Rack, Rolling, Side
-from ...words import Words
 from ..equations import Equation
 from ..expr import Const, Expr, Var
 from ..stages import Arm
@@ -18,15 +16,7 @@ from ..variables import Scope
 def rolling(scope: Scope, joint: Rolling, link: str, parent: str, c: str) -> tuple[Arm | Track, Turning]:
     """The locus of the gear's centre C, and the gear's ω and α by pure rolling."""
     mine, other = (joint.gear, joint.on) if joint.gear.link == link else (joint.on, joint.gear)
-    body = scope.mech.link(link)
-    if not isinstance(mine, Circle) or mine.centre != c or len(body.points) > 1:
-        raise NoMethodError(
-            Words(
-                f"没有齿轮 {link} 的解析式：杆组的内铰应为其中心，且为其唯一的字母点",
-                f"no closed form on file for gear {link}: the group's inner hinge must be its centre, and its "
-                "only lettered point",
-            )
-        )
+    assert isinstance(mine, Circle)
     scope.anchors[link] = c
     name = scope.name(link)
     radius = Const(f"r_{{{name}}}", mine.radius)

@@ -30,7 +30,7 @@ def exact(
     tally = Tally()
     found = problems(names, tally, allow_outside)
     spared(json, JSON, found)
-    from ...check.precision import noise, sizes
+    from ...check.precision import noise, settled, sizes
     from ...check.truth import truth_of
     from ...check.unsolvable import conclusion
 
@@ -39,8 +39,10 @@ def exact(
         with tally.job(), about(problem.id):
             warn(problem.id, problem.warnings, lang)
             truth = truth_of(problem)
-            noise(problem, truth, sizes(problem, truth))  # refuses what has lost its digits
-            values, lines, rels = truth.values, truth.lines, {ask.rel.key: ask.rel for ask in problem.asks}
+            size = sizes(problem, truth)
+            off = noise(problem, truth, size)  # refuses what has lost its digits
+            values = {key: settled(value, off[key], size[key]) for key, value in truth.values.items()}
+            lines, rels = truth.lines, {ask.rel.key: ask.rel for ask in problem.asks}
             data.append(
                 {
                     "id": problem.id,
@@ -67,10 +69,10 @@ def _plain(rel: Key, value: complex | float) -> dict[str, Any]:
         return {"unit": "deg" if endless else si, "exact": bool(value) if si == YES_NO else value} | (
             {"at_infinity": True} if endless else {}
         )
-    from ...answer import bearing
+    from ...answer import bearing, place_of
 
     if is_place(rel):
-        return {"unit": si, "exact_xy": [value.real, value.imag]}
+        return {"unit": si, "exact_xy": place_of(value)}
     return {"unit": si, "exact": abs(value), "direction_deg": bearing(value) if value else None}
 
 
@@ -80,7 +82,9 @@ def _line(line: ActsAt | None) -> dict[str, Any]:
     if line is None:
         return {}
     couple = {} if line.couple is None else {"couple": line.couple}
-    return {"point": [line.point.real, line.point.imag], "tangent": line.tangent or None} | couple
+    from ...answer import place_of
+
+    return {"point": place_of(line.point), "tangent": line.tangent or None} | couple
 
 
 def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> None:

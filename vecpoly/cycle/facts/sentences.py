@@ -11,6 +11,7 @@ from ..cycle import Cycle
 from ..extremes import Extremes, Spot, extremes
 from .changing import figure_words
 from .found import Facts, Peak, Stroke
+from .held import held
 from .shown import number, shown, where
 from .transmission_range import Transmission
 
@@ -19,6 +20,7 @@ def sentences(cycle: Cycle, found: Facts) -> tuple[Words, ...]:
     """Each fact as a sentence: how the links move, limits, quick return, transmission angles, dead points, peaks."""
     return (
         *_range(cycle, found),
+        *held(cycle),
         *_turns(cycle, found),
         *_laps(cycle, found),
         *_changes(cycle, found),

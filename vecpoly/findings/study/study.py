@@ -25,6 +25,7 @@ from ...solution import Solution
 from ...words import Words
 from .also_asked import widened
 from .from_pivots import from_pivots
+from .one_drive import follows_one_drive
 from .reactions import reactions, without_twins
 from .told import STILL, links_told, points_told
 from .working_range import working_range
@@ -243,4 +244,5 @@ def study(solution: Solution) -> Study:
             + no_cycle(solution.problem)
             + Words("；或改写解答报告（--style solution）", "; or write its solution report (--style solution)")
         )
+    follows_one_drive(solution.problem)
     return Study(widened(solution), solution)

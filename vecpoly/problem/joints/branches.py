@@ -13,6 +13,7 @@ from ...words import Words
 from ..links.bodies import Bodies
 from ..links.draft import LETTER
 from ..schema.faults import Faults, meant
+from .opposed import check_opposed
 
 _BESIDE = pattern(rf"({LETTER}) (?:is |on the )?(left of|right of|above|below) ({LETTER})({LETTER})?")
 _BESIDE_ZH = pattern(rf"({LETTER})\s*在\s*({LETTER})({LETTER})?\s*的?\s*(左|右|上|下)(?:方|侧|边|面)?")
@@ -35,14 +36,15 @@ _EQUAL = 1e-9  # m
 
 def read_branches(texts: Iterable[str], bodies: Bodies, faults: Faults) -> tuple[Statement, ...]:
     """The statements under `branch`; what is wrong with one is noted at its place."""
-    branches = []
+    branches: dict[str, Statement] = {}
     for i, text in enumerate(texts):
         with faults.at("branch", i):
             statement = read_branch(text, (*bodies.letters(), *bodies.pitch))
             if isinstance(statement, Shaped):
                 check_figure(statement, bodies)
-            branches.append(statement)
-    return tuple(branches)
+            check_opposed(text, statement, branches)
+            branches[text] = statement
+    return tuple(branches.values())
 
 
 def read_branch(text: str, letters: Iterable[str]) -> Statement:

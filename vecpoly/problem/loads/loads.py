@@ -15,6 +15,7 @@ from ..links.bodies import Bodies
 from ..schema.faults import Faults
 from ..schema.models import ProblemSpec, TableSpec
 from .driven import Driven
+from .drives import one_drive
 from .load import read_load
 from .machine import needs_balance, reduces
 from .tables import turns_of
@@ -54,6 +55,7 @@ def read_loads(
                 code="spelling",
             )
     with faults.at(next(key for key in _ACTING if getattr(spec, key))):
+        one_drive(spec, [load for load in found if isinstance(load, Force | Moment) and load.size is None])
         loads = _gathered(found, spec, masses, bodies)
         _something_acts(loads)
         return loads
