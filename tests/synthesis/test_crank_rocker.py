@@ -72,6 +72,11 @@ def test_k_of_one_puts_a_on_the_line_of_the_limits() -> None:
             posed(K="1", CD="60 mm", swing="60 deg", AB=crank).solve()
 
 
+def test_k_of_one_has_no_angle_between_the_limits_however_short_the_coupler() -> None:
+    found = posed(K="1", CD="49 mm", swing="31 deg", BC="26.3 mm").solve(by="exact").answers
+    assert found["theta"].exact == 0.0 and found["K"].exact == 1.0
+
+
 @pytest.mark.parametrize("datum", [{}, {"AD": "70 mm", "BC": "60 mm"}, {"ADC": "30 deg", "AD": "70 mm"}])
 def test_too_few_or_too_many_data_are_told(datum: dict[str, str]) -> None:
     with pytest.raises(ProblemFileError, match=r"just one of|either swing"):
@@ -98,3 +103,22 @@ def test_a_given_angle_is_met_close_to_the_limit_too() -> None:
     """Four A have this γ_min, two of them 0.05 % of C₁C₂ from C₁, of which the closed solution knew one."""
     solution = posed(K="1.25", CD="100 mm", swing="20 deg", gamma_min="2.0939 deg").solve(by="exact")
     assert len(solution.construction.candidates) == 4 and not solution.suspect
+
+
+@pytest.mark.parametrize("data", [("17.16 deg", "0.5 deg"), ("18.7 deg", "0.66246 deg"), ("24.31 deg", "0.8 deg")])
+def test_every_a_with_a_least_angle_of_less_than_a_degree_is_found(data: tuple[str, str]) -> None:
+    """Two beside C₁, two beside the change point, where the curve of γ_min ends between two trials."""
+    swing, gamma = data
+    solution = posed(K="1.0625", CD="100 mm", swing=swing, gamma_min=gamma).solve(by="exact")
+    assert len(solution.construction.candidates) == 4 and not solution.suspect
+
+
+@pytest.mark.parametrize("gamma", ["0.4999 deg", "0.01 deg"])
+def test_a_least_angle_that_hardly_transmits_force_is_refused_with_the_admissible_range(gamma: str) -> None:
+    with pytest.raises(ProblemFileError, match=rf"gamma_min = {gamma} must lie between 0.5 and 90 deg"):
+        posed(K="1.0625", CD="100 mm", swing="20 deg", gamma_min=gamma)
+
+
+def test_a_least_angle_out_of_reach_is_refused_from_half_a_degree_on() -> None:
+    with pytest.raises(AssemblyError, match=r"admissible is gamma_min from 0\.5 to 63\.49 deg"):
+        posed(K="1.0625", CD="100 mm", swing="20 deg", gamma_min="70 deg").solve()

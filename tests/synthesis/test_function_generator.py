@@ -16,7 +16,7 @@ from tests.synthesis.inversion import posed, solved
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.designs.base import Design
 from vecpoly.designs.generator.formula import Formula
-from vecpoly.errors import AssemblyError, ProblemFileError
+from vecpoly.errors import AssemblyError, NotAskedError, ProblemFileError
 from vecpoly.oracle.synthesis.registry import linkages
 from vecpoly.solution import Solution
 
@@ -167,3 +167,11 @@ def test_drawing_and_equation_agree_about_every_function_and_its_error(
     assert one.verdict == exact[0].verdict.name
     for key in ("AB", "BC", "CD", "epsilon_max") if one.reason is None else ():
         assert one.values[key] == pytest.approx(exact[0].values[key], rel=1e-7, abs=1e-7)
+
+
+def test_trials_that_tell_no_crank_are_refused_with_what_is_wrong() -> None:
+    pairs = ["102 deg -> 119 deg", "136 deg -> 76 deg", "183 deg -> 51 deg"]
+    problem = posed("function-generator", AD="80 mm", pairs=pairs)
+    assert solved(problem).answers["AB"].exact == pytest.approx(0.8233498)
+    with pytest.raises(NotAskedError, match="in both trials P and Q all but fall together"):
+        problem.solve()

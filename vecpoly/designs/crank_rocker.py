@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import pi
+from math import degrees, pi, radians
 from typing import Any, ClassVar, Literal
 
 from pydantic import model_validator
@@ -20,7 +20,8 @@ from .quantities import K as ADVANCE
 
 _ONE_MORE = ("AD", "AB", "BC", "gamma_min", "A", "best")
 
-NEAREST = 1e-5  # of C₁C₂: no A that is nearer to C₁ is sought by trial
+LEAST = radians(0.5)  # a given γ_min: where it is less, A all but coincides with C₁, and force is hardly transmitted
+NEAREST = 2e-6  # of C₁C₂: no A nearer to C₁ is sought by trial; γ_min is less than LEAST there, as AC₁ > γ² C₁C₂/16
 _VARIED = (AD, AB, BC, GAMMA_MIN, Named("A", "A", "mm"), Named("ADC", "∠ADC", "deg"), ADVANCE)
 
 
@@ -62,16 +63,16 @@ class CrankRocker(Design):
 
     def _angles(self) -> None:
         """Each angle in the range in which there is a rocker."""
-        for name, angle, most in (
-            ("swing", self.swing, pi),
-            ("ADC", self.ADC, pi),
-            ("gamma_min", self.gamma_min, pi / 2),
+        for name, angle, least, most in (
+            ("swing", self.swing, 0.0, pi),
+            ("ADC", self.ADC, 0.0, pi),
+            ("gamma_min", self.gamma_min, LEAST, pi / 2),
         ):
-            if angle is not None and not 0 < angle.si < most:
+            if angle is not None and not (0 < angle.si < most and angle.si >= least):
                 raise FaultError(
                     Words(
-                        f"{name} = {angle.text}：应在 0 与 {180 * most / pi:g}° 之间",
-                        f"{name} = {angle.text} must lie between 0 and {180 * most / pi:g} deg",
+                        f"{name} = {angle.text}：应在 {degrees(least):g} 与 {degrees(most):g}° 之间",
+                        f"{name} = {angle.text} must lie between {degrees(least):g} and {degrees(most):g} deg",
                     ),
                     code="out-of-range",
                     numbers={name: angle.si},

@@ -11,11 +11,14 @@ from ...board.construction import View
 from ...board.paper.marks import Dot, Role
 from ...designs.quantities import ALPHA_MAX
 from ...diagram.single import pivot as ground
-from ...plane import Reals, unit
+from ...plane import Reals, nominal, unit
 from ...words import Words
 from .angles import marked, valued
 from .draft import Draft
 from .linkage import crank_circle, slider
+from .touching import on_guide
+
+SHORT = 1e-6  # mm: C′ below B′
 
 
 def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: Quantity) -> Reals:
@@ -35,7 +38,7 @@ def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: 
     b = board.locate(place, "B′", board.lay_off(a, 1j, crank.value * per_mm, key="AB′"))
     n = board.lay_off(a, -1j, offset.value * per_mm)
     guide = board.parallel(n, 1 + 0j)
-    c, _ = board.arc_on_line(guide, b, coupler.value * per_mm, Words("求 $C′$", "finding $C′$"))
+    c = on_guide(board, guide, b, np.abs(b - n), coupler.value * per_mm, "C′")
     c = board.locate(place, "C′", board.either(c))
     board.rule(place, guide, c)
     board.join(place, a, n, Role.CONSTRUCTION)
@@ -46,7 +49,8 @@ def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: 
     board.depict(place, ground(a))
     crank_circle(draft, a, np.abs(b - a), place, sweep=pi)
     slider(draft, (c,), 1 + 0j, place)
-    along = board.parallel(c, unit(n - c), key="nn").along
+    level = abs(complex(nominal(n - c))) > SHORT
+    along = board.parallel(c, unit(n - c) if level else -guide.along, key="nn").along
     alpha = 90.0 - np.abs(90.0 - np.degrees(np.abs(board.gauge(0j, (b - c) / along))))
     marked(draft, c, (n, b), valued(draft.of_this(ALPHA_MAX).symbol, alpha), place=place)
     return alpha

@@ -20,6 +20,7 @@ from ...words import Words
 from .angles import marked, valued
 from .draft import Draft
 from .linkage import crank_circle
+from .touching import third
 
 RIGHT = 90.0  # deg
 BEYOND = 14.0  # mm of the coupler's line beyond C
@@ -73,8 +74,7 @@ def _extreme(
     board, (a, d), marks = draft.board, ends, "′" if side > 0 else "″"
     per_mm = 1e-3 / board.scale_of(place).value
     b = board.locate(place, f"B{marks}", board.lay_off(a, side + 0j, crank.value * per_mm))
-    what = Words(f"求 $C{marks}$", f"finding $C{marks}$")
-    c, _ = board.arcs(b, coupler.value * per_mm, d, _mm(draft, CD), what)
+    c = third(board, b, coupler.value * per_mm, d, _mm(draft, CD), f"C{marks}")
     c = board.locate(place, f"C{marks}", board.either(c))
     angle = draft.angle(c, b, d)
     gamma = np.minimum(angle, 180.0 - angle)

@@ -28,6 +28,8 @@ class Chord:
     def pivot(self, a: float, b: float, side: int) -> complex:
         """A of the crank a and coupler b, on the left: 2 s x = AC₁² − AC₂² = −4 a b."""
         x = -2 * a * b / self.s
+        if not self.theta:
+            return complex(x, self.m)
         return complex(x, self.m + side * sqrt(max((b - a) ** 2 - (x + self.s / 2) ** 2, 0.0)))
 
     def coupler(self, a: float) -> float:
@@ -53,7 +55,7 @@ class Chord:
     def near(self, t: float, side: int) -> Linkage:
         """The same in even ratios of AC₁ = C₁C₂ sin(u − θ/2) / sin θ, from the nearest that is sought."""
         if not self.theta:
-            return self.tried(t, side)
+            return self.tried(2 * NEAREST + (1 - 2 * NEAREST) * t, side)
         half, least = self.theta / 2, NEAREST * sin(self.theta)
         u = half + least * ((pi / 2 - half) / least) ** t
         a, b = self.s / 2 * cos(u) / cos(half), self.s / 2 * sin(u) / sin(half)

@@ -9,7 +9,7 @@ from math import asin, cos, degrees, sin
 import numpy as np
 
 from ...designs.admitted import between
-from ...designs.crank_rocker import CrankRocker
+from ...designs.crank_rocker import LEAST, CrankRocker
 from ...designs.verdict import Verdict
 from ...errors import AssemblyError
 from ...words import Words
@@ -36,6 +36,8 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
     name, given, unit, of = _datum(design)
     sides = SIDES if design.theta else SIDES[:1]
     ranges = [(low, high) for side in sides for low, high in _range(Chord(design), side, of)]
+    if design.gamma_min is not None:
+        ranges = [(max(low, degrees(LEAST)), high) for low, high in ranges if high > degrees(LEAST)]
     if not ranges:
         return AssemblyError(
             Words(

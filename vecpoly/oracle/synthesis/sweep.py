@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from math import sqrt
+from itertools import pairwise
+from math import isnan, sqrt
 
 import numpy as np
 
@@ -13,6 +14,7 @@ MEETING = 1e-6  # of two functions at their summit: it is where they cross
 STEP = 0.1  # of the distance of two trials: that of central differences
 Function = Callable[[float], float]
 Both = Callable[[float], tuple[float, float]]
+Trials = list[tuple[float, float]]  # places, and what the function is there
 
 
 def _trials() -> list[float]:
@@ -26,11 +28,31 @@ def crossings(both: Both, value: float) -> Iterator[float]:
     def off(x: float) -> float:
         return min(both(x)) - value
 
-    at = _trials()
-    found = [off(x) for x in at]
-    for x0, x1, f0, f1 in zip(at, at[1:], found, found[1:], strict=False):
+    at = [(x, off(x)) for x in (0.0, *_trials())]
+    at = sorted([*at, *_ends(off, at), *_peaks(off, at)])
+    for (x0, f0), (x1, f1) in pairwise(at):
         if f0 * f1 < 0:
             yield _root(off, x0, x1)
+
+
+def _ends(of: Function, at: Trials) -> Iterator[tuple[float, float]]:
+    """The last place with a value, between a trial that has one and a neighbour that has none."""
+    for one, other in pairwise(at):
+        if isnan(one[1]) != isnan(other[1]):
+            good, bad = (other[0], one[0]) if isnan(one[1]) else (one[0], other[0])
+            for _ in range(80):
+                middle = (good + bad) / 2
+                good, bad = (good, middle) if isnan(of(middle)) else (middle, bad)
+            yield good, of(good)
+
+
+def _peaks(of: Function, at: Trials) -> Iterator[tuple[float, float]]:
+    """Every top and every bottom between the trials, where the value may be passed twice."""
+    for (low, f0), (_, f1), (high, f2) in zip(at, at[1:], at[2:], strict=False):
+        if f0 <= f1 >= f2 or f0 >= f1 <= f2:
+            way = 1.0 if f0 <= f1 else -1.0
+            top = _golden(lambda x, way=way: way * of(x), low, high)  # type: ignore[misc]
+            yield top, of(top)
 
 
 def _root(of: Function, low: float, high: float) -> float:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import pairwise
 
 import numpy as np
 
@@ -20,11 +21,40 @@ def meetings(track: Track, wanted: float) -> Iterator[float]:
     def off(t: float) -> float:
         return min(track.angles(t)) - wanted
 
-    places = _places()
-    tried = [off(t) for t in places]
-    for i in range(len(places) - 1):
-        if tried[i] * tried[i + 1] < 0:
-            yield halved(off, places[i], places[i + 1], REFINED)
+    places = [0.0, *_places()]
+    tried = {t: off(t) for t in places}
+    for t in (*_edges(off, tried), *_turns(off, tried)):
+        tried[t] = off(t)
+    for low, high in pairwise(sorted(tried)):
+        if tried[low] * tried[high] < 0:
+            yield halved(off, low, high, REFINED)
+
+
+def _edges(off: Curve, tried: Mapping[float, float]) -> list[float]:
+    """How far towards a trial of no use, from its neighbour that is of use, A may go."""
+    found = []
+    for low, high in pairwise(tried):
+        if np.isfinite(tried[low]) != np.isfinite(tried[high]):
+            inside, outside = (low, high) if np.isfinite(tried[low]) else (high, low)
+            for _ in range(REFINED):
+                t = (inside + outside) / 2
+                inside, outside = (t, outside) if np.isfinite(off(t)) else (inside, t)
+            found.append(inside)
+    return found
+
+
+def _turns(off: Curve, tried: Mapping[float, float]) -> list[float]:
+    """Where the curve turns back between its trials, which may be beyond the wanted angle."""
+    tops, bottoms = (
+        [(low, high) for low, t, high in _threes(tried) if way * tried[low] <= way * tried[t] >= way * tried[high]]
+        for way in (1, -1)
+    )
+    return [top(off, *ends, REFINED) for ends in tops] + [top(lambda t: -off(t), *ends, REFINED) for ends in bottoms]
+
+
+def _threes(places: Iterable[float]) -> Iterator[tuple[float, float, float]]:
+    all_ = list(places)
+    return zip(all_, all_[1:], all_[2:], strict=False)
 
 
 def summit(track: Track) -> Iterator[float]:

@@ -37,7 +37,7 @@ class Track:
     def at(self, t: float) -> complex:
         """The place of A."""
         if isinstance(self.locus, Straight):
-            return self.c1 - (self.c2 - self.c1) * t / (1 - t)
+            return self.c1 - (self.c2 - self.c1) * (NEAREST + t) / (1 - t)
         return complex(nominal(self.locus.centre) + nominal(self.locus.radius) * np.exp(1j * self.turn(t)))
 
     def place(self, t: float) -> float:

@@ -13,6 +13,7 @@ from ....board.board import Board
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....board.place import Pane
+from ....errors import NotAskedError
 from ....plane import Line, Points, Reals, nominal
 from ....plane.geometry import dot
 from ....words import Words
@@ -34,8 +35,23 @@ def crank_length(sheet: Sheet, pairs: Angles, kept: int) -> Reals:
     numbers = [_off(sheet, place, length, letters, kept) for length, letters in zip(lengths, _TRIALS, strict=True)]
     board.step(_FOUND, place)
     e, f = numbers
+    if not nominal(f.value - e.value):
+        raise _alike()
     ae, af = (magnitude(symbol, length, "mm") for symbol, length in zip(("AE", "AF"), lengths, strict=True))
     return board.compute("AB", (f - e) / (f / ae - e / af), "mm").value
+
+
+def _alike() -> NotAskedError:
+    """Both trials read alike: the task is ill-conditioned beyond drawing."""
+    return NotAskedError(
+        Words(
+            "AB 无从量取：两次试作中 P、Q 都几乎重合，图上读不出曲柄长；此题病态，请拉大各组对应角之间的间隔，"
+            "或用 vecpoly exact",
+            "AB cannot be read: in both trials P and Q all but fall together, and the paper does not tell the crank; "
+            "the task is ill-conditioned, take pairs of angles further apart, or use 'vecpoly exact'",
+        ),
+        code="unreadable",
+    )
 
 
 def _told(kept: int) -> Words:

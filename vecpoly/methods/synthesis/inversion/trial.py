@@ -3,7 +3,7 @@ circle. A sheet that is a little off has other places, and may have fewer of the
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import permutations
 
 import numpy as np
@@ -11,45 +11,76 @@ from numpy.typing import NDArray
 
 from ....plane import Line, Reals, unit
 from ....plane.traced import bare
+from ...roots import GOLDEN
 from .sheet import Stands
 
 TRIALS = 2000  # over the whole line, denser where the figure is
 REFINED = 80  # halvings
 FAR = 1e6  # mm: a pin beyond serves no drawing
-UNIT = 100.0  # mm: u → UNIT tan u covers the whole line
 
 Several = NDArray[np.complex128]
+Numbers = NDArray[np.float64]
+Hands = NDArray[np.intp]
+Off = Callable[[Numbers, Hands], Numbers]  # of places, each of its hand's sheet
 
 
 def centre_places(line: Line, stands: Sequence[Stands]) -> list[Reals]:
     """Every centre point of the nominal sheet by its distance along the line (mm), of the others likewise; NaN where a
     sheet has none there."""
     every = [bare(spot) for at in stands for spot in (at.start, at.end)]
-    at, along, *spots = np.broadcast_arrays(bare(line.at), bare(line.along), *every)
-    hands = max(1, np.ravel(at).size)
-    poses = [np.ravel(spot) for spot in spots]
-    found = _zeros(np.ravel(at), np.ravel(along), poses, hands)
+    spread = np.broadcast_arrays(bare(line.at), bare(line.along), *every)
+    at, along, *poses = (np.asarray(np.ravel(spot), np.complex128) for spot in spread)
+    hands = max(1, at.size)
+    middle, size = _reach(complex(at[0]), complex(along[0]), poses)
+    found = _zeros(at + middle * along, size * along, poses, hands)
     first = found[0]
     columns = np.array([_alike(first, other) for other in found]).T
-    kept = [column for column in UNIT * np.tan(columns) if abs(column[0]) < FAR]
+    kept = [column for column in middle + size * np.tan(columns) if abs(column[0]) < FAR]
     return [column if hands > 1 else np.float64(column[0]) for column in kept]
+
+
+def _reach(at: complex, along: complex, poses: Sequence[Several]) -> tuple[float, float]:
+    """Where along the line the body is, and how large the figure is (mm): u → size tan u from there covers the line."""
+    spots = np.array([spot[0] for spot in poses]) - at
+    middle = complex(spots.mean())
+    return (middle * along.conjugate()).real, float(np.abs(spots - middle).max() + abs((middle / along).imag))
 
 
 def _zeros(at: Several, along: Several, poses: Sequence[Several], hands: int) -> list[list[float]]:
     """For every hand the places u where the deviation changes its sign, in order."""
 
-    def off(u: NDArray[np.float64], hand: NDArray[np.intp] | slice) -> NDArray[np.float64]:
-        return deviation([spot[hand] for spot in poses], at[hand] + UNIT * np.tan(u) * along[hand])
+    def off(u: Numbers, hand: Hands | slice) -> Numbers:
+        return deviation([spot[hand] for spot in poses], at[hand] + np.tan(u) * along[hand])
 
     tried = np.linspace(-np.pi / 2, np.pi / 2, TRIALS + 2)[1:-1]
     values = off(tried[:, None], slice(None))
     row, hand = np.nonzero(values[:-1] * values[1:] < 0)
-    low, high, above = tried[row], tried[row + 1], values[row, hand] > 0
+    ends = tried[row], tried[row + 1], hand
+    low, high, hand = (np.concatenate(parts) for parts in zip(ends, _twice(off, tried, values), strict=True))
+    above = off(low, hand) > 0
     for _ in range(REFINED):
         middle = (low + high) / 2
         same = (off(middle, hand) > 0) == above
         low, high = np.where(same, middle, low), np.where(same, high, middle)
     return [sorted(((low + high) / 2)[hand == h].tolist()) for h in range(hands)]
+
+
+def _twice(off: Off, tried: Numbers, values: Numbers) -> tuple[Numbers, Numbers, Hands]:
+    """Ends of a sign each, and whose: where the deviation turns back between its trials, and is beyond zero there."""
+    before, here, after = np.abs(values[:-2]), np.abs(values[1:-1]), np.abs(values[2:])
+    alike = (values[:-2] * values[1:-1] > 0) & (values[1:-1] * values[2:] > 0)
+    row, hand = np.nonzero(alike & (here <= before) & (here <= after))
+    left, right = tried[row], tried[row + 2]
+    sign = np.sign(values[row + 1, hand])
+    low, high = left, right
+    for _ in range(REFINED):
+        one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+        nearer = sign * off(one, hand) < sign * off(two, hand)
+        low, high = np.where(nearer, low, one), np.where(nearer, two, high)
+    top = (low + high) / 2
+    beyond = sign * off(top, hand) < 0
+    left, right, top, hand = left[beyond], right[beyond], top[beyond], hand[beyond]
+    return np.concatenate([left, top]), np.concatenate([top, right]), np.concatenate([hand, hand])
 
 
 def deviation(poses: Sequence[Several], m: Several) -> NDArray[np.float64]:
