@@ -6,7 +6,7 @@ import pytest
 
 from tests.drawn_library import drawn
 from vecpoly.devices.balancing.rotor import Rotor
-from vecpoly.problem.load import load
+from vecpoly.problem.load import load, loads
 
 
 @pytest.mark.parametrize(("name", "radius"), [("planetary-sun-drives", "90 mm"), ("planet-drive", "40 mm")])
