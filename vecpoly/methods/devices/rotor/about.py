@@ -28,7 +28,7 @@ def about_a_third_plane(
     """ΣW l = 0 about the plane midway between the first and the last place on the axis."""
     board = bench.board
     here = (max(rotor.stations) + min(rotor.stations)) / 2
-    board.section(Words("校核", "Check"))
+    board.section(Words("对第三平面复核", "Check about a third plane"))
     title = Words(f"对平面 ${THIRD}$ 的力偶多边形", f"Couples about plane ${THIRD}$")
     place = board.open_pane(COUPLES, "III", title)
     board.step(
