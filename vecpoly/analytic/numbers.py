@@ -49,7 +49,8 @@ def numbers(expr: Expr, env: Env, digits: int = FIGURES) -> Node:
             items: list[Node] = []
             for i, (term, sign) in enumerate(terms):
                 items += [Txt(" + " if sign > 0 else " − ")] if i else [Txt("−")] if sign < 0 else []
-                items.append(_guarded(term, env, digits))
+                first = not i and sign > 0 and isinstance(term, (Var, Const))  # −0.1 − (−0.0212)
+                items.append((numbers if first else _guarded)(term, env, digits))
             return Row(tuple(items))
         case Product():
             return Row(

@@ -24,7 +24,7 @@ from .words.inversion import enveloped, opening, turning
 
 VIEW = View.MECHANISM
 CROWDED = 24  # stations: of more only every other is numbered
-CLEAR = 14.0  # mm: of the guides about the pivot, for its letter and the arrow of ω
+CLEAR = 14.0  # mm: of guides through the pivot, for its letter and the arrow of ω
 SHOWN = 4  # the station of which the radius of the profile is drawn
 FACE = 0.6  # of r0: how far a flat face is drawn to either side
 
@@ -107,7 +107,8 @@ def _pitch(bench: Bench, cam: Cam, stations: Sequence[Station]) -> tuple[Cut, ..
 
 def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
     board, mm = bench.board, bench.board.scale_of(VIEW).value
-    board.join(VIEW, it.start if cam.arm else it.start + CLEAR * it.way, it.b, Role.CONSTRUCTION)
+    foot = it.start if cam.arm or cam.follower.e else it.start + CLEAR * it.way  # a guide beside O touches its circle
+    board.join(VIEW, foot, it.b, Role.CONSTRUCTION)
     if cam.follower.flat and cam.arm:
         board.join(VIEW, it.b, it.b + _along_face(cam, it, mm), Role.CONSTRUCTION)
     elif cam.follower.flat:
