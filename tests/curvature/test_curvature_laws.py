@@ -92,3 +92,30 @@ def test_the_pole_moves_along_the_tangent_at_omega_times_delta(case: dict[str, A
     u = here.pole_velocity * float(here.body.omega[0])
     slack = 1e-5 * (abs(u) + here.mech.scale) * (1 + abs(u) / here.mech.scale) ** 2
     assert abs(moved - u) < slack
+
+
+def mirrored(case: dict[str, Any]) -> dict[str, Any]:
+    """The linkage in a mirror on the x axis."""
+    turned = {"phi": -case["phi"], "points": {name: [x, -y] for name, (x, y) in case["points"].items()}}
+    if "branch" in case:
+        sides = {"C left of BD": "C right of BD", "C right of BD": "C left of BD"}
+        turned["branch"] = sides[case["branch"]]
+    return case | turned | ({"guide_y": -case["guide_y"]} if "guide_y" in case else {})
+
+
+@settings(max_examples=often(6), deadline=None)
+@given(linkages(), st.sampled_from(WAYS))
+def test_of_a_mirrored_linkage_all_poles_circles_and_centres_are_mirrored(case: dict[str, Any], way: str) -> None:
+    here, there = (_drawn(one, way) for one in (case, mirrored(case)))
+    assert here.keys() == there.keys()
+    size = sum(abs(at) for at in here.values()) + 0.1
+    assert all(abs(there[key] - at.conjugate()) < 1e-7 * size for key, at in here.items())
+
+
+def _drawn(case: dict[str, Any], way: str) -> dict[str, complex]:
+    """What is read by the exact hand; nothing where the case is refused."""
+    try:
+        answers = case_problem(case, way).solve(by="exact").answers
+    except VecpolyError:
+        return {}
+    return {key: complex(one.drawn if one.drawn_vector is None else one.drawn_vector) for key, one in answers.items()}

@@ -102,6 +102,26 @@ def test_any_train_that_can_be_read_is_drawn_as_it_is_computed(data: dict[str, A
         assert found
 
 
+@settings(max_examples=often(10), deadline=None)
+@given(data=trains())
+def test_a_mirrored_train_turns_all_its_links_the_other_way(data: dict[str, Any]) -> None:
+    backwards = {key: _reversed(value) if key.startswith("omega") else value for key, value in data.items()}
+    try:
+        here, there = (agree(device("epicyclic", **one), within=1e-8) for one in (data, backwards))
+    except (NotAskedError, ValueError):
+        assume(False)
+    else:
+        signed = [key for key in here if key.startswith(("omega", "v_"))]
+        assert signed and {key: there[key] for key in signed} == pytest.approx({key: -here[key] for key in signed})
+        assert {key: there[key] for key in here.keys() - set(signed)} == pytest.approx(
+            {key: here[key] for key in here.keys() - set(signed)}
+        )
+
+
+def _reversed(speed: str) -> str:
+    return speed.removeprefix("-") if speed.startswith("-") else f"-{speed}"
+
+
 def test_a_ratio_of_ten_thousand_is_known_but_not_measured() -> None:
     for driver in ("H", "1"):
         given_ = {f"omega_{driver}": "100 rad/s", "omega_3": "0 rad/s"}

@@ -122,3 +122,19 @@ def test_a_least_angle_that_hardly_transmits_force_is_refused_with_the_admissibl
 def test_a_least_angle_out_of_reach_is_refused_from_half_a_degree_on() -> None:
     with pytest.raises(AssemblyError, match=r"admissible is gamma_min from 0\.5 to 63\.49 deg"):
         posed(K="1.0625", CD="100 mm", swing="20 deg", gamma_min="70 deg").solve()
+
+
+def test_a_line_for_a_is_given_by_its_coordinate_and_a_circle_that_it_misses_is_said_to_be_missed() -> None:
+    solution = vecpoly.load("crank-rocker-by-line").solve(by="exact")
+    design = solution.problem.design
+    assert ("y_{A}", "0 mm") in design.given()
+    told = [step.words for step in solution.construction.steps if "Draw the given line" in step.words.en]
+    assert [words.en.count("it meets") for words in told] == [1, 0]
+    assert "与圆 $η′$不相交" in told[1].zh and "passes the centre at" in told[1].en
+
+
+def test_a_curve_that_does_not_reach_the_given_angle_says_so() -> None:
+    steps = vecpoly.load("crank-rocker-by-gamma").solve(by="exact").construction.steps
+    assert [step.section.en for step in steps if "does not reach the given value" in step.words.en] == [
+        "The point $A′$ and the lengths"
+    ]

@@ -7,6 +7,8 @@ import math
 import pytest
 
 import vecpoly
+from vecpoly.board.paper.marks import Point
+from vecpoly.check.found_words import ill_conditioned
 from vecpoly.errors import AssemblyError, ProblemFileError
 from vecpoly.oracle.synthesis.registry import linkages
 
@@ -58,3 +60,18 @@ def test_a_ratio_that_is_all_but_one_keeps_its_digits(data: dict[str, str]) -> N
 def test_a_central_slider_crank_has_no_quick_return() -> None:
     with pytest.raises(ProblemFileError, match="K > 1 is needed"):
         posed(K="1", H="100 mm", e="10 mm")
+
+
+def test_an_offset_that_hardly_follows_from_the_drawing_is_told_by_its_own_symbol() -> None:
+    (one,) = posed(K="1.4", H="60 mm", AB="28 mm").solve().verification
+    told = ill_conditioned(one, True)
+    assert "e" in one.loose and told is not None and "$e$ ±" in told.zh and "l_{e}" not in told.en
+
+
+@pytest.mark.parametrize("name", ["slider-crank-by-AB", "slider-crank-by-BC"])
+def test_an_offset_that_is_sought_is_measured_to_a_foot_with_a_letter(name: str) -> None:
+    figure = vecpoly.load(name).solve(by="exact").construction.figures[0]
+    places = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point)}
+    a, n, c1, c2 = (places[letter] for letter in ("A", "N", "C_1", "C_2"))
+    assert n.imag == pytest.approx(c1.imag, abs=1e-9) and n.real == pytest.approx(a.real, abs=1e-9)
+    assert n.real < c1.real < c2.real

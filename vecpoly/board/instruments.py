@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import AssemblyError, DeadPointError, EquilibriumError, bilingual
+from ..errors import DeadPointError, EquilibriumError, bilingual
 from ..names import At
 from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar, unit
 from ..plane.geometry import crossing, dot, inclined
@@ -23,6 +23,7 @@ from .otherwise.amended import AS_DRAWN, Amended, plain_letters
 from .otherwise.slip import Mistake, Slip
 from .otherwise.wrongly import FACTOR, as_taken, before
 from .place import Place, View
+from .said.apart import arcs_apart, line_apart
 from .strokes import NO_LENGTH, Strokes, amount, spot
 
 PARALLEL = 1e-9  # sine below which two ruled lines do not meet
@@ -114,30 +115,14 @@ class Instruments(Strokes):
         """Two compass arcs: both meeting points, the one left of c1 → c2 first."""
         a, b = circles_meet(c1, self.hand.carry(r1), c2, self.hand.carry(r2))
         if not np.isfinite(nominal(a)):
-            d, s = float(nominal(abs(c2 - c1))), float(nominal(r1)) + float(nominal(r2))
-            raise AssemblyError(
-                bilingual(what)
-                + Words(
-                    f"：半径 {nominal(r1):.2f} mm 与 {nominal(r2):.2f} mm 的两弧圆心相距 {d:.2f} mm，"
-                    f"不相交（半径之和 {s:.2f} mm）",
-                    f": the arcs of {nominal(r1):.2f} mm and {nominal(r2):.2f} mm about points {d:.2f} mm apart "
-                    f"do not meet (sum {s:.2f} mm)",
-                )
-            )
+            raise arcs_apart(what, *(float(nominal(size)) for size in (abs(c2 - c1), r1, r2)))
         return self._both((a, b), crossing(spot(a - c1), spot(a - c2)), c1, r1, c2, r2)
 
     def arc_on_line(self, line: Line, centre: Points, radius: Reals, what: Words | str) -> tuple[Points, Points]:
         """A compass arc on a ruled line: both meeting points, the one further along the line first."""
         a, b = line_circle_meet(line, centre, self.hand.carry(radius))
         if not np.isfinite(nominal(a)):
-            gap = abs(float(nominal(cross(line.along, centre - line.at))))
-            raise AssemblyError(
-                bilingual(what)
-                + Words(
-                    f"：半径 {nominal(radius):.2f} mm 的弧达不到相距 {gap:.2f} mm 的直线",
-                    f": an arc of {nominal(radius):.2f} mm does not reach a line {gap:.2f} mm away",
-                )
-            )
+            raise line_apart(what, float(nominal(radius)), abs(float(nominal(cross(line.along, centre - line.at)))))
         return self._both((a, b), crossing(spot(line.along), 1j * spot(a - centre)), line, centre, radius)
 
     def _both(self, pair: tuple[Points, Points], angle: float, *inputs: Any) -> tuple[Points, Points]:

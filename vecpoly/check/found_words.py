@@ -70,8 +70,13 @@ def all_ill_conditioned(every: Sequence[Verified]) -> list[Words]:
     return [words for words in (_all_loose(some), _all_lost(some)) if words is not None]
 
 
+def _symbol(key: str) -> str:
+    """Of a length between two pins, or of an offset."""
+    return f"l_{{{key}}}" if key.isupper() and len(key) > 1 else key
+
+
 def _all_loose(some: Sequence[Verified]) -> Words | None:
-    which = _alike((", ".join(f"$l_{{{key}}}$" for key in one.loose), one.number) for one in some if one.loose)
+    which = _alike((", ".join(f"${_symbol(key)}$" for key in one.loose), one.number) for one in some if one.loose)
     if not which:
         return None
     zh = "；".join(f"{who.zh} 的 {lengths.replace(', ', '、')}" for lengths, who in which)
@@ -125,7 +130,7 @@ def _loose(one: Verified, alone: bool) -> Words | None:
     """That lengths hardly follow from the drawing."""
     if not one.loose:
         return None
-    parts = ", ".join(f"$l_{{{key}}}$ ±{100 * off:.1f} %" for key, off in one.loose.items())
+    parts = ", ".join(f"${_symbol(key)}$ ±{100 * off:.1f} %" for key, off in one.loose.items())
     zh, en = ("", "") if alone else (f"（解 {one.number}）", f" (solution {one.number})")
     such = Words("该长度", "This length") if len(one.loose) == 1 else Words("这些长度", "These lengths")
     return Words(

@@ -20,6 +20,7 @@ from .facts.transmission import folded
 
 Reals = NDArray[np.float64]
 SHEET_ROWS = 1_048_576  # of a spreadsheet
+NOTHING = 1e-14  # of a vector: a component that is nothing but the rounding of the other
 WRITTEN = datetime(1980, 1, 1)  # the hour that every workbook tells
 
 
@@ -48,7 +49,8 @@ def _real(cycle: Cycle, key: str) -> Reals:
     base, _, part = key.partition(".")
     whole = cycle.column(base)
     if part in ("x", "y"):
-        return whole.real if part == "x" else whole.imag
+        own = whole.real if part == "x" else whole.imag
+        return np.where(np.abs(own) <= NOTHING * np.abs(whole), 0.0, own)
     values = np.asarray(cycle.column(key), np.float64)
     return folded(values) if key.startswith("gamma_") else values  # the acute angle is the transmission angle
 

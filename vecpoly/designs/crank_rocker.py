@@ -13,6 +13,7 @@ from ..errors import FaultError
 from ..names import Named
 from ..words import Words
 from .base import Advance, Design, between_limits
+from .inversion.written import said
 from .linkages import four_bar
 from .place import Carried
 from .quantities import AB, AD, BC, FOUR_BAR, GAMMA_MIN, SWING, THETA
@@ -93,9 +94,8 @@ class CrankRocker(Design):
             ("l_{AB}", self.AB),
             ("l_{BC}", self.BC),
             ("γ_{min}", self.gamma_min),
-            ("A", self.A),
         )
-        return as_written(written)
+        return (*as_written(written), *((said("A", self.A),) if self.A is not None else ()))
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any]:
         """The four-bar with A in the origin and D on the x axis."""

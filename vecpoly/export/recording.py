@@ -89,9 +89,9 @@ def moving(problem: Problem) -> Problem:
     ):
         raise NoMethodError(
             Words(
-                "GeoGebra 文件须有一个相对机架转动或移动的原动件，此题没有；可用 vecpoly draw 或 vecpoly play",
-                "a GeoGebra file needs one link that is driven against the frame, and this problem has none; "
-                "take vecpoly draw or vecpoly play",
+                "GeoGebra 文件须有且只有一个相对机架转动或移动的原动件，此题不然；可用 vecpoly draw 或 vecpoly play",
+                "a GeoGebra file needs one link, and no other, that is driven against the frame, and here it is "
+                "otherwise; take vecpoly draw or vecpoly play",
             ),
             code="export-drive",
         )

@@ -4,7 +4,7 @@ transmission angles, dead points, peaks."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from ..columns import dyads, slides
 from ..cycle import Cycle
 from ..extremes import Extremes, Spot, extremes
 from .closing import laps_of, turns_of
+from .rests import Stretch, rest
 from .transmission import folded, is_told
 from .transmission_range import Transmission, transmission_of
 
@@ -27,7 +28,8 @@ class Stroke:
 
     K = (180° + θ) / (180° - θ), the ratio of the drive's angles of the slow and the quick stroke. forth: the drive's
     angle (rad) from the lower to the upper limit, back:
-    from the upper to the lower, both in the sense in which the drive turns.
+    from the upper to the lower, both in the sense in which the drive turns. rests: stretches of the drive in which it
+    stands at the lower and at the upper limit, where it does; they belong to neither stroke.
     """
 
     key: str
@@ -35,6 +37,7 @@ class Stroke:
     upper: Spot
     forth: float
     back: float
+    rests: tuple[Stretch | None, Stretch | None] = (None, None)
 
     @property
     def swing(self) -> float:
@@ -168,7 +171,21 @@ def _stroke(cycle: Cycle, found: Extremes) -> Stroke | None:
     lower, upper = found.minima[0], found.maxima[0]
     forth = (upper.phi - lower.phi) % (2 * np.pi)
     forth = forth if cycle.mech.drive.rate > 0 else 2 * np.pi - forth
-    return Stroke(found.key, lower, upper, forth, 2 * np.pi - forth)
+    low, high = (rest(cycle, found.key, spot, upper.value - lower.value) for spot in (lower, upper))
+    if low is None and high is None:
+        return Stroke(found.key, lower, upper, forth, 2 * np.pi - forth)
+    return _rested(cycle, Stroke(found.key, lower, upper, forth, 2 * np.pi - forth, (low, high)))
+
+
+def _rested(cycle: Cycle, stroke: Stroke) -> Stroke:
+    """The strokes without the rests between them."""
+    low, high = stroke.rests
+    from_low, to_low = (low[1], low[0]) if low else (stroke.lower.phi, stroke.lower.phi)
+    from_high, to_high = (high[1], high[0]) if high else (stroke.upper.phi, stroke.upper.phi)
+    up, down = (to_high - from_low) % (2 * np.pi), (to_low - from_high) % (2 * np.pi)
+    if cycle.mech.drive.rate < 0:  # it goes through each stretch from its end
+        up, down = down, up
+    return replace(stroke, forth=up, back=down)
 
 
 def _closes(cycle: Cycle, key: str) -> bool:

@@ -10,9 +10,10 @@ from ...words import Words
 from ..cycle import Cycle
 from ..extremes import Extremes, Spot, extremes
 from .changing import figure_words
-from .found import Facts, Peak, Stroke
+from .found import Facts, Peak
 from .held import held
 from .shown import number, shown, where
+from .stroke_words import stroke_words
 from .transmission_range import Transmission
 
 
@@ -24,7 +25,7 @@ def sentences(cycle: Cycle, found: Facts) -> tuple[Words, ...]:
         *_turns(cycle, found),
         *_laps(cycle, found),
         *_changes(cycle, found),
-        *(_stroke(cycle, s) for s in found.strokes),
+        *(stroke_words(cycle, s) for s in found.strokes),
         *_swings(cycle, found),
         *(_transmission(cycle, t) for t in found.transmissions),
         *(_arm(cycle, a) for a in found.arms),
@@ -127,22 +128,6 @@ def _changes(cycle: Cycle, found: Facts) -> Iterator[Words]:
             "assemblies meet (change points). What follows goes smoothly through them, as inertia "
             f"carries a real linkage{figure_words(cycle, links).en}.",
         )
-
-
-def _stroke(cycle: Cycle, stroke: Stroke) -> Words:
-    info = cycle.info(stroke.key)
-    low, high, swing = (shown(cycle, stroke.key, v) for v in (stroke.lower.value, stroke.upper.value, stroke.swing))
-    at = where(cycle, stroke.lower), where(cycle, stroke.upper)
-    slow, quick = (f"{degrees(a):.4f}°" for a in (max(stroke.forth, stroke.back), min(stroke.forth, stroke.back)))
-    zh = f"${info.symbol}$ 的两极限位置：{low}（{at[0]}）和 {high}（{at[1]}），行程 {swing}；"
-    en = f"Limit positions of ${info.symbol}$: {low} ({at[0]}) and {high} ({at[1]}), stroke {swing}; "
-    if stroke.theta < 1e-6:
-        return Words(zh + "$K$ = 1，无急回特性。", en + "$K$ = 1, no quick return.")
-    ratio = f"$K$ = {slow}/{quick} = {stroke.ratio:.5f}"
-    return Words(
-        zh + f"{ratio}，极位夹角 $θ$ = {degrees(stroke.theta):.4f}°。",
-        en + f"{ratio}, $θ$ = {degrees(stroke.theta):.4f}°.",
-    )
 
 
 def _swings(cycle: Cycle, found: Facts) -> Iterator[Words]:

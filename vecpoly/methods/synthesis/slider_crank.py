@@ -7,6 +7,7 @@ from functools import partial
 
 import numpy as np
 
+from ...algebra.quantity import Quantity
 from ...board.paper.marks import Role
 from ...designs.quantities import ALPHA_MAX, GAMMA_MIN, OFFSET, STROKE
 from ...designs.slider_crank import SliderCrank
@@ -19,9 +20,11 @@ from .arc_middle import MIRROR, by_arc
 from .draft import RIGHT, SHEET, Draft
 from .eta import Eta, eta
 from .limits import Limits, crank_and_coupler, limits_of, settled
-from .linkage import pin, pivot, slider
+from .linkage import pin, pivot, point, slider
 from .pressure import greatest_pressure
 from .registry import design_method
+
+CORNER = 3.0  # mm: a right angle has room
 
 
 @design_method(
@@ -88,9 +91,23 @@ def _at_offset(draft: Draft, circle: Eta, c1: Points, offset: float) -> Points:
 def _read(draft: Draft, limits: Limits, design: SliderCrank) -> None:
     """l_AB, l_BC by half the difference and half the sum; the offset; the greatest pressure angle."""
     crank, coupler = crank_and_coupler(draft, limits)
-    if design.e is None:
-        offset = draft.length(draft.of_this(OFFSET), draft.board.measure(limits.a, limits.d, "A N"), "A N")
-    else:
-        offset = draft.shared(OFFSET, design.e.si * 1e3)
+    offset = _offset(draft, limits) if design.e is None else draft.shared(OFFSET, design.e.si * 1e3)
     found = draft.stated(draft.of_this(ALPHA_MAX), greatest_pressure(draft, crank, coupler, offset))
     draft.worked(draft.of_this(GAMMA_MIN), RIGHT - found)
+
+
+def _offset(draft: Draft, limits: Limits) -> Quantity:
+    """e = μ_l AN, N being the foot of the perpendicular from A on the guide."""
+    board, a = draft.board, limits.a
+    n = point(draft, "N", limits.d)
+    board.join(SHEET, a, n, Role.CONSTRUCTION)
+    board.join(SHEET, limits.folded, n, Role.CENTRE)
+    if abs(complex(nominal(a - n))) > CORNER:
+        board.right_angle(SHEET, n, unit(a - n), unit(limits.folded - n))
+    board.remark(
+        Words(
+            "自 $A$ 向导路作垂线，垂足为 $N$，$AN$ 为偏距。",
+            " $N$ is the foot of the perpendicular from $A$ on the guide, and $AN$ the offset.",
+        )
+    )
+    return draft.length(draft.of_this(OFFSET), board.measure(a, n, "A N"), "A N")

@@ -9,6 +9,7 @@ from ...board.construction import Figure
 from ...board.paper.extent import bounds
 from ...board.paper.marks import Mark, Role, Segment, Vector
 from ...designs.base import Design
+from ...designs.crank_rocker import CrankRocker
 from ...designs.inversion.positions import Positions
 from ...errors import VecpolyError
 from ...units.reading import Dim, read
@@ -20,9 +21,9 @@ _WAYS = {"x": (1 + 0j, 1j), "y": (1j, 1 + 0j)}  # across a line x = ..., along i
 
 
 def coordinates(subject: Design, figure: Figure, marks: Sequence[Mark]) -> tuple[Mark, ...]:
-    """The axes of positions that are given by coordinates, and each line x = ... or y = ... that the data name, with
-    the letters of the pins that lie on it; at the size of the figure."""
-    if not isinstance(subject, Positions):
+    """The axes of positions that are given by coordinates, or of the line of a crank's pivot, and each line x = ... or
+    y = ... that the data name, with the letters of the pins that lie on it; at the size of the figure."""
+    if not isinstance(subject, Positions) and not (isinstance(subject, CrankRocker) and subject.A is not None):
         return ()
     low, high = bounds(marks)
     lines = dict[tuple[str, float], list[str]]()

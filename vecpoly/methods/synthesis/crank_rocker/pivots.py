@@ -49,35 +49,35 @@ def _eta_en(locus: Locus) -> str:
 
 def _at_distance(draft: Draft, rocker: Rocker, locus: Locus, frame: float) -> Iterator[Points]:
     """On an arc about D with the radius AD."""
-    board = draft.board
-    board.step(
-        Words(
-            f"以 $D$ 为圆心、$l_AD/μ_l$ 为半径作弧，与{_eta(locus)}相交于 $A$。",
-            f"An arc about $D$ with the radius $l_AD/μ_l$ meets {_eta_en(locus)} at $A$.",
-        ),
-        SHEET,
-    )
-    what = Words("求 $A$", "finding $A$")
+    board, what = draft.board, Words("求 $A$", "finding $A$")
+    arc = Words("以 $D$ 为圆心、$l_AD/μ_l$ 为半径作弧", "Draw an arc about $D$ with the radius $l_AD/μ_l$")
     if isinstance(locus, Straight):
-        if abs(float(nominal((locus.line.at - rocker.d).imag))) <= frame:
+        meets = abs(float(nominal((locus.line.at - rocker.d).imag))) <= frame
+        board.step(_met(arc, locus, meets), SHEET)
+        if meets:
             yield _left(draft, *board.arc_on_line(locus.line, rocker.d, frame, what))
         return
     span, radius = float(nominal(np.abs(locus.centre - rocker.d))), float(nominal(locus.radius))
-    if not abs(radius - frame) <= span <= radius + frame or span < 1e-9:
-        _no_meeting(draft, radius, frame, span)
+    meets = abs(radius - frame) <= span <= radius + frame and span >= 1e-9
+    board.step(_met(arc, locus, meets), SHEET)
+    if not meets:
+        board.remark(
+            Words(
+                f" 两圆半径为 {radius:.1f} mm 与 {frame:.1f} mm，圆心距 {span:.1f} mm。",
+                f" The radii are {radius:.1f} mm and {frame:.1f} mm, the centres {span:.1f} mm apart.",
+            )
+        )
         return
     a = _left(draft, *board.arcs(rocker.d, frame, locus.centre, locus.radius, what))
     board.swing(SHEET, rocker.d, frame, a)
     yield a
 
 
-def _no_meeting(draft: Draft, radius: float, frame: float, span: float) -> None:
-    draft.board.remark(
-        Words(
-            f" 两圆不相交：半径 {radius:.1f} mm 与 {frame:.1f} mm，圆心距 {span:.1f} mm。",
-            f" The circles do not meet: radii {radius:.1f} mm and {frame:.1f} mm, centres {span:.1f} mm apart.",
-        )
-    )
+def _met(drawn: Words, locus: Locus, meets: bool) -> Words:
+    """What is drawn, and whether it meets the locus."""
+    if meets:
+        return Words(f"{drawn.zh}，与{_eta(locus)}相交于 $A$。", f"{drawn.en}; it meets {_eta_en(locus)} at $A$.")
+    return Words(f"{drawn.zh}，与{_eta(locus)}不相交。", f"{drawn.en}; it does not meet {_eta_en(locus)}.")
 
 
 def _left(draft: Draft, *meetings: Points) -> Points:
@@ -89,18 +89,25 @@ def _left(draft: Draft, *meetings: Points) -> Points:
 def _on_line(draft: Draft, given: OnLine, locus: Locus) -> Iterator[Points]:
     """Where the given line meets the locus."""
     board, at = draft.board, complex(draft.mm(1.0)) * given.at
-    board.step(
-        Words(f"画给定的直线，与{_eta(locus)}相交于 $A$。", f"Draw the given line; it meets {_eta_en(locus)} at $A$."),
-        SHEET,
-    )
-    what, line = Words("求 $A$", "finding $A$"), board.parallel(at, given.along, key="A")
+    drawn, what = Words("画给定的直线", "Draw the given line"), Words("求 $A$", "finding $A$")
     if isinstance(locus, Straight):
+        board.step(_met(drawn, locus, given.along == 1j), SHEET)
+        line = board.parallel(at, given.along, key="A")
         if given.along == 1j:
             yield board.meet(line, locus.line, what)
         return
-    gap = float(nominal(np.abs((np.conj(given.along) * (locus.centre - at)).imag)))
-    if gap > float(nominal(locus.radius)):
-        _no_meeting(draft, float(nominal(locus.radius)), 0.0, gap)
+    gap, radius = (
+        float(nominal(size)) for size in (np.abs((np.conj(given.along) * (locus.centre - at)).imag), locus.radius)
+    )
+    board.step(_met(drawn, locus, gap <= radius), SHEET)
+    line = board.parallel(at, given.along, key="A")
+    if gap > radius:
+        board.remark(
+            Words(
+                f" 直线距圆心 {gap:.1f} mm，圆的半径为 {radius:.1f} mm。",
+                f" It passes the centre at {gap:.1f} mm, and the radius is {radius:.1f} mm.",
+            )
+        )
         return
     meetings = board.arc_on_line(line, locus.centre, locus.radius, what)
     for end in meetings:

@@ -35,7 +35,19 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
             SHEET,
         )
     found = summit(track) if design.gamma_min is None else meetings(track, design.gamma_min.si)
-    for t in found:
+    places = list(found)
+    if not places and curve is not None:
+        _nowhere(draft, best)
+    for t in places:
         if curve is not None:
             curve.point(track.place(t), degrees(min(track.angles(t))), "A")
         yield track.on_sheet(draft, t)
+
+
+def _nowhere(draft: Draft, best: bool) -> None:
+    """The curve does not go as far, or has no top."""
+    draft.board.remark(
+        Words(" 此曲线没有最高点。", " This curve has no highest point.")
+        if best
+        else Words(" 此曲线达不到给定值，无解。", " This curve does not reach the given value: no solution here.")
+    )

@@ -1,0 +1,50 @@
+"""A follower that dwells rests over a stretch: the cycle tells the stretches, and no quick return between them."""
+
+from __future__ import annotations
+
+from math import degrees
+
+import pytest
+
+from vecpoly.cycle import cycle, facts
+from vecpoly.cycle.facts.sentences import sentences
+from vecpoly.cycle.table import table
+from vecpoly.problem.load import load, loads
+
+CAM = """
+id: cam
+title: t
+frame: {O: [0 mm, 0 mm]}
+links:
+  1: {cam: {about: O, follower: {roller: 10 mm, offset: 6 mm}, r0: 50 mm, motion: [rise 30 mm in 110 deg %s, dwell 40 deg, return in 120 deg %s, dwell 90 deg]}}
+  2: {block: B}
+  3: {disc: B, radius: 10 mm}
+joints: [2 slides on x = 6 mm, 1 touches 3 at T]
+input: {link: 1, phi: 80 deg, omega: 10 rad/s ccw}
+find: [v_B]
+"""  # noqa: E501
+
+
+@pytest.mark.parametrize(("rise", "back"), [("cosine", "parabolic"), ("sine", "3-4-5")])
+def test_rests_at_both_limits_are_told_as_stretches_with_the_strokes_between_them(rise: str, back: str) -> None:
+    turn = cycle(loads(CAM % (rise, back)), n=37)
+    (stroke,) = facts(turn).strokes
+    low, high = stroke.rests
+    assert low is not None and high is not None
+    assert [degrees(a) for a in (*low, *high)] == pytest.approx([270.0, 360.0, 110.0, 150.0], abs=0.02)
+    assert (degrees(stroke.forth), degrees(stroke.back)) == pytest.approx((110.0, 120.0), abs=0.02)
+    said = " ".join(words.en for words in sentences(turn, facts(turn)))
+    assert "up in 110.0°, back in 120.0°" in said and "$K$" not in said
+
+
+def test_a_limit_position_that_is_passed_at_once_is_no_rest() -> None:
+    strokes = facts(cycle(load("3-12"), n=37)).strokes
+    assert strokes and all(stroke.rests == (None, None) for stroke in strokes)
+
+
+def test_what_moves_along_y_has_no_component_along_x_in_a_table() -> None:
+    made = table(cycle(loads(CAM % ("cosine", "cosine")), n=37), ("v_B",))
+    across = made.values[:, [column.key for column in made.columns].index("v_B.x")]
+    along = made.values[:, [column.key for column in made.columns].index("v_B.y")]
+    moving = abs(along) > 1e-6
+    assert moving.sum() > 10 and not across[moving].any()
