@@ -99,8 +99,9 @@ def long_enough(one: Graded, look: Look) -> bool:
 
 
 def deviation(one: Graded) -> float:
-    """2σ over the size."""
-    return 0.0 if not one.sigma or abs(one.exact) <= ZERO else 2.0 * one.sigma / abs(one.exact)
+    """2σ over the size; a place has none."""
+    none = not one.sigma or abs(one.exact) <= ZERO or one.kind is Kind.PLACE
+    return 0.0 if none else 2.0 * one.sigma / abs(one.exact)
 
 
 def _kept(look: Look, standard: Standard) -> list[Graded]:

@@ -44,7 +44,7 @@ from ..solution import constructed
 from ..task import task_of
 
 _WORK = (Locate, LayOff, Transfer, Parallel, Meet, Measure, Area, Judge, Compute, Image, Follow, Touch, Ray, Invert)
-MEASURED = (Kind.VECTOR, Kind.SIGNED, Kind.SCALAR)
+MEASURED = (Kind.VECTOR, Kind.SIGNED, Kind.SCALAR, Kind.PLACE)
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Look:
 
     @property
     def asked(self) -> tuple[Graded, ...]:
-        """What is asked and has a size on paper, or a sense."""
+        """What is asked and has a size on paper, a sense, or a place there."""
         return tuple(one for one in self.key.quantities if one.asked and one.kind in MEASURED)
 
     @cached_property
