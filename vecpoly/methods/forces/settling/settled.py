@@ -190,7 +190,8 @@ def _opposed(st: Statics, key: tuple[str, str], found: Acting) -> bool:
         if isinstance(joint, Prismatic) and st.phi(joint):
             at = st.desk.at[joint.pin]
             slip = velocity_of(st, on, at) - velocity_of(st, by, at)
-            return float(nominal(dot(found.vector, slip))) <= 0
+            along = st.desk.guide_line(joint).along  # a slip as it was drawn is off it by more than a small φ
+            return float(nominal(dot(found.vector, along) * dot(slip, along))) <= 0
         if isinstance(joint, Revolute) and found.tangent and st.rho(joint.point):
             return float(nominal(cross(found.at - st.desk.at[joint.point], found.vector))) * found.tangent >= 0
     return True
