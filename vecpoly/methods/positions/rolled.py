@@ -50,11 +50,14 @@ class Contacts:
 
 
 def opened(mech: Mechanism) -> Mechanism:
-    """The mechanism with a start for each gear that has none since no point of it but its centre is known."""
-    known = {start.link for start in mech.starts} | {drive.link for drive in mech.drives}
+    """The mechanism with a start for each gear that has none since no point of it but its centre is known; and with
+    none for what is driven, where it repeats the input's position."""
+    driven = {drive.link for drive in mech.drives}
+    starts = tuple(start for start in mech.starts if start.link not in driven)
+    known = {start.link for start in starts} | driven
     gears = {circle.link for circle in pitch_circles(mech)} - known
     bare = [link.name for link in mech.links if link.name in gears and len(link.points) == 1]
-    return replace(mech, starts=(*mech.starts, *(Start(link=name, value=0.0) for name in bare)))
+    return replace(mech, starts=(*starts, *(Start(link=name, value=0.0) for name in bare)))
 
 
 def with_told(mech: Mechanism, told: Iterable[float]) -> Mechanism:
