@@ -15,6 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.laws import often
+from tests.synthesis.inversion import pose
 from tests.synthesis.test_dense_search import candidates
 
 Reals = npt.NDArray[np.float64]
@@ -86,3 +87,19 @@ def _same(drawn: list[complex], found: list[complex]) -> None:
         assert any(other == pytest.approx(at, rel=1e-3, abs=0.1) for other in drawn), (at, drawn)
     reach = 0.9 * float(ALONG[-1])
     assert len([at for at in drawn if abs(at) < reach]) <= len(found)
+
+
+@settings(max_examples=often(10), deadline=None)
+@given(seed=SEED)
+def test_every_bar_of_four_positions_is_as_long_in_each_and_its_pins_go_with_the_body(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    turns, at = np.cumsum(rng.uniform(8, 30, 4)).round(2), np.cumsum(rng.uniform(-20, 40, (4, 2)), axis=0).round(2)
+    poses = [pose(float(x), float(y), float(deg)) for (x, y), deg in zip(at, turns, strict=True)]
+    starts, level = at[:, 0] + 1j * at[:, 1], int(rng.integers(-90, 90))
+    for one in candidates("positions", poses=poses, A=f"on y = {level} mm", D=f"on y = {level} mm"):
+        for fixed, moving in ("AB", "DC"):
+            pins = np.array([one.pins[f"{moving}{n}"] for n in (1, 2, 3, 4)])
+            bars, on_body = np.abs(pins - one.pins[fixed]), (pins - starts) / turn(turns)
+            size = bars.max() + np.abs(pins).max()
+            assert abs(one.pins[fixed].imag - level) < 1e-6 * size
+            assert np.ptp(bars) < 1e-6 * size and np.abs(on_body - on_body[0]).max() < 1e-6 * size
