@@ -1,4 +1,4 @@
-"""A reaction that leans by little in its slide leans against the motion along the guide, however the slip was drawn."""
+"""A reaction that leans by little in its slide presses on the side where its friction was laid."""
 
 from __future__ import annotations
 
