@@ -35,5 +35,5 @@ def test_inches_are_read() -> None:
 
 
 def test_one_over_a_second_is_told_to_lack_its_angle() -> None:
-    with pytest.raises(FaultError, match="its unit '1/s' is without an angle; write e.g. 10 rad/s ccw"):
+    with pytest.raises(FaultError, match=r"its unit '1/s' is without an angle; write e\.g\. 10 rad/s ccw"):
         read("5 1/s", Dim.OMEGA)
