@@ -7,8 +7,10 @@ import ast
 import gc
 import inspect
 import os
+import sys
 import textwrap
 from collections.abc import Generator
+from functools import cache
 from typing import Any, TypeVar
 
 import pytest
@@ -61,10 +63,18 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> object:
 def pytest_collection_finish() -> None:
     """Thousands of tests, and the drawings that many of them share, are there to stay: to look through them for
     rubbish at every turn would take a third of the time."""
+    _keep_commands()
     gc.collect()
     gc.freeze()
     gc.set_threshold(100_000, 20, 50)
     gc.enable()
+
+
+def _keep_commands() -> None:
+    """The commands are built from their functions once for all tests that give them words, as once in a process."""
+    runner: Any = sys.modules.get("typer.testing")
+    if runner is not None:
+        runner._get_command = cache(runner._get_command)
 
 
 @pytest.hookimpl(wrapper=True)

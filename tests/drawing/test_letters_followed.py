@@ -8,6 +8,7 @@ from math import hypot
 import pytest
 
 from tests.drawn_library import drafted
+from tests.laws import few
 from vecpoly import redraw
 from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.paper.marks import Dot, Point, Segment
@@ -39,7 +40,7 @@ def figure(*marks: Point | Segment) -> Figure:
     return Figure(view=View.MECHANISM, title=Words.same("t"), scale=SCALE, marks=marks)
 
 
-@pytest.mark.parametrize("name", [*BESIDE_SILENT_POINTS, "3-9", "4-3a"])
+@pytest.mark.parametrize("name", few([*BESIDE_SILENT_POINTS, "3-9", "4-3a"], 2))
 def test_at_the_first_position_letters_stand_where_they_stand_on_paper(name: str) -> None:
     """Points without a letter are in their way there too."""
     figures = paper(name).construction.figures

@@ -10,6 +10,7 @@ import pytest
 
 from tests.drawn_library import drawn
 from tests.drawn_sheets import laid, share
+from tests.laws import few
 from vecpoly.board.construction import Construction, Figure, Scale, View
 from vecpoly.board.paper.marks import AngleMark, Dot, FrictionCircle, LinkNumber, Mark, Point, Role, Segment, Vector
 from vecpoly.board.paper.scales import Sketched, finer
@@ -139,7 +140,7 @@ def test_no_sheet_more_is_drawn_for_a_crank_that_would_hardly_be_larger_on_it() 
     assert len(laid("4-5")) == 2
 
 
-@pytest.mark.parametrize("name", ["4-4", "4-7", "shaper-cut", "plate-on-crank", "plate-two-slides"])
+@pytest.mark.parametrize("name", few(["4-4", "4-7", "shaper-cut", "plate-on-crank", "plate-two-slides"], 2))
 def test_the_sheet_more_is_not_left_white(name: str) -> None:
     assert all(share(sheet) > SPARSE for sheet in laid(name))
 
@@ -218,7 +219,7 @@ def test_a_mechanism_that_is_small_on_a_plate_has_a_page(name: str) -> None:
 LETTERED = ["stephenson-valve-gear", "class-iii-slides", "B-24", "A-30-b", "dump-hoist"]
 
 
-@pytest.mark.parametrize("name", LETTERED)
+@pytest.mark.parametrize("name", few(LETTERED, 2))
 def test_a_mechanism_too_small_for_its_letters_beside_its_polygons_has_the_room_of_one_sheet_more(name: str) -> None:
     diagram = drawn(name).figures(View.MECHANISM)[0]
     letters = sum(1 for mark in diagram.marks if getattr(mark, "label", "") or isinstance(mark, LinkNumber))

@@ -37,7 +37,8 @@ def test_an_efficiency_that_is_read_above_one_by_the_error_of_drawing_is_an_answ
 
 
 def test_one_of_them_is_read_above_one() -> None:
-    assert any(solve(slight(phi)).answers["eta"].drawn > 1.0 for phi in range(31, 160, 2))
+    tried = sorted(range(31, 160, 2), key=lambda phi: abs(phi - 91))  # one of the first is it
+    assert any(solve(slight(phi)).answers["eta"].drawn > 1.0 for phi in tried)
 
 
 @pytest.mark.parametrize("by", ["exact", "drafting"])

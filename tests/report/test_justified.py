@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.drawn_library import drawn
+from tests.laws import few
 from vecpoly.report.document import markup
 from vecpoly.report.flow.doc import Metadata, ReportDoc
 from vecpoly.report.flow.paging.justified import NEARLY, OPENEST, stretches
@@ -29,8 +30,8 @@ def counted(name: str, lang: Lang, style: str) -> ReportDoc:
 @pytest.mark.parametrize(
     ("name", "lang", "style"),
     [
-        *((name, "zh", "solution") for name in ("8-17", "3-12", "two-trains-one-sun", "7-6", "four-positions")),
-        *((name, "en", "solution") for name in ("3-6", "D-3", "C-conveyor")),
+        *((name, "zh", "solution") for name in few(("8-17", "3-12", "two-trains-one-sun", "7-6", "four-positions"), 2)),
+        *((name, "en", "solution") for name in few(("3-6", "D-3", "C-conveyor"), 2)),
         ("3-9", "zh", "course"),
         ("3-5", "zh", "question"),
     ],

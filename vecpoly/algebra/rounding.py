@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from decimal import ROUND_HALF_EVEN, Context, Decimal
+from functools import lru_cache
 from math import floor, isfinite, log10
 
 MOST = 10  # figures of a number in a line, at most
@@ -20,6 +21,12 @@ def to_figures(value: float, digits: int) -> float:
     """The number to so many significant figures."""
     if not value or not isfinite(value) or digits >= _CLEAN:
         return value
+    return _rounded(value, digits)
+
+
+@lru_cache(maxsize=4096)
+def _rounded(value: float, digits: int) -> float:
+    """The same number is tried again and again: with more figures, in another line."""
     return float(_CONTEXTS[digits].create_decimal(f"{value:.{_CLEAN}g}"))
 
 

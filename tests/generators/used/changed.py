@@ -37,7 +37,10 @@ def _lettered(solution: Solution, *kinds: type) -> list[Act]:
 
 def _value(act: Act) -> complex:
     """What was read or found."""
-    return act.at if isinstance(act, Locate) else complex(getattr(act, "mm", 0.0) or getattr(act, "mm2", 0.0))
+    if isinstance(act, Locate):
+        return act.at
+    read: float = getattr(act, "mm", 0.0) or getattr(act, "mm2", 0.0)
+    return complex(read)
 
 
 @used

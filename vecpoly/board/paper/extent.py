@@ -79,23 +79,23 @@ def lasting(marks: Iterable[Mark]) -> tuple[Mark, ...]:
 
 def corners(mark: Mark) -> Iterator[complex]:
     """Points that span the mark."""
-    match mark:
+    match mark:  # the usual marks first
+        case Point() | Ground() | Block() | Note() | TurnArrow() | AngleMark() | RightAngle():
+            yield mark.at
+        case Segment() | Vector() | FixedGuide() | Slot() | RackMark() | LinkNumber():
+            yield from (mark.a, mark.b)
+        case Arc(centre=c, radius=r, start=start, sweep=sweep):
+            for t in np.linspace(start, start + sweep, 9):
+                yield complex(c + r * np.exp(1j * t))
         case ImageOf(points=points) | Plate(points=points) | Outline(points=points) | Curve(points=points):
             yield from points
         case Hatched(points=points):
             yield from points
-        case Arc(centre=c, radius=r, start=start, sweep=sweep):
-            for t in np.linspace(start, start + sweep, 9):
-                yield complex(c + r * np.exp(1j * t))
         case GearMark(centre=c, radius=r) | Disc(centre=c, radius=r) | FrictionCircle(centre=c, radius=r):
             yield from (c + r * turn for turn in (1, 1j, -1, -1j))
         case Cell(at=at, width=w, height=h):
             yield from (at + complex(x * w, y * h) / 2 for x in (-1, 1) for y in (-1, 1))
-        case Segment() | Vector() | FixedGuide() | Slot() | RackMark() | LinkNumber():
-            yield from (mark.a, mark.b)
         case Passing() | Weld():
-            yield mark.at
-        case Point() | Ground() | Block() | Note() | TurnArrow() | AngleMark() | RightAngle():
             yield mark.at
         case _:
             assert_never(mark)

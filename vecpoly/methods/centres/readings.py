@@ -11,7 +11,7 @@ from ...errors import NoMethodError
 from ...mechanism.asked.centres import ENDLESS, Pair, centre, centre_speed, link_pairs, ratio
 from ...mechanism.model import FRAME
 from ...names import Kind, Rel
-from ...plane import Points, Reals, nominal, unit
+from ...plane import Points, Reals, cross, nominal, unit
 from ...plane.traced import acts_of, traced
 from ...problem.asked.asks import AskNamed, AskPoint, AskRel
 from ...problem.problem import Problem
@@ -20,7 +20,7 @@ from ..registry import Stage
 from .doors import RATIOS, VELOCITIES
 from .find.motions import Motions
 from .find.speeds import draw_speeds, read_centre_speed
-from .find.spots import another_line, measured, spot_of
+from .find.spots import Spot, another_line, measured, spot_of
 from .state import LEVEL, CentreFigure
 
 
@@ -114,12 +114,12 @@ def _far_place(fig: CentreFigure, pair: Pair) -> Points:
                 f"no line on the paper leads to {far.letter}, which is off it; choose a larger μ_l",
             )
         )
-    start = max(
-        near,
-        key=lambda spot: abs(
-            float(nominal(np.imag(np.conj(unit(far.at - spot.at)) * another_line(fig, spot, far).along)))
-        ),
-    )
+
+    def parted(spot: Spot) -> float:
+        """The sine between the line from there and another one."""
+        return abs(float(nominal(cross(unit(far.at - spot.at), another_line(fig, spot, far).along))))
+
+    start = max(near, key=parted)
     fig.board.step(
         Words(
             f"${far.letter}$ 落在图外：量 ${start.letter}{far.letter}$ 的方向，其长度由比例线段求得：",

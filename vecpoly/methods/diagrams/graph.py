@@ -40,7 +40,7 @@ class Graph:
     def height(self, x: float, *, before: bool) -> float:
         """How high it stands there (mm)."""
         i = self.stretch(x, before=before)
-        (a, b), (u, v) = self.xs[i : i + 2], self.ys[i : i + 2]
+        (a, b), (u, v) = self.xs[i : i + 2], (complex(nominal(corner)).imag for corner in self.corners[i : i + 2])
         return u + (v - u) * (x - a) / (b - a)
 
     def line(self, i: int) -> Line:

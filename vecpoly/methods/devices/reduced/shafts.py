@@ -55,7 +55,11 @@ class Shafts:
         centre = self.at[wheel.shaft]
         places = [centre + (wheel.radius + gap) * u for u in ROUND]
         others = [(self.at[w.shaft], w.radius) for w in self.wheels if w is not wheel]
-        return max(places, key=lambda z: round(min([abs(abs(z - c) - r) for c, r in others] + [2 * gap]), 6))
+
+        def clear(place: complex) -> float:
+            return round(min([abs(abs(place - c) - r) for c, r in others] + [2 * gap]), 6)
+
+        return max(places, key=clear)
 
     def free_side(self, shaft: str) -> complex:
         """The direction, of left, right and down, away from the neighbours."""

@@ -56,7 +56,11 @@ def _clearance(st: Statics, ends: tuple[complex, complex]) -> float:
         for m in st.board.marks(View.MECHANISM)
         if isinstance(m, Vector) or (isinstance(m, Segment) and m.role is Role.LINK)
     ]
-    far = max(ends, key=lambda z: min((float(np.abs(line - z).min()) for line in lines), default=0.0))
+
+    def clear(end: complex) -> float:
+        return min((float(np.abs(line - end).min()) for line in lines), default=0.0)
+
+    far = max(ends, key=clear)
     spots = (far, (ends[0] + ends[1]) / 2)
     return min((float(np.abs(line - spot).min()) for line in lines for spot in spots), default=0.0)
 

@@ -159,7 +159,7 @@ def _tangent(st: Statics, one: tuple[str, int], two: tuple[str, int]) -> Words:
 
 def _draw(st: Statics, line: Line, pins: tuple[Points, Points], named: Named) -> None:
     """The tangent on the diagram, a little longer than the link."""
-    ends = [line.at + line.along * dot(line.along, pin - line.at) for pin in pins]
+    ends = [foot(line, pin) for pin in pins]
     over = unit(ends[1] - ends[0]) * 12.0
     st.board.join(View.MECHANISM, ends[0] - over, ends[1] + over, st.ruled(Role.DIRECTION), key=named.key)
     st.board.plot(View.MECHANISM, ends[1] + over, named.symbol, Dot.NONE, key=named.key)

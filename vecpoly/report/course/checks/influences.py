@@ -18,6 +18,7 @@ from ....findings.study.study import Study
 from ....mechanism.model import Mechanism
 
 CHANGE = (1e-4, radians(0.1))  # m, rad: of a length, of an angle
+KEPT = 4  # studies met last, each told in two languages and of several chapters
 REACH = 20  # changes within which the mechanism is tried
 _SOUGHT, _COARSE, _HALVINGS, _FINE, NOTHING = 1440, 180, 8, 40, 1e-9
 Reals = NDArray[np.float64]
@@ -57,7 +58,7 @@ def targets(study: Study) -> tuple[str, ...]:
     return tuple(f"{stem}_{letter}.{axis}" for stem in "pva")
 
 
-@lru_cache(maxsize=1)
+@lru_cache(maxsize=KEPT)
 def influences(study: Study) -> tuple[Influence, ...]:
     """Every given dimension changed alone, in the order of the problem."""
     keys = targets(study)
