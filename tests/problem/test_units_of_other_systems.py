@@ -6,6 +6,7 @@ import pytest
 
 from vecpoly.errors import FaultError
 from vecpoly.units.names import unit_of
+from vecpoly.units.reading import Dim, read
 
 
 @pytest.mark.parametrize(
@@ -31,3 +32,8 @@ def test_a_unit_of_another_system_is_answered_with_ours_and_the_conversion(unit:
 
 def test_inches_are_read() -> None:
     assert unit_of("in")[0] == pytest.approx(0.0254)
+
+
+def test_one_over_a_second_is_told_to_lack_its_angle() -> None:
+    with pytest.raises(FaultError, match=r"its unit '1/s' is without an angle; write e\.g\. 10 rad/s ccw"):
+        read("5 1/s", Dim.OMEGA)

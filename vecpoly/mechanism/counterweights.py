@@ -109,7 +109,8 @@ class _Carrying:
             return (ways[0],)
         known = self.mech.link(link).points
         at = {known[point] for point in points}
-        whole = [way for way in ways if at == {known[way.point]}]
+        near = self._rank(ways[:2][-1])  # not to links farther out, which would give it back
+        whole = [way for way in ways if at == {known[way.point]} and self._rank(way) <= near]
         if whole or len(ways) > 1:
             return (whole[0],) if whole else (ways[0], ways[1])
         raise _hangs(self.mech, link, ways[0].point)

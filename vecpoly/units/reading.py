@@ -115,7 +115,7 @@ def read(text: object, dim: Dim | PerMm) -> Quantity:
         )
     factor, dimension = unit_of(unit)
     if dimension != dim.dimension:
-        other = _named(dimension)
+        other = _named(dimension, unit)
         raise _refused(
             Words(
                 f"“{text}”不是{dim.label.zh}：单位“{m[2]}”属于{other.zh}",
@@ -244,5 +244,7 @@ def _advice(number: str, dim: Dim | PerMm) -> str:
     return f"{number} {dim.example.split(' ', 1)[1]}"
 
 
-def _named(dimension: str) -> Words:
+def _named(dimension: str, unit: str) -> Words:
+    if dimension.startswith("time -") and "mm" not in unit:  # 1/s is no scale
+        return Words("不含角度的量", "without an angle")
     return next((dim.label for dim in Dim if dim.dimension == dimension), Words("其他量", "of another kind"))
