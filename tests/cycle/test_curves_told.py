@@ -91,13 +91,13 @@ def test_a_text_that_would_cover_curves_or_stand_beyond_one_is_left_out() -> Non
     assert placed(ring, 6.0) == 0 and placed(ring, float("inf")) == 1
 
 
-def test_a_vector_keeps_its_ink_and_its_parts_differ_by_dashes() -> None:
+def test_a_vector_keeps_its_ink_and_its_parts_are_black_and_differ_by_dashes() -> None:
     it = studied("3-9")
     found = inks(it, ["v_E", "v_E.x", "v_E.y"])
     assert set(found) == {"v_E"} and found["v_E"] in TONES
     axes = curves(it.turn, ("v_E", "v_E.x", "v_E.y"), inks=found).figure.axes[0]
     lines = [line for line in axes.get_lines() if np.size(line.get_xdata()) > 80]
-    assert {tuple(line.get_color()) for line in lines} == {found["v_E"].value}
+    assert [tuple(line.get_color()) for line in lines] == [found["v_E"].value, Hue.BLACK.value, Hue.BLACK.value]
     assert len({str(vars(line)["_dash_pattern"]) for line in lines}) == 3
     assert inks(it, ["omega_2", "alpha_2"]) == {}
     way = hodograph(it.turn, "v_E", ink=found["v_E"]).figure.axes[0]
