@@ -125,7 +125,7 @@ def test_a_least_angle_out_of_reach_is_refused_from_half_a_degree_on() -> None:
 
 
 def test_a_line_for_a_is_given_by_its_coordinate_and_a_circle_that_it_misses_is_said_to_be_missed() -> None:
-    solution = vecpoly.load("crank-rocker-by-line").solve(by="exact")
+    solution = vecpoly.load("K-crank-rocker-line").solve(by="exact")
     design = solution.problem.design
     assert ("y_{A}", "0 mm") in design.given()
     told = [step.words for step in solution.construction.steps if "Draw the given line" in step.words.en]
@@ -134,7 +134,7 @@ def test_a_line_for_a_is_given_by_its_coordinate_and_a_circle_that_it_misses_is_
 
 
 def test_a_curve_that_does_not_reach_the_given_angle_says_so() -> None:
-    steps = vecpoly.load("crank-rocker-by-gamma").solve(by="exact").construction.steps
+    steps = vecpoly.load("K-crank-rocker-gamma").solve(by="exact").construction.steps
     assert [step.section.en for step in steps if "does not reach the given value" in step.words.en] == [
         "The point $A′$ and the lengths"
     ]

@@ -68,7 +68,7 @@ def test_an_offset_that_hardly_follows_from_the_drawing_is_told_by_its_own_symbo
     assert "e" in one.loose and told is not None and "$e$ ±" in told.zh and "l_{e}" not in told.en
 
 
-@pytest.mark.parametrize("name", ["slider-crank-by-AB", "slider-crank-by-BC"])
+@pytest.mark.parametrize("name", ["K-slider-crank-AB", "K-slider-crank-BC"])
 def test_an_offset_that_is_sought_is_measured_to_a_foot_with_a_letter(name: str) -> None:
     figure = vecpoly.load(name).solve(by="exact").construction.figures[0]
     places = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point)}
