@@ -461,4 +461,4 @@ def _maker(name: str) -> Callable[[Random], str]:
 
 
 for _name in OPS:
-    family(_name, often=1 if _name == "gears-rows" else 2)(_maker(_name))  # planets in a row are dear
+    family(_name)(_maker(_name))

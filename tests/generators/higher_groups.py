@@ -82,7 +82,7 @@ def with_two_slides(rng: np.random.Generator) -> str:
     return made(lay, crank(lay), "", ["frame", "1", "1"], kinds)
 
 
-@family("forces-two-slides", also=every_reaction, often=2)
+@family("forces-two-slides", also=every_reaction, first=1)
 def on_two_slides(rng: np.random.Generator) -> str:
     """A central link one leg of which has two slides, loads on any link, balanced on any."""
     return balanced(rng, with_two_slides(rng))

@@ -90,7 +90,7 @@ def rubbing(rng: np.random.Generator, text: str) -> str:
     return f"friction:\n{told}" if told else ""
 
 
-@family("forces-gears", also=teeth_press, first=4)
+@family("forces-gears", also=teeth_press, first=4, often=2)
 def of_gears(rng: np.random.Generator) -> str:
     """Any of the mechanisms with gears and racks."""
     made = [one for one in families() if one.name.startswith("gears-")]

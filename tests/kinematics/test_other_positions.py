@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tests.each import each
+from tests.laws import few
 from vecpoly import load, loads, oracle
 from vecpoly.board.acts import Curve
 from vecpoly.board.paper.marks import Role
@@ -75,7 +76,7 @@ ROLL = (
 )  # fmt: skip
 
 
-@each(ROLL)
+@each(few(ROLL, 3))
 def test_gears_that_are_told_in_the_given_position_roll_on_to_all_others(name: str) -> None:
     mech = load(name).mechanism
     far = 0.05 if mech.drive.slide else 4 * np.pi

@@ -34,7 +34,7 @@ def slides_as_asked(solution: Solution) -> str:
     return ""
 
 
-@family("design-slider-crank", also=slides_as_asked)
+@family("design-slider-crank", also=slides_as_asked, often=2)
 def slider_crank(rng: np.random.Generator) -> str:
     """K and stroke with the offset, the crank or the coupler."""
     h, k = float(rng.integers(30, 150)), round(float(rng.uniform(1.02, 1.9)), 2)

@@ -23,7 +23,7 @@ def _with_couplers(rng: Random) -> tuple[str, Mechanism, list[str]]:
             return text, mech, couplers
 
 
-@family("any-curvature", also=three_places, often=4)
+@family("any-curvature", also=three_places, often=2, first=2)
 def curvature(rng: Random) -> str:
     """Of a random link by a random construction, with one of its points; now and then both centrodes."""
     text, mech, couplers = _with_couplers(rng)
@@ -39,7 +39,7 @@ def curvature(rng: Random) -> str:
     return f"{text}method: curvature\nconstruction: {rng.choice(WAYS)}\nfind: [{asked}]\n"
 
 
-@family("any-equivalent", first=2)
+@family("any-equivalent", first=2, often=2)
 def equivalent(rng: Random) -> str:
     """J_e and M_e of the drive and of another link, masses anywhere, a moment somewhere."""
     text, mech = moving(rng)

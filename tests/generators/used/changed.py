@@ -112,6 +112,6 @@ def graded(solution: Solution, rng: np.random.Generator) -> str:
 
 
 family("used-readings", also=own_reading, often=2)(anything("readings"))
-family("used-misread", also=misread, often=2)(anything("misread"))
-family("used-varied", also=varied, often=2)(anything("varied"))
+family("used-misread", also=misread, first=1)(anything("misread"))
+family("used-varied", also=varied, first=1)(anything("varied"))
 family("used-graded", also=graded, often=1, first=2)(anything("graded"))
