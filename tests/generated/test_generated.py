@@ -1,6 +1,6 @@
 """Random problems of every family: drawn, exact and differenced values agree, or the program declines in words.
 
-One member each, more where many are refused, and not the dearest; `make soak` judges hundreds,
+A few members each, one where a member is dear, and not the dearest; `make soak` judges hundreds,
 `python -m tests.generators` thousands.
 """
 

@@ -25,7 +25,7 @@ def content(solution: Solution) -> str:
 class Family:
     """One kind of problem: its name, what writes a random member, a further check of the solution (a third party's).
 
-    often: members that are judged in every run of the tests, one but where many are refused, from `first` on, which is
+    often: members that are judged in every run of the tests, fewer where one takes long, from `first` on, which is
     where the members that come before take long, or are refused; `make soak` judges hundreds.
     """
 
@@ -44,7 +44,7 @@ class Family:
 _FAMILIES: dict[str, Family] = {}
 
 
-def family(name: str, also: Check = content, often: int = 1, first: int = 0) -> Callable[[Make], Make]:
+def family(name: str, also: Check = content, often: int = 2, first: int = 0) -> Callable[[Make], Make]:
     """Register a function as the maker of a family's members."""
 
     def register(make: Make) -> Make:
