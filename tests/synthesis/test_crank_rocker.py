@@ -138,3 +138,19 @@ def test_a_curve_that_does_not_reach_the_given_angle_says_so() -> None:
     assert [step.section.en for step in steps if "does not reach the given value" in step.words.en] == [
         "The point $A′$ and the lengths"
     ]
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        {"K": "1", "CD": "86 mm", "swing": "76 deg", "AD": "86 mm"},
+        {"K": "1.4", "CD": "86 mm", "swing": "76 deg", "AD": "86 mm"},
+        {"K": "1.83", "CD": "53 mm", "AD": "53 mm", "ADC": "140 deg"},
+    ],
+)
+def test_where_frame_and_rocker_are_alike_a_limit_of_c_in_a_is_no_solution(data: dict[str, str]) -> None:
+    solution = posed(**data).solve(by="exact")
+    assert not solution.suspect
+    drawn = solution.construction.candidates
+    assert [one.verdict for one in drawn if abs(one.pins["A"] - one.pins["C2"]) < 1e-6] in ([], ["FAR_ARC"] * 2)
+    assert all(one.values["AB"] < one.values["BC"] - 1e-6 for one in drawn if one.reason is None)

@@ -6,7 +6,7 @@ from math import cos, nan, pi, sin, sqrt
 
 from ...designs.crank_rocker import NEAREST, CrankRocker
 from ...designs.verdict import Verdict
-from .four_bar import found
+from .four_bar import NEAR, found
 from .registry import Linkage
 
 SIDES = (-1, 1)  # A below the chord C₁C₂, where D is, or above it
@@ -63,4 +63,4 @@ class Chord:
 
     def sees(self, a_pin: complex, side: int) -> Verdict | None:
         """That from A the chord is seen under π − θ, where it is."""
-        return None if side * (a_pin.imag - self.m) > 0 else Verdict.FAR_ARC
+        return None if side * (a_pin.imag - self.m) > NEAR * self.c else Verdict.FAR_ARC

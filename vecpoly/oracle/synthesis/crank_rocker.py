@@ -12,7 +12,7 @@ from ...designs.crank_rocker import CrankRocker
 from ...designs.verdict import Verdict
 from ...foundation.bounds import below
 from .chord import SIDES, Chord
-from .four_bar import extreme_angles, found
+from .four_bar import NEAR, extreme_angles, found
 from .reach import out_of_reach
 from .registry import Linkage, synthesizes
 from .sweep import crossings, summits
@@ -48,7 +48,7 @@ def _carried(design: CrankRocker, chord: Chord) -> Iterator[tuple[complex, Verdi
     """A on a locus of the chord, and at the distance AD from D or on the given line."""
     if chord.theta == 0:
         for a in _on_chord_line(design, chord):
-            yield a, None if abs(a.real) > chord.s / 2 else Verdict.FAR_ARC
+            yield a, None if abs(a.real) > chord.s / 2 + NEAR * chord.c else Verdict.FAR_ARC
         return
     for side in SIDES:
         y0, radius = chord.m + side * chord.s / 2 / tan(chord.theta), chord.s / 2 / sin(chord.theta)
@@ -106,4 +106,4 @@ def _by_limit(design: CrankRocker) -> Iterator[Linkage]:
         for way in (1, -1):
             far = middle + way * sqrt(middle * middle - power)
             if design.theta or not isclose(far, abs(c1), rel_tol=1e-9):
-                yield found(0j, complex(d), c1, ray * far, None if far > 0 else Verdict.FAR_ARC)
+                yield found(0j, complex(d), c1, ray * far, None if far > NEAR * c else Verdict.FAR_ARC)

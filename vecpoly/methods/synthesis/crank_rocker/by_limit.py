@@ -20,6 +20,8 @@ from ..linkage import pin, pivot
 
 SIDES = (("朝 $D$ 一侧", "on the side of $D$"), ("另一侧", "on the other side"))
 
+BESIDE = 1e-9  # of the rocker: C₂ in A, where AD is as long as CD
+
 
 def by_limit(draft: Draft, design: CrankRocker, theta: Quantity) -> None:
     """AD and ∠ADC, then C₂ where the ray meets the circle about D, on either side of AC₁."""
@@ -88,7 +90,7 @@ def _meetings(draft: Draft, ray: Line, pins: tuple[Points, Points, Points], radi
         letter = draft.letter("C2")
         c2 = pin(draft, letter, c2)
         board.rule(SHEET, ray, c2)
-        ahead = float(nominal(dot(ray.along, c2 - a))) > 0
+        ahead = float(nominal(dot(ray.along, c2 - a) / radius)) > BESIDE
         verdict = judged(a, d, c1, c2) if ahead else Verdict.FAR_ARC
         settled(draft, limits_of(a, d, c1, c2, ("A", "C_1", letter)), verdict)
 

@@ -17,6 +17,8 @@ from ..linkage import pin, pivot
 from .pivots import pivots
 from .rocker import Rocker
 
+BESIDE = 1e-9  # of C₁C₂: A in C₁ or C₂, where AD is as long as CD
+
 
 def by_swing(draft: Draft, design: CrankRocker, theta: Quantity) -> None:
     """The two limit positions of the rocker, the circle η and its mirror image, and A on each of them."""
@@ -83,4 +85,6 @@ def _solutions(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) 
 def _sees(a: Points, rocker: Rocker, locus: Locus) -> bool:
     """Whether the chord is seen under θ from there, and not under 180° − θ."""
     place = complex(nominal((a - rocker.c1) / (rocker.c2 - rocker.c1)))
-    return not 0 <= place.real <= 1 if isinstance(locus, Straight) else place.imag * locus.side > 0
+    if isinstance(locus, Straight):
+        return not -BESIDE <= place.real <= 1 + BESIDE
+    return place.imag * locus.side > BESIDE
