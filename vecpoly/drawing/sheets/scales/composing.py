@@ -22,7 +22,6 @@ from .growing import grown
 
 ENOUGH = 0.62  # of the usual size: no figure need be smaller for a plate
 LARGER = 1.3  # times as large a mechanism is drawn on one sheet more, at least: 1.5 for 2, 3 for 4
-NOTABLY = 1.2  # the same where there is room enough then
 TAKEN = 0.45  # planned share of all sheets that figures take where one more is drawn about a short crank
 FULL = 0.53  # planned share of the emptiest of these sheets, or of the plate that it becomes
 WELL, LETTERS = 0.58, 0.5  # the same of a mechanism that is small altogether; of one that is small for its letters
@@ -71,8 +70,7 @@ def _roomier(trials: Sequence[Composing], page: Composing, best: Scales, start: 
     one, found = max(
         made, key=lambda pair: (min(1.0, pair[0].roomy(pair[1])), pair[0].filled(pair[1])), default=(page, best)
     )
-    had = page.roomy(best)
-    return found if one.roomy(found) >= min(LARGER * had, max(1.0, NOTABLY * had)) else best
+    return found if one.roomy(found) >= LARGER * page.roomy(best) else best
 
 
 def _lower(page: Composing, best: Scales, start: Scales) -> Scales:
