@@ -87,10 +87,9 @@ def result_of(answer: Answer, lang: Lang) -> str:
         return value(answer.drawn, reading.unit, lang, answer.key)
     if answer.is_place:
         at = answer.drawn_vector
-        if at is None:
-            way = _angle(answer.drawn)
-            return Words(f"无穷远，方向 {way}", f"at infinity, direction {way}").of(lang)
-        return f"({', '.join(place_parts(at, coordinates(answer)))}) mm"
+        return (
+            f"∞ ({_angle(answer.drawn)})" if at is None else f"({', '.join(place_parts(at, coordinates(answer)))}) mm"
+        )
     if is_class(answer.key):
         return class_told(answer.drawn, lang)
     text = drawn_number(answer)

@@ -10,6 +10,7 @@ import numpy as np
 
 from ....board.paper.marks import Dot
 from ....board.place import Place
+from ....board.strokes import NO_LENGTH
 from ....designs.inversion.plan import FRAME, Plan
 from ....foundation.frozen import FrozenMap
 from ....plane import Points, cross, nominal, unit
@@ -56,8 +57,9 @@ class Sheet:
         return replace(self, bodies=FrozenMap({**self.bodies, name: stands}))
 
     def still(self, letter: str) -> bool:
-        """Whether a pin is fixed to the frame."""
-        return len({complex(nominal(at)) for at in self.pins[letter]}) == 1
+        """Whether a pin is fixed to the frame, or stands still by the data."""
+        first, *others = (complex(nominal(at)) for at in self.pins[letter])
+        return all(abs(at - first) < NO_LENGTH for at in others)
 
     def named(self, letter: str, position: int) -> str:
         """A pin in a position as it is lettered: B_2; a fixed one by its letter alone."""
