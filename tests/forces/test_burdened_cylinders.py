@@ -66,3 +66,31 @@ def test_masses_that_vanish_leave_the_thrust_of_a_two_force_member() -> None:
         solve(problem(data), by="exact", repeats=0).answers for data in (light, light | {"masses": masses})
     )
     assert [burdened[key].drawn for key in alone] == pytest.approx([one.drawn for one in alone.values()], rel=1e-6)
+
+
+def test_two_cylinders_on_one_pin_are_groups_of_their_own() -> None:
+    solution = solve(
+        loads(
+            """
+id: two
+title: two
+frame: {A: [0 mm, 0 mm], D: [450 mm, -350 mm], G: [-300 mm, -300 mm]}
+links: {1: {AC: 1150 mm}, 2: {cylinder: D}, 3: {piston: C}, 4: {cylinder: G}, 5: {piston: C}}
+joints: [3 slides in 2, 5 slides in 4]
+input: {cylinder: 2-3, length: 900 mm, v: 0.12 m/s}
+branch: [C left of AD]
+loads:
+  Q: {on: 1, at: C, size: 2 kN, direction: 250 deg}
+  F_2: {cylinder: 4-5, size: 500 N}
+  F_c: {cylinder: 2-3, size: "?"}
+masses: {2: {mass: 60 kg, centre: {along: D, at: 300 mm}}, 4: {mass: 40 kg, centre: {along: G, at: 300 mm}}}
+weight: yes
+friction: {A: {rho: 5 mm}, C: {rho: 4 mm}, 4-5: {f: 0.1}}
+find: [F_c, F_c_0, R_31, R_51, R_61, R_62, R_64]
+"""
+        ),
+        by="exact",
+        repeats=0,
+    )
+    for answer in solution.answers.values():
+        assert answer.drawn == pytest.approx(answer.exact, rel=1e-9), answer.key
