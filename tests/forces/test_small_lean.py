@@ -41,7 +41,7 @@ links:
   4: {slot: A}
   5: {block: F}
 joints: [5 slides in 4]
-input: {link: 1, phi: 75 deg, omega: 3 rad/s cw}
+input: {link: 1, phi: 40 deg, omega: 3 rad/s cw}
 branch: [C left of BD]
 loads: {F_c: {spring: A-F5, k: 1 N/mm, l_0: 100 mm}, M_1: {on: 1, size: "?"}}
 masses: {4: {mass: 5 kg, inertia: 0.1 kg*m^2, centre: {along: A, at: 100 mm}}}
