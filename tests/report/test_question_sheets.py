@@ -51,10 +51,11 @@ from vecpoly.report.flow.blocks import Heading
 from vecpoly.report.flow.furniture import COLUMN
 from vecpoly.report.flow.paging.tight import DEGREES
 from vecpoly.report.picture import to_scale
-from vecpoly.report.question.blanks import empty_table, kind, working_room
+from vecpoly.report.question.blanks import empty_table, working_room
 from vecpoly.report.question.equations import KEY, numbers
 from vecpoly.report.question.frames import MARGIN, frames
 from vecpoly.report.question.grid import shares
+from vecpoly.report.question.kinds import kind
 from vecpoly.report.question.sketch import sketched
 from vecpoly.report.question.working import SQUARE, working
 from vecpoly.report.statement.asked import asked, in_order

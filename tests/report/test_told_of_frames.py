@@ -11,8 +11,8 @@ from vecpoly.board.paper.marks import Arc, Point, Segment
 from vecpoly.figures import View
 from vecpoly.problem.load import load
 from vecpoly.report.document import markup
-from vecpoly.report.question.blanks import kinds
 from vecpoly.report.question.frames import frames
+from vecpoly.report.question.kinds import kinds
 from vecpoly.report.titles import subject
 from vecpoly.solution import solve
 
@@ -60,3 +60,10 @@ def test_a_place_of_a_cam_that_is_drawn_apart_begins_with_its_centre_and_base_ci
         assert circle.centre == centre.at and abs(circle.radius * shown[one].scale.value - problem.subject.r0.si) < 1e-9  # type: ignore[union-attr]
         ends = [circle.centre + rect(circle.radius, circle.start + circle.sweep * part) for part in (0.0, 0.5, 1.0)]
         assert all(low.real < z.real < high.real and low.imag < z.imag < high.imag for z in ends)
+
+
+def test_equations_of_one_part_are_told_apart_by_the_figures_in_which_they_are_drawn() -> None:
+    drawing = solve(load("6-7"), repeats=0).construction
+    steps = [step for step in drawing.steps if step.equation is not None]
+    told = kinds(steps, "en", drawing.figures)
+    assert told == [f"Polygon of plane ${plane}$: vector equation" for plane in ("I", "II")]

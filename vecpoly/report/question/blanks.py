@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from ...algebra.formula import plain
 from ...board.acts import Compute
-from ...board.construction import Reading, Step
-from ...board.place import Pane
+from ...board.construction import Reading
 from ...designs.inversion.positions import MANY, Positions
 from ...errors import UnknownNameError
 from ...names import Kind, Named, Rel, parse_rel
@@ -23,7 +21,7 @@ from ..flow.furniture import COLUMN
 from ..flow.style import CELL, GREY, PALE
 from ..statement.asked import in_order
 from ..values import called
-from .equations import named
+from .kinds import kinds
 from .ruled import RuledTable
 
 _HEAD = {
@@ -38,11 +36,6 @@ _PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　�
 _OTHERS = Words("其他", "Others")
 _ON_THE_WAY = Words("中间量", "Intermediate results")
 _CAPTIONS = (Words("方程", "Equation"), Words("方向", "Direction"), Words("大小", "Magnitude"))
-_FRICTION = (Words("（计入摩擦）", ", with friction"), Words("（不计摩擦）", ", without friction"))
-_OF, _LINK = Words("（{}）", " ({})"), Words("构件 {}", "link {}")
-_BODIES = re.compile(r"\d+(?:-\d+)*")  # 2, or a group: 2-3-4
-_REACTION = re.compile(r"R['′]?_\{\d(\d)[,}]")  # R_{12}, on link 2
-IDEAL = "ideal"  # name of a polygon without friction
 _ROW, _TITLE = 9.0 * MM, 6.5 * MM
 _TERMS = 7  # columns to write in: as many as the longest equation of the textbooks has
 
@@ -91,43 +84,9 @@ class EquationRows(Block):
 def equation_rows(solution: Solution, lang: Lang) -> list[EquationRows]:
     """Cells for as many equations as the solution has, each with its kind and the part of the analysis that it belongs
     to."""
-    needed = [step for step in solution.construction.steps if step.equation is not None]
-    return [EquationRows(n, told, lang) for n, told in enumerate(kinds(needed, lang), 1)]
-
-
-def kinds(steps: Sequence[Step], lang: Lang) -> list[str]:
-    """The kind of each; where one part of the analysis has it with friction and without, which of them it is."""
-    told = [kind(step, lang) for step in steps]
-    ideal = [isinstance(step.view, Pane) and step.view.name == IDEAL for step in steps]
-    twice = {name for name, without in zip(told, ideal, strict=True) if without and told.count(name) > 1}
-    told = [
-        name + _FRICTION[without].of(lang) if name in twice else name for name, without in zip(told, ideal, strict=True)
-    ]
-    return [
-        f"{name}{_OF.of(lang).format(whose)}" if told.count(name) > 1 and (whose := _whose(step, lang)) else name
-        for name, step in zip(told, steps, strict=True)
-    ]
-
-
-def _whose(step: Step, lang: Lang) -> str:
-    """What an equation is for, where several are of one kind: a vector of motion, or the link on which forces act."""
-    symbols = step.equation.symbols if step.equation is not None else ()
-    if symbols and symbols[0][0] in "va":
-        return f"${symbols[0]}$"
-    if isinstance(step.view, Pane) and _BODIES.fullmatch(step.view.name):
-        return _LINK.of(lang).format(step.view.name)
-    acting = next((found for symbol in symbols if (found := _REACTION.match(symbol))), None)
-    return _LINK.of(lang).format(acting[1]) if acting else ""
-
-
-def kind(step: Step, lang: Lang) -> str:
-    """Velocity equation; With friction: equilibrium of forces. An analysis of velocities need not be told beside it."""
-    part, name = step.section.of(lang), named(step.view).of(lang)
-    if part[:2] == name[:2]:
-        return name
-    if lang == "zh":
-        return f"{part}{'，' if '：' in part else '：'}{name}"
-    return f"{part}{',' if ':' in part else ':'} {name[0].lower()}{name[1:]}"
+    drawn = solution.construction
+    needed = [step for step in drawn.steps if step.equation is not None]
+    return [EquationRows(n, told, lang) for n, told in enumerate(kinds(needed, lang, drawn.figures), 1)]
 
 
 def empty_table(solution: Solution, lang: Lang) -> RuledTable:
