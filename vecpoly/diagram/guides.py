@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from ..board.paper.marks import Block, FixedGuide, LinkNumber, Mark, Role, Segment, Slot, Weld
-from ..mechanism.model import FRAME, Prismatic
+from ..mechanism.model import FRAME, Prismatic, Revolute
 from ..problem.problem import Shape
 from .bars import weld
 from .posed import Posed, Way
@@ -65,10 +65,20 @@ def sliding_pair(posed: Posed, joint: Prismatic) -> Iterator[Mark]:
     if joint.guide == FRAME:
         along = -along if _other_side(posed, joint, middle, along) else along
         yield rail_under(middle, along, HALF_SLOT)
+        yield from _from_its_point(posed, joint, middle)
     elif posed.shapes.get(joint.guide) is Shape.ROD and joint.block == FRAME:
         yield from bush(middle, along)
         return
     yield from block_marks(posed, joint, along)
+
+
+def _from_its_point(posed: Posed, joint: Prismatic, middle: complex) -> Iterator[Segment]:
+    """The centre line on to the fixed point through which a guide is told to run, where nothing else stands there."""
+    pinned = {one.point for one in posed.mech.joints if isinstance(one, Revolute)}
+    for letter in posed.mech.frame:
+        away = posed.at[letter] - middle if letter in posed.at and letter not in pinned else 0j
+        if abs(away) > HALF_SLOT and abs(posed.guide(joint).off(posed.at[letter])) < BESIDE:
+            yield Segment(a=middle + HALF_SLOT * away / abs(away), b=posed.at[letter], role=Role.CENTRE)
 
 
 def rail_under(middle: complex, along: complex, half: float) -> FixedGuide:

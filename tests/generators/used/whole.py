@@ -21,6 +21,7 @@ from vecpoly.cycle import (
 from vecpoly.cycle import table as tabled
 from vecpoly.errors import UnknownNameError
 from vecpoly.mechanism.model import Mechanism, Rolling
+from vecpoly.problem.problem import Problem
 from vecpoly.solution import Solution
 
 from ..family import family
@@ -53,7 +54,7 @@ def over_the_cycle(solution: Solution, rng: np.random.Generator) -> str:
             break
     if unsaid := [one.en for one in words if not one.zh or "nan" in one.en]:
         return f"it is said that {unsaid[0]}"
-    return _here(solution, mech) or _closed(turn, keys, mech) or _within(turn, some, mech)
+    return _here(solution, mech) or _closed(turn, keys, mech) or _within(turn, some, solution.problem)
 
 
 def _here(solution: Solution, mech: Mechanism) -> str:
@@ -97,9 +98,11 @@ def _closed(turn: Cycle, keys: list[str], mech: Mechanism) -> str:
     return ""
 
 
-def _within(turn: Cycle, keys: list[str], mech: Mechanism) -> str:
+def _within(turn: Cycle, keys: list[str], problem: Problem) -> str:
     """Every row lies between the lowest and the highest value, but for the rounding of what is nothing."""
-    floor = natural(mech)
+    assert isinstance(problem.subject, Mechanism)
+    acting = [abs(one.size) for one in problem.loads.forces if one.size] if problem.loads is not None else []
+    floor = natural(problem.subject) | {"N": max(acting, default=0.0)}
     for key in keys:
         rows, found = turn.real(key), extremes(turn, key)
         rows = rows[np.isfinite(rows)]
