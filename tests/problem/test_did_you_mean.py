@@ -6,7 +6,7 @@ import pytest
 
 from vecpoly import load, solve
 from vecpoly.answer import Answer
-from vecpoly.errors import FaultError, ProblemFileError
+from vecpoly.errors import AssemblyError, FaultError, ProblemFileError
 from vecpoly.problem.asked.hints import nothing_asked
 from vecpoly.problem.load import loads
 from vecpoly.problem.text.spelling import intended
@@ -133,7 +133,17 @@ def test_lengths_that_are_nothing_beside_the_others_end_in_no_traceback() -> Non
     text = load("whitworth-by-K").text.replace("id: whitworth-by-K", "id: x")
     at = text.index("AB: ")
     changed = text[:at] + "AB: 1e-19 m" + text[text.index(",", at) :]
-    assert solve(loads(changed), repeats=0).answers["theta"].exact == pytest.approx(60.0)
+    solution = solve(loads(changed), repeats=0)
+    assert solution.answers["theta"].exact == pytest.approx(60.0)
+    assert [one.broken and one.broken.en for one in solution.verification] == ["AB is nothing beside the other links"]
+
+
+def test_of_assemblies_without_number_six_are_told() -> None:
+    """The slot leads through the crank's pivot, and all of it is on the circle of nothing: B is nowhere held."""
+    text = load("3-14").text.replace("id: 3-14", "id: x").replace("frame: {A:", "frame: {C:").replace("{AB:", "{CA:")
+    with pytest.raises(AssemblyError, match=r"joined in \d+ ways") as told:
+        solve(loads(text), repeats=0)
+    assert str(told.value).count("B: [") <= 6
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ from ..cycle.facts.found import facts
 from ..cycle.whole_cycle import cycle
 from ..designs.base import Design
 from ..errors import VecpolyError
+from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
 from ..problem.values.made import problem as made
 from ..words import Words
@@ -20,6 +21,7 @@ from .grashof import grashof
 LOOSE = 0.02  # of a length: an expected drawing error above which the construction is called ill-conditioned
 
 RARE = 0.02  # of the repeated hands: so many may miss a grazing meeting without a word
+NOTHING = 1e-6  # of the size of a linkage: a bar that is shorter is none
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,10 +83,22 @@ def verified(
     lost = lost if lost > RARE else 0.0
     try:
         found = linkage(design, values, f"solution-{number}")
+        if found is not None and (short := _vanishing(found.mechanism)):
+            return Verified(number=number, loose=loose, lost=lost, broken=short)
         moved = None if found is None else _moved(number, values, loose, cycle(found.mechanism, 181))
         return None if moved is None else replace(moved, lost=lost)
     except VecpolyError as error:
         return Verified(number=number, loose=loose, lost=lost, broken=error.words)
+
+
+def _vanishing(mech: Mechanism) -> Words | None:
+    """That a bar is nothing beside the others: no linkage of such lengths moves as a linkage."""
+    bars = [tuple(link.points.items())[:2] for link in mech.links if len(link.points) > 1]
+    bars += [tuple(mech.frame.items())[:2]] if len(mech.frame) > 1 else []
+    for (one, start), (other, end) in bars:
+        if abs(end - start) < NOTHING * mech.scale:
+            return Words(f"{one}{other} 与其余构件相比过短", f"{one}{other} is nothing beside the other links")
+    return None
 
 
 def _moved(number: int, values: Mapping[str, float], loose: Mapping[str, float], turn: Cycle) -> Verified:

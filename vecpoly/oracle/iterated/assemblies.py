@@ -18,6 +18,7 @@ from ..state import Body, Reals
 States = NDArray[np.float64]  # positions × links × (x, y, φ)
 Places = dict[str, complex]
 SAME = 1e-6  # of the mechanism's size, and rad: assemblies nearer than this are one
+NAMED = 6  # assemblies told in a refusal
 
 
 def chosen(mech: Mechanism, group: Group, found: States, known: Mapping[str, Body]) -> States:
@@ -89,8 +90,8 @@ def _which(mech: Mechanism, group: Group, fits: list[Places]) -> Words:
     points = max((tuple(mech.link(name).points) for name in group.links), key=len)[:2]
     told = "; ".join(
         "{" + ", ".join(f"{p}: [{1e3 * at[p].real:.4g} mm, {1e3 * at[p].imag:.4g} mm]" for p in points) + "}"
-        for at in fits
-    )
+        for at in fits[:NAMED]
+    ) + ("; …" if len(fits) > NAMED else "")
     return Words(
         f"构件 {group.told.zh} 有 {len(fits)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可），"
         f"或用 branch 说明：{told}",
