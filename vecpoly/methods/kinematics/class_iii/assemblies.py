@@ -7,6 +7,7 @@ zeros are the assemblies. Each pair of loci serves once: where one stands at the
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -124,12 +125,17 @@ def _scanned(desk: Desk, star: Star) -> Iterator[Assembly]:
             yield from _closed(desk, star, legs, first, low, high)
 
 
+def _halvings(intervals: NDArray[Any]) -> range:
+    """So many rounds, where there is anything to halve."""
+    return range(HALVINGS if intervals.size else 0)
+
+
 def _range_ends(desk: Desk, star: Star, legs: Three, first: bool, grid: Grid, misses: Grid) -> tuple[Grid, Grid]:
     """Intervals at the ends of the range in which the two loci meet, where the gap comes down to zero there."""
     sound = np.isfinite(misses)
     k = np.flatnonzero(sound[1:] != sound[:-1])
     inside, last, beyond = (np.where(sound[k], grid[a], grid[b]) for a, b in ((k, k + 1), (k, k + 1), (k + 1, k)))
-    for _ in range(HALVINGS):
+    for _ in _halvings(k):
         middle = (last + beyond) / 2
         meets = np.isfinite(missed(desk, star, legs, first, middle))
         last, beyond = np.where(meets, middle, last), np.where(meets, beyond, middle)
@@ -151,7 +157,7 @@ def _dips(desk: Desk, star: Star, legs: Three, first: bool, grid: Grid, misses: 
     )
     k = 1 + np.flatnonzero(lowest & (near[1:-1] < near[:-2] + near[2:] - 2 * near[1:-1]))
     low, high, sign = grid[k - 1], grid[k + 1], np.sign(misses[k])
-    for _ in range(HALVINGS):
+    for _ in _halvings(k):
         one, two = low + (high - low) / 3, high - (high - low) / 3
         down = sign * missed(desk, star, legs, first, one) < sign * missed(desk, star, legs, first, two)
         low, high = np.where(down, low, one), np.where(down, two, high)
@@ -162,7 +168,7 @@ def _dips(desk: Desk, star: Star, legs: Three, first: bool, grid: Grid, misses: 
 def _closed(desk: Desk, star: Star, legs: Three, first: bool, low: Grid, high: Grid) -> Iterator[Assembly]:
     """The zeros between these orientations, by halving; a jump of the gap is none."""
     at_low = np.asarray(missed(desk, star, legs, first, low))
-    for _ in range(HALVINGS):
+    for _ in _halvings(low):
         middle = (low + high) / 2
         open_ = np.asarray(missed(desk, star, legs, first, middle))
         left = at_low * open_ <= 0
