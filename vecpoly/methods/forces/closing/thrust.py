@@ -89,19 +89,26 @@ def beside(mech: Mechanism, force: Force, pin: str) -> list[str]:
 
 
 def _outer(desk: Desk, loads: Loads, force: Force) -> tuple[Force, ...]:
-    return (_on_its_ends if is_strut(desk.mech, loads, force) else _on_its_links)(desk, force)
+    if is_strut(desk.mech, loads, force):
+        return _on_its_ends(desk, force)
+    return _on_its_links(desk, force, burdened=loads.burdens(force) or _rubs(loads, force))
 
 
-def _on_its_links(desk: Desk, force: Force) -> tuple[Force, Force]:
+def _on_its_links(desk: Desk, force: Force, *, burdened: bool) -> tuple[Force, Force]:
     """The thrust on the piston, and the opposite one on the barrel: both along the line of the pins."""
     i, j = desk.mech.number(force.link), desk.mech.number(force.against)
     symbol, back = load_symbol(force.name), load_symbol(opposite_name(force))
+    why = Words(
+        " 的构件上另有载荷、质量或摩擦，不是二力构件：",
+        " carries loads or masses, or something rubs there, so it is no two-force member:",
+    )
+    said = why if burdened else Words("：", ":")
+    pair, pins = f"{force.against}-{force.link}", f"{force.foot}{force.point}"
     desk.board.step(
         Words(
-            f"油缸 {force.against}-{force.link} 的构件上另有载荷、质量或摩擦，不是二力构件：推力 ${symbol}$ 沿 "
-            f"${force.foot}{force.point}$ 作用于构件 {i}，等值、反向的 ${back}$ 作用于构件 {j}，作为外力计入杆组。",
-            f"The links of the cylinder {force.against}-{force.link} carry loads or masses, or something rubs there, "
-            f"so it is no two-force member: its thrust ${symbol}$ acts along ${force.foot}{force.point}$ on link {i}, "
+            f"油缸 {pair}{said.zh}推力 ${symbol}$ 沿 ${pins}$ 作用于构件 {i}，等值、反向的 ${back}$ 作用于构件 {j}，"
+            "作为外力计入杆组。",
+            f"The cylinder {pair}{said.en} its thrust ${symbol}$ acts along ${pins}$ on link {i}, "
             f"and the equal and opposite ${back}$ on link {j}; both count as outer forces on the group.",
         ),
         View.MECHANISM,
@@ -158,6 +165,7 @@ def _rubs(loads: Loads, force: Force) -> bool:
         friction.pins.get(force.foot)
         or friction.pins.get(force.point)
         or friction.slides.get((force.link, force.against))
+        or friction.slides.get((force.against, force.link))
     )
 
 
