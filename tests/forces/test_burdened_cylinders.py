@@ -4,27 +4,13 @@ from __future__ import annotations
 
 import pytest
 
+from tests.forces.hung import hung
 from vecpoly import Problem, load, loads, problem, solve
 from vecpoly.problem.values.vary import data_of
 
-HELD = """
-id: held
-title: held
-frame: {A: [0 mm, 0 mm], D: [400 mm, 0 mm]}
-links:
-  1: {AB: 100 mm}
-  2: {BC: 450 mm}
-  3: {DC: 350 mm, F: {along: DC, at: 200 mm, right: 60 mm}}
-  4: {cylinder: A}
-  5: {piston: F}
-joints: [5 slides in 4]
-input: {link: 1, phi: 75 deg, omega: 3 rad/s}
-branch: [C left of BD]
-"""
-
 
 def held(loaded: str) -> Problem:
-    return loads(HELD + loaded)
+    return hung("cylinder", "piston", "phi: 75 deg, omega: 3 rad/s", loaded)
 
 
 def test_a_thrust_on_a_loaded_cylinder_is_drawn_as_it_is_computed() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from tests.forces.hung import hung
 from vecpoly.problem.load import loads
 from vecpoly.solution import solve
 
@@ -31,18 +32,6 @@ def test_a_disc_whose_slide_changes_sides_with_little_friction_is_not_called_loc
 
 
 ALONG = """
-id: along
-title: t
-frame: {A: [0 mm, 0 mm], D: [400 mm, 0 mm]}
-links:
-  1: {AB: 100 mm}
-  2: {BC: 450 mm}
-  3: {DC: 350 mm, F: {along: DC, at: 200 mm, right: 60 mm}}
-  4: {slot: A}
-  5: {block: F}
-joints: [5 slides in 4]
-input: {link: 1, phi: 40 deg, omega: 3 rad/s cw}
-branch: [C left of BD]
 loads: {F_c: {spring: A-F5, k: 1 N/mm, l_0: 100 mm}, M_1: {on: 1, size: "?"}}
 masses: {4: {mass: 5 kg, inertia: 0.1 kg*m^2, centre: {along: A, at: 100 mm}}}
 friction: {4-5: {f: 0.1}}
@@ -52,5 +41,5 @@ find: [M_1, M_1_0, R_45]
 
 def test_a_block_that_is_pulled_along_its_slot_is_not_called_locked() -> None:
     """Its slot bears next to nothing, and that reaction is short on paper."""
-    answers = solve(loads(ALONG)).answers
+    answers = solve(hung("slot", "block", "phi: 40 deg, omega: 3 rad/s cw", ALONG)).answers
     assert answers["M_1"].drawn == pytest.approx(answers["M_1"].exact, abs=answers["M_1"].expected_error)

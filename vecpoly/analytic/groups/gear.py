@@ -7,7 +7,7 @@ that arctangents give are counted on from there (`Model.followed`).
 
 from __future__ import annotations
 
-from ...mechanism.groups.assur import Group, hinges
+from ...mechanism.groups.assur import Group
 from ...mechanism.model import FRAME, Circle, Rolling
 from ...words import Words
 from ..drive import given_angles
@@ -16,7 +16,7 @@ from ..expr import Const, Expr, Var
 from ..points import points
 from ..stages import ACCELERATION, POSITION, VELOCITY
 from ..variables import Scope
-from .rolled import angle_needed, radius
+from .rolled import angle_needed, carriers, radius
 
 
 def held_gear(scope: Scope, group: Group) -> GroupModel:
@@ -24,7 +24,7 @@ def held_gear(scope: Scope, group: Group) -> GroupModel:
     link = group.links[0]
     joint = next(out.joint for out in group.outer if isinstance(out.joint, Rolling))
     mine, other = _circles(link, joint)
-    holder = _holder(scope, mine, other)
+    holder = carriers(scope.mech, joint)[0]
     name, (velocity, acceleration) = scope.name(link), _turning(scope, joint, mine, other, holder)
     scope.anchors[link] = mine.centre
     standing = _standing(scope, joint, mine, other, holder) if angle_needed(scope.mech, link) else ()
@@ -110,17 +110,6 @@ def _turning(scope: Scope, joint: Rolling, mine: Circle, other: Circle, holder: 
 def _ratio(scope: Scope, mine: Circle, other: Circle) -> Expr:
     """r_p / r."""
     return radius(scope, other) / radius(scope, mine)
-
-
-def _holder(scope: Scope, mine: Circle, other: Circle) -> str:
-    """The link that is pinned at one centre and carries the other."""
-    pins = hinges(scope.mech)
-    carriers = [
-        name
-        for name in (*(li.name for li in scope.mech.links), FRAME)
-        if {mine.centre, other.centre} <= {*scope.mech.link(name).points} and name in pins.get(mine.centre, ())
-    ]
-    return carriers[0]
 
 
 def _rolled(arm: Expr, relative: Expr, ratio: Expr, internal: bool) -> Expr:

@@ -22,7 +22,7 @@ def in_closed_form(mech: Mechanism, group: Group) -> bool:
     or dyads hinged in the centre of a gear that only rolls. The rest is solved as loops."""
     rolls = [out for out in group.outer if isinstance(out.joint, Rolling)]
     if group.kind == "gear":
-        return all(_on_a_gear(mech, out.joint) for out in rolls if isinstance(out.joint, Rolling))
+        return all(carriers(mech, out.joint) for out in rolls if isinstance(out.joint, Rolling))
     if any(isinstance(joint, Rolling) for joint in group.inner) or (rolls and group.dyad is None):
         return False
     inner = group.inner[0]
@@ -55,13 +55,12 @@ def _own(joint: Rolling, link: str) -> str:
     return mine.centre if isinstance(mine, Circle) else ""
 
 
-def _on_a_gear(mech: Mechanism, joint: Rolling) -> bool:
-    """Whether it is one of two gears that a link holds by both centres."""
-    on = joint.on
-    if not isinstance(on, Circle):
-        return False
-    both = {joint.gear.centre, on.centre}
-    return any(both <= {*mech.link(name).points} for name in holders(mech, joint))
+def carriers(mech: Mechanism, joint: Rolling) -> list[str]:
+    """The links that hold two gears by both centres, as letters of their own; none of a gear on a rack."""
+    if not isinstance(joint.on, Circle):
+        return []
+    both = {joint.gear.centre, joint.on.centre}
+    return [name for name in holders(mech, joint) if both <= {*mech.link(name).points}]
 
 
 def rolled(scope: Scope, joint: Rolling, told: Told) -> Iterator[Condition]:

@@ -172,9 +172,8 @@ def _stroke(cycle: Cycle, found: Extremes) -> Stroke | None:
     forth = (upper.phi - lower.phi) % (2 * np.pi)
     forth = forth if cycle.mech.drive.rate > 0 else 2 * np.pi - forth
     low, high = (rest(cycle, found.key, spot, upper.value - lower.value) for spot in (lower, upper))
-    if low is None and high is None:
-        return Stroke(found.key, lower, upper, forth, 2 * np.pi - forth)
-    return _rested(cycle, Stroke(found.key, lower, upper, forth, 2 * np.pi - forth, (low, high)))
+    stroke = Stroke(found.key, lower, upper, forth, 2 * np.pi - forth, (low, high))
+    return _rested(cycle, stroke) if any(stroke.rests) else stroke
 
 
 def _rested(cycle: Cycle, stroke: Stroke) -> Stroke:

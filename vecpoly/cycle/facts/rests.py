@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 from ..cycle import Cycle
 from ..extremes import Spot
 
-_LEVEL = (
-    1e-12  # of the stroke: what does not change by more stands still; a smooth limit is so level over 1e-6 rad only
-)
+# of the stroke: what does not change by more stands still; a smooth limit is so level over 1e-6 rad only
+_LEVEL = 1e-12
 _FEWEST = 3  # places of the grid in a rest
 _HALVINGS = 40
 Stretch = tuple[float, float]

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from ...words import Words
 
+TOUCH = 0.3  # mm: ends that are meant to be one
 CAD_SIGMA = 0.02  # mm: how well an end that was set by a program is known
 
 

@@ -14,8 +14,6 @@ from ..rules import Rules
 from ..told.slip import told_of
 
 NOTHING_DRAWN = Words("没有交图", "no drawing was handed in")
-MIRRORED = Words("整幅图左右镜像了；请核对", "the whole drawing is mirrored; check it")
-TURNED = Words("整幅图转了方向；请核对", "the whole drawing is turned; check it")
 UNDECLARED = Words(
     "没有写比例尺：或是另取了比例尺，或是已知矢量画错；请核对",
     "its scale is not stated: another scale, or a known vector that is wrong; check it",
@@ -105,7 +103,7 @@ def _line(
             earned=0.0, reason=NOTHING_DRAWN, costs=True,
         )  # fmt: skip
     figure, mark = found
-    doubt = MIRRORED if drawing.mirrored else TURNED if drawing.turned else None if figure.declared else UNDECLARED
+    doubt = drawing.doubt or (None if figure.declared else UNDECLARED)
     why = Words("；", "; ") + told_of(drawing.slip).words if mark.costs and drawing.slip is not None else NO_WORDS
     return LineMark(
         key=one.key, symbol=one.symbol, figure=figure.title, verdict=mark.verdict, worth=one.points.method,

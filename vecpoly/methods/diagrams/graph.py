@@ -14,6 +14,10 @@ from ...plane import Line, Points, Reals, nominal, unit
 SAME = 1e-9  # mm to the right: corners nearer than this stand over each other
 
 
+def _up(corner: Points) -> float:
+    return complex(nominal(corner)).imag
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Graph:
     """The corners, from left to right, and how far to the right each was set out (mm), two alike where it jumps."""
@@ -24,7 +28,7 @@ class Graph:
     @property
     def ys(self) -> tuple[float, ...]:
         """How high each stands on the nominal sheet (mm)."""
-        return tuple(complex(nominal(corner)).imag for corner in self.corners)
+        return tuple(map(_up, self.corners))
 
     def stretch(self, x: float, *, before: bool) -> int:
         """The number of the corner from which it runs on over a place; at a corner the one before it, or behind."""
@@ -40,7 +44,7 @@ class Graph:
     def height(self, x: float, *, before: bool) -> float:
         """How high it stands there (mm)."""
         i = self.stretch(x, before=before)
-        (a, b), (u, v) = self.xs[i : i + 2], (complex(nominal(corner)).imag for corner in self.corners[i : i + 2])
+        (a, b), (u, v) = self.xs[i : i + 2], map(_up, self.corners[i : i + 2])
         return u + (v - u) * (x - a) / (b - a)
 
     def line(self, i: int) -> Line:

@@ -91,15 +91,20 @@ def _of_position(desk: Desk, problem: Problem, pulls: Pulls) -> Statics:
     _walk(st, groups, held)
     ideal, st = st, joined(st, desk)
     read_reactions(st, desk.mech)
-    check_methods(st if unknown_thrust(problem.loads) is None else replace(st, loads=problem.loads), problem)
+    check_methods(_with_thrust(st, problem.loads), problem)
     if st.loads.friction:
         st = _with_friction(ideal, groups, held, desk)
     read_thrusts(st, problem.loads)
     draw_free_bodies(st, problem, (*(link for group in groups for link in group.links), held.link))
-    read_efficiency(st if unknown_thrust(problem.loads) is None else replace(st, loads=problem.loads))
+    read_efficiency(_with_thrust(st, problem.loads))
     if not st.loads.friction:
         _as_they_are(st, problem)
     return st
+
+
+def _with_thrust(st: Statics, loads: Loads) -> Statics:
+    """The pass, with a thrust that is sought as the problem has it: one load that does work at both ends."""
+    return st if unknown_thrust(loads) is None else replace(st, loads=loads)
 
 
 def _as_they_are(st: Statics, problem: Problem) -> None:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ...errors import AssemblyError
 from ...mechanism.assembly.branch import margin
+from ...mechanism.assembly.told import as_guesses, which
 from ...mechanism.groups.assur import Group
 from ...mechanism.model import Mechanism
 from ...words import Words
@@ -18,7 +19,6 @@ from ..state import Body, Reals
 States = NDArray[np.float64]  # positions × links × (x, y, φ)
 Places = dict[str, complex]
 SAME = 1e-6  # of the mechanism's size, and rad: assemblies nearer than this are one
-NAMED = 6  # assemblies told in a refusal
 
 
 def chosen(mech: Mechanism, group: Group, found: States, known: Mapping[str, Body]) -> States:
@@ -88,13 +88,4 @@ def _distinct(mech: Mechanism, found: States) -> list[int]:
 def _which(mech: Mechanism, group: Group, fits: list[Places]) -> Words:
     """The assemblies there are, by two points of the link that has most of them."""
     points = max((tuple(mech.link(name).points) for name in group.links), key=len)[:2]
-    told = "; ".join(
-        "{" + ", ".join(f"{p}: [{1e3 * at[p].real:.4g} mm, {1e3 * at[p].imag:.4g} mm]" for p in points) + "}"
-        for at in fits[:NAMED]
-    ) + ("; …" if len(fits) > NAMED else "")
-    return Words(
-        f"构件 {group.told.zh} 有 {len(fits)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可），"
-        f"或用 branch 说明：{told}",
-        f"links {group.told.en} can be joined in {len(fits)} ways; say which by `branch`, or by `guesses:`, "
-        f"one of these (roughly): {told}",
-    )
+    return which(group.told, len(fits), as_guesses(fits, points, 1e3))

@@ -113,6 +113,13 @@ class DrawingMark:
     remarks: tuple[Words, ...] = ()
 
     @property
+    def doubt(self) -> Words | None:
+        """Why a person must look at all of it: it had to be held otherwise than it was handed in."""
+        if self.mirrored:
+            return Words("整幅图左右镜像了；请核对", "the whole drawing is mirrored; check it")
+        return Words("整幅图转了方向；请核对", "the whole drawing is turned; check it") if self.turned else None
+
+    @property
     def vectors(self) -> tuple[VectorMark, ...]:
         """Those of all figures that are drawn."""
         return tuple(vector for one in self.figures if one.drawn for vector in one.vectors)

@@ -7,13 +7,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..segment import Segment
+from ..segment import TOUCH, Segment
 
 LONGEST = 8.0  # mm of a barb; of the line on which it sits SHARE at most
 SHARE = 0.6
 OPENING = (0.1, 0.9)  # rad between barb and line
 EVEN = 0.12  # rad between the two angles; of the length between the two barbs
-TOUCH = 0.3  # mm: ends that are meant to be one
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -37,13 +37,17 @@ def find(key: DrawingKey, strokes: Strokes, scales: Mapping[str, float]) -> Foun
     if share >= FOUND:
         return Found(fits=tuple(fits))
     plain = [(shape,) for shape in key.exact.shapes]
-    mirrored = [(held, fitted(strokes, plain, declared, held=held)) for held in MIRRORED]
-    turned = [(held, fitted(strokes, plain, declared, held=held)) for held in QUARTERS]
-    turned = [(held, fits) for held, fits in turned if any(fit.shape.diagram and fit.share >= FOUND for fit in fits)]
-    held, best = max((*mirrored, *turned), key=lambda way: _share(key, way[1]))
+    ways = [(held, fitted(strokes, plain, declared, held=held)) for held in (*MIRRORED, *QUARTERS)]
+    fair = [(held, fits) for held, fits in ways if held.mirror or _turned_with(fits)]
+    held, best = max(fair, key=lambda way: _share(key, way[1]))
     if _share(key, best) > max(SURE, share + CLEARLY):
         return Found(fits=tuple(best), held=held)
     return Found(fits=tuple(fits))
+
+
+def _turned_with(fits: Sequence[Fit]) -> bool:
+    """Whether the diagram was found too: only then is it the sheet that is turned, and not a polygon."""
+    return any(fit.shape.diagram and fit.share >= FOUND for fit in fits)
 
 
 def _upright(key: DrawingKey, strokes: Strokes, declared: Mapping[str, float]) -> list[Fit]:

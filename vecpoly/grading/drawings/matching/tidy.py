@@ -10,12 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
-from ..segment import Drawing, Segment
+from ..segment import TOUCH, Drawing, Segment
 from .barbs import headed_by_barbs
 from .naming import figure_of, helping
 
 SHORTEST = 0.3  # mm: less is a slip of the mouse
-TOUCH = 0.3  # mm: ends that are meant to be one
 STRAIGHT = 0.002  # rad between pieces of one line
 THIN = 0.6  # of the widest ink: helping lines, where nothing else tells
 

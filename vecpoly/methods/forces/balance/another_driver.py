@@ -9,6 +9,7 @@ from ....mechanism.groups.assur import decompose
 from ....mechanism.loads import Loads
 from ....mechanism.model import FRAME, Rolling
 from ....words import Words
+from ..closing.thrust import unknown_thrust
 from ..lines.links_of_group import Held
 from ..order import Order
 from ..state import Statics
@@ -35,7 +36,7 @@ def found_before(st: Statics, order: Order, loads: Loads) -> Held:
             code="no-method",
             numbers={"link": link},
         )
-    power_first(st, loads if st.unknown.name in {one.name for one in loads.forces if one.against} else None)
+    power_first(st, None if unknown_thrust(loads) is None else loads)
     _say_exchanged(st, order.held)
     return order.held
 

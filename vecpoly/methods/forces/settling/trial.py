@@ -9,8 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import numpy as np
-
 from ....algebra.quantity import number
 from ....board.board import NO_LENGTH
 from ....board.construction import Reading, View
@@ -68,10 +66,7 @@ def _pace(st: Statics) -> float:
     if not isinstance(load, Force):
         return st.turning(load.link, "0")
     ends = [one for one in st.loads.forces if one.size is None]  # of a cylinder there are two
-    mm = sum(
-        float(nominal(dot(complex(np.exp(1j * one.direction)), velocity_of(st, one.link, st.desk.at[one.point]))))
-        for one in ends
-    )
+    mm = sum(float(nominal(dot(st.along(one), velocity_of(st, one.link, st.desk.at[one.point])))) for one in ends)
     if abs(mm) < NO_LENGTH:
         raise idle(load)
     return mm * st.board.scales[View.VELOCITY].value

@@ -11,6 +11,7 @@ from ....board.construction import View
 from ....board.paper.marks import Role
 from ....errors import AssemblyError, DeadPointError
 from ....mechanism.assembly.branch import margin
+from ....mechanism.assembly.told import as_guesses, which
 from ....mechanism.groups.assur import Group
 from ....mechanism.model import Statement
 from ....plane import Points
@@ -25,7 +26,6 @@ from .words import led_words, trial_words
 
 SHOWN = np.linspace(-0.2, 0.2, 9)  # rad from the orientation found: trials that are drawn
 DULL = 1e-5  # of Assembly.sharp: below it the drawing has no position to show
-NAMED = 6  # assemblies told in a refusal
 
 
 @method(
@@ -98,24 +98,14 @@ def _chosen(desk: Desk, star: Star, options: list[Assembly]) -> tuple[Assembly, 
 
 def _which(desk: Desk, star: Star, after: list[dict[str, complex]], fits: bool) -> Words:
     """The assemblies there are, by the places of the central link's points."""
-    letters = desk.mech.link(star.plate).axis
-    mm = 1e3 / desk.mm(1.0)
-    told = "; ".join(
-        "{" + ", ".join(f"{p}: [{at[p].real * mm:.4g} mm, {at[p].imag * mm:.4g} mm]" for p in letters) + "}"
-        for at in after[:NAMED]
-    )
+    told = as_guesses(after, desk.mech.link(star.plate).axis, 1e3 / desk.mm(1.0))
     if not fits:
         return Words(
             f"构件 {star.links} 的 {len(after)} 种装配都不符合 branch 的要求；可能的装配（guesses）：{told}",
             f"links {star.links}: none of their {len(after)} assemblies fulfils the branch statements; "
             f"the assemblies are, as guesses: {told}",
         )
-    return Words(
-        f"构件 {star.links} 有 {len(after)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可），"
-        f"或用 branch 说明：{told}",
-        f"links {star.links} can be joined in {len(after)} ways; say which by `branch`, or by `guesses:`, "
-        f"one of these (roughly): {told}",
-    )
+    return which(Words.same(star.links), len(after), told)
 
 
 def _laid(desk: Desk, star: Star, found: Assembly, u: Points) -> Points:

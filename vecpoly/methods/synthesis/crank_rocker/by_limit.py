@@ -17,10 +17,9 @@ from ..angles import marked, valued
 from ..draft import SHEET, Draft
 from ..limits import judged, limits_of, settled
 from ..linkage import pin, pivot
+from .rocker import BESIDE
 
 SIDES = (("朝 $D$ 一侧", "on the side of $D$"), ("另一侧", "on the other side"))
-
-BESIDE = 1e-9  # of the rocker: C₂ in A, where AD is as long as CD
 
 
 def by_limit(draft: Draft, design: CrankRocker, theta: Quantity) -> None:

@@ -15,9 +15,7 @@ from ..eta import Locus, Straight, eta
 from ..limits import judged, limits_of, settled
 from ..linkage import pin, pivot
 from .pivots import pivots
-from .rocker import Rocker
-
-BESIDE = 1e-9  # of C₁C₂: A in C₁ or C₂, where AD is as long as CD
+from .rocker import BESIDE, Rocker
 
 
 def by_swing(draft: Draft, design: CrankRocker, theta: Quantity) -> None:
