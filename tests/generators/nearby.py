@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from vecpoly.check.truth import exact_values
+from vecpoly.check.truth import exact_values, truth_of
 from vecpoly.errors import VecpolyError
 from vecpoly.mechanism.laws.sizes import Table
 from vecpoly.mechanism.model import Mechanism
@@ -21,7 +21,7 @@ def slack(solution: Solution) -> dict[str, float]:
     """Key → how much drawing and oracle may differ because both are rounded before they are magnified."""
     problem = solution.problem
     if not isinstance(problem.subject, Mechanism):
-        return {}
+        return _scattered(solution)
     drive = problem.subject.drive
     starts = tuple(replace(start, value=start.value + HAIR) for start in problem.subject.starts)
     moved = replace(
@@ -37,6 +37,15 @@ def slack(solution: Solution) -> dict[str, float]:
         key: FACTOR * abs(near[key] - (one.exact if one.exact_vector is None else one.exact_vector))
         for key, one in solution.answers.items()
         if key in near
+    }
+
+
+def _scattered(solution: Solution) -> dict[str, float]:
+    """The same of a design: a hundred times what its data moved in their last places bring about."""
+    near = truth_of(solution.problem).nearby
+    return {
+        key: FACTOR * max((abs(values[key] - one.exact) for values in near if key in values), default=0.0)
+        for key, one in solution.answers.items()
     }
 
 

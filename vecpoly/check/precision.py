@@ -1,8 +1,8 @@
 """How many digits an exact value still has: near a change point rounding is magnified until nothing is left of it.
 
-The oracle is asked again with every length, every fixed point and the input moved by a few units in the last place, at
-random:
-no one can tell these data from the given ones. What its answers then scatter by is what they may be off by.
+The oracle is asked again with every length, every fixed point and the input, or with all data of a design, moved by a
+few units in the last place, at random: no one can tell these data from the given ones. What its answers then scatter
+by is what they may be off by.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from math import floor, inf, isnan, log10
 from typing import overload
 
 from ..errors import DeadPointError
+from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
 from ..words import Words
 from .truth import Truth, Values
@@ -21,6 +22,9 @@ PLENTY = 7  # digits of which nothing need be said
 WHOLE = 360.0  # deg
 ROUNDED = 4.0  # times the scatter: within it a value cannot be told from zero
 NOTHING = 1e-9  # of the size of such quantities: what may be taken for zero at all
+
+ELSEWHERE = Words("；请改取原动件的其他位置", "; choose another position of the input")
+OTHERWISE = Words("；请改用其他数据", "; choose other data")
 
 
 def sizes(problem: Problem, truth: Truth) -> dict[str, float]:
@@ -47,7 +51,7 @@ def noise(problem: Problem, truth: Truth, size: Mapping[str, float]) -> dict[str
     }
     for key, off in found.items():
         if off > size[key] * 10.0**-FEWEST:
-            raise _lost(key, off, size[key])
+            raise _lost(key, off, size[key], of_motion=isinstance(problem.subject, Mechanism))
     return found
 
 
@@ -77,10 +81,12 @@ def _scatter(key: str, value: complex | float, near: tuple[Values, ...], whole: 
     return max((min(gap, abs(whole - gap)) for gap in gaps), default=0.0)
 
 
-def _lost(key: str, off: float, size: float) -> DeadPointError:
+def _lost(key: str, off: float, size: float, *, of_motion: bool) -> DeadPointError:
     left = digits(off, size)
-    where = Words(
-        f"{key}：机构离死点（或变点）太近", f"{key}: the mechanism is so near to a dead point (or change point)"
+    where = (
+        Words(f"{key}：机构离死点（或变点）太近", f"{key}: the mechanism is so near to a dead point (or change point)")
+        if of_motion
+        else Words(f"{key}：所给数据离极限情形太近", f"{key}: the data are so near to a limiting case")
     )
     if left == 0:
         told = Words(
@@ -95,7 +101,7 @@ def _lost(key: str, off: float, size: float) -> DeadPointError:
             f"{left} digit{'s are' if left > 1 else ' is'} left",
         )
     return DeadPointError(
-        where + told + Words("；请改取原动件的其他位置", "; choose another position of the input"),
+        where + told + (ELSEWHERE if of_motion else OTHERWISE),
         code="precision.lost",
         numbers={"noise": off, "size": size, "digits": left},
     )

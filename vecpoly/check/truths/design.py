@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
-from ...designs.base import Design
+import numpy as np
+
+from ...designs.base import Design, numbered
 from ...designs.verdict import Verdict
-from ...errors import NotAskedError
+from ...errors import NotAskedError, VecpolyError
 from ...foundation.frozen import FrozenMap
 from ...names import Rel
-from ...oracle.synthesis.registry import counted, design_answers, linkages, solvable
+from ...oracle.synthesis.registry import Linkage, candidates, counted, design_answers, linkages, solvable
 from ...problem.problem import Printed, Problem
 from ...words import Words
+from ..nudged import nudged_data
 from ..truth import ActsAt, Values, finite, knows
+
+TRIALS = 4  # nudges
 
 
 @knows(Design)
@@ -25,7 +30,6 @@ class DesignTruth:
     problem: Problem
     likely: Mapping[str, float] = FrozenMap({})
     lines: Mapping[str, ActsAt] = FrozenMap({})
-    nearby: tuple[Values, ...] = ()
 
     @property
     def design(self) -> Design:
@@ -58,6 +62,11 @@ class DesignTruth:
             numbers={"solutions": count},
         )
 
+    @property
+    def nearby(self) -> tuple[Values, ...]:
+        """The values with nudged data, of the linkages that lie nearest to those that serve."""
+        return _nearby(self.design)
+
     def known(self, rel: Rel) -> None:
         """Nothing: a linkage that is to be found has no motion yet."""
 
@@ -69,3 +78,37 @@ class DesignTruth:
     def way(self) -> Callable[[Printed], complex | None]:
         """No answer has a direction."""
         return lambda printed: None
+
+
+@lru_cache(maxsize=256)
+def _nearby(design: Design) -> tuple[Values, ...]:
+    rng = np.random.default_rng(0)
+    nudges = (nudged_data(design, rng) for _ in range(TRIALS))
+    valid = [one for one in linkages(design) if one.verdict is Verdict.VALID]
+    return tuple(_followed(design, valid, found) for one in nudges if (found := _candidates(one)))
+
+
+def _candidates(design: Design) -> tuple[Linkage, ...]:
+    """What fits the data; none where what is sought ends within the nudge."""
+    try:
+        return candidates(design)
+    except VecpolyError:
+        return ()
+
+
+def _followed(design: Design, valid: Sequence[Linkage], found: Sequence[Linkage]) -> Values:
+    """The values of those found that lie nearest to the valid ones, whatever number they would have: a hair's breadth
+    may turn a verdict, or the order."""
+    near = [min(found, key=lambda one: _apart(one, mine)) for mine in valid]
+    values: Values = dict(near[design.take - 1].values) if design.take <= len(near) else {}
+    for n, one in enumerate(near, 1):
+        values |= {
+            numbered(named, n).key: one.values[named.key] for named in design.quantities() if named.key in one.values
+        }
+    return values
+
+
+def _apart(one: Linkage, other: Linkage) -> float:
+    """How far two linkages are apart: by their pins, and where those are the same by what they are numbered by."""
+    pins = sum(abs(one.pins[name] - at) for name, at in other.pins.items() if name in one.pins)
+    return pins + sum(abs(a - b) for a, b in zip(one.order, other.order, strict=False))
