@@ -149,7 +149,7 @@ def couples(rng: np.random.Generator) -> str:
     return written(c, "".join(moment(c, f"M_q{i}", link) for i, link in enumerate(links)) + free(c, "L0"))
 
 
-@family("forces-friction", also=in_equilibrium, first=2)
+@family("forces-friction", also=in_equilibrium, first=4)
 def with_friction(rng: np.random.Generator) -> str:
     """Loads against friction everywhere; bars with many multiple joints, or any groups;
     inertia, or none; balanced on the crank, or elsewhere."""

@@ -43,7 +43,7 @@ def plate_cam_with_a_dyad(rng: np.random.Generator) -> str:
     return hung_on(*followed(rng), side=float(rng.choice([-1, 1])))
 
 
-@family("forces-plate-cam-with-a-dyad", in_equilibrium, first=1)
+@family("forces-plate-cam-with-a-dyad", in_equilibrium, first=3)
 def forces_on_a_plate_cam_with_a_dyad(rng: np.random.Generator) -> str:
     """The same with masses and loads, frictionless or not."""
     text = hung_on(*followed(rng), side=float(rng.choice([-1, 1])))

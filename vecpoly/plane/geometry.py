@@ -76,7 +76,8 @@ def lines_meet(g: Line, h: Line) -> Points:
     sine = cross(g.along, h.along)
     with np.errstate(divide="ignore", invalid="ignore"):
         t = np.divide(cross(h.at - g.at, h.along), sine)
-    return g.at + g.along * t
+        at: Points = g.at + g.along * t
+    return at
 
 
 def line_circle_meet(line: Line, centre: Points, radius: Reals) -> tuple[Points, Points]:

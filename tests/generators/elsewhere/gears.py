@@ -38,7 +38,7 @@ def as_rolled(solution: Solution) -> str:
     return ""
 
 
-@family("elsewhere-gears", also=as_rolled, first=3)
+@family("elsewhere-gears", also=as_rolled, first=7)
 def gears(rng: np.random.Generator) -> str:
     """Any of the mechanisms with gears and racks."""
     return _of_any(rng, "gears-")

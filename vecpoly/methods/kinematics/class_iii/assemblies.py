@@ -22,6 +22,7 @@ from .star import Axial, Parallel, Star
 SCAN, HALVINGS = 7200, 60  # trials a turn; halvings of an interval in which the gap changes sign
 OPEN = 1e-7  # of the mechanism's size: what may be open before the last digits are settled
 SAME = 1e-5  # of the size, and rad: assemblies nearer than this are one
+DIGITS = 6  # of Assembly.sharp that tell one way from another
 ROUNDS = 12  # of the secant that settles the last digits
 
 Three = tuple[Axial, Axial, Axial]
@@ -39,13 +40,18 @@ class Assembly:
     first: bool
     sharp: float  # sine of the loci × change of the gap over the size: the best way to draw it; near 0 at a dead point
 
+    @property
+    def quality(self) -> float:
+        """By what ways to draw it are compared: not by the rounding of what is as good."""
+        return round(self.sharp, DIGITS)
+
 
 def assemblies(desk: Desk, star: Star) -> list[Assembly]:
     """Every assembly once, each in the way that draws it best."""
     plain = bare(desk)
     size = desk.mm(desk.mech.scale)
     found = sorted(
-        _led(plain, star, star.parallel) if star.parallel else _scanned(plain, star), key=lambda one: -one.sharp
+        _turned(plain, star, star.parallel) if star.parallel else _scanned(plain, star), key=lambda one: -one.quality
     )
     kept: list[Assembly] = []
     for one in found:
@@ -100,7 +106,7 @@ def settled(desk: Desk, star: Star, found: Assembly) -> Reals:
     return now
 
 
-def _led(desk: Desk, star: Star, leg: Parallel) -> Iterator[Assembly]:
+def _turned(desk: Desk, star: Star, leg: Parallel) -> Iterator[Assembly]:
     """The orientation is given: two loci meet in one or two points."""
     u = complex(orientation(desk, star, leg))
     one, two = (locus_of(desk, star, other, u) for other in star.axial)
@@ -176,10 +182,11 @@ def _closed(desk: Desk, star: Star, legs: Three, first: bool, low: Grid, high: G
         at_low = np.where(left, at_low, open_)
     for theta in np.atleast_1d(high):
         if abs(float(missed(desk, star, legs, first, float(theta)))) < OPEN * desk.mm(desk.mech.scale):
-            yield _told(desk, star, legs, first, float(theta))
+            yield told(desk, star, legs, first, float(theta))
 
 
-def _told(desk: Desk, star: Star, legs: Three, first: bool, theta: float) -> Assembly:
+def told(desk: Desk, star: Star, legs: tuple[Axial, ...], first: bool, theta: float) -> Assembly:
+    """The assembly in this orientation, placed by two legs on one side."""
     at, u = complex(trial(desk, star, legs, first, theta)), complex(np.exp(1j * theta))
     one, two = (locus_of(desk, star, leg, u) for leg in legs[:2])
     gaps = [float(missed(desk, star, legs, first, theta + step)) for step in (1e-6, -1e-6)]

@@ -20,6 +20,7 @@ from ...desk import Desk
 from ...registry import Stage, method
 from ..position.assembly import HAIR, said
 from .assemblies import Assembly, assemblies, bare, places, settled, trial
+from .led import led
 from .loci import Ring, locus_of, meet, orientation, put
 from .star import Axial, Hinged, Slotted, Star, star_of
 from .words import led_words, trial_words
@@ -38,7 +39,8 @@ DULL = 1e-5  # of Assembly.sharp: below it the drawing has no position to show
 def position_class_iii(desk: Desk, group: Group) -> None:
     """The central link is turned, held by two legs, until it fits the third as well."""
     star = star_of(group)
-    found, deciding = _chosen(desk, star, assemblies(desk, star))
+    near = led(desk, star)
+    found, deciding = _chosen(desk, star, assemblies(desk, star)) if near is None else (near, None)
     desk.board.step(
         led_words(desk, star, found.legs) if star.parallel else trial_words(desk, star, found.legs), View.MECHANISM
     )

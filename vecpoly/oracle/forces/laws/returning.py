@@ -3,6 +3,7 @@ change point leads on into the other assembly."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from functools import lru_cache
 from math import lcm
 
@@ -10,7 +11,7 @@ import numpy as np
 
 from ....errors import EquilibriumError
 from ....mechanism.loads import Loads
-from ....mechanism.model import Mechanism
+from ....mechanism.model import Circle, Link, Mechanism, Rolling
 from ....words import Words
 from ...state import Points, Reals
 
@@ -31,11 +32,51 @@ def turns_of(mech: Mechanism, loads: Loads, low: float) -> int:
 def laps(mech: Mechanism, low: float) -> int:
     """After how many turns every letter is where it was; raises EquilibriumError where it is never."""
     first = _places(mech, low + WITHIN)
-    for count in range(1, MOST + 1):  # one after the other: far turns are dear
+    for count in filter(_wheels_are_back(mech), range(1, MOST + 1)):  # one after the other: far turns are dear
         off = np.abs(_places(mech, low + WITHIN + 2 * np.pi * count) - first)
         if np.nanmax(off, initial=0.0) <= SAME * mech.scale:
             return count
     raise EquilibriumError(_elsewhere(mech), code="no-period")
+
+
+def _wheels_are_back(mech: Mechanism) -> Callable[[int], bool]:
+    """Whether, after so many turns of the drive, every wheel on a fixed axis is where it was: by the ratios alone."""
+    wheels = [(mech.link(name), turns) for name, turns in _on_fixed_axes(mech).items()]
+    reaches = [(max(map(abs, _arms(mech, link)), default=0.0), turns) for link, turns in wheels]
+    return lambda count: all(
+        reach * abs(np.exp(2j * np.pi * count * turns) - 1) <= SAME * mech.scale for reach, turns in reaches
+    )
+
+
+def _arms(mech: Mechanism, wheel: Link) -> list[complex]:
+    """From the fixed axis of a wheel to its other points (m)."""
+    axis = next(at for letter, at in wheel.points.items() if letter in mech.frame)
+    return [at - axis for at in wheel.points.values()]
+
+
+def _on_fixed_axes(mech: Mechanism) -> dict[str, float]:
+    """Turns of each wheel on a fixed axis per turn of the drive, from gear to gear: i = ∓r_1/r_2."""
+    if mech.drive.between or mech.drive.slide:
+        return {}
+    turns, pairs = {mech.drive.link: 1.0}, list(_fixed_pairs(mech))
+    for _ in pairs:
+        for one, other, ratio in pairs:
+            if one in turns:
+                turns.setdefault(other, turns[one] * ratio)
+    return turns
+
+
+def _fixed_pairs(mech: Mechanism) -> Iterator[tuple[str, str, float]]:
+    """Two gears whose centres the frame holds, either way round, and the turns of the second per turn of the first."""
+    for pair in mech.joints:
+        if (
+            isinstance(pair, Rolling)
+            and isinstance(pair.on, Circle)
+            and {pair.gear.centre, pair.on.centre} <= {*mech.frame}
+        ):
+            ratio = pair.gear.radius / pair.on.radius * (1 if pair.internal else -1)
+            yield pair.gear.link, pair.on.link, ratio
+            yield pair.on.link, pair.gear.link, 1 / ratio
 
 
 def _places(mech: Mechanism, q: Reals) -> Points:
