@@ -15,16 +15,19 @@ Change = Callable[[float], float]
 
 
 def with_numbers(design: D, change: Change) -> D:
-    """The design with every number changed, of complex ones each part; counts and what was written stay as they are."""
+    """The design with every number changed, of complex ones each part.
+
+    Counts, words, unit vectors and the number one (no quick return) stay as they are.
+    """
     return _changed(design, change)  # type: ignore[no-any-return]
 
 
 def _changed(value: Any, change: Change) -> Any:
     match value:
         case complex():
-            return complex(change(value.real), change(value.imag))
+            return value if abs(value) == 1.0 else complex(change(value.real), change(value.imag))
         case float():
-            return change(value)
+            return value if value == 1.0 else change(value)
         case tuple():
             return tuple(_changed(one, change) for one in value)
         case Mapping():

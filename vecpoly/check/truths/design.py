@@ -28,7 +28,7 @@ class DesignTruth:
     """The oracle's opinion of a task of synthesis."""
 
     problem: Problem
-    likely: Mapping[str, float] = FrozenMap({})
+    likely: Mapping[str, float] = FrozenMap({"deg": 1.0})  # where the largest angle is nothing but rounding
     lines: Mapping[str, ActsAt] = FrozenMap({})
 
     @property
