@@ -18,7 +18,7 @@ TITLES = ("8-4", "A-30-b")  # whose titles hold a symbol
 
 @pytest.mark.parametrize("name", few(TITLES, 2))
 def test_titles_hold_no_sign_of_their_symbols(name: str) -> None:
-    page = page_of(name)
+    page = page_of(name, 0)
     page = page[: page.rindex("<script>")]
     heading = page[page.index("<h1>") : page.index("</h1>")]
     assert "<i>" in heading, "a symbol is italic in the heading"
