@@ -100,19 +100,18 @@ def test_the_best_a_stands_highest_on_the_curve_of_ten_trials() -> None:
         assert places["A"].imag == pytest.approx(max(at.imag for at in curve.points), rel=5e-3)
 
 
-def test_a_given_angle_is_met_close_to_the_limit_too() -> None:
-    """Four A have this γ_min, two of them 0.05 % of C₁C₂ from C₁, of which the closed solution knew one."""
-    solution = posed(K="1.25", CD="100 mm", swing="20 deg", gamma_min="2.0939 deg").solve(by="exact")
-    assert len(solution.construction.candidates) == 4 and not solution.suspect
+CLOSE = [
+    ("1.0625", "17.16 deg", "0.5 deg"),
+    ("1.25", "20 deg", "2.0939 deg"),  # two of them 0.05 % of C₁C₂ from C₁, of which the closed solution knew one
+    ("1.0625", "18.7 deg", "0.66246 deg"),
+    ("1.0625", "24.31 deg", "0.8 deg"),
+]
 
 
-@pytest.mark.parametrize(
-    "data", few([("17.16 deg", "0.5 deg"), ("18.7 deg", "0.66246 deg"), ("24.31 deg", "0.8 deg")], 3)
-)
-def test_every_a_with_a_least_angle_of_less_than_a_degree_is_found(data: tuple[str, str]) -> None:
+@pytest.mark.parametrize(("k", "swing", "gamma"), few(CLOSE, 4))
+def test_every_a_is_found_that_meets_a_given_angle_close_to_the_limit(k: str, swing: str, gamma: str) -> None:
     """Two beside C₁, two beside the change point, where the curve of γ_min ends between two trials."""
-    swing, gamma = data
-    solution = posed(K="1.0625", CD="100 mm", swing=swing, gamma_min=gamma).solve(by="exact")
+    solution = vecpoly.solve(posed(K=k, CD="100 mm", swing=swing, gamma_min=gamma), by="exact", repeats=0)
     assert len(solution.construction.candidates) == 4 and not solution.suspect
 
 

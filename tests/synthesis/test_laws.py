@@ -11,8 +11,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import vecpoly
-from tests.laws import often
+from tests.laws import often, soaking
 from vecpoly.errors import AssemblyError, DeadPointError
+from vecpoly.solution import REPEATS
 
 Angles = npt.NDArray[np.float64]
 ratios, swings = st.floats(1.05, 1.9), st.floats(20, 90)
@@ -26,7 +27,7 @@ def posed(kind: str, **data: str) -> vecpoly.Problem:
 def solutions(problem: vecpoly.Problem) -> list[dict[str, float]]:
     """The valid solutions by the exact hand; none where the data are refused."""
     try:
-        solution = problem.solve(by="exact")
+        solution = vecpoly.solve(problem, by="exact", repeats=REPEATS if soaking() else 0)
     except (AssemblyError, DeadPointError):
         return []
     assert not solution.suspect
