@@ -57,7 +57,7 @@ _PILOTS: dict[str, Pilot] = {}
 _draw_pilot = classwork._pilot
 
 
-def _remembered(problem: Problem) -> Pilot:
+def remembered(problem: Problem) -> Pilot:
     told = {key: value for key, value in data_of(problem).items() if key != "statement"}
     key = f"{told} {problem.ranges}"
     if key not in _PILOTS:
@@ -69,7 +69,7 @@ def _remembered(problem: Problem) -> Pilot:
 def piloted() -> Iterator[None]:
     """The pilot knows neither shards nor rosters: in this process it is drawn once for each problem."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(classwork, "_pilot", _remembered)
+        patch.setattr(classwork, "_pilot", remembered)
         yield
 
 
