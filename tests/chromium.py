@@ -26,6 +26,7 @@ class Page:
 
     def __init__(self, to: int, back: int) -> None:
         self._to, self._back, self._number, self._read, self._session = to, back, 0, b"", ""
+        self.url = ""  # what was opened last
 
     def send(self, method: str, **params: object) -> dict[str, Any]:
         """A command of the DevTools protocol, and its result."""
@@ -53,6 +54,7 @@ class Page:
     def open(self, url: str, width: int = 1280, height: int = 800, touch: bool = False) -> None:
         """Open an address afresh in a window of this size, in the process that drew the page before: one more for each
         page took half of the time."""
+        self.url = url
         if self._session:
             self.send("Page.navigate", url="about:blank")
         else:

@@ -27,6 +27,7 @@ MADE = (
     "tests.player.pages",
     "tests.grading.drawings.made",
     "tests.grading.cases",
+    "tests.variants.block",
 )
 JOINED = {"tests.projects": "tests.studies"}  # a report of a project is read with the course reports too
 IMPORT = re.compile(r"^from (tests\.[\w.]+) import", re.MULTILINE)

@@ -66,7 +66,7 @@ def shown(first: complex, per_weight: complex, weight: complex) -> complex:
     return first + per_weight * weight
 
 
-@settings(max_examples=often(25), deadline=None)
+@settings(max_examples=often(10), deadline=None)
 @given(
     first=st.tuples(st.floats(2, 20), st.floats(0, 360)),
     per_gram=st.tuples(st.floats(0.2, 2), st.floats(0, 360)),
@@ -88,7 +88,7 @@ def told(vibration: complex) -> str:
     return f"{abs(vibration):.12f} um at {degrees(phase(vibration)):.12f} deg"
 
 
-@settings(max_examples=often(25), deadline=None)
+@settings(max_examples=often(10), deadline=None)
 @given(
     first=st.floats(5, 20),
     share=st.floats(0.2, 0.9),

@@ -129,7 +129,7 @@ def test_four_cranks_leave_a_couple_of_the_square_root_of_ten() -> None:
     assert abs(found["W_bII"]) == pytest.approx(10**0.5 / 3) and found["theta_bII"] == pytest.approx(18.4349488)
 
 
-@settings(max_examples=often(12), deadline=None)
+@settings(max_examples=often(5), deadline=None)
 @given(
     masses=st.lists(st.tuples(st.floats(0.2, 3), st.floats(0, 360), st.floats(-400, 1400)), min_size=1, max_size=6),
     first=st.floats(-200, 300),
@@ -145,7 +145,7 @@ def test_what_two_planes_take_leaves_no_force_and_no_couple(
     assert abs(sum(w * (z - 77.0) for w, z in vectors)) < 1e-8 * sum(abs(w) * 1e3 for w, _ in vectors)
 
 
-@settings(max_examples=often(20), deadline=None)
+@settings(max_examples=often(10), deadline=None)
 @given(
     unbalance=st.floats(100, 900),
     at=st.floats(0, 359),
@@ -177,7 +177,7 @@ def test_rounded_weights_leave_a_residual_that_is_judged_by_its_circle() -> None
     assert rough["within"] == 0.0 and abs(rough["W_r"]) > rough["U_per"]
 
 
-@settings(max_examples=often(20), deadline=None)
+@settings(max_examples=often(8), deadline=None)
 @given(arm=st.floats(0.3, 2), size=st.floats(0.3, 2), at=st.floats(5, 175), other=st.floats(190, 350))
 def test_dalby_finds_masses_of_known_directions_and_a_mass_beside_an_angle(
     arm: float, size: float, at: float, other: float

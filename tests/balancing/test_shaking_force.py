@@ -62,7 +62,7 @@ def test_the_best_fraction_makes_the_largest_force_least() -> None:
         assert agree(engine(c=f"{found['c'] + beside!r}"), within=1e-8)["F_max"] > found["F_max"]
 
 
-@settings(max_examples=often(12), deadline=None)
+@settings(max_examples=often(5), deadline=None)
 @given(ratio=st.floats(0.02, 0.08), c=st.floats(0, 1), at=st.integers(0, 359))
 def test_the_two_terms_are_the_second_derivative_of_the_masses_but_for_higher_orders(
     ratio: float, c: float, at: int

@@ -11,7 +11,6 @@ import pytest
 import vecpoly
 from vecpoly.batch import classwork
 from vecpoly.batch.classwork import Made, Order, make_class
-from vecpoly.batch.gather import gather
 from vecpoly.batch.run.runners import Here
 from vecpoly.batch.student import Student
 from vecpoly.problem.assignment import load_assignment
@@ -58,8 +57,9 @@ _PILOTS: dict[str, Pilot] = {}
 _draw_pilot = classwork._pilot
 
 
-def _remembered(problem: Problem) -> Pilot:
-    key = f"{data_of(problem)} {problem.ranges}"
+def remembered(problem: Problem) -> Pilot:
+    told = {key: value for key, value in data_of(problem).items() if key != "statement"}
+    key = f"{told} {problem.ranges}"
     if key not in _PILOTS:
         _PILOTS[key] = _draw_pilot(problem)
     return _PILOTS[key]
@@ -69,7 +69,7 @@ def _remembered(problem: Problem) -> Pilot:
 def piloted() -> Iterator[None]:
     """The pilot knows neither shards nor rosters: in this process it is drawn once for each problem."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(classwork, "_pilot", _remembered)
+        patch.setattr(classwork, "_pilot", remembered)
         yield
 
 
@@ -80,12 +80,3 @@ def files(out: Path) -> dict[str, bytes]:
         for file in sorted(out.rglob("*"))
         if file.is_file() and ".work" not in file.parts
     }
-
-
-def made_in_shards(out: Path, students: Sequence[Student], count: int) -> None:
-    """Each shard by itself, then gathered."""
-    order = ordered(out, students)
-    with piloted():
-        for shard in range(count):
-            make_class(order, Here(), lambda *_: None, (shard, count))
-    gather(order, (out,), Here(), lambda *_: None)

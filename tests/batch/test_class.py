@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from tests.batch.homework import FOUR, TEXT, files, made, made_in_shards, people, piloted
+from tests.batch.homework import FOUR, TEXT, files, made, people, piloted
 from vecpoly.batch.classwork import Made
 from vecpoly.batch.outputs import outputs
 from vecpoly.batch.register import Register, read_register
@@ -26,13 +26,6 @@ from vecpoly.errors import NotAskedError, VecpolyError
 from vecpoly.solution import solve
 
 RUN = ["class", "hw3.yaml", "--roster", "r.csv", "-o", "broken", "-j", "1"]
-
-
-def test_shards_together_are_the_whole_and_the_order_of_the_roster_does_not_matter(
-    whole: tuple[Path, Made], tmp_path: Path
-) -> None:
-    made_in_shards(tmp_path / "hw", FOUR[::-1], 2)
-    assert files(tmp_path / "hw") == files(whole[0])
 
 
 def test_a_student_who_comes_later_changes_nobody(whole: tuple[Path, Made], tmp_path: Path) -> None:

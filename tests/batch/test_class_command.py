@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
-from tests.batch.homework import TEXT, files, piloted
+from tests.batch.homework import TEXT, files, piloted, remembered
 from vecpoly.batch.register import read_register
 from vecpoly.cli import app
 from vecpoly.problem.assignment import load_assignment
@@ -46,7 +46,9 @@ def variants(tmp_path_factory: pytest.TempPathFactory) -> Result:
     told = TEXT.replace("    scales: null\n", "    scales: null\n    statement: 曲柄 AB = 30 mm。\n")
     folder = tmp_path_factory.mktemp("variants")
     prepared(folder, told)
-    return run(folder, "variants", "hw3.yaml", "-n", "2")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("vecpoly.variants.pilot.pilot", remembered)
+        return run(folder, "variants", "hw3.yaml", "-n", "2")
 
 
 def test_one_bad_row_never_stops_the_rest(first: tuple[Path, Result]) -> None:

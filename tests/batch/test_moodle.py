@@ -54,7 +54,7 @@ def shown_by_moodle(body: str) -> list[tuple[str, str]]:
     return [tuple(text.replace("\\}", "}").replace("\\#", "#") for text in pair) for pair in found]  # type: ignore[misc]
 
 
-@each(dict.fromkeys((*few(DRAFTED, 3), *FOUND_EMPTY)))
+@each(dict.fromkeys((*few(DRAFTED, 8), *FOUND_EMPTY)))
 def test_every_number_that_is_asked_has_a_whole_answer_which_is_the_value_of_the_key(name: str) -> None:
     """Negative ones and zero too; what turns is asked by its size, its sense beside it."""
     asked = _asked(name)

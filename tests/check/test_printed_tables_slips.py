@@ -104,7 +104,7 @@ def test_a_true_table_is_never_accused_however_coarse(
     assert check.agrees and all(one.verdict <= Level.LAST_DIGIT for one in check.columns)
 
 
-@pytest.mark.parametrize("problem", ["A-16", "slider-crank-dynamic", "six-bar-dynamic", "3-9", "3-1e"])
+@pytest.mark.parametrize("problem", few(["slider-crank-dynamic", "A-16", "six-bar-dynamic", "3-1e", "3-9"], 4))
 def test_the_table_that_vecpoly_writes_of_a_cycle_is_reproduced_with_its_forces(tmp_path: Path, problem: str) -> None:
     path = tmp_path / "cycle.csv"
     path.write_bytes(csv_bytes(table_of(cycle(load(problem), n=25))))
@@ -139,7 +139,7 @@ def test_a_table_with_another_length_is_explained_by_it(
             assert found == [pytest.approx(value, rel=3e-3)], one.words.en
 
 
-@pytest.mark.parametrize("index", few([0, 1, 3], 2))
+@pytest.mark.parametrize("index", few([0, 1, 3], 3))
 def test_a_single_rate_with_another_length_is_found_even_where_it_is_hardly_another(
     against: Callable[..., TableCheck], index: int
 ) -> None:
@@ -167,7 +167,7 @@ def test_another_zero_of_the_crank_angle_is_found_at_any_angle(
     )
 
 
-@pytest.mark.parametrize(("digits", "noise"), few([(3, 0), (3, 2), (5, 2)], 2))
+@pytest.mark.parametrize(("digits", "noise"), few([(3, 2), (3, 0), (5, 2)], 3))
 def test_a_left_out_omega_is_told_before_a_shifted_decimal_point(
     against: Callable[..., TableCheck], digits: int, noise: int
 ) -> None:
@@ -176,7 +176,7 @@ def test_a_left_out_omega_is_told_before_a_shifted_decimal_point(
     assert first.slip is Slip.OMEGA and first.words.en == "$ω_{1}$ left out"
 
 
-@pytest.mark.parametrize("problem", few(["A-16", "A-26", "B-24"], 2))
+@pytest.mark.parametrize("problem", few(["A-16", "A-26", "B-24"], 3))
 def test_a_divisor_left_out_in_any_dyad_is_found_in_all_that_follows(
     against: Callable[..., TableCheck], problem: str
 ) -> None:

@@ -105,7 +105,8 @@ def test_one_bad_file_does_not_stop_the_reports_of_the_others(run: Run) -> None:
 
 
 @pytest.mark.parametrize(
-    "args", [("solve", "sheet.yaml"), ("exact", "sheet.yaml"), ("check", "sheet.yaml"), ("cycle", "sheet.yaml")]
+    "args",
+    [("solve", "sheet.yaml"), ("exact", "sheet.yaml"), ("check", "sheet.yaml"), ("cycle", "sheet.yaml", "-n", "12")],
 )
 def test_an_assignment_stands_wherever_a_problem_does(run: Run, args: tuple[str, ...]) -> None:
     result = run(*args)

@@ -45,7 +45,7 @@ def shape(case: dict[str, Any]) -> Curvatures | None:
         return None
 
 
-@settings(max_examples=often(6))
+@settings(max_examples=often(4))
 @given(linkages(), st.sampled_from(WAYS))
 def test_whatever_is_drawn_is_what_the_rates_tell(case: dict[str, Any], way: str) -> None:
     try:
@@ -103,7 +103,7 @@ def mirrored(case: dict[str, Any]) -> dict[str, Any]:
     return case | turned | ({"guide_y": -case["guide_y"]} if "guide_y" in case else {})
 
 
-@settings(max_examples=often(6), deadline=None)
+@settings(max_examples=often(3), deadline=None)
 @given(linkages(), st.sampled_from(WAYS))
 def test_of_a_mirrored_linkage_all_poles_circles_and_centres_are_mirrored(case: dict[str, Any], way: str) -> None:
     here, there = (_drawn(one, way) for one in (case, mirrored(case)))

@@ -57,7 +57,7 @@ def moves(problem: Problem, kind: Kind) -> complex:
     return complex(oracle.solve(problem.mechanism).value(Rel(kind, At("B"))))
 
 
-@settings(max_examples=often(15), deadline=None)
+@settings(max_examples=often(6), deadline=None)
 @given(degrees=st.integers(3, 117) | st.integers(153, 267))
 def test_a_slider_crank_in_place_of_the_cam_has_its_velocity_and_acceleration(degrees: int) -> None:
     cam = load("cam-roller-offset").subject
@@ -68,7 +68,7 @@ def test_a_slider_crank_in_place_of_the_cam_has_its_velocity_and_acceleration(de
     assert moves(replaced, Kind.A) == pytest.approx(1j * float(nominal(at.bend)), abs=1e-9)
 
 
-@settings(max_examples=often(15), deadline=None)
+@settings(max_examples=often(6), deadline=None)
 @given(degrees=st.integers(3, 117) | st.integers(153, 267))
 def test_a_four_bar_in_place_of_the_cam_swings_as_the_arm_does(degrees: int) -> None:
     cam = load("cam-rocker").subject

@@ -222,7 +222,7 @@ def efficiencies(train: list[dict[str, Any]]) -> list[float]:
     return own + [eta for part in train for branch in part.get("parallel", []) for eta in efficiencies(branch)]
 
 
-@settings(max_examples=often(15))
+@settings(max_examples=often(6))
 @given(train=TRAIN)
 def test_any_nesting_of_trains_is_drawn_as_the_oracle_computes_it(train: list[dict[str, Any]]) -> None:
     agree(device("power-train", {"train": train}))
@@ -268,7 +268,7 @@ def jack(**changes: Any) -> Device:
     return device("screw-jack", {key: v for key, v in (JACK | changes).items() if v is not None})
 
 
-@settings(max_examples=often(15))
+@settings(max_examples=often(6))
 @given(
     root=st.floats(8, 60),
     depth=st.floats(1, 8),
@@ -321,7 +321,7 @@ def test_force_and_load_of_a_jack_are_each_others_inverse() -> None:
 # -----------------------------------------------------------------------------------------------------------------
 
 
-@settings(max_examples=often(15))
+@settings(max_examples=often(6))
 @given(f=st.floats(0.01, 0.5), l1=st.floats(20, 400), l2=st.floats(20, 400), theta=st.floats(10, 80))
 def test_a_guide_is_drawn_as_the_oracle_computes_it(f: float, l1: float, l2: float, theta: float) -> None:
     subject = device(
@@ -366,7 +366,7 @@ def clamp(**changes: Any) -> Device:
     return device("eccentric-clamp", {key: v for key, v in (CLAMP | changes).items() if v is not None})
 
 
-@settings(max_examples=often(15))
+@settings(max_examples=often(6))
 @given(
     e=st.floats(2, 30),
     theta=st.floats(150, 250),

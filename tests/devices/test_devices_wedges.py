@@ -37,7 +37,7 @@ from vecpoly.problem.problem import Scales
 from vecpoly.words import Words
 
 CASES = json.loads((Path(__file__).resolve().parents[1] / "data" / "ch5-wedges.json").read_text(encoding="utf-8"))
-few = settings(max_examples=often(12))
+few = settings(max_examples=often(5))
 
 
 def deg(value: float) -> str:

@@ -211,7 +211,7 @@ def integral(rows: list[list[float]], mean: float) -> np.ndarray[Any, np.dtype[n
 
 
 @given(diagrams())
-@settings(max_examples=often(12))
+@settings(max_examples=often(5))
 def test_drawn_and_exact_agree_with_very_many_small_steps(rows: list[list[float]]) -> None:
     moments = [row[1] for row in rows]
     if max(moments) - min(moments) < 5:

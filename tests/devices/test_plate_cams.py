@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from math import atan2, degrees, hypot
 from typing import Any
 
@@ -82,7 +83,7 @@ def test_the_least_circle_keeps_both_pressure_angles() -> None:
     assert angles == pytest.approx(CASES["r0-1"]["results"]["alpha_max_with_minimum"], rel=1e-5)
 
 
-@settings(max_examples=often(20), deadline=None)
+@settings(max_examples=often(8), deadline=None)
 @given(rise=st.floats(20, 50), back=st.floats(40, 80), start=st.floats(10, 60), turns=st.sampled_from(["ccw", "cw"]))
 def test_with_the_start_bounded_no_smaller_circle_keeps_all_three_pressure_angles(
     rise: float, back: float, start: float, turns: str
@@ -169,13 +170,13 @@ def cams(draw: st.DrawFn) -> dict[str, Any]:
     return {"follower": end, "r0": "60 mm", "motion": [*motion, f"dwell {360 - rise - back} deg"], "stations": "30 deg"}
 
 
-@settings(max_examples=often(8), deadline=None)
+@settings(max_examples=often(4), deadline=None)
 @given(data=cams())
 def test_any_cam_is_drawn_as_the_oracle_computes_it(data: dict[str, Any]) -> None:
     agree(device("cam", **data), within=1e-8)
 
 
-@settings(max_examples=often(8), deadline=None)
+@settings(max_examples=often(4), deadline=None)
 @given(data=cams())
 def test_a_mirrored_cam_has_the_same_answers(data: dict[str, Any]) -> None:
     end = dict(data["follower"])
@@ -242,6 +243,12 @@ def test_a_heart_cam_cannot_be_followed_by_a_roller() -> None:
 # -- mistakes ------------------------------------------------------------------------------------------------------
 
 
+@cache
+def catalogue(name: str) -> tuple[Slip, ...]:
+    """The mistakes that can be made with a problem."""
+    return tuple(slips(load(name)))
+
+
 @pytest.mark.parametrize(
     ("mistake", "key", "wrong"),
     [
@@ -252,8 +259,10 @@ def test_a_heart_cam_cannot_be_followed_by_a_roller() -> None:
 )
 def test_a_mistake_with_offset_roller_or_centre_can_be_made(mistake: Mistake, key: str, wrong: str) -> None:
     problem, slip = load("cam-roller-offset"), Slip(mistake, key)
-    assert slip in slips(problem)
-    right, other = (solve(problem, by="exact", repeats=0, slip=one).answers[wrong].drawn for one in (None, slip))
+    assert slip in catalogue("cam-roller-offset")
+    right, other = (
+        solve(problem, by="exact", repeats=0, precise=False, slip=one).answers[wrong].drawn for one in (None, slip)
+    )
     assert abs(other - right) > 0.5
 
 
@@ -323,7 +332,7 @@ def test_a_careful_hand_is_off_by_no_more_than_its_drawing_error(name: str) -> N
 # -- arms to the left, flat faces that swing -----------------------------------------------------------------------
 
 
-@settings(max_examples=often(4))
+@settings(max_examples=often(3))
 @given(swing=st.integers(5, 12), turns=st.sampled_from(["ccw", "cw"]), off=st.integers(-8, 8))
 def test_a_flat_face_that_swings_is_drawn_as_its_support_function_has_it(swing: int, turns: str, off: int) -> None:
     motion = [f"rise {swing} deg in 120 deg cosine", "dwell 30 deg", "return in 120 deg sine", "dwell 90 deg"]
@@ -331,7 +340,7 @@ def test_a_flat_face_that_swings_is_drawn_as_its_support_function_has_it(swing: 
     agree(device("cam", follower={"flat": "yes", "arm": arm}, r0="45 mm", motion=motion, turns=turns))
 
 
-@pytest.mark.parametrize("follower", [{"roller": "8 mm"}, {"knife": "yes"}, {"flat": "yes"}])
+@pytest.mark.parametrize("follower", few([{"roller": "8 mm"}, {"knife": "yes"}, {"flat": "yes"}], 2))
 def test_an_arm_to_the_left_is_the_mirror_image_of_one_to_the_right(follower: dict[str, str]) -> None:
     arm = {"OA": "80 mm", **({"face": "4 mm"} if "flat" in follower else {"AB": "70 mm"})}
     motion = ["rise 12 deg in 120 deg cosine", "dwell 30 deg", "return in 120 deg parabolic", "dwell 90 deg"]
@@ -386,9 +395,11 @@ def test_between_two_stations_nothing_is_asked_and_the_nearest_are_named() -> No
 ARM = {"roller": "8.5 mm", "arm": {"OA": "84 mm", "AB": "73 mm"}}
 
 
-@pytest.mark.parametrize("turns", ["ccw", "cw"])
-@pytest.mark.parametrize("side", ["right", "left"])
-@pytest.mark.parametrize("law", few(["cosine", "uniform", "3-4-5"], 2))
+WAYS = [(turns, side, law) for law in ("cosine", "3-4-5", "uniform") for side in ("right", "left") for turns in
+        ("ccw", "cw")]  # fmt: skip
+
+
+@pytest.mark.parametrize(("turns", "side", "law"), few(WAYS, 5))
 def test_an_arm_that_turns_faster_than_the_cam_keeps_its_roller_outside(turns: str, side: str, law: str) -> None:
     """P comes from infinity on the other side: the normal into the cam then leads away from it (r was off by 10 mm)."""
     follower = {**ARM, "arm": {**ARM["arm"], "side": side}}  # type: ignore[dict-item]
@@ -406,8 +417,11 @@ def test_where_arm_and_cam_turn_alike_the_normal_is_parallel_to_the_line_of_thei
     agree(device("cam", follower=ARM, r0="34 mm", motion=motion, turns=turns))
 
 
-@pytest.mark.parametrize(("turns", "with_it"), [("ccw", "rise"), ("cw", "return")])
-@pytest.mark.parametrize(("law", "least"), [("cosine", 18.849), ("sine", 24.0), ("3-4-5", 22.5), ("uniform", 12.0)])
+LEAST = {"cosine": 18.849, "sine": 24.0, "3-4-5": 22.5, "uniform": 12.0}
+ALIKE = [(*way, *law) for law in LEAST.items() for way in (("ccw", "rise"), ("cw", "return"))]
+
+
+@pytest.mark.parametrize(("turns", "with_it", "law", "least"), few(ALIKE, 3))
 def test_a_flat_face_that_would_swing_as_fast_as_the_cam_is_refused_with_the_range(
     turns: str, with_it: str, law: str, least: float
 ) -> None:

@@ -75,7 +75,7 @@ def chains(draw: st.DrawFn) -> dict[str, Any]:
 
 
 @given(chains())
-@settings(max_examples=often(15))
+@settings(max_examples=often(6))
 def test_the_energy_rises_by_the_power_whatever_shaft_is_taken(data: dict[str, Any]) -> None:
     found = agree(train(**data))
     if "M_e" not in found:

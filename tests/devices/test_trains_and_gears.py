@@ -78,7 +78,7 @@ def basic(data: dict[str, Any]) -> float:
     return float(outer * data["ring"] / small if "ring" in data else -outer * data["sun_2"] / small)
 
 
-@settings(max_examples=often(20), deadline=None)
+@settings(max_examples=often(10), deadline=None)
 @given(data=trains())
 def test_any_train_moves_as_willis_says(data: dict[str, Any]) -> None:
     assume(
@@ -90,7 +90,7 @@ def test_any_train_moves_as_willis_says(data: dict[str, Any]) -> None:
     assert w1 - arm == pytest.approx(basic(data) * (w3 - arm), abs=1e-7)
 
 
-@settings(max_examples=often(10), deadline=None)
+@settings(max_examples=often(5), deadline=None)
 @given(data=trains())
 def test_any_train_that_can_be_read_is_drawn_as_it_is_computed(data: dict[str, Any]) -> None:
     try:
@@ -102,7 +102,7 @@ def test_any_train_that_can_be_read_is_drawn_as_it_is_computed(data: dict[str, A
         assert found
 
 
-@settings(max_examples=often(10), deadline=None)
+@settings(max_examples=often(5), deadline=None)
 @given(data=trains())
 def test_a_mirrored_train_turns_all_its_links_the_other_way(data: dict[str, Any]) -> None:
     backwards = {key: _reversed(value) if key.startswith("omega") else value for key, value in data.items()}
@@ -184,7 +184,7 @@ def test_the_tooth_is_that_of_the_numerical_generation(case: str) -> None:
     assert bool(found["undercut"]) is told["undercut"]
 
 
-@settings(max_examples=often(15), deadline=None)
+@settings(max_examples=often(6), deadline=None)
 @given(z=st.integers(7, 40), x=st.floats(-0.3, 0.6).map(lambda x: round(x, 2)), m=st.integers(2, 20))
 def test_any_gear_is_drawn_as_it_is_computed(z: int, x: float, m: int) -> None:
     subject = gear(m=f"{m} mm", z=z, x=str(x), steps=6)

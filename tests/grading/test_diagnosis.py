@@ -44,7 +44,7 @@ def test_the_exact_sheet_is_right_throughout(name: str) -> None:
     assert not sheet.roots and not sheet.slips and not sheet.lost
 
 
-@pytest.mark.parametrize("name", few(SEVERAL, 2))
+@pytest.mark.parametrize("name", few(SEVERAL, 4))
 def test_every_slip_that_changes_an_asked_size_is_caught_and_never_named_as_another_that_looks_otherwise(
     name: str,
 ) -> None:

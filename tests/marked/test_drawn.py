@@ -5,7 +5,9 @@ from __future__ import annotations
 import csv
 import json
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 from io import StringIO
 from pathlib import Path
 
@@ -108,10 +110,22 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return wide(tmp_path_factory.mktemp("answers") / "a.csv", {number: answers(number) for number in NUMBERS})
 
 
-def test_whose_drawing_is_right_has_all_points_and_whose_is_wrong_loses_one_line(
-    folder: Path, file: Path, tmp_path: Path
-) -> None:
-    done = graded(tmp_path, file, drawings=folder)
+ByRule = Callable[[Lines], Graded]
+
+
+@pytest.fixture(scope="module")
+def by_rule(folder: Path, file: Path, tmp_path_factory: pytest.TempPathFactory) -> ByRule:
+    """The class with its drawings, marked once by each rule that is asked for."""
+
+    @cache
+    def done(rule: Lines) -> Graded:
+        return graded(tmp_path_factory.mktemp(rule), file, drawings=folder, scheme=Scheme(rules=Rules(drawing=rule)))
+
+    return done
+
+
+def test_whose_drawing_is_right_has_all_points_and_whose_is_wrong_loses_one_line(by_rule: ByRule) -> None:
+    done = by_rule(Rules().drawing)
     right, wrong, plain = done.results
     assert right.total == right.worth == plain.total == plain.worth == 20.0
     assert [key for key, one in lines(done, NUMBERS[1]).items() if one.earned < one.worth] == ["v_B"]
@@ -124,9 +138,9 @@ def test_whose_drawing_is_right_has_all_points_and_whose_is_wrong_loses_one_line
     ("rule", "without", "paid"), [("told", 20.0, False), ("given", 20.0, True), ("required", None, True)]
 )
 def test_the_rules_say_whether_a_drawing_is_told_or_paid_or_required(
-    folder: Path, file: Path, tmp_path: Path, rule: Lines, without: float | None, paid: bool
+    by_rule: ByRule, rule: Lines, without: float | None, paid: bool
 ) -> None:
-    done = graded(tmp_path, file, drawings=folder, scheme=Scheme(rules=Rules(drawing=rule)))
+    done = by_rule(rule)
     assert bool(lines(done, NUMBERS[0])) is paid
     last = done.results[2]
     assert last.total == without if without is not None else last.total < last.worth - 5
@@ -183,10 +197,8 @@ def test_grades_feedback_and_record_tell_of_the_lines(folder: Path, file: Path, 
 
 
 @pytest.mark.parametrize("rule", ["told", "given"])
-def test_the_item_analysis_counts_every_line_of_the_drawings_by_its_verdict(
-    folder: Path, file: Path, tmp_path: Path, rule: Lines
-) -> None:
-    done = graded(tmp_path, file, drawings=folder, scheme=Scheme(rules=Rules(drawing=rule)))
+def test_the_item_analysis_counts_every_line_of_the_drawings_by_its_verdict(by_rule: ByRule, rule: Lines) -> None:
+    done = by_rule(rule)
     found = {one.key.en: one for one in items(done.results)}
     assert found["v_B (line)"].counts == Counter(right=1, wrong=1)
     assert [(bool(words.en), count) for words, count in found["v_B (line)"].slips] == [(True, 1)]

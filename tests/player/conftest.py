@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
@@ -16,3 +17,9 @@ def chrome() -> Iterator[Page]:
         pytest.skip("no chromium or chrome on this machine")
     with chromium() as opened:
         yield opened
+
+
+@pytest.fixture(scope="session")
+def boxes(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of the pages with a box for one's own answers: tests/player/boxes.py."""
+    return tmp_path_factory.mktemp("boxes")

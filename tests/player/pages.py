@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from functools import cache
 from typing import Any
 
@@ -12,7 +13,7 @@ from vecpoly.problem.load import load
 from vecpoly.solution import Solution, solve
 from vecpoly.words import Lang
 
-PLACES = 12
+PLACES = 6  # of the drive: as few as claims that are not about their number need
 DESK, PHONE = (1440, 900), (390, 844)  # pixels
 
 
@@ -29,3 +30,11 @@ def page_of(name: str, places: int = PLACES, lang: Lang = "zh") -> str:
 def data(page: Page, script: str) -> Any:
     """What a script finds, as data."""
     return json.loads(page.value(f"JSON.stringify({script})"))
+
+
+def motion(page: str) -> dict[str, Any]:
+    """What a page knows of the places of the drive."""
+    found = re.search(r'<script type="application/json" id="motion">(.*?)</script>', page, re.S)
+    assert found is not None
+    data: dict[str, Any] = json.loads(found[1])
+    return data

@@ -18,7 +18,7 @@ TITLES = ("8-4", "A-30-b")  # whose titles hold a symbol
 
 @pytest.mark.parametrize("name", few(TITLES, 2))
 def test_titles_hold_no_sign_of_their_symbols(name: str) -> None:
-    page = page_of(name)
+    page = page_of(name, 0)
     page = page[: page.rindex("<script>")]
     heading = page[page.index("<h1>") : page.index("</h1>")]
     assert "<i>" in heading, "a symbol is italic in the heading"
@@ -51,7 +51,7 @@ def test_words_of_an_index_are_upright_and_its_letters_italic() -> None:
 
 def test_a_figure_that_moves_has_its_words_in_both_languages() -> None:
     """∥导路 along a guide, ∥guide."""
-    found = re.search(r'<script type="application/json" id="motion">(.*?)</script>', page_of("3-12", 4), re.S)
+    found = re.search(r'<script type="application/json" id="motion">(.*?)</script>', page_of("3-12", 2), re.S)
     assert found is not None
     told = {one["key"]: [part["lang"] for part in one["sets"]] for one in json.loads(found[1])["figures"]}
     worded = {

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.laws import few
 from vecpoly.board.paper.marks import Curve, Point
 from vecpoly.devices.cams.cam import Cam
 from vecpoly.oracle.devices.cams.shape import profile
@@ -16,7 +17,7 @@ from vecpoly.solution import solve
 CAMS = ("cam-roller-offset", "cam-flat-face", "cam-flat-arm", "cam-rocker", "cam-heart")
 
 
-@pytest.mark.parametrize("name", CAMS)
+@pytest.mark.parametrize("name", few(CAMS, 2))
 def test_the_follower_touches_the_standing_profile_at_every_station(name: str) -> None:
     solution = solve(load(name), by="exact", repeats=0)
     cam, through = solution.problem.subject, cycle(solution, 72)
@@ -40,6 +41,6 @@ def test_each_station_tells_what_was_read_there() -> None:
 
 
 def test_the_page_offers_the_walk_and_other_devices_have_steps_only() -> None:
-    pages = {name: player(solve(load(name), repeats=0)).html for name in ("cam-heart", "cam-least-circle", "5-5")}
-    assert ["从动件绕行" in html for html in pages.values()] == [True, False, False]
+    pages = {name: player(solve(load(name), repeats=0), places=4).html for name in ("cam-heart", "cam-least-circle")}
+    assert ["从动件绕行" in html for html in pages.values()] == [True, False]
     assert "Turn the crank" not in pages["cam-heart"]

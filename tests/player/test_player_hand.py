@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import product
 from math import hypot
 from pathlib import Path
 
 import pytest
 
 from tests.chromium import Page
+from tests.laws import few
 from tests.player.pages import DESK, PHONE, PLACES, data, page_of
 
 KINEMATICS, CENTRES, FORCES = "3-9", "3-1d", "4-3a"
@@ -58,7 +60,7 @@ def test_the_crank_follows_the_mouse_between_the_places_too(chrome: Page, folder
     mouse(page, "mouseReleased", *end)
     assert page.value("trace.held === null && !document.documentElement.hasAttribute('data-held')")
     told = page.value("one('#degrees').textContent")
-    assert float(told.rstrip("°")) == pytest.approx((45 - 30 * 3.4) % 360, abs=3.0)
+    assert float(told.rstrip("°")) == pytest.approx((45 - 60 * 3.4) % 360, abs=6.0)
     assert page.value("all('#turn td:last-child').some((cell) => cell.textContent.startsWith('≈'))")
 
 
@@ -76,9 +78,9 @@ def test_between_two_places_a_crank_keeps_its_length_and_a_path_passes_its_point
     page = show(chrome, folder, f"{KINEMATICS}#turn=0")
     crank = data(page, "turn.figures[0].points.find((one) => one.letter === 'B').at")
     length = hypot(*crank[0])
-    for index in (0.5, 3.25, 7.5, 11.5):
+    for index in (0.5, 2.25, 5.5):
         x, y = data(page, f"trace.spot(turn.figures[0].points.find((one) => one.letter === 'B'), {index})")
-        assert hypot(x, y) == pytest.approx(length, rel=0.005)
+        assert hypot(x, y) == pytest.approx(length, rel=0.03), "a straight way would be 13 % short"
     page.value("one('#ways button[data-letter=E]').click(); 0")
     way = data(page, "one('.way').getAttribute('d').match(/-?[\\d.]+/g).map(Number)")
     spots = set(zip(way[::2], way[1::2], strict=True))
@@ -149,17 +151,17 @@ def test_the_relative_velocity_turns_into_the_coriolis_term(calm: bool, chrome: 
         "Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "reduce"}] if calm else []
     )
     at = page.value("cut.findIndex((one) => one.turn) + 1")
-    page.value(f"player.go({at}); 0")
+    page.value("performance.now = () => -5000; 0")  # what begins now has lasted five seconds at the next picture
+    assert page.value(f"player.go({at}); all('.turned path').length") == (2 if calm else 3)
     assert page.value("all('.turned .ghost, .turned .bow').length") == 2
-    assert page.value("all('.turned path').length") == (2 if calm else 3)
     assert page.wait("all('.turned path').length === 2"), "it comes to rest"
     assert page.value("cut[player.beat - 1].turn[5]") == pytest.approx(90, abs=0.2)
 
 
-@pytest.mark.parametrize(
-    "where", [f"{KINEMATICS}#step=9", f"{KINEMATICS}#turn=3", f"{CENTRES}#turn=4", f"{FORCES}#turn=2"]
-)
-@pytest.mark.parametrize("size", [DESK, PHONE])
+WHERES = (f"{KINEMATICS}#step=9", f"{CENTRES}#turn=4", f"{KINEMATICS}#turn=3", f"{FORCES}#turn=2")
+
+
+@pytest.mark.parametrize(("where", "size"), few([*product(WHERES, (DESK, PHONE))], 3))
 def test_every_letter_can_be_read_and_no_chip_is_cut_off(
     where: str, size: tuple[int, int], chrome: Page, folder: Path
 ) -> None:
@@ -170,7 +172,7 @@ def test_every_letter_can_be_read_and_no_chip_is_cut_off(
     assert sides and all(left >= 0 and right <= size[0] for left, right in sides)
 
 
-@pytest.mark.parametrize("size", [DESK, PHONE])
+@pytest.mark.parametrize("size", few([DESK, PHONE], 2))
 def test_all_polygons_are_followed_and_fill_their_frames(size: tuple[int, int], chrome: Page, folder: Path) -> None:
     page = show(chrome, folder, f"{KINEMATICS}#turn=2", size)
     shown = "turn.figures.filter((f) => f.node.style.display !== 'none')"

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from tests.chromium import Page
+from tests.laws import few
 from tests.player.pages import page_of, solved
 from tests.texts import CRANK
 from vecpoly.player.beats import beats
@@ -32,10 +33,10 @@ def told(page: str, number: int) -> str:
     return found[0]
 
 
-@pytest.mark.parametrize("name", [KINEMATICS, FORCES])
+@pytest.mark.parametrize("name", few([KINEMATICS, FORCES], 2))
 def test_every_formula_is_read_out_in_both_languages(name: str) -> None:
     for step in solved(name).construction.steps:
-        own = told(page_of(name, lang="en"), step.number)
+        own = told(page_of(name, 0, "en"), step.number)
         lines = re.findall(r'<p class="display"[^>]*><span class="formula" role="img" ([^>]*)>', own)
         heard = [{key: unescape(text) for key, text in re.findall(r'([\w-]+)="([^"]*)"', line)} for line in lines]
         assert {(one["data-zh"], one["data-en"], one["aria-label"]) for one in heard} == {

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 import vecpoly
+from tests.laws import few
 from vecpoly.board.paper.marks import Curve, Point
 from vecpoly.errors import AssemblyError, NotAskedError, ProblemFileError
 
@@ -25,7 +26,7 @@ def posed(**data: str) -> vecpoly.Problem:
 @pytest.mark.parametrize("case", CASES["crank_rocker"], ids=lambda case: case["id"])
 def test_every_listed_solution_is_drawn(case: dict[str, Any]) -> None:
     problem = posed(**case["data"])
-    drawn = problem.solve(by="exact").construction.candidates
+    drawn = vecpoly.solve(problem, by="exact", repeats=0).construction.candidates
     assert [one.verdict for one in drawn] == ["VALID"] * len(case["solutions"])
     digits = case["digits"]
     for one, true in zip(drawn, case["solutions"], strict=True):
@@ -84,7 +85,7 @@ def test_too_few_or_too_many_data_are_told(datum: dict[str, str]) -> None:
 
 
 def test_the_best_a_stands_highest_on_the_curve_of_ten_trials() -> None:
-    figures = vecpoly.load("best-gamma").solve(by="exact").construction.figures
+    figures = vecpoly.solve(vecpoly.load("best-gamma"), by="exact", repeats=0).construction.figures
     curves = [figure for figure in figures if figure.name.startswith("gamma of A")]
     assert len(curves) == 2
     for figure in curves:
@@ -99,17 +100,18 @@ def test_the_best_a_stands_highest_on_the_curve_of_ten_trials() -> None:
         assert places["A"].imag == pytest.approx(max(at.imag for at in curve.points), rel=5e-3)
 
 
-def test_a_given_angle_is_met_close_to_the_limit_too() -> None:
-    """Four A have this γ_min, two of them 0.05 % of C₁C₂ from C₁, of which the closed solution knew one."""
-    solution = posed(K="1.25", CD="100 mm", swing="20 deg", gamma_min="2.0939 deg").solve(by="exact")
-    assert len(solution.construction.candidates) == 4 and not solution.suspect
+CLOSE = [
+    ("1.0625", "17.16 deg", "0.5 deg"),
+    ("1.25", "20 deg", "2.0939 deg"),  # two of them 0.05 % of C₁C₂ from C₁, of which the closed solution knew one
+    ("1.0625", "18.7 deg", "0.66246 deg"),
+    ("1.0625", "24.31 deg", "0.8 deg"),
+]
 
 
-@pytest.mark.parametrize("data", [("17.16 deg", "0.5 deg"), ("18.7 deg", "0.66246 deg"), ("24.31 deg", "0.8 deg")])
-def test_every_a_with_a_least_angle_of_less_than_a_degree_is_found(data: tuple[str, str]) -> None:
+@pytest.mark.parametrize(("k", "swing", "gamma"), few(CLOSE, 4))
+def test_every_a_is_found_that_meets_a_given_angle_close_to_the_limit(k: str, swing: str, gamma: str) -> None:
     """Two beside C₁, two beside the change point, where the curve of γ_min ends between two trials."""
-    swing, gamma = data
-    solution = posed(K="1.0625", CD="100 mm", swing=swing, gamma_min=gamma).solve(by="exact")
+    solution = vecpoly.solve(posed(K=k, CD="100 mm", swing=swing, gamma_min=gamma), by="exact", repeats=0)
     assert len(solution.construction.candidates) == 4 and not solution.suspect
 
 
@@ -134,7 +136,7 @@ def test_a_line_for_a_is_given_by_its_coordinate_and_a_circle_that_it_misses_is_
 
 
 def test_a_curve_that_does_not_reach_the_given_angle_says_so() -> None:
-    steps = vecpoly.load("K-crank-rocker-gamma").solve(by="exact").construction.steps
+    steps = vecpoly.solve(vecpoly.load("K-crank-rocker-gamma"), by="exact", repeats=0).construction.steps
     assert [step.section.en for step in steps if "does not reach the given value" in step.words.en] == [
         "The point $A′$ and the lengths"
     ]

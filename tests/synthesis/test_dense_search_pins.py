@@ -36,7 +36,7 @@ def turn(deg: Any) -> Any:
     return np.exp(1j * np.radians(deg))
 
 
-@settings(max_examples=often(10), deadline=None)
+@settings(max_examples=often(5), deadline=None)
 @given(seed=SEED)
 def test_no_crank_of_a_dead_centre_is_missed(seed: int) -> None:
     """B on the line A C₂ in position 2, turned back by φ₁₂ in position 1."""
@@ -50,7 +50,7 @@ def test_no_crank_of_a_dead_centre_is_missed(seed: int) -> None:
     _same([complex(at.pins["B2"] - at.pins["A"]) for at in drawn], [t * way for t in found])
 
 
-@settings(max_examples=often(10), deadline=None)
+@settings(max_examples=often(5), deadline=None)
 @given(seed=SEED)
 def test_no_driven_crank_of_a_drag_link_is_missed(seed: int) -> None:
     """C on the ray of DC in position 1, beyond D in position 2."""
@@ -63,7 +63,7 @@ def test_no_driven_crank_of_a_drag_link_is_missed(seed: int) -> None:
     _same([complex(at.pins["C1"] - at.pins["D"]) for at in drawn], [t * way for t in found])
 
 
-@settings(max_examples=often(10), deadline=None)
+@settings(max_examples=often(5), deadline=None)
 @given(seed=SEED)
 def test_no_pin_on_a_line_of_the_output_link_is_missed(seed: int) -> None:
     """Two pairs of angles; C on a line beside DE."""
@@ -89,7 +89,7 @@ def _same(drawn: list[complex], found: list[complex]) -> None:
     assert len([at for at in drawn if abs(at) < reach]) <= len(found)
 
 
-@settings(max_examples=often(10), deadline=None)
+@settings(max_examples=often(4), deadline=None)
 @given(seed=SEED)
 def test_every_bar_of_four_positions_is_as_long_in_each_and_its_pins_go_with_the_body(seed: int) -> None:
     rng = np.random.default_rng(seed)

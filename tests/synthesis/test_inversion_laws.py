@@ -68,7 +68,7 @@ def _assembled(lengths: dict[str, float], a: complex, d: complex, b: complex) ->
 
 
 @given(SEED)
-@settings(max_examples=often(12))
+@settings(max_examples=often(6))
 def test_a_linkage_on_paper_goes_through_the_given_positions(seed: int) -> None:
     draw = np.random.default_rng(seed)
     motion, pins = _motion(draw, int(draw.integers(2, 4))), (_spot(draw), _spot(draw))
@@ -87,7 +87,7 @@ def test_a_linkage_on_paper_goes_through_the_given_positions(seed: int) -> None:
 
 
 @given(SEED)
-@settings(max_examples=often(25))
+@settings(max_examples=often(10))
 def test_the_verdict_read_off_the_paper_is_that_of_the_closed_form(seed: int) -> None:
     draw = np.random.default_rng(seed)
     data = _pins_given(_motion(draw, 3), _spot(draw), _spot(draw))
@@ -138,7 +138,7 @@ def test_fixed_pins_given_are_found_again_from_the_moving_pins_that_they_give(se
 
 
 @given(SEED)
-@settings(max_examples=often(15))
+@settings(max_examples=often(6))
 def test_no_linkage_of_a_search_from_many_starts_is_missed(seed: int) -> None:
     draw = np.random.default_rng(seed)
     phi, psi = (np.round(np.cumsum(draw.uniform(10, 40, 3)), 3) for _ in range(2))

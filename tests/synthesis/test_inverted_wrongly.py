@@ -12,7 +12,7 @@ from vecpoly import Mistake, Slip
 
 
 def _drawn(problem: vecpoly.Problem, slip: Slip | None = None) -> dict[str, float]:
-    return {key: one.drawn for key, one in vecpoly.solve(problem, slip=slip, repeats=0).answers.items()}
+    return {key: one.drawn for key, one in vecpoly.solve(problem, slip=slip, repeats=0, precise=False).answers.items()}
 
 
 def test_who_inverts_forwards_gets_the_linkage_of_the_opposite_turns() -> None:
@@ -57,7 +57,7 @@ def test_a_pressure_angle_from_the_wrong_normal_is_its_complement(name: str, key
     assert wrong[answer] == pytest.approx(90.0 - _drawn(problem)[answer], abs=0.2)
 
 
-@pytest.mark.parametrize("name", few(["cam-roller-offset", "cam-rocker", "cam-heart"], 2))
+@pytest.mark.parametrize("name", few(["cam-roller-offset", "cam-rocker", "cam-heart"], 3))
 def test_of_a_cam_too_and_of_the_normal_of_the_rise_alone(name: str) -> None:
     problem = vecpoly.load(name)
     slip = next(one for one in vecpoly.slips(problem) if one.key == "mechanism alpha_rise:nn")
@@ -67,7 +67,7 @@ def test_of_a_cam_too_and_of_the_normal_of_the_rise_alone(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", few(["cam-flat-arm", "cam-flat-face", "cam-heart", "cam-rocker", "cam-roller-offset"], 2)
+    "name", few(["cam-flat-arm", "cam-flat-face", "cam-heart", "cam-rocker", "cam-roller-offset"], 5)
 )
 def test_a_cam_inverted_the_wrong_way_is_its_own_mirror_image(name: str) -> None:
     problem = vecpoly.load(name)

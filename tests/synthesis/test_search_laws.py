@@ -45,7 +45,7 @@ def count(values: Numbers, usable: npt.NDArray[np.bool_], wanted: float) -> int:
 
 
 @pytest.mark.parametrize("datum", WRITTEN)
-@settings(max_examples=often(3), deadline=None)
+@settings(max_examples=often(2), deadline=None)
 @given(k=ratios, swing=swings, share=st.floats(0.02, 0.98), side=st.sampled_from([-1, 1]))
 def test_no_crank_rocker_of_a_dense_search_is_missed(
     datum: str, k: float, swing: float, share: float, side: int
@@ -68,7 +68,7 @@ def test_no_crank_rocker_of_a_dense_search_is_missed(
     assert {len(drawn)} == counts
 
 
-@settings(max_examples=often(8), deadline=None)
+@settings(max_examples=often(4), deadline=None)
 @given(k=ratios, adc=st.floats(15, 165), frame=st.floats(40, 250))
 def test_no_other_limit_of_a_dense_search_is_missed(k: float, adc: float, frame: float) -> None:
     theta = pi * (k - 1) / (k + 1)
@@ -86,7 +86,7 @@ def test_no_other_limit_of_a_dense_search_is_missed(k: float, adc: float, frame:
 TURNS = st.floats(5, 355)
 
 
-@settings(max_examples=often(8), deadline=None)
+@settings(max_examples=often(4), deadline=None)
 @given(k=ratios, phi=TURNS, psi=TURNS, frame=st.floats(15, 50))
 def test_a_mirrored_drag_link_is_the_same(k: float, phi: float, psi: float, frame: float) -> None:
     """The other way round it takes the quick half first: from the second position, 360° − β on."""
@@ -103,7 +103,7 @@ def test_a_mirrored_drag_link_is_the_same(k: float, phi: float, psi: float, fram
     assert here[0] == there[0] and here[1] == pytest.approx(there[1], rel=1e-6)
 
 
-@settings(max_examples=often(8), deadline=None)
+@settings(max_examples=often(4), deadline=None)
 @given(one=TURNS, other=TURNS, turn=TURNS)
 def test_a_mirrored_dead_centre_is_the_same(one: float, other: float, turn: float) -> None:
     here, there = (

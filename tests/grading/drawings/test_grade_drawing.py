@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from cmath import exp, pi
 from dataclasses import replace
+from itertools import product
 
 import pytest
 
@@ -30,8 +31,7 @@ SEVERAL = ("3-9", "3-12", "A-27", "3-7a", "4-3a", "4-5")  # two six-bars, two wi
 FAIR = (Verdict.RIGHT, Verdict.CLOSE)
 
 
-@pytest.mark.parametrize("kind", few(tuple(FORMATS), 2))
-@pytest.mark.parametrize("problem", SEVERAL)
+@pytest.mark.parametrize(("problem", "kind"), few([*product(SEVERAL, FORMATS)], 7))
 def test_an_honest_drawing_is_right_in_every_format(problem: str, kind: str) -> None:
     key = key_of(problem)
     mark = marked(key, through(drawn(key.exact), kind))
@@ -47,7 +47,7 @@ def test_a_pencil_stays_within_what_students_are_allowed(problem: str) -> None:
     assert fair / len(marks) >= 0.95
 
 
-@pytest.mark.parametrize("problem", few(SEVERAL, 2))
+@pytest.mark.parametrize("problem", few(SEVERAL, 4))
 def test_another_order_of_addition_is_as_right(problem: str) -> None:
     mark = marked(key_of(problem), in_another_order(key_of(problem)))
     assert all(one.verdict is Verdict.RIGHT for one in mark.vectors) and mark.right
@@ -56,7 +56,10 @@ def test_another_order_of_addition_is_as_right(problem: str) -> None:
 @pytest.mark.parametrize("problem", few(["3-9", "3-7a", "4-3a"], 2))
 def test_every_slip_that_is_drawn_is_caught_and_most_are_named(problem: str) -> None:
     key = key_of(problem)
-    marks = [(slip, marked(key, drawn(world), declared=True)) for slip, world in few(key.worlds, 2)]
+    marks = [
+        (slip, marked(key, drawn(world), declared=True))
+        for slip, world in (few(key.worlds, 4) if len(key.worlds) >= 20 else key.worlds)
+    ]
     assert [str(slip) for slip, mark in marks if mark.right] == []
     assert [str(slip) for slip, mark in marks if mark.slip not in (None, slip)] == []
     assert sum(mark.slip == slip for slip, mark in marks) >= 0.8 * len(marks)
@@ -184,7 +187,7 @@ def test_a_polygon_that_is_not_there_is_told_as_one_thing() -> None:
 
 
 @pytest.mark.parametrize("mirror", [-1, 1])
-@pytest.mark.parametrize("problem", ["3-9", "A-27", "4-3a"])
+@pytest.mark.parametrize("problem", few(["3-9", "A-27", "4-3a"], 2))
 def test_a_mirrored_drawing_is_told_and_not_accepted(problem: str, mirror: int) -> None:
     key = key_of(problem)
     mark = marked(key, put(drawn(key.exact), lambda z: mirror * z.conjugate()))
@@ -210,7 +213,7 @@ def test_pieces_of_one_line_are_one_vector() -> None:
 
 
 @pytest.mark.parametrize("turn", [1j, -1, -1j])
-@pytest.mark.parametrize("problem", few(["3-9", "3-12", "A-27", "4-3a"], 2))
+@pytest.mark.parametrize("problem", few(["3-9", "3-12", "A-27", "4-3a"], 4))
 def test_a_sheet_that_lies_on_its_side_is_held_upright_and_left_to_a_person(problem: str, turn: complex) -> None:
     key = key_of(problem)
     mark = marked(key, put(drawn(key.exact), lambda z: turn * z))
