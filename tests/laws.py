@@ -10,7 +10,7 @@ from hypothesis import settings
 
 Case = TypeVar("Case")
 HOUSE, SOAK = 12, 1000  # examples of a law that names no number, in `make test` and in `make soak`
-MORE = 20  # times as many of a dear one in the soak
+MORE = 40  # times as many of a dear one in the soak
 
 
 def soaking() -> bool:
@@ -19,7 +19,7 @@ def soaking() -> bool:
 
 
 def often(count: int) -> int:
-    """So many examples in `make test`, twenty times as many in the soak."""
+    """So many examples in `make test`, forty times as many in the soak."""
     return count * (MORE if soaking() else 1)
 
 
