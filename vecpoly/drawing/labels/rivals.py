@@ -9,13 +9,13 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from ..standing import NOWHERE
 from .clipping import enters
 from .obstacles import Complexes, Floats, Indices
 from .want import Line, Spot, Thing, Want
 
 WRONG = 55.0  # nearer to another than to its own, with no leader to tell
 DOUBTFUL = 0.6  # mm: nearly as near
+NOWHERE = complex(np.nan, np.nan)
 REACH = 20.0  # mm from what it names within which a label without a leader stands
 PRESSED, CLEAR = 9.0, 3.2  # a number that stands on a joint; mm from its middle beyond which that costs nothing
 EDGES = 2.0  # mm between both edges of hatching
