@@ -22,6 +22,7 @@ PASSES = 8
 DEAR, GAIN = 24.0, 6.0  # what a label costs that fares badly; what must be won for others to move
 TRIED, FEW = 6, 2  # places that it tries; others that may have to move for one
 NOBODY = -2  # the number of no place
+MANY = 0.2  # of all labels: where more are in trouble, all that are near go farther off at once
 CROWDS = (0.0, 12.0, 25.0, 40.0)  # mm about a label in trouble within which labels may go farther off, if need be
 
 
@@ -74,7 +75,8 @@ def place(
         crowded = [i for i, trouble in enumerate(table.troubles) if trouble > BAD]
         if not crowded:
             break
-        sooner = {i for i in range(len(wanted)) if any(table.near(i, k) <= around for k in crowded)}
+        reach = CROWDS[-1] if len(crowded) > MANY * len(wanted) else around
+        sooner = {i for i in range(len(wanted)) if any(table.near(i, k) <= reach for k in crowded)}
         if any(not table.around.wanted[i].farther for i in sooner):
             table = table.eased(sooner)
     return tuple(table.placed(i) for i in range(len(wanted)))
