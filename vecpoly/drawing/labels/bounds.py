@@ -72,20 +72,24 @@ class Bounds:
         return Bounds(x0, y0, x1, y1).touch(other)
 
     def over(self, other: Bounds, groups: Groups) -> tuple[Indices, Indices]:
-        """The pairs (ours, theirs) that overlap; `groups`: which of ours lie close together."""
-        found = [self._over(other, some) for some in groups if some.stop > some.start]
-        if not found:
-            return np.zeros(0, dtype=np.intp), np.zeros(0, dtype=np.intp)
-        return np.concatenate([ours for ours, _ in found]), np.concatenate([theirs for _, theirs in found])
-
-    def _over(self, other: Bounds, some: slice) -> tuple[Indices, Indices]:
-        """Those of one group: first of all what of theirs lies about the whole of it."""
-        x0, y0, x1, y1 = self.x0[some], self.y0[some], self.x1[some], self.y1[some]
-        near = np.flatnonzero(
-            (other.x0 <= x1.max()) & (other.x1 >= x0.min()) & (other.y0 <= y1.max()) & (other.y1 >= y0.min())
+        """The pairs (ours, theirs) that overlap; `groups`: which of ours lie close together, all in a row."""
+        some = [group for group in groups if group.stop > group.start]
+        starts = [group.start for group in some]
+        nothing = np.zeros(0, dtype=np.intp)
+        if not some or not len(other.x0):
+            return nothing, nothing
+        low, high = (np.minimum.reduceat, np.maximum.reduceat)
+        about = Bounds(low(self.x0, starts), low(self.y0, starts), high(self.x1, starts), high(self.y1, starts))
+        near = about.meet(other)
+        found = [self._over(other, group, np.flatnonzero(row)) for group, row in zip(some, near, strict=True)]
+        return np.concatenate([nothing, *(ours for ours, _ in found)]), np.concatenate(
+            [nothing, *(theirs for _, theirs in found)]
         )
-        across = (x0[:, None] <= other.x1[near]) & (x1[:, None] >= other.x0[near])
-        across &= y0[:, None] <= other.y1[near]
-        across &= y1[:, None] >= other.y0[near]
-        ours, theirs = np.nonzero(across)
-        return ours + some.start, near[theirs]
+
+    def _over(self, other: Bounds, group: slice, near: Indices) -> tuple[Indices, Indices]:
+        """Those of one group, of what lies about the whole of it."""
+        if not len(near):
+            return near, near
+        x0, y0, x1, y1 = (side[group, None] for side in (self.x0, self.y0, self.x1, self.y1))
+        ours, theirs = np.nonzero(Bounds(x0, y0, x1, y1).touch(other.some(near)))
+        return ours + group.start, near[theirs]
