@@ -152,6 +152,8 @@ def _coarse(strokes: Sequence[Stroke]) -> list[tuple[complex, ...]]:
     """The points of each stroke, of a curve as few as are fine enough."""
     found = [stroke.points + stroke.points[:1] if stroke.closed else stroke.points for stroke in strokes]
     curved = [i for i, points in enumerate(found) if len(points) > 12]
+    if not curved:
+        return found
     xy, which = _joined([found[i] for i in curved])
     simple = shapely.simplify(shapely.linestrings(xy, indices=which), COARSE)
     for i, line in zip(curved, simple, strict=True):

@@ -117,10 +117,13 @@ def misled_here(named: Named, at: Mapping[int, complex]) -> Floats:
     wanted, centre = [named.wanted[i] for i in at], np.array(list(at.values()), dtype=complex)
     half = np.array([complex(want.width / 2, want.height / 2) for want in wanted])[:, None]
     gap = distance(centre, half, named.a, named.b) - named.radius
-    own = np.array(list(at))[:, None] == named.of
-    every = np.arange(len(named.of))
-    other = np.array([named.rivals(want, every) for want in wanted])
-    return _cost(*(np.where(which, gap, np.inf).min(axis=1) for which in (own, other)))
+    mine = np.array(list(at))[:, None] == named.of
+    own = np.where(mine, gap, np.inf).min(axis=1)
+    other, close = np.full(len(own), np.inf), (gap < own[:, None] + DOUBTFUL) & ~mine
+    for n in np.flatnonzero(close.any(axis=1)).tolist():
+        some = np.flatnonzero(close[n])
+        other[n] = gap[n, some[named.rivals(wanted[n], some)]].min(initial=np.inf)
+    return _cost(own, other)
 
 
 def _cost(own: Floats, rival: Floats) -> Floats:
