@@ -1,26 +1,21 @@
-"""What the places of a label cost by themselves; those on a leader are priced only where nearer ones are dear."""
+"""What the places of a label cost by themselves, by what they stand on."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from .labels.leading import alongside
-from .labels.obstacles import Complexes, Floats, Indices, Obstacles
+from .labels.obstacles import Complexes, Floats, Obstacles
 from .labels.rivals import Named, misled
-from .labels.spots import Spots, beside, ends, on_leaders, price_of_leader
+from .labels.spots import Spots, ends
 from .labels.want import Line, Spot, Want
 from .scene import Rect
-from .standing import Trial
 
-OUTSIDE, BEYOND_FRAME = 0.25, 60.0  # a mm beyond the drawn lines, beyond the allowed frame
+BEYOND_FRAME = 60.0  # a mm beyond the allowed frame
 IN_CROWD = 0.3  # so much of its price has what a leader crosses in a crowd: better that than a letter on a line
-BROAD, WIDENS = 8.5, 1.5  # mm: what a label so broad costs a mm beyond the drawn lines, as it may ask for another page
-BATCH = 96  # places that are weighed together, the cheapest first
-FREE = 6.0  # dearer than the cheapest place by less than this is free to choose
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,165 +30,35 @@ class Around:
     grounds: tuple[Line, ...] = ()  # edges of hatching, beside which a number is taken for the frame's
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Batch:
-    """Places of a label that cost about the same by themselves."""
-
-    numbers: Indices  # of each place among all of the label
-    total: Floats
-    trial: Trial  # as they are weighed against the other labels
-
-    @property
-    def least(self) -> float:
-        """None of them costs less, wherever the other labels stand."""
-        return float(self.total[0])
-
-
-@dataclass(eq=False)
-class Places:
-    """Some places of a label, all beside what it names or all on a leader; `first`: the number of the first of them."""
-
-    want: Want
-    first: int
-    led: bool
-    around: Around
-    _hard: Floats | None = None
-
-    @cached_property
-    def spots(self) -> Spots:
-        """Where they are."""
-        return on_leaders(self.want) if self.led else beside(self.want, self.around.drawn.centre)
-
-    @cached_property
-    def half(self) -> complex:
-        """Half the width and height of the label."""
-        return complex(self.want.width / 2, self.want.height / 2)
-
-    @cached_property
-    def _outside(self) -> Floats:
-        price = OUTSIDE if self.want.width < BROAD else WIDENS
-        return price * beyond(self.want, self.spots.centre, self.around.drawn)
-
-    def above(self, price: float) -> bool:
-        """Whether no place here costs less than this, even where it stands on nothing; of leaders that is mostly known
-        before their places are."""
-        return (self.led and price_of_leader(self.want) >= price) or self._least >= price
-
-    @cached_property
-    def _least(self) -> float:
-        return float((self.spots.cost + self._outside).min())
-
-    @property
-    def known(self) -> bool:
-        """Whether it was found already what they stand on."""
-        return self._hard is not None
-
-    @property
-    def hard(self) -> Floats:
-        """What each place stands on."""
-        if self._hard is None:
-            price((self,))
-        assert self._hard is not None
-        return self._hard
-
-    @cached_property
-    def total(self) -> Floats:
-        """The same with preference."""
-        result: Floats = self.hard + self.spots.cost + self._outside
-        return result
-
-    @cached_property
-    def _by_price(self) -> Indices:
-        return np.argsort(self.total, kind="stable")
-
-    @cached_property
-    def batches(self) -> tuple[Batch, ...]:
-        """All of them, the cheapest first."""
-        parted = (self._by_price[k : k + BATCH] for k in range(0, len(self.total), BATCH))
-        return tuple(Batch(some + self.first, self.total[some], self._trial(some)) for some in parted)
-
-    def _trial(self, some: Indices) -> Trial:
-        return Trial(self.spots.centre[some], self.half, self.spots.foot[some] if self.led else None, self.want.thing)
-
-    def cheapest(self, below: float, count: int) -> list[int]:
-        """So many of the cheapest places by themselves, those that cost less than this."""
-        return [int(at) for at in self._by_price[:count] if self.total[at] < below] if not self.above(below) else []
-
-    def among(self, at: int) -> tuple[int, int]:
-        """In which batch a place is, and which of its places it is there."""
-        return divmod(self._rank[at], BATCH)
-
-    @cached_property
-    def _rank(self) -> list[int]:
-        rank = np.empty_like(self._by_price)
-        rank[self._by_price] = np.arange(len(rank))
-        found: list[int] = rank.tolist()
-        return found
-
-    @property
-    def leaders(self) -> tuple[Complexes, Complexes]:
-        """Where the leader of each place starts and ends."""
-        return self.spots.foot, ends(self.spots.foot, self.spots.centre, self.half)
-
-
 @dataclass(frozen=True, slots=True)
-class Row:
-    """All places of one label."""
+class Stand:
+    """What each of some places stands on: lines and solids there, those between it and what is named, or that its
+    leader crosses; and what it could be taken to name."""
 
-    near: Places
-    led: Places
+    under: Floats
+    between: Floats
+    misled: Floats
 
-    @property
-    def parts(self) -> tuple[Places, Places]:
-        """Beside what the label names, and on a leader."""
-        return self.near, self.led
-
-    @classmethod
-    def of(cls, want: Want, around: Around) -> Row:
-        """Not priced yet."""
-        near = Places(want, 0, False, around)
-        return cls(near, Places(want, len(near.spots.centre), True, around))
-
-    def eased(self, want: Want, around: Around) -> Row:
-        """With the places on a leader that the label has in a crowd; those beside what it names are the same."""
-        return Row(self.near, Places(want, self.led.first, True, around))
-
-    def of_number(self, k: int) -> tuple[Places, int]:
-        """Among which places this one is, and its number there."""
-        part = self.led if k >= self.led.first else self.near
-        return part, k - part.first
-
-    @property
-    def dear(self) -> bool:
-        """Whether a leader is to be thought of, too, before it is said how free the label is."""
-        return not self.led.above(float(self.near.total.min()) + FREE)
-
-    @property
-    def freedom(self) -> int:
-        """How many places are about as good as the best."""
-        total = np.concatenate([part.total for part in self.parts]) if self.dear else self.near.total
-        return int((total < total.min() + FREE).sum())
+    def price(self, want: Want, spots: Spots, led: bool, frame: Rect | None) -> Floats:
+        """All this together, for a label that has no other place in a crowd, or for another."""
+        cost = self.under + (self.between * (IN_CROWD if led and want.farther else 1.0) + self.misled)
+        return cost if frame is None else cost + BEYOND_FRAME * beyond(want, spots.centre, frame)
 
 
-def price(places: Sequence[Places]) -> None:
-    """Find what each of these places stands on, of many labels of one figure together."""
-    if not places:
-        return
-    around = places[0].around
-    costs = priced(around.obstacles, [(part.want, part.spots.centre) for part in places])
-    led = [part for part in places if part.led]
-    crossed = dict(zip(map(id, led), _crossed(around.obstacles, led), strict=True))
-    near = [part for part in places if not part.led]
-    named = Named.by(around.wanted, around.unnamed, around.grounds)
-    parted = dict(zip(map(id, near), _parted(around.obstacles, near), strict=True))
-    for part, cost in zip(places, costs, strict=True):
-        if part.led:
-            cost += crossed[id(part)] + alongside(part.want, around.obstacles, part.spots)
-        else:
-            cost += parted[id(part)] + misled(part.want, named, part.spots.centre)
-        if around.frame is not None:
-            cost += BEYOND_FRAME * beyond(part.want, part.spots.centre, around.frame)
-        part._hard = cost
+Some = tuple[Want, Spots]  # places of one label
+
+
+def stands(around: Around, near: Sequence[Some], led: Sequence[Some]) -> list[Stand]:
+    """What places beside what is named, and then those on a leader, stand on; of many labels of one figure together."""
+    if not near and not led:
+        return []
+    obstacles = around.obstacles
+    under = priced(obstacles, [(want, spots.centre) for want, spots in (*near, *led)])
+    between = (*_parted(obstacles, near), *_crossed(obstacles, led))
+    named = Named.by(around.wanted, around.unnamed, around.grounds) if near else None
+    wrong = [misled(want, named, spots.centre) for want, spots in near] if named else []
+    wrong += [alongside(want, obstacles, spots) for want, spots in led]
+    return [Stand(*one) for one in zip(under, between, wrong, strict=True)]
 
 
 def priced(obstacles: Obstacles, places: Sequence[tuple[Want, Complexes]]) -> list[Floats]:
@@ -207,27 +72,32 @@ def priced(obstacles: Obstacles, places: Sequence[tuple[Want, Complexes]]) -> li
     return [cost[some] for some in groups]
 
 
-def _parted(obstacles: Obstacles, near: Sequence[Places]) -> list[Floats]:
+def _parted(obstacles: Obstacles, near: Sequence[Some]) -> list[Floats]:
     """What stands between each place and what is named."""
     if not near:
         return []
-    counts = [len(part.spots.centre) for part in near]
-    own, groups = _repeated([part.want.own for part in near], counts), _groups(counts)
-    keep = np.repeat([part.want.radius for part in near], counts)
-    root, centre = (np.concatenate(ends) for ends in zip(*((p.spots.root, p.spots.centre) for p in near), strict=True))
+    counts = [len(spots.centre) for _, spots in near]
+    own, groups = _repeated([want.own for want, _ in near], counts), _groups(counts)
+    keep = np.repeat([want.radius for want, _ in near], counts)
+    root, centre = (np.concatenate(ends) for ends in zip(*((s.root, s.centre) for _, s in near), strict=True))
     cost = obstacles.parted(root, keep, centre, (own[:, 0], own[:, 1]), groups)
     return [cost[some] for some in groups]
 
 
-def _crossed(obstacles: Obstacles, led: Sequence[Places]) -> list[Floats]:
+def _crossed(obstacles: Obstacles, led: Sequence[Some]) -> list[Floats]:
     """What the leader of each place crosses."""
     if not led:
         return []
-    counts = [len(part.spots.centre) for part in led]
-    own, groups = _repeated([part.want.own for part in led], counts), _groups(counts)
-    foot, end = (np.concatenate(ends) for ends in zip(*(part.leaders for part in led), strict=True))
+    counts = [len(spots.centre) for _, spots in led]
+    own, groups = _repeated([want.own for want, _ in led], counts), _groups(counts)
+    foot, end = (np.concatenate(ends) for ends in zip(*(_leaders(*one) for one in led), strict=True))
     cost = obstacles.crossings(foot, end, (own[:, 0], own[:, 1]), groups)
-    return [cost[some] * (IN_CROWD if part.want.farther else 1.0) for part, some in zip(led, groups, strict=True)]
+    return [cost[some] for some in groups]
+
+
+def _leaders(want: Want, spots: Spots) -> tuple[Complexes, Complexes]:
+    """Where the leader of each place starts and ends."""
+    return spots.foot, ends(spots.foot, spots.centre, complex(want.width / 2, want.height / 2))
 
 
 def _repeated(pairs: Sequence[tuple[complex, complex]], counts: Sequence[int]) -> Complexes:

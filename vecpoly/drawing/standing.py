@@ -1,166 +1,170 @@
-"""Where the labels of a figure stand while they look for their places, and what they cost each other."""
+"""Where the labels of a figure stand while they look for their places, and what they cost each other there."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from math import isnan
+from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
-from .labels.clipping import enters
-from .labels.obstacles import Complexes, Floats, Indices, crossed
-from .labels.spots import ends
-from .labels.want import Thing
-from .scene import Rect
+from .clashes import Others, Trial, clashes
+from .labels.obstacles import Floats, Indices
+from .stood import Stood
 
-APART = 0.7  # mm between two labels
-AS_ONE, MISREAD = 1.8, 39.0  # mm side by side below which two labels are read as one, and what that costs
-STACK, STACKED = 1.3, 12.0  # mm one over the other below which they look like a fraction, and what that costs
-FRACTION, READ_SO = 3.2, 30.0  # the same of the letter of a point and the number of a link: D over 4
-TIGHT = 0.9  # mm one over the other below which they are taken for one
-_OVER = {Thing.POINT: Thing.LINK, Thing.LINK: Thing.POINT}
-OVERLAP, PER_AREA = 120.0, 8.0
-LEADER_ON_LABEL, LEADERS_CROSS = 180.0, 80.0  # a letter struck through is read wrongly, dearer than one on a line
-CLEAR = 0.4  # mm between a leader and lettering that is not its own
-NOWHERE = complex(np.nan, np.nan)
 AWAY = -1  # of another label: standing nowhere near
+PAIRS = 24  # of places and other labels that are weighed one by one, before all of a batch are
+ROUNDING = 1e-6
 
-
-@dataclass(frozen=True, slots=True)
-class Trial:
-    """Places of one label: their middles, half its size, the feet of their leaders where they have any."""
-
-    centre: Complexes
-    half: complex
-    foot: Complexes | None
-    thing: Thing = Thing.OTHER
-
-    @property
-    def span(self) -> Rect:
-        """The rectangle about them all."""
-        middles, half = _about(self.centre), self.half
-        about = Rect(middles.x0 - half.real, middles.y0 - half.imag, middles.x1 + half.real, middles.y1 + half.imag)
-        return about if self.foot is None else about | _about(self.foot)
+Pair = tuple[int, int, int, int]  # two labels, each with the number of its place
 
 
 @dataclass(slots=True)
 class Standing:
-    """Each label's place now, by number (-1: none yet), its middle, half its size, the foot of its leader."""
+    """Each label's place now, by number (-1: none yet), and the label there."""
 
     chosen: list[int]
-    centre: Complexes
-    half: Complexes
-    foot: Complexes
-    reach: list[Rect]  # of each label all that belongs to it
-    things: NDArray[np.object_]  # what each names
+    stood: list[Stood | None]
     moves: list[int]  # the labels that were put somewhere, the last one last
 
     @classmethod
-    def nowhere(cls, things: Sequence[Thing]) -> Standing:
+    def nowhere(cls, count: int) -> Standing:
         """No label has a place yet."""
-        count, named = len(things), np.array(things, dtype=object)
-        centre, half, foot = np.full((3, count), NOWHERE)
-        return cls([AWAY] * count, centre, half, foot, [Rect(np.nan, np.nan, np.nan, np.nan)] * count, named, [])
+        return cls([AWAY] * count, [None] * count, [])
 
-    def put(self, i: int, place: int, centre: complex, half: complex, foot: complex) -> None:
-        """Label i stands here; foot: of its leader, nan where it has none."""
-        self.chosen[i], self.centre[i], self.half[i], self.foot[i] = place, centre, half, foot
-        low, high = centre - half, centre + half
-        reach = Rect(low.real, low.imag, high.real, high.imag)
-        self.reach[i] = reach if isnan(foot.real) else reach | Rect(foot.real, foot.imag, foot.real, foot.imag)
+    def put(self, i: int, place: int, one: Stood) -> None:
+        """Label i stands here."""
+        self.chosen[i], self.stood[i] = place, one
         self.moves.append(i)
 
-    def place_in(self, span: Rect, i: int) -> int:
+    def place_in(self, low: complex, high: complex, i: int) -> int:
         """The place of a label where that reaches into a rectangle, or nearly; else AWAY."""
-        own = self.reach[i]
-        level = own.x0 < span.x1 + AS_ONE and own.x1 > span.x0 - AS_ONE
-        return self.chosen[i] if level and own.y0 < span.y1 + FRACTION and own.y1 > span.y0 - FRACTION else AWAY
-
-    def clashes(self, trial: Trial, others: Indices) -> Floats:
-        """What some places of a label cost for each of these others where they are now; shape (places, others)."""
-        half = trial.half
-        mine, c, size, led = trial.centre[:, None], self.centre[others], self.half[others], self.foot[others]
-        apart = mine - c
-        dx = size.real + half.real + APART - np.abs(apart.real)
-        dy = size.imag + half.imag + APART - np.abs(apart.imag)
-        level = dy > 0
-        cost: Floats = np.where((dx > 0) & level, OVERLAP + PER_AREA * dx * dy, 0.0)
-        cost += np.where((dx <= 0) & (dx > APART - AS_ONE) & level, MISREAD, 0.0)
-        over = (dy <= 0) & (dx > APART)
-        cost += np.where(over & (dy > APART - STACK), np.where(dy > APART - TIGHT, MISREAD, STACKED), 0.0)
-        fraction = over & (dy > APART - FRACTION)
-        cost += np.where(fraction & self._as_fraction(trial.thing, others), READ_SO, 0.0)
-        if trial.foot is not None:
-            start, end = trial.foot[:, None], ends(trial.foot, trial.centre, half)[:, None]
-            cost += LEADER_ON_LABEL * _struck(start, end, c, size)
-        theirs = np.flatnonzero(~np.isnan(led.real))
-        if len(theirs):
-            feet, tips = led[theirs], ends(led[theirs], c[theirs], size[theirs])
-            cost[:, theirs] += LEADER_ON_LABEL * _struck(feet, tips, mine, half)
-            if trial.foot is not None:
-                cost[:, theirs] += LEADERS_CROSS * crossed(start, end, feet, tips)
-        return cost
-
-    def _as_fraction(self, thing: Thing, others: Indices) -> NDArray[np.bool_]:
-        """Which of them make a fraction with a label of this kind: a letter over a number, a number over a letter."""
-        return np.asarray(self.things[others] == _OVER.get(thing), dtype=bool)
+        one = self.stood[i]
+        return self.chosen[i] if one is not None and one.nears(low, high) else AWAY
 
 
+@dataclass(eq=False)
 class Meeting:
-    """What the places of label i cost for the other labels where it last saw them: only who moved is weighed again, and
-    who came back to where it was seen before costs the same."""
+    """What the places of label i cost for the other labels where it last saw them: only who moved is weighed again, who
+    came back to where it was seen before costs the same, and at most places it is clear without that that they are
+    too dear.
 
-    def __init__(self, trial: Trial, i: int, count: int) -> None:
-        self._trial, self._i, self._span = trial, i, trial.span
+    pairs: what labels cost each other, of all meetings of a figure. Of one that costs no place anything None is known.
+    """
+
+    trial: Trial
+    numbers: list[int]  # of each place
+    i: int
+    count: int
+    pairs: dict[Pair, float] = field(default_factory=dict)
+    _known: dict[tuple[int, int], Floats | None] = field(
+        default_factory=dict
+    )  # by the other and its place; None: nothing
+
+    def __post_init__(self) -> None:
+        self._low, self._high = self.trial.span
         self._moves = 0  # that it knows of
-        self._seen = [AWAY] * count
-        self._each = np.zeros((len(trial.centre), count))
-        self._known: dict[tuple[int, int], Floats] = {}  # by the other label and its place
-        self.cost: Floats = np.zeros(len(trial.centre))
+        self._last: list[Stood | None] = [None] * self.count
+        self._seen = [AWAY] * self.count
+        self._each = np.zeros((len(self.numbers), self.count))
+        self._new, self._dear = set[int](), set[int]()  # the others that are not weighed yet; that cost anything
+        self._sum: Floats | None = np.zeros(len(self.numbers))
 
     def again(self) -> Meeting:
         """The same while nobody stands anywhere."""
-        fresh = Meeting(self._trial, self._i, len(self._seen))
-        fresh._known = self._known
-        return fresh
+        return Meeting(self.trial, self.numbers, self.i, self.count, self.pairs, self._known)
 
     def look(self, standing: Standing) -> None:
-        """See who has moved since; what those cost that count is then found anew."""
-        moved = False
-        fresh = list[int]()
-        for k in {*standing.moves[self._moves :]} - {self._i}:
-            now = standing.place_in(self._span, k)
+        """See who has moved since."""
+        if self._moves == len(standing.moves):
+            return
+        for k in {*standing.moves[self._moves :]}:
+            one = standing.stood[k]
+            if one is self._last[k] or k == self.i:
+                continue
+            self._last[k], now = one, standing.place_in(self._low, self._high, k)
             if now == self._seen[k]:
                 continue
-            self._seen[k], moved = now, True
-            if now == AWAY:
-                self._each[:, k] = 0.0
-            elif (known := self._known.get((k, now))) is not None:
-                self._each[:, k] = known
-            else:
-                fresh.append(k)
+            self._seen[k] = now
+            self._new.discard(k)
+            if k in self._dear:
+                self._each[:, k], self._sum = 0.0, None
+                self._dear.remove(k)
+            if now != AWAY and (k, now) not in self._known:
+                self._new.add(k)
+            elif now != AWAY and (known := self._known[k, now]) is not None:
+                self._set(k, known)
         self._moves = len(standing.moves)
-        if fresh:
-            self._weigh(standing, fresh)
-        if moved:
-            self.cost = self._each.sum(axis=1)
 
-    def _weigh(self, standing: Standing, others: list[int]) -> None:
-        found = self._each[:, others] = standing.clashes(self._trial, np.array(others))
-        self._known |= {(k, self._seen[k]): one for k, one in zip(others, found.T.copy(), strict=True)}
+    def _set(self, k: int, known: Floats) -> None:
+        self._each[:, k], self._sum = known, None
+        self._dear.add(k)
 
-    def whom(self, place: int) -> list[int]:
-        """The other labels that make this place dear, as they were last seen."""
-        return [int(k) for k in np.flatnonzero(self._each[place])]
+    @property
+    def least(self) -> Floats:
+        """What the places cost at least: those are not counted that are not weighed yet."""
+        if self._sum is None:
+            self._sum = self._each.sum(axis=1)
+        return self._sum
 
+    def cost(self, standing: Standing) -> Floats:
+        """What the places cost."""
+        new = sorted(self._new)
+        if new:
+            found = clashes(self.trial, Others.of([one for k in new if (one := standing.stood[k]) is not None]))
+            for k, column in zip(new, found.T.copy(), strict=True):
+                known = self._known[k, self._seen[k]] = column if column.any() else None
+                if known is not None:
+                    self._set(k, known)
+            self._new.clear()
+        return self.least
 
-def _about(points: Complexes) -> Rect:
-    x, y = points.real, points.imag
-    return Rect(float(x.min()), float(y.min()), float(x.max()), float(y.max()))
+    def at(self, place: int, standing: Standing) -> float:
+        """What one of the places costs."""
+        return float(self._row(place, standing).sum() if self._new else self.least[place])
 
+    def whom(self, place: int, standing: Standing) -> list[int]:
+        """The other labels that make this place dear."""
+        found: list[int] = np.flatnonzero(self._row(place, standing)).tolist()
+        return found
 
-def _struck(foot: Complexes, end: Complexes, centre: Complexes, half: Complexes | complex) -> Floats:
-    """1 where a leader from foot to end runs through a label, else 0."""
-    return np.where(enters(foot, end, centre, half.real + CLEAR, half.imag + CLEAR), 1.0, 0.0)
+    def _row(self, place: int, standing: Standing) -> Floats:
+        row: Floats = self._each[place]
+        if self._new:
+            row = row.copy()
+            for k in self._new:
+                row[k] = self._pair(place, k, standing)
+        return row
+
+    def _pair(self, place: int, k: int, standing: Standing) -> float:
+        mine, other = (self.i, self.numbers[place]), (k, self._seen[k])
+        key = (*mine, *other) if self.i < k else (*other, *mine)
+        if (found := self.pairs.get(key)) is None:
+            one = standing.stood[k]
+            found = self.pairs[key] = 0.0 if one is None else self.trial.one(place).meets(one)
+        return found
+
+    def cheapest(self, total: Floats, best: tuple[float, int], standing: Standing) -> tuple[float, int]:
+        """The price and the number of the cheapest place, of equal ones the first; total: what each costs by itself;
+        best: the same of a place elsewhere, where that is no dearer."""
+        bound = total + self.least
+        if self._new:
+            found = self._one_by_one(total, bound, best, standing)
+            if found is not None:
+                return found
+            bound = total + self.cost(standing)
+        low = float(bound.min())
+        return min(best, (low, min(self.numbers[at] for at in np.flatnonzero(bound == low))))
+
+    def _one_by_one(
+        self, total: Floats, bound: Floats, best: tuple[float, int], standing: Standing
+    ) -> tuple[float, int] | None:
+        """The same by what few places cost, if the others cost more in any case; None where they may not."""
+        left = PAIRS
+        order: Indices = bound.argsort()
+        for at in order.tolist():
+            if bound[at] > best[0] + ROUNDING:
+                return best
+            left -= len(self._new)
+            if left < 0:
+                return None
+            best = min(best, (float(total[at]) + self.at(at, standing), self.numbers[at]))
+        return best

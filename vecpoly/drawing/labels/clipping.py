@@ -9,13 +9,11 @@ Complexes = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 
 
-def clip(
-    a: Complexes, b: Complexes, centre: Complexes, dx: Floats | float, dy: Floats | float
-) -> tuple[Floats, NDArray[np.bool_]]:
-    """Length of each piece inside its box (centre ± dx, ± dy), and whether it enters at all."""
-    d = b - a
-    span = np.maximum(_share_inside(a - centre, d, dx, dy), 0.0)
-    return span * np.abs(d), span > 0.0
+def inside(start: Complexes, d: Complexes, dx: Floats | float, dy: Floats | float) -> tuple[Floats, NDArray[np.bool_]]:
+    """Of pieces that go by d from a start seen from the middle of a box (± dx, ± dy) the share inside it, and whether
+    they enter at all."""
+    share = np.maximum(_share_inside(start, d, dx, dy), 0.0)
+    return share, share > 0.0
 
 
 def enters(a: Complexes, b: Complexes, centre: Complexes, dx: Floats | float, dy: Floats | float) -> NDArray[np.bool_]:

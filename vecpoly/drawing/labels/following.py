@@ -14,7 +14,8 @@ from ...board.paper.marks import Ground
 from ...words import Lang
 from ..figure import Bare, Drawing, drawing
 from ..hung import hung
-from ..prices import Around, Places, Row
+from ..places import Places, Row
+from ..prices import Around
 from ..scene import Item
 from .ground import broken
 from .obstacles import Floats, Obstacles

@@ -17,14 +17,14 @@ from numpy.typing import NDArray
 
 from ..scene import Fill, Item, Layer, Stroke, TextBox
 from ..style import THIN
-from .clipping import clip
+from .bounds import Bounds, Groups
+from .clipping import inside
 from .ground import is_ground
 
 Complexes = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 Own = tuple[Complexes, Complexes]  # of each place both ends of the line that its label names
-Groups = Sequence[slice]  # which places lie close together: those of one label
 
 GAP = 0.45  # mm between lettering and a line
 ROOM = 1.1  # mm beyond which a neighbour no longer confuses
@@ -34,51 +34,6 @@ PARTED = 20.0  # a line between a label and what it names
 BESIDE = 0.25  # mm off what is named: what lies nearer is part of it
 ON_SOLID, ON_TINT = 90.0, 0.8
 CROSSING, OVER_BAR, CROSSING_SOLID = 8.4, 14.0, 30.0  # a leader over a thin line, a thick one, an arrowhead or a joint
-
-
-@dataclass(frozen=True, slots=True)
-class Bounds:
-    """The upright rectangles about many things."""
-
-    x0: Floats
-    y0: Floats
-    x1: Floats
-    y1: Floats
-
-    @classmethod
-    def between(cls, a: Complexes, b: Complexes) -> Bounds:
-        """About straight lines a -> b."""
-        return cls(
-            np.minimum(a.real, b.real),
-            np.minimum(a.imag, b.imag),
-            np.maximum(a.real, b.real),
-            np.maximum(a.imag, b.imag),
-        )
-
-    @classmethod
-    def about(cls, centre: Complexes, width: Floats, height: Floats, by: float) -> Bounds:
-        """About rectangles of one size, and `by` mm further out."""
-        x, y, w, h = centre.real, centre.imag, width / 2 + by, height / 2 + by
-        return cls(x - w, y - h, x + w, y + h)
-
-    def over(self, other: Bounds, groups: Groups) -> tuple[Indices, Indices]:
-        """The pairs (ours, theirs) that overlap; `groups`: which of ours lie close together."""
-        found = [self._over(other, some) for some in groups if some.stop > some.start]
-        if not found:
-            return np.zeros(0, dtype=np.intp), np.zeros(0, dtype=np.intp)
-        return np.concatenate([ours for ours, _ in found]), np.concatenate([theirs for _, theirs in found])
-
-    def _over(self, other: Bounds, some: slice) -> tuple[Indices, Indices]:
-        """Those of one group: first of all what of theirs lies about the whole of it."""
-        x0, y0, x1, y1 = self.x0[some], self.y0[some], self.x1[some], self.y1[some]
-        near = np.flatnonzero(
-            (other.x0 <= x1.max()) & (other.x1 >= x0.min()) & (other.y0 <= y1.max()) & (other.y1 >= y0.min())
-        )
-        across = (x0[:, None] <= other.x1[near]) & (x1[:, None] >= other.x0[near])
-        across &= y0[:, None] <= other.y1[near]
-        across &= y1[:, None] >= other.y0[near]
-        ours, theirs = np.nonzero(across)
-        return ours + some.start, near[theirs]
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +48,9 @@ class Obstacles:
     solid: NDArray[np.bool_]
     spans: Bounds  # of the pieces
     areas: Bounds  # of the polygons
+    way: Complexes  # of the pieces, from end to end
+    long: Floats
+    solids: Indices  # of the polygons
 
     @classmethod
     def of(cls, items: tuple[Item, ...]) -> Obstacles:
@@ -106,14 +64,19 @@ class Obstacles:
         ends = np.array(a, dtype=complex), np.array(b, dtype=complex)
         shapes = _polygons([_corners(item) for item in areas])
         shapely.prepare(shapes)
+        solid = np.array([_is_solid(item) for item in areas], dtype=bool)
+        way = ends[1] - ends[0]
         return cls(
             *ends,
             np.array(half, dtype=float),
             np.array(weight, dtype=float),
             shapes,
-            np.array([_is_solid(item) for item in areas], dtype=bool),
+            solid,
             Bounds.between(*ends),
             Bounds(*shapely.bounds(shapes).reshape(-1, 4).T),
+            way,
+            np.abs(way),
+            np.flatnonzero(solid),
         )
 
     def cost(self, centre: Complexes, wide: Floats, high: Floats, own: Own, groups: Groups) -> Floats:
@@ -122,14 +85,13 @@ class Obstacles:
         reach = GAP + ROOM + float(self.half.max(initial=0.0))
         box, piece = Bounds.about(centre, wide, high, reach).over(self.spans, groups)
         if len(box):
-            a, b, half = self.a[piece], self.b[piece], self.half[piece]
-            near, close = clip(a, b, centre[box], wide[box] / 2 + half + GAP + ROOM, high[box] / 2 + half + GAP + ROOM)
-            price = NEARBY * np.where(_along(a, b, own, box), 0.0, near)
-            a, b, half = a[close], b[close], half[close]
-            inside, hit = clip(
-                a, b, centre[box[close]], wide[box[close]] / 2 + half + GAP, high[box[close]] / 2 + half + GAP
-            )
-            price[close] += np.where(hit, self.weight[piece[close]] * (ON_LINE + PER_MM * inside), 0.0)
+            start, d, half = self.a[piece] - centre[box], self.way[piece], self.half[piece]
+            w, h = wide[box] / 2 + half, high[box] / 2 + half
+            near, close = inside(start, d, w + GAP + ROOM, h + GAP + ROOM)
+            price = NEARBY * np.where(self._along(own, box, piece), 0.0, near * self.long[piece])
+            within, hit = inside(start[close], d[close], w[close] + GAP, h[close] + GAP)
+            dear = self.weight[piece[close]] * (ON_LINE + PER_MM * (within * self.long[piece[close]]))
+            price[close] += np.where(hit, dear, 0.0)
             np.add.at(total, box, price)
         box, polygon = Bounds.about(centre, wide, high, 0.3).over(self.areas, groups)
         if len(box):
@@ -145,7 +107,7 @@ class Obstacles:
         start = root + (centre - root) * np.minimum((keep + BESIDE) / np.abs(centre - root), 1.0)
         place, piece = Bounds.between(start, centre).over(self.spans, groups)
         a, b = self.a[piece], self.b[piece]
-        met = crossed(start[place], centre[place], a, b) & ~_along(a, b, own, place)
+        met = crossed(start[place], centre[place], a, b) & ~self._along(own, place, piece)
         total = np.zeros(len(centre))
         total[place[met]] = PARTED
         return total
@@ -159,20 +121,39 @@ class Obstacles:
         met = crossed(start[leader], end[leader], self.a[piece], self.b[piece])
         leader, piece = leader[met], piece[met]
         if len(leader):
-            free = _along(self.a[piece], self.b[piece], own, leader)
+            free = self._along(own, leader, piece)
             np.add.at(total, leader, np.where(free, 0.0, np.where(self.half[piece] > THIN / 2, OVER_BAR, CROSSING)))
-        leader, polygon = spans.over(self.areas, groups)
-        leader, polygon = leader[self.solid[polygon]], polygon[self.solid[polygon]]
-        ends = np.stack([np.stack([start.real, start.imag], -1), np.stack([end.real, end.imag], -1)], axis=1)[leader]
-        met = shapely.intersects(self.polygons[polygon], shapely.linestrings(ends))
+        leader, solid = spans.over(self.areas.some(self.solids), groups)
+        met = self._strikes(start, end, leader, self.solids[solid])
         np.add.at(total, leader[met], CROSSING_SOLID)
         return total
+
+    def _strikes(self, start: Complexes, end: Complexes, leader: Indices, polygon: Indices) -> NDArray[np.bool_]:
+        """Which of these leaders, start -> end, meet these polygons; most pass by the rectangle about one."""
+        areas = self.areas.some(polygon)
+        from_middle, wide, high = start[leader] - areas.middle, areas.x1 - areas.x0, areas.y1 - areas.y0
+        met = inside(from_middle, (end - start)[leader], wide / 2 + BESIDE, high / 2 + BESIDE)[1]
+        here, at = np.unique(leader[met], return_inverse=True)
+        ends = np.stack([np.stack([z.real, z.imag], -1) for z in (start[here], end[here])], axis=1)
+        met[met] = shapely.intersects(self.polygons[polygon[met]], shapely.linestrings(ends)[at])
+        return met
+
+    def _along(self, own: Own, place: Indices, piece: Indices) -> NDArray[np.bool_]:
+        """Which pieces run along the lines that labels name; place: that of each piece. Many places in a row are of one
+        label."""
+        p, q = own
+        first = np.concatenate(([True], (p[1:] != p[:-1]) | (q[1:] != q[:-1]))) if len(p) else np.zeros(0, dtype=bool)
+        label = np.cumsum(first) - 1
+        along: NDArray[np.bool_] = _along(self.a, self.b, p[first, None], q[first, None])[label[place], piece]
+        return along
 
 
 def _coarse(strokes: Sequence[Stroke]) -> list[tuple[complex, ...]]:
     """The points of each stroke, of a curve as few as are fine enough."""
     found = [stroke.points + stroke.points[:1] if stroke.closed else stroke.points for stroke in strokes]
     curved = [i for i, points in enumerate(found) if len(points) > 12]
+    if not curved:
+        return found
     xy, which = _joined([found[i] for i in curved])
     simple = shapely.simplify(shapely.linestrings(xy, indices=which), COARSE)
     for i, line in zip(curved, simple, strict=True):
@@ -221,9 +202,8 @@ def _boxes(centre: Complexes, width: Floats | float, height: Floats | float, by:
     return shapely.box(x - width / 2 - by, y - height / 2 - by, x + width / 2 + by, y + height / 2 + by)
 
 
-def _along(a: Complexes, b: Complexes, own: Own, which: Indices) -> NDArray[np.bool_]:
-    """Which pieces run along the line p -> q that a label names; `which`: that of each piece."""
-    p, q = own[0][which], own[1][which]
+def _along(a: Complexes, b: Complexes, p: Complexes, q: Complexes) -> NDArray[np.bool_]:
+    """Whether pieces a -> b run along lines p -> q."""
     length = np.abs(q - p)
     u = ((q - p) / np.maximum(length, 1e-6)).conjugate()
     off_a, off_b = ((a - p) * u).imag, ((b - p) * u).imag

@@ -3,15 +3,17 @@ it goes farther off, on a leader. It never shrinks: one figure has one size of t
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import inf, isnan
 
-from ..prices import Around, Places, Row, price
+from ..places import Row, cheapest, price_all
+from ..prices import Around
 from ..scene import Item, Layer, Rect, Stroke, TextBox
-from ..standing import Meeting, Standing
+from ..standing import AWAY, ROUNDING, Meeting, Pair, Standing
 from ..style import THIN, Hue
-from .obstacles import Floats, Obstacles
+from .obstacles import Obstacles
 from .spots import SHORT
 from .want import Line, Piece, Spot, Want
 
@@ -19,6 +21,8 @@ BAD = 38.0  # a label that costs more than this by where it stands is on somethi
 PASSES = 8
 DEAR, GAIN = 24.0, 6.0  # what a label costs that fares badly; what must be won for others to move
 TRIED, FEW = 6, 2  # places that it tries; others that may have to move for one
+NOBODY = -2  # the number of no place
+MANY = 0.2  # of all labels: where more are in trouble, all that are near go farther off at once
 CROWDS = (0.0, 12.0, 25.0, 40.0)  # mm about a label in trouble within which labels may go farther off, if need be
 
 
@@ -71,7 +75,8 @@ def place(
         crowded = [i for i, trouble in enumerate(table.troubles) if trouble > BAD]
         if not crowded:
             break
-        sooner = {i for i in range(len(wanted)) if any(table.near(i, k) <= around for k in crowded)}
+        reach = CROWDS[-1] if len(crowded) > MANY * len(wanted) else around
+        sooner = {i for i in range(len(wanted)) if any(table.near(i, k) <= reach for k in crowded)}
         if any(not table.around.wanted[i].farther for i in sooner):
             table = table.eased(sooner)
     return tuple(table.placed(i) for i in range(len(wanted)))
@@ -84,6 +89,7 @@ class _Table:
     around: Around
     rows: tuple[Row, ...]
     meetings: dict[tuple[int, int, int], Meeting] = field(default_factory=dict)
+    pairs: dict[Pair, float] = field(default_factory=dict)  # what two labels cost each other
 
     @classmethod
     def of(cls, around: Around) -> _Table:
@@ -97,31 +103,36 @@ class _Table:
             for i, want in enumerate(self.around.wanted)
         )
         around = replace(self.around, wanted=wanted)
-        kept = zip(wanted, self.rows, strict=True)
-        rows = tuple(row if want is row.led.want else row.eased(want, around) for want, row in kept)
-        known = ((key, one) for key, one in self.meetings.items() if rows[key[0]].parts[key[1]] is self._part(*key))
-        return _Table(around, rows, {key: one.again() for key, one in known})
-
-    def _part(self, i: int, k: int, _: int) -> Places:
-        return self.rows[i].parts[k]
+        pairs = zip(wanted, self.rows, strict=True)
+        rows = tuple(row if want is row.want else row.eased(want, around) for want, row in pairs)
+        known = {(i, k): part for i, row in enumerate(self.rows) for k, part in enumerate(row.parts)}
+        kept = {key: one.again() for key, one in self.meetings.items() if rows[key[0]].parts[key[1]] is known[key[:2]]}
+        return _Table(around, rows, kept, self.pairs)
 
     def near(self, i: int, k: int) -> float:
         """How far apart the middles of two labels stand."""
-        return float(abs(self.standing.centre[i] - self.standing.centre[k]))
+        one, other = self.standing.stood[i], self.standing.stood[k]
+        return inf if one is None or other is None else abs(one.centre - other.centre)
 
-    def _meeting(self, i: int, k: int, n: int, standing: Standing) -> Floats:
-        """What the others cost label i at a batch of its places beside what it names (k = 0), or on a leader (1)."""
-        if (i, k, n) not in self.meetings:
-            self.meetings[i, k, n] = Meeting(self.rows[i].parts[k].batches[n].trial, i, len(self.rows))
-        self.meetings[i, k, n].look(standing)
-        return self.meetings[i, k, n].cost
+    def _meeting(self, i: int, k: int, n: int, standing: Standing) -> Meeting:
+        """What the others cost label i at a batch of its places beside what it names (k = 0), or on leaders."""
+        if (meeting := self.meetings.get((i, k, n))) is None:
+            batch = self.rows[i].parts[k].batches[n]
+            meeting = Meeting(batch.trial, batch.numbers, i, len(self.rows), self.pairs)
+            self.meetings[i, k, n] = meeting
+        meeting.look(standing)
+        return meeting
+
+    def _met(self, i: int, standing: Standing) -> float:
+        """What the others cost label i where it stands."""
+        k, n, place = self.rows[i].where(standing.chosen[i])
+        return self._meeting(i, k, n, standing).at(place, standing)
 
     @cached_property
     def standing(self) -> Standing:
         """The most constrained label chooses first; then each reconsiders until none moves."""
-        standing = Standing.nowhere([want.thing for want in self.around.wanted])
-        price([row.near for row in self.rows if not row.near.known])
-        price([row.led for row in self.rows if row.dear and not row.led.known])
+        standing = Standing.nowhere(len(self.rows))
+        price_all(self.rows)
         freedom = [row.freedom for row in self.rows]
         order = sorted(range(len(self.rows)), key=lambda i: (freedom[i], i))
         for _ in range(PASSES):
@@ -140,53 +151,64 @@ class _Table:
             now = self._cost(i, standing)
             if now < DEAR:
                 continue
-            for part in row.parts:
-                better = part.cheapest(now - GAIN, TRIED)
-                if any(self._makes_room(i, part, at, now, standing) for at in better):
+            for parts in ((row.near,), row.led):
+                better = cheapest(parts, now - GAIN, TRIED)
+                if any(self._makes_room(i, number, now, standing) for number in better):
                     break
 
-    def _makes_room(self, i: int, part: Places, at: int, now: float, standing: Standing) -> bool:
+    def _makes_room(self, i: int, number: int, now: float, standing: Standing) -> bool:
         """Whether label i stands better at this place together with those that have to move; if not they stay."""
-        batch, place = part.among(at)
-        self._meeting(i, int(part.led), batch, standing)
-        others = self.meetings[i, int(part.led), batch].whom(place)
+        k, n, place = self.rows[i].where(number)
+        others = self._meeting(i, k, n, standing).whom(place, standing)
         if not 0 < len(others) <= FEW:
             return False
-        numbers = {k: standing.chosen[k] for k in (i, *others)}
         before = now + sum(self._cost(k, standing) for k in others)
-        self._put(i, part.first + at, standing)
-        for k in others:
-            self._choose(k, standing)
-        if sum(self._cost(k, standing) for k in numbers) < before - GAIN:
+        stood = {k: standing.chosen[k] for k in (i, *others)}
+        self._put(i, number, standing)
+        there = self._moved_on(others, before - GAIN - self._bare(i, standing), standing)
+        if there and sum(self._cost(k, standing) for k in stood) < before - GAIN:
             return True
-        for k, number in numbers.items():
-            self._put(k, number, standing)
+        for k, old in stood.items():
+            self._put(k, old, standing)
         return False
+
+    def _moved_on(self, others: Sequence[int], below: float, standing: Standing) -> bool:
+        """Let these choose again one after the other; false as soon as they cannot cost less than this together."""
+        for k in others:
+            if not self._choose(k, standing, below if k == others[-1] else inf):
+                return False
+            below -= self._bare(k, standing)
+        return True
+
+    def _bare(self, i: int, standing: Standing) -> float:
+        """What label i costs where it stands, by itself."""
+        k, n, place = self.rows[i].where(standing.chosen[i])
+        return float(self.rows[i].parts[k].batches[n].total[place])
 
     def _cost(self, i: int, standing: Standing) -> float:
         """What label i costs where it stands, the others included."""
-        part, at = self.rows[i].of_number(standing.chosen[i])
-        batch, place = part.among(at)
-        return float(part.total[at] + self._meeting(i, int(part.led), batch, standing)[place])
+        return self._bare(i, standing) + self._met(i, standing)
 
-    def _choose(self, i: int, standing: Standing) -> None:
-        """Label i takes its cheapest place among the others where they are, of equal ones the first."""
-        best, number = inf, -1
+    def _choose(self, i: int, standing: Standing, below: float = inf) -> bool:
+        """Label i takes its cheapest place among the others where they are, of equal ones the first; whether it costs
+        less than this there."""
+        now = standing.chosen[i]
+        best = (inf, now) if now == AWAY else (self._cost(i, standing), now)
+        best = min(best, (below + ROUNDING, NOBODY))
         for k, part in enumerate(self.rows[i].parts):
-            if part.above(best):
+            if part.above(best[0] + ROUNDING):
                 continue
             for n, batch in enumerate(part.batches):
-                if batch.least > best:
+                if batch.least > best[0]:
                     break
-                cost = batch.total + self._meeting(i, k, n, standing)
-                low = float(cost.min())
-                best, number = min((best, number), (low, int(batch.numbers[cost == low].min())))
-        if number != standing.chosen[i]:
-            self._put(i, number, standing)
+                best = self._meeting(i, k, n, standing).cheapest(batch.total, best, standing)
+        if best[1] not in (now, NOBODY):
+            self._put(i, best[1], standing)
+        return best[1] != NOBODY
 
     def _put(self, i: int, number: int, standing: Standing) -> None:
-        part, at = self.rows[i].of_number(number)
-        standing.put(i, number, complex(part.spots.centre[at]), part.half, complex(part.spots.foot[at]))
+        k, n, place = self.rows[i].where(number)
+        standing.put(i, number, self.rows[i].parts[k].batches[n].trial.one(place))
 
     @cached_property
     def troubles(self) -> tuple[float, ...]:
@@ -194,10 +216,8 @@ class _Table:
         return tuple(self._trouble(i) for i in range(len(self.rows)))
 
     def _trouble(self, i: int) -> float:
-        k = self.standing.chosen[i]
-        part, at = self.rows[i].of_number(k)
-        batch, place = part.among(at)
-        return float(part.hard[at] + self._meeting(i, int(part.led), batch, self.standing)[place])
+        part, at = self.rows[i].of_number(self.standing.chosen[i])
+        return float(part.hard[at]) + self._met(i, self.standing)
 
     def placed(self, i: int) -> Placed:
         """Label i at its chosen place."""

@@ -9,14 +9,13 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from ..standing import NOWHERE
 from .clipping import enters
 from .obstacles import Complexes, Floats, Indices
 from .want import Line, Spot, Thing, Want
 
 WRONG = 55.0  # nearer to another than to its own, with no leader to tell
 DOUBTFUL = 0.6  # mm: nearly as near
-REACH = 20.0  # mm from what it names within which a label without a leader stands
+NOWHERE = complex(np.nan, np.nan)
 PRESSED, CLEAR = 9.0, 3.2  # a number that stands on a joint; mm from its middle beyond which that costs nothing
 EDGES = 2.0  # mm between both edges of hatching
 ON = 0.3  # mm: a point so near to a line is on it
@@ -55,16 +54,25 @@ class Named:
             fixed,
         )
 
-    def rivals(self, want: Want) -> NDArray[np.bool_]:
-        """For which of all these lines the label could be taken: others of its kind; and points, if they do not lie on
-        the line that it names."""
+    def rivals(self, want: Want, some: Indices) -> NDArray[np.bool_]:
+        """For which of some of these lines the label could be taken: others of its kind; and points, if they do not lie
+        on the line that it names."""
         if want.thing is Thing.OTHER:
-            return np.zeros(len(self.of), dtype=bool)
+            return np.zeros(len(some), dtype=bool)
         a, b = np.array([*pairwise(want.course)], dtype=complex).T
-        strange = np.abs(_on(self.points[:, None], a, b) - self.points[:, None]).min(axis=1) > ON
-        strange[: len(self.wanted)] |= [_alike(want, other) for other in self.wanted]
-        strange[self.fixed :] = want.thing is Thing.LINK
-        return np.asarray(strange[self.of])
+        things = self.of[some]
+        points = self.points[things, None]
+        strange = np.abs(_on(points, a, b) - points).min(axis=1) > ON
+        alike = [k < len(self.wanted) and _alike(want, self.wanted[k]) for k in things.tolist()]
+        result: NDArray[np.bool_] = np.where(things < self.fixed, strange | alike, want.thing is Thing.LINK)
+        return result
+
+    def about(self, low: complex, high: complex) -> Indices:
+        """Which of these lines, as thick as what is drawn there, reach into a rectangle."""
+        x0, x1 = np.minimum(self.a.real, self.b.real), np.maximum(self.a.real, self.b.real)
+        y0, y1 = np.minimum(self.a.imag, self.b.imag), np.maximum(self.a.imag, self.b.imag)
+        level = (x0 - self.radius < high.real) & (x1 + self.radius > low.real)
+        return np.flatnonzero(level & (y0 - self.radius < high.imag) & (y1 + self.radius > low.imag))
 
 
 def _near(one: Line, other: Line) -> bool:
@@ -78,14 +86,17 @@ def _alike(want: Want, other: Want) -> bool:
 
 def misled(want: Want, named: Named, centre: Complexes) -> Floats:
     """What each place of a label without a leader costs for the other things that it could be taken to name."""
-    at = np.array(want.course, dtype=complex)
-    far = np.abs(at - at.mean()).max() + REACH
-    near = np.abs(_on(np.full(len(named.a), at.mean()), named.a, named.b) - at.mean()) < far
-    rival, half = named.rivals(want) & near, complex(want.width / 2, want.height / 2)
+    at, half = np.array(want.course, dtype=complex), complex(want.width / 2, want.height / 2)
     pressed = _pressed(named, half, centre) if want.thing is Thing.LINK else np.zeros(len(centre))
-    if not rival.any():
+    if want.thing is Thing.OTHER:
         return pressed
     own = distance(centre, half, at[:-1], at[1:]).min(axis=1) - want.radius
+    reach = half + complex(1.0, 1.0) * (float(own.max()) + DOUBTFUL)
+    x, y = centre.real, centre.imag
+    near = named.about(complex(x.min(), y.min()) - reach, complex(x.max(), y.max()) + reach)
+    rival = near[named.rivals(want, near)]
+    if not len(rival):
+        return pressed
     other = distance(centre, half, named.a[rival], named.b[rival]) - named.radius[rival]
     return _cost(own, other.min(axis=1)) + pressed
 
@@ -106,9 +117,13 @@ def misled_here(named: Named, at: Mapping[int, complex]) -> Floats:
     wanted, centre = [named.wanted[i] for i in at], np.array(list(at.values()), dtype=complex)
     half = np.array([complex(want.width / 2, want.height / 2) for want in wanted])[:, None]
     gap = distance(centre, half, named.a, named.b) - named.radius
-    own = np.array(list(at))[:, None] == named.of
-    other = np.array([named.rivals(want) for want in wanted])
-    return _cost(*(np.where(which, gap, np.inf).min(axis=1) for which in (own, other)))
+    mine = np.array(list(at))[:, None] == named.of
+    own = np.where(mine, gap, np.inf).min(axis=1)
+    other, close = np.full(len(own), np.inf), (gap < own[:, None] + DOUBTFUL) & ~mine
+    for n in np.flatnonzero(close.any(axis=1)).tolist():
+        some = np.flatnonzero(close[n])
+        other[n] = gap[n, some[named.rivals(wanted[n], some)]].min(initial=np.inf)
+    return _cost(own, other)
 
 
 def _cost(own: Floats, rival: Floats) -> Floats:
@@ -119,7 +134,16 @@ def _cost(own: Floats, rival: Floats) -> Floats:
 
 def distance(centre: Complexes, half: complex | Complexes, a: Complexes, b: Complexes) -> Floats:
     """From each rectangle (centre ± half; of all, or a column) to each line a -> b, mm; shape (rectangles, lines)."""
-    c = centre[:, None]
+    spots = a == b
+    if spots.all():
+        return _outside(a - centre[:, None], half)
+    result = np.empty((len(centre), len(a)))
+    result[:, spots] = _outside(a[spots] - centre[:, None], half)
+    result[:, ~spots] = _from_lines(centre[:, None], half, a[~spots], b[~spots])
+    return result
+
+
+def _from_lines(c: Complexes, half: complex | Complexes, a: Complexes, b: Complexes) -> Floats:
     ends = np.minimum(_outside(a - c, half), _outside(b - c, half))
     corners = c[:, :, None] + np.stack([half, -half, np.conjugate(half), -np.conjugate(half)], axis=-1)
     touch = np.abs(corners - _on(corners, a[None, :, None], b[None, :, None])).min(axis=2)

@@ -15,8 +15,9 @@ DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)
 GAPS = (0.55, 0.95, 1.9, 3.0, 4.4)
 TIGHT = 2.0  # what the closest of them costs beyond its distance: a digit all but touches a thick bar there
 FAR = (5.5, 6.5, 8.0, 9.5, 11.0, 13.0)
+CROWD = (12.0, 14.2, 15.5, 16.8, 18.0), (20.0, 22.0, 24.5, 27.0, 30.0)
 # In a crowd; the usual ones come first, so that each place keeps its number.
-FARTHER = (*FAR, 12.0, 14.2, 15.5, 16.8, 18.0, 20.0, 22.0, 24.5, 27.0, 30.0)
+FARTHER = (*FAR, *CROWD[0], *CROWD[1])
 LED = 5  # from so many of the places along a line, the first, a leader may start
 LEADER = 22.0  # what resorting to a leader line costs
 LETTERED = 12.0  # what it costs beyond that for the letter of a point: first of all that stands beside its own
@@ -68,10 +69,15 @@ def beside(want: Want, middle: complex) -> Spots:
     )
 
 
-def on_leaders(want: Want) -> Spots:
-    """The places farther off."""
+def rings(want: Want) -> tuple[tuple[float, ...], ...]:
+    """How far off its leaders may be, the shortest first; those of a crowd are seldom asked for."""
+    return (FAR, *CROWD) if want.farther else (FAR,)
+
+
+def on_leaders(want: Want, ring: tuple[float, ...] | None = None) -> Spots:
+    """The places farther off; of one ring of them alone where it is said."""
     feet, number = np.array(want.feet[:LED])[:, None], np.arange(len(want.feet))[:LED, None] / len(want.feet)
-    far = np.array(FARTHER if want.farther else FAR)[:, None, None]
+    far = np.array(ring or (FARTHER if want.farther else FAR))[:, None, None]
     led = feet + _offset(DIRECTIONS, want.radius + far, _half(want), True)
     at = np.broadcast_to(feet + DIRECTIONS * (want.radius if _all_round(want) else 0.0), led.shape).ravel()
     dear = np.broadcast_to(price_of_leader(want) + PER_DISTANCE * far + PER_FRACTION * number, led.shape)
