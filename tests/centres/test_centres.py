@@ -33,7 +33,7 @@ from vecpoly.record import from_json, to_json
 from vecpoly.solution import Answer, Solution
 
 DATA: dict[str, Any] = json.loads((Path(__file__).resolve().parents[1] / "data" / "centres.json").read_text("utf-8"))
-SOME = settings(max_examples=often(15), suppress_health_check=[HealthCheck.filter_too_much])
+SOME = settings(max_examples=often(8), suppress_health_check=[HealthCheck.filter_too_much])
 FOUR_BAR = """
 id: four-bar
 title: four-bar
