@@ -60,8 +60,7 @@ def test_driven_by_that_load_the_crank_is_locked() -> None:
         exact_hand(SHORT_ARM.replace("omega: -12", "omega: 12"))
 
 
-# What the load and the friction couples leave for link 5 turns round as X_b grows: for a while the resultant of link 2
-# all but touches the circle at G, and no tangent from where it meets the line of link 5 is to be relied on.
+# What the load and the couples leave for link 5 turns as X_b grows: the resultant of link 2 all but touches G's circle.
 THROUGH_THE_CIRCLE = """
 id: x
 title: a resultant through a friction circle
