@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.label_faults import faults
-from tests.laws import often
+from tests.laws import few, often
 from tests.texts import CLASS_III
 from vecpoly import load, loads, oracle
 from vecpoly.board.paper.marks import Point, Role, Segment
@@ -193,7 +193,7 @@ def test_an_iteration_ends_where_it_arrives_and_where_it_gets_no_nearer() -> Non
 # -- crowded figures --------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("name", "phi"), [("class-iii", 90), ("class-iii", 60), ("A-30", 150)])
+@pytest.mark.parametrize(("name", "phi"), few([("class-iii", 90), ("class-iii", 60), ("A-30", 150)], 3))
 def test_of_many_centres_lines_only_the_pieces_are_drawn_where_they_cut(name: str, phi: float) -> None:
     built = at(name, phi).construction
     figure = next(f for f in built.figures if f.title.en == "Instant centres")

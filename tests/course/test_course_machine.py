@@ -19,7 +19,7 @@ from pypdfium2 import PdfDocument
 
 from tests.laws import few
 from tests.presses import Kept
-from tests.studies import course_report, machine, studied
+from tests.studies import course_report, course_text, course_words, machine, studied
 from vecpoly.algebra.quantity import number
 from vecpoly.cycle import cycle, extremes
 from vecpoly.findings.machine.running import Running, running
@@ -33,7 +33,7 @@ from vecpoly.report.course.machine.powers import powers
 from vecpoly.report.course.machine.work import pieces
 from vecpoly.words import Lang
 
-MACHINES = ("press-flywheel", "shaper-flywheel", "engine-flywheel")
+MACHINES = ("press-flywheel", "engine-flywheel", "shaper-flywheel")
 PRESS = MACHINES[0]
 CHAPTERS: dict[Lang, tuple[str, ...]] = {
     "zh": ("9机械的运转与飞轮", "10平衡", "11结论"),
@@ -63,7 +63,7 @@ def told(name: str, lang: Lang) -> tuple[str, int]:
     return "".join(pages), len(pages)
 
 
-@pytest.mark.parametrize("name", MACHINES)
+@pytest.mark.parametrize("name", few(MACHINES, 2))
 def test_the_true_motion_has_the_unevenness_for_which_the_flywheel_was_found(name: str) -> None:
     run = running_of(name)
     assert run.trial is not None and run.steady is not None and run.steady.delta is not None
@@ -71,7 +71,7 @@ def test_the_true_motion_has_the_unevenness_for_which_the_flywheel_was_found(nam
     assert abs(run.trial.missed) < 1e-8
 
 
-@pytest.mark.parametrize("name", MACHINES)
+@pytest.mark.parametrize("name", few(MACHINES, 2))
 def test_powers_of_the_loads_add_up_to_the_energy_that_the_links_gain(name: str) -> None:
     run = running_of(name)
     assert run.trial is not None
@@ -103,7 +103,7 @@ def test_the_conclusion_tells_the_flywheel_by_areas_and_exactly_where_nobody_ask
     assert number(run.surplus, 4) in told.en and "flywheel" not in told.en
 
 
-@pytest.mark.parametrize("name", MACHINES)
+@pytest.mark.parametrize("name", few(MACHINES, 2))
 def test_surplus_and_deficit_alternate_and_leave_nothing_over_a_period(name: str) -> None:
     run = running_of(name)
     parts = pieces(run)
@@ -114,7 +114,7 @@ def test_surplus_and_deficit_alternate_and_leave_nothing_over_a_period(name: str
     assert max(heights) - min(heights) == pytest.approx(run.surplus, rel=1e-9)
 
 
-@pytest.mark.parametrize("name", MACHINES)
+@pytest.mark.parametrize("name", few(MACHINES, 2))
 def test_the_shaking_force_and_moment_are_the_rates_of_the_momenta(name: str) -> None:
     """F_I = −d/dt Σ m v_S and M_I = −d/dt Σ (r_S × m v_S + J ω), by central differences."""
     problem = load(name)
@@ -178,15 +178,15 @@ def test_the_assignment_has_both_chapters_and_the_flywheel_in_twenty_to_thirty_p
 
 
 def test_a_mechanism_without_masses_and_loads_has_no_such_chapter_and_no_word_of_it() -> None:
-    text, _ = told("3-9", "zh")
-    assert "9结论" in text
+    text, _ = course_text("3-9", "zh")
+    assert re.search(r"9\s*结论", text)
     assert "机械的运转" not in text
 
 
 def test_a_report_with_loads_but_without_masses_says_why_the_chapters_are_missing() -> None:
-    text, _ = told("4-3a", "en")
-    assert "9Conclusion" in text
-    assert "Thereisnochapter“Motionofthemachine,flywheel”:nomassesaregiven" in text
+    text, _ = course_words("4-3a", "en")
+    assert re.search(r"9\s+Conclusion", text)
+    assert "There is no chapter “Motion of the machine, flywheel”: no masses are given" in text
 
 
 def test_without_a_constant_moment_of_its_own_one_is_thought_that_does_the_same_work() -> None:

@@ -101,7 +101,7 @@ def test_a_table_that_is_read_down_one_half_and_then_the_other_is_not_parted() -
 
 @pytest.mark.parametrize("name", few(["A-27", "compound-hinge-six-bar"], 2))
 def test_the_list_of_symbols_stands_on_one_page(name: str) -> None:
-    text, objects = course_text(name, "en")
-    to_flowables(text, objects.named, "en")
-    (table,) = (one for one in objects.named.values() if isinstance(one, DataTable) and one.caption == "Symbols")
+    text, objects = course_text(name, "zh")
+    to_flowables(text, objects.named, "zh")
+    (table,) = (one for one in objects.named.values() if isinstance(one, DataTable) and one.caption == "主要符号")
     assert table.undivided and len(table.rows) <= 20

@@ -20,7 +20,7 @@ from pypdf.generic import DictionaryObject
 from pypdfium2 import PdfDocument, PdfPage
 
 from tests.laws import few
-from tests.studies import course_report, stations, studied
+from tests.studies import course_report, course_words, stations, studied
 from vecpoly import oracle
 from vecpoly.algebra.formula import plain
 from vecpoly.analytic.expr import ONE, ZERO, Const, Num, Sum, Var
@@ -35,6 +35,7 @@ from vecpoly.problem.library import library
 from vecpoly.problem.load import load
 from vecpoly.report.course.results.positions import at_position
 from vecpoly.report.document import write_report
+from vecpoly.report.flow.table import DataTable
 from vecpoly.solution import solve
 
 CLOSED = {"RRR", "RRP", "RPR", "PRP", "RPP", "RRG", "gear"}
@@ -257,9 +258,9 @@ def test_the_same_course_report_is_the_same_bytes(tmp_path: Path) -> None:
 
 
 def test_a_loaded_mechanism_adds_its_reactions_and_balancing_moment() -> None:
-    with PdfDocument(course_report("4-3a", "en")) as document:
-        text = "".join(re.sub(r"\s", "", page.get_textpage().get_text_range()) for page in document).replace("∙", "·")
-    assert "Thebalancingloadandthereactions" in text and "M/(N·m)" in text
+    text, objects = course_words("4-3a", "en")
+    heads = {head for one in objects.named.values() if isinstance(one, DataTable) for head in one.header}
+    assert "The balancing load and the reactions" in text and "$M$ /(N·m)" in heads, heads
 
 
 def test_a_device_is_refused_with_the_remedy(tmp_path: Path) -> None:

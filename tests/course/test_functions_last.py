@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tests.course.test_course_models_hold import IDS, mechanisms, modelled
+from tests.course.test_course_models_hold import modelled
 from tests.each import each
+from tests.laws import few
 from vecpoly.algebra.formula import plain
 from vecpoly.analytic.equations import Equation
 from vecpoly.analytic.expr import Const, Expr, Product, Var
@@ -13,6 +14,11 @@ from vecpoly.analytic.functions import Wave, sin
 from vecpoly.analytic.numbers import numbers
 from vecpoly.errors import NoMethodError
 from vecpoly.findings.study.from_pivots import from_pivots
+from vecpoly.mechanism.model import Mechanism
+from vecpoly.problem.library import library
+from vecpoly.problem.load import load
+
+IDS = few([entry.id for entry in library()], 5)
 
 
 def products(expr: Expr) -> Iterator[Product]:
@@ -25,8 +31,11 @@ def products(expr: Expr) -> Iterator[Product]:
 
 def equations(name: str) -> Iterator[Equation]:
     """Every equation of a mechanism's model."""
+    mech = load(name).subject
+    if not isinstance(mech, Mechanism):
+        return
     try:
-        found = modelled(from_pivots(mechanisms()[name]))
+        found = modelled(from_pivots(mech))
     except NoMethodError:
         return
     yield from (

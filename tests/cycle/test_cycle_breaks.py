@@ -234,7 +234,7 @@ def test_an_angle_that_the_problem_counts_from_a_line_is_told_as_it_counts_here(
         "utf-8",
     )
     assert "is 217.35° here" in run("cycle", "turned.yaml").stdout
-    assert "counts" not in run("cycle", "A-30").stdout.lower()
+    assert "counts" not in run("cycle", "C-conveyor").stdout.lower()
 
 
 @pytest.mark.parametrize(

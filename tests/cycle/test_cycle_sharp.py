@@ -18,7 +18,7 @@ from vecpoly.cycle.unbroken import pieces
 from vecpoly.mechanism.model import Drive, Link, Mechanism, Prismatic, Revolute
 from vecpoly.problem.load import load, loads
 
-QUICK = settings(max_examples=often(8))
+QUICK = settings(max_examples=often(4))
 STEPS = st.sampled_from([13, 72, 361])
 
 
@@ -40,10 +40,10 @@ def slotted(height: float, width: float, start: float = 0.0) -> Mechanism:
 
 
 def brute(turn: Cycle, key: str) -> tuple[float, float]:
-    """Least and greatest magnitude on fifty thousand positions, and on ever finer ones about the best."""
+    """Least and greatest magnitude on twenty thousand positions, and on ever finer ones about the best."""
     found = []
     for sign in (1.0, -1.0):
-        places = np.linspace(turn.low, turn.high, 50_001)
+        places = np.linspace(turn.low, turn.high, 20_001)
         for _ in range(6):
             values = np.asarray(turn.at(key, places))
             size = sign * (np.abs(values) if np.iscomplexobj(values) else values)

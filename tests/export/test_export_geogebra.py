@@ -112,7 +112,7 @@ def same_answers(solution: Solution, known: dict[str, Any]) -> int:
     return len(solution.answers)
 
 
-@pytest.mark.parametrize("problem", few(SEVERAL, 6))
+@pytest.mark.parametrize("problem", few(SEVERAL, 9))
 @pytest.mark.parametrize("by", [1.1, 0.0, -0.27][: often(1)])
 def test_wherever_the_slider_stands_letters_and_answers_are_those_of_solve(problem: str, by: float) -> None:
     there = moved(load(problem), by)
@@ -139,7 +139,7 @@ def test_every_arc_swung_on_the_sheet_is_an_arc_of_its_radius_about_its_centre(p
         assert any(other == pytest.approx(one, rel=1e-9, abs=1e-9) for other in drawn), one
 
 
-@pytest.mark.parametrize("problem", few(SEVERAL, 6))
+@pytest.mark.parametrize("problem", few(SEVERAL, 9))
 def test_the_slider_stands_where_the_problem_puts_it_and_stays_within_its_range(problem: str) -> None:
     one = next(e for e in construction(exported(problem)) if e.find("slider") is not None)
     held, bounds = one.find("value"), one.find("slider")
@@ -203,7 +203,7 @@ def test_points_are_made_of_points_not_of_numbers() -> None:
 
 
 def test_labels_are_given_once_and_before_they_are_used() -> None:
-    for problem in few(SEVERAL, 6):
+    for problem in few(SEVERAL, 9):
         labels = [one.get("label") for one in construction(exported(problem)) if one.tag == "element"]
         assert len(labels) == len(set(labels))
 

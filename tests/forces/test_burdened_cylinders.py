@@ -49,7 +49,8 @@ def test_masses_that_vanish_leave_the_thrust_of_a_two_force_member() -> None:
     light = data_of(load("boom-thrust")) | {"find": ["F_c", "R_31", "R_42", "R_41"]}
     masses = light["masses"] | {3: {"mass": "1e-9 kg"}}
     alone, burdened = (
-        solve(problem(data), by="exact", repeats=0).answers for data in (light, light | {"masses": masses})
+        solve(problem(data), by="exact", repeats=0, precise=False).answers
+        for data in (light, light | {"masses": masses})
     )
     assert [burdened[key].drawn for key in alone] == pytest.approx([one.drawn for one in alone.values()], rel=1e-6)
 

@@ -28,7 +28,7 @@ from vecpoly.problem.problem import Problem
 
 ROOT = Path(__file__).resolve().parents[2]
 CASES = json.loads((ROOT / "tests" / "data" / "ch4.json").read_text(encoding="utf-8"))
-LAW = settings(max_examples=often(8), suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow])
+LAW = settings(max_examples=often(4), suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow])
 
 FOUR_BAR = """
 frame: {A: [0 mm, 0 mm], D: [220 mm, 10 mm]}

@@ -33,9 +33,9 @@ find: [X_b, X_b_0, R_32, R_25, R_64, R_51]
 """
 
 
-@pytest.mark.parametrize("angles", few([(47.25, 60.08), (30, 60.08), (40, 55)], 2))
+@pytest.mark.parametrize("angles", few([(47.25, 60.08), (30, 60.08), (40, 55)], 3))
 def test_where_steep_slides_help_they_are_raised_in_step_with_the_pins(angles: tuple[float, float]) -> None:
-    """With the first two det(1 − G) leaps from 0.10 to −0.85 where R_32 changes sides; nothing else does."""
+    """With the first two of these det(1 − G) leaps from 0.10 to −0.85 where R_32 changes sides; nothing else does."""
     solution = exact_hand(STEEP_SLIDES % angles)
     assert agreeing(solution) == 6
     assert solution.answers["X_b"].drawn / solution.answers["X_b_0"].drawn == pytest.approx(0.86, abs=0.02)

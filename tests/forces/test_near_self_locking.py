@@ -8,6 +8,7 @@ import pytest
 
 from tests.forces.test_pins_in_slots import agreeing, exact_hand
 from tests.generators.acting.locking import times
+from tests.laws import few
 from vecpoly import loads
 from vecpoly.cycle import cycle
 from vecpoly.errors import LockedError
@@ -49,7 +50,7 @@ def test_a_load_whose_arm_is_shorter_than_the_friction_circle_is_moved() -> None
     assert answers["X"].drawn == pytest.approx(8000 / (0.73474 + 1.21), rel=1e-4)
 
 
-@pytest.mark.parametrize("factor", [1.0, 4.0, 7.0, 9.9])
+@pytest.mark.parametrize("factor", few([1.0, 4.0, 7.0, 9.9], 3))
 def test_as_friction_grows_the_balancing_load_on_trial_is_found(factor: float) -> None:
     assert agreeing(exact_hand(times(COUPLER, factor) + "find: [X, R_12, R_23, R_34, R_14]\n")) == 5
 
@@ -59,8 +60,7 @@ def test_driven_by_that_load_the_crank_is_locked() -> None:
         exact_hand(SHORT_ARM.replace("omega: -12", "omega: 12"))
 
 
-# What the load and the friction couples leave for link 5 turns round as X_b grows: for a while the resultant of link 2
-# all but touches the circle at G, and no tangent from where it meets the line of link 5 is to be relied on.
+# What the load and the couples leave for link 5 turns as X_b grows: the resultant of link 2 all but touches G's circle.
 THROUGH_THE_CIRCLE = """
 id: x
 title: a resultant through a friction circle
@@ -214,7 +214,7 @@ friction: {A: {rho: 0.42 mm}, M: {rho: 0.37 mm}, L: {rho: 0.47 mm}, 4-6: {phi: %
 """
 
 
-@pytest.mark.parametrize("angles", [(4, 4), (5, 6), (6, 12), (10, 8)])
+@pytest.mark.parametrize("angles", few([(4, 4), (5, 6), (6, 12), (10, 8)], 2))
 def test_slides_that_bear_nothing_do_not_make_the_mechanism_locked(angles: tuple[int, int]) -> None:
     """The two slides of link 4 press with no force in equilibrium, but on trial they do, on one side or the other."""
     solution = exact_hand(BARE_LEG % angles)

@@ -31,10 +31,10 @@ def between(speed: str, turned: str) -> Problem:
     return loads(BETWEEN.replace("SPEED", speed).replace("TURNED", turned))
 
 
-@pytest.mark.parametrize("speed", ["-0.2 m/s", "0.05 m/s"])
+@pytest.mark.parametrize("speed", few(["-0.2 m/s", "0.05 m/s"], 2))
 @pytest.mark.parametrize("turned", few(["-90 deg", "200 deg", "10 deg"], 2))
 def test_a_thrust_between_two_moving_links_is_the_same_by_every_way(speed: str, turned: str) -> None:
-    solution = solve(between(speed, turned), by="exact", repeats=0)
+    solution = solve(between(speed, turned), by="exact", repeats=0, precise=False)
     assert not solution.suspect
     found = [solution.answers[key] for key in ("F_c", "F_c_power", "F_c_lever")]
     assert [one.drawn for one in found] == pytest.approx([found[0].exact] * 3, rel=1e-9)
@@ -43,14 +43,14 @@ def test_a_thrust_between_two_moving_links_is_the_same_by_every_way(speed: str, 
 
 
 def test_the_lever_has_both_ends_of_a_thrust_and_measures_between_their_lines() -> None:
-    construction = solve(between("-0.2 m/s", "-90 deg"), by="exact", repeats=0).construction
+    construction = solve(between("-0.2 m/s", "-90 deg"), by="exact", repeats=0, precise=False).construction
     pane = next(figure for figure in construction.figures if figure.name == "lever")
     arrows = [mark for mark in pane.marks if isinstance(mark, Vector) and mark.key == "F_c"]
     assert len(arrows) == 2 and abs(sum(mark.b - mark.a for mark in arrows)) < 1e-9
 
 
 def test_what_was_found_by_virtual_power_is_not_found_so_twice() -> None:
-    solution = solve(between("-0.2 m/s", "-90 deg"), by="exact", repeats=0)
+    solution = solve(between("-0.2 m/s", "-90 deg"), by="exact", repeats=0, precise=False)
     told = [step.words.en for step in solution.construction.steps if "y virtual power" in step.words.en]
     assert len(told) == 1
 
@@ -58,5 +58,5 @@ def test_what_was_found_by_virtual_power_is_not_found_so_twice() -> None:
 def test_a_cylinder_on_the_frame_has_the_lever_too() -> None:
     boom = load("boom-thrust")
     keys = ["F_c", "F_c_power", "F_c_lever"]
-    solution = solve(problem(data_of(boom) | {"find": keys}), by="exact", repeats=0)
+    solution = solve(problem(data_of(boom) | {"find": keys}), by="exact", repeats=0, precise=False)
     assert [solution.answers[key].drawn for key in keys] == pytest.approx([solution.answers["F_c"].exact] * 3, rel=1e-9)

@@ -182,9 +182,9 @@ def test_report_and_sheet_carry_a_red_box(
 def test_the_player_opens_with_the_alarm(spoilt: Callable[[Spoil], None], tmp_path: Path) -> None:
     from vecpoly.player.page import player
 
-    assert player(solve(load("3-9"), repeats=0), places=0).warning is None
+    assert player(solve(load("3-9"), repeats=0, precise=False), places=0).warning is None
     spoilt(lambda v: 1.2 * v)
-    page = player(solve(load("3-9"), repeats=0), places=0)
+    page = player(solve(load("3-9"), repeats=0, precise=False), places=0)
     assert page.warning is not None
     assert 'id="alarm"' in page.html
 
@@ -312,7 +312,7 @@ joints: [2 slides in 3]
 input: {link: 1, phi: 1 deg, omega: 4 rad/s}
 find: [v_C, an_B]
 """
-    assert not solve(loads(text), by="exact", repeats=0).suspect
+    assert not solve(loads(text), by="exact", repeats=0, precise=False).suspect
     with pytest.raises(NotAskedError, match="its lines on paper have no length") as caught:
         solve(loads(text))
     assert caught.value.code == "unreadable" and "没有长度" in caught.value.words.zh

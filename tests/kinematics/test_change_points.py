@@ -71,7 +71,7 @@ def test_a_folded_kite_stays_folded() -> None:
 
 @pytest.mark.parametrize("phi", [0.0, 1e-4, 40.0, 180.0, 277.0])
 def test_a_parallelogram_is_drawn_where_it_lies_in_one_line(phi: float) -> None:
-    found = solve(four_bar(phi, "ABCD parallelogram"), by="exact", repeats=0).answers
+    found = solve(four_bar(phi, "ABCD parallelogram"), by="exact", repeats=0, precise=False).answers
     assert found["alpha_3"].drawn == found["alpha_3"].exact == 0.0 and found["omega_3"].drawn == pytest.approx(10.0)
     assert found["v_C"].drawn == pytest.approx(0.5) and found["v_CB"].drawn == pytest.approx(0.0, abs=1e-12)
     assert found["an_C"].drawn == pytest.approx(5.0) and found["at_C"].drawn == pytest.approx(0.0, abs=1e-9)
@@ -80,7 +80,7 @@ def test_a_parallelogram_is_drawn_where_it_lies_in_one_line(phi: float) -> None:
 def test_what_no_side_can_tell_at_a_change_point_is_refused() -> None:
     for branch in ("C above AD", "ABCD antiparallelogram"):
         with pytest.raises(DeadPointError):
-            solve(four_bar(180.0, branch), by="exact", repeats=0)
+            solve(four_bar(180.0, branch), by="exact", repeats=0, precise=False)
 
 
 def test_a_parallelogram_of_unlike_sides_is_refused_with_both_lengths() -> None:
@@ -103,7 +103,7 @@ def test_a_pose_beyond_a_change_point_keeps_the_figure() -> None:
     for problem, side in ((four_bar(60, "C above AD"), 1), (four_bar(60, "C below AD"), -1)):
         (there,) = posed(problem, np.radians([250.0]))
         assert there is not None
-        assert solve(there, by="exact", repeats=0).answers["omega_3"].drawn * side > 5.9
+        assert solve(there, by="exact", repeats=0, precise=False).answers["omega_3"].drawn * side > 5.9
 
 
 def test_an_isosceles_slider_crank_runs_through_the_crank_pivot() -> None:

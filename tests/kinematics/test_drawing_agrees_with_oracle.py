@@ -27,7 +27,7 @@ angles = st.floats(-pi, pi)
 rates = st.sampled_from([-12.0, -1.0, 3.0, 10.0])
 accels = st.sampled_from([0.0, 5.0, -20.0])
 sides = st.sampled_from([Side.LEFT, Side.RIGHT])
-CHECKED = settings(max_examples=often(30), suppress_health_check=[HealthCheck.filter_too_much])
+CHECKED = settings(max_examples=often(15), suppress_health_check=[HealthCheck.filter_too_much])
 
 
 def agree(mech: Mechanism, keys: str) -> None:

@@ -129,7 +129,7 @@ find: [v_C, a_C, omega_2, alpha_2]
 def test_a_drag_link_turns_through_every_position() -> None:
     for phi in range(5, 360, 15):
         text = four_bar(ab=280, bc=350, cd=320, ad=160, phi=phi, branch="branch: [C right of BD]")
-        answers = solve(loads(text), by="exact", repeats=0).answers
+        answers = solve(loads(text), by="exact", repeats=0, precise=False).answers
         assert answers["alpha_3"].drawn == pytest.approx(answers["alpha_3"].exact, rel=1e-8, abs=1e-8)
 
 

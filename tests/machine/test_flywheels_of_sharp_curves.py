@@ -65,13 +65,13 @@ def test_near_a_change_point_drawing_and_oracle_have_the_same_flywheel(slack: fl
     _agree(solve(vecpoly.loads(text), by="exact", repeats=0, precise=False))
 
 
-@pytest.mark.parametrize("law", few(tuple(LAWS), 2))
+@pytest.mark.parametrize("law", few(tuple(LAWS), 3))
 def test_the_corners_of_a_table_over_the_stroke_are_found_on_paper(law: str) -> None:
     _agree(solve(vecpoly.loads(PISTON.replace("LAW", LAWS[law])), by="exact", repeats=0, precise=False))
 
 
 def test_a_machine_that_is_slowest_at_0_degrees_has_lost_no_digits() -> None:
-    found = solve(vecpoly.loads(PISTON.replace("LAW", LAWS["a spring"])), by="exact", repeats=0)
+    found = solve(vecpoly.loads(PISTON.replace("LAW", LAWS["a spring"])), by="exact", repeats=0, precise=False)
     assert min(found.answers["phi_min"].exact, 360 - found.answers["phi_min"].exact) < 1e-6
     assert found.answers["phi_min"].digits > 7 and found.answers["phi_min"].suspect is None
 

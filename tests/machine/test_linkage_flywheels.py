@@ -53,7 +53,7 @@ def _press() -> Problem:
     return machine(PRESS, ("J_F",), "n: 120 r/min, delta: 0.05")
 
 
-@settings(max_examples=often(8))
+@settings(max_examples=often(4))
 @given(delta=st.floats(0.01, 0.9), speed=st.floats(2.0, 50.0))
 def test_the_flywheel_of_a_demanded_unevenness_leaves_just_that(delta: float, speed: float) -> None:
     problem = _press()

@@ -6,6 +6,7 @@ from textwrap import dedent
 
 import pytest
 
+from tests.laws import few
 from vecpoly.errors import AssemblyError, EquilibriumError, NoMethodError
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.oracle.machine.answers import machine_values
@@ -55,10 +56,10 @@ def at_the_crank() -> Problem:
     return loads(dedent(text))
 
 
-def values(problem: Problem) -> dict[str, float]:
+def values(problem: Problem, keys: tuple[str, ...] = ("M_d", "dW_max", "J_F")) -> dict[str, float]:
     """What the oracle tells of the machine."""
     assert isinstance(problem.subject, Mechanism) and problem.machine is not None
-    return machine_values(problem.subject, problem.machine, ("M_d", "dW_max", "J_F"))
+    return machine_values(problem.subject, problem.machine, keys)
 
 
 def test_a_flywheel_on_the_pinion_is_that_of_the_crank_over_the_ratio_squared() -> None:
@@ -70,10 +71,10 @@ def test_a_flywheel_on_the_pinion_is_that_of_the_crank_over_the_ratio_squared() 
 
 def test_a_ratio_of_no_small_whole_numbers_has_no_period() -> None:
     with pytest.raises(EquilibriumError, match="take as input a link after whose turn all is as it was"):
-        values(at_the_pinion("M_d, dW_max, J_F", pinion=39.9713))
+        values(at_the_pinion("M_d", pinion=39.9713), ("M_d",))
 
 
-@pytest.mark.parametrize("pinion", [40, 80])
+@pytest.mark.parametrize("pinion", few([40, 80], 2))
 def test_a_press_is_drawn_through_as_many_turns_of_its_pinion_as_its_period_has(pinion: float) -> None:
     found = solve(at_the_pinion("M_d, dW_max, J_F", pinion=pinion), by="exact", repeats=0, precise=False).answers
     for answer in found.values():
@@ -81,8 +82,8 @@ def test_a_press_is_drawn_through_as_many_turns_of_its_pinion_as_its_period_has(
 
 
 def test_a_period_too_long_to_be_drawn_is_left_to_the_exact_answers() -> None:
-    problem = at_the_pinion("M_d, dW_max, J_F", pinion=10)
-    assert values(problem)["J_F"] > 0
+    problem = at_the_pinion("M_d", pinion=10)
+    assert values(problem, ("M_d",))["M_d"]
     with pytest.raises(NoMethodError, match="within 6 turns of the drive the mechanism is not back"):
         solve(problem, by="exact", repeats=0, precise=False)
 

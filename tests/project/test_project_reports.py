@@ -11,9 +11,9 @@ from tests.projects import pages, project
 from vecpoly.words import Lang
 
 ALL: list[tuple[str, Lang]] = [
-    ("design-shaper", "zh"), ("design-shaper", "en"), ("design-press", "zh"), ("design-feeder", "en")
+    ("design-feeder", "en"), ("design-shaper", "zh"), ("design-shaper", "en"), ("design-press", "zh")
 ]  # fmt: skip
-BOTH = few(ALL, 3)
+BOTH = few(ALL, 4)
 ENGLISH = [name for name, lang in BOTH if lang == "en"]
 SHEET = re.compile("打印后此线应为|50 mm when printed")  # in the title block
 

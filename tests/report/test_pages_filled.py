@@ -25,7 +25,7 @@ SHORT = (  # texts that ended on a page of little before their sheets
     *("train-differential", "parallelogram-locomotive", "planetary-sun-drives", "stepped-planet"),
     *("compound-hinge-six-bar", "whitworth-quick-return", "3-9"),
 )
-NAMES = tuple(dict.fromkeys((*few(SHORT, 2), *few(IDS, 30))))
+NAMES = tuple(dict.fromkeys((*few(SHORT, 4), *few(IDS, 60))))
 META = Metadata(title="t", subject="t", keywords=(), lang="zh")
 
 

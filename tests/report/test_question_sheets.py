@@ -70,7 +70,7 @@ def blank_of(name: str) -> tuple[Construction, tuple[Hung, ...]]:
     return frames(drawn(name).construction, drawn(name).problem)
 
 
-DRAWN = Later(lambda: [name for name in IDS if blank_of(name)[1]])
+DRAWN = Later(lambda: [name for name in few(IDS, 3) if blank_of(name)[1]])
 
 
 @each(DRAWN)
@@ -215,7 +215,7 @@ def overlaps(a: Rect, b: Rect) -> bool:
 
 @pytest.mark.parametrize(("name", "lang"), [("3-5", "zh"), ("7-3", "en"), ("2-7", "en"), ("8-5", "zh")])
 def test_the_squares_leave_no_page_of_text_empty_and_the_results_stand_at_the_foot(name: str, lang: str) -> None:
-    data = report_bytes([solve(given(name), repeats=0)], lang=lang, style="question")  # type: ignore[arg-type]
+    data = report_bytes([solve(given(name), repeats=0, precise=False)], lang=lang, style="question")  # type: ignore[arg-type]
     with pdfplumber.open(BytesIO(data)) as document:
         text = [page for page in document.pages if "50 mm" not in page.extract_text()]
         for page in text:
@@ -278,7 +278,9 @@ def test_an_equation_to_be_written_is_called_by_its_kind_once(lang: Lang) -> Non
 
 
 def test_what_a_counting_problem_asks_is_not_given_as_a_list() -> None:
-    with pdfplumber.open(BytesIO(report_bytes([solve(load("2-7"), repeats=0)], lang="en", style="question"))) as pdf:
+    with pdfplumber.open(
+        BytesIO(report_bytes([solve(load("2-7"), repeats=0, precise=False)], lang="en", style="question"))
+    ) as pdf:
         assert "Given" not in pdf.pages[0].extract_text()
 
 

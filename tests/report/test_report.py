@@ -139,7 +139,8 @@ def test_nothing_lies_outside_the_page(chinese: Path) -> None:
 @pytest.mark.parametrize("lang", few(["zh", "en"], 2))
 def test_no_page_of_text_is_nearly_empty(lang: Lang, tmp_path: Path) -> None:
     chapter = [entry.id for entry in library() if entry.path.parent.name == "ch3"]
-    half = [solve(load(name), repeats=10) for name in chapter[lang == "en" :: 2]]  # laid out alike in any language
+    names = few(chapter[lang == "en" :: 2], 3)  # laid out alike in any language
+    half = [solve(load(name), repeats=10, precise=False) for name in names]
     path = write_report(half, tmp_path / "r.pdf", lang=lang)
     with pypdfium2.PdfDocument(path) as document:
         assert len(document) > len(half)
