@@ -1,4 +1,4 @@
-"""QR codes of level Q, module by module as `segno` makes them, in a third of its time: the masks are weighed together."""
+"""QR codes of level Q, module by module as `segno` makes them, in a third of its time: all masks weighed together."""
 
 from __future__ import annotations
 
