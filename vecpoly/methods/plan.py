@@ -58,11 +58,23 @@ def drawn_alone(problem: Problem, by: Hand) -> Construction:
 
 def drawn_otherwise(problem: Problem, by: Hand, amended: Amended, paper: Paper | None = None) -> Drawn:
     """The same with amendments: what is done otherwise is meant to be off."""
+    return _alone(problem, by, amended, paper)[0]
+
+
+def drawn_beside(problem: Problem, by: Hand, paper: Paper | None = None) -> Drawn:
+    """The construction by an exact hand, with others beside it: what it reads is what an ideal hand reads."""
+    drawn, desk, readings = _alone(problem, by, AS_DRAWN, paper)
+    return drawn._replace(ideal=readings, motion=motion_of(desk))
+
+
+def _alone(
+    problem: Problem, by: Hand, amended: Amended, paper: Paper | None
+) -> tuple[Drawn, Desk, Mapping[str, Reading]]:
     with _quietly():
         problem, said = _driven(problem)
         desk = draw(problem, Board(by, scaled(problem, paper).scales, amended), said)
         readings, repeats = answered(desk, problem)
-    return Drawn(_finished(problem, by, desk, readings), repeats, {}, {}, desk.board.hands)
+    return Drawn(_finished(problem, by, desk, readings), repeats, {}, {}, desk.board.hands), desk, readings
 
 
 def sketched(problem: Problem) -> tuple[Desk, Construction]:
