@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..board.board import Board
+from ..board.board import Unwritten
 from ..board.construction import Construction, Figure, Scale
 from ..board.hand import Hand
 from ..board.otherwise.amended import Amended
@@ -39,7 +39,7 @@ def by_every_hand(problem: Problem, by: Hand, like: Construction, amended: Amend
     exchange = exchanged(problem.mechanism, stages(problem))
     drawn = replace(problem, subject=exchange.mech)
     with np.errstate(all="ignore"):
-        desk = draw(drawn, Board(by, scales, amended), exchange.said)
+        desk = draw(drawn, Unwritten(by, scales, amended), exchange.said)
         return {ask.rel.key: np.asarray(bare(_drawn(_value(desk, ask.rel)))) for ask in problem.asks}
 
 

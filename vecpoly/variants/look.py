@@ -37,7 +37,7 @@ from ..grading.derive.keyed import TURNING, answer_key
 from ..grading.key import AnswerKey, Graded, Kind
 from ..mechanism.model import Mechanism
 from ..methods.every_hand import by_every_hand
-from ..methods.plan import drawn_alone
+from ..methods.plan import drawn_roughly
 from ..mistakes import slips_of
 from ..plane.geometry import cross
 from ..problem.problem import Problem, Scales
@@ -107,7 +107,7 @@ def sketch_of(problem: Problem, like: Scales | None = None) -> Construction:
     """The construction by an exact hand; like: scales for a drawing of which only the proportions are of use."""
     if like is not None and isinstance(problem.subject, Mechanism):
         given = Scales({**like.given, **problem.scales.given})
-        return drawn_alone(replace(problem, scales=given), hand("exact"))
+        return drawn_roughly(replace(problem, scales=given), hand("exact"))
     return constructed(problem, hand("exact"), AS_DRAWN).construction
 
 
