@@ -27,9 +27,12 @@ _ADVICE = Words(
 
 def write(canvas: Any, text: str, at: Spot, em: float, *, bold: bool = False) -> float:
     """A line of text with its left end at a place; how wide it is (mm)."""
-    box = layout_words(text, em, bold)
+    box = _typed(text, em, bold)
     draw_type(canvas, box, at[0] * MM, at[1] * MM)
     return box.width
+
+
+_typed = lru_cache(maxsize=1024)(layout_words)  # on every page mostly the same
 
 
 def line(canvas: Any, a: Spot, b: Spot) -> None:
@@ -50,7 +53,7 @@ def furniture(canvas: Any, tags: tuple[int, ...], code: str, lang: Lang) -> None
         canvas._code.append(_cells(modules(code), at, QR))
     (right, _), (left, low) = QR_AT
     write(canvas, code, (right + QR + QR_QUIET, QR_AT[0][1] + 1.0), TINY)
-    write(canvas, code, (left - QR_QUIET - layout_words(code, TINY).width, low + 1.0), TINY)
+    write(canvas, code, (left - QR_QUIET - _typed(code, TINY, False).width, low + 1.0), TINY)
     _bar(canvas, lang)
 
 
