@@ -38,7 +38,7 @@ def construct(
     sketch: of this problem, where there is one (`sketched`). Raises AssemblyError, DeadPointError, NoMethodError.
     """
     with _quietly():
-        problem, said = _driven(problem)
+        problem, said = driven(problem)
         found = scaled(problem, paper)
         desk = draw(problem, Board(by, found.scales, amended), said)
         readings, repeats = answered(desk, problem)
@@ -79,7 +79,7 @@ def _drawn(
 ) -> tuple[Drawn, Desk, Mapping[str, Reading]]:
     """With nothing beside it; laid: the board for these scales."""
     with _quietly():
-        problem, said = _driven(problem)
+        problem, said = driven(problem)
         desk = draw(problem, laid(scaled(problem, paper).scales), said)
         readings, repeats = answered(desk, problem)
     board = desk.board
@@ -90,7 +90,7 @@ def sketched(problem: Problem) -> tuple[Desk, Construction]:
     """The problem drawn by an exact hand at its own scales: the desk, and what lies on it."""
     by = hand("exact")
     with _quietly():
-        problem, _ = _driven(problem)
+        problem, _ = driven(problem)
         desk = sketch_of(problem, scaled(problem).scales)
     return desk, _finished(problem, by, desk, {})
 
@@ -100,9 +100,11 @@ def _quietly() -> np.errstate:
     return np.errstate(invalid="ignore", divide="ignore", over="ignore")
 
 
-def _driven(problem: Problem) -> tuple[Problem, Mapping[Stage, Words]]:
+def driven(problem: Problem) -> tuple[Problem, Mapping[Stage, Words]]:
     """The problem with the driver that the drawing goes out from, and what is said of it."""
     exchange = exchanged(problem.mechanism, stages(problem))
+    if exchange.mech is problem.subject:
+        return problem, exchange.said
     return replace(problem, subject=exchange.mech), exchange.said
 
 
