@@ -5,33 +5,31 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import inf, nan
 from typing import TYPE_CHECKING, Any, Self, cast
-
-import numpy as np
 
 from .amend import Length, Spot, amend, found_all
 from .answer import YES_NO, Answer, plain, reading_json, small_table, told_short
-from .board.construction import Construction, LineOfAction, Reading
-from .board.hand import Hand, hand, scatter
+from .board.construction import Construction
+from .board.hand import Hand, hand
 from .board.otherwise.amended import Amended
 from .board.otherwise.slip import Slip
 from .board.paper.sizes import unfit
-from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
+from .check.alarm import Cause, contradicted, warning
 from .check.idle import idle
 from .check.precision import PLENTY, noise, sizes
-from .check.truth import ActsAt, size_of
-from .found import answered, conclusion, found_json, linkage, objection, verification
+from .drawing.sheets.paper import DrawingPaper
+from .found import conclusion, found_json, linkage, objection, verification
 from .foundation.arguments import of_kind
 from .foundation.frozen import FrozenMap
 from .mechanism.model import Mechanism
-from .methods.centres.compare import comparable
 from .methods.desk import Desk
 from .methods.drawn import Drawn
-from .names import Key, is_place
+from .methods.plan import drawn_beside
+from .plane import nominal
 from .printed.steps import as_printed
 from .problem.problem import Problem, Scales
 from .task import Task, task_of
+from .weighed import answers_of
 from .words import Words, language
 
 if TYPE_CHECKING:
@@ -128,7 +126,7 @@ def solve(
     amended = amend(readings, points, slip)
     drawn = task.draw(hand(by, seed=seed, repeats=repeats), amended, sketch)
     found_all(amended, drawn.construction.acts, readings)
-    answers = _answers(task, drawn, off, size, scatters=by == "pencil", judged=bool(repeats))
+    answers = answers_of(task, drawn, off, size, scatters=by == "pencil", judged=bool(repeats))
     if not precise and any(answer.suspect for answer in answers.values()):
         return solve(
             problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points, slip=slip, sketch=sketch
@@ -139,30 +137,20 @@ def solve(
     return Solution(problem, _warned(task, drawn._replace(construction=construction), answers), answers, told)
 
 
-def _answers(
-    task: Task, drawn: Drawn, off: Mapping[str, float], size: Mapping[str, float], *, scatters: bool, judged: bool
-) -> dict[str, Answer]:
-    """What was read beside what is exact; `judged`: by the scatter of repeated hands too."""
-    asked, answers, readings = task.asked, {}, answered(drawn.construction, task.truth.values)
-    places = {key for key, rel in asked.items() if is_place(rel)}
-    read, exact, spread = comparable(readings, task.truth.values, drawn.repeats, places)
-    ideal, true, _ = comparable({key: drawn.ideal[key] for key in readings}, task.truth.values, {}, places)
-    for key, reading in read.items():
-        reached = _expected(spread[key])
-        limit = alarm_at(reached, spread[key], scatters=scatters)
-        weighed = _weighed(
-            reading,
-            exact[key],
-            ideal[key],
-            true[key],
-            reach=limit if judged else nan,
-            noise=off[key],
-            size=size[key],
-            steady=not scatters,
-        )
-        line, turns = task.truth.lines.get(key), reading.unit in task.turning
-        answers[key] = _answer(asked[key], reading, exact[key], reached, line, turns, weighed)
-    return answers
+def solve_by_hands(problem: Problem, by: Hand) -> tuple[Solution, Drawn]:
+    """The solution of a linkage by an exact hand, and what hands beside it found, in one drawing; its lines end as they
+    are worked out, not as they are printed.
+
+    Raises what `solve` raises.
+    """
+    task = task_of(problem)
+    size = sizes(problem, task.truth)
+    drawn = drawn_beside(problem, by, DrawingPaper(problem.paper))
+    alone = drawn._replace(repeats={key: nominal(scalars) for key, scalars in drawn.repeats.items()})
+    answers = answers_of(task, alone, dict.fromkeys(size, 0.0), size, scatters=False, judged=False)
+    if any(answer.suspect for answer in answers.values()):
+        return solve(problem, by="exact", repeats=0), drawn
+    return Solution(problem, _warned(task, alone, answers), answers), drawn
 
 
 def _warned(task: Task, drawn: Drawn, answers: Mapping[str, Answer]) -> Construction:
@@ -199,52 +187,3 @@ def scales_of(construction: Construction) -> Scales:
 def constructed(problem: Problem, by: Hand, amended: Amended) -> Drawn:
     """The drawing alone, without the answers that check it."""
     return task_of(problem).draw(by, amended)
-
-
-def _expected(scalars: Any) -> float:
-    """3σ of the repeated hands; of none 0."""
-    repeated = np.asarray(scalars)
-    found = repeated[1:] if repeated.ndim else repeated[None]  # all hands find the same
-    found = found[np.isfinite(found)]
-    return 3.0 * scatter(found) if found.size else inf  # no repeated hand closes the polygon: nothing can be promised
-
-
-def _answer(
-    rel: Key, reading: Reading, exact: complex | float, error: float, line: ActsAt | None, turns: bool, weighed: Weighed
-) -> Answer:
-    return Answer(
-        rel=rel,
-        reading=reading,
-        drawn=reading.scalar,
-        exact=size_of(exact),
-        expected_error=error,
-        drawn_vector=reading.vector,
-        exact_vector=exact if isinstance(exact, complex) else None,
-        exact_acts=None if line is None else LineOfAction(point=line.point, tangent=line.tangent, couple=line.couple),
-        turns=turns,
-        weighed=weighed,
-    )
-
-
-def _weighed(
-    reading: Reading,
-    exact: complex | float,
-    ideal: Reading,
-    true: complex | float,
-    *,
-    reach: float,
-    noise: float,
-    size: float,
-    steady: bool,
-) -> Weighed:
-    as_vector = ideal.vector is not None and isinstance(true, complex)
-    return Weighed(
-        drawn=reading.scalar,
-        exact=size_of(exact),
-        ideal=ideal.vector if as_vector and ideal.vector is not None else ideal.scalar,
-        true=true if as_vector else size_of(true),
-        reach=reach,
-        noise=noise,
-        size=size,
-        steady=steady,
-    )

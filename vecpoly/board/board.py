@@ -35,14 +35,15 @@ from .ruler import Ruler
 from .said.unreadable import unreadable
 from .strokes import NO_ARROW, NO_LENGTH, amount, spot
 
-__all__ = ["NO_ARROW", "NO_LENGTH", "Board", "Scratch", "letters_node", "spot"]
-
+__all__ = ["NO_ARROW", "NO_LENGTH", "Board", "Scratch", "Unwritten", "letters_node", "spot"]
 
 LAID = 0.05  # mm: the least length that can be laid off with a rule
 
 
 class Board(Compass):
     """One sheet under one hand (and its repetitions), drawn as the hand would, or with amendments."""
+
+    writes = True  # whether lines are worked out in its steps
 
     def __init__(
         self,
@@ -120,18 +121,15 @@ class Board(Compass):
     def bearing(self, a: Points, b: Points) -> Points:
         """The direction from a to b read off the protractor, as a unit vector;
         a segment is read once, from either end."""
-        return self._ruler.bearing(
-            a,
-            b,
-            lambda read: traced(
-                read, self.log(done.Gauge(head=self.head(a, b), angle=amount(np.angle(nominal(read)))))
-            ),
-        )
+        return self._ruler.bearing(a, b, lambda read: traced(read, self._gauged(a, b, np.angle(nominal(read)))))
 
     def gauge(self, a: Points, b: Points) -> Reals:
         """The angle of the direction from a to b as the protractor shows it (rad)."""
         read = self.hand.gauge(np.angle(b - a))
-        return traced(read, self.log(done.Gauge(head=self.head(a, b), angle=amount(read))))
+        return traced(read, self._gauged(a, b, read))
+
+    def _gauged(self, a: Points, b: Points, angle: Reals) -> Acts:
+        return self.log(done.Gauge(head=self.head(a, b), angle=amount(angle)))
 
     def coordinates(self, at: Points, letter: str) -> Points:
         """How far a point lies to the right of the origin and above it, both read off the rule (mm)."""
@@ -211,16 +209,25 @@ class Board(Compass):
 
     def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
         """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm; it was needed when it was laid off."""
+        if not self.writes:
+            return
         mm, name = float(nominal(self.to_paper(view, quantity.value))), paper(letters_node(letters), 0.0).node
         line = worked(name, quantity / self.mu(view), "mm", f"{mm:.1f}" if abs(mm) >= LAID else number(mm, 1))
         self.write(line, when=self.laid_off(ascii_key(plain(quantity.symbol()))))
 
     def write_worked(self, node: Node, expr: Expr, unit_text: str) -> None:
         """Write symbol = formula = numbers = result into the step."""
-        self.write(worked(node, expr, unit_text))
+        if self.writes:
+            self.write(worked(node, expr, unit_text))
 
 
-class Scratch(Board):
+class Unwritten(Board):
+    """A sheet of which nobody reads the lines that are worked out: its acts count, and what every hand found."""
+
+    writes = False
+
+
+class Scratch(Unwritten):
     """Paper that is thrown away: sketches, trials. Only what stands on it counts; nobody reads its text."""
 
     def log(self, act: done.Act) -> Acts:
@@ -238,12 +245,6 @@ class Scratch(Board):
 
     def write(self, *formulas: Node, when: int | None = None) -> None:
         """Left out."""
-
-    def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
-        """Left out, and not composed."""
-
-    def write_worked(self, node: Node, expr: Expr, unit_text: str) -> None:
-        """Left out, and not composed."""
 
     def tabulate(self, listing: Listing) -> None:
         """Left out."""

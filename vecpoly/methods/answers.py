@@ -143,7 +143,7 @@ def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
         mm=float(nominal(on_paper.value)),
         line=line,
         scale=scale.symbol,
-        formula=_line(desk, rel, view, on_paper, known, exact_zero),
+        formula=_line(desk, rel, view, on_paper, known, exact_zero) if board.writes else None,
         remark=_vanishing(desk, rel, exact_zero),
     )
     return reading, size

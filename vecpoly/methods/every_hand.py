@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 import numpy as np
 
-from ..board.board import Board
+from ..board.board import Unwritten
 from ..board.construction import Construction, Figure, Scale
 from ..board.hand import Hand
 from ..board.otherwise.amended import Amended
@@ -19,9 +18,7 @@ from ..problem.problem import Problem
 from .answers import answer, named_answer
 from .desk import Desk
 from .draw import draw
-from .exchange.exchange import exchanged
-from .passes import stages
-from .plan import scale_symbols
+from .plan import driven, scale_symbols
 from .standing import computed, standing
 
 FAR = 1e6  # times the nominal length
@@ -36,10 +33,9 @@ def by_every_hand(problem: Problem, by: Hand, like: Construction, amended: Amend
     scales: dict[View, Scale] = scale_symbols() | {
         figure.view: _scale(problem, figure) for figure in like.figures if not figure.aside
     }
-    exchange = exchanged(problem.mechanism, stages(problem))
-    drawn = replace(problem, subject=exchange.mech)
+    drawn, said = driven(problem)
     with np.errstate(all="ignore"):
-        desk = draw(drawn, Board(by, scales, amended), exchange.said)
+        desk = draw(drawn, Unwritten(by, scales, amended), said)
         return {ask.rel.key: np.asarray(bare(_drawn(_value(desk, ask.rel)))) for ask in problem.asks}
 
 

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
-from ..board.board import Board
+from ..board.board import Board, Unwritten
 from ..board.construction import Construction, Reading, Scale, View
 from ..board.hand import Hand, hand
 from ..board.otherwise.amended import AS_DRAWN, Amended
-from ..board.place import views
+from ..board.place import Place, views
 from ..board.said.yielded import evaluated
 from ..problem.problem import Problem
 from ..words import Words
@@ -37,7 +38,7 @@ def construct(
     sketch: of this problem, where there is one (`sketched`). Raises AssemblyError, DeadPointError, NoMethodError.
     """
     with _quietly():
-        problem, said = _driven(problem)
+        problem, said = driven(problem)
         found = scaled(problem, paper)
         desk = draw(problem, Board(by, found.scales, amended), said)
         readings, repeats = answered(desk, problem)
@@ -56,20 +57,40 @@ def drawn_alone(problem: Problem, by: Hand) -> Construction:
     return drawn_otherwise(problem, by, AS_DRAWN).construction
 
 
+def drawn_roughly(problem: Problem, by: Hand) -> Construction:
+    """The same, of which nobody reads the lines that are worked out."""
+    return _drawn(problem, partial(Unwritten, by))[0].construction
+
+
 def drawn_otherwise(problem: Problem, by: Hand, amended: Amended, paper: Paper | None = None) -> Drawn:
     """The same with amendments: what is done otherwise is meant to be off."""
+    return _drawn(problem, partial(Board, by, amended=amended), paper)[0]
+
+
+def drawn_beside(problem: Problem, by: Hand, paper: Paper | None = None) -> Drawn:
+    """The construction by an exact hand, with others beside it: what it reads is what an ideal hand reads. Nobody reads
+    the lines that are worked out."""
+    drawn, desk, readings = _drawn(problem, partial(Unwritten, by), paper)
+    return drawn._replace(ideal=readings, motion=motion_of(desk))
+
+
+def _drawn(
+    problem: Problem, laid: Callable[[Mapping[Place, Scale]], Board], paper: Paper | None = None
+) -> tuple[Drawn, Desk, Mapping[str, Reading]]:
+    """With nothing beside it; laid: the board for these scales."""
     with _quietly():
-        problem, said = _driven(problem)
-        desk = draw(problem, Board(by, scaled(problem, paper).scales, amended), said)
+        problem, said = driven(problem)
+        desk = draw(problem, laid(scaled(problem, paper).scales), said)
         readings, repeats = answered(desk, problem)
-    return Drawn(_finished(problem, by, desk, readings), repeats, {}, {}, desk.board.hands)
+    board = desk.board
+    return Drawn(_finished(problem, board.hand, desk, readings), repeats, {}, {}, board.hands), desk, readings
 
 
 def sketched(problem: Problem) -> tuple[Desk, Construction]:
     """The problem drawn by an exact hand at its own scales: the desk, and what lies on it."""
     by = hand("exact")
     with _quietly():
-        problem, _ = _driven(problem)
+        problem, _ = driven(problem)
         desk = sketch_of(problem, scaled(problem).scales)
     return desk, _finished(problem, by, desk, {})
 
@@ -79,9 +100,11 @@ def _quietly() -> np.errstate:
     return np.errstate(invalid="ignore", divide="ignore", over="ignore")
 
 
-def _driven(problem: Problem) -> tuple[Problem, Mapping[Stage, Words]]:
+def driven(problem: Problem) -> tuple[Problem, Mapping[Stage, Words]]:
     """The problem with the driver that the drawing goes out from, and what is said of it."""
     exchange = exchanged(problem.mechanism, stages(problem))
+    if exchange.mech is problem.subject:
+        return problem, exchange.said
     return replace(problem, subject=exchange.mech), exchange.said
 
 

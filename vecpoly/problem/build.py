@@ -40,11 +40,11 @@ from .schema.models import ProblemSpec
 from .schema.validate import validate
 from .schema.warnings import warnings_of
 from .text.source import Tree
-from .values.written import written_of
+from .values.written import Written, written_of
 
 
-def build(tree: Tree, path: Path | None = None) -> Problem:
-    """The problem in this tree; raises ProblemFileError with everything that is wrong with it."""
+def build(tree: Tree, path: Path | None = None, written: Written | None = None) -> Problem:
+    """The problem in this tree; raises ProblemFileError with all that is wrong with it. written: the tree, as kept."""
     if {"device", "synthesis", "data"} & tree.data.keys() and (by_data := _by_data(tree, path)) is not None:
         return by_data
     spec, faults = _spec(tree)
@@ -81,7 +81,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         target=target,
         gate=gate,
         warnings=warnings_of(tree),
-        written=written_of(tree),
+        written=written or written_of(tree),
     )
 
 

@@ -14,9 +14,14 @@ from .values.parameters import named, other_way
 from .values.slot import Slot
 
 
-def meant_by(name: str, data: Mapping[str, Value]) -> tuple[Slot, ...]:
-    """The quantities of this name; raises UnknownNameError where there is none, or several that differ."""
-    known = named(data)
+def meant_by(
+    name: str, data: Mapping[str, Value], known: Mapping[str, tuple[Slot, ...]] | None = None
+) -> tuple[Slot, ...]:
+    """The quantities of this name; raises UnknownNameError where there is none, or several that differ.
+
+    known: all names of these data, where they were found already (`named`).
+    """
+    known = named(data) if known is None else known
     found = known.get(name) or known.get(other_way(name)) or ()
     if not found:
         short = [key for key, of in known.items() if key != of[0].full]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from decimal import Decimal
+from functools import lru_cache
 
 from ..errors import FaultError
 from ..foundation.patterns import pattern
@@ -15,6 +16,7 @@ from .meaning import meant_by
 from .ranges import Range
 from .schema.faults import Faults
 from .text.source import Value
+from .values.parameters import named
 from .values.slot import Slot
 
 SPAN = r"(\.\.|…|~|～|至)"  # between the ends
@@ -29,9 +31,11 @@ def read_ranges(written: Mapping[str, str], data: Mapping[str, Value], faults: F
     """The ranges in this mapping; what is wrong with each is noted at its place."""
     found: list[Range] = []
     touched: dict[tuple[str | int, ...], str] = {}
+    known: Mapping[str, tuple[Slot, ...]] | None = None
     for name, text in written.items():
         with faults.at("vary", name):
-            slots = meant_by(name, data)
+            known = named(data) if known is None else known
+            slots = meant_by(name, data, known)
             _once(name, slots, touched)
             found.append(_read(name, text, slots[0]))
     return tuple(found)
@@ -57,6 +61,7 @@ def _once(name: str, slots: tuple[Slot, ...], touched: dict[tuple[str | int, ...
             )
 
 
+@lru_cache(maxsize=64)
 def _read(name: str, text: str, slot: Slot) -> Range:
     """A range as written, checked against the kind of quantity."""
     found = _FORM.fullmatch(text)

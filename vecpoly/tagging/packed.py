@@ -5,10 +5,11 @@ A structure tree is made of thousands of small dictionaries; each by itself woul
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 from zlib import compress
 
-from reportlab.pdfbase.pdfdoc import PDFDocument, PDFFile
+from reportlab.pdfbase.pdfdoc import PDFDocument, PDFFile, PDFTrueTypeFont
 from reportlab.pdfbase.pdfdoc import format as formatted
 
 _STREAM = b"endstream\n"
@@ -26,7 +27,7 @@ class PackedDocument(PDFDocument):  # type: ignore[misc]
         places: dict[int, tuple[int, int, int]] = {}
         number = 0
         while (number := number + 1) in self.numberToId:  # formatting an object may make further ones
-            text = formatted(self.idToObject[self.numberToId[number]], self, toplevel=1)
+            text = formatted(_with_widths(self.idToObject[self.numberToId[number]]), self, toplevel=1)
             if text.endswith(_STREAM):
                 places[number] = (1, _add(file, number, text), 0)
             else:
@@ -50,6 +51,20 @@ class PackedDocument(PDFDocument):  # type: ignore[misc]
         entries = f"/Type/XRef/Size {number + 1}/W[1 4 2]/Root {root}/Info {info}/ID {identity}"
         start = _add(file, number, _stream(entries, rows))
         file.add(f"startxref\n{start}\n%%EOF\n".encode())
+
+
+def _with_widths(held: Any) -> Any:
+    """The object; of a font the widths of its letters, most of them alike, are told here: reportlab takes longer over
+    them than over a page."""
+    font = getattr(held, "content", None)
+    if isinstance(font, PDFTrueTypeFont):
+        font.Widths.sequence = [_number(one) for one in font.Widths.sequence]
+    return held
+
+
+@lru_cache(maxsize=4096)
+def _number(value: float | bytes) -> bytes:
+    return bytes(formatted(value, None))
 
 
 def _add(file: Any, number: int, text: bytes) -> int:

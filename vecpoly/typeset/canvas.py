@@ -15,11 +15,13 @@ class Ink:
     """Collects operators for one canvas; all lengths in points. Nothing is drawn before `flush`."""
 
     __slots__ = (
-        "_canvas", "_ends", "_font", "_inked", "_open", "_rgb", "_rules", "_spacing", "_tagged", "_text", "_under"
+        "_canvas", "_ends", "_font", "_inked", "_known", "_open", "_rgb", "_rules", "_spacing", "_tagged", "_text",
+        "_under",
     )  # fmt: skip
 
     def __init__(self, canvas: Any) -> None:
         self._canvas = canvas
+        self._known: dict[tuple[str, str], list[tuple[str, str]]] = canvas.__dict__.setdefault("_vecpoly_shown", {})
         self._under: Callable[[], tuple[str, ...]] | None = None
         self._open: Callable[[], tuple[str, ...]] | None = None
         self._ends: list[str] = []
@@ -64,14 +66,14 @@ class Ink:
 
     def _shown(self, name: str, string: str) -> list[tuple[str, str]]:
         """The string in the subsets of its face, each with the operator that shows it; found once for a canvas."""
-        known: dict[tuple[str, str], list[tuple[str, str]]] = self._canvas.__dict__.setdefault("_vecpoly_shown", {})
-        if (name, string) not in known:
+        found = self._known.get((name, string))
+        if found is None:
             font, document = load(Face(name)), self._canvas._doc
-            known[name, string] = [
+            found = self._known[name, string] = [
                 (font.getSubsetInternalName(subset, document), f"({self._canvas._escape(codes)}) Tj")
                 for subset, codes in font.splitString(string, document)
             ]
-        return known[name, string]
+        return found
 
     def _turn(self, out: list[str]) -> None:
         """Close what marked content is open, and open what is wanted."""

@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 import re
 from enum import Enum
+from functools import lru_cache
 
 from ..errors import FaultError
 from ..foundation.patterns import pattern
 from ..foundation.slotted import dataclass
 from ..limits import LEAST, MOST, MOST_ANGLE, MOST_LENGTH
 from ..words import Words
+from .comma import refuse_comma
 from .names import plain, unit_of
 
 
@@ -85,7 +87,6 @@ class Quantity:
 _GREATEST: dict[Dim | PerMm, float] = {Dim.ANGLE: MOST_ANGLE, Dim.LENGTH: MOST_LENGTH}
 _NUMBER = pattern(r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I)
 _FRACTION = pattern(r"\s*([+\-−]?\d+(?:\.\d+)?)\s*/\s*(\d+(?:\.\d+)?)\s*")
-_COMMA = pattern(r"\s*([+\-−]?\d+)[,，](\d+)")
 _SENSE = pattern(r"\s*(?:\b(ccw|acw|cw|(?:counter|anti)-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$", re.I)
 
 
@@ -93,6 +94,12 @@ def read(text: object, dim: Dim | PerMm) -> Quantity:
     """A written quantity of this dimension; raises FaultError with what is wrong and how to write it."""
     if not isinstance(text, str):
         raise _refused(Words(f"此处应为{dim.label.zh}", f"{dim.label.en} is expected here"), dim)
+    return _read(text, dim)
+
+
+@lru_cache(maxsize=4096)
+def _read(text: str, dim: Dim | PerMm) -> Quantity:
+    """The same of a text; variants of a problem say most quantities again."""
     bare, sign = _split_sense(text, dim)
     m = _NUMBER.fullmatch(bare)
     if m is None:
@@ -128,27 +135,6 @@ def read(text: object, dim: Dim | PerMm) -> Quantity:
     per_mm = 1e-3 if isinstance(dim, PerMm) or dim in (Dim.MU_L, Dim.MU_V, Dim.MU_A, Dim.MU_F) else 1.0
     per_mm = 1e-6 if dim is Dim.MU_WORK else per_mm
     return Quantity(sign * _sensible(_times(number, factor * per_mm), text, dim), text)
-
-
-def refuse_comma(text: str) -> None:
-    """Raise FaultError for a number with a comma in it, 50,5 mm: with three digits behind it is a fraction here and
-    thousands there."""
-    m = _COMMA.match(text)
-    if m is None:
-        return
-    point, whole = f"{m[1]}.{m[2]}{text[m.end() :]}", f"{m[1]}{m[2]}{text[m.end() :]}"
-    thousands = (
-        Words(f"，若是千位分隔则写 {whole}", f", or {whole} if it parts thousands") if len(m[2]) == 3 else Words("", "")
-    )
-    raise FaultError(
-        Words(
-            f"“{text}”中有逗号，小数点应写成句点；请写 {point}",
-            f"'{text}' has a comma in its number, where a decimal point belongs; write {point}",
-        )
-        + thousands,
-        code="decimal-comma",
-        numbers={"written": text},
-    )
 
 
 def _sensible(si: float, text: str, dim: Dim | PerMm) -> float:

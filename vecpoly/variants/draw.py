@@ -50,32 +50,43 @@ def variants(
     left out."""
     graded = standard.graded(problem)
     for attempt in range(start, start + ATTEMPTS):
-        for values, look in tried(problem, seed, attempt, standard, graded, taken).drawn:
+        for values, look in tried(problem, seed, attempt, standard, graded, taken, good=True).drawn:
             if isinstance(look, Look) and failing(look, standard) is None:
                 yield Variant(seed=seed, attempt=attempt, values=values, problem=look.problem, key=look.key)
 
 
 def tried(
-    problem: Problem, seed: Seed, attempt: int, standard: Standard, graded: frozenset[str], taken: Taken = NOBODY
+    problem: Problem,
+    seed: Seed,
+    attempt: int,
+    standard: Standard,
+    graded: frozenset[str],
+    taken: Taken = NOBODY,
+    *,
+    good: bool = False,
 ) -> Trial:
-    """One set of values, by the stream of this attempt."""
+    """One set of values, by the stream of this attempt. good: only those that pass are of interest; of the others less
+    is drawn, or nothing."""
     stream, along = seed.stream(attempt), drive_range(problem)
     values = {one.name: one.at(stream.below(one.count)) for one in problem.ranges}
     if along is None:
-        return Trial(attempt=attempt, swept=Swept((0,), Counter(), {}), drawn=(_drawn(problem, values, standard),))
+        return Trial(
+            attempt=attempt, swept=Swept((0,), Counter(), {}), drawn=(_drawn(problem, values, standard, good=good),)
+        )
     try:
         swept = sweep(vary(problem, values | {along.name: along.at(0)}), along, standard.signs, graded)
     except VecpolyError:
         return Trial(attempt=attempt, swept=Swept((), Counter({Condition.REFUSED: 1}), {}), drawn=())
     places = [number for number in stream.shuffled(swept.passed) if taken.leaves(swept.answers(number))][:TRIALS]
-    drawn = (_drawn(problem, values | {along.name: along.at(number)}, standard) for number in places)
+    some = [number for number in places if not (good and number in swept.short)]
+    drawn = (_drawn(problem, values | {along.name: along.at(number)}, standard, good=good) for number in some)
     return Trial(attempt=attempt, swept=swept, drawn=drawn)
 
 
 def _drawn(
-    problem: Problem, values: Mapping[str, str], standard: Standard
+    problem: Problem, values: Mapping[str, str], standard: Standard, *, good: bool
 ) -> tuple[Mapping[str, str], Look | Condition]:
     try:
-        return values, looked_at(vary(problem, values), standard)
+        return values, looked_at(vary(problem, values), standard, good=good)
     except VecpolyError:
         return values, Condition.REFUSED

@@ -14,6 +14,7 @@ from ..problem.problem import Problem
 WIDTH, HEIGHT = 160.0, 150.0  # mm
 JITTER = 8.0  # mm that a pole stands off the middle of its frame, at most
 CLEAR = 6.0  # mm that stay free inside the frame
+ROOM = WIDTH / 2 - JITTER - CLEAR, HEIGHT / 2 - JITTER - CLEAR  # mm on each side of a pole
 POLED = (View.VELOCITY, View.ACCELERATION)
 FRAMED = (View.MECHANISM, *POLED, View.FORCE)
 
@@ -24,8 +25,7 @@ def filled(figure: Figure) -> float:
     if not points:
         return 0.0
     if figure.view in POLED:
-        room = WIDTH / 2 - JITTER - CLEAR, HEIGHT / 2 - JITTER - CLEAR
-        return max(float(max(abs(p.real) / room[0], abs(p.imag) / room[1])) for p in points)
+        return max(float(max(abs(p.real) / ROOM[0], abs(p.imag) / ROOM[1])) for p in points)
     wide, high = (max(parts) - min(parts) for parts in zip(*((p.real, p.imag) for p in points), strict=True))
     return max(float(wide) / (WIDTH - 2 * CLEAR), float(high) / (HEIGHT - 2 * CLEAR))
 

@@ -19,6 +19,7 @@ from .look import Look, least_meeting, sizes_mm, sketch_of, work
 
 ZERO = 1e-9
 Table = NDArray[np.float64]
+Places = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,8 +45,9 @@ class Standard:
         return frozenset(ask.rel.key for ask in problem.asks) - self.demoted
 
 
-def looked_at(problem: Problem, standard: Standard) -> Look | Condition:
-    """The drawing at round scales that fit the frames, or what it fails on before it is weighed."""
+def looked_at(problem: Problem, standard: Standard, *, good: bool = False) -> Look | Condition:
+    """The drawing at round scales that fit the frames, or what it fails on before it is weighed. good: only one that
+    passes is of interest; of another that would be weighed it may be told what it fails on."""
     try:
         sketch = sketch_of(problem, standard.scales)
         if problem.gate.alike and work(sketch.acts) != standard.work:
@@ -59,6 +61,8 @@ def looked_at(problem: Problem, standard: Standard) -> Look | Condition:
         if any(mm < problem.gate.vectors for key, mm in lengths.items() if key not in standard.demoted and mm > ZERO):
             return Condition.VECTORS
         look = Look(framed, sketch)
+        if good and not slips_show(look, standard, look.finest):
+            return Condition.SLIPS
         _ = look.key
         return look
     except VecpolyError:
@@ -74,7 +78,7 @@ def failing(look: Look, standard: Standard) -> Condition | None:
             Condition.DEVIATION,
             lambda: all(deviation(one) <= look.problem.gate.deviation for one in _kept(look, standard)),
         ),
-        (Condition.SLIPS, lambda: slips_show(look, standard)),
+        (Condition.SLIPS, lambda: slips_show(look, standard, look.places)),
     )
     return next((condition for condition, holds in tests if not holds()), None)
 
@@ -108,12 +112,12 @@ def _kept(look: Look, standard: Standard) -> list[Graded]:
     return [one for one in look.asked if one.key not in standard.demoted]
 
 
-def slips_show(look: Look, standard: Standard) -> bool:
+def slips_show(look: Look, standard: Standard, places: Places) -> bool:
     """Whether every slip that can show does, and no two that can be told apart look the same."""
     least = look.problem.gate.slips
     if not least:
         return True
-    shown, apart = visible(look), told_apart(look)
+    shown, apart = visible(places), told_apart(places)
     rows = [n for n, slip in enumerate(look.slips) if slip not in standard.hidden]
     if any(shown[n] <= least for n in rows):
         return False
@@ -125,15 +129,15 @@ def slips_show(look: Look, standard: Standard) -> bool:
     )
 
 
-def visible(look: Look) -> Table:
+def visible(places: Places) -> Table:
     """By how many tolerances each slip shows where it shows most; one that cannot close is told by the drawing."""
     with np.errstate(invalid="ignore"):
-        return _most(np.abs(look.places[1:] - look.places[0]))
+        return _most(np.abs(places[1:] - places[0]))
 
 
-def told_apart(look: Look) -> Table:
+def told_apart(places: Places) -> Table:
     """By how many tolerances any two slips differ where they differ most."""
-    rows = look.places[1:]
+    rows = places[1:]
     with np.errstate(invalid="ignore"):  # what does not close differs from all
         return _most(np.abs(rows[:, None, :] - rows[None, :, :]))
 

@@ -32,11 +32,12 @@ from ..board.hand import hand, steady
 from ..board.otherwise.amended import AS_DRAWN, Amended
 from ..board.otherwise.slip import Slip
 from ..figures import views
-from ..grading.derive.keyed import answer_key
+from ..grading.allowance import STUDENT
+from ..grading.derive.keyed import TURNING, answer_key
 from ..grading.key import AnswerKey, Graded, Kind
 from ..mechanism.model import Mechanism
 from ..methods.every_hand import by_every_hand
-from ..methods.plan import drawn_alone
+from ..methods.plan import drawn_roughly
 from ..mistakes import slips_of
 from ..plane.geometry import cross
 from ..problem.problem import Problem, Scales
@@ -44,6 +45,7 @@ from ..solution import constructed
 from ..task import task_of
 
 _WORK = (Locate, LayOff, Transfer, Parallel, Meet, Measure, Area, Judge, Compute, Image, Follow, Touch, Ray, Invert)
+SURE, TINY = 1e-6, 1e-200
 MEASURED = (Kind.VECTOR, Kind.SIGNED, Kind.SCALAR, Kind.PLACE)
 
 
@@ -70,21 +72,42 @@ class Look:
         return slips_of(self.sketch.acts)
 
     @cached_property
+    def by_slips(self) -> Mapping[str, NDArray[np.complex128]]:
+        """What is asked by the right drawing, and by every slip."""
+        return _by_slips(self.problem, self.sketch, self.slips)
+
+    @cached_property
     def places(self) -> NDArray[np.complex128]:
         """Each asked quantity (columns) over its tolerance T: of the right drawing (row 0), and of every slip; NaN
         where one does not close."""
-        values = _by_slips(self.problem, self.sketch, self.slips)
+        return self._over({one.key: one.allowed for one in self.asked})
+
+    @property
+    def finest(self) -> NDArray[np.complex128]:
+        """The same over what T is at least, before it is known: no slip shows less."""
+        return self._over({key: self._least(key) for key in self.by_slips})
+
+    def _over(self, limits: Mapping[str, float]) -> NDArray[np.complex128]:
         count = len(self.slips) + 1
-        with np.errstate(invalid="ignore", divide="ignore"):
-            columns = [np.broadcast_to(values[one.key], (count,)) / one.allowed for one in self.asked]
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+            columns = [np.broadcast_to(self.by_slips[key], (count,)) / limit for key, limit in limits.items()]
         return np.array(columns, dtype=np.complex128).reshape(-1, count).T
+
+    def _least(self, key: str) -> float:
+        """What nobody reads, or reckons, a vector, ω or α more finely than; of all else hardly anything."""
+        one = self.sketch.readings.get(key)
+        if one is None or one.unit == "m" or (one.vector is None and one.unit not in TURNING):
+            return TINY
+        mm = sizes_mm(self.problem, self.sketch).get(key, 0.0)
+        read = STUDENT.floor * abs(one.scalar) / mm if mm else 0.0
+        return (1 - SURE) * max(read, STUDENT.arithmetic * abs(one.scalar)) or TINY
 
 
 def sketch_of(problem: Problem, like: Scales | None = None) -> Construction:
     """The construction by an exact hand; like: scales for a drawing of which only the proportions are of use."""
     if like is not None and isinstance(problem.subject, Mechanism):
         given = Scales({**like.given, **problem.scales.given})
-        return drawn_alone(replace(problem, scales=given), hand("exact"))
+        return drawn_roughly(replace(problem, scales=given), hand("exact"))
     return constructed(problem, hand("exact"), AS_DRAWN).construction
 
 

@@ -112,7 +112,7 @@ def _with_slips(standard: Standard, looks: Sequence[Look], most: float) -> Stand
     made, unseen = Counter[Slip](), Counter[Slip]()
     pairs, alike = Counter[frozenset[Slip]](), Counter[frozenset[Slip]]()
     for look in looks:
-        least, shown, apart = look.problem.gate.slips, visible(look), told_apart(look)
+        least, shown, apart = look.problem.gate.slips, visible(look.places), told_apart(look.places)
         made.update(look.slips)
         unseen.update(slip for slip, by in zip(look.slips, shown, strict=True) if by <= least)
         for (i, one), (j, other) in combinations(enumerate(look.slips), 2):

@@ -21,23 +21,24 @@ from ..problem.ranges import Range
 from ..units.reading import read
 from .conditions import Condition
 from .frames import HEIGHT, WIDTH
+from .lengths import POLYGONS, surely_short
 
 Values = NDArray[Any]
 PLACES = 72  # of the drive that are looked at, at most
 STEPS = 5  # on the way from one end of the forbidden stretch to the other
 ZERO = 1e-9  # of the largest of its kind: less has no sense
 _PLACE = ("phi", "s", "length")
-_POLYGONS = (("v_",), ("a_", "an_", "at_", "ak_", "ar_"))
 
 
 @dataclass(frozen=True, slots=True)
 class Swept:
     """The values of the drive's range that pass, by number, and how many of the others failed on which condition; the
-    answers there."""
+    answers there. short: those of which it is sure that they fail on a short vector when they are drawn."""
 
     passed: tuple[int, ...]
     failed: Counter[Condition]
     told: Mapping[int, Mapping[str, float]]
+    short: frozenset[int] = frozenset()
 
     def answers(self, number: int) -> Mapping[str, float]:
         """What is asked, as far as the oracle told it: sizes of vectors, signed values of the rest (SI)."""
@@ -73,7 +74,7 @@ def sweep(problem: Problem, along: Range | None, signs: Mapping[str, float], gra
         (Condition.SENSES, everywhere & _alike(asked, signs) if problem.gate.alike else everywhere),
         (Condition.SHORT, everywhere & _even(asked, graded, problem.gate.vectors)),
     ]
-    return _judged(numbers, tests, asked)
+    return _judged(numbers, tests, asked, surely_short(problem, asked, graded))
 
 
 def _asked(problem: Problem, motion: oracle.Motion, count: int) -> Iterator[tuple[str, Values]]:
@@ -90,7 +91,10 @@ def _table(values: Values, count: int) -> Values:
 
 
 def _judged(
-    numbers: Sequence[int], tests: Iterable[tuple[Condition, NDArray[np.bool_]]], asked: Mapping[str, Values]
+    numbers: Sequence[int],
+    tests: Iterable[tuple[Condition, NDArray[np.bool_]]],
+    asked: Mapping[str, Values],
+    short: NDArray[np.bool_],
 ) -> Swept:
     left, failed = np.ones(len(numbers), bool), Counter[Condition]()
     for condition, good in tests:
@@ -98,7 +102,7 @@ def _judged(
         left &= good
     sizes = {key: np.abs(values) if np.iscomplexobj(values) else values for key, values in asked.items()}
     told = {numbers[int(i)]: {key: float(values[i]) for key, values in sizes.items()} for i in np.flatnonzero(left)}
-    return Swept(tuple(told), failed, told)
+    return Swept(tuple(told), failed, told, frozenset(numbers[int(i)] for i in np.flatnonzero(short)))
 
 
 def _numbers(along: Range) -> range:
@@ -128,7 +132,7 @@ def _alike(asked: Mapping[str, Values], signs: Mapping[str, float]) -> NDArray[n
 def _even(asked: Mapping[str, Values], graded: Collection[str], least: float) -> NDArray[np.bool_]:
     """Where the shortest graded vector is not too short even where the longest fills the frame."""
     good = np.ones(1, bool)
-    for stems in _POLYGONS:
+    for stems in POLYGONS.values():
         sizes = {key: np.abs(values) for key, values in asked.items() if key.startswith(stems)}
         shown = [size for key, size in sizes.items() if key in graded]
         if shown:

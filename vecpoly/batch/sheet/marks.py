@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache, lru_cache
 from typing import Any
-
-import segno
 
 from ...typeset.box import MM
 from ...typeset.canvas import draw as draw_type
@@ -13,9 +12,11 @@ from ...typeset.words import layout_words
 from ...words import Lang, Words
 from .apriltag import CELLS, CODES
 from .layout import BAR, BAR_AT, BOXES, QR, QR_AT, QR_QUIET, TAG, Spot, corners_of_tags
+from .qr import Rows, modules
 
 PALE = (165 / 255, 205 / 255, 235 / 255)
 SMALL, TINY = 3.2, 2.5  # mm, em
+_BLACK = re.compile(rb"\x01+")
 _BAR = Words("此线长 100 mm；量得：", "This bar is 100 mm; measured:")
 _ADVICE = Words(
     "HB 铅笔、直尺；箭头 ≥ 2.5 mm；拍照时放平、八个方块全部可见、传原图，勿用扫描软件",
@@ -26,9 +27,12 @@ _ADVICE = Words(
 
 def write(canvas: Any, text: str, at: Spot, em: float, *, bold: bool = False) -> float:
     """A line of text with its left end at a place; how wide it is (mm)."""
-    box = layout_words(text, em, bold)
+    box = _typed(text, em, bold)
     draw_type(canvas, box, at[0] * MM, at[1] * MM)
     return box.width
+
+
+_typed = lru_cache(maxsize=1024)(layout_words)  # on every page mostly the same
 
 
 def line(canvas: Any, a: Spot, b: Spot) -> None:
@@ -46,16 +50,16 @@ def furniture(canvas: Any, tags: tuple[int, ...], code: str, lang: Lang) -> None
     for tag, at in zip(tags, corners_of_tags(), strict=True):
         canvas._code.append(_squares(tag, at))
     for at in QR_AT:
-        canvas._code.append(_cells(_qr(code), at, QR))
+        canvas._code.append(_cells(modules(code), at, QR))
     (right, _), (left, low) = QR_AT
     write(canvas, code, (right + QR + QR_QUIET, QR_AT[0][1] + 1.0), TINY)
-    write(canvas, code, (left - QR_QUIET - layout_words(code, TINY).width, low + 1.0), TINY)
+    write(canvas, code, (left - QR_QUIET - _typed(code, TINY, False).width, low + 1.0), TINY)
     _bar(canvas, lang)
 
 
 def code_squares(canvas: Any, code: str, at: Spot, side: float) -> None:
     """A QR code with its lower left corner at a place."""
-    canvas._code.append(_cells(_qr(code), at, side))
+    canvas._code.append(_cells(modules(code), at, side))
 
 
 def _bar(canvas: Any, lang: Lang) -> None:
@@ -72,21 +76,26 @@ def _bar(canvas: Any, lang: Lang) -> None:
     write(canvas, _ADVICE.of(lang), (x, 5.0), 2.3)
 
 
-def _cells(rows: tuple[tuple[bool, ...], ...], at: Spot, side: float) -> str:
+def _cells(rows: Rows, at: Spot, side: float) -> str:
     """Black squares, in runs along each row, as one path."""
-    size = side / len(rows)
+    starts, lines, widths, high = _grid(len(rows), at, side)
     out = ["0 0 0 rg"]
-    for i, row in enumerate(rows):
-        start = 0
-        while start < len(row):
-            end = start
-            while end < len(row) and row[end]:
-                end += 1
-            if end > start:
-                place = f"{(at[0] + start * size) * MM:.3f} {(at[1] + side - (i + 1) * size) * MM:.3f}"
-                out.append(f"{place} {(end - start) * size * MM:.3f} {size * MM:.3f} re")
-            start = end + 1
+    for row, line in zip(rows, lines, strict=True):
+        for run in _BLACK.finditer(row):
+            start, end = run.span()
+            out.append(f"{starts[start]} {line} {widths[end - start]} {high} re")
     return " ".join((*out, "f"))
+
+
+@lru_cache(maxsize=64)
+def _grid(count: int, at: Spot, side: float) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...], str]:
+    """So many squares each way, as a page has them: where each begins, across and from the top; how wide so many
+    are; how high one is."""
+    size = side / count
+    starts = tuple(f"{(at[0] + n * size) * MM:.3f}" for n in range(count))
+    lines = tuple(f"{(at[1] + side - (n + 1) * size) * MM:.3f}" for n in range(count))
+    widths = tuple(f"{n * size * MM:.3f}" for n in range(count + 1))
+    return starts, lines, widths, f"{size * MM:.3f}"
 
 
 @cache
@@ -95,7 +104,7 @@ def _squares(tag: int, at: Spot) -> str:
 
 
 @cache
-def _tag(number: int) -> tuple[tuple[bool, ...], ...]:
+def _tag(number: int) -> Rows:
     """The black cells of a tag, its black border of one cell with them."""
     code, wide = CODES[number], CELLS + 2
     inner = {
@@ -103,11 +112,4 @@ def _tag(number: int) -> tuple[tuple[bool, ...], ...]:
         for r in range(CELLS)
         for c in range(CELLS)
     }
-    return tuple(tuple(inner.get((r, c), True) for c in range(wide)) for r in range(wide))
-
-
-@lru_cache(maxsize=4)
-def _qr(code: str) -> tuple[tuple[bool, ...], ...]:
-    """The modules of a QR code of level Q."""
-    made = segno.make(code, error="q", micro=False, boost_error=False)
-    return tuple(tuple(bool(module) for module in row) for row in made.matrix)
+    return tuple(bytes(inner.get((r, c), True) for c in range(wide)) for r in range(wide))

@@ -27,11 +27,11 @@ def sheet_bytes(
     pages: Sequence[Composed], *, title: str, assignment: str, sheet: str, student: Student, lang: Lang
 ) -> bytes:
     """The PDF of these pages; only its title line has the student's name."""
-    layout, target = layout_of(pages), BytesIO()
+    layout, target = layout_of(pages).hash, BytesIO()
     canvas = new_canvas(target, WIDTH, HEIGHT, lang)
     canvas.setTitle(f"{bare(title)} {sheet}")
     for one in pages:
-        code = page_code(assignment, sheet, one.page.number, layout.hash)
+        code = page_code(assignment, sheet, one.page.number, layout)
         with artifact(canvas):
             furniture(canvas, one.page.tags, code, lang)
             write(canvas, _PAGE.of(lang).format(one.page.number, len(pages)), (151.0, 283.5), TINY)

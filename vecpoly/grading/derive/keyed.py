@@ -9,6 +9,8 @@ from dataclasses import dataclass, replace
 from ...answer import YES_NO, Answer, bearing
 from ...board.acts import Act, Area, Compute, Measure
 from ...board.acts import Answer as Wrote
+from ...board.hand import Hand
+from ...board.otherwise.amended import AS_DRAWN
 from ...board.place import View, views
 from ...errors import VecpolyError
 from ...figures import View as Figured
@@ -17,13 +19,12 @@ from ...methods.drawn import Drawn
 from ...names import parse_rel
 from ...problem.asked.checks import is_check
 from ...problem.problem import Problem
-from ...solution import Solution, scales_of, solve
+from ...solution import Solution, constructed, scales_of, solve, solve_by_hands
 from ...words import Words
 from ..allowance import STUDENT, Allowance
 from ..equations.priced import priced
 from ..equations.row import rows_of
 from ..key import AnswerKey, Graded, Kind
-from ..redraw import drawn_by
 from .blocks import block_of
 from .needs import needs, with_lines
 from .rubric import USUAL, Rubric, shared
@@ -41,12 +42,11 @@ def answer_key(problem: Problem, allowance: Allowance = STUDENT, rubric: Rubric 
     construction. Raises what `solve` raises, and VecpolyError where an answer is suspect or no linkage serves: there is
     nothing to grade by.
     """
-    solution = solve(problem, by="exact", repeats=0, precise=False)
+    solution, drawn = _solved(problem, allowance.hand())
     said = {"suspect": solution.construction.warning, "no-solution": solution.construction.conclusion}
     for code, why in said.items():
         if why is not None:
             raise VecpolyError(Words("不能据此批改：", "no key to grade by: ") + why, code=code)
-    drawn = drawn_by(problem, allowance.hand())
     found = _Found(solution, drawn)
     steps = found.steps()
     known = {act.number: one.key for act, one in steps} | found.on_the_way({one.key for _, one in steps})
@@ -67,6 +67,13 @@ def answer_key(problem: Problem, allowance: Allowance = STUDENT, rubric: Rubric 
         equations=priced(rows_of(solution.construction), quantities, rubric.equations),
         solutions=_numbers(solution),
     )  # fmt: skip
+
+
+def _solved(problem: Problem, by: Hand) -> tuple[Solution, Drawn]:
+    """The solution by an exact hand, and what the hands beside it found."""
+    if isinstance(problem.subject, Mechanism):
+        return solve_by_hands(problem, by)
+    return solve(problem, by="exact", repeats=0, precise=False), constructed(problem, by, AS_DRAWN)
 
 
 def _numbers(solution: Solution) -> tuple[int, ...]:

@@ -9,7 +9,7 @@ from typing import Any
 
 from ... import limits
 from ...errors import FaultError, ProblemFileError, of_system
-from ...units.reading import refuse_comma
+from ...units.comma import refuse_comma
 from ...words import Words
 from ..reach import Reach
 from ..schema.faults import Path, Place

@@ -29,10 +29,13 @@ def vary(problem: Problem, changes: Mapping[str, Quantity | Point]) -> Problem:
     """The problem with these values; raises UnknownNameError, ArgumentError; ProblemFileError as a file would."""
     written = _own(problem)
     tree, touched = written.tree(), dict[tuple[Any, ...], str]()
+    known = named(tree.data)
     for name, value in changes.items():
-        for slot in meant_by(name, tree.data):
+        for slot in (found := meant_by(name, tree.data, known)):
             _once(slot, name, touched)
             _put(tree, slot, name, value)
+        if any(slot.span or slot.pair for slot in found):  # what stands behind it in the same text has moved
+            known = named(tree.data)
     anew = _built(written_of(tree), problem.path)
     text = text_of(tree.data) if anew.written != written else problem.text
     old = _built(written, problem.path)
@@ -79,7 +82,8 @@ def _built(written: Written, path: FilePath | None) -> Problem:
     """The problem that these values make, without its tables, which were found when it was loaded."""
     tree = written.tree()
     tree.data.pop("tables", None)
-    return replace(build(tree, path), written=written)
+    made = build(tree, path, written)
+    return made if made.written is written else replace(made, written=written)
 
 
 def _others() -> list[str]:

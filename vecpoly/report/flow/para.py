@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 
 from ...tagging.pieces import Marks
 from ...tagging.tag import Role, Tag
@@ -11,11 +12,18 @@ from ...typeset.box import MM
 from ...typeset.canvas import Ink
 from ...words import Lang
 from .base import Block, Tightness
-from .cells import Cell, cells, chopped, joined
+from .cells import cells, chopped, joined
 from .lines import Line, break_lines, draw_line
 from .style import Style, body
 
 _WIDOWS = 2
+
+
+@lru_cache(maxsize=512)
+def _lines(text: str, em: float, chinese: bool, bold: bool, measure: float, first: float) -> tuple[Line, ...]:
+    """A text in lines (mm); most sentences of a solution stand in the solutions of a whole class."""
+    parts = [part for cell in cells(text, em, chinese, bold) for part in chopped(cell, measure, em, bold)]
+    return tuple(break_lines(parts, measure, em, first))
 
 
 class Para(Block):
@@ -51,10 +59,8 @@ class Para(Block):
         """The lines for a column of the given width (pt)."""
         if width not in self._broken:
             style, measure = self.style, self._measure(width)
-            parts: list[Cell] = []
-            for cell in cells(self.text, style.em, self.lang == "zh", style.bold):
-                parts.extend(chopped(cell, measure, style.em, style.bold))
-            self._broken[width] = break_lines(parts, measure, style.em, style.first * style.em)
+            chinese, first = self.lang == "zh", style.first * style.em
+            self._broken[width] = list(_lines(self.text, style.em, chinese, style.bold, measure, first))
         return self._broken[width]
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:

@@ -7,9 +7,12 @@ from dataclasses import replace
 
 from ...board.construction import Construction, Figure, View
 from ...board.paper.marks import AngleMark, Ground, Mark, Plate, Point, Role, Segment
+from ...board.paper.tones import key_of, whose
 from ...designs.base import Design
 from ...designs.inversion.cognates import Cognates
 from ...designs.straight_line import StraightLine
+from ...figures.hue import Hue
+from ...foundation.frozen import FrozenMap
 from ...problem.problem import Problem
 from ...words import Words
 from ..picture import SKETCH, picture, reduced
@@ -25,6 +28,20 @@ _FEWEST = 3  # places and lines that are worth a picture
 
 def sketched(problem: Problem, construction: Construction, width: float, height: float) -> Figure | None:
     """The picture of a question, to fit width × height mm; None where nothing given can be drawn."""
+    drawn = _sketched(problem, construction, width, height)
+    return None if drawn is None else _untoned(drawn)
+
+
+def _untoned(figure: Figure) -> Figure:
+    """In black, where nothing on it is told apart by its tone: beside a question in black and a solution in colours
+    stands one figure, which is drawn once."""
+    if not figure.tones or figure.view.tint is not Hue.PLATE or figure.view.across is not None:
+        return figure
+    known = {whose(key) for mark in figure.marks for key in (mark.key, key_of(mark))}
+    return replace(figure, tones=FrozenMap({})) if known.isdisjoint(figure.tones) else figure
+
+
+def _sketched(problem: Problem, construction: Construction, width: float, height: float) -> Figure | None:
     figure = construction.figure(View.MECHANISM)
     if isinstance(problem.subject, StraightLine | Cognates) and figure is not None:
         return sized(problem, replace(reduced(figure, linkage(figure), width, LOW * height), title=SKETCH))

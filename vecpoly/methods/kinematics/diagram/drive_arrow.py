@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -58,15 +60,22 @@ def _free_side(desk: Desk, pivot: complex, phi: float, radius: float) -> float:
     taken = taken[
         np.abs(np.abs(taken - pivot) - radius) < radius + GROUND
     ]  # what lies beyond is farther than the ground
-    middles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
-    arcs = radius * np.exp(1j * (middles[:, None] + np.linspace(-1.0, 1.0, 9)))
+    middles, arcs = _arcs(radius)
     clear = _nearest(arcs.ravel(), taken - pivot).reshape(arcs.shape).min(axis=1)
     return float(middles[int(np.argmax(np.round(clear, 6)))])  # of sides as free as each other the first
+
+
+@lru_cache(maxsize=len(ARROW_RADII))
+def _arcs(radius: float) -> tuple[Reals, Complexes]:
+    """The directions in which the arrow may stand, and points of it there."""
+    middles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
+    return middles, radius * np.exp(1j * (middles[:, None] + np.linspace(-1.0, 1.0, 9)))
 
 
 def _nearest(circle: Complexes, taken: Complexes) -> Reals:
     """The square of the distance from each point of a circle about 0 to the nearest of the others:
     |c|² + |t|² − 2 c·t."""
-    both = np.column_stack([circle.real, circle.imag]) @ np.vstack([taken.real, taken.imag])
-    nearest: Reals = abs(circle[0]) ** 2 + (np.abs(taken) ** 2 - 2.0 * both).min(axis=1)
+    square = np.column_stack([circle.real, circle.imag]) @ np.vstack([-2.0 * taken.real, -2.0 * taken.imag])
+    square += np.abs(taken) ** 2  # in place: new tables of this size take longer than all else here
+    nearest: Reals = abs(circle[0]) ** 2 + square.min(axis=1)
     return nearest

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from ....typeset.atoms import is_unit
 
@@ -21,6 +22,7 @@ _HAN_BEFORE_NUMBERS = frozenset("件第题图表步")
 UNBROKEN = "\u00a0"  # a blank at which no line ends
 
 
+@lru_cache(maxsize=4096)
 def held(before: str, after: str) -> bool:
     """Whether two neighbouring pieces of text stay on one line; a formula is ``$``."""
     if is_number(before) and is_unit(after.rstrip(",.;:!?，。；：、)）")):

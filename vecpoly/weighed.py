@@ -1,0 +1,95 @@
+"""Answers: what was read off a drawing beside what is exact, and what the hand may be off by."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import inf, nan
+from typing import Any
+
+import numpy as np
+
+from .answer import Answer
+from .board.construction import LineOfAction, Reading
+from .board.hand import scatter
+from .check.alarm import Weighed, alarm_at
+from .check.truth import ActsAt, size_of
+from .found import answered
+from .methods.centres.compare import comparable
+from .methods.drawn import Drawn
+from .names import Key, is_place
+from .task import Task
+
+
+def answers_of(
+    task: Task, drawn: Drawn, off: Mapping[str, float], size: Mapping[str, float], *, scatters: bool, judged: bool
+) -> dict[str, Answer]:
+    """What was read beside what is exact; `judged`: by the scatter of repeated hands too."""
+    asked, answers, readings = task.asked, {}, answered(drawn.construction, task.truth.values)
+    places = {key for key, rel in asked.items() if is_place(rel)}
+    read, exact, spread = comparable(readings, task.truth.values, drawn.repeats, places)
+    ideal, true, _ = comparable({key: drawn.ideal[key] for key in readings}, task.truth.values, {}, places)
+    for key, reading in read.items():
+        reached = _expected(spread[key])
+        limit = alarm_at(reached, spread[key], scatters=scatters)
+        weighed = _weighed(
+            reading,
+            exact[key],
+            ideal[key],
+            true[key],
+            reach=limit if judged else nan,
+            noise=off[key],
+            size=size[key],
+            steady=not scatters,
+        )
+        line, turns = task.truth.lines.get(key), reading.unit in task.turning
+        answers[key] = _answer(asked[key], reading, exact[key], reached, line, turns, weighed)
+    return answers
+
+
+def _expected(scalars: Any) -> float:
+    """3σ of the repeated hands; of none 0."""
+    repeated = np.asarray(scalars)
+    found = repeated[1:] if repeated.ndim else repeated[None]  # all hands find the same
+    found = found[np.isfinite(found)]
+    return 3.0 * scatter(found) if found.size else inf  # no repeated hand closes the polygon: nothing can be promised
+
+
+def _answer(
+    rel: Key, reading: Reading, exact: complex | float, error: float, line: ActsAt | None, turns: bool, weighed: Weighed
+) -> Answer:
+    return Answer(
+        rel=rel,
+        reading=reading,
+        drawn=reading.scalar,
+        exact=size_of(exact),
+        expected_error=error,
+        drawn_vector=reading.vector,
+        exact_vector=exact if isinstance(exact, complex) else None,
+        exact_acts=None if line is None else LineOfAction(point=line.point, tangent=line.tangent, couple=line.couple),
+        turns=turns,
+        weighed=weighed,
+    )
+
+
+def _weighed(
+    reading: Reading,
+    exact: complex | float,
+    ideal: Reading,
+    true: complex | float,
+    *,
+    reach: float,
+    noise: float,
+    size: float,
+    steady: bool,
+) -> Weighed:
+    as_vector = ideal.vector is not None and isinstance(true, complex)
+    return Weighed(
+        drawn=reading.scalar,
+        exact=size_of(exact),
+        ideal=ideal.vector if as_vector and ideal.vector is not None else ideal.scalar,
+        true=true if as_vector else size_of(true),
+        reach=reach,
+        noise=noise,
+        size=size,
+        steady=steady,
+    )
