@@ -5,11 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field, replace
-from math import degrees
 from typing import Self
 
 from ..algebra.formula import Node
-from ..figures.mu import Mu
 from ..foundation.frozen import FrozenMap
 from ..foundation.slotted import dataclass
 from ..names import ascii_key
@@ -21,6 +19,7 @@ from .paper.marks import Mark
 from .paper.tones import tones, whose
 from .place import Pane, Place, View, view_of
 from .said.told import told
+from .scale import Scale
 
 __all__ = [
     "Construction",
@@ -35,46 +34,6 @@ __all__ = [
     "View",
     "view_of",
 ]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Scale:
-    """μ: what 1 mm on paper stands for. value in `unit` per mm; symbol e.g. ``μ_v``.
-
-    across: of what is set out to the right, where that is another quantity. degrees: it is told in °/mm.
-    """
-
-    symbol: str
-    value: float
-    unit: str  # "m", "m/s", "m/s^2"
-    across: Scale | None = None
-    degrees: bool = False
-
-    @classmethod
-    def of(cls, view: View, value: float, across: float | None = None) -> Scale:
-        """The scale of a kind of figure, with this value (SI per mm), and that of what is set out to the right."""
-        made = cls._with(view.mu, value)
-        return made if view.across is None or across is None else replace(made, across=cls._with(view.across, across))
-
-    @classmethod
-    def _with(cls, mu: Mu, value: float) -> Scale:
-        return cls(symbol=mu.symbol, value=value, unit=mu.unit, degrees=mu.degrees)
-
-    @property
-    def right(self) -> Scale:
-        """The scale of what is set out to the right."""
-        return self.across or self
-
-    @property
-    def told(self) -> Scale:
-        """As it is told: in degrees, where an axis is divided by them."""
-        whole = float(f"{degrees(self.value):.10g}")
-        return replace(self, value=whole, unit="°", degrees=False) if self.degrees else self
-
-    @property
-    def per_mm(self) -> str:
-        """The unit of the scale as printed: m/mm, (m/s)/mm."""
-        return f"({self.unit})/mm" if "/" in self.unit else f"{self.unit}/mm"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
