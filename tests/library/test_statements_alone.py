@@ -1,4 +1,4 @@
-"""What a student is asked tells nothing of the book it is from: remarks on what is printed there are for the solution."""
+"""What a student is asked tells nothing of the book: remarks on what is printed there are for the solution."""
 
 from __future__ import annotations
 
