@@ -42,6 +42,7 @@ _MODULES = (
     "board.acts.leaving",
     "board.acts.inkless",
     "board.candidates",
+    "board.scale",
     "board.construction",
     "mechanism.dimensions.placements",
     "mechanism.assembly.start",

@@ -14,7 +14,7 @@ from vecpoly.board.construction import Construction, Figure, Scale, View
 from vecpoly.board.paper.marks import Arc, Dot, Mark, Point, Role, Vector
 from vecpoly.board.ruler import READABLE
 from vecpoly.drawing.details.apart import all_detailed, detailed, is_detail, numeral
-from vecpoly.drawing.details.knot import FACTORS, FULL
+from vecpoly.drawing.details.knot import FACTORS, FULL, HALF, LEAST, LONG, largest
 from vecpoly.drawing.details.knots import knots
 from vecpoly.drawing.details.room import CELL, WHITE, Grow, Room, along, reach_of
 from vecpoly.drawing.scene import Fill, Rect, Scene, Stroke
@@ -109,7 +109,7 @@ def solved(name: str) -> Construction:
 
 @pytest.mark.parametrize(
     ("name", "view", "letters"),
-    [("crank-pin-in-slot", View.MECHANISM, "AD"), ("A-30", View.ACCELERATION, ["p′", "g_3^′"])],
+    [("crank-pin-in-slot", View.MECHANISM, "AD"), ("A-30", View.ACCELERATION, ["p′", "e^′"])],
 )
 def test_what_is_spoken_of_has_its_letter_on_the_figure_itself_too(
     name: str, view: View, letters: Sequence[str]
@@ -143,3 +143,16 @@ def test_a_detail_finds_room_beyond_lines_that_run_on_past_the_figure_on_every_s
     assert (found.width, found.height) == (30.0, 30.0)
     assert not any(found.grown(WHITE - CELL).overlaps(Rect(-90.0, y, 110.0, y)) for y in range(-70, 91, 20))
     assert room.extents == figure | found
+
+
+@pytest.mark.parametrize("short", [0.3, 0.6, 1.2, 2.0, 2.9])
+def test_a_detail_is_no_larger_than_it_must_be(short: float) -> None:
+    (knot,) = knots(polygon(short))
+    across = 2 * knot.radius * knot.factor
+    assert across <= largest(90.0)
+    smaller = [factor for factor in FACTORS if factor < knot.factor]
+    assert all(short * factor < LONG for factor in smaller)
+
+
+def test_a_detail_of_a_small_figure_is_small() -> None:
+    assert largest(30.0) == LEAST and largest(64.0) == HALF * 64.0 and largest(200.0) == FULL

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.laws import often
-from vecpoly.drawing.details.knot import FACTORS, SEEN, Knot, Trouble, finds_room, ring
+from vecpoly.drawing.details.knot import FACTORS, SEEN, Knot, Trouble, finds_room, largest, ring
 from vecpoly.drawing.details.knots import CROWDED, Crowd
 from vecpoly.drawing.details.nest import WHOLE, Nest
 
@@ -28,11 +28,12 @@ def one_by_one(troubles: list[Trouble], across: float) -> tuple[int, float] | No
             inside = [one for one in troubles if {one.a, one.b} <= set(order[:n])]
             circle = shapely.minimum_bounding_circle(shapely.multipoints([(z.real, z.imag) for z in order[:n]]))
             bare = float(shapely.minimum_bounding_radius(circle))
-            made = [factor for factor in FACTORS if finds_room(bare, factor)]
+            made = [factor for factor in FACTORS if finds_room(bare, factor, largest(across))]
             if not inside or not made:
                 continue
             well = (one for one in made if all(each.solved(one, well=True) for each in inside))
-            factor = next(well, made[-1])
+            shown = {one: sum(each.worth for each in inside if each.solved(one)) for one in made}
+            factor = next(well, max(made, key=lambda one: (shown[one], -one)))
             if WHOLE * ring(bare, factor) <= across:
                 tried.append((sum(one.worth for one in inside if one.solved(factor)), -ring(bare, factor) * factor))
     best = max(tried, default=(0, 0.0))

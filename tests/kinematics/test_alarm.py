@@ -18,6 +18,7 @@ from typer.testing import CliRunner
 
 import vecpoly
 from tests.drawn_library import DRAFTED, drafted, drawn, ids
+from tests.flat_positions import FLAT
 from tests.laws import few
 from vecpoly import load, loads, solve
 from vecpoly.answer import YES_NO
@@ -100,7 +101,7 @@ def _finds_all(solution: Solution) -> bool:
 def test_a_pencil_that_loses_candidates_of_a_synthesis_is_told_so() -> None:
     tried = (_by_pencil(name) for name in DRAFTED if isinstance(load(name).subject, Design))
     drawn = [one for one in tried if one is not None]
-    small = vecpoly.loads(load("four-positions").text + "scales: {mu_l: 0.003 m/mm}\n").solve(by="pencil")
+    small = vecpoly.loads(load(FLAT).text + "scales: {mu_l: 0.003 m/mm}\n").solve(by="pencil")
     assert not _finds_all(small), "at this scale a pencil loses candidates"
     for lost in (small, *(one for one in drawn if not _finds_all(one))):
         assert lost.suspect, lost.problem.id

@@ -6,7 +6,8 @@ import re
 
 from tests.drawn_library import drawn
 from tests.each import each
-from vecpoly.board.paper.marks import Note, Vector
+from vecpoly.board.paper.extent import extent
+from vecpoly.board.paper.marks import Note, Segment, Vector
 from vecpoly.report.question.frames import frames
 
 CAMS = ("cam-least-circle", "cam-roller-offset", "cam-flat-face", "cam-rocker", "two-stroke-flywheel")
@@ -33,3 +34,11 @@ def test_the_loop_of_a_cam_has_an_axis_on_both_sides_for_rise_and_return() -> No
 def test_a_derivative_stands_in_brackets_before_its_unit_and_lengths_are_in_millimetres() -> None:
     texts = noted("cam-least-circle")
     assert "(d$s$/d$φ$)/mm" in texts and "$s$/mm" in texts and not any(text.endswith("/m") for text in texts)
+
+
+def test_a_diagram_with_axes_may_have_a_frame_as_long_as_itself() -> None:
+    """The displacement diagram of a cam stands over the cam, as on the sheet of the solution."""
+    blank, sheets = frames(drawn("cam-heart").construction, drawn("cam-heart").problem)
+    diagram = next(one for one in blank.figures if one.view.across is not None)
+    wide, high = extent([mark for mark in diagram.marks if isinstance(mark, Segment)][:4])
+    assert wide > 2.5 * high and not sheets[0].landscape and len(sheets[0].tops) == 2

@@ -86,3 +86,14 @@ def test_numbers_of_other_units_do_not_push_a_unit_s_own_aside() -> None:
     columns = grouped(texts, units, EM, False)
     assert columns[0] == columns[2] == aligned(["0.2825", "0.5"], EM, False)
     assert columns[1] == columns[3] == aligned(["6161", "12"], EM, False) != columns[0]
+
+
+def test_numbers_of_neighbouring_columns_do_not_run_into_each_other_where_room_is_short() -> None:
+    """A column that is narrowed keeps the room of its aligned numbers; a length on paper before a value breaks off."""
+    told = "wrong: follows from the values printed before it, which a long verdict says at length"
+    rows = [["22.105 kg", "21.564 kg", told], ["0.00597 kg·m²", "0.0077642 kg·m²", told]]
+    table = DataTable(["a", "b", "c"], [*rows, ["113 mm ≙ 0.02882 m/s", "1.3347 m/s", told]], None, "ddl")
+    found = table.set_in(110.0 * MM)
+    assert sum(found.widths) <= 110.0 + 1e-6 and len(found.body[2][0]) == 2
+    for column, width in zip(found.points[:2], found.widths, strict=False):
+        assert column is not None and all(one.width <= width for one in column)

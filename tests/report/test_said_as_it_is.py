@@ -7,6 +7,7 @@ import re
 import pytest
 
 from tests.drawn_library import drafted, given, said
+from tests.flat_positions import FLAT
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.report.answers.box import answer_box
 from vecpoly.report.answers.notes import UNREADABLE, notes_of
@@ -75,7 +76,7 @@ def test_a_question_on_structure_prints_no_kinematic_diagram() -> None:
 
 def test_where_all_solutions_are_asked_there_is_room_for_several() -> None:
     """More columns than there are solutions; where they are asked by number each has its row."""
-    one, other = solved("four-positions-b"), solved("four-positions")
+    one, other = solved("four-positions-b"), solved(FLAT)
     assert len(empty_table(one, "zh").header) - 1 > len(one.construction.candidates)
     assert "解 1" not in " ".join(empty_table(other, "zh").header)
 

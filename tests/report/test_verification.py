@@ -8,6 +8,7 @@ from functools import cache
 import pytest
 
 import vecpoly
+from tests.flat_positions import FLAT
 from vecpoly.check.grashof import grashof
 from vecpoly.report.answers.order import arranged, broken
 from vecpoly.report.content import conclusions
@@ -49,14 +50,14 @@ def test_what_a_solution_has_not_leaves_no_line() -> None:
 
 
 def test_a_solution_that_cannot_move_has_its_line_and_no_solution_is_left_out() -> None:
-    found = table("four-positions")
+    found = table(FLAT)
     assert found["No."] == ("1", "2", "3")
     assert found["Driver $AB$ turns fully"] == ("no", "no", "does not move") and found["Order"][2] == "—"
 
 
 @pytest.mark.parametrize("lang", ["zh", "en"])
 def test_a_solution_that_cannot_move_is_headed_as_of_no_use_in_the_words_of_a_reader(lang: Lang) -> None:
-    solution = vecpoly.load("four-positions").solve(by="drafting", seed=1)
+    solution = vecpoly.load(FLAT).solve(by="drafting", seed=1)
     heads = [part.heading(lang, broken(solution)) for part in arranged(solution.answers.values())]
     assert (
         heads
@@ -73,7 +74,7 @@ def test_a_solution_that_cannot_move_is_headed_as_of_no_use_in_the_words_of_a_re
 
 def test_every_length_of_every_solution_is_asked() -> None:
     """Each of the three has its four bars in the box of answers."""
-    parts = arranged(vecpoly.load("four-positions").solve(by="drafting", seed=1).answers.values())
+    parts = arranged(vecpoly.load(FLAT).solve(by="drafting", seed=1).answers.values())
     assert [[one.key.partition("_")[0] for one in part.answers] for part in parts] == 3 * [["AB", "BC", "CD", "AD"]]
 
 

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 import vecpoly
+from tests.flat_positions import FLAT
 from tests.synthesis.inversion import drawn_anyhow, place, pose, posed, solved
 from vecpoly.board.otherwise.slip import Mistake
 from vecpoly.errors import AssemblyError, ProblemFileError
@@ -49,7 +50,7 @@ def test_a_body_that_comes_back_is_in_the_wrong_order() -> None:
 
 
 def test_a_linkage_that_only_its_other_link_can_drive_is_valid_and_says_so() -> None:
-    solution = solved(vecpoly.load("four-positions"))
+    solution = solved(vecpoly.load(FLAT))
     assert [one.verdict for one in solution.construction.candidates] == 3 * ["VALID"]
     told = "".join(step.words.en for step in solution.construction.steps)
     assert "$CD$ must drive it: $AB$ as the driver meets a dead point between the positions" in told

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import vecpoly
+from tests.flat_positions import FLAT
 from tests.laws import few
 from vecpoly.check.found_words import all_ill_conditioned, ill_conditioned
 from vecpoly.designs.verdict import Verdict
@@ -18,7 +19,7 @@ from vecpoly.plane import Line
 from vecpoly.solution import Solution
 
 SEEDS = range(8)
-POSES = ((0, 0, 0), (13, 19, 24), (42, 28, 35), (83, 15, 54))  # of four-positions: mm, mm, deg
+POSES = ((0, 0, 0), (13, 19, 24), (42, 28, 35), (83, 15, 54))  # of the flat ones: mm, mm, deg
 
 
 def by_pencil(name: str, seed: int) -> Solution | None:
@@ -33,7 +34,7 @@ def by_pencil(name: str, seed: int) -> Solution | None:
 
 @pytest.mark.parametrize("seed", few(SEEDS, 4))
 def test_what_a_pencil_loses_is_suspect_and_named(seed: int) -> None:
-    solution = by_pencil("four-positions", seed)
+    solution = by_pencil(FLAT, seed)
     if solution is None:
         return
     found = {one.number: one.verdict for one in solution.construction.candidates}
@@ -53,7 +54,7 @@ def test_a_well_conditioned_task_is_found_by_every_pencil() -> None:
 
 
 def test_the_expected_error_holds_the_wandering_of_the_centre_points() -> None:
-    drawn = vecpoly.load("four-positions").solve()
+    drawn = vecpoly.load(FLAT).solve()
     gap = drawn.answers["AD"]
     assert gap.expected_error > 0.05 * gap.exact  # two centre points nearly fall together
     told = [words.en for one in drawn.verification if (words := ill_conditioned(one, alone=False)) is not None]
@@ -63,7 +64,7 @@ def test_the_expected_error_holds_the_wandering_of_the_centre_points() -> None:
 
 
 def test_what_is_ill_conditioned_in_several_solutions_is_said_of_all_at_once() -> None:
-    loose, lost = all_ill_conditioned(vecpoly.load("four-positions").solve().verification)
+    loose, lost = all_ill_conditioned(vecpoly.load(FLAT).solve().verification)
     assert "of solutions 1, 2 and 3. These" in loose.en and "解 1、2、3 的" in loose.zh
     assert "lack solutions 1, 2 and 3." in lost.en and "得不到解 1、2、3。" in lost.zh
 

@@ -7,6 +7,7 @@ import pytest
 import vecpoly
 from tests.drawn_library import IDS, drawn, given
 from tests.each import Later, each
+from tests.flat_positions import FLAT
 from vecpoly.board.paper.marks import Point
 from vecpoly.designs.inversion.positions import Positions
 
@@ -34,7 +35,7 @@ def test_no_title_promises_a_good_condition_that_the_report_denies() -> None:
     assert found.loose and "良好" not in problem.title.zh and "well" not in problem.title.en
 
 
-@pytest.mark.parametrize(("name", "valid"), [("four-positions-b", 1), ("four-positions", 3)])
+@pytest.mark.parametrize(("name", "valid"), [("four-positions-b", 1), ("four-positions", 1), (FLAT, 3)])
 def test_every_linkage_that_answers_has_the_letters_of_its_lengths_on_the_sheet(name: str, valid: int) -> None:
     labels = {mark.label for mark in drawn(name).construction.figures[0].marks if isinstance(mark, Point)}
     for n in range(valid):

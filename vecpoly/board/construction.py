@@ -19,6 +19,7 @@ from .paper.marks import Mark
 from .paper.tones import tones, whose
 from .place import Pane, Place, View, view_of
 from .said.told import told
+from .scale import Scale
 
 __all__ = [
     "Construction",
@@ -33,37 +34,6 @@ __all__ = [
     "View",
     "view_of",
 ]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Scale:
-    """μ: what 1 mm on paper stands for. value in `unit` per mm; symbol e.g. ``μ_v``.
-
-    across: of what is set out to the right, where that is another quantity.
-    """
-
-    symbol: str
-    value: float
-    unit: str  # "m", "m/s", "m/s^2"
-    across: Scale | None = None
-
-    @classmethod
-    def of(cls, view: View, value: float, across: float | None = None) -> Scale:
-        """The scale of a kind of figure, with this value (SI per mm), and that of what is set out to the right."""
-        made = cls(symbol=view.mu.symbol, value=value, unit=view.mu.unit)
-        if view.across is None or across is None:
-            return made
-        return replace(made, across=cls(symbol=view.across.symbol, value=across, unit=view.across.unit))
-
-    @property
-    def right(self) -> Scale:
-        """The scale of what is set out to the right."""
-        return self.across or self
-
-    @property
-    def per_mm(self) -> str:
-        """The unit of the scale as printed: m/mm, (m/s)/mm."""
-        return f"({self.unit})/mm" if "/" in self.unit else f"{self.unit}/mm"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -150,8 +150,8 @@ def scale_box(scale: Scale) -> Box:
 
 
 def _scale_items(scale: Scale) -> tuple[Node, ...]:
-    name = row(f"{scale.symbol} = ")
-    return (*name.items, Txt(f"{number(scale.value, _FIGURES)} "), *unit_per_mm(scale.unit))
+    name, told = row(f"{scale.symbol} = "), scale.told
+    return (*name.items, Txt(f"{number(told.value, _FIGURES)} "), *unit_per_mm(told.unit))
 
 
 def unit_per_mm(unit: str) -> tuple[Txt | Power, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..foundation.slotted import replace
 from ..words import Words
 from .hue import Hue
 from .kind import View, register
@@ -20,7 +21,8 @@ SWING = Mu(
     unit="rad",
     called=Words("摆角比例尺", "a scale of swings"),
     listed=Words("摆角比例尺", "scale of swings"),
-    example="0.01 rad/mm",
+    example="0.6 deg/mm",
+    degrees=True,
 )
 TURNED = Mu(
     symbol="μ_{φ}",
@@ -29,6 +31,7 @@ TURNED = Mu(
     listed=Words("转角比例尺", "scale of angles"),
     example="0.04 rad/mm",
 )
+DIVIDED = replace(TURNED, example="2.5 deg/mm", degrees=True)
 
 DISPLACEMENT = register(
     View(
@@ -37,7 +40,7 @@ DISPLACEMENT = register(
         title=Words("位移线图 $s$–$φ$", "Displacement $s$ over $φ$"),
         called=Words("位移线图", "the displacement diagram"),
         mu=STROKE,
-        across=TURNED,
+        across=DIVIDED,
         ink=INK,
         wide=True,
     )
@@ -49,7 +52,7 @@ ANGULAR = register(
         title=Words("角位移线图 $ψ$–$φ$", "Swing $ψ$ over $φ$"),
         called=Words("角位移线图", "the diagram of swings"),
         mu=SWING,
-        across=TURNED,
+        across=DIVIDED,
         ink=INK,
         wide=True,
     )

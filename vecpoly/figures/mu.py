@@ -11,7 +11,8 @@ class Mu:
     """A scale without its value. symbol: ``μ_v``, ``μ_{φ}``; unit: of the quantity that is drawn, ``m/s``.
 
     example: as one writes it; called: 速度比例尺, a velocity scale; listed: in a list of symbols. typed: how a problem
-    file writes it, where another scale has the same symbol.
+    file writes it, where another scale has the same symbol. degrees: an angle that is told in °/mm, as an axis that is
+    numbered in degrees is divided; one that is multiplied by is told in rad/mm.
     """
 
     symbol: str
@@ -20,6 +21,7 @@ class Mu:
     listed: Words
     example: str
     typed: str = ""
+    degrees: bool = False
 
     @property
     def key(self) -> str:

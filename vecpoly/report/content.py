@@ -181,7 +181,7 @@ def scales(solution: Solution, lang: Lang) -> str:
     """μ_l = 0.001 m/mm, ...; each scale once, block diagrams have none."""
     drawn = [figure.scale for figure in solution.construction.figures if figure.scale.symbol and figure.scale.value]
     both = [one for scale in drawn for one in (scale, scale.across) if one is not None]
-    parts = dict.fromkeys(f"${scale.symbol}$ = {number(scale.value)} {scale.per_mm}" for scale in both)
+    parts = dict.fromkeys(f"${scale.symbol}$ = {number(scale.told.value)} {scale.told.per_mm}" for scale in both)
     return ("，" if lang == "zh" else ", ").join(parts)
 
 

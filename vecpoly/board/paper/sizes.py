@@ -37,7 +37,7 @@ def _unused(view: View) -> Words:
 def _said(wide: float, high: float, figure: Figure) -> Iterable[Words]:
     scale, measures = figure.scale, f"{number(wide)} × {number(high)} mm"
     title = figure.title.en[:1].lower() + figure.title.en[1:]  # its symbols as they are
-    symbol = f"${scale.symbol}$ = {number(scale.value)} {scale.per_mm}"
+    symbol = f"${scale.symbol}$ = {number(scale.told.value)} {scale.told.per_mm}"
     if max(wide, high) < SMALL:
         yield Words(
             f"{symbol}：{figure.title.zh}只有 {measures}，读数不可靠；请取较小的比例尺或 auto",

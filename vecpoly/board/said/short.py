@@ -89,4 +89,4 @@ def _scale(short: Sequence[Short]) -> str:
     scale = scales.pop() if len(scales) == 1 else None
     if scale is None or not scale.symbol or not scale.value:
         return ""
-    return f"${scale.symbol}$ = {number(scale.value)} {scale.per_mm.replace('^2', '²')}"
+    return f"${scale.symbol}$ = {number(scale.told.value)} {scale.told.per_mm.replace('^2', '²')}"

@@ -6,10 +6,11 @@ from ...board.ruler import READABLE
 from ...foundation.slotted import dataclass
 
 FACTORS = (2.0, 2.5, 4.0, 5.0, 10.0, 20.0)  # GB/T 14690
-FULL = 58.0  # mm across that a detail is at most
+FULL, LEAST = 40.0, 26.0  # mm across that a detail is at most: on any figure; on one that is no larger than it
+HALF = 0.5  # of the figure, that a detail is at most if that is more
 EDGE, TIGHT = 9.0, 0.8  # mm between the crowd and the ring about it: in the detail, at least on the figure
 SMALLEST = 1.0  # mm: radius of a circle that can be seen
-WIDE, LONG = 8.0, 6.0  # mm in the detail: between letters, of a vector, if there is room;
+WIDE, LONG = 8.0, 5.0  # mm in the detail: between letters, of a vector, if there is room;
 LEGIBLE = 5.0  # mm between letters in the detail, at least
 SEEN = 3  # what a knot is worth at least: three pairs of letters, or one vector
 
@@ -64,6 +65,11 @@ def ring(bare: float, factor: float) -> float:
     return max(SMALLEST, bare + max(TIGHT, EDGE / factor))
 
 
-def finds_room(bare: float, factor: float) -> bool:
-    """Whether such a detail is not too large. The larger the factor, the larger the detail."""
-    return 2 * ring(bare, factor) * factor <= FULL
+def largest(across: float) -> float:
+    """How large (mm across) a detail of a figure of this length may be: it stands back behind its figure."""
+    return min(max(HALF * across, LEAST), FULL)
+
+
+def finds_room(bare: float, factor: float, most: float) -> bool:
+    """Whether such a detail is not larger than this (mm). The larger the factor, the larger the detail."""
+    return 2 * ring(bare, factor) * factor <= most

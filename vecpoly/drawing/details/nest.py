@@ -7,12 +7,13 @@ near. What a circle is worth at most follows from how far apart its places lie; 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import takewhile
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...foundation.slotted import dataclass
-from .knot import FACTORS, SEEN, SMALLEST, TIGHT, Knot, Trouble, finds_room, ring
+from .knot import FACTORS, SEEN, SMALLEST, TIGHT, Knot, Trouble, finds_room, largest, ring
 
 WHOLE = 6.0  # a figure of fewer radii of the knot is small altogether: it needs another scale
 ROUNDING = 1e-6  # mm by which a circle may be drawn too small
@@ -31,11 +32,12 @@ class Sets:
     poor: Counts
     worth: Counts
 
-    def factor(self, n: int, bare: float) -> int | None:
-        """The number of the least factor that does well for the nearest n in a circle of this radius; or of the largest
-        that finds room."""
-        made = [k for k, factor in enumerate(FACTORS) if finds_room(bare, factor)]
-        return next((k for k in made if not self.poor[k, n - 1]), made[-1] if made else None)
+    def factor(self, n: int, bare: float, most: float) -> int | None:
+        """The number of the least factor that does well for the nearest n in a circle of this radius, in a detail of so
+        many mm at most; else of the least that shows as much as any that finds room."""
+        made = [k for k, factor in enumerate(FACTORS) if finds_room(bare, factor, most)]
+        well = (k for k in made if not self.poor[k, n - 1])
+        return next(well, max(made, key=lambda k: (self.worth[k, n - 1], -k), default=None))
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,11 +73,11 @@ class Nest:
         """
         about = [self._about(n) for n in range(len(self.places))]
         best, kept = (SEEN, -np.inf, 0, 0), None
-        for most, at, n in self._promising(about, across):
+        for most, at, n in self._promising(about, across, found):
             if most < best[0]:
                 break
             bare, centre = self._circle(about[at].order[:n])
-            k = about[at].factor(n, bare)
+            k = about[at].factor(n, bare, largest(across))
             if k is None:
                 continue
             knot = Knot(centre, ring(bare, FACTORS[k]), FACTORS[k])
@@ -100,16 +102,20 @@ class Nest:
             worth=np.array([counted(self.worth * solved) for solved in self.solved]),
         )
 
-    def _promising(self, about: Sequence[Sets], across: float) -> list[tuple[int, int, int]]:
-        """What a set is worth at most, about which place it lies and of how many it is: of all sets that may find room,
-        the most worthy first."""
+    def _promising(self, about: Sequence[Sets], across: float, found: Sequence[Knot]) -> list[tuple[int, int, int]]:
+        """What a set is worth at most, about which place it lies and of how many it is: of all sets that may find room
+        clear of those found, the most worthy first."""
         some = []
+        held = [any(abs(z - one.centre) < one.radius + TIGHT for one in found) for z in self.places]
+        open_to = (self.apart <= largest(across) / FACTORS[0]) & ~np.array(held)
         for at, sets in enumerate(about):
-            order = list(sets.order)
+            order = list(takewhile(open_to[at].__getitem__, sets.order))
+            if not order:
+                continue
             widths = np.maximum.accumulate(np.tril(self.apart[np.ix_(order, order)]).max(axis=1))
             for n, width in enumerate(widths[1:], start=2):
                 bare = float(width) / 2 - ROUNDING  # about two places that lie so far apart no circle is smaller
-                room = sum(finds_room(bare, factor) for factor in FACTORS)
+                room = sum(finds_room(bare, factor, largest(across)) for factor in FACTORS)
                 if not room or WHOLE * max(SMALLEST, bare + TIGHT) > across:
                     break
                 if sets.inside[n - 1] and (most := int(sets.worth[room - 1, n - 1])) >= SEEN:

@@ -130,7 +130,7 @@ class _Writer:
             anchor, at, caption="$p'$" if view is View.ACCELERATION else "$p$" if pole else "", seen=pole
         )
         scale = self.recording.desk.board.scale_of(view)
-        words = f"{view.title.of(self.lang)}  {scale.symbol} = {number(scale.value)} {scale.per_mm}"
+        words = f"{view.title.of(self.lang)}  {scale.symbol} = {number(scale.told.value)} {scale.told.per_mm}"
         self.page.text(words, f"{anchor} + ({low.real!r}, {low.imag - TITLE!r})")
         return Figure(self.page, self.terms, self.spelling, view, anchor, self.tones)
 

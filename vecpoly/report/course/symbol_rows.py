@@ -158,7 +158,7 @@ def centres(study: Study) -> Iterator[Row]:
 def scales(study: Study) -> Iterator[Row]:
     """Scales."""
     known = {view.mu.symbol: view.mu.listed for view in views()}
-    found = dict.fromkeys((one.scale.symbol, one.scale.per_mm) for one in _figures(study) if one.scale.symbol)
+    found = dict.fromkeys((one.scale.symbol, one.scale.told.per_mm) for one in _figures(study) if one.scale.symbol)
     yield from ((f"${symbol}$", known[symbol], unit) for symbol, unit in found if symbol in known)
 
 

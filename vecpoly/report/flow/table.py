@@ -20,7 +20,7 @@ from .base import Block, Tightness
 from .cells import Cell, cells, joined
 from .lines import Line, break_lines, draw_line
 from .results.columns import longest, shared
-from .results.decimal import Aligned, grouped
+from .results.decimal import BREAKS, Columns, aligned_columns, unbroken
 from .style import CAPTION, CELL, Style
 from .text.continued import CONTINUED, continued
 
@@ -42,7 +42,7 @@ class _Set:
     widths: tuple[float, ...]
     head: _Row
     body: tuple[_Row, ...]
-    points: tuple[tuple[Aligned, ...] | None, ...]
+    points: Columns
     top: float = 0.0
     heights: tuple[float, ...] = ()
 
@@ -110,28 +110,19 @@ class DataTable(Block):
         for row, rgb in zip(rows, self.inks, strict=True):
             if rgb is not None:
                 row[self.inked] = tuple(replace(cell, box=inked(cell.box, rgb)) for cell in row[self.inked])
-        points = self._points()
-        widths = self._columns(width / MM, (header, *rows), points)
+        widths = self._columns(width / MM, (header, *rows), self._points(self.rows))
         head, body = self._lines(header, widths), tuple(self._lines(row, widths) for row in rows)
-        return self._measured(_Set(widths, head, body, points))
+        return self._measured(_Set(widths, head, body, self._points(unbroken(self.rows, body))))
 
     def _measured(self, found: _Set) -> _Set:
         caption = CAPTION.leading + 2.0 if self.caption or self._continued else 0.0
         top = caption + _HEAVY + self._height(found.head) + _FINE
         return replace(found, top=top, heights=tuple(map(self._height, found.body)))
 
-    def _points(self) -> tuple[tuple[Aligned, ...] | None, ...]:
-        return tuple(self._aligned(i) for i in range(len(self.header)))
+    def _points(self, rows: Sequence[Sequence[str]]) -> Columns:
+        return aligned_columns(rows, self.align, self.groups, self.style.em, self.lang == "zh")
 
-    def _aligned(self, column: int) -> tuple[Aligned, ...] | None:
-        """How the numbers of a column stand under each other, row by row."""
-        texts, way = [row[column] for row in self.rows], self.align[column]
-        groups = self.groups if way == "u" else [""] * len(texts)
-        return grouped(texts, groups, self.style.em, self.lang == "zh") if way in "du" else None
-
-    def _columns(
-        self, width: float, rows: Sequence[Sequence[Sequence[Cell]]], points: Sequence[tuple[Aligned, ...] | None]
-    ) -> tuple[float, ...]:
+    def _columns(self, width: float, rows: Sequence[Sequence[Sequence[Cell]]], points: Columns) -> tuple[float, ...]:
         em = self.style.em
         wanted = self.widths or tuple(
             max(*(joined(row[i], em).width for row in rows), *(one.width for one in column or ())) + 2 * PAD
@@ -140,7 +131,11 @@ class DataTable(Block):
         total = sum(wanted)
         if total <= width:
             return tuple(wanted)
-        least = [max(longest(row[i], em) for row in rows) + 2 * PAD for i in range(len(wanted))]
+        bare = self._points([["" if BREAKS in text else text for text in row] for row in self.rows])
+        least = [
+            max(*(longest(row[i], em) for row in rows), *(one.width for one in column or ())) + 2 * PAD
+            for i, column in enumerate(bare)
+        ]
         return shared(wanted, least, width)
 
     def _lines(self, row: Sequence[Sequence[Cell]], widths: Sequence[float]) -> _Row:
@@ -179,7 +174,11 @@ class DataTable(Block):
         )  # fmt: skip
         part._continued, part._vertical = self._continued or start > 0, self._vertical
         part.goal = self.goal if start == 0 else ""
-        part._found = {width: part._measured(replace(found, body=found.body[start:end], points=part._points()))}
+        part._found = {
+            width: part._measured(
+                replace(found, body=found.body[start:end], points=part._points(unbroken(rows, found.body[start:end])))
+            )
+        }
         return part.made_of(self, first=start == 0)
 
     def draw(self) -> None:

@@ -31,7 +31,7 @@ def shown(figure: Figure, lang: Lang, *, scaled: bool = True) -> str:
     """The figure in words; scaled: lengths mean something on it."""
     parts = [words_said(titled(figure).of(lang), lang)]
     if scaled and figure.scale.symbol and figure.scale.value:
-        scale = f"{figure.scale.symbol} = {number(figure.scale.value)} {figure.scale.per_mm}"
+        scale = f"{figure.scale.symbol} = {number(figure.scale.told.value)} {figure.scale.told.per_mm}"
         parts.append(f"{_SCALE.of(lang)} {spoken(scale, lang)}")
     for kind, mark in _KINDS:
         named = dict.fromkeys(_named((one for one in figure.marks if isinstance(one, mark)), lang, scaled))

@@ -157,7 +157,7 @@ def _across(figure: Figure, right: Vector, box: Box) -> Iterator[Mark]:
     start = complex(box[0].real + EDGE, right.a.imag) if right.a.real < -NEAR else right.a
     yield Vector(a=start, b=end, role=Role.DIRECTION, step=1)
     name = next((mark.label for mark in figure.marks if isinstance(mark, Point) and mark.at == right.b), "")
-    numbers, scale = dict(_written(figure, right.step)), figure.scale.right
+    numbers, scale = dict(_written(figure, right.step)), figure.scale.right.told
     if name:
         timed = any(not text[-1].isdigit() for text in numbers.values())
         yield _named(end, name, "" if timed else scale.unit)
@@ -197,7 +197,7 @@ def _scaled(figure: Figure, name: str, foot: complex, end: complex) -> Iterator[
     """An axis from foot to end with its name and its numbers; zero is at the height 0."""
     yield Vector(a=foot, b=end, role=Role.DIRECTION, step=1)
     if name:
-        yield _named(end, name, figure.scale.unit)
+        yield _named(end, name, figure.scale.told.unit)
     zero = complex(foot.real, 0.0)
     yield from _numbered(figure.scale, zero, end - 4.0j)
     if foot.imag < -NEAR:
@@ -220,7 +220,7 @@ def _levels(figure: Figure, size: tuple[float, float]) -> tuple[Box, tuple[Mark,
 def _numbered(scale: Scale, zero: complex, end: complex) -> Iterator[Mark]:
     """A tick every round number from zero to the end, some 10 mm apart, a number at every other, at each where
     they are wide apart; negative to the left and below."""
-    per_mm = scale.value * (MILLI if scale.unit == _METRE else 1.0)
+    per_mm = scale.told.value * (MILLI if scale.unit == _METRE else 1.0)
     apart = round_up(_APART * per_mm, _ROUND) / per_mm
     way = (end - zero) / abs(end - zero)
     side, sign = (-1j if way.imag == 0 else -1 + 0j), (1.0 if way.real + way.imag > 0 else -1.0)

@@ -17,7 +17,7 @@ from ...problem.problem import Problem
 from ..picture import to_scale
 from .blank import framed
 from .equations import band, head, numbers
-from .grid import Grid, Size, grid, tightness
+from .grid import Grid, Need, Size, grid, tightness
 from .known import stands
 
 MARGIN = 8.0  # mm that stay free between a figure and its frame
@@ -55,7 +55,7 @@ def as_solved(figures: Sequence[Figure]) -> list[Figure]:
     return sorted(figures, key=lambda figure: together if figure in free else begun_in(figure))
 
 
-def _laid(needs: Sequence[Size], landscape: bool, of: Format) -> list[Grid]:
+def _laid(needs: Sequence[Need], landscape: bool, of: Format) -> list[Grid]:
     """The fewest sheets that lie this way, in order, with the most ease among these."""
     best: list[list[Grid]] = [[]]
     for end in range(1, len(needs) + 1):
@@ -68,10 +68,10 @@ def _laid(needs: Sequence[Size], landscape: bool, of: Format) -> list[Grid]:
     return best[-1]
 
 
-def _needed(figure: Figure, told: float) -> Size:
+def _needed(figure: Figure, told: float) -> Need:
     """The room of a figure with the white that it should have round it, words over it and its title below it."""
     wide, high = extent(figure.marks)
-    return max(wide + 2 * MARGIN, title_width(figure)), high + 2 * MARGIN + told
+    return Need(max(wide + 2 * MARGIN, title_width(figure)), high + 2 * MARGIN + told, figure.view.across is not None)
 
 
 def _frame(figure: Figure, size: Size, known: Sequence[Mark], equations: Sequence[int]) -> Figure:

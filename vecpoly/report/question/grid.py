@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, permutations
+from typing import NamedTuple
 
 from ...drawing.sheets.space import CAPTION, CLEAR, room_inside
 from ...foundation.stock import Format
@@ -13,6 +14,16 @@ NARROWEST = 55.0  # mm: a frame with a short title under it
 _SLIM = 2.6  # times as long as wide, beyond which a frame looks drawn out
 AMPLE = 1.2  # times the room that a figure needs
 Size = tuple[float, float]
+
+
+class Need(NamedTuple):
+    """The room that a figure needs; long: a diagram with axes, which may have a frame as long as itself."""
+
+    wide: float
+    high: float
+    long: bool = False
+
+
 _SHARES: dict[int, tuple[tuple[float, ...], ...]] = {
     1: ((1.0,),),
     2: ((1 / 2, 1 / 2), (1 / 3, 2 / 3), (2 / 3, 1 / 3), (2 / 5, 3 / 5), (3 / 5, 2 / 5)),
@@ -47,7 +58,7 @@ def tightness(sheets: Sequence[Grid]) -> tuple[float, int, int, float, float, fl
     return bare, len(sheets), drawn_out, -ease, round(spread, 1), slim
 
 
-def grid(needs: Sequence[Size], landscape: bool, of: Format) -> Grid | None:
+def grid(needs: Sequence[Need], landscape: bool, of: Format) -> Grid | None:
     """The rows in which these frames are least tight; None where they don't fit. One figure has a sheet to itself
     however little white that leaves round it."""
     across = int(room_inside(landscape, of)[0] / (NARROWEST + CLEAR))
@@ -69,7 +80,7 @@ def _shares(count: int) -> tuple[tuple[float, ...], ...]:
     return _SHARES.get(count, ((1 / count,) * count,))
 
 
-def _laid(needs: Sequence[Size], rows: Sequence[int], heights: Sequence[float], landscape: bool, of: Format) -> Grid:
+def _laid(needs: Sequence[Need], rows: Sequence[int], heights: Sequence[float], landscape: bool, of: Format) -> Grid:
     """These rows of these heights, the frames of each as wide as suits them."""
     width, height = (side - CLEAR for side in room_inside(landscape, of))
     sizes, tops, top, waiting = list[Size](), list[complex](), height, list(needs)
@@ -84,11 +95,17 @@ def _laid(needs: Sequence[Size], rows: Sequence[int], heights: Sequence[float], 
             left += wide
         top -= part * height
     eases = _eases(needs, sizes)
-    slim = max(max(wide / high, high / wide) for wide, high in sizes)
+    slim = max(map(_slimness, needs, sizes))
     return Grid(landscape, tuple(sizes), tuple(tops), min(*eases, AMPLE), max(eases) / min(eases), slim)
 
 
-def _widths(needs: Sequence[Size], width: float) -> Iterator[tuple[float, ...]]:
+def _slimness(need: Need, size: Size) -> float:
+    """How many times as long as wide a frame is; one about a diagram against that."""
+    slim = max(size[0] / size[1], size[1] / size[0])
+    return slim / max(1.0, need.wide / need.high) if need.long else slim
+
+
+def _widths(needs: Sequence[Need], width: float) -> Iterator[tuple[float, ...]]:
     """The widths that the frames of a row may have: equal ones, or the wider one for the wider drawing."""
     for some in _shares(len(needs)):
         widths, pairs = tuple(share * width for share in some), combinations(zip(some, needs, strict=True), 2)
@@ -97,13 +114,13 @@ def _widths(needs: Sequence[Size], width: float) -> Iterator[tuple[float, ...]]:
             yield widths
 
 
-def _row_is(needs: Sequence[Size], widths: Sequence[float], high: float) -> tuple[float, float]:
+def _row_is(needs: Sequence[Need], widths: Sequence[float], high: float) -> tuple[float, float]:
     """How tight a row is with these widths, then how unlike its frames are in that."""
     eases = _eases(needs, [(wide - CLEAR, high) for wide in widths])
     return -min(*eases, AMPLE), round(max(eases) / min(eases), 1)
 
 
-def _eases(needs: Sequence[Size], sizes: Sequence[Size]) -> list[float]:
+def _eases(needs: Sequence[Need], sizes: Sequence[Size]) -> list[float]:
     return [min(size[i] / need[i] for i in (0, 1)) for size, need in zip(sizes, needs, strict=True)]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import cos, hypot, sqrt, tau
+from math import cos, degrees, hypot, radians, sqrt
 
 from ....board.construction import Scale, View
 from ....board.paper.scales import finer, round_up
@@ -21,12 +21,12 @@ def cam_scales(cam: Cam, given: Scales) -> Mapping[View, Scale]:
     """As given, or round ones that fit."""
     length = given.of(View.MECHANISM.mu) or fitting(2 * reach(cam) / CAM)
     across = None if DISPLACEMENT.across is None else given.of(DISPLACEMENT.across)
-    turned = across or fitting(tau / (NARROW if cam.arm else WIDE))
+    turned = across or radians(fitting(360.0 / (NARROW if cam.arm else WIDE)))
     stroke = given.of(DISPLACEMENT.mu) or (
         length if EQUAL[0] <= cam.lift / length <= EQUAL[1] else fitting(cam.lift / HIGH)
     )
     loop = given.of(LOOP.mu) or fitting(cam.lift / (2 * HIGH))
-    swing = given.of(ANGULAR.mu) or fitting(cam.lift / HIGH)
+    swing = given.of(ANGULAR.mu) or radians(fitting(degrees(cam.lift) / HIGH))
     return {
         View.MECHANISM: Scale.of(View.MECHANISM, length),
         DISPLACEMENT: Scale.of(DISPLACEMENT, stroke, turned),

@@ -10,6 +10,7 @@ from ....algebra.quantity import Sum, magnitude, number
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....devices.gears.epicyclic import Epicyclic
+from ....diagram.half_section import half_section
 from ....diagram.wheels import epicyclic_train, held, number_of_ring, second_sun
 from ....errors import NotAskedError
 from ....names import Named
@@ -19,11 +20,12 @@ from ..bench import Bench
 from ..inclined import row_of
 from ..registry import device_method
 from .letters import teeth, turning
-from .scales import RADII, train_scales
+from .scales import RADII, farthest_left, train_scales
 from .turns import angular_velocities
 
 POINTS = {"1": "A", "H": "O2", "3": "C"}  # the point of the radius whose velocity tells the link's
 LEFT = -1 + 0j  # where a point above O moves whose link turns counter-clockwise
+ASIDE = 10.0  # mm between the half-section of the train and the velocity farthest left
 READABLE, NOTHING = 0.5, 1e-9  # mm: a velocity shorter than this cannot be read; shorter than that it is none
 
 
@@ -91,12 +93,14 @@ def _velocities(bench: Bench, train: Epicyclic) -> dict[str, Points]:
     told = "、".join(f"$v_{{{POINTS[key]}}}$" for key in known)
     board.step(
         Words(
-            f"以半径为纵坐标、速度为横坐标。各点都在 $O$ 的正上方，构件逆时针转动时速度向左，取为正；顺时针转动时向"
-            f"右，为负。由已知的角速度算出 {told}，在各自半径的高度上按其方向量出；中心轮和系杆的速度线都过 $O$。",
-            "Radii are plotted upwards, velocities sideways. All points lie vertically above $O$; a point of a link "
-            "that turns counter-clockwise moves to the left (positive), of one that turns clockwise to the right "
-            f"(negative). Compute {told.replace('、', ' and ')} from the given angular velocities and lay them off, "
-            "each in its direction, at the heights of their radii. The velocity lines of the central gears and of the "
+            "按 $μ_l$ 画出轮系轴线以上的半剖面简图，以半径为纵坐标、速度为横坐标。各点都在 $O$ 的正上方，构件逆时针转"
+            "动时速度向左，取为正；顺时针转动时向右，为负。"
+            f"由已知的角速度算出 {told}，在各自半径的高度上按其方向量出；中心轮和系杆的速度线都过 $O$。",
+            "Draw the half-section of the train above its axis to the scale $μ_l$. Radii are plotted upwards, "
+            "velocities sideways. All points lie vertically above $O$; a point of a link that turns counter-clockwise "
+            "moves to the left (positive), of one that turns clockwise to the right (negative). "
+            f"Compute {told.replace('、', ' and ')} from the given angular velocities and lay them off, each in its "
+            "direction, at the heights of their radii. The velocity lines of the central gears and of the "
             "carrier pass through $O$.",
         ),
         RADII,
@@ -106,6 +110,7 @@ def _velocities(bench: Bench, train: Epicyclic) -> dict[str, Points]:
     board.join(RADII, 0j, 1j * (top + 8), Role.CENTRE)
     board.plot(RADII, 0j, "O", Dot.POLE)
     feet = {key: board.lay_off(0j, 1j, train.radii[key] / mm) for key in POINTS}
+    _section(bench, train, feet)
     tips = {key: _laid(bench, train, key, feet[key]) for key in known}
     tips[train.sought] = _found(bench, train, feet[train.sought], tips)
     for key in POINTS:
@@ -114,6 +119,18 @@ def _velocities(bench: Bench, train: Epicyclic) -> dict[str, Points]:
         board.join(RADII, feet[key], tips[key], Role.CONSTRUCTION)
         board.plot(RADII, feet[key], POINTS[key].replace("O2", "O_2"), Dot.NONE)
     return tips
+
+
+def _section(bench: Bench, train: Epicyclic, feet: Mapping[str, Points]) -> None:
+    """The half-section of the train to the left of all velocities, each mesh level with its own."""
+    board, scale = bench.board, bench.board.scale_of(RADII)
+    radii = {key: radius / scale.value for key, radius in train.radii.items()}
+    end = -farthest_left(train) / scale.right.value - ASIDE
+    held = next((key for key, omega in train.omegas.items() if omega is not None and not omega.si and key != "H"), "")
+    ring, stepped = bool(train.ring), len(train.planet) > 1
+    board.depict(RADII, *half_section(end, radii, ring=ring, stepped=stepped, fixed=held))
+    for key in POINTS:
+        board.join(RADII, complex(end, radii[key]), feet[key], Role.CONSTRUCTION)
 
 
 def _laid(bench: Bench, train: Epicyclic, key: str, foot: Points) -> Points:

@@ -28,6 +28,11 @@ def train_scales(train: Epicyclic, given: Scales) -> Mapping[View, Scale]:
     }
 
 
+def farthest_left(train: Epicyclic) -> float:
+    """The greatest velocity to the left (m/s), by the sketch; 0 where there is none."""
+    return max(*_sketched(train)[0], 0.0)
+
+
 def _sketched(train: Epicyclic) -> tuple[list[float], list[float]]:
     """Velocities and angular velocities by a rough sketch: the planet's straight line through the two known points."""
     radii = train.radii

@@ -12,7 +12,7 @@ from ....algebra.quantity import Quantity, Times, magnitude, number
 from ....board.construction import Scale, View
 from ....board.paper.marks import Dot, Role
 from ....devices.gears.generation import RA, RB, RF, S_TIP, START, UNDERCUT, X_MIN, Z_MIN, GearGeneration, R, S
-from ....plane import Line, Points, nominal
+from ....plane import Line, Points, Reals, nominal
 from ....problem.problem import Scales
 from ....words import Words
 from ..bench import Bench
@@ -79,11 +79,17 @@ def _circles(bench: Bench, gear: GearGeneration, mm: float) -> tuple[float, floa
     ha, c = magnitude("h_a^{*}", gear.ha.si, ""), magnitude("c^{*}", gear.c.si, "")
     r = bench.worked(R, m * z / TWO)
     ra, rf = bench.worked(RA, r + (ha + x) * m), bench.worked(RF, r - (ha + c - x) * m)
-    for found in (r, ra, rf):
-        radius = float(nominal(found.value)) / 1e3 / mm
-        board.circle(VIEW, 0j, radius, Role.CENTRE, start=pi / 2 - _opening(gear), sweep=2 * _opening(gear))
+    for found, symbol in ((r, R.symbol), (ra, RA.symbol), (rf, RF.symbol)):
+        _ring(bench, gear, float(nominal(found.value)) / 1e3 / mm, symbol)
     board.plot(VIEW, 0j, "O", Dot.JOINT)
     return float(nominal(r.value)) / 1e3, float(nominal(ra.value)) / 1e3
+
+
+def _ring(bench: Bench, gear: GearGeneration, radius: Reals, symbol: str, role: Role = Role.CENTRE) -> None:
+    """A circle about O as far as it is drawn, its radius by name at its end."""
+    reach = _opening(gear)
+    bench.board.circle(VIEW, 0j, radius, role, start=pi / 2 - reach, sweep=2 * reach)
+    bench.board.plot(VIEW, radius * np.exp(1j * (pi / 2 + reach)), symbol, Dot.NONE)
 
 
 def _rack(bench: Bench, gear: GearGeneration, mm: float) -> Rack:
@@ -102,7 +108,7 @@ def _rack(bench: Bench, gear: GearGeneration, mm: float) -> Rack:
     board.join(VIEW, rack.foot, rack.pole + 1.4 * (rack.pole - rack.foot), Role.DIRECTION)
     board.join(VIEW, 0j, rack.foot, Role.CONSTRUCTION)
     board.join(VIEW, 0j, rack.pole, Role.CENTRE)
-    board.circle(VIEW, 0j, np.abs(rack.foot), Role.HIDDEN, start=pi / 2 - _opening(gear), sweep=2 * _opening(gear))
+    _ring(bench, gear, np.abs(rack.foot), RB.symbol, Role.HIDDEN)
     board.right_angle(VIEW, rack.foot, rack.action.along, 1j * rack.action.along)
     board.plot(VIEW, rack.pole, "P", Dot.POINT)
     board.plot(VIEW, rack.foot, "N", Dot.POINT)

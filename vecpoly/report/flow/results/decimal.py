@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Sized
 from dataclasses import dataclass
 from functools import lru_cache
 
 from ..cells import cells, joined
 
+BREAKS = "≙"  # after a length on paper, before its value: there a cell is broken where room is short
 # up to the point, or to the end of a whole number; after a length on paper (210 mm ≙) that of its value
 _NUMBER = re.compile(r"(?:[^≙]*≙)?\s*[+−-]?\d+")
 
@@ -28,12 +29,14 @@ class Aligned:
         return self.before + self.after
 
     def indent(self, text: str, room: float) -> float | None:
-        """Where a cell begins in a column of this width, its numbers in the middle; None of what is no number,
-        and of a plain 0 among numbers with decimals, which has no decimals to stand by."""
+        """Where a cell begins in a column of this width, its numbers in the middle; None of what is no number, of a
+        plain 0 among numbers with decimals, which has no decimals to stand by, and where the column is too narrow."""
         if text == "0" and self.after > 0.0:
             return None
         parts = _parts(text, self.em, self.chinese)
-        return None if parts is None else (room - self.width) / 2 + self.before - parts[0]
+        if parts is None or self.width > room + 0.01:
+            return None
+        return (room - self.width) / 2 + self.before - parts[0]
 
 
 def aligned(texts: Iterable[str], em: float, chinese: bool) -> Aligned:
@@ -50,6 +53,29 @@ def grouped(texts: Sequence[str], groups: Sequence[str], em: float, chinese: boo
         for group in dict.fromkeys(groups)
     }
     return tuple(found[group] for group in groups)
+
+
+Columns = tuple[tuple[Aligned, ...] | None, ...]
+
+
+def aligned_columns(
+    rows: Sequence[Sequence[str]], ways: str, groups: Sequence[str], em: float, chinese: bool
+) -> Columns:
+    """How the numbers of each column stand under each other, row by row: all (d), or those of a group of rows (u)."""
+    return tuple(
+        grouped([row[i] for row in rows], groups if way == "u" else [""] * len(rows), em, chinese)
+        if way in "du"
+        else None
+        for i, way in enumerate(ways)
+    )
+
+
+def unbroken(rows: Sequence[Sequence[str]], lines: Sequence[Sequence[Sized]]) -> list[list[str]]:
+    """The texts of the cells of one line: in others no number stands by its point."""
+    return [
+        [text if len(cell) == 1 else "" for text, cell in zip(texts, row, strict=True)]
+        for texts, row in zip(rows, lines, strict=True)
+    ]
 
 
 @lru_cache(maxsize=4096)

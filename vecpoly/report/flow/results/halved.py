@@ -87,7 +87,7 @@ class HalvedTable(DataTable):
         for n, (head, wide) in enumerate(zip(self.header, self.set_in(width).widths, strict=True)):
             texts = [row[n] for row in self.rows]
             body = max(joined(cells(text, em, chinese), em).width for text in texts)
-            points = max((one.width for one in self._aligned(n) or ()), default=0.0)
+            points = max((one.width for one in self.set_in(width).points[n] or ()), default=0.0)
             longest = max(joined(word, em).width for word in _words(cells(head, em, chinese, True)))
             found.append(min(wide, max(body, points, longest) + 2 * PAD))
         return tuple(found)
