@@ -107,9 +107,15 @@ class Register:
         return replace(self, sheets=tuple(sheets), scheme=scheme)
 
     def as_bytes(self) -> bytes:
-        """The file, the same for the same class."""
+        """The file, the same for the same class: a line for each sheet."""
         data = _adapter().dump_python(self, mode="json")
-        return (json.dumps(data, ensure_ascii=False, indent=1) + "\n").encode()
+        sheets = ",\n".join(map(_line, data.pop("sheets")))
+        rows = [f"{_line(name)}: {_line(value)}" for name, value in data.items()]
+        return ("{" + ",\n".join([*rows, f'"sheets": [\n{sheets}\n]']) + "}\n").encode()
+
+
+def _line(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False)
 
 
 def _pointed(scheme: Scheme, part: Part) -> Part:
