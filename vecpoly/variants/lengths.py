@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from math import isfinite
 from typing import Any
 
@@ -16,7 +16,7 @@ from ..problem.problem import Problem
 from .frames import ROOM
 
 Values = NDArray[Any]
-POLYGONS = {View.VELOCITY: ("v_",), View.ACCELERATION: ("a_", "an_", "at_", "ak_", "ar_")}
+POLYGONS = {View.VELOCITY: (Kind.V,), View.ACCELERATION: (Kind.A, Kind.AN, Kind.AT, Kind.AK, Kind.AR)}
 FAINT = 1e-3  # mm: what is still shorter may be nothing, which is not too short
 SURE = 1e-6  # relative: what the drawing may differ by from the oracle, and more
 
@@ -27,8 +27,9 @@ def surely_short(problem: Problem, asked: Mapping[str, Values], graded: Collecti
     found = np.zeros(next(map(len, asked.values()), 0), bool)
     if problem.by_centres or problem.curvature is not None:
         return found
-    for view, stems in POLYGONS.items():
-        sizes = [np.abs(values) for key, values in asked.items() if key.startswith(stems) and key in graded]
+    for view, kinds in POLYGONS.items():
+        drawn = {rel.key for rel in _rels(problem) if rel.kind in kinds}
+        sizes = [np.abs(values) for key, values in asked.items() if key in drawn and key in graded]
         scale = _least_scale(problem, view, asked) if sizes else None
         if scale is not None:
             for size in sizes:
@@ -41,14 +42,17 @@ def _least_scale(problem: Problem, view: View, asked: Mapping[str, Values]) -> V
     where there are none."""
     if (given := problem.scales.of(view.mu)) is not None:
         return np.array(given)
-    kind = Kind.V if view is View.VELOCITY else Kind.A
-    poled = {rel.key for rel in (ask.rel for ask in problem.asks) if isinstance(rel, Rel)
-             and rel.kind is kind and rel.ref is None}  # fmt: skip
+    from_pole = (POLYGONS[view][0], None)
+    poled = {rel.key for rel in _rels(problem) if (rel.kind, rel.ref) == from_pole}
     parts = [part for key, values in asked.items() if key in poled for part in _filled(values)]
     if not parts:
         return None
     largest = np.max(parts, axis=0) * (1 - SURE)
     return np.array([round_up(size) if size > 0 and isfinite(size) else np.inf for size in map(float, largest)])
+
+
+def _rels(problem: Problem) -> Iterator[Rel]:
+    return (ask.rel for ask in problem.asks if isinstance(ask.rel, Rel))
 
 
 def _filled(values: Values) -> tuple[Values, Values]:
