@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import isnan
 from typing import TYPE_CHECKING, Any
 
 from .board.candidates import Candidate
@@ -35,9 +34,9 @@ def found_json(construction: Construction, moved: Sequence[Verified]) -> dict[st
 
 
 def answered(construction: Construction, exact: Mapping[str, object]) -> dict[str, Reading]:
-    """The readings that are answers: all but those of a synthesis without a solution that have no value, drawn or
-    exact."""
-    return {key: one for key, one in construction.readings.items() if key in exact or not isnan(one.scalar)}
+    """The readings that are answers: all but those of a synthesis without a solution that have no exact value; a
+    solution that is on paper alone is told by `objection`."""
+    return {key: one for key, one in construction.readings.items() if key in exact or not construction.candidates}
 
 
 def conclusion(problem: Problem, candidates: Sequence[Candidate]) -> Words | None:

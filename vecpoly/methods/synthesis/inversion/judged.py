@@ -17,7 +17,7 @@ from ....designs.verdict import Verdict
 from ....plane import nominal
 from .sheet import Sheet
 
-DEAD = 1e-4  # sine, as one sees it: at a dead point either side is as good
+DEAD = 1e-6  # sine: at a dead point either side is as good
 NONE = 1e-5  # mm: a link shorter than that has no length
 Spots = tuple[complex, ...]
 
@@ -107,7 +107,8 @@ def _in_order(rays: list[complex], full: bool) -> bool:
 def _sense(one: complex, joint: complex, other: complex) -> int:
     """On which hand the angle at a joint opens; none where it is straight."""
     u, v = one - joint, other - joint
-    across = (u.conjugate() * v).imag / (abs(u) * abs(v))
+    shorter = sorted((abs(u), abs(v), abs(u - v)))[:2]  # the largest sine in the triangle: bars may be long
+    across = (u.conjugate() * v).imag / (shorter[0] * shorter[1] or 1.0)
     return 0 if abs(across) < DEAD else 1 if across > 0 else -1
 
 
