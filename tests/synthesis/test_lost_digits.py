@@ -34,6 +34,13 @@ def test_a_transmission_angle_of_which_rounding_leaves_nothing_is_refused_with_t
     assert told.value.code == "precision.lost"
 
 
+def test_a_range_is_sought_past_data_for_which_a_lies_in_a_limit_position() -> None:
+    data = "{C1: '(0, 0) mm', C2: '(57, 0) mm', line_1: 284 deg, line_2: 256 deg, alpha_1: 22 deg}"
+    text = f"id: t\ntitle: t\nsynthesis: limit-lines\ndata: {data}\nfind: [AB]"
+    ended = solve(loads(text), by="exact", repeats=0).construction.conclusion
+    assert ended is not None
+
+
 def test_where_the_drawing_alone_loses_it_it_is_suspect() -> None:
     solution = solve(loads(HARDLY.format(K="1.0000001")), by="exact", repeats=0)
     assert solution.construction.warning is not None and solution.answers["gamma_min"].suspect

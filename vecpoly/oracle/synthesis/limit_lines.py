@@ -22,6 +22,8 @@ def limit_lines(design: LimitLines) -> list[Linkage]:
     if abs(sine) < PARALLEL:
         raise _parallel(Words("两极限位置的连杆线平行，没有交点 A", "the two lines of the coupler are parallel: no A"))
     a = c1 + u1 * _cross(c2 - c1, u2) / sine
+    if a == c1:
+        raise _parallel(Words("直线 line_2 过 C₁，A 与 C₁ 重合", "line_2 passes through C₁: A is C₁"))
     made = []
     for way in (1j, -1j):
         along = (a - c1) / abs(a - c1) * way * exp(-way * design.alpha_1.si)
