@@ -27,14 +27,19 @@ def surely_short(problem: Problem, asked: Mapping[str, Values], graded: Collecti
     found = np.zeros(next(map(len, asked.values()), 0), bool)
     if problem.by_centres or problem.curvature is not None:
         return found
-    for view, kinds in POLYGONS.items():
-        drawn = {rel.key for rel in _rels(problem) if rel.kind in kinds}
-        sizes = [np.abs(values) for key, values in asked.items() if key in drawn and key in graded]
+    for view in POLYGONS:
+        sizes = [size for key, size in drawn_on(problem, view, asked).items() if key in graded]
         scale = _least_scale(problem, view, asked) if sizes else None
         if scale is not None:
             for size in sizes:
                 found |= (size > FAINT * scale) & (size < problem.gate.vectors * scale * (1 - SURE))
     return found
+
+
+def drawn_on(problem: Problem, view: View, asked: Mapping[str, Values]) -> dict[str, Values]:
+    """The sizes of the asked vectors of this polygon."""
+    drawn = {rel.key for rel in _rels(problem) if rel.kind in POLYGONS[view]}
+    return {key: np.abs(values) for key, values in asked.items() if key in drawn}
 
 
 def _least_scale(problem: Problem, view: View, asked: Mapping[str, Values]) -> Values | None:

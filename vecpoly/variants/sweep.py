@@ -21,7 +21,7 @@ from ..problem.ranges import Range
 from ..units.reading import read
 from .conditions import Condition
 from .frames import HEIGHT, WIDTH
-from .lengths import POLYGONS, surely_short
+from .lengths import POLYGONS, drawn_on, surely_short
 
 Values = NDArray[Any]
 PLACES = 72  # of the drive that are looked at, at most
@@ -72,7 +72,7 @@ def sweep(problem: Problem, along: Range | None, signs: Mapping[str, float], gra
         (Condition.ASSEMBLED, whole[:, STEPS // 2]),
         (Condition.DEAD_POINT, np.asarray(whole.all(axis=1))),
         (Condition.SENSES, everywhere & _alike(asked, signs) if problem.gate.alike else everywhere),
-        (Condition.SHORT, everywhere & _even(asked, graded, problem.gate.vectors)),
+        (Condition.SHORT, everywhere & _even(problem, asked, graded)),
     ]
     return _judged(numbers, tests, asked, surely_short(problem, asked, graded))
 
@@ -129,13 +129,13 @@ def _alike(asked: Mapping[str, Values], signs: Mapping[str, float]) -> NDArray[n
     return good
 
 
-def _even(asked: Mapping[str, Values], graded: Collection[str], least: float) -> NDArray[np.bool_]:
+def _even(problem: Problem, asked: Mapping[str, Values], graded: Collection[str]) -> NDArray[np.bool_]:
     """Where the shortest graded vector is not too short even where the longest fills the frame."""
     good = np.ones(1, bool)
-    for stems in POLYGONS.values():
-        sizes = {key: np.abs(values) for key, values in asked.items() if key.startswith(stems)}
+    for view in POLYGONS:
+        sizes = drawn_on(problem, view, asked)
         shown = [size for key, size in sizes.items() if key in graded]
         if shown:
             longest = np.max(list(sizes.values()), axis=0)
-            good = good & (np.min(shown, axis=0) * max(WIDTH, HEIGHT) >= least * longest)
+            good = good & (np.min(shown, axis=0) * max(WIDTH, HEIGHT) >= problem.gate.vectors * longest)
     return good
