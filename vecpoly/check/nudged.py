@@ -10,6 +10,7 @@ from ..designs.base import Design
 from ..designs.numbers import with_numbers
 from ..mechanism.model import Mechanism
 
+TRIALS = 4  # sets of data that are looked at
 LAST_PLACES = 1e-15  # relative: a few units in the last place of a double
 
 

@@ -92,9 +92,7 @@ class Others:
     @classmethod
     def of(cls, labels: Sequence[Stood]) -> Others:
         """Of labels at their places."""
-        parts = [
-            (one.centre, one.half, one.foot or 0j, one.tip or 0j, one.low - NEAR, one.high + NEAR) for one in labels
-        ]
+        parts = [(one.centre, one.half, one.foot or 0j, one.tip or 0j, one.low, one.high) for one in labels]
         centre, half, foot, tip, low, high = np.array(parts, dtype=complex).T.copy()
         led = np.array([one.foot is not None for one in labels], dtype=bool)
         things = np.array([one.thing for one in labels], dtype=object)

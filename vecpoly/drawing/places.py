@@ -10,7 +10,7 @@ from itertools import accumulate
 import numpy as np
 
 from .clashes import Trial
-from .labels.obstacles import Floats, Indices
+from .labels.bounds import Floats, Indices
 from .labels.spots import DIRECTIONS, LED, PER_DISTANCE, Spots, beside, on_leaders, price_of_leader, rings
 from .labels.want import Want
 from .prices import Around, Stand, beyond, stands

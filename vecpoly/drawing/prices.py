@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .labels.bounds import Complexes, Floats
 from .labels.leading import alongside
-from .labels.obstacles import Complexes, Floats, Obstacles
+from .labels.obstacles import Obstacles
 from .labels.rivals import Named, misled
 from .labels.spots import Spots, ends
 from .labels.want import Line, Spot, Want

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .clashes import Others, Trial, clashes
-from .labels.obstacles import Floats, Indices
+from .labels.bounds import Floats, Indices
 from .stood import Stood
 
 AWAY = -1  # of another label: standing nowhere near

@@ -20,7 +20,7 @@ from ...names import Rel, Sort
 from ...problem.asked.asks import Ask, AskNamed
 from ...problem.problem import Printed, Problem
 from ..likely import natural
-from ..nudged import nudged
+from ..nudged import TRIALS, nudged
 from ..printed.behind import behind, way
 from ..roles import refuse_wrong_roles
 from ..truth import ActsAt, Values, finite, knows
@@ -29,8 +29,6 @@ from .weighed import weighed_values
 
 if TYPE_CHECKING:
     from ...oracle.forces import Forces
-
-TRIALS = 4
 
 
 @knows(Mechanism)

@@ -16,10 +16,8 @@ from ...names import Rel
 from ...oracle.synthesis.registry import Linkage, candidates, counted, design_answers, linkages, solvable
 from ...problem.problem import Printed, Problem
 from ...words import Words
-from ..nudged import nudged_data
+from ..nudged import TRIALS, nudged_data
 from ..truth import ActsAt, Values, finite, knows
-
-TRIALS = 4  # nudges
 
 
 @knows(Design)

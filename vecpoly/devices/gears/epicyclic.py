@@ -130,6 +130,11 @@ class Epicyclic(Device):
         return {"1": self.omega_1, "3": self.omega_3, "H": self.omega_H}
 
     @property
+    def held(self) -> tuple[str, ...]:
+        """The central gears that stand still."""
+        return tuple(key for key, omega in self.omegas.items() if omega is not None and not omega.si and key != "H")
+
+    @property
     def sought(self) -> str:
         """The central link whose speed is not given."""
         return next(key for key, omega in self.omegas.items() if omega is None)

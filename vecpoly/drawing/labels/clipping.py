@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-Complexes = NDArray[np.complex128]
-Floats = NDArray[np.float64]
+from .bounds import Complexes, Floats
 
 
 def inside(start: Complexes, d: Complexes, dx: Floats | float, dy: Floats | float) -> tuple[Floats, NDArray[np.bool_]]:

@@ -17,8 +17,9 @@ from ..hung import hung
 from ..places import Places, Row
 from ..prices import Around
 from ..scene import Item
+from .bounds import Floats
 from .ground import broken
-from .obstacles import Floats, Obstacles
+from .obstacles import Obstacles
 from .placing import BAD, Placed
 from .rivals import Named, misled_here
 from .spots import spot, spots

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .obstacles import Floats, Obstacles
+from .bounds import Floats
+from .obstacles import Obstacles
 from .spots import Spots
 from .want import Want
 

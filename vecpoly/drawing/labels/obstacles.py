@@ -17,13 +17,10 @@ from numpy.typing import NDArray
 
 from ..scene import Fill, Item, Layer, Stroke, TextBox
 from ..style import THIN
-from .bounds import Bounds, Groups
+from .bounds import Bounds, Complexes, Floats, Groups, Indices
 from .clipping import inside
 from .ground import is_ground
 
-Complexes = NDArray[np.complex128]
-Floats = NDArray[np.float64]
-Indices = NDArray[np.intp]
 Own = tuple[Complexes, Complexes]  # of each place both ends of the line that its label names
 
 GAP = 0.45  # mm between lettering and a line

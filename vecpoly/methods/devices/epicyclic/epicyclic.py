@@ -75,7 +75,7 @@ def _gears(bench: Bench, train: Epicyclic) -> None:
 def _held_and_turned(bench: Bench, train: Epicyclic, radii: Mapping[str, float]) -> None:
     """What is given of the motion: the hatching of a wheel that stands still, the arrows of ω; the teeth."""
     for key, omega in train.omegas.items():
-        if omega is not None and not omega.si and key != "H":
+        if key in train.held:
             ring = key == "3" and bool(train.ring)
             bench.board.depict(
                 View.MECHANISM, held(radii[key], *((0.0, pi) if ring else (-pi / 6, -5 * pi / 6)), inner=ring)
@@ -126,9 +126,8 @@ def _section(bench: Bench, train: Epicyclic, feet: Mapping[str, Points]) -> None
     board, scale = bench.board, bench.board.scale_of(RADII)
     radii = {key: radius / scale.value for key, radius in train.radii.items()}
     end = -farthest_left(train) / scale.right.value - ASIDE
-    held = next((key for key, omega in train.omegas.items() if omega is not None and not omega.si and key != "H"), "")
-    ring, stepped = bool(train.ring), len(train.planet) > 1
-    board.depict(RADII, *half_section(end, radii, ring=ring, stepped=stepped, fixed=held))
+    ring, stepped, fixed = bool(train.ring), len(train.planet) > 1, next(iter(train.held), "")
+    board.depict(RADII, *half_section(end, radii, ring=ring, stepped=stepped, fixed=fixed))
     for key in POINTS:
         board.join(RADII, complex(end, radii[key]), feet[key], Role.CONSTRUCTION)
 

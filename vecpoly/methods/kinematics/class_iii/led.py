@@ -26,10 +26,7 @@ def led(desk: Desk, star: Star) -> Assembly | None:
     if star.parallel or not new <= set(desk.mech.guesses) or any(new & set(s.letters) for s in desk.mech.branches):
         return None
     where = _guessed(desk, star)
-    if where is None:
-        return None
-    with np.errstate(divide="ignore", invalid="ignore"):  # lines of two legs may be parallel
-        return _near(bare(desk), star, *where)
+    return None if where is None else _near(bare(desk), star, *where)
 
 
 def _guessed(desk: Desk, star: Star) -> tuple[float, complex] | None:
