@@ -15,7 +15,7 @@ from vecpoly.drawing.labels.ground import is_ground
 from vecpoly.drawing.labels.placing import Placed
 from vecpoly.drawing.labels.want import Spot, Thing
 from vecpoly.drawing.scene import Fill, Item, Rect, Stroke, TextBox
-from vecpoly.drawing.stood import APART, FRACTION
+from vecpoly.drawing.weighing.stood import APART, FRACTION
 from vecpoly.typeset import Glyphs
 
 LEVEL = 0.3  # mm by which two labels overlap in height, or in width, to be in one line, or over each other

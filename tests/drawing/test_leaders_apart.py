@@ -7,8 +7,8 @@ import cmath
 import numpy as np
 import pytest
 
+from vecpoly.drawing.labels.about.obstacles import Obstacles
 from vecpoly.drawing.labels.leading import ALONG, WITHIN, alongside
-from vecpoly.drawing.labels.obstacles import Obstacles
 from vecpoly.drawing.labels.spots import on_leaders
 from vecpoly.drawing.labels.want import Piece, Thing, Want
 from vecpoly.drawing.scene import Stroke

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vecpoly.drawing.clashes import Others, Trial, clashes
 from vecpoly.drawing.labels.want import Thing
-from vecpoly.drawing.standing import Meeting, Standing
-from vecpoly.drawing.stood import Stood
+from vecpoly.drawing.weighing.clashes import Others, Trial, clashes
+from vecpoly.drawing.weighing.standing import Meeting, Standing
+from vecpoly.drawing.weighing.stood import Stood
 
 COUNT, PLACES = 7, 12  # labels, and places of each
 HALF = complex(3.0, 1.8)

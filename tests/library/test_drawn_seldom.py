@@ -15,7 +15,7 @@ from vecpoly.board.construction import EquationTable, Step, View
 from vecpoly.board.paper.marks import AngleMark, Arc, Dot, Point, Role, Segment, Vector
 from vecpoly.curves.skeleton import skeleton
 from vecpoly.cycle import cycle
-from vecpoly.drawing.labels.obstacles import _boxes
+from vecpoly.drawing.labels.about.obstacles import _boxes
 from vecpoly.errors import NoMethodError
 from vecpoly.mechanism.model import FRAME, Prismatic
 from vecpoly.methods.standing import standing

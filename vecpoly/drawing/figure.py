@@ -13,10 +13,10 @@ from ..typeset import Box, layout
 from ..words import Lang, Words
 from .beside import beside
 from .cleared import cleared
+from .labels.about.obstacles import Obstacles
 from .labels.actions import is_line_of_action
 from .labels.ground import broken
 from .labels.notes import LEADING, folded, lines
-from .labels.obstacles import Obstacles
 from .labels.placing import Placed, place
 from .labels.want import Line, Spot, Want
 from .labels.wants import grounds, unnamed, wants

@@ -14,12 +14,12 @@ from ...board.paper.marks import Ground
 from ...words import Lang
 from ..figure import Bare, Drawing, drawing
 from ..hung import hung
-from ..places import Places, Row
-from ..prices import Around
 from ..scene import Item
-from .bounds import Floats
+from ..weighing.places import Places, Row
+from ..weighing.prices import Around
+from .about.bounds import Floats
+from .about.obstacles import Obstacles
 from .ground import broken
-from .obstacles import Obstacles
 from .placing import BAD, Placed
 from .rivals import Named, misled_here
 from .spots import spot, spots

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .bounds import Floats
-from .obstacles import Obstacles
+from .about.bounds import Floats
+from .about.obstacles import Obstacles
 from .spots import Spots
 from .want import Want
 

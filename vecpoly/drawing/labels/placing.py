@@ -8,12 +8,12 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import inf, isnan
 
-from ..places import Row, cheapest, price_all
-from ..prices import Around
 from ..scene import Item, Layer, Rect, Stroke, TextBox
-from ..standing import AWAY, ROUNDING, Meeting, Pair, Standing
 from ..style import THIN, Hue
-from .obstacles import Obstacles
+from ..weighing.places import Row, cheapest, price_all
+from ..weighing.prices import Around
+from ..weighing.standing import AWAY, ROUNDING, Meeting, Pair, Standing
+from .about.obstacles import Obstacles
 from .spots import SHORT
 from .want import Line, Piece, Spot, Want
 

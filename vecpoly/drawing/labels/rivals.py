@@ -9,8 +9,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from .bounds import Complexes, Floats, Indices
-from .clipping import enters
+from .about.bounds import Complexes, Floats, Indices
+from .about.clipping import enters
 from .want import Line, Spot, Thing, Want
 
 WRONG = 55.0  # nearer to another than to its own, with no leader to tell

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .bounds import Complexes, Floats
+from .about.bounds import Complexes, Floats
 from .want import Thing, Want
 
 DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)

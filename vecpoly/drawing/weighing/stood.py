@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..foundation.slotted import dataclass
-from .labels.obstacles import crossed
-from .labels.spots import SHORT
-from .labels.want import Thing
+from ...foundation.slotted import dataclass
+from ..labels.about.obstacles import crossed
+from ..labels.spots import SHORT
+from ..labels.want import Thing
 
 APART = 0.7  # mm between two labels
 AS_ONE, MISREAD = 1.8, 39.0  # mm side by side below which two labels are read as one, and what that costs

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .labels.bounds import Complexes, Floats
-from .labels.leading import alongside
-from .labels.obstacles import Obstacles
-from .labels.rivals import Named, misled
-from .labels.spots import Spots, ends
-from .labels.want import Line, Spot, Want
-from .scene import Rect
+from ..labels.about.bounds import Complexes, Floats
+from ..labels.about.obstacles import Obstacles
+from ..labels.leading import alongside
+from ..labels.rivals import Named, misled
+from ..labels.spots import Spots, ends
+from ..labels.want import Line, Spot, Want
+from ..scene import Rect
 
 BEYOND_FRAME = 60.0  # a mm beyond the allowed frame
 IN_CROWD = 0.3  # so much of its price has what a leader crosses in a crowd: better that than a letter on a line

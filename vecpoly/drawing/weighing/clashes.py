@@ -12,11 +12,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from .labels.bounds import Bounds, Complexes, Floats, Indices
-from .labels.clipping import enters
-from .labels.obstacles import crossed
-from .labels.spots import ends
-from .labels.want import Thing
+from ..labels.about.bounds import Bounds, Complexes, Floats, Indices
+from ..labels.about.clipping import enters
+from ..labels.about.obstacles import crossed
+from ..labels.spots import ends
+from ..labels.want import Thing
 from .stood import (
     APART,
     AS_ONE,

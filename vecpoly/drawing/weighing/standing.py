@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..labels.about.bounds import Floats, Indices
 from .clashes import Others, Trial, clashes
-from .labels.bounds import Floats, Indices
 from .stood import Stood
 
 AWAY = -1  # of another label: standing nowhere near

@@ -15,11 +15,11 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from ..scene import Fill, Item, Layer, Stroke, TextBox
-from ..style import THIN
+from ...scene import Fill, Item, Layer, Stroke, TextBox
+from ...style import THIN
+from ..ground import is_ground
 from .bounds import Bounds, Complexes, Floats, Groups, Indices
 from .clipping import inside
-from .ground import is_ground
 
 Own = tuple[Complexes, Complexes]  # of each place both ends of the line that its label names
 

@@ -9,10 +9,10 @@ from itertools import accumulate
 
 import numpy as np
 
+from ..labels.about.bounds import Floats, Indices
+from ..labels.spots import DIRECTIONS, LED, PER_DISTANCE, Spots, beside, on_leaders, price_of_leader, rings
+from ..labels.want import Want
 from .clashes import Trial
-from .labels.bounds import Floats, Indices
-from .labels.spots import DIRECTIONS, LED, PER_DISTANCE, Spots, beside, on_leaders, price_of_leader, rings
-from .labels.want import Want
 from .prices import Around, Stand, beyond, stands
 
 OUTSIDE = 0.25  # a mm beyond the drawn lines

@@ -1,0 +1,1 @@
+"""What lies about a label: rectangles, pieces of lines in them, solids."""
