@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from cmath import exp
+from dataclasses import dataclass, replace
 from math import degrees
 
 import numpy as np
 
 from ....algebra.quantity import magnitude
 from ....algebra.worked import stated
+from ....designs.generator.formula import Value
 from ....designs.generator.function_generator import ERROR, FunctionGenerator
 from ....designs.ranges import extremes
 from ....plane import Points, Reals, circles_meet, cross, nominal
@@ -22,37 +24,48 @@ STATIONS = 60
 LEAST = 1e-9  # of the length of a link: at a dead point
 
 
+@dataclass(frozen=True, slots=True)
 class Output:
     """The linkage as it was found, moved on scratch paper: C by two arcs, on the side on which it stands."""
 
-    def __init__(self, sheet: Sheet, design: FunctionGenerator) -> None:
-        self.design, pins = design, sheet.pins
-        self.d, b, c = pins["D"][0], pins["B"][0], pins["C"][0]
-        self.ab, self.bc, self.cd = np.abs(b), np.abs(c - b), np.abs(c - self.d)
-        along = sheet.bodies["AM"][0].along, sheet.bodies["DN"][0].along
-        self.ways = tuple(
-            1 if float(nominal(dot(way, at))) > 0 else -1 for way, at in zip(along, (b, c - self.d), strict=True)
-        )
-        self.left = float(nominal(cross(self.d - b, c - b))) > 0
+    design: FunctionGenerator
+    d: Points
+    ab: Reals
+    bc: Reals
+    cd: Reals
+    ways: tuple[int, int]  # of AM and DN: whether the pins lie on these lines or on the lines produced backwards
+    left: bool  # of the ray DB
 
-    def error(self, share: float) -> Reals:
+    @classmethod
+    def of(cls, sheet: Sheet, design: FunctionGenerator) -> Output:
+        """From the pins in the first position."""
+        b, c, d = (sheet.pins[letter][0] for letter in "BCD")
+        way, other = (
+            1 if float(nominal(dot(sheet.bodies[line][0].along, at))) > 0 else -1
+            for line, at in (("AM", b), ("DN", c - d))
+        )
+        left = float(nominal(cross(d - b, c - b))) > 0
+        return cls(design, d, np.abs(b), np.abs(c - b), np.abs(c - d), (way, other), left)
+
+    def nominally(self) -> Output:
+        """As on the nominal sheet: moved to many places at once."""
+        d, ab, bc, cd = map(nominal, (self.d, self.ab, self.bc, self.cd))
+        return replace(self, d=d, ab=ab, bc=bc, cd=cd)
+
+    def error(self, share: Value) -> Reals:
         """How far C is ahead of its place (rad), at a share of the range."""
         phi, psi = self.design.angles_at(share)
-        b: Points = self.ways[0] * self.ab * exp(1j * phi)
+        b: Points = self.ways[0] * self.ab * np.exp(1j * phi)
         right, left = circles_meet(self.d, self.cd, b, self.bc)
         c = left if self.left else right
-        return np.asarray(np.angle(self.ways[1] * (c - self.d) * exp(-1j * psi)))
-
-    def size(self, share: float) -> float:
-        """The size of the error on the nominal sheet."""
-        return abs(float(nominal(self.error(share))))
+        return np.asarray(np.angle(self.ways[1] * (c - self.d) * np.exp(-1j * psi)))
 
 
 def passes(sheet: Sheet, design: FunctionGenerator) -> bool:
     """Whether the loop can be closed all over the range: at its ends, and with AB on the line of AD."""
     assert design.phi is not None
-    one = Output(sheet, design)
-    ab, bc, cd, d = (float(nominal(value)) for value in (one.ab, one.bc, one.cd, np.abs(one.d)))
+    one = Output.of(sheet, design).nominally()
+    ab, bc, cd, d = (float(value) for value in (one.ab, one.bc, one.cd, np.abs(one.d)))
     places = extremes(*sorted(end.si for end in design.phi))
     bases = [abs(d - one.ways[0] * ab * exp(1j * phi)) for phi in places]
     slack = LEAST * (bc + cd)
@@ -61,11 +74,11 @@ def passes(sheet: Sheet, design: FunctionGenerator) -> bool:
 
 def error_curve(sheet: Sheet, design: FunctionGenerator) -> None:
     """The curve over φ, and its greatest ordinate."""
-    draft, output = sheet.draft, Output(sheet, design)
-    shares = [n / STATIONS for n in range(STATIONS + 1)]
-    worst = place_of_greatest(output.size)
-    phis = [degrees(design.angles_at(share)[0]) for share in shares]
-    errors = [degrees(float(nominal(output.error(share)))) for share in shares]
+    draft, output = sheet.draft, Output.of(sheet, design)
+    ideal, shares = output.nominally(), np.arange(STATIONS + 1) / STATIONS
+    worst = place_of_greatest(lambda share: np.abs(ideal.error(share)))
+    phis = np.degrees(design.angles_at(shares)[0]).tolist()
+    errors = np.degrees(ideal.error(shares)).tolist()
     over = Axis(symbol="φ", unit="°", low=min(phis), high=max(phis))
     up = Axis(symbol="ε", unit="°", low=min(0.0, *errors), high=max(0.0, *errors))
     curve = chart(draft, "error", Words("结构误差曲线", "Structural error"), over, up)

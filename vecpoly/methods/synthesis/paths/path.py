@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from cmath import exp
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -13,24 +14,29 @@ DENSE = 2000  # trials over the range
 
 
 class Path:
-    """E (m) at a share of the range of AB, by the law of cosines."""
+    """E (m) at a share of the range of AB, or at an array of them, by the law of cosines."""
 
     def __init__(self, design: StraightLine) -> None:
         self.design = design
 
-    def phi(self, share: float) -> float:
+    def phi(self, share: Any) -> Any:
         """The angle of AB there (rad)."""
         first, last = (end.si for end in self.design.phi)
         return first + share * (last - first)
 
-    def __call__(self, share: float) -> complex:
+    def __call__(self, share: Any) -> Any:
         design = self.design
-        b = design.AB.si * exp(1j * self.phi(share))
+        b = design.AB.si * np.exp(1j * self.phi(share))
         way = design.AD.si - b
         along = (abs(way) ** 2 + design.BC.si**2 - design.CD.si**2) / (2 * abs(way))
-        across = max(design.BC.si**2 - along**2, 0.0) ** 0.5  # 0 at a dead point
-        c = complex(along, across if design.side == "left" else -across) * way / abs(way)
+        across = np.sqrt(np.maximum(design.BC.si**2 - along**2, 0.0))  # 0 at a dead point
+        c = (along + (1j if design.side == "left" else -1j) * across) * way / abs(way)
         return b + design.E.at / design.BC.si * c
+
+    def seen(self, shares: Sequence[float]) -> list[complex]:
+        """E (mm) at these shares of the range."""
+        places: list[complex] = (1e3 * self(np.array(shares))).tolist()
+        return places
 
     def furthest(self, way: complex) -> float:
         """The share at which the path lies furthest in this direction."""
@@ -42,6 +48,6 @@ class Path:
         Near a dead point E moves as the root of the angle: the trials are dense at both ends.
         """
         shares = (1 - np.cos(np.linspace(0, np.pi, DENSE + 1))) / 2
-        gone = np.append(0.0, np.cumsum(np.abs(np.diff([self(float(share)) for share in shares]))))
+        gone = np.append(0.0, np.cumsum(np.abs(np.diff(self(shares)))))
         inner = np.interp(gone[-1] * np.arange(1, steps) / steps, gone, shares)
         return [0.0, *map(float, inner), 1.0]

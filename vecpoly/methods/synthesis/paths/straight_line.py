@@ -114,16 +114,16 @@ def _station(
 def _read(draft: Draft, path: Path, stations: list[float]) -> None:
     """The path with its height enlarged, between two parallels to AD: length and width of the band."""
     shares = [path.furthest(way) for way in (1, -1, 1j, -1j)]
-    places = [1e3 * path(share) for share in shares]
+    places = path.seen(shares)
     right, left, high, low = places
     base = low.imag
     over = Axis(symbol="x", unit="mm", low=left.real, high=right.real)
     up = Axis(symbol="y", unit="mm", low=0.0, high=high.imag - base)
     curve = chart(draft, "band", Words("轨迹的偏差（高度放大）", "The path, its height enlarged"), over, up)
-    marked = [1e3 * path(share) - 1j * base for share in stations]
+    marked = [at - 1j * base for at in path.seen(stations)]
     draft.board.step(_computed(draft, up.high, [at.imag for at in marked]), curve.place)
     curve.ruled()
-    spots = [1e3 * path(share) for share in sorted({*path.stations(FINE), *shares})]
+    spots = path.seen(sorted({*path.stations(FINE), *shares}))
     curve.curve([at.real for at in spots], [at.imag - base for at in spots])
     for at in marked:
         draft.board.plot(curve.place, np.complex128(curve.at(at.real, at.imag)), "", Dot.POINT)
