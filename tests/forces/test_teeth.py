@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 import vecpoly
 from tests.laws import often
+from vecpoly.algebra.formula import plain
 from vecpoly.errors import LockedError, ProblemFileError
 from vecpoly.solution import Solution, solve
 
@@ -176,3 +177,32 @@ def test_a_gear_that_must_turn_against_such_a_bearing_is_locked() -> None:
             repeats=0,
             precise=False,
         )
+
+
+FAR_FROM_THE_SHEET = """
+id: far-line
+title: a gear pair that drives a slide
+frame: {A: [0 mm, 0 mm], D: [-100 mm, 0 mm]}
+links:
+  1: {gear: A, radius: 40 mm, alpha: 14.5 deg}
+  2: {gear: D, radius: 60 mm, alpha: 14.5 deg, E: {DE: 45 mm, angle: 50 deg from AD}}
+  3: {EF: 150 mm}
+  4: {block: F}
+joints: [1 rolls on 2 at H, 4 slides on x = -100 mm]
+input: {link: 1, phi: 0 deg, omega: 20 rad/s cw}
+branch: [F below E]
+weight: yes
+masses: {4: {mass: 15 kg}}
+loads:
+  Q: {on: 4, at: F, size: 500 N, direction: 90 deg}
+  M_1: {on: 1, size: "?"}
+friction: {D: {rho: 5 mm}, A: {rho: 4 mm}, 4-5: {f: 0.1}}
+find: [M_1, R_12, R_51]
+"""
+
+
+def test_a_bearing_that_passes_on_a_force_found_by_moments_has_that_force_and_no_length_of_its_own() -> None:
+    found = solve(vecpoly.loads(FAR_FROM_THE_SHEET), repeats=0, precise=False)
+    lines = [plain(line) for step in found.construction.steps for line in step.formulas]
+    assert found.answers["R_51"].drawn == found.answers["R_12"].drawn
+    assert f"R_51 = R_12 = {found.answers['R_12'].drawn:.1f} N" in lines and not any("—" in line for line in lines)

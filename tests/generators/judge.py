@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from vecpoly import loads
+from vecpoly.algebra.formula import plain
 from vecpoly.designs.base import Design
 from vecpoly.designs.verdict import Verdict as Use
 from vecpoly.errors import LockedError, VecpolyError
@@ -95,11 +96,17 @@ def _judged(text: str, also: Check) -> Verdict:
     if not wrong and isinstance(problem.subject, Mechanism):
         wrong = against_differences(problem.subject, solution)
     warning = solution.construction.warning
-    wrong = wrong or ("" if warning is None else f"alarm: {warning.en}")
+    wrong = wrong or ("" if warning is None else f"alarm: {warning.en}") or _nameless(solution)
     if not wrong and (none := solution.construction.conclusion) is not None:
         return Verdict(kind=Kind.REFUSED, why=f"no solution: {none.en}")
     wrong = wrong or also(solution)
     return Verdict(kind=Kind.WRONG if wrong else Kind.RIGHT, why=wrong)
+
+
+def _nameless(solution: Solution) -> str:
+    """A length in a formula that has no letters: nobody could read it off the sheet."""
+    lines = (line for step in solution.construction.steps for line in step.formulas)
+    return next((f"no letters: {plain(line)}" for line in lines if "—" in plain(line)), "")
 
 
 def _disagreeing(solution: Solution) -> str:

@@ -144,8 +144,10 @@ def _formula(st: Statics, force: Acting, on_paper: Quantity) -> Node:
     if force.computed is None:
         return worked(name, st.board.mu(View.FORCE) * on_paper, "N")
     end = worked(name, magnitude(force.named.symbol, force.computed, "N"), "N").items[-1]
-    same = next((size for size in st.board.ledger.sizes.values() if size.value is force.computed), None)
-    return Row((name, end) if same is None or same.node == name else (name, Txt(" = "), same.node, end))
+    same = next((size.node for size in st.board.ledger.sizes.values() if size.value is force.computed), None)
+    if same is None:  # it passes on what was computed as another reaction
+        same = next(sym(one.named.symbol) for one in st.acting.values() if one.computed is force.computed)
+    return Row((name, end) if same == name else (name, Txt(" = "), same, end))
 
 
 def _couple_words(named: Named, couple: float) -> Words:

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from ....board.construction import Pane
 from ....board.paper.marks import Dot
-from ....plane import nominal
+from ....plane import Reals, nominal
 from ....vector.close import close
 from ....vector.equation import UNKNOWN, Equation, Term
 from ....words import Words
@@ -71,3 +73,12 @@ def answered(st: Statics, by: str, on: str, load: Resultant) -> Drawn | None:
         return closing_side(st, by, on, load)
     drawn = load.forces[0].drawn
     return None if drawn is None else drawn.reversed()
+
+
+def unread(st: Statics, load: Resultant) -> Reals | None:
+    """The size (N) of that force where it is the only known one turned round, and stands on no polygon: it is not
+    read anew."""
+    if len(load.forces) != 1 or load.forces[0].drawn is not None:
+        return None
+    (known,) = load.forces
+    return np.abs(known.vector) * st.scale.value if known.computed is None else known.computed

@@ -16,7 +16,7 @@ from ....plane import Points, Reals, dot, foot, nominal, unit
 from ....words import Words
 from ...registry import Stage, method
 from ..acting import Drawn
-from ..bodies.link_polygon import answered
+from ..bodies.link_polygon import answered, unread
 from ..lines.arms import moments_at
 from ..lines.beside import clear_of
 from ..lines.links_of_group import Held
@@ -76,7 +76,7 @@ def moment_on_crank(st: Statics, held: Held) -> None:
             f"不计 ${pin}$ 处摩擦，${frame}$ 过 ${pin}$。", f" Without friction at ${pin}$ it passes through ${pin}$."
         )
     )
-    st.settle(FRAME, held.link, -load.vector, at, drawn, sense)
+    st.settle(FRAME, held.link, -load.vector, at, drawn, sense, computed=unread(st, load))
     _couple(st, held, load, at, drawn)
 
 
@@ -137,7 +137,8 @@ def _letter(st: Statics) -> str:
 def _size(st: Statics, load: Resultant, held: Held, drawn: Drawn | None) -> Quantity:
     named = load.forces[0].named if len(load.forces) == 1 else st.named(FRAME, held.link)
     if drawn is None:
-        return magnitude(named.symbol, np.abs(load.vector) * st.scale.value, "N")
+        size = unread(st, load)
+        return magnitude(named.symbol, np.abs(load.vector) * st.scale.value if size is None else size, "N")
     expr = measured(st, drawn)
     if len(load.forces) > 1:
         st.board.write_worked(sym(named.symbol), expr, "N")

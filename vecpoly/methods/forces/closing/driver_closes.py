@@ -9,7 +9,7 @@ from ....plane import Reals, cross, dot, nominal
 from ....words import Words
 from ...registry import Stage, method
 from ..acting import Drawn
-from ..bodies.link_polygon import answered, pane_of
+from ..bodies.link_polygon import answered, pane_of, unread
 from ..couples import couples_on
 from ..groups.reactions import no_force
 from ..lines.couples_on_guides import keep_couple
@@ -42,7 +42,7 @@ def crank_closes(st: Statics, held: Held) -> None:
     at = st.touch(pin, -load.line.along, sense)
     st.board.remark(pin_words(st, pin, FRAME, held.link, at))
     st.rest = st.newton_metres(cross(load.at - at, load.vector)) * pace
-    st.settle(FRAME, held.link, -load.vector, at, drawn, sense)
+    st.settle(FRAME, held.link, -load.vector, at, drawn, sense, computed=unread(st, load))
 
 
 @method(
@@ -65,7 +65,7 @@ def slide_closes(st: Statics, held: Held) -> None:
     if drawn is not None and no_force(st, drawn):
         keep_couple(st, FRAME, held.link, pin, -st.newton_metres(cross(load.at - pin, load.vector)))
         return
-    st.settle(FRAME, held.link, -load.vector, load.at, drawn)
+    st.settle(FRAME, held.link, -load.vector, load.at, drawn, computed=unread(st, load))
 
 
 def _rest_along(st: Statics, held: Held, load: Resultant) -> Reals:

@@ -10,7 +10,7 @@ from ....mechanism.model import Prismatic, Revolute
 from ....plane import cross, nominal
 from ....words import Words
 from ...registry import Stage, method
-from ..bodies.link_polygon import answered
+from ..bodies.link_polygon import answered, unread
 from ..doors import COUPLES
 from ..lines.couples_on_guides import couple_on_guide
 from ..lines.resultant import Resultant, resultant
@@ -99,4 +99,4 @@ def _bearing_alone(st: Statics, mesh: Mesh, load: Resultant) -> None:
     )
     st.settle(mesh.by, held.link, 0j, st.desk.at[mesh.teeth.point])
     drawn = answered(st, held.parent, held.link, load)
-    st.settle(held.parent, held.link, -load.vector, st.desk.at[pin], drawn)
+    st.settle(held.parent, held.link, -load.vector, st.desk.at[pin], drawn, computed=unread(st, load))
