@@ -14,6 +14,7 @@ from ...plane import Line, Points, Reals, nominal
 from ...vector.equation import KNOWN
 from ...words import Words
 
+NO_LETTER = "—"  # of an end of a force that stands on no polygon
 OTHER_END = "′"  # behind the name of a cylinder's thrust, or a spring's force: the opposite one
 ROUNDING = 1e-13  # of the largest part: a smaller sum is rounding
 

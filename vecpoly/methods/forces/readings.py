@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from ...algebra.formula import Node, Row, Txt, sym
 from ...algebra.quantity import Expr, Product, Quantity, magnitude, number
 from ...algebra.worked import stated, worked
@@ -18,7 +16,7 @@ from ...names import Named
 from ...plane import Points, Reals, nominal
 from ...problem.problem import Problem
 from ...words import Words
-from .acting import Acting, Drawn
+from .acting import NO_LETTER, Acting, Drawn
 from .state import Statics
 
 _SIDE = {1: "ccw", -1: "cw", 0: ""}
@@ -107,7 +105,7 @@ def read_reactions(st: Statics, mech: Mechanism) -> None:
 
 def _side(force: Acting) -> tuple[Points, Points, str]:
     """Start, end and letters of a force on its polygon; one that stands on none is laid off from a point."""
-    return (force.drawn.start, force.drawn.end, force.drawn.letters) if force.drawn else (0j, force.vector, "—")
+    return (force.drawn.start, force.drawn.end, force.drawn.letters) if force.drawn else (0j, force.vector, NO_LETTER)
 
 
 def _reaction(st: Statics, force: Acting, side: tuple[Points, Points, str]) -> None:
@@ -139,7 +137,8 @@ def _reaction(st: Statics, force: Acting, side: tuple[Points, Points, str]) -> N
 def _formula(st: Statics, force: Acting, on_paper: Quantity) -> Node:
     """R = μ_F × length; of a force that was computed and laid off, not read, what it was computed as: R_43 = R_45."""
     name = sym(force.named.symbol)
-    if force.drawn is None and force.computed is None and not nominal(np.abs(force.vector)):
+    unlettered = force.drawn is None or NO_LETTER in force.drawn.letters
+    if unlettered and force.computed is None and abs(complex(nominal(force.vector))) < NO_LENGTH:
         return stated(magnitude(force.named.symbol, 0.0, "N"))
     if force.computed is None:
         return worked(name, st.board.mu(View.FORCE) * on_paper, "N")

@@ -16,7 +16,7 @@ from ....plane import Points, nominal
 from ....vector.close import close
 from ....vector.equation import Equation, Term
 from ....words import Words
-from ..acting import Acting, Drawn
+from ..acting import NO_LETTER, Acting, Drawn
 from ..bodies.link_polygon import LETTERS
 from ..lines.arms import acting_on
 from ..readings import measured
@@ -106,7 +106,7 @@ def _nothing(st: Statics, d: Dyad) -> Corners:
     )
     pane, none = (
         st.polygon(f"{st.mech.number(d.link_j)}-{st.mech.number(d.link_k)}", polygon_title(st, d.link_j, d.link_k)),
-        ("—", 0j),
+        (NO_LETTER, 0j),
     )
     return Corners(pane=pane, p=(none, none), j=none, k=none, x=none)
 
@@ -117,7 +117,7 @@ def reactions(st: Statics, d: Dyad, corners: Corners) -> tuple[Drawn, Drawn, Dra
         st.named(by, on).symbol for by, on in ((d.parent_j, d.link_j), (d.link_k, d.link_j), (d.parent_k, d.link_k))
     ]
     found = corners.side(*corners.p), corners.side(corners.j, corners.x), corners.side(corners.k, corners.x)
-    if corners.x[0] != "—":
+    if corners.x[0] != NO_LETTER:
         say_measured(st, tuple(zip(names, found, strict=True)))
     for drawn, by, on in zip(found, (d.parent_j, d.link_k, d.parent_k), (d.link_j, d.link_j, d.link_k), strict=True):
         name_side(st, drawn, by, on)

@@ -12,7 +12,7 @@ from ....mechanism.groups.assur import Group
 from ....plane import Points, nominal
 from ....words import Words
 from ...kinematics.class_iii.star import Parallel, Slotted, Star
-from ..acting import Acting, Drawn
+from ..acting import NO_LETTER, Acting, Drawn
 from ..bodies.link_polygon import draw_polygon, pane_of
 from ..groups.body import group_pane
 from ..groups.polygon import SAME, name_side, say_measured
@@ -63,7 +63,7 @@ def _leg_alone(st: Statics, star: Star, leg: Parallel, links: tuple[str, ...]) -
                 "different directions and sum to zero, so both are zero.",
             )
         )
-        none = Drawn(place=group_pane(st, *links), start=0j, end=0j, letters="— —")
+        none = Drawn(place=group_pane(st, *links), start=0j, end=0j, letters=f"{NO_LETTER} {NO_LETTER}")
         return none, none
     st.board.step(
         Words(
