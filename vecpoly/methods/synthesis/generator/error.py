@@ -11,7 +11,7 @@ from ....algebra.quantity import magnitude
 from ....algebra.worked import stated
 from ....designs.generator.function_generator import ERROR, FunctionGenerator
 from ....designs.ranges import extremes
-from ....plane import Points, Reals, circles_meet, cross, nominal
+from ....plane import Points, Reals, circles_meet, cross, distance, nominal
 from ....plane.geometry import dot
 from ....words import Words
 from ..chart import Axis, chart
@@ -28,7 +28,7 @@ class Output:
     def __init__(self, sheet: Sheet, design: FunctionGenerator) -> None:
         self.design, pins = design, sheet.pins
         self.d, b, c = pins["D"][0], pins["B"][0], pins["C"][0]
-        self.ab, self.bc, self.cd = np.abs(b), np.abs(c - b), np.abs(c - self.d)
+        self.ab, self.bc, self.cd = np.abs(b), distance(b, c), distance(self.d, c)
         along = sheet.bodies["AM"][0].along, sheet.bodies["DN"][0].along
         self.ways = tuple(
             1 if float(nominal(dot(way, at))) > 0 else -1 for way, at in zip(along, (b, c - self.d), strict=True)
