@@ -11,6 +11,7 @@ import sys
 import textwrap
 from collections.abc import Generator
 from functools import cache
+from importlib import import_module
 from typing import Any, TypeVar
 
 import pytest
@@ -30,6 +31,16 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "house"))
 
 ASSERTED: set[str] = set()  # test functions that reached an assertion, for one of their parameters at least
 LAST = pytest.StashKey[bool]()
+
+
+def pytest_configure() -> None:
+    """Numbers and words that stand in the house's own files, which Hypothesis reads all to try them now and then, are
+    for the soak: to read them takes each worker several seconds."""
+    from tests.laws import soaking
+
+    if not soaking():
+        providers: Any = import_module("hypothesis.internal.conjecture.providers")
+        providers._get_local_constants = lambda: providers._local_constants  # none
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -27,7 +27,7 @@ from vecpoly.words import Words
 T = TypeVar("T")
 
 IDS = tuple(entry.id for entry in library())
-DRAFTED = few(IDS, 3)  # whose sheets are laid, and which are drawn by all hands: in the soak the whole library
+DRAFTED = few(IDS, 6)  # whose sheets are laid, and which are drawn by all hands: in the soak the whole library
 
 
 @dataclass(frozen=True, slots=True)

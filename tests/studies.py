@@ -75,13 +75,14 @@ def words_of(it: Study, lang: Lang) -> tuple[str, Objects]:
 
 
 @contextmanager
-def in_small() -> Iterator[pytest.MonkeyPatch]:
-    """Course reports are drawn in few positions, and their curves are blank."""
+def in_small(blank: bool = True) -> Iterator[pytest.MonkeyPatch]:
+    """Course reports are drawn in few positions, and their curves are blank, if nobody says otherwise."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(comparison, "STATIONS", FEW)
         patch.setattr(drawings, "POSITIONS", 2)
         patch.setattr(drawings, "LOADED", 2)
-        patch.setattr(plot, "record", _blank)
+        if blank:
+            patch.setattr(plot, "record", _blank)
         yield patch
 
 

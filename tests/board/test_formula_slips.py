@@ -58,20 +58,23 @@ def test_an_efficiency_is_multiplied_by_where_it_should_divide() -> None:
 
 @pytest.mark.parametrize(
     ("slip", "more"),
-    [
-        (Slip(Mistake.WITH_FRAME, "n"), 3),
-        (Slip(Mistake.AS_ONE, "p_L", "C"), 4),
-        (Slip(Mistake.AS_ONE, "p_L", "F"), 2),
-        (Slip(Mistake.OMITTED, "F", "F′"), 1),
-        (Slip(Mistake.OMITTED, "F", "p′"), -1),
-        (Slip(Mistake.OMITTED, "F", "p_H"), 1),
-    ],
+    few(
+        [
+            (Slip(Mistake.WITH_FRAME, "n"), 3),
+            (Slip(Mistake.AS_ONE, "p_L", "C"), 4),
+            (Slip(Mistake.AS_ONE, "p_L", "F"), 2),
+            (Slip(Mistake.OMITTED, "F", "F′"), 1),
+            (Slip(Mistake.OMITTED, "F", "p′"), -1),
+            (Slip(Mistake.OMITTED, "F", "p_H"), 1),
+        ],
+        2,
+    ),
 )
 def test_what_is_forgotten_in_counting_makes_the_mobility_wrong_by_so_much(slip: Slip, more: int) -> None:
     assert made("2-6", slip)["F"] == drawn("2-6").solution.answers["F"].drawn + more
 
 
-@pytest.mark.parametrize("name", WORKED)
+@pytest.mark.parametrize("name", few(WORKED, 2))
 def test_every_such_mistake_changes_what_is_asked_or_is_worked_on_the_way(name: str) -> None:
     right = {key: answer.drawn for key, answer in drawn(name).solution.answers.items()}
     for slip in (one for one in offered(name) if one.mistake in TOLD_OF):
@@ -90,7 +93,7 @@ def test_polygons_have_the_mistakes_of_drawing_alone(name: str) -> None:
     assert not any(one.mistake in TOLD_OF for one in slips_of(drawn(name).construction.acts))
 
 
-@pytest.mark.parametrize("name", ["4-1", "5-6", "5-7", "hoist"])
+@pytest.mark.parametrize("name", few(["4-1", "5-6", "5-7", "hoist"], 2))
 def test_all_hands_at_once_make_each_its_own(name: str) -> None:
     slips = offered(name)
     found = by_hands(given(name), answer_key(given(name)), Amended(each=slips))

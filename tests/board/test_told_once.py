@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import vecpoly
+from tests.laws import few
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import AngleMark, Point, TurnArrow
 from vecpoly.words import Lang
@@ -49,7 +50,7 @@ def test_no_length_is_negative_behind_the_start_of_a_line() -> None:
     assert "垂足在其反向延长线上，距 $A$ 300 mm" in _given("tipper", "zh") and "−" not in _given("tipper", "zh")
 
 
-@pytest.mark.parametrize("name", ["dump-hoist", "scissor-lift"])
+@pytest.mark.parametrize("name", few(["dump-hoist", "scissor-lift"], 2))
 def test_a_link_that_is_only_thought_to_drive_has_no_angle_and_no_arrow(name: str) -> None:
     figure = _solved(name).construction.figure(View.MECHANISM)
     assert figure is not None

@@ -307,7 +307,9 @@ def test_laws_of_six_bars_in_any_position(phi: int, name: str) -> None:
     )
 
 
-@pytest.mark.parametrize("name", ["3-1a", "3-1b", "3-1c", "3-1d", "3-1e", "3-3", "A-26", "A-16", "3-13", "C-conveyor"])
+@pytest.mark.parametrize(
+    "name", few(["3-1a", "3-1b", "3-1c", "3-1d", "3-1e", "3-3", "A-26", "A-16", "3-13", "C-conveyor"], 3)
+)
 def test_each_centre_is_sought_when_its_side_closes_two_triangles_of_known_ones(name: str) -> None:
     """With the oracle's places as the known ones: the order of search does not lean on the drawing."""
     mech = load(name).mechanism

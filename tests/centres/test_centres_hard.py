@@ -212,7 +212,7 @@ def test_of_few_centres_every_line_is_drawn_whole() -> None:
 
 
 @pytest.mark.parametrize("name", ["3-1a", "3-7d", "3-12", "ex10", "D-3", "D-3-knife", "3-1c"])
-@pytest.mark.parametrize("phi", [0, 90, 180, 270])
+@pytest.mark.parametrize("phi", few([0, 90, 180, 270], 2))
 def test_links_at_rest_relative_to_each_other_keep_their_centre(name: str, phi: int) -> None:
     agrees(at(name, phi))
 
@@ -230,7 +230,7 @@ def test_the_centre_of_links_at_rest_relative_to_each_other_is_where_it_comes_fr
 # -- off the paper ----------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("phi", [270, 271, 89])
+@pytest.mark.parametrize("phi", few([270, 271, 89], 3))
 def test_a_centre_just_beyond_the_edge_is_not_measured_from_beyond_it(phi: int) -> None:
     solution = at("A-30", phi, "P_79, P_17, P_26")
     for answer in solution.answers.values():

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from tests.laws import few
 from vecpoly.check.truth import exact_values
 from vecpoly.cycle import cycle, extremes, facts, path
 from vecpoly.cycle.facts.path import Shape
@@ -86,7 +87,7 @@ def test_the_tables_hold_every_column_of_the_case_file(name: str) -> None:
     assert len(list(columns(name))) == {"A-16": 10, "A-26": 9, "A-27": 9, "A-27-b": 9}.get(name, 20)
 
 
-@pytest.mark.parametrize("name", ["A-16", "A-26", "A-27-b", "A-30", "A-30-b", "B-24", "B-26.5", "B-29.5"])
+@pytest.mark.parametrize("name", few(["A-16", "A-26", "A-27-b", "A-30", "A-30-b", "B-24", "B-26.5", "B-29.5"], 2))
 def test_each_problem_is_drawn_at_its_position_and_agrees_with_the_oracle(name: str) -> None:
     problem = load(name)
     truth = exact_values(problem)

@@ -667,7 +667,7 @@ WRITTEN = [(name, form) for name in ("A-27", "4-3a", "C-inertia", "3-4a", "4-5",
            ("csv", "zh.xlsx", "en.xlsx")]  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "form"), few(WRITTEN, 4))
+@pytest.mark.parametrize(("name", "form"), few(WRITTEN, 7))
 def test_a_table_that_vecpoly_writes_is_read_again_column_by_column(name: str, form: str, tmp_path: Path) -> None:
     """Words above symbols above units; places without an answer at the end of a row;
     an end of the drive's range in fifteen digits."""

@@ -77,7 +77,7 @@ def test_a_figure_of_eight_through_a_pivot_and_a_convex_oval_are_told() -> None:
     assert not convex.inflections and "卵形" in "".join(w.zh for w in path_sentences(oval, convex))
 
 
-@pytest.mark.parametrize("name", few(["A-26", "B-24", "B-29.5", "D-1", "D-2", "3-5", "3-6", "3-12"], 2))
+@pytest.mark.parametrize("name", few(["A-26", "B-24", "B-29.5", "D-1", "D-2", "3-5", "3-6", "3-12"], 4))
 def test_at_a_limit_crank_and_coupler_are_in_one_line(name: str) -> None:
     """|AC| of the oracle is the sum or the difference of the lengths, as the sentence says."""
     it = studied(name)
@@ -138,7 +138,7 @@ def test_the_name_of_every_loop_follows_from_its_lengths() -> None:
             ("3-5", ("5",)),
             ("3-6", ("3",)),
         ],
-        2,
+        4,
     ),
 )
 def test_the_output_is_the_end_of_the_chain(name: str, last: tuple[str, ...]) -> None:
@@ -147,7 +147,7 @@ def test_the_output_is_the_end_of_the_chain(name: str, last: tuple[str, ...]) ->
         assert re.search(f"输出构件 {link}[：整往每]", said(name).replace(f"{link} ", link))
 
 
-@pytest.mark.parametrize("name", ["A-16", "A-26", "A-27", "A-30", "B-24", "3-5", "3-6"])
+@pytest.mark.parametrize("name", few(["A-16", "A-26", "A-27", "A-30", "B-24", "3-5", "3-6"], 2))
 def test_a_determinant_is_a_product_of_lengths_and_the_sine_of_gamma(name: str) -> None:
     """So one bound, 40°, decides for both, and the verdict is one."""
     it = studied(name)
@@ -173,7 +173,7 @@ def test_the_peaks_of_one_rate_may_have_opposite_causes() -> None:
     assert "3.858 m/s" in said("A-27") and "84.37 mm" in said("A-27") and "32.85 mm" in said("A-27")
 
 
-@pytest.mark.parametrize("name", few(["A-26", "B-24", "A-30", "A-27"], 2))
+@pytest.mark.parametrize("name", few(["A-26", "B-24", "A-30", "A-27"], 4))
 def test_the_lengths_advised_give_the_angle_that_is_promised(name: str) -> None:
     """The distance of the outer pins, taken from the oracle, with the advised equal lengths in the cosine rule."""
     it = studied(name)

@@ -8,6 +8,7 @@ from math import radians
 import numpy as np
 import pytest
 
+from tests.laws import few
 from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.cycle import cycle, extremes, facts
@@ -92,7 +93,7 @@ def test_peaks_about_a_singular_place_are_told_to_be_there() -> None:
     assert len(places) == 5 and max(abs(q - least) for q in places) <= reach + 0.05
 
 
-@pytest.mark.parametrize("name", ["A-26", "3-5"])
+@pytest.mark.parametrize("name", few(["A-26", "3-5"], 2))
 def test_lengths_that_are_advised_run(name: str) -> None:
     """What is promised of them is true of the mechanism of a problem file of its own."""
     changes = {"A-26": "links: {4: {EF: 281.3 mm}, 5: {GF: 281.3 mm}}", "3-5": "links: {4: {EF: 600.9 mm}}"}[name]

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from tests.course.test_course_models_hold import modelled
+from tests.laws import few
 from vecpoly.analytic.equations import Model
 from vecpoly.cycle import cycle
 from vecpoly.findings.study.from_pivots import from_pivots
@@ -86,7 +87,7 @@ def off(problem: Problem, mech: Mechanism, printed: Model) -> Iterator[tuple[str
                 yield name, float(np.max(np.abs(env[name] - exact))) / max(1.0, float(np.max(np.abs(exact))))
 
 
-@pytest.mark.parametrize("name", [*WRITTEN, *GEARED])
+@pytest.mark.parametrize("name", few([*WRITTEN, *GEARED], 2))
 def test_gears_roll_by_the_formulas_as_by_the_oracle_through_the_whole_cycle(name: str) -> None:
     one = problem(name)
     mech = from_pivots(one.mechanism)

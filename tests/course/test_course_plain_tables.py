@@ -79,7 +79,7 @@ def test_a_deviation_has_three_digits_with_their_zeros(value: float, told: str) 
     assert comparison._number(value) == told and comparison._number(0.0) == "0"
 
 
-@pytest.mark.parametrize("lang", ["zh", "en"])
+@pytest.mark.parametrize("lang", few(["zh", "en"], 2))
 def test_even_motion_on_a_circle_has_a_sentence_and_neither_table_nor_curves(lang: Lang) -> None:
     """The pin B of the crank in two slots: x_B, y_B = ±50 mm are told by the data."""
     it = studied("pin-in-two-slots")

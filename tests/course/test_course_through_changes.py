@@ -7,6 +7,7 @@ from contextlib import closing
 
 from pypdfium2 import PdfDocument
 
+from tests.studies import in_small
 from vecpoly import loads, solve
 from vecpoly.algebra.quantity import number
 from vecpoly.report.document import report_bytes
@@ -29,7 +30,8 @@ find: [v_C, a_C, v_G, a_G, omega_2, omega_3, omega_5, alpha_2, alpha_3, alpha_5]
 
 def printed() -> str:
     """The words of its pages, the lettering of its curves too."""
-    written = report_bytes([solve(loads(ANTIPARALLELOGRAM), repeats=0)], lang="en", style="course")
+    with in_small(blank=False):
+        written = report_bytes([solve(loads(ANTIPARALLELOGRAM), repeats=0)], lang="en", style="course")
     with closing(PdfDocument(written)) as document:
         return " ".join(page.get_textpage().get_text_range() for page in document)
 

@@ -41,7 +41,7 @@ def test_the_oracle_has_every_pole_circle_and_centre_of_the_cases(case: dict[str
     assert max(abs(values[key] - wanted[key]) for key in wanted) < 2e-12
 
 
-@pytest.mark.parametrize("case", few(SHEETS, 2), ids=lambda case: case["id"])
+@pytest.mark.parametrize("case", few(SHEETS, 4), ids=lambda case: case["id"])
 @pytest.mark.parametrize("way", WAYS)
 def test_every_construction_draws_what_the_rates_tell(case: dict[str, Any], way: str) -> None:
     problem = case_problem(case, way)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tests.lawful import COIL, CUT, SPRING, slider
+from tests.laws import few
 from vecpoly.cycle import cycle, extremes
 from vecpoly.cycle.facts.force_words import force_sentences
 from vecpoly.cycle.facts.found import facts
@@ -23,7 +24,7 @@ def test_a_window_s_column_is_the_force_inside_and_nothing_outside() -> None:
     assert np.array_equal(turn.column("F"), np.where(inside, 3000.0, 0.0))
 
 
-@pytest.mark.parametrize("entries", [(CUT,), (CUT, SPRING), (CUT, COIL)])
+@pytest.mark.parametrize("entries", few([(CUT,), (CUT, SPRING), (CUT, COIL)], 2))
 def test_the_extremes_of_a_jumping_column_are_its_limits_at_the_corners(entries: tuple[str, ...]) -> None:
     problem = slider(*entries)
     assert problem.loads is not None

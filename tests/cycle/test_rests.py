@@ -6,6 +6,7 @@ from math import degrees
 
 import pytest
 
+from tests.laws import few
 from vecpoly.cycle import cycle, facts
 from vecpoly.cycle.facts.sentences import sentences
 from vecpoly.cycle.table import table
@@ -25,7 +26,7 @@ find: [v_B]
 """  # noqa: E501
 
 
-@pytest.mark.parametrize(("rise", "back"), [("cosine", "parabolic"), ("sine", "3-4-5")])
+@pytest.mark.parametrize(("rise", "back"), few([("cosine", "parabolic"), ("sine", "3-4-5")], 2))
 def test_rests_at_both_limits_are_told_as_stretches_with_the_strokes_between_them(rise: str, back: str) -> None:
     turn = cycle(loads(CAM % (rise, back)), n=37)
     (stroke,) = facts(turn).strokes

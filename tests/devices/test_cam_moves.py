@@ -135,7 +135,7 @@ def test_the_linkage_that_replaces_the_pair_moves_as_the_law_says(case: Case) ->
     assert cam.r0 is not None
 
 
-@pytest.mark.parametrize("name", few(tuple(LIBRARY), 3))
+@pytest.mark.parametrize("name", few(tuple(LIBRARY), 5))
 def test_the_drawing_agrees_with_the_law_at_every_station(name: str) -> None:
     problem = vecpoly.load(name)
     (one, cam), refused = cam_in(problem.mechanism), []

@@ -38,7 +38,7 @@ MOTION = ["rise 30 mm in 120 deg cosine", "dwell 30 deg", "return in 120 deg par
 DISPLACEMENT = view_named("displacement")
 
 
-@pytest.mark.parametrize("case", MEASURED)
+@pytest.mark.parametrize("case", few(MEASURED, 2))
 def test_every_station_stands_where_another_program_has_it(case: str) -> None:
     found = agree(cam_of(case))
     for row in CASES[case]["results"]["table"]:
@@ -217,13 +217,16 @@ def test_neighbouring_faces_meet_on_the_profile() -> None:
 
 @pytest.mark.parametrize(
     ("follower", "r0", "spoilt"),
-    [
-        ({"roller": "10 mm"}, "50 mm", False),
-        ({"roller": "46 mm"}, "50 mm", False),
-        ({"roller": "49 mm", "offset": "6 mm"}, "50 mm", True),
-        ({"flat": "yes"}, "50 mm", False),
-        ({"flat": "yes"}, "12 mm", True),
-    ],
+    few(
+        [
+            ({"roller": "10 mm"}, "50 mm", False),
+            ({"roller": "46 mm"}, "50 mm", False),
+            ({"roller": "49 mm", "offset": "6 mm"}, "50 mm", True),
+            ({"flat": "yes"}, "50 mm", False),
+            ({"flat": "yes"}, "12 mm", True),
+        ],
+        2,
+    ),
 )
 def test_a_roller_larger_than_the_least_radius_and_a_circle_too_small_for_a_face_are_told(
     follower: dict[str, Any], r0: str, spoilt: bool
@@ -312,15 +315,18 @@ def test_an_arm_that_does_not_close_is_refused(arm: str, said: str) -> None:
 
 @pytest.mark.parametrize(
     "name",
-    [
-        "cam-heart",
-        "cam-roller-offset",
-        "cam-flat-face",
-        "cam-flat-arm",
-        "cam-rocker",
-        "cam-undercut",
-        "cam-least-circle",
-    ],
+    few(
+        [
+            "cam-heart",
+            "cam-roller-offset",
+            "cam-flat-face",
+            "cam-flat-arm",
+            "cam-rocker",
+            "cam-undercut",
+            "cam-least-circle",
+        ],
+        3,
+    ),
 )
 def test_a_careful_hand_is_off_by_no_more_than_its_drawing_error(name: str) -> None:
     solution = solve(load(name), repeats=60)
@@ -340,7 +346,7 @@ def test_a_flat_face_that_swings_is_drawn_as_its_support_function_has_it(swing: 
     agree(device("cam", follower={"flat": "yes", "arm": arm}, r0="45 mm", motion=motion, turns=turns))
 
 
-@pytest.mark.parametrize("follower", few([{"roller": "8 mm"}, {"knife": "yes"}, {"flat": "yes"}], 2))
+@pytest.mark.parametrize("follower", few([{"roller": "8 mm"}, {"knife": "yes"}, {"flat": "yes"}], 3))
 def test_an_arm_to_the_left_is_the_mirror_image_of_one_to_the_right(follower: dict[str, str]) -> None:
     arm = {"OA": "80 mm", **({"face": "4 mm"} if "flat" in follower else {"AB": "70 mm"})}
     motion = ["rise 12 deg in 120 deg cosine", "dwell 30 deg", "return in 120 deg parabolic", "dwell 90 deg"]
@@ -399,7 +405,7 @@ WAYS = [(turns, side, law) for law in ("cosine", "3-4-5", "uniform") for side in
         ("ccw", "cw")]  # fmt: skip
 
 
-@pytest.mark.parametrize(("turns", "side", "law"), few(WAYS, 5))
+@pytest.mark.parametrize(("turns", "side", "law"), few(WAYS, 8))
 def test_an_arm_that_turns_faster_than_the_cam_keeps_its_roller_outside(turns: str, side: str, law: str) -> None:
     """P comes from infinity on the other side: the normal into the cam then leads away from it (r was off by 10 mm)."""
     follower = {**ARM, "arm": {**ARM["arm"], "side": side}}  # type: ignore[dict-item]
@@ -410,7 +416,7 @@ def test_an_arm_that_turns_faster_than_the_cam_keeps_its_roller_outside(turns: s
 
 
 @pytest.mark.parametrize("turns", ["ccw", "cw"])
-@pytest.mark.parametrize("law", ["parabolic", "sine"])
+@pytest.mark.parametrize("law", few(["parabolic", "sine"], 2))
 def test_where_arm_and_cam_turn_alike_the_normal_is_parallel_to_the_line_of_their_pivots(turns: str, law: str) -> None:
     """30° in 60° with twice the mean speed: P is at infinity in the middle (it was refused as a dead point)."""
     motion = [f"rise 30 deg in 60 deg {law}", "dwell 60 deg", f"return in 60 deg {law}", "dwell 180 deg"]
@@ -421,7 +427,7 @@ LEAST = {"cosine": 18.849, "sine": 24.0, "3-4-5": 22.5, "uniform": 12.0}
 ALIKE = [(*way, *law) for law in LEAST.items() for way in (("ccw", "rise"), ("cw", "return"))]
 
 
-@pytest.mark.parametrize(("turns", "with_it", "law", "least"), few(ALIKE, 3))
+@pytest.mark.parametrize(("turns", "with_it", "law", "least"), few(ALIKE, 5))
 def test_a_flat_face_that_would_swing_as_fast_as_the_cam_is_refused_with_the_range(
     turns: str, with_it: str, law: str, least: float
 ) -> None:

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from tests.cam_cases import agree, device
 from tests.flywheels import CASES
-from tests.laws import often
+from tests.laws import few, often
 from vecpoly.board.paper.marks import Point
 from vecpoly.devices.base import Device
 from vecpoly.devices.dynamics.characteristic import Kloss
@@ -172,7 +172,7 @@ def test_kloss_is_symmetric_about_its_greatest_moment() -> None:
     assert at[0.5] == at[2.0] < at[1.0] == motor.greatest
 
 
-@pytest.mark.parametrize("read", ["0 mm", "60 mm"])
+@pytest.mark.parametrize("read", few(["0 mm", "60 mm"], 2))
 def test_a_steady_speed_misread_so_far_that_no_area_is_left_is_refused_with_its_numbers(read: str) -> None:
     with pytest.raises(NotAskedError, match="read O S′ again"):
         solve(load("motor-run-up"), by="exact", repeats=0, readings={"OS′": read})

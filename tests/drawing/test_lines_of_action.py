@@ -7,6 +7,7 @@ from functools import cache
 import pytest
 import shapely
 
+from tests.laws import few
 from tests.studies import solved
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import Mark, Point, Role, Segment, Vector
@@ -34,7 +35,7 @@ _LINES = (Role.DIRECTION, Role.IDEAL)
 ONE = 1e-3  # mm from a line within which another lies on it, though it ends sooner
 
 
-@pytest.mark.parametrize("name", PROBLEMS)
+@pytest.mark.parametrize("name", few(PROBLEMS, 2))
 def test_the_name_of_a_force_is_nearer_to_its_own_line_than_to_any_other(name: str) -> None:
     marks, drawn = diagram(name)
     named = [label for label in drawn.labels if label.want.thing is Thing.ACTION and label.foot is None]

@@ -140,7 +140,7 @@ def test_no_sheet_more_is_drawn_for_a_crank_that_would_hardly_be_larger_on_it() 
     assert len(laid("4-5")) == 2
 
 
-@pytest.mark.parametrize("name", few(["4-4", "4-7", "shaper-cut", "plate-on-crank", "plate-two-slides"], 2))
+@pytest.mark.parametrize("name", few(["4-4", "4-7", "shaper-cut", "plate-on-crank", "plate-two-slides"], 3))
 def test_the_sheet_more_is_not_left_white(name: str) -> None:
     assert all(share(sheet) > SPARSE for sheet in laid(name))
 
@@ -199,7 +199,7 @@ def test_as_many_sheets_hold_no_scales_at_which_the_smallest_figure_is_larger(bo
     assert least < 1.0 and page.needed(larger) > sheets
 
 
-@pytest.mark.parametrize("name", ["4-3a", "4-3d", "winch-gears"])
+@pytest.mark.parametrize("name", few(["4-3a", "4-3d", "winch-gears"], 2))
 def test_sheets_that_are_one_more_for_a_small_mechanism_are_well_filled(name: str) -> None:
     assert all(share(sheet) > SPARSE for sheet in laid(name))
 
@@ -226,7 +226,7 @@ def test_a_mechanism_too_small_for_its_letters_beside_its_polygons_has_the_room_
     assert len(laid(name)) == 2 and linked(diagram) > STANDS * letters
 
 
-@pytest.mark.parametrize("name", LETTERED)
+@pytest.mark.parametrize("name", few(LETTERED, 2))
 def test_no_sheet_that_is_one_more_for_the_letters_is_half_white(name: str) -> None:
     assert all(share(sheet) > 0.5 for sheet in laid(name))
 

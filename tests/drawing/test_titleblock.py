@@ -9,6 +9,7 @@ import pytest
 from tests.drawn_library import drafted, given, ids
 from tests.drawn_sheets import laid
 from tests.each import Later, each
+from tests.laws import few
 from vecpoly.board.acts.inkless import Measure
 from vecpoly.devices.structure import Structure
 from vecpoly.drawing.labels.notes import WIDE_SPACE, folded
@@ -49,7 +50,7 @@ def test_sheets_that_are_measured_say_how_finely(name: str) -> None:
 ROOMS = (52.0, 74.0, 79.6)  # mm: cells of titles on plates and on an upright sheet
 
 
-@pytest.mark.parametrize("room", ROOMS)
+@pytest.mark.parametrize("room", few(ROOMS, 2))
 @pytest.mark.parametrize("lang", ["zh", "en"])
 def test_a_long_title_parts_no_word_and_fits_its_cell(lang: Lang, room: float) -> None:
     for name in ids(mechanisms=False):

@@ -50,7 +50,7 @@ def has(found: list[tuple[complex, complex]], a: complex, b: complex, by: comple
     return any(abs(p - a - by) + abs(q - b - by) < CLOSE for p, q in found)
 
 
-@pytest.mark.parametrize("problem", few(SEVERAL, 2))
+@pytest.mark.parametrize("problem", few(SEVERAL, 4))
 def test_every_vector_and_line_of_a_figure_is_there_in_mm_on_the_layer_of_its_role(problem: str) -> None:
     for figure in solved(problem).construction.figures:
         doc = read(figure_dxf(figure))

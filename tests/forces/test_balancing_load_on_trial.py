@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 
 import vecpoly
+from tests.at_once import exactly
 from vecpoly.mechanism.asked.forces import without_friction
 from vecpoly.names import reaction
-from vecpoly.solution import Solution, solve
+from vecpoly.solution import Solution
 
 FOUR_BAR = """
 id: on-the-coupler
@@ -26,7 +27,7 @@ find: [X_b, X_b_0, X_b_power, R_12, R_23, R_34, R_14]
 
 
 def solved(load: str) -> Solution:
-    return solve(vecpoly.loads(FOUR_BAR % load), by="exact", repeats=0, precise=False)
+    return exactly(vecpoly.loads(FOUR_BAR % load))
 
 
 @pytest.mark.parametrize(
@@ -78,7 +79,7 @@ find: [X_b, X_b_0, R_56, R_67]
 
 def test_a_couple_that_turns_round_while_its_size_is_on_trial_is_not_locked() -> None:
     """Without friction X_b leaves the couple M_6 the upper hand on link 6, with it the friction has it."""
-    found = solve(vecpoly.loads(TURNS_ROUND), by="exact", repeats=0, precise=False).answers
+    found = exactly(vecpoly.loads(TURNS_ROUND)).answers
     assert found["X_b_0"].exact < 39.0 < found["X_b"].exact
     for answer in found.values():
         assert answer.deviation == pytest.approx(0.0, abs=1e-8 * max(1.0, abs(answer.exact))), answer.key
@@ -114,7 +115,7 @@ find: [X_b, X_b_0, R_25, R_24, R_23, R_63]
 
 def test_a_load_on_trial_is_not_settled_where_two_lines_are_nearly_parallel() -> None:
     """Within a millionth the guide was said to bear nothing, and the trial ended 1e-9 from equilibrium."""
-    found = solve(vecpoly.loads(LEG_OF_TWO_SLIDES), by="exact", repeats=0, precise=False).answers
+    found = exactly(vecpoly.loads(LEG_OF_TWO_SLIDES)).answers
     assert found["R_23"].exact == pytest.approx(0.0, abs=1e-9) and found["R_24"].exact > 10
     for answer in found.values():
         assert answer.deviation == pytest.approx(0.0, abs=1e-11 * max(1.0, abs(answer.exact))), answer.key

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from tests.at_once import exactly
 from tests.forces.hung import hung
 from vecpoly import Problem, load, loads, problem, solve
 from vecpoly.problem.values.vary import data_of
@@ -48,10 +49,7 @@ def test_a_thrust_that_is_sought_is_put_on_trial_where_its_own_cylinder_rubs() -
 def test_masses_that_vanish_leave_the_thrust_of_a_two_force_member() -> None:
     light = data_of(load("boom-thrust")) | {"find": ["F_c", "R_31", "R_42", "R_41"]}
     masses = light["masses"] | {3: {"mass": "1e-9 kg"}}
-    alone, burdened = (
-        solve(problem(data), by="exact", repeats=0, precise=False).answers
-        for data in (light, light | {"masses": masses})
-    )
+    alone, burdened = (exactly(problem(data)).answers for data in (light, light | {"masses": masses}))
     assert [burdened[key].drawn for key in alone] == pytest.approx([one.drawn for one in alone.values()], rel=1e-6)
 
 

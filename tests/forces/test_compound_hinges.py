@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.at_once import exactly
 from tests.forces.test_pins_in_slots import exact_hand
 from tests.generators.forces import friction, moment, numbered, renumbering, simple, some, template
 from tests.generators.loaded import rrp, rrr
@@ -19,7 +20,6 @@ from vecpoly.mechanism.asked.forces import apart, pairs
 from vecpoly.mechanism.model import FRAME, Mechanism, Revolute
 from vecpoly.mechanism.seats import seat, seated
 from vecpoly.report.statement.structure import numbering
-from vecpoly.solution import solve
 
 RUBBING = "friction: {A: {rho: 3 mm}, B: {rho: 3 mm}, C: {rho: 4 mm}, D: {rho: 3 mm}, E: {rho: 3 mm}, F: {rho: 3 mm}}\n"
 TWO_ROCKERS = """
@@ -196,9 +196,6 @@ find: [M_1]
 
 
 def test_a_pin_with_whose_owner_the_groups_would_be_of_class_iii_is_thought_by_itself() -> None:
-    free, owned = (
-        solve(loads(CARRIED + more), by="exact", repeats=0, precise=False).answers["M_1"]
-        for more in ("", "pins: {E: 6}\n")
-    )
+    free, owned = (exactly(loads(CARRIED + more)).answers["M_1"] for more in ("", "pins: {E: 6}\n"))
     assert free.drawn == pytest.approx(free.exact) and free.drawn != 0
     assert owned.drawn == pytest.approx(free.drawn, rel=1e-9)

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from tests import force_figures as ff
 from tests.label_faults import faults
-from tests.laws import often
+from tests.laws import few, often
 from vecpoly.board.construction import Construction, Figure, Scale, View
 from vecpoly.board.paper.extent import bounds
 from vecpoly.board.paper.marks import (
@@ -70,7 +70,7 @@ def test_no_label_of_a_free_body_stands_on_a_line_a_head_or_another_label(name: 
     assert faults(drawing(ff.SINGLE[name](), lang=lang)) == []
 
 
-@pytest.mark.parametrize("turn", range(0, 360, 24))
+@pytest.mark.parametrize("turn", few(range(0, 360, 24), 3))
 @pytest.mark.parametrize("name", ["rod", "slide", "crank", "wedge", "tight_polygon"])
 def test_labels_find_free_places_however_the_body_is_turned(name: str, turn: int) -> None:
     figure = ff.SINGLE[name]()

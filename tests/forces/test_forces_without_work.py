@@ -7,12 +7,13 @@ import math
 
 import pytest
 
+from tests.at_once import exactly
 from tests.generators.equilibrium import in_equilibrium
 from vecpoly import loads
 from vecpoly.check.truths.analysis import Exact
 from vecpoly.report.lines import lines_table
 from vecpoly.report.values import value
-from vecpoly.solution import Solution, solve
+from vecpoly.solution import Solution
 
 CRANK = """
 id: slider
@@ -43,7 +44,7 @@ BALANCE = 'M_1: {on: 1, size: "?"}'
 
 
 def solved(text: str, *acting: str, also: str = "") -> Solution:
-    found = solve(loads(text + "loads: {" + ", ".join(acting) + "}\n" + also), by="exact", repeats=0, precise=False)
+    found = exactly(loads(text + "loads: {" + ", ".join(acting) + "}\n" + also))
     assert in_equilibrium(found) == ""
     assert not found.suspect
     return found

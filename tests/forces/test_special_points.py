@@ -47,7 +47,7 @@ FRICTION = {
 MASSES = "masses: {2: {mass: 2 kg, inertia: 0.002 kg*m^2, centre: H}, 5: {mass: 3 kg, centre: H}}\nweight: yes\n"
 
 
-@pytest.mark.parametrize("text", few([BARS, SLIDER, SLEEVE], 2))
+@pytest.mark.parametrize("text", few([BARS, SLIDER, SLEEVE], 3))
 @pytest.mark.parametrize("rubs", [False, True])
 def test_every_reaction_is_drawn_where_two_legs_hang_on_the_crank(text: str, rubs: bool) -> None:
     solution = exact_hand(text + (FRICTION[text] if rubs else ""))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from tests.at_once import exactly
 from tests.laws import few
 from vecpoly import Problem, load, loads, problem, solve
 from vecpoly.board.paper.marks import Vector
@@ -34,7 +35,7 @@ def between(speed: str, turned: str) -> Problem:
 @pytest.mark.parametrize("speed", few(["-0.2 m/s", "0.05 m/s"], 2))
 @pytest.mark.parametrize("turned", few(["-90 deg", "200 deg", "10 deg"], 2))
 def test_a_thrust_between_two_moving_links_is_the_same_by_every_way(speed: str, turned: str) -> None:
-    solution = solve(between(speed, turned), by="exact", repeats=0, precise=False)
+    solution = exactly(between(speed, turned))
     assert not solution.suspect
     found = [solution.answers[key] for key in ("F_c", "F_c_power", "F_c_lever")]
     assert [one.drawn for one in found] == pytest.approx([found[0].exact] * 3, rel=1e-9)
@@ -58,5 +59,5 @@ def test_what_was_found_by_virtual_power_is_not_found_so_twice() -> None:
 def test_a_cylinder_on_the_frame_has_the_lever_too() -> None:
     boom = load("boom-thrust")
     keys = ["F_c", "F_c_power", "F_c_lever"]
-    solution = solve(problem(data_of(boom) | {"find": keys}), by="exact", repeats=0, precise=False)
+    solution = exactly(problem(data_of(boom) | {"find": keys}))
     assert [solution.answers[key].drawn for key in keys] == pytest.approx([solution.answers["F_c"].exact] * 3, rel=1e-9)

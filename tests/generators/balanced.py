@@ -87,7 +87,7 @@ def four_bar(rng: np.random.Generator) -> str:
     return f"{frame}{links}{_turn(rng)}branch: [C left of BD, F left of EG]\n{masses}{_hung(rng, '135')}"
 
 
-@family("balanced-slider-crank", also=centre_rests, often=3)
+@family("balanced-slider-crank", also=centre_rests)
 def slider_crank(rng: np.random.Generator) -> str:
     """Offset or not; rod and crank, or a shaper's rod and slotted link."""
     if rng.random() < 0.3:

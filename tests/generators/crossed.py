@@ -78,28 +78,28 @@ def rubbing(rng: np.random.Generator, mech: Mechanism) -> str:
     return f"friction:\n{told}" if told else ""
 
 
-@family("any-forces", also=told, first=2)
+@family("any-forces", also=told, often=1, first=2)
 def under_loads(rng: np.random.Generator) -> str:
     """Loads on any links."""
     text, mech = moving(rng)
     return loaded(rng, text, balancing(rng, mech, piston="piston" in text), find="")
 
 
-@family("any-masses", also=told, first=2)
+@family("any-masses", also=told, often=1, first=2)
 def with_masses(rng: np.random.Generator) -> str:
     """Inertia forces and weights."""
     text, mech = moving(rng)
     return loaded(rng, text, balancing(rng, mech, piston="piston" in text), find="") + masses(rng, mech)
 
 
-@family("any-friction", also=told, first=2)
+@family("any-friction", also=told, often=1, first=2)
 def against_friction(rng: np.random.Generator) -> str:
     """Friction in all kinds of joints."""
     text, mech = moving(rng)
     return loaded(rng, text, balancing(rng, mech, piston="piston" in text), find="") + rubbing(rng, mech)
 
 
-@family("any-centres", first=2)
+@family("any-centres", often=1, first=2)
 def by_centres(rng: np.random.Generator) -> str:
     """Velocities by instant centres."""
     text, mech = moving(rng)

@@ -91,7 +91,7 @@ find: [P_34, W_3, Wr_3, delta_3, p_OE, rho_E]
 """
 
 
-@family("curvature-rolling", also=three_places)
+@family("curvature-rolling", also=three_places, often=1)
 def rolling(rng: np.random.Generator) -> str:
     """A gear on an arm that rolls on a fixed one, outside or inside."""
     fixed, mine = int(rng.integers(30, 120)), int(rng.integers(10, 60))

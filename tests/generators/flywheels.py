@@ -112,7 +112,7 @@ def of_runge_kutta(solution: Solution) -> str:
     return "" if max(off) < 1e-5 else f"{time} s and {turns} turns by small steps"
 
 
-@family("run-up", of_runge_kutta, often=2)
+@family("run-up", of_runge_kutta, often=1, first=1)
 def run_up(rng: np.random.Generator) -> str:
     """A motor of straight characteristic against a load that rises with the speed."""
     a, load = int(rng.integers(60, 400)), int(rng.integers(1, 50))

@@ -119,14 +119,14 @@ def free(c: Chain, link: str) -> str:
     return force(c, "X_b", link, str(c.rng.choice([p for p in c.links[link] if p != "A"])), size='"?"')
 
 
-@family("forces", also=in_equilibrium)
+@family("forces", also=in_equilibrium, often=1)
 def forces(rng: np.random.Generator) -> str:
     """Loads on any links, balanced by a moment or a force on the crank."""
     c = simple(rng)
     return written(c, some(c, 3) + free(c, "L0"))
 
 
-@family("forces-elsewhere", also=in_equilibrium)
+@family("forces-elsewhere", also=in_equilibrium, often=1)
 def elsewhere(rng: np.random.Generator) -> str:
     """Balanced by a moment or a force on any link, the crank among the loaded ones."""
     c = simple(rng)
@@ -134,14 +134,14 @@ def elsewhere(rng: np.random.Generator) -> str:
     return written(c, some(c, 2, without=link) + free(c, link))
 
 
-@family("forces-masses", also=in_equilibrium)
+@family("forces-masses", also=in_equilibrium, often=1)
 def with_masses(rng: np.random.Generator) -> str:
     """Inertia forces, weights, perhaps loads."""
     c = simple(rng)
     return written(c, (some(c, 1) if rng.random() < 0.4 else "") + free(c, "L0"), masses(c))
 
 
-@family("forces-couples", also=in_equilibrium)
+@family("forces-couples", also=in_equilibrium, often=1)
 def couples(rng: np.random.Generator) -> str:
     """Nothing but couples, in mechanisms with slides: slides that pass on a couple and no force."""
     c = simple(rng, (rpp, rpr, rrp, rrr))
@@ -149,7 +149,7 @@ def couples(rng: np.random.Generator) -> str:
     return written(c, "".join(moment(c, f"M_q{i}", link) for i, link in enumerate(links)) + free(c, "L0"))
 
 
-@family("forces-friction", also=in_equilibrium, first=4)
+@family("forces-friction", also=in_equilibrium, often=1, first=4)
 def with_friction(rng: np.random.Generator) -> str:
     """Loads against friction everywhere; bars with many multiple joints, or any groups;
     inertia, or none; balanced on the crank, or elsewhere."""

@@ -461,4 +461,4 @@ def _maker(name: str) -> Callable[[Random], str]:
 
 
 for _name in OPS:
-    family(_name)(_maker(_name))
+    family(_name, often=1)(_maker(_name))

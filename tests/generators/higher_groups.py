@@ -46,7 +46,7 @@ def on_crank(rng: np.random.Generator) -> str:
     return made(lay, crank(lay), "", ["frame", "1", "1"], [str(kind) for kind in rng.choice(LEGS, 3)])
 
 
-@family("forces-special-points", also=every_reaction)
+@family("forces-special-points", also=every_reaction, often=1)
 def by_special_points(rng: np.random.Generator) -> str:
     """A central link with legs of any kind on the crank, loads on each of them."""
     return balanced(rng, on_crank(rng))
@@ -82,7 +82,7 @@ def with_two_slides(rng: np.random.Generator) -> str:
     return made(lay, crank(lay), "", ["frame", "1", "1"], kinds)
 
 
-@family("forces-two-slides", also=every_reaction, first=1)
+@family("forces-two-slides", also=every_reaction, often=1, first=1)
 def on_two_slides(rng: np.random.Generator) -> str:
     """A central link one leg of which has two slides, loads on any link, balanced on any."""
     return balanced(rng, with_two_slides(rng))

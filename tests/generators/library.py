@@ -99,7 +99,7 @@ def right_forces(solution: Solution) -> str:
     )
 
 
-@family("library", also=right_forces, often=5, first=2)
+@family("library", also=right_forces, often=4, first=3)
 def library(rng: np.random.Generator) -> str:
     """One of them."""
     known = problems()

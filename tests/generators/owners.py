@@ -58,19 +58,19 @@ def _same_balance(solution: Solution) -> str:
     )
 
 
-@family("forces-owners", also=_same_balance)
+@family("forces-owners", also=_same_balance, often=1, first=1)
 def owners(rng: np.random.Generator) -> str:
     """Any groups."""
     return _text(multiple(rng, simple), rubbing=False)
 
 
-@family("forces-owners-friction", also=in_equilibrium)
+@family("forces-owners-friction", also=in_equilibrium, often=1)
 def rubbing(rng: np.random.Generator) -> str:
     """With friction it is another machine for every owner."""
     return _text(multiple(rng, simple), rubbing=True)
 
 
-@family("forces-owners-slots", also=_same_balance)
+@family("forces-owners-slots", also=_same_balance, often=1)
 def in_slots(rng: np.random.Generator) -> str:
     """Pins in slots among them."""
     return _text(multiple(rng, slotted), rubbing=False)

@@ -112,14 +112,14 @@ def slotted(rng: np.random.Generator) -> Chain:
             return c
 
 
-@family("forces-slots", also=in_equilibrium)
+@family("forces-slots", also=in_equilibrium, often=1)
 def slots(rng: np.random.Generator) -> str:
     """Loads on any links, masses, balanced on the crank."""
     c = slotted(rng)
     return written(c, some(c, 3) + free(c, "L0"), masses(c) if rng.random() < 0.3 else "")
 
 
-@family("forces-slots-friction", also=in_equilibrium)
+@family("forces-slots-friction", also=in_equilibrium, often=1)
 def rubbing(rng: np.random.Generator) -> str:
     """The same against friction."""
     c = slotted(rng)

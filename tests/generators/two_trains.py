@@ -30,7 +30,7 @@ def grown(rng: np.random.Generator) -> str:
     return g.text()
 
 
-@family("forces-two-trains", also=teeth_press)
+@family("forces-two-trains", also=teeth_press, often=1)
 def two_trains(rng: np.random.Generator) -> str:
     """Loads anywhere, the balancing one on any link."""
     return balanced(rng, grown(rng))

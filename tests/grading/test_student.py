@@ -31,7 +31,7 @@ def test_what_was_not_asked_for_is_checked_too() -> None:
     assert check_answers(problem, ["α4=3.66 逆"]).right
 
 
-@pytest.mark.parametrize("behind", few(["→", "向右", "@ 0°", "to the right", "↗"], 2))
+@pytest.mark.parametrize("behind", few(["→", "向右", "@ 0°", "to the right", "↗"], 3))
 def test_an_arrow_that_points_the_other_way_is_not_right(behind: str) -> None:
     """3-12's C goes to the left."""
     assert check_answers(load("3-12"), ["v_C=0.506 m/s ←"]).right

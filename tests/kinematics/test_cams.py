@@ -12,6 +12,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.at_once import scaled
 from tests.laws import often
 from vecpoly import Problem, load, loads, oracle
 from vecpoly.board.board import Board
@@ -94,7 +95,7 @@ def asking(problem: Problem, keys: str) -> Problem:
 
 
 def drawn(problem: Problem, keys: str) -> dict[str, complex]:
-    readings = construct(asking(problem, keys), hand("exact"))[0].readings
+    readings = construct(scaled(asking(problem, keys)), hand("exact"))[0].readings
     return {key: r.scalar if r.vector is None else r.vector for key, r in readings.items()}
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.at_once import exactly
 from vecpoly import loads, oracle
 from vecpoly.cycle import cycle, facts
 from vecpoly.cycle.facts.closing import laps_of
@@ -71,7 +72,7 @@ def test_a_folded_kite_stays_folded() -> None:
 
 @pytest.mark.parametrize("phi", [0.0, 1e-4, 40.0, 180.0, 277.0])
 def test_a_parallelogram_is_drawn_where_it_lies_in_one_line(phi: float) -> None:
-    found = solve(four_bar(phi, "ABCD parallelogram"), by="exact", repeats=0, precise=False).answers
+    found = exactly(four_bar(phi, "ABCD parallelogram")).answers
     assert found["alpha_3"].drawn == found["alpha_3"].exact == 0.0 and found["omega_3"].drawn == pytest.approx(10.0)
     assert found["v_C"].drawn == pytest.approx(0.5) and found["v_CB"].drawn == pytest.approx(0.0, abs=1e-12)
     assert found["an_C"].drawn == pytest.approx(5.0) and found["at_C"].drawn == pytest.approx(0.0, abs=1e-9)
@@ -103,7 +104,7 @@ def test_a_pose_beyond_a_change_point_keeps_the_figure() -> None:
     for problem, side in ((four_bar(60, "C above AD"), 1), (four_bar(60, "C below AD"), -1)):
         (there,) = posed(problem, np.radians([250.0]))
         assert there is not None
-        assert solve(there, by="exact", repeats=0, precise=False).answers["omega_3"].drawn * side > 5.9
+        assert exactly(there).answers["omega_3"].drawn * side > 5.9
 
 
 def test_an_isosceles_slider_crank_runs_through_the_crank_pivot() -> None:

@@ -7,6 +7,7 @@ import re
 import numpy as np
 import pytest
 
+from tests.laws import few
 from vecpoly import load, oracle, solve
 from vecpoly.board.construction import Figure, Step, View
 from vecpoly.board.paper.marks import ImageOf, Point
@@ -114,7 +115,7 @@ def test_a_slide_on_the_central_link_has_a_coriolis_term_with_its_own_turning() 
     )
 
 
-@pytest.mark.parametrize("name", [PLATE, SLIDES, GEAR])
+@pytest.mark.parametrize("name", few([PLATE, SLIDES, GEAR], 2))
 def test_the_library_s_class_iii_machines_are_drawn_as_they_are(name: str) -> None:
     answers = exact(name).answers
     assert len(answers) > 10

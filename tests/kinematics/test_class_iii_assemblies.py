@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from tests.at_once import exactly
 from tests.texts import CLASS_III, CLASS_IV
 from vecpoly import loads, solve
 from vecpoly.board.construction import Step
@@ -110,7 +111,7 @@ input: {link: 1, phi: 90 deg, omega: 10 rad/s ccw}
 guesses: {C: [0 mm, 120 mm], E: [100 mm, 120 mm], F: [150 mm, 160 mm]}
 find: [v_C, v_F, omega_3, a_C, alpha_3]
 """
-    for one in solve(loads(text), by="exact", repeats=0, precise=False).answers.values():
+    for one in exactly(loads(text)).answers.values():
         assert one.drawn == pytest.approx(one.exact, rel=1e-9, abs=1e-9)
 
 

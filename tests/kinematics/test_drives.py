@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.at_once import exactly
+from tests.laws import few
 from vecpoly import load, loads, oracle
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import Vector
@@ -44,7 +46,7 @@ def changed(old: str, new: str, text: str = BOOM) -> str:
 def test_a_cylinder_has_one_degree_of_freedom_and_is_drawn_as_it_is_computed(name: str) -> None:
     problem = load(name)
     assert mobility(problem.mechanism).freedom == 1
-    answers = solve(problem, by="exact", repeats=0, precise=False).answers.values()
+    answers = exactly(problem).answers.values()
     assert answers and all(abs(one.deviation) < 1e-9 for one in answers if one.deviation is not None)
 
 
@@ -132,7 +134,7 @@ find: [omega_1, omega_3]
 """
 
 
-@pytest.mark.parametrize("phi", ["100 deg", "-100 deg"])
+@pytest.mark.parametrize("phi", few(["100 deg", "-100 deg"], 2))
 def test_the_angle_of_a_motor_says_to_which_side_its_links_bend(phi: str) -> None:
     side, other = ("left", "right") if phi == "100 deg" else ("right", "left")
     text = MOTOR.replace("100 deg", phi)
@@ -150,11 +152,7 @@ def test_the_angle_of_a_motor_says_to_which_side_its_links_bend(phi: str) -> Non
 def test_a_pin_in_two_slots_leaves_one_freedom() -> None:
     problem = load("pin-in-two-slots")
     assert mobility(problem.mechanism).freedom == 1
-    assert all(
-        abs(one.deviation) < 1e-9
-        for one in solve(problem, by="exact", repeats=0, precise=False).answers.values()
-        if one.deviation is not None
-    )
+    assert all(abs(one.deviation) < 1e-9 for one in exactly(problem).answers.values() if one.deviation is not None)
 
 
 def test_a_roller_is_welded_and_the_solution_says_so() -> None:
@@ -278,7 +276,7 @@ def test_a_thrust_between_two_moving_links_is_found_by_virtual_power() -> None:
     text = (load("scissor-lift").text or "").split("find:")[
         0
     ] + 'loads:\n  F: {cylinder: 4-5, size: "?"}\n  Q: {on: 1, at: B, size: 5000 N, direction: 270 deg}\nfind: [F]\n'
-    found = solve(loads(text), by="exact", repeats=0, precise=False).answers["F"]
+    found = exactly(loads(text)).answers["F"]
     assert found.drawn == pytest.approx(found.exact, rel=1e-9) and abs(found.exact) > 1
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.laws import few
 from vecpoly.methods.desk import Desk
 from vecpoly.methods.kinematics.class_iii import position
 from vecpoly.methods.kinematics.class_iii.assemblies import Assembly, assemblies
@@ -16,7 +17,7 @@ from vecpoly.problem.load import load
 FAR = 0.4  # rad of the drive
 
 
-@pytest.mark.parametrize("name", ["class-iii", "class-iii-slides"])
+@pytest.mark.parametrize("name", few(["class-iii", "class-iii-slides"], 2))
 def test_it_is_the_nearest_of_all_assemblies_and_drawn_in_the_same_way(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -35,6 +35,6 @@ def used(example: str) -> frozenset[tuple[Stage, str]]:
     return frozenset(seen)
 
 
-@pytest.mark.parametrize("method", few(SHOWN, 3), ids=lambda m: f"{m.stage.value}-{m.group}")
+@pytest.mark.parametrize("method", few(SHOWN, 5), ids=lambda m: f"{m.stage.value}-{m.group}")
 def test_the_example_of_a_method_uses_it(method: AnyMethod) -> None:
     assert (method.stage, method.group) in used(method.example)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.at_once import exactly
 from tests.each import each
 from tests.laws import few
 from vecpoly import load, loads, oracle
@@ -16,7 +17,7 @@ from vecpoly.mechanism.model import Mechanism
 from vecpoly.methods.exchange.profile import osculated
 from vecpoly.methods.positions.following import follower
 from vecpoly.problem.problem import Problem
-from vecpoly.solution import Solution, solve
+from vecpoly.solution import Solution
 
 ROCKER = """id: rocker
 title: rocker
@@ -38,7 +39,7 @@ def made(text: str) -> Problem:
 
 
 def drawn(text: str) -> Solution:
-    return solve(made(text), by="exact", repeats=0, precise=False)
+    return exactly(made(text))
 
 
 def farthest(mech: Mechanism, ways: np.ndarray = TURN) -> float:

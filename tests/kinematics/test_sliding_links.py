@@ -7,6 +7,7 @@ import re
 
 import pytest
 
+from tests.at_once import exactly
 from tests.generators.family import families, member
 from vecpoly import loads
 from vecpoly.board.acts import Locate
@@ -155,7 +156,7 @@ def test_a_coriolis_term_is_not_nothing_because_its_relative_velocity_was_read_f
     """Members of the soak, of which one link slides on two others: v of the pair stands since it was asked."""
     text = member(next(one for one in families() if one.name == kind), 613, number)
     asked = re.sub("find: .*", f"find: [v_{pair}, ak_{pair}, ar_{pair}]", text)
-    answers = solve(loads(asked), by="exact", repeats=0, precise=False).answers
+    answers = exactly(loads(asked)).answers
     assert abs(answers[f"ak_{pair}"].drawn_vector or 0j) > 1
     for answer in answers.values():
         assert answer.drawn_vector == pytest.approx(answer.exact_vector, rel=1e-9)

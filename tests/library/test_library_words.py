@@ -10,6 +10,7 @@ import pytest
 from tests.drawn_library import IDS, drawn, said
 from tests.each import each
 from tests.foreign_words import SYMBOL, foreign
+from tests.laws import few
 from vecpoly.cycle.facts.found import facts
 from vecpoly.cycle.facts.sentences import sentences as facts_told
 from vecpoly.cycle.whole_cycle import cycle
@@ -46,7 +47,7 @@ def test_every_step_says_something_in_both_languages(name: str) -> None:
     )
 
 
-@pytest.mark.parametrize("name", ["A-27", "3-9", "3-5", "A-30", "B-24", "4-3a", "4-6"])
+@pytest.mark.parametrize("name", few(["A-27", "3-9", "3-5", "A-30", "B-24", "4-3a", "4-6"], 3))
 def test_no_fact_of_a_cycle_has_a_word_of_the_other_language(name: str) -> None:
     turn = cycle(load(name), n=73)
     told = facts_told(turn, facts(turn))

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-import pytest
+from tests.each import each
+from tests.sources import ROOT, nodes, sources, text
 
-ROOT = Path(__file__).parents[2]
 DATA = {"reproduced"}  # names in JSON, which programs read
 
 ENGLISH = (
@@ -43,26 +43,25 @@ CHINESE = (
 @cache
 def told() -> tuple[tuple[str, str], ...]:
     """Every text that can be printed, with its file."""
-    code = sorted((ROOT / "vecpoly").rglob("*.py"))
     sheets = [*sorted((ROOT / "templates").rglob("*.j2")), *sorted((ROOT / "problems").rglob("*.yaml"))]
-    texts = [(path.name, text) for path in code for text in _strings(path)]
+    texts = [(path.name, said) for path in sources() for said in _strings(path)]
     lines = ((path.name, line) for path in sheets for line in path.read_text("utf-8").splitlines())
     return (*texts, *((name, line) for name, line in lines if not line.startswith("#")))
 
 
 def _strings(path: Path) -> Iterator[str]:
     """The strings of a module that are no docstrings; of one with blanks, {} stands for what is filled in."""
-    nodes = [*ast.walk(ast.parse(path.read_text("utf-8")))]
-    said = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
-    filled = {id(part) for node in nodes if isinstance(node, ast.JoinedStr) for part in node.values}
-    for node in nodes:
+    found = nodes(text(path))
+    said = {id(node.value) for node in found if isinstance(node, ast.Expr)}
+    filled = {id(part) for node in found if isinstance(node, ast.JoinedStr) for part in node.values}
+    for node in found:
         if isinstance(node, ast.JoinedStr):
             yield "".join(part.value if isinstance(part, ast.Constant) else "{}" for part in node.values)  # type: ignore[misc]
         elif isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in said | filled:
             yield node.value
 
 
-@pytest.mark.parametrize("retired", [*ENGLISH, *CHINESE])
+@each([*ENGLISH, *CHINESE])
 def test_a_retired_word_is_printed_nowhere(retired: str) -> None:
     word = re.compile(retired)
     found = [(name, text) for name, text in told() if text not in DATA and word.search(text)]

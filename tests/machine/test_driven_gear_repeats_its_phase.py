@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.at_once import exactly
 from vecpoly.methods.positions.laps import laps
 from vecpoly.problem.load import loads
-from vecpoly.solution import solve
 
 TEXT = """
 id: two-gears
@@ -41,7 +41,7 @@ def surplus() -> float:
 def test_a_gear_rolls_on_where_the_driven_gear_repeats_the_position_of_the_input() -> None:
     problem = loads(TEXT)
     assert laps(problem.mechanism) == 2
-    solution = solve(problem, by="exact", repeats=0, precise=False)
+    solution = exactly(problem)
     assert not solution.suspect
     assert solution.answers["M_d"].exact == pytest.approx(-2.0, rel=1e-6)
     assert solution.answers["dW_max"].exact == pytest.approx(surplus(), rel=1e-5)

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vecpoly
+from tests.at_once import exactly
 from tests.laws import few, often
 from vecpoly.solution import Solution, solve
 
@@ -62,12 +63,12 @@ def _agree(solution: Solution) -> None:
 @given(slack=st.floats(0.05, 20), first=st.integers(0, 359), long=st.integers(20, 200))
 def test_near_a_change_point_drawing_and_oracle_have_the_same_flywheel(slack: float, first: int, long: int) -> None:
     text = ROCKER.format(base=269 + 77 - 213 + slack, first=first, last=(first + long) % 360)
-    _agree(solve(vecpoly.loads(text), by="exact", repeats=0, precise=False))
+    _agree(exactly(vecpoly.loads(text)))
 
 
 @pytest.mark.parametrize("law", few(tuple(LAWS), 3))
 def test_the_corners_of_a_table_over_the_stroke_are_found_on_paper(law: str) -> None:
-    _agree(solve(vecpoly.loads(PISTON.replace("LAW", LAWS[law])), by="exact", repeats=0, precise=False))
+    _agree(exactly(vecpoly.loads(PISTON.replace("LAW", LAWS[law]))))
 
 
 def test_a_machine_that_is_slowest_at_0_degrees_has_lost_no_digits() -> None:
@@ -108,14 +109,14 @@ find: [M_c, J_F]
 
 
 def test_a_branch_statement_of_the_given_position_leads_round_the_whole_turn() -> None:
-    _agree(solve(vecpoly.loads(DRAG_LINK), by="exact", repeats=0, precise=False))
+    _agree(exactly(vecpoly.loads(DRAG_LINK)))
 
 
 def test_a_gear_whose_phase_is_told_in_one_position_rolls_on_through_the_two_turns_of_its_period() -> None:
-    _agree(solve(vecpoly.loads(TOLD_GEAR), by="exact", repeats=0, precise=False))
+    _agree(exactly(vecpoly.loads(TOLD_GEAR)))
 
 
 def test_a_force_that_turns_with_the_crank_has_its_direction_in_every_place_of_the_period() -> None:
     text = DRAG_LINK.replace("{AB: 90 mm}", "{AB: 90 mm, E: {AE: 50 mm, angle: 40 deg from AB}}")
     text = text.replace("150 deg]}", "150 deg]}, F_t: {on: 1, at: B, size: 90 N, direction: along BE}")
-    _agree(solve(vecpoly.loads(text), by="exact", repeats=0, precise=False))
+    _agree(exactly(vecpoly.loads(text)))

@@ -6,6 +6,7 @@ from textwrap import dedent
 
 import pytest
 
+from tests.at_once import exactly
 from tests.laws import few
 from vecpoly.errors import AssemblyError, EquilibriumError, NoMethodError
 from vecpoly.mechanism.model import Mechanism
@@ -13,7 +14,6 @@ from vecpoly.oracle.machine.answers import machine_values
 from vecpoly.oracle.machine.started import started_values
 from vecpoly.problem.load import loads
 from vecpoly.problem.problem import Problem
-from vecpoly.solution import solve
 
 PRESS = """
     id: press
@@ -76,7 +76,7 @@ def test_a_ratio_of_no_small_whole_numbers_has_no_period() -> None:
 
 @pytest.mark.parametrize("pinion", few([40, 80], 2))
 def test_a_press_is_drawn_through_as_many_turns_of_its_pinion_as_its_period_has(pinion: float) -> None:
-    found = solve(at_the_pinion("M_d, dW_max, J_F", pinion=pinion), by="exact", repeats=0, precise=False).answers
+    found = exactly(at_the_pinion("M_d, dW_max, J_F", pinion=pinion)).answers
     for answer in found.values():
         assert answer.drawn == pytest.approx(answer.exact, rel=1e-7)
 
@@ -85,7 +85,7 @@ def test_a_period_too_long_to_be_drawn_is_left_to_the_exact_answers() -> None:
     problem = at_the_pinion("M_d", pinion=10)
     assert values(problem, ("M_d",))["M_d"]
     with pytest.raises(NoMethodError, match="within 6 turns of the drive the mechanism is not back"):
-        solve(problem, by="exact", repeats=0, precise=False)
+        exactly(problem)
 
 
 KITE = """
@@ -107,7 +107,7 @@ def test_a_kite_brings_its_long_link_round_in_two_turns() -> None:
     kite = loads(dedent(KITE))
     assert values(kite)["M_d"] == pytest.approx(20 * 170 / 720, rel=1e-9)
     with pytest.raises(AssemblyError, match="a kite that folds"):  # in one place of the turn B lies on D
-        solve(kite, by="exact", repeats=0, precise=False)
+        exactly(kite)
 
 
 def test_a_pinion_let_go_swings_beyond_one_turn() -> None:

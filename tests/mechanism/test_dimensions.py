@@ -99,7 +99,7 @@ def other(problem: Problem, called: str, to: float) -> Problem:
         raise
 
 
-@settings(max_examples=often(6))
+@settings(max_examples=often(3, 240))
 @given(changes())
 def test_the_mechanism_and_the_file_vary_alike(change: tuple[Problem, Dimension, str, float]) -> None:
     problem, one, called, to = change

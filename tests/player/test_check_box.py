@@ -42,7 +42,7 @@ def tried(one: Graded) -> list[tuple[str, str]]:
     return [cell for cell in cells if "e" not in cell[0]]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", few(NAMES, 2))
 def test_the_box_says_what_the_program_says(name: str, chrome: Page, boxes: Path) -> None:
     judging(chrome, boxes, name)
     cells = [(index, one, *cell) for index, one in enumerate(asked(name)) for cell in tried(one)]
@@ -93,8 +93,8 @@ def test_nothing_is_told_before_it_is_asked(chrome: Page, boxes: Path) -> None:
 
 @pytest.mark.parametrize(
     ("factor", "told"),
-    [(1.004, r"off by \+0\.4 % \(allowed ±"), (1.5, "about 50 % too large"), (0.4, "about 60 % too small"),
-     (4.0, "about 4 times what it should be"), (1.0, "^Correct$")],
+    few([(1.004, r"off by \+0\.4 % \(allowed ±"), (1.5, "about 50 % too large"), (0.4, "about 60 % too small"),
+     (4.0, "about 4 times what it should be"), (1.0, "^Correct$")], 2),
 )  # fmt: skip
 def test_an_answer_is_told_by_how_much_it_is_off_and_a_wrong_one_only_about(
     factor: float, told: str, chrome: Page, boxes: Path

@@ -75,7 +75,7 @@ def read(page: str) -> Reader:
     return reader
 
 
-@pytest.mark.parametrize("name", few([KINEMATICS, FORCES, DEVICE], 2))
+@pytest.mark.parametrize("name", few([KINEMATICS, FORCES, DEVICE], 3))
 def test_the_page_loads_nothing_from_anywhere(name: str) -> None:
     page = page_of(name)
     assert set(re.findall(r"https?://[^\"' )<]*", page)) <= {"http://www.w3.org/2000/svg"}

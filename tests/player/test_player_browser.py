@@ -30,7 +30,7 @@ def page(chrome: Page) -> Page:
     return chrome
 
 
-@pytest.mark.parametrize("name", few([KINEMATICS, FORCES, DEVICE], 2))
+@pytest.mark.parametrize("name", few([KINEMATICS, FORCES, DEVICE], 3))
 def test_the_page_goes_through_all_steps_and_places(name: str, files: Path, page: Page) -> None:
     page.open(f"{(files / name).as_uri()}.html#selftest=4")
     found = json.loads(page.wait("document.documentElement.dataset.selftest"))
@@ -167,7 +167,7 @@ def test_text_of_twice_the_size_loses_no_control(files: Path, page: Page) -> Non
     assert page.value("stage.size().h") > 100
 
 
-@pytest.mark.parametrize(("width", "height"), few([(390, 844), (844, 390), (320, 640), (1280, 800), (1920, 1080)], 2))
+@pytest.mark.parametrize(("width", "height"), few([(390, 844), (844, 390), (320, 640), (1280, 800), (1920, 1080)], 3))
 def test_nothing_sticks_out_of_the_window_and_fingers_can_hit_the_controls(
     width: int, height: int, files: Path, page: Page
 ) -> None:

@@ -17,7 +17,7 @@ from vecpoly.solution import solve
 CAMS = ("cam-roller-offset", "cam-flat-face", "cam-flat-arm", "cam-rocker", "cam-heart")
 
 
-@pytest.mark.parametrize("name", few(CAMS, 2))
+@pytest.mark.parametrize("name", few(CAMS, 3))
 def test_the_follower_touches_the_standing_profile_at_every_station(name: str) -> None:
     solution = solve(load(name), by="exact", repeats=0)
     cam, through = solution.problem.subject, cycle(solution, 72)

@@ -161,7 +161,7 @@ def test_the_relative_velocity_turns_into_the_coriolis_term(calm: bool, chrome: 
 WHERES = (f"{KINEMATICS}#step=9", f"{CENTRES}#turn=4", f"{KINEMATICS}#turn=3", f"{FORCES}#turn=2")
 
 
-@pytest.mark.parametrize(("where", "size"), few([*product(WHERES, (DESK, PHONE))], 3))
+@pytest.mark.parametrize(("where", "size"), few([*product(WHERES, (DESK, PHONE))], 4))
 def test_every_letter_can_be_read_and_no_chip_is_cut_off(
     where: str, size: tuple[int, int], chrome: Page, folder: Path
 ) -> None:

@@ -48,7 +48,7 @@ def overlaps(inks: list[list[float]]) -> int:
     )
 
 
-@pytest.mark.parametrize(("lang", "size"), few([("zh", DESK), ("zh", PHONE), ("en", DESK), ("en", PHONE)], 3))
+@pytest.mark.parametrize(("lang", "size"), few([("zh", DESK), ("zh", PHONE), ("en", DESK), ("en", PHONE)], 4))
 def test_letters_stand_apart_at_every_step_and_place_and_can_be_read(
     lang: str, size: tuple[int, int], chrome: Page, tmp_path: Path
 ) -> None:

@@ -16,6 +16,7 @@ from typing import Any, cast
 import pytest
 
 import vecpoly
+from tests.laws import few
 from vecpoly import limits
 from vecpoly.check.idle import idle
 from vecpoly.check.printed.answers import check_problem
@@ -138,7 +139,7 @@ def test_a_coefficient_of_friction_above_1_is_told() -> None:
 def test_no_problem_of_the_library_is_warned_of() -> None:
     from vecpoly.problem.library import library
 
-    problems = [load(entry.path) for entry in library()]
+    problems = [load(entry.path) for entry in few(library(), 3)]
     assert len(problems) > 80 and [problem.id for problem in problems if problem.warnings or idle(problem)] == []
 
 
@@ -268,16 +269,19 @@ def test_of_a_file_that_is_no_problem_nothing_is_told(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("old", "new", "said"),
-    [
-        ("{% for p in problems %}", "{% for p in problems", "line 9"),
-        ("{{ p.title }}", "{{ p.titel }}", "titel"),
-        ("{{ title }}", "{{ 1 / 0 }}", "division"),
-        ("{{ title }}", "{{ cycler.__init__.__globals__ }}", "unsafe"),
-        ("{{ title }}", "{{ ''.__class__.__mro__ }}", "unsafe"),
-        ("{{ title }}", "{{ 'x' * 10**9 }}", "takes numbers below"),
-        ("{{ title }}", "{{ problems.append(1) }}", "unsafe|callable|not safely"),
-        ("{{ title }}", "{% include '/etc/passwd' %}", "does not exist"),
-    ],
+    few(
+        [
+            ("{% for p in problems %}", "{% for p in problems", "line 9"),
+            ("{{ p.title }}", "{{ p.titel }}", "titel"),
+            ("{{ title }}", "{{ 1 / 0 }}", "division"),
+            ("{{ title }}", "{{ cycler.__init__.__globals__ }}", "unsafe"),
+            ("{{ title }}", "{{ ''.__class__.__mro__ }}", "unsafe"),
+            ("{{ title }}", "{{ 'x' * 10**9 }}", "takes numbers below"),
+            ("{{ title }}", "{{ problems.append(1) }}", "unsafe|callable|not safely"),
+            ("{{ title }}", "{% include '/etc/passwd' %}", "does not exist"),
+        ],
+        2,
+    ),
 )
 def test_a_slip_in_a_template_is_told_with_file_and_line_and_reaches_nothing(
     tmp_path: Path, old: str, new: str, said: str

@@ -53,7 +53,7 @@ def typed(text: str, spots: Sequence[tuple[int, str]], chance: random.Random, sh
     return "".join(signs)
 
 
-@pytest.mark.parametrize("path", few(FILES, 4), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", few(FILES, 8), ids=lambda path: path.stem)
 def test_a_file_in_full_width_is_the_same_file(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     plain = parse(text, "x")

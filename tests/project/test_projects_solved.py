@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.laws import few
 from tests.projects import NAMES, project
 from vecpoly.project.flywheel import Balance
 from vecpoly.project.part import Part
@@ -20,7 +21,7 @@ def even(part: Part) -> Balance:
     return part.balance
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", few(NAMES, 2))
 def test_every_demand_of_the_library_is_met_and_nothing_is_suspect(name: str) -> None:
     assert len(project(name).demands) == 7
     assert all(one.holds for one in project(name).demands)

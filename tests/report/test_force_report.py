@@ -60,7 +60,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory):  # type: ignore[no-untyped-
 # -- the page -----------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", few(FORCES, 8))
+@pytest.mark.parametrize("name", few(FORCES, 12))
 @pytest.mark.parametrize("style", ["solution", "question"])
 def test_every_problem_of_chapters_4_and_5_becomes_a_report(name: str, style: str, pages) -> None:  # type: ignore[no-untyped-def]
     """The solution in one language, the question in the other, and the next problem the other way round."""
@@ -191,7 +191,7 @@ def test_a_given_moment_turns_on_the_sketch_as_it_is_given() -> None:
     assert not moment.ccw
 
 
-@pytest.mark.parametrize("name", few(FORCES, 2))
+@pytest.mark.parametrize("name", few(FORCES, 4))
 def test_a_question_shows_no_number_that_is_sought(name: str, pages) -> None:  # type: ignore[no-untyped-def]
     it = solved(name)
     text = pages(name, "en", "question")
@@ -204,7 +204,7 @@ def test_a_question_shows_no_number_that_is_sought(name: str, pages) -> None:  #
                 assert shown not in said - given, answer.key
 
 
-@pytest.mark.parametrize("name", few(FORCES, 2))
+@pytest.mark.parametrize("name", few(FORCES, 4))
 def test_the_frames_of_a_question_are_empty_but_for_what_is_given(name: str) -> None:
     it = solved(name)
     for figure in frames(it.construction, it.problem)[0].figures:

@@ -11,6 +11,7 @@ from reportlab.platypus.flowables import PageBreak
 
 import vecpoly
 from tests.drawn_library import drawn
+from tests.laws import few
 from vecpoly.algebra.formula import sym
 from vecpoly.report.answers.line import AnswerLine
 from vecpoly.report.document import report_bytes
@@ -46,14 +47,17 @@ def test_a_box_that_is_alone_on_its_page_is_told_and_fits_with_less_white() -> N
 
 @pytest.mark.parametrize(
     ("name", "lang", "count"),
-    [
-        ("8-9", "zh", 2),
-        ("8-12", "zh", 2),
-        ("four-positions-b", "zh", 3),
-        ("8-1", "en", 2),
-        ("8-2a", "en", 2),
-        ("cam-moves-arm", "en", 4),
-    ],
+    few(
+        [
+            ("8-9", "zh", 2),
+            ("8-12", "zh", 2),
+            ("four-positions-b", "zh", 3),
+            ("8-1", "en", 2),
+            ("8-2a", "en", 2),
+            ("cam-moves-arm", "en", 4),
+        ],
+        2,
+    ),
 )
 def test_no_report_turns_a_page_for_its_last_table(name: str, lang: Lang, count: int) -> None:
     data = report_bytes([vecpoly.load(name).solve()], lang=lang)

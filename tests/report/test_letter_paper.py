@@ -29,7 +29,7 @@ def sizes(pdf: bytes) -> set[tuple[float, float]]:
         return {(round(float(page.mediabox[2]), 3), round(float(page.mediabox[3]), 3)) for page in read.pages}
 
 
-@pytest.mark.parametrize("style", ["solution", "question"])
+@pytest.mark.parametrize("style", few(["solution", "question"], 2))
 def test_every_page_of_a_report_on_letter_paper_is_letter(style: str) -> None:
     solutions = [solve(load(name).on("letter"), repeats=0, precise=False) for name in few(NAMES, 3)]
     assert sizes(report_bytes(solutions, style=style)) <= SIZES
@@ -41,7 +41,7 @@ def test_a_course_report_is_printed_on_letter_paper_with_its_cover() -> None:
         assert sizes(report_bytes([solution], style="course", lang="en")) <= SIZES
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", few(NAMES, 2))
 def test_what_is_drawn_on_letter_paper_stays_within_its_frame_and_agrees_with_the_exact_answers(name: str) -> None:
     solution = solve(load(name).on("letter"), by="exact", repeats=0, precise=False)
     for sheet in sheets(solution.construction, on=solution.problem.paper, plates=True):

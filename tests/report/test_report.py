@@ -97,7 +97,7 @@ def _drawn_page(document: Any) -> Any:
     return max(document.pages, key=lambda page: len(_ink(page)))
 
 
-@pytest.mark.parametrize("name", few(["3-9", "3-5", "3-8"], 2))
+@pytest.mark.parametrize("name", few(["3-9", "3-5", "3-8"], 3))
 def test_result_vectors_measure_on_the_page_what_they_measure_on_the_board(name: str, tmp_path: Path) -> None:
     """Both ends of every result vector lie on the page where the construction has them,
     within 0.01 mm (the tip under its arrowhead), those in a detail where the detail has them; a plate in the text is

@@ -102,7 +102,7 @@ def test_contents_take_the_room_of_their_entries_when_pages_are_only_counted() -
     assert pages == ReportDoc([Contents("en"), *heads], META).made()[1]
 
 
-@pytest.mark.parametrize("lang", ["zh", "en"])
+@pytest.mark.parametrize("lang", few(["zh", "en"], 2))
 def test_the_sheets_of_a_course_report_stand_between_chapters_six_and_seven(lang: Lang) -> None:
     reader = PdfReader(BytesIO(course_report("3-9", lang)))
     page = {str(one.title): reader.get_destination_page_number(one) for one in _flat(reader.outline)}

@@ -49,7 +49,7 @@ def seen_under(theta: float, stroke: float) -> Places:
 
 
 @pytest.mark.parametrize("datum", ["AB", "BC", "e"])
-@settings(max_examples=often(3), deadline=None)
+@settings(max_examples=often(2, 120), deadline=None)
 @given(k=st.floats(1.05, 1.9), stroke=st.floats(40, 200), share=st.floats(0.02, 0.98))
 def test_no_slider_crank_of_a_dense_search_is_missed(datum: str, k: float, stroke: float, share: float) -> None:
     at = seen_under(pi * (k - 1) / (k + 1), stroke)
@@ -145,7 +145,7 @@ def round_ones(poses: list[tuple[float, float, float]], level: float) -> list[fl
     return [float(x[n] + share[n] * (x[n + 1] - x[n])) for n in np.flatnonzero(power[1:] * power[:-1] < 0)]
 
 
-@settings(max_examples=often(3), deadline=None)
+@settings(max_examples=often(2, 120), deadline=None)
 @given(seed=SEED)
 def test_no_centre_point_of_a_dense_search_is_missed(seed: int) -> None:
     """A on one line, D on another: each of the centre points on them with each of the others is a candidate."""

@@ -100,7 +100,7 @@ def test_mirrored_limit_lines_give_the_same_lengths(first: float, second: float,
         assert mine == pytest.approx(its, rel=1e-6)
 
 
-@settings(max_examples=often(2))
+@settings(max_examples=often(1, 80))
 @given(k=ratios, swing=swings)
 def test_no_other_crank_on_the_circles_transmits_better_than_the_best(k: float, swing: float) -> None:
     theta, chord = pi * (k - 1) / (k + 1), 200 * sin(radians(swing) / 2)

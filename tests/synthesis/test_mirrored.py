@@ -112,7 +112,7 @@ TASKS: tuple[Task, ...] = (
 
 
 @pytest.mark.parametrize("task", TASKS, ids=lambda task: task.__name__)
-@settings(max_examples=often(2), deadline=None)
+@settings(max_examples=often(1, 80), deadline=None)
 @given(seed=SEED)
 def test_candidates_of_mirrored_data_are_the_mirrored_candidates(task: Task, seed: int) -> None:
     here, there = (_found(*task(np.random.default_rng(seed), way)) for way in (1, -1))
@@ -140,7 +140,7 @@ def test_cognates_of_a_mirrored_linkage_have_the_same_lengths(seed: int) -> None
     assert here == pytest.approx(there, rel=WIDE)
 
 
-@settings(max_examples=often(3), deadline=None)
+@settings(max_examples=often(2, 120), deadline=None)
 @given(seed=SEED)
 def test_a_mirrored_path_is_as_straight(seed: int) -> None:
     here, there = (_answers(*_path(np.random.default_rng(seed), way)) for way in (1, -1))

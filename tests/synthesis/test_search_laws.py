@@ -45,7 +45,7 @@ def count(values: Numbers, usable: npt.NDArray[np.bool_], wanted: float) -> int:
 
 
 @pytest.mark.parametrize("datum", WRITTEN)
-@settings(max_examples=often(2), deadline=None)
+@settings(max_examples=often(1, 80), deadline=None)
 @given(k=ratios, swing=swings, share=st.floats(0.02, 0.98), side=st.sampled_from([-1, 1]))
 def test_no_crank_rocker_of_a_dense_search_is_missed(
     datum: str, k: float, swing: float, share: float, side: int

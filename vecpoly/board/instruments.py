@@ -10,7 +10,19 @@ import numpy as np
 
 from ..errors import DeadPointError, EquilibriumError, bilingual
 from ..names import At
-from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar, unit
+from ..plane import (
+    Line,
+    Points,
+    Reals,
+    ahead,
+    circles_meet,
+    cross,
+    line_circle_meet,
+    lines_meet,
+    nominal,
+    similar,
+    unit,
+)
 from ..plane.geometry import crossing, dot, inclined
 from ..plane.traced import acts_of, traced
 from ..words import Words
@@ -82,7 +94,7 @@ class Instruments(Strokes):
         """Lay off a length from a point in a direction carried by set square."""
         along = self._wrongly(self.here, key, along)
         self.ledger.laid[self.here, key] = self.ledger.sizes.get(key)
-        at = start + self.hand.tilt(along) * self.hand.carry(mm)
+        at = ahead(start, self.hand.tilt(along), self.hand.carry(mm))
         act = done.LayOff(head=self.head(start, along, mm, key=key), start=spot(start), at=spot(at), mm=amount(mm))
         return traced(at, self.log(act))
 

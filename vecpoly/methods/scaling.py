@@ -55,18 +55,23 @@ def scaled(problem: Problem, paper: Paper | None = None) -> Scaled:
     return Scaled(scales=scales, ideal=answered(last, problem)[0], motion=motion_of(last))
 
 
-def _chosen(problem: Problem, paper: Paper | None) -> tuple[Scales, Desk | None]:
-    """The scales, and the last sketch drawn to find them; none where all are given."""
+def provisional(problem: Problem) -> dict[View, float]:
+    """Scales of about the right size, as the data make likely: those of the first sketch."""
     mech, drive = problem.mechanism, problem.mechanism.drive
     size = mech.scale
     speed = abs(drive.rate) * (1.0 if drive.slide else size) or 1.0
-    guess = {
+    return {
         View.MECHANISM: size / 100,
         View.VELOCITY: speed / 100,
         View.ACCELERATION: (abs(drive.accel) + drive.rate**2) * (1.0 if drive.slide else size) / 100 or 1.0,
         View.FORCE: _typical_force(problem) / 60,
         View.BODY: size / 100,
     }
+
+
+def _chosen(problem: Problem, paper: Paper | None) -> tuple[Scales, Desk | None]:
+    """The scales, and the last sketch drawn to find them; none where all are given."""
+    guess = provisional(problem)
     given = {view: problem.scales.of(view.mu) for view in guess}
     if all(given[view] for view in {View.MECHANISM, *(stage.view for stage in stages(problem))}):
         return {view: Scale.of(view, given[view] or value) for view, value in guess.items()}, None

@@ -50,6 +50,11 @@ def cross(u: Points, v: Points) -> Reals:
     return (np.conj(u) * v).imag
 
 
+def ahead(p: Points, way: Points, by: Reals) -> Points:
+    """The point that lies so far from p in this direction: p + by · way."""
+    return p + way * by
+
+
 def distance(p: Points, q: Points) -> Reals:
     """|q − p|."""
     return np.abs(q - p)
@@ -68,7 +73,7 @@ def around(outline: Sequence[Points]) -> Reals:
 
 def foot(line: Line, p: Points) -> Points:
     """Foot of the perpendicular from p to the line."""
-    return line.at + line.along * dot(line.along, p - line.at)
+    return ahead(line.at, line.along, dot(line.along, p - line.at))
 
 
 def lines_meet(g: Line, h: Line) -> Points:
@@ -76,8 +81,7 @@ def lines_meet(g: Line, h: Line) -> Points:
     sine = cross(g.along, h.along)
     with np.errstate(divide="ignore", invalid="ignore"):
         t = np.divide(cross(h.at - g.at, h.along), sine)
-        at: Points = g.at + g.along * t
-    return at
+        return ahead(g.at, g.along, t)
 
 
 def line_circle_meet(line: Line, centre: Points, radius: Reals) -> tuple[Points, Points]:
@@ -85,7 +89,7 @@ def line_circle_meet(line: Line, centre: Points, radius: Reals) -> tuple[Points,
     middle = foot(line, centre)
     with np.errstate(invalid="ignore"):
         half = np.sqrt(np.square(radius) - np.square(np.abs(middle - centre)))
-    return middle + line.along * half, middle - line.along * half
+    return ahead(middle, line.along, half), ahead(middle, line.along, -half)
 
 
 def circles_meet(c1: Points, r1: Reals, c2: Points, r2: Reals) -> tuple[Points, Points]:

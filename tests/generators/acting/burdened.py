@@ -27,7 +27,7 @@ def _rubbing(rng: np.random.Generator, pins: str, slide: str) -> str:
     return f"friction: {{{', '.join(told)}}}\n" if told else ""
 
 
-@family("forces-cylinder-lifting", also=in_equilibrium)
+@family("forces-cylinder-lifting", also=in_equilibrium, often=1, first=1)
 def lifting(rng: np.random.Generator) -> str:
     """A lever on a cylinder with masses; the thrust drives and is sought."""
     d = complex(*rng.integers(-300, 300, 2))
@@ -53,7 +53,7 @@ loads:
 {masses}{_rubbing(rng, "ACD", "2-3") if rng.random() < 0.5 else ""}"""
 
 
-@family("forces-cylinder-carried", also=in_equilibrium)
+@family("forces-cylinder-carried", also=in_equilibrium, often=1, first=1)
 def carried(rng: np.random.Generator) -> str:
     """A four-bar with a cylinder from the rocker to the frame or to the coupler: its thrust given, or sought."""
     a, b, c = rng.integers(60, 120), rng.integers(300, 450), rng.integers(250, 400)

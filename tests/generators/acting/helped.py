@@ -9,7 +9,7 @@ from ..equilibrium import in_equilibrium
 from ..family import family
 
 
-@family("helped-over-friction", also=in_equilibrium)
+@family("helped-over-friction", also=in_equilibrium, often=1)
 def helped(rng: np.random.Generator) -> str:
     """A slider-crank, offset or not, whose load pushes with the motion or against it."""
     crank = int(rng.integers(30, 70))

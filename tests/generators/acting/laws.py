@@ -190,7 +190,7 @@ def lawful(c: Chain) -> str:
     return text
 
 
-@family("forces-laws", also=balanced_by_hand, often=2)
+@family("forces-laws", also=balanced_by_hand, often=1, first=1)
 def laws(rng: np.random.Generator) -> str:
     """Windows, tables, springs and dampers beside plain loads, with masses in some."""
     c = simple(rng)
@@ -198,7 +198,7 @@ def laws(rng: np.random.Generator) -> str:
     return written(c, lawful(c) + plain + free(c, "L0"), masses(c) if rng.random() < 0.3 else "")
 
 
-@family("forces-laws-friction", also=balanced_by_hand, often=2)
+@family("forces-laws-friction", also=balanced_by_hand, often=1)
 def with_friction(rng: np.random.Generator) -> str:
     """The same with friction."""
     c = simple(rng)

@@ -118,7 +118,7 @@ def asked(c: Chain) -> str:
     return f"find: [{', '.join(keys)}]\n" if c.rng.random() < 0.4 else ""
 
 
-@family("forces-written", also=in_equilibrium)
+@family("forces-written", also=in_equilibrium, often=1, first=1)
 def as_written(rng: np.random.Generator) -> str:
     """Loads, masses, friction, pins, in all their spellings."""
     c = simple(rng)
@@ -128,7 +128,7 @@ def as_written(rng: np.random.Generator) -> str:
     return numbered(c, template(c, several(c) + free(c, "L0"), further), renumbering(rng, c))
 
 
-@family("forces-pins", also=in_equilibrium)
+@family("forces-pins", also=in_equilibrium, often=1)
 def carried(rng: np.random.Generator) -> str:
     """Bars and sliders with multiple joints, whose pins any link may carry, with friction or without."""
     c = simple(rng, (rrr, rrp))

@@ -18,7 +18,7 @@ def _pairs(rng: np.random.Generator, count: int) -> str:
     return f"[{', '.join(found)}]"
 
 
-@family("design-angle-pairs", also=keeps_its_lengths)
+@family("design-angle-pairs", also=keeps_its_lengths, often=1, first=1)
 def angle_pairs(rng: np.random.Generator) -> str:
     """Two or three pairs of angles of crank and rocker."""
     count = int(rng.integers(2, 4))
@@ -41,7 +41,7 @@ def slider_pairs(rng: np.random.Generator) -> str:
     return task("angle-pairs", data, "AB, BC, delta_B")
 
 
-@family("design-function", also=keeps_its_lengths, often=2)
+@family("design-function", also=keeps_its_lengths, often=1)
 def function(rng: np.random.Generator) -> str:
     """Three pairs, or a function by Chebyshev's marks."""
     if rng.random() < 0.5:

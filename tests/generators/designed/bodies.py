@@ -72,7 +72,7 @@ def three_positions(rng: np.random.Generator) -> str:
     return task("positions", data, "AB, BC, CD, AD")
 
 
-@family("design-four-positions", also=keeps_its_lengths, often=7)
+@family("design-four-positions", also=keeps_its_lengths)
 def four_positions(rng: np.random.Generator) -> str:
     """The fixed pins on one line, or on two; of four positions far apart hardly any linkage is of use."""
     line = _line(rng)

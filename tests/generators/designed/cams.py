@@ -19,7 +19,7 @@ def _motion(rng: np.random.Generator, by: str) -> str:
     return f"[rise {by} in {up} deg {one}, {dwell}return in {back} deg {two}, dwell {rest} deg]"
 
 
-@family("design-cam", often=3)
+@family("design-cam", first=1)
 def cam(rng: np.random.Generator) -> str:
     """A plate cam for any follower."""
     offset, oa = int(rng.integers(-15, 16)), int(rng.integers(60, 110))

@@ -80,7 +80,7 @@ def _misses(given: dict[str, complex], found: dict[str, float], ahead_b: int, ah
     return first(iter(misses))
 
 
-@family("design-stages", also=both_positions, often=9)
+@family("design-stages", also=both_positions, often=3, first=6)
 def stages(rng: Random) -> str:
     """A slider's two places give C on a ray of DC, and C gives B on a ray of AB."""
     d = complex(int(rng.integers(30, 150)), int(rng.integers(-40, 40)))

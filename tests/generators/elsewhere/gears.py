@@ -38,13 +38,13 @@ def as_rolled(solution: Solution) -> str:
     return ""
 
 
-@family("elsewhere-gears", also=as_rolled, first=7)
+@family("elsewhere-gears", also=as_rolled, often=1, first=7)
 def gears(rng: np.random.Generator) -> str:
     """Any of the mechanisms with gears and racks."""
     return _of_any(rng, "gears-")
 
 
-@family("elsewhere-plate-cams", also=as_rolled)
+@family("elsewhere-plate-cams", also=as_rolled, often=1)
 def cams(rng: np.random.Generator) -> str:
     """A plate cam, alone or with a rocker on its follower's tip."""
     return _of_any(rng, "plate cam")

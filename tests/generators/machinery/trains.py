@@ -111,7 +111,7 @@ def small_steps(solution: Solution) -> str:
     return "" if off < 1e-5 else f"{time} s and {turns} turns by small steps"
 
 
-@family("device-run-up", also=small_steps, often=2)
+@family("device-run-up", also=small_steps, often=1, first=1)
 def run_up(rng: Random) -> str:
     """Motors and loads by every sort of characteristic, run-up or running down with a brake."""
     inertia = f"J: {rng.uniform(0.1, 20):.3g} kg*m^2"

@@ -75,7 +75,7 @@ def _moved(mech: Mechanism, step: float) -> _Moved:
     return _Moved(mech, oracle.solve(mech, mech.drive.position + np.array([-1.0, 0.0, 1.0]) * step, order=0), step)
 
 
-@family("asked-centres", also=one_velocity_at_each_centre, often=4)
+@family("asked-centres", also=one_velocity_at_each_centre, often=1, first=3)
 def centres(rng: np.random.Generator) -> str:
     """All instant centres of a mechanism, and its velocities by them."""
     while True:
@@ -118,7 +118,7 @@ def _rate(motion: Motion, mech: Mechanism, link: str, place: complex, kind: Kind
     )
 
 
-@family("asked-points", also=as_given)
+@family("asked-points", also=as_given, often=1, first=1)
 def points(rng: np.random.Generator) -> str:
     """Points with a given velocity or acceleration, Coriolis terms yes or no."""
     mark, text = original(rng, JOINTED)

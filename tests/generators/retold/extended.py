@@ -30,7 +30,7 @@ def as_written_out(solution: Solution) -> str:
     return against(solution, solved(json.dumps(whole, ensure_ascii=False)), Change())
 
 
-@family("retold-extends", also=as_written_out)
+@family("retold-extends", also=as_written_out, often=1, first=1)
 def taken_over(rng: np.random.Generator) -> str:
     """`extends` and what differs."""
     name = list(problems())[int(rng.integers(len(problems())))]

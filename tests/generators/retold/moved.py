@@ -174,7 +174,7 @@ def moved_with_it(solution: Solution) -> str:
     return compared(solution, Change(vector=by.vector, turn=by.sign), mark)
 
 
-@family("retold-moved", also=moved_with_it)
+@family("retold-moved", also=moved_with_it, often=1)
 def elsewhere_in_the_plane(rng: np.random.Generator) -> str:
     """Any member of the other families, turned, or mirrored and turned."""
     mark, _ = original(rng)

@@ -121,7 +121,7 @@ def under_other_names(solution: Solution) -> str:
     return compared(solution, Change(key=renaming(mark, int(seed))[1].points), mark)
 
 
-@family("retold-names", also=under_other_names)
+@family("retold-names", also=under_other_names, often=1)
 def with_other_names(rng: np.random.Generator) -> str:
     """Any member of the other families, its letters and numbers permuted."""
     mark, _ = original(rng)

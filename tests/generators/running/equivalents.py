@@ -26,7 +26,7 @@ def of_one_energy(solution: Solution) -> str:
     return ""
 
 
-@family("machine-every-equivalent", also=of_one_energy)
+@family("machine-every-equivalent", also=of_one_energy, often=1)
 def every_equivalent(rng: Random) -> str:
     """Of the crank, of a rocker or a slider, at any position, alone or beside an equilibrium."""
     made = SORTS[int(rng.integers(len(SORTS)))](rng)

@@ -23,7 +23,7 @@ def _with_couplers(rng: Random) -> tuple[str, Mechanism, list[str]]:
             return text, mech, couplers
 
 
-@family("any-curvature", also=three_places, often=2, first=2)
+@family("any-curvature", also=three_places, often=1, first=3)
 def curvature(rng: Random) -> str:
     """Of a random link by a random construction, with one of its points; now and then both centrodes."""
     text, mech, couplers = _with_couplers(rng)
@@ -66,7 +66,7 @@ def flywheel(rng: Random) -> str:
     return f"{text}{load}{masses(rng, mech)}{run}find: [{asked}]\n"
 
 
-@family("any-pressure", often=6)
+@family("any-pressure", first=1)
 def pressure(rng: Random) -> str:
     """Pressure and transmission angle of whatever is driven."""
     text, _ = moving(rng)

@@ -100,7 +100,7 @@ def played(solution: Solution, rng: np.random.Generator) -> str:
     return "" if page.html.rstrip().endswith("</html>") and all(told) else "a page is empty"
 
 
-family("used-report", also=reported, first=5)(anything("report"))
+family("used-report", also=reported, often=1, first=5)(anything("report"))
 family("used-course", also=studied, often=1, first=33)(
     anything(
         "course",
@@ -116,7 +116,7 @@ family("used-course", also=studied, often=1, first=33)(
         "machine",
     )
 )
-family("used-drawn", also=drawn, often=1, first=10)(anything("drawn"))
+family("used-drawn", also=drawn, often=1, first=11)(anything("drawn"))
 family("used-geogebra", also=moving, often=1, first=8)(
     anything("geogebra", "linkage", "class-iii", "gears", "offset", "pin-in", "four")
 )

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import numpy as np
-
 from ...algebra.quantity import Quantity
 from ...designs.quantities import AB, AD, BC, CD, SWING, THETA
 from ...designs.verdict import Verdict
-from ...plane import Points, cross, nominal, unit
+from ...plane import Points, ahead, cross, distance, nominal, unit
 from ...words import Words
 from .angles import found
 from .draft import SHEET, TWO, Draft
@@ -37,7 +35,7 @@ class Limits:
 
 def judged(a: Points, d: Points, c1: Points, c2: Points) -> Verdict:
     """The verdict on limit positions that are seen from A under θ, as they stand on the sheet."""
-    if abs(float(nominal(np.abs(c1 - a) - np.abs(c2 - a)))) < EVEN:
+    if abs(float(nominal(distance(a, c1) - distance(a, c2)))) < EVEN:
         return Verdict.NO_CRANK
     sides = [float(nominal(cross(d - a, c - a))) for c in (c1, c2)]
     return Verdict.OPPOSITE if sides[0] * sides[1] <= 0 else Verdict.VALID
@@ -45,7 +43,7 @@ def judged(a: Points, d: Points, c1: Points, c2: Points) -> Verdict:
 
 def limits_of(a: Points, d: Points, c1: Points, c2: Points, letters: tuple[str, str, str]) -> Limits:
     """Which of C₁ and C₂ is the folded limit. letters: of A, C₁, C₂."""
-    first = float(nominal(np.abs(c1 - a) - np.abs(c2 - a))) <= 0
+    first = float(nominal(distance(a, c1) - distance(a, c2))) <= 0
     folded, extended = (c1, c2) if first else (c2, c1)
     of_a, *ends = letters
     near, far = ends if first else reversed(ends)
@@ -104,9 +102,9 @@ def settled(
     """
     a, near, far = limits.a, limits.folded, limits.extended
     pivots = {"D": limits.d} if framed else {}
-    crank = (np.abs(far - a) - np.abs(near - a)) / 2
-    of_near: Points = a - unit(near - a) * crank
-    of_far: Points = a + unit(far - a) * crank
+    crank = (distance(a, far) - distance(a, near)) / 2
+    of_near = ahead(a, unit(near - a), -crank)
+    of_far = ahead(a, unit(far - a), crank)
     chains = (a, of_far, far, *pivots.values()), (a, of_near, near, *pivots.values())
     given_far = verdict is not Verdict.VALID and limits.letters[2] == "C_1"  # which all candidates have
     drawn(draft, *(reversed(chains) if given_far else chains), verdict=verdict)
@@ -119,5 +117,5 @@ def settled(
         crank_circle(draft, a, crank)
         found(draft, THETA, a, (near, far))
         read(draft, limits)
-    order = crank, (np.abs(far - a) + np.abs(near - a)) / 2, np.abs(limits.d - a), a.real
+    order = crank, (distance(a, far) + distance(a, near)) / 2, distance(a, limits.d), a.real
     draft.candidate(verdict, order, A=a, **pivots, B1=of_near, C1=near, B2=of_far, C2=far)

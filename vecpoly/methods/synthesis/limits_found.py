@@ -9,7 +9,7 @@ from ...designs.quantities import AB, AD, ALPHA_MAX, BC, CD, GAMMA_MIN, OFFSET, 
 from ...designs.quantities import K as ADVANCE
 from ...designs.verdict import Verdict
 from ...names import Named
-from ...plane import Points, Reals, unit
+from ...plane import Points, Reals, ahead, unit
 from ...words import Words
 from .angles import found
 from .draft import HALF_TURN, RIGHT, SHEET, Draft
@@ -113,8 +113,8 @@ def _given(draft: Draft, named: Named, design: CrankRockerLimits | SliderCrankLi
 def _cranks(draft: Draft, a: Points, ends: tuple[Points, Points], crank: Reals) -> tuple[Points, Points]:
     """B in both limits: beyond A, and towards C₂; the circle of B."""
     crank_circle(draft, a, crank)
-    b1 = pin(draft, "B_1", a - unit(ends[0] - a) * crank)
-    return b1, pin(draft, "B_2", a + unit(ends[1] - a) * crank)
+    b1 = pin(draft, "B_1", ahead(a, unit(ends[0] - a), -crank))
+    return b1, pin(draft, "B_2", ahead(a, unit(ends[1] - a), crank))
 
 
 def _advance(draft: Draft, a: Points, ends: tuple[Points, Points]) -> None:

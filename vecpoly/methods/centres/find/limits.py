@@ -15,7 +15,7 @@ from ....mechanism.asked.centres import crank_groups, limits
 from ....mechanism.groups.assur import decompose
 from ....mechanism.model import FRAME, Prismatic, Revolute
 from ....names import Named
-from ....plane import Points, cross, nominal, unit
+from ....plane import Points, ahead, cross, nominal, unit
 from ....words import Words
 from ...desk import Desk
 from ...registry import Stage, method
@@ -44,7 +44,7 @@ def find_limit(desk: Desk, named: Named) -> None:
     board.step(_words(_pivot(desk), pin, led, rod, extended, crank > rod_length), pane)
     reach = crank + rod_length if extended else abs(rod_length - crank)
     ends = [
-        (c, a + unit(c - a) * (crank if extended or crank > rod_length else -crank))
+        (c, ahead(a, unit(c - a), crank if extended or crank > rod_length else -crank))
         for c in _meetings(desk, rod, led, reach)
     ]
     sense = _sense(desk, led, rod, desk.at[led], desk.at[pin])

@@ -13,7 +13,7 @@ from ....board.paper.marks import Dot, Role
 from ....devices.balancing.field import FieldBalancing, bearing, effect, spread, weight
 from ....devices.balancing.unclear import check_effect, check_spread, no_meeting
 from ....errors import AssemblyError
-from ....plane import Points, cross, nominal, unit
+from ....plane import Points, ahead, cross, distance, nominal, unit
 from ....words import Words
 from ..bench import Bench
 from ..rotor.polygon import heading, stated_bearing
@@ -79,7 +79,7 @@ def _corner(bench: Bench, device: FieldBalancing, centres: Sequence[Points], i: 
     (k,) = {0, 1, 2} - {i, j}
     size = bench.board.to_paper(vibrations(device), device.trials[k].reading.size)
     pair = _meetings(bench, device, centres, i, j)
-    near = min(pair, key=lambda q: abs(float(nominal(np.abs(q - centres[k]) - size))))
+    near = min(pair, key=lambda q: abs(float(nominal(distance(centres[k], q) - size))))
     _swung(bench, device, centres, (i, j), near)
     return bench.board.either(near)
 
@@ -96,7 +96,7 @@ def _swung(bench: Bench, device: FieldBalancing, centres: Sequence[Points], runs
 def _radius(bench: Bench, device: FieldBalancing, centres: Sequence[Points], k: int, at: Points) -> None:
     """The radius of an arc, which is a reading, with its symbol."""
     board, view = bench.board, vibrations(device)
-    end = centres[k] + unit(at - centres[k]) * board.to_paper(view, device.trials[k].reading.size)
+    end = ahead(centres[k], unit(at - centres[k]), board.to_paper(view, device.trials[k].reading.size))
     board.join(view, centres[k], end, Role.CONSTRUCTION)
     board.plot(view, (centres[k] + end) / 2, f"V_{k + 1}", Dot.NONE)
 

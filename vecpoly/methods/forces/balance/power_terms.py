@@ -16,7 +16,7 @@ from ....errors import EquilibriumError
 from ....mechanism.asked.forces import load_named
 from ....mechanism.loads import Force, Load, Moment
 from ....names import At, Named, omega
-from ....plane import Points, Reals, dot, nominal, unit
+from ....plane import Points, Reals, ahead, dot, nominal, unit
 from ....words import Words
 from ...desk import POLE
 from ...kinematics.image import found_tip
@@ -125,7 +125,7 @@ def lengthening(st: Statics, thrust: Force) -> Rate:
         for letter, link in ((thrust.point, thrust.link), (thrust.foot, thrust.against))
     )
     part = dot(along, head - base)
-    foot = base + along * part
+    foot = ahead(base, along, part)
     start, whole = (
         desk.start_label(View.VELOCITY, desk.canonical(At(letter, link)))
         for letter, link in ((thrust.foot, thrust.against), (thrust.point, thrust.link))

@@ -15,7 +15,7 @@ from ....mechanism.asked.forces import spring_named
 from ....mechanism.laws.springs import Coil, Spring
 from ....mechanism.loads import Force, Moment
 from ....mechanism.model import FRAME
-from ....plane import Points, Reals, dot, nominal, unit
+from ....plane import Points, Reals, ahead, dot, nominal, unit
 from ....words import Words
 from ..acting import OTHER_END
 from .off_paper import OffPaper
@@ -98,7 +98,7 @@ def _damped(at: OffPaper, spring: Spring) -> list[tuple[Expr, int]]:
     if abs(float(nominal(part))) < NO_LENGTH:
         board.remark(Words("此时长度不变，无阻尼力。", " Its length does not change here, so nothing is damped."))
         return []
-    end = base + along * part
+    end = ahead(base, along, part)
     letter = f"v_{{{spring.foot}{spring.point}}}"
     board.join(View.VELOCITY, base, end, Role.CONSTRUCTION)
     board.plot(View.VELOCITY, (base + end) / 2, letter, Dot.NONE)

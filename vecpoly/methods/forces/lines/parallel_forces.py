@@ -14,7 +14,7 @@ from ....board.paper.marks import Dot, Role
 from ....errors import EquilibriumError, LockedError, NoMethodError
 from ....mechanism.model import Prismatic, Revolute
 from ....names import Named
-from ....plane import Line, Points, Reals, cross, dot, foot, lines_meet, nominal, unit
+from ....plane import Line, Points, Reals, ahead, cross, dot, foot, lines_meet, nominal, unit
 from ....words import Words
 from ..acting import Acting
 from ..bodies.link_polygon import closing_side, pane_of
@@ -139,7 +139,7 @@ def about_pin(st: Statics, held: Held, load: Resultant, line: Line, named: Named
     st.board.remark(pin_words(st, pin, held.parent, held.link, touch))
     st.board.remark(_about(st, held, pin, sense))
     size = np.sign(_needed(st, load, line, touch)) * _written(st, held.link, load, (line, touch), named)
-    return Balanced(size=size, rest=-(load.vector + u * st.mm(size)), touch=touch, sense=sense)
+    return Balanced(size=size, rest=-ahead(load.vector, u, st.mm(size)), touch=touch, sense=sense)
 
 
 def _about(st: Statics, held: Held, pin: str, sense: int) -> Words:
@@ -165,7 +165,7 @@ def _touching(st: Statics, held: Held, load: Resultant, line: Line, sense: int) 
     assert isinstance(held.joint, Revolute)
     pin, u = held.joint.point, line.along
     centre = st.desk.at[pin]
-    through = -(load.vector + u * _needed(st, load, line, centre))
+    through = -ahead(load.vector, u, _needed(st, load, line, centre))
     if not sense or abs(complex(nominal(through))) < NOTHING * abs(float(nominal(_needed(st, load, line, centre)))):
         return centre  # without friction, or where the pin bears nothing that could touch its circle
     before = st.pushed_before(held.parent, held.link)
@@ -173,7 +173,7 @@ def _touching(st: Statics, held: Held, load: Resultant, line: Line, sense: int) 
     for way in (first, -first):
         touch = st.touch(pin, u * way, sense)
         for _ in range(ROUNDS):
-            rest = -(load.vector + u * _needed(st, load, line, touch))
+            rest = -ahead(load.vector, u, _needed(st, load, line, touch))
             before, touch = touch, st.touch(pin, unit(rest), sense)
             if abs(complex(nominal(touch - before))) < NO_LENGTH:
                 return touch

@@ -12,7 +12,7 @@ from ....board.paper.marks import Role
 from ....mechanism.gearing import pitch_circles
 from ....mechanism.model import FRAME, Drive, Prismatic
 from ....mechanism.travel import counted_from
-from ....plane import nominal
+from ....plane import ahead, nominal
 from ....words import Words
 from ...desk import Desk
 from ...diagram import Pose
@@ -38,7 +38,7 @@ def position_crank(desk: Desk, drive: Drive) -> None:
     desk.pose[drive.link] = Pose(desk.at[pivot] - along * desk.mm(1.0) * local, along)
     for name in others:
         base = desk.place(drive.link, link.points[name])
-        desk.letter(name, base + along * board.hand.carry(0.0))
+        desk.letter(name, ahead(base, along, board.hand.carry(0.0)))
     desk.settle_rest(drive.link)
     if others and not desk.thought and abs(swept(drive.position)) > SEEN:
         _angle(desk, pivot, drive, max((abs(desk.mm(abs(link.points[p] - local))) for p in others), default=40.0))

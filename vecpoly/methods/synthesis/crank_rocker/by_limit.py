@@ -10,7 +10,7 @@ from ....algebra.quantity import Quantity
 from ....board.paper.marks import Role
 from ....designs.crank_rocker import CrankRocker
 from ....designs.verdict import Verdict
-from ....plane import Line, Points, Reals, cross, nominal, unit
+from ....plane import Line, Points, Reals, cross, distance, nominal, unit
 from ....plane.geometry import dot
 from ....words import Words
 from ..angles import marked, valued
@@ -82,7 +82,7 @@ def _meetings(draft: Draft, ray: Line, pins: tuple[Points, Points, Points], radi
         board.rule(SHEET, ray, a + ray.along * np.abs(c1 - a))
         return
     ends = board.arc_on_line(ray, d, radius, Words("求 $C_2$", "finding $C_2$"))
-    away = max(ends, key=lambda at: abs(complex(nominal(at - c1))))
+    away = max(ends, key=lambda at: float(nominal(distance(c1, at))))
     found = (away,) if level else tuple(sorted(ends, key=lambda at: _crank(pins, at)))  # at θ = 0 it goes through C₁
     board.remark(_named(draft, len(found)))
     for c2 in found:
@@ -97,7 +97,7 @@ def _meetings(draft: Draft, ray: Line, pins: tuple[Points, Points, Points], radi
 def _crank(pins: tuple[Points, Points, Points], c2: Points) -> float:
     """Twice the crank that a meeting gives, as it stands on the sheet: solutions are numbered by their cranks."""
     a, _, c1 = pins
-    return abs(float(nominal(np.abs(c2 - a) - np.abs(c1 - a))))
+    return abs(float(nominal(distance(a, c2) - distance(a, c1))))
 
 
 def _named(draft: Draft, count: int) -> Words:

@@ -13,7 +13,7 @@ from ....algebra.worked import stated
 from ....designs.generator.formula import Value
 from ....designs.generator.function_generator import ERROR, FunctionGenerator
 from ....designs.ranges import extremes
-from ....plane import Points, Reals, circles_meet, cross, nominal
+from ....plane import Points, Reals, circles_meet, cross, distance, nominal
 from ....plane.geometry import dot
 from ....words import Words
 from ..chart import Axis, chart
@@ -45,7 +45,7 @@ class Output:
             for line, at in (("AM", b), ("DN", c - d))
         )
         left = float(nominal(cross(d - b, c - b))) > 0
-        return cls(design, d, np.abs(b), np.abs(c - b), np.abs(c - d), (way, other), left)
+        return cls(design, d, np.abs(b), distance(b, c), distance(d, c), (way, other), left)
 
     def nominally(self) -> Output:
         """As on the nominal sheet: moved to many places at once."""

@@ -8,7 +8,7 @@ from ....board.paper.marks import Role
 from ....designs.quantities import AB, AD, BC, CD
 from ....designs.two_positions import DeadCentre
 from ....designs.verdict import Verdict
-from ....plane import Line, Points, cross, nominal, unit
+from ....plane import Line, Points, cross, distance, nominal, unit
 from ....words import Words
 from ..angles import marked, valued
 from ..draft import SHEET, Draft
@@ -59,7 +59,7 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
     if verdict is Verdict.VALID:
         draft.length(draft.of_this(AB), board.measure(a, b2, "A B_2"), "A B_2")
         draft.length(draft.of_this(BC), board.measure(b2, c2, "B_2 C_2"), "B_2 C_2")
-    order = np.abs(b2 - a), np.abs(c2 - b2), np.abs(d - a), a.real
+    order = distance(a, b2), distance(b2, c2), distance(a, d), a.real
     draft.candidate(verdict, order, A=a, D=d, B1=b1, C1=c1, B2=b2, C2=c2)
 
 
@@ -91,6 +91,6 @@ def _given(draft: Draft, design: DeadCentre) -> tuple[Points, Points, Points, Po
         ray = board.ray(d, 1 + 0j, board.given(psi.si, f"psi_{i}"))
         ends.append(pin(draft, f"C_{i}", board.lay_off(d, ray.along, draft.mm(design.CD.si))))
         board.join(SHEET, d, ends[-1], Role.CONSTRUCTION)
-        rays = d + np.abs(ends[-1] - d), ends[-1]
+        rays = d + distance(d, ends[-1]), ends[-1]
         marked(draft, d, rays, valued(f"ψ_{i}", np.degrees(psi.si)), key=f"psi_{i}", nth=i - 1)
     return a, d, ends[0], ends[1]

@@ -12,7 +12,7 @@ from ....designs.quantities import K as ADVANCE
 from ....designs.two_positions import DragLink
 from ....designs.verdict import Verdict
 from ....foundation.bounds import below
-from ....plane import Points, nominal
+from ....plane import Points, distance, nominal
 from ....words import Words
 from ..angles import marked, valued
 from ..draft import ONE, SHEET, WHOLE_TURN, Draft
@@ -96,7 +96,7 @@ def _solution(
 ) -> None:
     """Read BC and CD; a double crank has the frame as its shortest link."""
     board, (a, d), (b, c) = draft.board, frame, first
-    lengths = [np.abs(b - a), np.abs(c - b), np.abs(c - d)]
+    lengths = [distance(a, b), distance(b, c), distance(d, c)]
     others = sorted(float(nominal(one)) for one in lengths)
     short = float(nominal(np.abs(d - a)))
     double = below(short, others[0]) and below(short + others[2], others[0] + others[1])

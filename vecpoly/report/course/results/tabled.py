@@ -66,7 +66,7 @@ def _decimals(values: Any) -> int | None:
     """As many decimals as give the largest number four significant digits; None where all are whole numbers."""
     known = np.abs(values[np.isfinite(values)])
     top = float(known.max()) if known.size else 0.0
-    if not top or np.allclose(known, np.round(known), atol=1e-9):
+    if not top or np.allclose(known, np.round(known), rtol=1e-12, atol=1e-9):
         return None
     return int(max(0, 3 - floor(log10(top))))
 
