@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from math import log
+from math import log, pi, sqrt
 
 from ..allowance import Allowance
 from ..compare.band import Target, distance, target_of, weigh
 from ..compare.measured import Measured
 from ..compare.outcome import Outcome
-from ..key import AnswerKey, Graded
+from ..key import AnswerKey, Graded, Kind
 from .mutants import Mutant, Value
 
 LONE = 0.7  # of T: as near must a value be that alone bears a mistake out
 MARGIN = 6.0  # by how much the sum of squares of the next best mistake must be larger
+NO_MISTAKE = 3.0  # and of the sheet without any, whose wrong values are wrong by themselves
+ANYWHERE = 8 / 3  # of the larger value: where one that is wrong by itself may lie, from a third to three times
+ASTRAY = 6.0  # of a sense or direction that is wrong by itself: one of twenty is
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,15 +34,50 @@ def explain(
     """The one mistake whose solution agrees with all of these values.
 
     Each value must lie within what is not yet wrong of the mistake's; the sum of squares must be smaller by MARGIN than
-    that of any other mistake that agrees.
+    that of any other mistake that agrees, and by NO_MISTAKE than that of no mistake at all.
     """
-    fitting = [(score, one) for one in mutants if (score := _score(key, given, pool, one)) is not None]
+    scored = ((_score(key, given, pool, one), one) for one in mutants)
+    fitting = [(score, one) for score, one in scored if score is not None and _borne_out(key, given, pool, one)]
     if not fitting:
         return Explained(mutant=None)
     fitting.sort(key=lambda each: each[0])
     if len(fitting) > 1 and fitting[1][0] - fitting[0][0] < MARGIN:
         return Explained(mutant=None, several=True)
     return Explained(mutant=fitting[0][1])
+
+
+def _borne_out(key: AnswerKey, given: Mapping[str, Measured], pool: Collection[str], mutant: Mutant) -> bool:
+    """Whether what was written is likelier of one who makes the mistake than of one who has some values right, the
+    others wrong by themselves: where it moves a value widely, or one that is right, little bears it out."""
+    moved = [(key[name], given[name]) for name in pool if name in mutant.values and given[name].yes is None]
+    told = [(one, mine) for one, mine in moved if mine.value or not mutant.leaves_out(one.key)]
+    by_it = sum(_surprise(one, mine, mutated(one, mutant, key.allowance), key.allowance) for one, mine in told)
+    return by_it + NO_MISTAKE <= sum(_by_itself(one, mine, key.allowance) for one, mine in told)
+
+
+def _surprise(one: Graded, mine: Measured, target: Target, rule: Allowance) -> float:
+    """-2 ln of the density of a value that should be this one."""
+    if not target.allowed:
+        return 0.0
+    off, sigma = distance(mine, one, target), target.allowed / rule.k
+    return (off / sigma) ** 2 + 2.0 * _ways(one) * log(sqrt(2 * pi) * sigma)
+
+
+def _by_itself(one: Graded, mine: Measured, rule: Allowance) -> float:
+    """-2 ln of the density of a value that no mistake moved: right, or anywhere."""
+    target = target_of(one)
+    match weigh(mine, one, target, rule):
+        case Outcome.RIGHT | Outcome.CLOSE | Outcome.UNSAID:
+            return _surprise(one, mine, target, rule)
+        case Outcome.SENSE | Outcome.DIRECTION:
+            return _surprise(one, mine, target, rule) + ASTRAY
+        case _:
+            return 2.0 * _ways(one) * log(ANYWHERE * max(abs(mine.value), abs(one.exact), one.allowed))
+
+
+def _ways(one: Graded) -> int:
+    """In how many directions a value can be off."""
+    return 2 if one.kind is Kind.PLACE else 1
 
 
 def agrees(one: Graded, mine: Measured, mutant: Mutant, rule: Allowance) -> bool:
