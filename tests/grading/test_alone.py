@@ -73,7 +73,7 @@ def test_what_cannot_be_read_says_what_is_asked() -> None:
 
 @pytest.mark.parametrize("times", [1.28, 1.49, 1.75])
 def test_what_a_mistake_would_spread_widely_is_an_error_by_itself_beside_what_is_right(times: float) -> None:
-    """By the other side AD would be 419 ± 82 mm, and γ_min 32° instead of 44°: that γ_min is right speaks against it."""
+    """By the other side AD would be 419 ± 82 mm, and γ_min 32° instead of 44°: what is right speaks against it."""
     right = {"theta": "20", "gamma_min": "43.8"}
     sheet = marked("8-15", right | {"AD": f"{times * key_of('8-15')['AD'].exact:.0f}"})
     assert not sheet["AD"].is_right and not sheet.slips and sheet["gamma_min"].is_right
