@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
-from math import log, pi, sqrt
+from dataclasses import dataclass, replace
+from math import inf, log, pi, sqrt
 
 from ..allowance import Allowance
 from ..compare.band import Target, distance, target_of, weigh
@@ -17,6 +17,7 @@ LONE = 0.7  # of T: as near must a value be that alone bears a mistake out
 MARGIN = 6.0  # by how much the sum of squares of the next best mistake must be larger
 NO_MISTAKE = 3.0  # and of the sheet without any, whose wrong values are wrong by themselves
 ANYWHERE = 8 / 3  # of the larger value: where one that is wrong by itself may lie, from a third to three times
+CARELESS = 2.0  # times T: of whoever draws without care
 ASTRAY = 6.0  # of a sense or direction that is wrong by itself: one of twenty is
 AS_IT_SHOULD_BE = (Outcome.RIGHT, Outcome.CLOSE, Outcome.UNSAID)
 
@@ -115,13 +116,16 @@ def _surprise(one: Graded, mine: Measured, target: Target, rule: Allowance) -> f
 
 
 def _by_itself(one: Graded, mine: Measured, outcome: Outcome, rule: Allowance) -> float:
-    """-2 ln of the density of a value that no mistake moved: right, or anywhere."""
+    """-2 ln of the density of a value that no mistake moved: right, drawn without care, or anywhere."""
     if outcome in AS_IT_SHOULD_BE:
         return _surprise(one, mine, target_of(one), rule)
     if outcome in (Outcome.SENSE, Outcome.DIRECTION):
         return _surprise(one, mine, target_of(one), rule) + ASTRAY
     widest = max(abs(mine.value), abs(one.exact), one.allowed)
-    return 2.0 * _ways(one) * log(ANYWHERE * widest) if widest else 0.0
+    if not widest:
+        return 0.0
+    careless = replace(target_of(one), allowed=CARELESS * one.allowed)
+    return min(2.0 * _ways(one) * log(ANYWHERE * widest), _surprise(one, mine, careless, rule) or inf)
 
 
 def _ways(one: Graded) -> int:
