@@ -15,6 +15,7 @@ from .judging.figures import Figures, figures_of
 from .judging.mark import DrawingMark
 from .matching.askew import laid_askew, taken_so
 from .matching.find import Found, find
+from .matching.fit import Fit
 from .matching.held import UPRIGHT
 from .matching.naming import named
 from .matching.tidy import Strokes, strokes
@@ -80,15 +81,17 @@ class _Grading:
         )
 
     def _figures(self) -> Figures:
-        """The figures as they lie; some of them held by themselves, where that leaves fewer mistakes."""
+        """The figures as they lie; some of them held by themselves, where that leaves fewer mistakes, or as many and
+        none that is known."""
         upright, found = self._judged(self.found), self.found
-        if upright.costs < 2:
+        if not upright.unexplained or not self.strokes.lines:
             return upright
         figures = [one for one in self.key.variants if not one[0].diagram]
-        laid = laid_askew(figures, self.strokes, found.fits, found.declared, found.held, upright.doubtful)
+        laid = laid_askew(figures, self.strokes, found.fits, found.declared, found.held, upright.unexplained)
         some = [(one,) for one in laid] + ([laid] if len(laid) > 1 else [])
-        ways = [upright, *(self._judged(replace(found, fits=taken_so(found.fits, each))) for each in some)]
-        return min(ways, key=lambda way: way.costs)
+        ways = [(self._judged(replace(found, fits=taken_so(found.fits, each))), each) for each in some]
+        best = min(ways, key=lambda way: _mistakes(*way), default=None)
+        return best[0] if best is not None and _mistakes(*best) <= upright.costs else upright
 
     def _judged(self, found: Found) -> Figures:
         return figures_of(self.key, found, self.drawing.labels, self.scales, heads=self.heads)
@@ -122,3 +125,8 @@ class _Grading:
                 )
             )
         return said
+
+
+def _mistakes(figures: Figures, laid: Sequence[Fit]) -> int:
+    """How many there are; another scale than is stated is one as well."""
+    return figures.costs + sum(fit.told is not None for fit in laid)

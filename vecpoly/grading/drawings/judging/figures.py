@@ -42,9 +42,10 @@ class Figures:
         return sum(one.costs for figure in self.marks for one in figure.vectors)
 
     @property
-    def doubtful(self) -> frozenset[str]:
-        """The figures with a mistake."""
-        return frozenset(one.figure for one in self.marks if any(vector.costs for vector in one.vectors))
+    def unexplained(self) -> frozenset[str]:
+        """The figures with a mistake, but those that are drawn with one that is known."""
+        wrong = (one for one in self.marks if any(vector.costs for vector in one.vectors))
+        return frozenset(one.figure for one in wrong if not (self.slips and one.drawn))
 
 
 def figures_of(

@@ -49,7 +49,9 @@ def laid_askew(
     lines = [sheet.seen(one) for one in strokes.lines]
     sure = {n for fit in found if fit.shape.name not in doubtful for n in fit.numbers}
     members = [[n for n, part in enumerate(strokes.parts) if part == p] for p in sorted(set(strokes.parts))]
-    parts = [part for part in members if not sure.intersection(part)]
+    heads = any(one.headed for one in lines)
+    vectors = [part for part in members if not heads or any(lines[n].headed for n in part)]
+    parts = [part for part in vectors if not sure.intersection(part)]
     wanted = [one for one in figures if one[0].name in doubtful and len(one[0].edges) > 1]
     if not parts or not wanted:
         return ()
