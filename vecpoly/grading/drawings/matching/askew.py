@@ -17,6 +17,7 @@ from .tidy import Strokes
 
 WHOLE, MOST, SEVERAL = 0.9, 0.6, 3  # of a polygon that must be found: nearly all, or most of it and several vectors
 SEEDS = 3  # the longest vectors, one of which is surely found in a polygon that is right
+MANY, FEW = 60, 30  # lines that hang together: more are no polygon, or none for which every mistake is tried
 OF_MIRROR, OF_SCALE = 0.04, 0.02  # a turned polygon is preferred to a mirrored one, the told scale to another
 FINELY, NEARLY = 0.3, 0.01  # of ways to hold it the finest; of a vector, at which half of that is lost
 
@@ -71,7 +72,7 @@ def taken_so(found: Sequence[Fit], laid: Sequence[Fit]) -> tuple[Fit, ...]:
 def _best(lines: Sequence[Segment], shapes: Sequence[Shape], told: float | None) -> Lie | None:
     """How these lines are the figure as it should be, or else as a mistake makes it."""
     right = lie_of(lines, shapes[0], told)
-    if right is not None:
+    if right is not None or len(lines) > FEW:
         return right
     mistaken = (lie_of(lines, shape, told, WHOLE) for shape in shapes[1:])
     return max((lie for lie in mistaken if lie is not None), key=lambda lie: lie.liked, default=None)
@@ -79,7 +80,7 @@ def _best(lines: Sequence[Segment], shapes: Sequence[Shape], told: float | None)
 
 def lie_of(lines: Sequence[Segment], shape: Shape, told: float | None, least: float = MOST) -> Lie | None:
     """How these lines are the figure; None where too little of it is found however they are held."""
-    ways = [lie for lie in _lies(lines, shape, told) if lie.share >= least]
+    ways = [lie for lie in _lies(lines, shape, told) if lie.share >= least] if len(lines) <= MANY else []
     best = max(ways, key=lambda lie: lie.liked, default=None)
     if best is None or (best.share < WHOLE and len(shape.edges) <= SEVERAL):
         return None
@@ -96,7 +97,7 @@ def _lies(lines: Sequence[Segment], shape: Shape, told: float | None) -> Iterato
     for mirror in (False, True):
         seen = -both.conj() if mirror else both
         for ratio in (seen[:, None] / should[longest][None, :]).ravel():
-            for scale in {told, None} if told else {1.0, None}:
+            for scale in (told or 1.0, None):
                 if scale is None or abs(abs(ratio) / scale - 1) <= LIKE:
                     yield _lie(seen, should, complex(ratio), scale or float(abs(ratio)), mirror, told or 1.0)
 
