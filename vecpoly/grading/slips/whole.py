@@ -102,7 +102,9 @@ def _score(written: Sequence[_Held], mutant: Mutant, rule: Allowance) -> float |
 def _borne_out(written: Sequence[_Held], mutant: Mutant, rule: Allowance) -> bool:
     """Whether what was written is likelier of one who makes the mistake than of one who has some values right, the
     others wrong by themselves: where it moves a value widely, or one that is right, little bears it out."""
-    moved = [one for one in written if one.key in mutant.values and one.mine.yes is None and not one.left_out(mutant)]
+    there = {one.key for one in written if one.key in mutant.values}
+    read = [one for one in written if one.key in there and one.one.line not in there]  # a length bears out once
+    moved = [one for one in read if one.mine.yes is None and not one.left_out(mutant)]
     by_it = sum(_surprise(one.one, one.mine, mutated(one.one, mutant, rule), rule) for one in moved)
     return by_it + NO_MISTAKE <= sum(one.by_itself for one in moved)
 
