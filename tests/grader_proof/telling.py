@@ -6,6 +6,7 @@ from tests.grader_proof.judge import Trial
 from vecpoly.board.otherwise.slip import Slip
 from vecpoly.grading.key import Graded, Kind
 from vecpoly.grading.slips.mutants import Mutant, Value
+from vecpoly.grading.slips.whole import mutated
 
 VISIBLE = 2.0  # T: a slip shows where it moves an answer by more
 
@@ -27,8 +28,9 @@ def shows(trial: Trial, mutant: Mutant) -> bool:
 
 
 def distinct(trial: Trial, mutant: Mutant) -> bool:
-    """Whether it can be told from every other by sizes and senses, and shows in more than one sense."""
-    sizes = [name for name, value in mutant.values.items() if _far(trial, name, value)]
+    """Whether it can be told from every other, and from right work, by sizes and senses, as those who make it write
+    them; and shows in more than one sense."""
+    sizes = [name for name, value in mutant.values.items() if _far(trial, name, value) and _clear(trial, name, mutant)]
     senses = [
         name
         for name, value in mutant.values.items()
@@ -36,7 +38,26 @@ def distinct(trial: Trial, mutant: Mutant) -> bool:
     ]
     if not sizes and len(senses) < 2:
         return False
-    return not any(alike(trial, one.slip, mutant) for one in trial.mutants if one.slip != mutant.slip)
+    others = [one for one in trial.mutants if one.slip != mutant.slip]
+    return not any(alike(trial, one.slip, mutant) or _blurred(trial, one, mutant) for one in others)
+
+
+def _clear(trial: Trial, name: str, mutant: Mutant) -> bool:
+    """Whether those who make the mistake scatter by less than it moves the value: lines may hardly meet."""
+    one, rule = trial.key[name], trial.key.allowance
+    return _between(one, mutant.values[name], _right(one)) > mutated(one, mutant, rule).allowed
+
+
+def _blurred(trial: Trial, first: Mutant, second: Mutant) -> bool:
+    """Whether nothing that is written differs by more than what both scatter by."""
+    written = (one for one in trial.key.quantities if one.asked or one.kind is Kind.READING)
+    return not any(_apart(trial, one, first, second) for one in written)
+
+
+def _apart(trial: Trial, one: Graded, first: Mutant, second: Mutant) -> bool:
+    room = sum(mutated(one, each, trial.key.allowance).allowed for each in (first, second))
+    values = (each.values.get(one.key, _right(one)) for each in (first, second))
+    return _between(one, *values) > room
 
 
 def _far(trial: Trial, name: str, value: Value) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from typer.testing import CliRunner
 
-from tests.grading.cases import problem_of
+from tests.grading.cases import key_of, marked, mutants_of, problem_of
 from tests.laws import few
 from vecpoly.cli.app import app
 from vecpoly.grading.reading.written import written
@@ -73,3 +73,17 @@ def test_what_cannot_be_read_says_what_is_asked() -> None:
     assert "minutes and seconds of arc are below 60" in sentences("8-4", "theta=35°60′")
     assert "yes or no is asked" in sentences("6-4", "dynamic=perhaps")
     assert written("35°59′").value == pytest.approx(35 + 59 / 60, abs=1e-4)
+
+
+@pytest.mark.parametrize("times", [1.28, 1.49, 1.75])
+def test_what_a_mistake_would_spread_widely_is_an_error_by_itself_beside_what_is_right(times: float) -> None:
+    """By the other side AD would be 419 ± 82 mm, and γ_min 32° instead of 44°: what is right speaks against it."""
+    right = {"theta": "20", "gamma_min": "43.8"}
+    sheet = marked("8-15", right | {"AD": f"{times * key_of('8-15')['AD'].exact:.0f}"})
+    assert not sheet["AD"].is_right and not sheet.slips and sheet["gamma_min"].is_right
+
+
+def test_the_same_mistake_is_named_where_all_that_rests_on_it_follows() -> None:
+    (one,) = (each for each in mutants_of("8-15") if str(each.slip) == "C1P other side")
+    cells = {name: f"{one.values[name].value:.1f}" for name in ("AD", "gamma_min")}
+    assert set(marked("8-15", cells | {"theta": "20"}).slips.values()) == {one.slip}

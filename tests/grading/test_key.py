@@ -143,3 +143,17 @@ def test_the_scatter_of_hands_that_run_away_is_a_number_and_any_other_is_numpy_s
     assert scatter(near) == np.std(near) and scatter(near[3:4]) == 0.0
     with np.errstate(over="raise"):
         assert scatter(near * 1e200) == pytest.approx(np.std(near) * 1e200)
+
+
+def test_what_is_nothing_but_rounding_may_be_as_large_as_hands_make_it() -> None:
+    """Unbalanced forces of an engine that is balanced: 10^-11 N by computation, tens of N by any drawing."""
+    key = key_of("engine-three")
+    for name in ("F_I", "F_II"):
+        assert key[name].exact == 0 and key[name].allowed == pytest.approx(2 * key[name].sigma) and key[name].sigma > 10
+        assert not key[name].demoted
+
+
+def test_a_length_whose_letters_another_figure_has_the_other_way_round_is_told_by_its_figure() -> None:
+    """bc of the velocities, and cb of the card of forces: somebody's own cb is no velocity."""
+    read = {one.key for one in key_of("press-flywheel").quantities if one.kind is Kind.READING}
+    assert {"velocity:bc", "indicator indicator:cb", "pc"} <= read

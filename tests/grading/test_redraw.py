@@ -15,9 +15,11 @@ from vecpoly.grading.redraw import act_of, as_keyed, drawn_by, values_of
 
 @pytest.mark.parametrize(
     "name",
-    few(
-        ["curv-1", "curv-2", "curv-5", "D-2", "D-3", "balance-shaper", "balance-slider-crank", "3-9", "3-12", "D-1"], 3
-    ),
+    [
+        *few(["curv-1", "curv-2", "curv-5", "D-2", "D-3", "balance-shaper", "balance-slider-crank", "3-9", "3-12"], 3),
+        "D-1",
+        "class-iii",
+    ],
 )
 def test_a_sheet_that_is_drawn_anew_has_the_lengths_of_its_key(name: str) -> None:
     """A second figure of the mechanism, and a polygon of each link, keep the scales that they were given."""

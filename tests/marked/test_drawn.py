@@ -16,7 +16,7 @@ import pytest
 from ezdxf.filemanagement import read as read_dxf
 from ezdxf.math import Matrix44
 
-from tests.grading.drawings.made import as_svg, changed
+from tests.grading.drawings.made import as_svg, by, changed, lying
 from tests.grading.drawings.made import drawn as side_by_side
 from tests.marked.classes import NUMBERS, answers, graded, register, wide
 from vecpoly import Mistake, Slip, solve
@@ -97,6 +97,24 @@ def test_a_polygon_that_does_not_close_is_told_in_the_table_and_to_the_student(t
     (sheet_file,) = (path for path in done.files if path.parent.name == "feedback" and NUMBERS[0] in path.name)
     with pdfplumber.open(sheet_file) as pdf:
         assert "多边形不封闭" in "".join(page.extract_text() for page in pdf.pages)
+
+
+def test_a_polygon_that_is_turned_as_a_whole_is_told_with_its_angle_and_costs_once(tmp_path: Path, file: Path) -> None:
+    sheet = register().sheet(NUMBERS[0])
+    assert sheet is not None
+    there = shapes(constructed(register().variant(sheet.parts[0]), hand("exact"), AS_DRAWN))
+    turned = lying(there, side_by_side(there), velocity=by(17))
+    made = tmp_path / "drawn"
+    made.mkdir()
+    (made / f"{NUMBERS[0]}_3-9.svg").write_bytes(as_svg(turned))
+    done = graded(tmp_path / "out", file, drawings=made, feedback=True)
+    said = "整个多边形逆时针转过了 17°"
+    assert said in (tmp_path / "out" / "drawings.csv").read_text("utf-8-sig")
+    lost = {key: one.worth - one.earned for key, one in lines(done, NUMBERS[0]).items() if one.earned < one.worth}
+    assert list(lost) == ["v_B"] and not any(one.doubt for one in lines(done, NUMBERS[0]).values())
+    (sheet_file,) = (path for path in done.files if path.parent.name == "feedback" and NUMBERS[0] in path.name)
+    with pdfplumber.open(sheet_file) as pdf:
+        assert "转过了" in "".join(page.extract_text() for page in pdf.pages)
 
 
 def lines(done: Graded, number: str) -> dict[str, LineMark]:

@@ -23,11 +23,13 @@ from .draw import draw
 from .drawing import Paper
 from .drawn import motion_of
 from .passes import stages
+from .registry import Stage
 
 FAR = 2.0  # a scale that comes out so much finer than guessed is guessed again
 ROUGH = 1.6  # so much smaller a sketch does not tell well what stands round a figure
 SPECK = 1e-6  # mm: a force polygon of less is rounding; nothing acts there
 SLOT = (150.0, 100.0)  # mm, what a figure fills where no paper is known
+AGAIN = {Stage.CENTRES, Stage.CURVATURE}  # by which the mechanism may be drawn once more, to a scale of its own
 KEPT = 256  # problems whose scales are remembered, some KB each: more than the library has
 Scales = dict[Place, Scale]
 
@@ -74,7 +76,10 @@ def _chosen(problem: Problem, paper: Paper | None) -> tuple[Scales, Desk | None]
     guess = provisional(problem)
     given = {view: problem.scales.of(view.mu) for view in guess}
     if all(given[view] for view in {View.MECHANISM, *(stage.view for stage in stages(problem))}):
-        return {view: Scale.of(view, given[view] or value) for view, value in guess.items()}, None
+        known = {view: given[view] or value for view, value in guess.items()}
+        if paper is None or not _twice(problem):
+            return {view: Scale.of(view, value) for view, value in known.items()}, None
+        return _fitted(problem, known, paper)[0], None
     chosen, sketch = _fitted(problem, guess, paper)
     while chosen[View.FORCE].value < guess[View.FORCE] / FAR and not given[View.FORCE]:  # a sketch of specks
         guess |= {View.FORCE: chosen[View.FORCE].value}
@@ -82,6 +87,11 @@ def _chosen(problem: Problem, paper: Paper | None) -> tuple[Scales, Desk | None]
     if paper is not None and any(guess[view] / chosen[view].value > ROUGH for view in guess):
         chosen, sketch = _fitted(problem, {view: chosen[view].value for view in guess}, paper)
     return chosen, sketch
+
+
+def _twice(problem: Problem) -> bool:
+    """Whether a drawing chose μ_l, and chose with it that of the mechanism as it is drawn once more."""
+    return problem.scales.wished(View.MECHANISM.mu) is None and not AGAIN.isdisjoint(stages(problem))
 
 
 def _typical_force(problem: Problem) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import zipfile
+from cmath import exp, pi
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
@@ -58,6 +59,29 @@ def put(drawing: Drawing, to: Callable[[complex], complex]) -> Drawing:
     """Every point elsewhere."""
     lines = tuple(replace(one, start=to(one.start), end=to(one.end)) for one in drawing.segments)
     return replace(drawing, segments=lines)
+
+
+To = Callable[[complex], complex]
+
+
+def by(degrees: float) -> To:
+    """Turned by so much."""
+    return lambda z: z * exp(1j * pi * degrees / 180)
+
+
+def lying(there: Expected, drawing: Drawing, **figures: To) -> Drawing:
+    """Each of these polygons laid otherwise, about its pole; the others stay."""
+    names = [shape.name for shape in there.shapes]
+
+    def to(one: Segment) -> Segment:
+        figure = one.where.partition(":")[0]
+        if figure not in figures:
+            return one
+        pole = APART * names.index(figure)
+        start, end = (figures[figure](at - pole) + pole for at in (one.start, one.end))
+        return replace(one, start=start, end=end)
+
+    return replace(drawing, segments=tuple(map(to, drawing.segments)))
 
 
 def changed(drawing: Drawing, where: str, to: Callable[[Segment], Segment | None]) -> Drawing:

@@ -20,7 +20,7 @@ from ..options import Lang
 from ..terminal import add, show, table
 
 if TYPE_CHECKING:
-    from ...grading.drawings.judging.mark import DrawingMark
+    from ...grading.drawings.judging.mark import DrawingMark, FigureMark
 
 ENDINGS = (".dxf", ".svg", ".pdf", ".ggb")
 _COLUMNS = {"zh": ("图", "矢量", "结论", "缘由"), "en": ("figure", "vector", "verdict", "reason")}
@@ -78,7 +78,7 @@ def _print(mark: DrawingMark, lang: Lang) -> None:
 def _as_json(mark: DrawingMark) -> dict[str, Any]:
     return {
         "id": mark.problem, "file": mark.file, "right": mark.right, "mirrored": mark.mirrored, "turned": mark.turned,
-        "slip": str(mark.slip) if mark.slip else None,
+        "slip": str(mark.slip) if mark.slip else None, "figures": [_figure(one) for one in mark.figures],
         "vectors": [
             {
                 "figure": one.figure, "key": one.key, "verdict": one.verdict.value, "basis": one.basis.value,
@@ -87,4 +87,12 @@ def _as_json(mark: DrawingMark) -> dict[str, Any]:
             }
             for one in mark.vectors
         ],
+    }  # fmt: skip
+
+
+def _figure(one: FigureMark) -> dict[str, Any]:
+    return {
+        "figure": one.figure, "drawn": one.drawn, "mu": one.mu, "declared": one.declared, "gap_mm": one.gap,
+        "turned": one.turned, "mirrored": one.mirrored,
+        "zh": [said.zh for said in one.remarks], "en": [said.en for said in one.remarks],
     }  # fmt: skip

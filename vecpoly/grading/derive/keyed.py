@@ -209,9 +209,17 @@ def _letter(found: re.Match[str]) -> str:
 
 def _name(act: Measure, read: Sequence[Measure], taken: set[str]) -> str:
     """The letters of a length, with its figure where two lengths have them, with mm where a quantity has them."""
-    alone = all(abs(one.mm - act.mm) <= ZERO * act.mm for one in read if one.key == act.key)
+    alone = all(abs(one.mm - act.mm) <= ZERO * act.mm for one in read if _ends(one) == _ends(act))
     name = act.key if alone else act.names[0]
     return f"{name} mm" if name in taken else name
+
+
+def _ends(act: Measure) -> list[str]:
+    """The letters of a length, which has them either way: cb is bc."""
+    return sorted(_LETTERS.findall(act.key))
+
+
+_LETTERS = re.compile(r"[A-Za-z]\d*'*")
 
 
 def _view(act: Act) -> Figured | None:

@@ -39,7 +39,12 @@ class Scatter:
         nominal, *others = np.asarray(repeats, dtype=complex if place else float)
         found = np.array(beside(np.array(others), nominal) if line else others)  # 179° and 1° are 2° apart
         closed = found[np.isfinite(found)]
-        return scatter(closed) if closed.size >= (1 - LOST) * found.size else inf
+        if closed.size < (1 - LOST) * found.size:
+            return inf
+        about = float(scatter(closed))
+        if abs(nominal) <= COMPUTED * about:  # sizes of what is nothing lie all to one side of it
+            return float(np.hypot(about, np.abs(np.mean(closed))))
+        return about
 
     def turned(self, act: Act) -> float:
         """σ of the direction of a vector (deg); 0 where its direction by every hand is not known."""
@@ -55,8 +60,9 @@ class Scatter:
         """
         lengths = {one.key: one.mm for one in graded if one.kind is Kind.READING and one.mm}
         largest: dict[str, float] = {}
-        for one in graded:
-            largest[one.unit] = max(abs(one.exact), largest.get(one.unit, 0.0))
+        for one in graded:  # also where all are nothing but rounding: by what they scatter
+            size = max(abs(one.exact), one.sigma if isfinite(one.sigma) else 0.0)
+            largest[one.unit] = max(size, largest.get(one.unit, 0.0))
         return [
             self._bounded(
                 _rid_of_rounding(one, largest[one.unit]), self._shortest(one, lengths), largest[one.unit] or 1.0

@@ -103,7 +103,7 @@ def _line(
             earned=0.0, reason=NOTHING_DRAWN, costs=True,
         )  # fmt: skip
     figure, mark = found
-    doubt = drawing.doubt or (None if figure.declared else UNDECLARED)
+    doubt = drawing.doubt or figure.doubt or (None if figure.declared else UNDECLARED)
     why = Words("；", "; ") + told_of(drawing.slip).words if mark.costs and drawing.slip is not None else NO_WORDS
     return LineMark(
         key=one.key, symbol=one.symbol, figure=figure.title, verdict=mark.verdict, worth=one.points.method,

@@ -137,7 +137,7 @@ def _lines(result: Result) -> Iterator[_Entry]:
     for problem, work in result.drawings.items():
         paid = {one.key: one for one in result.marks[problem].lines}
         for figure in work.mark.figures:
-            doubtful = work.mark.doubt is not None or not figure.declared
+            doubtful = bool(work.mark.doubt or figure.doubt) or not figure.declared
             for one in figure.vectors:
                 lines = [paid[key] for key in one.keys if key in paid]
                 yield _Entry(

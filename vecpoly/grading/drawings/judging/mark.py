@@ -72,7 +72,9 @@ class VectorMark:
 class FigureMark:
     """One figure: its vectors, what is drawn beside them, the gap of its polygon (mm on the sheet).
 
-    mu: the own scale, SI per mm; declared: whether it was stated, or is that of the problem.
+    mu: the own scale, SI per mm; declared: whether it was stated, or is that of the problem. turned: by how many
+    degrees (ccw) this polygon alone is turned as a whole; mirrored: it is drawn in a mirror. doubt: why a person must
+    look at it.
     """
 
     figure: str
@@ -85,6 +87,9 @@ class FigureMark:
     gap: float = 0.0
     remarks: tuple[Words, ...] = ()
     drawn: bool = True
+    turned: float = 0.0
+    mirrored: bool = False
+    doubt: Words | None = None
 
     def __getitem__(self, key: str) -> VectorMark:
         """The mark of this vector. Raises KeyError."""

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 
 from ..model import DrawingKey
+from .askew import lie_of
 from .fit import Fit, fitted
 from .held import MIRRORED, QUARTERS, UPRIGHT, Held
 from .tidy import Strokes
@@ -17,11 +18,13 @@ SURE = 0.6  # of a figure found as it should be: no mistake need be sought to re
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Found:
-    """The figures; held: how the sheet had to be held for them; printed: how much larger the sheet is than it says."""
+    """The figures; held: how the sheet had to be held for them; printed: how much larger the sheet is than it says;
+    declared: mm of the sheet for a mm of the reference, by figure, where it is stated."""
 
     fits: tuple[Fit, ...]
     held: Held = UPRIGHT
     printed: float = 1.0
+    declared: Mapping[str, float] = field(default_factory=dict)
 
 
 def find(key: DrawingKey, strokes: Strokes, scales: Mapping[str, float]) -> Found:
@@ -31,18 +34,28 @@ def find(key: DrawingKey, strokes: Strokes, scales: Mapping[str, float]) -> Foun
     }
     if (times := _times(key, strokes, declared)) != 1.0:
         larger = {name: scale * times for name, scale in declared.items()}
-        return Found(fits=tuple(_upright(key, strokes, larger)), printed=times)
+        return Found(fits=tuple(_upright(key, strokes, larger)), printed=times, declared=larger)
     fits = _upright(key, strokes, declared)
     share = _share(key, fits)
     if share >= FOUND:
-        return Found(fits=tuple(fits))
+        return Found(fits=tuple(fits), declared=declared)
     plain = [(shape,) for shape in key.exact.shapes]
-    ways = [(held, fitted(strokes, plain, declared, held=held)) for held in (*MIRRORED, *QUARTERS)]
+    others = (*MIRRORED, *QUARTERS, *_as_the_diagram(key, strokes))
+    ways = [(held, fitted(strokes, plain, declared, held=held)) for held in others]
     fair = [(held, fits) for held, fits in ways if held.mirror or _turned_with(fits)]
     held, best = max(fair, key=lambda way: _share(key, way[1]))
     if _share(key, best) > max(SURE, share + CLEARLY):
-        return Found(fits=tuple(best), held=held)
-    return Found(fits=tuple(fits))
+        return Found(fits=tuple(best), held=held, declared=declared)
+    return Found(fits=tuple(fits), declared=declared)
+
+
+def _as_the_diagram(key: DrawingKey, strokes: Strokes) -> Iterator[Held]:
+    """The sheet turned so that its diagram is upright: paper may lie at any angle."""
+    for shape in key.exact.shapes if strokes.parts else ():
+        parts = range(max(strokes.parts) + 1) if shape.diagram else ()
+        there = [[one for one, part in zip(strokes.lines, strokes.parts, strict=True) if part == p] for p in parts]
+        lies = [lie for lines in there if (lie := lie_of(lines, shape, None)) is not None and not lie.held.mirror]
+        yield from (lie.held for lie in sorted(lies, key=lambda lie: -lie.liked)[:1])
 
 
 def _turned_with(fits: Sequence[Fit]) -> bool:

@@ -31,7 +31,8 @@ class Fit:
     """A figure on the sheet: its lines in reference mm, about the figure's origin where that could be told.
 
     scale: mm of the sheet for a mm of the reference, as it is taken; measured: as the known vectors have it. share: of
-    the figure's lines that were found as they should be.
+    the figure's lines that were found as they should be. held: how this figure alone, beside the sheet, was held; told:
+    the scale that was stated for it, where it is drawn at another.
     """
 
     shape: Shape
@@ -41,6 +42,8 @@ class Fit:
     measured: float
     share: float
     origin: complex | None
+    held: Held = UPRIGHT
+    told: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,12 +79,12 @@ def fitted(
     taken = {n for r, _ in pairs for n in parts[r]}
     loose = _strays(lines, strokes.parts, taken, [parts[r] for r, _ in pairs])
     return [
-        _fit(
+        fit_of(
             lines,
             parts[r],
             [n for n, home in loose.items() if home == m],
             figures[c],
-            tries[r][c],
+            tries[r][c].scale,
             figures[c][0].name in scales,
         )
         for m, (r, c) in sorted(enumerate(pairs), key=lambda one: one[1][1])
@@ -164,26 +167,26 @@ def _placed(lines: Sequence[Segment], shape: Shape, same: Any, scale: float) -> 
     return complex(np.average(at[near[best]], weights=size[near[best]])), float(weights[best])
 
 
-def _fit(
+def fit_of(
     lines: Sequence[Segment],
     part: Sequence[int],
     loose: Sequence[int],
     shapes: Sequence[Shape],
-    best: _Try,
+    found: float,
     declared: bool,
 ) -> Fit:
-    """The figure in its own scale, with stray lines that may belong to it."""
+    """The figure in its own scale, with stray lines that may belong to it; found: the scale, about."""
     shape, inside = shapes[0], [lines[n] for n in part]
-    measured = refined(inside, shapes, best.scale)
-    scale = best.scale if declared else chosen(inside, shape, best.scale, measured)
+    measured = refined(inside, shapes, found)
+    scale = found if declared else chosen(inside, shape, found, measured)
     own = np.array([one.along for one in inside])
     origin, share = None, 0.0
     for one in shapes:
         should = np.array([edge.along for edge in one.edges])
         off = np.minimum(np.abs(own[:, None] / scale - should), np.abs(own[:, None] / scale + should))
-        found, much = _placed(inside, one, off <= LIKE * np.abs(should) + SLACK, scale)
+        place, much = _placed(inside, one, off <= LIKE * np.abs(should) + SLACK, scale)
         if much / np.sum(np.abs(should)) > share + 1e-6:
-            origin, share = found, float(much / np.sum(np.abs(should)))
+            origin, share = place, float(much / np.sum(np.abs(should)))
     own_too = [n for n in loose if fits(lines[n].layer, shape.view)]
     numbers = (*part, *own_too)
     shift = origin or 0j
