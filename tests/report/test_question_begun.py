@@ -82,7 +82,8 @@ def test_a_hodograph_begins_with_the_axes_through_its_pole() -> None:
 
 def test_the_guide_of_an_engine_runs_through_its_frame_and_does_not_tell_where_the_slider_stands() -> None:
     guides = [m for m in blanks("engine-single-best")["mechanism", ""] if isinstance(m, FixedGuide)]
-    slider = next(m.at for m in figure("engine-single-best", "mechanism").marks if getattr(m, "label", "") == "C")
+    points = (m for m in figure("engine-single-best", "mechanism").marks if isinstance(m, Point))
+    slider = next(m.at for m in points if m.label == "C")
     assert len(guides) == 2
     assert not any(min(g.a.real, g.b.real) < slider.real < max(g.a.real, g.b.real) for g in guides)
 

@@ -52,7 +52,8 @@ class EquationRows(Block):
     def __init__(self, number: int, purpose: str, lang: Lang, *, balance: bool = False) -> None:
         super().__init__(4.0, 7.0)
         self._number, self._purpose, self._lang = number, purpose, lang
-        self.signs, self._end = (_BALANCE, layout_words(_NOTHING, CELL.em)) if balance else (_MOTION, None)
+        self.signs: tuple[str, ...] = _BALANCE if balance else _MOTION
+        self._end = layout_words(_NOTHING, CELL.em) if balance else None
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """The whole width."""
