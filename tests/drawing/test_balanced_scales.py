@@ -15,7 +15,7 @@ from vecpoly.board.paper.extent import extent
 from vecpoly.board.paper.scales import Sketched
 from vecpoly.board.place import Place, view_of
 from vecpoly.drawing.sheets.scales.balancing import EVEN, GROWS, balanced
-from vecpoly.drawing.sheets.scales.composition import Composing, Scales
+from vecpoly.drawing.sheets.scales.composition import KNOT, Composing, Scales
 from vecpoly.drawing.sheets.space import room_inside
 
 SMALL_BEFORE = [
@@ -67,3 +67,11 @@ def test_scales_of_figures_on_which_forces_are_drawn_are_left_as_they_are() -> N
     figures = [Sketched(view=view_of(one), of=one, scale=1.0, size=(60.0, 40.0)) for one in kinds]
     best: Scales = dict.fromkeys(kinds, 1.0)
     assert balanced([Composing(figures, kinds, room_inside())], best) == best
+
+
+@pytest.mark.parametrize("name", few(["best-gamma", "K-crank-rocker-gamma"], 2))
+def test_a_construction_whose_letters_crowd_has_the_room_of_one_sheet_more_and_needs_no_detail(name: str) -> None:
+    made = laid(name)
+    assert len(made) == 2 and not any(group.details for sheet in made for group in sheet.groups)
+    main = drawn(name).figures(View.MECHANISM)[0]
+    assert max(extent(main.marks)) > KNOT * sum(1 for mark in main.marks if getattr(mark, "label", ""))
