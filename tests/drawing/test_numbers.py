@@ -131,3 +131,16 @@ def test_every_arc_of_an_angle_has_arrowheads_that_leave_some_of_it(long: float)
 def test_a_dashed_line_that_is_drawn_from_either_end_stays_dashed() -> None:
     there, back = (Segment(a=a, b=b, role=Role.OTHER) for a, b in ((0j, 50 + 0j), (50 + 0j, 0j)))
     assert sum(isinstance(item, Stroke) for item in drawing(figure(there, back)).scene.items) == 1
+
+
+@pytest.mark.parametrize("name", ["elliptic-trammel", "3-1e"])
+def test_the_number_of_a_frame_without_pivots_stands_at_the_hatching_of_its_guide(name: str) -> None:
+    mechanism = drawn(name).figures(View.MECHANISM)[0]
+    (guide,) = {(m.a, m.b) for m in mechanism.marks if isinstance(m, LinkNumber) and m.owner == FIXED}
+    labels = [
+        label for label in drawing(mechanism).labels if label.want.thing is Thing.LINK and label.want.own == guide
+    ]
+    along = (guide[1] - guide[0]) / abs(guide[1] - guide[0])
+    for label in labels:
+        assert -8.0 < ((label.centre - guide[0]) * along.conjugate()).imag < -1.7
+    assert labels

@@ -28,6 +28,12 @@ def along_line(a: complex, b: complex, radius: float, pieces: tuple[Piece, ...],
     return Want(pieces, feet, (n,) * len(feet), radius, (a, b), thing=thing)
 
 
+def under(a: complex, b: complex, deep: float, piece: Piece) -> Want:
+    """A number beside the hatching of a fixed guide, which is so deep to the right of it."""
+    want = along_line(a, b, deep, (piece,), Thing.LINK)
+    return replace(want, normals=tuple(-way for way in want.normals), one_sided=True)
+
+
 def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Want:
     """The number of a link: of a block beside its outline, of a disc in it or at its rim, of a bar beside its longest
     piece between two joints."""
