@@ -11,7 +11,7 @@ from vecpoly.board.paper.marks import Vector
 from vecpoly.board.paper.tones import key_of, whose
 from vecpoly.drawing.beside import LANES, ON_LINE, beside
 
-LONG, BY = 2.0, 1.0  # mm: vectors that are claimed about; how far one is drawn beside its line at most
+LONG, BY = 2.0, 2.0  # mm: vectors that are claimed about; how far one is drawn beside its line at most
 
 
 def _pairs(figure: Figure) -> list[tuple[Vector, Vector]]:
@@ -45,7 +45,7 @@ def test_no_vector_of_a_polygon_covers_another_unless_more_lie_on_one_line_than_
 
 
 @each(IDS)
-def test_a_vector_is_drawn_beside_its_line_by_a_millimetre_at_most_with_its_length_and_direction(name: str) -> None:
+def test_a_vector_is_drawn_beside_its_line_by_two_millimetres_at_most_with_its_length_and_direction(name: str) -> None:
     for figure in drawn(name).construction.figures:
         inked = beside(figure.view, figure.marks)
         for one, true in zip(inked, figure.marks, strict=True):

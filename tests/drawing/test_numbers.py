@@ -9,13 +9,28 @@ import pytest
 from tests.drawing.test_labels import figure
 from tests.drawn_library import drawn
 from vecpoly.board.construction import View
-from vecpoly.board.paper.marks import Arc, Block, Dot, LinkNumber, Mark, Passing, Point, Role, Segment, Slot, TurnArrow
+from vecpoly.board.paper.marks import (
+    AngleMark,
+    Arc,
+    Block,
+    Dot,
+    GearMark,
+    LinkNumber,
+    Mark,
+    Passing,
+    Point,
+    Role,
+    Segment,
+    Slot,
+    TurnArrow,
+)
 from vecpoly.diagram.owners import FIXED
 from vecpoly.drawing.details.apart import all_detailed
 from vecpoly.drawing.figure import drawing
 from vecpoly.drawing.labels.placing import Placed
 from vecpoly.drawing.labels.want import Thing
-from vecpoly.drawing.scene import Stroke
+from vecpoly.drawing.scene import Fill, Stroke
+from vecpoly.drawing.symbols.angles import draw_angle
 from vecpoly.drawing.symbols.bodies import block_corners
 
 
@@ -89,3 +104,43 @@ def test_the_number_of_the_frame_stands_by_no_arrow_of_a_drive_where_there_is_an
     [number] = [mark for mark in mechanism.marks if isinstance(mark, LinkNumber) and mark.owner == FIXED]
     arrows = [mark.at for mark in mechanism.marks if isinstance(mark, TurnArrow) and mark.label.startswith("ω")]
     assert arrows and all(abs(number.a - at) > 5.0 for at in arrows)
+
+
+@pytest.mark.parametrize("name", ["2-8full", "stepped-planet", "planetary-sun-drives"])
+def test_the_number_of_a_wheel_stands_at_its_rim_and_not_about_a_shaft_that_it_shares(name: str) -> None:
+    mechanism = drawn(name).figures(View.MECHANISM)[0]
+    wheels = [mark for mark in mechanism.marks if isinstance(mark, GearMark)]
+    texts = [label for label in drawing(mechanism).labels if label.want.thing is Thing.LINK and label.want.bow]
+    assert texts
+    for label in texts:
+        away = [abs(abs(label.centre - wheel.centre) - wheel.radius) for wheel in wheels]
+        assert min(away) < 6.0 and all(abs(label.centre - wheel.centre) > 4.0 for wheel in wheels)
+
+
+@pytest.mark.parametrize("long", [4.5, 6.0, 7.9, 12.0])
+def test_every_arc_of_an_angle_has_arrowheads_that_leave_some_of_it(long: float) -> None:
+    heads = [
+        item
+        for item in draw_angle(AngleMark(at=0j, start=0.0, sweep=long / 10.0, label="α", radius=10.0))
+        if isinstance(item, Fill)
+    ]
+    assert len(heads) == 2
+    assert sum(abs(item.points[0] - sum(item.points[1:]) / 2) for item in heads) < 0.8 * long
+
+
+def test_a_dashed_line_that_is_drawn_from_either_end_stays_dashed() -> None:
+    there, back = (Segment(a=a, b=b, role=Role.OTHER) for a, b in ((0j, 50 + 0j), (50 + 0j, 0j)))
+    assert sum(isinstance(item, Stroke) for item in drawing(figure(there, back)).scene.items) == 1
+
+
+@pytest.mark.parametrize("name", ["elliptic-trammel", "3-1e"])
+def test_the_number_of_a_frame_without_pivots_stands_at_the_hatching_of_its_guide(name: str) -> None:
+    mechanism = drawn(name).figures(View.MECHANISM)[0]
+    (guide,) = {(m.a, m.b) for m in mechanism.marks if isinstance(m, LinkNumber) and m.owner == FIXED}
+    labels = [
+        label for label in drawing(mechanism).labels if label.want.thing is Thing.LINK and label.want.own == guide
+    ]
+    along = (guide[1] - guide[0]) / abs(guide[1] - guide[0])
+    for label in labels:
+        assert -8.0 < ((label.centre - guide[0]) * along.conjugate()).imag < -1.7
+    assert labels

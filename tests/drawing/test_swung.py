@@ -11,7 +11,7 @@ import shapely
 from tests.drawn_library import IDS, drawn
 from tests.each import each
 from vecpoly.board.construction import View
-from vecpoly.board.paper.marks import TURN, AngleMark, Ground, Mark, Role, Segment, TurnArrow
+from vecpoly.board.paper.marks import TURN, AngleMark, FixedGuide, Ground, Mark, Role, Segment, TurnArrow
 from vecpoly.drawing.labels.wants import wants
 from vecpoly.drawing.swung import swung
 
@@ -44,6 +44,14 @@ def test_an_arrow_over_a_link_or_a_ground_begins_elsewhere_and_keeps_its_sense(c
     assert isinstance(found, TurnArrow) and found.ccw is ccw and found.radius == 9.0 and found.start != arrow.start
     assert arc(found).distance(line(LINK)) > 0.5
     assert arc(found).distance(shapely.box(-4.6, -6.4, 4.6, -5)) > 0
+
+
+def test_a_narrow_angle_that_is_pointed_at_from_outside_keeps_its_tails_off_the_hatching_of_a_guide() -> None:
+    angle = AngleMark(at=0j, radius=13.0, start=pi / 2, sweep=radians(13), label="α", step=1)
+    walls = FixedGuide(a=1.5 + 26j, b=1.5 + 11j, step=1), FixedGuide(a=-1.5 + 11j, b=-1.5 + 26j, step=1)
+    *_, found = swung((*walls, angle))
+    assert isinstance(found, AngleMark) and found.radius < 11.0
+    assert (found.at, found.start, found.sweep) == (0j, pi / 2, radians(13))
 
 
 def test_what_is_clear_stays_as_it_is() -> None:

@@ -11,7 +11,7 @@ from tests.each import each
 from vecpoly.algebra.formula import Row, plain
 from vecpoly.printed.digits import decimals
 from vecpoly.printed.lengths import is_length
-from vecpoly.problem.load import load
+from vecpoly.problem.load import load, loads
 from vecpoly.solution import Solution, solve
 
 WORKED = 4  # parts of a line symbol = formula = numbers = result
@@ -39,11 +39,16 @@ def test_what_is_read_to_one_scale_has_one_count_of_decimals(name: str) -> None:
     assert all(len(counts) == 1 for counts in found.values()), found
 
 
-@pytest.mark.parametrize(("name", "symbol", "end"), [("3-10", "l_CB", "0.11205 m"), ("A-27", "ω_2", "14.49 rad/s")])
+@pytest.mark.parametrize(
+    ("name", "scale", "symbol", "end"),
+    [("3-10", "0.0015 m/mm", "l_CB", "0.11205 m"), ("A-27", "", "ω_2", "14.49 rad/s")],
+)
 def test_a_number_that_is_not_asked_has_the_figures_that_later_lines_need_up_to_five(
-    name: str, symbol: str, end: str
+    name: str, scale: str, symbol: str, end: str
 ) -> None:
-    ends = [parts[-1] for parts in lines_of(solve(load(name))) if parts[0] == symbol]
+    text = load(name).text
+    problem = loads(f"{text}\nscales: {{mu_l: {scale}}}\n") if scale else load(name)
+    ends = [parts[-1] for parts in lines_of(solve(problem)) if parts[0] == symbol]
     assert ends == [end]
 
 

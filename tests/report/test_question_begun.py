@@ -7,10 +7,11 @@ import pytest
 
 from tests.drawn_library import drawn
 from vecpoly.board.construction import Figure
-from vecpoly.board.paper.marks import AngleMark, Arc, Dot, Mark, Point, RackMark, Role, Segment, Vector
+from vecpoly.board.paper.marks import AngleMark, Arc, Dot, FixedGuide, Mark, Point, RackMark, Role, Segment, Vector
 from vecpoly.drawing.sheets.lettering import title_width
 from vecpoly.figures import View
 from vecpoly.report.question.blank import framed
+from vecpoly.report.question.blanks import equation_rows
 from vecpoly.report.question.frames import frames
 
 
@@ -59,6 +60,42 @@ def test_a_force_polygon_begins_at_the_first_force_and_a_free_body_at_one_joint(
             vectors = [mark for mark in answer.marks if isinstance(mark, Vector)]
             first = min(mark.step for mark in vectors)
             assert any(abs(mark.a - start.at) < 1e-9 for mark in vectors if mark.step == first)
+
+
+@pytest.mark.parametrize("name", ["6-5", "rotor-grade", "engine-four"])
+def test_a_rotor_along_its_axis_begins_with_that_axis_alone(name: str) -> None:
+    (line,) = blanks(name)["mechanism", ""]
+    assert isinstance(line, Segment) and line.role is Role.CENTRE and line.a.imag == line.b.imag == 0.0
+
+
+def test_a_gear_that_is_generated_begins_with_its_centre_and_the_line_to_the_rack() -> None:
+    centre, line = blanks("gear-shifted")["mechanism", ""]
+    assert isinstance(centre, Point) and centre.label == "O" and isinstance(line, Segment)
+    assert line.a.real == line.b.real == centre.at.real
+
+
+def test_a_hodograph_begins_with_the_axes_through_its_pole() -> None:
+    marks = blanks("engine-single-best")["hodograph", ""]
+    assert [mark.label for mark in marks if isinstance(mark, Point)] == ["O", "x", "y"]
+    assert all(mark.role is Role.CENTRE for mark in marks if isinstance(mark, Segment))
+
+
+def test_the_guide_of_an_engine_runs_through_its_frame_and_does_not_tell_where_the_slider_stands() -> None:
+    guides = [m for m in blanks("engine-single-best")["mechanism", ""] if isinstance(m, FixedGuide)]
+    points = (m for m in figure("engine-single-best", "mechanism").marks if isinstance(m, Point))
+    slider = next(m.at for m in points if m.label == "C")
+    assert len(guides) == 2
+    assert not any(min(g.a.real, g.b.real) < slider.real < max(g.a.real, g.b.real) for g in guides)
+
+
+@pytest.mark.parametrize("name", ["3-7a", "3-9", "4-3a"])
+def test_the_signs_between_the_blanks_of_an_equation_tell_nothing_of_its_terms(name: str) -> None:
+    rows = equation_rows(drawn(name).solution, "en")
+    sums = [step.equation for step in drawn(name).construction.steps if step.equation is not None]
+    for row, told in zip(rows, sums, strict=True):
+        assert len(row.signs) + 1 >= len(told.symbols)
+        assert ("=" in row.signs) == (told.symbols[0][0] in "va")
+    assert len({row.signs for row in rows}) == len({"=" in row.signs for row in rows})
 
 
 def test_a_rack_that_moves_is_not_printed_where_it_is_found_to_lie() -> None:

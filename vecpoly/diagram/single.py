@@ -66,9 +66,9 @@ def pivot(at: Points, letter: str = "", down: complex = -1j) -> Symbol:
     return Symbol.of(FIXED, (Ground(at=spot(at), down=down), *pin))
 
 
-def rail(a: Points, b: Points) -> Symbol:
-    """A fixed guide; its hatching lies to the right of a → b."""
-    return Symbol.of(FIXED, (FixedGuide(a=spot(a), b=spot(b)),))
+def rail(a: Points, b: Points, about: complex | None = None) -> Symbol:
+    """A fixed guide; its hatching lies to the right of a → b. about: the pin of the block that runs along it."""
+    return Symbol.of(FIXED, (FixedGuide(a=spot(a), b=spot(b), about=about),))
 
 
 def block(owner: str, at: Points, along: complex) -> Symbol:

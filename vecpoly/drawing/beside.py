@@ -12,7 +12,7 @@ from ..board.construction import View
 from ..board.paper.marks import Mark, Vector
 from ..board.paper.tones import key_of, whose
 
-ASIDE = 0.9  # mm between two vectors on one line
+ASIDE = 1.5  # mm between two vectors on one line
 ON_LINE, OVERLAP = 0.15, 1.0  # mm beside a line that is still the line; of two vectors that must lie on each other
 LANES = (0.0, ASIDE, -ASIDE)  # beside the true line, in order
 SHORT = 2.0  # mm: shorter vectors stay

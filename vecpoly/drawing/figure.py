@@ -104,12 +104,14 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
 
 
 def unique(items: tuple[Item, ...]) -> tuple[Item, ...]:
-    """Without what would be drawn twice at the same place; the earliest step keeps it."""
+    """Without what would be drawn twice at the same place; the earliest step keeps it. Dashes of a line that is drawn
+    from either end would fill each other's gaps."""
     seen: dict[object, Item] = {}
     for item in items:
         match item:
             case Stroke(points=points, width=width, dash=dash, hue=hue):
-                seen.setdefault((points, width, dash, hue), item)
+                line = frozenset(points) if len(points) == 2 else points
+                seen.setdefault((line, width, dash, hue), item)
             case Fill(points=points, hue=hue):
                 seen.setdefault((points, hue), item)
             case TextBox():

@@ -13,7 +13,7 @@ import numpy as np
 import shapely
 
 from ..board.paper.marks import AngleMark, FixedGuide, Ground, Mark, TurnArrow
-from .symbols.angles import Arc, narrow, sweep_of
+from .symbols.angles import TAIL, Arc, narrow, sweep_of
 from .symbols.bodies import FOOT_HEIGHT, GROUND_HALF
 from .symbols.outlines import outlines
 from .symbols.shapes import NEAR
@@ -63,9 +63,6 @@ def _clear(arc: Arc, lines: Any, grounds: Any, others: Iterable[Arc]) -> Arc:
 
 def _ways(arc: Arc) -> Iterator[Arc]:
     """As it is, then others."""
-    if isinstance(arc, AngleMark) and narrow(arc):
-        yield arc
-        return
     turns = TURNS if isinstance(arc, TurnArrow) else (0.0,)
     for turn in turns:
         for share in RADII if isinstance(arc, AngleMark) else (1.0,):
@@ -76,7 +73,11 @@ def _ways(arc: Arc) -> Iterator[Arc]:
 def _bow(arc: Arc) -> Any:
     """The arc between its ends, which may touch the rays."""
     sweep = sweep_of(arc)
-    shares = np.linspace(0.08, 0.92, FINE) if isinstance(arc, AngleMark) else np.linspace(-0.05, 1.05, FINE)
+    low, high = (0.08, 0.92) if isinstance(arc, AngleMark) else (-0.05, 1.05)
+    if isinstance(arc, AngleMark) and narrow(arc):  # with what is drawn of it beyond its rays
+        beyond = TAIL / (arc.radius * abs(sweep))
+        low, high = -beyond, 1.0 + beyond
+    shares = np.linspace(low, high, FINE)
     points = arc.at + arc.radius * np.exp(1j * (arc.start + sweep * shares))
     return shapely.LineString(np.stack([points.real, points.imag], axis=1))
 

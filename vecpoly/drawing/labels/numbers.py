@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 from math import tau
 
-from ...board.paper.marks import Block, Disc, Dot, LinkNumber, Mark, Passing, Point
+from ...board.paper.marks import Block, Disc, Dot, GearMark, LinkNumber, Mark, Passing, Point
 from ..style import RESULT
 from ..symbols.bodies import block_corners
 from ..symbols.shapes import NEAR
@@ -15,6 +15,7 @@ from .want import Piece, Thing, Want
 
 FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 RINGS, AROUND = (0.6, 1.0), 12  # of the radius of a disc at which its number may stand, and where about its centre
+FIRST, CHORDS, SMALL = 0.625, 36, 5.0  # of a turn: where the number of a wheel stands first; points of its rim; mm
 ON = 0.3  # mm: a joint so near to a bar, as an unsteady hand finds it, lies on it
 
 
@@ -27,6 +28,12 @@ def along_line(a: complex, b: complex, radius: float, pieces: tuple[Piece, ...],
     return Want(pieces, feet, (n,) * len(feet), radius, (a, b), thing=thing)
 
 
+def under(a: complex, b: complex, deep: float, piece: Piece) -> Want:
+    """A number beside the hatching of a fixed guide, which is so deep to the right of it."""
+    want = along_line(a, b, deep, (piece,), Thing.LINK)
+    return replace(want, normals=tuple(-way for way in want.normals), one_sided=True)
+
+
 def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Want:
     """The number of a link: of a block beside its outline, of a disc in it or at its rim, of a bar beside its longest
     piece between two joints."""
@@ -35,6 +42,9 @@ def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep
         discs = (m for m in marks if isinstance(m, Disc) and m.owner == mark.owner and abs(m.centre - a) > NEAR)
         if (disc := next(discs, None)) is not None:
             return _in_disc(disc, a, piece)
+        wheels = (m for m in marks if isinstance(m, GearMark) and m.owner == mark.owner and m.radius > SMALL)
+        if (wheel := next(wheels, None)) is not None:
+            return _at_rim(wheel, a, piece)
         blocks = (m for m in marks if isinstance(m, Block) and m.owner == mark.owner and abs(m.at - a) < NEAR)
         block = next(blocks, None)
         return along_line(a, b, keep, (piece,), Thing.LINK) if block is None else _beside_block(block, piece)
@@ -61,6 +71,20 @@ def _in_disc(disc: Disc, at: complex, piece: Piece) -> Want:
     feet = (at, *(disc.centre + share * out for share in RINGS for out in ring[:-1]))
     rim = tuple(disc.centre + out for out in ring)
     return Want((piece,), feet, (0j,) * len(feet), RESULT / 2, (at, at), thing=Thing.LINK, bow=rim)
+
+
+def _at_rim(wheel: GearMark, at: complex, piece: Piece) -> Want:
+    """On either side of the pitch circle: about the shaft wheels of one axis could not be told apart, nor the frame."""
+    start = cmath.phase(at - wheel.centre) if abs(at - wheel.centre) > NEAR else tau * FIRST
+    out = tuple(cmath.rect(1.0, start + tau * k / AROUND) for k in _both_ways(AROUND))
+    feet = tuple(wheel.centre + wheel.radius * u for u in out)
+    rim = tuple(wheel.centre + cmath.rect(wheel.radius, tau * k / CHORDS) for k in range(CHORDS + 1))
+    return Want((piece,), feet, out, RESULT / 2, (feet[0], feet[0]), thing=Thing.LINK, bow=rim)
+
+
+def _both_ways(count: int) -> list[int]:
+    """0, 1, -1, 2, -2 ..."""
+    return sorted(range(1 - count // 2, count // 2 + 1), key=abs)
 
 
 def _beside_block(block: Block, piece: Piece) -> Want:

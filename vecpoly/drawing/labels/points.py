@@ -13,7 +13,7 @@ from ...typeset import Box, layout, layout_words
 from ...typeset.atoms import is_unit
 from ...words import Lang, Words
 from ..hues import Tones, line_hue
-from ..style import LETTER, NOTE, THIN, Hue
+from ..style import LETTER, THIN, Hue
 from ..symbols.shapes import NEAR
 from .actions import along_action, line_of_action
 from .dimensions import beyond_end, dimension_line, over
@@ -115,7 +115,7 @@ def _pieces(group: Iterable[Point], lang: Lang, tones: Tones) -> tuple[Piece, ..
             pieces.append(comma)
             x += comma.box.width + 0.3 * LETTER
         if mark.said is not None and not mark.label:
-            pieces.append(Piece(layout_words(mark.said.of(lang), NOTE), x, Hue.BLACK, mark.step))
+            pieces.append(Piece(layout_words(mark.said.of(lang), LETTER), x, Hue.BLACK, mark.step))
         else:
             pieces.append(piece(mark.label, line_hue(mark.key, tones, Hue.BLACK), mark.step, x))
     return tuple(pieces)

@@ -45,7 +45,7 @@ from ..symbols.bodies import foot_of
 from ..symbols.shapes import HATCH, NEAR
 from .bows import along, bow
 from .notes import lines
-from .numbers import FRACTIONS, along_line, number_of_link
+from .numbers import FRACTIONS, along_line, number_of_link, under
 from .points import keep_at, piece, points
 from .want import Line, Piece, Spot, Thing, Want
 
@@ -74,6 +74,8 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
             case LinkNumber(a=a, number=number) if (ground := _ground(mark, marks)) is not None:
                 a, b = foot_of(ground)
                 found.append(along_line(a, b, HATCH, (piece(number, Hue.BLACK, mark.step),), Thing.LINK))
+            case LinkNumber(a=a, b=b, number=number) if any(_is_of(mark, guide) for guide in marks):
+                found.append(under(a, b, HATCH, piece(number, Hue.BLACK, mark.step)))
             case LinkNumber(a=a, b=b, number=number):
                 keep = LINK / 2 if abs(b - a) > NEAR else max(keep_at(a, taken), _disc(a, marks))
                 found.append(number_of_link(mark, piece(number, Hue.BLACK, mark.step), marks, keep))
@@ -105,6 +107,11 @@ def _note(mark: Note, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Wan
     feet = tuple(end + 1j * side * by for end, _ in ends for by in ASIDE)
     ways = tuple(way for _, way in ends for _ in ASIDE)
     return Want((piece,), feet, ways, keep, (at, at), one_sided=True, level=True)
+
+
+def _is_of(number: LinkNumber, guide: Mark) -> bool:
+    """Whether it is the number of this fixed guide: the frame's, where it has no pivot."""
+    return isinstance(guide, FixedGuide) and guide.owner == number.owner and (guide.a, guide.b) == (number.a, number.b)
 
 
 def _ground(number: LinkNumber, marks: tuple[Mark, ...]) -> Ground | None:

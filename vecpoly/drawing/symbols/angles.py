@@ -13,6 +13,7 @@ from .shapes import NEAR
 
 SQUARE = 2.5  # mm: side of a right-angle square
 Arc = AngleMark | TurnArrow
+HEAD, PART = 2.4, 0.36  # mm: arrowheads of an arc; but no longer than this part of it
 NARROW, TAIL, INNER_HEAD = 4.0, 4.6, 2.0  # mm: a shorter arc is pointed at from outside, with tails and heads so long
 
 
@@ -48,12 +49,12 @@ def draw_angle(mark: AngleMark) -> tuple[Item, ...]:
     )
     if narrow(mark):
         return (bow, *_pointed_at(mark))
-    if mark.radius * abs(mark.sweep) < 8.0:
+    if (long := mark.radius * abs(mark.sweep)) < NARROW:
         return (bow,)
-    turn = math.copysign(1.0, mark.sweep)
+    turn, head = math.copysign(1.0, mark.sweep), min(HEAD, PART * long)
     tips = (
-        curved_head(mark.at, mark.radius, mark.start + mark.sweep, turn, 2.4),
-        curved_head(mark.at, mark.radius, mark.start, -turn, 2.4),
+        curved_head(mark.at, mark.radius, mark.start + mark.sweep, turn, head),
+        curved_head(mark.at, mark.radius, mark.start, -turn, head),
     )
     return (bow, *(Fill(points=tip, layer=Layer.HEAD, step=mark.step) for tip in tips))
 

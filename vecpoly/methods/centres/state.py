@@ -10,7 +10,7 @@ import numpy as np
 
 from ...board.board import Board
 from ...board.construction import Pane
-from ...board.paper.marks import Dot, Role
+from ...board.paper.marks import Dot, Role, Segment
 from ...board.place import Place
 from ...mechanism.asked.centres import Pair, centre, pair_of, real_links
 from ...mechanism.model import Mechanism
@@ -24,6 +24,7 @@ from .theorem.search import Known
 
 BEYOND = 5.0  # mm a line runs on beyond the outermost of its centres
 MANY = 7  # links: with as many, lines are drawn only where they cut
+ON_BAR, ASIDE = 1.0, 3.5  # mm beside an arrow that a bar covers it; by which it moves then
 GAP, ARROW = 5.0, 13.0  # mm from a slide to the arrow that shows the way to its centre at infinity; its length
 LEVEL = 1e-7  # deg: within which a direction is level, and told as 0°
 TO_LETTER = 1.5  # mm from an arrow's tip to its letter
@@ -95,11 +96,25 @@ class CentreFigure:
             self.board.plot(self.pane, found.spot(), self.letters(*pair), dot)
 
     def point_out(self, start: complex, way: Points, label: str) -> Acts:
-        """An arrow away from the figure, with a letter at its tip."""
+        """An arrow away from the figure, with a letter at its tip; beside a bar that it would lie on."""
+        start += self._beside_bars(start, complex(nominal(way)))
         tip = start + way * (GAP + ARROW)
         arrow = self.board.arrow(self.pane, start + way * GAP, tip, Role.DIRECTION)
         self.board.plot(self.pane, tip + way * TO_LETTER, label, Dot.NONE)
         return arrow
+
+    def _beside_bars(self, start: complex, way: complex) -> complex:
+        """How far an arrow this way moves aside, so that no bar covers it."""
+        for mark in self.board.marks(self.pane):
+            if isinstance(mark, Segment) and mark.role is Role.LINK:
+                a, b = ((end - start) * way.conjugate() for end in (mark.a, mark.b))
+                if (
+                    max(abs(a.imag), abs(b.imag)) < ON_BAR
+                    and min(a.real, b.real) < GAP + ARROW
+                    and max(a.real, b.real) > GAP
+                ):
+                    return 1j * way * ASIDE
+        return 0j
 
     def rule(self, line: Line, here: Centre, *on: Centre, whole: bool = False) -> None:
         """A thin line through these centres, a little beyond the outermost;

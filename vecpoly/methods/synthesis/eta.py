@@ -8,13 +8,16 @@ from math import pi
 import numpy as np
 
 from ...algebra.quantity import Quantity
+from ...board.paper.marks import Dot
 from ...designs.quantities import THETA
-from ...plane import Line, Points, Reals, unit
+from ...plane import Line, Points, Reals, nominal, unit
+from ...plane.geometry import cross
 from ...words import Words
 from .angles import marked
 from .draft import SHEET, Draft
 from .linkage import point
 
+NAMED = pi / 4  # from P on, where the circle has its letter
 _FIRST = Words(
     "过 $C_2$ 作 $C_{1}C_{2}$ 的垂线，过 $C_1$ 作与 $C_{1}C_{2}$ 成 $90° − θ$ 的射线，两线交于 $P$，则 "
     "$∠C_{1}PC_{2} = θ$；以 $C_{1}P$ 为直径作圆 $η$"
@@ -67,6 +70,8 @@ def eta(draft: Draft, ends: tuple[Points, Points], theta: Quantity, way: int, fi
     radius = np.abs(p - c1) / 2
     o = point(draft, f"O{marks}", board.lay_off(c1, unit(p - c1), radius))
     board.circle(SHEET, o, radius)
+    behind = -np.sign(float(nominal(cross(p - c1, c2 - c1))))  # where neither C₁, C₂ nor P stands
+    board.plot(SHEET, o + radius * unit(p - c1) * np.exp(1j * behind * NAMED), f"η{marks}", Dot.NONE)
     board.right_angle(SHEET, c2, unit(p - c2), unit(c1 - c2))
     if first:
         marked(draft, c1, (c2, p), "90° − θ")

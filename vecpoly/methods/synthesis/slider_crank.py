@@ -15,6 +15,7 @@ from ...designs.verdict import Verdict
 from ...plane import Line, Points, foot, nominal, unit
 from ...plane.geometry import dot
 from ...words import Words
+from ..devices.sketches.dimensions import dimension
 from .advance import theta_of
 from .arc_middle import MIRROR, by_arc
 from .draft import RIGHT, SHEET, Draft
@@ -25,6 +26,7 @@ from .pressure import greatest_pressure
 from .registry import design_method
 
 CORNER = 3.0  # mm: a right angle has room
+BEYOND, OVER = 7.0, 2.0  # mm: of the offset beside the circle; of its lines beyond it
 
 
 @design_method(
@@ -84,6 +86,10 @@ def _at_offset(draft: Draft, circle: Eta, c1: Points, offset: float) -> Points:
     line = board.parallel(board.lay_off(c1, 1j, offset, key="e"), 1 + 0j, key="A")
     right, left = board.arc_on_line(line, circle.centre, circle.radius, Words("求 $A$", "finding $A$"))
     board.rule(SHEET, Line(right, -line.along), left)
+    end, low = complex(nominal(right)) + BEYOND, complex(nominal(c1))
+    board.join(SHEET, right, end + OVER, Role.CONSTRUCTION)
+    board.join(SHEET, c1, complex(end.real + OVER, low.imag), Role.CENTRE)
+    dimension(draft, SHEET, complex(end.real, low.imag), end, "e")
     board.remark(MIRROR)
     return board.either(left)
 

@@ -14,14 +14,14 @@ from ...board.construction import Figure, Scale, View
 from ...board.paper.extent import bounds
 from ...board.paper.marks import Arc, Dot, FixedGuide, Ground, Mark, Note, Point, RackMark, Role, Segment, Vector
 from ...board.paper.scales import round_up
-from ...figures.balancing import END_VIEW
+from ...figures.balancing import END_VIEW, HODOGRAPH
 from ...figures.energy import INDICATOR
 from ...words import Words
 from ..picture import to_scale
 from .known import NEAR, begins_at, begun
+from .through import EDGE, Box, centred, crossed, reach, through
 
 PAST, _PARTS = 2.0, 360  # mm between a circle and the frame; parts of a circle that is cut off there
-EDGE = 9.0  # mm that stay free beside what runs through a frame
 _PLACES = (1 / 2, 1 / 3, 2 / 3, 1 / 4, 3 / 4, 1 / 5, 4 / 5, 1 / 8, 7 / 8)  # of a frame, for a pole; the first that does
 _FLOORS = (0.0, 1 / 4, 1 / 2, 3 / 4)  # likewise for the axis of a diagram
 _HATCHED = 16.0  # mm of a guide
@@ -31,14 +31,15 @@ _METRE, _MILLIMETRE, MILLI = "m", "mm", 1e3
 _ROUND = (1.0, 2.0, 5.0, 10.0)
 _BELOW = -10.0  # mm: no lower stand the numbers of an axis
 _GUIDE = Words("导路", "guide")
-Box = tuple[complex, complex]
 
 
 def framed(figure: Figure, size: tuple[float, float], known: Sequence[Mark]) -> tuple[Box, tuple[Mark, ...]]:
     """The frame of this size about a figure, on the figure, and what stands in it; known: what is given of it."""
     if figure.view is View.MECHANISM:
         box = _about(figure, size)
-        return box, tuple(_given(figure, known, box)) if to_scale(figure) else begun(figure)
+        if not to_scale(figure):
+            return box, begun(figure)
+        return box, tuple(_given(figure, known, box)) or tuple(centred(figure, box))
     if figure.view is END_VIEW:
         return _about(figure, size), begun(figure)
     if (axes := _axes(figure)) is not None:
@@ -47,7 +48,10 @@ def framed(figure: Figure, size: tuple[float, float], known: Sequence[Mark]) -> 
     if figure.view is INDICATOR:
         return _levels(figure, size)
     start = begins_at(figure)
-    return (_about(figure, size), ()) if start is None else (_round(figure, start.at, size), (start,))
+    if start is None:
+        return _about(figure, size), ()
+    box = _round(figure, start.at, size)
+    return box, (start, *(crossed(start.at, box) if figure.view is HODOGRAPH else ()))
 
 
 def _about(figure: Figure, size: tuple[float, float]) -> Box:
@@ -108,27 +112,14 @@ def _inside(circle: Arc, box: Box) -> Iterator[Arc]:
 def _guide(guide: FixedGuide, about: complex, box: Box) -> Iterator[Mark]:
     """The line on which the block's pin moves, from edge to edge, hatched at both ends."""
     way = (guide.b - guide.a) / abs(guide.b - guide.a)
-    back, on = _reach(about, -way, box), _reach(about, way, box)
-    yield Segment(a=about - back * way, b=about + on * way, role=Role.CENTRE, step=1)
+    back, on = reach(about, -way, box), reach(about, way, box)
+    yield through(about, way, box)
     shift = ((guide.a - about) / way).imag * 1j * way
     start, end = about - back * way + shift, about + on * way + shift
     yield FixedGuide(a=end - _HATCHED * way, b=end, step=1)
     if back + on > 3 * _HATCHED:
         yield FixedGuide(a=start, b=start + _HATCHED * way, step=1)
     yield Note(at=about + (on - _HATCHED / 2) * way, words=_GUIDE, step=1)
-
-
-def _reach(at: complex, way: complex, box: Box) -> float:
-    """How far it is this way to the edge of what may be drawn on."""
-    low, high = box[0] + complex(EDGE, EDGE), box[1] - complex(EDGE, EDGE)
-    ways = []
-    for start, step, lowest, highest in (
-        (at.real, way.real, low.real, high.real),
-        (at.imag, way.imag, low.imag, high.imag),
-    ):
-        if abs(step) > NEAR:
-            ways.append(((highest if step > 0 else lowest) - start) / step)
-    return max(0.0, min(ways))
 
 
 def _axes(figure: Figure) -> tuple[Vector, Vector] | None:

@@ -17,6 +17,7 @@ from ....board.paper.scales import Sketched
 from ....board.place import Place
 from ....foundation.stock import ANY_A4, Paper
 from ..space import HIGHEST, PLATE, SPARSE, rooms
+from .balancing import balanced
 from .composition import CRAMPED, LOST, OWN, Composing, Scales, least_scales
 from .growing import grown
 
@@ -54,6 +55,7 @@ def _composed(figures: Sequence[Sketched], kinds: set[Place], there: Scales, on:
     trial, best = max(made, key=lambda one: one[0].worth(one[1])) if len(made) > 1 else made[0]
     if trial.roomy(best) < 1.0:
         best = _roomier(trials, trial, best, start)
+    best = balanced(trials, best)
     if on.way is None and trial.share(best) < LOST:
         best = _lower(trial, best, start)
     return {kind: best[kind] for kind in kinds}

@@ -26,6 +26,7 @@ ROOM, CROWDED = 5.0, 0.85  # mm that a letter asks for; but of the usual size at
 CRAMPED = 12.0  # mm between the nearest two pins of a mechanism: about a shorter crank letters find no room
 OWN = 60.0  # mm that a mechanism itself measures, without what is constructed about it, wherever its sheet has room
 STANDS = 6.0  # mm of the mechanism itself for every letter on it, beside polygons that take room from it
+KNOT = 4.0  # mm of a construction for every letter on it, in which a linkage that is sought is found
 SMALL = 0.66  # of the size that is wanted of a mechanism: a smaller one has too little room on its sheet
 LOST = SPARSE + 0.08  # planned share of a page that may turn out too small
 BEYOND = 0.25  # what a figure counts for that is larger than a hand would draw it
@@ -155,7 +156,7 @@ class Composing:
         """How much room a mechanism has, itself, beside polygons for its letters, and where forces act or centres are
         found on it for those and about its shortest link; enough from 1 on."""
         kinds = [kind for kind in self.kinds if view_of(kind) is View.MECHANISM]
-        room = min(self.alone(scales) / OWN, self.lettered(scales) / STANDS)
+        room = min(self.alone(scales) / OWN, self.lettered(scales) / STANDS, self.knotted(scales) / KNOT)
         if View.FORCE in self.kinds or any(isinstance(kind, Pane) for kind in kinds):
             room = min(room, self.crank(scales) / CRAMPED, *(self.legible(kind, scales) / SMALL for kind in kinds))
         return room
@@ -178,6 +179,13 @@ class Composing:
             return inf
         drawn = (one for one in self.figures if one.linked and one.letters and one.of in self.kinds)
         return min((one.scale / scales[one.of] * one.linked / one.letters for one in drawn if one.of), default=inf)
+
+    def knotted(self, scales: Mapping[Place, float]) -> float:
+        """How much of a construction on which a linkage is found there is for every letter on it (mm)."""
+        first = next((one for one in self.figures if one.of is View.MECHANISM), None)
+        if first is None or first.linked or not first.letters or self.kinds != {View.MECHANISM}:
+            return inf
+        return first.scale / scales[View.MECHANISM] * max(first.size) / first.letters
 
     def legible(self, kind: Place, scales: Mapping[Place, float]) -> float:
         """How large a kind is against what is wanted, less the shorter the shortest vector is that is read in it."""

@@ -12,7 +12,7 @@ from ....errors import NoMethodError
 from ....mechanism.asked.curvature import no_ball
 from ....plane import Line, Points, nominal, unit
 from ....words import Words
-from ..state import CurvatureFigure, Ray, sine
+from ..state import BEYOND, CurvatureFigure, Ray, sine
 
 PARALLEL = 1e-7  # sine of lines that do not meet
 
@@ -77,6 +77,7 @@ def _joined(fig: CurvatureFigure, one: Points, two: Points) -> Line:
     )
     q = fig.through(one, two)
     fig.thin(q, one, two, role=Role.RESULT)
+    _lettered(fig, two, q.along)
     return q
 
 
@@ -94,7 +95,13 @@ def _along(fig: CurvatureFigure, corner: Points) -> Line:
     )
     q = fig.board.parallel(corner, 1j * axis)
     fig.thin(q, corner, role=Role.RESULT)
+    _lettered(fig, corner, q.along)
     return q
+
+
+def _lettered(fig: CurvatureFigure, last: Points, along: Points) -> None:
+    """The letter of q, at the end of what is drawn of it."""
+    fig.board.plot(fig.pane, last + along * BEYOND, "q", Dot.NONE)
 
 
 def _opposite(fig: CurvatureFigure, symbol: str) -> None:

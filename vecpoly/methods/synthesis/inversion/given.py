@@ -125,7 +125,7 @@ def _marked(sheet: Sheet, body: Body, own: list[Pin]) -> Sheet:
     draft = sheet.draft
     ends = [sheet.pins[one.letter] for one in own]
     for n, stands in enumerate(sheet.bodies[body.name]):
-        role = Role.CONSTRUCTION if n else Role.GIVEN  # its links are dashed in the others, over these
+        role = Role.HIDDEN if n else Role.GIVEN  # dashed as its links are in the others, which lie over these
         if _free(body) and len(ends) == 2:
             draft.board.join(SHEET, ends[0][n], ends[1][n], role)
             continue
