@@ -19,6 +19,9 @@ from .paging import Drawn, best_paged, paged
 from .space import SPARSE
 
 WORTH = SPARSE  # of a page that figures take at least for which another sheet is begun
+MANY = (
+    100  # letters of the figures of a drawing: to place fewer takes no longer than to find out whether it is worth it
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,16 +59,22 @@ class Expected:
         return best_paged(arrangements(self.figures, self.lang, most, self.mains), self.on)
 
 
+def dear(figures: Sequence[Figure]) -> bool:
+    """Whether these have so many letters that it takes long to place them."""
+    return sum(bool(getattr(mark, "label", "")) for figure in figures for mark in figure.marks) > MANY
+
+
 def trials(
     expected: Expected, detailed: list[Page[Drawn]] | None, room: int, most: int, boxed: bool
 ) -> Iterator[list[Page[Drawn]] | None]:
     """With all details, these apart from their figures, and with fewer; what is not expected to fit on so many sheets
-    is left out."""
-    if detailed is not None or expected.fits(room):
+    is left out where letters are dear."""
+    cheap = not dear(expected.figures)
+    if detailed is not None or cheap or expected.fits(room):
         yield detailed or expected.lettered()
-    if not boxed and expected.fits_loose(room):  # a red box may part a full page
+    if not boxed and (cheap or expected.fits_loose(room)):  # a red box may part a full page
         yield from _loose(expected)
-    yield from (expected.lettered(some) for some in range(most - 1, 0, -1) if expected.fits(room, some))
+    yield from (expected.lettered(some) for some in range(most - 1, 0, -1) if cheap or expected.fits(room, some))
 
 
 def further(expected: Expected, detailed: list[Page[Drawn]] | None, plain: list[Page[Drawn]]) -> list[Page[Drawn]]:

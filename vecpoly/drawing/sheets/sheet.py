@@ -15,7 +15,7 @@ from ..details.apart import is_detail
 from ..details.knots import knots
 from ..scene import Item, Rect, Scene
 from .detailing import arrangements, drawn
-from .expected import Expected, further, trials
+from .expected import Expected, dear, further, trials
 from .packing import Layout
 from .pages import Page, fullness, trimmed
 from .paging import Drawn, arranged, best_paged, even, lined, paged, reading_order, under_box
@@ -133,7 +133,7 @@ def sheets(
 def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> list[Page[Drawn]]:
     """The figures with as many details as need no further sheet, and leave none with little on it if others do not."""
     most, detailed = max((len(knots(figure)) for figure in figures), default=0), None
-    if not most or Expected.unlettered(figures, lang, on).fits(1):
+    if not most or not dear(figures) or Expected.unlettered(figures, lang, on).fits(1):
         detailed = best_paged(arrangements(figures, lang), on)
         if detailed is not None and (len(detailed) == 1 or not most):
             return detailed
