@@ -106,7 +106,7 @@ def test_a_text_is_set_more_tightly_where_that_brings_a_step_back_that_left_a_ga
     story = [*lines(28), *step(14), *lines(52)]
     plain = laid_out(*story)
     assert plain.gaps == 1 and isinstance(plain.heads[2], Para)
-    mended = laid_out(*settled(story, META))
+    mended = settled(story, META)
     assert not mended.gaps and not mended.parted
 
 

@@ -24,9 +24,7 @@ HEIGHT = 700.0
 def counted(name: str, lang: Lang, style: str) -> ReportDoc:
     with in_small():
         document, objects = markup([drawn(name).solution], lang, style, {}, None, None)
-    doc = ReportDoc(settled(to_flowables(document, objects.named, lang), META), META)
-    doc.counted()
-    return doc
+    return settled(to_flowables(document, objects.named, lang), META)
 
 
 @pytest.mark.parametrize(

@@ -28,18 +28,22 @@ def test_a_text_of_little_more_than_a_page_is_spread_over_two() -> None:
     plain = ReportDoc(story, META)
     plain.counted()
     assert len(plain.filled) == 2 and emptiness(plain.filled)
-    doc = ReportDoc(balanced(story, story, META), META)
-    assert doc.counted() == 2 and emptiness(doc.filled) < emptiness(plain.filled)
+    doc = balanced(plain, story)
+    assert doc.page == 2 and emptiness(doc.filled) < emptiness(plain.filled)
 
 
 def test_a_text_that_fills_its_pages_is_left_as_it_is() -> None:
     sheet = SheetPage(lambda canvas, x, y: None, title="s")
     story = [*text(62), sheet]
-    assert balanced(story, story, META) is story
+    doc = ReportDoc(story, META)
+    doc.counted()
+    assert balanced(doc, story) is doc
 
 
 def test_a_sheet_before_the_text_stays_before_it() -> None:
     sheet = SheetPage(lambda canvas, x, y: None, title="s")
     story = [sheet, *text(44)]
-    found = balanced(story, story, META)
+    doc = ReportDoc(story, META)
+    doc.counted()
+    found = balanced(doc, story).story
     assert isinstance(found[0], SheetPage) and len(found) == len(story)

@@ -32,9 +32,7 @@ META = Metadata(title="t", subject="t", keywords=(), lang="zh")
 def laid_out(solutions: list[Solution], lang: Lang) -> ReportDoc:
     """The report of these solutions on its pages."""
     document, objects = markup(solutions, lang, "solution", {}, None, None)
-    doc = ReportDoc(settled(to_flowables(document, objects.named, lang), META), META)
-    doc.counted()
-    return doc
+    return settled(to_flowables(document, objects.named, lang), META)
 
 
 def sparse(doc: ReportDoc) -> list[int]:

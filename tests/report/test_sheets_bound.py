@@ -48,9 +48,7 @@ def lines(count: int) -> list[Para]:
 
 def settled_doc(*story: object) -> ReportDoc:
     """The story with a sheet behind it, settled on its pages."""
-    doc = ReportDoc(settled([*story, SheetPage(lambda *_: None, title="Sheet")], META), META)
-    doc.counted()
-    return doc
+    return settled([*story, SheetPage(lambda *_: None, title="Sheet")], META)
 
 
 def head(text: str) -> Heading:

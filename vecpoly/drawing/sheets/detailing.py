@@ -22,10 +22,12 @@ def drawn(figures: Sequence[Figure], lang: Lang) -> Whole:
     return tuple(Drawn(f.view, f.name, draw_figure(f, lang=lang), figure=f) for f in figures)
 
 
-def arrangements(figures: Sequence[Figure], lang: Lang, most: int = MOST) -> Iterator[Whole]:
+def arrangements(
+    figures: Sequence[Figure], lang: Lang, most: int = MOST, mains: Whole | None = None
+) -> Iterator[Whole]:
     """The figures with so many details each at most, arranged so that each grows little, or rather in width, or in
-    height; as they are, once, where they have none."""
-    apart = [drawn(one, lang) for one in all_detailed(figures, most)]
+    height; as they are, once, where they have none. mains: what the figures themselves are taken for."""
+    apart = _apart(figures, lang, most, mains)
     if all(len(one) == 1 for one in apart):
         yield tuple(one for (one,) in apart)
         return
@@ -34,9 +36,17 @@ def arrangements(figures: Sequence[Figure], lang: Lang, most: int = MOST) -> Ite
         yield tuple(one[grow] for one in placed)
 
 
-def loose(figures: Sequence[Figure], lang: Lang) -> Whole:
+def loose(figures: Sequence[Figure], lang: Lang, mains: Whole | None = None) -> Whole:
     """The figures with all their details, each of which has a place of its own after its figure."""
-    return tuple(one for made in all_detailed(figures) for one in drawn(made, lang))
+    return tuple(one for made in _apart(figures, lang, MOST, mains) for one in made)
+
+
+def _apart(figures: Sequence[Figure], lang: Lang, most: int, mains: Whole | None) -> list[Whole]:
+    """Each figure with its details; not drawn itself where it is taken for another."""
+    apart = all_detailed(figures, most)
+    if mains is None:
+        return [drawn(one, lang) for one in apart]
+    return [(main, *drawn(one[1:], lang)) for main, one in zip(mains, apart, strict=True)]
 
 
 def _beside(made: Whole, figure: Figure) -> dict[Grow, Drawn]:

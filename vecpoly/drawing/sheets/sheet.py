@@ -14,7 +14,8 @@ from ...words import Lang, Words
 from ..details.apart import is_detail
 from ..details.knots import knots
 from ..scene import Item, Rect, Scene
-from .detailing import arrangements, drawn, loose
+from .detailing import arrangements, drawn
+from .expected import Expected, dear, further, trials
 from .packing import Layout
 from .pages import Page, fullness, trimmed
 from .paging import Drawn, arranged, best_paged, even, lined, paged, reading_order, under_box
@@ -23,7 +24,6 @@ from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
 from .titleblock import Strip, furniture
 
 NO_TITLE = Words.same("")
-WORTH = SPARSE  # of a page that figures take at least for which another sheet is begun
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,38 +132,23 @@ def sheets(
 
 def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> list[Page[Drawn]]:
     """The figures with as many details as need no further sheet, and leave none with little on it if others do not."""
-    most = max((len(knots(figure)) for figure in figures), default=0)
-    pages = best_paged(arrangements(figures, lang), on)
-    if pages is not None and (len(pages) == 1 or not most):
-        return pages
+    most, detailed = max((len(knots(figure)) for figure in figures), default=0), None
+    if not most or not dear(figures) or Expected.unlettered(figures, lang, on).fits(1):
+        detailed = best_paged(arrangements(figures, lang), on)
+        if detailed is not None and (len(detailed) == 1 or not most):
+            return detailed
     alone = drawn(figures, lang)
     plain = paged(alone, on)
     if plain is None:
         raise _too_large(next(one for one in alone if arranged((one,), on) is None), on.format)
-    fewer = (best_paged(arrangements(figures, lang, some), on) for some in range(most - 1, 0, -1))
-    apart = () if boxed else _loose(figures, lang, on)  # a red box may part a full page
-    trials = chain((pages,), apart, fewer)
-    made = (one for one in trials if one is not None and len(one) <= len(plain))
+    expected = Expected(figures, lang, on, alone)
+    some = trials(expected, detailed, len(plain), most, boxed)
+    made = (one for one in some if one is not None and len(one) <= len(plain))
     first = next(made, plain)
     if first is plain and not boxed:
-        return _further(pages, plain)
+        return further(expected, detailed, plain)
     enough = min(SPARSE, fullness(plain))
     return next((one for one in chain((first,), made) if fullness(one) >= enough), first)
-
-
-def _further(detailed: list[Page[Drawn]] | None, plain: list[Page[Drawn]]) -> list[Page[Drawn]]:
-    """One sheet more, where the details find no room else and leave no sheet with little on it."""
-    if detailed is None or len(detailed) > len(plain) + 1 or fullness(detailed) < WORTH:
-        return plain
-    return detailed
-
-
-def _loose(figures: Sequence[Figure], lang: Lang, on: Paper) -> Iterator[list[Page[Drawn]] | None]:
-    """With details that need not form a rectangle with their figure, if each is on its page."""
-    pages = paged(loose(figures, lang), on)
-    firsts = [group[0].name for group, _ in pages or ()]
-    if not any(is_detail(name, figure) for name in firsts for figure in figures):
-        yield pages
 
 
 def hung(

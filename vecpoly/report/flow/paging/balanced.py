@@ -8,7 +8,7 @@ from typing import Any
 
 from ..base import Tightness
 from ..blocks import SheetPage
-from ..doc import Metadata, ReportDoc
+from ..doc import ReportDoc
 from .loose import OPENEST, grown
 from .sectioned import HALF, heads, settled
 from .setting import tightened
@@ -19,26 +19,21 @@ _CLOSER = (Tightness(white=0.8), Tightness(white=0.6), Tightness(white=0.5, line
 _Score = tuple[int, int, int, int, float]
 
 
-def balanced(story: Sequence[Any], plain: Sequence[Any], meta: Metadata) -> Sequence[Any]:
-    """The story; or the plain one, of which nothing is set otherwise yet, in the first way that fills its pages, or
-    else in the best, where it needs no page more."""
-    doc = _laid_out(story, meta)
-    best, found = _score(doc), story
+def balanced(doc: ReportDoc, plain: Sequence[Any]) -> ReportDoc:
+    """The document, laid out; or the plain story, of which nothing is set otherwise yet, in the first way that fills
+    its pages, or else in the best, where it needs no page more."""
+    best, found = _score(doc), doc
     if len(doc.filled) < 2:
-        return story
+        return doc
     for one in _ways(plain):
         if not best[-1]:
             break
-        score = _score(_laid_out(one, meta))
+        tried = ReportDoc(one, doc.metadata)
+        tried.counted()
+        score = _score(tried)
         if score < best:
-            best, found = score, one
+            best, found = score, tried
     return found
-
-
-def _laid_out(story: Sequence[Any], meta: Metadata) -> ReportDoc:
-    doc = ReportDoc(story, meta)
-    doc.counted()
-    return doc
 
 
 def emptiness(filled: Sequence[float]) -> float:

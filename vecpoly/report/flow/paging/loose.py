@@ -14,17 +14,17 @@ OPENEST = 0.25  # by which share a text may grow
 TRIED = (0.85, 0.45)  # of the room that is left: no page fills to its last line
 
 
-def loosened(story: Sequence[Any], doc: ReportDoc) -> Sequence[Any]:
-    """The story, as open as its pages allow; doc: it, laid out."""
+def loosened(story: Sequence[Any], doc: ReportDoc) -> ReportDoc:
+    """The story as open as its pages allow, laid out; doc: it, as it was."""
     filled = sum(doc.filled)
     if not filled or min(doc.filled) >= ENOUGH:
-        return story
+        return doc
     for share in TRIED:
         opener = tightened(story, grown(min(OPENEST, share * (len(doc.filled) / filled - 1))))
         tried = ReportDoc(opener, doc.metadata)
         if tried.counted() <= doc.page and faults_of(tried) <= faults_of(doc):
-            return opener
-    return story
+            return tried
+    return doc
 
 
 def grown(share: float) -> Tightness:

@@ -32,26 +32,26 @@ SHORT = 3  # pages of a part of which the lines are set closer too; in a longer 
 def saved(story: Sequence[Any], meta: Metadata) -> bytes:
     """The document, each part of it on as few pages as a tighter setting gives it, none of which holds little where
     something else can be set on it, and all that are nearly full end at their foot."""
-    doc = ReportDoc(settled(story, meta), meta)
-    doc.counted()
+    doc = settled(story, meta)
     doc.justify()
     return doc.made()[0]
 
 
-def settled(story: Sequence[Any], meta: Metadata) -> list[Any]:
-    """The story as `saved` sets it; of one of many parts, which run on, none is set more tightly than another."""
+def settled(story: Sequence[Any], meta: Metadata) -> ReportDoc:
+    """The story as `saved` sets it, laid out; of one of many parts, which run on, none is set more tightly than
+    another."""
     story = given = _set(story, {})
     plain = ReportDoc(story, meta)
     plain.counted()
     if len(plain.ends) > 1:
-        return run_on(story, plain)[0]
+        return run_on(story, plain)[1]
     tried = {part: _degree(story, part, pages, meta) for part, pages in plain.leftover.items()}
     chosen = {part: degree for part, degree in tried.items() if degree is not None}
     if chosen:
         story = _set(story, chosen)
         plain = ReportDoc(story, meta)
         plain.counted()
-    return [*balanced(loosened(*_mended(*sectioned(*run_on(story, plain)))), given, meta)]
+    return balanced(loosened(*_mended(*sectioned(*run_on(story, plain)))), given)
 
 
 def _mended(story: list[Any], doc: ReportDoc) -> tuple[Sequence[Any], ReportDoc]:
