@@ -134,6 +134,7 @@ def chapter(study: Study, press: Press, found: Compared) -> dict[str, Any]:
         "figures": figures,
         "shown": press.shown([], figures),
         "count": len(found.stations),
+        "all": len(found.stations) + len(found.refused),
         "refused": refused,
         "by_hand": any(_by_hand(study, key)[0] != "—" for key in found.keys),
         "worst": f"{100 * found.worst(study):.2f} %",
