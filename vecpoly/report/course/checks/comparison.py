@@ -27,17 +27,17 @@ FLAT, MARGIN = 0.35, 0.25  # of the frame that drawn values take at least; of wh
 _SHOWN, _DENSE = 3, 2  # curves, and of a long report
 _DIGITS, _MOST = 3, 8  # significant digits of a deviation; decimals, beyond which a power of ten is shorter
 _HEADER = {
-    "zh": ["量", "单位", "最大值", "最大偏差", "占最大值", "所在位置", "均方根偏差", "手工 3σ", "占题设值"],
+    "zh": ["量", "单位", "最大值", "最大偏差", "占最大值", "偏差最大处", "均方根偏差", "手工误差 3σ", "占题设处值"],
     "en": [
         "Quantity",
         "Unit",
-        "Largest value",
-        "Largest deviation",
-        "of the largest",
-        "At",
+        "Greatest value",
+        "Greatest deviation",
+        "in % of greatest value",
+        "at position",
         "rms deviation",
-        "3σ by hand",
-        "of the value",
+        "Error by hand, 3σ",
+        "in % of value there",
     ],
 }
 
