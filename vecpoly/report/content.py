@@ -63,6 +63,7 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
         "dashed": "dashed" if _has_dashes(solution) else "",
         "unsolvable": "unsolvable" if solution.construction.conclusion is not None else "",
         "doubled": "doubled" if _has_doubled(solution) else "",
+        "superscripts": "superscripts" if any("^{(" in one.reading.symbol for one in solution.answers.values()) else "",
     }
 
 
@@ -179,10 +180,22 @@ def _coriolis(answer: Answer) -> Words:
 
 def scales(solution: Solution, lang: Lang) -> str:
     """μ_l = 0.001 m/mm, ...; each scale once, block diagrams have none."""
-    drawn = [figure.scale for figure in solution.construction.figures if figure.scale.symbol and figure.scale.value]
-    both = [one for scale in drawn for one in (scale, scale.across) if one is not None]
-    parts = dict.fromkeys(f"${scale.symbol}$ = {number(scale.told.value)} {scale.told.per_mm}" for scale in both)
-    return ("，" if lang == "zh" else ", ").join(parts)
+    figures = [figure for figure in solution.construction.figures if figure.scale.symbol and figure.scale.value]
+    parts = dict[str, str]()  # what a diagram's own are for is told once, after the last of them
+    for figure in figures:
+        own = [figure.scale] if figure.scale.across is None else [figure.scale, figure.scale.across]
+        told = [f"${scale.symbol}$ = {number(scale.told.value)} {scale.told.per_mm}" for scale in own]
+        named = (f"（{figure.title.zh}）" if lang == "zh" else f" ({_begun(figure.title.en)})") if len(own) > 1 else ""
+        new = [text for text in told if text not in parts]
+        parts |= dict.fromkeys(new, "")
+        if new:
+            parts[new[-1]] = named
+    return ("，" if lang == "zh" else ", ").join(f"{text}{named}" for text, named in parts.items())
+
+
+def _begun(title: str) -> str:
+    """A title within a sentence."""
+    return title[:1].lower() + title[1:] if title[1:2].islower() or title[1:2] == " " else title
 
 
 def sections(solution: Solution, lang: Lang, objects: Objects) -> list[dict[str, Any]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from math import isfinite
 
 from ..algebra.quantity import number
 from ..board.construction import Listing
@@ -24,6 +25,7 @@ _PRINTED = {
     "en": ("Quantity", "Textbook", "Exact", "Deviation /%", "Verdict"),
 }
 _NONE = "—"
+_MANIFOLD = 2.0  # share off from which a deviation is told as a factor
 MOST_COLUMNS = 15  # of a table of stations, in all its blocks
 _DECIMAL, _PADDED = re.compile(r"[+−]?\d+(?:\.(\d+))?"), 2
 MOST_GIVEN = 140  # rows of a table that is printed with what is given
@@ -127,6 +129,8 @@ def _printed_row(c: Checked, lang: Lang) -> tuple[str, ...]:
     verdict = c.verdict.words.of(lang)
     slip = f"：{c.slip.zh}" if c.slip and lang == "zh" else (f": {c.slip.en}" if c.slip else "")
     off = percent(c.deviation, 1 if c.printed.kind == "graphical" else 2).removesuffix(" %")
+    if abs(c.deviation) >= _MANIFOLD and isfinite(c.deviation):
+        off = f"×{number(1 + c.deviation, 3)}"
     return f"${symbol_of(c)}$", _as_given(c, lang), _exact_like(c, lang), off, verdict + slip
 
 
