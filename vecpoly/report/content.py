@@ -4,6 +4,7 @@ plain words, and names of the objects (tables, equations, drawings) to be set.""
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Any
@@ -17,14 +18,18 @@ from ..check.structure import dependence
 from ..drawing.beside import beside as drawn_apart
 from ..mechanism.model import Mechanism
 from ..problem.asked.asks import AskCoriolis, AskNamed
+from ..problem.values.given import Datum
 from ..solution import YES_NO, Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
 from .answers.asked_in_words import answered_in_words
 from .sources import printed_source
 from .statement.asked import asked
+from .statement.in_table import in_table
 from .statement.structure import numbering, structure
 from .tables import listed
 from .values import called, value
+
+_IN_TABLE = Words("见下表", "see the table")
 
 
 @dataclass(slots=True)
@@ -40,10 +45,17 @@ class Objects:
         return name
 
 
-def statement(solution: Solution, lang: Lang) -> dict[str, str]:
-    """Title, source, statement, given and asked in words."""
+def beside_tables(solution: Solution, lang: Lang) -> dict[str, str]:
+    """The same where what is given stands in tables too (`given_tables`): the line has the rest."""
+    data, table = in_table(solution.problem, lang)
+    told = statement(solution, lang, None if table is None else data)
+    return told if told["given"] or table is None else told | {"given": _IN_TABLE.of(lang)}
+
+
+def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = None) -> dict[str, str]:
+    """Title, source, statement, given (all, or these data) and asked in words."""
     problem = solution.problem
-    data = list(problem.given.data)
+    data = problem.given.data if data is None else data
     comma = "，" if lang == "zh" else ", "
     given = [shortened(d.of(lang)) for d in data]
     if isinstance(problem.subject, Mechanism):

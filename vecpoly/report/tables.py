@@ -18,6 +18,7 @@ from ..solution import YES_NO, Solution
 from ..typeset.box import Rgb
 from ..words import Lang, Words
 from .flow.table import DataTable
+from .statement.in_table import in_table
 from .values import value
 
 _PRINTED = {
@@ -59,9 +60,10 @@ def listed(listing: Listing, lang: Lang) -> DataTable:
 
 
 def given_tables(problem: Problem, lang: Lang) -> list[DataTable]:
-    """The tables among what is given, each in columns beside each other; not those that would fill pages."""
-    tables = (datum.table for datum in problem.given.data)
-    return [
+    """The tables among what is given, each in columns beside each other, and that of many data with subscripts; not
+    those that would fill pages."""
+    tables, many = (datum.table for datum in problem.given.data), in_table(problem, lang)[1]
+    return ([] if many is None else [many]) + [
         listed(Listing(head=tuple(map(Words.same, one.head)), rows=one.rows, blocks=MOST_COLUMNS), lang)
         for one in tables
         if one is not None and len(one.rows) <= MOST_GIVEN
