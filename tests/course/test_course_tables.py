@@ -60,7 +60,7 @@ def test_every_cell_of_a_table_over_the_cycle_is_the_oracle_s_to_its_last_digit(
     tabled(it, kept, keys, Words("", ""), SMALL, every)
     parts = [p for key in keys for p in it.turn.info(key).parts if it.varies(p)]
     head, rows = unfolded(kept.made[0], 1 + len(parts))
-    narrow, long = 1 + len(parts) <= (6 if it.dense else 5), len(rows) > 20
+    narrow, long = 1 + len(parts) <= (6 if it.dense else 5), len(rows) > 12
     assert (len(kept.made[0].rows) < len(rows)) == (narrow and long)
     assert len(rows) == len(it.rows[::every])
     drive = it.turn.drive

@@ -159,7 +159,7 @@ def test_a_roller_is_welded_and_the_solution_says_so() -> None:
     problem = load("cam-roller")
     assert problem.mechanism.welded == (("3", "2"),) and "3" not in problem.mechanism.bodies
     assert any(
-        "局部自由度" in step.words.zh and "passive degree of freedom" in step.words.en
+        "滚子 3 与构件 2 焊成一体" in step.words.zh and "roller 3 as welded to link 2" in step.words.en
         for step in solve(problem).construction.steps
     )
     assert any("局部自由度" in datum.words.zh for datum in problem.given.lengths if datum.words is not None)

@@ -68,7 +68,7 @@ def test_every_point_of_a_link_has_the_oracle_s_vector_on_every_polygon(name: st
 
 GUIDES = [
     (re.compile(r"^Join \$(\w)\$ and \$(\w)\$; this line is the guide of link (\w+)"), False),
-    (re.compile(r"^The tangent from \$(\w)\$ to the circle about \$(\w)\$ .* is the guide of link (\w+)"), True),
+    (re.compile(r"^From \$(\w)\$ draw the tangent to the circle about \$(\w)\$ .* the guide of link (\w+)"), True),
 ]
 
 
@@ -85,6 +85,10 @@ def test_a_guide_is_joined_where_it_passes_through_both_pins_and_else_a_tangent(
                 (joint, q, p), *_ = ends
                 off = desk.offset(joint, joint.block, p) - desk.offset(joint, joint.guide, q)
                 assert (abs(off) > 1e-9) is beside, step.words
+                if beside:  # the tangent is the guide where that passes q; else parallel to it, through p if it is
+                    assert ("it is the guide" in step.words.en) is (abs(desk.offset(joint, joint.guide, q)) < 1e-9)
+                if "parallel to it, through" in step.words.en:
+                    assert abs(desk.offset(joint, joint.block, p)) < 1e-9, step.words
 
 
 def test_guides_are_joined_and_ruled_as_tangents_in_the_library() -> None:

@@ -117,6 +117,8 @@ def test_guard_figures_are_written_only_where_they_are_needed() -> None:
         ("h = √((0.07854)/(1.5)) = 0.2288 m = 228.8 mm", True),
         ("h = √((0.07854)/(1.5)) = 0.2298 m = 229.8 mm", False),
         ("ρ = 0.0015 × 18.4 = 0.0276 m = 27.5 mm", False),
+        ("l = (1.1)/(0.08) = 13.7 mm", False),
+        ("l = (1.1)/(0.08) = 13.8 mm", True),
     ],
 )
 def test_the_calculator_tells_right_lines_from_wrong_ones(line: str, holds: bool) -> None:

@@ -11,7 +11,7 @@ from functools import lru_cache
 from math import floor, isfinite, log10
 
 MOST = 10  # figures of a number in a line, at most
-TIES = 1.0 + 1e-6  # times half a unit: a result may lie midway
+_MIDWAY = 1e-6  # of half a unit
 WHOLE = 6  # numbers of no more figures before the point are told whole
 _CLEAN = 12  # figures of a float that are not rubbish
 _CONTEXTS = {digits: Context(prec=digits, rounding=ROUND_HALF_EVEN) for digits in range(1, _CLEAN + 1)}
@@ -47,6 +47,14 @@ def as_printed(value: float, digits: int) -> float:
 def half_unit(value: float, digits: int) -> float:
     """Half a unit of the last of so many figures of a number."""
     return 0.5 * 10.0 ** (floor(log10(abs(value))) + 1 - digits)
+
+
+def rounds_to(value: float, result: float, half: float) -> bool:
+    """Whether a number rounds to a result of which half the last unit is told; what lies midway, to the even one."""
+    gap = abs(value - result)
+    if abs(gap - half) <= _MIDWAY * half:
+        return not half or round(result / (2 * half)) % 2 == 0
+    return gap < half
 
 
 def read_back(text: str) -> tuple[float, float]:

@@ -16,7 +16,7 @@ from ..foundation.slotted import replace
 from ..plane import nominal
 from .formula import Node, Row, Txt, plain
 from .quantity import FIGURES, Expr, Of, Powered, Product, Quantity, Quotient, Rooted, Sum, Times, number
-from .rounding import TIES, WHOLE, as_printed, guarded, half_unit, read_back, to_figures
+from .rounding import WHOLE, as_printed, guarded, half_unit, read_back, rounds_to, to_figures
 
 _END = 2  # parts with which a line ends: its numbers, and = result
 
@@ -89,6 +89,13 @@ def goes_on(line: Row, shown: str, told: Callable[[Node, float], str]) -> bool:
     )
 
 
+def reckoned_again(line: Row, told: Callable[[Node, float], str]) -> float:
+    """What a calculator shows for the line with the numbers that are told elsewhere, the others to their figures."""
+    own = cast("Expr", line.worked)
+    other = _each(own, lambda one: replace(one, told=told(one.node, float(nominal(one.value))) or one.told))
+    return _reckoned(other, FIGURES)
+
+
 def stated(quantity: Quantity) -> Row:
     """symbol = value with unit."""
     return Row((quantity.node, Txt(f" = {_with_unit(number(float(nominal(quantity.value))), quantity.unit)}")))
@@ -118,9 +125,9 @@ def _by_one(expr: Expr) -> float:
 
 
 def _gives(expr: Expr, digits: int, told: Iterable[tuple[float, float]]) -> bool:
-    """Whether they give every one of these results, each to half a unit of its last place."""
+    """Whether they give every one of these results: what is reckoned rounds to it, from midway to the even figure."""
     reckoned = _reckoned(expr, digits)
-    return all(abs(reckoned - result) <= half * TIES for result, half in told)
+    return all(rounds_to(reckoned, result, half) for result, half in told)
 
 
 def _results(value: float) -> Iterator[tuple[float, float]]:

@@ -6,7 +6,7 @@ from math import atan2, cos, degrees, isfinite, pi, radians, sin, sqrt
 
 import numpy as np
 
-from ..algebra.rounding import TIES, as_printed, guarded, half_unit, to_places
+from ..algebra.rounding import as_printed, guarded, half_unit, rounds_to, to_places
 from .expr import Const, Env, Expr, Product, Quotient, Sum, Var
 from .functions import Arctan, Square, SquareRoot, Wave
 
@@ -23,7 +23,7 @@ def figures_for(expr: Expr, env: Env, value: float, angle: bool) -> int:
 
     def holds(digits: int) -> bool:
         gap = (_angle if angle else _keyed)(expr, env, digits) - result
-        return abs((gap + pi) % (2 * pi) - pi if angle else gap) <= half * TIES
+        return rounds_to(result + ((gap + pi) % (2 * pi) - pi if angle else gap), result, half)
 
     return guarded(FIGURES, holds)
 

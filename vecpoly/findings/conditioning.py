@@ -14,7 +14,7 @@ from ..cycle.facts.transmission_range import Transmission
 from ..words import Words
 from .study.study import Study
 
-POOR, ILL = float(np.sin(np.radians(40.0))), float(np.sin(np.radians(10.0)))
+POOR, ILL = float(np.sin(np.radians(39.5))), float(np.sin(np.radians(10.0)))  # 40° to a whole degree
 SHORT = 0.35  # of its largest value: a determinant that is no sine of an angle
 NONE = 1e-6  # a measure that is none, as at a change point
 _ZOOM, _ROUNDS = 21, 5  # places in a bracket; each round makes it ten times narrower

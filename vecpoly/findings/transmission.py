@@ -11,7 +11,7 @@ from ..mechanism.model import Revolute
 from ..words import Words
 from .study.study import Study
 
-LEAST = 40.0  # degrees, the usual bound
+BOUND, NEAR = 40.0, 39.5  # degrees: the usual bound, and what is about as much
 _EQUAL = 1e-6  # rad
 
 
@@ -38,13 +38,7 @@ def transmission(study: Study, told: Sequence[Transmission]) -> Words:
 def _one(study: Study, t: Transmission, d: Dyad) -> Words:
     symbol = f"${study.whole.info(t.key).symbol}$"
     what, least, most = _defined(d, symbol), degrees(t.least.value), degrees(t.greatest.value)
-    below, where = least < LEAST, least_places(study, t)
-    verdict = Words(
-        "小于许用值 [$γ$] = 40°，传力性能较差" if below else "大于许用值 [$γ$] = 40°，传力性能良好",
-        "below the usual bound of 40°: force is transmitted poorly there"
-        if below
-        else "above the usual bound of 40°: force is transmitted well",
-    )
+    verdict, where = _judged(least), least_places(study, t)
     top = (
         Words("；其间达到 90°", "; on the way it reaches 90°")
         if most > 90.0 - 1e-6
@@ -57,6 +51,17 @@ def _one(study: Study, t: Transmission, d: Dyad) -> Words:
         f"{what.zh}最小传动角为 {least:.1f}°（{where.zh}），{verdict.zh}{top.zh}。",
         f"{what.en} Its least value is {least:.1f}° at {where.en}, {verdict.en}{top.en}.",
     )
+
+
+def _judged(least: float) -> Words:
+    """A least angle (degrees) beside the usual bound; what rounds to it is no fault that a change could mend."""
+    if least < NEAR:
+        return Words(
+            "小于许用值 [$γ$] = 40°，传力性能较差", "below the usual bound of 40°: force is transmitted poorly there"
+        )
+    if least < BOUND:
+        return Words("约等于许用值 [$γ$] = 40°，传力性能合格", "about the usual bound of 40°, which is acceptable")
+    return Words("大于许用值 [$γ$] = 40°，传力性能良好", "above the usual bound of 40°: force is transmitted well")
 
 
 def least_places(study: Study, t: Transmission) -> Words:

@@ -17,6 +17,7 @@ TENTH = 0.1  # mm: what a rule is read to
 _HALF = TENTH / 2
 SHARE, SHARE_OF_READ = 0.3, 0.1  # of the expected error: what is smaller says nothing; of a length that was read well
 MOST = 4  # significant digits of an answer; an exact value has one more
+_READ = 3  # significant digits of what is read on paper, at least; one more after a leading 1
 LEAST = 1e-4  # smaller numbers are told by powers of ten
 _GRID = 1e-6  # of a tenth: a reading that lies on one
 _SAME = 1e-9  # share by which a number read to a tenth may differ from itself
@@ -61,19 +62,40 @@ def decimals(answer: Answer) -> int | None:
     factor = printed_unit(answer.reading.unit)[0]
     read, error = factor * _read_to(answer), factor * _error(answer)
     line = answer.reading.formula
-    read_places = places_of if answer.reading.unit in ("m", "mm") else _places_read  # millimetres: as they are read
-    if read and isinstance(line, Row) and is_length(line):
-        return read_places(read)
+    if read and isinstance(line, Row) and is_length(line) and not answer.computed:
+        return places_as_read(factor * answer.drawn, answer.reading.mm or 0.0)
     well = answer.reading.mm is not None and coarse(answer) is None
     step = max(read, error * (SHARE_OF_READ if well else SHARE))
     if answer.reading.unit == YES_NO or not step or not isfinite(answer.drawn):
         return None
-    places, drawn = (read_places if step == read else places_of)(step), factor * answer.drawn
-    if answer.reading.mm is None:
-        least = 1 if answer.reading.unit == "deg" else places_of(error)
+    places, drawn = (_places_read if step == read else places_of)(step), factor * answer.drawn
+    most = MOST if answer.computed or answer.reading.unit == "deg" else figures_read(drawn, answer.reading.mm or 0.0)
+    places = min(places, _places_for(drawn, most))
+    if answer.reading.mm is None or answer.computed:
+        least = 1 if answer.reading.unit == "deg" else min(places, places_of(error))
         finest = max(places, least)
         return next((n for n in range(0 if answer.computed else least, finest) if _is_on(drawn, n)), finest)
     return places
+
+
+def places_as_read(value: float, mm: float) -> int:
+    """Decimals of a value that is so many millimetres on paper, times a scale: it has their figures; one more where it
+    lies midway, 16.7 × 0.015 = 0.2505, for that is no matter of rounding."""
+    finest, fit = _places_read(TENTH * abs(value / mm)), _places_for(value, figures_read(value, mm))
+    places = min(finest, fit)
+    midway = places < finest and _is_on(2 * value * 10.0**places, 0) and not _is_on(value, places)
+    return places + midway
+
+
+def figures_read(value: float, mm: float) -> int:
+    """As many as the reading has to a tenth, three at least; one more where the value begins with 1."""
+    leading = f"{abs(value):e}"[0] == "1"
+    return min(MOST, max(_READ, floor(log10(abs(mm))) + 2 if mm else _READ) + leading)
+
+
+def _places_for(value: float, figures: int) -> int:
+    """The decimals with which a number has so many figures."""
+    return max(0, figures - 1 - floor(log10(abs(value)))) if value else _FINEST
 
 
 def _places_read(tenth: float) -> int:

@@ -6,18 +6,18 @@ import re
 from collections.abc import Iterable, Sequence
 from math import isclose, isfinite, log10
 
-from ..algebra.columns import places_of
 from ..algebra.formula import Node, Row, Sym, Txt, named
 from ..algebra.quantity import number
-from ..algebra.worked import goes_on, numbers_of, scale_of, size_of, told_again
+from ..algebra.worked import goes_on, numbers_of, reckoned_again, scale_of, size_of, told_again
 from ..answer import YES_NO, Answer
-from .digits import MOST, TENTH, decimals, rounded
+from .digits import MOST, decimals, places_as_read, rounded
 from .lengths import is_length, only_length
 from .units import printed_unit
 
 NUMBER = re.compile(r"(−?)\d+(?:\.\d+)?(?:×10\^\{−?\d+\})?")  # as `number` writes it
 EQUALS = " = "
 _FINE, _FEW = 5, 3  # figures of a number that is carried on, at most; of one that goes on with an answer, at least
+_NEAR = 0.01  # share by which what printed numbers give may differ from what the drawing goes on with
 
 
 class Told:
@@ -62,16 +62,19 @@ class Told:
         self._fewer(line, symbol)
 
     def _fewer(self, line: Row, symbol: Node) -> None:
-        """A number that its line gives only with guard figures of an answer, told to fewer: an answer has one number,
-        1.324² × 0.4785 = 0.839 and not 1.3245² × 0.4785 = 0.8394; as it is where later lines need it so."""
+        """A number that its line gives only with guard figures of an answer, as the answer gives it: an answer has one
+        number, 3.02² × 0.12 = 1.094 and not 3.025² × 0.12 = 1.098; as it is where later lines need it so."""
         (size, text), users = self._carried[symbol], self._later.get(symbol, [])
         sign = "−" if (number_at_the_end(line.items[-1]) or "").startswith("−") else ""
         if goes_on(line, sign + text, self._told):
             return
-        few = number(size, _FEW)
-        self._carried[symbol] = size, few
-        if not goes_on(line, sign + few, self._told) or not all(goes_on(*one, self._told) for one in users):
-            self._carried[symbol] = size, text
+        reckoned = abs(reckoned_again(line, self._told))
+        tries = (number(reckoned),) if isclose(reckoned, size, rel_tol=_NEAR) else ()
+        for few in (*tries, number(size, _FEW)):
+            self._carried[symbol] = size, few
+            if goes_on(line, sign + few, self._told) and all(goes_on(*one, self._told) for one in users):
+                return
+        self._carried[symbol] = size, text
 
     def _end(self, line: Row, end: Txt | None) -> Node:
         """The end of a line: this one, or its own with the number as it is carried on."""
@@ -118,11 +121,10 @@ def number_of(answer: Answer, value: float, scale: float) -> str:
 
 
 def _to_scale(line: Row, size: float) -> str:
-    """What was read on paper, or worked out from one length alone, with the decimals of its scale; nothing of another
-    line."""
+    """What was read on paper, or worked out from one length alone, with its figures; nothing of another line."""
     scale, mm = scale_of(line) if is_length(line) else None, only_length(line)
-    step = TENTH * scale if scale else TENTH * size / mm if mm else 0.0
-    return rounded(size, places_of(step), MOST) if step else ""
+    length = size / scale if scale else mm or 0.0
+    return rounded(size, places_as_read(size, length), MOST) if length and size else ""
 
 
 def _figures(text: str) -> int:

@@ -4,6 +4,7 @@ plain words, and names of the objects (tables, equations, drawings) to be set.""
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Any
@@ -17,14 +18,18 @@ from ..check.structure import dependence
 from ..drawing.beside import beside as drawn_apart
 from ..mechanism.model import Mechanism
 from ..problem.asked.asks import AskCoriolis, AskNamed
+from ..problem.values.given import Datum
 from ..solution import YES_NO, Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
 from .answers.asked_in_words import answered_in_words
 from .sources import printed_source
 from .statement.asked import asked
+from .statement.in_table import in_table
 from .statement.structure import numbering, structure
 from .tables import listed
 from .values import called, value
+
+_IN_TABLE = Words("见下表", "see the table")
 
 
 @dataclass(slots=True)
@@ -40,10 +45,17 @@ class Objects:
         return name
 
 
-def statement(solution: Solution, lang: Lang) -> dict[str, str]:
-    """Title, source, statement, given and asked in words."""
+def beside_tables(solution: Solution, lang: Lang) -> dict[str, str]:
+    """The same where what is given stands in tables too (`given_tables`): the line has the rest."""
+    data, table = in_table(solution.problem, lang)
+    told = statement(solution, lang, None if table is None else data)
+    return told if told["given"] or table is None else told | {"given": _IN_TABLE.of(lang)}
+
+
+def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = None) -> dict[str, str]:
+    """Title, source, statement, given (all, or these data) and asked in words."""
     problem = solution.problem
-    data = list(problem.given.data)
+    data = problem.given.data if data is None else data
     comma = "，" if lang == "zh" else ", "
     given = [shortened(d.of(lang)) for d in data]
     if isinstance(problem.subject, Mechanism):
@@ -63,6 +75,7 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
         "dashed": "dashed" if _has_dashes(solution) else "",
         "unsolvable": "unsolvable" if solution.construction.conclusion is not None else "",
         "doubled": "doubled" if _has_doubled(solution) else "",
+        "superscripts": "superscripts" if any("^{(" in one.reading.symbol for one in solution.answers.values()) else "",
     }
 
 
@@ -179,10 +192,22 @@ def _coriolis(answer: Answer) -> Words:
 
 def scales(solution: Solution, lang: Lang) -> str:
     """μ_l = 0.001 m/mm, ...; each scale once, block diagrams have none."""
-    drawn = [figure.scale for figure in solution.construction.figures if figure.scale.symbol and figure.scale.value]
-    both = [one for scale in drawn for one in (scale, scale.across) if one is not None]
-    parts = dict.fromkeys(f"${scale.symbol}$ = {number(scale.told.value)} {scale.told.per_mm}" for scale in both)
-    return ("，" if lang == "zh" else ", ").join(parts)
+    figures = [figure for figure in solution.construction.figures if figure.scale.symbol and figure.scale.value]
+    parts = dict[str, str]()  # what a diagram's own are for is told once, after the last of them
+    for figure in figures:
+        own = [figure.scale] if figure.scale.across is None else [figure.scale, figure.scale.across]
+        told = [f"${scale.symbol}$ = {number(scale.told.value)} {scale.told.per_mm}" for scale in own]
+        named = (f"（{figure.title.zh}）" if lang == "zh" else f" ({_begun(figure.title.en)})") if len(own) > 1 else ""
+        new = [text for text in told if text not in parts]
+        parts |= dict.fromkeys(new, "")
+        if new:
+            parts[new[-1]] = named
+    return ("，" if lang == "zh" else ", ").join(f"{text}{named}" for text, named in parts.items())
+
+
+def _begun(title: str) -> str:
+    """A title within a sentence."""
+    return title[:1].lower() + title[1:] if title[1:2].islower() or title[1:2] == " " else title
 
 
 def sections(solution: Solution, lang: Lang, objects: Objects) -> list[dict[str, Any]]:

@@ -24,7 +24,7 @@ from ..words import Lang, Words, label
 from .answers.box import answer_box
 from .answers.checks import check_tables, check_words, unlisted
 from .answers.tables import counted
-from .content import Objects, cautions, conclusions, sections, statement
+from .content import Objects, beside_tables, cautions, conclusions, sections
 from .flow.blocks import Callout, Plate
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.paging.tight import saved
@@ -179,7 +179,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     room = ALONE if _repeats(solution.construction) else PICTURE
     drawn = sketched(solution.problem, solution.construction, *room)
     common = {
-        **statement(solution, lang),
+        **beside_tables(solution, lang),
         "repeats": REPEATS,
         "data": [objects.add("tab", one) for one in given_tables(solution.problem, lang)],
         "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from math import isfinite
 
 from ..algebra.quantity import number
 from ..board.construction import Listing
@@ -17,6 +18,7 @@ from ..solution import YES_NO, Solution
 from ..typeset.box import Rgb
 from ..words import Lang, Words
 from .flow.table import DataTable
+from .statement.in_table import in_table
 from .values import value
 
 _PRINTED = {
@@ -24,6 +26,7 @@ _PRINTED = {
     "en": ("Quantity", "Textbook", "Exact", "Deviation /%", "Verdict"),
 }
 _NONE = "—"
+_MANIFOLD = 2.0  # share off from which a deviation is told as a factor
 MOST_COLUMNS = 15  # of a table of stations, in all its blocks
 _DECIMAL, _PADDED = re.compile(r"[+−]?\d+(?:\.(\d+))?"), 2
 MOST_GIVEN = 140  # rows of a table that is printed with what is given
@@ -57,9 +60,10 @@ def listed(listing: Listing, lang: Lang) -> DataTable:
 
 
 def given_tables(problem: Problem, lang: Lang) -> list[DataTable]:
-    """The tables among what is given, each in columns beside each other; not those that would fill pages."""
-    tables = (datum.table for datum in problem.given.data)
-    return [
+    """The tables among what is given, each in columns beside each other, and that of many data with subscripts; not
+    those that would fill pages."""
+    tables, many = (datum.table for datum in problem.given.data), in_table(problem, lang)[1]
+    return ([] if many is None else [many]) + [
         listed(Listing(head=tuple(map(Words.same, one.head)), rows=one.rows, blocks=MOST_COLUMNS), lang)
         for one in tables
         if one is not None and len(one.rows) <= MOST_GIVEN
@@ -127,6 +131,8 @@ def _printed_row(c: Checked, lang: Lang) -> tuple[str, ...]:
     verdict = c.verdict.words.of(lang)
     slip = f"：{c.slip.zh}" if c.slip and lang == "zh" else (f": {c.slip.en}" if c.slip else "")
     off = percent(c.deviation, 1 if c.printed.kind == "graphical" else 2).removesuffix(" %")
+    if abs(c.deviation) >= _MANIFOLD and isfinite(c.deviation):
+        off = f"×{number(1 + c.deviation, 3)}"
     return f"${symbol_of(c)}$", _as_given(c, lang), _exact_like(c, lang), off, verdict + slip
 
 

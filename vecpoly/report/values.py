@@ -103,7 +103,10 @@ def called(symbol: str, key: str, lang: Lang) -> str:
         return f"{_BALANCED[key].of(lang)}（${symbol}$）" if lang == "zh" else f"{_BALANCED[key].en} (${symbol}$)"
     if is_class(key):
         drivers = key.removeprefix(_CLASS).split("+")
-        return Words(f"机构级别（原动件 {'、'.join(drivers)}）", f"class (link {', '.join(drivers)} driving)").of(lang)
+        plural = "s" * (len(drivers) > 1)
+        return Words(
+            f"机构级别（原动件 {'、'.join(drivers)}）", f"class (link{plural} {' and '.join(drivers)} driving)"
+        ).of(lang)
     if key.startswith(_GROUPS):
         return Words(f"杆组数 ${symbol}$", f"number of groups ${symbol}$").of(lang)
     way = way_of(key)

@@ -18,6 +18,7 @@ from .flow.table import DataTable
 
 _NUMBER = Words("解", "No.")
 _NONE, _YES, _NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
+_SEEN = 0.005  # mm: less is no difference of lengths
 MARGIN = Words("杆长余量", "Margin")
 _ERROR, _CIRCUIT = Words("杆长相差", "Length error"), Words("同回路同分支", "Same circuit and branch")
 _GAMMA = Words.same("$γ_{min}$")
@@ -145,7 +146,7 @@ class _Line:
         swings = one.unit == "°"
         stroke, unit = ("psi", "°") if swings else ("H", " mm")
         return [
-            _item(_ERROR, self._closes()),
+            self._kept(),
             _item(_CIRCUIT, self._yes()),
             _item(_ORDER, self._order()),
             _item(_TYPE_OF if self._added() else _TYPE, _NONE if one.kind is None else one.kind),
@@ -156,10 +157,12 @@ class _Line:
             _item(_GAMMA, self._beside(one.gamma, "gamma_min", "°", 4) if one.full else _NONE),
         ]
 
-    def _closes(self) -> Words:
-        """How much the bars differ in length from position to position, on paper."""
+    def _kept(self) -> _Item:
+        """How much the bars differ in length from position to position, on paper; nothing where they do not."""
         spans = [self.mu * (max(lengths) - min(lengths)) for lengths in self._lengths() if len(lengths) > 1]
-        return Words.same(f"{max(spans):.2f} mm") if spans else _NONE
+        if max(spans, default=0.0) < _SEEN:
+            return _item(_ERROR, _NONE)
+        return _item(_ERROR, Words.same(f"{max(spans):.2f} mm"))
 
     def _lengths(self) -> Iterator[list[float]]:
         for one, two in self._bars():

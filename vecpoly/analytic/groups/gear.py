@@ -45,7 +45,7 @@ def held_gear(scope: Scope, group: Group) -> GroupModel:
                 VELOCITY,
                 (Part(Words("两轮在节点处速度相同，故", "Both have one velocity at the pitch point:"), (velocity,)),),
             ),
-            Stage(ACCELERATION, (Part(Words("求导得", "Differentiated,"), (acceleration,)),)),
+            Stage(ACCELERATION, (Part(Words("求导得", "Differentiating gives"), (acceleration,)),)),
         ),
     )
 

@@ -28,11 +28,11 @@ def linear(scope: Scope, group: Group, chains: Chains, loops: Loops, conditions:
         Equation(left, quotient(-side, -factor) if isinstance(factor, Sum) else quotient(side, factor))
         for left, side in zip((Var(unknown), *rates), sides, strict=True)
     ]
-    rolling = Words("自题设位置起滚过的弧长相等：", "Equal arcs have been rolled since the given position:")
+    rolling = Words("自题设位置起滚过的弧长相等：", "The arcs rolled off since the given position are equal:")
     said = (
         Part(rolling, tuple(Equation(left, right, False) for left, right in conditions)),
-        Part(Words("求导得", "Differentiated,")),
-        Part(Words("再求导得", "Differentiated once more,")),
+        Part(Words("求导得", "Differentiating gives")),
+        Part(Words("再求导得", "Differentiating again gives")),
     )
     more, ways = points(scope, group.links), (chains.places, chains.speeds, chains.pushes)
     stages = [
@@ -44,9 +44,12 @@ def linear(scope: Scope, group: Group, chains: Chains, loops: Loops, conditions:
 
 
 def _opened(part: Part, own: Equation, ways: list[Equation]) -> tuple[Part, ...]:
-    """What is said, the unknown that it gives, and the points on the way."""
-    first = (part, Part(Words("从而", "and so"), (own,))) if part.equations else (Part(part.said, (own,)),)
-    rest = (Part(Words("从而", "and then"), tuple(ways)),) if ways else ()
+    """What is said, the unknown that it gives, and the points on the way; a condition that is solved as it stands is
+    not written twice."""
+    solved = any(own.right in (one.left, one.right) for one in part.equations)
+    both = part.equations and not solved
+    first = (part, Part(Words("故", "hence"), (own,))) if both else (Part(part.said, (own,)),)
+    rest = (Part(Words("由此得", "and with it"), tuple(ways)),) if ways else ()
     return (*first, *rest)
 
 
@@ -56,8 +59,8 @@ def _named(scope: Scope, group: Group) -> tuple[Words, Words]:
     return (
         Words(f"{noun.zh} {name}", f"{noun.en.capitalize()} {name}"),
         Words(
-            f"{noun.zh} {name} 只有一个未知量，由纯滚动给出；$θ$ 由题设位置定出，各转角连续计量，不跳变整周。",
-            f"One quantity of {noun.en} {name} is unknown, and pure rolling tells it. The given position tells $θ$; "
-            "angles are counted on from there, without jumps by whole turns.",
+            f"{noun.zh} {name} 只有一个未知量，由纯滚动条件求得。常数 $θ$ 由题设位置确定，转角连续计量，不减去整周。",
+            f"The one unknown of {noun.en} {name} follows from rolling without slip. The constant $θ$ is fixed by the "
+            "given position; angles are counted continuously, without jumps of whole turns.",
         ),
     )

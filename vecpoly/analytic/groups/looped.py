@@ -205,5 +205,5 @@ def _rates(loops: Loops, title: Words, letter: str, sides: tuple[Expr, ...], ord
         f"({_listed(letter, len(sides)).en})ᵀ, with the right sides",
     )
     equations = tuple(Equation(Var(f"{letter}_{{{i}}}"), side) for i, side in enumerate(sides, 1))
-    rest = (Part(Words("从而", "and then"), tuple(more)),) if more else ()
+    rest = (Part(Words("由此得", "and with it"), tuple(more)),) if more else ()
     return Stage(title, (Part(said, equations), *rest))

@@ -9,7 +9,7 @@ from typing import Any
 
 from ...board.construction import EquationTable
 from ...foundation.data import data_dir
-from ...report.content import Objects, statement
+from ...report.content import Objects, beside_tables
 from ...report.document import PICTURE
 from ...report.flow.xml import to_flowables
 from ...report.plates.sketch import sketch_of
@@ -47,7 +47,7 @@ def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]
     drawn = sketched(solution.problem, solution.construction, *PICTURE)
     tables = [step.equation for step in solution.construction.steps if step.equation]
     context = {
-        **statement(solution, lang),
+        **beside_tables(solution, lang),
         "blanks": [objects.add("eq", _emptied(table, n)) for n, table in enumerate(tables, 1)],
         "data": [objects.add("tab", one) for one in given_tables(solution.problem, lang)],
         "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else "",

@@ -12,7 +12,7 @@ from ..extremes import Spot, extremes
 from ..root import ridders
 from .transmission import folded
 
-POOR, FOLDED = np.radians(40.0), np.radians(15.0)  # below: poor transmission; nearly folded
+POOR, FOLDED = np.radians(39.5), np.radians(15.0)  # below: poor transmission (40° to a degree); nearly folded
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +27,7 @@ class Transmission:
 
     @property
     def is_poor(self) -> bool:
-        """Whether it falls below 40°, the usual bound."""
+        """Whether it falls below 40°, the usual bound, by more than a drawing tells."""
         return bool(self.least.value < POOR)
 
     @property

@@ -24,7 +24,7 @@ _SAID = {
     Mistake.TURNED: Words("方向转过了 90°（⊥ 与 ∥ 混淆）", "turned by 90° (∥ for ⊥)"),
     Mistake.SCALED: Words("用错了比例尺", "laid off with another figure's scale"),
     Mistake.COINCIDENT: Words("取错了重合点", "taken of the wrong coincident point"),
-    Mistake.OTHER_MEETING: Words("取了另一个交点", "found at the other meeting"),
+    Mistake.OTHER_MEETING: Words("取了另一个交点", "found at the other intersection"),
     Mistake.OTHER_CENTRE: Words("所在直线连错了瞬心", "on a line through the wrong two centres"),
     Mistake.OTHER_TANGENT: Words("切于摩擦圆的另一侧", "on the wrong side of the friction circle"),
     Mistake.COMPLEMENT: Words("取了余角（如以 θ 代 90° − θ）", "at the complementary angle (θ for 90° − θ, say)"),

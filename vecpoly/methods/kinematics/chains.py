@@ -10,6 +10,7 @@ from ...vector.close import Closed, close
 from ...vector.equation import Equation, Term
 from ..desk import VECTOR, Desk, Turn
 from .image import imaged
+from .laid_off import laid_off
 from .lengths import write_lengths
 from .terms import across, coriolis, known, normal, ref_at, sliding, tangential
 
@@ -53,6 +54,7 @@ def solve(desk: Desk, view: View, eq: Equation, to: At) -> Closed:
     """Write the equation into the step, draw it, letter the meeting point, keep the ends of all its vectors."""
     board = desk.board
     board.equate(eq.table())
+    board.remark(laid_off(desk, view, eq, to))
     closed = close(board, view, 0j, eq, to=desk.tip_label(view, to), of=desk.canonical(to))
     write_lengths(desk, view, eq)
     desk.reach_tip(view, to, closed.meeting)

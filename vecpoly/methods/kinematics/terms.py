@@ -22,7 +22,8 @@ def known(desk: Desk, view: View, at: At) -> Term:
     """A vector already on the polygon: direction and magnitude both known."""
     rel = Rel(VECTOR[view], desk.canonical(at))
     vector = desk.tip(view, at)
-    unsaid = (ABSENT, "0") if desk.at_rest(view, at) else (KNOWN, "✓")
+    is_zero = desk.at_rest(view, at) or abs(nominal(vector)) < NO_LENGTH
+    unsaid = (ABSENT, "0") if is_zero else (KNOWN, "✓")
     direction, size = desk.known_as.get((view, rel.to), unsaid)
     return Term(rel=rel, symbol=desk.symbol(rel), vector=vector, drawn=True, direction=direction, magnitude=size)
 

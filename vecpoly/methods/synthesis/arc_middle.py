@@ -13,7 +13,8 @@ from .eta import Eta, Locus
 from .linkage import point
 
 MIRROR = Words(
-    "（另一交点是它的镜像，所得机构相同。）", " (The other meeting is its mirror image and gives the same linkage.)"
+    "（另一交点是它的镜像，所得机构相同。）",
+    " (The other intersection is its mirror image and gives the same linkage.)",
 )
 
 

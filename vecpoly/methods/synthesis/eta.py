@@ -21,11 +21,10 @@ NAMED = pi / 4  # from P on, where the circle has its letter
 _FIRST = Words(
     "过 $C_2$ 作 $C_{1}C_{2}$ 的垂线，过 $C_1$ 作与 $C_{1}C_{2}$ 成 $90° − θ$ 的射线，两线交于 $P$，则 "
     "$∠C_{1}PC_{2} = θ$；以 $C_{1}P$ 为直径作圆 $η$"
-    "（圆心 $O$ 为其中点），圆上各点看 $C_{1}C_{2}$ 的角均为 $θ$，$A$ 必在此圆上。",
+    "（圆心 $O$ 为其中点），自弧 $C_{1}PC_{2}$ 上各点看 $C_{1}C_{2}$ 的角均为 $θ$，$A$ 必在此弧上。",
     "Draw the perpendicular to $C_{1}C_{2}$ at $C_2$ and from $C_1$ a ray at $90° − θ$ to $C_{1}C_{2}$; they meet "
-    "in $P$, so that "
-    "$∠C_{1}PC_{2} = θ$. From every point of the circle $η$ on the diameter $C_{1}P$ (its centre $O$ in the "
-    "middle of it) the chord is seen under $θ$: $A$ lies on it.",
+    "in $P$, so that $∠C_{1}PC_{2} = θ$. Draw the circle $η$ on the diameter $C_{1}P$ (centre $O$, its midpoint). "
+    "From every point of its arc $C_{1}PC_{2}$ the chord $C_{1}C_{2}$ is seen under $θ$: $A$ lies on this arc.",
 )
 _AGAIN = Words(
     "在 $C_{1}C_{2}$ 的另一侧同样作 $P′$ 和圆 $η′$（$η$ 对 $C_{1}C_{2}$ 的镜像）。",

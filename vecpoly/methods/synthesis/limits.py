@@ -66,7 +66,7 @@ def _four_bar(draft: Draft, limits: Limits) -> None:
         board.step(
             Words(
                 f"另一交点给出另一个解（解 {draft.number}），同样量取：",
-                f"The other meeting gives another solution (solution {draft.number}); read it likewise:",
+                f"The other intersection gives another solution (solution {draft.number}); read it likewise:",
             ),
             SHEET,
         )

@@ -117,10 +117,8 @@ def _weld(draft: Draft, host: Draft, bodies: Bodies) -> None:
     ]
     host.say(
         Words(
-            f"滚子 {draft.name} 绕 ${pin}$ 的转动为局部自由度，计算时将其与构件 {host.name} 视为焊成一体，"
-            f"其半径记为 $r_{host.name}$",
-            f"the turning of roller {draft.name} about ${pin}$ is a passive degree of freedom: it is "
-            f"taken as welded to link {host.name}, and its radius is called $r_{host.name}$",
+            f"$r_{host.name}$ 为滚子 {draft.name}（销轴 ${pin}$）的半径",
+            f"$r_{host.name}$ being the radius of roller {draft.name} (pin ${pin}$)",
         )
     )
     del bodies.drafts[draft.name]

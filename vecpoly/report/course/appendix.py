@@ -16,7 +16,7 @@ from .one_language import in_one_language
 from .results.circling import circling
 from .results.tabled import tabled
 
-_COLUMNS = 12
+_COLUMNS, _FEW = 11, 25  # of a table; rows that are all told
 _RATES = {"p": Words("位置", "position"), "v": Words("速度", "velocity"), "a": Words("加速度", "acceleration")}
 
 
@@ -27,7 +27,7 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
     return {
         "file": press.objects.add("listing", Listing(in_one_language(text, press.lang))) if text else "",
         "tables": list(_tables(study, press)),
-        "sparse": study.dense,
+        "sparse": _every(study) > 1,
     }
 
 
@@ -37,7 +37,7 @@ def _tables(study: Study, press: Press) -> Iterator[str]:
     rest = [c.key[2:] for c in study.whole.columns if c.key.startswith("p_") and c.key[2:] not in shown]
     parts, abreast = (("p_{}", "v_{}.abs", "a_{}.abs"), 3) if study.dense else (("p_{}", "v_{}", "a_{}"), 2)
     groups = [rest[i : i + abreast] for i in range(0, len(rest), abreast)]
-    last = groups.pop() if len(groups) > 1 and len(groups[-1]) < abreast else []  # a small table fills the last page
+    last = groups.pop() if groups and len(groups[-1]) < abreast else []  # a small table fills the last page
     yield from (_points(study, press, letters, parts) for letters in groups)
     drive = study.turn.real(study.whole.drive.key)
     slides = [
@@ -79,8 +79,8 @@ def _points(study: Study, press: Press, letters: list[str], parts: tuple[str, ..
 
 
 def _every(study: Study) -> int:
-    """In a long report every other position does."""
-    return 2 if study.dense else 1
+    """In a long report every other of many positions does."""
+    return 2 if study.dense and len(study.rows) > _FEW else 1
 
 
 def _motion(study: Study, letters: list[str], keys: list[str]) -> Words:

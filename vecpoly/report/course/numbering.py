@@ -18,12 +18,12 @@ from ..flow.table import DataTable
 
 _NOTHING = ("—", "")
 _FIGURE, _TABLE = Words("图", "Figure"), Words("表", "Table")
-SMALL = Style(size=8.3, leading=10.0, after=0.0, align="left")
+SMALL = Style(size=8.8, leading=10.6, after=0.0, align="left")
 
 _BOTH = Words("数值列于{}，曲线见{}。", "The values are listed in {}, and the curves are drawn in {}.")
 _LISTED, _DRAWN = Words("数值列于{}。", "The values are listed in {}."), Words("见{}。", "See {}.")
 _GAP, _ROOM = 4.0, 170.0  # mm between two figures beside each other, and for both
-TINY = Style(size=7.5, leading=8.8, after=0.0, align="left")
+TINY = Style(size=8.5, leading=9.0, after=0.0, align="left")
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ...algebra.formula import plain
 from ...board.acts import Compute
@@ -10,7 +10,7 @@ from ...board.construction import Reading, Step
 from ...designs.inversion.positions import MANY, Positions
 from ...errors import UnknownNameError
 from ...names import Kind, Named, Rel, parse_rel
-from ...solution import Answer, Solution
+from ...solution import YES_NO, Answer, Solution
 from ...tagging.tree import artifact, marked
 from ...typeset.box import MM
 from ...typeset.canvas import Ink
@@ -19,22 +19,27 @@ from ...words import Lang, Words
 from ..flow.base import Block
 from ..flow.furniture import COLUMN
 from ..flow.style import CELL, GREY, PALE
+from ..flow.table import PAD
 from ..statement.asked import in_order
+from ..statement.meant import meant_by
 from ..values import called
 from .kinds import kinds
 from .ruled import RuledTable
 
 _HEAD = {
     "zh": ("量", "图上长度 /mm", "数值与单位", "方向（转向）"),
-    "en": ("Quantity", "On paper, mm", "Value with unit", "Direction, sense"),
+    "en": ("Quantity", "Length on paper /mm", "Value with unit", "Direction, sense"),
 }
+_YES_OR_NO = Words("（是/否）", " (yes or no)")
+_BARE = Words("数值", "Value")  # where nothing asked has a unit
 _WIDTHS = (38.0, 36.0, 54.0, 42.0)
+_NARROW, _BROAD = 30.0, 85.0  # mm for names: so much for short ones, no more for long ones
 _SOLVED, _ROOM = Words("解 {}", "Solution {}"), 4  # columns for the solutions of a synthesis, not as many as there are
 NONE = "—"
 LINE, LISTED = 6, 4  # mm of squares for a line that is worked out, for an equation or a list
 _PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　　　　　) mm")
 _OTHERS = Words("其他", "Others")
-_ON_THE_WAY = Words("中间量", "Intermediate results")
+_ON_THE_WAY, _ASKED = Words("中间量", "Intermediate results"), Words("所求量", "Required")
 _CAPTIONS = (Words("方程", "Equation"), Words("方向", "Direction"), Words("大小", "Magnitude"))
 _ROW, _TITLE = 9.0 * MM, 6.5 * MM
 _BASE = (_ROW - CELL.size) / 2 + 1.5  # of type in a row
@@ -123,17 +128,35 @@ def _is_balance(step: Step) -> bool:
 
 def empty_table(solution: Solution, lang: Lang) -> RuledTable:
     """What is asked, in the order in which it is asked, with room for what is read, what it comes to, and where it
-    points; then what has to be known on the way."""
+    points; what has to be known on the way comes before."""
     asked = list(solution.answers.values())
     if all_sought(solution):
         return _solutions(solution, lang)
     read, points = (any(map(test, asked)) for test in (_measured, _points))
     read = read or any(map(_is_length, _valueless(solution)))
     kept = [i for i, shown in enumerate((True, read, True, points)) if shown]
-    rows = [[cells[i] for i in kept] for cells in (*_sought(solution, lang), *_between(solution, lang))]
+    rows = [[cells[i] for i in kept] for cells in _in_order([*_between(solution, lang)], solution, lang)]
     heads = [_HEAD[lang][i] for i in kept]
-    share = COLUMN / MM / sum(_WIDTHS[i] for i in kept)
-    return RuledTable(heads, rows, [_WIDTHS[i] * share for i in kept], "lccc"[: len(kept)], lang=lang)
+    if not any(one.reading.unit not in ("", YES_NO) for one in asked) and not _valueless(solution):
+        heads = [_BARE.of(lang) if head == _HEAD[lang][2] else head for head in heads]
+    return RuledTable(heads, rows, _widths(rows, kept), "lccc"[: len(kept)], lang=lang)
+
+
+def _widths(rows: Sequence[Sequence[str]], kept: Sequence[int]) -> list[float]:
+    """Names have the room they need, up to half of the page; the other columns share the rest."""
+    named = max(layout_words(row[0], CELL.em).width for row in rows) + 2 * PAD + 1.0
+    others = [_WIDTHS[i] for i in kept[1:]]
+    first = min(max(named, _NARROW), _BROAD, max(COLUMN / MM - sum(others), _WIDTHS[0]))
+    share = (COLUMN / MM - first) / sum(others)
+    return [first, *(one * share for one in others)]
+
+
+def _in_order(first: list[tuple[str, ...]], solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:
+    """What has to be known on the way comes before what is asked."""
+    yield from first
+    if first and len(in_order(solution)) == 1:
+        yield _headed(_ASKED.of(lang))
+    yield from _sought(solution, lang)
 
 
 def all_sought(solution: Solution) -> bool:
@@ -168,16 +191,19 @@ def _sought(solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:
             yield _headed(group.called(len(keys), lang) if group is not None else _OTHERS.of(lang))
         for key in keys:
             one = solution.answers.get(key)
-            yield _none(solution.construction.readings[key], lang) if one is None else _row(one, lang)
+            yield _none(solution.construction.readings[key], lang) if one is None else _row(one, solution, lang)
 
 
 def _headed(name: str) -> tuple[str, ...]:
     return f"**{name[:1].upper()}{name[1:]}**", "", "", ""
 
 
-def _row(one: Answer, lang: Lang) -> tuple[str, ...]:
+def _row(one: Answer, solution: Solution, lang: Lang) -> tuple[str, ...]:
     """Dashes for what it has not: a scalar points nowhere, what is computed is not read."""
-    name = called(one.reading.symbol, one.reading.key, lang)
+    symbol, key = one.reading.symbol, one.reading.key
+    meant = meant_by(solution.problem.subject, key, f"${symbol}$") if one.reading.unit != YES_NO else None
+    name = called(symbol, key, lang) if meant is None else meant.of(lang)
+    name += _YES_OR_NO.of(lang) * (one.reading.unit == YES_NO)
     paper, way = ("" if has(one) else NONE for has in (_measured, _points))
     return name, paper, _PLACE.of(lang) if one.is_place else "", way
 

@@ -11,14 +11,17 @@ from ...figures import View
 from ...solution import Solution
 from ...words import Lang, Words
 from ..content import Objects
+from ..flow.base import Block
 from ..flow.blocks import Heading
+from ..flow.para import Para
+from ..flow.style import NOTE
 from .blanks import NONE, empty_table, equation_rows, working_room
 from .known import begins_at, stands
 from .working import working
 
 WORKING = Words("计算过程", "Working")
 _READ, _FOUND = Words("量取结果", "Readings"), Words("结果", "Results")
-_DASHES = Words("（“—”处不填）", " (nothing is filled in at —)")
+_DASHES = Words("“—”处不填。", "— : not to be filled in.")
 
 
 def _starts(figure: Figure) -> bool:
@@ -36,8 +39,9 @@ def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]
     figures = solution.construction.figures
     title = _READ if any(figure.scale.symbol and figure.scale.value for figure in figures) else _FOUND
     table = empty_table(solution, lang)
-    head = title + _DASHES if any(NONE in row for row in table.rows) else title
-    foot = [Heading(head.of(lang), 3, lang), table]
+    foot: list[Block] = [Heading(title.of(lang), 3, lang), table]
+    if any(NONE in row for row in table.rows):
+        foot.append(Para(_DASHES.of(lang), NOTE, lang))
     shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
     return ({"given": ""} if shown else {}) | {
         "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],

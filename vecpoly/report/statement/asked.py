@@ -14,8 +14,8 @@ from ...problem.asked.checks import is_check
 from ...solution import YES_NO, Solution
 from ...words import Lang, Words
 from ..values import asked_load, called, curved, way_of
-from .cam_words import meant_by
 from .groups import Group, by_groups, parted
+from .meant import meant_by
 
 _MEANT = {
     "h": Words("原动件上力偶的力臂 {}", "the arm {} of the couple on the input link"),
@@ -30,9 +30,18 @@ def asked(solution: Solution, lang: Lang) -> str:
     comma, stop = ("、", "；") if lang == "zh" else (", ", "; ")
     told = [(key, _told(ask, solution, lang) if ask else ALL_CENTRES.of(lang)) for key, ask in _listed(solution)]
     return stop.join(
-        (f"{group.called(len(some), lang)} " if group is not None else "") + comma.join(text for _, text in some)
+        ("" if group is None else group.heads(len(some), lang)) + comma.join(_once_named([text for _, text in some]))
         for group, some in asked_by_kinds(told)
     )
+
+
+def _once_named(texts: Sequence[str]) -> Iterator[str]:
+    """Several in a row of one name have it once: the balancing masses m_1, m_2."""
+    before = ""
+    for text in texts:
+        name, gap, symbol = text.rpartition(" $")
+        yield f"${symbol}" if gap and name and name == before else text
+        before = name if symbol.endswith("$") else ""
 
 
 def asked_by_kinds(told: Sequence[tuple[str, T]]) -> list[tuple[Group | None, list[tuple[str, T]]]]:

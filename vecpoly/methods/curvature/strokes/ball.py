@@ -70,8 +70,8 @@ def _joined(fig: CurvatureFigure, one: Points, two: Points) -> Line:
     fig.board.step(
         Words(
             "连两点得直线 $q$：曲率驻点曲线上各点按上法所得之点都在 $q$ 上。",
-            "Join them by the line $q$: to every point of the curve of stationary curvature there is such a point of "
-            "$q$.",
+            "Join them by the line $q$: every point of the curve of stationary curvature gives, constructed in this "
+            "way, a point of $q$.",
         ),
         fig.pane,
     )
@@ -122,10 +122,12 @@ def _found(fig: CurvatureFigure, q: Line, symbol: str) -> None:
     z = fig.free("Z", "U")
     board.step(
         Words(
-            f"鲍尔点在拐点圆上，它在 $n$ 上的截点为 ${fig.w}$：过 ${fig.w}$ 作 $t$ 的平行线，交 $q$ 于 ${z}$；由 ${z}$ "
-            f"向 $t$ 作垂线得垂足，与 ${fig.w}$ 相连；由 ${fig.p}$ 向该连线作垂线，垂足即鲍尔点 ${symbol}$。",
-            f"Ball's point lies on the inflection circle, so its section on $n$ is ${fig.w}$: the parallel to $t$ "
-            f"through ${fig.w}$ meets $q$ at ${z}$; drop a perpendicular from ${z}$ to $t$, join its foot with "
+            f"鲍尔点在拐点圆上，过它作其与 ${fig.p}$ 连线的垂线必过 ${fig.w}$。过 ${fig.w}$ 作 $t$ 的平行线，交 $q$ 于 "
+            f"${z}$；由 ${z}$ 向 $t$ 作垂线得垂足，与 ${fig.w}$ 相连；由 ${fig.p}$ 向该连线作垂线，垂足即鲍尔点 "
+            f"${symbol}$。",
+            f"Ball's point lies on the inflection circle: the perpendicular at it to the line from ${fig.p}$ passes "
+            f"through ${fig.w}$. The parallel to $t$ through ${fig.w}$ meets $q$ at ${z}$; drop a perpendicular "
+            f"from ${z}$ to $t$ and join its foot with "
             f"${fig.w}$; the foot of the perpendicular from ${fig.p}$ to this line is Ball's point ${symbol}$.",
         ),
         fig.pane,

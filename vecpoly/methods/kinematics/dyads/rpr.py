@@ -82,7 +82,7 @@ def _opening(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> Words
     words = Words(
         f"取构件 {joint.guide} 与构件 {block} 在 ${to.point}$ 处的重合点 ${a}$、${b}$，列{kind}矢量方程并作图。",
         f"Links {joint.guide} and {block} have the coincident points ${a}$ and ${b}$ at "
-        f"${to.point}$; write the {kind_en} equation and draw it.",
+        f"${to.point}$: write the vector equation of the {kind_en} and draw it.",
     )
     if view is View.VELOCITY and abs(desk.offset(joint, joint.block, to.point)) > 1e-12:
         words = (

@@ -128,11 +128,7 @@ def say_welded(desk: Desk) -> None:
     """Rollers are drawn as parts of the links that carry them."""
     for roller, host in desk.mech.welded:
         desk.board.step(
-            Words(
-                f"滚子 {roller} 绕其销轴的转动为局部自由度，将滚子与构件 {host} 视为焊成一体。",
-                f"Roller {roller} turns idly about its pin, a passive degree of freedom, and "
-                f"is taken as welded to link {host}.",
-            ),
+            Words(f"滚子 {roller} 与构件 {host} 焊成一体作图。", f"Draw roller {roller} as welded to link {host}."),
             View.MECHANISM,
         )
 

@@ -53,11 +53,7 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
             f"Join ${q}$ and ${p}$; this line is the guide of link {joint.guide}",
         )
     else:
-        words = Words(
-            f"以 ${p}$ 为圆心、偏距 $e/μ_l$ 为半径作圆，过 ${q}$ 作其切线，得构件 {joint.guide} 的导路方向",
-            f"The tangent from ${q}$ to the circle about ${p}$ with the offset $e/μ_l$ as radius "
-            f"is the guide of link {joint.guide}",
-        )
+        words = _touching(desk, joint, q, p)
     desk.board.step(words, View.MECHANISM)
     direct, why = choose_way(desk, joint, q, p, _directions(desk.at[p] - desk.at[q], offset))
     desk.board.remark((Words.same("") if why is None else said(why, "个方向")) + Words("。", "."))
@@ -73,6 +69,23 @@ def _directions(ray: Points, offset: float) -> tuple[Points, Points]:
     u (σ + ie) = QP with σ = ±√(QP² - e²)."""
     lean = np.exp(1j * np.arcsin(offset / np.abs(ray)))
     return unit(ray) * np.conj(lean), -unit(ray) * lean
+
+
+def _touching(desk: Desk, joint: Prismatic, q: str, p: str) -> Words:
+    """The tangent from the guide's pivot is the guide where that passes the pivot, else parallel to it: drawn through
+    the block's pin where that lies on it."""
+    i = joint.guide
+    passes, holds = (abs(desk.offset(joint, *one)) < 1e-9 for one in ((i, q), (joint.block, p)))
+    is_guide = Words(f"，即构件 {i} 的导路", f": it is the guide of link {i}")
+    through = Words(
+        f"，再过 ${p}$ 作其平行线，即构件 {i} 的导路", f"; the guide of link {i} is parallel to it, through ${p}$"
+    )
+    along = Words(f"，得构件 {i} 的导路方向", f": the guide of link {i} is parallel to it")
+    end = is_guide if passes else through if holds else along
+    return Words(
+        f"以 ${p}$ 为圆心、偏距 $e/μ_l$ 为半径作圆，过 ${q}$ 作其切线{end.zh}",
+        f"From ${q}$ draw the tangent to the circle about ${p}$ with the offset $e/μ_l$ as radius{end.en}",
+    )
 
 
 def _tangent(q: str, p: str, offset: float) -> Words:

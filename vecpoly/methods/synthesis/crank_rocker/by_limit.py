@@ -104,5 +104,5 @@ def _named(draft: Draft, count: int) -> Words:
     """The letters of the meetings, each with the primes of its solution."""
     letters = [f"${draft.letter('C2', after)}$" for after in range(count)]
     if count == 1:
-        return Words(f"交点为 {letters[0]}。", f" The meeting is {letters[0]}.")
-    return Words(f"两交点为 {'、'.join(letters)}。", f" The two meetings are {' and '.join(letters)}.")
+        return Words(f"交点为 {letters[0]}。", f" They intersect at {letters[0]}.")
+    return Words(f"两交点为 {'、'.join(letters)}。", f" The two points of intersection are {' and '.join(letters)}.")

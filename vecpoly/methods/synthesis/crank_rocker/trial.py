@@ -21,7 +21,7 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
     best, board = design.best is not None, draft.board
     board.step(
         Words(
-            "在此轨迹上依次取 $A$ 的若干位置 1、2、3…。", "Take $A$ here and there on this locus: 1, 2, 3 and so on."
+            "在此轨迹上依次取 $A$ 的若干位置 1、2、3…。", "Choose trial positions 1, 2, 3, ... of $A$ on this locus."
         ),
         SHEET,
     )
@@ -29,9 +29,15 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
     curve = gamma_curve(draft, track)
     if curve is not None:
         board.step(
-            Words("取曲线上 $γ_min$ 最大的一点为 $A$。", "$A$ is where $γ_min$ is greatest on the curve.")
+            Words(
+                "取曲线上 $γ_min$ 最大的一点为 $A$。",
+                "Take $A$ at the point where the curve of $γ_min$ has its greatest ordinate.",
+            )
             if best
-            else Words("取曲线上 $γ_min$ 等于给定值的点为 $A$。", "$A$ is where the curve has the given $γ_min$."),
+            else Words(
+                "取曲线上 $γ_min$ 等于给定值的点为 $A$。",
+                "Take $A$ at the point where the curve has the given $γ_min$ as its ordinate.",
+            ),
             SHEET,
         )
     found = summit(track) if design.gamma_min is None else meetings(track, design.gamma_min.si)

@@ -20,7 +20,11 @@ def agreement(answers: Sequence[Answer]) -> Words:
         for names, unit, texts in (
             (Words("各值", "the values"), " %", [text for text in told if not text.endswith("°")]),
             (Words("角度", "the angles"), "°", [text.removesuffix("°") for text in told if text.endswith("°")]),
-            (Words("点的位置", "the places"), " mm", [text for text in gaps(places) if text[-1:].isdigit()]),
+            (
+                Words("点的位置", "the positions of points"),
+                " mm",
+                [text for text in gaps(places) if text[-1:].isdigit()],
+            ),
         )
         if (most := _largest(texts))
     ]
@@ -30,8 +34,8 @@ def agreement(answers: Sequence[Answer]) -> Words:
     if not found:
         return Words("图解与解析在所列位数内一致。", " Drawing and computation agree in all digits told.")
     zh = "，".join(f"{names.zh}最多相差 {most}" for names, most in found)
-    en = ", ".join(f"{names.en} by no more than {most}" for names, most in found)
-    return Words(f"图解与解析相比，{zh}。", f" Drawing and computation differ: {en}.")
+    en = " and ".join(f"{most} in {names.en}" for names, most in found)
+    return Words(f"图解与解析相比，{zh}。", f" Drawing and computation differ by at most {en}.")
 
 
 def _largest(texts: Sequence[str]) -> str:

@@ -29,6 +29,9 @@ def output(study: Study, link: str) -> Iterator[Words]:
     ways_zh, ways_en = "，".join(w.zh for w in how), ", ".join(w.en for w in how)
     between = ("；", "; ") if how and rates else ("", "")
     lead = (" ", " ") if how else ("：", ": ")
+    if rates and study.sense_only:
+        rate = f"$|ω_{{{study.mech.drive.link}}}|$ = 1 rad/s"
+        zh, en = f"{rate} 时 {zh}", f"for {rate} {en}"
     yield Words(
         f"输出构件 {name}{lead[0]}{ways_zh}{between[0]}{zh}。", f"Output link {name}{lead[1]}{ways_en}{between[1]}{en}."
     )

@@ -18,8 +18,14 @@ from . import tolerances
 
 _NOTHING, _BESIDE = 1e-13, 1e-9  # no value at all; none beside the largest of its kind, as across a guide
 _CHECKED = {
-    "zh": ["量", "与独立求解结果之差", "差商（步长 2 格）", "差商（步长 1 格）", "两者之比"],
-    "en": ["Quantity", "From the independent solution", "Differences, 2 steps", "Differences, 1 step", "Their ratio"],
+    "zh": ["量", "与独立求解结果之差", "与差商之差（步长 2 格）", "与差商之差（步长 1 格）", "两误差之比"],
+    "en": [
+        "Quantity",
+        "Difference from the independent solution",
+        "Error of quotients, 2 steps",
+        "Error of quotients, 1 step",
+        "Ratio of the errors",
+    ],
 }
 Reals = NDArray[np.float64]
 
@@ -66,7 +72,7 @@ def _checked(study: Study, press: Press) -> str:
             Words("数学模型的校核（占该量最大值）", "The model checked (shares of each quantity's largest value)"),
             _CHECKED[press.lang][: len(rows[0])],
             rows,
-            "lrrrr"[: len(rows[0])],
+            "lrddd"[: len(rows[0])],
         )
         if rows
         else ""
@@ -89,7 +95,7 @@ def _by_quotients(study: Study, base: Reals | None, rate: Reals, size: float) ->
 
 
 def _percent(share: float) -> str:
-    return _power(share) if share < 1e-6 else f"{100 * share:.3g} %"
+    return _power(share) if share < 1e-6 else f"{100 * share:.4f} %"
 
 
 def _rates(study: Study) -> Iterator[tuple[str, Reals, Reals, Reals | None]]:

@@ -27,17 +27,27 @@ FLAT, MARGIN = 0.35, 0.25  # of the frame that drawn values take at least; of wh
 _SHOWN, _DENSE = 3, 2  # curves, and of a long report
 _DIGITS, _MOST = 3, 8  # significant digits of a deviation; decimals, beyond which a power of ten is shorter
 _HEADER = {
-    "zh": ["量", "单位", "最大值", "最大偏差", "占最大值", "所在位置", "均方根偏差", "手工 3σ", "占题设值"],
+    "zh": [
+        "量",
+        "单位",
+        "最大值",
+        "最大偏差",
+        "占最大值 /%",
+        "偏差最大处",
+        "均方根偏差",
+        "手工误差 3σ",
+        "占题设处值 /%",
+    ],
     "en": [
         "Quantity",
         "Unit",
         "Largest value",
         "Largest deviation",
-        "of the largest",
-        "At",
+        "of largest /%",
+        "at position",
         "rms deviation",
         "3σ by hand",
-        "of the value",
+        "of value /%",
     ],
 }
 
@@ -134,6 +144,7 @@ def chapter(study: Study, press: Press, found: Compared) -> dict[str, Any]:
         "figures": figures,
         "shown": press.shown([], figures),
         "count": len(found.stations),
+        "all": len(found.stations) + len(found.refused),
         "refused": refused,
         "by_hand": any(_by_hand(study, key)[0] != "—" for key in found.keys),
         "worst": f"{100 * found.worst(study):.2f} %",
@@ -142,7 +153,8 @@ def chapter(study: Study, press: Press, found: Compared) -> dict[str, Any]:
 
 def _table(study: Study, press: Press, found: Compared) -> str:
     """One line a quantity; of a single one nothing, for a sentence tells it."""
-    rows = [_row(study, found, key) for key in (found.keys if found.stations else ())]
+    told = [_row(study, found, key) for key in (found.keys if found.stations else ())]
+    rows = [tuple(cell.removesuffix(" %") for cell in row) for row in told]
     title = Words("图解值与精确值的偏差", "Deviations of the drawn values from the exact ones")
     return press.table(title, _HEADER[press.lang], rows, "lcddrrddr", style=SMALL) if len(rows) > 1 else ""
 

@@ -17,6 +17,7 @@ from .influences import CHANGE, NOTHING, Influence, Span, influences, targets
 _LED = 0.5  # of the greatest influence: what is called great
 _SLIGHT = 0.01  # of the largest value: a change that needs no care
 _NAMED = 3  # dimensions in a sentence
+_SHOWN = 0.001  # per cent: less is told to be less
 
 
 def section(study: Study, press: Press) -> dict[str, Any]:
@@ -37,7 +38,7 @@ def section(study: Study, press: Press) -> dict[str, Any]:
         "The largest change of the output for an increase of 0.1 mm of a length (0.1° of an angle)",
     )
     table = press.table(
-        title, [w.of(press.lang) for w in header], rows, "lr" + "r" * len(keys) + "l" * bounded, style=SMALL
+        title, [w.of(press.lang) for w in header], rows, "ld" + "d" * len(keys) + "l" * bounded, style=SMALL
     )
     return {"sensitivity": table, "judged": [w.of(press.lang) for w in judged(study, keys, found)]}
 
@@ -79,7 +80,7 @@ def _changed(study: Study, key: str, gap: float) -> str:
     share = 100 * gap / whole
     if share < NOTHING:
         return "0"
-    return f"{share:.{2 if share >= 1 else 3}f} %"
+    return f"{share:.3f} %" if share >= _SHOWN else f"< {_SHOWN} %"
 
 
 def largest(study: Study, key: str) -> float:

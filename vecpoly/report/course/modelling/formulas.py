@@ -16,6 +16,8 @@ from ..numbering import Press
 from .forces import forces_group
 from .order import order
 
+_ANGLE = 2  # decimals of a constant angle in degrees
+
 
 def chapter(study: Study, press: Press) -> dict[str, Any]:
     """The groups in order, each with its opening, its stages, its constants and its singular positions."""
@@ -74,7 +76,7 @@ def _constants(group: GroupModel, lang: Lang) -> Iterator[str]:
 
 
 def _degrees(constant: Const) -> str:
-    return f"{degrees(constant.size):.4f}".rstrip("0").rstrip(".").replace("-", "−") + "°"
+    return f"{degrees(constant.size):.{_ANGLE}f}".rstrip("0").rstrip(".").replace("-", "−") + "°"
 
 
 def written(node: Node) -> str:

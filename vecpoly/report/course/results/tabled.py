@@ -14,7 +14,7 @@ from ....words import Words
 from ...flow.style import Style
 from ..numbering import SMALL, TINY, Press
 
-_HALVED, _LONG = 6, 20  # a table of few columns and many rows is told in two halves beside each other
+_HALVED, _LONG = 6, 12  # a table of few columns and many rows is told in two halves beside each other
 _MOST = 6  # decimals
 _ANGLE = 2  # decimals of degrees
 _SPARED = 1  # of four significant digits, in the smaller columns of a quantity

@@ -20,10 +20,11 @@ from .sectioned import sectioned
 from .setting import faults_of, reset, tightened
 
 DEGREES = (
-    Tightness(white=0.8),
-    Tightness(white=0.5),
-    Tightness(white=0.5, lines=0.95, figures=0.85),
-    Tightness(white=0.4, lines=0.92, figures=0.7),
+    Tightness(white=0.85, figures=0.92),
+    Tightness(white=0.7, figures=0.85),
+    Tightness(white=0.6, figures=0.75),
+    Tightness(white=0.55, lines=0.96, figures=0.72),
+    Tightness(white=0.45, lines=0.93, figures=0.7),
 )
 SHARES = (1 / 3, 2 / 3)  # of the way from one degree to the next, the looser first
 SHORT = 3  # pages of a part of which the lines are set closer too; in a longer one this would catch the eye

@@ -1,0 +1,73 @@
+"""Many data with subscripts, m_1, r_1, θ_1, m_2 ...: a table, a row a body, as any book has them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ...algebra.rounding import braced
+from ...devices.base import Device
+from ...problem.problem import Problem
+from ...problem.values.given import Datum, as_printed
+from ...words import Lang, Words
+from ..flow.table import DataTable
+
+_LEAST = 3  # quantities, and bodies, that make a table
+_SYMBOL = re.compile(r"([A-Za-zφθ])_\{?([A-Za-z0-9]+)\}?")
+_VALUE = re.compile(r"(−?[\d.]+|\?)(°| .+)?")
+_SOUGHT = "?"
+_ROWS = Words("下标 $i$", "Subscript $i$")
+_NONE = "—"
+
+
+@dataclass(frozen=True, slots=True)
+class _Cell:
+    """One datum in the table: its letter (column), its subscript (row), number and unit."""
+
+    column: str
+    row: str
+    text: str
+    unit: str
+    datum: Datum
+
+
+def in_table(problem: Problem, lang: Lang) -> tuple[tuple[Datum, ...], DataTable | None]:
+    """What is given in the line, and the table of the rest; all in the line where they make no table, or belong to a
+    mechanism."""
+    data = problem.given.data
+    if not isinstance(problem.subject, Device):
+        return data, None
+    cells = [cell for one in data if (cell := _cell(one, lang)) is not None]
+    columns = [c for c in dict.fromkeys(cell.column for cell in cells) if _is_column(c, cells)]
+    if len(columns) < _LEAST:
+        return data, None
+    told = [cell for cell in cells if cell.column in columns]
+    rows = [_row(name, columns, told) for name in dict.fromkeys(cell.row for cell in told)]
+    heads = [_ROWS.of(lang), *(_head(column, told) for column in columns)]
+    kept = {id(cell.datum) for cell in told}
+    table = DataTable(heads, rows, None, "c" + "d" * len(columns), lang=lang)
+    return tuple(one for one in data if id(one) not in kept), table
+
+
+def _cell(one: Datum, lang: Lang) -> _Cell | None:
+    symbol, value = _SYMBOL.fullmatch(one.symbol), _VALUE.fullmatch(as_printed(one.text, lang))
+    if symbol is None or value is None or one.words is not None:
+        return None
+    return _Cell(symbol[1], symbol[2], value[1], (value[2] or "").strip(), one)
+
+
+def _is_column(column: str, cells: Sequence[_Cell]) -> bool:
+    """Whether as many bodies have it as make a table, all in one unit."""
+    own = [cell for cell in cells if cell.column == column]
+    return len(own) >= _LEAST and len({cell.unit for cell in own if cell.text != _SOUGHT}) == 1
+
+
+def _row(name: str, columns: Sequence[str], cells: Sequence[_Cell]) -> tuple[str, ...]:
+    found = {cell.column: cell.text for cell in cells if cell.row == name}
+    return (f"${name}$" if name[0].isalpha() else name, *(found.get(column, _NONE) for column in columns))
+
+
+def _head(column: str, cells: Sequence[_Cell]) -> str:
+    unit = next(cell.unit for cell in cells if cell.column == column and cell.text != _SOUGHT)
+    return f"${column}_i$" + (f" /{braced(unit)}" if unit else "")

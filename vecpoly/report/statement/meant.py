@@ -1,0 +1,93 @@
+"""What the symbols that are asked for stand for: a symbol alone tells a student little."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from ...designs.base import Design
+from ...devices.balancing.rotor import Rotor
+from ...devices.balancing.shaking import ShakingForce
+from ...devices.dynamics.flywheel import Flywheel
+from ...devices.gears.generation import GearGeneration
+from ...devices.structure import Structure
+from ...words import Words
+from . import cam_words
+
+_COUNTS = {
+    "n(_low)?": Words("活动构件数", "number of moving links"),
+    "p_l(_low)?": Words("低副数", "number of lower pairs"),
+    "p_h": Words("高副数", "number of higher pairs"),
+    "F_local": Words("局部自由度", "number of passive degrees of freedom"),
+    "p_redundant": Words("虚约束", "number of redundant constraints"),
+    "F(_low)?": Words("自由度", "degree of freedom"),
+}
+_ROTOR = {
+    "W_S": Words("静不平衡的质径积", "mass-radius product of the static unbalance"),
+    "W_b[^_]*": Words("平衡质径积", "balancing mass-radius product"),
+    "W_r.*": Words("剩余质径积", "residual mass-radius product"),
+    r"W_\w+": Words("质径积", "mass-radius product"),
+    "m_b[^_]*": Words("平衡质量", "balancing mass"),
+    r"m_\w+": Words("质量", "mass"),
+    "theta_b[^_]*": Words("平衡质量的方位角", "angular position of the balancing mass"),
+    "theta_h.*": Words("钻孔的方位角", "angular position of the hole"),
+    r"theta_\w+": Words("方位角", "angular position"),
+    "d_b.*": Words("孔径", "diameter of the hole"),
+    "h_b.*": Words("孔深", "depth of the hole"),
+    "C_.*": Words("质径积对基准面的矩", "mass-radius-distance product"),
+}
+_SHAKING = {
+    "m_rot": Words("回转质量", "rotating mass"),
+    "m_rec": Words("往复质量", "reciprocating mass"),
+    "lambda": Words("曲柄连杆比", "crank-rod ratio"),
+    "F_1": Words("一阶惯性力的幅值", "amplitude of the first-order inertia force"),
+    "F_2": Words("二阶惯性力的幅值", "amplitude of the second-order inertia force"),
+    "m_c": Words("平衡质量", "counterweight"),
+    "c": Words("往复质量的平衡系数", "balanced fraction of the reciprocating mass"),
+    "F_max": Words("最大振动力", "greatest shaking force"),
+    "F": Words("振动力", "shaking force"),
+}
+_FLYWHEEL = {
+    "dW_max": Words("最大盈亏功", "greatest fluctuation of energy"),
+    "J_F": Words("飞轮的转动惯量", "moment of inertia of the flywheel"),
+    "GD2": Words("飞轮矩", "flywheel moment"),
+    "m_rim": Words("轮缘质量", "mass of the rim"),
+    "h": Words("轮缘厚度", "thickness of the rim"),
+    "b": Words("轮缘宽度", "width of the rim"),
+    "v_rim": Words("轮缘的圆周速度", "speed of the rim"),
+    "J_rim": Words("轮缘的转动惯量", "moment of inertia of the rim"),
+}
+_GEAR = {
+    "r": Words("分度圆半径", "radius of the reference circle"),
+    "rb": Words("基圆半径", "radius of the base circle"),
+    "ra": Words("齿顶圆半径", "radius of the tip circle"),
+    "rf": Words("齿根圆半径", "radius of the root circle"),
+    "x_min": Words("最小变位系数", "least profile shift"),
+    "z_min": Words("最少齿数", "least number of teeth"),
+    "s": Words("分度圆齿厚", "tooth thickness on the reference circle"),
+    "s_tip": Words("齿顶厚", "tooth thickness at the tip"),
+    "r_start": Words("渐开线起始圆半径", "radius at which the involute begins"),
+}
+_DESIGN = {
+    "theta(_.*)?": Words("极位夹角", "angle between the limit positions"),
+    "gamma_min(_.*)?": Words("最小传动角", "least transmission angle"),
+    "alpha_max(_.*)?": Words("最大压力角", "greatest pressure angle"),
+}
+_NAMED: tuple[tuple[type, Mapping[str, Words]], ...] = (
+    (Structure, _COUNTS),
+    (Rotor, _ROTOR),
+    (ShakingForce, _SHAKING),
+    (Flywheel, _FLYWHEEL),
+    (GearGeneration, _GEAR),
+    (Design, _DESIGN),
+)
+
+
+def meant_by(subject: object, key: str, symbol: str) -> Words | None:
+    """The quantity with what it is, 低副数 $p_L$; None of one that no table of names has, or that the statement
+    tells."""
+    if (cam := cam_words.meant_by(subject, key, symbol)) is not None:
+        return cam
+    names = next((names for kind, names in _NAMED if isinstance(subject, kind)), {})
+    found = next((words for pattern, words in names.items() if re.fullmatch(pattern, key)), None)
+    return None if found is None else found + Words.same(f" {symbol}")
