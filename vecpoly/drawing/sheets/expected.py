@@ -4,7 +4,7 @@ dear, and of all arrangements that are thought of one alone is drawn. Details ar
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ...board.construction import Figure
 from ...foundation.stock import Paper
@@ -19,6 +19,8 @@ from .paging import Drawn, best_paged, paged
 from .space import SPARSE
 
 WORTH = SPARSE  # of a page that figures take at least for which another sheet is begun
+NEARLY = 0.05  # of a page: what is expected to take so much less may yet take enough
+SLACK = 4.0  # mm on each side that a figure may be smaller with some of its letters in details
 MANY = (
     100  # letters of the figures of a drawing: to place fewer takes no longer than to find out whether it is worth it
 )
@@ -37,6 +39,12 @@ class Expected:
     def unlettered(cls, figures: Sequence[Figure], lang: Lang, on: Paper) -> Expected:
         """Before any letter has its place: the figures take no less room than this."""
         return cls(figures, lang, on, tuple(_unlettered(figure, lang) for figure in figures))
+
+    @classmethod
+    def plain(cls, figures: Sequence[Figure], lang: Lang, on: Paper, alone: Whole) -> Expected:
+        """From figures drawn without details, whose letters may stand out farther than those beside details."""
+        inner = (Scene(one.scene.items, one.scene.extents.grown(-SLACK)) for one in alone)
+        return cls(figures, lang, on, tuple(replace(one, scene=scene) for one, scene in zip(alone, inner, strict=True)))
 
     def lettered(self, most: int = MOST) -> list[Page[Drawn]] | None:
         """These with so many details each, drawn for it."""
@@ -79,7 +87,7 @@ def trials(
 
 def further(expected: Expected, detailed: list[Page[Drawn]] | None, plain: list[Page[Drawn]]) -> list[Page[Drawn]]:
     """One sheet more, where the details find no room else and leave no sheet with little on it."""
-    if detailed is None and expected.fills(WORTH, len(plain) + 1):
+    if detailed is None and expected.fills(WORTH - NEARLY, len(plain) + 1):
         detailed = expected.lettered()
     if detailed is None or len(detailed) > len(plain) + 1 or fullness(detailed) < WORTH:
         return plain

@@ -141,7 +141,7 @@ def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> lis
     plain = paged(alone, on)
     if plain is None:
         raise _too_large(next(one for one in alone if arranged((one,), on) is None), on.format)
-    expected = Expected(figures, lang, on, alone)
+    expected = Expected.plain(figures, lang, on, alone)
     some = trials(expected, detailed, len(plain), most, boxed)
     made = (one for one in some if one is not None and len(one) <= len(plain))
     first = next(made, plain)
