@@ -10,7 +10,7 @@ import errno
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 from .limits import FAULTS
 from .words import Words
@@ -114,7 +114,10 @@ class VecpolyError(Exception):
     words: the text in both languages. code: what kind of refusal it is, for programs; the name of the class where none
     is given.
     numbers: symbol -> value as written. faults: the same as data, one for each thing that is wrong.
+    about: what of a problem file such a refusal is about, the first of these keys that it has.
     """
+
+    about: ClassVar[tuple[str, ...]] = ("data", "find", "input")
 
     def __init__(
         self, text: Words | str = "", *, code: str = "", numbers: Numbers | None = None, faults: tuple[Fault, ...] = ()
@@ -161,6 +164,14 @@ class UnknownNameError(VecpolyError, KeyError):
 class AssemblyError(VecpolyError, ValueError):
     """Links that cannot be joined in this position: the joint, the gap, the input range that does assemble."""
 
+    about: ClassVar[tuple[str, ...]] = ("input", "data")
+
+
+class BranchError(AssemblyError):
+    """Which of several assemblies is meant is not told, or cannot be: what tells it."""
+
+    about: ClassVar[tuple[str, ...]] = ("branch", "links", "data")
+
 
 class DeadPointError(AssemblyError):
     """A dead point or change point: velocities have no unique value here."""
@@ -169,9 +180,13 @@ class DeadPointError(AssemblyError):
 class MobilityError(VecpolyError, ValueError):
     """Degrees of freedom and number of inputs disagree."""
 
+    about: ClassVar[tuple[str, ...]] = ("joints", "links")
+
 
 class EquationError(VecpolyError, ValueError):
     """A vector equation whose chain is broken or whose unknowns are not exactly two."""
+
+    about: ClassVar[tuple[str, ...]] = ("links", "data")
 
 
 class NoMethodError(VecpolyError, NotImplementedError):
@@ -222,6 +237,8 @@ class FaultError(ValueError):
 
 class EquilibriumError(VecpolyError, ValueError):
     """Loads that no equilibrium answers: too many or too few unknowns, an unknown without a lever arm."""
+
+    about: ClassVar[tuple[str, ...]] = ("loads", "input")
 
 
 class LockedError(EquilibriumError):

@@ -229,13 +229,16 @@ def test_every_fault_of_a_file_gets_its_line(run: Run, tmp_path: Path) -> None:
     assert all(line.startswith("vecpoly: x.yaml, line ") for line in result.stderr.splitlines())
 
 
-def test_a_refusal_to_solve_names_the_problem(run: Run, tmp_path: Path) -> None:
+def test_a_refusal_to_solve_names_the_file_the_line_and_what_it_is_about(run: Run, tmp_path: Path) -> None:
     run("new", "loose.yaml")
     text = (tmp_path / "loose.yaml").read_text("utf-8").replace("CD: 80 mm", "CD: 2 mm")
     (tmp_path / "loose.yaml").write_text(text, encoding="utf-8")
     for words in (("solve",), ("draw",), ("report", "-o", "x.pdf")):
         result = run(words[0], "loose.yaml", *words[1:])
-        assert result.exit_code == 2 and re.fullmatch(r"vecpoly: loose: .*\n", result.stderr)
+        assert result.exit_code == 2 and re.fullmatch(r"vecpoly: loose.yaml, line 1\d, column 1: input: .*\n", result.stderr)
+    (fault,) = json.loads(run("--errors", "json", "solve", "loose.yaml").stderr)["faults"]
+    assert (fault["file"], fault["path"]) == ("loose.yaml", "input") and fault["line"] > 10
+    assert fault["numbers"]["joint"] == "C" and fault["numbers"]["missing"] > 0
     assert sorted(p.name for p in tmp_path.iterdir()) == ["loose.yaml", "vecpoly.schema.json"]
 
 

@@ -157,7 +157,7 @@ def test_a_locked_mechanism_is_refused_in_one_line_that_names_it(
     run: Run, tmp_path: Path, words: tuple[str, ...]
 ) -> None:
     line = refused(run(words[0], slider(tmp_path, phi="168 deg"), *words[1:]))
-    assert line.startswith("vecpoly: slider: ") and "locked" in line
+    assert "slider.yaml, line 9, column 1: loads: locked" in line
     assert [p.name for p in tmp_path.iterdir()] == ["slider.yaml"]
 
 

@@ -18,11 +18,13 @@ from typing import TYPE_CHECKING, Any, Literal
 import typer
 
 from ..errors import Fault, VecpolyError, of_system
+from ..foundation.data import data_dir
 from ..words import Words, bare
 from .tongue import told_in, tongue
 from .usage import UsageError, in_chinese
 
 if TYPE_CHECKING:
+    from ..problem.problem import Problem
     from ..words import Lang
 
 DISAGREES, REFUSED, SUSPECT, UNSOLVABLE, INTERRUPTED = 1, 2, 3, 4, 130
@@ -53,12 +55,21 @@ def told() -> Iterator[None]:
 
 
 @contextmanager
-def about(problem: str) -> Iterator[None]:
-    """Whatever is refused inside names this problem."""
+def about(problem: Problem) -> Iterator[None]:
+    """Whatever is refused inside names this problem: the place in its file, or its id where it is the library's."""
     try:
         yield
     except VecpolyError as error:
-        raise error.led_by(Words(f"{problem}：", f"{problem}: ")) from None
+        raise _placed(error, problem) from None
+
+
+def _placed(error: VecpolyError, problem: Problem) -> VecpolyError:
+    own = problem.path is not None and not problem.path.is_relative_to(data_dir("problems"))
+    places = problem.written.places if own and problem.written is not None else {}
+    path = next(((key,) for key in error.about if (key,) in places), None)
+    if path is None or any(fault.place for fault in error.faults):
+        return error.led_by(Words(f"{problem.id}：", f"{problem.id}: "))
+    return error.at(places[path], *path)
 
 
 def tell_as(form: Form) -> None:

@@ -33,7 +33,7 @@ def onward(
 
     linkages: list[Problem] = []
     for problem in found:
-        with tally.job(), about(problem.id):
+        with tally.job(), about(problem):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
             linkages.append(solution.linkage)
             tally.weigh(problem.id, solution.construction.warning, lang)

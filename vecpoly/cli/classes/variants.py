@@ -37,7 +37,7 @@ def variants(
     tally = Tally()
     for job in jobs([name], tally, allow_outside):
         for problem in job.problems:
-            with tally.job(), about(problem.id):
+            with tally.job(), about(problem):
                 _tell(problem, Path(name).stem, count, salt, lang)
     tally.settle()
 

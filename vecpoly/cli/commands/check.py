@@ -85,7 +85,7 @@ def _check_printed(found: list[Problem], tally: Tally, json: Path | None, lang: 
 
     checked: list[tuple[Problem, PrintedCheck]] = []
     for problem in progress(found, Words("核对", "checking")):
-        with tally.job(), about(problem.id):
+        with tally.job(), about(problem):
             checked.append((problem, check_problem(problem)))
     if json != STDOUT:
         for problem, result in checked:

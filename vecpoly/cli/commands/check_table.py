@@ -70,7 +70,7 @@ def check_table_of(
                 f"reading and checking {path.name} ({path.stat().st_size / 1e6:.1f} MB) ...",
             ).of(lang)
         )
-    with about(problems[0].id):
+    with about(problems[0]):
         checked = check_table(problems[0], path, said)
     if json != STDOUT:
         _print(problems[0], checked, lang)

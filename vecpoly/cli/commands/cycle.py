@@ -109,7 +109,7 @@ def cycle(
 
     keys = tuple(part.strip() for part in of.split(",") if part.strip())
     for problem in found:
-        with tally.job(), about(problem.id):
+        with tally.job(), about(problem):
             warn(problem.id, problem.warnings, lang)
             turn = whole(problem, n) if step is None else whole(problem, over=_multiples(whole(problem, 2), step))
             for key in keys:

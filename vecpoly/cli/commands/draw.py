@@ -85,7 +85,7 @@ def draw(
     from ...solution import solve
 
     for problem in found:
-        with tally.job(), about(problem.id):
+        with tally.job(), about(problem):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
             solution = solution.toned({}) if plain else solution
             warn_of_letters([problem], lang)

@@ -36,7 +36,7 @@ def exact(
 
     data: list[dict[str, Any]] = []
     for problem in progress(found, Words("求解", "solving")):
-        with tally.job(), about(problem.id):
+        with tally.job(), about(problem):
             warn(problem.id, problem.warnings, lang)
             truth = truth_of(problem)
             size = sizes(problem, truth)

@@ -37,7 +37,7 @@ def export(
     found = onward(problems([name], tally, allow_outside), then, tally, lang)
     spared(path, ENDINGS, found)
     for problem in found:
-        with tally.job(), about(problem.id):
+        with tally.job(), about(problem):
             target = each(path, problem.id, len(found))
             if path.suffix.lower() == ".ggb":
                 _moving(problem, target, lang)

@@ -51,7 +51,7 @@ def play(
     for problem in found:
         path = _place(output, problem.id, len(found))
         spared(path, ENDINGS, found)
-        with tally.job(), about(problem.id):
+        with tally.job(), about(problem):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
             solution = solution.toned({}) if plain else solution
             page = player(solution, lang=lang, places=places, seed=seed, check=check)

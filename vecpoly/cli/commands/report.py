@@ -127,7 +127,7 @@ def draw(problems: Iterable[Problem], hand: Hand, seed: int, style: Style = "sol
 
     solutions = []
     for problem in problems:
-        with about(problem.id):
+        with about(problem):
             try:
                 solutions.append(solve(problem, by=hand, seed=seed))
             except NoMethodError as error:

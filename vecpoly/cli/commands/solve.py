@@ -53,7 +53,7 @@ def solve(
 
     solutions: list[Solution] = []
     for problem in progress(found, Words("求解", "solving")):
-        with tally.job(), about(problem.id):
+        with tally.job(), about(problem):
             solutions.append(solved(problem, by=hand, seed=seed))
             if then == "analyse":
                 solutions.append(solved(solutions[-1].linkage, by=hand, seed=seed))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ...errors import AssemblyError, DeadPointError, UnknownNameError
+from ...errors import BranchError, DeadPointError, UnknownNameError
 from ...mechanism.assembly.branch import margin, nearer, opposite
 from ...mechanism.assembly.four_bar import folded_corner, fourth_corner
 from ...mechanism.assembly.statements import Form, Shaped
@@ -51,7 +51,7 @@ def check_letters(mech: Mechanism) -> None:
 def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     """The step with the sign of the assembly that the statements describe.
 
-    Raises AssemblyError where they describe neither or do not tell the two apart,
+    Raises BranchError where they describe neither or do not tell the two apart,
     DeadPointError where the two coincide.
     """
     if isinstance(step, Newton) and drives_in(step.rows):
@@ -74,10 +74,10 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         if near is not None:
             return _figured(mech, options[near], figure, after[near])
     if not any(fits):
-        raise AssemblyError(_neither(step, told, where) + advice(mech, step, before, after))
+        raise BranchError(_neither(step, told, where) + advice(mech, step, before, after))
     if isinstance(step, Swinging):
         return _ahead(step, bodies) or _guessed(mech, options, after, where)
-    raise AssemblyError(_either(step) + advice(mech, step, before, after))
+    raise BranchError(_either(step) + advice(mech, step, before, after))
 
 
 def _check_dead_point(mech: Mechanism, step: Step, after: Sequence[Places], where: str) -> None:
@@ -116,13 +116,13 @@ def _signed(step: Step, sign: float) -> Step:
 
 
 def confirm(mech: Mechanism, bodies: Bodies, run: Run) -> None:
-    """AssemblyError for a statement that is not so in the finished assembly: the drive or the data decide otherwise."""
+    """BranchError for a statement that is not so in the finished assembly: the drive or the data decide otherwise."""
     at, where = places(mech, bodies), run.text(float(run.q[-1]))
     for statement in mech.branches:
         gap = margin(statement, at)
         if gap < -1e-9 * mech.scale:
             held = opposite(statement)
-            raise AssemblyError(
+            raise BranchError(
                 Words(
                     f"'{statement}' 与其余数据矛盾：原动件位于 {where} 时，由其余数据得 '{held}'，"
                     f"相距 {-1e3 * gap:.4g} mm；请删去或改正其一",
@@ -174,12 +174,12 @@ def _ahead(step: Swinging, bodies: Bodies) -> Swinging | None:
 
 def _guessed(mech: Mechanism, options: Sequence[Step], after: Sequence[Places], where: str) -> Step:
     """The direction in which the guide's letters lie nearer to the rough places;
-    AssemblyError where these do not tell."""
+    BranchError where these do not tell."""
     near = nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale) if len(after) == 2 else None
     if near is None:
         step = options[0]
         assert isinstance(step, Swinging)
-        raise AssemblyError(
+        raise BranchError(
             Words(
                 f"原动件位于 {where} 时，构件 {step.guide} 的导路（其上滑块 {step.block}）有两个方向可装配；"
                 "请在 branch 中写出该组某点在哪一侧，或以 guesses 给出其大致位置",

@@ -92,7 +92,10 @@ def refusal(step: Step, where: str, gap: float, ranges: Ranges, *, alone: bool =
             f"原动件位于 {where} 时，构件 {zh} 在运动副 {step.joint} 处不能相接，相差 {mm}",
             f"links {en} do not meet at joint {step.joint}: {mm} are missing where the drive stands at {where}",
         )
-    return AssemblyError(what + (_alone(short) if alone else _room(ranges, found)))
+    numbers: dict[str, str | float] = {"position": where, "joint": step.joint}
+    if short:
+        numbers["missing"] = float(gap)
+    return AssemblyError(what + (_alone(short) if alone else _room(ranges, found)), numbers=numbers)
 
 
 def _alone(short: bool) -> Words:

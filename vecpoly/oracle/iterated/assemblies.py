@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import AssemblyError
+from ...errors import BranchError
 from ...mechanism.assembly.branch import margin
 from ...mechanism.assembly.told import as_guesses, which
 from ...mechanism.groups.assur import Group
@@ -24,7 +24,7 @@ SAME = 1e-6  # of the mechanism's size, and rad: assemblies nearer than this are
 def chosen(mech: Mechanism, group: Group, found: States, known: Mapping[str, Body]) -> States:
     """One of the states found: it fulfils the statements and lies nearest to the guesses; NaN where none was found.
 
-    Raises AssemblyError where several are left and no guess tells them apart.
+    Raises BranchError where several are left and no guess tells them apart.
     """
     before = _places(mech, known)
     after = {k: before | placed(mech, group, found[k]) for k in _distinct(mech, found)}
@@ -33,7 +33,7 @@ def chosen(mech: Mechanism, group: Group, found: States, known: Mapping[str, Bod
     if not fits:
         return np.asarray(found[next(iter(after), 0)])
     if not is_guessed(mech, group) and len(fits) > 1:
-        raise AssemblyError(
+        raise BranchError(
             _which(mech, group, [after[k] for k in fits]), code="which-assembly", numbers={"assemblies": len(fits)}
         )
     off = distances(mech, group, found)
