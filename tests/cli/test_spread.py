@@ -49,6 +49,6 @@ def test_two_processes_write_the_bytes_of_one_and_a_bad_file_stops_no_other(tmp_
         done = CliRunner().invoke(app, words)
         assert done.exit_code == 2
         said.append(done.stderr.replace(f"{tmp_path / jobs}", ""))
-    assert said[0] == said[1] and "too-short" in said[0]
+    assert said[0] == said[1] and "bad.yaml, line " in said[0]
     written = [{path.name: path.read_bytes() for path in (tmp_path / jobs).iterdir()} for jobs in ("1", "2")]
     assert written[0] == written[1] and len(written[0]) == 2

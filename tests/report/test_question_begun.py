@@ -11,7 +11,7 @@ from vecpoly.board.paper.marks import AngleMark, Arc, Dot, FixedGuide, Mark, Poi
 from vecpoly.drawing.sheets.lettering import title_width
 from vecpoly.figures import View
 from vecpoly.report.question.blank import framed
-from vecpoly.report.question.blanks import equation_rows
+from vecpoly.report.question.equation_rows import equation_rows
 from vecpoly.report.question.frames import frames
 
 

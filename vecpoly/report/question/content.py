@@ -15,7 +15,8 @@ from ..flow.base import Block
 from ..flow.blocks import Heading
 from ..flow.para import Para
 from ..flow.style import NOTE
-from .blanks import NONE, empty_table, equation_rows, working_room
+from .blanks import NONE, empty_table, working_room
+from .equation_rows import equation_rows
 from .known import begins_at, stands
 from .working import working
 
