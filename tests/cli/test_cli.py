@@ -235,7 +235,8 @@ def test_a_refusal_to_solve_names_the_file_the_line_and_what_it_is_about(run: Ru
     (tmp_path / "loose.yaml").write_text(text, encoding="utf-8")
     for words in (("solve",), ("draw",), ("report", "-o", "x.pdf")):
         result = run(words[0], "loose.yaml", *words[1:])
-        assert result.exit_code == 2 and re.fullmatch(r"vecpoly: loose.yaml, line 1\d, column 1: input: .*\n", result.stderr)
+        assert result.exit_code == 2
+        assert re.fullmatch(r"vecpoly: loose.yaml, line 1\d, column 1: input: .*\n", result.stderr)
     (fault,) = json.loads(run("--errors", "json", "solve", "loose.yaml").stderr)["faults"]
     assert (fault["file"], fault["path"]) == ("loose.yaml", "input") and fault["line"] > 10
     assert fault["numbers"]["joint"] == "C" and fault["numbers"]["missing"] > 0
