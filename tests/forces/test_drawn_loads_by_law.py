@@ -130,3 +130,28 @@ def test_a_part_of_a_stroke_that_reaches_its_end_lasts_as_long_as_the_motion() -
     """Where a stroke ends the travel hardly changes: a hundred-millionth of the drive's turn was lost."""
     answer = drawn_exactly(loads(dedent(SHAPER))).answers["M"]
     assert answer.drawn == pytest.approx(answer.exact, rel=1e-11)
+
+
+WAITING = """
+id: waiting
+title: a load that waits
+frame: {A: [0 mm, 0 mm]}
+links: {1: {AB: 50 mm}, 2: {BC: 200 mm}, 3: {block: C}}
+joints: [3 slides on y = 0 mm]
+input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}
+branch: [C right of B]
+loads:
+  Q: {on: 3, at: C, size: 600 N, direction: 0 deg, while: %s}
+  M_1: {on: 1, size: "?"}
+find: [M_1]
+"""
+
+
+@pytest.mark.parametrize(
+    ("awaited", "told"),
+    [("C moves up", "C never moves"), ("3 turns ccw", "link 3 never turns"), ("1 turns cw", "link 1 never turns"),
+     ("C moves right", ""), ("C moves along 89 deg", ""), ("2 turns cw", "")],
+)  # fmt: skip
+def test_a_load_that_waits_for_what_never_comes_is_told(awaited: str, told: str) -> None:
+    warnings = " ".join(words.en for words in solve(loads(WAITING % awaited), repeats=0).warnings)
+    assert told in warnings if told else "never" not in warnings

@@ -1,5 +1,5 @@
 """What is written in a problem file and changes nothing: branches and guesses without which the same assembly is found,
-the acceleration of a drive where places and velocities alone are sought."""
+the acceleration of a drive where places and velocities alone are sought, loads that never act."""
 
 from __future__ import annotations
 
@@ -14,10 +14,11 @@ from ..names import Kind, Rel
 from ..problem.asked.asks import AskPoint
 from ..problem.problem import Problem
 from ..words import Words
+from .never import never_acting
 
 
 def idle(problem: Problem) -> tuple[Words, ...]:
-    """A remark on each branch, and on the guesses, that decide nothing: all that are named may be left out together."""
+    """A remark on each branch, load, and on guesses, that decide nothing: what is named may be left out together."""
     if not isinstance(problem.subject, Mechanism):
         return ()
     mech = least = problem.subject
@@ -28,7 +29,8 @@ def idle(problem: Problem) -> tuple[Words, ...]:
             least = fewer
     told = [_said(one) for one in mech.branches if all(one is not kept for kept in least.branches)]
     rough = [_roughly(mech)] if mech.guesses and not least.guesses else []
-    return (*told, *rough, *([_ACCELERATED] if _is_accelerated_for_nothing(problem, mech) else []))
+    waiting = () if problem.loads is None else never_acting(mech, problem.loads)
+    return (*told, *rough, *waiting, *([_ACCELERATED] if _is_accelerated_for_nothing(problem, mech) else []))
 
 
 _ACCELERATED = Words(
