@@ -403,3 +403,10 @@ def test_impossible_data_are_refused_in_one_sentence(kind: str, data: str, words
 def test_a_device_made_in_python_checks_itself_too() -> None:
     with pytest.raises(ValidationError, match="beta = 95"):
         wedges(60, 95, 0.15)
+
+
+@pytest.mark.parametrize(("more", "noted"), [("", True), ("find: [alpha_limit, eta]", False), ("find: [eta]", True)])
+def test_a_slope_that_nobody_gave_is_told(more: str, noted: bool) -> None:
+    text = f"id: i\ntitle: i\ndevice: incline\ndata: {{f: 0.3, beta: 12 deg, Q: 800 N}}\n{more}\n"
+    warnings = " ".join(words.en for words in loads(text).warnings)
+    assert ("limit of self-locking, α = φ = 16.7°" in warnings) is noted

@@ -7,7 +7,7 @@ after `synthesis:`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from functools import cache
 from math import degrees, pi
 from typing import Annotated, Any, ClassVar
@@ -111,6 +111,10 @@ class Design(BaseModel):
 
     def told(self) -> tuple[Words, ...]:
         """What is given in words, where symbols and values do not say it."""
+        return ()
+
+    def noted(self, asked: Collection[str]) -> tuple[Words, ...]:
+        """What is accepted and told, for it may not be meant; asked: the keys of what is asked."""
         return ()
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any] | None:

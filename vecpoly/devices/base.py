@@ -6,7 +6,7 @@ exact answers); nothing else is edited. Its `kind` is what a problem file writes
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache
 from typing import Annotated, Any, ClassVar, Protocol
 
@@ -117,6 +117,10 @@ class Device(BaseModel):
 
     def told(self) -> tuple[Words, ...]:
         """What is given in words, where symbols and values do not say it."""
+        return ()
+
+    def noted(self, asked: Collection[str]) -> tuple[Words, ...]:
+        """What is accepted and told, for it may not be meant; asked: the keys of what is asked."""
         return ()
 
     @property

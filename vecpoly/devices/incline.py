@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from math import atan, degrees, pi
 from typing import ClassVar
 
@@ -54,6 +55,19 @@ class Incline(Device):
                 code="out-of-range",
             )
         return self
+
+    def noted(self, asked: Collection[str]) -> tuple[Words, ...]:
+        """That the slope is that of self-locking, where none is given and that limit is not asked."""
+        if self.alpha is not None or LIMIT.key in asked:
+            return ()
+        slope = f"{degrees(self.slope):.4g}"
+        return (
+            Words(
+                f"没有写倾角 alpha：斜面取自锁极限 α = φ = {slope}°；beta 是力与水平方向的夹角",
+                f"no slope alpha is given: the plane stands at the limit of self-locking, α = φ = {slope}°; beta is "
+                "the angle of the force above the horizontal",
+            ),
+        )
 
     @property
     def slope(self) -> float:

@@ -124,7 +124,7 @@ def build_by_data(tree: Tree, sort: Sort, path: Path | None = None) -> Problem:
         read=tree.files,
         ranges=ranges,
         gate=gate,
-        warnings=warnings_of(tree),
+        warnings=(*warnings_of(tree), *subject.noted(spec.find)),
         written=written_of(tree),
     )
 
