@@ -5,10 +5,12 @@ from __future__ import annotations
 import pytest
 from typer.testing import CliRunner
 
-from tests.grading.cases import problem_of
+from tests.grading.cases import key_of, problem_of
 from vecpoly.cli.app import app
 from vecpoly.grading.reading.written import written
 from vecpoly.grading.student import check_answers
+from vecpoly.grading.told.catalogue import Told
+from vecpoly.grading.told.veiled import veiled
 
 
 def sentences(problem: str, *answers: str) -> str:
@@ -69,3 +71,24 @@ def test_what_cannot_be_read_says_what_is_asked() -> None:
     assert "minutes and seconds of arc are below 60" in sentences("8-4", "theta=35°60′")
     assert "yes or no is asked" in sentences("6-4", "dynamic=perhaps")
     assert written("35°59′").value == pytest.approx(35 + 59 / 60, abs=1e-4)
+
+
+@pytest.mark.parametrize(("problem", "answer"), [("3-9", "v_E=0.18"), ("golden", "omega_2=2.7 cw")])
+def test_what_is_right_only_by_the_rounding_of_its_last_digit_is_told_so(problem: str, answer: str) -> None:
+    """v_E is 0.1727 ± 0.0065 m/s: 0.18 lies farther off, and is right for what its last digit may hide."""
+    checked = check_answers(problem_of(problem), [answer])
+    (said,) = (one for one in checked.answers[0].messages if one.id is Told.OK_ROUNDED)
+    e, t, w = (float(str(said.numbers[key]).partition(" ")[0]) for key in ("e", "t", "w"))
+    assert checked.right and t < e <= w and "with the rounding" in said.words.en
+    assert [one.id for one in veiled([said])] == [Told.RIGHT]
+
+
+def test_a_wrong_size_of_the_wrong_sense_is_off_by_both_and_told_of_both() -> None:
+    exact = key_of("3-9")["omega_2"].exact
+    sense, other = ("ccw", "cw") if exact > 0 else ("cw", "ccw")
+    (wrong,) = check_answers(problem_of("3-9"), [f"omega_2={3.3 * abs(exact):.3g} {other}"]).answers
+    assert wrong.off == pytest.approx(4.3 * abs(exact), rel=0.01)
+    assert f"off by {4.3 * abs(exact):.2g}" in wrong.messages[0].words.en
+    assert [one.id for one in wrong.messages] == [Told.WRONG, Told.SENSE_TOO]
+    (wrong,) = check_answers(problem_of("3-9"), [f"omega_2={3.3 * abs(exact):.3g} {sense}"]).answers
+    assert [one.id for one in wrong.messages] == [Told.WRONG]

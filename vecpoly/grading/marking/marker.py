@@ -9,7 +9,6 @@ from math import isfinite, log10
 from ...algebra.quantity import number
 from ...problem.problem import Problem
 from ...words import bare
-from ..compare.band import gap, target_of
 from ..compare.measured import UnitFault
 from ..compare.outcome import Basis, Finding, Outcome
 from ..drawings.judging.mark import DrawingMark
@@ -28,7 +27,7 @@ from .marked import Marked
 from .order import in_order
 from .points import earned
 from .scaled import at_own_scales, mutants_at
-from .tell import sentences, source_of
+from .tell import off_by, sentences, source_of
 from .verdict import Verdicts, verdicts
 
 Mutants = Callable[[], Sequence[Mutant]]
@@ -80,7 +79,7 @@ def _finding(found: Verdicts, why: Causes, one: Graded, named: set[str], rules: 
         return Finding(key=one.key, written=BLANK, outcome=Outcome.BLANK, messages=(message(Told.BLANK),))
     outcome, basis, mine = found.outcome[one.key], found.basis.get(one.key, Basis.EXACT), found.given.get(one.key)
     said = sentences(found, why, one, rules)
-    off = gap(mine.value, one, target_of(one)) if mine is not None and mine.at is None else None
+    off = off_by(found, one) if mine is not None and mine.at is None else None
     return Finding(
         key=one.key, written=found.sheet.answers[one.key], outcome=outcome, basis=basis, messages=said,
         value=None if mine is None else mine.value, off=off if off is not None and isfinite(off) else None,
