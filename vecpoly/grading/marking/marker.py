@@ -27,6 +27,7 @@ from .marked import Marked
 from .order import in_order
 from .points import earned
 from .scaled import at_own_scales, mutants_at
+from .solutions import as_answered
 from .tell import off_by, sentences, source_of
 from .verdict import Verdicts, verdicts
 
@@ -51,6 +52,7 @@ def mark(
     follow-through than without.
     """
     sheet, order = in_order(key, sheet)
+    key, other = as_answered(problem, key, sheet)
     key, equations = paid_by_equations(key, sheet, rules)
     unpaid, lines = paid_by_lines(key, drawing, rules)
     paid = paid_by_length(unpaid, sheet)
@@ -65,8 +67,8 @@ def mark(
     faulty = any(one.fault is UnitFault.DIMENSION or (one.fault and not rules.printed) for one in found.given.values())
     return Marked(
         key=key, findings=findings, stated=stated, lost=rules.unit if faulty else 0.0, lines=lines, slips=why.slips,
-        equations=equations,
-        roots=tuple(one.key for one in found.roots()), messages=(*order, *_of_scales(key, sheet)), faults=sheet.faults,
+        equations=equations, roots=tuple(one.key for one in found.roots()), faults=sheet.faults,
+        messages=(*order, *other, *_of_scales(key, sheet)),
     )  # fmt: skip
 
 

@@ -63,6 +63,7 @@ class Told(StrEnum):
     TICK_UNKNOWN = "tick_unknown"
     NO_EQUATION = "no_equation"
     RENUMBERED = "renumbered"
+    OTHER_SOLUTION = "other_solution"
     NOT_READ = "not_read"
     CONTRADICTION = "contradiction"
     NOT_CLOSED = "not_closed"
@@ -210,6 +211,9 @@ SENTENCES: Mapping[Told, Words] = {
     Told.TURNED: Words("大小正确，但方向不对", "Magnitude right, direction wrong"),
     Told.RENUMBERED: Words(
         "各解的先后不作规定，所写的编号按此对应：{pairs}", "Solutions have no order; yours are taken so: {pairs}"
+    ),
+    Told.OTHER_SOLUTION: Words(
+        "所答的是第 {n} 个解，同样满足题目条件", "This is solution {n}, which satisfies the conditions as well"
     ),
     Told.NOT_READ: Words("无法识别“{raw}”：{why}", "Could not read '{raw}': {why}"),
     Told.CONTRADICTION: Words("“{raw}”自相矛盾：{why}", "'{raw}' contradicts itself: {why}"),
