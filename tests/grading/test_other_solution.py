@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 from tests.grading.cases import key_of, marked, problem_of
+from vecpoly.designs.base import Design
 from vecpoly.grading.marking.solutions import other_keys
 from vecpoly.grading.told.catalogue import Told
 
@@ -42,6 +43,7 @@ def test_a_length_on_paper_is_held_against_that_of_the_same_solution() -> None:
 
 def test_where_a_solution_is_chosen_or_several_are_asked_for_no_other_one_stands_for_it() -> None:
     problem = problem_of(NAME)
-    second = problem.subject.model_copy(update={"take": 2})  # type: ignore[attr-defined]
+    assert isinstance(problem.subject, Design)
+    second = problem.subject.model_copy(update={"take": 2})
     assert not list(other_keys(replace(problem, subject=second), key_of(NAME)))
     assert not list(other_keys(problem, replace(key_of(NAME), solutions=(1, 2))))

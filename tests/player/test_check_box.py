@@ -7,6 +7,7 @@ import json
 import re
 from base64 import b64decode
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -145,7 +146,7 @@ def test_the_box_takes_another_solution_that_serves_as_well(chrome: Page, boxes:
     judging(chrome, boxes, "two-solutions")
     keys = [one.key for one in asked("two-solutions")]
 
-    def found(**typed: str) -> list[dict[str, list[str]]]:
+    def found(**typed: str) -> list[dict[str, Any]]:
         rows = json.dumps([[typed[key], 0, ""] for key in keys])
         return json.loads(chrome.value(f"JSON.stringify(check.verdicts({rows}))"))  # type: ignore[no-any-return]
 

@@ -74,9 +74,9 @@ def mutants(problem: Problem, key: AnswerKey, of: Sequence[Slip] | None = None) 
     found = _drawn_together(problem, key, together) if together else {}
     for slip in alone:
         with suppress(VecpolyError):  # nothing can be drawn by this mistake
-            by_one = by_hands(problem, key, Amended(slip=slip, own=(Own(),)))
-            by_many = by_hands(problem, key, Amended(slip=slip, own=(Own(),) * HANDS), unsteady=True)
-            found[slip] = _changed(key, by_one, 0), by_many
+            made_by = Amended(slip=slip, own=(Own(),) * HANDS)
+            by_all = by_hands(problem, key, made_by, unsteady=True, nominal=True)
+            found[slip] = _changed(key, by_all, 0), {name: values[1:] for name, values in by_all.items()}
     each = [Mutant(slip=slip, values=found[slip][0]) for slip in made if slip in found and found[slip][0]]
     return tuple(_scattered(key, one, found[one.slip][1]) for one in _grouped(key, each))
 
