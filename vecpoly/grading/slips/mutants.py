@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cache
@@ -55,6 +55,10 @@ class Mutant:
     values: Mapping[str, Value] = field(default_factory=dict)
     also: tuple[Slip, ...] = ()
 
+    def value_of(self, one: Graded) -> Value:
+        """What comes out by it: the exact value where it changes nothing."""
+        return self.values.get(one.key) or Value(value=one.exact, degrees=one.degrees, at=one.at)
+
     def leaves_out(self, name: str) -> bool:
         """Whether it is this quantity that is left out: it may be written as 0, as well as right."""
         return any(one.mistake is Mistake.DROPPED and one.key == name for one in (self.slip, *self.also))
@@ -74,11 +78,21 @@ def mutants(problem: Problem, key: AnswerKey, of: Sequence[Slip] | None = None) 
     found = _drawn_together(problem, key, together) if together else {}
     for slip in alone:
         with suppress(VecpolyError):  # nothing can be drawn by this mistake
-            made_by = Amended(slip=slip, own=(Own(),) * HANDS)
-            by_all = by_hands(problem, key, made_by, unsteady=True, nominal=True)
-            found[slip] = _changed(key, by_all, 0), {name: values[1:] for name, values in by_all.items()}
+            found[slip] = _drawn_alone(problem, key, slip)
     each = [Mutant(slip=slip, values=found[slip][0]) for slip in made if slip in found and found[slip][0]]
     return tuple(_scattered(key, one, found[one.slip][1]) for one in _grouped(key, each))
+
+
+def _drawn_alone(problem: Problem, key: AnswerKey, slip: Slip) -> tuple[dict[str, Value], ByHand]:
+    """The same of one slip. Where a quantity that is computed wrongly lets nothing more be drawn, a right sheet is
+    drawn beside it: what was found before is then known. Raises VecpolyError where nothing can be drawn."""
+    try:
+        by_all = by_hands(problem, key, Amended(slip=slip, own=(Own(),) * HANDS), unsteady=True, nominal=True)
+    except VecpolyError:
+        if (computed := key.find(slip.key)) is None or computed.kind is Kind.READING:
+            raise
+        return _drawn_together(problem, key, (slip,))[slip]
+    return _changed(key, by_all, 0), {name: values[1:] for name, values in by_all.items()}
 
 
 def _drawn_together(
@@ -108,6 +122,12 @@ def _same(key: AnswerKey, first: Mutant, second: Mutant) -> bool:
     if first.values.keys() != second.values.keys():
         return False
     pairs = ((key[name], value, second.values[name]) for name, value in first.values.items())
+    return not any(_apart(one, mine, theirs) for one, mine, theirs in pairs)
+
+
+def alike(key: AnswerKey, first: Mutant, second: Mutant, names: Collection[str]) -> bool:
+    """Whether two mistakes give the same of these quantities."""
+    pairs = ((key[name], first.value_of(key[name]), second.value_of(key[name])) for name in names)
     return not any(_apart(one, mine, theirs) for one, mine, theirs in pairs)
 
 

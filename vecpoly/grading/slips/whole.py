@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import log
 
 from ..allowance import Allowance
@@ -11,9 +11,10 @@ from ..compare.band import Target, distance, target_of, weigh
 from ..compare.measured import Measured
 from ..compare.outcome import Outcome
 from ..key import AnswerKey, Graded
-from .mutants import Mutant, Value
+from .mutants import Mutant, Value, alike
 
 LONE = 0.7  # of T: as near must a value be that alone bears a mistake out
+BORNE_OUT = 2  # values, at least, that bear out one of several mistakes that give the same
 MARGIN = 6.0  # by how much the sum of squares of the next best mistake must be larger
 
 
@@ -38,8 +39,19 @@ def explain(
         return Explained(mutant=None)
     fitting.sort(key=lambda each: each[0])
     if len(fitting) > 1 and fitting[1][0] - fitting[0][0] < MARGIN:
-        return Explained(mutant=None, several=True)
+        return _either(key, pool, [one for score, one in fitting if score - fitting[0][0] < MARGIN])
     return Explained(mutant=fitting[0][1])
+
+
+def _either(key: AnswerKey, pool: Collection[str], near: Sequence[Mutant]) -> Explained:
+    """Mistakes that agree as well: one, either of them, where each moves several of these values, and all move them
+    alike; else several."""
+    first, *others = near
+    moved = [name for name in pool if name in first.values]
+    if len(moved) < BORNE_OUT or not all(alike(key, first, one, pool) for one in others):
+        return Explained(mutant=None, several=True)
+    also = (slip for one in others for slip in (one.slip, *one.also))
+    return Explained(mutant=replace(first, also=(*first.also, *also)))
 
 
 def agrees(one: Graded, mine: Measured, mutant: Mutant, rule: Allowance) -> bool:
