@@ -68,10 +68,9 @@ class Board(Compass):
         return self.ledger.found
 
     def scratch(self, scales: Mapping[View, Scale] | None = None, *, as_made: bool = False) -> Board:
-        """Scratch paper for an exact hand: its acts are not remembered,
-        and what it gives came from where its inputs came from. as_made: with the mistake that is made throughout."""
-        made = Amended(slip=self.amended.slip) if as_made and self.amended.slip is not None else AS_DRAWN
-        over = Scratch(hand_of("exact"), scales or self.scales, made)
+        """Scratch paper for an exact hand, as_made: one that makes the sheet's mistake; its acts are not remembered, and
+        what it gives came from where its inputs came from."""
+        over = Scratch(hand_of("exact"), scales or self.scales, Amended(slip=self.amended.slip if as_made else None))
         over.ledger = self.ledger.below()
         return over
 

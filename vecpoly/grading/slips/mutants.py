@@ -16,6 +16,7 @@ from ...answer import bearing
 from ...board.hand import scatter
 from ...board.otherwise.amended import Amended, Own
 from ...board.otherwise.slip import Mistake, Slip
+from ...devices.base import Device
 from ...errors import VecpolyError
 from ...mechanism.model import Mechanism
 from ...mistakes import slips
@@ -67,13 +68,11 @@ class Mutant:
 def mutants(problem: Problem, key: AnswerKey, of: Sequence[Slip] | None = None) -> tuple[Mutant, ...]:
     """Every slip that changes something and leaves a drawing.
 
-    All in one drawing, each made by a hand of its own, and in another by `HANDS` students; but where friction follows
-    the senses of a motion that a slip changes, or where what is chosen depends on what was drawn, as in a design, that
-    slip is drawn by itself.
+    All in one drawing, each made by a hand of its own, and in another by `HANDS` students; but what `_is_alone` is
+    drawn by itself.
     """
     made = tuple(slips(problem) if of is None else of)
-    linkage = isinstance(problem.subject, Mechanism)
-    alone = tuple(one for one in made if not linkage or (problem.loads is not None and one.mistake in TURNING))
+    alone = tuple(one for one in made if _is_alone(problem, one))
     together = tuple(one for one in made if one not in alone)
     found = _drawn_together(problem, key, together) if together else {}
     for slip in alone:
@@ -81,6 +80,14 @@ def mutants(problem: Problem, key: AnswerKey, of: Sequence[Slip] | None = None) 
             found[slip] = _drawn_alone(problem, key, slip)
     each = [Mutant(slip=slip, values=found[slip][0]) for slip in made if slip in found and found[slip][0]]
     return tuple(_scattered(key, one, found[one.slip][1]) for one in _grouped(key, each))
+
+
+def _is_alone(problem: Problem, slip: Slip) -> bool:
+    """Whether friction follows the senses of a motion that a slip changes, or what is chosen depends on what was drawn,
+    as in a design; a figure apart tells nothing to choose by where a device says so."""
+    if isinstance(problem.subject, Mechanism):
+        return problem.loads is not None and slip.mistake in TURNING
+    return not (isinstance(problem.subject, Device) and problem.subject.ends_apart and ":" in slip.key)
 
 
 def _drawn_alone(problem: Problem, key: AnswerKey, slip: Slip) -> tuple[dict[str, Value], ByHand]:
