@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from ...designs.base import Design
-from ...designs.verdict import Verdict
-from ...oracle.synthesis.registry import linkages
 from ...problem.problem import Problem
+from ...task import task_of
 from ..compare.band import target_of, weigh
 from ..compare.measured import measured
 from ..key import AnswerKey, Graded, Kind
@@ -34,12 +32,10 @@ def as_answered(problem: Problem, key: AnswerKey, sheet: Sheet) -> tuple[AnswerK
 def other_keys(problem: Problem, key: AnswerKey) -> Iterator[tuple[int, AnswerKey]]:
     """The other solutions that serve as well, each with its number and its key; none where a certain one is asked for,
     or solutions by their numbers."""
-    design = problem.subject
-    if not isinstance(design, Design) or design.take != 1 or key.solutions:
+    if key.solutions:
         return
-    valid = [one for one in linkages(design) if one.verdict is Verdict.VALID]
-    for number, one in enumerate(valid[1:], 2):
-        yield number, replace(key, quantities=tuple(_of(each, one.values, number, key) for each in key.quantities))
+    for number, values in task_of(problem).others.items():
+        yield number, replace(key, quantities=tuple(_of(each, values, number, key) for each in key.quantities))
 
 
 def _of(one: Graded, values: Mapping[str, float], number: int, key: AnswerKey) -> Graded:
