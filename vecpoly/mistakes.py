@@ -87,9 +87,13 @@ def _beside(act: Parallel, led: Sequence[Locate], acts: Sequence[Act]) -> Iterat
 
 
 def _name(act: Act, acts: Sequence[Act]) -> str:
-    """The act's key, with its figure where the same key stands on several."""
+    """The act's key, with its figure where the same key stands on several.
+
+    What is laid off wrongly on the diagram, for want of knowing better, is so on every figure apart that shows it
+    again: the offset of a cam's follower on the other side.
+    """
     figures = {one.figure for one in acts if one.key == act.key and type(one) is type(act)}
-    return act.key if len(figures) < 2 else act.names[0]
+    return act.key if len(figures) < 2 or act.head.place is View.MECHANISM else act.names[0]
 
 
 def _coincident(act: Follow, acts: Sequence[Act]) -> Iterator[str]:

@@ -11,7 +11,7 @@ from collections.abc import Collection, Mapping
 
 from .board.hand import Hand
 from .board.otherwise.amended import Amended
-from .check.truth import Truth, truth_of
+from .check.truth import OfSeveral, Truth, truth_of
 from .devices.base import Device
 from .drawing.sheets.paper import DrawingPaper
 from .figures import View, views
@@ -53,6 +53,11 @@ class Task:
         """Units whose sign is a sense of turning; none of a device of which only speeds are known."""
         subject = self.problem.subject
         return self.drawing.turning if not isinstance(subject, Device) or subject.sensed else ()
+
+    @property
+    def others(self) -> Mapping[int, Mapping[str, float]]:
+        """The number of each solution that serves as well as the one that is taken → key → its value; mostly none."""
+        return self.truth.others if isinstance(self.truth, OfSeveral) else {}
 
     def draw(self, by: Hand, amended: Amended, sketch: Desk | None = None) -> Drawn:
         """The construction, each figure as large as its place on the sheet allows;

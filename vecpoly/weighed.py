@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import inf, nan
+from math import inf, isinf, nan
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from .answer import Answer
 from .board.construction import LineOfAction, Reading
 from .board.hand import scatter
+from .board.ruler import READABLE
 from .check.alarm import Weighed, alarm_at
 from .check.truth import ActsAt, size_of
 from .found import answered
@@ -18,6 +19,9 @@ from .methods.centres.compare import comparable
 from .methods.drawn import Drawn
 from .names import Key, is_place
 from .task import Task
+
+FEW, SHARE = 3.0, 0.05  # deg; of the likely size: what is less is as good as nothing
+ROUNDING = 1e-9  # of the expected error: an exact value that is less is none
 
 
 def answers_of(
@@ -37,13 +41,34 @@ def answers_of(
             ideal[key],
             true[key],
             reach=limit if judged else nan,
+            expected=reached if judged else nan,
             noise=off[key],
-            size=size[key],
+            size=max(size[key], 0.0 if is_told(size_of(exact[key]), reached) else reached),
+            own=measure_of(reading, size_of(exact[key]), reached, likely=task.truth.likely, size=size[key]),
             steady=not scatters,
         )
         line, turns = task.truth.lines.get(key), reading.unit in task.turning
         answers[key] = _answer(asked[key], reading, exact[key], reached, line, turns, weighed)
     return answers
+
+
+def measure_of(reading: Reading, exact: float, expected: float, *, likely: Mapping[str, float], size: float) -> float:
+    """What a value is measured by, by itself: its own size, or what can just be told from nothing where that is less.
+
+    That is READABLE on paper, but of a length that is sought, which no position makes vanish; of an angle FEW, of what
+    the data make likely a SHARE. What vanishes but for rounding is measured by the size of such quantities, and by
+    nothing (infinity) where there are no others.
+    """
+    on_paper = abs(reading.scalar / reading.mm) * READABLE if reading.mm and reading.unit != "mm" else 0.0
+    least = max(on_paper, FEW if reading.unit == "deg" else SHARE * likely.get(reading.unit, 0.0))
+    if is_told(exact, expected):
+        return max(abs(exact), least)
+    return max(least, size) if size > abs(exact) else least or inf
+
+
+def is_told(exact: float, expected: float) -> bool:
+    """Whether an exact value is more than rounding beside what a hand may be off by."""
+    return abs(exact) > ROUNDING * expected or isinf(expected)
 
 
 def _expected(scalars: Any) -> float:
@@ -78,8 +103,10 @@ def _weighed(
     true: complex | float,
     *,
     reach: float,
+    expected: float,
     noise: float,
     size: float,
+    own: float,
     steady: bool,
 ) -> Weighed:
     as_vector = ideal.vector is not None and isinstance(true, complex)
@@ -89,7 +116,9 @@ def _weighed(
         ideal=ideal.vector if as_vector and ideal.vector is not None else ideal.scalar,
         true=true if as_vector else size_of(true),
         reach=reach,
+        expected=expected,
         noise=noise,
         size=size,
+        own=own,
         steady=steady,
     )

@@ -1,6 +1,7 @@
 // The box for one's own answers: the same verdicts and reasons as `vecpoly check`, and what follows from own answers is right.
 const check = {
   rule: JSON.parse(atob(one("#answers").textContent)),
+  solution: null, // the other solution that was answered: its number, and what every row is by it
   TENS: 7, NEAR: 0.05, // powers of ten, and how near a factor is one
 
   // A direction in words or as an arrow, and how far to either side it reaches (deg): by the pattern of grading/reading/direction.py.
@@ -55,14 +56,25 @@ const check = {
     return mine;
   },
 
+  // What is right of a quantity: by the solution that was answered.
+  row(index) {
+    return check.solution ? { ...check.rule.rows[index], ...check.solution[1][index] } : check.rule.rows[index];
+  },
+
+  // The other solution of which all is right that was typed, where by the first something is not; else null.
+  meant(given) {
+    const fits = (rows) => given.every((mine, index) => !mine || ["right", "close", "unsaid"].includes(check.weigh(check.rule.rows[index], mine, { ...check.rule.rows[index], ...rows[index] })));
+    return fits(check.rule.rows) ? null : check.rule.solutions.find(([, rows]) => fits(rows)) || null;
+  },
+
   judge(index, text, sense = 0, aim = "", source = null) {
-    const row = check.rule.rows[index], mine = check.given(index, text, sense, aim);
+    const row = check.row(index), mine = check.given(index, text, sense, aim);
     if (!mine) return { verdict: "", said: ["unread"] };
     if (source !== null) return { verdict: "right", said: [`ok_own:${source}`] };
-    const verdict = check.weigh(row, mine, row);
-    if (verdict === "right") return { verdict, said: ["right"] };
-    if (verdict === "close") return { verdict, said: ["nearly"] };
-    if (verdict === "unsaid") return { verdict: "right", said: ["right", "sense_missing"] };
+    const verdict = check.weigh(row, mine, row), other = check.solution ? [`other_solution:${check.solution[0]}`] : [];
+    if (verdict === "right") return { verdict, said: ["right", ...other] };
+    if (verdict === "close") return { verdict, said: ["nearly", ...other] };
+    if (verdict === "unsaid") return { verdict: "right", said: ["right", "sense_missing", ...other] };
     if (verdict === "sense") return { verdict: "wrong", said: [{ si: "sense", ve: "reversed", sc: "sign" }[row.kind]] };
     if (verdict === "direction") return { verdict: "wrong", said: [`dir:${check.apart(mine.direction, row.deg).toFixed(0)}`] };
     return { verdict, said: ["not_right", ...check.why(row, mine)] };
@@ -102,7 +114,7 @@ const check = {
 
   // By how much: of what is right or close to two digits, with what is allowed; of what is wrong only about, which gives nothing away.
   by(index, [text, sense, aim], { verdict, said }) {
-    const row = check.rule.rows[index], mine = check.given(index, text, sense, aim);
+    const row = check.row(index), mine = check.given(index, text, sense, aim);
     if (!mine || !row.x || !verdict || said.some((name) => name.startsWith("ok_own"))) return "";
     const off = 100 * (row.kind === "sc" ? (mine.value - row.x) / Math.abs(row.x) : Math.abs(mine.value / row.x) - 1), size = Math.abs(off), sign = off < 0 ? "−" : "+";
     const both = (zh, en) => ` <span class="by"><span class="zh">${zh}</span><span class="en">${en}</span></span>`;
@@ -114,7 +126,7 @@ const check = {
   },
 
   sentence(name) {
-    const [id, n = ""] = name.split(":"), known = ["pow10", "dir", "ok_own"].includes(id) ? id : name;
+    const [id, n = ""] = name.split(":"), known = ["pow10", "dir", "ok_own", "other_solution"].includes(id) ? id : name;
     const node = all("#sentences > span").find((span) => span.dataset.name === known);
     const said = node.innerHTML.replaceAll("{n}", n.replace("-", "−")).replaceAll("{d}", n);
     if (id !== "ok_own") return said;
@@ -133,7 +145,9 @@ const check = {
   },
 
   verdicts(typed) {
-    const own = continued.right(typed.map(([text, sense, aim], index) => text.trim() ? check.given(index, text, sense, aim) : null));
+    const given = typed.map(([text, sense, aim], index) => text.trim() ? check.given(index, text, sense, aim) : null);
+    check.solution = check.meant(given);
+    const own = check.solution ? new Map() : continued.right(given);
     return typed.map(([text, sense, aim], index) => {
       return text.trim() ? check.judge(index, text, sense, aim, own.has(index) ? own.get(index) : null) : { verdict: "", said: [] };
     });

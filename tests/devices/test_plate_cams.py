@@ -256,7 +256,7 @@ def catalogue(name: str) -> tuple[Slip, ...]:
     ("mistake", "key", "wrong"),
     [
         (Mistake.DROPPED, "r_r", "r_60"),  # the pitch curve is taken for the profile
-        (Mistake.REVERSED, "mechanism:e", "alpha_60"),  # the guide on the other side
+        (Mistake.REVERSED, "e", "alpha_60"),  # the guide on the other side
         (Mistake.REVERSED, "mechanism alpha_rise:OP", "alpha_rise"),
     ],
 )

@@ -28,10 +28,20 @@ find: [v_C, v_CB, omega_2, omega_3, an_CB, a_C, alpha_2, alpha_3]
 """
 
 
+TWO_SOLUTIONS = """
+id: two-solutions
+title: {zh: 两个解, en: Two solutions}
+synthesis: crank-rocker
+data: {K: 1.32, CD: 92 mm, swing: 41 deg, AB: 25 mm}
+find: [BC, AD]
+"""
+_WRITTEN = {"golden": FOUR_BAR, "two-solutions": TWO_SOLUTIONS}
+
+
 @cache
 def problem_of(name: str) -> Problem:
-    """A problem of the library, or the four-bar linkage of the golden example."""
-    return loads(FOUR_BAR) if name == "golden" else load(name)
+    """A problem of the library, or one that is written here: the four-bar linkage of the golden example."""
+    return loads(_WRITTEN[name]) if name in _WRITTEN else load(name)
 
 
 @cache

@@ -10,6 +10,8 @@ from tests.laws import few
 from vecpoly.cli.app import app
 from vecpoly.grading.reading.written import written
 from vecpoly.grading.student import check_answers
+from vecpoly.grading.told.catalogue import Told
+from vecpoly.grading.told.veiled import veiled
 
 
 def sentences(problem: str, *answers: str) -> str:
@@ -87,3 +89,24 @@ def test_the_same_mistake_is_named_where_all_that_rests_on_it_follows() -> None:
     (one,) = (each for each in mutants_of("8-15") if str(each.slip) == "C1P other side")
     cells = {name: f"{one.values[name].value:.1f}" for name in ("AD", "gamma_min")}
     assert set(marked("8-15", cells | {"theta": "20"}).slips.values()) == {one.slip}
+
+
+@pytest.mark.parametrize(("problem", "answer"), [("3-9", "v_E=0.18"), ("golden", "omega_2=2.7 cw")])
+def test_what_is_right_only_by_the_rounding_of_its_last_digit_is_told_so(problem: str, answer: str) -> None:
+    """v_E is 0.1727 ± 0.0065 m/s: 0.18 lies farther off, and is right for what its last digit may hide."""
+    checked = check_answers(problem_of(problem), [answer])
+    (said,) = (one for one in checked.answers[0].messages if one.id is Told.OK_ROUNDED)
+    e, t, w = (float(str(said.numbers[key]).partition(" ")[0]) for key in ("e", "t", "w"))
+    assert checked.right and t < e <= w and "with the rounding" in said.words.en
+    assert [one.id for one in veiled([said])] == [Told.RIGHT]
+
+
+def test_a_wrong_size_of_the_wrong_sense_is_off_by_both_and_told_of_both() -> None:
+    exact = key_of("3-9")["omega_2"].exact
+    sense, other = ("ccw", "cw") if exact > 0 else ("cw", "ccw")
+    (wrong,) = check_answers(problem_of("3-9"), [f"omega_2={3.3 * abs(exact):.3g} {other}"]).answers
+    assert wrong.off == pytest.approx(4.3 * abs(exact), rel=0.01)
+    assert f"off by {4.3 * abs(exact):.2g}" in wrong.messages[0].words.en
+    assert [one.id for one in wrong.messages] == [Told.WRONG, Told.SENSE_TOO]
+    (wrong,) = check_answers(problem_of("3-9"), [f"omega_2={3.3 * abs(exact):.3g} {sense}"]).answers
+    assert [one.id for one in wrong.messages] == [Told.WRONG]

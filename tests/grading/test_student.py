@@ -6,7 +6,9 @@ import pytest
 
 from tests.laws import few
 from vecpoly import check_answers, load, loads
-from vecpoly.errors import ArgumentError, UnknownNameError, VecpolyError
+from vecpoly.board.otherwise.slip import Mistake, Slip
+from vecpoly.errors import ArgumentError, AssemblyError, UnknownNameError, VecpolyError
+from vecpoly.mistakes import slips
 
 
 def test_answers_are_right_close_or_wrong_with_a_reason() -> None:
@@ -107,3 +109,13 @@ def test_a_length_under_its_printed_symbol_answers_what_is_asked() -> None:
 def test_where_no_name_is_near_those_that_are_asked_are_told_first() -> None:
     with pytest.raises(UnknownNameError, match=r"there are r0_apex, e_apex, s0_apex, r0, e, s0"):
         check_answers(load("cam-least-circle"), ["qqqq=1"])
+
+
+def test_a_slip_that_leaves_no_circle_to_draw_breaks_no_check() -> None:
+    """The perpendicular at C₂ ruled along C₁C₂ meets the ray in C₁."""
+    slip = Slip(Mistake.TURNED, "C2P")
+    assert slip in slips(load("best-gamma"))
+    with pytest.raises(AssemblyError, match="no circle"):
+        load("best-gamma").solve(by="exact", slip=slip)
+    checked = check_answers(load("best-gamma"), ["AB=20", "BC=60", "AD=70", "gamma_min=30"])
+    assert not checked.right and not any(one.for_a_person for one in checked.answers)

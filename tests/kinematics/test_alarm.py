@@ -191,7 +191,8 @@ def test_the_player_opens_with_the_alarm(spoilt: Callable[[Spoil], None], tmp_pa
 
 
 def weighed(**changed: Any) -> Weighed:
-    return replace(Weighed(drawn=1.0, exact=1.0, ideal=1.0, true=1.0, reach=0.01, noise=0.0, size=1.0), **changed)
+    right = Weighed(drawn=1.0, exact=1.0, ideal=1.0, true=1.0, reach=0.01, noise=0.0, size=1.0, own=1.0)
+    return replace(right, **changed)
 
 
 def test_a_value_is_judged_on_both_sides_of_its_expected_error() -> None:
@@ -204,7 +205,9 @@ def test_a_value_is_judged_on_both_sides_of_its_expected_error() -> None:
 
 def test_a_reading_is_no_answer_where_its_expected_error_is_as_large_as_the_quantity() -> None:
     assert weighed(drawn=1.09, reach=50.0).cause is weighed(drawn=1.3, reach=0.4).cause is None
-    assert weighed(drawn=1.11, reach=50.0).cause is Cause.VAGUE
+    assert weighed(drawn=1.11, reach=50.0).cause is weighed(reach=50.0, expected=1.01).cause is Cause.VAGUE
+    assert weighed(reach=50.0, expected=0.99).cause is weighed(size=1e6, drawn=1.09, reach=0.9).cause is None
+    assert weighed(size=1e6, drawn=1.11, reach=0.9).cause is Cause.VAGUE
     slot = """
 id: nearly-equal
 title: a slotted lever nearly on the crank's own circle
@@ -216,6 +219,45 @@ find: [omega_3, alpha_3, v_B3B2, ak_B3B2]
 """
     assert solve(loads(slot)).answers["alpha_3"].suspect is Cause.VAGUE
     assert not solve(loads(slot.replace("269.9", "200"))).suspect
+
+
+LOOSE = """
+id: loose
+title: a loose linkage
+synthesis: crank-rocker
+data: {K: 1.9, CD: 60 mm, ADC: 50 deg, AD: 61 mm}
+"""
+
+
+@pytest.mark.parametrize("asked", ["", "find: [gamma_min]", "find: [theta, gamma_min]", "find: [AB, gamma_min, BC]"])
+def test_whether_a_value_is_suspect_does_not_depend_on_what_else_is_asked(asked: str) -> None:
+    """γ_min is read as 4.2° ± 9.8°, and is 1.9°."""
+    solution = solve(loads(LOOSE + asked))
+    assert solution.suspect and solution.answers["gamma_min"].suspect is Cause.VAGUE
+
+
+@pytest.mark.parametrize(
+    ("text", "vague"),
+    [
+        ("synthesis: slider-crank\ndata: {K: 1.0005, H: 60 mm, e: 5 mm}", {"AB", "BC", "alpha_max"}),
+        (
+            "device: epicyclic\ndata: {sun: 99, planet: [101, 100], sun_2: 100, m: 2 mm, omega_H: 1 rad/s ccw, "
+            "omega_3: 0 rad/s}",
+            {"i_H1"},
+        ),
+    ],
+)
+def test_what_is_read_with_an_error_beyond_itself_is_no_answer_however_near_it_lies(text: str, vague: set[str]) -> None:
+    """i_H1 is read as −50 ± 230, and is −49.5."""
+    found = solve(loads(f"id: vague\ntitle: vague\n{text}")).answers
+    assert {key for key, one in found.items() if one.suspect is Cause.VAGUE} == vague
+
+
+def test_what_vanishes_is_no_less_an_answer_for_being_asked_alone() -> None:
+    for name, key in (("5-1", "F_r"), ("3-7b", "ar_B3B2"), ("engine-four", "F_I")):
+        problem = load(name)
+        alone = replace(problem, asks=tuple(ask for ask in problem.asks if ask.rel.key == key))
+        assert not solve(alone).suspect, key
 
 
 def test_only_the_noise_of_the_exact_value_excuses_an_ideal_hand() -> None:

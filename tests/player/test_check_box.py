@@ -7,6 +7,7 @@ import json
 import re
 from base64 import b64decode
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -139,3 +140,16 @@ def test_numbers_are_read_as_people_write_them(text: str, value: float, chrome: 
 def test_the_box_is_small(name: str) -> None:
     without = player_html(solution_of(name), places=0)
     assert len(html_of(name)) - len(without) < 80_000 and 'id="check"' not in without
+
+
+def test_the_box_takes_another_solution_that_serves_as_well(chrome: Page, boxes: Path) -> None:
+    judging(chrome, boxes, "two-solutions")
+    keys = [one.key for one in asked("two-solutions")]
+
+    def found(**typed: str) -> list[dict[str, Any]]:
+        rows = json.dumps([[typed[key], 0, ""] for key in keys])
+        return json.loads(chrome.value(f"JSON.stringify(check.verdicts({rows}))"))  # type: ignore[no-any-return]
+
+    assert all(one["said"] == ["right", "other_solution:2"] for one in found(BC="97.8", AD="163.1"))
+    assert all(one["said"] == ["right"] for one in found(BC="97.8", AD="80.9"))
+    assert [one["verdict"] for one in found(BC="128", AD="163.1")] == ["wrong", "wrong"]

@@ -136,6 +136,11 @@ def test_a_coefficient_of_friction_above_1_is_told() -> None:
     assert "coefficient of friction" in words.en and "data.f" in words.en
 
 
+def test_an_angle_that_a_linkage_is_turned_to_is_no_angle_of_friction() -> None:
+    text = load("cognates").text
+    assert text and not loads(text.replace("phi: 40 deg", "phi: 65 deg")).warnings
+
+
 def test_no_problem_of_the_library_is_warned_of() -> None:
     from vecpoly.problem.library import library
 

@@ -67,10 +67,10 @@ class Board(Compass):
         """The same by every hand."""
         return self.ledger.found
 
-    def scratch(self, scales: Mapping[View, Scale] | None = None) -> Board:
-        """Scratch paper for an exact hand: its acts are not remembered,
+    def scratch(self, scales: Mapping[View, Scale] | None = None, *, as_made: bool = False) -> Board:
+        """Scratch paper for an exact hand, as_made: one that makes the sheet's mistake; its acts are not remembered,
         and what it gives came from where its inputs came from."""
-        over = Scratch(hand_of("exact"), scales or self.scales)
+        over = Scratch(hand_of("exact"), scales or self.scales, Amended(slip=self.amended.slip if as_made else None))
         over.ledger = self.ledger.below()
         return over
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from enum import StrEnum
-from math import inf, isfinite, isnan
+from math import inf, isfinite, isnan, nan
 from typing import Any
 
 import numpy as np
@@ -21,7 +21,7 @@ from .truth import Truth
 
 NEAR = 1e-5  # of that size: beyond it what was found on the way is wrong, however much rounding was magnified there
 AGREE = 1e-7  # of the size of such quantities: what an ideal hand may be off by rounding alone
-VAGUE, LEGIBLE = 0.5, 0.1  # of that size: an expected error with which a reading that is so far off tells nothing
+VAGUE, LEGIBLE = 0.5, 0.1  # of its own measure: an expected error with which a value so far off tells nothing
 MOST = 6  # symbols in a warning
 ENOUGH, FEWEST = 200, 15  # hands from which σ is known; fewer tell nothing: all may round to the same tenth
 RARE = 3.09  # σ of the normal distribution beyond which, on one side, lies 0.1 %
@@ -77,8 +77,10 @@ class Weighed:
     """A value as drawn, as an ideal hand would draw it, and exact (SI), with what each may be off.
 
     drawn, exact: compared by size. ideal, true: compared as vectors, where they are. reach: expected error of the drawn
-    value, NaN where none is known. noise: what the exact value itself may be off by. size: of such quantities here.
-    steady: whether the hand that drew the sheet does not scatter itself.
+    value beyond which it is suspect, NaN where none is known. noise: what the exact value itself may be off by. size:
+    of such quantities here. steady: whether the hand that drew the sheet does not scatter itself.
+    expected: the expected error that is told, NaN likewise. own: what the value itself is measured by, whatever else is
+    asked: its size, or what can just be read where that is less.
     """
 
     drawn: float
@@ -88,6 +90,8 @@ class Weighed:
     reach: float
     noise: float
     size: float
+    own: float
+    expected: float = nan
     steady: bool = True
 
     @property
@@ -102,13 +106,15 @@ class Weighed:
             return Cause.APART
         if abs(self.drawn - self.exact) > self.reach + AGREE * self.size + self.noise:
             return Cause.BEYOND
-        if (
-            self.steady
-            and self.reach > VAGUE * self.size
-            and abs(self.drawn - self.exact) > LEGIBLE * self.size + self.noise
-        ):
-            return Cause.VAGUE
-        return None
+        return Cause.VAGUE if self._tells_nothing else None
+
+    @property
+    def _tells_nothing(self) -> bool:
+        """Whether the expected error is larger than the value, or nearly so and the value not near the exact one."""
+        if self.expected > self.own:
+            return True
+        off = abs(self.drawn - self.exact)
+        return self.steady and self.reach > VAGUE * self.own and off > LEGIBLE * self.own + self.noise
 
 
 def contradicted(truth: Truth, motion: Mapping[Rel, Number]) -> list[Rel]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Mapping
-from typing import NamedTuple, Protocol, TypeVar
+from typing import NamedTuple, Protocol, TypeVar, runtime_checkable
 
 import numpy as np
 
@@ -60,6 +60,16 @@ class Truth(Protocol):
 
     def way(self) -> Callable[[Printed], complex | None]:
         """What gives the exact vector behind a printed answer (None: it is no vector)."""
+        ...
+
+
+@runtime_checkable
+class OfSeveral(Protocol):
+    """A truth about what may have several solutions that serve as well."""
+
+    @property
+    def others(self) -> Mapping[int, Mapping[str, float]]:
+        """The number of each but the one that is taken → key → its value, in the units of the answers."""
         ...
 
 

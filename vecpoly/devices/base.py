@@ -103,6 +103,7 @@ class Device(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
     kind: ClassVar[str] = ""
+    ends_apart: ClassVar[bool] = False  # whether nothing is chosen by what is drawn on a figure apart: it is read there
 
     def __hash__(self) -> int:
         return hash((type(self), tuple(_hashable(value) for _, value in self)))

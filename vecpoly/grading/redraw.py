@@ -28,11 +28,14 @@ ByHand = Mapping[
 ]  # key → value by each hand (of a vector x + iy where it is known), without the nominal one
 
 
-def by_hands(problem: Problem, key: AnswerKey, amended: Amended, *, unsteady: bool = False) -> ByHand:
+def by_hands(
+    problem: Problem, key: AnswerKey, amended: Amended, *, unsteady: bool = False, nominal: bool = False
+) -> ByHand:
     """Every graded quantity by each of the hands that `amended` tells of, at the scales of the key; NaN where none was
     found.
 
-    unsteady: they scatter as students' hands do; else they are exact. Raises what drawing the nominal sheet raises.
+    unsteady: they scatter as students' hands do; else they are exact. nominal: before them by the exact hand of the
+    sheet itself. Raises what drawing the nominal sheet raises.
     """
     many = len(amended.each) + len(amended.own)
     by = key.allowance.hand(many) if unsteady else steady(many)
@@ -41,7 +44,7 @@ def by_hands(problem: Problem, key: AnswerKey, amended: Amended, *, unsteady: bo
     for one in key.quantities:
         act = act_of(drawn, one)
         if act is not None:
-            found[one.key] = np.broadcast_to(values_of(drawn, act), (many + 1,))[1:]
+            found[one.key] = np.broadcast_to(values_of(drawn, act), (many + 1,))[0 if nominal else 1 :]
     return found
 
 

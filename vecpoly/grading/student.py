@@ -66,8 +66,9 @@ class Checked:
 
     @property
     def said(self) -> tuple[Words, ...]:
-        """What is said of the whole: that its solutions are numbered otherwise."""
-        return tuple(one.words for one in self.marked.messages if one.id is Told.RENUMBERED)
+        """What is said of the whole: that its solutions are numbered otherwise, or that another one is answered."""
+        whole = (Told.RENUMBERED, Told.OTHER_SOLUTION)
+        return tuple(one.words for one in self.marked.messages if one.id in whole)
 
     def as_json(self) -> dict[str, Any]:
         """Plain data."""

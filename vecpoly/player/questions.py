@@ -16,6 +16,7 @@ from ..grading.compare.band import target_of
 from ..grading.derive.keyed import answer_key
 from ..grading.key import AnswerKey, Graded, Kind
 from ..grading.marking.causes import FAR
+from ..grading.marking.solutions import other_keys
 from ..grading.reading.direction import WIND, WINDS
 from ..grading.rules import USUAL_RULES
 from ..grading.slips.mutants import Mutant, mutants
@@ -37,7 +38,7 @@ from .setting.type import Faces, html, words_html
 KINDS = (Kind.VECTOR, Kind.SIGNED, Kind.SCALAR)
 ALWAYS = (
     Told.RIGHT, Told.NEARLY, Told.NOT_RIGHT, Told.SENSE, Told.SENSE_MISSING, Told.SIGN, Told.POW10, Told.TURNS,
-    Told.PER_MINUTE, Told.DEGREES, Told.TWO_SLIPS, Told.ZERO, Told.REVERSED, Told.DIRECTION,
+    Told.PER_MINUTE, Told.DEGREES, Told.TWO_SLIPS, Told.ZERO, Told.REVERSED, Told.DIRECTION, Told.OTHER_SOLUTION,
 )  # fmt: skip
 UNREAD = Words("请写一个数", "write a number")
 OWN = Words(*(SENTENCES[Told.OK_OWN].of(lang).replace("${src}$", "{src}") for lang in LANGS))  # the script has symbols
@@ -78,10 +79,20 @@ def box(problem: Problem, faces: Faces) -> Box:
     rule = {
         "lone": LONE, "margin": MARGIN, "far": FAR, "k": allowance.k, "wrong": allowance.wrong,
         "turned": allowance.direction, "short": allowance.short, "reach": USUAL_RULES.reach, "rows": rows,
+        "solutions": [[n, _valued(other, asked)] for n, other in other_keys(problem, key)],
         "wind": WIND.pattern, "winds": [[one.degrees, one.reach] for one in WINDS],
     }  # fmt: skip
     data = b64encode(json.dumps(rule, separators=(",", ":")).encode()).decode()
     return Box(questions=tuple(_question(one, faces) for one in asked), sentences=tuple(said.items()), data=data)
+
+
+def _valued(key: AnswerKey, asked: Sequence[Graded]) -> list[dict[str, float]]:
+    """What another solution makes of the rows, in the units in which they are asked."""
+    pairs = ((key[one.key], printed_unit(one.unit)[0]) for one in asked)
+    return [
+        {"x": times * one.exact, "t": times * one.allowed, "near": one.allowed / abs(one.exact) if one.exact else 1.0}
+        for one, times in pairs
+    ]
 
 
 def _question(one: Graded, faces: Faces) -> Question:

@@ -11,6 +11,7 @@ from ...algebra.quantity import Expr, Of, Powered, Product, Quantity, Quotient, 
 from ...plane import Reals, nominal
 from .slip import Chance, Mistake, Slip
 
+HALF_OF = 2.0
 SAME = 1e-9  # of a value: so near to the right one it is no mistake
 _COFUNCTION = {"sin": "cos", "cos": "sin"}
 Wrong = tuple[Mistake, str, Expr]  # the mistake, of what, and the formula that it makes
@@ -41,9 +42,23 @@ def _is_other(wrong: Expr, right: Expr) -> bool:
 
 
 def mistaken(expr: Expr) -> Iterator[Wrong]:
-    """Every formula with one mistake; none of what is read on paper, whose lines have mistakes of their own."""
+    """Every formula with one mistake; of what is read on paper, whose lines have mistakes of their own, that a half is
+    forgotten."""
+    if (whole := _not_halved(expr)) is not None:
+        yield Mistake.DOUBLED, "", whole
     if not any(isinstance(one.node, Over) for one in _leaves(expr)):
         yield from _of(expr)
+
+
+def _not_halved(expr: Expr) -> Expr | None:
+    """The formula of one who forgets that it is half of something: of a difference, or a sum; None where it is not."""
+    match expr:
+        case Quotient(num=num, den=Quantity(node=Txt(), value=float(two))) if two == HALF_OF:
+            return num
+        case Product(factors=(*before, last)) if (whole := _not_halved(last)) is not None:
+            return Product((*before, whole))
+        case _:
+            return None
 
 
 def _leaves(expr: Expr) -> Iterator[Quantity]:

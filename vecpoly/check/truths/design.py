@@ -65,6 +65,14 @@ class DesignTruth:
         """The values with nudged data, of the linkages that lie nearest to those that serve."""
         return _nearby(self.design)
 
+    @property
+    def others(self) -> Mapping[int, Mapping[str, float]]:
+        """The valid ones after the first; none where a certain one is to be taken."""
+        if self.design.take != 1:
+            return {}
+        valid = [one for one in linkages(self.design) if one.verdict is Verdict.VALID]
+        return {number: one.values for number, one in enumerate(valid[1:], 2)}
+
     def known(self, rel: Rel) -> None:
         """Nothing: a linkage that is to be found has no motion yet."""
 

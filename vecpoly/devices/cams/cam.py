@@ -79,6 +79,7 @@ class Cam(Device):
     """r0: radius of the base circle (of the pitch curve, where there is a roller); alpha instead: what is allowed."""
 
     kind: ClassVar[str] = "cam"
+    ends_apart: ClassVar[bool] = True
     follower: Follower
     motion: Annotated[tuple[Motion, ...], Field(min_length=2)]
     r0: Length | None = None

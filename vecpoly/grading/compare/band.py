@@ -45,6 +45,17 @@ def distance(given: Measured, graded: Graded, target: Target) -> float:
     return abs(gap(given.value, graded, target))
 
 
+def widened(given: Measured, target: Target) -> float:
+    """T with what the last digit that was written hides: nobody writes more digits than he has."""
+    return target.allowed + min(given.half, target.allowed) * 0.5
+
+
+def is_other_sense(given: Measured, graded: Graded) -> bool:
+    """Whether a sense of turning was written, and is not the exact one."""
+    turns = graded.kind is Kind.SIGNED and bool(graded.exact)
+    return turns and given.sense != 0 and (given.sense > 0) is not (graded.exact > 0)
+
+
 def weigh(given: Measured, graded: Graded, target: Target, rule: Allowance) -> Outcome:
     """The outcome: ≤ T right, ≤ `wrong` T close; a sense or a direction is looked at where the size is right."""
     if graded.kind is Kind.YES_NO:
@@ -52,8 +63,7 @@ def weigh(given: Measured, graded: Graded, target: Target, rule: Allowance) -> O
     if graded.kind is Kind.PLACE and given.at is not None and target.at is not None:
         return _band(distance(given, graded, target), target.allowed, rule)
     off = abs(gap(given.value, graded, target))
-    slack = min(given.half, target.allowed)  # nobody writes more digits than he has
-    sized = _band(off, target.allowed + slack * 0.5, rule)
+    sized = _band(off, widened(given, target), rule)
     if sized is Outcome.WRONG:
         return _sign(given, graded, target, rule)
     return _turned(given, graded, target, rule) or sized

@@ -9,7 +9,6 @@ from math import isfinite, log10
 from ...algebra.quantity import number
 from ...problem.problem import Problem
 from ...words import bare
-from ..compare.band import gap, target_of
 from ..compare.measured import UnitFault
 from ..compare.outcome import Basis, Finding, Outcome
 from ..drawings.judging.mark import DrawingMark
@@ -28,7 +27,8 @@ from .marked import Marked
 from .order import in_order
 from .points import earned
 from .scaled import at_own_scales, mutants_at
-from .tell import sentences, source_of
+from .solutions import as_answered
+from .tell import off_by, sentences, source_of
 from .verdict import Verdicts, verdicts
 
 Mutants = Callable[[], Sequence[Mutant]]
@@ -52,6 +52,7 @@ def mark(
     follow-through than without.
     """
     sheet, order = in_order(key, sheet)
+    key, other = as_answered(problem, key, sheet)
     key, equations = paid_by_equations(key, sheet, rules)
     unpaid, lines = paid_by_lines(key, drawing, rules)
     paid = paid_by_length(unpaid, sheet)
@@ -66,8 +67,8 @@ def mark(
     faulty = any(one.fault is UnitFault.DIMENSION or (one.fault and not rules.printed) for one in found.given.values())
     return Marked(
         key=key, findings=findings, stated=stated, lost=rules.unit if faulty else 0.0, lines=lines, slips=why.slips,
-        equations=equations,
-        roots=tuple(one.key for one in found.roots()), messages=(*order, *_of_scales(key, sheet)), faults=sheet.faults,
+        equations=equations, roots=tuple(one.key for one in found.roots()), faults=sheet.faults,
+        messages=(*order, *other, *_of_scales(key, sheet)),
     )  # fmt: skip
 
 
@@ -80,7 +81,7 @@ def _finding(found: Verdicts, why: Causes, one: Graded, named: set[str], rules: 
         return Finding(key=one.key, written=BLANK, outcome=Outcome.BLANK, messages=(message(Told.BLANK),))
     outcome, basis, mine = found.outcome[one.key], found.basis.get(one.key, Basis.EXACT), found.given.get(one.key)
     said = sentences(found, why, one, rules)
-    off = gap(mine.value, one, target_of(one)) if mine is not None and mine.at is None else None
+    off = off_by(found, one) if mine is not None and mine.at is None else None
     return Finding(
         key=one.key, written=found.sheet.answers[one.key], outcome=outcome, basis=basis, messages=said,
         value=None if mine is None else mine.value, off=off if off is not None and isfinite(off) else None,

@@ -8,7 +8,7 @@ from math import floor, isfinite, log10
 from ...algebra.quantity import number
 from ...names import written_unit
 from ...words import Words, bare
-from ..compare.band import distance, gap, target_of
+from ..compare.band import distance, gap, is_other_sense, target_of, widened
 from ..compare.measured import UnitFault
 from ..compare.outcome import Basis, Outcome
 from ..key import Graded, Kind
@@ -73,10 +73,19 @@ def _right(found: Verdicts, why: Causes, one: Graded, outcome: Outcome, basis: B
                 return message(Told.RIGHT)
             if outcome is Outcome.CLOSE:
                 return message(Told.CLOSE, e=_off(found, one), t=_amount(one, one.allowed, 2))
-            if one.allowed_mm is None or one.kind not in (Kind.READING, Kind.VECTOR):
-                return message(Told.OK_RECKONED, e=_off(found, one), t=_amount(one, one.allowed, 2))
-            mm = abs(_gap(found, one)) * one.allowed_mm / one.allowed
-            return message(Told.OK, e=_rounded(mm, one.allowed_mm), t=number(one.allowed_mm, 2))
+            return _exactly(found, one)
+
+
+def _exactly(found: Verdicts, one: Graded) -> Message:
+    """By how much a right value is off, in mm where it is drawn; of what few digits let pass, that they do."""
+    off, allowed = abs(off_by(found, one)), _amount(one, one.allowed, 2)
+    if off > one.allowed * (1 + 1e-9):
+        wide = widened(found.given[one.key], target_of(one))
+        return message(Told.OK_ROUNDED, e=_off(found, one), t=allowed, w=_amount(one, wide, 2))
+    if one.allowed_mm is None or one.kind not in (Kind.READING, Kind.VECTOR):
+        return message(Told.OK_RECKONED, e=_off(found, one), t=allowed)
+    mm = off * one.allowed_mm / one.allowed
+    return message(Told.OK, e=_rounded(mm, one.allowed_mm), t=number(one.allowed_mm, 2))
 
 
 def _drawn(found: Verdicts, one: Graded) -> float:
@@ -99,6 +108,8 @@ def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Itera
         yield message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed, 2))
     if said is not None:
         yield said
+    if one.key not in why.slips and _turns_otherwise(found, one):
+        yield message(Told.SENSE_TOO)
     followed = found.followed.get(one.key)
     if outcome is Outcome.WRONG and followed is not None and followed.target is not None and said is None:
         source = source_of(found, one)
@@ -114,7 +125,7 @@ def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Itera
 def source_of(found: Verdicts, one: Graded) -> str:
     """The own value that a step was continued from: of several the one that is farthest off."""
     sources = found.followed[one.key].sources
-    return max(sources, key=lambda name: abs(_gap(found, found.key[name])) / max(found.key[name].allowed, 1e-300))
+    return max(sources, key=lambda name: abs(off_by(found, found.key[name])) / max(found.key[name].allowed, 1e-300))
 
 
 def _demoted(found: Verdicts, one: Graded) -> Iterator[Message]:
@@ -138,7 +149,7 @@ def _digits(found: Verdicts, one: Graded, digits: int, rules: Rules) -> Iterator
     is_count = one.unit == "" and one.exact == round(one.exact)
     if not found.outcome[one.key].answered or one.kind is Kind.YES_NO or is_count or not digits:
         return
-    if digits < rules.few_digits and abs(_gap(found, one)) > 1e-9 * abs(one.exact):
+    if digits < rules.few_digits and abs(off_by(found, one)) > 1e-9 * abs(one.exact):
         yield message(Told.FEW_DIGITS, n=str(digits))
     if digits > rules.many_digits:
         yield message(Told.MANY_DIGITS, n=str(digits))
@@ -155,15 +166,23 @@ def _read(found: Verdicts, one: Graded) -> Iterator[Message]:
         yield message(Told.READ, mm=number(mm, 4), mu=number(mu, 3), own=_amount(one, mm * mu))
 
 
-def _gap(found: Verdicts, one: Graded) -> float:
+def off_by(found: Verdicts, one: Graded) -> float:
+    """How far an answer is from the exact value: where its size is wrong and its sense too, both together."""
     mine = found.given[one.key]
     if mine.at is not None and one.at is not None:
         return distance(mine, one, target_of(one))
+    if _turns_otherwise(found, one):
+        return abs(mine.value) + abs(one.exact)
     return gap(mine.value, one, target_of(one))
 
 
+def _turns_otherwise(found: Verdicts, one: Graded) -> bool:
+    """Whether a wrong size has the wrong sense as well."""
+    return found.outcome[one.key] is Outcome.WRONG and is_other_sense(found.given[one.key], one)
+
+
 def _off(found: Verdicts, one: Graded) -> str:
-    off = abs(_gap(found, one))
+    off = abs(off_by(found, one))
     return (
         f"{_rounded(off / one.one, one.allowed / one.one)} {written_unit(one.written_in)}".strip()
         if isfinite(off)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cache
@@ -16,6 +16,7 @@ from ...answer import bearing
 from ...board.hand import scatter
 from ...board.otherwise.amended import Amended, Own
 from ...board.otherwise.slip import Mistake, Slip
+from ...devices.base import Device
 from ...errors import VecpolyError
 from ...mechanism.model import Mechanism
 from ...mistakes import slips
@@ -55,6 +56,10 @@ class Mutant:
     values: Mapping[str, Value] = field(default_factory=dict)
     also: tuple[Slip, ...] = ()
 
+    def value_of(self, one: Graded) -> Value:
+        """What comes out by it: the exact value where it changes nothing."""
+        return self.values.get(one.key) or Value(value=one.exact, degrees=one.degrees, at=one.at)
+
     def leaves_out(self, name: str) -> bool:
         """Whether it is this quantity that is left out: it may be written as 0, as well as right."""
         return any(one.mistake is Mistake.DROPPED and one.key == name for one in (self.slip, *self.also))
@@ -63,22 +68,38 @@ class Mutant:
 def mutants(problem: Problem, key: AnswerKey, of: Sequence[Slip] | None = None) -> tuple[Mutant, ...]:
     """Every slip that changes something and leaves a drawing.
 
-    All in one drawing, each made by a hand of its own, and in another by `HANDS` students; but where friction follows
-    the senses of a motion that a slip changes, or where what is chosen depends on what was drawn, as in a design, that
-    slip is drawn by itself.
+    All in one drawing, each made by a hand of its own, and in another by `HANDS` students; but what `_is_alone` is
+    drawn by itself.
     """
     made = tuple(slips(problem) if of is None else of)
-    linkage = isinstance(problem.subject, Mechanism)
-    alone = tuple(one for one in made if not linkage or (problem.loads is not None and one.mistake in TURNING))
+    alone = tuple(one for one in made if _is_alone(problem, one))
     together = tuple(one for one in made if one not in alone)
     found = _drawn_together(problem, key, together) if together else {}
     for slip in alone:
         with suppress(VecpolyError):  # nothing can be drawn by this mistake
-            by_one = by_hands(problem, key, Amended(slip=slip, own=(Own(),)))
-            by_many = by_hands(problem, key, Amended(slip=slip, own=(Own(),) * HANDS), unsteady=True)
-            found[slip] = _changed(key, by_one, 0), by_many
+            found[slip] = _drawn_alone(problem, key, slip)
     each = [Mutant(slip=slip, values=found[slip][0]) for slip in made if slip in found and found[slip][0]]
     return tuple(_scattered(key, one, found[one.slip][1]) for one in _grouped(key, each))
+
+
+def _is_alone(problem: Problem, slip: Slip) -> bool:
+    """Whether friction follows the senses of a motion that a slip changes, or what is chosen depends on what was drawn,
+    as in a design; a figure apart tells nothing to choose by where a device says so."""
+    if isinstance(problem.subject, Mechanism):
+        return problem.loads is not None and slip.mistake in TURNING
+    return not (isinstance(problem.subject, Device) and problem.subject.ends_apart and ":" in slip.key)
+
+
+def _drawn_alone(problem: Problem, key: AnswerKey, slip: Slip) -> tuple[dict[str, Value], ByHand]:
+    """The same of one slip. Where a quantity that is computed wrongly lets nothing more be drawn, a right sheet is
+    drawn beside it: what was found before is then known. Raises VecpolyError where nothing can be drawn."""
+    try:
+        by_all = by_hands(problem, key, Amended(slip=slip, own=(Own(),) * HANDS), unsteady=True, nominal=True)
+    except VecpolyError:
+        if (computed := key.find(slip.key)) is None or computed.kind is Kind.READING:
+            raise
+        return _drawn_together(problem, key, (slip,))[slip]
+    return _changed(key, by_all, 0), {name: values[1:] for name, values in by_all.items()}
 
 
 def _drawn_together(
@@ -108,6 +129,12 @@ def _same(key: AnswerKey, first: Mutant, second: Mutant) -> bool:
     if first.values.keys() != second.values.keys():
         return False
     pairs = ((key[name], value, second.values[name]) for name, value in first.values.items())
+    return not any(_apart(one, mine, theirs) for one, mine, theirs in pairs)
+
+
+def alike(key: AnswerKey, first: Mutant, second: Mutant, names: Collection[str]) -> bool:
+    """Whether two mistakes give the same of these quantities."""
+    pairs = ((key[name], first.value_of(key[name]), second.value_of(key[name])) for name in names)
     return not any(_apart(one, mine, theirs) for one, mine, theirs in pairs)
 
 

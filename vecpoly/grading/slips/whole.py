@@ -11,9 +11,10 @@ from ..compare.band import Target, distance, target_of, weigh
 from ..compare.measured import Measured
 from ..compare.outcome import Outcome
 from ..key import AnswerKey, Graded, Kind
-from .mutants import Mutant, Value
+from .mutants import Mutant, Value, alike
 
 LONE = 0.7  # of T: as near must a value be that alone bears a mistake out
+BORNE_OUT = 2  # values, at least, that bear out one of several mistakes that give the same
 MARGIN = 6.0  # by how much the sum of squares of the next best mistake must be larger
 NO_MISTAKE = 3.0  # and of the sheet without any, whose wrong values are wrong by themselves
 ANYWHERE = 8 / 3  # of the larger value: where one that is wrong by itself may lie, from a third to three times
@@ -47,7 +48,7 @@ def explain(
         return Explained(mutant=None)
     fitting.sort(key=lambda each: each[0])
     if len(fitting) > 1 and fitting[1][0] - fitting[0][0] < MARGIN:
-        return Explained(mutant=None, several=True)
+        return _either(key, pool, [one for score, one in fitting if score - fitting[0][0] < MARGIN])
     return Explained(mutant=fitting[0][1])
 
 
@@ -133,6 +134,17 @@ def _by_itself(one: Graded, mine: Measured, outcome: Outcome, rule: Allowance) -
 def _ways(one: Graded) -> int:
     """In how many directions a value can be off."""
     return 2 if one.kind is Kind.PLACE else 1
+
+
+def _either(key: AnswerKey, pool: Collection[str], near: Sequence[Mutant]) -> Explained:
+    """Mistakes that agree as well: one, either of them, where each moves several of these values, and all move them
+    alike; else several."""
+    first, *others = near
+    moved = [name for name in pool if name in first.values]
+    if len(moved) < BORNE_OUT or not all(alike(key, first, one, pool) for one in others):
+        return Explained(mutant=None, several=True)
+    also = (slip for one in others for slip in (one.slip, *one.also))
+    return Explained(mutant=replace(first, also=(*first.also, *also)))
 
 
 def agrees(one: Graded, mine: Measured, mutant: Mutant, rule: Allowance) -> bool:

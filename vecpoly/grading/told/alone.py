@@ -18,7 +18,7 @@ _INSTEAD = {
     Told.OK_DRAWN: Told.FOLLOWS_DRAWN,
     Told.SCALE_CONST: Told.ONE_FACTOR,
 }
-_RIGHT = (Told.OK, Told.OK_RECKONED)
+_RIGHT = (Told.OK, Told.OK_RECKONED, Told.OK_ROUNDED)
 
 
 def alone(said: Sequence[Message]) -> tuple[Message, ...]:

@@ -13,6 +13,7 @@ class Told(StrEnum):
 
     OK = "ok"
     OK_RECKONED = "ok_reckoned"
+    OK_ROUNDED = "ok_rounded"
     OK_OWN = "ok_own"
     OK_SLIP = "ok_slip"
     OK_DRAWN = "ok_drawn"
@@ -20,6 +21,7 @@ class Told(StrEnum):
     WRONG = "wrong"
     WRONG_FROM = "wrong_from"
     SENSE = "sense"
+    SENSE_TOO = "sense_too"
     SENSE_MISSING = "sense_missing"
     SIGN = "sign"
     REVERSED = "reversed"
@@ -61,6 +63,7 @@ class Told(StrEnum):
     TICK_UNKNOWN = "tick_unknown"
     NO_EQUATION = "no_equation"
     RENUMBERED = "renumbered"
+    OTHER_SOLUTION = "other_solution"
     NOT_READ = "not_read"
     CONTRADICTION = "contradiction"
     NOT_CLOSED = "not_closed"
@@ -76,6 +79,10 @@ class Told(StrEnum):
 SENTENCES: Mapping[Told, Words] = {
     Told.OK: Words("正确（误差 {e} mm，允许 ±{t} mm）", "Correct (error {e} mm, allowed ±{t} mm)"),
     Told.OK_RECKONED: Words("正确（误差 {e}，允许 ±{t}）", "Correct (error {e}, allowed ±{t})"),
+    Told.OK_ROUNDED: Words(
+        "正确（误差 {e}；允许 ±{t}，所写末位的舍入使之放宽到 ±{w}）",
+        "Correct (error {e}; allowed ±{t}, and ±{w} with the rounding of the last digit written)",
+    ),
     Told.OK_OWN: Words(
         "按你前面的 ${src}$ = {v} 计算，本步正确，不重复扣分",
         "Right when continued from your ${src}$ = {v}; not penalised again",
@@ -98,6 +105,7 @@ SENTENCES: Mapping[Told, Words] = {
         "大小正确，转向相反：请在图上重新判断转向（如将切向矢量移到机构图上）",
         "Magnitude right, sense reversed: judge it again on the drawing (place the tangential vector on the link)",
     ),
+    Told.SENSE_TOO: Words("转向也相反", "Its sense is reversed, too"),
     Told.SENSE_MISSING: Words("大小正确，没有写转向", "Magnitude right, but its sense is not stated"),
     Told.SIGN: Words("大小正确，符号相反", "Magnitude right, sign reversed"),
     Told.REVERSED: Words(
@@ -203,6 +211,9 @@ SENTENCES: Mapping[Told, Words] = {
     Told.TURNED: Words("大小正确，但方向不对", "Magnitude right, direction wrong"),
     Told.RENUMBERED: Words(
         "各解的先后不作规定，所写的编号按此对应：{pairs}", "Solutions have no order; yours are taken so: {pairs}"
+    ),
+    Told.OTHER_SOLUTION: Words(
+        "所答的是第 {n} 个解，同样满足题目条件", "This is solution {n}, which satisfies the conditions as well"
     ),
     Told.NOT_READ: Words("无法识别“{raw}”：{why}", "Could not read '{raw}': {why}"),
     Told.CONTRADICTION: Words("“{raw}”自相矛盾：{why}", "'{raw}' contradicts itself: {why}"),

@@ -20,7 +20,9 @@ _SAID = {
     Mistake.REVERSED: Words("方向画反", "laid off the wrong way"),
     Mistake.DROPPED: Words("漏画", "left out"),
     Mistake.HALVED: Words("小了一半（如漏乘 2）", "half as large (a factor 2 left out)"),
-    Mistake.DOUBLED: Words("大了一倍（如以直径代半径）", "twice as large (a diameter for a radius, say)"),
+    Mistake.DOUBLED: Words(
+        "大了一倍（如漏除以 2，或以直径代半径）", "twice as large (a half forgotten, or a diameter for a radius)"
+    ),
     Mistake.TURNED: Words("方向转过了 90°（⊥ 与 ∥ 混淆）", "turned by 90° (∥ for ⊥)"),
     Mistake.SCALED: Words("用错了比例尺", "laid off with another figure's scale"),
     Mistake.COINCIDENT: Words("取错了重合点", "taken of the wrong coincident point"),

@@ -10,6 +10,7 @@ from .message import Message, message
 _INSTEAD = {
     Told.OK: Told.RIGHT,
     Told.OK_RECKONED: Told.RIGHT,
+    Told.OK_ROUNDED: Told.RIGHT,
     Told.CLOSE: Told.NEARLY,
     Told.WRONG: Told.NOT_RIGHT,
     Told.DIRECTION: Told.TURNED,

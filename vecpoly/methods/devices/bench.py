@@ -21,10 +21,11 @@ from ...words import Words
 NO_SCALE = Scale(symbol="", value=1.0, unit="")  # of a sketch and of a block diagram
 
 
-def trial_board(board: Board) -> Board:
-    """Scratch paper on which something is tried."""
-    trial = board.scratch()
-    trial.step(Words("试作", "trial"))
+def trial_board(board: Board, *, like: Place | None = None) -> Board:
+    """Scratch paper on which something is tried; like: the figure that is tried on it, with the mistake that is made
+    there."""
+    trial = board.scratch(as_made=like is not None)
+    trial.step(Words("试作", "trial"), like)
     return trial
 
 

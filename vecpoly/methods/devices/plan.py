@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from ..drawn import Drawn
 from .bench import NO_SCALE, Bench
 from .registry import find_device
 
+KEPT = 4  # sketches that are remembered, of problems drawn lately
 TITLES = {View.MECHANISM: Words("简图", "Sketch"), View.BODY: Words("受力图", "Free body")}  # not as of a mechanism
 
 
@@ -54,6 +56,7 @@ def _draw(device: Device, by: Hand, scales: Mapping[View, Scale], amended: Amend
     return bench
 
 
+@lru_cache(maxsize=KEPT)  # whoever tries slips draws one problem a hundred times
 def _scales(problem: Problem, paper: Paper) -> tuple[dict[View, Scale], Bench]:
     """Round scales with which the figures of a sketch fill their sheets; and the sketch."""
     device = problem.device

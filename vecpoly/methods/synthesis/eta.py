@@ -10,6 +10,7 @@ import numpy as np
 from ...algebra.quantity import Quantity
 from ...board.paper.marks import Dot
 from ...designs.quantities import THETA
+from ...errors import AssemblyError
 from ...plane import Line, Points, Reals, nominal, unit
 from ...plane.geometry import cross
 from ...words import Words
@@ -18,6 +19,8 @@ from .draft import SHEET, Draft
 from .linkage import point
 
 NAMED = pi / 4  # from P on, where the circle has its letter
+NO_CIRCLE = 1e-6  # mm: a radius with which nobody draws a circle
+
 _FIRST = Words(
     "过 $C_2$ 作 $C_{1}C_{2}$ 的垂线，过 $C_1$ 作与 $C_{1}C_{2}$ 成 $90° − θ$ 的射线，两线交于 $P$，则 "
     "$∠C_{1}PC_{2} = θ$；以 $C_{1}P$ 为直径作圆 $η$"
@@ -67,6 +70,8 @@ def eta(draft: Draft, ends: tuple[Points, Points], theta: Quantity, way: int, fi
     board.rule(SHEET, normal, p)
     board.rule(SHEET, ray, p)
     radius = np.abs(p - c1) / 2
+    if not float(nominal(radius)) > NO_CIRCLE:
+        raise _no_circle(marks)
     o = point(draft, f"O{marks}", board.lay_off(c1, unit(p - c1), radius))
     board.circle(SHEET, o, radius)
     behind = -np.sign(float(nominal(cross(p - c1, c2 - c1))))  # where neither C₁, C₂ nor P stands
@@ -76,3 +81,16 @@ def eta(draft: Draft, ends: tuple[Points, Points], theta: Quantity, way: int, fi
         marked(draft, c1, (c2, p), "90° − θ")
         marked(draft, p, (c1, c2), "θ", key=THETA.key)
     return Eta(centre=o, radius=radius, side=way, marks=marks)
+
+
+def _no_circle(marks: str) -> AssemblyError:
+    """Not with any data: with a perpendicular ruled along the chord, or limit positions drawn as one."""
+    p = f"P{marks}"
+    return AssemblyError(
+        Words(
+            f"圆 $η{marks}$ 画不出来：${p}$ 落在 $C_1$ 上，直径 $C_{{1}}{p}$ 为零；"
+            "请检查 $C_{1}C_{2}$ 与 $C_2$ 处的垂线",
+            f"there is no circle $η{marks}$: ${p}$ falls on $C_1$, so that its diameter $C_{{1}}{p}$ is nothing; "
+            "look at $C_{1}C_{2}$ and at the perpendicular at $C_2$",
+        )
+    )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from ...board.board import Board
@@ -17,19 +19,14 @@ from ..drawn import Drawn
 from .draft import SHEET, Draft
 from .registry import find_design
 
+KEPT = 4  # sketches that are remembered, of problems drawn lately
 SAME = 9  # digits to which two numbers that order candidates are one
 
 
 def construct_design(problem: Problem, by: Hand, paper: Paper, amended: Amended = AS_DRAWN) -> Drawn:
     """Find the linkages on a board; the sketch's figures tell the scale, its candidates their numbers."""
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        sketch = _draw(problem, hand("exact"), _guess(problem), None)
-        scale = _scale(problem, sketch, _guess(problem), paper)
-        ideal = _draw(problem, hand("exact"), scale, sketch)
-        if (
-            better := _scale(problem, ideal, scale, paper)
-        ) != scale:  # seen at its size, it may fill the sheet otherwise
-            scale, ideal = better, _draw(problem, hand("exact"), better, sketch)
+        scale, ideal = _ideal(problem, paper)
         draft = _draw(problem, by, scale, ideal, amended)
     board, keys = draft.board, [ask.rel.key for ask in problem.asks]
     steps, told = evaluated(board.steps, board.acts, {key: board.readings[key] for key in keys})
@@ -48,6 +45,17 @@ def construct_design(problem: Problem, by: Hand, paper: Paper, amended: Amended 
         {key: ideal.board.readings[key] for key in keys},
         hands=board.hands,
     )
+
+
+@lru_cache(maxsize=KEPT)  # whoever tries slips draws one problem a hundred times
+def _ideal(problem: Problem, paper: Paper) -> tuple[float, Draft]:
+    """The scale that a sketch tells, and what an ideal hand draws at it."""
+    sketch = _draw(problem, hand("exact"), _guess(problem), None)
+    scale = _scale(problem, sketch, _guess(problem), paper)
+    ideal = _draw(problem, hand("exact"), scale, sketch)
+    if (better := _scale(problem, ideal, scale, paper)) != scale:  # seen at its size, it may fill the sheet otherwise
+        return better, _draw(problem, hand("exact"), better, sketch)
+    return scale, ideal
 
 
 def _design(problem: Problem) -> Design:

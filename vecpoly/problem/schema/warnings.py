@@ -45,7 +45,7 @@ def _slips(path: Path, text: str) -> Iterator[Words]:
                 f"{m[0].strip()} 等于 {turns:.3g} 整圈；若指的是度，请写 {m[1]} deg",
                 f"{m[0].strip()} is {turns:.3g} whole turns; if degrees are meant, write {m[1]} deg",
             )
-    if path[0] in ("friction", "data") and (f := _friction(str(path[-1]), text)) > ROUGH:
+    if (f := _friction(path, text)) > ROUGH:
         yield Words(
             f"摩擦系数 {f:.3g} 大于 {ROUGH:g}，机械中几乎没有这样的副；请核对",
             f"a coefficient of friction of {f:.3g} is above {ROUGH:g}, which hardly any joint of a "
@@ -53,12 +53,13 @@ def _slips(path: Path, text: str) -> Iterator[Words]:
         )
 
 
-def _friction(key: str, text: str) -> float:
-    """The coefficient that this value stands for; 0 where it is none."""
+def _friction(path: Path, text: str) -> float:
+    """The coefficient that this value stands for; 0 where it is none: among the data of a task φ is no angle of
+    friction, but one that somebody turns by."""
     try:
-        if _COEFFICIENT.fullmatch(key):
+        if path[0] in ("friction", "data") and _COEFFICIENT.fullmatch(str(path[-1])):
             return float(text)
-        angle = read(text, Dim.ANGLE).si if key == "phi" else 0.0
+        angle = read(text, Dim.ANGLE).si if path[0] == "friction" and path[-1] == "phi" else 0.0
     except (ValueError, FaultError):
         return 0.0
     return tan(angle) if 0 < angle < pi / 2 else 0.0

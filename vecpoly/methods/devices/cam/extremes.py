@@ -42,10 +42,10 @@ def _rank(spot: Spot) -> float:
 
 def _best(board: Board, place: View, piece: Piece, low: float, high: float, late: bool, merit: Merit) -> Spot:
     for _ in range(CLOSER):
-        trial = trial_board(board)
+        trial = trial_board(board, like=View.MECHANISM)
         tried = np.linspace(low, high, TRIED)
         found = np.asarray(merit(trial, tried, lift(trial, place, piece, tried, late=late)), dtype=float)
-        top = int(np.nanargmax(found))
+        top = int(np.argmax(np.where(np.isnan(found), -np.inf, found)))
         low, high = float(tried[max(top - 1, 0)]), float(tried[min(top + 1, TRIED - 1)])
     return Spot(phi=float(tried[top]), piece=piece, late=late, merit=float(found[top]))
 

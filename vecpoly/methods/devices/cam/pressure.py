@@ -16,6 +16,7 @@ from ....devices.cams.asked import ALPHA, ALPHA_BACK, ALPHA_RISE
 from ....devices.cams.cam import Cam
 from ....names import Named
 from ....plane import Reals, nominal
+from ....plane.traced import acts_of, bare, traced
 from ....words import Words
 from ..bench import Bench
 from ..inclined import between
@@ -46,6 +47,7 @@ def pressure_angles(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
         )
     ]
     larger = max(found, key=lambda value: float(nominal(value)))
+    larger = traced(np.maximum(*map(bare, found)), acts_of(larger))  # by each hand
     board.step(Words("两者中的大者：", "The greater of the two:"))
     bench.stated(ALPHA, larger)
 
