@@ -43,6 +43,11 @@ class Verdict(Enum):
     NO_DOUBLE_CRANK = Words(
         "不是双曲柄机构，$AB$ 与 $CD$ 不能都整周转动", "no double crank: $AB$ and $CD$ do not both turn fully"
     )
+    REVERSED = Words(
+        "$C_1$ 在给定射线 $DC_1$ 的反向延长线上，$DC_1$ 的方向角为 $ψ_1 ± 180°$；此机构须取 $ψ_1 ± 180°$ 为 $ψ_1$",
+        "$C_1$ lies on the given ray $DC_1$ produced backwards beyond $D$: $DC_1$ would stand at $ψ_1 ± 180°$, which "
+        "is to be given as $ψ_1$ if this linkage is meant",
+    )
     RANGE = Words(
         "在所给范围内经过死点，不能走完全程",
         "it meets a dead point within the given range and cannot pass through all of it",
