@@ -19,6 +19,11 @@ class Verdict(Enum):
         "此处弦 $C_{1}C_{2}$ 所张的角是 $180° − θ$ 而不是 $θ$",
         "from there the chord $C_{1}C_{2}$ is seen under $180° − θ$",
     )
+    AT_LIMIT = Words(
+        "$A$ 与摇杆极限位置的 $C$ 重合：$l_{AB} = l_{BC}$、$l_{AD} = l_{CD}$，机构在此折叠，运动不确定",
+        "$A$ coincides with $C$ in a limit position: $l_{AB} = l_{BC}$ and $l_{AD} = l_{CD}$, so the linkage folds up "
+        "there and its motion is not determined",
+    )
     NO_CRANK = Words(
         "$A$ 在 $C_{1}C_{2}$ 的中垂线上，$l_{AB} = 0$", "$A$ lies on the bisector of $C_{1}C_{2}$: $l_{AB} = 0$"
     )
