@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vecpoly
-from tests.generators.designed.driven import half_a_turn
+from tests.generators.designed.driven import half_a_turn, rests
 from tests.laws import often
 from vecpoly.errors import AssemblyError
 from vecpoly.oracle.synthesis.registry import linkages
@@ -61,3 +61,37 @@ def test_a_drag_link_is_taken_where_its_driven_crank_turns_half_round_while_ab_i
     except AssemblyError:
         return  # the bisector is parallel to the ray
     assert not half_a_turn(solution)
+
+
+def dead_centre(ad: float, cd: float, psi_1: float, psi_2: float, phi: float) -> vecpoly.Problem:
+    """A dead centre by its data (mm, deg)."""
+    data = {"AD": f"{ad} mm", "CD": f"{cd} mm", "psi_1": f"{psi_1} deg", "psi_2": f"{psi_2} deg"}
+    data["phi_12"] = f"{phi} deg"
+    return vecpoly.problem({"id": "t", "title": "t", "synthesis": "dead-centre", "data": data, "find": ["AB", "BC"]})
+
+
+def test_a_dead_centre_that_ab_reaches_by_the_short_way_alone_is_rejected_for_the_long_way() -> None:
+    """A double rocker: AB has two ranges, and by +329° it would have to leave them."""
+    assert verdicts(dead_centre(90, 50, 100, 40, 329)) == ["BRANCH"]
+    assert verdicts(dead_centre(90, 50, 100, 40, -31)) == ["VALID"]
+    assert verdicts(dead_centre(100, 60, 125, 75, 220)) == verdicts(dead_centre(100, 60, 125, 75, -140)) == ["VALID"]
+    ended = dead_centre(90, 50, 100, 40, 329).solve(by="exact").construction.conclusion
+    assert ended is not None and "phi_12 may be 9.749 to 278.1 deg" in ended.en
+
+
+@pytest.mark.parametrize("by", ["exact", "drafting"])
+def test_a_dead_centre_that_starts_beside_the_end_of_its_range_is_moved_with_the_lengths_as_read(by: str) -> None:
+    (moved,) = dead_centre(90, 50, 100, 40, -31).solve(by=by).verification
+    assert moved.broken is None and not moved.full
+
+
+@settings(max_examples=often(20))
+@given(st.integers(50, 150), st.integers(30, 100), st.integers(0, 180), st.integers(0, 180), st.integers(-355, 355))
+def test_a_dead_centre_is_taken_where_ab_leads_its_rocker_there_and_nowhere_else(
+    ad: int, cd: int, psi_1: int, psi_2: int, phi: int
+) -> None:
+    try:
+        solution = vecpoly.solve(dead_centre(ad, cd, psi_1, psi_2, phi), by="exact", repeats=0)
+    except AssemblyError:
+        return  # the bisector is parallel to the line AC₂
+    assert not rests(solution)

@@ -66,7 +66,7 @@ def dead_centre(rng: np.random.Generator) -> str:
         "CD": f"{rng.integers(30, 100)} mm",
         "psi_1": f"{rng.integers(60, 170)} deg",
         "psi_2": f"{rng.integers(10, 120)} deg",
-        "phi_12": f"{rng.integers(-175, 175)} deg",
+        "phi_12": f"{rng.integers(-355, 355)} deg",
     }
     return task("dead-centre", data, "AB, BC")
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from cmath import exp
-from math import pi
+from cmath import exp, phase
+from math import cos, pi, sqrt
 
+from ...designs.ranges import extremes
 from ...designs.two_positions import DeadCentre, DragLink
 from ...designs.verdict import Verdict
 from ...errors import AssemblyError
@@ -26,8 +27,19 @@ def dead_centre(design: DeadCentre) -> list[Linkage]:
     b1 = b2 / turn
     if min(abs(b2), abs(c2 - b2)) < NEAR * abs(d):
         return [_linkage(design, (b1, b2, c1, c2), Verdict.NO_LINK)]
-    same = _side(b1, d, c1) * _side(b2, d, c2) > 0
-    return [_linkage(design, (b1, b2, c1, c2), Verdict.VALID if same else Verdict.OTHER_SIDE)]
+    if _side(b1, d, c1) * _side(b2, d, c2) <= 0:
+        verdict = Verdict.OTHER_SIDE
+    else:
+        verdict = Verdict.VALID if _goes(design, b1, abs(c2 - b2)) else Verdict.BRANCH
+    return [_linkage(design, (b1, b2, c1, c2), verdict)]
+
+
+def _goes(design: DeadCentre, b1: complex, coupler: float) -> bool:
+    """Whether C can follow while AB turns by φ₁₂: |BD|² = a² + d² − 2 a d cos φ between (b − c)² and (b + c)²."""
+    a, c, d, start = abs(b1), design.CD.si, design.AD.si, phase(b1)
+    _, _, *turning = extremes(*sorted((start, start + design.phi_12.si)))  # at both ends it is assembled
+    bases = (sqrt(a * a + d * d - 2 * a * d * cos(phi)) for phi in turning)
+    return all(below(abs(coupler - c), base) and below(base, coupler + c) for base in bases)
 
 
 @synthesizes(DragLink)
