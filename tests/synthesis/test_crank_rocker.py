@@ -186,3 +186,11 @@ def test_lengths_of_which_nothing_is_read_are_told_in_the_words_of_a_reader() ->
     solution = posed(K="1.0001", CD="60 mm", swing="50 deg", AD="70 mm").solve(by="drafting", seed=1)
     said = [one.broken.en for one in solution.verification if one.broken is not None]
     assert said and all(text.startswith("nothing is left of") for text in said)
+
+
+def test_the_range_told_of_a_line_across_has_both_mirror_images() -> None:
+    data = {"K": "1.32", "CD": "92 mm", "swing": "41 deg"}
+    with pytest.raises(AssemblyError, match=r"A from -76\.73 to -21\.38 mm or 21\.38 to 76\.73 mm"):
+        posed(**data, A="on x = 300 mm").solve()
+    for x in ("50 mm", "-50 mm"):
+        assert posed(**data, A=f"on x = {x}").solve(by="exact").construction.conclusion is None
