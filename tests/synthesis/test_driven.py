@@ -79,6 +79,11 @@ def test_a_dead_centre_that_ab_reaches_by_the_short_way_alone_is_rejected_for_th
     assert ended is not None and "phi_12 may be 9.749 to 278.1 deg" in ended.en
 
 
+def test_a_dead_centre_whose_crank_vanishes_has_both_its_pins_in_a() -> None:
+    (one,) = dead_centre(50, 30, 0, 0, 125).solve(by="exact").construction.candidates
+    assert one.verdict == "NO_LINK" and max(abs(one.pins[b] - one.pins["A"]) for b in ("B1", "B2")) < 1e-9
+
+
 @pytest.mark.parametrize("by", ["exact", "drafting"])
 def test_a_dead_centre_that_starts_beside_the_end_of_its_range_is_moved_with_the_lengths_as_read(by: str) -> None:
     (moved,) = dead_centre(90, 50, 100, 40, -31).solve(by=by).verification

@@ -26,6 +26,7 @@ def led(pins: Pins, turn: float) -> tuple[Places, float]:
     b = a + (b1 - a) * np.exp(1j * np.linspace(0.0, turn, STEPS))
     coupler, rocker, base = abs(c1 - b1), abs(c1 - d), np.abs(b - d)
     left = min(float((coupler + rocker - base).min()), float((base - abs(coupler - rocker)).min()))
+    base = np.maximum(base, SAME * abs(d - a) * GRAZED)  # B may come to D itself, a dead point
     along = (base**2 + rocker**2 - coupler**2) / (2 * base)
     side = np.sign(((d - b1).conjugate() * (c1 - b1)).imag)
     return d + (b - d) / base * (along - 1j * side * np.sqrt(np.maximum(rocker**2 - along**2, 0.0))), left
@@ -65,8 +66,11 @@ def _judged(solution: Solution, fault: Callable[[Pins], str | None]) -> str:
 
 def dead(pins: Pins, design: DeadCentre) -> str | None:
     """What keeps AB from bringing C from C₁ to C₂ by φ₁₂; "" where nothing does, None where it is on the edge."""
-    size, (c, left) = abs(pins["D"]), led(pins, design.phi_12.si)
-    if min(abs(pins["B2"]), abs(pins["B2"] - pins["C2"])) < SAME * size or abs(left) < GRAZED * size:
+    size = abs(pins["D"])
+    if min(abs(pins["B2"]), abs(pins["B2"] - pins["C2"])) < SAME * size:
+        return None
+    c, left = led(pins, design.phi_12.si)
+    if abs(left) < GRAZED * size:
         return None
     if left < 0:
         return "AB meets a dead point"

@@ -34,13 +34,7 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
     if design.AB is not None and not design.theta:
         return _half_the_chord(design.AB.text, Chord(design).s / 2)
     name, given, unit, of = _datum(design)
-    sides = SIDES if design.theta else SIDES[:1]
-    ranges = [(low, high) for side in sides for low, high in _ranges(Chord(design), side, of)]
-    if design.A is not None and design.A.along == 1j:  # a given x may be that of a mirror image
-        ranges += [(-high, -low) for low, high in ranges]
-    if design.gamma_min is not None:
-        ranges = [(max(low, degrees(LEAST)), high) for low, high in ranges if high > degrees(LEAST)]
-    if not ranges:
+    if not (ranges := _all_ranges(design, of)):
         return AssemblyError(
             Words(
                 f"按此 K 和摆角没有曲柄摇杆机构：θ = {degrees(design.theta):.4g}° 过大；请减小 K",
@@ -61,6 +55,17 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
         code="no-solution",
         numbers={"low": min(low for low, _ in ranges), "high": max(high for _, high in ranges)},
     )
+
+
+def _all_ranges(design: CrankRocker, of: Callable[[Linkage], float]) -> list[tuple[float, float]]:
+    """Of the datum, on both circles."""
+    sides = SIDES if design.theta else SIDES[:1]
+    ranges = [row for side in sides for row in _ranges(Chord(design), side, of)]
+    if design.A is not None and design.A.along == 1j:  # a given x may be that of a mirror image
+        return ranges + [(-high, -low) for low, high in ranges]
+    if design.gamma_min is not None:
+        return [(max(low, degrees(LEAST)), high) for low, high in ranges if high > degrees(LEAST)]
+    return ranges
 
 
 def _half_the_chord(given: str, half: float) -> AssemblyError:

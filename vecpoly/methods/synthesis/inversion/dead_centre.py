@@ -54,7 +54,8 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
     board.rule(SHEET, bisector, b2)
     board.rule(SHEET, line, c2)
     b2 = pin(draft, "B_2", b2)
-    back = board.ray(a, unit(b2 - a), -board.given(design.phi_12.si, "phi_12"))
+    ahead = unit(b2 - a) if float(nominal(np.abs(b2 - a))) > NONE else line.along  # B₂ may be A
+    back = board.ray(a, ahead, -board.given(design.phi_12.si, "phi_12"))
     b1 = pin(draft, "B_1", board.lay_off(a, back.along, np.abs(b2 - a)))
     verdict = _judged((a, d), (b1, c1), (b2, c2), design.phi_12.si)
     drawn(draft, (a, b1, c1, d), (a, b2, c2, d), verdict=verdict)
