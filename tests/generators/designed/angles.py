@@ -71,7 +71,7 @@ def dead_centre(rng: np.random.Generator) -> str:
     return task("dead-centre", data, "AB, BC")
 
 
-@family("design-drag-link", also=half_a_turn)
+@family("design-drag-link", also=half_a_turn, first=5)
 def drag_link(rng: np.random.Generator) -> str:
     """A double crank with the ratio K."""
     data = {
