@@ -76,10 +76,24 @@ def linkage(problem: Problem, candidates: Sequence[Candidate]) -> Problem:
             return found
     if candidates and not _valid(candidates):
         raise _of_no_use(problem)
+    if one is not None:
+        raise _no_one_linkage(problem)
     raise NotAskedError(
         Words(
             f"题目 {problem.id} 没有求出机构；只有综合题（synthesis）才有",
             f"problem {problem.id} found no mechanism; only a task of synthesis does",
+        ),
+        code="no-solution",
+    )
+
+
+def _no_one_linkage(problem: Problem) -> NotAskedError:
+    return NotAskedError(
+        Words(
+            f"题目 {problem.id}（{problem.design.kind}）是综合题，但其结果不是一个可供继续分析的机构；要分析其中的某一"
+            "机构，请按其尺寸用 frame、links 另写一题",
+            f"problem {problem.id} ({problem.design.kind}) is a task of synthesis, but its result is no single linkage "
+            "that could be gone on with; write the one that is meant as a problem of its own, with frame and links",
         ),
         code="no-solution",
     )

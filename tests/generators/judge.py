@@ -97,9 +97,9 @@ def _judged(text: str, also: Check) -> Verdict:
         wrong = against_differences(problem.subject, solution)
     warning = solution.construction.warning
     wrong = wrong or ("" if warning is None else f"alarm: {warning.en}") or _nameless(solution)
+    wrong = wrong or also(solution)
     if not wrong and (none := solution.construction.conclusion) is not None:
         return Verdict(kind=Kind.REFUSED, why=f"no solution: {none.en}")
-    wrong = wrong or also(solution)
     return Verdict(kind=Kind.WRONG if wrong else Kind.RIGHT, why=wrong)
 
 

@@ -154,5 +154,43 @@ def test_where_frame_and_rocker_are_alike_a_limit_of_c_in_a_is_no_solution(data:
     solution = posed(**data).solve(by="exact")
     assert not solution.suspect
     drawn = solution.construction.candidates
-    assert [one.verdict for one in drawn if abs(one.pins["A"] - one.pins["C2"]) < 1e-6] in ([], ["FAR_ARC"] * 2)
+    assert [one.verdict for one in drawn if abs(one.pins["A"] - one.pins["C2"]) < 1e-6] in ([], ["AT_LIMIT"] * 2)
     assert all(one.values["AB"] < one.values["BC"] - 1e-6 for one in drawn if one.reason is None)
+
+
+def test_a_pivot_in_a_limit_position_is_rejected_for_that_and_the_range_told_leaves_it_out() -> None:
+    """The chord is seen under no angle from there."""
+    ended = posed(K="1.4", CD="60 mm", swing="50 deg", AD="60 mm").solve(by="exact").construction.conclusion
+    assert ended is not None and "180° − θ" not in ended.en and "A$ coincides with $C$" in ended.en
+    assert "AD may be 41.05 to 59.99 mm or 60.01 to 118.1 mm" in ended.en
+
+
+def test_a_line_for_a_along_the_chord_meets_both_circles_in_a_limit_position() -> None:
+    drawn = posed(K="1.4", CD="80 mm", swing="120 deg", A="on y = 40 mm").solve(by="exact").construction.candidates
+    assert [one.verdict for one in drawn] == ["AT_LIMIT"] * 2
+
+
+@pytest.mark.parametrize(("k", "cd", "swing"), [("1.5", "100 mm", "60 deg"), ("1.32", "92 mm", "41 deg")])
+def test_a_frame_as_long_as_the_rocker_is_concluded_upon(k: str, cd: str, swing: str) -> None:
+    drawn = posed(K=k, CD=cd, swing=swing, AD=cd).solve(by="exact").construction.candidates
+    assert [one.verdict for one in drawn] == ["AT_LIMIT"] * 2
+
+
+def test_a_frame_that_does_not_tell_where_on_its_circle_a_is_is_refused() -> None:
+    """ψ = 2θ: the circle lies about D."""
+    with pytest.raises(ProblemFileError, match="every A on it will do"):
+        posed(K="1.25", CD="80 mm", swing="40 deg", AD="80 mm")
+
+
+def test_lengths_of_which_nothing_is_read_are_told_in_the_words_of_a_reader() -> None:
+    solution = posed(K="1.0001", CD="60 mm", swing="50 deg", AD="70 mm").solve(by="drafting", seed=1)
+    said = [one.broken.en for one in solution.verification if one.broken is not None]
+    assert said and all(text.startswith("nothing is left of") for text in said)
+
+
+def test_the_range_told_of_a_line_across_has_both_mirror_images() -> None:
+    data = {"K": "1.32", "CD": "92 mm", "swing": "41 deg"}
+    with pytest.raises(AssemblyError, match=r"A from -76\.73 to -21\.38 mm or 21\.38 to 76\.73 mm"):
+        posed(**data, A="on x = 300 mm").solve()
+    for x in ("50 mm", "-50 mm"):
+        assert posed(**data, A=f"on x = {x}").solve(by="exact").construction.conclusion is None

@@ -131,6 +131,8 @@ def test_a_ratio_below_one_is_refused_with_the_one_that_may_be_meant(kind: str, 
     ("kind", "change", "told"),
     [
         ("shaper", {"DE": "9 mm"}, r"must exceed half the height of D's arc, 9\.503 mm"),
+        ("whitworth", {"DE": "70 mm"}, r"must exceed CD = H/2 = 80 mm"),
+        ("whitworth", {"DE": "80 mm"}, r"must exceed CD = H/2 = 80 mm"),
         ("limit-lines", {"line_2": "270 deg"}, "are parallel: no A"),
         ("dead-centre", {"psi_2": "125 deg", "phi_12": "0 deg"}, "bisector is parallel"),
         ("crank-rocker-limits", {"AB": "70 mm", "BC": "126 mm"}, r"AB is no crank: AB \+ l_max = 196 mm, 190 mm"),

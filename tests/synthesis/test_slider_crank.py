@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 
@@ -40,7 +41,7 @@ def test_crank_coupler_and_pressure_angle_are_those_of_the_case(data: dict[str, 
 
 
 def test_an_offset_beyond_the_circle_is_refused_with_its_limit() -> None:
-    with pytest.raises(AssemblyError, match=r"between 0 and 186\.6 mm"):
+    with pytest.raises(AssemblyError, match=r"may be at most 173\.2 mm"):
         posed(K="1.4", H="100 mm", e="190 mm").solve()
 
 
@@ -75,3 +76,28 @@ def test_an_offset_that_is_sought_is_measured_to_a_foot_with_a_letter(name: str)
     a, n, c1, c2 = (places[letter] for letter in ("A", "N", "C_1", "C_2"))
     assert n.imag == pytest.approx(c1.imag, abs=1e-9) and n.real == pytest.approx(a.real, abs=1e-9)
     assert n.real < c1.real < c2.real
+
+
+@pytest.mark.parametrize(
+    ("key", "beyond", "rejected", "told"),
+    [
+        ("e", "200 mm", "140 mm", "at most 138.1 mm"),
+        ("AB", "40 mm", "6 mm", "6.235 to 29.99 mm"),
+        ("BC", "20 mm", "147 mm", "30.01 to 144.3 mm"),
+        ("BC", "148 mm", "145 mm", "30.01 to 144.3 mm"),
+    ],
+)
+def test_what_meets_nothing_and_what_is_rejected_are_told_the_same_range(
+    key: str, beyond: str, rejected: str, told: str
+) -> None:
+    with pytest.raises(AssemblyError, match=rf"{key} may be {re.escape(told)}"):
+        posed(K="1.3", H="60 mm", **{key: beyond}).solve()
+    ended = posed(K="1.3", H="60 mm", **{key: rejected}).solve(by="exact").construction.conclusion
+    assert ended is not None and f"{key} may be {told}" in ended.en
+
+
+@pytest.mark.parametrize("k", ["3", "3.5"])
+def test_a_ratio_that_no_slider_crank_has_is_refused(k: str) -> None:
+    """θ of 90° or more: e < H cot θ would have to be negative."""
+    with pytest.raises(ProblemFileError, match="K < 3 is needed"):
+        posed(K=k, H="60 mm", e="10 mm")

@@ -33,7 +33,7 @@ def admissible(design: Design) -> Words | None:
     for named in design.varied:
         if (given := getattr(design, named.key, None)) is None:
             continue
-        if ranges := [*_ranges(_serves(design, named.key, given), *_tried(design, named, given))]:
+        if ranges := [*_ranges(_serves(design, named.key, given), *_tried(design, named, given), _value(given))]:
             told = between([(_told(low, named.unit), _told(high, named.unit)) for low, high in ranges], named.unit)
             return Words(
                 f"其余数据不变时，{named.key} 可取{told.zh.rstrip()}。",
@@ -72,6 +72,10 @@ def _serves(design: Design, name: str, given: Datum) -> Callable[[float], bool]:
     return serves
 
 
+def _value(given: Datum) -> float:
+    return given.si if isinstance(given, Quantity) else (given.at.real if given.along == 1j else given.at.imag)
+
+
 def _valued(given: Datum, value: float) -> Datum:
     if isinstance(given, OnLine):
         return OnLine(complex(value) if given.along == 1j else 1j * value, given.along, f"{value:.17g}")
@@ -79,10 +83,11 @@ def _valued(given: Datum, value: float) -> Datum:
 
 
 def _ranges(
-    serves: Callable[[float], bool], places: Places, ends: tuple[float, float]
+    serves: Callable[[float], bool], places: Places, ends: tuple[float, float], given: float
 ) -> Iterator[tuple[float, float]]:
-    """From the first to the last place of each row that serves, and what serves between it and its neighbour."""
-    tried = [float(place) for place in places]
+    """From the first to the last place of each row that serves, and what serves between it and its neighbour; what is
+    given serves not, though all about it may."""
+    tried = sorted({*map(float, places), given})
     seen = [serves(place) for place in tried]
     for good, some in groupby(range(len(tried)), key=seen.__getitem__):
         if good:

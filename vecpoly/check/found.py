@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, nan
 from typing import Any
@@ -81,6 +81,8 @@ def verified(
         if design.is_length(key) and spread[key] > LOOSE * abs(values[key]) > 0
     }
     lost = lost if lost > RARE else 0.0
+    if none := [key for key in values if design.is_length(key) and "A" < key < "[" and not values[key] > 0]:
+        return Verified(number=number, loose=loose, lost=lost, broken=_nothing(none))
     try:
         found = linkage(design, values, f"solution-{number}")
         if found is not None and (short := _vanishing(found.mechanism)):
@@ -89,6 +91,12 @@ def verified(
         return None if moved is None else replace(moved, lost=lost)
     except VecpolyError as error:
         return Verified(number=number, loose=loose, lost=lost, broken=error.words)
+
+
+def _nothing(keys: Sequence[str]) -> Words:
+    """That no length is left of what is read on paper."""
+    zh, en = "、".join(f"$l_{{{key}}}$" for key in keys), ", ".join(f"$l_{{{key}}}$" for key in keys)
+    return Words(f"{zh} 量得为零", f"nothing is left of {en} as read")
 
 
 def _vanishing(mech: Mechanism) -> Words | None:

@@ -14,14 +14,13 @@ CANNOT = Words("不能整周转动", "cannot turn right round")
 def told(one: Verified, alone: bool) -> Words:
     """The line of verification of one solution; alone: there is no other."""
     zh, en = ("", "") if alone else (f"解 {one.number}，", f" of solution {one.number}")
+    if one.broken is not None:
+        return Words(f"校核（{zh}按量得的长度）：", f"Check{en} with the lengths read: ") + Words(
+            f"该解不能使用：{one.broken.zh}。", f"it cannot be used: {one.broken.en}."
+        )
     head = Words(
         f"校核（{zh}按量得的长度用解析法运动一周）：", f"Check{en}, moved through its cycle with the lengths read: "
     )
-    if one.broken is not None:
-        return head + Words(
-            f"该解不能使用，因机构不能运动：{one.broken.zh}。",
-            f"it cannot be used, for it does not move: {one.broken.en}.",
-        )
     parts = list(_parts(one))
     return head + Words("，".join(part.zh for part in parts) + "。", ", ".join(part.en for part in parts) + ".")
 

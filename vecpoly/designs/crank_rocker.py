@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import degrees, pi, radians
+from math import degrees, isclose, pi, radians
 from typing import Any, ClassVar, Literal
 
 from pydantic import model_validator
 
 from ..devices.base import Angle, Length, as_written
 from ..errors import FaultError
+from ..foundation.bounds import ROUNDED
 from ..names import Named
 from ..words import Words
 from .base import Advance, Design, between_limits
@@ -60,7 +61,23 @@ class CrankRocker(Design):
         wanted = len(_ONE_MORE) if self.swing is not None else 1  # with ADC only AD
         self.one_of(*_ONE_MORE[:wanted], never=_ONE_MORE[wanted:])
         self._angles()
+        self._one_pivot()
         return self
+
+    def _one_pivot(self) -> None:
+        """AD tells where A is: not so where the circle of A lies about D, ψ = 2θ, and AD is its radius."""
+        if self.swing is None or self.AD is None or not isclose(self.AD.si, self.CD.si, rel_tol=ROUNDED):
+            return
+        if isclose(self.swing.si, 2 * self.theta, rel_tol=ROUNDED):
+            raise FaultError(
+                Words(
+                    "ψ = 2θ，A 所在的圆以 D 为圆心、CD 为半径；AD = CD 时圆上各点都合适，AD 不能确定 A，"
+                    "请改为给定 AB、BC 或 gamma_min",
+                    "ψ = 2θ, so the circle of A lies about D with the radius CD: with AD = CD every A on it will do, "
+                    "and AD does not tell which; give AB, BC or gamma_min instead",
+                ),
+                code="undetermined",
+            )
 
     def _angles(self) -> None:
         """Each angle in the range in which there is a rocker."""

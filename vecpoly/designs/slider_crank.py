@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import degrees
 from typing import Any, ClassVar
 
 from pydantic import model_validator
@@ -39,6 +40,17 @@ class SliderCrank(Design):
                     "synthesis: slider-crank-limits，否则须 K > 1，如 1.5",
                     "K = 1 means θ = 0, so that e = 0 and AB = H/2, whatever BC: nothing is left to be drawn; use "
                     "synthesis: slider-crank-limits with AB and BC; else K > 1 is needed, e.g. 1.5",
+                ),
+                code="out-of-range",
+            )
+        if self.K.si >= 3:
+            raise FaultError(
+                Words(
+                    f"K = {self.K.text}：θ = {degrees(self.theta):.4g}° 不小于 90°，A 到导路的垂足必在 C₁、C₂ 之间，"
+                    "没有这样的曲柄滑块机构；须 K < 3，如 1.5",
+                    f"K = {self.K.text} means θ = {degrees(self.theta):.4g} deg, no less than 90: the foot of A on "
+                    "the guide would always lie between C₁ and C₂, and no slider-crank has this ratio; K < 3 is "
+                    "needed, e.g. 1.5",
                 ),
                 code="out-of-range",
             )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from cmath import exp, phase
 from collections.abc import Mapping
-from math import degrees, pi
+from math import acos, degrees, pi
 from typing import Any, ClassVar
 
 from ..devices.base import Angle, Length, as_written
@@ -48,11 +48,17 @@ class DeadCentre(Design):
         return as_written(written)
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any]:
-        """The four-bar in its first position: the input link need be no crank, and may reach no other."""
+        """The four-bar in its first position: the input link need be no crank, and may reach no other.
+
+        DC stands at ψ₁ and AB as the lengths ask for: they are as read, and by itself AB might stand beyond its reach.
+        """
         a, b, c, d = (values[named.key] for named in FOUR_BAR)
         c1, c2 = (d + c * exp(1j * psi.si) for psi in (self.psi_1, self.psi_2))
         ahead = a * c2 / abs(c2) / exp(1j * self.phi_12.si)
-        b1 = min((ahead, -ahead), key=lambda pin: abs(abs(c1 - pin) - b))  # A, B, C or B, A, C in one line
+        told = min((ahead, -ahead), key=lambda pin: abs(abs(c1 - pin) - b))  # A, B, C or B, A, C in one line
+        base = abs(c1)
+        at_a = acos(max(-1.0, min(1.0, (a * a + base * base - b * b) / (2 * a * base))))
+        b1 = min((a * c1 / base * exp(1j * way * at_a) for way in (1, -1)), key=lambda pin: abs(pin - told))
         return posed_four_bar(values, degrees(phase(b1)), degrees(self.psi_1.si), 0.0, self.omega)
 
     @property

@@ -19,6 +19,11 @@ class Verdict(Enum):
         "此处弦 $C_{1}C_{2}$ 所张的角是 $180° − θ$ 而不是 $θ$",
         "from there the chord $C_{1}C_{2}$ is seen under $180° − θ$",
     )
+    AT_LIMIT = Words(
+        "$A$ 与摇杆极限位置的 $C$ 重合：$l_{AB} = l_{BC}$、$l_{AD} = l_{CD}$，机构在此折叠，运动不确定",
+        "$A$ coincides with $C$ in a limit position: $l_{AB} = l_{BC}$ and $l_{AD} = l_{CD}$, so the linkage folds up "
+        "there and its motion is not determined",
+    )
     NO_CRANK = Words(
         "$A$ 在 $C_{1}C_{2}$ 的中垂线上，$l_{AB} = 0$", "$A$ lies on the bisector of $C_{1}C_{2}$: $l_{AB} = 0$"
     )
@@ -42,6 +47,11 @@ class Verdict(Enum):
     )
     NO_DOUBLE_CRANK = Words(
         "不是双曲柄机构，$AB$ 与 $CD$ 不能都整周转动", "no double crank: $AB$ and $CD$ do not both turn fully"
+    )
+    REVERSED = Words(
+        "$C_1$ 在给定射线 $DC_1$ 的反向延长线上，$DC_1$ 的方向角为 $ψ_1 ± 180°$；此机构须取 $ψ_1 ± 180°$ 为 $ψ_1$",
+        "$C_1$ lies on the given ray $DC_1$ produced backwards beyond $D$: $DC_1$ would stand at $ψ_1 ± 180°$, which "
+        "is to be given as $ψ_1$ if this linkage is meant",
     )
     RANGE = Words(
         "在所给范围内经过死点，不能走完全程",

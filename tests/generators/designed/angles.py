@@ -6,6 +6,7 @@ import numpy as np
 
 from ..family import family
 from .bodies import keeps_its_lengths
+from .driven import half_a_turn, rests
 from .written import task
 
 
@@ -57,7 +58,7 @@ def function(rng: np.random.Generator) -> str:
     return task("function-generator", data, "AB, BC, CD, delta_B, delta_C")
 
 
-@family("design-dead-centre")
+@family("design-dead-centre", also=rests)
 def dead_centre(rng: np.random.Generator) -> str:
     """A rocker that comes to rest over a dead centre."""
     data = {
@@ -65,12 +66,12 @@ def dead_centre(rng: np.random.Generator) -> str:
         "CD": f"{rng.integers(30, 100)} mm",
         "psi_1": f"{rng.integers(60, 170)} deg",
         "psi_2": f"{rng.integers(10, 120)} deg",
-        "phi_12": f"{rng.integers(-175, 175)} deg",
+        "phi_12": f"{rng.integers(-355, 355)} deg",
     }
     return task("dead-centre", data, "AB, BC")
 
 
-@family("design-drag-link")
+@family("design-drag-link", also=half_a_turn, first=5)
 def drag_link(rng: np.random.Generator) -> str:
     """A double crank with the ratio K."""
     data = {

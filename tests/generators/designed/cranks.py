@@ -66,6 +66,8 @@ def crank_rocker(rng: np.random.Generator) -> str:
             "ADC": f"{rng.integers(20, 160)} deg",
         }
         return task("crank-rocker", data, "theta, AB, BC, psi")
+    if key == "AD" and rng.random() < 0.15:
+        more[key] = data["CD"]  # the arc about D passes through C₁
     return task("crank-rocker", data | {key: more[key]}, "theta, AB, BC, AD, gamma_min")
 
 

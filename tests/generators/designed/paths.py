@@ -62,6 +62,8 @@ def straight_line(rng: Random) -> str:
 
 def both_positions(solution: Solution) -> str:
     """C and B with the lengths found: CE and BC are what they should be in both positions."""
+    if solution.construction.conclusion is not None:
+        return ""
     given = {key: complex(value) for key, value in (part.split("=") for part in _told(solution))}
     scale = {"m": 1e3, "mm": 1.0}
     found = {key: one.exact * scale[one.reading.unit] for key, one in solution.answers.items()}

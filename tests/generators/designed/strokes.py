@@ -6,7 +6,7 @@ from math import acos, asin, cos, degrees, radians, sqrt
 
 import numpy as np
 
-from vecpoly.designs.quick_return import Shaper
+from vecpoly.designs.quick_return import Shaper, Whitworth
 from vecpoly.designs.slider_crank import SliderCrank
 from vecpoly.solution import Solution
 
@@ -102,12 +102,23 @@ def shaper(rng: np.random.Generator) -> str:
     return task("shaper", data, "theta, AC, CD, h, alpha_max")
 
 
-@family("design-whitworth")
+def bar_turns(solution: Solution) -> str:
+    """K and H of a bar that turns right round: B on the line of the slider twice, and a rod that reaches it always."""
+    design, found = solution.problem.subject, solution.answers
+    assert isinstance(design, Whitworth)
+    crank = 1e3 * design.AB.si if design.AB is not None else found["AB"].drawn
+    quick, arm = 2 * acos(found["AC"].drawn / crank), found["CD"].drawn
+    if design.DE is not None and 1e3 * design.DE.si <= arm:
+        return f"the rod of {design.DE.text} does not reach the slider's line from D at {arm:.4g} mm"
+    return off("K", (2 * np.pi - quick) / quick, design.K.si) or off("H", 2 * arm, 1e3 * design.H.si)
+
+
+@family("design-whitworth", also=bar_turns)
 def whitworth(rng: np.random.Generator) -> str:
     """Whitworth's quick return from K, stroke and crank."""
     data = {
         "K": f"{round(float(rng.uniform(1.05, 2.6)), 2)}",
-        "H": f"{rng.integers(80, 300)} mm",
+        "H": f"{rng.integers(80, 500)} mm",
         "AB": f"{rng.integers(50, 200)} mm",
         "DE": f"{rng.integers(100, 500)} mm",
     }

@@ -16,6 +16,7 @@ from .linkage import crank_circle, drawn, pin, rejected
 from .transmission import least_angle
 
 EVEN = 1e-6  # mm: A on the bisector
+BESIDE = 1e-9  # of the rocker, or of C₁C₂: A in a limit position of C, where AD is as long as CD
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,12 +34,22 @@ class Limits:
     first: bool
 
 
-def judged(a: Points, d: Points, c1: Points, c2: Points) -> Verdict:
-    """The verdict on limit positions that are seen from A under θ, as they stand on the sheet."""
+def judged(a: Points, d: Points, c1: Points, c2: Points, *, seen: bool = True) -> Verdict:
+    """The verdict on limit positions as they stand on the sheet. seen: whether A sees them under θ."""
+    if at_limit(a, c1, c2):
+        return Verdict.AT_LIMIT
+    if not seen:
+        return Verdict.FAR_ARC
     if abs(float(nominal(distance(a, c1) - distance(a, c2)))) < EVEN:
         return Verdict.NO_CRANK
     sides = [float(nominal(cross(d - a, c - a))) for c in (c1, c2)]
     return Verdict.OPPOSITE if sides[0] * sides[1] <= 0 else Verdict.VALID
+
+
+def at_limit(a: Points, c1: Points, c2: Points) -> bool:
+    """Whether A coincides with C in one of its limits."""
+    near, far = sorted(float(nominal(distance(a, c))) for c in (c1, c2))
+    return near < BESIDE * far
 
 
 def limits_of(a: Points, d: Points, c1: Points, c2: Points, letters: tuple[str, str, str]) -> Limits:
@@ -103,7 +114,7 @@ def settled(
     a, near, far = limits.a, limits.folded, limits.extended
     pivots = {"D": limits.d} if framed else {}
     crank = (distance(a, far) - distance(a, near)) / 2
-    of_near = ahead(a, unit(near - a), -crank)
+    of_near = ahead(a, unit((far if at_limit(a, near, far) else near) - a), -crank)
     of_far = ahead(a, unit(far - a), crank)
     chains = (a, of_far, far, *pivots.values()), (a, of_near, near, *pivots.values())
     given_far = verdict is not Verdict.VALID and limits.letters[2] == "C_1"  # which all candidates have

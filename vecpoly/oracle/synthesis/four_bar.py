@@ -31,8 +31,11 @@ def found(a_pin: complex, d_pin: complex, c1: complex, c2: complex, verdict: Ver
     """The linkage with the fixed pins A, D whose rocker has these limits (m); its verdict as the limits tell it."""
     near, far = sorted((abs(c1 - a_pin), abs(c2 - a_pin)))
     a, b, c, d = (far - near) / 2, (far + near) / 2, abs(c1 - d_pin), abs(d_pin - a_pin)
-    seen = abs(phase((c2 - a_pin) / (c1 - a_pin)))
-    verdict = verdict or judged(a_pin, d_pin, c1, c2)
+    if near < NEAR * c:  # no angle is seen from there
+        seen, verdict = nan, Verdict.AT_LIMIT
+    else:
+        seen = abs(phase((c2 - a_pin) / (c1 - a_pin)))
+        verdict = verdict or judged(a_pin, d_pin, c1, c2)
     values = {
         "theta": degrees(seen),
         "AB": 1e3 * a,
@@ -41,7 +44,7 @@ def found(a_pin: complex, d_pin: complex, c1: complex, c2: complex, verdict: Ver
         "AD": 1e3 * d,
         "psi": degrees(abs(phase((c2 - d_pin) / (c1 - d_pin)))),
         "gamma_min": degrees(least_angle(a, b, c, d)),
-        "K": (pi + seen) / (pi - seen) if seen < pi else inf,
+        "K": inf if seen >= pi else (pi + seen) / (pi - seen),
     }
     pins = {"A": a_pin, "D": d_pin, "C1": c1, "C2": c2}
     return Linkage(values=values, pins=pins, verdict=verdict, order=(a, b, d, a_pin.real))

@@ -36,6 +36,8 @@ def whitworths(design: Whitworth) -> list[Linkage]:
     ab = design.AB.si if design.AB is not None else _si(design) / cos(half)
     ac, cd = ab * cos(half), design.H.si / 2
     values = {"AB": 1e3 * ab, "AC": 1e3 * ac, "CD": 1e3 * cd}
+    if design.DE is not None and not below(cd, design.DE.si):
+        raise _no_reach(design.DE.text, cd)
     return [_only(values, design.theta, {"A": complex(0, ac), "C": 0j}, (ab, cd, ac, 0.0))]
 
 
@@ -60,4 +62,16 @@ def _short_rod(given: str, rise: float) -> AssemblyError:
         ),
         code="no-solution",
         numbers={"rise": rise},
+    )
+
+
+def _no_reach(given: str, arm: float) -> AssemblyError:
+    return AssemblyError(
+        Words(
+            f"DE = {given}：须大于 CD = H/2 = {1e3 * arm:.4g} mm，D 离导路最远时连杆 DE 才能够到导路，导杆才能整周转动",
+            f"DE = {given} must exceed CD = H/2 = {1e3 * arm:.4g} mm: the rod must reach the line of the slider where "
+            "D is farthest from it, for the bar to turn right round",
+        ),
+        code="no-solution",
+        numbers={"arm": arm},
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from itertools import pairwise
+from itertools import groupby, pairwise
 from math import asin, cos, degrees, sin
 
 import numpy as np
@@ -34,11 +34,7 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
     if design.AB is not None and not design.theta:
         return _half_the_chord(design.AB.text, Chord(design).s / 2)
     name, given, unit, of = _datum(design)
-    sides = SIDES if design.theta else SIDES[:1]
-    ranges = [(low, high) for side in sides for low, high in _range(Chord(design), side, of)]
-    if design.gamma_min is not None:
-        ranges = [(max(low, degrees(LEAST)), high) for low, high in ranges if high > degrees(LEAST)]
-    if not ranges:
+    if not (ranges := _all_ranges(design, of)):
         return AssemblyError(
             Words(
                 f"按此 K 和摆角没有曲柄摇杆机构：θ = {degrees(design.theta):.4g}° 过大；请减小 K",
@@ -57,8 +53,19 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
             f"the forbidden arc); admissible is {name} from {told.en}",
         ),
         code="no-solution",
-        numbers={"low": ranges[0][0], "high": ranges[-1][1]},
+        numbers={"low": min(low for low, _ in ranges), "high": max(high for _, high in ranges)},
     )
+
+
+def _all_ranges(design: CrankRocker, of: Callable[[Linkage], float]) -> list[tuple[float, float]]:
+    """Of the datum, on both circles."""
+    sides = SIDES if design.theta else SIDES[:1]
+    ranges = [row for side in sides for row in _ranges(Chord(design), side, of)]
+    if design.A is not None and design.A.along == 1j:  # a given x may be that of a mirror image
+        return ranges + [(-high, -low) for low, high in ranges]
+    if design.gamma_min is not None:
+        return [(max(low, degrees(LEAST)), high) for low, high in ranges if high > degrees(LEAST)]
+    return ranges
 
 
 def _half_the_chord(given: str, half: float) -> AssemblyError:
@@ -87,16 +94,18 @@ def _datum(design: CrankRocker) -> tuple[str, str, str, Callable[[Linkage], floa
     return "gamma_min", text, "deg", lambda one: one.values["gamma_min"]
 
 
-def _range(chord: Chord, side: int, of: Callable[[Linkage], float]) -> Iterator[tuple[float, float]]:
-    """The least and the greatest of a number over the linkages with A on one side of the chord."""
+def _ranges(chord: Chord, side: int, of: Callable[[Linkage], float]) -> Iterator[tuple[float, float]]:
+    """The least and the greatest of a number over each row of linkages with A on one side of the chord."""
 
     def valid(t: float) -> bool:
         return chord.tried(t, side).verdict is Verdict.VALID
 
     places = [NEAR_END, *(float(t) for t in np.linspace(0, 1, 402)[1:-1]), 1 - NEAR_END]
     edges = [_edge(valid, one, other) for one, other in pairwise(places) if valid(one) != valid(other)]
-    if values := [of(chord.tried(t, side)) for t in (*places, *edges) if valid(t)]:
-        yield min(values), max(values)
+    for good, row in groupby(sorted((*places, *edges)), key=valid):
+        if good:
+            values = [of(chord.tried(t, side)) for t in row]
+            yield min(values), max(values)
 
 
 def _edge(valid: Callable[[float], bool], one: float, other: float) -> float:

@@ -5,14 +5,17 @@
 
 from __future__ import annotations
 
-from math import asin, cos, degrees, pi, sin, sqrt, tan
+from math import asin, cos, degrees, inf, pi, sin, sqrt, tan
 
+from ...designs.admitted import between
 from ...designs.slider_crank import SliderCrank
 from ...designs.verdict import Verdict
 from ...errors import AssemblyError
 from ...foundation.bounds import below
 from ...words import Words
 from .registry import Linkage, synthesizes
+
+INSIDE = 1e-9  # of an end of a range that is open
 
 
 @synthesizes(SliderCrank)
@@ -21,22 +24,21 @@ def slider_cranks(design: SliderCrank) -> list[Linkage]:
     h, theta = design.H.si, design.theta
     sine, cosine = sin(theta / 2), cos(theta / 2)  # 1 − cos θ would lose all its digits where K is nearly 1
     if design.e is not None:
-        most = h / 2 / tan(theta / 2)
-        if not below(design.e.si, most):
-            raise _refused("e", design.e.text, 0.0, most)
+        if not below(design.e.si, h / 2 * cosine / sine):
+            raise _refused("e", design.e.text, 0.0, h / tan(theta))
         product = design.e.si * h / sin(theta)  # b² − a², and a² = H²/4 − (b² − a²) sin²(θ/2)
         a = sqrt((h / 2) ** 2 - product * sine * sine)
         b = sqrt(a * a + product)
     elif design.AB is not None:
         a = design.AB.si
         if not below(a, h / 2):
-            raise _refused("AB", design.AB.text, 0.0, h / 2)
+            raise _refused("AB", design.AB.text, h / 2 * sine / cosine, h / 2)
         b = sqrt((h / 2) ** 2 - (a * cosine) ** 2) / sine
     else:
         assert design.BC is not None
         b = design.BC.si
-        if not (below(h / 2, b) and below(b, h / 2 / sin(theta / 2))):
-            raise _refused("BC", design.BC.text, h / 2, h / 2 / sin(theta / 2))
+        if not (below(h / 2, b) and below(b, h / 2 / sine)):
+            raise _refused("BC", design.BC.text, h / 2, h / 2 * cosine / sine)
         a = sqrt((h / 2) ** 2 - (b * sine) ** 2) / cosine
     return [_linkage(design, a, b)]
 
@@ -64,11 +66,13 @@ def _linkage(design: SliderCrank, a: float, b: float) -> Linkage:
 
 
 def _refused(name: str, given: str, low: float, high: float) -> AssemblyError:
+    """No meeting; within the range told, its ends left out, the foot of A lies outside C₁C₂, too."""
+    inside = low * (1 + INSIDE) or -inf, high * (1 - INSIDE)
+    told = between([(1e3 * inside[0], 1e3 * inside[1])], "mm")
     return AssemblyError(
         Words(
-            f"{name} = {given}：按此 K 和 H，{name} 应在 {1e3 * low:.4g} 与 {1e3 * high:.4g} mm 之间（不含两端）",
-            f"{name} = {given}: with this K and H, {name} must lie between {1e3 * low:.4g} and {1e3 * high:.4g} mm, "
-            "ends excluded",
+            f"{name} = {given}：按此 K 和 H，{name} 可取{told.zh.rstrip()}",
+            f"{name} = {given}: with this K and H, {name} may be {told.en}",
         ),
         code="no-solution",
         numbers={"low": low, "high": high},

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from cmath import exp
-from math import pi
+from cmath import exp, phase
+from math import cos, pi, sqrt
 
+from ...designs.ranges import extremes
 from ...designs.two_positions import DeadCentre, DragLink
 from ...designs.verdict import Verdict
 from ...errors import AssemblyError
@@ -26,22 +27,44 @@ def dead_centre(design: DeadCentre) -> list[Linkage]:
     b1 = b2 / turn
     if min(abs(b2), abs(c2 - b2)) < NEAR * abs(d):
         return [_linkage(design, (b1, b2, c1, c2), Verdict.NO_LINK)]
-    same = _side(b1, d, c1) * _side(b2, d, c2) > 0
-    return [_linkage(design, (b1, b2, c1, c2), Verdict.VALID if same else Verdict.OTHER_SIDE)]
+    if _side(b1, d, c1) * _side(b2, d, c2) <= 0:
+        verdict = Verdict.OTHER_SIDE
+    else:
+        verdict = Verdict.VALID if _goes(design, b1, abs(c2 - b2)) else Verdict.BRANCH
+    return [_linkage(design, (b1, b2, c1, c2), verdict)]
+
+
+def _goes(design: DeadCentre, b1: complex, coupler: float) -> bool:
+    """Whether C can follow while AB turns by φ₁₂: |BD|² = a² + d² − 2 a d cos φ between (b − c)² and (b + c)²."""
+    a, c, d, start = abs(b1), design.CD.si, design.AD.si, phase(b1)
+    _, _, *turning = extremes(*sorted((start, start + design.phi_12.si)))  # at both ends it is assembled
+    bases = (sqrt(a * a + d * d - 2 * a * d * cos(phi)) for phi in turning)
+    return all(below(abs(coupler - c), base) and below(base, coupler + c) for base in bases)
 
 
 @synthesizes(DragLink)
 def drag_link(design: DragLink) -> list[Linkage]:
-    """C₁ = D + t u on the given ray with |C₁ − B₁| = |C₁ − B₂ turned by −180° about D|."""
+    """C₁ = D + t u, t > 0, with |C₁ − B₁| = |C₁ − B₂ turned by −180° about D|; C left of BD twice, or right twice."""
     d = complex(design.AD.si)
     b1 = design.AB.si * exp(1j * design.phi_1.si)
     b2, along = b1 * exp(1j * design.beta), exp(1j * design.psi_1.si)
-    c1 = d + along * _equally_far(d, along, b1, 2 * d - b2)
-    one = _linkage(design, (b1, b2, c1, 2 * d - c1), Verdict.VALID)
-    a, b, c, frame = (one.values[key] for key in ("AB", "BC", "CD", "AD"))
+    ahead = _equally_far(d, along, b1, 2 * d - b2)
+    c1 = d + along * ahead
+    c2 = 2 * d - c1
+    a, b, c = abs(b1), abs(c1 - b1), abs(ahead)
+    if not _double_crank(a, b, c, d.real):
+        verdict = Verdict.NO_DOUBLE_CRANK
+    elif _side(b1, d, c1) * _side(b2, d, c2) <= 0:  # a double crank keeps its C on one side of BD
+        verdict = Verdict.OTHER_SIDE
+    else:
+        verdict = Verdict.VALID if ahead > 0 else Verdict.REVERSED
+    return [_linkage(design, (b1, b2, c1, c2), verdict)]
+
+
+def _double_crank(a: float, b: float, c: float, frame: float) -> bool:
+    """Whether the frame is the shortest link of a chain of Grashof's."""
     others = sorted((a, b, c))
-    double = below(frame, others[0]) and below(frame + others[2], others[0] + others[1])
-    return [one if double else _linkage(design, (b1, b2, c1, 2 * d - c1), Verdict.NO_DOUBLE_CRANK)]
+    return below(frame, others[0]) and below(frame + others[2], others[0] + others[1])
 
 
 def _equally_far(start: complex, along: complex, one: complex, other: complex) -> float:

@@ -9,15 +9,13 @@ import numpy as np
 from ....algebra.quantity import Quantity
 from ....board.paper.marks import Role
 from ....designs.crank_rocker import CrankRocker
-from ....designs.verdict import Verdict
 from ....plane import Line, Points, Reals, cross, distance, nominal, unit
 from ....plane.geometry import dot
 from ....words import Words
 from ..angles import marked, valued
 from ..draft import SHEET, Draft
-from ..limits import judged, limits_of, settled
+from ..limits import BESIDE, judged, limits_of, settled
 from ..linkage import pin, pivot
-from .rocker import BESIDE
 
 SIDES = (("朝 $D$ 一侧", "on the side of $D$"), ("另一侧", "on the other side"))
 
@@ -90,7 +88,7 @@ def _meetings(draft: Draft, ray: Line, pins: tuple[Points, Points, Points], radi
         c2 = pin(draft, letter, c2)
         board.rule(SHEET, ray, c2)
         ahead = float(nominal(dot(ray.along, c2 - a) / radius)) > BESIDE
-        verdict = judged(a, d, c1, c2) if ahead else Verdict.FAR_ARC
+        verdict = judged(a, d, c1, c2, seen=ahead)
         settled(draft, limits_of(a, d, c1, c2, ("A", "C_1", letter)), verdict)
 
 

@@ -7,15 +7,14 @@ from collections.abc import Iterator
 from ....algebra.quantity import Quantity
 from ....board.paper.marks import Role
 from ....designs.crank_rocker import CrankRocker
-from ....designs.verdict import Verdict
 from ....plane import Points, nominal, unit
 from ....words import Words
 from ..draft import SHEET, Draft
 from ..eta import Locus, Straight, eta
-from ..limits import judged, limits_of, settled
+from ..limits import BESIDE, judged, limits_of, settled
 from ..linkage import pin, pivot
 from .pivots import pivots
-from .rocker import BESIDE, Rocker
+from .rocker import Rocker
 
 
 def by_swing(draft: Draft, design: CrankRocker, theta: Quantity) -> None:
@@ -76,7 +75,7 @@ def _solutions(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) 
     for a in pivots(draft, design, rocker, locus):
         letter = draft.letter("A")
         a = pivot(draft, letter, a)
-        verdict = judged(a, rocker.d, rocker.c1, rocker.c2) if _sees(a, rocker, locus) else Verdict.FAR_ARC
+        verdict = judged(a, rocker.d, rocker.c1, rocker.c2, seen=_sees(a, rocker, locus))
         settled(draft, limits_of(a, rocker.d, rocker.c1, rocker.c2, (letter, "C_1", "C_2")), verdict)
 
 

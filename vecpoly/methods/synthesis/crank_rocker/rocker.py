@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 from ....plane import Points
 
-BESIDE = 1e-9  # of the rocker, or of C₁C₂: A in a limit position of C, where AD is as long as CD
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rocker:

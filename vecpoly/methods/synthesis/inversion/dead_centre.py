@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from math import ceil, floor, pi, tau
+
 import numpy as np
 
 from ....board.paper.marks import Role
 from ....designs.quantities import AB, AD, BC, CD
 from ....designs.two_positions import DeadCentre
 from ....designs.verdict import Verdict
+from ....foundation.bounds import below
 from ....plane import Line, Points, cross, distance, nominal, unit
 from ....words import Words
 from ..angles import marked, valued
@@ -15,6 +18,8 @@ from ..draft import SHEET, Draft
 from ..linkage import crank_circle, drawn, pin, pivot, point, rejected
 from ..registry import design_method
 from .judged import NONE
+
+Pair = tuple[Points, Points]
 
 
 @design_method(
@@ -49,9 +54,10 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
     board.rule(SHEET, bisector, b2)
     board.rule(SHEET, line, c2)
     b2 = pin(draft, "B_2", b2)
-    back = board.ray(a, unit(b2 - a), -board.given(design.phi_12.si, "phi_12"))
+    ahead = unit(b2 - a) if float(nominal(np.abs(b2 - a))) > NONE else line.along  # B₂ may be A
+    back = board.ray(a, ahead, -board.given(design.phi_12.si, "phi_12"))
     b1 = pin(draft, "B_1", board.lay_off(a, back.along, np.abs(b2 - a)))
-    verdict = _judged(a, d, (b1, c1), (b2, c2))
+    verdict = _judged((a, d), (b1, c1), (b2, c2), design.phi_12.si)
     drawn(draft, (a, b1, c1, d), (a, b2, c2, d), verdict=verdict)
     crank_circle(draft, a, np.abs(b2 - a))
     marked(draft, a, (b1, b2), valued("φ_{12}", np.degrees(design.phi_12.si)), key="phi_12")
@@ -63,12 +69,26 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
     draft.candidate(verdict, order, A=a, D=d, B1=b1, C1=c1, B2=b2, C2=c2)
 
 
-def _judged(a: Points, d: Points, first: tuple[Points, Points], second: tuple[Points, Points]) -> Verdict:
-    """A linkage whose links all have a length, with C on the same side of BD in both positions."""
-    if min(float(nominal(np.abs(second[0] - end))) for end in (a, second[1])) < NONE:
+def _judged(frame: Pair, first: Pair, second: Pair, turn: float) -> Verdict:
+    """A linkage whose links all have a length, with C on the same side of BD all the way from one to the other."""
+    if min(float(nominal(np.abs(second[0] - end))) for end in (frame[0], second[1])) < NONE:
         return Verdict.NO_LINK
-    sides = [float(nominal(cross(d - b, c - b))) for b, c in (first, second)]
-    return Verdict.VALID if sides[0] * sides[1] > 0 else Verdict.OTHER_SIDE
+    sides = [float(nominal(cross(frame[1] - b, c - b))) for b, c in (first, second)]
+    if sides[0] * sides[1] <= 0:
+        return Verdict.OTHER_SIDE
+    return Verdict.VALID if _passes(frame, first, turn) else Verdict.BRANCH
+
+
+def _passes(frame: Pair, first: Pair, turn: float) -> bool:
+    """Whether the dyad BCD spans BD wherever AB comes over the line of the frame on its way: BD is shortest with B on
+    AD, longest with B on DA produced."""
+    a, d, b, c = (complex(nominal(at)) for at in (*frame, *first))
+    crank, reach, gap = abs(b - a), abs(c - b) + abs(d - c), abs(abs(c - b) - abs(d - c))
+    start = float(np.angle((b - a) / (d - a)))
+    low, high = sorted((start, start + turn))
+    near, far = (ceil((low - line) / tau) <= floor((high - line) / tau) for line in (0.0, pi))
+    shortest, longest = abs(abs(d - a) - crank), abs(d - a) + crank
+    return (not near or below(gap, shortest)) and (not far or below(longest, reach))
 
 
 def _given(draft: Draft, design: DeadCentre) -> tuple[Points, Points, Points, Points]:

@@ -1,5 +1,5 @@
-"""A drag link: while DC turns by 180° the crank turns by 360°/(K + 1); B₂ laid over, the bisector meets the ray in "
-"C₁."""
+"""A drag link: while DC turns by 180° the crank turns by 360°/(K + 1); B₂ laid over, the bisector meets the ray in
+C₁."""
 
 from __future__ import annotations
 
@@ -12,13 +12,16 @@ from ....designs.quantities import K as ADVANCE
 from ....designs.two_positions import DragLink
 from ....designs.verdict import Verdict
 from ....foundation.bounds import below
-from ....plane import Points, distance, nominal
+from ....plane import Points, cross, nominal
+from ....plane.geometry import dot
 from ....words import Words
 from ..angles import marked, valued
 from ..draft import ONE, SHEET, WHOLE_TURN, Draft
 from ..linkage import crank_circle, drawn, pin, pivot, point, rejected
 from ..registry import design_method
 from ..transmission import least_angle
+
+Pair = tuple[Points, Points]
 
 
 @design_method(
@@ -54,7 +57,7 @@ def draw_drag_link(draft: Draft, design: DragLink) -> None:
     c1 = pin(draft, "C_1", board.meet(bisector, ray, Words("求 $C_1$", "finding $C_1$")))
     board.rule(SHEET, bisector, c1)
     c2 = pin(draft, "C_2", d + board.transfer(SHEET, d - c1, ""))
-    _solution(draft, (a, d), (b1, c1), (b2, c2))
+    _solution(draft, (a, d), (b1, c1), (b2, c2), design.psi_1.si)
 
 
 def _given(draft: Draft, design: DragLink) -> tuple[Points, Points, Points, Points]:
@@ -91,16 +94,10 @@ def _given(draft: Draft, design: DragLink) -> tuple[Points, Points, Points, Poin
     return a, d, b1, b2
 
 
-def _solution(
-    draft: Draft, frame: tuple[Points, Points], first: tuple[Points, Points], second: tuple[Points, Points]
-) -> None:
-    """Read BC and CD; a double crank has the frame as its shortest link."""
+def _solution(draft: Draft, frame: Pair, first: Pair, second: Pair, psi: float) -> None:
+    """Read BC and CD of what serves."""
     board, (a, d), (b, c) = draft.board, frame, first
-    lengths = [distance(a, b), distance(b, c), distance(d, c)]
-    others = sorted(float(nominal(one)) for one in lengths)
-    short = float(nominal(np.abs(d - a)))
-    double = below(short, others[0]) and below(short + others[2], others[0] + others[1])
-    verdict = Verdict.VALID if double else Verdict.NO_DOUBLE_CRANK
+    verdict = _judged(frame, first, second, psi)
     drawn(draft, (a, b, c, d), (a, *second, d), verdict=verdict)
     rejected(draft, verdict)
     if verdict is Verdict.VALID:
@@ -108,4 +105,18 @@ def _solution(
         coupler = draft.length(draft.of_this(BC), board.measure(b, c, "B_1 C_1"), "B_1 C_1")
         draft.length(draft.of_this(CD), board.measure(c, d, "C_1 D"), "C_1 D")
         least_angle(draft, crank, coupler)
-    draft.candidate(verdict, (lengths[0], lengths[1], short, 0.0), A=a, D=d, B1=b, C1=c, B2=second[0], C2=second[1])
+    order = np.abs(b - a), np.abs(c - b), np.abs(d - a), a.real
+    draft.candidate(verdict, order, A=a, D=d, B1=b, C1=c, B2=second[0], C2=second[1])
+
+
+def _judged(frame: Pair, first: Pair, second: Pair, psi: float) -> Verdict:
+    """A double crank has the frame as its shortest link, and C on one side of BD; DC₁ points along its ray."""
+    a, d, b, c = (complex(nominal(at)) for at in (*frame, *first))
+    others = sorted((abs(b - a), abs(c - b), abs(c - d)))
+    if not (below(abs(d - a), others[0]) and below(abs(d - a) + others[2], others[0] + others[1])):
+        return Verdict.NO_DOUBLE_CRANK
+    left = [float(nominal(cross(d - on, off - on))) > 0 for on, off in (first, second)]
+    if left[0] != left[1]:
+        return Verdict.OTHER_SIDE
+    ahead = float(nominal(dot(np.exp(1j * psi), c - d))) > 0
+    return Verdict.VALID if ahead else Verdict.REVERSED
