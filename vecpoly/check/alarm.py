@@ -110,8 +110,10 @@ class Weighed:
 
     @property
     def _tells_nothing(self) -> bool:
-        """Whether the expected error is larger than the value, or nearly so and the value not near the exact one; a hand
-        that scatters shows what comes of it."""
+        """Whether the expected error is larger than the value, or nearly so and the value not near the exact one.
+
+        Not of a hand that scatters: it shows what comes of such data.
+        """
         off = abs(self.drawn - self.exact)
         nearly = self.reach > VAGUE * self.own and off > LEGIBLE * self.own + self.noise
         return self.steady and (self.expected > self.own or nearly)
