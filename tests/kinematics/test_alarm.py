@@ -208,6 +208,7 @@ def test_a_reading_is_no_answer_where_its_expected_error_is_as_large_as_the_quan
     assert weighed(drawn=1.11, reach=50.0).cause is weighed(reach=50.0, expected=1.01).cause is Cause.VAGUE
     assert weighed(reach=50.0, expected=0.99).cause is weighed(size=1e6, drawn=1.09, reach=0.9).cause is None
     assert weighed(size=1e6, drawn=1.11, reach=0.9).cause is Cause.VAGUE
+    assert weighed(reach=50.0, expected=1.01, steady=False).cause is None  # the pencil shows what comes of it
     slot = """
 id: nearly-equal
 title: a slotted lever nearly on the crank's own circle

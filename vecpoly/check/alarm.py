@@ -110,11 +110,13 @@ class Weighed:
 
     @property
     def _tells_nothing(self) -> bool:
-        """Whether the expected error is larger than the value, or nearly so and the value not near the exact one."""
-        if self.expected > self.own:
-            return True
+        """Whether the expected error is larger than the value, or nearly so and the value not near the exact one.
+
+        Not of a hand that scatters: it shows what comes of such data.
+        """
         off = abs(self.drawn - self.exact)
-        return self.steady and self.reach > VAGUE * self.own and off > LEGIBLE * self.own + self.noise
+        nearly = self.reach > VAGUE * self.own and off > LEGIBLE * self.own + self.noise
+        return self.steady and (self.expected > self.own or nearly)
 
 
 def contradicted(truth: Truth, motion: Mapping[Rel, Number]) -> list[Rel]:
