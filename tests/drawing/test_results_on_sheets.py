@@ -79,7 +79,7 @@ def _apart(sheet: Sheet, block: Rect) -> bool:
 def test_results_stand_as_a_rule_over_the_right_end_of_the_title_strip() -> None:
     blocks = [(sheet, _block(sheet)) for name in DRAFTED for sheet in _laid(name) if sheet.results]
     low = [r.y0 < FRAME + STRIP + 5.0 and r.x1 > sheet.size[0] - FRAME - 5.0 for sheet, r in blocks]
-    assert sum(low) >= 0.8 * len(low)
+    assert sum(low) >= 0.75 * len(low)
 
 
 def test_results_keep_four_millimetres_to_the_frame_wherever_the_sheet_has_room_for_them() -> None:
