@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 from typing import Any
 
@@ -444,6 +445,9 @@ class Ramp(BaseModel):
         return (("α", self.alpha.text), ("f", self.f.text))
 
     def told(self) -> tuple[Words, ...]:
+        return ()
+
+    def noted(self, asked: Collection[str]) -> tuple[Words, ...]:
         return ()
 
 
