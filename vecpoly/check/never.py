@@ -3,49 +3,56 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
-from math import degrees
+from math import copysign, degrees
 
 import numpy as np
 
 from .. import oracle
+from ..errors import VecpolyError
 from ..mechanism.laws.windows import During, Moving, Turning
 from ..mechanism.loads import Load, Loads
 from ..mechanism.model import Mechanism
-from ..oracle.forces.laws.drives import drive_range
-from ..oracle.forces.laws.returning import laps
+from ..oracle.forces.laws.drives import unit_drive
+from ..oracle.forces.laws.returning import over_a_period
 from ..oracle.motion import Motion
+from ..oracle.state import Reals
 from ..words import Words
 
 PLACES = 180  # of the drive in its range
 STILL = 1e-9  # of the mechanism's size, or of the drive's turning, per unit of the drive: no motion
+Waiting = tuple[Load, Moving | Turning]
 
 
 def never_acting(mech: Mechanism, loads: Loads) -> Iterator[Words]:
-    """A remark on each load that waits for a motion that never comes."""
-    waiting = [(load, load.law.windows) for load in loads.all if load.law is not None]
-    if not any(not isinstance(window, During) for _, windows in waiting for window in windows):
+    """A remark on each load that waits for a motion that never comes; none where the motion has no period."""
+    waiting = list(_waiting(loads))
+    if not waiting:
         return
-    low, high, whole = drive_range(mech)
-    count = laps(mech, low) if whole else 1
-    drive = replace(mech.drive, rate=-1.0 if mech.drive.rate < 0 else 1.0, accel=0.0)
-    moving = replace(mech, drives=(drive, *mech.drives[1:]))
-    motion = oracle.solve(
-        moving, np.linspace(low, low + count * (high - low), count * PLACES + 1), order=1, strict=False
-    )
-    for load, windows in waiting:
-        for window in windows:
-            if not isinstance(window, During) and not _comes(mech, motion, window):
-                yield _said(mech, load, window)
+    try:
+        motion = oracle.solve(unit_drive(mech), over_a_period(mech, PLACES), order=1, strict=False)
+    except VecpolyError:
+        return
+    way = copysign(1.0, mech.drive.rate)
+    for load, window in waiting:
+        still = STILL * (1.0 if isinstance(window, Turning) else mech.scale)
+        if not np.nanmax(way * _rate(mech, motion, window), initial=0.0) > still:
+            yield _said(mech, load, window)
 
 
-def _comes(mech: Mechanism, motion: Motion, window: Moving | Turning) -> bool:
+def _waiting(loads: Loads) -> Iterator[Waiting]:
+    for load in loads.all:
+        for window in () if load.law is None else load.law.windows:
+            if not isinstance(window, During):
+                yield load, window
+
+
+def _rate(mech: Mechanism, motion: Motion, window: Moving | Turning) -> Reals:
+    """How fast that moves which is waited for, per unit of the drive."""
     body = motion.body(window.link)
     if isinstance(window, Turning):
-        return bool(np.nanmax(body.omega * window.sense) > STILL)
+        return body.omega * window.sense
     velocity = body.velocity_of(mech.link(window.link).points[window.point])
-    along = np.real(velocity * np.exp(-1j * window.direction))
-    return bool(np.nanmax(along) > STILL * mech.scale)
+    return np.real(velocity * np.exp(-1j * window.direction))
 
 
 def _said(mech: Mechanism, load: Load, window: Moving | Turning) -> Words:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..cycle import Column, Cycle
+from ..cycle.facts.transmission_range import USUAL
 from ..drawing.style import THIN, Dash, Hue
 from ..errors import NotAskedError
 from ..typeset import layout_words
@@ -20,7 +21,6 @@ from .plot import Plot
 from .record import MM
 from .turning import turning
 
-LEAST_GAMMA = 40.0  # degrees: the usual bound of transmission angles
 _PART = 0.35  # mm: a part of a vector
 _BARE, _TOLD = 0.06, 0.15  # of the range: white above and below curves, where their peaks are told in numbers
 _NONE: Mapping[str, Hue] = {}
@@ -125,7 +125,7 @@ def _limits(cycle: Cycle, group: list[Column], share: float) -> tuple[float, flo
         # a rate of one sign is seen against nothing
         low, high = ((0.0 if 0 < low < 0.6 * high else low), (0.0 if 0.6 * low < high < 0 else high))
     elif group[0].key.startswith("gamma_"):
-        low, high = min(low, LEAST_GAMMA), high
+        low, high = min(low, USUAL), high
     margin = share * (high - low) or 0.1 * abs(high) or 1.0
     flat = low == high
     return low - (margin if low or flat else 0.0), high + (margin if high or flat else 0.0)
@@ -162,9 +162,9 @@ def _panel(
         told = spots if known is None else exact(spots, known(column.key), drive, column, float(phi[1] - phi[0]))
         style.dots(at, [x for x, _ in spots], [y for _, y in spots], pen.hue)
         peaks.append(told)
-    if all(column.key.startswith("gamma_") for column in group) and limit[0] < LEAST_GAMMA < limit[1]:
-        style.line(at, [phi[0], phi[-1]], [LEAST_GAMMA] * 2, style.Pen(Dash.DASHED, Hue.GREY, THIN))
-        lines.append(np.array([complex(x, LEAST_GAMMA) for x in (phi[0], phi[-1])]))
+    if all(column.key.startswith("gamma_") for column in group) and limit[0] < USUAL < limit[1]:
+        style.line(at, [phi[0], phi[-1]], [USUAL] * 2, style.Pen(Dash.DASHED, Hue.GREY, THIN))
+        lines.append(np.array([complex(x, USUAL) for x in (phi[0], phi[-1])]))
     label_peaks(at, lines, peaks, [pen.hue for pen in pens], drive)
 
 

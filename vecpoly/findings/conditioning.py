@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from ..analytic.equations import GroupModel
 from ..analytic.expr import Var
-from ..cycle.facts.transmission_range import Transmission
+from ..cycle.facts.transmission_range import POOR, Transmission
 from ..words import Words
 from .study.study import Study
 
-POOR, ILL = float(np.sin(np.radians(39.5))), float(np.sin(np.radians(10.0)))  # 40° to a whole degree
+ILL = float(np.sin(np.radians(10.0)))
 SHORT = 0.35  # of its largest value: a determinant that is no sine of an angle
 NONE = 1e-6  # a measure that is none, as at a change point
 _ZOOM, _ROUNDS = 21, 5  # places in a bracket; each round makes it ten times narrower
@@ -49,7 +49,7 @@ class Conditioning:
     @property
     def is_poor(self) -> bool:
         """γ below 40°, the one bound of chapters 5, 8 and 9; of other determinants a range of nearly 3 : 1."""
-        return self.measure < (POOR if self.gamma is not None else SHORT)
+        return self.measure < (float(np.sin(POOR)) if self.gamma is not None else SHORT)
 
     @property
     def is_ill(self) -> bool:

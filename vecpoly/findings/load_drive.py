@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..cycle.facts.duties import duties, idle
 from ..cycle.facts.transmission import angle_of, folded, is_told
+from ..cycle.facts.transmission_range import USUAL
 from ..cycle.root import ridders
 from ..cycle.sample import sample
 from ..errors import VecpolyError
@@ -18,7 +19,7 @@ from ..mechanism.groups.assur import Dyad, decompose, ends, hinges
 from ..mechanism.model import FRAME, Drive, Mechanism, Prismatic
 from .study.study import Study
 
-_POOR = radians(40.0)
+_POOR = radians(USUAL)
 _GRID = 1441
 Reals = NDArray[np.float64]
 

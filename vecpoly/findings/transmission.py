@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import degrees, radians
 
-from ..cycle.facts.transmission_range import Transmission
+from ..cycle.facts.transmission_range import ABOUT, USUAL, Transmission
 from ..mechanism.groups.assur import Dyad, decompose
 from ..mechanism.model import Revolute
 from ..words import Words
 from .study.study import Study
 
-BOUND, NEAR = 40.0, 39.5  # degrees: the usual bound, and what is about as much
 _EQUAL = 1e-6  # rad
 
 
@@ -55,11 +54,11 @@ def _one(study: Study, t: Transmission, d: Dyad) -> Words:
 
 def _judged(least: float) -> Words:
     """A least angle (degrees) beside the usual bound; what rounds to it is no fault that a change could mend."""
-    if least < NEAR:
+    if least < ABOUT:
         return Words(
             "小于许用值 [$γ$] = 40°，传力性能较差", "below the usual bound of 40°: force is transmitted poorly there"
         )
-    if least < BOUND:
+    if least < USUAL:
         return Words("约等于许用值 [$γ$] = 40°，传力性能合格", "about the usual bound of 40°, which is acceptable")
     return Words("大于许用值 [$γ$] = 40°，传力性能良好", "above the usual bound of 40°: force is transmitted well")
 

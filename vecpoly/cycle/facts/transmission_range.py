@@ -12,7 +12,8 @@ from ..extremes import Spot, extremes
 from ..root import ridders
 from .transmission import folded
 
-POOR, FOLDED = np.radians(39.5), np.radians(15.0)  # below: poor transmission (40° to a degree); nearly folded
+USUAL, ABOUT = 40.0, 39.5  # degrees: the usual bound of transmission angles, and what to a whole degree is as much
+POOR, FOLDED = np.radians(ABOUT), np.radians(15.0)  # below: poor transmission; nearly folded
 
 
 @dataclass(frozen=True, slots=True)

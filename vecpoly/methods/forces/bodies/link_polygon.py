@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from ....board.construction import Pane
 from ....board.paper.marks import Dot
 from ....plane import Reals, nominal
@@ -14,6 +12,7 @@ from ....vector.close import close
 from ....vector.equation import UNKNOWN, Equation, Term
 from ....words import Words
 from ..acting import Drawn
+from ..lines.arms import newtons
 from ..lines.resultant import Resultant
 from ..state import Statics
 
@@ -80,5 +79,4 @@ def unread(st: Statics, load: Resultant) -> Reals | None:
     read anew."""
     if len(load.forces) != 1 or load.forces[0].drawn is not None:
         return None
-    (known,) = load.forces
-    return np.abs(known.vector) * st.scale.value if known.computed is None else known.computed
+    return newtons(st, load.forces[0])

@@ -17,7 +17,7 @@ from ....words import Words
 from ...registry import Stage, method
 from ..acting import Drawn
 from ..bodies.link_polygon import answered, unread
-from ..lines.arms import moments_at
+from ..lines.arms import moments_at, size_of
 from ..lines.beside import clear_of
 from ..lines.links_of_group import Held
 from ..lines.meeting import line_of_load, name_once
@@ -136,9 +136,8 @@ def _letter(st: Statics) -> str:
 
 def _size(st: Statics, load: Resultant, held: Held, drawn: Drawn | None) -> Quantity:
     named = load.forces[0].named if len(load.forces) == 1 else st.named(FRAME, held.link)
-    if drawn is None:
-        size = unread(st, load)
-        return magnitude(named.symbol, np.abs(load.vector) * st.scale.value if size is None else size, "N")
+    if drawn is None:  # the only known force, which stands on no polygon
+        return size_of(st, load.forces[0])
     expr = measured(st, drawn)
     if len(load.forces) > 1:
         st.board.write_worked(sym(named.symbol), expr, "N")

@@ -86,9 +86,13 @@ def acting_on(st: Statics, link: str) -> list[Acting]:
 
 def size_of(st: Statics, force: Acting) -> Quantity:
     """A force in N: given or computed, or read off the polygon on which it was found."""
-    if force.drawn is None:
-        return magnitude(force.named.symbol, np.abs(force.vector) * st.scale.value, "N")
-    return magnitude(force.named.symbol, measured(st, force.drawn).value, "N")
+    size = newtons(st, force) if force.drawn is None else measured(st, force.drawn).value
+    return magnitude(force.named.symbol, size, "N")
+
+
+def newtons(st: Statics, force: Acting) -> Reals:
+    """The size (N) of a force that stands on no polygon: as it was computed, or else given."""
+    return np.abs(force.vector) * st.scale.value if force.computed is None else force.computed
 
 
 def _of_forces(

@@ -14,7 +14,7 @@ from ....mechanism.loads import Load, Loads
 from ....mechanism.model import Mechanism
 from ...state import Reals
 from .drives import drive_range, unit_drive
-from .returning import laps, turns_of
+from .returning import laps, over_a_period, turns_of
 from .stands import ROUNDING, Stands
 from .strokes import STEPS, zeros
 
@@ -30,7 +30,7 @@ def corners(mech: Mechanism, loads: Loads) -> Reals:
     low, high, whole = drive_range(mech)
     moving = mech if mech.drive.rate else unit_drive(mech)
     count, turns = (laps(mech, low), turns_of(mech, loads, low)) if whole else (1, 1)
-    grid = np.linspace(low, low + count * (high - low), count * STEPS + 1)
+    grid = over_a_period(mech, STEPS)
     once = [
         zeros(partial(_at, moving, watched), grid, partial(_at, moving, watched, rounding=0.0))
         for watched in _watched(loads)

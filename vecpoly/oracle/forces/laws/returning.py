@@ -14,6 +14,7 @@ from ....mechanism.loads import Loads
 from ....mechanism.model import Circle, Link, Mechanism, Rolling
 from ....words import Words
 from ...state import Points, Reals
+from .drives import drive_range
 
 MOST = 60  # turns of the drive among which the period is sought
 WITHIN = 2 * np.pi * np.modf(np.sqrt([2.0, 3.0, 5.0, 7.0]))[0]  # rad behind the beginning: no round angles
@@ -37,6 +38,14 @@ def laps(mech: Mechanism, low: float) -> int:
         if np.nanmax(off, initial=0.0) <= SAME * mech.scale:
             return count
     raise EquilibriumError(_elsewhere(mech), code="no-period")
+
+
+def over_a_period(mech: Mechanism, steps: int) -> Reals:
+    """The drive's range (rad, or m) in so many steps; one that goes right round, over as many turns as the letters need
+    to come back, each in so many."""
+    low, high, whole = drive_range(mech)
+    count = laps(mech, low) if whole else 1
+    return np.linspace(low, low + count * (high - low), count * steps + 1)
 
 
 def _wheels_are_back(mech: Mechanism) -> Callable[[int], bool]:

@@ -13,7 +13,7 @@ from ....mechanism.laws.told import no_stroke
 from ....mechanism.model import Mechanism
 from ...state import Reals
 from .drives import drive_range, unit_drive
-from .returning import laps
+from .returning import over_a_period
 
 STEPS = 1440
 HALVINGS = 60
@@ -22,10 +22,9 @@ HALVINGS = 60
 @lru_cache(maxsize=256)
 def stroke(mech: Mechanism, link: str, point: str, direction: float) -> tuple[float, float]:
     """Least and greatest coordinate of the point along the direction (m); EquilibriumError where it has no stroke."""
-    low, high, whole = drive_range(mech)
+    _, _, whole = drive_range(mech)
     local, along = mech.link(link).points[point], complex(np.exp(-1j * direction))
-    count = laps(mech, low) if whole else 1
-    grid = np.linspace(low, low + count * (high - low), count * STEPS + 1)
+    grid = over_a_period(mech, STEPS)
     even = unit_drive(mech)  # once: a plan is kept for as long as its mechanism is the same object
     turns = zeros(lambda q: _rate(even, link, local, along, q), grid)
     places = np.concatenate([turns, grid if not whole else grid[:1]])

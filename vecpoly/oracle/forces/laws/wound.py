@@ -14,7 +14,7 @@ from ....words import Words
 from ...run import wrapped
 from ...state import Reals
 from .drives import drive_range, unit_drive
-from .returning import laps
+from .returning import over_a_period
 from .stands import Stands
 
 STEPS = 720
@@ -45,9 +45,8 @@ def refuse_wound(coil: Coil, at: Stands) -> None:
 @lru_cache(maxsize=64)
 def _leaps(mech: Mechanism, coil: Coil) -> bool:
     """Whether its links, which do not turn round each other, pass half a turn from φ_0 over the drive's range."""
-    low, high, whole = drive_range(mech)
-    count = laps(mech, low) if whole else 1
-    relative = _relative(unit_drive(mech), coil, np.linspace(low, low + count * (high - low), count * STEPS + 1))
+    _, _, whole = drive_range(mech)
+    relative = _relative(unit_drive(mech), coil, over_a_period(mech, STEPS))
     known = relative[np.isfinite(relative)]
     way = np.unwrap(known)
     round_about = whole and abs(float(way[-1] - way[0])) > pi

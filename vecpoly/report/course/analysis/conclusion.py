@@ -6,11 +6,12 @@ from collections.abc import Iterator, Sequence
 from math import degrees
 from typing import Any
 
+from ....cycle.facts.transmission_range import USUAL
 from ....findings.conditioning import Conditioning
 from ....findings.output_links import ends
 from ....findings.shown import span
 from ....findings.study.study import Study
-from ....findings.transmission import BOUND, least_places
+from ....findings.transmission import least_places
 from ....mechanism.groups.mobility import mobility
 from ....words import Words
 from ..checks.comparison import Compared
@@ -154,8 +155,8 @@ def _sound(study: Study, groups: list[Conditioning]) -> Words:
         where = least_places(study, worst)
         at = ("", "") if steady else (f"（{where.zh}）", f" ({where.en})")
         told = Words(
-            f"最小传动角为 {size:.1f}°{at[0]}，{'不小于' if size >= BOUND else '约等于'}一般要求的 40°{zh}",
-            f"the least transmission angle is {size:.1f}°{at[1]}, {'above' if size >= BOUND else 'about'} the 40° "
+            f"最小传动角为 {size:.1f}°{at[0]}，{'不小于' if size >= USUAL else '约等于'}一般要求的 40°{zh}",
+            f"the least transmission angle is {size:.1f}°{at[1]}, {'above' if size >= USUAL else 'about'} the 40° "
             f"usually demanded{en}",
         )
     elif (ratio := min(one.ratio for one in groups)) > 1 - _STEADY:
