@@ -21,9 +21,7 @@ from .space import SPARSE
 WORTH = SPARSE  # of a page that figures take at least for which another sheet is begun
 NEARLY = 0.05  # of a page: what is expected to take so much less may yet take enough
 SLACK = 4.0  # mm on each side that a figure may be smaller with some of its letters in details
-MANY = (
-    100  # letters of the figures of a drawing: to place fewer takes no longer than to find out whether it is worth it
-)
+MANY = 100  # letters of a drawing: to place fewer takes no longer than to find out whether it is worth it
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,10 +74,9 @@ def trials(
     expected: Expected, detailed: list[Page[Drawn]] | None, room: int, most: int, boxed: bool
 ) -> Iterator[list[Page[Drawn]] | None]:
     """With all details, these apart from their figures, and with fewer; what is not expected to fit on so many sheets
-    is left out where letters are dear."""
+    is left out where letters are dear. detailed: with all, where that is known; where letters are not dear it is."""
     cheap = not dear(expected.figures)
-    if detailed is not None or cheap or expected.fits(room):
-        yield detailed or expected.lettered()
+    yield expected.lettered() if detailed is None and not cheap and expected.fits(room) else detailed
     if not boxed and (cheap or expected.fits_loose(room)):  # a red box may part a full page
         yield from _loose(expected)
     yield from (expected.lettered(some) for some in range(most - 1, 0, -1) if cheap or expected.fits(room, some))
@@ -87,7 +84,7 @@ def trials(
 
 def further(expected: Expected, detailed: list[Page[Drawn]] | None, plain: list[Page[Drawn]]) -> list[Page[Drawn]]:
     """One sheet more, where the details find no room else and leave no sheet with little on it."""
-    if detailed is None and expected.fills(WORTH - NEARLY, len(plain) + 1):
+    if detailed is None and dear(expected.figures) and expected.fills(WORTH - NEARLY, len(plain) + 1):
         detailed = expected.lettered()
     if detailed is None or len(detailed) > len(plain) + 1 or fullness(detailed) < WORTH:
         return plain

@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-from ...words import Lang
+from ...words import Lang, Words
 
 _MOBILITY, _LOWER_PAIRS = "F", "p_l"  # keys
 _LOW = "with lower pairs only"
@@ -22,13 +22,11 @@ class Group:
     zh: str
     one: str
     many: str
-    by_name: bool = False  # each of its quantities has its name in a sentence
+    named: Words | None = None  # what heads them in a sentence where each has its name there
 
     def heads(self, count: int, lang: Lang) -> str:
-        """The name before so many in a sentence, where they need one."""
-        if self.by_name:
-            return f"{self.zh}：" if self.many == _LOW and lang == "zh" else f"{_LOW}: " * (self.many == _LOW)
-        return self.called(count, lang) + " "
+        """What heads so many in a sentence."""
+        return self.called(count, lang) + " " if self.named is None else self.named.of(lang)
 
     def called(self, count: int, lang: Lang) -> str:
         """The name at the head of so many."""
@@ -41,9 +39,9 @@ GROUPS = (
         "构件数、运动副数和自由度",
         "links, joints and mobility",
         "links, joints and mobility",
-        by_name=True,
+        named=Words.same(""),
     ),
-    Group(r"(n|p_l|F)_low$", "高副低代后", _LOW, _LOW, by_name=True),
+    Group(r"(n|p_l|F)_low$", "高副低代后", _LOW, _LOW, named=Words("高副低代后：", f"{_LOW}: ")),
     Group(r"P_\w+$", "瞬心", "instant centre", "instant centres"),
     Group(r"v_", "速度", "velocity", "velocities"),
     Group(r"omega_\d+$", "角速度", "angular velocity", "angular velocities"),

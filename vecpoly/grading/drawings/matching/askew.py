@@ -46,7 +46,7 @@ def laid_askew(
 
     figures: of each what it should be, then as somebody draws it who makes a mistake. sheet: how the whole is held
     already; scales: as declared, mm of the sheet for a mm of the reference.
-    """  # fmt: skip
+    """
     lines = [sheet.seen(one) for one in strokes.lines]
     sure = {n for fit in found if fit.shape.name not in doubtful for n in fit.numbers}
     members = [[n for n, part in enumerate(strokes.parts) if part == p] for p in sorted(set(strokes.parts))]
@@ -131,9 +131,7 @@ def _middle(turns: np.ndarray, size: np.ndarray) -> float:
     return float(turns[order][np.searchsorted(reached, reached[-1] / 2)])
 
 
-def _fit(
-    lines: Sequence[Segment], part: Sequence[int], shape: Shape, lie: Lie, scales: Mapping[str, float]
-) -> Fit:  # fmt: skip
+def _fit(lines: Sequence[Segment], part: Sequence[int], shape: Shape, lie: Lie, scales: Mapping[str, float]) -> Fit:
     """The polygon, as it is seen when it is held so."""
     told = scales.get(shape.name)
     upright = one_turn(lie.held, UPRIGHT)
