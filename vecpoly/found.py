@@ -13,7 +13,7 @@ from .problem.problem import Problem
 from .words import Words, bare
 
 if TYPE_CHECKING:
-    from .check.found import Verified
+    from .check.designs.found import Verified
 
 
 def candidate_json(one: Candidate) -> dict[str, Any]:
@@ -43,7 +43,7 @@ def conclusion(problem: Problem, candidates: Sequence[Candidate]) -> Words | Non
     """That no candidate of a synthesis serves, and why; None where one does, and of other problems."""
     if not candidates or _valid(candidates):
         return None
-    from .check.unsolvable import conclusion as told  # late: other problems need none of it
+    from .check.designs.unsolvable import conclusion as told  # late: other problems need none of it
 
     return told(problem)
 
@@ -53,7 +53,7 @@ def verification(problem: Problem, candidates: Sequence[Candidate]) -> tuple[Ver
     problems."""
     if not candidates:
         return ()
-    from .check.found import verified  # late: a whole cycle, which other problems need not
+    from .check.designs.found import verified  # late: a whole cycle, which other problems need not
 
     found = (verified(problem.design, one.number, one.values, one.spread, one.lost) for one in _valid(candidates))
     return tuple(one for one in found if one is not None)
@@ -69,7 +69,7 @@ def linkage(problem: Problem, candidates: Sequence[Candidate]) -> Problem:
     """The solution that is taken, as a problem of its own; raises NotAskedError where nothing was to be found."""
     one = taken(problem, candidates)
     if one is not None:
-        from .check.found import linkage as made  # late, likewise
+        from .check.designs.found import linkage as made  # late, likewise
 
         name, title = f"{problem.id}-{problem.design.take}", _titled(problem, len(_valid(candidates)))
         if (found := made(problem.design, one.values, name, title)) is not None:

@@ -33,7 +33,7 @@ from .weighed import answers_of
 from .words import Words, language
 
 if TYPE_CHECKING:
-    from .check.found import Verified
+    from .check.designs.found import Verified
 
 __all__ = ["REPEATS", "YES_NO", "Answer", "Solution", "fewer_digits", "solve", "told_short"]
 

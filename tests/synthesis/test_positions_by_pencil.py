@@ -8,7 +8,7 @@ import pytest
 import vecpoly
 from tests.flat_positions import FLAT
 from tests.laws import few
-from vecpoly.check.found_words import all_ill_conditioned, ill_conditioned
+from vecpoly.check.designs.found_words import all_ill_conditioned, ill_conditioned
 from vecpoly.designs.verdict import Verdict
 from vecpoly.errors import VecpolyError
 from vecpoly.methods.synthesis.inversion.sheet import Stands

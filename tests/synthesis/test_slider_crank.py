@@ -9,7 +9,7 @@ import pytest
 
 import vecpoly
 from vecpoly.board.paper.marks import Point
-from vecpoly.check.found_words import ill_conditioned
+from vecpoly.check.designs.found_words import ill_conditioned
 from vecpoly.errors import AssemblyError, ProblemFileError
 from vecpoly.oracle.synthesis.registry import linkages
 

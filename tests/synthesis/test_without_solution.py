@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 import vecpoly
 from tests.laws import few
 from vecpoly.board.paper.marks import Role, Segment
-from vecpoly.check.admissible import admissible
+from vecpoly.check.designs.admissible import admissible
 from vecpoly.cli.app import app
 from vecpoly.cli.errors import REFUSED, UNSOLVABLE
 from vecpoly.designs.admitted import between

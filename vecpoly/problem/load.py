@@ -10,7 +10,7 @@ from ..limits import EXTENDS
 from ..words import Words
 from .build import build
 from .library import entries, find
-from .loads.cards import with_cards
+from .loads.laws.cards import with_cards
 from .problem import Problem
 from .reach import Reach, Resolver, refuse_foreign
 from .schema.faults import Place, meant

@@ -12,7 +12,7 @@ from typing import Any
 from ..algebra.quantity import number
 from ..board.construction import Step
 from ..board.paper.marks import Role, Segment
-from ..check.found_words import all_ill_conditioned, told
+from ..check.designs.found_words import all_ill_conditioned, told
 from ..check.shaking import shaking_of
 from ..check.structure import dependence
 from ..drawing.beside import beside as drawn_apart

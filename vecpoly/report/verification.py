@@ -8,7 +8,7 @@ from math import isfinite
 from ..algebra.quantity import number
 from ..board.candidates import Candidate
 from ..check.candidates import exact
-from ..check.found import Verified
+from ..check.designs.found import Verified
 from ..designs.base import Design
 from ..designs.inversion.stages import Stages
 from ..foundation.slotted import dataclass

@@ -30,9 +30,9 @@ def exact(
     tally = Tally()
     found = problems(names, tally, allow_outside)
     spared(json, JSON, found)
+    from ...check.designs.unsolvable import conclusion
     from ...check.precision import noise, settled, sizes
     from ...check.truth import truth_of
-    from ...check.unsolvable import conclusion
 
     data: list[dict[str, Any]] = []
     for problem in progress(found, Words("求解", "solving")):

@@ -112,7 +112,7 @@ def _print_verified(solution: Solution, lang: Lang) -> None:
     """What the linkages of a synthesis do, moved by the exact solver."""
     if not solution.verification:
         return
-    from ...check.found_words import ill_conditioned, told  # late: a whole cycle, which other problems need not
+    from ...check.designs.found_words import ill_conditioned, told  # late: a whole cycle, which other problems need not
 
     alone = len(solution.verification) == 1
     for one in solution.verification:

@@ -20,7 +20,7 @@ from .advance import theta_of
 from .arc_middle import MIRROR, by_arc
 from .draft import RIGHT, SHEET, Draft
 from .eta import Eta, eta
-from .limits import Limits, crank_and_coupler, limits_of, settled
+from .limits.judged import Limits, crank_and_coupler, limits_of, settled
 from .linkage import pin, pivot, point, slider
 from .pressure import greatest_pressure
 from .registry import design_method

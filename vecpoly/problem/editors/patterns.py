@@ -12,7 +12,7 @@ from ..joints.branches import BRANCHES
 from ..joints.contacts import FORMS as CONTACTS
 from ..joints.rolling import FORMS as ROLLING
 from ..joints.slides import FORMS as JOINTS
-from ..loads.lawful import CONSTANT
+from ..loads.laws.lawful import CONSTANT
 
 Schema = dict[str, Any]
 _SYMBOL = (

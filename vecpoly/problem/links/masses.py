@@ -11,7 +11,7 @@ from ...mechanism.loads import Mass, Rod
 from ...mechanism.model import FRAME, ByOffsets
 from ...units.reading import Dim, Quantity, positive, read
 from ...words import Words
-from ..loads.law_data import written
+from ..loads.laws.law_data import written
 from ..problem import Datum
 from ..schema.faults import Faults, not_on_link
 from ..schema.models import MassSpec, ProblemSpec, RodSpec

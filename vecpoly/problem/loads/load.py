@@ -17,8 +17,8 @@ from ..links.draft import Draft
 from ..schema.faults import meant
 from ..schema.models import LoadSpec, TableSpec
 from .driven import Driven
-from .lawful import CONSTANT, lawful, read_constant, read_motor
-from .springs import read_spring
+from .laws.lawful import CONSTANT, lawful, read_constant, read_motor
+from .laws.springs import read_spring
 from .thrusts import read_thrust
 from .ways import read_way
 

@@ -14,7 +14,7 @@ from ...units.patterns import SENSE
 from ...words import Words
 from ..problem import Datum
 from ..schema.models import LoadSpec, ProblemSpec
-from .law_data import told_constant, told_motor, told_spring, told_table, told_windows, written
+from .laws.law_data import told_constant, told_motor, told_spring, told_table, told_windows, written
 
 _SENSE = re.compile(rf"\s*{SENSE}\s*$")
 

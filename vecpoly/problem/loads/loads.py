@@ -16,9 +16,9 @@ from ..schema.faults import Faults
 from ..schema.models import ProblemSpec, TableSpec
 from .driven import Driven
 from .drives import one_drive
+from .laws.tables import turns_of
 from .load import read_load
 from .machine import needs_balance, reduces
-from .tables import turns_of
 
 BALANCING = "M_b"  # what balances on the driving link at a position, where nobody wrote it
 MACHINE = "machine"  # in the place of what balances: of a machine nothing does

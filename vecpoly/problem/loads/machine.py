@@ -23,7 +23,7 @@ from ..problem import Datum
 from ..schema.faults import Faults
 from ..schema.models import ProblemSpec
 from ..schema.running import MachineSpec
-from .lawful import CONSTANT
+from .laws.lawful import CONSTANT
 
 MOST_TURNS = 100.0
 STEADILY = ("steady", "稳定", "稳定运转")

@@ -14,7 +14,7 @@ from ....plane.geometry import dot
 from ....words import Words
 from ..angles import marked, valued
 from ..draft import SHEET, Draft
-from ..limits import BESIDE, judged, limits_of, settled
+from ..limits.judged import BESIDE, judged, limits_of, settled
 from ..linkage import pin, pivot
 
 SIDES = (("朝 $D$ 一侧", "on the side of $D$"), ("另一侧", "on the other side"))

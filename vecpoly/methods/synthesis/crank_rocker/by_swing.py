@@ -11,7 +11,7 @@ from ....plane import Points, nominal, unit
 from ....words import Words
 from ..draft import SHEET, Draft
 from ..eta import Locus, Straight, eta
-from ..limits import BESIDE, judged, limits_of, settled
+from ..limits.judged import BESIDE, judged, limits_of, settled
 from ..linkage import pin, pivot
 from .pivots import pivots
 from .rocker import Rocker

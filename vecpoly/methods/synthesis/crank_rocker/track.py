@@ -11,7 +11,7 @@ from ....designs.verdict import Verdict
 from ....plane import Points, nominal
 from ..draft import Draft
 from ..eta import Eta, Locus, Straight
-from ..limits import judged
+from ..limits.judged import judged
 from .rocker import Rocker
 
 NOTHING = (float("nan"), float("nan"))

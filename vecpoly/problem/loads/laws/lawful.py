@@ -5,16 +5,16 @@ from __future__ import annotations
 from math import copysign
 from typing import TypeVar
 
-from ...errors import FaultError
-from ...foundation.slotted import replace
-from ...mechanism.laws.sizes import Law, Motor, Table, Travel
-from ...mechanism.loads import Constant, Force, Moment
-from ...units.reading import Dim, read
-from ...words import Words
-from ..links.bodies import Bodies
-from ..links.draft import Draft
-from ..schema.models import LoadSpec, TableSpec
-from .driven import Driven
+from ....errors import FaultError
+from ....foundation.slotted import replace
+from ....mechanism.laws.sizes import Law, Motor, Table, Travel
+from ....mechanism.loads import Constant, Force, Moment
+from ....units.reading import Dim, read
+from ....words import Words
+from ...links.bodies import Bodies
+from ...links.draft import Draft
+from ...schema.models import LoadSpec, TableSpec
+from ..driven import Driven
 from .tables import read_table
 from .windows import read_windows
 

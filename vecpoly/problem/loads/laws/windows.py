@@ -5,17 +5,17 @@ from __future__ import annotations
 import re
 from math import pi
 
-from ...errors import FaultError
-from ...foundation.patterns import pattern
-from ...mechanism.laws.windows import During, Moving, Turning, Window
-from ...units.reading import Dim, read
-from ...words import Words
-from ..links.bodies import Bodies
-from ..links.draft import LETTER
-from ..links.guides import LINK
-from ..schema.faults import meant
-from ..schema.models import LoadSpec
-from .driven import Driven
+from ....errors import FaultError
+from ....foundation.patterns import pattern
+from ....mechanism.laws.windows import During, Moving, Turning, Window
+from ....units.reading import Dim, read
+from ....words import Words
+from ...links.bodies import Bodies
+from ...links.draft import LETTER
+from ...links.guides import LINK
+from ...schema.faults import meant
+from ...schema.models import LoadSpec
+from ..driven import Driven
 
 _WAYS = {"right": 0.0, "up": pi / 2, "left": pi, "down": -pi / 2, "右": 0.0, "上": pi / 2, "左": pi, "下": -pi / 2}
 _CCW = {"ccw": 1, "counter-clockwise": 1, "counterclockwise": 1, "逆时针": 1, "cw": -1, "clockwise": -1, "顺时针": -1}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from math import isfinite
 
-from ..words import Words
+from ...words import Words
 from .found import LOOSE, Verified
 
 CANNOT = Words("不能整周转动", "cannot turn right round")

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from ..designs.base import Design
-from ..designs.verdict import Verdict
-from ..oracle.synthesis.registry import linkages, solvable
-from ..problem.problem import Problem
-from ..words import Words
+from ...designs.base import Design
+from ...designs.verdict import Verdict
+from ...oracle.synthesis.registry import linkages, solvable
+from ...problem.problem import Problem
+from ...words import Words
 from .admissible import admissible
 
 

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from ...algebra.quantity import Quantity
-from ...designs.quantities import AB, AD, BC, CD, SWING, THETA
-from ...designs.verdict import Verdict
-from ...plane import Points, ahead, cross, distance, nominal, unit
-from ...words import Words
-from .angles import found
-from .draft import SHEET, TWO, Draft
-from .linkage import crank_circle, drawn, pin, rejected
-from .transmission import least_angle
+from ....algebra.quantity import Quantity
+from ....designs.quantities import AB, AD, BC, CD, SWING, THETA
+from ....designs.verdict import Verdict
+from ....plane import Points, ahead, cross, distance, nominal, unit
+from ....words import Words
+from ..angles import found
+from ..draft import SHEET, TWO, Draft
+from ..linkage import crank_circle, drawn, pin, rejected
+from ..transmission import least_angle
 
 EVEN = 1e-6  # mm: A on the bisector
 BESIDE = 1e-9  # of the rocker, or of C₁C₂: A in a limit position of C, where AD is as long as CD

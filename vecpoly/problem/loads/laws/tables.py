@@ -5,14 +5,14 @@ from __future__ import annotations
 from itertools import pairwise
 from math import degrees, pi
 
-from ...errors import FaultError
-from ...foundation.patterns import pattern
-from ...mechanism.laws.sizes import Table, Travel
-from ...units.names import plain, unit_of
-from ...units.reading import Dim, positive, pure
-from ...words import Words
-from ..schema.models import TableSpec
-from .driven import Driven
+from ....errors import FaultError
+from ....foundation.patterns import pattern
+from ....mechanism.laws.sizes import Table, Travel
+from ....units.names import plain, unit_of
+from ....units.reading import Dim, positive, pure
+from ....words import Words
+from ...schema.models import TableSpec
+from ..driven import Driven
 
 TABLE_HEAD = pattern(r"\s*(.*?)\s*[(（\[/]\s*(.+?)\s*[)）\]]?\s*")
 _SLACK = 1e-6  # of a turn

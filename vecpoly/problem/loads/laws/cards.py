@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ... import limits
-from ...errors import FaultError, ProblemFileError, VecpolyError
-from ...words import Words
-from ..schema.faults import Place
-from ..text.source import Tree, decoded
+from .... import limits
+from ....errors import FaultError, ProblemFileError, VecpolyError
+from ....words import Words
+from ...schema.faults import Place
+from ...text.source import Tree, decoded
 
 _MARKS = ",;\t，"
 

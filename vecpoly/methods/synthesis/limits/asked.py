@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from ...algebra.quantity import Quantity
-from ...board.paper.marks import Role
-from ...designs.limits_found import CrankRockerLimits, SliderCrankLimits
-from ...designs.quantities import AB, AD, ALPHA_MAX, BC, CD, GAMMA_MIN, OFFSET, STROKE, SWING, THETA
-from ...designs.quantities import K as ADVANCE
-from ...designs.verdict import Verdict
-from ...names import Named
-from ...plane import Points, Reals, ahead, unit
-from ...words import Words
-from .angles import found
-from .draft import HALF_TURN, RIGHT, SHEET, Draft
-from .linkage import crank_circle, drawn, pin, pivot, slider
-from .pressure import greatest_pressure
-from .registry import design_method
-from .transmission import least_angle
+from ....algebra.quantity import Quantity
+from ....board.paper.marks import Role
+from ....designs.limits_found import CrankRockerLimits, SliderCrankLimits
+from ....designs.quantities import AB, AD, ALPHA_MAX, BC, CD, GAMMA_MIN, OFFSET, STROKE, SWING, THETA
+from ....designs.quantities import K as ADVANCE
+from ....designs.verdict import Verdict
+from ....names import Named
+from ....plane import Points, Reals, ahead, unit
+from ....words import Words
+from ..angles import found
+from ..draft import HALF_TURN, RIGHT, SHEET, Draft
+from ..linkage import crank_circle, drawn, pin, pivot, slider
+from ..pressure import greatest_pressure
+from ..registry import design_method
+from ..transmission import least_angle
 
 SOURCE = "机械原理, limit positions: crank and coupler in one line"
 

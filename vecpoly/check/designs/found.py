@@ -7,16 +7,16 @@ from dataclasses import dataclass, replace
 from math import degrees, nan
 from typing import Any
 
-from ..cycle.cycle import Cycle
-from ..cycle.facts.found import facts
-from ..cycle.whole_cycle import cycle
-from ..designs.base import Design
-from ..errors import VecpolyError
-from ..mechanism.model import Mechanism
-from ..problem.problem import Problem
-from ..problem.values.made import problem as made
-from ..words import Words
-from .grashof import grashof
+from ...cycle.cycle import Cycle
+from ...cycle.facts.found import facts
+from ...cycle.whole_cycle import cycle
+from ...designs.base import Design
+from ...errors import VecpolyError
+from ...mechanism.model import Mechanism
+from ...problem.problem import Problem
+from ...problem.values.made import problem as made
+from ...words import Words
+from ..grashof import grashof
 
 LOOSE = 0.02  # of a length: an expected drawing error above which the construction is called ill-conditioned
 

@@ -9,15 +9,15 @@ from math import degrees, inf, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from ..designs.admitted import between
-from ..designs.base import Design
-from ..designs.place import OnLine
-from ..designs.verdict import Verdict
-from ..errors import VecpolyError
-from ..names import Named
-from ..oracle.synthesis.registry import candidates
-from ..units.reading import Quantity
-from ..words import Words
+from ...designs.admitted import between
+from ...designs.base import Design
+from ...designs.place import OnLine
+from ...designs.verdict import Verdict
+from ...errors import VecpolyError
+from ...names import Named
+from ...oracle.synthesis.registry import candidates
+from ...units.reading import Quantity
+from ...words import Words
 
 TRIED = 240  # places of a datum that are looked at
 HALVINGS = 30  # between one that serves and one that does not

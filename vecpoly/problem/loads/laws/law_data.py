@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from ...mechanism.laws.springs import Coil, Elastic
-from ...mechanism.laws.windows import During, Moving, Turning
-from ...mechanism.loads import Constant, Load
-from ...mechanism.model import FRAME, Mechanism
-from ...words import Words
-from ..problem import Datum
-from ..schema.models import LoadSpec, TableSpec
-from ..values.given import GivenTable
+from ....mechanism.laws.springs import Coil, Elastic
+from ....mechanism.laws.windows import During, Moving, Turning
+from ....mechanism.loads import Constant, Load
+from ....mechanism.model import FRAME, Mechanism
+from ....words import Words
+from ...problem import Datum
+from ...schema.models import LoadSpec, TableSpec
+from ...values.given import GivenTable
 from .tables import TABLE_HEAD
 
 _GREEK = {"phi": "φ", "theta": "θ", "alpha": "α"}

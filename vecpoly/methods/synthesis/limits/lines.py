@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from math import pi
 
-from ...designs.limit_lines import LimitLines
-from ...designs.quantities import THETA
-from ...designs.quantities import K as ADVANCE
-from ...plane import Line, Points, cross, nominal, unit
-from ...words import Words
-from .angles import marked
-from .draft import HALF_TURN, SHEET, Draft
-from .limits import judged, limits_of, settled
-from .linkage import pin, pivot
-from .registry import design_method
+from ....designs.limit_lines import LimitLines
+from ....designs.quantities import THETA
+from ....designs.quantities import K as ADVANCE
+from ....plane import Line, Points, cross, nominal, unit
+from ....words import Words
+from ..angles import marked
+from ..draft import HALF_TURN, SHEET, Draft
+from ..linkage import pin, pivot
+from ..registry import design_method
+from .judged import judged, limits_of, settled
 
 SIDES = (("一侧", "on one side"), ("另一侧", "on the other side"))
 
