@@ -56,8 +56,7 @@ def _blurred(trial: Trial, first: Mutant, second: Mutant) -> bool:
 
 def _apart(trial: Trial, one: Graded, first: Mutant, second: Mutant) -> bool:
     room = sum(mutated(one, each, trial.key.allowance).allowed for each in (first, second))
-    values = (each.values.get(one.key, _right(one)) for each in (first, second))
-    return _between(one, *values) > room
+    return _between(one, first.value_of(one), second.value_of(one)) > room
 
 
 def _far(trial: Trial, name: str, value: Value) -> bool:
@@ -84,7 +83,7 @@ def alike(trial: Trial, slip: Slip, other: Mutant) -> bool:
     mine = next(one for one in trial.mutants if one.slip == slip)
     for one in trial.key.quantities:
         if one.asked or one.kind is Kind.READING:
-            first, second = (each.values.get(one.key, _right(one)) for each in (mine, other))
+            first, second = mine.value_of(one), other.value_of(one)
             if _between(one, first, second) > 2 * one.allowed:
                 return False
     return True
