@@ -116,3 +116,8 @@ def test_a_frame_is_as_wide_as_the_title_below_it(name: str) -> None:
     for one in sheets.figures:
         border = [mark for mark in one.marks[:4] if isinstance(mark, Segment)]
         assert max(abs(mark.b - mark.a) for mark in border if mark.a.imag == mark.b.imag) >= title_width(one), one.name
+
+
+def test_an_equation_of_several_solutions_is_told_by_its_solution() -> None:
+    told = [row.purpose for row in equation_rows(drawn("rotor-dalby").solution, "en")]
+    assert [text.partition(":")[0] for text in told] == [f"Mass–radius polygon, solution {n}" for n in (1, 2)]

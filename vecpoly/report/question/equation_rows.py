@@ -29,7 +29,7 @@ class EquationRows(Block):
 
     def __init__(self, number: int, purpose: str, lang: Lang, *, balance: bool = False) -> None:
         super().__init__(4.0, 7.0)
-        self._number, self._purpose, self._lang = number, purpose, lang
+        self._number, self.purpose, self._lang = number, purpose, lang
         self.signs: tuple[str, ...] = _BALANCE if balance else _MOTION
         self._end = layout_words(_NOTHING, CELL.em) if balance else None
 
@@ -42,7 +42,7 @@ class EquationRows(Block):
         """The name, the captions, the cells to write in."""
         ink, captions = Ink(self.canv), [layout_words(words.of(self._lang), CELL.em) for words in _CAPTIONS]
         start = max(box.width for box in captions) * MM + 4.0 * MM
-        ink.box(layout_words(f"({self._number})　{self._purpose}", CELL.em), 0.0, 3 * _ROW + 1.8 * MM)
+        ink.box(layout_words(f"({self._number})　{self.purpose}", CELL.em), 0.0, 3 * _ROW + 1.8 * MM)
         for row, box in enumerate(reversed(captions)):
             ink.box(box, 2.0 * MM, row * _ROW + _BASE)
         if self._number == 1:

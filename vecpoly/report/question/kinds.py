@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from ...board.construction import Figure, Pane, Step
+from ...board.construction import Figure, Pane, Step, View
 from ...words import Lang, Words
 from .equations import named
 
@@ -45,7 +45,7 @@ def _whose(step: Step, lang: Lang) -> str:
     symbols = step.equation.symbols if step.equation is not None else ()
     if symbols and symbols[0][0] in "va":
         return f"${symbols[0]}$"
-    if isinstance(step.view, Pane) and _BODIES.fullmatch(step.view.name):
+    if isinstance(step.view, Pane) and step.view.view is View.FORCE and _BODIES.fullmatch(step.view.name):
         return _LINK.of(lang).format(step.view.name)
     acting = next((found for symbol in symbols if (found := _REACTION.match(symbol))), None)
     return _LINK.of(lang).format(acting[1]) if acting else ""

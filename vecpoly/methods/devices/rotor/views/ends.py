@@ -86,7 +86,7 @@ def solved_from_its_end(bench: Bench, rotor: Rotor, which: str) -> None:
     board, mm, found = bench.board, bench.board.scale_of(END_VIEW).value, bench.board.found
     view: Place = END_VIEW
     if which:
-        told = Words(f"端视图（解 {which[1:]}）", f"End view, answer {which[1:]}")
+        told = Words(f"端视图（解 {which[1:]}）", f"End view, solution {which[1:]}")
         view = board.open_pane(END_VIEW, which[1:], told)
         _axes(bench, rotor, view)
     board.step(Words("把求得的质量画入端视图。", "Draw the masses as they were found into the end view."), view)
