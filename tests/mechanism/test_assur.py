@@ -158,6 +158,24 @@ def test_a_structure_and_a_drive_too_many_are_told() -> None:
         check(stiff)
 
 
+CRANKS = """
+id: cranks
+title: cranks
+frame: {A: [0 mm, 0 mm], D: [200 mm, 0 mm], F: [FOOT, 0 mm]}
+links: {1: {AB: 80 mm}, 2: {BC: 200 mm, E: {along: BC, at: 400 mm}}, 3: {DC: 80 mm}, 4: {FE: 80 mm}}
+input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}
+branch: [ABCD parallelogram]
+find: [omega_3]
+"""
+
+
+def test_a_third_crank_that_repeats_two_parallel_ones_is_named_as_redundant() -> None:
+    with pytest.raises(MobilityError, match=r"Leave out link 4 \(ω_4 = ω_1\)"):
+        loads(CRANKS.replace("FOOT", "400 mm"))
+    with pytest.raises(MobilityError, match="nothing can move"):
+        loads(CRANKS.replace("FOOT", "410 mm"))
+
+
 WEDGE = """
 id: wedge
 title: wedge

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import degrees, isfinite
+from math import degrees, isfinite, pi
 from typing import TYPE_CHECKING
 
 import typer
@@ -12,10 +12,11 @@ from ..names import written_unit
 from ..words import Words, bare
 from .options import Lang
 from .terminal import add, show, table
-from .wording import number
+from .wording import NOTHING, number
 
 if TYPE_CHECKING:
     from ..cycle import Cycle
+    from ..cycle.extremes import Extremes, Spot
     from ..problem.problem import Problem
 _COLUMNS = {
     "zh": ("量", "单位", "最大", "位置", "最小", "位置"),
@@ -63,24 +64,30 @@ def _zero(turn: Cycle, problem: Problem) -> Iterator[Words]:
 
 def _row(turn: Cycle, key: str) -> tuple[str, ...]:
     from ..cycle import extremes
+    from ..cycle.curve import Curve
     from ..cycle.facts.transmission_range import transmission
 
     found, info = extremes(turn, key), turn.info(key)
     acute = transmission(turn, key) if key.startswith("gamma_") else None
+    zero = info.factor * NOTHING * Curve.of(turn, key).size
     cells: list[str] = []
     for spot in (acute.greatest, acute.least) if acute else (found.highest, found.lowest):
-        here = (
-            "—"
-            if spot is None or found.is_constant
-            else number(turn.drive.factor * spot.phi, 7) + written_unit("deg" if turn.drive.unit == "rad" else " mm")
-        )
-        cells += ["—" if spot is None else _value(info.factor * spot.value), here]
+        cells += ["—", "—"] if spot is None else [_value(info.factor * spot.value, zero), _place(turn, spot, found)]
     size = f"|{bare(info.symbol)}|" if info.is_vector else bare(info.symbol)
     return size, written_unit(info.shown_unit), *cells
 
 
-def _value(value: float) -> str:
-    return number(value, 7) if isfinite(value) else "∞" if value > 0 else "−∞"
+def _place(turn: Cycle, spot: Spot, found: Extremes) -> str:
+    """Where the drive stands then; nothing of what does not change."""
+    if found.is_constant:
+        return "—"
+    drive, whole = turn.drive, pi if turn.drive.unit == "rad" else turn.mech.scale
+    unit = written_unit("deg" if drive.unit == "rad" else " mm")
+    return number(drive.factor * spot.phi, 7, drive.factor * NOTHING * whole) + unit
+
+
+def _value(value: float, zero: float) -> str:
+    return number(value, 7, zero) if isfinite(value) else "∞" if value > 0 else "−∞"
 
 
 def _plain(text: str) -> str:

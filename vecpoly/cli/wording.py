@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import isnan
+from math import isfinite, isnan
 from typing import TYPE_CHECKING
 
 from ..words import Lang
@@ -15,7 +15,7 @@ _GREEK = {"omega": "ω", "alpha": "α", "eta": "η", "phi": "φ", "rho": "ρ", "
 _YES_NO = {True: {"zh": "是", "en": "yes"}, False: {"zh": "否", "en": "no"}}
 _UNDEFINED = {"zh": "无意义", "en": "undefined"}
 YES_NO = "yes/no"  # unit of an answer that is 1 or 0
-_NOISE = 1e-9  # a value below this is rounding of a zero
+NOTHING = 1e-9  # of what a value is measured by: less is rounding of a zero
 _HUGE = 1e9  # a value below this is written without a power of ten
 
 
@@ -27,9 +27,9 @@ def symbol(key: str) -> str:
     return f"a^{stem[1]}_{rest}" if stem in ("an", "at", "ak", "ar") else key
 
 
-def number(value: float, digits: int = 5) -> str:
-    """A number for reading, with a zero that is a zero and a real minus."""
-    text = "0" if abs(value) < _NOISE else f"{value:.{digits}g}"
+def number(value: float, digits: int = 5, zero: float = 0.0) -> str:
+    """A number for reading, with a zero that is a zero (what is no larger than `zero`) and a real minus."""
+    text = "0" if abs(value) <= zero else f"{value:.{digits}g}"
     return (f"{float(text):.0f}" if "e+" in text and abs(value) < _HUGE else text).replace("-", "−")
 
 
@@ -44,11 +44,18 @@ def exact(answer: Answer, lang: Lang) -> str:
 
 
 def _value(answer: Answer, size: float, vector: complex | None, lang: Lang) -> str:
+    zero = _nothing(answer)
     if answer.is_place and vector is not None:
-        return f"({number(vector.real)}, {number(vector.imag)})"
+        return f"({number(vector.real, zero=zero)}, {number(vector.imag, zero=zero)})"
     if answer.is_place:
-        return f"∞, {number(size)}"
-    return scalar(answer.counted * size, answer.reading.unit, lang)
+        return f"∞, {number(size, zero=zero)}"
+    return scalar(answer.counted * size, answer.reading.unit, lang, zero=zero)
+
+
+def _nothing(answer: Answer) -> float:
+    """What is rounding beside the size that the answer is measured by, however slow or small the mechanism."""
+    own = answer.weighed.own
+    return NOTHING * (own if isfinite(own) else 1.0)
 
 
 def beside(text: str, name: str) -> str:
@@ -56,11 +63,11 @@ def beside(text: str, name: str) -> str:
     return text + name if name == "°" else f"{text} {name}".rstrip()
 
 
-def scalar(size: float, unit_text: str, lang: Lang, digits: int = 5) -> str:
+def scalar(size: float, unit_text: str, lang: Lang, digits: int = 5, zero: float = 0.0) -> str:
     """A number, or yes and no; 0/0 is undefined."""
     if isnan(size):
         return _UNDEFINED[lang]
-    return _YES_NO[bool(size)][lang] if unit_text == YES_NO else number(size, digits)
+    return _YES_NO[bool(size)][lang] if unit_text == YES_NO else number(size, digits, zero)
 
 
 def gap(answer: Answer) -> str:
@@ -69,8 +76,8 @@ def gap(answer: Answer) -> str:
         return "—"
     if answer.is_place and answer.drawn_vector is not None and answer.exact_vector is not None:
         return number(abs(answer.drawn_vector - answer.exact_vector), 2)
-    if abs(answer.exact) < _NOISE or answer.is_place:  # of a direction to infinity, in degrees
-        return number(answer.deviation, 2)
+    if abs(answer.exact) <= _nothing(answer) or answer.is_place:  # of a direction to infinity, in degrees
+        return number(answer.deviation, 2, _nothing(answer))
     return percent(answer.relative_deviation)
 
 
@@ -94,4 +101,4 @@ def way(answer: Answer, lang: Lang) -> str:
 
         turn = answer.direction
         return "—" if turn is None else bearing_told(turn)
-    return _SENSE[answer.sense][lang] if answer.sense and abs(answer.drawn) >= _NOISE else "—"
+    return _SENSE[answer.sense][lang] if answer.sense and abs(answer.drawn) > _nothing(answer) else "—"

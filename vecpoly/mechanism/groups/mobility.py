@@ -7,6 +7,7 @@ from ...foundation.slotted import dataclass
 from ...words import Words
 from ..model import Joint, Mechanism, Prismatic, Revolute, Rolling
 from .assur import ends, hinges, is_held
+from .repeats import repeated
 from .sliding import slides_alone
 
 
@@ -73,9 +74,8 @@ def check(mech: Mechanism) -> Mobility:
         f"{count}, but {count.drives} drive{'s are' if count.drives != 1 else ' is'} given",
     )
     if count.freedom < 1:
-        raise MobilityError(
-            said + (slides_alone(slide for slide in _real(mech) if isinstance(slide, Prismatic)) or _STUCK)
-        )
+        slides = (joint for joint in _real(mech) if isinstance(joint, Prismatic))
+        raise MobilityError(said + (slides_alone(slides) or repeated(mech) or _STUCK))
     if count.freedom > count.drives:
         loose = [name for name in mech.numbered if _joints_at(mech, name) < 2]
         hint = f" (links with a single joint: {', '.join(loose)})" if loose else ""

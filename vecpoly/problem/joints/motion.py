@@ -100,19 +100,32 @@ def _rate(name: str, text: str | None) -> tuple[float, Datum]:
     return rate.si, Datum(symbol=f"ω_{name}", si=rate.si, text=rate.text)
 
 
+def _floating(draft: Draft, bodies: Bodies) -> Words:
+    """That a link without a pin on the frame is no crank; which link is one, or how a motor between two is written."""
+    named = (
+        (name, [letter for letter in other.points if letter in bodies.frame])
+        for name, other in bodies.drafts.items()
+        if name in bodies.numbers
+    )
+    cranks = [(name, letters[0]) for name, letters in named if letters]
+    zh, en = "、".join(f"{n}（{at}）" for n, at in cranks), ", ".join(f"{n} (at {at})" for n, at in cranks)
+    return Words(
+        f"构件 {draft.name} 不绕固定铰链转动：其上的点 {', '.join(draft.points)} 都不在机架"
+        f"（{', '.join(bodies.frame)}）上；"
+        + (f"请改为驱动绕固定铰链转动的构件 {zh}；" if cranks else "")
+        + "若由装在另一运动构件上的电机驱动，请注明该构件，如 on: 1",
+        f"link {draft.name} turns about no fixed pivot: its points {', '.join(draft.points)} are not on the frame "
+        f"({', '.join(bodies.frame)}); "
+        + (f"drive a link that does: {en}; " if cranks else "")
+        + "or, where a motor on another moving link drives it, name that link, as on: 1",
+    )
+
+
 def _turning(spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:
     # other links may be pinned there too
     pivot = next((letter for letter in draft.points if letter in bodies.frame), None)
     if pivot is None:
-        raise FaultError(
-            Words(
-                f"构件 {draft.name} 不绕固定铰链转动：其上的点 {', '.join(draft.points)} 都不在机架（"
-                f"{', '.join(bodies.frame)}）上",
-                f"link {draft.name} turns about no fixed pivot: its points {', '.join(draft.points)} are not on "
-                f"the frame ({', '.join(bodies.frame)})",
-            ),
-            "link",
-        )
+        raise FaultError(_floating(draft, bodies), "link")
     if spec.phi is None or spec.omega is None:
         raise FaultError(
             Words(

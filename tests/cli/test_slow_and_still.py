@@ -1,0 +1,40 @@
+"""Claims about numbers in the terminal: what is small is told, what is nothing is 0."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from vecpoly.cli import app
+
+FOUR_BAR = """
+id: creeping
+title: creeping
+frame: {A: [0 mm, 0 mm], D: [300 mm, 0 mm]}
+links: {1: {AB: 100 mm}, 2: {BC: 250 mm}, 3: {DC: 200 mm}}
+input: {link: 1, phi: 60 deg, omega: RATE rad/s ccw}
+branch: [C above BD]
+find: [omega_3, v_C]
+"""
+
+
+@pytest.mark.parametrize("command", ["solve", "exact", "cycle"])
+def test_a_mechanism_that_creeps_does_not_stand_still(command: str, tmp_path: Path) -> None:
+    """All values are those of 1 rad/s with another power of ten (they were 0 below 1e-9)."""
+    told = {}
+    for rate in ("1", "1e-12"):
+        path = tmp_path / "creeping.yaml"
+        path.write_text(FOUR_BAR.replace("RATE", rate), "utf-8")
+        shown = CliRunner().invoke(app, [command, str(path)]).stdout.replace("−", "-")
+        rows = [row.split() for row in shown.splitlines() if row.startswith((" ω_3", " v_C", " |v_C|"))]
+        told[rate] = [float(row[2 if command == "cycle" else 1]) for row in rows]
+    assert len(told["1"]) == 2
+    assert told["1e-12"] == pytest.approx([1e-12 * value for value in told["1"]], rel=1e-3, abs=0)
+
+
+def test_what_stands_still_for_a_moment_is_nothing() -> None:
+    shown = CliRunner().invoke(app, ["cycle", "3-14"]).stdout
+    row = next(line for line in shown.splitlines() if line.startswith(" |v_C|"))
+    assert row.split()[4:] == ["0", "30°"]
