@@ -1,5 +1,4 @@
-"""What a synthesis found: its candidates as data, each solution moved by the exact solver, or as a problem of its "
-"own."""
+"""What a synthesis found: its candidates as data, each solution moved by the exact solver, or as its own problem."""
 
 from __future__ import annotations
 
@@ -46,6 +45,15 @@ def conclusion(problem: Problem, candidates: Sequence[Candidate]) -> Words | Non
     from .check.designs.unsolvable import conclusion as told  # late: other problems need none of it
 
     return told(problem)
+
+
+def rejections(candidates: Sequence[Candidate]) -> Words | None:
+    """Why candidates beside the solutions are rejected; None where none is, or where none serves (`conclusion`)."""
+    if not _valid(candidates) or len(_valid(candidates)) == len(candidates):
+        return None
+    from .check.designs.unsolvable import rejected  # late, likewise
+
+    return rejected((one.number, one.reason) for one in candidates if one.reason is not None)
 
 
 def verification(problem: Problem, candidates: Sequence[Candidate]) -> tuple[Verified, ...]:

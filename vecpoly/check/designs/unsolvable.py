@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from ...designs.base import Design
-from ...designs.verdict import Verdict
 from ...oracle.synthesis.registry import linkages, solvable
 from ...problem.problem import Problem
 from ...words import Words
@@ -16,16 +17,22 @@ def conclusion(problem: Problem) -> Words | None:
     design = problem.subject
     if not isinstance(design, Design) or solvable(design):
         return None
-    reasons: dict[Verdict, list[int]] = {}
-    for number, one in enumerate(linkages(design), 1):
-        reasons.setdefault(one.verdict, []).append(number)
-    told = Words("没有机构满足所给条件。", "No linkage satisfies the conditions.")
-    for verdict, numbers in reasons.items():
-        told += _rejected(numbers, verdict)
+    told, found = Words("没有机构满足所给条件。", "No linkage satisfies the conditions."), linkages(design)
+    if found:
+        told += Words("", " ") + rejected((number, one.verdict.value) for number, one in enumerate(found, 1))
     return told if (known := admissible(design)) is None else told + known
 
 
-def _rejected(numbers: list[int], verdict: Verdict) -> Words:
-    why, zh, en = verdict.value, "、".join(map(str, numbers)), ", ".join(map(str, numbers))
-    many = "s" if len(numbers) > 1 else ""
-    return Words(f"候选解 {zh} 舍去：{why.zh}。", f" Candidate{many} {en} rejected: {why.en}.")
+def rejected(candidates: Iterable[tuple[int, Words]]) -> Words:
+    """The reasons for which candidates are rejected, each with their numbers."""
+    reasons: dict[Words, list[str]] = {}
+    for number, why in candidates:
+        reasons.setdefault(why, []).append(str(number))
+    told = [
+        Words(
+            f"候选解 {'、'.join(numbers)} 舍去：{why.zh}。",
+            f"Candidate{'s' if len(numbers) > 1 else ''} {', '.join(numbers)} rejected: {why.en}.",
+        )
+        for why, numbers in reasons.items()
+    ]
+    return Words("".join(one.zh for one in told), " ".join(one.en for one in told))

@@ -109,9 +109,13 @@ def _print(solution: Solution, lang: Lang) -> None:
 
 
 def _print_verified(solution: Solution, lang: Lang) -> None:
-    """What the linkages of a synthesis do, moved by the exact solver."""
+    """What the linkages of a synthesis do, moved by the exact solver; why other candidates are none."""
     if not solution.verification:
         return
+    from ...found import rejections  # late, as what follows: a synthesis alone needs it
+
+    if (others := rejections(solution.construction.candidates)) is not None:
+        typer.echo(bare(others.of(lang)))
     from ...check.designs.found_words import ill_conditioned, told  # late: a whole cycle, which other problems need not
 
     alone = len(solution.verification) == 1

@@ -1,4 +1,4 @@
-"""Claims about numbers in the terminal: what is small is told, what is nothing is 0."""
+"""Claims about what the terminal tells: what is small, what is nothing, what is rejected."""
 
 from __future__ import annotations
 
@@ -38,3 +38,8 @@ def test_what_stands_still_for_a_moment_is_nothing() -> None:
     shown = CliRunner().invoke(app, ["cycle", "3-14"]).stdout
     row = next(line for line in shown.splitlines() if line.startswith(" |v_C|"))
     assert row.split()[4:] == ["0", "30°"]
+
+
+def test_a_candidate_that_is_no_solution_is_told_with_its_reason() -> None:
+    for lang, why in (("en", "Candidate 2 rejected: C_1 and C_2 lie on opposite sides of AD"), ("zh", "候选解 2 舍去：")):
+        assert why in CliRunner().invoke(app, ["solve", "8-5", "--lang", lang]).stdout
