@@ -75,7 +75,7 @@ def gap(answer: Answer) -> str:
     if answer.computed:
         return "—"
     if answer.is_place and answer.drawn_vector is not None and answer.exact_vector is not None:
-        return number(abs(answer.drawn_vector - answer.exact_vector), 2)
+        return number(abs(answer.drawn_vector - answer.exact_vector), 2, _nothing(answer))
     if abs(answer.exact) <= _nothing(answer) or answer.is_place:  # of a direction to infinity, in degrees
         return number(answer.deviation, 2, _nothing(answer))
     return percent(answer.relative_deviation)
@@ -100,5 +100,5 @@ def way(answer: Answer, lang: Lang) -> str:
         from ..printed.angles import bearing_told
 
         turn = answer.direction
-        return "—" if turn is None else bearing_told(turn)
+        return "—" if turn is None or abs(answer.drawn_vector) <= _nothing(answer) else bearing_told(turn)
     return _SENSE[answer.sense][lang] if answer.sense and abs(answer.drawn) > _nothing(answer) else "—"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+from collections.abc import Mapping
 from math import degrees, isnan
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,7 @@ from ..files import STDOUT, spared, write_json
 from ..jobs import problems
 from ..options import JSON, JsonOption, Lang, LangOption, OutsideOption, Problems
 from ..terminal import add, progress, say, show, table, warn
-from ..wording import YES_NO, number, scalar, symbol
+from ..wording import NOTHING, YES_NO, number, scalar, symbol
 
 if TYPE_CHECKING:
     from ...check.truth import ActsAt
@@ -50,7 +51,7 @@ def exact(
                 }
             )
             if json != STDOUT:
-                _print(problem, values, lang)
+                _print(problem, values, size, lang)
             tally.weigh(problem.id, None, lang, conclusion(problem))
     if json is not None and data:
         from ...answer import plain
@@ -87,7 +88,7 @@ def _line(line: ActsAt | None) -> dict[str, Any]:
     return {"point": place_of(line.point), "tangent": line.tangent or None} | couple
 
 
-def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> None:
+def _print(problem: Problem, values: Mapping[str, complex | float], sizes: Mapping[str, float], lang: Lang) -> None:
     from ...printed.angles import bearing_told
 
     title = f"{problem.id}  {bare(problem.title.of(lang))}"
@@ -95,15 +96,16 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
     for ask in problem.asks:
         if ask.rel.key not in values:  # of a synthesis without a solution
             continue
-        value, way = values[ask.rel.key], "—"
+        value, way, zero = values[ask.rel.key], "—", NOTHING * min(1.0, sizes[ask.rel.key])
         if not isinstance(value, complex) and is_centre(ask.rel):
             size, way = "∞", f"{value:.3f}°"
         elif not isinstance(value, complex):
-            size = scalar(value, ask.rel.unit, lang, 7)
+            size = scalar(value, ask.rel.unit, lang, 7, zero)
         elif is_place(ask.rel):
-            size = f"({number(value.real, 7)}, {number(value.imag, 7)})"
+            size = f"({number(value.real, 7, zero)}, {number(value.imag, 7, zero)})"
         else:
-            size, way = number(abs(value), 7), bearing_told(degrees(cmath.phase(value)), 3) if value else "—"
+            size = number(abs(value), 7, zero)
+            way = bearing_told(degrees(cmath.phase(value)), 3) if abs(value) > zero else "—"
         add(made, (symbol(ask.rel.key), size, written_unit(ask.rel.unit), way))
     if values:
         show(made)

@@ -12,6 +12,7 @@ from .loops import Hinged, Loop
 from .plan import FRAME, Assemble, Find, Limits, Plan, Stage
 
 MM = 1e3
+PAST = 60.0  # deg: of a crank past a limit position of what it drives
 Spots = dict[str, complex]
 
 
@@ -32,12 +33,18 @@ def chain(plan: Plan, values: Mapping[str, float], omega: Quantity | None) -> di
         "joints": [f"{n} slides on {_guide(plan, at, link['block'])}" for n, link in links.items() if "block" in link],
         "input": {
             "link": "1",
-            "phi": f"{degrees(phase(at[turning[first][0]] - at[first]))!r} deg",
+            "phi": f"{degrees(phase(at[turning[first][0]] - at[first])) + _ahead(plan)!r} deg",
             "omega": "1 rad/s ccw" if omega is None else omega.text,
         },
         "branch": [_branch(loop, at) for loop in plan.loops],
-        "find": [f"v_{loop.c}" for loop in plan.loops],
+        "find": [f"{kind}_{loop.c}" for kind in "va" for loop in plan.loops],
     }
+
+
+def _ahead(plan: Plan) -> float:
+    """By how much the driver is ahead of the position in which its pins are found: in a limit position all stand
+    still, and no velocity could be drawn."""
+    return PAST if any(isinstance(stage, Limits) for stage in plan.stages) else 0.0
 
 
 def _spots(plan: Plan, values: Mapping[str, float]) -> Spots:
