@@ -27,6 +27,7 @@ from .told.catalogue import Told
 from .told.message import Message
 
 _WRONG_UNIT = Words("单位错", "wrong unit")
+_EQUALS = re.compile(r"[=＝≈≅:：]")
 _STEM = re.compile(r"(omega|alpha|an|at|ak|ar|v|a|p)(?=[A-Z]|\d)(.+)")
 
 
@@ -117,18 +118,23 @@ def _split(answers: Mapping[str, str | float] | Iterable[str]) -> dict[str, str 
         return dict(answers)
     found: dict[str, str | float | None] = {}
     for text in answers:
-        symbol, equals, value = text.partition("=") if "=" in text else text.partition("＝")
-        if not equals or not symbol.strip():
+        symbol, value = parted(text)
+        if not symbol or not value:
             raise ArgumentError(
                 Words(f"“{text}”不是答案；请写 v_D=0.49", f"'{text}' is no answer; write v_D=0.49"), code="answer"
             )
         if squeezed(symbol) in map(squeezed, found):  # ω3 and ω_3 are one
             raise ArgumentError(
-                Words(f"{symbol.strip()} 写了两次；请只留一个", f"{symbol.strip()} is given twice; leave one of them"),
-                code="twice",
+                Words(f"{symbol} 写了两次；请只留一个", f"{symbol} is given twice; leave one of them"), code="twice"
             )
-        found[symbol.strip()] = value.strip()
+        found[symbol] = value
     return found
+
+
+def parted(text: str) -> tuple[str, str]:
+    """The symbol and the value of ``v_D=0.49``, also with ≈ or a colon; two blanks where it is no answer."""
+    symbol, *value = _EQUALS.split(text, maxsplit=1)
+    return (symbol.strip(), value[0].strip()) if value else ("", "")
 
 
 def _key_for(problem: Problem, symbols: tuple[str, ...]) -> tuple[AnswerKey, Problem]:

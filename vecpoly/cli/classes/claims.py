@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,7 +11,7 @@ import typer
 
 from ...errors import UnknownNameError
 from ...words import Lang, Words, bare
-from ..errors import DISAGREES, Tally
+from ..errors import DISAGREES, REFUSED, Tally
 from ..files import STDOUT, spared, write_json
 from ..jobs import problems
 from ..options import JSON
@@ -19,12 +20,13 @@ from ..terminal import add, say, show, table
 if TYPE_CHECKING:
     from ...grading.student import Checked
 
+_CLAIM = re.compile(r"[^\W\d][\w^{}′']*\s*[＝≈≅:：](?![\\/])")  # v_D≈0.49, and no drive of a path
 _COLUMNS = {"zh": ("量", "所写", "结论", "缘由"), "en": ("quantity", "written", "verdict", "reason")}
 
 
 def claims_among(names: Sequence[str]) -> list[str]:
-    """The answers among the arguments: with an equals sign, and no file."""
-    return [name for name in names if ("=" in name or "＝" in name) and not Path(name).exists()]
+    """The answers among the arguments: with an equals sign, or what stands for one behind a symbol, and no file."""
+    return [name for name in names if ("=" in name or _CLAIM.match(name)) and not Path(name).exists()]
 
 
 def check_claims(
@@ -57,6 +59,8 @@ def check_claims(
         _print(checked, lang)
     if json is not None:
         write_json(checked.as_json(), json)
+    if any(one.for_a_person for one in checked.answers):
+        raise typer.Exit(REFUSED)
     if not checked.right:
         raise typer.Exit(DISAGREES)
 

@@ -93,7 +93,7 @@ def _turned(given: Measured, graded: Graded, target: Target, rule: Allowance) ->
         return None
     if target.mm is not None and target.mm < rule.short:
         return None
-    off = given.direction.beside(target.degrees)
+    off = given.direction.beside(target.degrees + (180.0 if given.value < 0 else 0.0))
     hand = max(rule.direction, rule.wrong * rule.k * graded.turned, degrees(target.allowed / abs(target.value)))
     reach = hand + given.direction.reach
     if off <= reach:

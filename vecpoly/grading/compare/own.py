@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from math import isclose
 from typing import Any
 
 import numpy as np
@@ -102,31 +103,34 @@ class Follower:
             seen.add(name)
             one, stands_for = self.key[name], self._standing_for(name, seen)
             if self.usable(one):
-                self._take(one, self.given[name], found)
+                self._take(one, one.key, found)
             elif stands_for is not None:
-                found.readings[one.letters] = abs(self.given[stands_for.key].value) / self.key.scales[one.mu]
-                found.sources.append(stands_for.key)
+                self._take(one, stands_for.key, found)
             elif name in self.given or name in self.rules.independent:
                 continue
             if deep or not (self.usable(one) or stands_for):
                 self._collect(one.needs, found, seen, deep)
 
     def _standing_for(self, name: str, seen: set[str]) -> Graded | None:
-        """The value that was written in place of a reading: v_C for pc; of several found from it the first."""
-        if name in self.given or self.key[name].kind is not Kind.READING or self.key[name].mu not in self.key.scales:
+        """The value that was written in place of another: v_C for pc, ω_3 for the ω_2 that it is equal to; of several
+        found from it the first."""
+        if name in self.given:
             return None
-        found = [
-            one for one in self.key.quantities if one.line == name and one.kind is Kind.VECTOR and self.usable(one)
-        ]
+        of = self.key[name]
+        if of.kind is Kind.READING and of.mu not in self.key.scales:
+            return None
+        found = [one for one in self.key.quantities if _tells(one, of) and self.usable(one)]
         return found[0] if found and found[0].key not in seen else None
 
-    def _take(self, one: Graded, mine: Measured, found: Inputs) -> None:
+    def _take(self, one: Graded, source: str, found: Inputs) -> None:
+        """The own value of a quantity, as it was written or as another tells it."""
+        mine = self.given[source]
         if one.kind is Kind.READING:
-            found.readings[one.letters] = abs(mine.value)
+            found.readings[one.letters] = abs(mine.value) / (1.0 if source == one.key else self.key.scales[one.mu])
         else:
             other = one.kind is Kind.SIGNED and mine.sense != 0 and (mine.sense > 0) is not (one.exact > 0)
             found.values[one.key] = -abs(mine.value) if other else abs(mine.value)
-        found.sources.append(one.key)
+        found.sources.append(source)
 
     def _target(self, one: Graded, found: Any) -> Target | None:
         if not np.isfinite(found):
@@ -155,3 +159,10 @@ class Follower:
         """The shortest length that a value is computed from (mm)."""
         lengths = [self.key[name].exact for name in one.needs if self.key[name].kind is Kind.READING]
         return min(lengths, default=None)
+
+
+def _tells(one: Graded, of: Graded) -> bool:
+    """Whether a value tells another that was not written down: the vector of a length, or what is equal to it alone."""
+    if of.kind is Kind.READING:
+        return one.line == of.key and one.kind is Kind.VECTOR
+    return one.needs == (of.key,) and (one.kind, one.unit) == (of.kind, of.unit) and isclose(one.exact, of.exact)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
+from math import log10
 
 from ...board.otherwise.slip import Slip
 from ..compare.band import target_of
 from ..compare.outcome import Basis, Outcome
 from ..key import Graded, Kind
 from ..slips.mutants import Mutant
-from ..slips.single import explanations
+from ..slips.single import explanations, taken_for
 from ..slips.whole import agrees, explain
 from ..told.catalogue import Told
 from ..told.message import Message, message
@@ -18,6 +19,7 @@ from ..told.slip import told_of
 from .verdict import Verdicts
 
 FAR = -2  # powers of ten
+TENFOLD = 0.02  # as near to a power of ten a factor is one
 ALIKE = 3  # values that one wrong scale must explain, at least
 
 
@@ -33,6 +35,7 @@ class Causes:
 def causes(found: Verdicts, mutants: Sequence[Mutant]) -> Causes:
     """Find the cause of every root; what one cause explains beside its root is right by it (`basis`)."""
     why = Causes()
+    _exchanged(found, why)
     for one in found.roots():
         if one.key in why.said or found.basis.get(one.key):
             continue
@@ -46,7 +49,7 @@ def causes(found: Verdicts, mutants: Sequence[Mutant]) -> Causes:
 
 def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mutant]) -> None:
     """A mistake of the catalogue: one that explains the whole sheet, or else all that has no other cause."""
-    if _a_single_sense(found, root):
+    if _a_single_sense(found, root) or _turned_alone(found, root):
         return
     open_ones = [one.key for one in found.roots() if one.key not in why.said and not found.basis.get(one.key)]
     settled = {name for name in found.given if name in why.said or name in why.source}
@@ -60,12 +63,19 @@ def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mu
             why.said[root.key] = message(Told.TWO_SLIPS)
             return
         if made is not None:
-            why.said[root.key], why.slips[root.key] = told_of(made.slip, made.also), made.slip
-            _spread(found, why, root.key, open_ones, made)
+            at = _made_at(found, made.slip, open_ones) or root.key
+            why.said[at], why.slips[at] = told_of(made.slip, made.also), made.slip
+            _spread(found, why, at, open_ones, made)
             return
         if explained.several:
             why.said[root.key] = message(Told.TWO_SLIPS)
             return
+
+
+def _made_at(found: Verdicts, slip: Slip, open_ones: Collection[str]) -> str | None:
+    """The wrong quantity with which the mistake was made, where it was written down and is paid: there it costs."""
+    key = slip.key.rpartition(":")[2]
+    return key if key in open_ones and found.key[key].points.method else None
 
 
 def _rivals(found: Verdicts, root: Graded, open_ones: Collection[str], made: Mutant) -> tuple[Message, ...]:
@@ -88,6 +98,11 @@ def _a_single_sense(found: Verdicts, root: Graded) -> bool:
     return found.outcome[root.key] is Outcome.SENSE and len(reversed_ones) < 2
 
 
+def _turned_alone(found: Verdicts, root: Graded) -> bool:
+    """Whether a size follows from own values, so that only its sense or direction is wrong."""
+    return found.exact[root.key] is Outcome.WRONG and found.outcome[root.key] is not Outcome.WRONG
+
+
 def _near(found: Verdicts, root: Graded) -> set[str]:
     """The root, and all that is right by the exact values: also what rests on the root, for it is right by no mistake
     that would have moved it."""
@@ -98,10 +113,29 @@ def _spread(found: Verdicts, why: Causes, root: str, open_ones: Sequence[str], m
     """What the same mistake makes wrong, or less than right, costs nothing more."""
     close = [name for name, outcome in found.outcome.items() if outcome is Outcome.CLOSE and name not in why.source]
     for name in (*open_ones, *close):
-        if name == root or not (name in mutant.values or mutant.leaves_out(name)):
+        if name == root or not (name in mutant.values or mutant.leaves_out(name)) or _nothing(found, name):
             continue
         if agrees(found.key[name], found.given[name], mutant, found.key.allowance):
             found.outcome[name], found.basis[name], why.source[name] = Outcome.RIGHT, Basis.SLIP, root
+
+
+def _nothing(found: Verdicts, name: str) -> bool:
+    """Whether 0 was written of what is not 0: that follows from no mistake with another quantity."""
+    mine = found.given[name]
+    return mine.at is None and mine.yes is None and not mine.value and bool(found.key[name].exact)
+
+
+def _exchanged(found: Verdicts, why: Causes) -> None:
+    """Two values of which each is that of the other, where nothing else is wrong: their names were exchanged."""
+    wrong = [one for one in found.roots() if found.outcome[one.key] is Outcome.WRONG]
+    if len(wrong) != 2 or len(found.roots()) != 2:
+        return
+    one, other = wrong
+    said = [[each.symbol for each in taken_for(a, found.given[a.key], found.key)] for a in wrong]
+    if said == [[other.symbol], [one.symbol]]:
+        why.said[one.key], why.said[other.key] = (
+            message(Told.SWAPPED, other=other.symbol), message(Told.SWAPPED, other=one.symbol),
+        )  # fmt: skip
 
 
 def _of_itself(found: Verdicts, why: Causes, root: Graded) -> None:
@@ -138,13 +172,21 @@ def _of_scales(found: Verdicts, why: Causes) -> None:
         ratios = sorted(abs(found.given[one.key].value / one.exact) for one in values)
         k = ratios[len(ratios) // 2]
         wrong = [one for one in values if found.exact[one.key] is Outcome.WRONG]
-        if len(wrong) == len(values) and all(_scaled(found, one, k) for one in values):
+        if k and len(wrong) == len(values) and all(_scaled(found, one, k) for one in values):
             first = wrong[0].key
-            why.said[first] = message(Told.SCALE_CONST, k=f"{k:.3g}", mu=mu.replace("mu", "μ"))
+            why.said[first] = _factor(k, mu)
             for one in wrong[1:]:
                 found.outcome[one.key], found.basis[one.key] = Outcome.RIGHT, Basis.SCALE
                 why.source[one.key] = first
             found.outcome[first], found.basis[first] = Outcome.WRONG, Basis.EXACT
+
+
+def _factor(k: float, mu: str) -> Message:
+    """A power of ten on all values is one of their unit, another factor one of the scale."""
+    power = round(log10(k))
+    if power and abs(k / 10.0**power - 1) < TENFOLD:
+        return message(Told.POW10, n=str(power))
+    return message(Told.SCALE_CONST, k=f"{k:.3g}", mu=mu.replace("mu", "μ"))
 
 
 def _scaled(found: Verdicts, one: Graded, k: float) -> bool:

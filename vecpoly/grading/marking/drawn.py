@@ -2,30 +2,34 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from ..key import AnswerKey, Graded, Kind, Points
 from ..reading.written import State
+from ..rules import Rules
 from ..sheet import Sheet
 
 
-def paid_by_length(key: AnswerKey, sheet: Sheet) -> AnswerKey:
-    """The key for this sheet: the method points of vectors whose length was read stand with that length."""
+def paid_by_length(key: AnswerKey, sheet: Sheet, rules: Rules) -> AnswerKey:
+    """The key for this sheet: the method points of vectors whose length was read stand with that length; what a wrong
+    direction costs of them stays with the vector, where one was written."""
     read = {name for name, text in sheet.answers.items() if text.state is not State.BLANK}
-    moved = [one for one in key.quantities if _moves(one, read)]
-    if not moved:
-        return key
-    return replace(key, quantities=tuple(_paid(one, moved) for one in key.quantities))
+    pointing = {name for name in read if sheet.answers[name].direction is not None}
+    kept = {one.key: rules.turned if one.key in pointing else 1.0 for one in key.quantities if _moves(one, read)}
+    return replace(key, quantities=tuple(_paid(key, one, kept) for one in key.quantities)) if kept else key
 
 
 def _moves(one: Graded, read: set[str]) -> bool:
     return one.kind is Kind.VECTOR and one.line in read and one.points.method > 0
 
 
-def _paid(one: Graded, moved: list[Graded]) -> Graded:
-    if one in moved:
-        return replace(one, points=replace(one.points, method=0.0))
-    extra = sum(vector.points.method for vector in moved if vector.line == one.key)
+def _paid(key: AnswerKey, one: Graded, kept: Mapping[str, float]) -> Graded:
+    """kept: of the method points of each such vector what its length is paid."""
+    if one.key in kept:
+        direction = one.points.method * (1.0 - kept[one.key])
+        return replace(one, points=Points(accuracy=one.points.accuracy, sense=one.points.sense + direction))
+    extra = sum(key[name].points.method * share for name, share in kept.items() if key[name].line == one.key)
     if not extra:
         return one
     return replace(one, points=Points(method=one.points.method, accuracy=one.points.accuracy + extra))

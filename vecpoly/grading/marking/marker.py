@@ -55,7 +55,7 @@ def mark(
     key, other = as_answered(problem, key, sheet)
     key, equations = paid_by_equations(key, sheet, rules)
     unpaid, lines = paid_by_lines(key, drawing, rules)
-    paid = paid_by_length(unpaid, sheet)
+    paid = paid_by_length(unpaid, sheet, rules)
     key = at_own_scales(paid, sheet.scales)
     sheet = replace(sheet, drawn=with_lengths(key, drawn_by(unpaid, drawing if lines else None)))
     found = verdicts(problem, key, sheet, rules)
@@ -63,7 +63,8 @@ def mark(
     named = {name for name, said in why.said.items() if said.id is not Told.TWO_SLIPS}
     findings = tuple(_finding(found, why, one, named, rules) for one in key.quantities if _shown(one, sheet))
     findings = only_with_equation(findings, key, equations, rules)
-    stated = {mu: points for mu, points in key.stated.items() if mu in sheet.stated}
+    used = {key[name].mu for name in found.given}
+    stated = {mu: worth for mu, worth in key.stated.items() if mu in sheet.stated and mu in {*used, *sheet.scales}}
     faulty = any(one.fault is UnitFault.DIMENSION or (one.fault and not rules.printed) for one in found.given.values())
     return Marked(
         key=key, findings=findings, stated=stated, lost=rules.unit if faulty else 0.0, lines=lines, slips=why.slips,

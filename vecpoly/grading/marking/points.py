@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..compare.measured import Measured
 from ..compare.outcome import Basis, Outcome
-from ..key import NOTHING, Graded, Points
+from ..key import NOTHING, Graded, Kind, Points
 from ..rules import Rules
 
 
@@ -12,7 +12,8 @@ def earned(one: Graded, outcome: Outcome, basis: Basis, mine: Measured | None, n
     """Method, accuracy and sense, each by itself; named: a mistake is told that explains what is wrong."""
     worth = one.points
     sense = worth.sense if mine is not None and mine.sense and (mine.sense > 0) is (one.exact > 0) else 0.0
-    sense = worth.sense if not one.exact and outcome.is_right else sense
+    if outcome.is_right and (not one.exact or one.kind is Kind.VECTOR):
+        sense = worth.sense  # of nothing there is none; a direction that is wrong is no right outcome
     match outcome:
         case Outcome.RIGHT | Outcome.CLOSE | Outcome.UNSAID:
             own = basis in (Basis.OWN, Basis.DRAWN)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from ...answer import bearing
@@ -105,8 +105,20 @@ def _better(found: Verdicts, one: Graded) -> None:
         return
     if followed is None or followed.target is None or mine.fault is UnitFault.DIMENSION:
         return
-    was, targets = found.exact[one.key], (followed.target, followed.deep)
-    for own in (weigh(mine, one, target, found.key.allowance) for target in targets if target is not None):
-        if own.is_right and (not was.is_right or (was is Outcome.CLOSE and own is Outcome.RIGHT)):
-            found.outcome[one.key], found.basis[one.key] = own, Basis.OWN
-            return
+    was = found.exact[one.key]
+    weighed = [weigh(mine, one, target, found.key.allowance) for target in _directed(found, one, followed)]
+    right = next((own for own in weighed if own is Outcome.RIGHT), next((own for own in weighed if own.is_right), None))
+    if right is not None and (not was.is_right or (was is Outcome.CLOSE and right is Outcome.RIGHT)):
+        found.outcome[one.key], found.basis[one.key] = right, Basis.OWN
+    elif right is None and was is Outcome.WRONG and (turned := [own for own in weighed if own is not Outcome.WRONG]):
+        found.outcome[one.key] = turned[0]  # its size follows, its sense or direction does not
+
+
+def _directed(found: Verdicts, one: Graded, followed: Followed) -> Iterator[Target]:
+    """What follows from own values. Of a size that is computed alone the direction is the right one, where nothing that
+    could turn it is wrong: it was drawn before its length was read."""
+    below = found.follower.inputs(one, deep=True).sources
+    steady = all(found.exact[name].is_right for name in below if name != one.line)
+    for target in (followed.target, followed.deep):
+        if target is not None:
+            yield replace(target, degrees=one.degrees) if steady and target.degrees is None else target

@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from math import degrees
+
+from .characters import plain
+from .minutes import in_degrees
 
 _ANGLE = r"([+-]?\d+(?:\.\d+)?)\s*"
 _DEGREES = re.compile(rf"[,;]?\s*(?:∠|@|方向(?:角)?\s*[:=]?|at)\s*{_ANGLE}(?:°|deg|度)?\s*$", re.I)
@@ -35,6 +39,20 @@ class Pointing:
     def beside(self, degrees: float) -> float:
         """How far from another direction (deg, at most 180)."""
         return abs((self.degrees - degrees + 180.0) % 360.0 - 180.0)
+
+
+_LEAD = re.compile(r"^(?:[≈~=≅∠@]|约为|约|方向(?:角)?|at|\s|:)+", re.I)
+_NUMBER = re.compile(r"([+-]?\d+(?:\.\d+)?(?:e[+-]?\d+)?)\s*(°|deg|度|rad|弧度)?", re.I)
+_COMMA = re.compile(r"([+-]?\d+),(\d+)")
+
+
+def as_direction(cell: str) -> str:
+    """What stands in a column for directions, as it would stand behind a size: ``∠ 315°``; words as they are."""
+    bare = in_degrees(_COMMA.sub(r"\1.\2", _LEAD.sub("", plain(cell).partition("±")[0]))).strip()
+    if (found := _NUMBER.fullmatch(bare)) is None:
+        return cell.strip() if WIND.fullmatch(plain(cell)) else f"∠ {cell.strip()}"
+    turned = float(found[1]) * (degrees(1.0) if (found[2] or "").lower() in ("rad", "弧度") else 1.0)
+    return f"∠ {turned:.10g}°"
 
 
 WINDS = tuple(Pointing(at, _SLANTING if at % 90.0 else _STRAIGHT) for at in _SIGNS)  # a group of WIND each

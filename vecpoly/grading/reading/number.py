@@ -27,7 +27,7 @@ class Number:
 
 def number(found: re.Match[str]) -> Number | Words:
     """The number of a match of NUMBER, or why it is none."""
-    body = _point(found[2])
+    body = _point(found[2], led=bool(found[3] or found[4]))
     if isinstance(body, Words):
         return body
     power = int(found[3] or found[4] or 0)
@@ -42,8 +42,9 @@ def number(found: re.Match[str]) -> Number | Words:
     )
 
 
-def _point(body: str) -> str | Words:
-    """The digits with a decimal point; a comma is one only where it can be nothing else."""
+def _point(body: str, *, led: bool) -> str | Words:
+    """The digits with a decimal point; a comma is one only where it can be nothing else: `led`, before a power of
+    ten, it parts no thousands."""
     commas, points = body.count(","), body.count(".")
     if commas and points:
         return _mixed(body)
@@ -54,7 +55,7 @@ def _point(body: str) -> str | Words:
     whole, _, rest = body.partition(",")
     if commas > 1:
         return body.replace(",", "") if _grouped(body, ",") else _refused(body)
-    if len(rest) == 3 and whole.lstrip("0") and len(whole) <= 3:
+    if len(rest) == 3 and not led and whole.lstrip("0") and len(whole) <= 3:
         return Words(
             f"“{body}”中的逗号是小数点还是千位分隔符，无从判断",
             f"the comma of '{body}' may be a decimal one or one of thousands",

@@ -4,11 +4,21 @@ from __future__ import annotations
 
 import re
 
-_CCW = r"逆时针(?:方向)?|反时针(?:方向)?|逆|counter-?\s?clockwise|anti-?\s?clockwise|ccw|acw|↺|⟲|⭯"
-_CW = r"顺时针(?:方向)?|顺|clockwise|cw|↻|⟳|⭮"
+from .characters import plain
+
+_CCW = r"[逆反]时针?(?:方向)?|逆|(?:counter|anti)[-\s]?clock[-\s]?(?:wise)?|c\.?\s?c\.?\s?w\.?|a\.?\s?c\.?\s?w\.?|↺|⟲|⭯"
+_CW = r"顺时针?(?:方向)?|顺|clock[-\s]?wise|c\.?\s?w\.?|↻|⟳|⭮"
 _WORD = re.compile(
     rf"[\s,;(\[]*(?:方向|转向|sense|dir(?:ection)?)?\s*[:=]?\s*(?:(?P<ccw>{_CCW})|(?P<cw>{_CW}))[\s)\].]*", re.I
 )
+
+
+_SIGNED = {"+": "ccw", "+1": "ccw", "正": "ccw", "-": "cw", "-1": "cw", "负": "cw"}  # of a column for senses alone
+
+
+def as_sense(cell: str) -> str:
+    """What stands in a column for senses, as it would stand behind a number: + counts counter-clockwise."""
+    return _SIGNED.get(plain(cell).strip("() "), cell.strip())
 
 
 def split_sense(text: str) -> tuple[str, tuple[int, ...]]:

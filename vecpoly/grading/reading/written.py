@@ -73,7 +73,10 @@ _NONE = {
     "×",
     "x",
 }
-_LEAD = re.compile(r"^(?:[≈~=≅]|约为|约|大约|about|ca\.?|approx\.?|\s)+", re.I)
+_LEAD = re.compile(r"^(?:[A-Za-zΑ-ω][\w^{}]*\s*[=≈:])?(?:[≈~=≅]|约为|约|大约|about|ca\.?|approx\.?|\s)*", re.I)
+_WITHIN = re.compile(r"\s*(?:±|\+/?-)\s*\d+(?:\.\d+)?")  # 0.3 ± 0.01
+_ALONE = re.compile(r"\(([^(),;]+)\)(.*)")  # (0.3) m/s
+_FRACTION = re.compile(r"([+-]?\d+(?:\.\d+)?)\s*/\s*(\d+(?:\.\d+)?)(?![\d.])")
 _DATE = re.compile(r"\d{4}-\d{2}-\d{2}(?: \d{2}:\d{2}:\d{2})?")
 _FORMULA = re.compile(r"=\s*-?(?:\$?[A-Z]{1,3}\$?\d|[A-Z]{2,}\(|\(?[\d.]+\s*(?!\*\s*10\s*\^)[*/+-]\s*[\d(A-Z$])")
 
@@ -94,9 +97,18 @@ def written(raw: str | float | None) -> Written:
         return _refused(text, Words("过长，不像一个答案", "too long for an answer"))
     if (two := in_brackets(bare)) is not None:
         return _place(text, two)
-    one = _one(text, _LEAD.sub("", bare).rstrip(".,; "))
+    one = _one(text, _unwrapped(bare))
     two = without_brackets(bare) if one.state is State.UNREADABLE else None
     return one if two is None else _place(text, two)
+
+
+def _unwrapped(bare: str) -> str:
+    """The number without what only leads to it, wraps it or tells its accuracy; a fraction reckoned out."""
+    found = _ALONE.sub(r"\1\2", _LEAD.sub("", bare).rstrip(".,; "), count=1) if bare else bare
+    found = _WITHIN.sub("", found, count=1)
+    if (part := _FRACTION.match(found)) is not None and float(part[2]):
+        return f"{float(part[1]) / float(part[2]):.4g}{found[part.end() :]}"
+    return found
 
 
 def _spoilt(bare: str) -> Words | None:

@@ -64,16 +64,21 @@ def _others(one: Graded, mine: Measured, key: AnswerKey) -> Iterator[Message]:
     """Vectors of the same name or letters whose value this is: v for v_rel, pc for bc, a coincident point of another
     link.
     """
+    yield from (message(Told.SWAPPED, other=other.symbol) for other in taken_for(one, mine, key))
+
+
+def taken_for(one: Graded, mine: Measured, key: AnswerKey) -> Iterator[Graded]:
+    """The quantities whose value stands in the place of this one's."""
     for other in mistaken_for(one, key):
         target = Target(value=other.exact, allowed=other.allowed)
         if abs(gap(mine.value, other, target)) <= other.allowed / 2:
-            yield message(Told.SWAPPED, other=other.symbol)
+            yield other
 
 
 def mistaken_for(one: Graded, key: AnswerKey) -> Iterator[Graded]:
     """The quantities that are easily taken for this one, and are far enough from it to be told apart."""
     for other in key.quantities:
-        if other.key == one.key or other.unit != one.unit or other.kind is not one.kind or not _kin(one, other):
+        if other.symbol == one.symbol or other.unit != one.unit or other.kind is not one.kind or not _kin(one, other):
             continue
         apart = abs(gap(other.exact, one, Target(value=one.exact, allowed=0.0)))
         if apart > 2 * (one.allowed + other.allowed):

@@ -106,6 +106,8 @@ def _borne_out(written: Sequence[_Held], mutant: Mutant, rule: Allowance) -> boo
     there = {one.key for one in written if one.key in mutant.values}
     read = [one for one in written if one.key in there and one.one.line not in there]  # a length bears out once
     moved = [one for one in read if one.mine.yes is None and not one.left_out(mutant)]
+    if moved and not any(one.mine.value or one.mine.at for one in moved):
+        return False  # a sheet of zeros is that of nobody's mistake
     by_it = sum(_surprise(one.one, one.mine, mutated(one.one, mutant, rule), rule) for one in moved)
     return by_it + NO_MISTAKE <= sum(one.by_itself for one in moved)
 

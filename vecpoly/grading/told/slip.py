@@ -49,8 +49,11 @@ _SAID = {
 def told_of(slip: Slip, also: Sequence[Slip] = ()) -> Message:
     """The sentence of a slip, or of several that give the same numbers; the Coriolis term has words of its own."""
     if also:
-        zh, en = zip(*((said.zh, said.en) for said in map(_said, (slip, *also[: MOST - 1]))), strict=True)
-        more = Words("等", ", or the like") if len(also) >= MOST else Words.same("")
+        ways = list(dict.fromkeys(map(_said, (slip, *also))))  # two lines may be drawn through the same wrong centres
+        if len(ways) == 1:
+            return message(Told.SLIP, what=symbol_of(slip.key.rpartition(":")[2]), mistake=_done(slip))
+        zh, en = zip(*((said.zh, said.en) for said in ways[:MOST]), strict=True)
+        more = Words("等", ", or the like") if len(ways) > MOST else Words.same("")
         return message(Told.EITHER, ways=Words("”或“".join(zh), ", or ".join(en)), more=more)
     key = slip.key.rpartition(":")[2]
     if key.startswith("ak_") and slip.mistake in (Mistake.DROPPED, Mistake.HALVED):

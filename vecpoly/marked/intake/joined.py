@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...grading.key import AnswerKey, Kind
+from ...grading.reading.direction import as_direction
+from ...grading.reading.sense import as_sense
 from .heads import Head, Part
 
 
@@ -23,9 +25,9 @@ def joined(key: AnswerKey, parts: Mapping[Head, str]) -> dict[str, str]:
         if not text.strip() or not cells.get(head.symbol, "").strip():
             continue
         if head.part is Part.DIRECTION:
-            cells[head.symbol] += f" ∠ {text.strip().rstrip('°')}°"
+            cells[head.symbol] += f" {as_direction(text)}"
         elif head.part is Part.SENSE:
-            cells[head.symbol] = f"{cells[head.symbol]} {text.strip()}"
+            cells[head.symbol] = f"{cells[head.symbol]} {as_sense(text)}"
     return cells
 
 

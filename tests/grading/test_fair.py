@@ -1,0 +1,94 @@
+"""What a fair lecturer would give: a zero follows from nobody's mistake, a direction is judged beside every size, and a
+mistake costs where it was made."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.grading.cases import key_of, marked, mutants_of, told
+from vecpoly import Mistake, Slip
+from vecpoly.algebra.quantity import number
+from vecpoly.grading.compare.outcome import Basis, Outcome
+from vecpoly.grading.key import Graded, Kind
+from vecpoly.words import bare
+
+
+def cell(one: Graded, times: float = 1.0, turned: float = 0.0) -> str:
+    """The exact value as a student writes it."""
+    value = bare(number(abs(one.exact * times), 4))
+    if one.kind is Kind.SIGNED:
+        return f"{value} {'ccw' if one.exact * times > 0 else 'cw'}"
+    return f"{value} ∠ {one.degrees + turned:.1f}°" if one.degrees is not None else value
+
+
+def sheet(name: str, **cells: str) -> dict[str, str]:
+    """Everything that is asked, right but for these cells."""
+    asked = [one for one in key_of(name).quantities if one.asked and one.kind is not Kind.PLACE]
+    return {one.key: cell(one) for one in asked} | cells
+
+
+@pytest.mark.parametrize("name", ["3-9", "3-2", "6-1"])
+def test_a_sheet_of_zeros_earns_no_more_than_its_scales(name: str) -> None:
+    found = marked(name, {key: "0 cw" if "cw" in text else "0" for key, text in sheet(name).items()})
+    assert not found.slips and found.total <= sum(found.stated.values())
+    assert not any(one.is_right for one in found.findings if one.written.raw and key_of(name)[one.key].exact)
+
+
+def test_words_in_every_cell_earn_no_scale() -> None:
+    assert marked("3-9", dict.fromkeys(sheet("3-9"), "不会")).total == 0
+
+
+def test_a_reaction_of_the_right_size_in_a_wrong_direction_is_wrong_beside_its_own_length_too() -> None:
+    one = key_of("4-3a")["R_41"]
+    mm = f"{key_of('4-3a')[one.line].exact:.1f} mm"
+    for turned, outcome in ((0.0, Outcome.RIGHT), (180.0, Outcome.SENSE), (70.0, Outcome.DIRECTION)):
+        found = marked("4-3a", sheet("4-3a", R_41=cell(one, turned=turned), **{one.line: mm}))
+        assert found["R_41"].outcome is outcome
+    lost = marked("4-3a", sheet("4-3a", **{one.line: mm})).exactly - found.exactly
+    assert lost == pytest.approx(one.points.method / 2)  # as it costs where no length stands beside it
+    alone = [marked("4-3a", sheet("4-3a", R_41=cell(one, turned=turned))).exactly for turned in (0.0, 70.0)]
+    assert lost == pytest.approx(alone[0] - alone[1])
+
+
+def test_a_size_that_follows_from_an_own_length_is_wrong_by_its_direction_alone() -> None:
+    one = key_of("3-9")["v_E"]
+    read = 1.5 * key_of("3-9")["pe"].exact
+    found = marked("3-9", sheet("3-9", pe=f"{read:.1f} mm", v_E=cell(one, 1.5, 90.0)))
+    assert found["v_E"].outcome is Outcome.DIRECTION and "wrong_from" not in told(found, "v_E")
+
+
+def test_a_size_written_as_negative_points_the_other_way() -> None:
+    assert marked("3-9", sheet("3-9", v_B="-" + cell(key_of("3-9")["v_B"])))["v_B"].outcome is Outcome.SENSE
+
+
+def test_what_is_equal_to_an_own_value_is_gone_on_from() -> None:
+    """ω_3 = ω_2 is asked, and 2 ω_2 v_r is found from ω_2, which nobody writes down twice."""
+    key = key_of("3-9")
+    asked = sheet("3-9", omega_3=cell(key["omega_3"], 1.2), ak_C2C3=cell(key["ak_C2C3"], 1.2))
+    found = marked("3-9", {name: text for name, text in asked.items() if name != "omega_2"})
+    assert (found["ak_C2C3"].outcome, found["ak_C2C3"].basis) == (Outcome.RIGHT, Basis.OWN)
+    assert found.roots[0] == "omega_3" and "ak_C2C3" not in found.roots
+
+
+def test_a_mistake_costs_at_the_vector_with_which_it_was_made() -> None:
+    """A Coriolis term laid off the wrong way: α is found before a^k is written down, and follows from it."""
+    key, slip = key_of("3-9"), Slip(Mistake.REVERSED, "ak_C2C3")
+    mutant = next(one for one in mutants_of("3-9") if slip in (one.slip, *one.also))
+    cells = {n: cell(key[n], v.value / key[n].exact) for n, v in mutant.values.items() if key[n].asked}
+    found = marked("3-9", sheet("3-9", **cells) | {"ak_C2C3": cell(key["ak_C2C3"], turned=180.0)})
+    assert found.slips == {"ak_C2C3": slip} and found["alpha_3"].is_right
+
+
+def test_two_names_exchanged_are_no_mistake_of_the_construction() -> None:
+    key = key_of("3-9")
+    one, other = key["v_C2B"], key["v_C2C3"]
+    found = marked("3-9", sheet("3-9", v_C2B=bare(number(other.exact, 4)), v_C2C3=bare(number(one.exact, 4))))
+    assert not found.slips and all("swapped" in told(found, name) for name in ("v_C2B", "v_C2C3"))
+
+
+def test_a_thousandfold_value_everywhere_is_a_matter_of_units_and_not_of_the_scale() -> None:
+    key = key_of("3-9")
+    cells = {n: cell(key[n], 1000.0) for n in ("v_B", "v_C2B", "v_C2C3", "v_E", "v_D")}
+    found = marked("3-9", sheet("3-9", **cells))
+    assert "pow10" in {said.id for one in found.findings for said in one.messages}
+    assert "scale_const" not in {said.id for one in found.findings for said in one.messages}
