@@ -45,3 +45,24 @@ def test_a_row_with_the_sheet_of_another_student_is_told_and_not_used(tmp_path: 
     assert [result.aside for result in done.results] == [True, False, False]
     queue, grades = ((tmp_path / "out" / name).read_text("utf-8-sig") for name in ("queue.csv", "grades.csv"))
     assert f"{one}," in queue and "有一行未用" in grades and "没有交" not in grades
+
+
+def test_a_row_with_the_name_of_another_student_is_told_and_not_used_and_a_nickname_is_no_matter(
+    tmp_path: Path,
+) -> None:
+    one, two, three = NUMBERS
+    names = {sheet.student.number: sheet.student.name for sheet in register().sheets}
+    rows = {number: {"姓名": names[number]} | answers(number) for number in NUMBERS}
+    rows[one]["姓名"], rows[three]["姓名"] = names[two], "阿三"
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", rows))
+    assert [fault.code for fault in done.faults] == ["other-name"] and names[two] in done.faults[0].said.en
+    assert [result.total for result in done.results] == [0.0, 20.0, 20.0]
+
+
+def test_the_first_row_without_a_number_is_told_where_it_holds_answers(tmp_path: Path) -> None:
+    """Under the header stands the row of units as a rule, which belongs to nobody."""
+    form = wide(tmp_path / "a.csv", {"": answers(NUMBERS[0])} | everybody())
+    head, units, *rows = form.read_text("utf-8").splitlines()
+    form.write_text("\n".join((head, *rows)), "utf-8")
+    done = graded(tmp_path / "out", form)
+    assert [(fault.code, fault.place.line) for fault in done.faults if fault.place] == [("no-number", 2)] and units

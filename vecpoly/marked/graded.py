@@ -82,7 +82,7 @@ def gathered(register: Register, files: Sequence[Path]) -> Returned:
     """The answers of all files, in their order."""
     keys = {sheet.student.number: {part.problem: part.key for part in sheet.parts} for sheet in register.sheets}
     any_keys: Mapping[str, AnswerKey] = next(iter(keys.values()), {})
-    sheets = {sheet.student.number: sheet.sheet for sheet in register.sheets}
+    sheets = {sheet.student.number: sheet for sheet in register.sheets}
     whole = Returned()
     for file in files:
         one = read_answers(file, any_keys, keys.get, sheets)

@@ -8,15 +8,16 @@ from pathlib import Path
 from ...batch.roster import plain
 from ...errors import Place, TableError, UnknownNameError
 from ...grading.key import AnswerKey
+from ...grading.reading.written import State, written
 from ...words import Words
 from .documents import documents
 from .heads import Head, Part, head, identity
 from .joined import joined
+from .others import Sheets, of_others
 from .pages import Page, pages
 from .returned import Answers, Returned
 
 KeysOf = Callable[[str], Mapping[str, AnswerKey] | None]  # of a student: problem → key; None for a stranger
-Sheets = Mapping[str, str]  # student → the number of the sheet that was handed out
 HEADS = 10  # rows among which the header is looked for
 _LONG = {
     "step": ("step", "量", "symbol", "符号", "quantity"),
@@ -62,8 +63,8 @@ def _read(page: Page, keys: Mapping[str, AnswerKey], keys_of: KeysOf, sheets: Sh
         if "step" in long and "value" in long:
             _long_rows(page, i, columns["student"], long, keys_of, returned)
         else:
-            others = _of_others(page, i, columns, sheets, returned)
-            _wide_rows(page, i, columns["student"], _heads(page, i, columns, keys, returned), keys_of, returned, others)
+            others = of_others(page, i, columns, sheets, returned)
+            _wide_rows(page, i, columns, _heads(page, i, columns, keys, returned), keys_of, returned, others)
         return True
     return False
 
@@ -84,35 +85,23 @@ def _heads(
     return found
 
 
-def _of_others(page: Page, i: int, columns: Mapping[str, int], sheets: Sheets, returned: Returned) -> set[int]:
-    """The rows with the sheet of another student, as where columns were sorted by themselves: told, and not used."""
-    found, column = set[int](), columns.get("sheet")
-    if column is None:
-        return found
-    for n, row in enumerate(page.rows[i + 1 :], i + 1):
-        number, sheet = (plain(row[at]) if at < len(row) else "" for at in (columns["student"], column))
-        own = sheets.get(number)
-        if sheet and own is not None and _bare(sheet) != _bare(own):
-            found.add(n)
-            returned.fault(page.place(n, columns["sheet"]), "other-sheet", _other(number, sheet, own), number)
-    return found
-
-
-def _bare(sheet: str) -> str:
-    """9km9-pc62 is 9KM9PC62."""
-    return "".join(filter(str.isalnum, sheet)).upper()
-
-
 def _wide_rows(
-    page: Page, i: int, student: int, heads: Mapping[int, Head], keys_of: KeysOf, returned: Returned, others: set[int]
+    page: Page,
+    i: int,
+    columns: Mapping[str, int],
+    heads: Mapping[int, Head],
+    keys_of: KeysOf,
+    returned: Returned,
+    others: set[int],
 ) -> None:
     """One row a student; a row of units under the header is left out. others: rows that are not used."""
+    student = columns["student"]
     for n, row in enumerate(page.rows[i + 1 :], i + 1):
         if n in others:
             continue
         number = plain(row[student]) if student < len(row) else ""
         if not number:
-            if any(cell.strip() for cell in row) and n > i + 1:
+            if any(cell.strip() for cell in row) and not (n == i + 1 and _is_of_units(row, heads)):
                 returned.fault(
                     page.place(n, student),
                     "no-number",
@@ -128,6 +117,11 @@ def _wide_rows(
             if any(text.strip() for text in parts.values()):  # a row of blanks is nobody's work
                 places = {one.symbol: page.place(n, j).words.en for j, one in heads.items() if one.problem == problem}
                 returned.add(Answers(student=number, problem=problem, cells=joined(key, parts), places=places))
+
+
+def _is_of_units(row: Sequence[str], heads: Mapping[int, Head]) -> bool:
+    """Whether a row under the header tells units, so that no answer stands in it."""
+    return not any(written(row[j]).state is State.READ for j in heads if j < len(row))
 
 
 def _long(row: Sequence[str]) -> dict[str, int]:
@@ -164,14 +158,6 @@ def _long_rows(
     for (number, problem), mine in parts.items():
         key = (keys_of(number) or {})[problem]
         returned.add(Answers(student=number, problem=problem, cells=joined(key, mine), places=places[number, problem]))
-
-
-def _other(number: str, sheet: str, own: str) -> Words:
-    return Words(
-        f"学号 {number} 的卷号是 {own}，此行却写 {sheet}：行可能错位（例如只对部分列排了序）；此行未用，请核对后再交",
-        f"the sheet of {number} is {own}, and this row says {sheet}: rows may have been mixed up (some columns sorted "
-        "by themselves, say); the row is not used, correct it and mark again",
-    )
 
 
 def _stranger(number: str) -> Words:
