@@ -26,6 +26,7 @@ ROUGH = 1.0  # coefficient of friction above which nothing slides on anything in
 # Variants
 GRID = 10_000  # values of one range
 ROSTER = 200_000  # students of one assignment
+PERSON = 50  # characters of a number, a name, a class: they stand in a line of the page, and in a file's name
 
 # Drawings
 SMALL = 20.0  # mm that the mechanism should measure on paper at least

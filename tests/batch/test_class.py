@@ -37,6 +37,21 @@ def test_a_student_who_comes_later_changes_nobody(whole: tuple[Path, Made], tmp_
     assert len(later.sheets) == 5
 
 
+@pytest.mark.parametrize(
+    ("was", "now", "key"),
+    [("24 mm .. 40 mm by 2 mm", "24 mm .. 38 mm by 2 mm", "vary"), ("omega_3, v_E", "v_E, omega_3", "find")],
+)
+def test_a_problem_that_was_changed_after_its_sheets_were_made_is_refused(
+    whole: tuple[Path, Made], tmp_path: Path, was: str, now: str, key: str
+) -> None:
+    """Everybody would have other values than those handed out."""
+    shutil.copytree(whole[0], tmp_path / "hw")
+    before = files(tmp_path / "hw")
+    with pytest.raises(VecpolyError, match=rf"problem block was changed \({key}\)"):
+        made(tmp_path / "hw", FOUR, TEXT.replace(was, now))
+    assert files(tmp_path / "hw") == before
+
+
 def test_any_two_students_differ_by_three_tolerances_in_two_answers(whole: tuple[Path, Made]) -> None:
     keys = [sheet.parts[0].key for sheet in whole[1].register.sheets]
     asked = [one.key for one in keys[0].quantities if one.asked and not one.demoted]

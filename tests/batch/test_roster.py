@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from vecpoly.batch.roster import RosterError, plain, read_roster
 from vecpoly.batch.student import Student
+from vecpoly.limits import PERSON
 
 ROWS = "学号,姓名,班级\n20230001,王小明,机械 1 班\n20230002,李雷,机械 2 班\n"
 TWO = (
@@ -67,6 +68,11 @@ def test_a_bad_row_is_told_and_the_others_are_kept(tmp_path: Path) -> None:
     assert found.students == TWO
     assert [(fault.place.line, fault.place.column) for fault in found.faults if fault.place] == [(4, 1), (5, 1)]
     assert "2023/9" in found.faults[1].words.en
+
+
+def test_a_name_too_long_for_a_line_and_a_file_is_told_and_the_others_are_kept(tmp_path: Path) -> None:
+    found = read_roster(roster(tmp_path, (ROWS + f"7,{'长' * (PERSON + 1)},机械 1 班\n").encode()))
+    assert found.students == TWO and str(PERSON) in found.faults[0].words.zh
 
 
 @pytest.mark.parametrize(

@@ -6,10 +6,12 @@ from __future__ import annotations
 import pytest
 
 from tests.grading.cases import key_of, marked, mutants_of, told
-from vecpoly import Mistake, Slip
+from vecpoly import Mistake, Slip, load
 from vecpoly.algebra.quantity import number
 from vecpoly.grading.compare.outcome import Basis, Outcome
+from vecpoly.grading.derive.keyed import answer_key
 from vecpoly.grading.key import Graded, Kind
+from vecpoly.problem.values.vary import vary
 from vecpoly.words import bare
 
 
@@ -92,3 +94,11 @@ def test_a_thousandfold_value_everywhere_is_a_matter_of_units_and_not_of_the_sca
     found = marked("3-9", sheet("3-9", **cells))
     assert "pow10" in {said.id for one in found.findings for said in one.messages}
     assert "scale_const" not in {said.id for one in found.findings for said in one.messages}
+
+
+def test_every_variant_of_a_problem_is_worth_the_same_though_a_centre_lies_off_its_sheet() -> None:
+    """P_24 found outside of the paper has no scale of its own: the diagram's is stated all the same."""
+    worth = {answer_key(vary(load("3-2"), values)).worth for values in (
+        {"AB": "54 mm", "phi": "140 deg"}, {"AB": "50 mm", "phi": "168 deg"},
+    )}  # fmt: skip
+    assert len(worth) == 1

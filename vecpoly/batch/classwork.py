@@ -68,6 +68,7 @@ def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | N
         if problem.ranges:
             refuse_too_few(problem, found, len(order.students))
         exercises.append(_exercise(order, problem, found))
+        _unchanged(order, old, exercises[-1])
         courses[problem.id] = Course(problem=problem, fingerprint=exercises[-1].fingerprint, standard=found.standard)
     parts, refused = _drawn(order, courses, old, run, told, 0.0 if shard is None else shard[0] / shard[1])
     sheets = tuple(
@@ -168,11 +169,27 @@ def _old(order: Order) -> Register | None:
     return old
 
 
+def _unchanged(order: Order, old: Register | None, now: Exercise) -> None:
+    """Refuse a problem that was changed after its sheets were handed out: everybody would have other numbers."""
+    before = None if old is None else next((one for one in old.exercises if one.id == now.id), None)
+    if before is None or not (keys := before.changed(now)):
+        return
+    raise VecpolyError(
+        Words(
+            f"题 {now.id} 在发题之后改动过（{'、'.join(keys)}），各人的数据将与 {order.out / NAME} 中已发的不同；"
+            f"请改回原样，或另取 -o 文件夹；若题单确未发出，可删去该文件夹",
+            f"problem {now.id} was changed ({', '.join(keys)}) after its sheets were made: everybody would have other "
+            f"values than those in {order.out / NAME}; change it back, or name another folder with -o; if no sheet was "
+            "handed out, delete that folder",
+        ),
+        code="changed",
+        numbers={"problem": now.id},
+    )
+
+
 def _kept(old: Register | None, course: Course) -> dict[str, Part]:
     """Who has values of this very problem already."""
-    if old is None or not any(
-        one.id == course.problem.id and one.fingerprint == course.fingerprint for one in old.exercises
-    ):
+    if old is None:
         return {}
     usual = old.marked_by(USUAL_SCHEME)  # pages do not follow from points
     return {

@@ -37,6 +37,15 @@ class Exercise:
     passed: float = 1.0
     failed: Mapping[str, float] | None = None
 
+    def changed(self, now: Exercise) -> tuple[str, ...]:
+        """The keys of the data, but for its texts, that are others now, so that values drawn of it would be others."""
+        mine, theirs = (json.loads(json.dumps(dict(one.data), default=str)) for one in (self, now))
+        return tuple(
+            sorted(
+                key for key in {*mine, *theirs} - {"title", "statement", "source"} if mine.get(key) != theirs.get(key)
+            )
+        )
+
     @property
     def problem(self) -> Problem:
         """The problem as the lecturer wrote it."""

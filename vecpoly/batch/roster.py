@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import Fault, Place, VecpolyError
-from ..limits import CELL, ROSTER, TABLE_BYTES
+from ..limits import PERSON, ROSTER, TABLE_BYTES
 from ..words import Words
 from .student import Student
 
@@ -123,17 +123,19 @@ def _student(file: str, line: int, cells: Sequence[str], columns: dict[str, int]
             place=place,
             numbers={"number": held["number"]},
             said=Words(
-                f"学号“{held['number']}”只能含字母、数字、'-'、'_' 和 '.'；请改正",
-                f"the number '{held['number']}' may hold only letters, digits, '-', '_' and '.'; correct it",
+                f"学号“{held['number']}”应以字母或数字开头，且只能含字母、数字、'-'、'_' 和 '.'；请改正",
+                f"the number '{held['number']}' must begin with a letter or digit and may hold only these, '-', '_' "
+                "and '.'; correct it",
             ),
         )
-    if any(len(text) > CELL or not text.isprintable() for text in held.values()):
+    if any(len(text) > PERSON or not text.isprintable() for text in held.values()):
         return Fault(
             code="out-of-range",
             place=place,
             said=Words(
-                f"此行含有不可打印的字符，或有一格超过 {CELL} 字；请改正",
-                f"this row holds characters that cannot be printed, or a cell of over {CELL}; correct it",
+                f"此行含有不可打印的字符，或学号、姓名、班级中有一格超过 {PERSON} 个字符；请改正",
+                f"this row holds characters that cannot be printed, or a number, name or class of over {PERSON}; "
+                "correct it",
             ),
         )
     return Student(number=held["number"], name=held.get("name", ""), team=held.get("team", ""))

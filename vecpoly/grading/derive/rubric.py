@@ -59,7 +59,9 @@ def shared(
     for name in dict.fromkeys(one.block for one in worth):
         block, here = rubric.blocks.get(name, Block()), [one for one in worth if one.block == name]
         points |= _shared(block, here)
-        mu = next((one.mu for one in here if one.mu in scales), "")
+        placed = any(one.kind is Kind.PLACE for one in here)  # one off the sheet is found by the scale of the others
+        told_by = [one for one in graded if one.block == name] if placed else here
+        mu = next((one.mu for one in told_by if one.mu in scales), "")
         if mu and block.scale:
             stated[mu] = block.scale
     points |= rubric.own
