@@ -90,7 +90,7 @@ def verdict(look: Look | Condition, standard: Standard) -> Condition | None:
 
 def signs(look: Look) -> dict[str, float]:
     """+1, −1 or 0 for every asked quantity that has a sense."""
-    signed = [one for one in look.asked if one.kind is not Kind.VECTOR]
+    signed = [one for one in look.asked if one.kind not in (Kind.VECTOR, Kind.PLACE, Kind.LINE)]
     largest: dict[str, float] = {}
     for one in signed:
         largest[one.unit] = max(abs(one.exact), largest.get(one.unit, 0.0))
