@@ -102,3 +102,19 @@ def test_every_variant_of_a_problem_is_worth_the_same_though_a_centre_lies_off_i
         {"AB": "54 mm", "phi": "140 deg"}, {"AB": "50 mm", "phi": "168 deg"},
     )}  # fmt: skip
     assert len(worth) == 1
+
+
+def test_an_own_centre_is_gone_on_from_to_the_rates_and_velocities_that_rest_on_it() -> None:
+    """P_13 read 20 mm aside: ω_3 = ω_1 P14P13 / P34P13 from there, and v_C = ω_3 l_CD by whoever takes that way."""
+    key = key_of("3-2")
+    centre, omega, speed = key["P_13"], key["omega_3"], key["v_C"]
+    assert centre.at is not None
+    x, y = centre.at[0] - 0.02, centre.at[1]
+    a, d = complex(x, y), complex(x, y) - 0.12
+    rate = 10 * abs(a) / abs(d)
+    cells = sheet("3-2", P_13=f"({1e3 * x:.1f}, {1e3 * y:.1f}) mm", omega_3=f"{rate:.3f} ccw", v_C=f"{rate * 0.09:.4f}")
+    assert abs(rate - omega.exact) > 2 * omega.allowed and abs(rate * 0.09 - speed.exact) > 2 * speed.allowed
+    found = marked("3-2", cells)
+    assert found.roots == ("P_13",)
+    assert {found[name].basis for name in ("omega_3", "v_C")} == {Basis.OWN}
+    assert "(-116" in found["omega_3"].messages[0].words.en.replace("−", "-") or found["omega_3"].chain > 1

@@ -18,8 +18,9 @@ from ..variants.pilot import Pilot, pilot
 from ..variants.seeds import Seed
 from ..words import Lang, Words
 from .drawing import Course, drawn, fingerprint, refuse_other_paper, refuse_too_few
+from .handed_out import handed_out, kept, unchanged
 from .printing import printed
-from .register import NAME, Exercise, Part, Register, read_register
+from .register import NAME, Exercise, Part, Register
 from .run.manifest import roster_digest, write_manifest
 from .run.runners import Runner
 from .run.tasks import bare, laid_out
@@ -60,15 +61,14 @@ def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | N
 
     Raises VecpolyError where a problem gives too few variants; a student who cannot be served does not stop the others.
     """
-    old, scheme = _old(order), _scheme(order.assignment)
+    old, scheme = handed_out(order.out, order.assignment), _scheme(order.assignment)
     pilots, courses, exercises = {}, dict[str, Course](), list[Exercise]()
     for problem in map(_bare, order.assignment.problems):
         found = _pilot(problem)
         pilots[problem.id] = found
         if problem.ranges:
             refuse_too_few(problem, found, len(order.students))
-        exercises.append(_exercise(order, problem, found))
-        _unchanged(order, old, exercises[-1])
+        exercises.append(unchanged(_exercise(order, problem, found), old, order.out))
         courses[problem.id] = Course(problem=problem, fingerprint=exercises[-1].fingerprint, standard=found.standard)
     parts, refused = _drawn(order, courses, old, run, told, 0.0 if shard is None else shard[0] / shard[1])
     sheets = tuple(
@@ -152,54 +152,6 @@ def _exercise(order: Order, problem: Problem, found: Pilot) -> Exercise:
     )
 
 
-def _old(order: Order) -> Register | None:
-    """The register of an earlier run into this folder: what was handed out stays."""
-    if not (order.out / NAME).exists():
-        return None
-    old = read_register(order.out)
-    if (old.assignment, old.salt) != (order.assignment.id, order.assignment.salt):
-        raise VecpolyError(
-            Words(
-                f"{order.out / NAME} 属于作业 {old.assignment}，而不是 {order.assignment.id}；请另取 -o 文件夹",
-                f"{order.out / NAME} is of assignment {old.assignment}, not {order.assignment.id}; name "
-                f"another folder with -o",
-            ),
-            code="other-class",
-        )
-    return old
-
-
-def _unchanged(order: Order, old: Register | None, now: Exercise) -> None:
-    """Refuse a problem that was changed after its sheets were handed out: everybody would have other numbers."""
-    before = None if old is None else next((one for one in old.exercises if one.id == now.id), None)
-    if before is None or not (keys := before.changed(now)):
-        return
-    raise VecpolyError(
-        Words(
-            f"题 {now.id} 在发题之后改动过（{'、'.join(keys)}），各人的数据将与 {order.out / NAME} 中已发的不同；"
-            f"请改回原样，或另取 -o 文件夹；若题单确未发出，可删去该文件夹",
-            f"problem {now.id} was changed ({', '.join(keys)}) after its sheets were made: everybody would have other "
-            f"values than those in {order.out / NAME}; change it back, or name another folder with -o; if no sheet was "
-            "handed out, delete that folder",
-        ),
-        code="changed",
-        numbers={"problem": now.id},
-    )
-
-
-def _kept(old: Register | None, course: Course) -> dict[str, Part]:
-    """Who has values of this very problem already."""
-    if old is None:
-        return {}
-    usual = old.marked_by(USUAL_SCHEME)  # pages do not follow from points
-    return {
-        sheet.student.number: part
-        for sheet in usual.sheets
-        for part in sheet.parts
-        if part.problem == course.problem.id
-    }
-
-
 def _drawn(
     order: Order, courses: dict[str, Course], old: Register | None, run: Runner, told: Told, begin: float
 ) -> tuple[dict[str, dict[str, Part]], dict[str, VecpolyError]]:
@@ -214,7 +166,7 @@ def _drawn(
         parts[name], without = drawn(
             course,
             seeds,
-            _kept(old, course),
+            kept(old, name),
             run,
             order.out,
             lambda what, done, of: told(Words(f"取数 {what}", f"drawing values of {what}"), done, of),

@@ -54,6 +54,11 @@ class Points:
 NOTHING = Points()
 
 
+def spot_letters(key: str) -> str:
+    """The letters by which the construction knows the place of this key: p_C → C, P_13 → P13."""
+    return key.removeprefix("p_").replace("_", "")
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Graded:
     """One quantity of a key.

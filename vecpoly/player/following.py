@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from ..board.otherwise.amended import Amended, Own
 from ..errors import VecpolyError
-from ..foundation.frozen import FrozenMap
 from ..grading.compare.measured import Measured
 from ..grading.compare.own import Follower
 from ..grading.key import AnswerKey, Graded, Kind
@@ -134,7 +133,7 @@ def _own(follower: Follower, step: Graded, sources: Sequence[Graded], ratios: ND
         problem=follower.problem, key=follower.key, given={**follower.given, **changed}, rules=follower.rules
     )
     inputs = other.inputs(step)
-    return Own(readings=FrozenMap(inputs.readings), values=FrozenMap(inputs.values))
+    return inputs.frozen()
 
 
 def _written(one: Graded, ratio: float) -> Measured:

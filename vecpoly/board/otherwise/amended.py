@@ -21,10 +21,12 @@ V = TypeVar("V", Points, Reals)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Own:
-    """What somebody goes on with: lengths read (mm) by their letters, results computed (SI) by their keys."""
+    """What somebody goes on with: lengths read (mm) by their letters, results computed (SI) by their keys, points by
+    their letters: how far from the right place they lie (mm)."""
 
     readings: Mapping[str, float] = FrozenMap({})
     values: Mapping[str, float] = FrozenMap({})
+    shifts: Mapping[str, complex] = FrozenMap({})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,7 +59,9 @@ class Amended:
     def point(self, place: Place, letter: str, at: Points) -> Points:
         """The point to go on with."""
         own = _of(self.points, place, plain_letters(letter))
-        return at if own is None else _moved(at, own)
+        at = at if own is None else _moved(at, own)
+        shifts = self._by_others([one.shifts for one in self.own], place, plain_letters(letter))
+        return self.altered(at, ((hand, at + by) for hand, by in shifts))
 
     def value(self, place: Place | None, key: str, found: Reals) -> Reals:
         """The result to go on with."""
@@ -69,9 +73,7 @@ class Amended:
         mine = self._by_others([one.values for one in self.own], place, key)
         return self.altered(found, ((hand, sense * size) for hand, size in mine))
 
-    def _by_others(
-        self, given: Sequence[Mapping[str, float]], place: Place | None, *names: str
-    ) -> Iterator[tuple[int, float]]:
+    def _by_others(self, given: Sequence[Mapping[str, T]], place: Place | None, *names: str) -> Iterator[tuple[int, T]]:
         """The numbers of the hands that have their own under one of these names, each with it."""
         for hand, mine in enumerate(given, 1 + len(self.each)):
             if (own := _of(mine, place, *names)) is not None:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from math import isclose
+from dataclasses import dataclass, field, replace
+from math import hypot, isclose
 from typing import Any
 
 import numpy as np
@@ -14,22 +14,27 @@ from ...board.otherwise.amended import Amended, Own
 from ...errors import VecpolyError
 from ...foundation.frozen import FrozenMap
 from ...problem.problem import Problem
-from ..key import AnswerKey, Graded, Kind
+from ..key import AnswerKey, Graded, Kind, spot_letters
 from ..redraw import by_hands
 from ..rules import Rules
 from .band import Target
 from .measured import Measured, UnitFault
+from .pivot import rates_about_pivots
+
+DIAGRAM_SCALE = "mu_l"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Followed:
     """What follows for one quantity: `target` from its nearest own values, None where no figure closes; `deep` from all
-    own values below it, which turn its direction too. sources: the nearest own values.
+    own values below it, which turn its direction too; `turning` by ω l about a fixed pivot. sources: the nearest own
+    values.
     """
 
     target: Target | None
     sources: tuple[str, ...]
     deep: Target | None = None
+    turning: Target | None = None
 
 
 @dataclass(slots=True)
@@ -38,7 +43,12 @@ class Inputs:
 
     readings: dict[str, float] = field(default_factory=dict)
     values: dict[str, float] = field(default_factory=dict)
+    shifts: dict[str, complex] = field(default_factory=dict)
     sources: list[str] = field(default_factory=list)
+
+    def frozen(self) -> Own:
+        """As the construction takes them."""
+        return Own(readings=FrozenMap(self.readings), values=FrozenMap(self.values), shifts=FrozenMap(self.shifts))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,12 +63,32 @@ class Follower:
 
     def follow(self, steps: Sequence[Graded]) -> dict[str, Followed]:
         """For each step that rests on an own value that can be used: what follows from it; all in one drawing."""
+        if not self.rules.following or any(first not in self.given for first in self.rules.first):
+            return {}
+        return self._about_pivots(steps, self._drawn(steps))
+
+    def _about_pivots(self, steps: Sequence[Graded], drawn: dict[str, Followed]) -> dict[str, Followed]:
+        """With what follows by ω l from an own ω, of points of links that turn about a fixed pivot."""
+        for one in steps:
+            radii = rates_about_pivots(self.problem, one) if one.kind is Kind.VECTOR else {}
+            for name, radius in radii.items():
+                if (rate := self.key.find(name)) is None or name in one.needs or not self.usable(rate):
+                    continue
+                size, mine = abs(self.given[name].value) * radius, self.given[name]
+                other = mine.sense != 0 and (mine.sense > 0) is not (rate.exact > 0)
+                way = None if one.degrees is None else one.degrees + (180.0 if other else 0.0)
+                target = Target(value=size, allowed=self.allowed(one, size), degrees=way)
+                so_far = drawn.get(one.key) or Followed(target=target, sources=())
+                drawn[one.key] = replace(so_far, turning=target, sources=(*so_far.sources, name))
+        return drawn
+
+    def _drawn(self, steps: Sequence[Graded]) -> dict[str, Followed]:
         near = {one.key: self.inputs(one, deep=False) for one in steps}
         chosen = [one for one in steps if near[one.key].sources]
-        if not chosen or not self.rules.following or any(first not in self.given for first in self.rules.first):
+        if not chosen:
             return {}
         hands = [near[one.key] for one in chosen] + [self.inputs(one, deep=True) for one in chosen]
-        own = tuple(Own(readings=FrozenMap(one.readings), values=FrozenMap(one.values)) for one in hands)
+        own = tuple(one.frozen() for one in hands)
         try:
             found = by_hands(self.problem, self.key, Amended(own=own))
         except VecpolyError:
@@ -80,9 +110,18 @@ class Follower:
         mine = self.given.get(one.key)
         if mine is None or mine.fault is UnitFault.DIMENSION or one.key in self.rules.independent:
             return False
-        if not mine.value or not one.exact or one.kind in (Kind.PLACE, Kind.YES_NO):
+        if one.kind is Kind.PLACE:
+            return self._within_reach(one, mine)
+        if not mine.value or not one.exact or one.kind is Kind.YES_NO:
             return False
         return one.key in self.trusted or 1 / self.rules.reach <= abs(mine.value / one.exact) <= self.rules.reach
+
+    def _within_reach(self, one: Graded, mine: Measured) -> bool:
+        """Whether an own place may be continued from: on a diagram to scale, no farther off than places lie apart."""
+        if mine.at is None or one.at is None or DIAGRAM_SCALE not in self.key.scales:
+            return False
+        widest = max(abs(other.exact) for other in self.key.quantities if other.kind is Kind.PLACE)
+        return hypot(mine.at[0] - one.at[0], mine.at[1] - one.at[1]) <= self.rules.reach * widest
 
     def refused(self, one: Graded) -> tuple[str, ...]:
         """The own values below a step that are there and may not be continued from."""
@@ -125,7 +164,10 @@ class Follower:
     def _take(self, one: Graded, source: str, found: Inputs) -> None:
         """The own value of a quantity, as it was written or as another tells it."""
         mine = self.given[source]
-        if one.kind is Kind.READING:
+        if one.kind is Kind.PLACE and mine.at is not None and one.at is not None:
+            off = complex(mine.at[0] - one.at[0], mine.at[1] - one.at[1])
+            found.shifts[spot_letters(one.key)] = off / self.key.scales[DIAGRAM_SCALE]
+        elif one.kind is Kind.READING:
             found.readings[one.letters] = abs(mine.value) / (1.0 if source == one.key else self.key.scales[one.mu])
         else:
             other = one.kind is Kind.SIGNED and mine.sense != 0 and (mine.sense > 0) is not (one.exact > 0)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from ...answer import YES_NO, Answer, bearing
-from ...board.acts import Act, Area, Compute, Measure
+from ...board.acts import Act, Area, Compute, Locate, Measure
 from ...board.acts import Answer as Wrote
 from ...board.hand import Hand
 from ...board.otherwise.amended import AS_DRAWN
@@ -24,7 +24,7 @@ from ...words import Words
 from ..allowance import STUDENT, Allowance
 from ..equations.priced import priced
 from ..equations.row import rows_of
-from ..key import AnswerKey, Graded, Kind
+from ..key import AnswerKey, Graded, Kind, spot_letters
 from .blocks import block_of
 from .needs import needs, with_lines
 from .rubric import USUAL, Rubric, shared
@@ -108,9 +108,10 @@ class _Found:
         """Number → key of the acts that compute what is asked:
         what follows rests on these, and not on the answer written down.
         """
-        return {
-            act.number: act.key for act in self.drawn.construction.acts if isinstance(act, Compute) and act.key in keys
-        }
+        acts = self.drawn.construction.acts
+        spots = {spot_letters(key): key for key, one in self.solution.answers.items() if one.is_place and key in keys}
+        named = {act.number: spots[act.key] for act in acts if isinstance(act, Locate) and act.key in spots}
+        return named | {act.number: act.key for act in acts if isinstance(act, Compute) and act.key in keys}
 
     def _asked(self, answer: Answer) -> Graded:
         kind, unit = _kind(answer), answer.reading.unit
@@ -180,7 +181,7 @@ def _is_step(act: Compute) -> bool:
 
 def _of_place(act: Measure, places: set[str]) -> bool:
     """Whether this is how coordinates are read, and no length of the drawing."""
-    return any(key.removeprefix("p_").replace("_", "") == act.key for key in places)
+    return any(spot_letters(key) == act.key for key in places)
 
 
 def _reading(act: Measure, name: str) -> Graded:

@@ -198,7 +198,10 @@ def _rounded(off: float, allowed: float) -> str:
 
 
 def _mine(found: Verdicts, name: str) -> str:
-    return _amount(found.key[name], abs(found.given[name].value), 4)
+    one, mine = found.key[name], found.given[name]
+    if mine.at is not None:
+        return f"({', '.join(bare(number(way / one.one, 4)) for way in mine.at)}) {written_unit(one.written_in)}"
+    return _amount(one, abs(mine.value), 4)
 
 
 def _amount(one: Graded, value: float, digits: int = 3) -> str:
