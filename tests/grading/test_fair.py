@@ -118,3 +118,12 @@ def test_an_own_centre_is_gone_on_from_to_the_rates_and_velocities_that_rest_on_
     assert found.roots == ("P_13",)
     assert {found[name].basis for name in ("omega_3", "v_C")} == {Basis.OWN}
     assert "(-116" in found["omega_3"].messages[0].words.en.replace("−", "-") or found["omega_3"].chain > 1
+
+
+def test_two_values_that_are_wrong_alike_are_not_both_right_by_each_other() -> None:
+    """v_C misread and ω_3 = v_C/l found from it: ω_3 follows, v_C costs; and K follows from θ, not θ from K."""
+    key = key_of("golden")
+    found = marked("golden", sheet("golden", v_C=cell(key["v_C"], 1.3), omega_3=cell(key["omega_3"], 1.3)))
+    assert "v_C" in found.roots and found["omega_3"].basis is Basis.OWN
+    angles = marked("8-3a", sheet("8-3a", theta="20", K="1.25"))
+    assert angles.roots == ("theta",) and angles["K"].basis is Basis.OWN

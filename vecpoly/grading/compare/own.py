@@ -19,7 +19,7 @@ from ..redraw import by_hands
 from ..rules import Rules
 from .band import Target
 from .measured import Measured, UnitFault
-from .pivot import rates_about_pivots
+from .ways import ways
 
 DIAGRAM_SCALE = "mu_l"
 
@@ -27,14 +27,14 @@ DIAGRAM_SCALE = "mu_l"
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Followed:
     """What follows for one quantity: `target` from its nearest own values, None where no figure closes; `deep` from all
-    own values below it, which turn its direction too; `turning` by ω l about a fixed pivot. sources: the nearest own
+    own values below it, which turn its direction too; `otherwise` by another way. sources: the nearest own
     values.
     """
 
     target: Target | None
     sources: tuple[str, ...]
     deep: Target | None = None
-    turning: Target | None = None
+    otherwise: Target | None = None
 
 
 @dataclass(slots=True)
@@ -65,22 +65,33 @@ class Follower:
         """For each step that rests on an own value that can be used: what follows from it; all in one drawing."""
         if not self.rules.following or any(first not in self.given for first in self.rules.first):
             return {}
-        return self._about_pivots(steps, self._drawn(steps))
+        return self._otherwise(steps, self._drawn(steps))
 
-    def _about_pivots(self, steps: Sequence[Graded], drawn: dict[str, Followed]) -> dict[str, Followed]:
-        """With what follows by ω l from an own ω, of points of links that turn about a fixed pivot."""
+    def _otherwise(self, steps: Sequence[Graded], drawn: dict[str, Followed]) -> dict[str, Followed]:
+        """With what follows by other ways than that of the drawing."""
         for one in steps:
-            radii = rates_about_pivots(self.problem, one) if one.kind is Kind.VECTOR else {}
-            for name, radius in radii.items():
-                if (rate := self.key.find(name)) is None or name in one.needs or not self.usable(rate):
-                    continue
-                size, mine = abs(self.given[name].value) * radius, self.given[name]
-                other = mine.sense != 0 and (mine.sense > 0) is not (rate.exact > 0)
-                way = None if one.degrees is None else one.degrees + (180.0 if other else 0.0)
-                target = Target(value=size, allowed=self.allowed(one, size), degrees=way)
+            for way in ways(self.problem, one):
+                source = self.key.find(way.source)
+                if source is None or not self.usable(source) or self._below(source) & {one.key, one.line}:
+                    continue  # what was found from this very quantity tells nothing of it
+                mine = self.given[way.source]
+                size = way.of(abs(mine.value))
+                other = mine.sense != 0 and (mine.sense > 0) is not (source.exact > 0)
+                degrees = None if one.degrees is None else one.degrees + (180.0 if other else 0.0)
+                target = Target(value=size, allowed=self.allowed(one, size), degrees=degrees)
                 so_far = drawn.get(one.key) or Followed(target=target, sources=())
-                drawn[one.key] = replace(so_far, turning=target, sources=(*so_far.sources, name))
+                drawn[one.key] = replace(so_far, otherwise=target, sources=(*so_far.sources, way.source))
         return drawn
+
+    def _below(self, one: Graded) -> set[str]:
+        """All that a quantity rests on."""
+        found, todo = set[str](), list(one.needs)
+        while todo:
+            name = todo.pop()
+            if name not in found:
+                found.add(name)
+                todo += self.key[name].needs
+        return found
 
     def _drawn(self, steps: Sequence[Graded]) -> dict[str, Followed]:
         near = {one.key: self.inputs(one, deep=False) for one in steps}

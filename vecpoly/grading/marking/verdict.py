@@ -119,6 +119,6 @@ def _directed(found: Verdicts, one: Graded, followed: Followed) -> Iterator[Targ
     could turn it is wrong: it was drawn before its length was read."""
     below = found.follower.inputs(one, deep=True).sources
     steady = all(found.exact[name].is_right for name in below if name != one.line)
-    for target in (followed.target, followed.deep, followed.turning):
+    for target in (followed.target, followed.deep, followed.otherwise):
         if target is not None:
             yield replace(target, degrees=one.degrees) if steady and target.degrees is None else target
