@@ -145,6 +145,15 @@ def test_what_stands_upright_is_never_called_askew_whatever_mistake_is_in_it() -
     assert not any(one.turned or one.mirrored for sheet in sheets for one in marked(key, sheet).figures)
 
 
+def test_the_turn_costs_as_much_where_the_vector_by_which_it_is_told_is_not_asked_for() -> None:
+    key = sheet_key("3-9")
+    asked = replace(key, quantities=tuple(one for one in key.quantities if one.key != "v_B"))
+    drawing = lying(exact(), drawn(exact()), velocity=by(17))
+    lines = paid_by_lines(asked, marked(key_of("3-9"), drawing, declared=True), Rules())[1]
+    lost = [(one.key, one.worth - one.earned) for one in lines if one.earned < one.worth - 1e-9]
+    assert [key for key, _ in lost] == ["v_C2C3"] and lost[0][1] == pytest.approx(asked["v_C2C3"].points.method / 2)
+
+
 def test_the_turn_costs_half_of_one_vector_whatever_else_it_spoils() -> None:
     drawing = lying(exact(), drawn(exact()), velocity=by(17))
     lines = paid_by_lines(sheet_key("3-9"), marked(key_of("3-9"), drawing, declared=True), Rules())[1]

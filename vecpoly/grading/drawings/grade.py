@@ -17,6 +17,7 @@ from .matching.askew import laid_askew, taken_so
 from .matching.find import Found, find
 from .matching.fit import Fit
 from .matching.held import UPRIGHT
+from .matching.letters import by_letters
 from .matching.naming import named
 from .matching.tidy import Strokes, strokes
 from .model import DrawingKey, drawing_key
@@ -44,7 +45,14 @@ def grade_drawing(
     """
     key = problem if isinstance(problem, DrawingKey) else drawing_key(problem, allowance)
     drawing = file if isinstance(file, Drawing) else read_drawing(file)
-    return _Grading(key, _known(drawing, key.exact.shapes), dict(scales or {}) | stated(drawing.labels)).mark()
+    drawing, own = _known(drawing, key.exact.shapes), dict(scales or {}) | stated(drawing.labels)
+    lines = strokes(drawing)
+    found = _Grading(key, drawing, lines, own)
+    if not found.figures.costs:
+        return found.mark()
+    told = replace(lines, lines=by_letters(lines.lines, drawing.labels, key.exact.shapes))
+    other = found if told == lines else _Grading(key, drawing, told, own)
+    return min(other, found, key=lambda way: way.figures.costs).mark()  # letters help where geometry alone misleads
 
 
 def _known(drawing: Drawing, shapes: Sequence[Shape]) -> Drawing:
@@ -59,16 +67,16 @@ def _known(drawing: Drawing, shapes: Sequence[Shape]) -> Drawing:
 class _Grading:
     """One drawing, on its way to its mark."""
 
-    def __init__(self, key: DrawingKey, drawing: Drawing, scales: Mapping[str, float]) -> None:
+    def __init__(self, key: DrawingKey, drawing: Drawing, lines: Strokes, scales: Mapping[str, float]) -> None:
         self.key, self.drawing, self.scales = key, drawing, scales
-        self.strokes: Strokes = strokes(drawing)
+        self.strokes = lines
         self.heads = any(one.headed for one in self.strokes.lines)
         self.found = find(self.key, self.strokes, self.scales)
+        self.figures = self._figures()
 
     def mark(self) -> DrawingMark:
         """The mark of the whole."""
-        figures = self._figures()
-        held = self.found.held
+        figures, held = self.figures, self.found.held
         return DrawingMark(
             problem=self.key.problem.id,
             file=self.drawing.file,

@@ -55,9 +55,22 @@ def paid_by_lines(key: AnswerKey, drawing: DrawingMark | None, rules: Rules) -> 
     for one in key.quantities:
         if _has_line(one) and (one.key in there or rules.drawing == "required"):
             lines.append(_line(one, there.get(one.key), drawing, rules))
+    if drawing is not None:
+        lines = _once_for_each(lines, drawing, rules)
     paid = {one.key for one in lines}
     quantities = tuple(_unpaid(one) if one.key in paid else one for one in key.quantities)
     return replace(key, quantities=quantities), tuple(lines)
+
+
+def _once_for_each(lines: list[LineMark], drawing: DrawingMark, rules: Rules) -> list[LineMark]:
+    """A polygon that lies askew as a whole costs the directions of one vector: of the first that is asked for, where
+    that by which it is told is not."""
+    for figure in (one for one in drawing.figures if one.turned or one.mirrored):
+        here = [n for n, one in enumerate(lines) if one.figure == figure.title and one.verdict is Verdict.WRONG]
+        if here and not any(lines[n].costs for n in here):
+            first = lines[here[0]]
+            lines[here[0]] = replace(first, earned=min(first.earned, first.worth * rules.turned), costs=True)
+    return lines
 
 
 def drawn_by(key: AnswerKey, drawing: DrawingMark | None) -> Mapping[str, complex]:

@@ -16,8 +16,8 @@ from .reason import FAIR
 
 HALF, UNSEEN = 180.0, 0.5  # degrees: half a turn; a direction that a mirror leaves
 NO_DIAGRAM = Words(
-    "图上没有机构简图，分不清是多边形画歪了，还是图纸放斜了；请核对",
-    "no diagram on the sheet: the polygon may be drawn askew, or the paper have lain so; check it",
+    "没有认出正放的机构简图，分不清是多边形画歪了，还是图纸放斜了；请核对",
+    "no diagram that lies upright was recognised: the polygon may be drawn askew, or the paper have lain so; check it",
 )
 
 

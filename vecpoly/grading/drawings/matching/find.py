@@ -42,7 +42,12 @@ def find(key: DrawingKey, strokes: Strokes, scales: Mapping[str, float]) -> Foun
     plain = [(shape,) for shape in key.exact.shapes]
     others = (*MIRRORED, *QUARTERS, *_as_the_diagram(key, strokes))
     ways = [(held, fitted(strokes, plain, declared, held=held)) for held in others]
-    fair = [(held, fits) for held, fits in ways if held.mirror or _turned_with(fits)]
+    drawn = _diagram(fits)  # where it lies better upright it is no sheet that is mirrored, but a polygon
+    fair = [
+        (held, there) for held, there in ways if (_diagram(there) >= drawn if held.mirror else _diagram(there) >= FOUND)
+    ]
+    if not fair:
+        return Found(fits=tuple(fits), declared=declared)
     held, best = max(fair, key=lambda way: _share(key, way[1]))
     if _share(key, best) > max(SURE, share + CLEARLY):
         return Found(fits=tuple(best), held=held, declared=declared)
@@ -58,9 +63,9 @@ def _as_the_diagram(key: DrawingKey, strokes: Strokes) -> Iterator[Held]:
         yield from (lie.held for lie in sorted(lies, key=lambda lie: -lie.liked)[:1])
 
 
-def _turned_with(fits: Sequence[Fit]) -> bool:
-    """Whether the diagram was found too: only then is it the sheet that is turned, and not a polygon."""
-    return any(fit.shape.diagram and fit.share >= FOUND for fit in fits)
+def _diagram(fits: Sequence[Fit]) -> float:
+    """How much of the diagram was found: only with it is it the sheet that lies so, and not a polygon."""
+    return max((fit.share for fit in fits if fit.shape.diagram), default=0.0)
 
 
 def _upright(key: DrawingKey, strokes: Strokes, declared: Mapping[str, float]) -> list[Fit]:
