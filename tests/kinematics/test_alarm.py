@@ -144,12 +144,15 @@ def test_the_alarm_is_a_flag_in_the_json_and_an_exit_code(spoilt: Callable[[Spoi
 
 @pytest.mark.parametrize(
     "command",
-    [
-        ["report", "3-9", "-o", "x.pdf"],
-        ["play", "3-9", "--places", "0", "-o", "x.html"],
-        ["cycle", "3-9", "-o", "x.csv"],
-        ["draw", "3-9", "-o", "x.svg"],
-    ],
+    few(
+        [
+            ["play", "3-9", "--places", "0", "-o", "x.html"],
+            ["cycle", "3-9", "-o", "x.csv"],
+            ["draw", "3-9", "-o", "x.svg"],
+            ["report", "3-9", "-o", "x.pdf"],
+        ],
+        2,
+    ),
     ids=lambda words: words[0],
 )
 def test_every_command_that_draws_leaves_with_the_code_of_the_alarm(

@@ -218,7 +218,7 @@ def test_arc_lengths_on_pinion_and_rack_are_equal() -> None:
 def test_the_accelerations_at_a_pitch_point_differ_along_the_line_of_centres() -> None:
     """a_H2H1 = (ω_2 - ω_1)² r_1 r_2 / (r_1 + r_2), towards the centre of gear 2."""
     text = load("planetary-sun-drives").text.replace("find: [v_B,", "find: [a_H2, a_H1, a_H2H1, a_K2, v_B,")
-    answers = loads(text).solve(by="exact").answers
+    answers = exactly(loads(text)).answers
     w2, w1 = (answers[f"omega_{n}"].exact if n == "2" else 20.0 for n in "21")
     size = (w2 - w1) ** 2 * 0.04 * 0.025 / 0.065
     towards = cmath.rect(1, radians(50))
