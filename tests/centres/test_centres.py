@@ -443,7 +443,7 @@ def test_of_several_triangles_the_pair_that_meets_well_is_taken() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", few(["3-1a", "3-1b", "3-1c", "3-1d", "3-1e", "3-1f", "3-2", "3-3", "D-1", "D-2", "D-3", "D-3-knife"], 3)
+    "name", few(["3-1a", "3-1b", "3-1c", "3-1d", "3-1e", "3-1f", "3-2", "3-3", "D-1", "D-2", "D-3", "D-3-knife"], 6)
 )
 def test_the_drafting_hand_stays_within_the_expected_error_and_fits_the_sheets(name: str) -> None:
     solution = load(name).solve(by="drafting")

@@ -43,7 +43,7 @@ def changed(old: str, new: str, text: str = BOOM) -> str:
     return text.replace(old, new)
 
 
-@pytest.mark.parametrize("name", CYLINDERS)
+@pytest.mark.parametrize("name", few(CYLINDERS, 2))
 def test_a_cylinder_has_one_degree_of_freedom_and_is_drawn_as_it_is_computed(name: str) -> None:
     problem = load(name)
     assert mobility(problem.mechanism).freedom == 1

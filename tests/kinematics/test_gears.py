@@ -76,7 +76,7 @@ def exact(problem: Problem, key: str) -> complex:
     return complex(truth)
 
 
-@pytest.mark.parametrize("name", few(MACHINES, 2))
+@pytest.mark.parametrize("name", few(MACHINES, 4))
 def test_the_library_s_machines_with_gears_are_right(name: str) -> None:
     verdict = judge(load(name).text)
     assert (verdict.kind, verdict.why) == (Kind.RIGHT, "")
@@ -387,7 +387,7 @@ find: [omega_3]
         loads(text).solve()
 
 
-@pytest.mark.parametrize("name", few(MACHINES, 2))
+@pytest.mark.parametrize("name", few(MACHINES, 4))
 def test_every_pitch_circle_is_drawn_once_and_touches_at_its_pitch_point(name: str) -> None:
     solution = load(name).solve(by="exact")
     marks = next(f for f in solution.construction.figures if f.view is View.MECHANISM).marks
