@@ -24,7 +24,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 gc.disable()  # until all is collected: hardly anything of what is imported and compiled till then is rubbish
 
 Report = TypeVar("Report", pytest.TestReport, pytest.CollectReport)
-settings.register_profile("house", deadline=None, max_examples=12)  # tests/laws.py
+settings.register_profile("house", deadline=None, max_examples=8)  # tests/laws.py
 settings.register_profile("soak", deadline=None, max_examples=1000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "house"))
 

@@ -26,8 +26,9 @@ from vecpoly.words import Words
 
 T = TypeVar("T")
 
-IDS = tuple(entry.id for entry in library())
-DRAFTED = few(IDS, 6)  # whose sheets are laid, and which are drawn by all hands: in the soak the whole library
+LIBRARY = tuple(entry.id for entry in library())
+IDS = few(LIBRARY, 2)  # of which claims about every drawing are made: in the soak the whole library
+DRAFTED = few(LIBRARY, 6)  # whose sheets are laid, and which are drawn by all hands: in the soak the whole library
 
 
 @dataclass(frozen=True, slots=True)

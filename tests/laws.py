@@ -9,7 +9,7 @@ from typing import TypeVar
 from hypothesis import settings
 
 Case = TypeVar("Case")
-HOUSE, SOAK = 12, 1000  # examples of a law that names no number, in `make test` and in `make soak`
+HOUSE, SOAK = 8, 1000  # examples of a law that names no number, in `make test` and in `make soak`
 MORE = 40  # times as many of a dear one in the soak
 
 

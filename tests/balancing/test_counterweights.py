@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import vecpoly
+from tests.at_once import exactly
 from vecpoly.check.shaking import shaking_of
 from vecpoly.oracle.machine.balance import counterweights
 from vecpoly.oracle.machine.counterweighted import shaking
@@ -135,7 +136,7 @@ input: {{link: 1, phi: 255.516 deg, omega: -8 rad/s}}
 counterweights: {{1: {{r: 86 mm}}}}
 find: [W_c1, m_c1]
 """)
-    answers = problem.solve(by="exact").answers
+    answers = exactly(problem).answers
     assert answers["m_c1"].drawn == pytest.approx(0.42 * 110 / 86, rel=1e-9)
 
 

@@ -6,6 +6,7 @@ import os
 import signal
 from pathlib import Path
 
+import dask.config
 from distributed import LocalCluster
 
 from tests.batch.homework import FOUR, files, ordered, piloted
@@ -16,7 +17,10 @@ from vecpoly.words import Words
 
 def test_a_worker_that_is_killed_takes_no_sheet_with_it(whole: tuple[Path, Made], tmp_path: Path) -> None:
     killed: list[int] = []
-    with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
+    with (
+        dask.config.set({"distributed.worker.multiprocessing-method": "forkserver"}),  # all import Dask once
+        LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
+    ):
 
         def told(_: Words, done: int, of: int) -> None:
             if done and not killed:

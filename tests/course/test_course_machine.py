@@ -63,7 +63,7 @@ def told(name: str, lang: Lang) -> tuple[str, int]:
     return "".join(pages), len(pages)
 
 
-@pytest.mark.parametrize("name", few(MACHINES, 2))
+@pytest.mark.parametrize("name", few(MACHINES, 3))
 def test_the_true_motion_has_the_unevenness_for_which_the_flywheel_was_found(name: str) -> None:
     run = running_of(name)
     assert run.trial is not None and run.steady is not None and run.steady.delta is not None
@@ -71,7 +71,7 @@ def test_the_true_motion_has_the_unevenness_for_which_the_flywheel_was_found(nam
     assert abs(run.trial.missed) < 1e-8
 
 
-@pytest.mark.parametrize("name", few(MACHINES, 2))
+@pytest.mark.parametrize("name", few(MACHINES, 3))
 def test_powers_of_the_loads_add_up_to_the_energy_that_the_links_gain(name: str) -> None:
     run = running_of(name)
     assert run.trial is not None
@@ -82,7 +82,7 @@ def test_powers_of_the_loads_add_up_to_the_energy_that_the_links_gain(name: str)
         assert run.name in flow.powers
 
 
-@pytest.mark.parametrize("name", few(MACHINES, 2))
+@pytest.mark.parametrize("name", few(MACHINES, 3))
 def test_the_chapter_of_powers_speaks_of_a_flywheel_where_one_is_needed_and_nowhere_else(name: str) -> None:
     run, press = running_of(name), Kept("en", Objects())
     found = run.found
@@ -92,7 +92,7 @@ def test_the_chapter_of_powers_speaks_of_a_flywheel_where_one_is_needed_and_nowh
         assert ("with its flywheel" in told) is wheel
 
 
-@pytest.mark.parametrize("name", few(MACHINES, 2))
+@pytest.mark.parametrize("name", few(MACHINES, 3))
 def test_the_conclusion_tells_the_flywheel_by_areas_and_exactly_where_nobody_asked_for_it(name: str) -> None:
     run, unasked = running_of(name), SimpleNamespace(given=SimpleNamespace(problem=SimpleNamespace(asks=())))
     assert run.found is not None and run.by_areas is not None
@@ -103,7 +103,7 @@ def test_the_conclusion_tells_the_flywheel_by_areas_and_exactly_where_nobody_ask
     assert number(run.surplus, 4) in told.en and "flywheel" not in told.en
 
 
-@pytest.mark.parametrize("name", few(MACHINES, 2))
+@pytest.mark.parametrize("name", few(MACHINES, 3))
 def test_surplus_and_deficit_alternate_and_leave_nothing_over_a_period(name: str) -> None:
     run = running_of(name)
     parts = pieces(run)
@@ -114,7 +114,7 @@ def test_surplus_and_deficit_alternate_and_leave_nothing_over_a_period(name: str
     assert max(heights) - min(heights) == pytest.approx(run.surplus, rel=1e-9)
 
 
-@pytest.mark.parametrize("name", few(MACHINES, 2))
+@pytest.mark.parametrize("name", few(MACHINES, 3))
 def test_the_shaking_force_and_moment_are_the_rates_of_the_momenta(name: str) -> None:
     """F_I = −d/dt Σ m v_S and M_I = −d/dt Σ (r_S × m v_S + J ω), by central differences."""
     problem = load(name)
@@ -153,7 +153,7 @@ def test_no_other_counterweight_on_the_crank_leaves_a_smaller_mean_square(share:
     assert left(best.product * (1 + share), best.angle + turned) >= best.mean_after * (1 - 1e-12)
 
 
-@pytest.mark.parametrize("name", ["press-flywheel", "shaper-flywheel"])
+@pytest.mark.parametrize("name", few(["press-flywheel", "shaper-flywheel"], 2))
 def test_with_centres_of_mass_on_their_pivots_the_force_is_what_counterweights_leave(name: str) -> None:
     problem, found = load(name), shaking_of(name)
     loads = problem.acting

@@ -30,7 +30,7 @@ def mechanisms() -> dict[str, Mechanism]:
     return {entry.id: one for entry in library() if isinstance(one := load(entry.id).subject, Mechanism)}
 
 
-IDS = Later(lambda: few([name for name, one in mechanisms().items() if not one.cams], 2))
+IDS = Later(lambda: few([name for name, one in mechanisms().items() if not one.cams], 5))
 PROFILES = Later(lambda: (name for name, one in mechanisms().items() if one.cams))
 FAMILIES = (
     "linkage-cam",
@@ -123,7 +123,7 @@ def test_the_model_of_every_mechanism_moves_as_the_oracle_does(name: str) -> Non
     assert off(*of_library(name)) == {}
 
 
-@pytest.mark.parametrize("name", few(FAMILIES, 4))
+@pytest.mark.parametrize("name", few(FAMILIES, 8))
 def test_the_model_of_random_mechanisms_moves_as_the_oracle_does(name: str) -> None:
     one, told = next(family for family in families() if family.name == name), 0
     for number in range(12 if name.startswith("linkage") else 4):

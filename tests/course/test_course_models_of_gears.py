@@ -87,7 +87,7 @@ def off(problem: Problem, mech: Mechanism, printed: Model) -> Iterator[tuple[str
                 yield name, float(np.max(np.abs(env[name] - exact))) / max(1.0, float(np.max(np.abs(exact))))
 
 
-@pytest.mark.parametrize("name", few([*WRITTEN, *GEARED], 2))
+@pytest.mark.parametrize("name", few([*WRITTEN, *GEARED], 4))
 def test_gears_roll_by_the_formulas_as_by_the_oracle_through_the_whole_cycle(name: str) -> None:
     one = problem(name)
     mech = from_pivots(one.mechanism)

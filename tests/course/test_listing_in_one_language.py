@@ -31,7 +31,7 @@ def told(value: Any, lang: str) -> Any:
     return [told(one, lang) for one in value] if isinstance(value, list) else value
 
 
-@each(few(FILES, 8))
+@each(few(FILES, 24))
 def test_a_file_in_one_language_says_all_else_as_before(file: Path) -> None:
     text = file.read_text(encoding="utf-8")
     reader = ruamel.yaml.YAML(typ="safe")

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 
 import vecpoly
+from tests.at_once import exactly
 from tests.curvature.linkages import DATA, WAYS, case_problem
 from tests.curvature.test_curvature_laws import linkages
 from tests.laws import often
@@ -74,7 +75,7 @@ def test_the_curvature_of_its_path_vanishes_and_so_does_its_rate(case: dict[str,
 
 def test_where_the_line_is_parallel_to_the_pole_tangent_it_is_the_inflection_pole() -> None:
     phi = float(np.degrees(np.arccos(30 / 50)))  # the crossed cranks stand alike to both sides
-    answers = vecpoly.loads(CHEBYSHEV.format(phi=repr(phi))).solve(by="exact").answers
+    answers = exactly(vecpoly.loads(CHEBYSHEV.format(phi=repr(phi)))).answers
     w, u = answers["W_2"], answers["U_2"]
     assert u.drawn_vector == pytest.approx(w.drawn_vector, abs=1e-12)
     assert u.exact_vector == pytest.approx(w.exact_vector, abs=1e-9)

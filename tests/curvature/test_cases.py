@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import vecpoly
+from tests.at_once import exactly
 from tests.curvature.linkages import DATA, WAYS, case_problem
 from tests.laws import few
 from vecpoly.board.paper.marks import Point
@@ -49,7 +50,7 @@ def test_every_construction_draws_what_the_rates_tell(case: dict[str, Any], way:
         with pytest.raises(NoMethodError, match="hinges only"):
             problem.solve(by="exact")
         return
-    answers = problem.solve(by="exact").answers
+    answers = exactly(problem).answers
     for key, value in expected(case).items():
         drawn = answers[key].drawn_vector if isinstance(value, complex) else answers[key].drawn
         assert drawn == pytest.approx(value, abs=1e-9), key
@@ -198,7 +199,7 @@ def test_a_rolling_gear_is_drawn_by_euler_and_savary_and_by_no_other() -> None:
 @pytest.mark.parametrize("case", SHEETS, ids=lambda case: case["id"])
 def test_the_acceleration_pole_is_found_beside_the_curvatures(case: dict[str, Any]) -> None:
     problem = case_problem(case, find=("delta_2", "{point: G2, on: 2, acceleration: 0}"))
-    answers = problem.solve(by="exact").answers
+    answers = exactly(problem).answers
     assert answers["p_G2"].drawn_vector == pytest.approx(mm(case["acceleration_pole"]), abs=1e-9)
 
 

@@ -24,7 +24,7 @@ def page(solution: Solution, lang: Lang) -> str:
     return markup([solution], lang, "solution", {}, None, None)[0]
 
 
-@pytest.mark.parametrize(("name", "lang"), few(list(product(DEVICES, LANGS)), 5))
+@pytest.mark.parametrize(("name", "lang"), few(list(product(DEVICES, LANGS)), 9))
 def test_errata_stand_on_the_page_whether_or_not_an_answer_is_printed(name: str, lang: Lang) -> None:
     solution = solve(load(name), by="exact", repeats=0, precise=False)
     text = page(solution, lang)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from itertools import product
 from math import atan2, degrees, hypot
 from typing import Any
 
@@ -415,8 +416,7 @@ def test_an_arm_that_turns_faster_than_the_cam_keeps_its_roller_outside(turns: s
         agree(device("cam", follower=follower, r0="34 mm", motion=motion, turns=turns, stations="5 deg"))
 
 
-@pytest.mark.parametrize("turns", ["ccw", "cw"])
-@pytest.mark.parametrize("law", few(["parabolic", "sine"], 2))
+@pytest.mark.parametrize(("turns", "law"), few([*product(("ccw", "cw"), ("parabolic", "sine"))], 4))
 def test_where_arm_and_cam_turn_alike_the_normal_is_parallel_to_the_line_of_their_pivots(turns: str, law: str) -> None:
     """30° in 60° with twice the mean speed: P is at infinity in the middle (it was refused as a dead point)."""
     motion = [f"rise 30 deg in 60 deg {law}", "dwell 60 deg", f"return in 60 deg {law}", "dwell 180 deg"]

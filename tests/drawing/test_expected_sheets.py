@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.drawn_library import drawn
+from tests.laws import few
 from vecpoly.drawing.sheets.detailing import drawn as figures_drawn
 from vecpoly.drawing.sheets.expected import Expected
 from vecpoly.drawing.sheets.paging import reading_order
@@ -13,7 +14,7 @@ from vecpoly.foundation.stock import ANY_A4
 DETAILED = ("A-30", "3-12", "six-bar-dynamic")
 
 
-@pytest.mark.parametrize("name", DETAILED)
+@pytest.mark.parametrize("name", few(DETAILED, 2))
 def test_a_figure_takes_no_less_room_with_its_letters(name: str) -> None:
     figures = reading_order(drawn(name).solution.construction.figures)
     bare = Expected.unlettered(figures, "zh", ANY_A4).mains
@@ -21,7 +22,7 @@ def test_a_figure_takes_no_less_room_with_its_letters(name: str) -> None:
         assert lines.size[0] <= lettered.size[0] + 0.5 and lines.size[1] <= lettered.size[1] + 0.5
 
 
-@pytest.mark.parametrize("name", DETAILED)
+@pytest.mark.parametrize("name", few(DETAILED, 2))
 def test_what_overflows_a_sheet_before_it_is_lettered_overflows_it_afterwards(name: str) -> None:
     expected = Expected.unlettered(reading_order(drawn(name).solution.construction.figures), "zh", ANY_A4)
     pages = expected.lettered()

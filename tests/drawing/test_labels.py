@@ -10,7 +10,7 @@ from itertools import combinations
 import pytest
 import shapely
 
-from tests.drawn_library import DRAFTED, IDS, drafted
+from tests.drawn_library import DRAFTED, LIBRARY, drafted
 from tests.drawn_sheets import lettered
 from tests.each import each
 from tests.label_faults import astray, crammed, faults, fractions, leaders, parted
@@ -187,7 +187,7 @@ def test_a_letter_stands_on_its_side_of_a_line_that_runs_close_by_its_point(turn
 
 
 def test_hardly_any_label_lies_across_another_line_from_what_it_names() -> None:
-    drawn = [one for name in few(IDS, 3) for one in lettered(name)]  # a share is told by many
+    drawn = [one for name in few(LIBRARY, 3) for one in lettered(name)]  # a share is told by many
     assert sum(len(parted(one)) for one in drawn) <= ACROSS * sum(len(one.labels) for one in drawn)
 
 

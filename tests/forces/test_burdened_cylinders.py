@@ -54,7 +54,7 @@ def test_masses_that_vanish_leave_the_thrust_of_a_two_force_member() -> None:
 
 
 def test_two_cylinders_on_one_pin_are_groups_of_their_own() -> None:
-    solution = solve(
+    solution = exactly(
         loads(
             """
 id: two
@@ -73,9 +73,7 @@ weight: yes
 friction: {A: {rho: 5 mm}, C: {rho: 4 mm}, 4-5: {f: 0.1}}
 find: [F_c, F_c_0, R_31, R_51, R_61, R_62, R_64]
 """
-        ),
-        by="exact",
-        repeats=0,
+        )
     )
     for answer in solution.answers.values():
         assert answer.drawn == pytest.approx(answer.exact, rel=1e-9), answer.key

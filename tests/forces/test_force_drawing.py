@@ -370,7 +370,7 @@ def test_a_force_measured_on_the_page_has_its_length_and_place() -> None:
             assert min(abs(tip - (mark.b + where.origin)) for tip in tips) < 0.01
 
 
-@pytest.mark.parametrize("name", list(ff.SINGLE))
+@pytest.mark.parametrize("name", few(list(ff.SINGLE), 4))
 def test_every_backend_draws_the_marks_of_forces(name: str) -> None:
     from vecpoly.drawing.backends.mpl import to_mpl
 

@@ -50,7 +50,7 @@ def by_every_hand(name: str) -> tuple[dict[str, np.ndarray], list[tuple[str, str
     return {key: np.asarray(value) for key, value in desk.board.found.items()}, keys
 
 
-@pytest.mark.parametrize("name", few(LOADED, 2))
+@pytest.mark.parametrize("name", few(LOADED, 4))
 def test_action_and_reaction_are_equal_for_every_one_of_400_hands(name: str) -> None:
     found, keys = by_every_hand(name)
     compared = 0
@@ -68,7 +68,7 @@ def test_both_ends_of_a_two_force_link_have_one_size_for_every_hand() -> None:
     np.testing.assert_array_equal(found["R_32"], found["R_12"])
 
 
-@pytest.mark.parametrize("name", few(LOADED, 2))
+@pytest.mark.parametrize("name", few(LOADED, 4))
 def test_what_the_steps_print_of_a_force_is_what_the_table_prints(name: str) -> None:
     solution = solve(load(name))
     compared, named = 0, [answer for answer in solution.answers.values() if isinstance(answer.rel, Named)]

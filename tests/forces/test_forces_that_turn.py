@@ -8,12 +8,12 @@ from math import radians
 import numpy as np
 import pytest
 
+from tests.at_once import exactly
 from tests.lawful import slider
 from vecpoly import load
 from vecpoly.cycle import cycle
 from vecpoly.cycle.pose import posed
 from vecpoly.errors import ProblemFileError
-from vecpoly.solution import solve
 
 TABLE = "{columns: [phi (deg), F (N)], rows: [[0, 9], [360, 9]]}"
 TURNING = "F: {on: 1, at: B, size: 90 N, direction: along AB}"
@@ -38,7 +38,7 @@ def test_a_force_that_turns_is_drawn_as_it_is_reckoned_at_other_positions_too() 
     for problem in posed(own, np.radians([50.0, 130.0, 290.0])):
         assert problem is not None and problem.loads is not None
         assert problem.loads.forces[0].direction == pytest.approx(problem.mechanism.drive.position)
-        for answer in solve(problem, by="exact").answers.values():
+        for answer in exactly(problem).answers.values():
             assert answer.drawn == pytest.approx(answer.exact, rel=1e-9)
 
 

@@ -109,8 +109,7 @@ TWO_SLIDES_RUB = "friction: {B: {rho: 2 mm}, D: {rho: 1 mm}, 5-2: {phi: 6 deg}, 
 ON_THE_LEG = "  Q_5: {on: 5, at: K, size: 80 N, direction: 50 deg}\n  M_5: {on: 5, size: 2 N*m}\n"
 
 
-@pytest.mark.parametrize("loaded", [False, True], ids=["couple", "force"])
-@pytest.mark.parametrize("rubs", [False, True])
+@pytest.mark.parametrize(("loaded", "rubs"), few([(False, False), (False, True), (True, False), (True, True)], 3))
 def test_a_leg_with_two_slides_is_solved_by_itself_first(loaded: bool, rubs: bool) -> None:
     """Unloaded it passes on a couple and no force; loaded, the forces of both slides close its own polygon."""
     text = TWO_SLIDES + (ON_THE_LEG if loaded else "") + (TWO_SLIDES_RUB if rubs else "")

@@ -21,7 +21,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes of an
 
 
 def test_no_damaged_problem_file_ends_in_a_traceback_or_a_hang(tmp_path: Path) -> None:
-    ends, count = Counter[End](), often(45, 3000)
+    ends, count = Counter[End](), often(30, 3000)
     for path, outcome in outcomes(_file, damaged_files(np.random.default_rng(3), count, tmp_path / "p.yaml")):
         ends[outcome.end] += 1
         assert outcome.end in (End.SOLVED, End.REFUSED), f"{outcome.said}\n{Path(path).read_text('utf-8', 'replace')}"

@@ -10,6 +10,7 @@ import re
 from dataclasses import dataclass
 from enum import StrEnum
 
+from tests.at_once import exactly
 from vecpoly import loads
 from vecpoly.algebra.formula import plain
 from vecpoly.designs.base import Design
@@ -53,10 +54,11 @@ class Verdict:
         )[:160]
 
 
-def judge(text: str, also: Check = content) -> Verdict:
-    """Load, draw, and compare; never raises."""
+def judge(text: str, also: Check = content, *, fitted: bool = True) -> Verdict:
+    """Load, draw, and compare; never raises. fitted: at scales that fill a sheet, which takes two more drawings;
+    else at some that are likely."""
     try:
-        return _judged(text, also)
+        return _judged(text, also, fitted)
     except LockedError as error:
         kind = Kind.WRONG if moves(text) else Kind.REFUSED
         return Verdict(kind=kind, why=f"{type(error).__name__}: {error}")
@@ -89,9 +91,9 @@ def moves(text: str) -> bool:
     return True
 
 
-def _judged(text: str, also: Check) -> Verdict:
+def _judged(text: str, also: Check, fitted: bool) -> Verdict:
     problem = loads(text)
-    solution = solve(problem, by="exact", repeats=0)
+    solution = solve(problem, by="exact", repeats=0) if fitted else exactly(problem)
     wrong = _disagreeing(solution)
     if not wrong and isinstance(problem.subject, Mechanism):
         wrong = against_differences(problem.subject, solution)

@@ -10,10 +10,10 @@ from functools import cache
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.laws import few
+from tests.laws import few, often
 from vecpoly import Construction, Mechanism, Problem, Solution, from_json, load, solve, to_json
 from vecpoly.errors import ArgumentError, VecpolyError
 from vecpoly.problem.library import library
@@ -81,6 +81,7 @@ def test_a_varied_problem_from_json_varies_on() -> None:
     assert replace(on, text="") == replace(back, text="") and on.text == back.text
 
 
+@settings(max_examples=often(4, 1000))
 @given(
     st.recursive(
         st.none() | st.booleans() | st.floats() | st.text(),

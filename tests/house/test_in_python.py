@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import vecpoly
+from tests.laws import few
 from vecpoly import build_mechanism, load, load_assignment, loads, problem
 from vecpoly.check.table.whole import check_table
 from vecpoly.errors import (
@@ -40,7 +41,7 @@ TEXT = (
 )
 
 
-@pytest.mark.parametrize("page", ["python.md", "python.zh.md"])
+@pytest.mark.parametrize("page", few(["python.md", "python.zh.md"], 2))
 def test_the_examples_of_the_page_run(page: str) -> None:
     blocks = re.findall(r"```python\n(.*?)```", (DOCS / page).read_text("utf-8"), re.S)
     assert len(blocks) == 9

@@ -80,7 +80,7 @@ def _by_pencil(name: str) -> Solution | None:
 def test_a_right_drawing_raises_no_alarm_by_any_hand() -> None:
     raised, solved = [], 0
     by_hands = [("drafting", name, drafted(name)) for name in DRAFTED]
-    by_hands += [("pencil", name, _by_pencil(name)) for name in few(DRAFTED, 3)]
+    by_hands += [("pencil", name, _by_pencil(name)) for name in few(DRAFTED, 6)]
     for by, name, solution in by_hands:
         solved += solution is not None
         if solution is None or (by == "pencil" and not _finds_all(solution)):
@@ -144,12 +144,15 @@ def test_the_alarm_is_a_flag_in_the_json_and_an_exit_code(spoilt: Callable[[Spoi
 
 @pytest.mark.parametrize(
     "command",
-    [
-        ["report", "3-9", "-o", "x.pdf"],
-        ["play", "3-9", "--places", "0", "-o", "x.html"],
-        ["cycle", "3-9", "-o", "x.csv"],
-        ["draw", "3-9", "-o", "x.svg"],
-    ],
+    few(
+        [
+            ["play", "3-9", "--places", "0", "-o", "x.html"],
+            ["cycle", "3-9", "-o", "x.csv"],
+            ["draw", "3-9", "-o", "x.svg"],
+            ["report", "3-9", "-o", "x.pdf"],
+        ],
+        2,
+    ),
     ids=lambda words: words[0],
 )
 def test_every_command_that_draws_leaves_with_the_code_of_the_alarm(

@@ -46,10 +46,7 @@ def test_without_a_guess_the_assemblies_are_listed_and_each_of_them_is_taken() -
         solve(loads(text))
     offers = re.findall(r"\{C: \[[^}]*\}", str(refused.value))
     assert len(offers) == 2 and "有 2 种装配" in refused.value.words.zh
-    speeds = {
-        round(solve(loads(text + f"guesses: {offer}\n"), by="exact", repeats=0, precise=False).answers["v_C"].drawn, 6)
-        for offer in offers
-    }
+    speeds = {round(exactly(loads(text + f"guesses: {offer}\n")).answers["v_C"].drawn, 6) for offer in offers}
     assert len(speeds) == 2
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tests.generators.family import families, member
+from tests.laws import few
 from vecpoly import oracle
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.load import loads
@@ -20,7 +21,7 @@ def hastened(mech: Mechanism, accel: float) -> Mechanism:
     return replace(mech, drives=(replace(mech.drive, accel=accel), *mech.drives[1:]))
 
 
-@pytest.mark.parametrize("number", [0, 1])
+@pytest.mark.parametrize("number", few([0, 1], 2))
 @pytest.mark.parametrize("name", ["cylinder-lever", "motor-in-hinge", "cylinder-offset"])
 def test_rates_under_a_driven_pair_are_the_differences_of_what_they_are_rates_of(name: str, number: int) -> None:
     """ω = Δφ/Δt and α = Δω/Δt at a constant rate of the drive; its acceleration a adds ω a / rate to α."""

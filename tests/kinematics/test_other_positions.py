@@ -77,7 +77,7 @@ ROLL = (
 )  # fmt: skip
 
 
-@each(few(ROLL, 6))
+@each(few(ROLL, 12))
 def test_gears_that_are_told_in_the_given_position_roll_on_to_all_others(name: str) -> None:
     mech = load(name).mechanism
     far = 0.05 if mech.drive.slide else 4 * np.pi
@@ -90,7 +90,7 @@ STROKE = """loads:
 """
 
 
-@pytest.mark.parametrize(("name", "size"), [("M_b", '"?"'), ("M_c", "constant")])
+@pytest.mark.parametrize(("name", "size"), few([("M_b", '"?"'), ("M_c", "constant")], 2))
 def test_a_stroke_is_that_of_the_assembly_that_is_told(name: str, size: str) -> None:
     text = ROCKER + STROKE.replace("M: {", f"{name}: {{").replace("WHAT", size) + f"find: [{name}]\n"
     plain, local = (drawn(text + branch).answers[name] for branch in (PLAIN, LOCAL))
@@ -181,7 +181,7 @@ def test_positions_of_an_input_between_moving_links_are_not_taken_for_those_of_t
         drawn(LIFTED + "find: [{centrodes: 2, positions: 5, over: [87.4 mm, 90.4 mm]}]\n")
 
 
-@each(few(("cam-face-load", "cam-knife-load", "cam-moves-arm", "cam-moves-flat-arm", "cam-roller-load"), 3))
+@each(few(("cam-face-load", "cam-knife-load", "cam-moves-arm", "cam-moves-flat-arm", "cam-roller-load"), 5))
 def test_a_cam_s_follower_is_followed_all_round_with_a_disc_that_touches_in_each_place(name: str) -> None:
     mech = load(name).mechanism
     one, at = follower(osculated(mech)[0]), mech.drive.position + np.linspace(-7, 7, 15)

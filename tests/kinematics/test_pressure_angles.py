@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vecpoly
+from tests.at_once import exactly
 from tests.laws import often
 from vecpoly.board.acts import Angle, Corner
 from vecpoly.board.otherwise.slip import Mistake, Slip
@@ -42,7 +43,7 @@ branch: [E left of D]
 
 @pytest.mark.parametrize(("name", "alpha"), list((CASES | RETOLD).items()))
 def test_the_seven_mechanisms_have_the_angles_of_the_triangle_formulas(name: str, alpha: float) -> None:
-    found = vecpoly.load(name).solve(by="exact").answers
+    found = exactly(vecpoly.load(name)).answers
     slack = 1e-5 if name in CASES else 1e-3
     assert found["alpha"].drawn == pytest.approx(alpha, abs=slack)
     assert found["gamma"].drawn == pytest.approx(90.0 - alpha, abs=slack)
@@ -59,7 +60,7 @@ def test_both_angles_have_their_arcs_and_a_right_one_its_square() -> None:
 
 
 def test_several_driven_links_are_told_apart_by_their_points() -> None:
-    found = vecpoly.loads(SIX_BAR + "find: [alpha_B, gamma_B, alpha_E, gamma_E]").solve(by="exact").answers
+    found = exactly(vecpoly.loads(SIX_BAR + "find: [alpha_B, gamma_B, alpha_E, gamma_E]")).answers
     assert found["alpha_B"].drawn == pytest.approx(0.0, abs=1e-9)
     assert 0 < found["alpha_E"].drawn < 90
     assert found["alpha_E"].drawn == pytest.approx(found["alpha_E"].exact, abs=1e-9)
@@ -94,7 +95,7 @@ def test_a_mechanism_of_teeth_has_no_such_angle() -> None:
 @pytest.mark.parametrize("name", ["8-2a", "8-2b", "8-2c", "8-2e", "8-2f"])
 def test_who_takes_the_direction_along_the_link_gets_gamma_for_alpha(name: str) -> None:
     problem = vecpoly.load(name)
-    right = problem.solve(by="exact").answers
+    right = exactly(problem).answers
     turned = [slip for slip in vecpoly.slips(problem) if slip.mistake is Mistake.TURNED and slip.key.startswith("v_")]
     assert len(turned) == 1
     wrong = vecpoly.solve(problem, by="exact", slip=turned[0]).answers
@@ -119,10 +120,10 @@ def test_gamma_of_a_four_bar_is_the_acute_angle_of_coupler_and_rocker(bars: tupl
     text = FOUR_BAR.replace("80 mm", f"{ad} mm").replace("AB: 30", f"AB: {ab}").replace("BC: 70", f"BC: {bc}")
     text = text.replace("DC: 50", f"DC: {cd}").replace("60 deg", f"{phi} deg").replace("above AD", "left of BD")
     try:
-        found = vecpoly.loads(text + "find: [alpha, gamma]").solve(by="exact").answers
+        found = exactly(vecpoly.loads(text + "find: [alpha, gamma]")).answers
     except VecpolyError:
         return
-    corner = vecpoly.loads(text + "find: [p_B]").solve(by="exact").answers["p_B"].exact_vector
+    corner = exactly(vecpoly.loads(text + "find: [p_B]")).answers["p_B"].exact_vector
     assert corner is not None
     diagonal = abs(corner - ad * 1e-3) * 1e3
     mu = degrees(acos((bc**2 + cd**2 - diagonal**2) / (2 * bc * cd)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.generators.judge import Kind, judge
+from tests.laws import few
 from vecpoly import loads, solve
 
 HEAD = """
@@ -25,7 +26,7 @@ FOUND = {
 
 
 @pytest.mark.parametrize("kind", FOUND)
-@pytest.mark.parametrize("turned", [50, 62])
+@pytest.mark.parametrize("turned", few([50, 62], 2))
 def test_a_hinge_of_a_rolling_gear_and_what_turns_with_it_is_the_oracle_s(kind: str, turned: int) -> None:
     verdict = judge(HEAD.replace("50 deg", f"{turned} deg") + FOUND[kind][0])
     assert (verdict.kind, verdict.why) == (Kind.RIGHT, "")

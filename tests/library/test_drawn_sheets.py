@@ -7,7 +7,7 @@ from statistics import median
 import numpy as np
 import shapely
 
-from tests.drawn_library import DRAFTED, IDS, drawn
+from tests.drawn_library import DRAFTED, LIBRARY, drawn
 from tests.drawn_sheets import laid, share, span
 from tests.each import Later, each
 from tests.laws import few
@@ -20,7 +20,9 @@ FILLED, USUAL = 0.6, 0.75  # share of a sheet that its figures take at least, an
 REACH = 0.8  # of a sheet's width or height: drawn 1.25 times as large, the step of round scales, it would not fit
 HULL = 0.6  # share of a sheet inside the convex hull of all ink, as a rule
 SHEETS = Later(lambda: (name for name in DRAFTED if diagram(drawn(name).construction) is None))  # others have none
-MORE = Later(lambda: (name for name in few(IDS, 3) if diagram(drawn(name).construction) is None))  # for what is usual
+MORE = Later(
+    lambda: (name for name in few(LIBRARY, 3) if diagram(drawn(name).construction) is None)
+)  # for what is usual
 
 
 def figures_of(name: str, sheet: Sheet) -> list[Figure]:

@@ -59,7 +59,7 @@ def columns_of(name: str) -> list[str]:
 
 COURSES = few(("3-9", "4-3a"), 2)
 SOLUTIONS = few([entry.id for entry in library()], 48)
-PAGES = [*((name, "solution") for name in SOLUTIONS), *((name, "course") for name in COURSES)]
+PAGES = few([*((name, "course") for name in COURSES), *((name, "solution") for name in SOLUTIONS)], 2)
 
 
 @pytest.mark.parametrize(("name", "style"), PAGES)

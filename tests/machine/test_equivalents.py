@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vecpoly
+from tests.at_once import exactly
 from tests.laws import often
 from tests.machine.engines import DATA, PISTON, engine
 from vecpoly.algebra.formula import plain
@@ -34,7 +35,7 @@ def test_the_oracle_has_the_equivalents_of_the_case_at_every_position(row: dict[
 
 @pytest.mark.parametrize("omega", ["ccw", "1500 r/min ccw", "0.2 rad/s ccw"])
 def test_equivalents_depend_on_ratios_of_velocities_alone(omega: str) -> None:
-    answers = vecpoly.solve(engine(KEYS, omega=omega, loads=LOADS), by="exact").answers
+    answers = exactly(engine(KEYS, omega=omega, loads=LOADS)).answers
     row = next(row for row in MOVING if row["phi_deg"] == 50)
     wanted = [row[key] for key in ("J_e", "M_e", "m_e", "F_e")]
     assert [answers[key].drawn for key in KEYS] == pytest.approx(wanted, rel=1e-8)
@@ -51,7 +52,7 @@ def test_no_mass_is_thought_on_a_slider_at_its_dead_centre(phi: float) -> None:
 
 
 def test_exercise_7_1_comes_to_round_numbers_wherever_the_guide_is() -> None:
-    answers = vecpoly.load("7-1").solve(by="exact").answers
+    answers = exactly(vecpoly.load("7-1")).answers
     assert [answers[key].drawn for key in ("J_e", "M_e")] == pytest.approx([0.05, -50.0], rel=1e-9)
     assert [answers[key].drawn for key in ("m_e5", "F_e5")] == pytest.approx([20.0, -1000.0], rel=1e-9)
 
@@ -128,7 +129,7 @@ weight: yes
 
 @pytest.mark.parametrize("inertia", ["yes", "no"])
 def test_weights_count_in_m_e_beside_an_equilibrium_and_inertia_couples_do_not(inertia: str) -> None:
-    answers = vecpoly.loads(f"{BESIDE}inertia: {inertia}\nfind: [J_e, M_e, X]\n").solve(by="exact").answers
+    answers = exactly(vecpoly.loads(f"{BESIDE}inertia: {inertia}\nfind: [J_e, M_e, X]\n")).answers
     assert answers["M_e"].drawn == pytest.approx(answers["M_e"].exact, rel=1e-9)
     if inertia == "no":
         assert answers["X"].drawn == pytest.approx(-answers["M_e"].drawn, rel=1e-9)
@@ -139,7 +140,7 @@ def test_weights_count_in_the_diagram_of_moments_over_a_period() -> None:
         "size: 636 N*m cw}", ("size: 636 N*m cw, during: [249 deg, 61 deg]}")
     )
     run = "machine: {n: 176 r/min, delta: 0.11}\nfind: [M_c, dW_max, J_F]\n"
-    for key, one in vecpoly.loads(text + run).solve(by="exact").answers.items():
+    for key, one in exactly(vecpoly.loads(text + run)).answers.items():
         assert one.drawn == pytest.approx(one.exact, rel=1e-9), key
 
 

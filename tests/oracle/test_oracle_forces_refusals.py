@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.laws import often
 from tests.oracle.test_oracle_forces_models import CASES, CRANK, PUSH, ROUGH, case, crank, slider_crank
 from vecpoly.errors import EquilibriumError, LockedError, NoSlipSenseError, UnknownNameError
 from vecpoly.mechanism.loads import Force, Friction, Loads, Moment
@@ -46,10 +47,14 @@ def test_locked_mechanism_is_refused_with_the_load_and_the_efficiency() -> None:
 
 
 def test_a_crank_that_drives_never_locks() -> None:
-    q = np.radians(np.linspace(0.137, 360.137, 1801))
+    q = np.radians(np.linspace(0.137, 360.137, often(361, 1801)))
     q = q[solve(crank(), q, order=1).velocity("C").real > 1e-6]  # where F resists
     result = forces(crank(), Loads(forces=(PUSH,), moments=(CRANK,), friction=ROUGH), q)
-    assert q.size > 800 and (result.value("M_1") > result.value("M_1_0")).all() and (result.value("M_1_0") > 0).all()
+    assert (
+        q.size > often(160, 800)
+        and (result.value("M_1") > result.value("M_1_0")).all()
+        and (result.value("M_1_0") > 0).all()
+    )
 
 
 def refused(error: type[Exception], match: str, mech: Mechanism, **changes: Any) -> None:

@@ -55,7 +55,7 @@ def test_an_english_phrase_in_a_chinese_text_is_seen() -> None:
 
 
 def test_what_is_told_of_damaged_files_in_chinese_holds_no_english(made: list[Words], tmp_path: Path) -> None:
-    refused, count = 0, often(40)
+    refused, count = 0, often(20)
     for _ in damaged_files(np.random.default_rng(11), count, tmp_path / "p.yaml"):
         try:
             solve(load(tmp_path / "p.yaml"), repeats=0)
@@ -70,7 +70,7 @@ def test_refusals_of_positions_out_of_reach_hold_no_english(made: list[Words], n
     from dataclasses import replace
 
     problem = load(name)
-    for by in (0.3, 1.0, 2.0, 4.0):
+    for by in few((0.3, 1.0, 2.0, 4.0), 2):
         drive = problem.mechanism.drive
         moved = replace(
             problem.mechanism, drives=(replace(drive, position=drive.position + by), *problem.mechanism.drives[1:])

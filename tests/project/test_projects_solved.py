@@ -29,7 +29,7 @@ def test_every_demand_of_the_library_is_met_and_nothing_is_suspect(name: str) ->
     assert all(part.solution.warnings == () for part in project(name).parts)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", few(NAMES, 2))
 def test_the_mechanism_has_the_lengths_found_rounded(name: str) -> None:
     part = moving(name)
     assert part.base is not None

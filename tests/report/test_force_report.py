@@ -16,6 +16,7 @@ from pathlib import Path
 import pypdfium2
 import pytest
 
+from tests.at_once import exactly
 from tests.laws import few
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import Cell, Note, Outline, Role, TurnArrow, Vector
@@ -248,7 +249,7 @@ def test_the_drawn_point_lies_on_the_exact_line() -> None:
         problem = load(name)
         if problem.loads is None:
             continue
-        for answer in solve(problem, by="exact", repeats=0, precise=False).answers.values():
+        for answer in exactly(problem).answers.values():
             if answer.exact_acts is not None and answer.reading.acts is not None and answer.exact_vector:
                 along = answer.exact_vector / abs(answer.exact_vector)
                 off = (along.conjugate() * (answer.reading.acts.point - answer.exact_acts.point)).imag

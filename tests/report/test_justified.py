@@ -31,8 +31,8 @@ def counted(name: str, lang: Lang, style: str) -> ReportDoc:
 @pytest.mark.parametrize(
     ("name", "lang", "style"),
     [
-        *((name, "zh", "solution") for name in few(("8-17", "3-12", "two-trains-one-sun", "7-6", "four-positions"), 4)),
-        *((name, "en", "solution") for name in few(("3-6", "D-3", "C-conveyor"), 2)),
+        *((name, "zh", "solution") for name in few(("8-17", "3-12", "two-trains-one-sun", "7-6", "four-positions"), 5)),
+        *((name, "en", "solution") for name in few(("3-6", "D-3", "C-conveyor"), 3)),
         ("D-3-knife", "zh", "course"),
         ("3-5", "zh", "question"),
     ],

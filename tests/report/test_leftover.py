@@ -56,7 +56,7 @@ def test_a_box_that_is_alone_on_its_page_is_told_and_fits_with_less_white() -> N
             ("8-2a", "en", 2),
             ("cam-moves-arm", "en", 4),
         ],
-        2,
+        3,
     ),
 )
 def test_no_report_turns_a_page_for_its_last_table(name: str, lang: Lang, count: int) -> None:

@@ -16,7 +16,7 @@ HALF_EMPTY = ("7-6", "3-4a-straight", "shaper-flywheel", "dump-hoist", "8-6", "t
 
 
 @pytest.mark.parametrize("name", few(HALF_EMPTY, 2))
-@pytest.mark.parametrize("lang", ["zh", "en"])
+@pytest.mark.parametrize("lang", few(["zh", "en"], 2))
 def test_every_page_of_a_report_is_more_than_half_full(name: str, lang: Lang) -> None:
     doc = laid_out([drawn(name).solution], lang)
     assert min(doc.filled) > 0.5

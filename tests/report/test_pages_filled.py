@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
 
 from tests.drawn_library import IDS, drawn
@@ -49,8 +51,7 @@ def test_only_the_last_page_of_a_report_may_be_mostly_white(name: str) -> None:
     assert not sparse(doc) and not doc.widows and not doc.parted
 
 
-@pytest.mark.parametrize("name", ["motor-run-up", "tipper"])
-@pytest.mark.parametrize("lang", ["zh", "en"])
+@pytest.mark.parametrize(("name", "lang"), few([*product(("motor-run-up", "tipper"), ("zh", "en"))], 3))
 def test_no_box_of_answers_is_parted_from_the_last_step(name: str, lang: Lang) -> None:
     doc = laid_out([drawn(name).solution], lang)
     assert not any(isinstance(first_of(head), AnswerBox) for head in doc.heads.values()) and not doc.parted

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import vecpoly
-from tests.drawn_library import IDS, given
+from tests.drawn_library import LIBRARY, given
 from vecpoly.algebra.formula import plain
 from vecpoly.report.answers.line import result_of
 from vecpoly.report.answers.notes import remark_of
@@ -30,7 +30,7 @@ def test_a_page_tells_the_exercise_and_nothing_of_a_problem_of_ones_own(name: st
 
 @pytest.mark.parametrize("lang", ["zh", "en"])
 def test_no_page_tells_what_only_its_makers_need(lang: Lang) -> None:
-    told = [printed_source(given(name).source, lang) for name in IDS]
+    told = [printed_source(given(name).source, lang) for name in LIBRARY]
     assert len(list(filter(None, told))) > 80
     assert not [one for one in told if "自" in one or "失" in one or " our" in one or "lost" in one]
 

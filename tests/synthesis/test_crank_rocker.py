@@ -23,7 +23,7 @@ def posed(**data: str) -> vecpoly.Problem:
     return vecpoly.problem({"id": "t", "title": "t", "synthesis": "crank-rocker", "data": data})
 
 
-@pytest.mark.parametrize("case", CASES["crank_rocker"], ids=lambda case: case["id"])
+@pytest.mark.parametrize("case", few(CASES["crank_rocker"], 3), ids=lambda case: case["id"])
 def test_every_listed_solution_is_drawn(case: dict[str, Any]) -> None:
     problem = posed(**case["data"])
     drawn = vecpoly.solve(problem, by="exact", repeats=0).construction.candidates

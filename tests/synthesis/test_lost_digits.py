@@ -17,7 +17,7 @@ from vecpoly.problem.library import library
 from vecpoly.problem.load import load
 from vecpoly.solution import solve
 
-DESIGNS = Later(lambda: few([e.id for e in library() if isinstance(load(e.id).subject, Design)], 2))
+DESIGNS = Later(lambda: few([e.id for e in library() if isinstance(load(e.id).subject, Design)], 5))
 HARDLY = """
 id: hardly
 title: t

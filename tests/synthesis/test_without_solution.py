@@ -94,7 +94,7 @@ def design_of(problem: vecpoly.Problem) -> Design:
     return problem.subject
 
 
-@pytest.mark.parametrize("name", few(tuple(NONE), 2))
+@pytest.mark.parametrize("name", few(tuple(NONE), 4))
 def test_every_rejected_candidate_is_drawn_and_the_conclusion_tells_them_all(name: str) -> None:
     problem = vecpoly.loads(text(name))
     solution = problem.solve(by="exact")
@@ -109,7 +109,7 @@ def test_every_rejected_candidate_is_drawn_and_the_conclusion_tells_them_all(nam
     assert solution.as_json()["conclusion"]["en"].startswith("No linkage satisfies the conditions.")
 
 
-@pytest.mark.parametrize("name", few(tuple(NONE), 2))
+@pytest.mark.parametrize("name", few(tuple(NONE), 4))
 def test_answers_are_what_the_data_alone_tell(name: str) -> None:
     problem = vecpoly.loads(text(name))
     solution, known = problem.solve(by="drafting"), design_of(problem).settled()

@@ -13,6 +13,7 @@ import pytest
 from pdfua import validate
 
 from tests.each import each
+from tests.laws import few
 from tests.marked.classes import NUMBERS, answers, graded, register, wide
 from tests.projects import printed as project
 from tests.studies import course_report, solved
@@ -82,7 +83,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     yield
 
 
-@each(KINDS)
+@each(few(tuple(KINDS), 2))
 def test_nothing_is_on_a_page_that_is_neither_told_nor_an_artifact(kind: str) -> None:
     it = read(kind)
     for page in range(len(it.pdf.pages)):
@@ -177,7 +178,7 @@ def test_the_file_says_what_it_is_and_prints_at_its_true_size(kind: str) -> None
     assert all(page.obj.Tabs == "/S" for page in read(kind).pdf.pages)
 
 
-@each(KINDS)
+@each(few(tuple(KINDS), 2))
 def test_a_checker_of_pdf_ua_finds_nothing_and_qpdf_no_fault(kind: str, tmp_path: Path) -> None:
     (file := tmp_path / "a.pdf").write_bytes(data(kind))
     assert [(one.rule_id, one.message) for one in validate(str(file)).findings] == []

@@ -38,7 +38,7 @@ def costs(mark: DrawingMark) -> list[str]:
 
 
 @pytest.mark.parametrize("kind", FORMATS)
-@pytest.mark.parametrize("degrees", few([17.0, 90.0, -90.0, 133.0], 2))
+@pytest.mark.parametrize("degrees", few([17.0, 90.0, -90.0, 133.0], 4))
 def test_a_polygon_turned_as_a_whole_has_right_lengths_and_one_mistake_in_every_format(
     kind: str, degrees: float
 ) -> None:
@@ -77,7 +77,7 @@ def test_one_polygon_at_another_scale_than_was_told_is_right_and_left_for_a_pers
     assert "0.008571" in figure.remarks[0].zh and figure.doubt is not None and mark["acceleration"].declared
 
 
-@pytest.mark.parametrize("problem", few(["3-9", "4-3a", "A-27", "3-12"], 2))
+@pytest.mark.parametrize("problem", few(["3-9", "4-3a", "A-27", "3-12"], 4))
 def test_of_every_polygon_of_a_problem_it_is_told(problem: str) -> None:
     key = key_of(problem)
     for shape in key.exact.shapes:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from ...board.otherwise.amended import Amended
 from ...board.otherwise.slip import Slip
@@ -15,6 +15,8 @@ from ...problem.problem import Problem
 from ..allowance import CAD, Allowance
 from .expected import Expected, Shape, expected, settled, sketch_of
 from .judging.tolerance import Allowed, tolerances
+
+KEPT = 16  # keys that are remembered: a class has one problem, or a variant for each of few groups
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,8 +49,9 @@ class DrawingKey:
         )
 
 
+@lru_cache(maxsize=KEPT)
 def drawing_key(problem: Problem, allowance: Allowance = CAD) -> DrawingKey:
-    """The key by which drawings of a problem are graded. Raises what `solve` raises."""
+    """The key by which all drawings of a problem are graded, found once. Raises what `solve` raises."""
     fixed = settled(problem)
     sketch = sketch_of(fixed)
     exact = expected(fixed, sketch=sketch)
