@@ -10,7 +10,6 @@ from math import floor, log10
 import numpy as np
 from numpy.typing import NDArray
 
-from ...algebra.quantity import number
 from ...analytic.build import model
 from ...analytic.equations import Model, Values
 from ...cycle import Cycle, Extremes, Facts, Path, cycle, extremes, facts, path
@@ -32,6 +31,9 @@ from .working_range import working_range
 
 TABLE_STEP = 10.0  # degrees between the rows of the table
 PARTS = 20  # positions of the curves between two rows
+
+
+_WHOLE = 1e-3  # of its unit, by which a position may be off a whole number and is told as that
 
 
 @dataclass(frozen=True, eq=False)
@@ -223,12 +225,17 @@ class Study:
     def where(self, phi: float) -> str:
         """$φ_1$ = 37.5°, within a turn."""
         drive = self.turn.drive
-        if drive.shown_unit != "°":
-            return f"${drive.symbol}$ = {number(round(drive.factor * phi, 6), 4)} {drive.shown_unit}"
-        angle = drive.factor * self.reduced(phi)
-        text = f"{angle:.0f}" if abs(angle - round(angle)) < 1e-3 else f"{angle:.1f}"
-        text = "0" if self.whole.whole and text in ("360", "360.0") else text
-        return f"${drive.symbol}$ = {text}°".replace("= -", "= −")
+        text = self.place(self.reduced(phi) if drive.shown_unit == "°" else phi)
+        text = "0°" if self.whole.whole and text in ("360°", "360.0°") else text
+        return f"${drive.symbol}$ = {text}"
+
+    def place(self, phi: float) -> str:
+        """A position of the drive as it is told everywhere, to a tenth: 37.5°, 1714.9 mm; 90° of what is whole."""
+        drive = self.turn.drive
+        size = drive.factor * phi
+        text = f"{size:.0f}" if abs(size - round(size)) < _WHOLE else f"{size:.1f}"
+        text = text.lstrip("-") if not text.strip("-0.") else text.replace("-", "−")
+        return f"{text}°" if drive.shown_unit == "°" else f"{text} {drive.shown_unit}"
 
     def reduced(self, phi: float) -> float:
         """The position within 0 … 360° where the drive turns right round, 0 … 720° where a period takes two turns."""

@@ -21,6 +21,7 @@ from ....words import Words
 from ..analysis.force_words import refusals
 from ..numbering import SMALL, Press
 from ..results.positions import at_position
+from .refused import cause
 
 STATIONS = 24
 FLAT, MARGIN = 0.35, 0.25  # of the frame that drawn values take at least; of what they take, beyond them
@@ -67,7 +68,7 @@ class Compared:
     """All stations, and the positions that cannot be drawn."""
 
     stations: tuple[Station, ...]
-    refused: tuple[float, ...]
+    refused: tuple[tuple[float, Words], ...]  # each with the reason
     keys: tuple[str, ...]
 
     def worst(self, study: Study) -> float:
@@ -95,15 +96,15 @@ def study_size(study: Study, key: str) -> float:
 def compared(study: Study) -> Compared:
     """Draw at every station; positions at which no drawing exists are told."""
     stations: list[Station] = []
-    refused: list[float] = []
+    refused: list[tuple[float, Words]] = []
     unknown = (study.problem.loads.unknown.name,) if study.problem.loads else ()
     keys = (*study.outputs, *(key for key in unknown if key in study.solution.answers and key in study.forces))
     wanted = tuple(ask for ask in study.problem.asks if ask.rel.key in keys)
     for phi in _phis(study) if study.drawn else ():
         try:
             answers = _drawn(study, replace(at_position(study, phi), asks=wanted)).answers
-        except VecpolyError:
-            refused.append(phi)
+        except VecpolyError as error:
+            refused.append((phi, cause(error)))
             continue
         told = {key: answers[key] for key in keys if key in answers}
         gap = {
