@@ -110,6 +110,9 @@ def test_a_step_ends_with_the_number_of_the_box_the_table_and_the_sheet(name: st
             continue
         told = re.split(" = | → | ≈ ", plain(line))[-1]  # 3.126 rad/s ≈ 3.13 rad/s: later steps go on with more
         ends = result_of(answer, "en")
+        if answer.is_place and answer.drawn_vector is None:  # at infinity: P^∞_14 (∠90.0°)
+            assert told.partition(" (")[2] == ends.partition(" (")[2], answer.key
+            continue
         assert told.lstrip("−") == (ends if answer.is_place else ends.split(" (")[0]).lstrip("−"), answer.key
 
 

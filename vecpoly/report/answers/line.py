@@ -54,7 +54,8 @@ def short_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = T
     result = Txt(result_of(answer, lang) + _bracket(answer, solution.problem, way, lang))
     if is_worded(answer.key, answer.reading.unit):
         return Row((result,))
-    parts: tuple[Node, ...] = (name, Txt(" = "))
+    far = answer.is_place and answer.drawn_vector is None and not answer.undefined
+    parts: tuple[Node, ...] = (name, Txt(" " if far else " = "))
     if read and is_length_times_scale(answer, solution):
         parts = (*parts, row(reading.scale), Txt(f"·{on_paper(answer)} mm"), Txt(" = "))
     return Row((*parts, result))
@@ -88,7 +89,7 @@ def result_of(answer: Answer, lang: Lang) -> str:
     if answer.is_place:
         at = answer.drawn_vector
         return (
-            f"∞ ({_angle(answer.drawn)})" if at is None else f"({', '.join(place_parts(at, coordinates(answer)))}) mm"
+            _endless(answer, lang) if at is None else f"({', '.join(place_parts(at, coordinates(answer)))}) mm"
         )
     if is_class(answer.key):
         return class_told(answer.drawn, lang)
@@ -131,8 +132,10 @@ def _pointing(turn: float) -> str:
     return SQUARE.get(told) or f"∠{told}"
 
 
-def _angle(turn: float) -> str:
-    return f"{turn:.1f}°".replace("-", "−")
+def _endless(answer: Answer, lang: Lang) -> str:
+    """A place at infinity: in which direction."""
+    turn = f"∠{answer.drawn:.1f}°".replace("-", "−")
+    return Words(f"在无穷远处（{turn}）", f"at infinity ({turn})").of(lang)
 
 
 def _after(answer: Answer, lang: Lang) -> str:
