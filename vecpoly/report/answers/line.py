@@ -51,11 +51,13 @@ def short_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = T
     """What came out, without the way to it: v_C = μ_v·65.2 mm = 0.652 m/s (∠67.9°); read: with the length on paper."""
     reading = answer.reading
     _, name, way = _named(answer, lang)
+    if answer.is_place and answer.drawn_vector is None and not answer.undefined:
+        turn = _way(answer)
+        return Row((name, Txt(Words(f" 在无穷远处（{turn}）", f" at infinity ({turn})").of(lang))))
     result = Txt(result_of(answer, lang) + _bracket(answer, solution.problem, way, lang))
     if is_worded(answer.key, answer.reading.unit):
         return Row((result,))
-    far = answer.is_place and answer.drawn_vector is None and not answer.undefined
-    parts: tuple[Node, ...] = (name, Txt(" " if far else " = "))
+    parts: tuple[Node, ...] = (name, Txt(" = "))
     if read and is_length_times_scale(answer, solution):
         parts = (*parts, row(reading.scale), Txt(f"·{on_paper(answer)} mm"), Txt(" = "))
     return Row((*parts, result))
@@ -88,9 +90,7 @@ def result_of(answer: Answer, lang: Lang) -> str:
         return value(answer.drawn, reading.unit, lang, answer.key)
     if answer.is_place:
         at = answer.drawn_vector
-        return (
-            _endless(answer, lang) if at is None else f"({', '.join(place_parts(at, coordinates(answer)))}) mm"
-        )
+        return f"∞ ({_way(answer)})" if at is None else f"({', '.join(place_parts(at, coordinates(answer)))}) mm"
     if is_class(answer.key):
         return class_told(answer.drawn, lang)
     text = drawn_number(answer)
@@ -132,10 +132,9 @@ def _pointing(turn: float) -> str:
     return SQUARE.get(told) or f"∠{told}"
 
 
-def _endless(answer: Answer, lang: Lang) -> str:
-    """A place at infinity: in which direction."""
-    turn = f"∠{answer.drawn:.1f}°".replace("-", "−")
-    return Words(f"在无穷远处（{turn}）", f"at infinity ({turn})").of(lang)
+def _way(answer: Answer) -> str:
+    """In which direction a place at infinity lies."""
+    return f"∠{answer.drawn:.1f}°".replace("-", "−")
 
 
 def _after(answer: Answer, lang: Lang) -> str:

@@ -149,7 +149,8 @@ def _counted(mech: Mechanism, count: Mobility) -> Words:
     rollers = [roller for roller, _ in mech.welded]
     zh, en = "、".join(rollers), " and ".join(rollers)
     return Words(
-        f"焊接后滚子 {zh} 不另计，机构有 {count.links} 个活动构件，连机架 {mech.frame_number} 共 {count.links + 1} 个构件",
+        f"焊接后滚子 {zh} 不另计，机构有 {count.links} 个活动构件，连机架 {mech.frame_number} 共 "
+        f"{count.links + 1} 个构件",
         f"With roller{'s' * (len(rollers) > 1)} {en} not counted, the mechanism has {count.links} moving links "
         f"({count.links + 1} with the frame, link {mech.frame_number})",
     )
