@@ -14,7 +14,7 @@ from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution, told_short
 from ...words import Lang, Words
 from ..values import called, class_told, direction_of_load, is_class, is_efficiency, is_worded, unit_after, value
-from .notes import COARSE, INSTEAD, UNREADABLE, error_of, is_hopeless, remark_of
+from .notes import COARSE, INSTEAD, UNREADABLE, error_of, is_hopeless, remark_of, stands_still
 
 SQUARE = {"0.0°": "→", "90.0°": "↑", "180.0°": "←", "270.0°": "↓"}
 _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
@@ -110,7 +110,8 @@ def _named(answer: Answer, lang: Lang) -> tuple[str, Node, str]:
 
 def _bracket(answer: Answer, problem: Problem, way: str, lang: Lang) -> str:
     """Direction or sense, in brackets."""
-    said = [one for one in (_direction(answer, problem, lang), way) if one]
+    still = remark_of(answer, lang) if stands_still(answer) else ""
+    said = [one for one in (_direction(answer, problem, lang), way, still) if one]
     if not said:
         return ""
     return f"（{'，'.join(said)}）" if lang == "zh" else f" ({', '.join(said)})"
@@ -139,7 +140,10 @@ def _way(answer: Answer) -> str:
 
 def _after(answer: Answer, lang: Lang) -> str:
     """The conclusion that the construction came to, whether its length can be measured, how coarse the reading is."""
-    said = [remark_of(answer, lang), told_short(answer).of(lang) if answer.short else ""]
+    said = [
+        "" if stands_still(answer) else remark_of(answer, lang),
+        told_short(answer).of(lang) if answer.short else "",
+    ]
     said += [f"{UNREADABLE.of(lang)}{Words('：', ': ').of(lang)}{INSTEAD.of(lang)}" if is_hopeless(answer) else ""]
     said += [f"{COARSE.of(lang)} {error_of(answer)}" if error_of(answer) else ""]
     return Words("；", "; ").of(lang).join(filter(None, said))

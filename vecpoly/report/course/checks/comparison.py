@@ -157,7 +157,7 @@ def _table(study: Study, press: Press, found: Compared) -> str:
     told = [_row(study, found, key) for key in (found.keys if found.stations else ())]
     rows = [tuple(cell.removesuffix(" %") for cell in row) for row in told]
     title = Words("图解值与精确值的偏差", "Deviations of the drawn values from the exact ones")
-    return press.table(title, _HEADER[press.lang], rows, "lcdddcddd", style=SMALL) if len(rows) > 1 else ""
+    return press.table(title, _HEADER[press.lang], rows, "lcddccddc", style=SMALL) if len(rows) > 1 else ""
 
 
 def _row(study: Study, found: Compared, key: str) -> tuple[str, ...]:
