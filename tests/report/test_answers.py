@@ -46,8 +46,9 @@ def number(text: str) -> float:
 
 
 def rows_of(solution: Solution, lang: Lang) -> dict[str, tuple[str, ...]]:
-    """The rows of the tables by what they begin with."""
-    return {row[0]: row for table in readings_tables(solution, lang) for row in table.rows}
+    """The rows of the tables by what they begin with; one of equal quantities, v_B3 = v_C, by each of them."""
+    rows = [row for table in readings_tables(solution, lang) for row in table.rows]
+    return {symbol: row for row in rows for symbol in row[0].replace("$ = $", "$|$").split("|")}
 
 
 @each(DRAFTED)

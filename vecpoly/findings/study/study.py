@@ -25,15 +25,13 @@ from ...words import Words
 from .also_asked import widened
 from .from_pivots import from_pivots
 from .one_drive import follows_one_drive
+from .place_told import place_told
 from .reactions import reactions, without_twins
 from .told import STILL, links_told, points_told
 from .working_range import working_range
 
 TABLE_STEP = 10.0  # degrees between the rows of the table
 PARTS = 20  # positions of the curves between two rows
-
-
-_WHOLE = 1e-3  # of its unit, by which a position may be off a whole number and is told as that
 
 
 @dataclass(frozen=True, eq=False)
@@ -230,12 +228,8 @@ class Study:
         return f"${drive.symbol}$ = {text}"
 
     def place(self, phi: float) -> str:
-        """A position of the drive as it is told everywhere, to a tenth: 37.5°, 1714.9 mm; 90° of what is whole."""
-        drive = self.turn.drive
-        size = drive.factor * phi
-        text = f"{size:.0f}" if abs(size - round(size)) < _WHOLE else f"{size:.1f}"
-        text = text.lstrip("-") if not text.strip("-0.") else text.replace("-", "−")
-        return f"{text}°" if drive.shown_unit == "°" else f"{text} {drive.shown_unit}"
+        """37.5°; 1714.9 mm."""
+        return place_told(self.turn.drive, phi)
 
     def reduced(self, phi: float) -> float:
         """The position within 0 … 360° where the drive turns right round, 0 … 720° where a period takes two turns."""
