@@ -21,6 +21,7 @@ from vecpoly.analytic.forces.balance import ForceModel, force_model
 from vecpoly.cycle import Cycle, cycle, extremes
 from vecpoly.cycle.facts.duties import Cause, duties, idle, stills
 from vecpoly.cycle.sample import sample
+from vecpoly.errors import AssemblyError, DeadPointError, LockedError, NoMethodError
 from vecpoly.findings.load_drive import driven
 from vecpoly.findings.study.study import Study
 from vecpoly.mechanism.asked.forces import load_symbol
@@ -30,8 +31,10 @@ from vecpoly.problem.load import load
 from vecpoly.report.course.analysis.force_words import one_sided, refusals, results, role_note
 from vecpoly.report.course.analysis.forces import conclusion, forces
 from vecpoly.report.course.analysis.stated import stated
+from vecpoly.report.course.checks import refused
 from vecpoly.report.course.modelling.forces import forces_group
 from vecpoly.report.course.results.drawn_views import drawn_views
+from vecpoly.words import Words
 
 LOADED = [
     "4-3a",
@@ -193,15 +196,26 @@ def test_the_model_of_the_forces_is_a_section_of_its_own_with_the_friction_where
 
 def test_the_words_say_where_a_load_plays_the_other_part_and_by_which_quotient_the_efficiency_is() -> None:
     told = results(studied("4-3a"))
-    assert "$F$ 作负功，实为阻力" in told.zh and "174.26°～357.23°" in told.zh and "$η$ = $M_{0}/M$" in told.zh
-    assert "357.23°～4.75°、162.60°～174.26°：自锁" in told.zh and "$C$ 处 $ω_{23}$ = 0" in told.zh
+    assert "$F$ 作负功，实为阻力" in told.zh and "174.3°～357.2°" in told.zh and "$η$ = $M_{0}/M$" in told.zh
+    assert "357.2°～4.8°、162.6°～174.3°：自锁" in told.zh and "$C$ 处 $ω_{23}$ = 0" in told.zh
     assert "$R_{32}$、$R_{41}$ 与 $R_{12}$ 处处等值" in told.zh and "self-locking" in told.en
     assert role_note(studied("4-3a"), radians(285.2)).zh and not role_note(studied("4-3a"), radians(52)).zh
 
 
 def test_every_position_that_cannot_be_drawn_has_its_reason() -> None:
-    told = refusals(studied("4-3a"), tuple(np.radians([0.0, 90.0, 165.0, 270.0])))
+    there, far = np.radians([0.0, 90.0, 165.0, 270.0]), Words("机构不能装配", "links that do not meet")
+    told = refusals(studied("4-3a"), tuple((phi, far) for phi in there))
     assert told.zh == "0°、165°（自锁（驱动力克服不了摩擦））；90°、270°（$C$ 处 $ω_{23}$ = 0，摩擦力指向不定）"
+    assert refusals(studied("A-27"), ((0.0, far),)).en == "0° (links that do not meet)"
+
+
+def test_what_a_drawing_refuses_is_told_by_its_kind_and_not_by_every_reason_there_may_be() -> None:
+    assert [refused.cause(kind("")).en for kind in (LockedError, DeadPointError, AssemblyError, NoMethodError)] == [
+        "self-locking",
+        "a dead point",
+        "links that do not meet",
+        "a figure larger than the sheet",
+    ]
 
 
 def test_the_conclusion_gives_what_was_asked_for() -> None:
@@ -209,7 +223,7 @@ def test_the_conclusion_gives_what_was_asked_for() -> None:
     for text in ("$R_{32}$ = 1004 N，方向角 162.4°；$R_{12}$ = ", "$M$ = 64.3 N·m，顺时针", "各值最多相差 0.16 %"):
         assert text in given_.zh
     over, locked = conclusion(studied("4-3a"))
-    assert "100.1 N·m（285.2°）" in over.zh and "0.8377" in over.zh and "162.60°～174.26°" in locked.zh
+    assert "100.1 N·m（285.2°）" in over.zh and "0.8377" in over.zh and "162.6°～174.3°" in locked.zh
     assert tuple(conclusion(studied("A-27"))) == () == tuple(forces(studied("A-27")))
 
 

@@ -172,8 +172,8 @@ def test_places_of_extremes_are_in_the_drive_s_unit_under_its_symbol_and_no_zero
     (made,) = kept.made
     assert list(made.header) == ["Quantity", "Unit", "Greatest", symbol, "Least", symbol]
     places = [place for row in made.rows for place in (row[3], row[5])]
-    assert all(re.fullmatch(rf"−?\d+\.\d\d{unit}\*?", place) for place in places)
-    assert {place for place in places if not shown(re.sub("[° a-z]", "", place))} == {f"0.00{unit}"}
+    assert all(re.fullmatch(rf"−?\d+\.\d{unit}\*?", place) for place in places)
+    assert {place for place in places if not shown(re.sub("[° a-z]", "", place))} == {f"0.0{unit}"}
 
 
 def expected(name: str) -> Iterator[str]:

@@ -78,7 +78,7 @@ def test_the_rates_told_of_an_output_link_are_those_of_the_cycle(name: str) -> N
     told = "\n".join(words.en for words in concluded(name) if words.en.startswith("Output link"))
     rate = r"([ωα])_\{?(\d)\}?"
     ranges = re.findall(rf"\${rate}\$ varies from ([−\d.]+) rad/s\S* \(.*?\) to ([−\d.]+) rad/s", told)
-    sizes = re.findall(rf"\$\|{rate}\|\$ is greatest, ([\d.]+) rad/s", told)
+    sizes = re.findall(rf"the greatest \$\|{rate}\|\$ is ([\d.]+) rad/s", told)
     assert ranges or sizes
     for letter, link, *limits in [*ranges, *((letter, link, top) for letter, link, top in sizes)]:
         values = np.asarray((dense(name).omega if letter == "ω" else dense(name).alpha)(link))
@@ -186,3 +186,12 @@ def test_a_curve_goes_through_the_oracle_s_values_and_within_its_axes(name: str,
         assert high - low < 2.3 * max(
             float(np.nanmax(y) - np.nanmin(y)), 0.6 * float(np.nanmax(np.abs(y)))
         )  # it fills its panel
+
+
+@pytest.mark.parametrize(
+    ("name", "phi", "told"),
+    [("3-9", np.radians(37.46), "37.5°"), ("3-9", np.radians(90), "90°"), ("elliptic-trammel", 1.71498, "1715.0 mm")],
+)
+def test_a_position_of_the_drive_is_told_to_a_tenth_everywhere(name: str, phi: float, told: str) -> None:
+    it = studied(name)
+    assert it.place(phi) == told and it.where(phi).endswith(f" = {told}")

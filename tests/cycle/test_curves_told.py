@@ -11,7 +11,7 @@ import pytest
 from tests.studies import studied
 from vecpoly.curves import curves, given_values, hodograph, trace
 from vecpoly.curves.flat import plane
-from vecpoly.curves.peaks import extremes, figures
+from vecpoly.curves.peaks import extremes, figures, told
 from vecpoly.curves.place import Placer
 from vecpoly.curves.poses import poses
 from vecpoly.cycle import Cycle, cycle
@@ -68,8 +68,16 @@ def test_a_bare_plot_tells_none() -> None:
 
 def test_the_higher_and_the_lower_of_many_spots_are_chosen_and_one_alone_is_high() -> None:
     spots = [(10.0, 1.0), (80.0, 5.0), (200.0, -3.0), (300.0, 4.0)]
-    assert extremes(spots) == [((80.0, 5.0), 1), ((200.0, -3.0), -1)]
-    assert extremes([(10.0, 1.0)]) == [((10.0, 1.0), 1)] and extremes([]) == []
+    assert extremes(spots) == [([(80.0, 5.0)], 1), ([(200.0, -3.0)], -1)]
+    assert extremes([(10.0, 1.0)]) == [([(10.0, 1.0)], 1)] and extremes([]) == []
+
+
+def test_peaks_that_are_equally_high_are_told_by_both_their_places() -> None:
+    drive = turned("3-9").drive
+    ((high, _), _) = extremes([(218.6, 1.045), (90.0, -2.062), (321.4, 1.045)])
+    assert told(high, drive) == "1.045 (218.6°, 321.4°)"
+    assert told([(0.0, 68.0), (180.0, 68.0), (360.0, 68.0)], drive) == "68.00 (0°, 180°)"
+    assert told([(0.0, 1.0), (120.0, 1.0), (240.0, 1.0)], drive) == "1.000 (0°)", "of many the first"
 
 
 def test_numbers_at_peaks_have_four_figures_as_the_tables_have() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 
@@ -77,3 +78,17 @@ def test_what_is_laid_off_is_divided_as_it_is_printed(name: str) -> None:
         of, scale = parts[1].strip("()").split(")/(") if parts[1].count(")/(") == 1 else ("", "")
         if scale.startswith("μ_") and of in ends and of not in asked:
             assert parts[2].startswith(f"({ends[of]})"), f"{of} = {ends[of]}: {' = '.join(parts)}"
+
+
+def test_what_later_lines_go_on_with_to_more_figures_than_it_is_answered_is_told_so_where_it_is_found() -> None:
+    lines = lines_of(solve(load("elliptic-trammel")))
+    (turns,), (normal,) = ([parts for parts in lines if parts[0] == symbol] for symbol in ("ω_2", "a^n_BA"))
+    assert turns[-1] == "3.126 rad/s ≈ 3.13 rad/s" and normal[2] == "3.126^2 × 0.2"
+
+
+@pytest.mark.parametrize(("error", "told"), [(0.05, "11.95"), (0.2, "12.0"), (1.3, "12")])
+def test_no_digit_of_an_answer_is_worth_less_than_its_expected_error_while_three_figures_are_left(
+    error: float, told: str
+) -> None:
+    answer = solve(load("3-14")).answers["v_B3"]
+    assert drawn_number(replace(answer, expected_error=error)) == told

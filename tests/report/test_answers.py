@@ -46,8 +46,9 @@ def number(text: str) -> float:
 
 
 def rows_of(solution: Solution, lang: Lang) -> dict[str, tuple[str, ...]]:
-    """The rows of the tables by what they begin with."""
-    return {row[0]: row for table in readings_tables(solution, lang) for row in table.rows}
+    """The rows of the tables by what they begin with; one of equal quantities, v_B3 = v_C, by each of them."""
+    rows = [row for table in readings_tables(solution, lang) for row in table.rows]
+    return {symbol: row for row in rows for symbol in row[0].replace("$ = $", "$|$").split("|")}
 
 
 @each(DRAFTED)
@@ -61,7 +62,10 @@ def test_every_quantity_asked_stands_in_the_box_once_with_the_number_of_the_tabl
         for line in lines:
             answer = solution.answers[line.key]
             text = plain(line.node)
-            assert text == line.result or re.search(rf"{re.escape(line.result)}(?:（.*）| \(.*\))?$", text), text
+            if answer.is_place and answer.drawn_vector is None:  # at infinity (∠133.0°); the table: ∞ (∠133.0°)
+                assert line.result.removeprefix("∞ (").rstrip(")") in text
+            else:
+                assert text == line.result or re.search(rf"{re.escape(line.result)}(?:（.*）| \(.*\))?$", text), text
             if rows:
                 row = rows.get(called(answer.reading.symbol, answer.key, lang)) or rows[f"${answer.reading.symbol}$"]
                 said = line.result.replace("(", "").replace(")", "").replace(",", "").split(" ")
@@ -108,13 +112,16 @@ def test_a_step_ends_with_the_number_of_the_box_the_table_and_the_sheet(name: st
         assert solution is not None
         if (line := answer.reading.formula) is None or answer.undefined or answer.reading.unit == YES_NO:
             continue
-        told = re.split(" = | → ", plain(line))[-1]
+        told = re.split(" = | → | ≈ ", plain(line))[-1]  # 3.126 rad/s ≈ 3.13 rad/s: later steps go on with more
         ends = result_of(answer, "en")
+        if answer.is_place and answer.drawn_vector is None:  # at infinity: P^∞_14 (∠90.0°)
+            assert told.partition(" (")[2] == ends.partition(" (")[2], answer.key
+            continue
         assert told.lstrip("−") == (ends if answer.is_place else ends.split(" (")[0]).lstrip("−"), answer.key
 
 
 @each(DRAFTED)
-def test_no_answer_is_rounded_by_more_than_a_quarter_of_what_its_reading_leaves_open(name: str) -> None:
+def test_no_answer_is_rounded_by_more_than_half_of_what_its_reading_leaves_open(name: str) -> None:
     solution = drafted(name)
     for answer in solution.answers.values() if solution is not None else ():
         if answer.is_place or answer.undefined or answer.reading.unit == YES_NO or is_class(answer.key):
@@ -123,7 +130,7 @@ def test_no_answer_is_rounded_by_more_than_a_quarter_of_what_its_reading_leaves_
         line = answer_line(answer, solution, "en")
         drawn = printed_unit(answer.reading.unit)[0] * answer.drawn
         open_ = printed_unit(answer.reading.unit)[0] * answer.expected_error
-        assert abs(abs(number(line.result)) - abs(drawn)) <= max(2.6e-3 * abs(drawn), 0.25 * open_), line.result
+        assert abs(abs(number(line.result)) - abs(drawn)) <= max(2.6e-3 * abs(drawn), 0.5 * open_), line.result
 
 
 @each(DRAFTED)
@@ -153,14 +160,14 @@ def test_a_line_goes_on_with_the_numbers_that_are_printed_before_it() -> None:
 
 def test_a_vector_is_told_with_scale_length_number_unit_and_direction() -> None:
     solution = solve(load("3-9"))
-    assert line_of(solution, "v_E") == "v_E = μ_v·28.8 mm = 0.1728 m/s（∠312.3°）"
-    assert line_of(solution, "v_E", "en") == "v_E = μ_v·28.8 mm = 0.1728 m/s (∠312.3°)"
+    assert line_of(solution, "v_E") == "v_E = μ_v·28.8 mm = 0.173 m/s（∠312.3°）"
+    assert line_of(solution, "v_E", "en") == "v_E = μ_v·28.8 mm = 0.173 m/s (∠312.3°)"
 
 
 def test_what_turns_is_told_with_its_sense_and_never_with_a_sign() -> None:
     solution = solve(load("3-9"))
-    assert line_of(solution, "omega_2").endswith("= 1.995 rad/s（顺时针）")
-    assert line_of(solution, "omega_3", "en") == "ω_3 = 1.995 rad/s (clockwise)"
+    assert line_of(solution, "omega_2").endswith("= 2.00 rad/s（顺时针）")
+    assert line_of(solution, "omega_3", "en") == "ω_3 = 2.00 rad/s (clockwise)"
 
 
 def test_a_vector_along_an_axis_is_told_with_an_arrow() -> None:
@@ -170,8 +177,8 @@ def test_a_vector_along_an_axis_is_told_with_an_arrow() -> None:
 
 def test_a_length_ends_with_millimetres_as_in_the_table() -> None:
     solution = solve(load("5-3"))
-    assert line_of(solution, "h") == "h = μ_l′·2.4 mm = 1.92 mm"
-    assert rows_of(solution, "zh")["$h$"][:5] == ("$h$", "mm", "2.4（过短）", "$μ_l′$", "1.92")
+    assert line_of(solution, "h") == "h = μ_l′·2.4 mm = 1.9 mm"
+    assert rows_of(solution, "zh")["$h$"][:5] == ("$h$", "mm", "2.4（过短）", "$μ_l′$", "1.9")
 
 
 def test_a_coarse_reading_is_told_to_be_so_and_no_other() -> None:

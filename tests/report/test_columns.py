@@ -7,6 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vecpoly.algebra.columns import column, significant
+from vecpoly.report.flow.results.banded import ends_band, is_banded
+from vecpoly.report.flow.table import DataTable
 
 MOMENTS = [240.0, 218.625, 197.25, 111.75, 69.0]
 
@@ -28,3 +30,12 @@ def test_no_number_of_a_column_is_more_than_half_a_unit_beside_what_it_tells(val
 @pytest.mark.parametrize(("value", "told"), [(0.25, "0.2500"), (0.00863, "0.008630"), (0.99996, "1.000"), (0.0, "0")])
 def test_a_number_keeps_its_figures(value: float, told: str) -> None:
     assert significant(value) == told
+
+
+def test_a_long_table_of_numbers_has_a_light_rule_under_every_sixth_row_also_where_it_goes_on() -> None:
+    degrees = [(str(10 * n), "−0.1") for n in range(37)]
+    assert is_banded(degrees) and not is_banded(degrees[:17]) and not is_banded([("$v_B$", "1")] * 37)
+    assert [n for n in range(9) if ends_band(n)] == [5]
+    table = DataTable(["φ", "v"], degrees)
+    rest = table._part(20, 37, 400.0, table.set_in(400.0))
+    assert rest._banded and rest._before == 20

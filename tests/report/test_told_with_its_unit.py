@@ -8,11 +8,12 @@ import vecpoly
 from tests.drawn_library import drafted
 from tests.presses import press
 from tests.studies import studied
+from vecpoly.algebra.formula import plain
 from vecpoly.algebra.rounding import read_back
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import FixedGuide, Point
 from vecpoly.printed.digits import drawn_number, in_percent
-from vecpoly.report.answers.line import result_of
+from vecpoly.report.answers.line import result_of, short_line
 from vecpoly.report.answers.tables import _values
 from vecpoly.report.course.checks import chapter, comparison
 from vecpoly.report.document import markup
@@ -110,3 +111,11 @@ def test_what_is_not_checked_has_no_columns_and_the_largest_value_is_that_of_the
     assert len(table.header) == 2
     highest = study.extremes("v_E").highest
     assert highest is not None and comparison.study_size(study, "v_E") == pytest.approx(highest.value, rel=1e-12)
+
+
+def test_a_centre_at_infinity_is_nowhere_said_to_be_equal_to_infinity() -> None:
+    solution = of("3-1e")
+    told = [plain(line) for step in solution.construction.steps for line in step.formulas]
+    assert "P^∞_13 (∠133.0°)" in told and not any("→" in line for line in told)
+    assert plain(short_line(solution.answers["P_13"], solution, "en")) == "P^∞_13 at infinity (∠133.0°)"
+    assert plain(short_line(solution.answers["P_13"], solution, "zh")) == "P^∞_13 在无穷远处（∠133.0°）"

@@ -35,7 +35,7 @@ def plane(low: complex, high: complex, width: float, height: float, labels: tupl
     for axis in (at.xaxis, at.yaxis):
         axis.set_major_locator(MultipleLocator(step))
     style.text(at, 1.0, style.FOOT + tall + 2.2, labels[1])
-    style.text(at, left + wide / 2, 2.0, labels[0], ha="center")
+    style.text(at, left + wide / 2, style.UNDER, labels[0], ha="center")
     return figure, at
 
 

@@ -51,5 +51,5 @@ def given_values(
     label_peaks(at, lines, [marks], [style.PENS[0].hue], cycle.drive)
     style.text(at, 1.0, foot + room + 2.2, style.axis_label(*label))
     middle = left + (width - left - style.RIGHT) / 2
-    style.text(at, middle, foot - style.FOOT + 2.0, drive_label(cycle.drive, lang), ha="center")
+    style.text(at, middle, foot - style.FOOT + style.UNDER, drive_label(cycle.drive, lang), ha="center")
     return Plot(figure, title, lang)

@@ -16,7 +16,7 @@ from ..typeset import layout_words
 from ..words import Lang, Words
 from . import style
 from .called import title_of
-from .peaks import Known, exact, label_peaks
+from .peaks import SIZE, Known, exact, label_peaks, lowest
 from .plot import Plot
 from .record import MM
 from .turning import turning
@@ -64,7 +64,7 @@ def curves(
         top = foot + room + 2.2
         style.text(at, 1.0, top + (0.0 if beside else _LINE), label)
         middle = (left + width - style.RIGHT) / 2
-        style.text(at, middle, foot - style.FOOT + 2.0, drive_label(cycle.drive, lang), ha="center")
+        style.text(at, middle, foot - style.FOOT + style.UNDER, drive_label(cycle.drive, lang), ha="center")
         _legend(at, width - style.RIGHT, top, group, pens)
     return Plot(figure, title_of(cycle.drive, groups), lang)
 
@@ -157,7 +157,7 @@ def _panel(
         style.line(at, phi, values, pen, column.key)
         spots = turning(phi, values, cycle.whole and drive.unit == "rad" and not column.turns) if marks else []
         if column.key.startswith("gamma_"):
-            spots = [min(spots, key=lambda spot: spot[1])] if spots else []
+            spots = lowest(spots)
         spots = [spot for spot in spots if limit[0] <= spot[1] <= limit[1]]
         told = spots if known is None else exact(spots, known(column.key), drive, column, float(phi[1] - phi[0]))
         style.dots(at, [x for x, _ in spots], [y for _, y in spots], pen.hue)
@@ -165,6 +165,8 @@ def _panel(
     if all(column.key.startswith("gamma_") for column in group) and limit[0] < USUAL < limit[1]:
         style.line(at, [phi[0], phi[-1]], [USUAL] * 2, style.Pen(Dash.DASHED, Hue.GREY, THIN))
         lines.append(np.array([complex(x, USUAL) for x in (phi[0], phi[-1])]))
+        above, right = USUAL + 0.02 * (limit[1] - limit[0]), phi[-1] - 0.01 * (phi[-1] - phi[0])
+        style.text(at, right, above, f"[$γ$] = {USUAL:.0f}°", ha="right", va="bottom", size=SIZE, data=True)
     label_peaks(at, lines, peaks, [pen.hue for pen in pens], drive)
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..cycle import Column, Extremes
+from ..cycle import Spot as Turned
 from ..drawing.style import Hue
 from . import style
 from .place import Placer, Points
@@ -20,6 +21,8 @@ _DIGITS = 4  # as in the columns of tables
 _LEVEL = 1e-5  # of the range: spots that differ by less, read off samples, are equally high
 _NEAR = 1e-2  # of the range: how far a sampled extreme may be from the true one
 _NOTHING = 1e-9  # of the greatest value: zero
+_TURN = 360.0  # degrees
+_BOTH = 2  # places that are told beside a value, at most
 _COVERED = 6.0  # what stands under a text: with more than that it is left out
 
 
@@ -33,30 +36,35 @@ def label_peaks(
     (low, high), ends = at.get_ylim(), at.get_xlim()
     placer = Placer(at, [*lines, np.array([complex(x, 0.0) for x in ends])] if low < 0 < high else [*lines])
     every = [extremes(of_one) for of_one in spots]
-    marked = [complex(*spot) for of_one in every for spot, _ in of_one]
+    marked = [complex(*spot) for of_one in every for alike, _ in of_one for spot in alike]
     if marked:
         placer.keep_clear(np.array(marked), 0.7)
     for of_one, hue in zip(every, hues, strict=True):
-        for spot, up in of_one:
-            placer.put(complex(*spot), told(spot, drive), 1j * up, SIZE, most=_COVERED, hue=hue)
+        for alike, up in of_one:
+            placer.put(complex(*alike[0]), told(alike, drive), 1j * up, SIZE, most=_COVERED, hue=hue)
 
 
-def extremes(spots: Sequence[Spot]) -> list[tuple[Spot, int]]:
-    """The highest and the lowest of the spots, with 1 and −1; of two equally high ones the first, as in the text."""
+def extremes(spots: Sequence[Spot]) -> list[tuple[list[Spot], int]]:
+    """The highest of the spots with 1, and the lowest with −1, all that are equally high, in their order."""
     if not spots:
         return []
     values = [value for _, value in spots]
     level = _LEVEL * ((max(values) - min(values)) or abs(values[0]))
-    high = min(spot for spot in spots if spot[1] >= max(values) - level)
-    low = min(spot for spot in spots if spot[1] <= min(values) + level)
-    if high == low:
-        return [(high, 1)]
-    return [(high, 1), (low, -1)]
+    high = sorted(spot for spot in spots if spot[1] >= max(values) - level)
+    low = lowest(spots)
+    return [(high, 1)] if high == low else [(high, 1), (low, -1)]
+
+
+def lowest(spots: Sequence[Spot]) -> list[Spot]:
+    """Those of the spots that are as low as the lowest."""
+    values = [value for _, value in spots] or [0.0]
+    level = _LEVEL * ((max(values) - min(values)) or abs(values[0]))
+    return sorted(spot for spot in spots if spot[1] <= min(values) + level)
 
 
 def exact(spots: Sequence[Spot], known: Extremes, drive: Column, column: Column, step: float) -> Sequence[Spot]:
     """Those of the sampled spots that are the column's extremes, to full accuracy; else all. step: between samples."""
-    tops = [top for top in (known.highest, known.lowest) if top is not None]
+    tops = [top for end in (known.highest, known.lowest) if end is not None for top in _alike(known, end)]
     true = [(drive.factor * top.phi, column.factor * top.value) for top in tops]
     room = _NEAR * (max((value for _, value in true), default=0.0) - min((value for _, value in true), default=0.0))
     found = [top for top in true if any(abs(x - top[0]) <= 2 * step and abs(y - top[1]) <= room for x, y in spots)]
@@ -64,11 +72,19 @@ def exact(spots: Sequence[Spot], known: Extremes, drive: Column, column: Column,
     return [(x, 0.0 if abs(value) <= _NOTHING * size else value) for x, value in found] or spots
 
 
-def told(spot: Spot, drive: Column) -> str:
-    """The value to four figures, and the drive's place to 0.1° or 0.1 mm."""
-    place, value = spot
+def _alike(known: Extremes, end: Turned) -> list[Turned]:
+    """All turning points that are as high (or low) as this one."""
+    near = _LEVEL * abs(end.value)
+    return [one for one in (*known.maxima, *known.minima) if abs(one.value - end.value) <= near] or [end]
+
+
+def told(alike: Sequence[Spot], drive: Column) -> str:
+    """The value to four figures, and the drive's places to 0.1° or 0.1 mm: of two that are equally high both."""
     unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
-    return f"{figures(value)} ({style.number(round(place, 1))}{unit})"
+    turned = {round(place, 1) for place, _ in alike}
+    told_once = turned - {_TURN} if {0.0, _TURN} <= turned else turned  # where the turn ends, the next begins
+    places = [f"{style.number(place)}{unit}" for place in sorted(told_once)]
+    return f"{figures(alike[0][1])} ({', '.join(places) if len(places) <= _BOTH else places[0]})"
 
 
 def figures(value: float) -> str:

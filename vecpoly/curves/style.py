@@ -20,7 +20,8 @@ WIDTH, PANEL = 150.0, 62.0  # mm
 TICK, LABEL = 3.1, 3.6  # em of the lettering, mm
 _TICK_ROOM = 7.5  # mm from one number of an axis to the next, at the least
 EDGE = 0.25  # mm: what stays of the ground inside the frame
-RIGHT, TOP, FOOT = 7.0, 9.0, 13.0  # margins, mm
+RIGHT, TOP, FOOT = 7.0, 9.0, 10.2  # margins, mm
+UNDER = 1.8  # mm from the lower edge to the title of the x axis, which stands close under its numbers
 LEFT = 16.0  # mm: what all numbers of a y axis have, so that graphs under each other have one left edge
 
 

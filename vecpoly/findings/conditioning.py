@@ -4,13 +4,14 @@ and where each is least, to full accuracy."""
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import radians
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..analytic.equations import GroupModel
 from ..analytic.expr import Var
-from ..cycle.facts.transmission_range import POOR, Transmission
+from ..cycle.facts.transmission_range import POOR, USUAL, Transmission
 from ..words import Words
 from .study.study import Study
 
@@ -60,7 +61,10 @@ class Conditioning:
     def verdict(self) -> Words:
         if self.is_ill:
             return Words("病态", "ill-conditioned")
-        return Words("较差", "poor") if self.is_poor else Words("良好", "good")
+        if self.is_poor:
+            return Words("较差", "poor")
+        just = self.gamma is not None and self.gamma.least.value < radians(USUAL)
+        return Words("合格", "acceptable") if just else Words("良好", "good")
 
     @property
     def ratio(self) -> float:

@@ -49,8 +49,7 @@ def _range(study: Study, told: bool, dead: Words) -> Iterator[Words]:
         )
         return
     drive = whole.drive
-    unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
-    low, high = (f"{drive.factor * q:.2f}{unit}".replace("-", "−") for q in (whole.low, whole.high))
+    low, high = (study.place(q) for q in (whole.low, whole.high))
     if all(free):
         yield Words(
             f"{driver.zh}的行程不受杆组限制；计算取 ${drive.symbol}$ 由 {low} 至 {high}。",

@@ -9,6 +9,7 @@ from ..cycle import Extremes, Spot
 from ..words import Words
 from .study.study import Study
 
+_LOADS, _LARGE = ("N", "N·m"), 1e5  # units of which a thousand is told by k, from which size on
 _ALIKE = 1e-6  # of the greatest value: two extremes are one
 
 
@@ -18,7 +19,10 @@ def shown(study: Study, key: str, value: float, digits: int = 4) -> str:
     unit = info.shown_unit.replace("^2", "²")
     if not np.isfinite(value):
         return "∞" if value > 0 else "−∞"
-    text = f"{info.factor * value:.1f}".replace("-", "−") if unit == "°" else number(info.factor * value, digits)
+    size = info.factor * value
+    if unit in _LOADS and abs(size) >= _LARGE:
+        size, unit = 1e-3 * size, f"k{unit}"
+    text = f"{size:.1f}".replace("-", "−") if unit == "°" else number(size, digits)
     return text + (unit if unit == "°" else f" {unit}" if unit else "")
 
 

@@ -7,7 +7,7 @@ from math import degrees, radians
 
 from ..cycle.facts.transmission_range import ABOUT, USUAL, Transmission
 from ..mechanism.groups.assur import Dyad, decompose
-from ..mechanism.model import Revolute
+from ..mechanism.model import Mechanism, Revolute
 from ..words import Words
 from .study.study import Study
 
@@ -36,7 +36,7 @@ def transmission(study: Study, told: Sequence[Transmission]) -> Words:
 
 def _one(study: Study, t: Transmission, d: Dyad) -> Words:
     symbol = f"${study.whole.info(t.key).symbol}$"
-    what, least, most = _defined(d, symbol), degrees(t.least.value), degrees(t.greatest.value)
+    what, least, most = _defined(study.mech, d, symbol), degrees(t.least.value), degrees(t.greatest.value)
     verdict, where = _judged(least), least_places(study, t)
     top = (
         Words("；其间达到 90°", "; on the way it reaches 90°")
@@ -76,7 +76,7 @@ def least_places(study: Study, t: Transmission) -> Words:
     return Words("、".join(told), " and ".join(told))
 
 
-def _defined(d: Dyad, symbol: str) -> Words:
+def _defined(mech: Mechanism, d: Dyad, symbol: str) -> Words:
     """The angle between both bars, or between the bar and the normal of the guide."""
     if (
         d.kind == "RRR"
@@ -96,6 +96,13 @@ def _defined(d: Dyad, symbol: str) -> Words:
         )
     if d.kind == "RRP" and isinstance(d.outer_j, Revolute) and isinstance(d.inner, Revolute):
         j, c = d.outer_j.point, d.inner.point
+        contact = next((one.point for one in mech.contacts if one.substitute == d.link_j), None)
+        if contact is not None:
+            return Words(
+                f"传动角 {symbol} 为连心线 ${j}{c}$（接触点 ${contact}$ 处的公法线）与导路法线所夹的锐角。",
+                f"The transmission angle {symbol} at the contact ${contact}$ is the acute angle between the line of "
+                f"centres ${j}{c}$, the common normal there, and the normal of the guide.",
+            )
         return Words(
             f"传动角 {symbol} 为连杆 ${j}{c}$ 与导路法线所夹的锐角。",
             f"The transmission angle {symbol} is the acute angle between the coupler ${j}{c}$ and the normal of "

@@ -16,6 +16,7 @@ from .units import printed_unit
 TENTH = 0.1  # mm: what a rule is read to
 _HALF = TENTH / 2
 SHARE, SHARE_OF_READ = 0.3, 0.1  # of the expected error: what is smaller says nothing; of a length that was read well
+_ROUGH, _FEWEST = 0.05, 2  # share of a value by which it may be off and have two figures only
 MOST = 4  # significant digits of an answer; an exact value has one more
 _READ = 3  # significant digits of what is read on paper, at least; one more after a leading 1
 LEAST = 1e-4  # smaller numbers are told by powers of ten
@@ -57,8 +58,18 @@ def decimals(answer: Answer) -> int | None:
     """So many that the last one is worth what was read; None of what is computed or counted.
 
     What was worked out has the zeros that its expected error leaves it; an angle has the tenth of the protractor. What
-    is read off as a length has as many as the others that are read to its scale: how far it may be off stands beside.
+    is read off as a length has the figures of its reading. None ends with a digit that is worth less than its expected
+    error while three figures are left, two where it may be off by a twentieth: 11.95 ± 0.2 is told as 12.0.
     """
+    places, error = _places(answer), printed_unit(answer.reading.unit)[0] * _error(answer)
+    if places is None or not error or not answer.drawn or answer.reading.unit == "deg":
+        return places
+    drawn = printed_unit(answer.reading.unit)[0] * answer.drawn
+    return min(places, max(places_of(error), _places_for(drawn, _READ if error < _ROUGH * abs(drawn) else _FEWEST)))
+
+
+def _places(answer: Answer) -> int | None:
+    """As many as its reading has figures, however far that may be off."""
     factor = printed_unit(answer.reading.unit)[0]
     read, error = factor * _read_to(answer), factor * _error(answer)
     line = answer.reading.formula
@@ -89,8 +100,12 @@ def places_as_read(value: float, mm: float) -> int:
 
 def figures_read(value: float, mm: float) -> int:
     """As many as the reading has to a tenth, three at least; one more where the value begins with 1."""
-    leading = f"{abs(value):e}"[0] == "1"
-    return min(MOST, max(_READ, floor(log10(abs(mm))) + 2 if mm else _READ) + leading)
+    return min(MOST, max(_READ, floor(log10(abs(mm))) + 2 if mm else _READ) + leads_with_1(value))
+
+
+def leads_with_1(value: float) -> bool:
+    """Whether the number begins with 1: its first three figures tell it no better than two of a 9 do."""
+    return f"{abs(value):e}"[0] == "1"
 
 
 def _places_for(value: float, figures: int) -> int:
@@ -133,10 +148,10 @@ def on_paper(answer: Answer) -> str:
 
 
 def coordinates(answer: Answer) -> int:
-    """The decimals of a place in mm: as many as were read, up to one more than the expected error leaves certain."""
+    """The decimals of a place in mm: as many as were read, up to those that the expected error leaves certain."""
     at, error = answer.drawn_vector or 0j, 1e3 * _error(answer)
     least = 1 if answer.expected_error < 1e-3 else 0
-    finest = max(least, min(_FINEST, places_of(error) + 1)) if error else _FINEST
+    finest = max(1, min(_FINEST, places_of(error))) if error else _FINEST
     return next(
         (n for n in range(least, finest) if all(_falls_on(1e3 * part, n) for part in (at.real, at.imag))), finest
     )

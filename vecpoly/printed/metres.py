@@ -8,7 +8,7 @@ from decimal import Decimal
 
 from ..algebra.formula import Frac, Node, Row, Txt
 from ..algebra.quantity import Product, Quantity, Quotient, Sum
-from .told import EQUALS, NUMBER
+from .told import ABOUT, EQUALS, NUMBER
 
 _NUMBERS, _PARTS = -2, 5  # of a line symbol = formula = numbers = result
 _IN_MM, _MILLI = "mm/mm", -3
@@ -23,7 +23,7 @@ def in_metres(line: Row, own: Row, scales: Container[Node]) -> Row:
     ends = end.text.split(EQUALS)
     if len(line.items) < _PARTS or len(ends) != 2 or not ends[1].endswith(" mm"):
         return line
-    result, numbers = ends[1].removesuffix(" mm"), _shifted(line.items[_NUMBERS])
+    result, numbers = ends[1].partition(ABOUT)[0].removesuffix(" mm"), _shifted(line.items[_NUMBERS])
     if numbers is None or NUMBER.fullmatch(result) is None or "×" in result or not float(result.lstrip("−")):
         return line
     return Row((*line.items[:_NUMBERS], numbers, Txt(f"{EQUALS}{_by_milli(result)} m{end.text}")))

@@ -21,14 +21,15 @@ def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tup
     """The construction and the answers: every line of an asked quantity ends as that is printed, and every line goes on
     with asked quantities as they are printed, as far as its result allows."""
     ends = dict[tuple[Node, Node], Txt]()  # by the symbol of a line and its end as worked
+    own = dict[int, Txt]()  # by the line itself: what is found in two ways may be read better in one of them
     for answer in answers.values():
         line = answer.reading.formula
         if isinstance(line, Row) and (end := printed_end(line, answer)) is not None:
-            ends[line.items[0], line.items[-1]] = end
+            ends[line.items[0], line.items[-1]] = own[id(line)] = end
 
     def end_of(line: Row) -> Txt | None:
         """Of the line asked, and of any that evaluates the same again; None: its own."""
-        return ends.get((line.items[0], line.items[-1]))
+        return own.get(id(line)) or ends.get((line.items[0], line.items[-1]))
 
     lines = [line for step in construction.steps for line in step.formulas]
     told = Told(answers.values())

@@ -75,6 +75,7 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
         "dashed": "dashed" if _has_dashes(solution) else "",
         "unsolvable": "unsolvable" if solution.construction.conclusion is not None else "",
         "doubled": "doubled" if _has_doubled(solution) else "",
+        "coriolis": "coriolis" if any(key.startswith("ak_") for key in solution.construction.readings) else "",
         "superscripts": "superscripts" if any("^{(" in one.reading.symbol for one in solution.answers.values()) else "",
     }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...mechanism.groups.assur import Group
+from ...mechanism.model import Rolling
 from ...words import Words
 from ..calculus import substituted, variables
 from ..equations import Equation, GroupModel, Part, Stage
@@ -56,11 +57,15 @@ def _opened(part: Part, own: Equation, ways: list[Equation]) -> tuple[Part, ...]
 def _named(scope: Scope, group: Group) -> tuple[Words, Words]:
     name = scope.name(group.links[0])
     noun = Words("齿条", "rack") if group.kind == "rack" else Words("齿轮", "gear")
+    joints = (*group.inner, *(out.joint for out in group.outer))
+    theta = "、".join(f"$θ_{{{joint.point}}}$" for joint in joints if isinstance(joint, Rolling))
     return (
         Words(f"{noun.zh} {name}", f"{noun.en.capitalize()} {name}"),
         Words(
-            f"{noun.zh} {name} 只有一个未知量，由纯滚动条件求得。常数 $θ$ 由题设位置确定，转角连续计量，不减去整周。",
-            f"The one unknown of {noun.en} {name} follows from rolling without slip. The constant $θ$ is fixed by the "
-            "given position; angles are counted continuously, without jumps of whole turns.",
+            f"{noun.zh} {name} 只有一个未知量，由纯滚动条件求得。常数 {theta} 由题设位置确定；转角以弧度计，连续计量，"
+            "不减去整周。",
+            f"The one unknown of {noun.en} {name} follows from rolling without slip. The constant "
+            f"{theta.replace('、', ', ')} is fixed by the given position; angles are in radians, counted continuously, "
+            "without jumps of whole turns.",
         ),
     )

@@ -119,11 +119,12 @@ def _geared(group: Group, names: list[str]) -> tuple[Words, Words]:
         Words(f"齿轮（齿条）传动的杆组（构件 {listed}）", f"The group of gears or racks ({noun} {listed_en})"),
         Words(
             f"该杆组由构件 {listed} 组成，其中有纯滚动。节点处速度恒相同，故自题设位置起两轮滚过的弧长相等"
-            "（齿条则为移动的距离）；$θ$ 由题设位置定出，各转角连续计量，不跳变整周。这些关系与封闭矢量方程联立求解。",
+            "（齿条则为移动的距离）；各节点的常数 $θ$ 由题设位置定出，转角以弧度计，不跳变整周。"
+            "这些关系与封闭矢量方程联立求解。",
             f"Gears roll in the group of {noun} {listed_en}. Both bodies always have one velocity at the pitch point, "
-            "so they have rolled equal arcs since the given position (a rack: lengths). That position tells $θ$; "
-            "angles are counted on, without jumps by whole turns. These relations and the vector loops are solved "
-            "together.",
+            "so they have rolled equal arcs since the given position (a rack: lengths). That position fixes the "
+            "constant $θ$ of each pitch point; angles are in radians, counted continuously, without jumps of whole "
+            "turns. These relations and the vector loops are solved together.",
         ),
     )
 

@@ -58,6 +58,8 @@ def shaking(study: Study) -> Shaking | Words | None:
         return None
     if not loads.masses:
         return Words("题目没有给出构件的质量", "no masses are given")
+    if not loads.inertia:
+        return Words("题目规定不计惯性力", "the problem neglects inertia forces")
     if not study.varies(FORCE.key):
         return Words("机构的惯性力不随位置变化", "the shaking force is the same all through")
     weights = tuple(_weights(study, loads))

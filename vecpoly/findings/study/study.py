@@ -10,7 +10,6 @@ from math import floor, log10
 import numpy as np
 from numpy.typing import NDArray
 
-from ...algebra.quantity import number
 from ...analytic.build import model
 from ...analytic.equations import Model, Values
 from ...cycle import Cycle, Extremes, Facts, Path, cycle, extremes, facts, path
@@ -26,6 +25,7 @@ from ...words import Words
 from .also_asked import widened
 from .from_pivots import from_pivots
 from .one_drive import follows_one_drive
+from .place_told import place_told
 from .reactions import reactions, without_twins
 from .told import STILL, links_told, points_told
 from .working_range import working_range
@@ -223,12 +223,13 @@ class Study:
     def where(self, phi: float) -> str:
         """$φ_1$ = 37.5°, within a turn."""
         drive = self.turn.drive
-        if drive.shown_unit != "°":
-            return f"${drive.symbol}$ = {number(round(drive.factor * phi, 6), 4)} {drive.shown_unit}"
-        angle = drive.factor * self.reduced(phi)
-        text = f"{angle:.0f}" if abs(angle - round(angle)) < 1e-3 else f"{angle:.1f}"
-        text = "0" if self.whole.whole and text in ("360", "360.0") else text
-        return f"${drive.symbol}$ = {text}°".replace("= -", "= −")
+        text = self.place(self.reduced(phi) if drive.shown_unit == "°" else phi)
+        text = "0°" if self.whole.whole and text in ("360°", "360.0°") else text
+        return f"${drive.symbol}$ = {text}"
+
+    def place(self, phi: float) -> str:
+        """37.5°; 1714.9 mm."""
+        return place_told(self.turn.drive, phi)
 
     def reduced(self, phi: float) -> float:
         """The position within 0 … 360° where the drive turns right round, 0 … 720° where a period takes two turns."""

@@ -79,13 +79,9 @@ def _read_place(fig: CentreFigure, pair: Pair) -> None:
     named, found = centre(fig.mech, *pair), fig.known.of(*pair)
     if found.along is not None:
         angle = _upright(fig.board.gauge(0j, found.along))
-        text = Row((sym(named.symbol), Txt(f" → ∞ ({float(nominal(angle)):.1f}°)")))
-        fig.board.keep(
-            Reading(
-                key=named.key, symbol=f"{named.symbol}^{{∞}}", unit=ENDLESS, scalar=float(nominal(angle)), formula=text
-            ),
-            angle,
-        )
+        turn, symbol = float(nominal(angle)), f"{named.symbol}^{{∞}}"
+        text = Row((sym(symbol), Txt(f" (∠{turn:.1f}°)")))
+        fig.board.keep(Reading(key=named.key, symbol=symbol, unit=ENDLESS, scalar=turn, formula=text), angle)
         return
     mm = _far_place(fig, pair) if pair in fig.paper.far else _near_place(fig, pair)
     fig.keep_place(named.key, named.symbol, mm)

@@ -33,7 +33,7 @@ def _side(desk: Desk, view: View, chain: tuple[Term, ...]) -> Words:
         if not isinstance(term.rel, Rel) or term.unknowns or (not term.drawn and term.mm is None):
             return _NOTHING
         if term.drawn:
-            here = desk.start_label(view, term.rel.to)
+            here = _end_of(desk, view, term.rel.to)
         elif term.mm is not None and abs(float(nominal(term.mm))) > NO_ARROW:
             laid.append(_vector(here, term))
             here = term.tip
@@ -45,6 +45,11 @@ def _side(desk: Desk, view: View, chain: tuple[Term, ...]) -> Words:
         return through
     zh, en = "，".join(one.zh for one in laid), ", ".join(one.en for one in laid)
     return Words(f"{zh}，{through.zh}", f"{en} and {through.en}")
+
+
+def _end_of(desk: Desk, view: View, at: At) -> str:
+    """The letter at the end of a point's vector; the pole where that is nothing, as lengths from there are told."""
+    return desk.start_label(view, at) if abs(nominal(desk.tip(view, at))) > NO_ARROW else POLE[view]
 
 
 def _vector(here: str, term: Term) -> Words:

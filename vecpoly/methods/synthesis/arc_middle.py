@@ -9,7 +9,7 @@ import numpy as np
 from ...plane import Line, Points, line_circle_meet, nominal, unit
 from ...words import Words
 from .draft import SHEET, Draft
-from .eta import Eta, Locus
+from .eta import Eta, Locus, Straight
 from .linkage import point
 
 MIRROR = Words(
@@ -21,6 +21,13 @@ MIRROR = Words(
 def primes_of(locus: Locus) -> str:
     """The primes of the letters on this locus."""
     return locus.marks if isinstance(locus, Eta) else ""
+
+
+def called(locus: Locus) -> Words:
+    """What the locus is called: the circle η′, the line C₁C₂."""
+    if isinstance(locus, Straight):
+        return Words("直线 $C_{1}C_{2}$", "the line $C_{1}C_{2}$")
+    return Words(f"圆 $η{primes_of(locus)}$", f"the circle $η{primes_of(locus)}$")
 
 
 def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, given: str) -> Iterator[Points]:

@@ -31,7 +31,9 @@ def note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
     if m["offset"]:
         note_aside(m, block)
     if fixed := re.fullmatch(r"([xy]) = (.+)", m["guide"]):
-        block.note(f"{fixed[1]}_{pin}", read(fixed[2], Dim.LENGTH).si, fixed[2])
+        symbol = f"{fixed[1]}_{pin}"
+        said = Words(f"${pin}$ 的导路 ${symbol}$ = {{}}", f"the guide of ${pin}$ at ${symbol}$ = {{}}")
+        block.note(symbol, read(fixed[2], Dim.LENGTH).si, fixed[2], said)
     elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", m["guide"]):
         block.say(
             Words(

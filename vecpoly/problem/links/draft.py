@@ -70,9 +70,9 @@ class Draft:
         """The link of the model."""
         return Link(name=self.name, points=self.points, placements=tuple(self.placements))
 
-    def note(self, symbol: str, si: float, text: str) -> None:
-        """Remember a length for 已知."""
-        self.lengths.append(Datum(symbol=symbol, si=si, text=text))
+    def note(self, symbol: str, si: float, text: str, words: Words | None = None) -> None:
+        """Remember a length for 已知; words: what it is, where the symbol does not say so."""
+        self.lengths.append(Datum(symbol=symbol, si=si, text=text, words=words))
 
     def say(self, words: Words) -> None:
         """Remember a given fact that has no symbol."""

@@ -111,15 +111,14 @@ def _weld(draft: Draft, host: Draft, bodies: Bodies) -> None:
         )
     (pin,) = draft.points
     host.disc = replace(draft.disc, link=host.name)
+    symbol = f"r_{host.name}"
+    said = Words(
+        f"滚子 {draft.name}（销轴 ${pin}$）的半径 ${symbol}$ = {{}}",
+        f"radius of roller {draft.name} (pin ${pin}$) ${symbol}$ = {{}}",
+    )
     host.lengths += [
-        replace(datum, symbol=f"r_{host.name}") if datum.symbol == f"r_{draft.name}" else datum
+        replace(datum, symbol=symbol, words=said) if datum.symbol == f"r_{draft.name}" else datum
         for datum in draft.lengths
     ]
-    host.say(
-        Words(
-            f"$r_{host.name}$ 为滚子 {draft.name}（销轴 ${pin}$）的半径",
-            f"$r_{host.name}$ being the radius of roller {draft.name} (pin ${pin}$)",
-        )
-    )
     del bodies.drafts[draft.name]
     bodies.welded[draft.name] = host.name

@@ -14,7 +14,7 @@ from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution, told_short
 from ...words import Lang, Words
 from ..values import called, class_told, direction_of_load, is_class, is_efficiency, is_worded, unit_after, value
-from .notes import COARSE, INSTEAD, UNREADABLE, error_of, is_hopeless, remark_of
+from .notes import COARSE, INSTEAD, UNREADABLE, error_of, is_hopeless, remark_of, stands_still
 
 SQUARE = {"0.0°": "→", "90.0°": "↑", "180.0°": "←", "270.0°": "↓"}
 _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
@@ -51,6 +51,9 @@ def short_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = T
     """What came out, without the way to it: v_C = μ_v·65.2 mm = 0.652 m/s (∠67.9°); read: with the length on paper."""
     reading = answer.reading
     _, name, way = _named(answer, lang)
+    if answer.is_place and answer.drawn_vector is None and not answer.undefined:
+        turn = _way(answer)
+        return Row((name, Txt(Words(f" 在无穷远处（{turn}）", f" at infinity ({turn})").of(lang))))
     result = Txt(result_of(answer, lang) + _bracket(answer, solution.problem, way, lang))
     if is_worded(answer.key, answer.reading.unit):
         return Row((result,))
@@ -87,9 +90,7 @@ def result_of(answer: Answer, lang: Lang) -> str:
         return value(answer.drawn, reading.unit, lang, answer.key)
     if answer.is_place:
         at = answer.drawn_vector
-        return (
-            f"∞ ({_angle(answer.drawn)})" if at is None else f"({', '.join(place_parts(at, coordinates(answer)))}) mm"
-        )
+        return f"∞ ({_way(answer)})" if at is None else f"({', '.join(place_parts(at, coordinates(answer)))}) mm"
     if is_class(answer.key):
         return class_told(answer.drawn, lang)
     text = drawn_number(answer)
@@ -109,7 +110,8 @@ def _named(answer: Answer, lang: Lang) -> tuple[str, Node, str]:
 
 def _bracket(answer: Answer, problem: Problem, way: str, lang: Lang) -> str:
     """Direction or sense, in brackets."""
-    said = [one for one in (_direction(answer, problem, lang), way) if one]
+    still = remark_of(answer, lang) if stands_still(answer) else ""
+    said = [one for one in (_direction(answer, problem, lang), way, still) if one]
     if not said:
         return ""
     return f"（{'，'.join(said)}）" if lang == "zh" else f" ({', '.join(said)})"
@@ -131,13 +133,17 @@ def _pointing(turn: float) -> str:
     return SQUARE.get(told) or f"∠{told}"
 
 
-def _angle(turn: float) -> str:
-    return f"{turn:.1f}°".replace("-", "−")
+def _way(answer: Answer) -> str:
+    """In which direction a place at infinity lies."""
+    return f"∠{answer.drawn:.1f}°".replace("-", "−")
 
 
 def _after(answer: Answer, lang: Lang) -> str:
     """The conclusion that the construction came to, whether its length can be measured, how coarse the reading is."""
-    said = [remark_of(answer, lang), told_short(answer).of(lang) if answer.short else ""]
+    said = [
+        "" if stands_still(answer) else remark_of(answer, lang),
+        told_short(answer).of(lang) if answer.short else "",
+    ]
     said += [f"{UNREADABLE.of(lang)}{Words('：', ': ').of(lang)}{INSTEAD.of(lang)}" if is_hopeless(answer) else ""]
     said += [f"{COARSE.of(lang)} {error_of(answer)}" if error_of(answer) else ""]
     return Words("；", "; ").of(lang).join(filter(None, said))

@@ -36,6 +36,11 @@ def remark_of(answer: Answer, lang: Lang) -> str:
     return remark.of(lang).strip().rstrip("。.")
 
 
+def stands_still(answer: Answer) -> bool:
+    """Whether it is the ω or α of a link that only translates, beside whose 0 that is said."""
+    return answer.reading.remark is not None and answer.reading.unit.startswith("rad/s") and not answer.drawn
+
+
 def is_hopeless(answer: Answer) -> bool:
     """Whether its reading may be off by so much that nothing was read."""
     share = coarse(answer)
@@ -51,7 +56,7 @@ def error_of(answer: Answer) -> str:
 def _remarks(answers: Iterable[Answer], lang: Lang) -> Iterator[str]:
     found = dict[str, list[str]]()
     for one in answers:
-        if text := remark_of(one, lang):
+        if (text := remark_of(one, lang)) and not stands_still(one):
             found.setdefault(text, []).append(_symbol(one))
     for text, symbols in found.items():
         named = _listed(filter(None, symbols), lang)

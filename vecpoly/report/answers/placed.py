@@ -54,7 +54,7 @@ def places_table(answers: list[Answer], solution: Solution, lang: Lang) -> DataT
 def place_row(answer: Answer) -> tuple[str, ...]:
     """A point (m): both coordinates as drawn and exact; one at infinity by the direction in which it lies."""
     if endless(answer):
-        ways = [f"∞ ({angle(turn)})" for turn in (answer.drawn, clean(answer))]
+        ways = [f"∞ (∠{angle(turn)})" for turn in (answer.drawn, clean(answer))]
         return (f"${answer.reading.symbol}$", ways[0], NOTHING, ways[1], NOTHING)
     drawn, exact = answer.drawn_vector, answer.exact_vector
     assert drawn is not None and exact is not None

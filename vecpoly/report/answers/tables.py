@@ -116,10 +116,32 @@ def filled(answers: Sequence[Answer], solution: Solution, lang: Lang) -> tuple[l
     return header, [(*row[:_OFF], off, error) for row, off, error in zip(rows, offs, errors, strict=True)]
 
 
-def _values(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
+def _values(every: list[Answer], solution: Solution, lang: Lang) -> DataTable:
+    """What is the same by the drawing and exactly, v_B3 and v_C of a slotted slide, is checked once, in one row, as far
+    as it has no ink of its own."""
+    answers: list[Answer] = []
+    hues = dict(zip((one.key for one in every), inks_of(solution, (one.key for one in every)), strict=True))
+    also: dict[str, list[str]] = {}
+    for one in every:
+        twin = next(
+            (other for other in answers if _is_same(one, other) and hues[one.key] in (None, hues[other.key])), None
+        )
+        answers += [one] if twin is None else []
+        also.setdefault((twin or one).key, []).append(called(one.reading.symbol, one.key, lang))
     header, rows = filled(answers, solution, lang)
+    rows = [(" = ".join(also[one.key]), *row[1:]) for one, row in zip(answers, rows, strict=True)]
     inks = inks_of(solution, (one.key for one in answers))
     return trimmed(header, rows, (), _ALIGN, lang, inks, groups=[unit_of(one) for one in answers])
+
+
+def _is_same(one: Answer, other: Answer) -> bool:
+    """Whether both are one vector, read as one length: those of two points of a body that only translates."""
+    return one.drawn_vector is not None and (one.drawn_vector, one.exact_vector, one.reading.mm, one.reading.unit) == (
+        other.drawn_vector,
+        other.exact_vector,
+        other.reading.mm,
+        other.reading.unit,
+    )
 
 
 def _headed(answers: Sequence[Answer], lang: Lang) -> tuple[list[str], str]:

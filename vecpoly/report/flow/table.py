@@ -19,6 +19,7 @@ from ...words import Lang
 from .base import Block, Tightness
 from .cells import Cell, cells, joined
 from .lines import Line, break_lines, draw_line
+from .results.banded import LIGHT, ends_band, is_banded
 from .results.columns import longest, shared
 from .results.decimal import BREAKS, Columns, aligned_columns, unbroken
 from .style import CAPTION, CELL, Style
@@ -72,8 +73,7 @@ class DataTable(Block):
         groups: Sequence[str] = (),
     ) -> None:
         super().__init__(6.0, 8.0)
-        self.goal = goal_of(caption)
-        self.header, self.rows = tuple(header), tuple(tuple(row) for row in rows)
+        self.goal, self.header, self.rows = goal_of(caption), tuple(header), tuple(tuple(row) for row in rows)
         self.lang, self.caption, self.style = lang, caption, style
         self.inked, self.inks = inked, tuple(inks) or (None,) * len(self.rows)
         self.groups = tuple(groups) or ("",) * len(self.rows)
@@ -84,6 +84,7 @@ class DataTable(Block):
         self._vertical = _VERTICAL
         self._found: dict[float, _Set] = {}  # by width of the column; one for the table and all its copies
         self._continued = False  # from the page before: its heading has been read
+        self._before, self._banded = 0, is_banded(self.rows)  # rows of it on pages before
 
     def tighten(self, degree: Tightness) -> None:
         """Its rows closer too, their lines as they are."""
@@ -174,6 +175,7 @@ class DataTable(Block):
         )  # fmt: skip
         part._continued, part._vertical = self._continued or start > 0, self._vertical
         part.goal = self.goal if start == 0 else ""
+        part._before, part._banded = self._before + start, self._banded
         part._found = {
             width: part._measured(
                 replace(found, body=found.body[start:end], points=part._points(unbroken(rows, found.body[start:end])))
@@ -198,6 +200,8 @@ class DataTable(Block):
                 for cell, text, width, column in zip(row, texts, found.widths, found.points, strict=True)
             ]
             y = self._row(ink, row, found.widths, left, y, self.align, shifts)
+            if self._banded and ends_band(self._before + n) and n + 1 < len(self.rows):
+                self._rule(ink, left, y, width, LIGHT)
         self._rule(ink, left, y, width, _HEAVY)
         ink.flush()
 

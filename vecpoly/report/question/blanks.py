@@ -14,6 +14,7 @@ from ...solution import YES_NO, Answer, Solution
 from ...typeset.box import MM
 from ...typeset.words import layout_words
 from ...words import Lang, Words
+from ..answers.order import solution_of
 from ..flow.furniture import COLUMN
 from ..flow.style import CELL
 from ..flow.table import PAD
@@ -101,9 +102,19 @@ def _sought(solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:
     for group, keys in groups:
         if len(groups) > 1:
             yield _headed(group.called(len(keys), lang) if group is not None else _OTHERS.of(lang))
-        for key in keys:
-            one = solution.answers.get(key)
-            yield _none(solution.construction.readings[key], lang) if one is None else _row(one, solution, lang)
+        yield from _by_solution(keys, solution, lang)
+
+
+def _by_solution(keys: Sequence[str], solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:
+    """Their rows; those of each of several solutions under its number, which stands in their subscripts."""
+    numbers = {key: solution_of(solution.answers[key]) if key in solution.answers else 0 for key in keys}
+    before = 0
+    for key in sorted(keys, key=numbers.__getitem__):
+        one, number = solution.answers.get(key), numbers[key]
+        if number != before and len({*numbers.values()} - {0}) > 1:
+            yield _headed(_SOLVED.of(lang).format(number))
+        before = number
+        yield _none(solution.construction.readings[key], lang) if one is None else _row(one, solution, lang)
 
 
 def _headed(name: str) -> tuple[str, ...]:

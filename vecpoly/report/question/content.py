@@ -38,7 +38,7 @@ def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]
     Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
     """
     figures = solution.construction.figures
-    title = _READ if any(figure.scale.symbol and figure.scale.value for figure in figures) else _FOUND
+    title = _READ if all(one.reading.mm is not None for one in solution.answers.values()) else _FOUND
     table = empty_table(solution, lang)
     foot: list[Block] = [Heading(title.of(lang), 3, lang), table]
     if any(NONE in row for row in table.rows):

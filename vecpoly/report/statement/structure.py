@@ -43,7 +43,7 @@ def welded(mech: Mechanism) -> Words:
     zh = "、".join(f"滚子 {roller} 与构件 {host}" for roller, host in mech.welded)
     en = " and ".join(f"roller {roller} to link {host}" for roller, host in mech.welded)
     return Words(
-        f"滚子绕自身轴线的转动为局部自由度，不影响其余构件的运动，先将{zh}焊成一体。",
+        f"滚子绕自身轴线的转动为局部自由度，不影响其余构件的运动，先将{zh} 焊成一体。",
         "A roller that turns about its own pin is a passive degree of freedom, without effect on the other "
         f"links; weld {en}. ",
     )
@@ -122,11 +122,9 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...], free
     en = ", ".join(f"{kind_of(g).en} ({_links(mech, g.links).en}{_as_bar(g).en})" for g in groups)
     kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
     kind += " of" if len(groups) == 1 and groups[0].kind in _HIGHER else ""
-    opening = Words(
-        f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}{slots.zh}；"
-        f"{driver.zh}为原动件，",
-        f"The mechanism has {count.links} moving links ({count.links + 1} with the frame); its "
-        f"degree of freedom is {sum_up}{slots.en}. {driver.en[0].upper()}{driver.en[1:]} drives",
+    opening = _counted(mech, count) + Words(
+        f"，自由度 {sum_up}{slots.zh}；{driver.zh}为原动件，",
+        f"; its degree of freedom is {sum_up}{slots.en}. {driver.en[0].upper()}{driver.en[1:]} drives",
     )
     if any(g.kind == "driven" for g in groups):
         return opening + _inside(groups)
@@ -139,6 +137,23 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...], free
         f"其余为 {zh}，属{_class(groups).zh}机构。", f" the rest is {kind} {en}: a {_class(groups).en} mechanism."
     )
     return opening + replaced + rest
+
+
+def _counted(mech: Mechanism, count: Mobility) -> Words:
+    """How many links there are; where a roller is none of them, the numbers on the diagram run on past it."""
+    if not mech.welded:
+        return Words(
+            f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件）",
+            f"The mechanism has {count.links} moving links ({count.links + 1} with the frame)",
+        )
+    rollers = [roller for roller, _ in mech.welded]
+    zh, en = "、".join(rollers), " and ".join(rollers)
+    return Words(
+        f"焊接后滚子 {zh} 不另计，机构有 {count.links} 个活动构件，连机架 {mech.frame_number} 共 "
+        f"{count.links + 1} 个构件",
+        f"With roller{'s' * (len(rollers) > 1)} {en} not counted, the mechanism has {count.links} moving links "
+        f"({count.links + 1} with the frame, link {mech.frame_number})",
+    )
 
 
 def _rolling(higher: bool) -> Words:

@@ -121,9 +121,9 @@ def _where(fig: CentreFigure, search: Search) -> Words:
     if search.endless:
         if any(way.line is None for way in search.ways):
             return Words(
-                f"，故 {p} 在无穷远处，方向沿后一直线。"
+                f"，因此 {p} 在无穷远处，方向沿后一直线。"
                 if search.ways[0].line is None
-                else f"，故 {p} 在无穷远处，方向沿前一直线。",
+                else f"，因此 {p} 在无穷远处，方向沿前一直线。",
                 f": {p} is at infinity, in the direction of that other line.",
             )
         return Words(f"；两线平行，{p} 在无穷远处。", f"; they are parallel, and {p} is at infinity.")

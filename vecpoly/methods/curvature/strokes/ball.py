@@ -24,8 +24,8 @@ def draw_ball_point(fig: CurvatureFigure, symbol: str) -> None:
     seen = [ray for ray in fig.rays if _axis(fig, ray) is None]
     if not seen:
         raise no_ball(fig.desk.mech, fig.link)
-    corners = [_corner(fig, ray) for ray in seen]
-    q = _joined(fig, *corners) if len(corners) == 2 else _along(fig, corners[0])
+    letters, corners = zip(*(_corner(fig, ray) for ray in seen), strict=True)
+    q = _joined(fig, letters, *corners) if len(corners) == 2 else _along(fig, letters[0], corners[0])
     if sine(q.along, fig.tangent) < PARALLEL:
         _opposite(fig, symbol)
     else:
@@ -38,8 +38,8 @@ def _axis(fig: CurvatureFigure, ray: Ray) -> Points | None:
     return next((axis for axis in (fig.tangent, normal) if sine(ray.line.along, axis) < PARALLEL), None)
 
 
-def _corner(fig: CurvatureFigure, ray: Ray) -> Points:
-    """Z of a pin."""
+def _corner(fig: CurvatureFigure, ray: Ray) -> tuple[str, Points]:
+    """Z of a pin: its letter, and where it is."""
     assert ray.x is not None
     name = fig.shown(ray.moving)
     normal = unit(fig.opposite - fig.pole)
@@ -60,18 +60,18 @@ def _corner(fig: CurvatureFigure, ray: Ray) -> Points:
     found = fig.letter(z, fig.meet(up, along, "矩形的第四个顶点", "the fourth corner of the rectangle"))
     for line, ends in ((across, (ray.x, on_t, on_n)), (up, (on_t, found)), (along, (on_n, found))):
         fig.thin(line, *ends)
-    return found
+    return z, found
 
 
-def _joined(fig: CurvatureFigure, one: Points, two: Points) -> Line:
+def _joined(fig: CurvatureFigure, letters: tuple[str, ...], one: Points, two: Points) -> Line:
     """q through both corners."""
     if abs(complex(nominal(two - one))) < PARALLEL * abs(complex(nominal(fig.opposite - fig.pole))):
         raise no_ball(fig.desk.mech, fig.link)
     fig.board.step(
         Words(
-            "连两点得直线 $q$：曲率驻点曲线上各点按上法所得之点都在 $q$ 上。",
-            "Join them by the line $q$: every point of the curve of stationary curvature gives, constructed in this "
-            "way, a point of $q$.",
+            f"连 ${letters[0]}$、${letters[1]}$ 得直线 $q$：曲率驻点曲线上各点按同法所得之点都在 $q$ 上。",
+            f"Draw the line $q$ through ${letters[0]}$ and ${letters[1]}$. The same construction, applied to any point "
+            "of the curve of stationary curvature (the cubic of stationary curvature), gives a point of $q$.",
         ),
         fig.pane,
     )
@@ -81,15 +81,15 @@ def _joined(fig: CurvatureFigure, one: Points, two: Points) -> Line:
     return q
 
 
-def _along(fig: CurvatureFigure, corner: Points) -> Line:
+def _along(fig: CurvatureFigure, letter: str, corner: Points) -> Line:
     """q through the one corner, where the other pin lies on t or on n."""
     ray, axis = next((ray, axis) for ray in fig.rays if (axis := _axis(fig, ray)) is not None)
     name, tangent = fig.shown(ray.moving), axis is fig.tangent
     on, to = ("t", "n") if tangent else ("n", "t")
     fig.board.step(
         Words(
-            f"${name}$ 在 ${on}$ 上，相应的点在无穷远处：过前一点作 ${to}$ 的平行线 $q$。",
-            f"${name}$ lies on ${on}$, its point is at infinity: draw $q$ parallel to ${to}$ through the one before.",
+            f"${name}$ 在 ${on}$ 上，相应的点在无穷远处：过 ${letter}$ 作 ${to}$ 的平行线 $q$。",
+            f"${name}$ lies on ${on}$, its point is at infinity: draw $q$ through ${letter}$ parallel to ${to}$.",
         ),
         fig.pane,
     )
@@ -125,10 +125,10 @@ def _found(fig: CurvatureFigure, q: Line, symbol: str) -> None:
             f"鲍尔点在拐点圆上，过它作其与 ${fig.p}$ 连线的垂线必过 ${fig.w}$。过 ${fig.w}$ 作 $t$ 的平行线，交 $q$ 于 "
             f"${z}$；由 ${z}$ 向 $t$ 作垂线得垂足，与 ${fig.w}$ 相连；由 ${fig.p}$ 向该连线作垂线，垂足即鲍尔点 "
             f"${symbol}$。",
-            f"Ball's point lies on the inflection circle: the perpendicular at it to the line from ${fig.p}$ passes "
-            f"through ${fig.w}$. The parallel to $t$ through ${fig.w}$ meets $q$ at ${z}$; drop a perpendicular "
-            f"from ${z}$ to $t$ and join its foot with "
-            f"${fig.w}$; the foot of the perpendicular from ${fig.p}$ to this line is Ball's point ${symbol}$.",
+            f"Ball's point ${symbol}$ lies on the inflection circle, so the perpendicular to ${fig.p}{symbol}$ at "
+            f"${symbol}$ passes through ${fig.w}$. The parallel to $t$ through ${fig.w}$ meets $q$ at ${z}$; drop a "
+            f"perpendicular from ${z}$ to $t$ and join its foot with ${fig.w}$; the foot of the "
+            f"perpendicular from ${fig.p}$ to this line is Ball's point ${symbol}$.",
         ),
         fig.pane,
     )

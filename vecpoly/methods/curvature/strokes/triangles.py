@@ -25,9 +25,11 @@ def inflection_by_triangles(fig: CurvatureFigure, ray: Ray) -> tuple[Points, str
             f"按欧拉—萨瓦里公式求 ${name}$：过 ${x}$ 任作射线，取 ${x}{aux[0]} = {x}{fig.p}$；过 ${fig.p}$ 作 "
             f"${ray.fixed}{aux[0]}$ 的平行线得 ${aux[1]}$，再过 ${aux[1]}$ 作 ${aux[0]}{fig.p}$ 的平行线，交法线于 "
             f"${name}$（${x}{name} = {x}{fig.p}^2/{x}{ray.fixed}$）。",
-            f"By Euler and Savary: on any ray from ${x}$ step off ${x}{aux[0]} = {x}{fig.p}$; the parallel to "
-            f"${ray.fixed}{aux[0]}$ through ${fig.p}$ gives ${aux[1]}$, and the parallel to ${aux[0]}{fig.p}$ through "
-            f"${aux[1]}$ cuts the normal in ${name}$ (${x}{name} = {x}{fig.p}^2/{x}{ray.fixed}$).",
+            f"The Euler–Savary equation gives ${x}{name} = {x}{fig.p}^2/{x}{ray.fixed}$. To construct it, step off "
+            f"${x}{aux[0]} = {x}{fig.p}$ on any ray from ${x}$; the parallel to ${ray.fixed}{aux[0]}$ through "
+            f"${fig.p}$ cuts the ray in ${aux[1]}$, and the parallel to ${aux[0]}{fig.p}$ through "
+            f"${aux[1]}$ cuts the normal in "
+            f"${name}$.",
         ),
         fig.pane,
     )

@@ -45,19 +45,23 @@ def _opened(draft: Draft, track: Track, places: list[float], most: float) -> Cha
     straight = isinstance(track.locus, Straight)
     over = Axis(symbol="C_{1}A" if straight else "β", unit="mm" if straight else "°", low=places[0], high=places[-1])
     up = Axis(symbol="γ_{min}", unit="°", low=0.0, high=most)
-    curve = chart(
-        draft, f"gamma of A{primes}", Words("$γ_{min}$ 随 $A$ 的变化", "$γ_{min}$ over the place of $A$"), over, up
-    )
+    curve = chart(draft, f"gamma of A{primes}", _title(straight, primes), over, up)
     draft.board.step(
         Words(
-            f"按各点 $A$ 作机构曲柄与机架共线的两位置，量得 $γ_{{min}}$，以{_over_zh(straight, primes)}为横坐标画曲线"
-            f"。",
-            f"For each of these $A$ draw both positions with the crank on the line of the frame, read $γ_{{min}}$, and "
-            f"plot it over {_over_en(straight, primes)}.",
+            f"对每个 $A$，作曲柄与机架共线的两个位置，量得 $γ_{{min}}$，以{_over_zh(straight, primes)}为横坐标画曲线。",
+            f"For each of these points $A$ draw both positions in which the crank is in line with the frame, read "
+            f"$γ_{{min}}$, and plot it over {_over_en(straight, primes)}.",
         ),
         curve.place,
     )
     return curve
+
+
+def _title(straight: bool, primes: str) -> Words:
+    """By the locus of A: a problem with two loci has two curves."""
+    if straight:
+        return Words("$A$ 在直线 $C_{1}C_{2}$ 上时的 $γ_{min}$", "$γ_{min}$ for $A$ on the line $C_{1}C_{2}$")
+    return Words(f"$A$ 在圆 $η{primes}$ 上时的 $γ_{{min}}$", f"$γ_{{min}}$ for $A$ on the circle $η{primes}$")
 
 
 def _over_zh(straight: bool, primes: str) -> str:

@@ -10,7 +10,7 @@ from ....designs.crank_rocker import CrankRocker
 from ....designs.place import OnLine
 from ....plane import Points, nominal
 from ....words import Words
-from ..arc_middle import MIRROR, by_arc, primes_of
+from ..arc_middle import MIRROR, by_arc, called, primes_of
 from ..draft import SHEET, Draft
 from ..eta import Locus, Straight
 from ..linkage import point
@@ -37,14 +37,6 @@ def pivots(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) -> I
         yield from by_arc(draft, (rocker.c1, rocker.c2), locus, 2 * draft.mm(design.BC.si), "BC")
     else:
         yield from by_trial(draft, design, rocker, locus)
-
-
-def _eta(locus: Locus) -> str:
-    return "直线 $C_{1}C_{2}$" if isinstance(locus, Straight) else f"圆 $η{primes_of(locus)}$"
-
-
-def _eta_en(locus: Locus) -> str:
-    return "the line $C_{1}C_{2}$" if isinstance(locus, Straight) else f"the circle $η{primes_of(locus)}$"
 
 
 def _at_distance(draft: Draft, rocker: Rocker, locus: Locus, frame: float) -> Iterator[Points]:
@@ -75,9 +67,10 @@ def _at_distance(draft: Draft, rocker: Rocker, locus: Locus, frame: float) -> It
 
 def _met(drawn: Words, locus: Locus, meets: bool) -> Words:
     """What is drawn, and whether it meets the locus."""
+    on = called(locus)
     if meets:
-        return Words(f"{drawn.zh}，与{_eta(locus)}相交于 $A$。", f"{drawn.en}; it meets {_eta_en(locus)} at $A$.")
-    return Words(f"{drawn.zh}，与{_eta(locus)}不相交。", f"{drawn.en}; it does not meet {_eta_en(locus)}.")
+        return Words(f"{drawn.zh}，与{on.zh}相交于 $A$。", f"{drawn.en}; it meets {on.en} at $A$.")
+    return Words(f"{drawn.zh}，与{on.zh}不相交。", f"{drawn.en}; it does not meet {on.en}.")
 
 
 def _left(draft: Draft, *meetings: Points) -> Points:

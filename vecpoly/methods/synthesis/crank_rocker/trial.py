@@ -8,6 +8,7 @@ from math import degrees
 from ....designs.crank_rocker import CrankRocker
 from ....plane import Points
 from ....words import Words
+from ..arc_middle import called
 from ..draft import SHEET, Draft
 from ..eta import Locus
 from .gamma_curve import gamma_curve
@@ -21,7 +22,8 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
     best, board = design.best is not None, draft.board
     board.step(
         Words(
-            "在此轨迹上依次取 $A$ 的若干位置 1、2、3…。", "Choose trial positions 1, 2, 3, ... of $A$ on this locus."
+            f"在{called(locus).zh}上依次取 $A$ 的若干位置 1、2、3…。",
+            f"Choose trial positions 1, 2, 3, ... of $A$ on {called(locus).en}.",
         ),
         SHEET,
     )
@@ -31,12 +33,12 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
         board.step(
             Words(
                 "取曲线上 $γ_min$ 最大的一点为 $A$。",
-                "Take $A$ at the point where the curve of $γ_min$ has its greatest ordinate.",
+                "Take as $A$ the point for which the curve has its greatest $γ_min$.",
             )
             if best
             else Words(
                 "取曲线上 $γ_min$ 等于给定值的点为 $A$。",
-                "Take $A$ at the point where the curve has the given $γ_min$ as its ordinate.",
+                "Take as $A$ the points for which the curve has the given $γ_min$.",
             ),
             SHEET,
         )

@@ -35,6 +35,8 @@ def chapter(
     groups = conditioning(study)
     told = causes(study, groups)
     mending = [w for one in groups for w in advice(study, one)]
+    section = ("8.3" if told else "8.2") if mending else ""
+    concluded = [*themes(study, groups, drawn, tables, section), (_MACHINE, found)]
     return {
         "motion": [w.of(press.lang) for w in (*motion(study, groups), *(() if told else peaks.flat(study, groups)))],
         "causes": peaks.table(study, press, told),
@@ -44,10 +46,8 @@ def chapter(
         "condition": _only(study, groups[0]).of(press.lang) if len(groups) == 1 else "",
         "singular": [w.of(press.lang) for w in mending],
         "forces": [w.of(press.lang) for w in force_analysis.forces(study)],
-        "conclusion": _paragraphs(
-            [*themes(study, groups, drawn, tables, ("8.3" if told else "8.2") if mending else ""), (_MACHINE, found)],
-            press.lang,
-        ),
+        "conclusion": _paragraphs(concluded, press.lang),
+        "concluded": _listed(concluded, press.lang),
     }
 
 
@@ -55,6 +55,11 @@ def _paragraphs(themes: Iterable[tuple[Words, Sequence[Words]]], lang: Lang) -> 
     """A paragraph for each theme of which something is said, with its name at the head."""
     stop, blank = ("。", "") if lang == "zh" else (". ", " ")
     return [f"**{name.of(lang)}{stop}**{blank.join(w.of(lang) for w in said)}" for name, said in themes if said]
+
+
+def _listed(themes: Iterable[tuple[Words, Sequence[Words]]], lang: Lang) -> list[dict[str, Any]]:
+    """The same with what is said of each theme item by item."""
+    return [{"title": name.of(lang), "items": [w.of(lang).strip() for w in said]} for name, said in themes if said]
 
 
 def _conditioned(study: Study, press: Press, groups: list[Conditioning]) -> str:

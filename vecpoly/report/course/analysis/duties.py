@@ -32,14 +32,12 @@ def listed(names: Sequence[str]) -> str:
 
 
 def stretch(study: Study, duty: Duty) -> str:
-    """174.26°～357.23°; over the end of the turn 357.23°～4.75°, every position as all tables name it."""
-    drive = study.whole.drive
-    low, high = (f"{drive.factor * q:.2f}" for q in within(study.whole, duty))
-    low, high = (text.lstrip("-") if float(text) == 0 else text.replace("-", "−") for text in (low, high))
-    if study.whole.period and low == f"{drive.factor * study.whole.period:.2f}":  # where the turn ends, the next begins
-        low = "0.00"
-    unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
-    return f"{low}{unit}～{high}{unit}" if unit == "°" else f"{low}～{high}{unit}"
+    """174.3°～357.2°; over the end of the turn 357.2°～4.8°, every position as all tables name it."""
+    low, high = (study.place(q) for q in within(study.whole, duty))
+    if study.whole.period and low == study.place(study.whole.period):  # where the turn ends, the next begins
+        low = study.place(0.0)
+    unit = study.whole.drive.shown_unit
+    return f"{low}～{high}" if unit == "°" else f"{low.removesuffix(f' {unit}')}～{high}"
 
 
 def ranges(study: Study, found: Sequence[Duty]) -> Words:

@@ -110,15 +110,11 @@ def _missing(study: Study) -> Iterator[Words]:
 
 def each_still(study: Study) -> Iterator[tuple[Still, str]]:
     """The pairs whose relative motion changes its sense, each with all its positions as text: $φ_1$ =
-    90.00°、270.00°."""
-    drive, found = study.whole.drive, stills(study.whole)
-    unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
+    90°、270°."""
+    found = stills(study.whole)
     for who in dict.fromkeys((s.who, s.turns) for s in found):
         own = [s for s in found if (s.who, s.turns) == who]
-        yield (
-            own[0],
-            f"${drive.symbol}$ = " + "、".join(f"{drive.factor * s.phi:.2f}{unit}".replace("-", "−") for s in own),
-        )
+        yield (own[0], f"${study.whole.drive.symbol}$ = " + "、".join(study.place(s.phi) for s in own))
 
 
 def _no_slip(still: Still) -> Words:
@@ -219,13 +215,10 @@ def role_note(study: Study, phi: float) -> Words:
     )
 
 
-def refusals(study: Study, refused: tuple[float, ...]) -> Words:
-    """Positions that cannot be drawn, by reason: 0°、165°（自锁……）; 90°、270°（……）."""
+def refusals(study: Study, refused: tuple[tuple[float, Words], ...]) -> Words:
+    """Positions that cannot be drawn, each with what was refused there, by reason: 0°、165°（自锁……）; 90°（……）."""
     turn, groups = study.whole.period, dict[Words, list[str]]()
-    other = Words(
-        "死点、方向线平行或图形超出图纸", "a dead point, parallel lines of action, or a figure larger than the sheet"
-    )
-    for phi in refused:
+    for phi, other in refused:
         gap = next((d for d in duties(study.whole) if d.cause and d.holds(phi, turn, 1e-6)), None)
         still = next((s for s in stills(study.whole) if abs(s.phi - phi) < 1e-6), None)
         why = (

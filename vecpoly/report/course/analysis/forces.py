@@ -56,8 +56,7 @@ def _locked(study: Study, loads: Loads) -> Words:
 
 
 def _angle(study: Study, phi: float) -> str:
-    drive = study.whole.drive
-    return f"{drive.factor * phi:.2f}{'°' if drive.shown_unit == '°' else ' ' + drive.shown_unit}".replace("-", "−")
+    return study.place(phi)
 
 
 def _driven(study: Study, found: Driven) -> Words:

@@ -74,7 +74,7 @@ def _greatest(study: Study, found: Extremes, key: str, high: Spot, low: Spot) ->
     listed = [first, *(place.split(" = ")[1] for place in others)]
     where = Words("、".join(listed), " and ".join(listed)) if others else _placed(study, found, tops[0])
     zh, en = where.zh, where.en
-    return Words(f"$|{symbol}|$ 最大 {told}（{zh}）", f"$|{symbol}|$ is greatest, {told}, at {en}")
+    return Words(f"$|{symbol}|$ 最大 {told}（{zh}）", f"the greatest $|{symbol}|$ is {told}, at {en}")
 
 
 def _turning(study: Study, link: str) -> Words:
@@ -92,8 +92,8 @@ def _stroke(study: Study, stroke: Stroke) -> Words:
     if stroke.ratio > _EVEN:
         weak = stroke.ratio < _MARKED
         quick = Words(
-            f"行程速比系数 {k}（$θ$ = {theta:.1f}°），{'急回不明显' if weak else '有急回特性'}",
-            f"{k} ($θ$ = {theta:.1f}°): {'a weak' if weak else 'a'} quick return",
+            f"行程速比系数 {k}（$θ$ = {theta:.2f}°），{'急回不明显' if weak else '有急回特性'}",
+            f"{k} ($θ$ = {theta:.2f}°): {'a weak' if weak else 'a'} quick return",
         )
     return Words(
         f"往复{'摆动，摆角' if turns else '移动，行程'} {swing}，{quick.zh}",

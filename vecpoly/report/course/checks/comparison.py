@@ -21,6 +21,7 @@ from ....words import Words
 from ..analysis.force_words import refusals
 from ..numbering import SMALL, Press
 from ..results.positions import at_position
+from .refused import cause
 
 STATIONS = 24
 FLAT, MARGIN = 0.35, 0.25  # of the frame that drawn values take at least; of what they take, beyond them
@@ -67,7 +68,7 @@ class Compared:
     """All stations, and the positions that cannot be drawn."""
 
     stations: tuple[Station, ...]
-    refused: tuple[float, ...]
+    refused: tuple[tuple[float, Words], ...]  # each with the reason
     keys: tuple[str, ...]
 
     def worst(self, study: Study) -> float:
@@ -95,15 +96,15 @@ def study_size(study: Study, key: str) -> float:
 def compared(study: Study) -> Compared:
     """Draw at every station; positions at which no drawing exists are told."""
     stations: list[Station] = []
-    refused: list[float] = []
+    refused: list[tuple[float, Words]] = []
     unknown = (study.problem.loads.unknown.name,) if study.problem.loads else ()
     keys = (*study.outputs, *(key for key in unknown if key in study.solution.answers and key in study.forces))
     wanted = tuple(ask for ask in study.problem.asks if ask.rel.key in keys)
     for phi in _phis(study) if study.drawn else ():
         try:
             answers = _drawn(study, replace(at_position(study, phi), asks=wanted)).answers
-        except VecpolyError:
-            refused.append(phi)
+        except VecpolyError as error:
+            refused.append((phi, cause(error)))
             continue
         told = {key: answers[key] for key in keys if key in answers}
         gap = {
@@ -156,7 +157,7 @@ def _table(study: Study, press: Press, found: Compared) -> str:
     told = [_row(study, found, key) for key in (found.keys if found.stations else ())]
     rows = [tuple(cell.removesuffix(" %") for cell in row) for row in told]
     title = Words("图解值与精确值的偏差", "Deviations of the drawn values from the exact ones")
-    return press.table(title, _HEADER[press.lang], rows, "lcddrrddr", style=SMALL) if len(rows) > 1 else ""
+    return press.table(title, _HEADER[press.lang], rows, "lcddccddc", style=SMALL) if len(rows) > 1 else ""
 
 
 def _row(study: Study, found: Compared, key: str) -> tuple[str, ...]:
@@ -220,12 +221,13 @@ def _chart(study: Study, press: Press, found: Compared) -> list[str]:
     x = [study.turn.drive.factor * station.phi for station in found.stations]
     plots = []
     for key in list(last.values())[-_DENSE if study.dense else -_SHOWN :]:
+        info = study.turn.info(key)
         width, panel = (83.0, 57.0) if study.dense else (150.0, 50.0)
         plot, symbol = (
             curves(study.turn, (key,), press.lang, width=width, panel=panel, marks=False),
-            f"${study.turn.info(key).symbol}$",
+            f"$|{info.symbol}|$" if info.is_vector else f"${info.symbol}$",  # as on the axis
         )
-        told = np.array([study.turn.info(key).factor * station.drawn[key] for station in found.stations])
+        told = np.array([info.factor * station.drawn[key] for station in found.stations])
         cut = spread(plot.figure.axes[0], told)
         style.dots(plot.figure.axes[0], x, told, style.PENS[0].hue, 1.5, hollow=True)
         title = Words(f"{symbol} 的精确值（线）与图解值（圈）", f"{symbol}: exact (line) and drawn (circles)")

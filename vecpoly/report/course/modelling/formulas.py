@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from math import degrees
 from typing import Any
@@ -11,11 +12,12 @@ from ....algebra.quantity import number
 from ....analytic.equations import GroupModel, Part
 from ....analytic.expr import Const
 from ....findings.study.study import Study
-from ....words import Lang, Words
+from ....words import Words
 from ..numbering import Press
 from .forces import forces_group
 from .order import order
 
+_AUXILIARY = ("A_0", "B_0", "C_0", "G_1", "G_2", "G_3")  # of which each group has its own
 _ANGLE = 2  # decimals of a constant angle in degrees
 
 
@@ -25,14 +27,15 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
     forces = forces_group(study)
     return {
         "order": order(study, press),
+        "auxiliary": ("、" if press.lang == "zh" else ", ").join(f"${one}$" for one in _AUXILIARY if one in study.env),
         "groups": [
-            *(_group(group, press) for group in study.model.groups),
-            *([_group(forces, press)] if forces else []),
+            *(_group(group, press, arcs=True) for group in study.model.groups),
+            *([_group(forces, press, arcs=False)] if forces else []),
         ],
     }
 
 
-def _group(group: GroupModel, press: Press) -> dict[str, Any]:
+def _group(group: GroupModel, press: Press, *, arcs: bool) -> dict[str, Any]:
     stages = [
         {"title": stage.title.of(press.lang), "parts": [_part(part, press) for part in stage.parts]}
         for stage in group.stages
@@ -42,7 +45,7 @@ def _group(group: GroupModel, press: Press) -> dict[str, Any]:
         "title": group.title.of(press.lang),
         "opening": group.opening.of(press.lang),
         "stages": stages,
-        "constants": ("，" if press.lang == "zh" else ", ").join(_constants(group, press.lang)),
+        "constants": ("，" if press.lang == "zh" else ", ").join(_constants(group, arcs=arcs)),
         "singular": group.singular.of(press.lang) if group.singular else "",
     }
 
@@ -66,11 +69,14 @@ def _part(part: Part, press: Press) -> dict[str, Any]:
     return {"said": part.said.of(press.lang), "formulas": formulas}
 
 
-def _constants(group: GroupModel, lang: Lang) -> Iterator[str]:
-    """$l_BC$ = 350 mm, $β_BF$ = 51.50°; M is told where it is chosen."""
+def _constants(group: GroupModel, *, arcs: bool) -> Iterator[str]:
+    """$l_BC$ = 350 mm, $β_BF$ = 51.50°; M is told where it is chosen. arcs: the constants of pitch points, which stand
+    in lengths of arc, are in radians, $θ_H$ = 6.3429 rad."""
     for constant in sorted(group.constants, key=lambda c: "lresxy".find(c.symbol[0]) if c.unit == "m" else 9):
         if constant.unit == "m":
             yield f"${constant.symbol}$ = {number(1e3 * constant.size, 6)} mm"
+        elif arcs and re.match(r"θ_\{[A-Z]", constant.symbol):
+            yield f"${constant.symbol}$ = {number(constant.size, 5)} rad"
         elif constant.unit == "rad" and constant.symbol != "π":
             yield f"${constant.symbol}$ = {_degrees(constant)}"
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -81,9 +81,19 @@ def _drawn(study: Study, phi: float, why: Words, lang: Lang, same_scale: bool) -
         given = study.solution.construction
         found = solve(at_position(study, phi, same_scale=same_scale), by=given.hand, repeats=0)
         solution = found.toned({**found.construction.tones, **given.tones})  # one vector, one ink in all positions
+        solution = replace(solution, answers=_as_sure(solution.answers, study.solution.answers))
         return Drawn(phi, why, solution, _sheets(study, phi, solution, lang))
     except VecpolyError:
         return None
+
+
+def _as_sure(there: Mapping[str, Answer], here: Mapping[str, Answer]) -> dict[str, Answer]:
+    """The answers as sure as those of the given position, which alone was drawn again and again: a hand reads as
+    coarsely everywhere, and so every table has as many decimals."""
+    return {
+        key: replace(one, expected_error=here[key].expected_error) if key in here and not one.computed else one
+        for key, one in there.items()
+    }
 
 
 def _far(study: Study, one: float, other: float) -> bool:

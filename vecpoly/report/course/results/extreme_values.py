@@ -51,10 +51,10 @@ def extremes(study: Study, press: Press) -> str:
 
 
 def _placed(study: Study, found: Extremes, spot: Spot, press: Press) -> str:
-    """The drive's position with two decimals, of two that are alike both; of more the first, with a sign of more."""
+    """The drive's position to a tenth, of two that are alike both; of more the first, with a sign of more."""
     drive = study.turn.drive
     unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
-    told = dict.fromkeys(decimal(drive.factor * study.reduced(s.phi), 2) for s in alike(study, found, spot))
+    told = dict.fromkeys(decimal(drive.factor * study.reduced(s.phi), 1) for s in alike(study, found, spot))
     every = [text + unit for text in told]
     comma = "、" if press.lang == "zh" else ", "
     return comma.join(every[:_TOLD]) + ("…" if len(every) > _TOLD else "")

@@ -11,6 +11,7 @@ from reportlab.platypus.doctemplate import ActionFlowable, BaseDocTemplate, Next
 from reportlab.platypus.flowables import PageBreak
 
 from ..blocks import Callout, Divider, Drawing, SheetPage
+from ..listing import Listing
 from .justified import stretches
 
 _ENDS = (NextPageTemplate, PageBreak, Divider)  # behind these no figure of what was before them stands
@@ -102,7 +103,9 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
         """After a page of text, the sheets that stand behind it."""
         if self.pageTemplate.id == "text":
             self.filled.append(1 - (self.frame._y - self.frame._y1p) / self.frame._aH)
-            self.white.append(self.frame.white)
+            # a listing that goes on would be parted one line earlier, for it keeps the white before it free twice
+            listed = bool(self._ahead) and isinstance(self._ahead[0], Listing)
+            self.white.append(0.0 if listed else self.frame.white)
         if self.pageTemplate.id == "text" and self._waiting:
             self._waiting = [(sheet, pages - 1) for sheet, pages in self._waiting]
             due = [sheet for sheet, pages in self._waiting if pages <= 0]

@@ -16,6 +16,7 @@ from ..table import DataTable
 
 HOLE = 0.18  # of a page: less may be left white below a step that goes to the next page as a whole
 GAP = 0.42  # of a page: a step that would leave more is parted; what leaves more than a hole asks for a tighter text
+_UNDER = 3  # lines under a heading at the foot of a page, at least
 _LINE = {"zh": 44, "en": 92}  # letters of a paragraph that takes one line
 
 
@@ -49,7 +50,10 @@ class HeldTogether(KeepTogether):  # type: ignore[misc]
         _, used = _listWrapOn(lead, width, self.canv)
         room = height - used - max(last.getSpaceBefore(), lead[-1].getSpaceAfter())
         last.wrap(width, room)
-        return room > 0 and bool(last.split(width, room))
+        parts = last.split(width, room) if room > 0 else []
+        if parts and isinstance(lead[-1], Heading) and isinstance(last, Para):
+            return len(parts[0].lines(width)) >= _UNDER
+        return bool(parts)
 
     def _first_ones(self, width: float, height: float) -> int:
         """How many of them fit, the last of which is no sentence that leads to the next."""
