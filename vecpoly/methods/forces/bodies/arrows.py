@@ -4,7 +4,7 @@ the freest place is taken."""
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -21,7 +21,9 @@ PULL = 4.0  # mm of clearness that an arrow must gain to be drawn otherwise than
 REACH = 80.0  # mm: a line of action farther from the body is off the paper
 MANY = 10  # arrows that are tried in all their places together; the number of these doubles with each arrow
 ROUNDS = 5
-GAP = 1.5  # mm between an arrow's point and the pin
+GAP, PIN = 1.5, 1.6  # mm between an arrow's point and the pin; from the pin within which it would stand on its ring
+LEAST_AWAY, STANDS = 8.0, 4.0  # mm: of an arrow farther out from its point, from all else
+ALONG = np.linspace(0.0, 1.0, 9)  # places of an arrow
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,15 +43,22 @@ class Arrow:
 
 
 def place_arrows(
-    forces: Sequence[Acting], points: Sequence[complex], pressing: Collection[str] = (), pulling: Collection[str] = ()
+    forces: Sequence[Acting],
+    points: Sequence[complex],
+    pressing: Collection[str] = (),
+    pulling: Collection[str] = (),
+    *,
+    pins: Sequence[complex] | None = None,
 ) -> list[Arrow]:
-    """All arrows of one body, as far from each other and from the body as their lines allow;
-    `pressing`: those that rather end at their point; `pulling`: those that rather begin there."""
+    """All arrows of one body, as far from each other and from the body as their lines allow; `pressing`: those that
+    rather end at their point; `pulling`: those that rather begin there. pins: where one ends beside the ring of a pin,
+    elsewhere on what it presses; None: all the points."""
     shown = [f for f in forces if abs(nominal(f.vector)) > 1e-9 and not is_far(f, points)]
     if not shown:
         return []
     largest = max(abs(complex(nominal(f.vector))) for f in shown)
-    options = [_options(f, largest, _rather(f.named.symbol, pressing, pulling)) for f in shown]
+    rings = points if pins is None else pins
+    options = [_options(f, largest, _rather(f.named.symbol, pressing, pulling), rings) for f in shown]
     body = np.array(
         [points[0]]
         if len(points) == 1
@@ -57,7 +66,24 @@ def place_arrows(
     )
     if len(shown) > 6:
         options = [pair[:2] for pair in options]
-    return _freest(options, body)
+    freest, places = _freest(options, body), [complex(nominal(f.at)) for f in shown]
+    for i, at in enumerate(places):
+        if freest[i].far:
+            freest[i] = _closer(freest[i], at, [one for k, one in enumerate(freest) if k != i], body)
+    return freest
+
+
+def _closer(arrow: Arrow, at: complex, others: Sequence[Arrow], body: np.ndarray) -> Arrow:
+    """One that stands farther out on its line as near to its point as the others and the body leave it free."""
+    near = min(arrow.start, arrow.end, key=lambda z: abs(z - at))
+    away, out = abs(near - at), (near - at) / abs(near - at)
+    taken = np.concatenate([body, *(one.start + (one.end - one.start) * ALONG for one in others)])
+    shaft = (arrow.start + (arrow.end - arrow.start) * ALONG)[:, None]
+    free = min(STANDS, float(np.abs(shaft - taken).min()))
+    for less in np.arange(away - LEAST_AWAY, 0.0, -1.0):
+        if np.abs(shaft - less * out - taken).min() >= free - 1e-9:
+            return replace(arrow, start=arrow.start - less * out, end=arrow.end - less * out)
+    return arrow
 
 
 def is_far(force: Acting, points: Sequence[complex]) -> bool:
@@ -83,16 +109,17 @@ def _rather(symbol: str, pressing: Collection[str], pulling: Collection[str]) ->
     return True if symbol in pressing else False if symbol in pulling else None
 
 
-def _options(force: Acting, largest: float, presses: bool | None) -> tuple[Arrow, ...]:
+def _options(force: Acting, largest: float, presses: bool | None, pins: Sequence[complex]) -> tuple[Arrow, ...]:
     """Pulling away from the point, or pressing towards it;
     or the same farther out on the line, where another force stands already."""
     vector, at = complex(nominal(force.vector)), complex(nominal(force.at))
     u = vector / abs(vector)
     length = LENGTH * max(0.5, abs(vector) / largest)
     out, symbol = u * (LENGTH + 4.0), force.named.symbol
+    gap = GAP if any(abs(at - pin) < PIN for pin in pins) else 0.0
     near = (
         Arrow(at, at + u * length, symbol, amiss=presses is True),
-        Arrow(at - u * (length + GAP), at - u * GAP, symbol, amiss=presses is False),
+        Arrow(at - u * (length + gap), at - u * gap, symbol, amiss=presses is False),
     )
     return (
         *near,
