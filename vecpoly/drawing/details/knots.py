@@ -71,7 +71,7 @@ class Crowd:
                 break
             found.append(best)
             left = [one for one in left if not (best.holds(one.a) and best.holds(one.b))]
-        return (*found, *_of_images(self.images, self.across, found))
+        return (*found, *_of_images(self.images, self.across, found))[:MOST]
 
 
 @lru_cache(maxsize=256)

@@ -11,7 +11,7 @@ from ..labels.want import Thing
 
 APART = 0.7  # mm between two labels
 AS_ONE, MISREAD = 1.8, 39.0  # mm side by side below which two labels are read as one, and what that costs
-RUN, RUNS_ON, LEVEL = 5.0, 9.0, 1.5  # the same in one line, within so many mm: D 2 of one thing, or of two
+RUN, RUNS_ON, LEVEL = 4.2, 6.0, 1.5  # the same in one line, within so many mm: D 2 of one thing, or of two
 STACK, STACKED = 1.3, 12.0  # mm one over the other below which they look like a fraction, and what that costs
 FRACTION, READ_SO = 3.2, 30.0  # the same of the letter of a point and the number of a link: D over 4
 TIGHT = 0.9  # mm one over the other below which they are taken for one
