@@ -121,12 +121,7 @@ def test_of_pages_that_cost_the_same_plain_rows_come_before_columns_in_rows() ->
 
 
 def test_an_arrow_that_stands_farther_out_is_as_near_to_its_point_as_the_others_leave_it() -> None:
-    """And one that presses on something else than a pin ends on it."""
     size = {"R_1": 13 - 2j, "R_2": -20 + 0j, "R_3": 12 + 0j, "R_4": 16j}
     forces = [Acting(named=Named(k, k, "N"), vector=v, at=0j) for k, v in size.items()]
     far = [one for one in place_arrows(forces, [0j], pressing={"R_4"}, pulling={"R_1", "R_2", "R_3"}) if one.far]
     assert far and all(min(abs(arrow.start), abs(arrow.end)) < 24.0 for arrow in far)
-    (alone,) = place_arrows(forces[:1], [0j], pressing={"R_1"}, pins=[10j])
-    assert alone.end == 0j
-    (ringed,) = place_arrows(forces[:1], [0j], pressing={"R_1"}, pins=[0j])
-    assert abs(ringed.end) == pytest.approx(1.5)

@@ -21,7 +21,7 @@ PULL = 4.0  # mm of clearness that an arrow must gain to be drawn otherwise than
 REACH = 80.0  # mm: a line of action farther from the body is off the paper
 MANY = 10  # arrows that are tried in all their places together; the number of these doubles with each arrow
 ROUNDS = 5
-GAP, PIN = 1.5, 1.6  # mm between an arrow's point and the pin; from the pin within which it would stand on its ring
+GAP = 1.5  # mm between an arrow's point and the pin
 LEAST_AWAY, STANDS = 8.0, 4.0  # mm: of an arrow farther out from its point, from all else
 ALONG = np.linspace(0.0, 1.0, 9)  # places of an arrow
 
@@ -43,22 +43,15 @@ class Arrow:
 
 
 def place_arrows(
-    forces: Sequence[Acting],
-    points: Sequence[complex],
-    pressing: Collection[str] = (),
-    pulling: Collection[str] = (),
-    *,
-    pins: Sequence[complex] | None = None,
+    forces: Sequence[Acting], points: Sequence[complex], pressing: Collection[str] = (), pulling: Collection[str] = ()
 ) -> list[Arrow]:
-    """All arrows of one body, as far from each other and from the body as their lines allow; `pressing`: those that
-    rather end at their point; `pulling`: those that rather begin there. pins: where one ends beside the ring of a pin,
-    elsewhere on what it presses; None: all the points."""
+    """All arrows of one body, as far from each other and from the body as their lines allow;
+    `pressing`: those that rather end at their point; `pulling`: those that rather begin there."""
     shown = [f for f in forces if abs(nominal(f.vector)) > 1e-9 and not is_far(f, points)]
     if not shown:
         return []
     largest = max(abs(complex(nominal(f.vector))) for f in shown)
-    rings = points if pins is None else pins
-    options = [_options(f, largest, _rather(f.named.symbol, pressing, pulling), rings) for f in shown]
+    options = [_options(f, largest, _rather(f.named.symbol, pressing, pulling)) for f in shown]
     body = np.array(
         [points[0]]
         if len(points) == 1
@@ -109,17 +102,16 @@ def _rather(symbol: str, pressing: Collection[str], pulling: Collection[str]) ->
     return True if symbol in pressing else False if symbol in pulling else None
 
 
-def _options(force: Acting, largest: float, presses: bool | None, pins: Sequence[complex]) -> tuple[Arrow, ...]:
+def _options(force: Acting, largest: float, presses: bool | None) -> tuple[Arrow, ...]:
     """Pulling away from the point, or pressing towards it;
     or the same farther out on the line, where another force stands already."""
     vector, at = complex(nominal(force.vector)), complex(nominal(force.at))
     u = vector / abs(vector)
     length = LENGTH * max(0.5, abs(vector) / largest)
     out, symbol = u * (LENGTH + 4.0), force.named.symbol
-    gap = GAP if any(abs(at - pin) < PIN for pin in pins) else 0.0
     near = (
         Arrow(at, at + u * length, symbol, amiss=presses is True),
-        Arrow(at - u * (length + gap), at - u * gap, symbol, amiss=presses is False),
+        Arrow(at - u * (length + GAP), at - u * GAP, symbol, amiss=presses is False),
     )
     return (
         *near,

@@ -65,7 +65,7 @@ def draw_free_bodies(st: Statics, problem: Problem, solved: Sequence[str]) -> No
         spots = [*_spots(st, name), *(complex(nominal(force.at)) for force in pressing)]
         forces, couples = brought_near(st, name, forces, spots)
         pressed = pushed.union(_pressing(st, name), (force.named.symbol for force in pressing))
-        arrows = place_arrows(forces, spots, pressed, pulled, pins=_pins(st, name))
+        arrows = place_arrows(forces, spots, pressed, pulled)
         _displaced(st, pane, name)
         _carry_on(st, pane, forces, arrows)
         for arrow in arrows:
@@ -115,12 +115,6 @@ def _spots(st: Statics, link: str) -> list[complex]:
     return [
         complex(nominal(p)) for p in (*points, *(st.desk.contact_of(c) for c in st.mech.contacts if link in c.links))
     ]
-
-
-def _pins(st: Statics, link: str) -> list[complex]:
-    """Where the link is pinned to others."""
-    pinned = (joint.point for joint in st.mech.joints if isinstance(joint, Revolute) and link in (joint.a, joint.b))
-    return [complex(nominal(st.desk.at[point])) for point in pinned if point in st.desk.at]
 
 
 def _draw_circles(st: Statics, pane: Pane, link: str) -> None:
