@@ -37,7 +37,7 @@ def test_a_link_that_runs_through_above_and_below_has_its_support_beside_it() ->
 
 def test_a_support_never_stands_on_the_ray_of_an_angle() -> None:
     angle = AngleMark(at=0j, radius=8.0, start=0.0, sweep=1.0, label="φ")
-    assert side(bar(-30j), bar(30j), angle) in (BELOW, ABOVE)
+    assert side(bar(-30j), bar(30j), angle) != 1 + 0j
 
 
 def test_a_support_that_was_put_on_a_side_on_purpose_stays() -> None:

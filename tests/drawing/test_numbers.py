@@ -125,7 +125,7 @@ def test_every_arc_of_an_angle_has_arrowheads_that_leave_some_of_it(long: float)
         if isinstance(item, Fill)
     ]
     assert len(heads) == 2
-    assert sum(abs(item.points[0] - sum(item.points[1:]) / 2) for item in heads) < 0.8 * long
+    assert sum(max(abs(item.points[0] - z) for z in item.points) for item in heads) < 0.8 * long
 
 
 def test_a_dashed_line_that_is_drawn_from_either_end_stays_dashed() -> None:

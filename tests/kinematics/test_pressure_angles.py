@@ -52,11 +52,11 @@ def test_the_seven_mechanisms_have_the_angles_of_the_triangle_formulas(name: str
 
 
 def test_both_angles_have_their_arcs_and_a_right_one_its_square() -> None:
-    marked = [act.label for act in vecpoly.load("8-2a").solve().construction.acts if isinstance(act, Angle)]
-    assert {"α", "γ"} <= set(marked)
+    marked = [act.key for act in vecpoly.load("8-2a").solve().construction.acts if isinstance(act, Angle)]
+    assert {"alpha", "gamma"} <= set(marked)
     square = vecpoly.load("8-2d").solve().construction.acts
     assert any(isinstance(act, Corner) for act in square)
-    assert not {"α", "γ"} & {act.label for act in square if isinstance(act, Angle)}
+    assert not {"alpha", "gamma"} & {act.key for act in square if isinstance(act, Angle)}
 
 
 def test_several_driven_links_are_told_apart_by_their_points() -> None:

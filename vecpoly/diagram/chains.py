@@ -23,7 +23,7 @@ from .posed import Way
 from .profiles import FACE, Touching, is_hollow, profile, round_of
 
 NEAR = 0.3  # mm: places closer than this are one
-BEYOND, HALF_GUIDE = 13.0, 11.0  # mm: a rod goes on past its block; half a fixed guide
+BEYOND, HALF_GUIDE, HALF_WAY = 13.0, 11.0, 14.0  # mm: a rod goes on past its block; half a fixed guide, a way alone
 Rod = Segment | Weld  # a rod, the arms beside it, and the marks of their rigid corners
 DOWNS = (-1j, 1j, 1 + 0j, -1 + 0j)
 
@@ -193,7 +193,7 @@ def _block(pair: Joined) -> Block:
 
 def _way(pair: Joined) -> Segment:
     """The way of a block whose fixed guide is not drawn."""
-    return Segment(a=pair.at - pair.along * HALF_GUIDE, b=pair.at + pair.along * HALF_GUIDE, role=Role.CENTRE)
+    return Segment(a=pair.at - pair.along * HALF_WAY, b=pair.at + pair.along * HALF_WAY, role=Role.CENTRE)
 
 
 def _rod(pair: Joined, points: list[complex]) -> Iterator[Rod]:

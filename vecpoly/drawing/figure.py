@@ -20,6 +20,7 @@ from .labels.notes import LEADING, folded, lines
 from .labels.placing import Placed, place
 from .labels.want import Line, Spot, Want
 from .labels.wants import grounds, unnamed, wants
+from .ringed import is_astray
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
 from .symbols.around import Surroundings
@@ -96,7 +97,8 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
     What was drawn last is kept: question, solution, course report and player of one problem draw a figure once.
     """
     bare = Bare.of(figure, lang)
-    placed = place(bare.wanted, Obstacles.of(bare.items), bare.extents, frame, bare.unnamed, bare.grounds)
+    found = place(bare.wanted, Obstacles.of(bare.items), bare.extents, frame, bare.unnamed, bare.grounds)
+    placed = tuple(label for label in found if not is_astray(figure, label))
     items = broken(bare.items, [label.rect for label in placed])
     lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))
     scene = lettered + Scene.of(caption_items(figure, lettered.extents, lang)) if caption else lettered

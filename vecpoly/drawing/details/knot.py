@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...board.ruler import READABLE
 from ...foundation.slotted import dataclass
 
@@ -9,6 +11,7 @@ FACTORS = (2.0, 2.5, 4.0, 5.0, 10.0, 20.0)  # GB/T 14690
 FULL, LEAST = 40.0, 26.0  # mm across that a detail is at most: on any figure; on one that is no larger than it
 HALF = 0.5  # of the figure, that a detail is at most if that is more
 EDGE, TIGHT = 9.0, 0.8  # mm between the crowd and the ring about it: in the detail, at least on the figure
+IMAGE, CLEARLY = 52.0, 16.0  # mm across: the detail of an image of a link at most; an image that can be read
 SMALLEST = 1.0  # mm: radius of a circle that can be seen
 WIDE, LONG = 8.0, 5.0  # mm in the detail: between letters, of a vector, if there is room;
 LEGIBLE = 5.0  # mm between letters in the detail, at least
@@ -73,3 +76,15 @@ def largest(across: float) -> float:
 def finds_room(bare: float, factor: float, most: float) -> bool:
     """Whether such a detail is not larger than this (mm). The larger the factor, the larger the detail."""
     return 2 * ring(bare, factor) * factor <= most
+
+
+def about_image(corners: Sequence[complex]) -> Knot | None:
+    """The circle about the image of a link that is enlarged as far as its detail finds room; None where the image is
+    large enough, or no factor makes it so."""
+    x, y = [z.real for z in corners], [z.imag for z in corners]
+    centre = complex(min(x) + max(x), min(y) + max(y)) / 2
+    bare, long = max(abs(z - centre) for z in corners), max(abs(a - b) for a in corners for b in corners)
+    made = [factor for factor in FACTORS if finds_room(bare, factor, IMAGE)]
+    if not made or long < SMALLEST or long >= CLEARLY or made[-1] * long < CLEARLY:
+        return None
+    return Knot(centre, ring(bare, made[-1]), made[-1])

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 
 import numpy as np
 
 from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
-from ...board.paper.marks import Dot, FrictionCircle, Point, Vector
+from ...board.paper.marks import Dot, FrictionCircle, ImageOf, Point, Vector
 from ...board.ruler import READABLE
 from ...foundation.slotted import dataclass
-from .knot import Knot, Trouble
+from .knot import Knot, Trouble, about_image
 from .nest import Nest
 
 CROWDED = 6.0  # mm: three letters that lie no farther apart than this crowd together
 TWINS = 0.3, 1.6  # mm: two letters so near to each other, and no nearer, can be told apart in a detail alone
+SLIGHT = 8.0  # so many times the longest side of an image its polygon measures, if it is drawn apart
 SPECK = 0.15  # mm: a vector shorter than this is none at 20:1 either
 ROUND = 4.0  # mm: on which side a line of action touches a friction circle that is less across is hardly seen
 APART = 0.05  # mm: letters at one place share a label
@@ -28,14 +29,15 @@ MOST = 3  # knots of a figure
 @dataclass(frozen=True, slots=True)
 class Crowd:
     """What of a figure may be too near: where its letters belong, the ends of its vectors, how far it is across, mm;
-    circles: the ends of a diameter of each friction circle; own: places of letters that are of no numbered series,
-    where the neighbours would tell which is which."""
+    circles: the ends of a diameter of each friction circle; images: the corners of each image of a link; own: places of
+    letters that are of no numbered series, where the neighbours would tell which is which."""
 
     places: tuple[complex, ...]
     vectors: tuple[tuple[complex, complex], ...]
     across: float
     circles: tuple[tuple[complex, complex], ...] = ()
     own: tuple[complex, ...] = ()
+    images: tuple[tuple[complex, ...], ...] = ()
 
     @classmethod
     def of(cls, figure: Figure) -> Crowd:
@@ -48,13 +50,15 @@ class Crowd:
         ends = ((m.a, m.b) for m in figure.marks if isinstance(m, Vector) and polygon)
         across = max(extent(figured(figure.marks)))
         places = _distinct(m.at for m in lettered)
-        return cls(tuple(places), tuple(ends), across, _circles(figure), tuple(own))
+        images = dict.fromkeys(m.points for m in figure.marks if isinstance(m, ImageOf) and len(m.points) > 2)
+        return cls(tuple(places), tuple(ends), across, _circles(figure), tuple(own), tuple(images))
 
     def times(self, factor: float) -> Crowd:
         """As many times larger."""
         ends, circles = (tuple((a * factor, b * factor) for a, b in some) for some in (self.vectors, self.circles))
         places, own = (tuple(at * factor for at in some) for some in (self.places, self.own))
-        return Crowd(places, ends, self.across * factor, circles, own)
+        images = tuple(tuple(at * factor for at in corners) for corners in self.images)
+        return Crowd(places, ends, self.across * factor, circles, own, images)
 
     @property
     def knots(self) -> tuple[Knot, ...]:
@@ -67,13 +71,24 @@ class Crowd:
                 break
             found.append(best)
             left = [one for one in left if not (best.holds(one.a) and best.holds(one.b))]
-        return tuple(found)
+        return (*found, *_of_images(self.images, self.across, found))[:MOST]
 
 
 @lru_cache(maxsize=256)
 def knots(figure: Figure) -> tuple[Knot, ...]:
     """The places of a figure that are to be drawn apart, the worst first."""
     return Crowd.of(figure).knots
+
+
+def _of_images(images: Iterable[tuple[complex, ...]], across: float, found: Sequence[Knot]) -> Iterator[Knot]:
+    """Circles about images of links that are small beside the vectors to their corners, clear of those found."""
+    for corners in images:
+        if across < SLIGHT * max(abs(a - b) for a in corners for b in corners):
+            continue
+        knot = about_image(corners)
+        if knot is not None and not any(map(knot.meets, found)):
+            found = [*found, knot]
+            yield knot
 
 
 def _snapped(troubles: Sequence[Trouble]) -> list[Trouble]:

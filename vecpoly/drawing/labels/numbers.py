@@ -55,10 +55,10 @@ def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep
 
 
 def _joints_between(a: complex, b: complex, marks: tuple[Mark, ...]) -> list[float]:
-    """Where along a -> b joints are drawn on it, as shares of its length."""
+    """Where along a -> b joints and points are drawn on it, as shares of its length."""
     found = []
     for mark in marks:
-        if isinstance(mark, Passing | Block) or (isinstance(mark, Point) and mark.dot in (Dot.JOINT, Dot.MULTIPLE)):
+        if isinstance(mark, Passing | Block) or (isinstance(mark, Point) and mark.dot is not Dot.NONE):
             along = (mark.at - a) / (b - a)
             if abs(along.imag * (b - a)) < ON and ON < along.real * abs(b - a) < abs(b - a) - ON:
                 found.append(along.real)

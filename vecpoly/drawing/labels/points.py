@@ -22,6 +22,7 @@ from .want import Piece, Spot, Thing, Want
 
 Named = tuple[complex, list[Point]]  # a place, and the points that have a name there
 ON_LINE, PARALLEL = 0.5, 0.05  # mm by which a line is off one with it; sine of an angle between lines of one direction
+TOGETHER = 0.25  # mm
 INNER = 0.3  # of a line: a letter nearer to an end is the name of the end
 MEASURED = (Role.CONSTRUCTION, Role.IDEAL)
 RATE = re.compile(r"d([a-zψ])/d([tφ])")  # a derivative: its d are no symbols
@@ -66,16 +67,21 @@ def points(marks: tuple[Mark, ...], taken: list[Spot], lang: Lang, tones: Tones)
 
 
 def _grouped(marks: Iterable[Mark]) -> list[Named]:
-    """The points that have a name, those at one place together, none twice."""
+    """The points that have a name, those at one place together, or that a hand hardly parts, none twice."""
     groups: list[Named] = []
     for mark in marks:
         if isinstance(mark, Point) and (mark.label or mark.said):
-            home = next((g for at, g in groups if abs(at - mark.at) < NEAR), None)
+            home = next((g for at, g in groups if abs(at - mark.at) < _as_one(mark, g[0])), None)
             if home is None:
                 groups.append((mark.at, [mark]))
             elif all((other.label, other.said) != (mark.label, mark.said) for other in home):
                 home.append(mark)
     return groups
+
+
+def _as_one(one: Point, other: Point) -> float:
+    """How far apart (mm) two names may be for one label: O and the end of a polygon that all but closes."""
+    return NEAR if Dot.NONE in (one.dot, other.dot) else TOGETHER
 
 
 def _once(groups: list[Named], ruled: Mapping[complex, Segment]) -> Iterator[Named]:

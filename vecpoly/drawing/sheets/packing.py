@@ -20,12 +20,14 @@ AMPLE = 11.0  # mm of white that leaves nothing to be wished: then the plainest 
 @dataclass(frozen=True, slots=True)
 class Layout:
     """Lower left corners of figures on a page of this size,
-    the least white left between them, and how many pairs stand side by side or one above the other."""
+    the least white left between them, how many pairs stand side by side or one above the other, and how much deeper
+    the page is cut than into rows, or columns."""
 
     page: Size
     corners: tuple[complex, ...]
     white: float
     together: int = 0
+    nested: int = 0
 
     def share(self, sizes: Sequence[Size]) -> float:
         """What the box about all figures takes of the page's area."""
@@ -106,7 +108,7 @@ def _plate(shape: Shape, sizes: Sequence[Size], together: int) -> Layout:
 def _layout(piece: Piece, start: int, end: int, sizes: Sequence[Size], page: Size, together: int) -> Layout:
     corners = spread(piece, padded(sizes), inner(page))
     placed = tuple(at + complex(TIGHT, TIGHT) for at in corners[start:end])
-    return Layout(page, placed, _white(placed, sizes[start:end], page), together)
+    return Layout(page, placed, _white(placed, sizes[start:end], page), together, max(0, depth(piece) - 2))
 
 
 def _white(corners: Sequence[complex], sizes: Sequence[Size], page: Size) -> float:

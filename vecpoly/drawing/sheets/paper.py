@@ -8,7 +8,7 @@ from math import isclose
 
 from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
-from ...board.paper.marks import Disc, Dot, FixedGuide, GearMark, LinkNumber, Point, Vector
+from ...board.paper.marks import Disc, Dot, FixedGuide, GearMark, LinkNumber, Mark, Point, Vector
 from ...board.paper.scales import Sketched
 from ...board.place import Pane, Place
 from ...foundation.slotted import dataclass
@@ -58,7 +58,7 @@ def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:
         scale=figure.scale.value,
         size=(w, h),
         around=(wide - w, high - h),
-        letters=sum(1 for mark in figure.marks if getattr(mark, "label", "") or isinstance(mark, LinkNumber)),
+        letters=sum(_asks_for_room(mark, figure) for mark in figure.marks),
         spare=beside_title(figure),
         short=_shortest(figure, max(w, h)),
         linked=linked(figure) if figure.scale.symbol else 0.0,  # parts of a sketch may be small
@@ -89,3 +89,10 @@ def nearest_pins(figure: Figure, least: float) -> float:
     discs = [mark.centre for mark in figure.marks if isinstance(mark, Disc)]
     ways = [abs(pin - other) for n, pin in enumerate(pins) for other in (*pins[n + 1 :], *discs)]
     return min((way for way in ways if way > least), default=0.0)
+
+
+def _asks_for_room(mark: Mark, figure: Figure) -> bool:
+    """Whether it has a label among lines; on a structural sketch the number of the frame stands under its support."""
+    if isinstance(mark, LinkNumber):
+        return bool(figure.scale.symbol) or mark.owner != "frame"
+    return bool(getattr(mark, "label", ""))

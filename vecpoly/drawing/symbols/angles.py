@@ -14,6 +14,7 @@ from .shapes import NEAR
 SQUARE = 2.5  # mm: side of a right-angle square
 Arc = AngleMark | TurnArrow
 HEAD, PART = 2.4, 0.36  # mm: arrowheads of an arc; but no longer than this part of it
+BENT = 4  # straight pieces of a side of such a head
 NARROW, TAIL, INNER_HEAD = 4.0, 4.6, 2.0  # mm: a shorter arc is pointed at from outside, with tails and heads so long
 
 
@@ -22,13 +23,13 @@ def sweep_of(arc: Arc) -> float:
     return arc.sweep if isinstance(arc, AngleMark) else TURN if arc.ccw else -TURN
 
 
-def curved_head(
-    centre: complex, radius: float, end: float, turn: float, length: float
-) -> tuple[complex, complex, complex]:
-    """An arrowhead at the end of an arc, along the chord of its own length (turn: +1 counter-clockwise)."""
-    tip = centre + cmath.rect(radius, end)
-    back = tip - (centre + cmath.rect(radius, end - turn * min(1.0, length / radius)))
-    return shapes.head(tip, back / abs(back), length, length / 3)
+def curved_head(centre: complex, radius: float, end: float, turn: float, length: float) -> tuple[complex, ...]:
+    """An arrowhead at the end of an arc, its tip first, bent as the arc is (turn: +1 counter-clockwise): a straight one
+    would lean to one side of it."""
+    back, half = turn * min(1.0, length / radius), length / 6
+    shares = [n / BENT for n in range(1, BENT + 1)]
+    outer, inner = ([centre + cmath.rect(radius + side * half * s, end - back * s) for s in shares] for side in (1, -1))
+    return (centre + cmath.rect(radius, end), *outer, *reversed(inner))
 
 
 def draw_turn(mark: TurnArrow, hue: Hue) -> tuple[Item, ...]:

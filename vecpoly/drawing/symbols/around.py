@@ -11,7 +11,8 @@ from ...board.paper.walls import holds, leaves
 from ...words import Lang
 from ..hues import Tones
 from ..scene import Layer
-from ..style import JOINT_RADIUS, POLE_RADIUS
+from ..style import JOINT_RADIUS, LINK, POLE_RADIUS
+from .outlines import outlines
 from .shapes import NEAR
 
 CENTRED = 6.0  # mm: a circle with a larger radius has its centre marked
@@ -31,6 +32,7 @@ class Surroundings:
     lang: Lang = "zh"
     tones: Tones = None
     spots: frozenset[complex] = frozenset()  # where points and pivots stand
+    links: tuple[tuple[complex, complex], ...] = ()  # the lines of links
 
     @classmethod
     def of(cls, view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones = None) -> Surroundings:
@@ -41,6 +43,7 @@ class Surroundings:
             lang=lang,
             tones=tones,
             circles=tuple(m for m in marks if isinstance(m, FrictionCircle)),
+            links=() if view.images else tuple(outlines(marks)),
             tips=tuple(m.b for m in marks if isinstance(m, Vector) and abs(m.b - m.a) > 0.5),
             spots=frozenset(
                 m.at for m in marks if isinstance(m, Ground | Point) and getattr(m, "dot", "") is not Dot.NONE
@@ -74,9 +77,20 @@ class Surroundings:
         """Whether the centre of a large circle is still to be marked."""
         return radius > CENTRED and all(abs(spot - centre) > NEAR for spot in self.spots)
 
+    def on_link(self, at: complex) -> bool:
+        """Whether a point lies on the line of a link, in which a small dot would be lost."""
+        return any(abs(b - a) > NEAR and _between(at, a, b) for a, b in self.links)
+
     def tipped(self, at: complex) -> bool:
         """Whether an arrowhead already shows the place."""
         return any(abs(at - tip) < NEAR for tip in self.tips)
+
+
+def _between(at: complex, a: complex, b: complex) -> bool:
+    """Whether a point lies on the line from a to b."""
+    u = (b - a) / abs(b - a)
+    off = (at - a) * u.conjugate()
+    return abs(off.imag) < LINK / 2 and -LINK < off.real < abs(b - a) + LINK
 
 
 def _carries(a: complex, b: complex, block: Block) -> bool:

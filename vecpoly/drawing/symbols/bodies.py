@@ -7,7 +7,6 @@ import cmath
 from ...board.paper.marks import Block, FixedGuide, GearMark, Ground, Passing, Plate, RackMark, Slot, Weld
 from ..scene import Fill, Item, Layer, Stroke
 from ..style import (
-    GIVEN,
     HATCHING,
     INNER_RADIUS,
     JOINT_RADIUS,
@@ -147,7 +146,7 @@ def gear(mark: GearMark) -> tuple[Item, ...]:
     """A pitch circle and the cross at its centre."""
     ring = Stroke(
         points=circle(mark.centre, mark.radius),
-        width=GIVEN,
+        width=THIN,
         dash=Dash.DASH_DOT,
         closed=True,
         layer=Layer.THIN,
@@ -162,7 +161,7 @@ def rack(mark: RackMark) -> tuple[Item, ...]:
         return ()
     right = -1j * (mark.b - mark.a) / abs(mark.b - mark.a)
     a, b = mark.a + TOOTH * right, mark.b + TOOTH * right
-    pitch = Stroke(points=(mark.a, mark.b), width=GIVEN, dash=Dash.DASH_DOT, layer=Layer.THIN, step=mark.step)
+    pitch = Stroke(points=(mark.a, mark.b), width=THIN, dash=Dash.DASH_DOT, layer=Layer.THIN, step=mark.step)
     if mark.fixed:
         return (pitch, *hatched(a, b, mark.step))
     bar = (a, b, b + BLOCK_HEIGHT * right, a + BLOCK_HEIGHT * right)

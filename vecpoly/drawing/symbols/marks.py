@@ -41,7 +41,7 @@ from ...board.paper.marks import (
 from ...board.paper.tones import key_of
 from ..hues import dash_of, image_hue, is_hollow, line_hue, mark_hue, tint_of
 from ..scene import Fill, Item, Layer, Stroke
-from ..style import DOT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
+from ..style import DOT_RADIUS, POINT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
 from . import bodies, shapes, solids
 from .angles import draw_angle, draw_square, draw_turn
 from .around import RING, Surroundings
@@ -177,7 +177,8 @@ def _point(mark: Point, around: Surroundings) -> tuple[Item, ...]:
         case Dot.POINT:
             if around.tipped(mark.at):
                 return ()
-            return (Fill(points=shapes.circle(mark.at, DOT_RADIUS), layer=Layer.HEAD, step=mark.step),)
+            radius = POINT_RADIUS if around.on_link(mark.at) else DOT_RADIUS
+            return (Fill(points=shapes.circle(mark.at, radius), layer=Layer.HEAD, step=mark.step),)
         case Dot.NONE:
             return ()
     assert_never(mark.dot)

@@ -24,18 +24,21 @@ from .stood import (
     FRACTION,
     LEADER_ON_LABEL,
     LEADERS_CROSS,
+    LEVEL,
     MISREAD,
     OVER,
     OVERLAP,
     PER_AREA,
     READ_SO,
+    RUN,
+    RUNS_ON,
     STACK,
     STACKED,
     TIGHT,
     Stood,
 )
 
-NEAR = complex(AS_ONE, FRACTION)  # mm about a label beyond which others cost nothing
+NEAR = complex(RUN, FRACTION)  # mm about a label beyond which others cost nothing
 
 
 @dataclass(frozen=True)
@@ -120,6 +123,8 @@ def _crowded(trial: Trial, others: Others, place: Indices, other: Indices) -> Fl
     level, over = dy > 0, (dy <= 0) & (dx > APART)
     price = np.where((dx > 0) & level, OVERLAP + PER_AREA * dx * dy, 0.0)
     price += np.where((dx <= 0) & (dx > APART - AS_ONE) & level, MISREAD, 0.0)
+    in_line = (dx <= APART - AS_ONE) & (dx > APART - RUN) & (np.abs(apart.imag) < LEVEL)
+    price += np.where(in_line & level, RUNS_ON, 0.0)
     if over.any():
         price += np.where(over & (dy > APART - STACK), np.where(dy > APART - TIGHT, MISREAD, STACKED), 0.0)
         if trial.thing in OVER:  # a letter over a number, or a number over a letter

@@ -11,6 +11,7 @@ from ..labels.want import Thing
 
 APART = 0.7  # mm between two labels
 AS_ONE, MISREAD = 1.8, 39.0  # mm side by side below which two labels are read as one, and what that costs
+RUN, RUNS_ON, LEVEL = 4.2, 6.0, 1.5  # the same in one line, within so many mm: D 2 of one thing, or of two
 STACK, STACKED = 1.3, 12.0  # mm one over the other below which they look like a fraction, and what that costs
 FRACTION, READ_SO = 3.2, 30.0  # the same of the letter of a point and the number of a link: D over 4
 TIGHT = 0.9  # mm one over the other below which they are taken for one
@@ -49,7 +50,7 @@ class Stood:
 
     def nears(self, low: complex, high: complex) -> bool:
         """Whether it reaches into a rectangle, or nearly."""
-        level = self.low.real < high.real + AS_ONE and self.high.real > low.real - AS_ONE
+        level = self.low.real < high.real + RUN and self.high.real > low.real - RUN
         return level and self.low.imag < high.imag + FRACTION and self.high.imag > low.imag - FRACTION
 
     def meets(self, other: Stood) -> float:
@@ -58,17 +59,20 @@ class Stood:
             return 0.0
         apart, room = self.centre - other.centre, other.half + self.half
         dx, dy = room.real + APART - abs(apart.real), room.imag + APART - abs(apart.imag)
-        near = dx > APART - AS_ONE and dy > APART - FRACTION
-        cost = _crowded(dx, dy, OVER.get(self.thing) is other.thing) if near else 0.0
+        near = dx > APART - RUN and dy > APART - FRACTION
+        fraction, level = OVER.get(self.thing) is other.thing, abs(apart.imag) < LEVEL
+        cost = _crowded(dx, dy, fraction, level) if near else 0.0
         cost += LEADER_ON_LABEL * _strikes(self, other) + LEADER_ON_LABEL * _strikes(other, self)
         return cost + LEADERS_CROSS * _cross(self, other)
 
 
-def _crowded(dx: float, dy: float, fraction: bool) -> float:
+def _crowded(dx: float, dy: float, fraction: bool, level: bool) -> float:
     """What it costs that two labels are on, beside or one over the other; dx, dy: mm by which they are too near;
-    fraction: whether one over the other they would be read as one."""
+    fraction: whether one over the other they would be read as one; level: whether they stand in one line."""
     if dy > 0:
-        return OVERLAP + PER_AREA * dx * dy if dx > 0 else MISREAD
+        if dx > APART - AS_ONE:
+            return OVERLAP + PER_AREA * dx * dy if dx > 0 else MISREAD
+        return RUNS_ON if level else 0.0
     if dx <= APART:
         return 0.0
     stacked = (MISREAD if dy > APART - TIGHT else STACKED) if dy > APART - STACK else 0.0

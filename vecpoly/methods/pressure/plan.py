@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import assert_never
 
@@ -52,7 +53,7 @@ def pressure_pass(desk: Desk, problem: Problem) -> None:
         if keys & {driven.alpha.key, driven.gamma.key}:
             marked = _directions(desk, driven)
             _draw(desk, driven, marked)
-            _read(desk, driven, marked, keys)
+            _mark(desk, driven, marked, _read(desk, driven, marked, keys))
 
 
 def _directions(desk: Desk, driven: Driven) -> Marked:
@@ -106,23 +107,33 @@ def _shift(desk: Desk, driven: Driven) -> complex:
 
 
 def _draw(desk: Desk, driven: Driven, marked: Marked) -> None:
-    """Both directions as arrows, the line across the velocity, and both angles with their letters."""
+    """Both directions as arrows, and the line across the velocity."""
     board, at, view = desk.board, marked.at, View.MECHANISM
     speed, force = f"v_{{{driven.at}{driven.link if driven.thought else ''}}}", f"F{driven.symbol}"
     board.arrow(view, at, at + SPEED * marked.way, Role.GIVEN, key=velocity_key(driven), label=speed)
     board.arrow(view, at, at + FORCE * marked.force, Role.RESULT, key=force_key(driven), label=force)
     board.join(view, at, at + FORCE * marked.across, Role.CONSTRUCTION)
+
+
+def _mark(desk: Desk, driven: Driven, marked: Marked, read: Mapping[str, Reals]) -> None:
+    """Both angles with their letters, and with what was read of them."""
+    board, at, view = desk.board, marked.at, View.MECHANISM
     alpha, gamma = (np.angle(marked.force / base) for base in (marked.way, marked.across))
     if abs(amount(alpha)) > SMALL:
-        board.angle(view, at, marked.way, alpha, OF_ALPHA, driven.alpha.symbol)
+        board.angle(view, at, marked.way, alpha, OF_ALPHA, _told(driven.alpha, read), key=driven.alpha.key)
     if abs(amount(gamma)) > SMALL and abs(amount(alpha)) > SMALL:
-        board.angle(view, at, marked.across, gamma, OF_GAMMA, driven.gamma.symbol)
+        board.angle(view, at, marked.across, gamma, OF_GAMMA, _told(driven.gamma, read), key=driven.gamma.key)
     elif abs(amount(gamma)) > SMALL:
         board.right_angle(view, at, marked.across, marked.way)
 
 
-def _read(desk: Desk, driven: Driven, marked: Marked, keys: set[str]) -> None:
-    """The acute angles by protractor (deg)."""
+def _told(named: Named, read: Mapping[str, Reals]) -> str:
+    """The symbol, with the value that was read."""
+    return f"{named.symbol} = {amount(read[named.key]):.4g}°" if named.key in read else named.symbol
+
+
+def _read(desk: Desk, driven: Driven, marked: Marked, keys: set[str]) -> dict[str, Reals]:
+    """The acute angles that are asked for, by protractor (deg)."""
     alpha, gamma = driven.alpha, driven.gamma
     desk.board.remark(
         Words(
@@ -133,14 +144,17 @@ def _read(desk: Desk, driven: Driven, marked: Marked, keys: set[str]) -> None:
             f"${gamma.symbol}$. By protractor:",
         )
     )
-    for named, base in ((alpha, marked.way), (gamma, marked.across)):
-        if named.key in keys:
-            _keep(desk, named, np.degrees(desk.board.gauge(0j, marked.force * np.conj(base))))
+    return {
+        named.key: _kept(desk, named, np.degrees(desk.board.gauge(0j, marked.force * np.conj(base))))
+        for named, base in ((alpha, marked.way), (gamma, marked.across))
+        if named.key in keys
+    }
 
 
-def _keep(desk: Desk, named: Named, turned: Reals) -> None:
+def _kept(desk: Desk, named: Named, turned: Reals) -> Reals:
     value = 90.0 - np.abs(np.abs(turned) - 90.0)
     degrees = amount(value)
     text = Row((*row(named.symbol).items, Txt(f" = {float(degrees):.4g}°")))
     desk.board.write(text)
     desk.board.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=degrees, formula=text), value)
+    return value

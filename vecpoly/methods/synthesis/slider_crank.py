@@ -26,7 +26,8 @@ from .pressure import greatest_pressure
 from .registry import design_method
 
 CORNER = 3.0  # mm: a right angle has room
-BEYOND, OVER = 7.0, 2.0  # mm: of the offset beside the circle; of its lines beyond it
+BEYOND, OVER = 7.0, 2.0  # mm: of the offset beside the circle; of lines beyond the dimension that they carry
+BELOW, UNDER, CLEAR = 4.0, 15.0, 3.5  # mm: of the stroke below the circle, below the guide at least; of its lines there
 
 
 @design_method(
@@ -51,7 +52,19 @@ def draw_slider_crank(draft: Draft, design: SliderCrank) -> None:
     c1 = pin(draft, "C_1", 0j)
     c2 = pin(draft, "C_2", board.lay_off(c1, 1 + 0j, draft.mm(design.H.si), key="H"))
     board.join(SHEET, c1, c2, Role.CENTRE)
-    _solution(draft, design, (c1, c2), eta(draft, (c1, c2), theta, 1))
+    circle = eta(draft, (c1, c2), theta, 1)
+    _stroke(draft, (c1, c2), circle)
+    _solution(draft, design, (c1, c2), circle)
+
+
+def _stroke(draft: Draft, ends: tuple[Points, Points], circle: Eta) -> None:
+    """H between C₁ and C₂, below the circle."""
+    below = float(nominal(circle.radius)) - complex(nominal(circle.centre)).imag + BELOW
+    feet = [complex(nominal(end)) for end in ends]
+    levels = [end - 1j * max(below, UNDER) for end in feet]
+    for end, level in zip(feet, levels, strict=True):
+        draft.board.join(SHEET, end - 1j * CLEAR, level - 1j * OVER, Role.CONSTRUCTION)
+    dimension(draft, SHEET, levels[0], levels[1], "H")
 
 
 def _solution(draft: Draft, design: SliderCrank, ends: tuple[Points, Points], circle: Eta) -> None:

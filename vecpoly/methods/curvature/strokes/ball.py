@@ -76,7 +76,7 @@ def _joined(fig: CurvatureFigure, letters: tuple[str, ...], one: Points, two: Po
         fig.pane,
     )
     q = fig.through(one, two)
-    fig.thin(q, one, two, role=Role.RESULT)
+    fig.thin(q, one, two, role=Role.GIVEN)
     _lettered(fig, two, q.along)
     return q
 
@@ -94,7 +94,7 @@ def _along(fig: CurvatureFigure, letter: str, corner: Points) -> Line:
         fig.pane,
     )
     q = fig.board.parallel(corner, 1j * axis)
-    fig.thin(q, corner, role=Role.RESULT)
+    fig.thin(q, corner, role=Role.GIVEN)
     _lettered(fig, corner, q.along)
     return q
 

@@ -73,7 +73,7 @@ def settle(fig: CurvatureFigure, w: Points) -> None:
     fig.tangent = 1j * unit(fig.opposite - fig.pole)
     fig.thin(fig.through(fig.pole, fig.opposite), fig.pole, fig.opposite, role=Role.CENTRE)
     middle = (fig.pole + fig.opposite) / 2
-    fig.board.circle(fig.pane, middle, np.abs(fig.opposite - middle), Role.RESULT)
+    fig.board.circle(fig.pane, middle, np.abs(fig.opposite - middle), Role.GIVEN)
 
 
 def draw_return_circle(fig: CurvatureFigure, symbol: str) -> None:

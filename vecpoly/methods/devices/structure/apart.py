@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ....board.construction import Reading, View
+from ....board.construction import Pane, Reading, View
 from ....devices.structure import Structure
 from ....devices.structure_named import class_, groups
 from ....devices.structure_pairs import Chain
@@ -24,32 +24,34 @@ def draw_groups(bench: Bench, device: Structure, low: Replaced, drivers: tuple[s
         )
     )
     taken, chain = take_apart(low.chain, drivers), low.chain
-    for index, group in enumerate(taken.groups, start=1):
-        place = pane(
-            board,
-            View.MECHANISM,
-            f"group {'+'.join(drivers)} {index}",
-            _title(group, drivers, len(device.drive_sets) > 1),
-        )
+    left, places = _panes(bench, taken, drivers, len(device.drive_sets) > 1)
+    for index, (group, place) in enumerate(zip(taken.groups, places, strict=True), start=1):
         board.step(_told(group, index, chain), place)
         draw_apart(board, place, device, low.chain, group.links)
         chain = chain.without(group.links)
-    if taken.complete:
-        place = pane(
-            board,
-            View.MECHANISM,
-            f"left {'+'.join(drivers)}",
-            Words(f"原动件 {told} 与机架", f"{_drivers(drivers)} with the frame"),
-        )
+    if left is not None:
         board.step(
             Words(
                 f"剩下原动件 {told} 与机架，拆分正确。",
                 f"{_drivers(drivers)} and the frame remain: all groups are detached.",
             ),
-            place,
+            left,
         )
-        draw_apart(board, place, device, low.chain, drivers, frame=True)
+        draw_apart(board, left, device, low.chain, drivers, frame=True)
     _class(bench, taken, drivers)
+
+
+def _panes(bench: Bench, taken: Taken, drivers: tuple[str, ...], several: bool) -> tuple[Pane | None, list[Pane]]:
+    """The figures of what is left and of the groups as they were taken off. They lie on the sheet as the mechanism is
+    put together and moves: the drivers first, the group farthest from them last."""
+    board, told, sort = bench.board, "、".join(drivers), "+".join(drivers)
+    title = Words(f"原动件 {told} 与机架", f"{_drivers(drivers)} with the frame")
+    left = pane(board, View.MECHANISM, f"left {sort}", title) if taken.complete else None
+    backwards = [
+        pane(board, View.MECHANISM, f"group {sort} {index}", _title(group, drivers, several))
+        for index, group in reversed([*enumerate(taken.groups, start=1)])
+    ]
+    return left, backwards[::-1]
 
 
 def no_groups(bench: Bench, drivers: tuple[str, ...]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import pi
 
 from ....board.board import Board
 from ....board.construction import Pane, View
@@ -14,8 +15,7 @@ from ....diagram.profiles import profile_drawn
 from ....diagram.single import number
 from ....words import Words
 
-FOOT = 7.0  # mm from a pivot to under its ground
-TURNING, FIRST = 6.5, 0.6  # of a driver's arrow: radius (mm), direction of its foot (rad)
+TURNING, FIRST, RING = 6.5, 0.6, 4.0  # of a driver's arrow: radius (mm), direction of its foot (rad); to the next (mm)
 FLAT = 10.0  # mm: half of a flat profile for which a link stands
 
 
@@ -27,15 +27,17 @@ def pane(board: Board, view: View, name: str, title: Words) -> Pane:
 def draw_chain(
     board: Board, place: Pane, device: Structure, chain: Chain, drivers: tuple[str, ...] = (), *, ringed: bool = True
 ) -> None:
-    """All links and the frame, and the arrows of the drivers; ringed: whether compound hinges are marked."""
+    """All links and the frame, and the arrows of the drivers; ringed: whether compound hinges are marked. The frame
+    has its number, where it is given none of its own on the first diagram alone."""
     scaled = _on_paper(board, place, chain)
     it = Sketched(scaled, device.number, ringed, _on_paper(board, place, device.chain))
     board.depict(place, *it.drawn(chain.links, frame=True))
-    for link in drivers:
-        _draw_driver(board, place, scaled.at(link))
-    pivot = next((p for p in scaled.pairs if p.hinged and FRAME in p.links), None)
-    if device.frame != FRAME and pivot is not None:
-        board.depict(place, number(device.frame, pivot.at + FOOT * it.down(pivot), owner="frame"))
+    _draw_drivers(board, place, device, scaled, drivers)
+    pivots = [p for p in scaled.pairs if p.hinged and FRAME in p.links]
+    free = [p for p in pivots if not p.touches(drivers)]
+    if pivots and (device.frame != FRAME or chain == device.chain):
+        lowest = min(free or pivots, key=lambda p: (p.at.imag, p.at.real))
+        board.depict(place, number(device.number(FRAME), lowest.at, owner="frame"))
 
 
 def ring_compound(board: Board, place: Pane, pair: Pair) -> None:
@@ -51,8 +53,7 @@ def draw_apart(
     whole, scaled = _on_paper(board, place, device.chain), _on_paper(board, place, chain)
     it = Sketched(scaled, device.number, whole=whole)
     board.depict(place, *it.drawn(links, frame=frame))
-    for link in links if frame else ():
-        _draw_driver(board, place, scaled.at(link))
+    _draw_drivers(board, place, device, scaled, links if frame else ())
 
 
 def draw_replaced(board: Board, place: Pane, device: Structure, pair: Pair) -> None:
@@ -72,8 +73,11 @@ def _on_paper(board: Board, place: Pane, chain: Chain) -> Chain:
     return chain.times(float(board.to_paper(place, 1.0)))
 
 
-def _draw_driver(board: Board, place: Pane, pairs: tuple[Pair, ...]) -> None:
-    """The arrow of a driver, about its fixed pivot."""
-    pivot = next((p for p in pairs if p.hinged and FRAME in p.links), None)
-    if pivot is not None:
-        board.curved_arrow(place, pivot.at, TURNING, FIRST, True, "")
+def _draw_drivers(board: Board, place: Pane, device: Structure, chain: Chain, drivers: tuple[str, ...]) -> None:
+    """The arrows of drivers, about their fixed pivots; of those that share one each farther out, with its name."""
+    pivots = [next((p for p in chain.at(link) if p.hinged and FRAME in p.links), None) for link in drivers]
+    for n, (link, pivot) in enumerate(zip(drivers, pivots, strict=True)):
+        if pivot is not None:
+            inner, shared = pivots[:n].count(pivot), pivots.count(pivot) > 1
+            label = f"ω_{device.number(link)}" if shared else ""
+            board.curved_arrow(place, pivot.at, TURNING + inner * RING, FIRST + inner * pi, True, label)

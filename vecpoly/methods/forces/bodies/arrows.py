@@ -4,7 +4,7 @@ the freest place is taken."""
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -22,6 +22,8 @@ REACH = 80.0  # mm: a line of action farther from the body is off the paper
 MANY = 10  # arrows that are tried in all their places together; the number of these doubles with each arrow
 ROUNDS = 5
 GAP = 1.5  # mm between an arrow's point and the pin
+LEAST_AWAY, STANDS = 8.0, 4.0  # mm: of an arrow farther out from its point, from all else
+ALONG = np.linspace(0.0, 1.0, 9)  # places of an arrow
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +59,24 @@ def place_arrows(
     )
     if len(shown) > 6:
         options = [pair[:2] for pair in options]
-    return _freest(options, body)
+    freest, places = _freest(options, body), [complex(nominal(f.at)) for f in shown]
+    for i, at in enumerate(places):
+        if freest[i].far:
+            freest[i] = _closer(freest[i], at, [one for k, one in enumerate(freest) if k != i], body)
+    return freest
+
+
+def _closer(arrow: Arrow, at: complex, others: Sequence[Arrow], body: np.ndarray) -> Arrow:
+    """One that stands farther out on its line as near to its point as the others and the body leave it free."""
+    near = min(arrow.start, arrow.end, key=lambda z: abs(z - at))
+    away, out = abs(near - at), (near - at) / abs(near - at)
+    taken = np.concatenate([body, *(one.start + (one.end - one.start) * ALONG for one in others)])
+    shaft = (arrow.start + (arrow.end - arrow.start) * ALONG)[:, None]
+    free = min(STANDS, float(np.abs(shaft - taken).min()))
+    for less in np.arange(away - LEAST_AWAY, 0.0, -1.0):
+        if np.abs(shaft - less * out - taken).min() >= free - 1e-9:
+            return replace(arrow, start=arrow.start - less * out, end=arrow.end - less * out)
+    return arrow
 
 
 def is_far(force: Acting, points: Sequence[complex]) -> bool:

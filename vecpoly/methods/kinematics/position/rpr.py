@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ....board.construction import View
-from ....board.paper.marks import Role
+from ....board.paper.marks import Dot, Role
 from ....errors import AssemblyError
 from ....mechanism.groups.assur import Dyad
 from ....mechanism.model import Prismatic, Revolute
@@ -18,6 +18,7 @@ from .assembly import said
 from .guide_way import choose_way
 
 _SOURCE = "机械原理, kinematic diagrams by Assur groups"
+LETTERED = 5.0  # mm: a shorter radius has no room for its letter
 
 
 @method(
@@ -59,7 +60,7 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
     desk.board.remark((Words.same("") if why is None else said(why, "个方向")) + Words("。", "."))
     along = desk.board.turn(direct)
     if abs(offset) > 1e-9:
-        _offset_circle(desk, q, p, abs(offset), along)
+        _offset_circle(desk, q, p, abs(offset), along, "e" if cam is None else "")
     desk.settle_turned(joint.guide, q, along * np.exp(-1j * joint.direction))
     desk.settle_turned(joint.block, p, along * np.exp(1j * joint.turn))
 
@@ -99,9 +100,13 @@ def _tangent(q: str, p: str, offset: float) -> Words:
     )
 
 
-def _offset_circle(desk: Desk, q: str, p: str, radius: float, along: Points) -> None:
-    """The circle of the offset about the pin, and the tangent to it from the guide's pivot."""
+def _offset_circle(desk: Desk, q: str, p: str, radius: float, along: Points, letter: str) -> None:
+    """The circle of the offset about the pin, and the tangent to it from the guide's pivot; the radius to where it
+    touches, with its letter if the step names it so."""
     centre, pivot, way = (complex(nominal(z)) for z in (desk.at[p], desk.at[q], along))
     foot = pivot + way * float((np.conj(way) * (centre - pivot)).real)
     desk.board.circle(View.MECHANISM, centre, radius, Role.CONSTRUCTION)
     desk.board.join(View.MECHANISM, pivot, foot, Role.CONSTRUCTION)
+    if letter and radius > LETTERED:
+        desk.board.join(View.MECHANISM, centre, foot, Role.CONSTRUCTION)
+        desk.board.plot(View.MECHANISM, (centre + foot) / 2, letter, Dot.NONE)

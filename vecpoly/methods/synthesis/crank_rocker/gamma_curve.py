@@ -1,4 +1,4 @@
-"""γ_min over the place of A: some ten A on the locus, each with its linkage, and the curve through what they give."""
+"""γ_min over the place of A: seven A on the locus, each with its linkage, and the curve through what they give."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ..draft import SHEET, Draft
 from ..eta import Straight
 from .track import Track
 
-STATIONS, DENSE, FINE = 10, 720, 80  # A on the sheet; trials that tell where A is of use; points of the curve
+STATIONS, DENSE, FINE = 7, 720, 80  # A on the sheet; trials that tell where A is of use; points of the curve
 FURTHEST = 3.0  # chords from C₁, on a locus that is a straight line
 
 
