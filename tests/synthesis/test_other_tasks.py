@@ -130,7 +130,7 @@ def test_a_ratio_below_one_is_refused_with_the_one_that_may_be_meant(kind: str, 
 @pytest.mark.parametrize(
     ("kind", "change", "told"),
     [
-        ("shaper", {"DE": "9 mm"}, r"must exceed half the height of D's arc, 9\.503 mm"),
+        ("shaper", {"DE": "9 mm"}, r"must exceed MN/\(2 cos\(θ/2\)\) = 9\.\d+ mm"),
         ("whitworth", {"DE": "70 mm"}, r"must exceed CD = H/2 = 80 mm"),
         ("whitworth", {"DE": "80 mm"}, r"must exceed CD = H/2 = 80 mm"),
         ("limit-lines", {"line_2": "270 deg"}, "are parallel: no A"),

@@ -7,6 +7,7 @@ from ..words import Words
 CRANK_ROCKER = Words("曲柄摇杆机构", "crank-rocker")
 DRIVEN_BY_ROCKER = CRANK_ROCKER + Words("（$CD$ 为曲柄）", " ($CD$ the crank)")
 DOUBLE_CRANK, DOUBLE_ROCKER = Words("双曲柄机构", "double crank"), Words("双摇杆机构", "double rocker")
+ROUNDING = 1e-12  # of the longest: sums of lengths that differ by less are equal
 NOT_GRASHOF = Words("双摇杆机构（不满足杆长条件）", "triple rocker (not Grashof)")
 
 
@@ -14,6 +15,7 @@ def grashof(ab: float, bc: float, cd: float, ad: float) -> tuple[Words, float]:
     """The type with AB as the input and AD as the frame, and the margin p + q − l_min − l_max of the sum of lengths."""
     least, *middle, most = sorted((ab, bc, cd, ad))
     margin = sum(middle) - least - most
+    margin = 0.0 if abs(margin) < ROUNDING * most else margin
     if margin < 0:
         return NOT_GRASHOF, margin
     kinds = {ab: CRANK_ROCKER, bc: DOUBLE_ROCKER, cd: DRIVEN_BY_ROCKER, ad: DOUBLE_CRANK}

@@ -117,6 +117,10 @@ class Design(BaseModel):
         """What is accepted and told, for it may not be meant; asked: the keys of what is asked."""
         return ()
 
+    def assumed(self, values: Mapping[str, float]) -> Words | None:
+        """What is not given, and is taken for the linkage to be moved; None where nothing is."""
+        return None
+
     def built(self, values: Mapping[str, float]) -> dict[str, Any] | None:
         """What a problem file says of the linkage with these lengths (mm); None of a task that finds none."""
         return None

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import cos
 from typing import Any, ClassVar, Self
 
 from pydantic import model_validator
 
 from ..devices.base import Length, as_written
 from ..names import Named
+from ..words import Words
 from .base import Design, Quick, between_limits
 from .linkages import shaper, whitworth
 from .quantities import AB, AC, ALPHA_MAX, CD, HEIGHT, THETA
 from .quantities import K as ADVANCE
 
-LONG = 3.0  # lengths CD of the bar: a rod DE where none is given, for the motion alone
+LONG = 3.0  # times CD, or the least that serves: a rod DE where none is given, for the motion alone
 
 
 class QuickReturn(Design):
@@ -38,7 +40,18 @@ class QuickReturn(Design):
 
     def rod(self, values: Mapping[str, float]) -> float:
         """DE, mm."""
-        return 1e3 * self.DE.si if self.DE is not None else LONG * values["CD"]
+        return 1e3 * self.DE.si if self.DE is not None else LONG * max(values["CD"], self.least_rod(values["CD"]))
+
+    def assumed(self, values: Mapping[str, float]) -> Words | None:
+        """A rod DE of our own."""
+        if self.DE is not None:
+            return None
+        rod = f"{self.rod(values):.4g} mm"
+        return Words(f"自取的连杆 DE = {rod} ", f"a rod DE = {rod} of our choice")
+
+    def least_rod(self, lever: float) -> float:
+        """What DE must exceed for the ram to turn back where lever or bar does, and nowhere else; lever: CD."""
+        return lever
 
     @property
     def theta(self) -> float:
@@ -58,6 +71,11 @@ class Shaper(QuickReturn):
     def quantities(self) -> tuple[Named, ...]:
         """θ, which is the swing of the lever, crank, frame, lever, height of the guide; with DE the pressure angle."""
         return (THETA, AB, AC, CD, HEIGHT, *((ALPHA_MAX,) if self.DE is not None else ()), ADVANCE)
+
+    def least_rod(self, lever: float) -> float:
+        """MN / (2 cos(θ/2)): a shorter rod comes in line with the lever before this turns back, and the ram with it."""
+        across = cos(self.theta / 2)
+        return lever * (1.0 - across) / (2.0 * across)
 
     def built(self, values: Mapping[str, float]) -> dict[str, Any]:
         """Crank, lever, rod and ram."""

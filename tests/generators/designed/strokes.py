@@ -87,14 +87,26 @@ def shapes(solution: Solution) -> str:
     theta = radians(found["theta"].drawn)
     crank = 1e3 * design.AB.si if design.AB is not None else found["AB"].drawn
     wrong = off("AC sin(θ/2)", found["AC"].drawn * cos(np.pi / 2 - theta / 2), crank)
-    return wrong or off("CD", 2 * found["CD"].drawn * cos(np.pi / 2 - theta / 2), 1e3 * design.H.si)
+    wrong = wrong or off("CD", 2 * found["CD"].drawn * cos(np.pi / 2 - theta / 2), 1e3 * design.H.si)
+    return wrong or ("" if design.DE is None else _ram(design, found["CD"].drawn, found["h"].drawn, theta))
+
+
+def _ram(design: Shaper, lever: float, height: float, theta: float) -> str:
+    """Led by small steps of the lever from limit to limit, the ram must go one way and as far as H."""
+    assert design.DE is not None
+    at = lever * np.exp(1j * (np.pi / 2 + np.linspace(theta / 2, -theta / 2, 2001)))
+    ram = at.real + np.sqrt((1e3 * design.DE.si) ** 2 - (height - at.imag) ** 2)
+    back = float(np.diff(ram).min())
+    if not back > -1e-6 * lever:
+        return f"the ram goes back by {-back:.3g} mm before the lever does"
+    return off("H of the ram", float(ram[-1] - ram[0]), 1e3 * design.H.si)
 
 
 @family("design-shaper", also=shapes)
 def shaper(rng: np.random.Generator) -> str:
     """A swinging guide with a ram, from K, stroke and crank."""
     data = {
-        "K": f"{round(float(rng.uniform(1.05, 2.5)), 2)}",
+        "K": f"{round(float(rng.choice([rng.uniform(1.05, 2.5), rng.uniform(2.5, 12)])), 2)}",
         "H": f"{rng.integers(100, 500)} mm",
         "AB": f"{rng.integers(30, 150)} mm",
         "DE": f"{rng.integers(40, 200)} mm",

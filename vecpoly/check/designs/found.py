@@ -30,7 +30,8 @@ class Verified:
 
     stroke: of the last link, in `unit` (° or mm). gamma, gamma_at: least transmission angle and the crank's angle there
     (deg). loose: key of each length of which the drawing tells less than 2 %, with what it may be off by. lost: the
-    share of repeated hands that do not find it, where they are more than a few. broken: why it does not move.
+    share of repeated hands that do not find it, where they are more than a few. assumed: what was not given, and is
+    taken for it to be moved. broken: why it does not move.
     """
 
     number: int
@@ -46,6 +47,7 @@ class Verified:
     gamma_at: float = nan
     loose: Mapping[str, float]
     lost: float = 0.0
+    assumed: Words | None = None
     broken: Words | None = None
 
     def as_json(self) -> dict[str, Any]:
@@ -81,14 +83,14 @@ def verified(
         if design.is_length(key) and spread[key] > LOOSE * abs(values[key]) > 0
     }
     lost = lost if lost > RARE else 0.0
-    if none := [key for key in values if design.is_length(key) and "A" < key < "[" and not values[key] > 0]:
+    if none := [key for key in values if design.is_length(key) and key.isupper() and not values[key] > 0]:
         return Verified(number=number, loose=loose, lost=lost, broken=_nothing(none))
     try:
         found = linkage(design, values, f"solution-{number}")
         if found is not None and (short := _vanishing(found.mechanism)):
             return Verified(number=number, loose=loose, lost=lost, broken=short)
         moved = None if found is None else _moved(number, values, loose, cycle(found.mechanism, 181))
-        return None if moved is None else replace(moved, lost=lost)
+        return None if moved is None else replace(moved, lost=lost, assumed=design.assumed(values))
     except VecpolyError as error:
         return Verified(number=number, loose=loose, lost=lost, broken=error.words)
 

@@ -18,8 +18,10 @@ def told(one: Verified, alone: bool) -> Words:
         return Words(f"校核（{zh}按量得的长度）：", f"Check{en} with the lengths read: ") + Words(
             f"该解不能使用：{one.broken.zh}。", f"it cannot be used: {one.broken.en}."
         )
+    own = Words("", "") if one.assumed is None else Words("和", " and ") + one.assumed
     head = Words(
-        f"校核（{zh}按量得的长度用解析法运动一周）：", f"Check{en}, moved through its cycle with the lengths read: "
+        f"校核（{zh}按量得的长度{own.zh}用解析法运动一周）：",
+        f"Check{en}, moved through its cycle with the lengths read{own.en}: ",
     )
     parts = list(_parts(one))
     return head + Words("，".join(part.zh for part in parts) + "。", ", ".join(part.en for part in parts) + ".")
@@ -28,15 +30,7 @@ def told(one: Verified, alone: bool) -> Words:
 def _parts(one: Verified) -> list[Words]:
     parts = []
     if one.kind is not None:
-        margin = f"{abs(one.margin):.4g} mm"
-        parts.append(
-            one.kind
-            + Words(
-                f"（最短杆与最长杆之和比其余两杆之和{'大' if one.margin < 0 else '小'} {margin}）",
-                f" (shortest and longest link together {margin} {'more' if one.margin < 0 else 'less'} "
-                "than the two others)",
-            )
-        )
+        parts.append(one.kind + _margin(one.margin))
     driver = Words(f"原动件 ${one.driver}$ ", f"the driver ${one.driver}$ ")
     parts.append(driver + (Words("可整周转动", "turns right round") if one.full else CANNOT))
     if isfinite(one.ratio):
@@ -53,6 +47,20 @@ def _parts(one: Verified) -> list[Words]:
             )
         )
     return parts
+
+
+def _margin(by: float) -> Words:
+    """How the sum of the shortest and the longest link compares with that of the others."""
+    if not by:
+        return Words(
+            "（最短杆与最长杆之和等于其余两杆之和，机构有变点）",
+            " (shortest and longest link together as long as the two others: it folds at its change points)",
+        )
+    margin = f"{abs(by):.4g} mm"
+    return Words(
+        f"（最短杆与最长杆之和比其余两杆之和{'大' if by < 0 else '小'} {margin}）",
+        f" (shortest and longest link together {margin} {'more' if by < 0 else 'less'} than the two others)",
+    )
 
 
 def ill_conditioned(one: Verified, alone: bool) -> Words | None:

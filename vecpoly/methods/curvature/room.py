@@ -23,6 +23,7 @@ TITLE = Words("曲率作图", "Curvatures")
 STEPS = (5, -5, 10, -10, 15, -15, 20, -20, 30, -30, 40, -40, 50, -50, 60, -60, 80, -80, 100, -100, 120, -120, 150, 180)
 FINE, MOST = 5.0, 36  # deg, how many of them: the steps by which a range is followed
 LEAST = 22.0  # mm that the mechanism must measure on the figure, for its links to be told apart
+EASY = 1.25  # times as large it must be where a position is recommended: what is lettered does not shrink with it
 SCALES = tuple(sorted((*SERIES, HALF)))  # 1 : 1.5 and its like among them
 Box = tuple[complex, complex]
 Draw = Callable[[CurvatureFigure], None]
@@ -45,7 +46,8 @@ def _refused(desk: Desk, link: str, draw: Draw) -> NotAskedError:
 
     def fits(phi: float) -> bool:
         try:
-            return fitted(desk, _box(placed_as_told(desk, radians(phi)), link, draw), inf) is not None
+            box = _box(placed_as_told(desk, radians(phi)), link, draw)
+            return fitted(desk, box, inf, least=EASY * LEAST) is not None
         except VecpolyError:
             return False
 
@@ -76,9 +78,9 @@ def _box(desk: Desk, link: str, draw: Draw) -> Box:
     return bounds(sketch.board.marks(pane))
 
 
-def fitted(desk: Desk, box: Box, sharing: float, name: str = NAME) -> Paper | None:
+def fitted(desk: Desk, box: Box, sharing: float, name: str = NAME, least: float = LEAST) -> Paper | None:
     """The scale that the sheet wishes, else the largest round one, no larger than the diagram's; None where the
-    mechanism would be too small on it."""
+    mechanism would be smaller on it than `least` (mm)."""
     low, high = bounds(desk.board.marks(View.MECHANISM))
     box, size = box_of([*box, low, high]), max(high.real - low.real, high.imag - low.imag)
     mu = desk.board.scales[View.MECHANISM]
@@ -86,7 +88,7 @@ def fitted(desk: Desk, box: Box, sharing: float, name: str = NAME) -> Paper | No
     own = replace(mu, value=max(mu.value, round_up(mu.value * too_large(box), SCALES)))
     shared = is_shared(size / too_large(box) >= sharing, own, mu, wished)
     tried = (mu,) if shared else tuple(apart(one, mu) for one in (wished, own) if one is not None)
-    fitting = (one for one in tried if size * mu.value / one.value >= min(LEAST, size))
+    fitting = (one for one in tried if size * mu.value / one.value >= min(least, size))
     if (scale := next(fitting, None)) is None:
         return None
     factor, margin = mu.value / scale.value, complex(MARGIN, MARGIN)

@@ -22,8 +22,8 @@ def shapers(design: Shaper) -> list[Linkage]:
     values = {"AB": 1e3 * ab, "AC": 1e3 * ac, "CD": 1e3 * cd, "h": 1e3 * height}
     if design.DE is not None:
         rise = cd - height
-        if not below(rise, design.DE.si):
-            raise _short_rod(design.DE.text, rise)
+        if not below(least := rise / cos(half), design.DE.si):
+            raise _short_rod(design.DE.text, least)
         values["alpha_max"] = degrees(asin(rise / design.DE.si))
     pins = {"A": complex(0, ac), "C": 0j}
     return [_only(values, design.theta, pins, (ab, cd, ac, 0.0))]
@@ -53,15 +53,16 @@ def _only(values: dict[str, float], theta: float, pins: dict[str, complex], orde
     return Linkage(values=values | told, pins=pins, verdict=Verdict.VALID, order=order)
 
 
-def _short_rod(given: str, rise: float) -> AssemblyError:
+def _short_rod(given: str, least: float) -> AssemblyError:
     return AssemblyError(
         Words(
-            f"DE = {given}：须大于 D 点弧高之半 {1e3 * rise:.4g} mm，滑枕才能走完行程",
-            f"DE = {given} must exceed half the height of D's arc, {1e3 * rise:.4g} mm, for the ram to go its whole "
-            f"way",
+            f"DE = {given}：须大于 MN/(2 cos(θ/2)) = {1e3 * least:.4g} mm，否则导杆未到极限位置时连杆已与它共线，"
+            "滑枕提前折返",
+            f"DE = {given} must exceed MN/(2 cos(θ/2)) = {1e3 * least:.4g} mm: a shorter rod comes in line with the "
+            "lever before this reaches its limit position, and the ram turns back there",
         ),
         code="no-solution",
-        numbers={"rise": rise},
+        numbers={"least": least},
     )
 
 

@@ -24,25 +24,12 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
     if design.swing is None:
         return _no_limit(design)
     if design.best is not None:
-        return AssemblyError(
-            Words(
-                "γ_min 随 l_AB 减小而一直增大，没有最大值；请给定 AB 或 gamma_min",
-                "γ_min grows as the crank gets shorter and has no greatest value; give AB, or gamma_min",
-            ),
-            code="no-solution",
-        )
+        return _no_best(design)
     if design.AB is not None and not design.theta:
         return _half_the_chord(design.AB.text, Chord(design).s / 2)
     name, given, unit, of = _datum(design)
     if not (ranges := _all_ranges(design, of)):
-        return AssemblyError(
-            Words(
-                f"按此 K 和摆角没有曲柄摇杆机构：θ = {degrees(design.theta):.4g}° 过大；请减小 K",
-                f"there is no crank-rocker with this K and swing: θ = {degrees(design.theta):.4g} deg is too large; "
-                f"lower K",
-            ),
-            code="no-solution",
-        )
+        return _none_at_all(design)
     told = between(ranges, unit)
     return AssemblyError(
         Words(
@@ -54,6 +41,39 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
         ),
         code="no-solution",
         numbers={"low": min(low for low, _ in ranges), "high": max(high for _, high in ranges)},
+    )
+
+
+def _none_at_all(design: CrankRocker) -> AssemblyError:
+    return AssemblyError(
+        Words(
+            f"按此 K 和摆角没有曲柄摇杆机构：θ = {degrees(design.theta):.4g}° 过大；请减小 K",
+            f"there is no crank-rocker with this K and swing: θ = {degrees(design.theta):.4g} deg is too large; "
+            "lower K",
+        ),
+        code="no-solution",
+    )
+
+
+def _no_best(design: CrankRocker) -> AssemblyError:
+    """No greatest γ_min: because there is no linkage, or because γ_min grows up to an end that none reaches."""
+    if not _all_ranges(design, lambda one: one.values["gamma_min"]):
+        return _none_at_all(design)
+    if not design.theta:
+        return AssemblyError(
+            Words(
+                "K = 1 时 γ_min 随连杆加长而一直增大，没有最大值（AB = C₁C₂/2 不变）；请给定 BC、AD 或 gamma_min",
+                "with K = 1, γ_min grows as the coupler gets longer and has no greatest value (AB = C₁C₂/2 with any of "
+                "them); give BC, AD or gamma_min",
+            ),
+            code="no-solution",
+        )
+    return AssemblyError(
+        Words(
+            "γ_min 随 l_AB 减小而一直增大，没有最大值；请给定 AB 或 gamma_min",
+            "γ_min grows as the crank gets shorter and has no greatest value; give AB, or gamma_min",
+        ),
+        code="no-solution",
     )
 
 

@@ -1,0 +1,65 @@
+"""What a synthesis says of its linkages and refusals is true of them."""
+
+from __future__ import annotations
+
+from math import cos, pi, sin
+
+import numpy as np
+import pytest
+
+from vecpoly.check.designs.found_words import told as said
+from vecpoly.check.grashof import grashof
+from vecpoly.errors import VecpolyError
+from vecpoly.problem.load import loads
+from vecpoly.solution import solve
+
+PROBLEM = "id: told\ntitle: told\nsynthesis: {kind}\ndata: {{{data}}}\nfind: [{find}]\n"
+
+
+def told(kind: str, data: str, find: str) -> str:
+    """What the verification says of the only solution."""
+    (one,) = solve(loads(PROBLEM.format(kind=kind, data=data, find=find)), by="exact", repeats=0).verification
+    return said(one, alone=True).en
+
+
+def refused(kind: str, data: str) -> str:
+    with pytest.raises(VecpolyError) as told:
+        solve(loads(PROBLEM.format(kind=kind, data=data, find="theta")), by="exact", repeats=0)
+    return told.value.words.en
+
+
+@pytest.mark.parametrize("ratio", [2.0, 4.0, 8.0])
+def test_a_rod_is_long_enough_exactly_where_the_ram_turns_back_with_its_lever(ratio: float) -> None:
+    """The ram led from limit to limit by small steps of the lever goes one way only past the length that is told."""
+    data, half = f"K: {ratio}, H: 200 mm, AB: 60 mm, DE: 1 mm", pi * (ratio - 1) / (ratio + 1) / 2
+    least = float(refused("shaper", data).split(" = ")[2].split(" mm")[0])
+    lever = 100.0 / sin(half)
+    at = lever * np.exp(1j * (pi / 2 + np.linspace(half, -half, 4001)))
+    for rod, goes_back in ((0.98 * least, True), (1.02 * least, False)):
+        ram = at.real + np.sqrt(rod**2 - (lever * (1 + cos(half)) / 2 - at.imag) ** 2)
+        assert bool((np.diff(ram) < -1e-9).any()) is goes_back
+
+
+def test_no_best_angle_is_refused_for_the_reason_that_holds() -> None:
+    best = "CD: 50 mm, swing: 60 deg, best: gamma_min"
+    assert "θ = 120 deg is too large" in refused("crank-rocker", f"K: 5, {best}")
+    assert "the coupler gets longer" in refused("crank-rocker", f"K: 1, {best}")
+
+
+def test_a_rod_that_is_taken_for_the_motion_alone_is_told() -> None:
+    assert "and a rod DE = 240 mm of our choice" in told("whitworth", "K: 2, H: 160 mm, AC: 60 mm", "AB, CD")
+    assert "of our choice" not in told("whitworth", "K: 2, H: 160 mm, AC: 60 mm, DE: 240 mm", "AB, CD")
+
+
+def test_sums_of_lengths_that_differ_by_rounding_are_equal() -> None:
+    kind, margin = grashof(56.25, 123.75, 60.0, 127.5)
+    assert margin == 0 and kind.en == "crank-rocker"
+    assert grashof(56.25, 123.75, 60.0, 127.6)[1] == pytest.approx(-0.1)
+
+
+def test_a_limit_that_is_zero_is_no_bar_that_has_vanished() -> None:
+    solution = solve(
+        loads(PROBLEM.format(kind="grashof", data="AB: 40 mm, BC: 60 mm, CD: 50 mm, AD: 100 mm", find="CD_min, CD_max")),
+        by="exact", repeats=0,
+    )  # fmt: skip
+    assert solution.answers["CD_min"].drawn == pytest.approx(0, abs=1e-9) and not solution.verification
