@@ -204,6 +204,34 @@ def test_a_follower_that_is_not_the_cam_problems_is_refused_with_both_numbers(pa
     assert WRONG[part][1] in refused.value.words.en
 
 
+ARM = """
+id: arm
+title: arm
+frame: {O: [0 mm, 0 mm], A: [AT, 0 mm]}
+links:
+  1: {cam: {about: O, r0: 45 mm, turns: ccw, follower: {flat: yes, arm: {OA: 90 mm, face: 6 mm, side: WHERE}},
+            motion: [rise 12 deg in 130 deg cosine, dwell 20 deg, return 12 deg in 120 deg sine, dwell 90 deg]}}
+  2: {AE: 120 mm, face: {through: A, OFF: 6 mm}}
+joints: [1 touches 2 at T SIDE of the face]
+input: {link: 1, phi: 50 deg, omega: 10 rad/s ccw}
+find: [omega_2]
+"""
+
+
+@pytest.mark.parametrize(("where", "at", "side"), [("right", "90 mm", "left"), ("left", "-90 mm", "right")])
+def test_a_cam_on_the_wrong_side_of_a_face_is_refused_though_the_face_is_as_far_from_its_pivot(
+    where: str, at: str, side: str
+) -> None:
+    """With both on the other side the distance is the same, and the drawing was of another follower."""
+    text = ARM.replace("WHERE", where).replace("AT", at)
+    other = "left" if side == "right" else "right"
+    found = solve(loads(text.replace("OFF", other).replace("SIDE", side)), by="exact", repeats=0).answers["omega_2"]
+    assert found.drawn == pytest.approx(found.exact, rel=1e-9)
+    with pytest.raises(ProblemFileError) as refused:
+        loads(text.replace("OFF", side).replace("SIDE", other))
+    assert f"has the cam on the {side} of its face" in refused.value.words.en
+
+
 def test_an_undercut_profile_moves_nothing() -> None:
     text = load("cam-moves-roller").text.replace("cam-roller-offset", "cam-undercut")
     wide = text.replace("radius: 10 mm", "radius: 18 mm").replace("x = 6 mm", "x = -10 mm")

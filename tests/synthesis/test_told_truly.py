@@ -58,8 +58,6 @@ def test_sums_of_lengths_that_differ_by_rounding_are_equal() -> None:
 
 
 def test_a_limit_that_is_zero_is_no_bar_that_has_vanished() -> None:
-    solution = solve(
-        loads(PROBLEM.format(kind="grashof", data="AB: 40 mm, BC: 60 mm, CD: 50 mm, AD: 100 mm", find="CD_min, CD_max")),
-        by="exact", repeats=0,
-    )  # fmt: skip
+    text = PROBLEM.format(kind="grashof", data="AB: 40 mm, BC: 60 mm, CD: 50 mm, AD: 100 mm", find="CD_min, CD_max")
+    solution = solve(loads(text), by="exact", repeats=0)
     assert solution.answers["CD_min"].drawn == pytest.approx(0, abs=1e-9) and not solution.verification

@@ -137,6 +137,7 @@ def _arm(mech: Mechanism, pivot: complex, follower: str, end: str, contact: Cont
     yield Words(f"{about} 高出凸轮轴心（mm）", f"how far {about} is above the axis (mm)"), 1e3 * off.imag, 0.0
     points = mech.link(follower).points
     if isinstance(contact.on, Rack):
+        _cam_on_its_side(follower, points[end] - points[about], contact, cam)
         side = 1 if contact.side is Side.RIGHT else -1
         off = side * ((contact.on.origin - points[about]) * cmath.exp(-1j * contact.on.direction)).imag
         yield (
@@ -146,6 +147,21 @@ def _arm(mech: Mechanism, pivot: complex, follower: str, end: str, contact: Cont
         )
     else:
         yield Words("摆杆长（mm）", "the length of the arm (mm)"), 1e3 * abs(points[end] - points[about]), 1e3 * ab
+
+
+def _cam_on_its_side(follower: str, arm: complex, contact: Contact, cam: Cam) -> None:
+    """A cam lies below the face of an arm: left of it, seen from the pivot, where the pivot is right of the axis."""
+    assert isinstance(contact.on, Rack)
+    outwards = (cmath.exp(1j * contact.on.direction) / arm).real > 0
+    if (contact.side is Side.LEFT) is not (outwards is (cam.side > 0)):
+        zh, en = ("左", "left") if outwards is (cam.side > 0) else ("右", "right")
+        raise _other(
+            follower,
+            Words(
+                f"的凸轮在平底的{zh}侧（touches ... {en} of the face）",
+                f"has the cam on the {en} of its face ('... {en} of the face')",
+            ),
+        )
 
 
 def _guided(mech: Mechanism, pivot: complex, follower: str, end: str, contact: Contact, cam: Cam) -> Iterator[Told]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import degrees
 
 import numpy as np
 
@@ -62,11 +61,11 @@ def _hartmann(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Sp
     board = bench.board
     board.step(
         Words(
-            f"外凸部分曲率半径的最小值经试作在 $φ$ = {number(degrees(spot.phi))}° 处"
+            f"外凸部分曲率半径的最小值经试作在 $φ$ = {spot.told}° 处"
             f"{lettered(cam, spot, MOST_BENT).zh}。该处用哈特曼法作曲率中心：反转运动中 "
             "$v_B$ ⊥ $PB$，$v_B$ = $PB$·$ω$；瞬心 $P$ 的换位速度 $u$ 沿法线的垂直方向取分量 $u′$；连两矢量的端点"
             "，交法线于 $K$（两速度用同一比例，取一半）。以 $K$ 为圆心过 $B$ 作密切圆：",
-            f"By trial the radius of the parts that bulge out is least at $φ$ = {number(degrees(spot.phi))}°"
+            f"By trial the radius of the parts that bulge out is least at $φ$ = {spot.told}°"
             f"{lettered(cam, spot, MOST_BENT).en}. "
             "Hartmann's construction there: in the inversion $v_B$ ⊥ $PB$ with $v_B$ = $PB$·$ω$, and the centre $P$ "
             "itself moves with $u$, of which the part $u′$ at right angles to the normal is taken. The line of both "

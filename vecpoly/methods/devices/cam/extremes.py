@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from math import degrees
 
 import numpy as np
 
+from ....algebra.quantity import number
 from ....board.board import Board
 from ....board.construction import View
 from ....devices.cams.cam import Cam
@@ -28,6 +30,11 @@ class Spot:
     piece: Piece
     late: bool
     merit: float
+
+    @property
+    def told(self) -> str:
+        """Its angle in degrees, as a place is told that was found by trial: to a millionth."""
+        return number(round(degrees(self.phi), 6) + 0.0)
 
 
 def best(board: Board, place: View, pieces: Iterable[Piece], merit: Merit) -> Spot:

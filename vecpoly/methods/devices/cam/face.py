@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import degrees
 
 import numpy as np
 
-from ....algebra.quantity import Quantity, number
+from ....algebra.quantity import Quantity
 from ....board.board import Board
 from ....board.construction import Pane
 from ....board.paper.marks import Dot, Role
@@ -68,7 +67,7 @@ def _shown(bench: Bench, place: Pane, cam: Cam, it: Pose) -> None:
 
 def _told(cam: Cam, spot: Spot) -> Words:
     """Where the radius is least, and where the centre of curvature lies."""
-    at = number(degrees(spot.phi))
+    at = spot.told
     opened = Words(
         f"经试作，廓线的曲率半径在 $φ$ = {at}° 处{lettered(cam, spot, MOST_BENT).zh}最小。",
         f"By trial the radius of the profile is least at $φ$ = {at}°{lettered(cam, spot, MOST_BENT).en}. ",
@@ -110,7 +109,7 @@ def _along_the_arm(bench: Bench, cam: Cam) -> None:
         ("_2", 1, FARTHEST, Words("切点离该垂足最远", "It is farthest from it")),
     ):
         spot = best(board, place_of(cam), cam.pieces, reaching(cam, sign))
-        where = number(degrees(spot.phi))
+        where = spot.told
         board.step(told + Words(f"（$φ$ = {where}°），距离为：", f" at $φ$ = {where}°:"), VIEW)
         at = lift(board, place_of(cam), spot.piece, spot.phi, late=spot.late)
         it = pose(board, VIEW, cam, spot.phi, at)
@@ -132,8 +131,8 @@ def _about_the_guide(bench: Bench, cam: Cam) -> None:
         board.step(
             told
             + Words(
-                f" d$s$/d$φ$ 的最大值（$φ$ = {number(degrees(spot.phi))}°），平底由导路向该侧至少应有此长度：",
-                f" as far from the guide as the greatest d$s$/d$φ$ (at $φ$ = {number(degrees(spot.phi))}°); the face "
+                f" d$s$/d$φ$ 的最大值（$φ$ = {spot.told}°），平底由导路向该侧至少应有此长度：",
+                f" as far from the guide as the greatest d$s$/d$φ$ (at $φ$ = {spot.told}°); the face "
                 "must reach so far on that side:",
             ),
             VIEW,

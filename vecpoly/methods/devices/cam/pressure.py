@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import degrees, pi
+from math import pi
 
 import numpy as np
 
-from ....algebra.quantity import number
 from ....board.board import Board
 from ....board.construction import Pane, Scale, View
 from ....board.paper.marks import Dot, Role
@@ -63,10 +62,10 @@ def _greatest(bench: Bench, cam: Cam, cuts: Sequence[Cut], way: int, named: Name
     board.step(
         Words(
             f"{'推程' if way > 0 else '回程'}：比较各分点的压力角，在最大值附近加密试作，最大压力角在 $φ$ = "
-            f"{number(degrees(spot.phi))}° 处{at.zh}。作该位置的{part.zh}、瞬心 $P$ 和法线 $BP$，量法线与从动件"
+            f"{spot.told}° 处{at.zh}。作该位置的{part.zh}、瞬心 $P$ 和法线 $BP$，量法线与从动件"
             "运动方向的夹角：",
             f"{'Rise' if way > 0 else 'Return'}: compare the stations and try more positions near the greatest "
-            f"pressure angle; it is at $φ$ = {number(degrees(spot.phi))}°{at.en}. Draw the {part.en} there, the "
+            f"pressure angle; it is at $φ$ = {spot.told}°{at.en}. Draw the {part.en} there, the "
             "instant centre $P$ and the normal $BP$, and read the angle between the normal and the follower's motion:",
         ),
         place,
