@@ -13,9 +13,10 @@ from .check.alarm import Cause, Weighed
 from .check.precision import PLENTY, digits, settled
 from .foundation.slotted import dataclass
 from .names import Key, is_place
-from .words import Lang, Words
+from .words import Lang, Words, bare
 
 _HEAD = {"zh": ("量", "图解", "精确", "单位", "预期误差"), "en": ("symbol", "drawn", "exact", "unit", "expected")}
+NOTHING = 1e-9  # of what a value is measured by: less is rounding of a zero
 _NOTHING = 1e-14  # of what it is told beside: the rounding of a float, not a value
 YES_NO = "yes/no"  # unit of an answer that is 1 or 0
 
@@ -103,12 +104,21 @@ class Answer:
         return "ccw" if self.drawn > 0 else "cw"
 
     @property
+    def nothing(self) -> float:
+        """What is rounding beside the size that the answer is measured by, however slow or small the mechanism."""
+        return NOTHING * (self.weighed.own if isfinite(self.weighed.own) else 1.0)
+
+    @property
     def counted(self) -> float:
         """+1, or −1 of what turns clockwise: printed beside its sense it is counted that way round."""
         return -1.0 if self.sense == "cw" else 1.0
 
     def as_json(self) -> dict[str, Any]:
         """The answer as plain data, in the shape that `vecpoly solve --json` prints."""
+        said = self.reading.remark
+        return self._as_json() | ({} if said is None else {"remark": {"zh": bare(said.zh), "en": bare(said.en)}})
+
+    def _as_json(self) -> dict[str, Any]:
         exact = settled(self.exact, self.weighed.noise, self.weighed.size)
         drawn = 0.0 if exact == 0 and abs(self.drawn) <= _NOTHING * self.weighed.size else self.drawn
         data: dict[str, Any] = {"unit": self.reading.unit, "drawn": drawn, "exact": exact}
@@ -122,7 +132,7 @@ class Answer:
             data["at_infinity"] = True
         elif self.drawn_vector is not None:
             true = self.exact_vector or 0j
-            towards = bearing(true) if abs(true) > 1e-9 * max(1.0, self.expected_error) else None
+            towards = bearing(true) if abs(true) > self.nothing else None
             data |= (
                 {"direction_deg": self.direction, "exact_direction_deg": towards}
                 | line_of("", self.reading.acts)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def candidate_json(one: Candidate) -> dict[str, Any]:
     """A candidate as plain data: its pins in mm on paper, and why it is rejected."""
-    pins = {letter: [at.real, at.imag] for letter, at in one.pins.items()}
+    pins = {letter: [round(at.real, 9) + 0.0, round(at.imag, 9) + 0.0] for letter, at in one.pins.items()}
     why = {} if one.reason is None else {"rejected": bare(one.reason.en)}
     return {"number": one.number, "valid": one.reason is None, **why, "pins_mm": pins, "values": dict(one.values)}
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -46,3 +47,17 @@ def test_a_candidate_that_is_no_solution_is_told_with_its_reason() -> None:
         ("zh", "候选解 2 舍去："),
     ):
         assert why in CliRunner().invoke(app, ["solve", "8-5", "--lang", lang]).stdout
+
+
+def test_what_is_remarked_of_an_answer_stands_in_the_terminal_and_in_json() -> None:
+    shown = CliRunner().invoke(app, ["solve", "3-14"]).stdout
+    assert "ω_2: the link only translates" in shown
+    told = json.loads(CliRunner().invoke(app, ["solve", "3-14", "--json", "-"]).stdout)["answers"]["omega_2"]
+    assert told["remark"] == {"zh": "该构件作平动", "en": "the link only translates"}
+
+
+def test_the_direction_of_what_creeps_is_told_in_json(tmp_path: Path) -> None:
+    path = tmp_path / "creeping.yaml"
+    path.write_text(FOUR_BAR.replace("RATE", "1e-12"), "utf-8")
+    told = json.loads(CliRunner().invoke(app, ["solve", str(path), "--json", "-"]).stdout)["answers"]["v_C"]
+    assert told["exact_direction_deg"] == pytest.approx(told["direction_deg"], abs=0.2)

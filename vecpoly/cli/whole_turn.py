@@ -12,7 +12,7 @@ from ..names import written_unit
 from ..words import Words, bare
 from .options import Lang
 from .terminal import add, show, table
-from .wording import NOTHING, number
+from .wording import number
 
 if TYPE_CHECKING:
     from ..cycle import Cycle
@@ -63,6 +63,7 @@ def _zero(turn: Cycle, problem: Problem) -> Iterator[Words]:
 
 
 def _row(turn: Cycle, key: str) -> tuple[str, ...]:
+    from ..answer import NOTHING
     from ..cycle import extremes
     from ..cycle.curve import Curve
     from ..cycle.facts.transmission_range import transmission
@@ -81,6 +82,8 @@ def _place(turn: Cycle, spot: Spot, found: Extremes) -> str:
     """Where the drive stands then; nothing of what does not change."""
     if found.is_constant:
         return "—"
+    from ..answer import NOTHING
+
     drive, whole = turn.drive, pi if turn.drive.unit == "rad" else turn.mech.scale
     unit = written_unit("deg" if drive.unit == "rad" else " mm")
     return number(drive.factor * spot.phi, 7, drive.factor * NOTHING * whole) + unit

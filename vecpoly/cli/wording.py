@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import isfinite, isnan
+from math import isnan
 from typing import TYPE_CHECKING
 
 from ..words import Lang
@@ -15,7 +15,6 @@ _GREEK = {"omega": "ω", "alpha": "α", "eta": "η", "phi": "φ", "rho": "ρ", "
 _YES_NO = {True: {"zh": "是", "en": "yes"}, False: {"zh": "否", "en": "no"}}
 _UNDEFINED = {"zh": "无意义", "en": "undefined"}
 YES_NO = "yes/no"  # unit of an answer that is 1 or 0
-NOTHING = 1e-9  # of what a value is measured by: less is rounding of a zero
 _HUGE = 1e9  # a value below this is written without a power of ten
 
 
@@ -44,18 +43,12 @@ def exact(answer: Answer, lang: Lang) -> str:
 
 
 def _value(answer: Answer, size: float, vector: complex | None, lang: Lang) -> str:
-    zero = _nothing(answer)
+    zero = answer.nothing
     if answer.is_place and vector is not None:
         return f"({number(vector.real, zero=zero)}, {number(vector.imag, zero=zero)})"
     if answer.is_place:
         return f"∞, {number(size, zero=zero)}"
     return scalar(answer.counted * size, answer.reading.unit, lang, zero=zero)
-
-
-def _nothing(answer: Answer) -> float:
-    """What is rounding beside the size that the answer is measured by, however slow or small the mechanism."""
-    own = answer.weighed.own
-    return NOTHING * (own if isfinite(own) else 1.0)
 
 
 def beside(text: str, name: str) -> str:
@@ -75,9 +68,9 @@ def gap(answer: Answer) -> str:
     if answer.computed:
         return "—"
     if answer.is_place and answer.drawn_vector is not None and answer.exact_vector is not None:
-        return number(abs(answer.drawn_vector - answer.exact_vector), 2, _nothing(answer))
-    if abs(answer.exact) <= _nothing(answer) or answer.is_place:  # of a direction to infinity, in degrees
-        return number(answer.deviation, 2, _nothing(answer))
+        return number(abs(answer.drawn_vector - answer.exact_vector), 2, answer.nothing)
+    if abs(answer.exact) <= answer.nothing or answer.is_place:  # of a direction to infinity, in degrees
+        return number(answer.deviation, 2, answer.nothing)
     return percent(answer.relative_deviation)
 
 
@@ -100,5 +93,5 @@ def way(answer: Answer, lang: Lang) -> str:
         from ..printed.angles import bearing_told
 
         turn = answer.direction
-        return "—" if turn is None or abs(answer.drawn_vector) <= _nothing(answer) else bearing_told(turn)
-    return _SENSE[answer.sense][lang] if answer.sense and abs(answer.drawn) > _nothing(answer) else "—"
+        return "—" if turn is None or abs(answer.drawn_vector) <= answer.nothing else bearing_told(turn)
+    return _SENSE[answer.sense][lang] if answer.sense and abs(answer.drawn) > answer.nothing else "—"

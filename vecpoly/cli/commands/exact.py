@@ -14,7 +14,7 @@ from ..files import STDOUT, spared, write_json
 from ..jobs import problems
 from ..options import JSON, JsonOption, Lang, LangOption, OutsideOption, Problems
 from ..terminal import add, progress, say, show, table, warn
-from ..wording import NOTHING, YES_NO, number, scalar, symbol
+from ..wording import YES_NO, number, scalar, symbol
 
 if TYPE_CHECKING:
     from ...check.truth import ActsAt
@@ -89,6 +89,7 @@ def _line(line: ActsAt | None) -> dict[str, Any]:
 
 
 def _print(problem: Problem, values: Mapping[str, complex | float], sizes: Mapping[str, float], lang: Lang) -> None:
+    from ...answer import NOTHING
     from ...printed.angles import bearing_told
 
     title = f"{problem.id}  {bare(problem.title.of(lang))}"

@@ -101,6 +101,8 @@ def _print(solution: Solution, lang: Lang) -> None:
             typer.echo(f"{symbol(answer.key)}: {told_short(answer).of(lang)}")
         if answer.reading.acts is not None and answer.reading.acts.couple is not None:
             typer.echo(bare(_passed_on(answer).of(lang)))
+        elif (remark := answer.reading.remark) is not None:
+            typer.echo(f"{symbol(answer.key)}: {bare(remark.of(lang)).strip('（）() ')}")
     if not problem.asks:
         say(f"{problem.id}: {nothing_asked(problem).of(lang)}")
     if (few := fewer_digits(solution)) is not None:
