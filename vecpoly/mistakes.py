@@ -43,6 +43,8 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
             yield from (Slip(Mistake.OTHER_CENTRE, _name(act, acts), letter) for letter in _beside(act, led, acts))
         case Parallel() if act.key:
             yield Slip(Mistake.TURNED, _name(act, acts))
+        case Ray(of_friction=True):
+            yield Slip(Mistake.OTHER_SIDE, _name(act, acts))
         case Ray() if act.key:
             yield from (Slip(mistake, _name(act, acts)) for mistake in (Mistake.COMPLEMENT, Mistake.OTHER_SIDE))
         case Invert():

@@ -51,6 +51,14 @@ class Compass(Instruments):
         act = self.log(done.Ray(head=self.head(at, base, angle, key=key), at=spot(at), along=spot(along)))
         return Line(traced(at, act), traced(along, act))
 
+    def leaned(self, normal: Points, angle: Reals, *, key: str) -> Points:
+        """A direction that leans from a normal by the angle of friction (rad), of the reaction of this key."""
+        wrong = self.amended.wrong(self.here, key)
+        angle = self.amended.altered(angle, ((hand, _misread(slip.mistake, angle)) for hand, slip in wrong))
+        along = normal * np.exp(1j * angle)
+        act = done.Ray(head=self.head(normal, key=key), at=0j, along=spot(along), of_friction=True)
+        return traced(along, self.log(act))
+
     def judged(self, view: Place, letter: str, *, crosses: bool) -> Reals:
         """What two lines do at a lettered point: −1 where they cross, so that what follows has the other sign; 1 where
         they only touch."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
 from ...errors import AssemblyError
 from ...words import Words
 
@@ -10,6 +12,15 @@ NONE, FAR = 1e-6, 1e4  # of the frame: a link shorter, or longer, than that is n
 
 def unbounded(letters: str, length: float) -> AssemblyError:
     """A link of no length, or of any; length: in frames."""
+    if not isfinite(length):
+        return AssemblyError(
+            Words(
+                f"按这三组对应角，{letters} 为无穷长，得不到铰链四杆机构；请改动角度或初始角",
+                f"with these three pairs {letters} becomes infinitely long: no four-bar; change the angles, or those "
+                "at which they begin",
+            ),
+            code="no-solution",
+        )
     size = f"{abs(length):.3g}"
     return AssemblyError(
         Words(

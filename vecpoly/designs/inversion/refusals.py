@@ -99,8 +99,9 @@ def no_centre_point(stage: CentrePoints, found: int, valid: int = 0) -> Assembly
     return AssemblyError(
         Words(
             f"给定直线与四个位置的圆心曲线只有 {found} 个可用的交点，不足以取两个固定铰链 {pins}；请移动直线",
-            f"the given lines meet the centre-point curve of the four positions in only {found} points that serve, too "
-            f"few for the two fixed pins {pins}; move the lines",
+            f"the given lines meet the centre-point curve of the four positions in only {found} "
+            f"point{'' if found == 1 else 's'} that serve{'s' if found == 1 else ''}, too few for the two fixed pins "
+            f"{pins}; move the lines",
         ),
         code="no-centre-point",
         numbers={"found": found},
@@ -113,8 +114,8 @@ def _lost(found: int, valid: int) -> AssemblyError:
         Words(
             f"作图条件差，误差大：按此手法作图只得到 {found} 个圆心点，而准确作图有 {valid} 个解；"
             "请用 --hand drafting 或改变所给位置",
-            f"ill-conditioned: this hand finds only {found} centre points, where an exact drawing has {valid} "
-            "solutions; use --hand drafting, or other positions",
+            f"ill-conditioned: this hand finds only {found} centre point{'' if found == 1 else 's'}, where an exact "
+            f"drawing has {valid} solution{'' if valid == 1 else 's'}; use --hand drafting, or other positions",
         ),
         code="lost-by-hand",
         numbers={"found": found, "solutions": valid},

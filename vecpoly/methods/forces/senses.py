@@ -75,8 +75,8 @@ def velocity_of(st: Statics, link: str, place: Points) -> Points:
     return desk.tip(View.VELOCITY, at) + 1j * turn.value * (place - desk.where(at)) * per_mm
 
 
-def leaning(st: Statics, normal: Points, slip: Points, phi: float, what: Words | str) -> Points:
-    """Direction of a reaction with normal part along `normal`:
+def leaning(st: Statics, normal: Points, slip: Points, phi: float, what: Words | str, *, key: str) -> Points:
+    """Direction of the reaction of this key with normal part along `normal`:
     turned by φ from it, against the sliding of the link it acts on.
 
     Raises NoSlipSenseError where nothing slides.
@@ -93,8 +93,7 @@ def leaning(st: Statics, normal: Points, slip: Points, phi: float, what: Words |
                 "leave out this friction",
             )
         )
-    leant: Points = normal * complex(np.exp(-1j * phi * np.sign(along)))
-    return leant
+    return st.board.leaned(normal, -phi * float(np.sign(along)), key=key)
 
 
 def inclined(st: Statics, joint: Prismatic, by: str, on: str) -> Points:
@@ -109,9 +108,8 @@ def inclined(st: Statics, joint: Prismatic, by: str, on: str) -> Points:
     at = desk.at[joint.pin]
     slip = velocity_of(st, on, at) - velocity_of(st, by, at)
     i, j = st.mech.number(by), st.mech.number(on)
-    return leaning(
-        st, normal, slip, st.phi(joint), Words(f"构件 {i} 与 {j} 间的移动副", f"the slide of links {i} and {j}")
-    )
+    between = Words(f"构件 {i} 与 {j} 间的移动副", f"the slide of links {i} and {j}")
+    return leaning(st, normal, slip, st.phi(joint), between, key=st.named(by, on).key)
 
 
 def slide_words(st: Statics, joint: Prismatic, by: str, on: str) -> Words:

@@ -37,7 +37,8 @@ def line_of_contact(st: Statics, two: TwoForce) -> Line:
     normal = outward if two.by == contact.disc.link else -outward
     i, j = st.mech.number(two.by), st.mech.number(two.on)
     slip = velocity_of(st, two.on, k) - velocity_of(st, two.by, k)
-    u = leaning(st, normal, slip, st.phi(contact), Words(f"接触点 {contact.point}", f"contact {contact.point}"))
+    what, named = Words(f"接触点 {contact.point}", f"contact {contact.point}"), st.named(two.by, two.on)
+    u = leaning(st, normal, slip, st.phi(contact), what, key=named.key)
     if st.phi(contact):
         _say(st, i, j, contact.point, slip, normal)
     else:
@@ -51,7 +52,6 @@ def line_of_contact(st: Statics, two: TwoForce) -> Line:
             View.MECHANISM,
         )
     u = st.board.turn(u)
-    named = st.named(two.by, two.on)
     st.board.join(View.MECHANISM, k - u * 22.0, k + u * 22.0, st.ruled(Role.DIRECTION), key=named.key)
     st.board.plot(View.MECHANISM, k + u * 22.0, named.symbol, Dot.NONE, key=named.key)
     return Line(k, u)
