@@ -16,7 +16,6 @@ from .units import printed_unit
 TENTH = 0.1  # mm: what a rule is read to
 _HALF = TENTH / 2
 SHARE, SHARE_OF_READ = 0.3, 0.1  # of the expected error: what is smaller says nothing; of a length that was read well
-_ROUGH, _FEWEST = 0.05, 2  # share of a value by which it may be off and have two figures only
 MOST = 4  # significant digits of an answer; an exact value has one more
 _READ = 3  # significant digits of what is read on paper, at least; one more after a leading 1
 LEAST = 1e-4  # smaller numbers are told by powers of ten
@@ -59,13 +58,13 @@ def decimals(answer: Answer) -> int | None:
 
     What was worked out has the zeros that its expected error leaves it; an angle has the tenth of the protractor. What
     is read off as a length has the figures of its reading. None ends with a digit that is worth less than its expected
-    error while three figures are left, two where it may be off by a twentieth: 11.95 ± 0.2 is told as 12.0.
+    error while three figures are left, four after a leading 1: of fewer the rounding would look like a deviation.
     """
     places, error = _places(answer), printed_unit(answer.reading.unit)[0] * _error(answer)
     if places is None or not error or not answer.drawn or answer.reading.unit == "deg":
         return places
     drawn = printed_unit(answer.reading.unit)[0] * answer.drawn
-    return min(places, max(places_of(error), _places_for(drawn, _READ if error < _ROUGH * abs(drawn) else _FEWEST)))
+    return min(places, max(places_of(error), _places_for(drawn, _READ + leads_with_1(drawn))))
 
 
 def _places(answer: Answer) -> int | None:
