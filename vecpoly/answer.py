@@ -10,13 +10,12 @@ from typing import Any
 from .board.construction import LineOfAction, Reading
 from .board.said.short import TOO_SHORT, about, is_short
 from .check.alarm import Cause, Weighed
-from .check.precision import PLENTY, digits, settled
+from .check.precision import NOTHING, PLENTY, digits, settled
 from .foundation.slotted import dataclass
 from .names import Key, is_place
 from .words import Lang, Words, bare
 
 _HEAD = {"zh": ("量", "图解", "精确", "单位", "预期误差"), "en": ("symbol", "drawn", "exact", "unit", "expected")}
-NOTHING = 1e-9  # of what a value is measured by: less is rounding of a zero
 _NOTHING = 1e-14  # of what it is told beside: the rounding of a float, not a value
 YES_NO = "yes/no"  # unit of an answer that is 1 or 0
 

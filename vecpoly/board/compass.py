@@ -45,17 +45,19 @@ class Compass(Instruments):
 
     def ray(self, at: Points, base: Points, angle: Reals, *, key: str = "") -> Line:
         """A ray at an angle (rad, counter-clockwise) from a drawn direction, by protractor."""
-        wrong = self.amended.wrong(self.here, key)
-        angle = self.amended.altered(angle, ((hand, _misread(slip.mistake, angle)) for hand, slip in wrong))
+        angle = self._set_out(angle, key)
         along = self.hand.tilt(base * np.exp(1j * angle))
         act = self.log(done.Ray(head=self.head(at, base, angle, key=key), at=spot(at), along=spot(along)))
         return Line(traced(at, act), traced(along, act))
 
+    def _set_out(self, angle: Reals, key: str) -> Reals:
+        """The angle as it is set out, by somebody's mistake too."""
+        wrong = self.amended.wrong(self.here, key)
+        return self.amended.altered(angle, ((hand, _misread(slip.mistake, angle)) for hand, slip in wrong))
+
     def leaned(self, normal: Points, angle: Reals, *, key: str) -> Points:
         """A direction that leans from a normal by the angle of friction (rad), of the reaction of this key."""
-        wrong = self.amended.wrong(self.here, key)
-        angle = self.amended.altered(angle, ((hand, _misread(slip.mistake, angle)) for hand, slip in wrong))
-        along = normal * np.exp(1j * angle)
+        along = normal * np.exp(1j * self._set_out(angle, key))
         act = done.Ray(head=self.head(normal, key=key), at=0j, along=spot(along), of_friction=True)
         return traced(along, self.log(act))
 

@@ -63,7 +63,7 @@ def _zero(turn: Cycle, problem: Problem) -> Iterator[Words]:
 
 
 def _row(turn: Cycle, key: str) -> tuple[str, ...]:
-    from ..answer import NOTHING
+    from ..check.precision import NOTHING
     from ..cycle import extremes
     from ..cycle.curve import Curve
     from ..cycle.facts.transmission_range import transmission
@@ -82,7 +82,7 @@ def _place(turn: Cycle, spot: Spot, found: Extremes) -> str:
     """Where the drive stands then; nothing of what does not change."""
     if found.is_constant:
         return "—"
-    from ..answer import NOTHING
+    from ..check.precision import NOTHING
 
     drive, whole = turn.drive, pi if turn.drive.unit == "rad" else turn.mech.scale
     unit = written_unit("deg" if drive.unit == "rad" else " mm")

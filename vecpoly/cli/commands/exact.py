@@ -89,7 +89,7 @@ def _line(line: ActsAt | None) -> dict[str, Any]:
 
 
 def _print(problem: Problem, values: Mapping[str, complex | float], sizes: Mapping[str, float], lang: Lang) -> None:
-    from ...answer import NOTHING
+    from ...check.precision import NOTHING
     from ...printed.angles import bearing_told
 
     title = f"{problem.id}  {bare(problem.title.of(lang))}"

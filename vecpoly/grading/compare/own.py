@@ -17,7 +17,7 @@ from ...problem.problem import Problem
 from ..key import AnswerKey, Graded, Kind, spot_letters
 from ..redraw import by_hands
 from ..rules import Rules
-from .band import Target
+from .band import Target, is_other_sense
 from .measured import Measured, UnitFault
 from .ways import ways
 
@@ -27,12 +27,13 @@ DIAGRAM_SCALE = "mu_l"
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Followed:
     """What follows for one quantity: `target` from its nearest own values, None where no figure closes; `deep` from all
-    own values below it, which turn its direction too; `otherwise` by another way. sources: the nearest own
-    values.
+    own values below it, which turn its direction too; `otherwise` by another way. sources: the nearest own values;
+    below: all of them.
     """
 
     target: Target | None
     sources: tuple[str, ...]
+    below: tuple[str, ...] = ()
     deep: Target | None = None
     otherwise: Target | None = None
 
@@ -76,8 +77,8 @@ class Follower:
                     continue  # what was found from this very quantity tells nothing of it
                 mine = self.given[way.source]
                 size = way.of(abs(mine.value))
-                other = mine.sense != 0 and (mine.sense > 0) is not (source.exact > 0)
-                degrees = None if one.degrees is None else one.degrees + (180.0 if other else 0.0)
+                turned = 180.0 if is_other_sense(mine, source) else 0.0
+                degrees = None if one.degrees is None else one.degrees + turned
                 target = Target(value=size, allowed=self.allowed(one, size), degrees=degrees)
                 so_far = drawn.get(one.key) or Followed(target=target, sources=())
                 drawn[one.key] = replace(so_far, otherwise=target, sources=(*so_far.sources, way.source))
@@ -98,8 +99,8 @@ class Follower:
         chosen = [one for one in steps if near[one.key].sources]
         if not chosen:
             return {}
-        hands = [near[one.key] for one in chosen] + [self.inputs(one, deep=True) for one in chosen]
-        own = tuple(one.frozen() for one in hands)
+        deep = {one.key: self.inputs(one, deep=True) for one in chosen}
+        own = tuple(inputs[one.key].frozen() for inputs in (near, deep) for one in chosen)
         try:
             found = by_hands(self.problem, self.key, Amended(own=own))
         except VecpolyError:
@@ -109,6 +110,7 @@ class Follower:
                 target=self._target(one, found[one.key][i]),
                 deep=self._target(one, found[one.key][i + len(chosen)]),
                 sources=tuple(near[one.key].sources),
+                below=tuple(deep[one.key].sources),
             )
             for i, one in enumerate(chosen)
             if one.key in found
@@ -181,8 +183,7 @@ class Follower:
         elif one.kind is Kind.READING:
             found.readings[one.letters] = abs(mine.value) / (1.0 if source == one.key else self.key.scales[one.mu])
         else:
-            other = one.kind is Kind.SIGNED and mine.sense != 0 and (mine.sense > 0) is not (one.exact > 0)
-            found.values[one.key] = -abs(mine.value) if other else abs(mine.value)
+            found.values[one.key] = -abs(mine.value) if is_other_sense(mine, one) else abs(mine.value)
         found.sources.append(source)
 
     def _target(self, one: Graded, found: Any) -> Target | None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
+from operator import mul
 
 from ...errors import UnknownNameError
 from ...mechanism.model import Mechanism
@@ -40,4 +42,4 @@ def _about_pivots(problem: Problem, one: Graded) -> Iterator[Way]:
     for link in (link for link in mech.links if rel.to.point in link.points):
         for pivot in (letter for letter in link.points if letter in mech.frame and letter != rel.to.point):
             radius = abs(link.points[rel.to.point] - link.points[pivot])
-            yield Way(omega(link.name).key, lambda rate, radius=radius: rate * radius)  # type: ignore[misc]
+            yield Way(omega(link.name).key, partial(mul, radius))

@@ -127,15 +127,13 @@ def _nothing(found: Verdicts, name: str) -> bool:
 
 def _exchanged(found: Verdicts, why: Causes) -> None:
     """Two values of which each is that of the other, where nothing else is wrong: their names were exchanged."""
-    wrong = [one for one in found.roots() if found.outcome[one.key] is Outcome.WRONG]
-    if len(wrong) != 2 or len(found.roots()) != 2:
+    pair = found.roots()
+    if len(pair) != 2 or any(found.outcome[one.key] is not Outcome.WRONG for one in pair):
         return
-    one, other = wrong
-    said = [[each.symbol for each in taken_for(a, found.given[a.key], found.key)] for a in wrong]
-    if said == [[other.symbol], [one.symbol]]:
-        why.said[one.key], why.said[other.key] = (
-            message(Told.SWAPPED, other=other.symbol), message(Told.SWAPPED, other=one.symbol),
-        )  # fmt: skip
+    taken = [[each.key for each in taken_for(one, found.given[one.key], found.key)] for one in pair]
+    if taken == [[one.key] for one in reversed(pair)]:
+        for one, other in zip(pair, reversed(pair), strict=True):
+            why.said[one.key] = message(Told.SWAPPED, other=other.symbol)
 
 
 def _of_itself(found: Verdicts, why: Causes, root: Graded) -> None:

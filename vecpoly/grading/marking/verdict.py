@@ -117,8 +117,7 @@ def _better(found: Verdicts, one: Graded) -> None:
 def _directed(found: Verdicts, one: Graded, followed: Followed) -> Iterator[Target]:
     """What follows from own values. Of a size that is computed alone the direction is the right one, where nothing that
     could turn it is wrong: it was drawn before its length was read."""
-    below = found.follower.inputs(one, deep=True).sources
-    steady = all(found.exact[name].is_right for name in below if name != one.line)
+    steady = all(found.exact[name].is_right for name in followed.below if name != one.line)
     for target in (followed.target, followed.deep, followed.otherwise):
         if target is not None:
             yield replace(target, degrees=one.degrees) if steady and target.degrees is None else target

@@ -64,7 +64,7 @@ def _read(page: Page, keys: Mapping[str, AnswerKey], keys_of: KeysOf, sheets: Sh
             _long_rows(page, i, columns["student"], long, keys_of, returned)
         else:
             others = of_others(page, i, columns, sheets, returned)
-            _wide_rows(page, i, columns, _heads(page, i, columns, keys, returned), keys_of, returned, others)
+            _wide_rows(page, i, columns["student"], _heads(page, i, columns, keys, returned), keys_of, returned, others)
         return True
     return False
 
@@ -86,16 +86,9 @@ def _heads(
 
 
 def _wide_rows(
-    page: Page,
-    i: int,
-    columns: Mapping[str, int],
-    heads: Mapping[int, Head],
-    keys_of: KeysOf,
-    returned: Returned,
-    others: set[int],
+    page: Page, i: int, student: int, heads: Mapping[int, Head], keys_of: KeysOf, returned: Returned, others: set[int]
 ) -> None:
     """One row a student; a row of units under the header is left out. others: rows that are not used."""
-    student = columns["student"]
     for n, row in enumerate(page.rows[i + 1 :], i + 1):
         if n in others:
             continue

@@ -21,10 +21,9 @@ def shapers(design: Shaper) -> list[Linkage]:
     ab, height = ac * sin(half), cd * (1 + cos(half)) / 2
     values = {"AB": 1e3 * ab, "AC": 1e3 * ac, "CD": 1e3 * cd, "h": 1e3 * height}
     if design.DE is not None:
-        rise = cd - height
-        if not below(least := rise / cos(half), design.DE.si):
+        if not below(least := design.least_rod(cd), design.DE.si):
             raise _short_rod(design.DE.text, least)
-        values["alpha_max"] = degrees(asin(rise / design.DE.si))
+        values["alpha_max"] = degrees(asin((cd - height) / design.DE.si))
     pins = {"A": complex(0, ac), "C": 0j}
     return [_only(values, design.theta, pins, (ab, cd, ac, 0.0))]
 
@@ -36,8 +35,8 @@ def whitworths(design: Whitworth) -> list[Linkage]:
     ab = design.AB.si if design.AB is not None else _si(design) / cos(half)
     ac, cd = ab * cos(half), design.H.si / 2
     values = {"AB": 1e3 * ab, "AC": 1e3 * ac, "CD": 1e3 * cd}
-    if design.DE is not None and not below(cd, design.DE.si):
-        raise _no_reach(design.DE.text, cd)
+    if design.DE is not None and not below(least := design.least_rod(cd), design.DE.si):
+        raise _no_reach(design.DE.text, least)
     return [_only(values, design.theta, {"A": complex(0, ac), "C": 0j}, (ab, cd, ac, 0.0))]
 
 

@@ -153,8 +153,9 @@ def _cam_on_its_side(follower: str, arm: complex, contact: Contact, cam: Cam) ->
     """A cam lies below the face of an arm: left of it, seen from the pivot, where the pivot is right of the axis."""
     assert isinstance(contact.on, Rack)
     outwards = (cmath.exp(1j * contact.on.direction) / arm).real > 0
-    if (contact.side is Side.LEFT) is not (outwards is (cam.side > 0)):
-        zh, en = ("左", "left") if outwards is (cam.side > 0) else ("右", "right")
+    on_left = outwards is (cam.side > 0)
+    if (contact.side is Side.LEFT) is not on_left:
+        zh, en = ("左", "left") if on_left else ("右", "right")
         raise _other(
             follower,
             Words(
