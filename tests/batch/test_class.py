@@ -128,6 +128,16 @@ def test_a_run_that_was_killed_goes_on_and_ends_with_the_bytes_of_one_that_was_n
     assert all(file.stat().st_mtime_ns == when for file, when in kept.items())
 
 
+def test_a_file_that_was_damaged_is_written_anew(whole: tuple[Path, Made], tmp_path: Path) -> None:
+    out = tmp_path / "hw"
+    shutil.copytree(whole[0], out)
+    file = next((out / "questions").glob("*.pdf"))
+    good = file.read_bytes()
+    file.write_bytes(good[:900] + bytes([good[900] ^ 1]) + good[901:])
+    made(out, FOUR)
+    assert file.read_bytes() == good
+
+
 def test_answers_that_were_typed_are_never_written_over(whole: tuple[Path, Made], tmp_path: Path) -> None:
     """A form that is still blank is written anew with its class; one that is filled in stays, and a blank lies beside
     it."""

@@ -12,6 +12,7 @@ from contextlib import suppress
 from tests.grader_proof.judge import Tally, Trial
 from tests.grader_proof.students import drawn_class
 from tests.grader_proof.trials import blanks, foreign, misread, right_work, single_slips, two_slips, uncatalogued
+from tests.grader_proof.writing import TRIALS
 from vecpoly import Problem, load
 from vecpoly.errors import VecpolyError
 
@@ -42,6 +43,11 @@ BARS = {
     "single slips caught": (">=", 0.99), "single slips named rightly": (">=", 0.95),
     "uncatalogued errors named as a slip": ("<=", 0.05), "another student's sheet accepted": ("<=", 0.0),
     "follow-through lowered a mark": ("<=", 0.0), "one misreading costs once": (">=", 1.0),
+    "zeros taken as right": ("<=", 0.0), "zeros accused of a slip": ("<=", 0.01),
+    "another direction or sense caught": (">=", 0.99), "another direction or sense named as a slip": ("<=", 0.05),
+    "one direction or sense costs once": (">=", 0.99),
+    "names exchanged: caught": (">=", 0.99), "names exchanged: named as a slip": ("<=", 0.05),
+    "everything by a factor: named as a slip": ("<=", 0.05),
 }  # fmt: skip
 
 
@@ -74,6 +80,7 @@ def prove(name: str, count: int, seed: int = 1) -> tuple[Tally, Counter[str]]:
         uncatalogued(trial, group, count // 2, seed), misread(trial, group, count // 20, seed),
         blanks(trial, group, count // 4, seed),
         foreign(trial, others(load(name)), count // 10, seed),
+        *(sort(trial, group, count // 10, seed) for sort in TRIALS),
     ):  # fmt: skip
         for tally in part:
             total += tally

@@ -45,16 +45,22 @@ def test_room_is_unlimited_where_all_are_far_apart_and_for_one_where_all_are_ali
     assert room(keys(0.0, 1.0), 3.0, 300) == inf  # two tell nothing
 
 
+def test_values_along_one_range_fill_it_sooner_than_chance_would() -> None:
+    """0 to 30 T, two of whom must be 3 T apart, so that at most 11 find a place; by pairs alone it would be some 24."""
+    along = keys(*range(0, 31, 3), *range(1, 31, 3))
+    assert 5 <= room(along, 3.0, 300) <= 11
+
+
 def test_a_class_far_larger_than_its_ranges_can_tell_apart_is_refused_before_anything_is_drawn(tmp_path: Path) -> None:
     with pytest.raises(VecpolyError, match=r"about \d+ of 20 students can be told apart"):
         made(tmp_path / "hw", people(range(20)), TRAIN)
 
 
 def test_whoever_is_too_near_to_others_is_told_so_and_not_that_the_data_contradict_each_other(tmp_path: Path) -> None:
-    """Seven where some five have room: those who are left get the reason that is true."""
+    """Five where some three have room: those who are left get the reason that is true."""
     with piloted():
-        done = make_class(ordered(tmp_path / "hw", people(range(7)), TRAIN), Here(), lambda *_: None)
-    assert done.refused and len(done.register.sheets) >= 3
+        done = make_class(ordered(tmp_path / "hw", people(range(5)), TRAIN), Here(), lambda *_: None)
+    assert done.refused and len(done.register.sheets) >= 2
     assert all("too near" in error.words.en for error in done.refused.values())
 
 

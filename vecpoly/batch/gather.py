@@ -9,9 +9,9 @@ from pathlib import Path
 from ..errors import VecpolyError
 from ..words import Words
 from .classwork import Made, Order, Told, make_class
-from .run.manifest import Line, Manifest, file_digest, manifests, roster_digest, values_digest
+from .run.manifest import Line, Manifest, manifests, roster_digest, values_digest
 from .run.runners import Runner
-from .run.store import FOLDER
+from .run.store import FOLDER, file_digest
 
 SOME = 5  # names that a refusal lists
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from hashlib import sha256
 from pathlib import Path
 
 from ..foundation.files import write_whole
@@ -13,8 +12,7 @@ from .forms.profile import Profile, table_bytes
 from .forms.workbooks import answers_bytes, key_bytes
 from .moodle.quiz import Quizzes
 from .register import NAME, Register
-from .run.manifest import file_digest
-from .run.store import Store
+from .run.store import Store, bytes_digest, file_digest
 from .run.tasks import question_file
 
 Told = Callable[[Words, int, int], None]
@@ -46,7 +44,7 @@ def outputs(register: Register, out: Path, profile: Profile | None, told: Told) 
 
 def _form(blank: bytes, out: Path) -> Path:
     """Write the blank form for answers; where somebody has typed into the one that lies there, beside it."""
-    form, store, mine = out / FORM, Store(out), sha256(blank).hexdigest()
+    form, store, mine = out / FORM, Store(out), bytes_digest(blank)
     known = dict.fromkeys([*(store.get(_FORMS) or ()), mine])
     typed = form.exists() and file_digest(form) not in known
     store.put(_FORMS, list(known), {})

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ..grading.key import AnswerKey
+from ..grading.key import AnswerKey, Graded
 from .look import MEASURED
 
 READINGS = 2  # in which two students differ
@@ -50,6 +50,17 @@ class Taken:
         )
 
 
+def compared(key: AnswerKey) -> list[Graded]:
+    """What two students are compared by."""
+    return [one for one in key.quantities if one.asked and one.kind in MEASURED and not one.demoted]
+
+
+def answers(key: AnswerKey) -> tuple[Row, Row]:
+    """Its answers (SI) with their tolerances."""
+    asked = compared(key)
+    return tuple(one.exact for one in asked), tuple(one.allowed for one in asked)
+
+
 class Apart:
     """Those who have their values, one after another."""
 
@@ -65,9 +76,8 @@ class Apart:
 
     def takes(self, key: AnswerKey) -> bool:
         """Whether this variant is far enough from all so far; if so it is one of them from now on."""
-        asked = [one for one in key.quantities if one.asked and one.kind in MEASURED and not one.demoted]
-        self._keys = self._keys or tuple(one.key for one in asked)
-        sizes, allowed = tuple(one.exact for one in asked), tuple(one.allowed for one in asked)
+        self._keys = self._keys or tuple(one.key for one in compared(key))
+        sizes, allowed = answers(key)
         if not self.taken.far_from(sizes, allowed):
             return False
         self._sizes.append(sizes)

@@ -9,10 +9,8 @@ from itertools import combinations
 from math import inf
 
 from ..board.otherwise.slip import Slip
-from ..errors import VecpolyError
 from ..problem.problem import Problem
 from ..solution import scales_of
-from ..words import Words
 from .conditions import Condition
 from .draw import ATTEMPTS, Trial, tried
 from .frames import scaled
@@ -21,12 +19,12 @@ from .keyed import key_for
 from .look import Look, least_meeting, sketch_of, work
 from .room import room
 from .seeds import Seed
+from .too_few import LEAST, nothing_left, too_few
 
 SETS = 12  # of values that are tried
 MOST = 0.5  # a quantity that fails in more of the drawings than this is demoted
 SHARES = (MOST, 0.2, 0.0)  # a slip that fails in more than this is let off, the next where too few draws pass else
 ENOUGH = 0.1  # of the draws
-LEAST = 0.01  # yield below which the ranges are refused
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,10 +59,10 @@ def pilot(problem: Problem) -> Pilot:
         passed, failed = _weighed(trials, standard)
         if passed >= ENOUGH or not failed.get(Condition.SLIPS):
             break
-    if looks and standard.demoted >= {one.key for look in looks for one in look.asked}:  # nothing is left to be graded
-        passed, failed = 0.0, {_worst(looks): 1.0}
+    if looks and standard.demoted >= {one.key for look in looks for one in look.asked}:
+        raise nothing_left(problem, looks)
     if passed < LEAST:
-        raise _too_few(problem.id, passed, failed)
+        raise too_few(problem.id, passed, failed)
     slips = max((len(look.slips) for look in looks), default=0)
     good = [key_for(look.key, standard) for look in looks if failing(look, standard) is None]
     found = room(good, problem.gate.apart, ATTEMPTS)
@@ -93,13 +91,6 @@ def _with_demoted(standard: Standard, looks: Sequence[Look], asked: Sequence[str
     """What is too short, or scatters too much, in most drawings."""
     demoted = {key for key in asked if looks and sum(_good(look, key) for look in looks) < (1 - MOST) * len(looks)}
     return replace(standard, demoted=frozenset(demoted))
-
-
-def _worst(looks: Sequence[Look]) -> Condition:
-    """Why most quantities are demoted: too short, or drawn too badly."""
-    short = sum(not long_enough(one, look) for look in looks for one in look.asked)
-    badly = sum(deviation(one) > look.problem.gate.deviation for look in looks for one in look.asked)
-    return Condition.VECTORS if short >= badly else Condition.DEVIATION
 
 
 def _good(look: Look, key: str) -> bool:
@@ -142,18 +133,3 @@ def _weighed(trials: Sequence[Trial], standard: Standard) -> tuple[float, dict[C
                 failed[why] += weight
     shares = {condition: count / total for condition, count in failed.items() if count} if total else {}
     return passed / total if total else 0.0, shares
-
-
-def _too_few(name: str, passed: float, failed: Mapping[Condition, float]) -> VecpolyError:
-    worst = max(failed, key=lambda one: failed[one], default=Condition.REFUSED)
-    share = failed.get(worst, 0.0)
-    return VecpolyError(
-        Words(
-            f"题 {name}：随机取值中只有 {100 * passed:.1f} % 合格（至少要 {100 * LEAST:g} %），"
-            f"最常见的原因是{worst.words.zh}（{100 * share:.0f} %）；请{worst.remedy.zh}",
-            f"problem {name}: only {100 * passed:.1f} % of the draws pass (at least {100 * LEAST:g} % must); "
-            f"most fail because of this: {worst.words.en} ({100 * share:.0f} %); {worst.remedy.en}",
-        ),
-        code="low-yield",
-        numbers={"yield": passed, "condition": str(worst), "failed": share},
-    )

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +15,7 @@ from ...foundation.files import write_whole
 from ...words import Words
 from ..register import Register, Sheet
 from ..student import Student
-from .store import FOLDER, digest
+from .store import FOLDER, digest, file_digest
 from .tasks import question_file, solution_file
 
 SHARDS = f"{FOLDER}/shards"
@@ -86,11 +85,6 @@ def write_manifest(
 def values_digest(sheet: Sheet) -> str:
     """Of all that was drawn for a student."""
     return digest([[one.problem, one.attempt, dict(one.values), dict(one.scales)] for one in sheet.parts])
-
-
-def file_digest(file: Path) -> str:
-    """SHA-256 of a file's bytes."""
-    return sha256(file.read_bytes()).hexdigest()
 
 
 def _line(out: Path, register: Register, sheet: Sheet) -> Line:

@@ -19,6 +19,16 @@ def digest(data: object) -> str:
     return sha256(json.dumps(data, ensure_ascii=False, sort_keys=True, default=str).encode()).hexdigest()[:24]
 
 
+def bytes_digest(data: bytes) -> str:
+    """SHA-256 of the bytes of a file."""
+    return sha256(data).hexdigest()
+
+
+def file_digest(file: Path) -> str:
+    """SHA-256 of a file's bytes."""
+    return bytes_digest(file.read_bytes())
+
+
 @dataclass(frozen=True, slots=True)
 class Store:
     """The folder of results beside the finished files."""
@@ -31,16 +41,17 @@ class Store:
             found = json.loads(self._file(address).read_bytes())
         except (OSError, ValueError):
             return None
-        return found["result"] if all(self._same(name, size) for name, size in found["files"].items()) else None
+        return found["result"] if all(self._same(*each) for each in found["files"].items()) else None
 
-    def put(self, address: str, result: object, files: Mapping[str, int]) -> None:
-        """Keep a result, and the names and sizes of the files that were written with it."""
+    def put(self, address: str, result: object, files: Mapping[str, str]) -> None:
+        """Keep a result, and the names of the files that were written with it, each with the digest of its bytes."""
         data = json.dumps({"result": result, "files": dict(files)}, ensure_ascii=False)
         write_whole(self._file(address), data.encode())
 
     def _file(self, address: str) -> Path:
         return self.out / FOLDER / f"{address}.json"
 
-    def _same(self, name: str, size: int) -> bool:
+    def _same(self, name: str, known: str) -> bool:
+        """Whether a file is there, and has the bytes that were written."""
         file = self.out / name
-        return file.is_file() and file.stat().st_size == size
+        return file.is_file() and file_digest(file) == known

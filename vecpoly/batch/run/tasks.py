@@ -24,7 +24,7 @@ from ..sheet.compose import composed, layout_of
 from ..sheet.write import sheet_bytes
 from ..solved import solution_bytes
 from ..student import Student
-from .store import Store, digest
+from .store import Store, bytes_digest, digest
 
 SEVERAL = 2  # variants that are found at once for somebody whose first is too near to another's
 
@@ -87,7 +87,7 @@ class Print:
 
     def run(self, out: Path) -> list[dict[str, Any]]:
         """For each student the layout, or what went wrong; the files lie beside."""
-        results, files = list[dict[str, Any]](), dict[str, int]()
+        results, files = list[dict[str, Any]](), dict[str, str]()
         for sheet in self.register.sheets:
             try:
                 layout, written = _printed(self.register, sheet, out)
@@ -99,8 +99,8 @@ class Print:
         return results
 
 
-def _printed(register: Register, sheet: Sheet, out: Path) -> tuple[dict[str, Any], dict[str, int]]:
-    """The two PDFs of a student: layout, and names with sizes."""
+def _printed(register: Register, sheet: Sheet, out: Path) -> tuple[dict[str, Any], dict[str, str]]:
+    """The two PDFs of a student: layout, and names with digests."""
     lang: Lang = "zh" if register.lang == "zh" else "en"
     solutions = [solve(register.variant(part), precise=False) for part in sheet.parts]
     seeds = [
@@ -121,7 +121,7 @@ def _printed(register: Register, sheet: Sheet, out: Path) -> tuple[dict[str, Any
     for name, data in made.items():
         (out / name).parent.mkdir(parents=True, exist_ok=True)
         write_whole(out / name, data)
-    return layout_of(pages).as_json(), {name: len(data) for name, data in made.items()}
+    return layout_of(pages).as_json(), {name: bytes_digest(data) for name, data in made.items()}
 
 
 def question_file(student: Student) -> str:

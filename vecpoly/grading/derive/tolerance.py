@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import inf, isfinite
+from math import floor, inf, isfinite, log10
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,7 @@ from ..key import Graded, Kind, beside
 
 LOST = 0.1  # share of hands that cannot close a figure, beyond which nothing can be promised
 COMPUTED = 1e-9  # of the largest of its unit: less is zero
+BETWEEN = 0.25  # of the way to another value of its kind: as far off is a value still itself
 DEGREE = 1.0  # what an angle is read to at best
 
 
@@ -63,12 +64,23 @@ class Scatter:
         for one in graded:  # also where all are nothing but rounding: by what they scatter
             size = max(abs(one.exact), one.sigma if isfinite(one.sigma) else 0.0)
             largest[one.unit] = max(size, largest.get(one.unit, 0.0))
-        return [
+        bounded = [
             self._bounded(
                 _rid_of_rounding(one, largest[one.unit]), self._shortest(one, lengths), largest[one.unit] or 1.0
             )
             for one in graded
         ]
+        return [self._told_from(one, bounded) for one in bounded]
+
+    def _told_from(self, one: Graded, all_of_them: Sequence[Graded]) -> Graded:
+        """The quantity, of which T is no larger than lets it be told from others of its kind where it is found by
+        formula alone: n_max is not n_min. Three digits are enough always."""
+        spread, size = self.allowance.k * one.sigma, abs(one.exact)
+        if one.kind is not Kind.SCALAR or one.mm or not one.asked or not size or not spread < one.allowed:
+            return one
+        gaps = (abs(abs(other.exact) - size) for other in all_of_them if _like(one, other))
+        least = min((gap for gap in gaps if gap > COMPUTED * size), default=inf) * BETWEEN
+        return replace(one, allowed=max(spread, min(one.allowed, max(least, 0.5 * third_digit(size)))))
 
     def _shortest(self, one: Graded, lengths: dict[str, float]) -> float | None:
         below = [lengths[key] for key in one.needs if key in lengths]
@@ -98,6 +110,16 @@ class Scatter:
         if size <= COMPUTED * largest:
             return rule.arithmetic * largest
         return max(size * rule.floor / mm if mm else 0.0, rule.arithmetic * size)
+
+
+def _like(one: Graded, other: Graded) -> bool:
+    """Whether one could be taken for the other."""
+    return other.asked and other.key != one.key and other.unit == one.unit and other.kind is one.kind
+
+
+def third_digit(size: float) -> float:
+    """One in the third digit of a number."""
+    return float(10.0 ** (floor(log10(size)) - 2))
 
 
 def _rid_of_rounding(one: Graded, largest: float) -> Graded:

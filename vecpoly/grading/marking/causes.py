@@ -20,6 +20,7 @@ from .verdict import Verdicts
 
 FAR = -2  # powers of ten
 TENFOLD = 0.02  # as near to a power of ten a factor is one
+MANY = 3  # times as much wrong as a mistake explains: too much to name it
 ALIKE = 3  # values that one wrong scale must explain, at least
 
 
@@ -56,6 +57,8 @@ def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mu
     for pool in (set(found.given) - settled, _near(found, root)):
         explained = explain(found.key, found.given, pool, mutants)
         made = explained.mutant
+        if made is not None and _outvoted(found, made):
+            return
         rivals = _rivals(found, root, open_ones, made) if made is not None else ()
         if any(map(_far_smaller, rivals)):
             return
@@ -85,6 +88,14 @@ def _rivals(found: Verdicts, root: Graded, open_ones: Collection[str], made: Mut
         return ()
     said = explanations(root, found.given[root.key], target_of(root), found.key)
     return tuple(one for one in said if one.id is not Told.SWAPPED or made.slip.key != root.key)
+
+
+def _outvoted(found: Verdicts, made: Mutant) -> bool:
+    """Whether far more is wrong than the mistake explains: one of many values that are wrong otherwise agrees with some
+    mistake by chance."""
+    wrong = found.roots()
+    borne_out = sum(agrees(one, found.given[one.key], made, found.key.allowance) for one in wrong)
+    return len(wrong) > MANY * borne_out
 
 
 def _far_smaller(rival: Message) -> bool:
