@@ -127,3 +127,33 @@ def test_two_values_that_are_wrong_alike_are_not_both_right_by_each_other() -> N
     assert "v_C" in found.roots and found["omega_3"].basis is Basis.OWN
     angles = marked("8-3a", sheet("8-3a", theta="20", K="1.25"))
     assert angles.roots == ("theta",) and angles["K"].basis is Basis.OWN
+
+
+def test_angles_exchanged_are_no_mistake_of_the_construction_though_nobody_takes_one_for_the_other() -> None:
+    key = key_of("8-15")
+    one, other = key["theta"], key["gamma_min"]
+    cells = sheet("8-15", theta=bare(number(other.exact, 4)), gamma_min=bare(number(one.exact, 4)))
+    assert not marked("8-15", cells).slips
+
+
+@pytest.mark.parametrize(("name", "times"), [("4-5", 1.43), ("4-5", 0.63), ("3-12", 1.35)])
+def test_values_that_are_all_too_large_or_too_small_are_no_single_mistake(name: str, times: float) -> None:
+    """One of many wrong values agrees with some mistake by chance: it takes more than that to name it."""
+    key = key_of(name)
+    written = [one for one in key.quantities if one.asked or one.kind is Kind.READING]
+    cells = {one.key: cell(one, times) for one in written if one.kind in (Kind.READING, Kind.VECTOR, Kind.SIGNED)}
+    assert not marked(name, cells).slips
+
+
+def test_the_greatest_speed_is_not_the_least_though_they_are_nearer_than_a_hundredth() -> None:
+    key = key_of("7-5")
+    greatest, least = key["n_max"], key["n_min"]
+    assert abs(greatest.exact - least.exact) < 0.011 * greatest.exact
+    found = marked("7-5", sheet("7-5", n_max=cell(least), n_min=cell(greatest)))
+    assert not found["n_max"].is_right and not found["n_min"].is_right
+    assert marked("7-5", sheet("7-5"))["n_max"].outcome is Outcome.RIGHT
+
+
+def test_forces_are_read_in_tens_of_newtons() -> None:
+    one = key_of("4-3a")["R_41"]
+    assert marked("4-3a", sheet("4-3a", R_41=f"{one.exact / 10:.2f} daN"))["R_41"].is_right

@@ -64,6 +64,20 @@ def test_whoever_is_too_near_to_others_is_told_so_and_not_that_the_data_contradi
     assert all("too near" in error.words.en for error in done.refused.values())
 
 
+def test_where_all_that_is_asked_is_drawn_too_badly_it_is_told_by_how_much_each_scatters() -> None:
+    text = """
+id: small-train
+title: {zh: 轮系, en: A train}
+device: epicyclic
+data: {sun: 30, planet: 20, ring: 70, m: 2 mm, omega_1: 15 rad/s ccw, omega_3: 0 rad/s}
+find: [omega_H, i_1H]
+vary: {omega_1: 10 rad/s ccw .. 25 rad/s ccw by 0.5 rad/s}
+"""
+    with pytest.raises(VecpolyError, match=r"at most 15 %\) = omega_H \d+ %, i_1H \d+ %") as told:
+        pilot(loads(text))
+    assert float(str(told.value.numbers["i_1H"])) > 0.15
+
+
 def test_what_no_draw_passes_is_named() -> None:
     text = "extends: 3-9\nid: short\nscales: null\nfind: [v_C2B, v_E]\nvary: {phi: 20 deg .. 70 deg by 5 deg}\n"
     seed = Seed(assignment="a", problem="short", student="1", salt="")

@@ -31,6 +31,7 @@ _DEFINITIONS = (
     f"rpm = {math.pi / 30!r} * radian / second = rpm",
     "gram = 1e-3 * kilogram = g = 克",
     "newton = kilogram * meter / second ** 2 = N = 牛",
+    "decanewton = 10 * newton = daN",
     "kilonewton = 1e3 * newton = kN = 千牛",
     "watt = newton * meter / second = W = 瓦",
     "kilowatt = 1e3 * watt = kW = 千瓦",

@@ -207,7 +207,8 @@ class Follower:
         rule, short = self.key.allowance, self._shortest(one)
         if one.kind is Kind.READING:
             return max(one.allowed, rule.floor)
-        return abs(size) * max(rule.arithmetic, rule.reading / short if short else 0.0)
+        reckoned = min(rule.arithmetic, one.allowed / abs(one.exact)) if one.exact else rule.arithmetic
+        return abs(size) * max(reckoned, rule.reading / short if short else 0.0)
 
     def _shortest(self, one: Graded) -> float | None:
         """The shortest length that a value is computed from (mm)."""

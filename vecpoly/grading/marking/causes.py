@@ -11,7 +11,7 @@ from ..compare.band import target_of
 from ..compare.outcome import Basis, Outcome
 from ..key import Graded, Kind
 from ..slips.mutants import Mutant
-from ..slips.single import explanations, taken_for
+from ..slips.single import explanations, is_value_of
 from ..slips.whole import agrees, explain
 from ..told.catalogue import Told
 from ..told.message import Message, message
@@ -20,7 +20,7 @@ from .verdict import Verdicts
 
 FAR = -2  # powers of ten
 TENFOLD = 0.02  # as near to a power of ten a factor is one
-MANY = 3  # times as much wrong as a mistake explains: too much to name it
+MANY = 2.5  # times as much wrong as a mistake explains: too much to name it
 ALIKE = 3  # values that one wrong scale must explain, at least
 
 
@@ -141,8 +141,7 @@ def _exchanged(found: Verdicts, why: Causes) -> None:
     pair = found.roots()
     if len(pair) != 2 or any(found.outcome[one.key] is not Outcome.WRONG for one in pair):
         return
-    taken = [[each.key for each in taken_for(one, found.given[one.key], found.key)] for one in pair]
-    if taken == [[one.key] for one in reversed(pair)]:
+    if all(is_value_of(found.given[one.key], one, other) for one, other in zip(pair, reversed(pair), strict=True)):
         for one, other in zip(pair, reversed(pair), strict=True):
             why.said[one.key] = message(Told.SWAPPED, other=other.symbol)
 

@@ -7,7 +7,7 @@ from math import log10, pi, radians
 
 from ...errors import UnknownNameError
 from ...names import Rel, parse_rel
-from ..compare.band import Target, gap
+from ..compare.band import Target, distance, gap
 from ..compare.measured import Measured
 from ..key import AnswerKey, Graded, Kind
 from ..told.catalogue import Told
@@ -73,6 +73,14 @@ def taken_for(one: Graded, mine: Measured, key: AnswerKey) -> Iterator[Graded]:
         target = Target(value=other.exact, allowed=other.allowed)
         if abs(gap(mine.value, other, target)) <= other.allowed / 2:
             yield other
+
+
+def is_value_of(mine: Measured, one: Graded, other: Graded) -> bool:
+    """Whether what was written of one quantity is the value of another of its kind."""
+    if other.unit != one.unit or other.kind is not one.kind or one.kind is Kind.YES_NO:
+        return False
+    target = Target(value=other.exact, allowed=other.allowed, at=other.at)
+    return distance(mine, other, target) <= other.allowed
 
 
 def mistaken_for(one: Graded, key: AnswerKey) -> Iterator[Graded]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from difflib import get_close_matches
@@ -11,6 +11,8 @@ from ...errors import Fault, FaultError, Path, Place, ProblemFileError, VecpolyE
 from ...words import Words
 
 __all__ = ["Faults", "Path", "Place", "dotted", "meant"]
+
+OF_THE_BOOK = ("printed", "errata", "tables")  # what a problem has of its book, whose values are others
 
 
 @dataclass(slots=True)
@@ -36,7 +38,8 @@ class Faults:
         path = fault.path
         cut = next((path[:n] for n in range(len(path), 0, -1) if path[:n] in self.places), ())
         place = self.places.get(cut, Place(self.file, 1, 1) if self.places else Place(self.file))
-        new = Fault(said=fault.words, code=fault.code, place=place, path=path, numbers=fault.numbers)
+        said = fault.words + _leave_out(path, place.file != self.file)
+        new = Fault(said=said, code=fault.code, place=place, path=path, numbers=fault.numbers)
         if new not in self.found:
             self.found.append(new)
 
@@ -44,6 +47,16 @@ class Faults:
         """Raise one ProblemFileError with all that was found, if anything was."""
         if self.found:
             raise ProblemFileError.of(*sorted(self.found, key=_order))
+
+
+def _leave_out(path: Sequence[str | int], inherited: bool) -> Words:
+    """What to do about a printed value of the problem that this one builds on, which does not fit it any more."""
+    if not inherited or not path or path[0] not in OF_THE_BOOK:
+        return Words("", "")
+    return Words(
+        f"；此项来自所引的题目，写 {path[0]}: null 即可去掉",
+        f"; it stands in the problem that this one builds on: `{path[0]}: null` leaves it out",
+    )
 
 
 def _order(fault: Fault) -> tuple[int, int, str]:
