@@ -20,7 +20,7 @@ from .verdict import Verdicts
 
 FAR = -2  # powers of ten
 TENFOLD = 0.02  # as near to a power of ten a factor is one
-MANY = 2.5  # times as much wrong as a mistake explains: too much to name it
+MANY = 3  # times as much wrong as a mistake explains: too much to name it
 ALIKE = 3  # values that one wrong scale must explain, at least
 
 
@@ -40,39 +40,38 @@ def causes(found: Verdicts, mutants: Sequence[Mutant]) -> Causes:
     for one in found.roots():
         if one.key in why.said or found.basis.get(one.key):
             continue
-        _of_mistake(found, why, one, mutants)
+        _of_mistake(found, why, one, mutants, whole=True)
         if one.key not in why.said and not why.said:
             _of_scales(found, why)
+        if one.key not in why.said and not found.basis.get(one.key):
+            _of_mistake(found, why, one, mutants)
         if one.key not in why.said and not found.basis.get(one.key):
             _of_itself(found, why, one)
     return why
 
 
-def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mutant]) -> None:
-    """A mistake of the catalogue: one that explains the whole sheet, or else all that has no other cause."""
+def _of_mistake(
+    found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mutant], *, whole: bool = False
+) -> None:
+    """A mistake of the catalogue that explains the whole sheet, or else, beside what is right, the root alone."""
     if _a_single_sense(found, root) or _turned_alone(found, root):
         return
     open_ones = [one.key for one in found.roots() if one.key not in why.said and not found.basis.get(one.key)]
     settled = {name for name in found.given if name in why.said or name in why.source}
-    for pool in (set(found.given) - settled, _near(found, root)):
-        explained = explain(found.key, found.given, pool, mutants)
-        made = explained.mutant
-        if made is not None and _outvoted(found, made):
-            return
-        rivals = _rivals(found, root, open_ones, made) if made is not None else ()
-        if any(map(_far_smaller, rivals)):
-            return
-        if rivals:
-            why.said[root.key] = message(Told.TWO_SLIPS)
-            return
-        if made is not None:
-            at = _made_at(found, made.slip, open_ones) or root.key
-            why.said[at], why.slips[at] = told_of(made.slip, made.also), made.slip
-            _spread(found, why, at, open_ones, made)
-            return
-        if explained.several:
-            why.said[root.key] = message(Told.TWO_SLIPS)
-            return
+    pool = set(found.given) - settled if whole else _near(found, root)
+    explained = explain(found.key, found.given, pool, mutants)
+    made = explained.mutant
+    if made is not None and _outvoted(found, made):
+        return
+    rivals = _rivals(found, root, open_ones, made) if made is not None else ()
+    if any(map(_far_smaller, rivals)):
+        return
+    if rivals or explained.several:
+        why.said[root.key] = message(Told.TWO_SLIPS)
+    elif made is not None:
+        at = _made_at(found, made.slip, open_ones) or root.key
+        why.said[at], why.slips[at] = told_of(made.slip, made.also), made.slip
+        _spread(found, why, at, open_ones, made)
 
 
 def _made_at(found: Verdicts, slip: Slip, open_ones: Collection[str]) -> str | None:
@@ -170,23 +169,29 @@ def _of_itself(found: Verdicts, why: Causes, root: Graded) -> None:
 
 
 def _of_scales(found: Verdicts, why: Causes) -> None:
-    """One factor on all values of a scale, whose lengths are right or not written: the scale was wrong."""
+    """One factor on all values of a scale, whose lengths are right or not written, or on all its lengths: the scale was
+    wrong, or is another than the one that is stated."""
     for mu in found.key.scales:
         drawn = [one for one in found.key.quantities if one.mu == mu and one.key in found.given]
         lengths = [one for one in drawn if one.kind is Kind.READING]
         values = [one for one in drawn if one.kind is Kind.VECTOR and one.exact]
-        if len(values) < ALIKE or not all(found.exact[one.key].is_right for one in lengths):
-            continue
-        ratios = sorted(abs(found.given[one.key].value / one.exact) for one in values)
-        k = ratios[len(ratios) // 2]
-        wrong = [one for one in values if found.exact[one.key] is Outcome.WRONG]
-        if k and len(wrong) == len(values) and all(_scaled(found, one, k) for one in values):
-            first = wrong[0].key
-            why.said[first] = _factor(k, mu)
-            for one in wrong[1:]:
-                found.outcome[one.key], found.basis[one.key] = Outcome.RIGHT, Basis.SCALE
-                why.source[one.key] = first
-            found.outcome[first], found.basis[first] = Outcome.WRONG, Basis.EXACT
+        if len(lengths) >= ALIKE:
+            _by_one_factor(found, why, lengths, mu)
+        if all(found.exact[one.key].is_right for one in lengths) and len(values) >= ALIKE:
+            _by_one_factor(found, why, values, mu)
+
+
+def _by_one_factor(found: Verdicts, why: Causes, drawn: Sequence[Graded], mu: str) -> None:
+    """What is wrong by one factor costs once."""
+    ratios = sorted(abs(found.given[one.key].value / one.exact) for one in drawn)
+    k = ratios[len(ratios) // 2]
+    if not k or not all(found.exact[one.key] is Outcome.WRONG and _scaled(found, one, k) for one in drawn):
+        return
+    first, *others = (one.key for one in drawn)
+    why.said[first] = _factor(k, mu)
+    for name in others:
+        found.outcome[name], found.basis[name], why.source[name] = Outcome.RIGHT, Basis.SCALE, first
+    found.outcome[first], found.basis[first] = Outcome.WRONG, Basis.EXACT
 
 
 def _factor(k: float, mu: str) -> Message:

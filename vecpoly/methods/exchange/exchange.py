@@ -9,7 +9,8 @@ paper by an exact hand; nothing else is known of the mechanism.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import field, replace
 from functools import lru_cache
 from math import pi
@@ -34,6 +35,7 @@ from .trial import Trial, driven_by, trial_of
 
 TRIALS = 360  # places in which the other link is tried
 REACH = 2.0  # of the mechanism's size to either side: where a sliding one is tried
+STILL = 20.0  # times the mechanism's size (or 1): an input that is so fast at ω = 1 moves a link that hardly turns
 VANISHES = 1e-9  # of the mechanism's size: below it the cylinder does not move the link
 _MOTION = (Stage.POSITION, Stage.VELOCITY, Stage.ACCELERATION)
 
@@ -59,13 +61,38 @@ def exchanged(mech: Mechanism, stages: tuple[Stage, ...]) -> Exchange:
     if group is None:
         return Exchange(mech, {} if profiles is None else {Stage.POSITION: profiles})
     drive = next(one for one in mech.drives if one.between and one.pair <= set(group.links))
-    other = _other(mech, group, drive)
+    others = _others(mech, group, drive)
     mech = replace(mech, branches=(*mech.branches, *bend(mech, drive)))  # what the angle says of the assembly
-    trial = trial_of(mech, drive, other)
-    placed = replace(other, position=_position(trial))
-    moving = bool({Stage.VELOCITY, Stage.ACCELERATION, Stage.CENTRES} & set(stages))
-    rated = _rated(trial, placed, Stage.ACCELERATION in stages) if moving else placed
+    if not {Stage.VELOCITY, Stage.ACCELERATION, Stage.CENTRES} & set(stages):
+        trial = trial_of(mech, drive, others[0])
+        placed = replace(others[0], position=_position(trial))
+        return Exchange(driven_by(mech, drive, placed), said(trial, placed))
+    trial, placed, factor = _liveliest(mech, drive, others)
+    rated = _rated(trial, placed, factor, Stage.ACCELERATION in stages)
     return Exchange(driven_by(mech, drive, rated), said(trial, rated))
+
+
+def _liveliest(mech: Mechanism, drive: Drive, others: Sequence[Drive]) -> tuple[Trial, Drive, float]:
+    """The first link that does not nearly stand still while the input acts, with the input's rate at its ω = 1; else
+    the one that does so least: all else would be magnified from what hardly moves."""
+    first, *rest = others
+    trial = trial_of(mech, drive, first)
+    placed = replace(first, position=_position(trial))
+    found = [(trial, placed, _factor(trial, placed))]
+    if _moves(*found[0]):
+        return found[0]
+    desk = trial.desk(placed, Stage.POSITION)
+    for other in (one for one in rest if not one.slide):
+        with suppress(VecpolyError):  # the first can be drawn, though badly
+            another = trial_of(mech, drive, other)
+            there = replace(other, position=float(np.angle(nominal(desk.axis(other.link)))))
+            found.append((another, there, _factor(another, there)))
+    return min(found, key=lambda one: abs(one[2]) / _unit(one[0], one[1]))
+
+
+def _moves(trial: Trial, placed: Drive, factor: float) -> bool:
+    """Whether the other link does not nearly stand still while the input acts."""
+    return abs(factor) < STILL * _unit(trial, placed)
 
 
 def _driven_in(mech: Mechanism, group: Group) -> bool:
@@ -73,17 +100,13 @@ def _driven_in(mech: Mechanism, group: Group) -> bool:
     return any(drive.between and drive.pair <= set(group.links) for drive in mech.drives)
 
 
-def _other(mech: Mechanism, group: Group, drive: Drive) -> Drive:
-    """A link of the group on the frame with which as the driver everything is drawn by methods on file."""
-    for out in group.outer:
-        if (
-            out.parent == FRAME
-            and isinstance(out.joint, Revolute | Prismatic)
-            and not (isinstance(out.joint, Prismatic) and out.joint.block != out.link)
-        ):
-            other = Drive(link=out.link, position=0.0, rate=1.0, slide=isinstance(out.joint, Prismatic))
-            if _drawable(driven_by(mech, drive, other)):
-                return other
+def _others(mech: Mechanism, group: Group, drive: Drive) -> list[Drive]:
+    """The links of the group on the frame with which as the driver everything is drawn by methods on file."""
+    outer = (out for out in group.outer if out.parent == FRAME and isinstance(out.joint, Revolute | Prismatic))
+    own = (out for out in outer if not (isinstance(out.joint, Prismatic) and out.joint.block != out.link))
+    thought = [Drive(link=o.link, position=0.0, rate=1.0, slide=isinstance(o.joint, Prismatic)) for o in own]
+    if found := [other for other in thought if _drawable(driven_by(mech, drive, other))]:
+        return found
     raise NoMethodError(
         Words(
             f"驱动加在构件 {drive.on} 与 {drive.link} 之间；无论取哪个与机架相连的构件为假想原动件，"
@@ -165,18 +188,17 @@ def _undecided(trial: Trial, found: int, fits: int) -> AssemblyError:
     )
 
 
-def _rated(trial: Trial, placed: Drive, bent: bool) -> Drive:
-    """The other link's rates: ω = v / v*, α = (a - a*) / v*, v* the input's rate at ω = 1, a* its acceleration at α =
-    0."""
+def _unit(trial: Trial, placed: Drive) -> float:
+    """The rate of an input that goes with the rate 1 of the other link, by the mechanism's size alone."""
+    if trial.drive.slide is placed.slide:
+        return 1.0
+    return trial.mech.scale if trial.drive.slide else 1.0 / trial.mech.scale
+
+
+def _factor(trial: Trial, placed: Drive) -> float:
+    """The input's rate while the other link has the rate 1. Raises DeadPointError where the input does not change."""
     factor = trial.rate(trial.desk(replace(placed, rate=1.0), Stage.POSITION, Stage.VELOCITY), View.VELOCITY)
-    size = (
-        trial.mech.scale
-        if trial.drive.slide and not placed.slide
-        else 1.0 / trial.mech.scale
-        if placed.slide and not trial.drive.slide
-        else 1.0
-    )
-    if abs(factor) < VANISHES * size:
+    if abs(factor) < VANISHES * _unit(trial, placed):
         raise DeadPointError(
             Words(
                 f"输入 {trial.drive.on}-{trial.drive.link} 处于死点：构件 {placed.link} 转动时其长度不变，"
@@ -186,6 +208,12 @@ def _rated(trial: Trial, placed: Drive, bent: bool) -> Drive:
                 "no single value; choose another position",
             )
         )
+    return factor
+
+
+def _rated(trial: Trial, placed: Drive, factor: float, bent: bool) -> Drive:
+    """The other link's rates: ω = v / v*, α = (a - a*) / v*, v* the input's rate at ω = 1, a* its acceleration at α =
+    0."""
     rate = trial.drive.rate / factor
     if not bent:
         return replace(placed, rate=rate)
