@@ -1,4 +1,5 @@
-"""A link that hardly turns while the cylinder acts is not thought to drive: another is, from which nothing is magnified."""
+"""A link that hardly turns while the cylinder acts is not thought to drive: another is, from which nothing is
+magnified."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ import numpy as np
 ROUNDS = 80
 HALVINGS = 45  # towards the end of the curve
 FINER = 24  # further trials where the curve turns back near zero
-
+TOUCHES = 1e-9  # of the larger of two trials: what is no smaller between them is a jump
 STRIDE = 1e-7  # of the drive's position: the first secant of the last steps
 POLISHINGS = 6
 GOLDEN = (5**0.5 - 1) / 2
@@ -86,12 +86,14 @@ def _root(curve: Curve, low: tuple[float, float], high: tuple[float, float]) -> 
     """The zero between two trials on either side of it (false position, the stale end halved);
     NaN where the curve jumps."""
     (a, fa), (b, fb) = low, high
-    first, last = fa, fb
+    small = TOUCHES * max(abs(fa), abs(fb))
     for _ in range(ROUNDS):
         x = (a * fb - b * fa) / (fb - fa) if fb != fa else (a + b) / 2
         y = curve(x)
-        if y == 0.0 or abs(b - a) < 1e-15 * max(1.0, abs(x)):
-            return _polished(curve, x, y)
+        if y == 0.0:
+            return x
+        if abs(b - a) < 1e-15 * max(1.0, abs(x)):
+            return _polished(curve, x, y) if abs(y) < small else np.nan
         if not np.isfinite(y):
             return np.nan
         if y * fb < 0:
@@ -99,7 +101,7 @@ def _root(curve: Curve, low: tuple[float, float], high: tuple[float, float]) -> 
         else:
             fa /= 2
         b, fb = x, y
-    return _polished(curve, b, fb) if abs(fb) < 1e-9 * max(abs(first), abs(last)) else np.nan
+    return _polished(curve, b, fb) if abs(fb) < small else np.nan
 
 
 def _polished(curve: Curve, x: float, y: float) -> float:

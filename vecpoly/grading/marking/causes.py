@@ -92,7 +92,7 @@ def _rivals(found: Verdicts, root: Graded, open_ones: Collection[str], made: Mut
 def _outvoted(found: Verdicts, made: Mutant) -> bool:
     """Whether far more is wrong than the mistake explains: one of many values that are wrong otherwise agrees with some
     mistake by chance."""
-    wrong = found.roots()
+    wrong = [*found.roots(), *(found.key[name] for name, basis in found.basis.items() if basis is Basis.SCALE)]
     borne_out = sum(agrees(one, found.given[one.key], made, found.key.allowance) for one in wrong)
     return len(wrong) > MANY * borne_out
 
