@@ -110,7 +110,7 @@ def test_an_angle_that_is_forty_degrees_to_a_whole_degree_is_acceptable_and_gets
     groups = conditioning(it)
     assert min(degrees(g.gamma.least.value) for g in groups if g.gamma) == pytest.approx(39.9, abs=0.05)
     assert not [w for g in groups for w in advice(it, g)]
-    assert "约等于一般要求的 40°" in "".join(w.zh for w in conclusion(it, groups, NONE, (), ""))
+    assert "略低于一般要求的 40°" in "".join(w.zh for w in conclusion(it, groups, NONE, (), ""))
 
 
 CHANGED = """

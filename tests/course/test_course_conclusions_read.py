@@ -30,13 +30,13 @@ def test_the_conclusion_tells_the_least_transmission_angle_of_the_table_and_sets
     (one,) = conditioning(studied("D-3-knife"))
     assert one.gamma is not None and f"{degrees(one.gamma.least.value):.1f}" == "68.0"
     told = concluded("D-3-knife")
-    assert "the least transmission angle is 68.0°" in told and "above the 40° usually demanded" in told
+    assert "the minimum transmission angle is 68.0°" in told and "above the 40° usually demanded" in told
     assert "40° and more" not in told
 
 
 def test_without_transmission_angles_the_least_determinant_is_told() -> None:
     share = min(one.ratio for one in conditioning(studied("3-9")))
-    assert f"no determinant falls below {100 * share:.0f} %" in concluded("3-9")
+    assert f"its determinant does not fall below {100 * share:.0f} %" in concluded("3-9")
 
 
 @pytest.mark.parametrize("name", few(["D-3-knife", "stephenson-valve-gear"], 2))

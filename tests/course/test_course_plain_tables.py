@@ -105,3 +105,9 @@ def test_the_list_of_symbols_stands_on_one_page(name: str) -> None:
     to_flowables(text, objects.named, "zh")
     (table,) = (one for one in objects.named.values() if isinstance(one, DataTable) and one.caption == "主要符号")
     assert table.undivided and len(table.rows) <= 20
+
+
+def test_where_the_loads_alone_cannot_move_it_the_balancing_one_drives_with_them() -> None:
+    found = stations("4-4")
+    assert not found.refused and len(found.stations) == comparison.STATIONS
+    assert found.worst(studied("4-4")) < 0.005

@@ -62,7 +62,8 @@ def test_every_cell_of_a_table_over_the_cycle_is_the_oracle_s_to_its_last_digit(
     head, rows = unfolded(kept.made[0], 1 + len(parts))
     narrow, long = 1 + len(parts) <= (6 if it.dense else 5), len(rows) > 12
     assert (len(kept.made[0].rows) < len(rows)) == (narrow and long)
-    assert len(rows) == len(it.rows[::every])
+    again = it.whole.whole and all(np.isclose(it.turn.real(p)[0], it.turn.real(p)[-1], atol=1e-9) for p in parts)
+    assert len(rows) == len(it.rows[::every]) - again, "a row at 360° that is the first once more"
     drive = it.turn.drive
     for k, key in enumerate(parts, 1):
         info, places = it.turn.info(key), {len(row[k].partition(".")[2]) for row in rows}

@@ -352,11 +352,15 @@ def test_a_listing_numbers_its_lines_and_folds_long_ones_at_a_blank() -> None:
 
 @pytest.mark.parametrize("height", [0, 30, 38, 60, 100, 110, 200])
 def test_a_listing_leaves_three_lines_on_each_page(height: float) -> None:
-    lines = [f"key{i}: value" for i in range(10)]
+    lines = [f"key{i}: value" for i in range(60)]
     parts = Listing("\n".join(lines)).split(400, height)
-    fits = min(int((height - Listing("line").getSpaceBefore() - 4) / 11.2), 7)  # the part on the next page asks for it
-    assert [len(part._lines) for part in parts if isinstance(part, Listing)] == ([fits, 10 - fits] if fits >= 3 else [])
+    fits = min(int((height - Listing("line").getSpaceBefore() - 4) / 11.2), 57)  # the part on the next page asks for it
+    assert [len(part._lines) for part in parts if isinstance(part, Listing)] == ([fits, 60 - fits] if fits >= 3 else [])
     assert [text for part in parts if isinstance(part, Listing) for _, text in part._lines] == (lines if parts else [])
+
+
+def test_a_listing_for_which_a_page_has_room_is_not_parted() -> None:
+    assert Listing("\n".join(f"key{i}: value" for i in range(50))).split(400, 300) == []
 
 
 def test_chinese_letters_take_more_of_a_folded_line() -> None:

@@ -107,7 +107,7 @@ def test_what_is_not_checked_has_no_columns_and_the_largest_value_is_that_of_the
     study = studied("excavator-boom")
     kept = press("en")
     chapter.chapter(study, kept)
-    (table,) = (one for one in kept.made if "Difference from the independent solution" in one.header)
+    (table,) = (one for one in kept.made if "Difference from the solver" in one.header)
     assert len(table.header) == 2
     highest = study.extremes("v_E").highest
     assert highest is not None and comparison.study_size(study, "v_E") == pytest.approx(highest.value, rel=1e-12)

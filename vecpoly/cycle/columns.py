@@ -165,10 +165,7 @@ def _gamma_words(mech: Mechanism, name: str) -> Words:
     """Of a dyad; of the contact whose replacing link is in it."""
     if len(mech.contacts) == 1 and not {dyads(mech)[name].link_j, dyads(mech)[name].link_k} <= {*mech.bodies}:
         letter = mech.contacts[0].point
-        return Words(
-            f"高副 ${letter}$ 的传动角（压力角的余角）",
-            f"transmission angle at contact ${letter}$ (90° less the pressure angle)",
-        )
+        return Words(f"高副 ${letter}$ 的传动角", f"transmission angle at contact ${letter}$")
     return Words(f"杆组 {name} 的传动角", f"transmission angle of dyad {name}")
 
 

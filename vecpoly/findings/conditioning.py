@@ -64,7 +64,7 @@ class Conditioning:
         if self.is_poor:
             return Words("较差", "poor")
         just = self.gamma is not None and self.gamma.least.value < radians(USUAL)
-        return Words("合格", "acceptable") if just else Words("良好", "good")
+        return Words("略低于 40°", "just below 40°") if just else Words("良好", "good")
 
     @property
     def ratio(self) -> float:

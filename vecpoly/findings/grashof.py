@@ -28,7 +28,7 @@ class Bar:
 
     @property
     def told(self) -> str:
-        return f"$l_{{{''.join(sorted(self.letters))}}}$ = {number(round(1e3 * self.length, 9), 6)} mm"
+        return f"$l_{{{''.join(sorted(self.letters))}}}$ = {number(round(1e3 * self.length, 2), 6)} mm"
 
 
 def full_rotation(study: Study) -> Iterator[Words]:
@@ -65,7 +65,7 @@ def _grashof(study: Study, bars: tuple[Bar, ...]) -> Words:
     short, *middle, long = sorted(bars, key=lambda bar: bar.length)
     extreme, rest = short.length + long.length, sum(bar.length for bar in middle)
     sums = (
-        number(round(1e3 * value, 9), 6)
+        number(round(1e3 * value, 2), 6)
         for value in (short.length, long.length, extreme, *(bar.length for bar in middle), rest)
     )
     a, b, ab, c, d, cd = sums
@@ -135,7 +135,7 @@ def _slider_crank(study: Study, d: Dyad) -> Words | None:
     rod = Bar(b + c, abs(mech.link(d.link_j).points[b] - mech.link(d.link_j).points[c]), "coupler")
     along = cmath.rect(1.0, d.outer_k.direction)
     gap = abs((along.conjugate() * (study.at[c] - mech.frame[near])).imag)
-    e, total, bc = (number(round(1e3 * value, 9), 6) for value in (gap, crank.length + gap, rod.length))
+    e, total, bc = (number(round(1e3 * value, 2), 6) for value in (gap, crank.length + gap, rod.length))
     holds = crank.length + gap <= rod.length
     sign, ab = "≤" if holds else ">", "".join(sorted(near + b))
     verdict = _crank_exists(d.parent_j, gap > 1e-9) if holds else _no_crank(d.parent_j)

@@ -41,7 +41,7 @@ def guide_bar(study: Study, d: Dyad) -> Words | None:
     return told + Words(
         f"，$l_{{{ab}}}$ < $l_{{{ac}}}$，构件 {crank} 可整周转动，构件 {guide} 只能摆动，"
         f"为{'摆动导杆' if swinging else '曲柄摇块'}机构。",
-        f". $l_{{{ab}}}$ < $l_{{{ac}}}$: link {crank} can make full revolutions, "
+        f". $l_{{{ab}}}$ < $l_{{{ac}}}$: link {crank} can make full revolutions; "
         f"{'the guide bar' if swinging else 'the block'}, link {guide}, only swings.",
     )
 
@@ -126,4 +126,4 @@ def _straight(mech: Mechanism, slide: Prismatic, one: Revolute, two: Revolute) -
 
 
 def _mm(value: float) -> str:
-    return number(round(1e3 * value, 9), 6)
+    return number(round(1e3 * value, 2), 6)

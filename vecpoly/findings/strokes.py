@@ -41,13 +41,13 @@ def limits_and_ratio(study: Study, stroke: Stroke) -> Words:
         )
     up = Words("增大", "forward") if forth > back else Words("减小", "backward")
     slow, quick, ratio = _angles(max(forth, back), min(forth, back))
+    theta = f"{degrees(stroke.theta):.{len(slow.partition('.')[2])}f}°"  # slow − 180°
     weak = Words("，急回不明显" if stroke.ratio < 1.05 else "", ", a weak quick return" if stroke.ratio < 1.05 else "")
     return Words(
         zh + f"${info.symbol}$ {up.zh}的慢行程对应原动件转角 {slow}°，回程 {quick}°，行程速比系数 $K$ = "
-        f"{slow}°/{quick}° = {ratio}，极位夹角 $θ$ = {degrees(stroke.theta):.2f}°{weak.zh}。",
+        f"{slow}°/{quick}° = {ratio}，极位夹角 $θ$ = {theta}{weak.zh}。",
         en + f"the slow {up.en} stroke takes {slow}° of the input link, the return {quick}°: $K$ = "
-        f"{slow}°/{quick}° = {ratio}, $θ$ = "
-        f"{degrees(stroke.theta):.2f}°{weak.en}.",
+        f"{slow}°/{quick}° = {ratio}, $θ$ = {theta}{weak.en}.",
     )
 
 

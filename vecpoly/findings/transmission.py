@@ -100,8 +100,8 @@ def _defined(mech: Mechanism, d: Dyad, symbol: str) -> Words:
         if contact is not None:
             return Words(
                 f"传动角 {symbol} 为连心线 ${j}{c}$（接触点 ${contact}$ 处的公法线）与导路法线所夹的锐角。",
-                f"The transmission angle {symbol} at the contact ${contact}$ is the acute angle between the line of "
-                f"centres ${j}{c}$, the common normal there, and the normal of the guide.",
+                f"The transmission angle {symbol} at the contact ${contact}$ is the acute angle between "
+                f"${j}{c}$, which is the common normal there, and the normal of the guide.",
             )
         return Words(
             f"传动角 {symbol} 为连杆 ${j}{c}$ 与导路法线所夹的锐角。",

@@ -203,5 +203,13 @@ class Loads:
             moments=tuple(replace(one, role="") for one in self.moments),
         )
 
+    def driven(self) -> Loads:
+        """The same with a balancing load that drives."""
+        return replace(
+            self,
+            forces=tuple(replace(one, role=one.role if one.size is not None else "driving") for one in self.forces),
+            moments=tuple(replace(one, role=one.role if one.size is not None else "driving") for one in self.moments),
+        )
+
 
 GRAVITY = 9.81  # m/s²

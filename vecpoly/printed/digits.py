@@ -22,7 +22,9 @@ LEAST = 1e-4  # smaller numbers are told by powers of ten
 _GRID = 1e-6  # of a tenth: a reading that lies on one
 _SAME = 1e-9  # share by which a number read to a tenth may differ from itself
 _FINEST, _OF_SCALE = 2, 3  # decimals of a place, figures of a scale, at most
-COARSE = 0.15  # an expected error of this share of an answer is told beside it
+COARSE = 0.1  # an expected error of this share of an answer is told beside it
+_BEARINGS = ("theta_b", "theta_h")  # where balancing masses and holes are
+HOPELESS = 0.5  # share of a value: with a reading error above it, nothing was read but its first figure
 
 
 def drawn_number(answer: Answer) -> str:
@@ -58,12 +60,15 @@ def decimals(answer: Answer) -> int | None:
 
     What was worked out has the zeros that its expected error leaves it; an angle has the tenth of the protractor. What
     is read off as a length has the figures of its reading. None ends with a digit that is worth less than its expected
-    error while three figures are left, four after a leading 1: of fewer the rounding would look like a deviation.
+    error while three figures are left, four after a leading 1: of fewer the rounding would look like a deviation;
+    what is hardly read has one.
     """
     places, error = _places(answer), printed_unit(answer.reading.unit)[0] * _error(answer)
     if places is None or not error or not answer.drawn or answer.reading.unit == "deg":
         return places
     drawn = printed_unit(answer.reading.unit)[0] * answer.drawn
+    if is_hopeless(answer):
+        return min(places, _places_for(drawn, 1))
     return min(places, max(places_of(error), _places_for(drawn, _READ + leads_with_1(drawn))))
 
 
@@ -162,7 +167,8 @@ def _falls_on(mm: float, places: int) -> bool:
 
 def coarse(answer: Answer) -> float | None:
     """The share that the expected error is of the answer, where it is so large that it must be told; inf of zero."""
-    if answer.computed or answer.is_place or answer.reading.unit == YES_NO:
+    bearing = answer.key.startswith(_BEARINGS) and answer.reading.unit == "deg"  # no share of a direction
+    if answer.computed or answer.is_place or answer.reading.unit == YES_NO or bearing:
         return None
     error = answer.expected_error
     if not isfinite(error) or not error or abs(answer.drawn) < 1e-9 * error:
@@ -170,3 +176,9 @@ def coarse(answer: Answer) -> float | None:
     whole = abs(answer.exact)  # as in the check beside it
     share = error / (whole if whole and isfinite(whole) else abs(answer.drawn))
     return share if share >= COARSE else None
+
+
+def is_hopeless(answer: Answer) -> bool:
+    """Whether its reading may be off by so much that nothing was read."""
+    share = coarse(answer)
+    return share is not None and not share < HOPELESS

@@ -4,11 +4,12 @@ plain words, and names of the objects (tables, equations, drawings) to be set.""
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Any
 
+from ..algebra.formula import Node, plain
 from ..algebra.quantity import number
 from ..board.construction import Step
 from ..board.paper.marks import Role, Segment
@@ -21,15 +22,15 @@ from ..problem.asked.asks import AskCoriolis, AskNamed
 from ..problem.values.given import Datum
 from ..solution import YES_NO, Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
+from .answers.alike import lines_of_twins
 from .answers.asked_in_words import answered_in_words
+from .on_paper import on_paper
 from .sources import printed_source
 from .statement.asked import asked
-from .statement.in_table import in_table
+from .statement.in_table import in_table, in_table_words
 from .statement.structure import numbering, structure
 from .tables import listed
 from .values import called, value
-
-_IN_TABLE = Words("见下表", "see the table")
 
 
 @dataclass(slots=True)
@@ -49,7 +50,7 @@ def beside_tables(solution: Solution, lang: Lang) -> dict[str, str]:
     """The same where what is given stands in tables too (`given_tables`): the line has the rest."""
     data, table = in_table(solution.problem, lang)
     told = statement(solution, lang, None if table is None else data)
-    return told if told["given"] or table is None else told | {"given": _IN_TABLE.of(lang)}
+    return told if told["given"] or table is None else told | {"given": in_table_words(solution.problem, lang)}
 
 
 def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = None) -> dict[str, str]:
@@ -76,8 +77,14 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
         "unsolvable": "unsolvable" if solution.construction.conclusion is not None else "",
         "doubled": "doubled" if _has_doubled(solution) else "",
         "coriolis": "coriolis" if any(key.startswith("ak_") for key in solution.construction.readings) else "",
-        "superscripts": "superscripts" if any("^{(" in one.reading.symbol for one in solution.answers.values()) else "",
+        "superscripts": "superscripts" if _has_numbers(solution) else "",
     }
+
+
+def _has_numbers(solution: Solution) -> bool:
+    """Whether the number of a solution stands above symbols, l_AB^(1)."""
+    lines = (line for step in solution.construction.steps for line in step.formulas)
+    return any("^(" in plain(line) for line in lines)
 
 
 def _has_hues(solution: Solution) -> bool:
@@ -213,17 +220,17 @@ def _begun(title: str) -> str:
 
 def sections(solution: Solution, lang: Lang, objects: Objects) -> list[dict[str, Any]]:
     """The numbered steps under their headings."""
-    out = []
+    out, same = [], lines_of_twins(solution, lang)
     for title, steps in groupby(solution.construction.steps, key=lambda s: s.section.of(lang)):
-        out.append({"title": title, "steps": [_step(s, lang, objects) for s in steps]})
+        out.append({"title": title, "steps": [_step(s, solution, lang, objects, same) for s in steps]})
     return out
 
 
-def _step(step: Step, lang: Lang, objects: Objects) -> dict[str, Any]:
+def _step(step: Step, solution: Solution, lang: Lang, objects: Objects, same: Mapping[int, Node]) -> dict[str, Any]:
     return {
         "n": step.number,
-        "words": step.words.of(lang),
+        "words": on_paper(step.words.of(lang), solution),
         "equation": objects.add("eq", step.equation) if step.equation else "",
         "table": objects.add("tab", listed(step.listing, lang)) if step.listing else "",
-        "formulas": [objects.add("f", node) for node in step.formulas],
+        "formulas": [objects.add("f", same.get(id(node), node)) for node in step.formulas],
     }

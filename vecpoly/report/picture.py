@@ -46,8 +46,8 @@ def picture(problem: Problem, construction: Construction, width: float, height: 
     marks = _given_links(figure, max(step.number for step in construction.steps if step.section == position))
     loads = problem.loads or (problem.machine.loads if problem.machine is not None else None)
     if loads is None:
-        return reduced(figure, marks, width, height)
-    plain = reduced(figure, marks, width - ACTS, height)
+        return sized(problem, reduced(figure, marks, width, height))
+    plain = sized(problem, reduced(figure, marks, width - ACTS, height))
     return replace(plain, marks=plain.marks + acting(problem.subject, loads, plain, figure))
 
 

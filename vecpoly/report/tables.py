@@ -18,6 +18,7 @@ from ..solution import YES_NO, Solution
 from ..typeset.box import Rgb
 from ..words import Lang, Words
 from .flow.table import DataTable
+from .heads import unit_column, united
 from .statement.in_table import in_table
 from .values import value
 
@@ -25,6 +26,7 @@ _PRINTED = {
     "zh": ("量", "原书", "精确值", "偏差 /%", "结论"),
     "en": ("Quantity", "Textbook", "Exact", "Deviation /%", "Verdict"),
 }
+_UNIT = Words("单位", "Unit")
 _NONE = "—"
 _MANIFOLD = 2.0  # share off from which a deviation is told as a factor
 MOST_COLUMNS = 15  # of a table of stations, in all its blocks
@@ -114,7 +116,13 @@ def trimmed(
 def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable | None:
     """Printed answers, the exact values, and what is to be said of them; None where all are counts that agree."""
     rows = [_printed_row(c, lang) for c in checked if not agreed(c)]
-    return DataTable(_PRINTED[lang], rows, None, "ldddl", lang=lang) if rows else None
+    if not rows:
+        return None
+    heads, cells = united(_PRINTED[lang], rows)
+    apart = unit_column(cells, (1, 2)) if [*heads] == [*_PRINTED[lang]] else None
+    if apart is None:
+        return DataTable(heads, cells, None, "ldddl", lang=lang)
+    return DataTable([heads[0], _UNIT.of(lang), *heads[1:]], apart, None, "lcdddl", lang=lang)
 
 
 def agreed(c: Checked) -> bool:
@@ -132,7 +140,8 @@ def _printed_row(c: Checked, lang: Lang) -> tuple[str, ...]:
     slip = f"：{c.slip.zh}" if c.slip and lang == "zh" else (f": {c.slip.en}" if c.slip else "")
     off = percent(c.deviation, 1 if c.printed.kind == "graphical" else 2).removesuffix(" %")
     if abs(c.deviation) >= _MANIFOLD and isfinite(c.deviation):
-        off = f"×{number(1 + c.deviation, 3)}"
+        off = f"{100 * c.deviation:+.0f}".replace("-", "−")
+    off = off if c.exact else _NONE  # no share of nothing
     return f"${symbol_of(c)}$", _as_given(c, lang), _exact_like(c, lang), off, verdict + slip
 
 

@@ -41,7 +41,7 @@ _MEANT = {  # heads that do not say all
         "“连同杆组整周转动”：四杆机构 $ABCD$ 的曲柄即使能转整周，加装的杆组也未必能随之转满一周",
         "“All of it turns fully”: what is added to the four-bar $ABCD$ need not follow a full turn of its crank",
     ),
-    _GAMMA: Words("$γ_{min}$ 为最小传动角", "$γ_{min}$ is the least transmission angle"),
+    _GAMMA: Words("$γ_{min}$ 为最小传动角", "$γ_{min}$ is the minimum transmission angle"),
 }
 _ORDER, _SWING, _STROKE = Words("次序", "Order"), Words("摆角", "Swing"), Words("行程", "Stroke")
 _BROKEN = Words("不能运动", "does not move")

@@ -57,7 +57,7 @@ def looped(scope: Scope, group: Group) -> GroupModel:
         singular=Words(
             f"雅可比行列式 ${DETERMINANT}$ = det $J$ 为零时杆组处于奇异位置，各速度、加速度无确定解；"
             "接近该位置时方程组病态，牛顿法也难以收敛。",
-            f"Where ${DETERMINANT}$ = det $J$ vanishes the group is singular and its velocities are "
+            f"Where ${DETERMINANT}$ = det $J$ vanishes, the group is singular and its velocities are "
             "not determined; near there the equations are ill-conditioned, and Newton's method "
             "fails to settle.",
         ),

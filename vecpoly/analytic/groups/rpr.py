@@ -57,7 +57,7 @@ def swinging(scope: Scope, joint: Prismatic, g: str, f: str) -> Solved:
         Words(
             f"当 ${f}$ 通过 ${g}$（$s_{{{it.name}}}$ = 0）时杆组处于奇异位置；$s_{{{it.name}}}$ 越小，"
             "角速度和角加速度越大，方程越病态。",
-            f"Where ${f}$ passes through ${g}$, $s_{{{it.name}}}$ = 0, the group is singular; the smaller "
+            f"Where ${f}$ passes through ${g}$, $s_{{{it.name}}}$ = 0 and the group is singular; the smaller "
             f"$s_{{{it.name}}}$, the larger ω and α, and the worse the conditioning.",
         ),
     )

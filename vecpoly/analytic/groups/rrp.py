@@ -24,7 +24,7 @@ def slider(scope: Scope, j: Arm, k: Track, c: str) -> Solved:
         determinant,
         Words(
             f"当 ${j.outer}{c}$ 垂直于导路时 $G_1$ = 0，杆组处于奇异位置；接近该位置时方程组病态。",
-            f"Where ${j.outer}{c}$ is perpendicular to the guide $G_1$ = 0 and the group is singular; "
+            f"Where ${j.outer}{c}$ is perpendicular to the guide, $G_1$ = 0 and the group is singular; "
             "near there the equations are ill-conditioned.",
         ),
     )
@@ -88,7 +88,7 @@ def _velocity(scope: Scope, j: Arm, k: Track, c: str, determinant: Expr) -> tupl
                 Equation(g, determinant),
                 Equation(j.rate, (dy * u - dx * w) / g),
                 Equation(k.speed, j.rate * ((xc - xb) * w - (yc - yb) * u) - dx * u - dy * w),
-                *both(scope.v(c), j.tip_velocity(scope, c)),
+                *both(scope.v(c), k.velocity(scope, c) if _stands(scope, k) else j.tip_velocity(scope, c)),
             ),
         ),
     )
@@ -110,17 +110,22 @@ def _acceleration(scope: Scope, j: Arm, k: Track, c: str) -> tuple[Part, ...]:
                 Equation(gy, qy - ay + square_rate * (yc - yb)),
                 Equation(j.bend, (gy * u - gx * w) / Var("G_1")),
                 Equation(k.push, j.bend * ((xc - xb) * w - (yc - yb) * u) - gx * u - gy * w),
-                *both(scope.a(c), j.tip_acceleration(scope, c)),
+                *both(scope.a(c), k.acceleration(scope, c) if _stands(scope, k) else j.tip_acceleration(scope, c)),
             ),
         ),
     )
+
+
+def _stands(scope: Scope, k: Track) -> bool:
+    """Whether the guide is fixed: what slides on it moves as fast as it slides."""
+    return k.parent in scope.still and k.base in scope.mech.frame
 
 
 def _named(
     scope: Scope, k: Track, c: str, stem: str, values: tuple[Expr, Expr]
 ) -> tuple[tuple[Equation, ...], tuple[Expr, Expr]]:
     """The velocity of the point underneath under a name of its own, where it moves."""
-    if k.parent in scope.still and k.base in scope.mech.frame:
+    if _stands(scope, k):
         return (), values
     parent = scope.name(k.parent)
     names = Var(f"{stem}_{{{c}{parent}x}}"), Var(f"{stem}_{{{c}{parent}y}}")

@@ -27,7 +27,7 @@ def hinged(scope: Scope, j: Arm, k: Arm, c: str) -> Solved:
             f"当 ${j.outer}{c}$ 与 ${k.outer}{c}$ 共线（$∠{j.outer}{c}{k.outer}$ 为 0° 或 180°）时 $G_1$ = 0，"
             "杆组处于奇异位置，速度、加速度无确定解；接近该位置时方程组病态。",
             f"Where ${j.outer}{c}$ and ${k.outer}{c}$ are in one line ($∠{j.outer}{c}{k.outer}$ is 0° or "
-            "180°) $G_1$ = 0: the group is singular, its velocities are not determined; near there the "
+            "180°), $G_1$ = 0: the group is singular and its velocities are not determined; near there the "
             "equations are ill-conditioned.",
         ),
     )

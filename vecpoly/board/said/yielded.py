@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from ...algebra.formula import Node, Row, Txt, plain, row
 from ...algebra.quantity import number
 from ...foundation.slotted import replace
-from ..acts import Act, Answer, Gauge, Measure
+from ..acts import Act, Answer, Follow, Gauge, Measure
 from ..construction import Reading, Step
 
 _WORKED = 3  # parts of a line at least that tells how its result was found
@@ -44,13 +44,14 @@ def _shown_in(steps: Sequence[Step], acts: Sequence[Act], answer: Answer) -> int
 
 
 def yields(acts: Sequence[Act], answer: Answer) -> int:
-    """The step in which all that an answer rests on stands drawn; reading it off is no step of its own."""
+    """The step in which all that an answer rests on stands drawn; reading it off is no step of its own, nor is
+    following its vector once more."""
     return max((acts[one].head.step for one in _rests_on(acts, answer)), default=answer.head.step)
 
 
 def _rests_on(acts: Sequence[Act], act: Act) -> Iterator[int]:
     for one in act.inputs:
-        if isinstance(acts[one], Measure | Gauge):
+        if isinstance(acts[one], Measure | Gauge | Follow):
             yield from _rests_on(acts, acts[one])
         else:
             yield one

@@ -43,7 +43,7 @@ def _parts(one: Verified) -> list[Words]:
         parts.append(
             Words(
                 f"最小传动角 {one.gamma:.2f}°（曲柄转角 {one.gamma_at:.1f}° 处）",
-                f"least transmission angle {one.gamma:.2f}° (crank at {one.gamma_at:.1f}°)",
+                f"minimum transmission angle {one.gamma:.2f}° (crank at {one.gamma_at:.1f}°)",
             )
         )
     return parts

@@ -130,11 +130,10 @@ def _slip(printed: Printed, value: float, truth: float) -> Words | None:
         return Words("符号（转向）相反", "opposite sign (sense)")
     power = log10(abs(ratio))
     if round(power) and abs(power - round(power)) < 0.005:
-        n = round(power)
-        return Words(
-            f"有效数字相同，但为精确值的 {10.0**n:g} 倍：检查单位或比例尺",
-            f"digits right, but {10.0**n:g} times the exact value: check the units or the scale",
-        )
+        times = f"{10.0 ** round(power):g}"
+        told = Words(f"有效数字相同，但为精确值的 {times} 倍", f"digits right, but {times} times the exact value")
+        known = printed.note is not None  # why
+        return told + (Words.same("") if known else Words("：检查单位或比例尺", ": check the units or the scale"))
     near = GRAPHICAL if printed.kind == "graphical" else 0.01
     if isinstance(printed.rel, Rel) and printed.rel.kind is Kind.AK and isclose(abs(ratio), 0.5, rel_tol=near):
         return Words("$a^k = 2 ω v_r$ 漏乘 2", "the 2 of $a^k = 2 ω v_r$ left out")

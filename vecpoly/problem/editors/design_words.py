@@ -29,7 +29,7 @@ DESIGNS = {
     "crank-rocker.A": Words(
         "A 所在的直线，如 on y = -20 mm（D 为原点）", "the line of A, D being the origin: on y = -20 mm"
     ),
-    "crank-rocker.best": Words("使最小传动角最大", "gamma_min: the greatest least transmission angle"),
+    "crank-rocker.best": Words("使最小传动角最大", "gamma_min: the greatest minimum transmission angle"),
     "slider-crank.take": _TAKE,
     "slider-crank.omega": _OMEGA,
     "slider-crank.K": _K,

@@ -52,7 +52,7 @@ def _translating(solution: Solution, mech: Mechanism, lang: Lang) -> Iterator[Wo
             text = Words("，", ", ").of(lang).join(told)
             yield Words(
                 f"构件 {link.name} 作平动，其上各点运动相同：{text}。",
-                f"Link {link.name} translates, all its points move alike: {text}.",
+                f"Link {link.name} translates; all its points move alike: {text}.",
             )
 
 

@@ -3,11 +3,12 @@ beside them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from ...solution import Answer, Solution
 from ...words import Lang
 from ..flow.results.box import AnswerBox
+from .alike import twins
 from .line import answer_line
 from .notes import notes_of
 from .order import arranged, broken
@@ -20,7 +21,16 @@ def answer_box(
     parts = arranged(answers or solution.answers.values())
     idle = broken(solution)
     notes = notes_of([one for part in parts for one in part.answers], lang)
+    same = twins(one for part in parts for one in part.answers)
     lines = [
-        answer_line(one, solution, lang, heading=part.heading(lang, idle)) for part in parts for one in part.answers
+        answer_line(one, solution, lang, heading=part.heading(lang, idle), also=_also(one, same))
+        for part in parts
+        for one in part.answers
+        if one.key not in same
     ]
     return AnswerBox(lines, tuple(said), lang, notes)
+
+
+def _also(answer: Answer, same: Mapping[str, Answer]) -> tuple[str, ...]:
+    """The keys of what is the same vector."""
+    return tuple(key for key, first in same.items() if first is answer)

@@ -5,31 +5,58 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...solution import Answer, Solution
-from ...words import Lang
+from ...words import Lang, Words
 from ..flow.results.halved import HalvedTable
 from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
+from .alike import named_once
+from .errors import NOTHING, beside
 from .order import listed
-from .placed import place_words, places_table
-from .tables import counted, filled, lone_place, parted, unit_of
+from .placed import endless_words, place_words, places_table
+from .tables import counted, filled, lone_place, row_of, tabled, unit_of
 
 _KEPT = (0, 1, 4, 6, 7, 8)  # of the columns of readings: not the length, its scale, its direction
-_ALIGN = "lcuudu"
+_ALIGN = "lcdddd"
 
 
 def check_tables(solution: Solution, lang: Lang) -> tuple[DataTable, ...]:
     """What was read beside the exact values, and how far it is off; none where all is computed, and exact; a lone place
     beside other answers has a sentence."""
-    places, others = parted(checked(solution))
-    found = [_values(others, solution, lang)] if others else []
+    places, others = tabled(checked(solution))
+    found = [_values(others, solution, lang)] if others and lone_value(solution) is None else []
     rows = places if lone_place(checked(solution)) is None else []
     return (*found, *([HalvedTable.of(places_table(rows, solution, lang))] if rows else []))
 
 
 def check_words(solution: Solution, lang: Lang) -> str:
-    """A lone place beside its exact one."""
-    lone = lone_place(checked(solution))
-    return "" if lone is None else place_words(lone, lang)
+    """A lone place, or a lone value beside places, with what it is exactly, and the places at infinity."""
+    every = checked(solution)
+    lone, value = lone_place(every), lone_value(solution)
+    told = (
+        "" if lone is None else place_words(lone, lang),
+        "" if value is None else _value_words(value, solution, lang),
+        endless_words(every, lang),
+    )
+    return ("" if lang == "zh" else " ").join(filter(None, told))
+
+
+def lone_value(solution: Solution) -> Answer | None:
+    """The only value beside several places, which a sentence tells."""
+    places, others = tabled(checked(solution))
+    return others[0] if len(others) == 1 and len(places) > 1 else None
+
+
+def _value_words(answer: Answer, solution: Solution, lang: Lang) -> str:
+    """The row of one value as a sentence."""
+    name, unit, _, _, drawn, _, exact, off = row_of(answer, solution, lang, unit_of(answer))
+    (error,) = beside([answer], [off])
+    unit = {NOTHING: "", "°": "°"}.get(unit, f" {unit}")
+    off, error = (text if text == NOTHING or text.endswith("°") else f"{text} %" for text in (off, error))
+    return Words(
+        f"{name} 量得 {drawn}{unit}，精确值 {exact}{unit}，偏差 {off}（预期误差 {error}）。",
+        f"{name} was read as {drawn}{unit}; exactly it is {exact}{unit}: a deviation of {off} (expected error "
+        f"{error}).",
+    ).of(lang)
 
 
 def checked(solution: Solution) -> tuple[Answer, ...]:
@@ -48,7 +75,10 @@ def _settled(answer: Answer) -> bool:
 
 
 def _values(answers: Sequence[Answer], solution: Solution, lang: Lang) -> DataTable:
+    once = named_once(answers, solution, lang)
+    answers = [one for one, _ in once]
     heads, rows = filled(answers, solution, lang)
-    header, cells = [heads[n] for n in _KEPT], [tuple(row[n] for n in _KEPT) for row in rows]
+    header = [heads[n] for n in _KEPT]
+    cells = [(name, *(row[n] for n in _KEPT[1:])) for (_, name), row in zip(once, rows, strict=True)]
     inks, units = inks_of(solution, (one.key for one in answers)), [unit_of(one) for one in answers]
     return HalvedTable.of(trimmed(header, cells, (), _ALIGN, lang, inks, groups=units))

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import degrees, isclose
 
 from ...algebra.formula import Node, Row, Txt, row, split_words
 from ...printed.angles import bearing_told
-from ...printed.digits import LEAST, coordinates, drawn_number, in_percent, on_paper
+from ...printed.digits import LEAST, coordinates, drawn_number, in_percent, is_hopeless, on_paper
 from ...printed.places import place_parts
 from ...printed.units import printed_unit
 from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution, told_short
 from ...words import Lang, Words
 from ..values import called, class_told, direction_of_load, is_class, is_efficiency, is_worded, unit_after, value
-from .notes import COARSE, INSTEAD, UNREADABLE, error_of, is_hopeless, remark_of, stands_still
+from .notes import COARSE, INSTEAD, UNREADABLE, error_of, remark_of, stands_still
 
 SQUARE = {"0.0°": "→", "90.0°": "↑", "180.0°": "←", "270.0°": "↓"}
 _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
@@ -24,7 +25,8 @@ _TURNS = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针
 class AnswerLine:
     """What is said of one asked quantity: the line itself; before it, what it is called; after it, what is to be said.
 
-    result: the number with its unit, as the line ends. heading: what stands over its part of the list.
+    result: the number with its unit, as the line ends. heading: what stands over its part of the list. also: keys of
+    others that are the same.
     """
 
     key: str
@@ -33,17 +35,23 @@ class AnswerLine:
     after: str = ""
     result: str = ""
     heading: str = ""
+    also: tuple[str, ...] = ()
 
 
-def answer_line(answer: Answer, solution: Solution, lang: Lang, *, heading: str = "") -> AnswerLine:
-    """The line of one answer."""
+def answer_line(
+    answer: Answer, solution: Solution, lang: Lang, *, heading: str = "", also: Sequence[str] = ()
+) -> AnswerLine:
+    """The line of one answer; also: the keys of others that are the same."""
+    line = short_line(answer, solution, lang)
+    same = [piece for key in also for piece in (Txt(" = "), row(solution.answers[key].reading.symbol))]
     return AnswerLine(
         key=answer.key,
-        node=short_line(answer, solution, lang),
+        node=Row((line.items[0], *same, *line.items[1:])) if isinstance(line, Row) and same else line,
         before=_named(answer, lang)[0],
         after=_after(answer, lang),
         result=result_of(answer, lang),
         heading=heading,
+        also=tuple(also),
     )
 
 

@@ -4,10 +4,9 @@ all the quantities of which it holds."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from math import isfinite
 
 from ...board.said.short import TOO_SHORT
-from ...printed.digits import coarse, on_paper
+from ...printed.digits import coarse, is_hopeless, on_paper
 from ...solution import Answer
 from ...words import Lang, Words
 from ..values import is_worded
@@ -15,7 +14,6 @@ from ..values import is_worded
 # keys of conditions whose yes says all: their reason is in the steps
 PLAIN = frozenset({"determined", "v_allowed", "static", "dynamic"})
 PLAIN_NO = frozenset({"undercut"})  # and those of which a no does
-HOPELESS = 0.5  # share of a value: with a reading error above it, nothing was read
 UNREADABLE = Words(
     "误差达读数的一半以上，按本图的比例尺读不准", "not to be read at this scale, with an error of half of it or more"
 )
@@ -39,12 +37,6 @@ def remark_of(answer: Answer, lang: Lang) -> str:
 def stands_still(answer: Answer) -> bool:
     """Whether it is the ω or α of a link that only translates, beside whose 0 that is said."""
     return answer.reading.remark is not None and answer.reading.unit.startswith("rad/s") and not answer.drawn
-
-
-def is_hopeless(answer: Answer) -> bool:
-    """Whether its reading may be off by so much that nothing was read."""
-    share = coarse(answer)
-    return share is not None and not (isfinite(share) and share < HOPELESS)
 
 
 def error_of(answer: Answer) -> str:

@@ -52,14 +52,32 @@ def places_table(answers: list[Answer], solution: Solution, lang: Lang) -> DataT
 
 
 def place_row(answer: Answer) -> tuple[str, ...]:
-    """A point (m): both coordinates as drawn and exact; one at infinity by the direction in which it lies."""
-    if endless(answer):
-        ways = [f"∞ (∠{angle(turn)})" for turn in (answer.drawn, clean(answer))]
-        return (f"${answer.reading.symbol}$", ways[0], NOTHING, ways[1], NOTHING)
+    """A point (m): both coordinates as drawn and exact."""
     drawn, exact = answer.drawn_vector, answer.exact_vector
     assert drawn is not None and exact is not None
     places = coordinates(answer)
     return (f"${answer.reading.symbol}$", *place_parts(drawn, places), *place_parts(exact, places + 1))
+
+
+def endless_words(answers: Iterable[Answer], lang: Lang) -> str:
+    """Where the places at infinity lie, drawn and exactly, in a sentence; nothing where there is none."""
+    told = [
+        Words(
+            f"${one.reading.symbol}$ 为 {angle(one.drawn)}（精确值 {angle(clean(one))}{_within(one).zh}）",
+            f"${one.reading.symbol}$ at {angle(one.drawn)} (exactly {angle(clean(one))}{_within(one).en})",
+        ).of(lang)
+        for one in answers
+        if endless(one)
+    ]
+    if not told:
+        return ""
+    zh, en = "，".join(told), ", ".join(told)
+    return Words(f"在无穷远处的瞬心，其方向{zh}。", f"Directions of the centres at infinity: {en}.").of(lang)
+
+
+def _within(answer: Answer) -> Words:
+    error = rough(answer.expected_error)
+    return Words(f"，预期误差 {error}°", f", expected error {error}°") if answer.expected_error else Words("", "")
 
 
 def place_words(answer: Answer, lang: Lang) -> str:
@@ -93,14 +111,6 @@ def _gap(answer: Answer) -> float | None:
 
 
 def _reaches(answers: Sequence[Answer]) -> Iterator[str]:
-    """Within which distance (mm) a point is found; at infinity within which angle."""
-    told = iter(alike([1e3 * one.expected_error for one in answers if _reaches_mm(one)]))
-    for one in answers:
-        if _reaches_mm(one):
-            yield next(told)
-        else:
-            yield f"{rough(one.expected_error)}°" if endless(one) and one.expected_error else NOTHING
-
-
-def _reaches_mm(answer: Answer) -> bool:
-    return not endless(answer) and answer.expected_error > _APART
+    """Within which distance (mm) a point is found."""
+    told = iter(alike([1e3 * one.expected_error for one in answers if one.expected_error > _APART]))
+    yield from (next(told) if one.expected_error > _APART else NOTHING for one in answers)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from math import degrees, isfinite
 
+from ...algebra.quantity import number
 from ...algebra.rounding import braced, places_of, read_back
 from ...printed.angles import bearing_told
-from ...printed.digits import drawn_number, exact_number, on_paper
+from ...printed.digits import drawn_number, exact_number, is_hopeless, on_paper
 from ...printed.units import printed_unit
 from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution
@@ -16,6 +17,7 @@ from ...words import Lang, Words
 from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
 from ..values import called, class_told, direction_of_load, is_class, value
+from .alike import named_once
 from .errors import NOTHING, beside
 from .line import is_length_times_scale
 from .order import listed
@@ -34,7 +36,7 @@ _HEADS = (
     Words("偏差 /%", "Deviation /%"),
     _EXPECTED,
 )
-_VALUE, _OFF, _WITH_UNIT, _ALIGN = 4, 7, (4, 6), "lcdcududu"
+_SCALE, _VALUE, _OFF, _WITH_UNIT, _ALIGN = 3, 4, 7, (4, 6), "lcdcddddd"
 _COMPUTED = Words("计算值", "Computed")
 _SHORT = Words("（过短）", " (too short)")
 _SENSE = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
@@ -45,7 +47,7 @@ def readings_tables(solution: Solution, lang: Lang) -> tuple[DataTable, ...]:
     answers = listed(solution.answers.values())
     if all(map(counted, answers)):
         return ()
-    places, others = parted(answers)
+    places, others = tabled(answers)
     found = [_values(others, solution, lang)] if others else []
     return (*found, *([places_table(places, solution, lang)] if places else []))
 
@@ -59,12 +61,12 @@ def readings_at(
     inks: tuple[list[Rgb | None], list[Rgb | None]] = ([], [])
     for where, solution, answers in positions:
         spots, others = parted(answers)
-        values += _at(where, [row_of(one, solution, lang, unit_of(one)) for one in others])
+        values += _at(where, [_with_scale(row_of(one, solution, lang, unit_of(one)), solution) for one in others])
         placed = [(*place_row(one), gap) for one, gap in zip(spots, gaps(spots), strict=True)]
         places += _at(where, placed)
         for told, of_one in zip(inks, (others, spots), strict=True):
             told += inks_of(solution, (one.key for one in of_one))
-    tables = ((values, _HEADS, _ALIGN, inks[0]), (places, PLACES, ALIGN_PLACES, inks[1]))
+    tables = ((_without_gaps(values), _HEADS, _ALIGN, inks[0]), (places, PLACES, ALIGN_PLACES, inks[1]))
     return tuple(
         trimmed(
             [drive, *(head.of(lang) for head in heads[:-1])],
@@ -81,22 +83,42 @@ def readings_at(
     )
 
 
+def _without_gaps(rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
+    """The rows without lengths on paper where few have one: these stand on the sheets. A place tells each row first."""
+    read = sum(row[_SCALE + 1] != NOTHING for row in rows)
+    if 3 * read >= 2 * len(rows):
+        return rows
+    return [(*row[:_SCALE], NOTHING, NOTHING, *row[_SCALE + 2 :]) for row in rows]
+
+
+def _with_scale(row: tuple[str, ...], solution: Solution) -> tuple[str, ...]:
+    """The row with the size of its scale, which is another at each position: μ_v = 0.0003."""
+    symbol = row[_SCALE].strip("$")
+    found = {one.scale.symbol: one.scale.told for one in solution.construction.figures if one.scale.symbol}
+    told = f"${symbol}$ = {number(found[symbol].value)}" if symbol in found else row[_SCALE]
+    return (*row[:_SCALE], told, *row[_SCALE + 1 :])
+
+
 def _at(where: str, rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
     return [("" if n else where, *row) for n, row in enumerate(rows)]
 
 
 def parted(answers: Iterable[Answer]) -> tuple[list[Answer], list[Answer]]:
-    """The places, and all that is none; a place at infinity, which is a direction, beside others in their table."""
+    """The places, and all that is none: a place at infinity is a direction."""
     every = list(answers)
     finite = {one.key for one in every if one.is_place and None not in (one.drawn_vector, one.exact_vector)}
-    places = [one for one in every if one.key in finite or (finite and endless(one))]
-    kept = {one.key for one in places}
-    return places, [one for one in every if one.key not in kept]
+    return [one for one in every if one.key in finite], [one for one in every if one.key not in finite]
+
+
+def tabled(answers: Iterable[Answer]) -> tuple[list[Answer], list[Answer]]:
+    """The same without places at infinity, which a sentence tells."""
+    places, others = parted(answers)
+    return places, [one for one in others if not endless(one)]
 
 
 def lone_place(answers: Iterable[Answer]) -> Answer | None:
     """The only place beside other answers, which a sentence tells."""
-    places, others = parted(answers)
+    places, others = tabled(answers)
     return places[0] if len(places) == 1 and others else None
 
 
@@ -111,37 +133,20 @@ def filled(answers: Sequence[Answer], solution: Solution, lang: Lang) -> tuple[l
     header, one_unit = _headed(answers, lang)
     rows = [row_of(one, solution, lang, "" if one_unit else unit_of(one)) for one in answers]
     told = [row[_OFF] for row in rows]
-    header[_OFF], offs = _in_one_unit(_DEVIATION.of(lang), told)
+    worth = [NOTHING if is_hopeless(one) else off for one, off in zip(answers, told, strict=True)]
+    header[_OFF], offs = _in_one_unit(_DEVIATION.of(lang), worth)
     header[-1], errors = _in_one_unit(_EXPECTED.of(lang), beside(answers, told))
     return header, [(*row[:_OFF], off, error) for row, off, error in zip(rows, offs, errors, strict=True)]
 
 
 def _values(every: list[Answer], solution: Solution, lang: Lang) -> DataTable:
-    """What is the same by the drawing and exactly, v_B3 and v_C of a slotted slide, is checked once, in one row, as far
-    as it has no ink of its own."""
-    answers: list[Answer] = []
-    hues = dict(zip((one.key for one in every), inks_of(solution, (one.key for one in every)), strict=True))
-    also: dict[str, list[str]] = {}
-    for one in every:
-        twin = next(
-            (other for other in answers if _is_same(one, other) and hues[one.key] in (None, hues[other.key])), None
-        )
-        answers += [one] if twin is None else []
-        also.setdefault((twin or one).key, []).append(called(one.reading.symbol, one.key, lang))
+    """What is the same by the drawing and exactly, v_B3 and v_C of a slotted slide, is checked once, in one row."""
+    once = named_once(every, solution, lang)
+    answers = [one for one, _ in once]
     header, rows = filled(answers, solution, lang)
-    rows = [(" = ".join(also[one.key]), *row[1:]) for one, row in zip(answers, rows, strict=True)]
+    rows = [(name, *row[1:]) for (_, name), row in zip(once, rows, strict=True)]
     inks = inks_of(solution, (one.key for one in answers))
     return trimmed(header, rows, (), _ALIGN, lang, inks, groups=[unit_of(one) for one in answers])
-
-
-def _is_same(one: Answer, other: Answer) -> bool:
-    """Whether both are one vector, read as one length: those of two points of a body that only translates."""
-    return one.drawn_vector is not None and (one.drawn_vector, one.exact_vector, one.reading.mm, one.reading.unit) == (
-        other.drawn_vector,
-        other.exact_vector,
-        other.reading.mm,
-        other.reading.unit,
-    )
 
 
 def _headed(answers: Sequence[Answer], lang: Lang) -> tuple[list[str], str]:

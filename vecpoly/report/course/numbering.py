@@ -15,6 +15,7 @@ from ..content import Objects
 from ..flow.blocks import Drawing
 from ..flow.style import CAPTION, CELL, Style
 from ..flow.table import DataTable
+from ..heads import united
 
 _NOTHING = ("—", "")
 _FIGURE, _TABLE = Words("图", "Figure"), Words("表", "Table")
@@ -88,7 +89,7 @@ class Press:
     ) -> str:  # fmt: skip
         """A numbered table without columns of dashes; its name for the template."""
         kept = told_columns(header, rows)
-        header, rows = [header[i] for i in kept], [tuple(row[i] for i in kept) for row in rows]
+        header, rows = united([header[i] for i in kept], [tuple(row[i] for i in kept) for row in rows])
         align, inked = "".join(align[i] for i in kept), kept.index(inked) if inked in kept else 0
         caption = self._caption(_TABLE, "table", title)
         made = DataTable(

@@ -14,7 +14,7 @@ from ...typeset.fonts import Face
 from .cells import BLANK, Cell, Gap, Kind, gap, parted
 from .text.balanced import balanced, spaces
 
-_LOOSEST = 0.5  # em added to a gap beyond which a line is rather left ragged
+_LOOSEST = 0.1  # em added to a gap beyond which a line is rather left ragged
 _NORM = 0.08  # em added to a gap beyond which the lines before share it
 _SHARED = 0.25  # em added to each gap beyond which a line is rather broken within a long formula
 _LEAST_GAP = 0.75  # how far blanks may shrink before a line is broken earlier

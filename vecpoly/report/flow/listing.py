@@ -19,6 +19,7 @@ _MARGIN = 22.0  # pt for the numbers
 _CELL = 0.602  # em, the advance of the face
 _ENTRY = re.compile(r"\s*(- |#|[^\s:]+:(\s|$))")
 _LONG = 30  # lines of one string: more than these a page break may part
+_WHOLE = 50  # lines of a file that is not parted
 _LEAST = 3  # lines that a page break leaves together
 
 
@@ -46,8 +47,10 @@ class Listing(Block):
         return width, self.height
 
     def split(self, width: float, height: float) -> list[Block]:
-        """Whole lines to each page."""
+        """Whole lines to each page, of a file for which a page has no room."""
         self.wrap(width, height)
+        if len(self._lines) <= _WHOLE:
+            return []
         room = height - self.getSpaceBefore()  # the frame may leave that out here and ask for it of the part
         fit = min(int((room - 4.0) / _LEADING), len(self._lines) - _LEAST)
         if fit < _LEAST:

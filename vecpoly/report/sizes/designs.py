@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import pi, radians
 
 from ...board.construction import Figure
-from ...board.paper.marks import AngleMark, Dot, Ground, Mark, Point, Segment
+from ...board.paper.marks import AngleMark, Dot, Ground, Mark, Point, Role, Segment
 from ...designs.base import Design
 from ...errors import VecpolyError
 from ...units.reading import Dim, read
@@ -39,6 +39,7 @@ def design(subject: Design, told: str, figure: Figure) -> Iterator[Mark]:
             if (text := data.get(symbol)) is None or _is_drawn(text, abs(b - a) * figure.scale.value):
                 yield from _length(figure, a, b, symbol)
                 break
+    yield from _offset(data.get("e", ""), figure, spots)
     yield from _turned(data, figure, spots)
     if any(symbol == _SWING for symbol, _ in subject.given()):
         yield from _swing(figure, spots)
@@ -54,6 +55,16 @@ def _between(one: str, other: str, spots: dict[str, complex]) -> Iterator[tuple[
 
 def _stroke(spots: dict[str, complex]) -> Iterator[tuple[complex, complex]]:
     return ((spots[a], spots[b]) for a, b in _ENDS if a in spots and b in spots)
+
+
+def _offset(text: str, figure: Figure, spots: dict[str, complex]) -> Iterator[Mark]:
+    """The line of the crank's pivot beside that of a slider's stroke, and how far they are apart."""
+    if not text or {"A", "D"} & set(spots) or not (ends := next(_stroke(spots), None)):
+        return
+    a, b = sorted(ends, key=lambda at: at.real)
+    along, off = (b - a) / abs(b - a), 1j * read(text, Dim.LENGTH).si / figure.scale.value
+    yield Segment(a=a + off * along, b=b + off * along, role=Role.CENTRE, step=1)
+    yield from span(b, b + off * along, "e", _OVER * along)
 
 
 def _is_drawn(text: str, metres: float) -> bool:

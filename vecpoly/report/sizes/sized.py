@@ -11,9 +11,11 @@ from ...devices.balancing.engine import InlineEngine
 from ...devices.cams.cam import Cam
 from ...devices.eccentric_clamp import EccentricClamp
 from ...foundation.slotted import replace
+from ...mechanism.model import Mechanism
 from ...problem.problem import Problem
 from .designs import design
 from .machines import cam, clamp, engine
+from .offsets import mechanism
 
 
 def sized(problem: Problem, figure: Figure) -> Figure:
@@ -29,5 +31,7 @@ def _sizes(problem: Problem, figure: Figure) -> Iterator[Mark]:
             yield from engine(device, figure)
         case Cam() as device:
             yield from cam(device, figure)
+        case Mechanism():
+            yield from mechanism(problem, figure)
         case Design() as device:
             yield from design(device, problem.statement.zh, figure)

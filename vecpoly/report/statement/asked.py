@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeVar
 
 from ...algebra.quantity import number
@@ -15,12 +15,13 @@ from ...solution import YES_NO, Solution
 from ...words import Lang, Words
 from ..values import asked_load, called, curved, way_of
 from .groups import Group, by_groups, parted
-from .meant import meant_by
+from .meant import meant_by, plural
 
 _MEANT = {
     "h": Words("原动件上力偶的力臂 {}", "the arm {} of the couple on the input link"),
     "eta": Words("效率 {}", "the efficiency {}"),
 }
+_NUMBER = "number of "  # that is said once of several in a row
 ALL_CENTRES = Words("全部瞬心", "all instant centres")
 T = TypeVar("T")
 
@@ -30,18 +31,26 @@ def asked(solution: Solution, lang: Lang) -> str:
     comma, stop = ("、", "；") if lang == "zh" else (", ", "; ")
     told = [(key, _told(ask, solution, lang) if ask else ALL_CENTRES.of(lang)) for key, ask in _listed(solution)]
     return stop.join(
-        ("" if group is None else group.heads(len(some), lang)) + comma.join(_once_named([text for _, text in some]))
+        ("" if group is None else group.heads(len(some), lang))
+        + comma.join(_once_named([text for _, text in some], lang))
         for group, some in asked_by_kinds(told)
     )
 
 
-def _once_named(texts: Sequence[str]) -> Iterator[str]:
-    """Several in a row of one name have it once: the balancing masses m_1, m_2."""
-    before = ""
+def _once_named(texts: Sequence[str], lang: Lang) -> Iterator[str]:
+    """All of one name have it once, where the first of them stands: balancing masses m_1, m_2."""
+    named: dict[str, list[str]] = {}
     for text in texts:
-        name, gap, symbol = text.rpartition(" $")
-        yield f"${symbol}" if gap and name and name == before else text
-        before = name if symbol.endswith("$") else ""
+        name = _name_of(text)
+        named.setdefault(name or text, []).append(f"${text.rpartition(' $')[2]}" if name else "")
+    counts = [name for name in named if name.startswith(_NUMBER)]
+    for name, symbols in named.items():
+        first, *others = symbols
+        head = plural(name) if others and first and lang == "en" else name
+        if len(counts) > 1 and name in counts:
+            head = f"numbers of {head.removeprefix(_NUMBER)}" if name == counts[0] else head.removeprefix(_NUMBER)
+        yield f"{head} {first}".rstrip()
+        yield from others
 
 
 def asked_by_kinds(told: Sequence[tuple[str, T]]) -> list[tuple[Group | None, list[tuple[str, T]]]]:
@@ -60,7 +69,20 @@ def in_order(solution: Solution) -> list[tuple[Group | None, list[str]]]:
     listed += [(key, key) for key in solution.answers if key not in known]
     by_kinds = parted([key for key, _ in _listed(solution)])  # as the question tells them
     groups = asked_by_kinds(listed) if by_kinds else [(None, listed)]
-    return [(group, [key for _, key in some]) for group, some in groups]
+    names = {ask.rel.key: _name_of(_told(ask, solution, "en")) for _, ask in _listed(solution) if ask is not None}
+    return [(group, _by_name([key for _, key in some], names)) for group, some in groups]
+
+
+def _by_name(keys: Sequence[str], names: Mapping[str, str]) -> list[str]:
+    """The keys of one name together, where the first of them stands."""
+    first = {name: n for n, name in reversed([*enumerate(names.get(key) or key for key in keys)])}
+    return sorted(keys, key=lambda key: first[names.get(key) or key])
+
+
+def _name_of(text: str) -> str:
+    """What a quantity is called before its symbol; nothing of what stands for itself."""
+    name, _, symbol = text.rpartition(" $")
+    return "" if not symbol.endswith("$") or name.startswith(("whether", "是否")) else name
 
 
 def _listed(solution: Solution) -> Iterator[tuple[str, Ask | None]]:

@@ -10,7 +10,7 @@ from typing import TypeVar
 from ...words import Lang, Words
 
 _MOBILITY, _LOWER_PAIRS = "F", "p_l"  # keys
-_LOW = "with lower pairs only"
+_LOW = "equivalent lower-pair linkage"
 LONG = 7  # quantities that are told by kinds, where there are so many
 
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...algebra.rounding import braced
+from ...devices.balancing.rotor import Rotor
 from ...devices.base import Device
 from ...problem.problem import Problem
 from ...problem.values.given import Datum, as_printed
@@ -17,8 +18,16 @@ _LEAST = 3  # quantities, and bodies, that make a table
 _SYMBOL = re.compile(r"([A-Za-zφθ])_\{?([A-Za-z0-9]+)\}?")
 _VALUE = re.compile(r"(−?[\d.]+|\?)(°| .+)?")
 _SOUGHT = "?"
-_ROWS = Words("下标 $i$", "Subscript $i$")
+_ROWS = Words("序号 $i$", "$i$")
 _NONE = "—"
+_SEE = Words("见下表", "see the table")
+_MEANT = {  # of a rotor
+    "m": Words("质量", "masses"),
+    "W": Words("质径积", "mass-radius products"),
+    "r": Words("回转半径", "radii"),
+    "θ": Words("方位角（逆时针为正）", "angular positions (counter-clockwise)"),
+    "z": Words("轴向位置", "axial positions"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +57,16 @@ def in_table(problem: Problem, lang: Lang) -> tuple[tuple[Datum, ...], DataTable
     kept = {id(cell.datum) for cell in told}
     table = DataTable(heads, rows, None, "c" + "d" * len(columns), lang=lang)
     return tuple(one for one in data if id(one) not in kept), table
+
+
+def in_table_words(problem: Problem, lang: Lang) -> str:
+    """What the columns of the table mean, and where it stands: masses m_i, radii r_i ... as in the table."""
+    table = in_table(problem, lang)[1]
+    if table is None or not isinstance(problem.subject, Rotor):
+        return _SEE.of(lang)
+    letters = [head.split("_i")[0].strip("$") for head in table.header[1:]]
+    told = [_MEANT[letter].of(lang) + f" ${letter}_i$" for letter in letters if letter in _MEANT]
+    return Words("、".join(told) + "，见下表", ", ".join(told) + "; see the table").of(lang) if told else _SEE.of(lang)
 
 
 def _cell(one: Datum, lang: Lang) -> _Cell | None:

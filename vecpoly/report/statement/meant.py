@@ -70,7 +70,7 @@ _GEAR = {
 }
 _DESIGN = {
     "theta(_.*)?": Words("极位夹角", "angle between the limit positions"),
-    "gamma_min(_.*)?": Words("最小传动角", "least transmission angle"),
+    "gamma_min(_.*)?": Words("最小传动角", "minimum transmission angle"),
     "alpha_max(_.*)?": Words("最大压力角", "greatest pressure angle"),
 }
 _NAMED: tuple[tuple[type, Mapping[str, Words]], ...] = (
@@ -81,6 +81,21 @@ _NAMED: tuple[tuple[type, Mapping[str, Words]], ...] = (
     (GearGeneration, _GEAR),
     (Design, _DESIGN),
 )
+
+
+def plural(name: str) -> str:
+    """The name of several: balancing masses, angular positions of the holes."""
+    head, joint, tail = next(
+        (name.partition(w) for w in (" of ", " of", " between ", " at ") if w in name), (name, "", "")
+    )
+    each = tail.startswith("the ") and head.endswith("position")  # of things of which there are several
+    return f"{_several(head)}{joint}{plural(tail) if each else tail}"
+
+
+def _several(noun: str) -> str:
+    if noun.endswith("radius"):
+        return noun.removesuffix("us") + "i"
+    return noun + ("es" if noun.endswith("s") else "s")
 
 
 def meant_by(subject: object, key: str, symbol: str) -> Words | None:

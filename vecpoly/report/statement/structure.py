@@ -74,7 +74,7 @@ def carried_pins(mech: Mechanism) -> Words:
     en = "; ".join(f"the pin at ${point}$ belongs to {_carrier(mech, link).en}" for point, link in found.items())
     return Words(
         f"复合铰链{zh}，铰接于该处的其他构件只与它相互作用，彼此间无反力。",
-        f" At multiple joints one link carries the pin, the others press on it and not on each other: {en}.",
+        f" At multiple joints one link carries the pin, the others press on it, not on each other: {en}.",
     )
 
 
@@ -119,7 +119,8 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...], free
             + Words(f"；{driver.zh}为原动件。", f"; {driver.en} drives.")
         )
     zh = "、".join(f"{group_zh(g)}（{_links(mech, g.links).zh}{_as_bar(g).zh}）" for g in groups)
-    en = ", ".join(f"{kind_of(g).en} ({_links(mech, g.links).en}{_as_bar(g).en})" for g in groups)
+    *named, last = [f"{kind_of(g).en} ({_links(mech, g.links).en}{_as_bar(g).en})" for g in groups] or [""]
+    en = " and ".join(filter(None, (", ".join(named), last)))
     kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
     kind += " of" if len(groups) == 1 and groups[0].kind in _HIGHER else ""
     opening = _counted(mech, count) + Words(
@@ -128,7 +129,7 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...], free
     )
     if any(g.kind == "driven" for g in groups):
         return opening + _inside(groups)
-    replaced = Words("", ",")
+    replaced = Words("", ";")
     if mech.contacts:
         replaced = Words("高副低代后，", "; with the higher pair replaced by a link and lower pairs,")
     elif slots.zh:

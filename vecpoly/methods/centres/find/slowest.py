@@ -28,7 +28,7 @@ def find_slowest(motions: Motions, ask: AskPoint) -> None:
         raise NoMethodError(
             Words(
                 f"{ask.name}：构件 {ask.link} 此时作平动，各点速度相等",
-                f"{ask.name}: link {ask.link} only translates here, all its points are equally fast",
+                f"{ask.name}: link {ask.link} only translates here: all its points are equally fast",
             )
         )
     centre, name = spot_of(fig, ask.link, FRAME), subscripted(ask.name)

@@ -66,7 +66,7 @@ def read_centre_speed(motions: Motions, pair: Pair) -> Drawn | None:
         raise NoMethodError(
             Words(
                 f"{named.key}：此瞬心在无穷远处，没有速度",
-                f"{named.key}: this centre is at infinity, it has no velocity",
+                f"{named.key}: this centre is at infinity and has no velocity",
             )
         )
     return _speed(motions, link, spot_of(fig, *pair), named.key, named.symbol)

@@ -89,7 +89,7 @@ def _along(fig: CurvatureFigure, letter: str, corner: Points) -> Line:
     fig.board.step(
         Words(
             f"${name}$ 在 ${on}$ 上，相应的点在无穷远处：过 ${letter}$ 作 ${to}$ 的平行线 $q$。",
-            f"${name}$ lies on ${on}$, its point is at infinity: draw $q$ through ${letter}$ parallel to ${to}$.",
+            f"${name}$ lies on ${on}$; its point is at infinity: draw $q$ through ${letter}$ parallel to ${to}$.",
         ),
         fig.pane,
     )

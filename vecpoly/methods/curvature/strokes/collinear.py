@@ -99,7 +99,7 @@ def inflection_by_axis(fig: CurvatureFigure, axis: Axis, ray: Ray, other: Ray) -
         fig.board.step(
             Words(
                 f"${fig.shown(ray.moving)}$ 作直线运动，曲率中心在无穷远处，故 ${fig.shown(ray.moving)}$ 在拐点圆上。",
-                f"${fig.shown(ray.moving)}$ runs on a straight line, its centre is at infinity: "
+                f"${fig.shown(ray.moving)}$ runs on a straight line; its centre is at infinity, so "
                 f"${fig.shown(ray.moving)}$ itself lies on the inflection circle.",
             ),
             fig.pane,

@@ -18,7 +18,7 @@ from ..bench import Bench
 from .couples import Solution, close_couples
 from .polygon import Laid, chain, read_closing, stated_bearing
 from .products import radius
-from .scales import COUPLES, polygon_view
+from .scales import COUPLES, arm_letter, polygon_view
 from .views.ends import solved_from_its_end
 
 
@@ -39,15 +39,16 @@ def _couples(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[
     """C = W |l| of every mass whose product is known; without sign."""
     board, first = bench.board, reference(rotor.masses)
     here = rotor.masses[first].place
+    letter = arm_letter(here)
     board.section(Words("力偶", "Couples"))
     board.step(
         Words(
             f"取质量 {first} 所在平面（$z$ = {number(1e3 * here)} mm）为参考平面：{first} 对它没有力偶。其余各质量的"
             "力偶 "
-            "$C$ = $W l$（$l$ 为到参考平面的距离）：",
+            f"$C$ = $W {letter}$（${letter}$ 为到参考平面的距离）：",
             f"The plane of mass {first}, at $z$ = {number(1e3 * here)} mm, is the reference plane: {first} has no "
             "couple "
-            "about it. Those of the others are $C$ = $W l$, with their distances $l$ from it:",
+            f"about it. Those of the others are $C$ = $W {letter}$, with their distances ${letter}$ from it:",
         )
     )
     factor = rotor.weighing.products
@@ -55,7 +56,7 @@ def _couples(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[
     for name, size in sizes.items():
         if name == first:
             continue
-        arm = magnitude(f"l_{{{name}}}", abs(rotor.masses[name].place - here), "m")
+        arm = magnitude(f"{arm_letter(here)}_{{{name}}}", abs(rotor.masses[name].place - here), "m")
         product = magnitude(f"W_{{{name}}}", size.value / factor, "kg·m")
         found[name] = bench.worked(couple_of(name), product * arm)
     return found
@@ -92,7 +93,7 @@ def _mass(bench: Bench, rotor: Rotor, place: Pane, which: str, name: str, soluti
         f"C_{{{name}}}", magnitude(scale.symbol, sign * scale.value, scale.per_mm) * on_paper, "kg·m^2"
     )
     assert mass.r is not None
-    arm = magnitude(f"l_{{{name}}}", abs(mass.place - here), "m")
+    arm = magnitude(f"{arm_letter(here)}_{{{name}}}", abs(mass.place - here), "m")
     turned = magnitude(f"r_{{{name}}}", mass.r.si / unit.masses, "m")
     bench.worked(found_mass(name, which, unit), couple / (arm * turned))
 

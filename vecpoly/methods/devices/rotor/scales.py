@@ -17,6 +17,7 @@ END_VIEW, COUPLES = view_named("end-view"), view_named("couples")
 LONG, WIDE, POLYGON = 110.0, 64.0, 84.0  # mm: along the shaft; across the end view; across the largest polygon
 ONE_OF_THREE = 44.0  # mm: across each end view, where both planes have one too
 AXIS, LUMP = 7.0, 2.0  # mm: the axes run on; radius of a mass as drawn
+SAME = 1e-9  # m: planes nearer to each other are one
 FEW = 5  # masses whose angles and distances are written into the figures
 
 
@@ -40,6 +41,11 @@ def rotor_scales(rotor: Rotor, given: Scales) -> Mapping[View, Scale]:
 def has_plane_views(rotor: Rotor) -> bool:
     """Whether each plane of correction is seen from its end, with the parts of the masses: those have radii."""
     return not rotor.static and not rotor.sought and all(mass.r is not None for mass in rotor.masses.values())
+
+
+def arm_letter(origin: float) -> str:
+    """The letter of distances along the axis from this plane: z where z is counted from it, else l."""
+    return "l" if abs(origin) > SAME else "z"
 
 
 def fitting(least: float) -> float:

@@ -15,7 +15,7 @@ from .about import about_a_third_plane
 from .correct import corrected
 from .grade import permitted_circles
 from .polygon import Laid, Polygon, chain, read_closing, summed
-from .scales import polygon_view
+from .scales import arm_letter, polygon_view
 from .static import laid_whole
 from .verdict import told_kind
 from .views.ends import planes_from_their_end
@@ -63,8 +63,9 @@ def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[s
     (one, first), (other, second) = rotor.correct.items()
     board.section(Words("向两校正平面分解", "Shares of the two planes"))
     over = [name for name in rotor.masses if min(share[name] for share in rotor.shares.values()) < -1e-12]
-    arm_told = f"$l_i$ = $z_i$ − $z_{{b{one}}}$"
-    span_told = f"$L$ = $z_{{b{other}}}$ − $z_{{b{one}}}$"
+    letter = arm_letter(first.at)
+    arm_told = "$z_i$" if letter == "z" else f"$l_i$ = $z_i$ − $z_{{b{one}}}$"
+    span_told = f"$L$ = $z_{{b{other}}}$" + (f" − $z_{{b{one}}}$" if letter == "l" else "")
     board.step(
         Words(
             f"把每个质径积按杠杆关系分解到平面 ${one}$ 和 ${other}$：{arm_told} 为质量 $i$ 到平面 ${one}$ 的距离，"
@@ -77,7 +78,7 @@ def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[s
     span = magnitude("L", (second.at - first.at) * 1e3, "mm")
     laid: dict[str, list[Laid]] = {one: [], other: []}
     for name, size in sizes.items():
-        arm = magnitude(f"l_{{{name}}}", (rotor.masses[name].place - first.at) * 1e3, "mm")
+        arm = magnitude(f"{letter}_{{{name}}}", (rotor.masses[name].place - first.at) * 1e3, "mm")
         pair = product_of(name, unit, one), product_of(name, unit, other)
         found = bench.divided(pair, (size * ((span - arm) / span), size * (arm / span)))
         sign = -1.0 if rotor.masses[name].removed else 1.0

@@ -111,7 +111,7 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
     st.board.remark(
         Words(
             f"两力构成{turn.zh}力偶，量得力臂 ${_letter(st)}$；${named.symbol}$ 与之平衡，为{way.zh}：",
-            f" The two form a {turn.en} couple, its arm ${_letter(st)}$ is measured; "
+            f" The two form a {turn.en} couple, whose arm ${_letter(st)}$ is measured; "
             f"${named.symbol}$ balances it and is {way.en}:",
         )
     )
@@ -171,8 +171,8 @@ def _pure_couple(st: Statics, held: Held, load: Resultant) -> None:
     st.board.step(
         Words(
             f"构件 {number} 上只有力偶，${st.unknown_named.symbol}$ 与之平衡，机架反力为零。",
-            f"Only couples act on link {number}: ${st.unknown_named.symbol}$ balances them, the frame's reaction is "
-            "zero.",
+            f"Only couples act on link {number}: ${st.unknown_named.symbol}$ balances them, and the frame's reaction "
+            "is zero.",
         ),
         View.MECHANISM,
     )

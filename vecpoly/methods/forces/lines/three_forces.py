@@ -158,7 +158,7 @@ def _lies(st: Statics, held: Held, meets: str) -> Words:
         f"过 ${meets}$" if meets else "过交点", f"through ${meets}$" if meets else "through the meeting point"
     )
     if isinstance(held.joint, Prismatic):
-        return Words("与法线成$φ$", "$φ$ off the normal") if st.phi(held.joint) else Words("⊥导路", "⊥guide")
+        return Words("与法线成 $φ$", "at $φ$ to the normal") if st.phi(held.joint) else Words("⊥导路", "⊥guide")
     if isinstance(held.joint, Revolute) and st.rho(held.joint.point):
         return through + Words("，切于摩擦圆", ", tangent to the circle")
     return through

@@ -57,7 +57,8 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
         words = _touching(desk, joint, q, p)
     desk.board.step(words, View.MECHANISM)
     direct, why = choose_way(desk, joint, q, p, _directions(desk.at[p] - desk.at[q], offset))
-    desk.board.remark((Words.same("") if why is None else said(why, "个方向")) + Words("。", "."))
+    which = _which_tangent(desk, q, p, direct, offset) if cam is None else Words.same("")
+    desk.board.remark((which if why is None else said(why, "个方向")) + Words("。", "."))
     along = desk.board.turn(direct)
     if abs(offset) > 1e-9:
         _offset_circle(desk, q, p, abs(offset), along, "e" if cam is None else "")
@@ -70,6 +71,19 @@ def _directions(ray: Points, offset: float) -> tuple[Points, Points]:
     u (σ + ie) = QP with σ = ±√(QP² - e²)."""
     lean = np.exp(1j * np.arcsin(offset / np.abs(ray)))
     return unit(ray) * np.conj(lean), -unit(ray) * lean
+
+
+def _which_tangent(desk: Desk, q: str, p: str, direct: Points, offset: float) -> Words:
+    """Of the two tangents the one that is meant: on which side of it the circle lies."""
+    if abs(offset) < 1e-9:
+        return Words.same("")
+    ray, way = complex(nominal(desk.at[p] - desk.at[q])), complex(nominal(direct))
+    ahead = (way.conjugate() * ray).real
+    left = (way.conjugate() * ray).imag * ahead > 0
+    return Words(
+        f"（两条切线中，自 ${q}$ 看 ${p}$ 在其{'左' if left else '右'}侧的一条）",
+        f" (of the two, the one with ${p}$ on its {'left' if left else 'right'}, seen from ${q}$)",
+    )
 
 
 def _touching(desk: Desk, joint: Prismatic, q: str, p: str) -> Words:

@@ -13,7 +13,7 @@ from ....designs.inversion.plan import Find, On
 from ....designs.quantities import TURN_AB, TURN_AD, TURN_DC
 from ....designs.verdict import Verdict
 from ....names import Named
-from ....plane import Points, Reals
+from ....plane import Points, Reals, nominal
 from ....plane.geometry import dot
 from ....words import Words
 from ..draft import SHEET
@@ -22,6 +22,7 @@ from .judged import drives, judged, turns_fully
 from .sheet import Sheet, Stands
 
 HALF = 180.0  # deg
+NO_OFFSET = 0.05  # mm: a guide that passes so near passes through
 
 
 def finish(sheet: Sheet) -> None:
@@ -92,10 +93,17 @@ def _kinds(sheet: Sheet) -> Words:
     for loop in sheet.plan.loops:
         if isinstance(loop, Sliding):
             turns, name = turns_fully(sheet, loop), f"${loop.a}{loop.b}{loop.c}$"
-            crank, rocker = Words("曲柄滑块机构", "a crank-slider"), Words("摇杆滑块机构", "a rocker-slider")
+            crank, rocker = Words("曲柄滑块机构", "a slider-crank"), Words("摇杆滑块机构", "a rocker-slider")
             kind, sign = (crank, "≤") if turns else (rocker, ">")
-            terms = f"$l_{{{loop.a}{loop.b}}} + e$ {sign} $l_{{{loop.b}{loop.c}}}$"
-            told += Words(f"（{terms}，{name} 为{kind.zh}。）", f" ({terms}: {name} is {kind.en}.)")
+            a, c = (complex(nominal(sheet.pins[letter][0])) for letter in (loop.a, loop.c))
+            aside = abs(((c - a) / loop.along).imag) > NO_OFFSET
+            terms = f"$l_{{{loop.a}{loop.b}}}{' + e' * aside}$ {sign} $l_{{{loop.b}{loop.c}}}$"
+            e = (
+                Words(f"，$e$ 为 ${loop.a}$ 到导路的距离", f", $e$ the distance of ${loop.a}$ from the guide")
+                if aside
+                else Words("", "")
+            )
+            told += Words(f"（{terms}{e.zh}：{name} 为{kind.zh}。）", f" ({terms}{e.en}: {name} is {kind.en}.)")
     return told
 
 

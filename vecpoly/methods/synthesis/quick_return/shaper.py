@@ -144,8 +144,8 @@ def _height(draft: Draft, design: Shaper, c: Points, ends: tuple[Points, Points]
         Words(
             "以 $C$ 为圆心作 $D$ 的圆弧，与竖直线交于 $N$；$D_{1}D_2$ 与竖直线交于 $M$。"
             "导路过 $MN$ 的中点时，滑枕的压力角最小。",
-            "Draw the arc of $D$ about $C$; it meets the vertical at $N$, the chord $D_{1}D_2$ meets it at $M$. With "
-            "the guide through the middle of $MN$ the pressure angle at the ram is least.",
+            "Draw the arc of $D$ about $C$; it meets the vertical at $N$, and the chord $D_{1}D_2$ meets it at $M$. "
+            "With the guide through the middle of $MN$ the pressure angle at the ram is least.",
         ),
         SHEET,
     )

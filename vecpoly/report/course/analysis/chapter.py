@@ -90,7 +90,7 @@ def _is_steady(one: Conditioning) -> bool:
 
 
 def _only(study: Study, one: Conditioning) -> Words:
-    """The only group's determinant, its least transmission angle, and the verdict, in sentences."""
+    """The only group's determinant, its minimum transmission angle, and the verdict, in sentences."""
     group, by, low, high = one.group.title, f"$|{one.symbol}|$", study.where(one.phi), study.where(one.top)
     told = Words(f"{group.zh}的行列式 {by} 不变", f"{by}, the determinant of the {group.en}, does not change")
     if not _is_steady(one):
@@ -105,11 +105,11 @@ def _only(study: Study, one: Conditioning) -> Words:
         least = f"{degrees(one.gamma.least.value):.1f}°"
         told += Words(
             f"；最小传动角为 {least}，误差最多放大 1/$sin γ$ = {one.times} 倍",
-            f"; the least transmission angle is {least}, so that errors are magnified at most 1/$sin γ$ = "
+            f"; the minimum transmission angle is {least}, so that errors are magnified at most 1/$sin γ$ = "
             f"{one.times} times",
         )
     verdict = _verdict(study, one)
-    return told + Words(f"。判断：{verdict.zh}。", f". Verdict: {verdict.en}.")
+    return told + Words(f"。判断：{verdict.zh}。", f". Conditioning: {verdict.en}.")
 
 
 def _verdict(study: Study, one: Conditioning) -> Words:

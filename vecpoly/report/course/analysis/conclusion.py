@@ -112,7 +112,7 @@ def _wanting(one: Conditioning) -> Words:
     """A group with the measure by which it is found wanting."""
     if one.gamma:
         least = f"{degrees(one.gamma.least.value):.1f}°"
-        measure = Words(f"的最小传动角为 {least}，小于 40°", f": least transmission angle {least}, below 40°")
+        measure = Words(f"的最小传动角为 {least}，小于 40°", f": minimum transmission angle {least}, below 40°")
     else:
         share = f"{100 * one.measure:.0f} %"
         measure = Words(
@@ -145,8 +145,8 @@ def _conditioned(study: Study, groups: list[Conditioning], mending: str) -> Iter
 
 
 def _sound(study: Study, groups: list[Conditioning]) -> Words:
-    """How far all groups keep from their singular places: by the least transmission angle, or the least determinant."""
-    gammas = [one.gamma for one in groups if one.gamma is not None]
+    """How far all groups keep from singular places: by the minimum transmission angle, or the least determinant."""
+    gammas, many = [one.gamma for one in groups if one.gamma is not None], len(groups) > 1
     link = study.mech.drive.link
     zh, en = (f"（以构件 {link} 为原动件）", f" (link {link} being the driver)") if study.forces else ("", "")
     if gammas:
@@ -155,16 +155,19 @@ def _sound(study: Study, groups: list[Conditioning]) -> Words:
         where = least_places(study, worst)
         at = ("", "") if steady else (f"（{where.zh}）", f" ({where.en})")
         told = Words(
-            f"最小传动角为 {size:.1f}°{at[0]}，{'不小于' if size >= USUAL else '约等于'}一般要求的 40°{zh}",
-            f"the least transmission angle is {size:.1f}°{at[1]}, {'above' if size >= USUAL else 'about'} the 40° "
-            f"usually demanded{en}",
+            f"最小传动角为 {size:.1f}°{at[0]}，{'不小于' if size >= USUAL else '略低于'}一般要求的 40°{zh}",
+            f"the minimum transmission angle is {size:.1f}°{at[1]}, {'above' if size >= USUAL else 'just below'} the "
+            f"40° usually demanded{en}",
         )
     elif (ratio := min(one.ratio for one in groups)) > 1 - _STEADY:
-        told = Words("行列式为常数", "their determinants are constant")
+        told = Words("行列式为常数", "their determinants are constant" if many else "its determinant is constant")
     else:
         share = f"{100 * ratio:.0f} %"
-        told = Words(f"行列式最小时仍为其最大值的 {share}", f"no determinant falls below {share} of its largest value")
+        told = Words(
+            f"行列式最小时仍为其最大值的 {share}",
+            f"{'no determinant falls' if many else 'its determinant does not fall'} below {share} of its largest value",
+        )
     return Words(
-        f"各杆组在{span(study).zh}内均为良态：{told.zh}。",
-        f"All groups are well-conditioned throughout the {span(study).en}: {told.en}.",
+        f"{'各杆组' if many else '杆组'}在{span(study).zh}内{'均' * many}为良态：{told.zh}。",
+        f"{'All groups are' if many else 'The group is'} well-conditioned throughout the {span(study).en}: {told.en}.",
     )

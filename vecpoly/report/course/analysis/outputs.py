@@ -92,12 +92,12 @@ def _stroke(study: Study, stroke: Stroke) -> Words:
     if stroke.ratio > _EVEN:
         weak = stroke.ratio < _MARKED
         quick = Words(
-            f"行程速比系数 {k}（$θ$ = {theta:.2f}°），{'急回不明显' if weak else '有急回特性'}",
-            f"{k} ($θ$ = {theta:.2f}°): {'a weak' if weak else 'a'} quick return",
+            f"行程速比系数 {k}（$θ$ = {theta:.1f}°），{'急回不明显' if weak else '有急回特性'}",
+            f"{'a weak' if weak else 'a'} quick return, {k} ($θ$ = {theta:.1f}°)",
         )
     return Words(
         f"往复{'摆动，摆角' if turns else '移动，行程'} {swing}，{quick.zh}",
-        f"{'oscillates, angle of swing' if turns else 'reciprocates, stroke'} {swing}, {quick.en}",
+        f"{'oscillates through an angle of' if turns else 'reciprocates with a stroke of'} {swing}, with {quick.en}",
     )
 
 

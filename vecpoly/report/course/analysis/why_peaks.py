@@ -26,13 +26,13 @@ _ALIKE = 1e-6  # of the greatest value
 _MAIN = 2.0  # times the other's logarithm: so much alone is the cause
 _HEADER = {
     "zh": ["量", "峰值", "原动件位置", "峰值/均方根", "分母", "分母/均方根", "分子/均方根", "成因"],
-    "en": ["Quantity", "Peak", "Drive at", "Peak/rms", "Divided by", "Divisor/rms", "Numerator/rms", "Cause"],
+    "en": ["Quantity", "Peak", "Position", "Peak/rms", "Divided by", "Divisor/rms", "Numerator/rms", "Cause"],
 }
 GREW, SHRANK = Words("分子增大引起", "numerator large"), Words("分母减小引起", "divisor small")
 _BOTH = Words("两者兼有", "both")
 _WHY = {  # by the words of the table
-    GREW.zh: Words("峰值由分子增大引起", "the peak comes of a large numerator, not of a small divisor"),
-    SHRANK.zh: Words("峰值由分母减小引起", "the peak comes of a small divisor, not of a large numerator"),
+    GREW.zh: Words("峰值由分子增大引起", "the peak comes from a large numerator, not of a small divisor"),
+    SHRANK.zh: Words("峰值由分母减小引起", "the peak comes from a small divisor, not of a large numerator"),
     _BOTH.zh: Words("分子增大和分母减小都是成因", "both a large numerator and a small divisor make the peak"),
 }
 

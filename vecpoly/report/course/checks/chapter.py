@@ -16,14 +16,15 @@ from ....words import Words
 from ..numbering import Press
 from . import tolerances
 
+_QUARTER = ("—", "3.99", "4.00", "4.01")  # ratio of the errors over two steps and one
 _NOTHING, _BESIDE = 1e-13, 1e-9  # no value at all; none beside the largest of its kind, as across a guide
 _CHECKED = {
-    "zh": ["量", "与独立求解结果之差", "与差商之差（步长 2 格）", "与差商之差（步长 1 格）", "两误差之比"],
+    "zh": ["量", "与独立求解结果之差", "差商误差（2 格）/%", "差商误差（1 格）/%", "两误差之比"],
     "en": [
         "Quantity",
-        "Difference from the independent solution",
-        "Error of quotients, 2 steps",
-        "Error of quotients, 1 step",
+        "Difference from the solver",
+        "Error over 2\u00a0steps /%",
+        "Error over 1\u00a0step /%",
         "Ratio of the errors",
     ],
 }
@@ -67,12 +68,14 @@ def _checked(study: Study, press: Press) -> str:
         if not study.mech.drive.accel:
             row += _by_quotients(study, base, own, size)
         rows.append(tuple(row))
+    if rows and all(row[-1] in _QUARTER for row in rows):  # the sentence before the table says it
+        rows = [row[:-1] for row in rows]
     return (
         press.table(
             Words("数学模型的校核（占该量最大值）", "The model checked (shares of each quantity's largest value)"),
             _CHECKED[press.lang][: len(rows[0])],
             rows,
-            "lrddd"[: len(rows[0])],
+            "lcddd"[: len(rows[0])],
         )
         if rows
         else ""
@@ -91,11 +94,16 @@ def _by_quotients(study: Study, base: Reals | None, rate: Reals, size: float) ->
     if base is None:
         return ["—", "—", "—"]
     wide, narrow = (_quotient_gap(study, base, rate, steps) / size for steps in (2, 1))
-    return [_percent(wide), _percent(narrow), f"{wide / narrow:.2f}" if narrow > 1e-9 else "—"]
+    return [_share(wide), _share(narrow), f"{wide / narrow:.2f}" if narrow > 1e-9 else "—"]
 
 
 def _percent(share: float) -> str:
     return _power(share) if share < 1e-6 else f"{100 * share:.4f} %"
+
+
+def _share(part: float) -> str:
+    """In per cent, without the sign."""
+    return _percent(part).removesuffix(" %")
 
 
 def _rates(study: Study) -> Iterator[tuple[str, Reals, Reals, Reals | None]]:

@@ -16,11 +16,11 @@ from ....board.paper.sizes import unfit
 from ....errors import VecpolyError
 from ....findings.study.study import Study
 from ....problem.problem import Problem
-from ....solution import Solution, scales_of, solve
+from ....solution import Solution, scales_of
 from ....words import Words
 from ..analysis.force_words import refusals
 from ..numbering import SMALL, Press
-from ..results.positions import at_position
+from ..results.positions import at_position, draw_there
 from .refused import cause
 
 STATIONS = 24
@@ -28,27 +28,17 @@ FLAT, MARGIN = 0.35, 0.25  # of the frame that drawn values take at least; of wh
 _SHOWN, _DENSE = 3, 2  # curves, and of a long report
 _DIGITS, _MOST = 3, 8  # significant digits of a deviation; decimals, beyond which a power of ten is shorter
 _HEADER = {
-    "zh": [
-        "量",
-        "单位",
-        "最大值",
-        "最大偏差",
-        "占最大值 /%",
-        "偏差最大处",
-        "均方根偏差",
-        "手工误差 3σ",
-        "占题设处值 /%",
-    ],
+    "zh": ["量", "单位", "最大值", "最大偏差", "占最大值 /%", "偏差最大处", "均方根偏差", "手工误差 3σ", "占该处值 /%"],
     "en": [
         "Quantity",
         "Unit",
         "Largest value",
         "Largest deviation",
-        "of largest /%",
-        "at position",
+        "Relative /%",
+        "Place",
         "rms deviation",
         "3σ by hand",
-        "of value /%",
+        "3σ/value /%",
     ],
 }
 
@@ -119,9 +109,9 @@ def _drawn(study: Study, there: Problem) -> Solution:
     """The drawing at another position; at its own scales where those of the given one make a figure too small or too
     large for a sheet."""
     given = study.solution.construction
-    held = solve(replace(there, scales=scales_of(given)), by=given.hand, repeats=0)
+    held = draw_there(replace(there, scales=scales_of(given)), given.hand)
     figures = held.construction.figures
-    return solve(there, by=given.hand, repeats=0) if unfit(figures, {one.view for one in figures}) else held
+    return draw_there(there, given.hand) if unfit(figures, {one.view for one in figures}) else held
 
 
 def _phis(study: Study) -> list[float]:

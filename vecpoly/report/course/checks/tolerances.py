@@ -3,7 +3,7 @@ each a little larger than given, and how far it may go."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import degrees
 from typing import Any
 
@@ -33,14 +33,20 @@ def section(study: Study, press: Press) -> dict[str, Any]:
         *([Words("不能整周装配的界限", "No full cycle from")] if bounded else []),
     ]
     rows = [_row(study, keys, one, press, bounded) for one in found if one.matters]
+    by = _either(found, Words("0.1 mm", "0.1 mm"), Words("（角度 0.1°）", " (of an angle by 0.1°)"))
     title = Words(
-        "各给定尺寸增大 0.1 mm（角度 0.1°）时输出的最大改变",
-        "The largest change of the output for an increase of 0.1 mm of a length (0.1° of an angle)",
+        f"各给定尺寸增大 {by.zh}时输出的最大改变",
+        f"The largest change of the output when a dimension is increased by {by.en}",
     )
     table = press.table(
         title, [w.of(press.lang) for w in header], rows, "ld" + "d" * len(keys) + "l" * bounded, style=SMALL
     )
     return {"sensitivity": table, "judged": [w.of(press.lang) for w in judged(study, keys, found)]}
+
+
+def _either(found: Iterable[Influence], length: Words, angle: Words) -> Words:
+    """An amount of a length, with that of an angle where angles are among the dimensions."""
+    return length + (angle if any(one.dimension.is_angle for one in found) else Words(" ", ""))
 
 
 def _row(study: Study, keys: tuple[str, ...], one: Influence, press: Press, bounded: bool) -> tuple[str, ...]:
@@ -132,9 +138,10 @@ def _limited(study: Study, found: tuple[Influence, ...]) -> Iterator[Words]:
         key=lambda item: item[0],
     )
     if not limits and study.model.closed:
+        by = _either(found, Words("±2 mm", "±2 mm"), Words("（角度 ±2°）", " (of an angle ±2°)"))
         yield Words(
-            f"单独改变任一尺寸，在 ±2 mm（角度 ±2°）以内机构在{span.zh}均能装配。",
-            f"With any one dimension changed by up to ±2 mm (±2°) the mechanism can still be assembled {span.en}.",
+            f"单独改变任一尺寸，在 {by.zh}以内机构在{span.zh}均能装配。",
+            f"With any one dimension changed by up to {by.en} the mechanism can still be assembled {span.en}.",
         )
     if not limits:
         return
@@ -161,10 +168,11 @@ def _weighed(study: Study, keys: tuple[str, ...], ranked: list[Influence]) -> Wo
     told = [[_named(study, keys, one) for one in some[:_NAMED]] for some in (great, small, ranked[-1:])]
     zh, en = [["、".join(w.zh for w in some) for some in told], [", ".join(w.en for w in some) for some in told]]
     if top < _SLIGHT * largest(study, keys[-1]):
+        by = _either(ranked, Words("0.1 mm", "0.1 mm"), Words("（0.1°）", " (0.1°)"))
         return Words(
-            f"尺寸误差 0.1 mm（0.1°）对 ${symbol}$ 的影响都不到 1 %，按一般公差制造即可；其中影响最大的是 "
+            f"尺寸误差 {by.zh}对 ${symbol}$ 的影响都不到 1 %，按一般公差制造即可；其中影响最大的是 "
             f"{zh[0]}，最小的是 {zh[2]}。",
-            f"Errors of 0.1 mm (0.1°) change ${symbol}$ by less than 1 %, so ordinary tolerances suffice; "
+            f"Errors of {by.en} change ${symbol}$ by less than 1 %, so ordinary tolerances suffice; "
             f"greatest effect: {en[0]}; least: {en[2]}.",
         )
     if not small:

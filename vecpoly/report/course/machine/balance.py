@@ -140,8 +140,8 @@ def _crank(study: Study, best: Best) -> Words:
         f"product of {product} "
         f"kg·m at {told} counter-clockwise from the link's own axis: it takes away that part of the force which turns "
         "with the "
-        f"crank. The greatest force goes from {sizes[0]} N to {sizes[1]} N, its root mean square from {sizes[2]} N to "
-        f"{sizes[3]} N.",
+        f"crank. The greatest force changes from {sizes[0]} N to {sizes[1]} N, and its root mean square falls from "
+        f"{sizes[2]} N to {sizes[3]} N.",
     )
 
 

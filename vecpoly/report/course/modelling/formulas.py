@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import groupby
 from math import degrees
 from typing import Any
 
@@ -12,12 +13,13 @@ from ....algebra.quantity import number
 from ....analytic.equations import GroupModel, Part
 from ....analytic.expr import Const
 from ....findings.study.study import Study
-from ....words import Words
+from ....words import Lang, Words
 from ..numbering import Press
 from .forces import forces_group
 from .order import order
 
 _AUXILIARY = ("A_0", "B_0", "C_0", "G_1", "G_2", "G_3")  # of which each group has its own
+_TRIVIAL = re.compile(r"\S+ = −?\w+")
 _ANGLE = 2  # decimals of a constant angle in degrees
 
 
@@ -28,6 +30,7 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
     return {
         "order": order(study, press),
         "auxiliary": ("、" if press.lang == "zh" else ", ").join(f"${one}$" for one in _AUXILIARY if one in study.env),
+        "arctangents": any("arctan" in plain(e.node) for group in study.model.groups for e in group.equations),
         "groups": [
             *(_group(group, press, arcs=True) for group in study.model.groups),
             *([_group(forces, press, arcs=False)] if forces else []),
@@ -63,10 +66,21 @@ def _jacobian(group: GroupModel, press: Press) -> str:
 
 def _part(part: Part, press: Press) -> dict[str, Any]:
     formulas = [
-        {"ref": press.objects.add("f", equation.node), "number": f"({press.number('equation')})"}
-        for equation in part.equations
+        {"ref": press.objects.add("f", node), "number": f"({press.number('equation')})"}
+        for node in _in_lines([equation.node for equation in part.equations], press.lang)
     ]
     return {"said": part.said.of(press.lang), "formulas": formulas}
+
+
+def _in_lines(nodes: Sequence[Node], lang: Lang) -> Iterator[Node]:
+    """One formula a line; those that only name another quantity or nothing, v_Px = 0 and v_Py = v_23, share one."""
+    for trivial, some in groupby(nodes, key=lambda node: _TRIVIAL.fullmatch(plain(node)) is not None):
+        alike = list(some)
+        if not trivial or len(alike) == 1:
+            yield from alike
+            continue
+        comma = Txt("，" if lang == "zh" else ", ")
+        yield Row(tuple(piece for n, node in enumerate(alike) for piece in ((comma, node) if n else (node,))))
 
 
 def _constants(group: GroupModel, *, arcs: bool) -> Iterator[str]:

@@ -11,9 +11,9 @@ import numpy as np
 from ....drawing.sheets.sheet import Sheet, bound, sheets
 from ....errors import VecpolyError
 from ....findings.study.study import Study
-from ....solution import Answer, Solution, solve
+from ....solution import Answer, Solution
 from ....words import Lang, Words
-from ...answers.placed import place_words
+from ...answers.placed import endless_words, place_words
 from ...answers.tables import lone_place, readings_at, readings_tables
 from ...content import scales, sections
 from ...flow.blocks import SheetPage, spoken
@@ -22,7 +22,7 @@ from ...plates.results import concluded
 from ..analysis.force_words import role_note
 from ..numbering import SMALL, Press
 from .drawn_views import drawn_views
-from .positions import at_position
+from .positions import at_position, draw_there
 
 POSITIONS, LOADED = 4, 3  # with forces, or centres beside polygons, every position fills two sheets
 _APART = np.radians(12.0)
@@ -79,7 +79,7 @@ def _drawn(study: Study, phi: float, why: Words, lang: Lang, same_scale: bool) -
     """The drawing at this position; none at a dead point, or where a figure is larger than a sheet."""
     try:
         given = study.solution.construction
-        found = solve(at_position(study, phi, same_scale=same_scale), by=given.hand, repeats=0)
+        found = draw_there(at_position(study, phi, same_scale=same_scale), given.hand)
         solution = found.toned({**found.construction.tones, **given.tones})  # one vector, one ink in all positions
         solution = replace(solution, answers=_as_sure(solution.answers, study.solution.answers))
         return Drawn(phi, why, solution, _sheets(study, phi, solution, lang))
@@ -155,7 +155,7 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
         "sections": sections(study.solution, press.lang, press.objects),
         "scales": scales(study.solution, press.lang),
         "readings": _given(study, press),
-        "placed": "" if (lone := _lone(study)) is None else place_words(lone, press.lang),
+        "placed": _placed(study, press.lang),
         "others": _others(study, press, drawn[1:]),
         "sheets": [
             press.objects.add("sheet", _page(study, one, sheet, press.lang))
@@ -169,6 +169,13 @@ def _given(study: Study, press: Press) -> list[str]:
     title = Words("题设位置的图解值与精确值", "Drawn and exact values at the given position")
     made = readings_tables(study.solution, press.lang)
     return press.tabled(title, made if _lone(study) is None else made[:1], SMALL)
+
+
+def _placed(study: Study, lang: Lang) -> str:
+    """A lone place, and the places at infinity, in words."""
+    lone = _lone(study)
+    told = "" if lone is None else place_words(lone, lang), endless_words(study.solution.answers.values(), lang)
+    return ("" if lang == "zh" else " ").join(filter(None, told))
 
 
 def _lone(study: Study) -> Answer | None:

@@ -6,11 +6,12 @@ from dataclasses import replace
 
 from ....board.construction import View
 from ....cycle.pose import posed
-from ....errors import AssemblyError
+from ....errors import AssemblyError, LockedError
 from ....figures.mu import LENGTH
 from ....findings.study.study import Study
 from ....mechanism.asked.machine import machine_quantities, reduced_quantities
 from ....problem.problem import Problem, Scales
+from ....solution import Solution, solve
 from ....words import Words
 
 
@@ -36,3 +37,13 @@ def _of_period(problem: Problem) -> set[str]:
     """What is the same wherever the drive stands: the flywheel, the constant moment, the greatest surplus."""
     mech, machine = problem.mechanism, problem.machine
     return set() if machine is None else {*machine_quantities(mech, machine)} - {*reduced_quantities(mech)}
+
+
+def draw_there(there: Problem, hand: str) -> Solution:
+    """What is drawn there; where the other loads alone cannot move the mechanism, the balancing one drives too."""
+    try:
+        return solve(there, by=hand, repeats=0)
+    except LockedError:
+        if there.loads is None:
+            raise
+        return solve(replace(there, loads=there.loads.driven()), by=hand, repeats=0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import floor, log10
 from typing import Any
 
@@ -25,7 +26,14 @@ def tabled(study: Study, press: Press, keys: Sequence[str], title: Words, style:
     """A table of these columns at the rows of the table, or at every so many of them."""
     parts = dict.fromkeys(part for key in keys for part in study.turn.info(key).parts)
     made = table(study.turn, tuple(part for part in parts if study.varies(part)) or tuple(parts), study.rows[::every])
+    made = _without_repeat(made) if study.whole.whole else made
     return laid_out(made, press, title, style, _HALVED if study.dense else _HALVED - 1)
+
+
+def _without_repeat(made: Table) -> Table:
+    """The table of a whole turn without its last row, where that is the first again."""
+    first, last = made.values[0, 1:], made.values[-1, 1:]
+    return replace(made, values=made.values[:-1]) if np.allclose(first, last, 1e-6, 1e-9, equal_nan=True) else made
 
 
 def laid_out(made: Table, press: Press, title: Words, style: Style = SMALL, halved: int = _HALVED) -> str:

@@ -101,9 +101,21 @@ def concluded(study: Study) -> Words:
             "how a held gear turns.",
         )
     top = _highest(groups)
+    roman, one = NUMERALS.get(top, top), len(groups) == 1
     return Words(
-        f"因此机构由{driven.zh}和 {'、'.join(zh)}组成，所含杆组的最高级别为 {NUMERALS.get(top, top)} 级，"
-        f"故为 {NUMERALS.get(top, top)} 级机构。",
-        f"So the mechanism consists of {driven.en} and the groups {', '.join(en)}. The highest "
-        f"class among them is {top}: a class {top} mechanism.",
+        f"因此机构由{driven.zh}和 {'、'.join(zh)}{_assur(groups)}组成，"
+        f"{'该杆组为' if one else '所含杆组的最高级别为'} {roman} 级，故为 {roman} 级机构。",
+        f"So the mechanism consists of {driven.en} and the group{'s' * (not one)} {_listed(en)}"
+        + (f", which is of class {top}: " if one else f". The highest class among them is {top}: ")
+        + f"a class {top} mechanism.",
     )
+
+
+def _assur(groups: Sequence[Group]) -> str:
+    """杆组 after names that are without it."""
+    return "" if any(g.kind.startswith("class") for g in groups) else "杆组"
+
+
+def _listed(names: Sequence[str]) -> str:
+    """RRR (2, 3), RRP (4, 5) and RPR (6, 7)."""
+    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1]))) if names else ""

@@ -11,8 +11,11 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
+from reportlab.platypus.flowables import PageBreak
+
 from ..base import Tightness
-from ..doc import Metadata, ReportDoc
+from ..blocks import Divider, SheetPage
+from ..doc import LEFTOVER, Metadata, ReportDoc
 from .balanced import balanced
 from .loose import loosened
 from .running import run_on, split
@@ -45,7 +48,7 @@ def settled(story: Sequence[Any], meta: Metadata) -> ReportDoc:
     plain = ReportDoc(story, meta)
     plain.counted()
     if len(plain.ends) > 1:
-        return run_on(story, plain)[1]
+        return _closed_up(*run_on(story, plain))
     tried = {part: _degree(story, part, pages, meta) for part, pages in plain.leftover.items()}
     chosen = {part: degree for part, degree in tried.items() if degree is not None}
     if chosen:
@@ -53,6 +56,22 @@ def settled(story: Sequence[Any], meta: Metadata) -> ReportDoc:
         plain = ReportDoc(story, meta)
         plain.counted()
     return balanced(loosened(*_mended(*sectioned(*run_on(story, plain)))), given)
+
+
+def _closed_up(story: Sequence[Any], doc: ReportDoc) -> ReportDoc:
+    """The story laid out with its last part set closer, where a few rows stand alone on its last page and that saves
+    it; doc: it, as it was."""
+    pages, full = doc.ends[-1]
+    if full >= LEFTOVER or pages < 2:
+        return doc
+    start = (
+        max((at for at, item in enumerate(story) if isinstance(item, PageBreak | SheetPage | Divider)), default=-1) + 1
+    )
+    for degree in DEGREES:
+        tried = ReportDoc([*story[:start], *tightened(story[start:], degree)], doc.metadata)
+        if tried.counted() < doc.page:
+            return tried
+    return doc
 
 
 def _mended(story: list[Any], doc: ReportDoc) -> tuple[Sequence[Any], ReportDoc]:

@@ -13,7 +13,7 @@ from ..base import Tightness
 from ..cells import Cell, cells, joined
 from ..table import PAD, DataTable
 
-LONG = 6  # rows that stay in one block
+LONG = 8  # rows that stay in one block
 _GAP = 8.0  # mm between the halves
 _SET = tuple[DataTable, DataTable]
 

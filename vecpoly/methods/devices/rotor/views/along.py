@@ -14,13 +14,12 @@ from .....diagram.single import disc, outline, rod
 from .....words import Words
 from ...bench import Bench
 from ...sketches.dimensions import dimension
-from ..scales import AXIS, FEW, LUMP, widest
+from ..scales import AXIS, FEW, LUMP, SAME, arm_letter, widest
 
 SHAFT, RUN = 1.6, 9.0  # mm: half the shaft, how far it runs on
 LOW, TALL = 9.0, 17.0  # mm: arms shorter than LOW on the scale of the shaft are drawn TALL, to no scale
 DEEP, APART = 9.0, 7.0  # mm: the first line of dimensions under the arms, from line to line
 OVER, UNDER, PAST = 6.0, 4.0, 1.5  # mm by which a plane stands out over and under the arms, a line past a dimension
-SAME = 1e-9  # m: planes nearer to each other are one
 THIRD = "P"  # the plane of the check
 
 
@@ -124,11 +123,14 @@ def _mass_beside(bench: Bench, name: str, foot: complex, high: float, mass: Roto
 
 
 def _distances(bench: Bench, rotor: Rotor) -> None:
-    """l_i from the first plane, L between the planes; of few masses, each on a line of its own."""
+    """l_i (z_i) from the first plane, L between the planes; of few masses, each on a line of its own."""
     if rotor.static or len(rotor.masses) > FEW:
         return
     origin = rotor.masses[next(iter(rotor.masses))].place if rotor.sought else next(iter(rotor.correct.values())).at
-    spans = [(f"l_{{{name}}}", mass.place) for name, mass in rotor.masses.items() if abs(mass.place - origin) > SAME]
+    arm = arm_letter(origin)
+    spans = [
+        (f"{arm}_{{{name}}}", mass.place) for name, mass in rotor.masses.items() if abs(mass.place - origin) > SAME
+    ]
     if not rotor.sought:
         whole = [*rotor.correct.values()][1].at
         equal = "".join(f"{symbol} = " for symbol, place in spans if abs(place - whole) <= SAME)

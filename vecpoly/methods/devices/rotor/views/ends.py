@@ -19,7 +19,7 @@ from .....plane import nominal
 from .....words import Words
 from ...bench import Bench
 from ..polygon import heading
-from ..scales import AXIS, END_VIEW, FEW, LUMP, has_plane_views, widest
+from ..scales import AXIS, END_VIEW, FEW, LUMP, arm_letter, has_plane_views, widest
 
 RIM = 6.0  # mm from the outermost mass to the rim of a disc
 FIRST, STEP = 8.0, 4.5  # mm: radius of the first angle, from one to the next
@@ -71,9 +71,10 @@ def planes_from_their_end(bench: Bench, rotor: Rotor) -> None:
         return
     board, mm = bench.board, bench.board.scale_of(END_VIEW).value
     one, other = rotor.correct
+    letter = arm_letter(rotor.correct[one].at)
     for end, shares in rotor.shares.items():
         view = plane_view(bench, end)
-        board.step(_parts_in(one, other) if end == one else _likewise(other), view)
+        board.step(_parts_in(one, other, letter) if end == one else _likewise(other), view)
         _axes(bench, rotor, view)
         for name, mass in rotor.masses.items():
             if abs(shares[name]) > NO_PART and mass.r is not None:
@@ -100,13 +101,13 @@ def solved_from_its_end(bench: Bench, rotor: Rotor, which: str) -> None:
         _mass_at(bench, view, placed, f"m_{{{name}}}", missing=missing, within=_is_disc(rotor))
 
 
-def _parts_in(one: str, other: str) -> Words:
+def _parts_in(one: str, other: str, arm: str) -> Words:
     return Words(
-        f"画出平面 ${one}$ 的端视图：各质量在两平面内的分量 $m_{{i{one}}}$ = $m_i$($L$ − $l_i$)/$L$、"
-        f"$m_{{i{other}}}$ = $m_i l_i$/$L$ 位于原来的半径和方位上。",
+        f"画出平面 ${one}$ 的端视图：各质量在两平面内的分量 $m_{{i{one}}}$ = $m_i$($L$ − ${arm}_i$)/$L$、"
+        f"$m_{{i{other}}}$ = $m_i {arm}_i$/$L$ 位于原来的半径和方位上。",
         f"Draw plane ${one}$ from its end: the parts of the masses in the two planes, $m_{{i{one}}}$ = "
-        f"$m_i$($L$ − $l_i$)/$L$ and $m_{{i{other}}}$ = $m_i l_i$/$L$, sit at the radius and in the direction of the "
-        "mass itself.",
+        f"$m_i$($L$ − ${arm}_i$)/$L$ and $m_{{i{other}}}$ = $m_i {arm}_i$/$L$, sit at the radius and in the "
+        "direction of the mass itself.",
     )
 
 

@@ -1,0 +1,67 @@
+"""On the sketch of a mechanism: the offset e of a guide that passes beside its pin, the angle of a bar to its guide."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator, Mapping
+from math import isclose, pi, radians
+
+from ...board.construction import Figure
+from ...board.paper.marks import Mark, Point
+from ...cycle.sample import sample
+from ...foundation.patterns import pattern
+from ...mechanism.model import FRAME, Mechanism, Prismatic
+from ...problem.problem import Problem
+from .lines import angle, span
+
+_BESIDE, _AWAY = 8.0, 15.0  # mm: from the pin to its dimension; from the block to the arc of an angle
+_NEAR = 1e-9  # m
+_CLOSE = 0.02  # rad
+_TO_GUIDE = r"\$(\w)(\w)\$ is at (−?[\d.]+)° to the guide of link (\w+)"
+
+
+def mechanism(problem: Problem, figure: Figure) -> Iterator[Mark]:
+    """What is given of guides, at the places of the sketch."""
+    mech, spots = problem.mechanism, {m.label: m.at for m in figure.marks if isinstance(m, Point) and m.label}
+    guides = [j for j in mech.joints if isinstance(j, Prismatic) and j.guide != FRAME and not j.pin_in_slot]
+    if not guides:
+        return
+    motion = sample(mech, None, mech.drive.position).motion
+    turns = {joint: float(motion.angle(joint.guide)) + joint.direction for joint in guides}
+    named = any(datum.words is not None and "$e$" in datum.words.en for datum in problem.given.data)
+    for joint in guides if named else ():
+        yield from _offset(mech, joint, cmath.rect(1.0, turns[joint]), spots, figure.scale.value)
+    for datum in problem.given.data:
+        for x, y, size, link in pattern(_TO_GUIDE).findall(datum.of("en")) if datum.words is not None else ():
+            way = next((turn for joint, turn in turns.items() if link in (joint.block, joint.guide)), None)
+            if way is not None and x in spots and y in spots:
+                yield from _to_guide(spots[x], spots[y], way, size)
+
+
+def _offset(
+    mech: Mechanism, joint: Prismatic, along: complex, spots: Mapping[str, complex], mm: float
+) -> Iterator[Mark]:
+    """Square to the guide, from its pivot where the block's pin lies on it, else from that pin."""
+    pivot = next((p for p in mech.link(joint.guide).points if p in spots and p != joint.pin), "")
+    if not pivot or joint.pin not in spots:
+        return
+    ray = spots[joint.pin] - spots[pivot]
+    if joint.offset:
+        foot = spots[joint.pin] - 1j * along * joint.offset / mm
+        yield from span(
+            spots[joint.pin], foot, "e", _BESIDE * along * (1 if (along.conjugate() * ray).real > 0 else -1)
+        )
+        return
+    foot = spots[pivot] + 1j * along * (along.conjugate() * ray).imag
+    ahead = along if (along.conjugate() * ray).real > 0 else -along
+    yield from span(spots[pivot], foot, "e", _BESIDE * ahead)
+
+
+def _to_guide(at: complex, end: complex, turn: float, size: str) -> Iterator[Mark]:
+    """The angle between the guide and a bar from its block, from that side of the guide from which it is so large."""
+    given, way = abs(radians(float(size.replace("−", "-")))), cmath.phase(end - at)
+    for start in (turn, turn + pi):
+        sweep = cmath.phase(cmath.rect(1.0, way - start))
+        if isclose(abs(sweep), given, abs_tol=_CLOSE):
+            yield from angle(at, sweep, f"{size.removeprefix('−')}°", _AWAY, start)
+            return
