@@ -11,6 +11,7 @@ from ....words import Words
 from ..state import CurvatureFigure, Ray
 
 NEAR = 16.0  # mm of the pole tangent to both sides, where the circle is drawn on another figure
+SAME = 0.02  # mm: two points of the paper are one
 INFLECTED = 1e-7  # of the distance to the pole: nearer to the inflection circle a point lies on it
 
 
@@ -109,7 +110,7 @@ def refuse_inflected(fig: CurvatureFigure, letter: str) -> None:
     """Raise NotAskedError where the point is the pole, or lies on the inflection circle."""
     p, e, w = (complex(nominal(at)) for at in (fig.pole, fig.at(letter), fig.opposite))
     size = abs(w - p)
-    if abs(e - p) <= INFLECTED * size:
+    if abs(e - p) <= max(INFLECTED * size, SAME):
         raise cusp(fig.shown(letter))
     along = (e - p) / abs(e - p)
     if abs(abs(e - p) - (along.conjugate() * (w - p)).real) <= INFLECTED * size:

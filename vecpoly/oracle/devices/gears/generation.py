@@ -23,7 +23,15 @@ def generation(device: GearGeneration) -> Values:
     limit = _limit(device)
     thick = m * (pi / 2 + 2 * device.x * tan(alpha))
     tip = ra * (thick / r + 2 * (_involute(alpha) - _involute(acos(rb / ra))))
-    lengths = {"r": r, "rb": rb, "ra": ra, "rf": rf, "s": thick, "s_tip": max(tip, 0.0), "r_start": _start(device, r, rb)}
+    lengths = {
+        "r": r,
+        "rb": rb,
+        "ra": ra,
+        "rf": rf,
+        "s": thick,
+        "s_tip": max(tip, 0.0),
+        "r_start": _start(device, r, rb),
+    }
     found = {key: 1e3 * value for key, value in lengths.items()}
     return found | {"x_min": limit, "z_min": 2 * ha / sin(alpha) ** 2, "undercut": float(device.x < limit)}
 
