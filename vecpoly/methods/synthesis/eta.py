@@ -76,8 +76,8 @@ def eta(
 
     way: −1 on the right of C₁C₂, 1 on the left. first: whether there is no other circle yet.
     """
-    chord = float(nominal(np.abs(ends[1] - ends[0])))
-    if chord / (2 * np.sin(np.radians(float(nominal(theta.value))))) > FLAT * max(chord, size):
+    span = float(nominal(np.abs(ends[1] - ends[0])))
+    if span / (2 * np.sin(np.radians(float(nominal(theta.value))))) > FLAT * max(span, size):
         return _flat(draft, ends, theta, way, "" if first else "′")
     (c1, c2), board = ends, draft.board
     chord, marks = unit(c2 - c1), "" if first else "′"
