@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Any, TypeVar
 
@@ -113,6 +114,11 @@ def _without_echo(items: list[Any]) -> list[Any]:
     return [item for item in kept if item["type"] != "missing" or not echoed(item["loc"])]
 
 
+def _too_few(ctx: Mapping[str, int]) -> Words:
+    least, there = ctx["min_length"], ctx["actual_length"]
+    return Words(f"此处至少要有 {least} 项，现有 {there} 项", f"{least} entries are needed here, there is {there}")
+
+
 def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> FaultError:
     written, reason = item["input"], (item.get("ctx") or {}).get("error")
     path = tuple(part for part in path if part != "[key]")  # the key itself is the place
@@ -124,14 +130,8 @@ def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> Fa
             return FaultError(
                 Words(f"未知的键“{path[-1]}”", f"unknown key '{path[-1]}'") + known, *path, code="unknown-key"
             )
-        case "too_short" if (least := item["ctx"]["min_length"]) > 1:
-            there = item["ctx"]["actual_length"]
-            return FaultError(
-                Words(
-                    f"此处至少要有 {least} 项，现有 {there} 项", f"{least} entries are needed here, there is {there}"
-                ),
-                *path,
-            )
+        case "too_short" if item["ctx"]["min_length"] > 1:
+            return FaultError(_too_few(item["ctx"]), *path)
         case "missing":
             text = _PAIR if isinstance(path[-1], int) else Words(f"缺少“{path[-1]}”", f"'{path[-1]}' is missing")
             return FaultError(text, *path, code="missing")
