@@ -1,4 +1,4 @@
-"""That a cam is undercut is no matter of ρ_a alone: a corner of its pitch curve loses the motion beside a positive ρ_a."""
+"""That a cam is undercut is no matter of ρ_a alone: a corner of the pitch curve loses the motion too."""
 
 from __future__ import annotations
 
