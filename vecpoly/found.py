@@ -78,6 +78,11 @@ def linkage(problem: Problem, candidates: Sequence[Candidate]) -> Problem:
     one = taken(problem, candidates)
     if one is not None:
         from .check.designs.found import linkage as made  # late, likewise
+        from .check.designs.found import verified
+
+        moved = verified(problem.design, one.number, one.values, one.spread, one.lost)
+        if moved is not None and moved.spoilt is not None:
+            raise _spoilt(problem, moved.spoilt)
 
         name, title = f"{problem.id}-{problem.design.take}", _titled(problem, len(_valid(candidates)))
         if (found := made(problem.design, one.values, name, title)) is not None:
@@ -104,6 +109,17 @@ def _no_one_linkage(problem: Problem) -> NotAskedError:
             "that could be gone on with; write the one that is meant as a problem of its own, with frame and links",
         ),
         code="no-solution",
+    )
+
+
+def _spoilt(problem: Problem, exactly: Words) -> NotAskedError:
+    """Who reads the linkage off the paper has another one."""
+    return NotAskedError(
+        Words(f"题目 {problem.id} 的解 {problem.design.take} 不能继续分析：", "")
+        + Words("", f"solution {problem.design.take} of problem {problem.id} cannot be gone on with: ")
+        + exactly
+        + Words("；或用 --hand exact", "; or use --hand exact"),
+        code="spoilt",
     )
 
 

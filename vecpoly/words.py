@@ -64,6 +64,12 @@ def bare(text: str) -> str:
     return text.translate(_MARKS)
 
 
+def unmarked(text: str) -> str:
+    """A text that may hold more than a sentence, the symbols in it bare: {along: BC} keeps its braces, $a_{C}$ not."""
+    return _SYMBOL.sub(lambda found: bare(found[1]), text)
+
+
+_SYMBOL = re.compile(r"\$([^$\n]+)\$")
 _MARKS = {ord(sign): None for sign in "${}"}
 
 

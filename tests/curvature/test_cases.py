@@ -13,7 +13,7 @@ from tests.curvature.linkages import DATA, WAYS, case_problem
 from tests.laws import few
 from vecpoly.board.paper.marks import Point
 from vecpoly.check.truth import exact_values
-from vecpoly.errors import NoMethodError, NotAskedError
+from vecpoly.errors import NoMethodError
 from vecpoly.oracle.curvature import Curvatures
 
 LINKS = DATA["links"]
@@ -60,17 +60,6 @@ def test_every_construction_draws_what_the_rates_tell(case: dict[str, Any], way:
 def test_a_drafting_hand_keeps_within_what_is_expected_of_it(case: dict[str, Any]) -> None:
     solution = case_problem(case).solve(by="drafting")
     assert solution.answers and not any(answer.suspect for answer in solution.answers.values())
-
-
-def test_a_circle_off_the_sheet_is_refused_with_the_positions_that_would_do() -> None:
-    case = next(one for one in LINKS if one["id"] == "B-sc-offpaper")
-    with pytest.raises(NotAskedError, match=r"off the sheet.*φ (from|=) .*° would do") as refused:
-        case_problem(case).solve()
-    low, high = (float(refused.value.numbers[end]) for end in ("from", "to"))
-    for phi in (low, (low + high) / 2, high):
-        there = case_problem({**case, "phi": phi}).solve(by="exact").answers["delta_2"]
-        assert abs(there.drawn - there.exact) < 1e-11
-    assert not low <= case["phi"] <= high
 
 
 @pytest.mark.parametrize("case", LINKS, ids=lambda case: case["id"])

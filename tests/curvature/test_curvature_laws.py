@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from tests.curvature.linkages import WAYS, case_problem
 from tests.laws import often
+from vecpoly.check.alarm import Cause
 from vecpoly.errors import VecpolyError
 from vecpoly.oracle.curvature import Curvatures
 
@@ -56,7 +57,7 @@ def test_whatever_is_drawn_is_what_the_rates_tell(case: dict[str, Any], way: str
         drawn = answer.drawn if answer.drawn_vector is None else answer.drawn_vector
         exact = answer.exact if answer.exact_vector is None else answer.exact_vector
         size = abs(answers["delta_2"].exact) + abs(answers["rho_E"].exact) + abs(exact) + 0.1
-        assert abs(drawn - exact) <= EXACT * size * 100 and not answer.suspect, key
+        assert abs(drawn - exact) <= EXACT * size * 100 and answer.suspect in (None, Cause.VAGUE), key
 
 
 @given(linkages(), st.floats(0.0, 6.283))

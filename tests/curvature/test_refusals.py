@@ -66,6 +66,19 @@ def test_a_point_that_is_the_pole_has_a_cusp() -> None:
             ask()
 
 
+def test_a_point_that_paper_cannot_tell_from_the_pole_has_a_cusp() -> None:
+    text = """
+id: t
+title: t
+frame: {A: [0 mm, 0 mm], D: [100 mm, 0 mm]}
+links: {1: {AB: 40 mm}, 2: {BC: 90 mm, E: {along: BC, at: 67.554 mm, right: 22.406 mm}}, 3: {DC: 70 mm}}
+input: {link: 1, phi: 20 deg, omega: ccw}
+branch: [C left of BD]
+"""
+    with pytest.raises(NotAskedError, match="cusp"):
+        curved(text, "p_OE, rho_E", "construction: euler-savary\n").solve()
+
+
 def test_a_link_on_the_frame_needs_no_drawing() -> None:
     with pytest.raises(NoMethodError, match="joined to the frame itself"):
         curved(FOUR_BAR, "W_3, delta_3").solve()

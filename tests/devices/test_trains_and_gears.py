@@ -201,7 +201,7 @@ def test_the_tip_is_thinner_than_the_pitch_and_all_grows_with_the_module(z: int,
     ra, rb, alpha = one["ra"].real, one["rb"].real, radians(20)
     slope = acos(rb / ra)
     thick = ra * ((pi / 2 + 2 * x * tan(alpha)) * 2 / z + 2 * (tan(alpha) - alpha - tan(slope) + slope))
-    assert one["s_tip"] == pytest.approx(thick, rel=1e-9) and rb == pytest.approx(1.5 * z * cos(alpha))
+    assert one["s_tip"] == pytest.approx(max(thick, 0.0), rel=1e-9) and rb == pytest.approx(1.5 * z * cos(alpha))
 
 
 @pytest.mark.parametrize(("x", "cut"), [("0", True), ("0.4", True), ("0.42", False)])
@@ -242,6 +242,21 @@ def test_a_tip_near_the_limit_is_judged_by_the_exact_hand_and_left_open_by_one_t
     assert told[0] is not None and "齿顶过薄" in told[0].zh and "the tip is too thin" in told[0].en
     assert told[1] is not None and "不能由图判定" in told[1].zh and "reading error" in told[1].en
     assert not any(" m$" in text or "0.239" in text for one in told if one for text in (one.zh, one.en))
+
+
+@pytest.mark.parametrize(("m", "z", "x"), [(5, 8, "0.6"), (2, 12, "0.9"), (4, 9, "0.8")])
+def test_a_tooth_whose_flanks_meet_before_its_tip_circle_is_pointed_and_that_is_an_answer(
+    m: float, z: int, x: str
+) -> None:
+    assert device_answers(gear(m=f"{m} mm", z=z, x=x))["s_tip"] == 0.0
+    data = f"data: {{m: {m} mm, z: {z}, x: {x}, steps: 20}}"
+    text = f"id: t\ntitle: t\ndevice: gear-generation\n{data}\nfind: [s_tip]\n"
+    for hand in ("exact", "drafting", "pencil"):
+        solution = solve(loads(text), by=hand)
+        answer = solution.answers["s_tip"]
+        assert answer.drawn == 0.0 and answer.suspect is None, hand
+        told = solution.construction.readings["s_tip"].remark
+        assert told is not None and "pointed" in told.en and "smaller shift" in told.en and "变尖" in told.zh
 
 
 @pytest.mark.parametrize("lang", ["zh", "en"])

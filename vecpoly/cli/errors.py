@@ -19,7 +19,7 @@ import typer
 
 from ..errors import Fault, VecpolyError, of_system
 from ..foundation.data import data_dir
-from ..words import Words, bare
+from ..words import Words, bare, unmarked
 from .tongue import told_in, tongue
 from .usage import UsageError, in_chinese
 
@@ -82,7 +82,7 @@ def tell(error: Exception) -> None:
     if _FORM.get() == "json":
         typer.echo(json.dumps(as_json(error), ensure_ascii=False), err=True)
         return
-    for line in told_in(worded(error)).splitlines():
+    for line in unmarked(told_in(worded(error))).splitlines():
         typer.echo(f"vecpoly: {line}", err=True)
 
 

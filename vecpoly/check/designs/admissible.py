@@ -28,12 +28,14 @@ Places = NDArray[np.float64]
 
 
 def admissible(design: Design) -> Words | None:
-    """A sentence: the range of the first datum that may be told (`varied`) with which there is a solution; None where
-    no such datum has one."""
+    """A sentence: the range of the first datum that may be told (`varied`) with which there is a solution, of an angle
+    that of its own sign first; None where no such datum has one."""
     for named in design.varied:
         if (given := getattr(design, named.key, None)) is None:
             continue
-        if ranges := [*_ranges(_serves(design, named.key, given), *_tried(design, named, given), _value(given))]:
+        serves = _serves(design, named.key, given)
+        rows = ([*_ranges(serves, *tried, _value(given))] for tried in _tried(design, named, given))
+        if ranges := next(filter(None, rows), None):
             told = between([(_told(low, named.unit), _told(high, named.unit)) for low, high in ranges], named.unit)
             return Words(
                 f"其余数据不变时，{named.key} 可取{told.zh.rstrip()}。",
@@ -46,17 +48,18 @@ def _told(end: float, unit: str) -> float:
     return degrees(end) if unit == "deg" else 1e3 * end if unit == "mm" else end
 
 
-def _tried(design: Design, named: Named, given: Datum) -> tuple[Places, tuple[float, float]]:
+def _tried(design: Design, named: Named, given: Datum) -> Iterator[tuple[Places, tuple[float, float]]]:
     """The places of a datum to look at (SI), in order; the ends of a row that goes on as far as they do."""
     most = LONGEST * design.size
     if isinstance(given, OnLine):
-        return np.linspace(-most, most, 8 * TRIED + 1), (-inf, inf)
-    if named.unit == "mm":
-        return np.geomspace(most / LONGEST**2 / 10, most, TRIED), (-inf, inf)
-    if named.unit == "deg":
-        whole = 2 * pi if given.si >= 0 else -2 * pi
-        return np.sort(np.linspace(0.0, whole, TRIED + 1)), (min(0.0, whole), max(0.0, whole))
-    return np.geomspace(1.0, GREATEST, TRIED), (-inf, inf)
+        yield np.linspace(-most, most, 8 * TRIED + 1), (-inf, inf)
+    elif named.unit == "mm":
+        yield np.geomspace(most / LONGEST**2 / 10, most, TRIED), (-inf, inf)
+    elif named.unit == "deg":
+        for whole in (2 * pi, -2 * pi) if given.si >= 0 else (-2 * pi, 2 * pi):
+            yield np.sort(np.linspace(0.0, whole, TRIED + 1)), (min(0.0, whole), max(0.0, whole))
+    else:
+        yield np.geomspace(1.0, GREATEST, TRIED), (-inf, inf)
 
 
 def _serves(design: Design, name: str, given: Datum) -> Callable[[float], bool]:

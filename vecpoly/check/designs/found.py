@@ -15,7 +15,8 @@ from ...errors import VecpolyError
 from ...mechanism.model import Mechanism
 from ...problem.problem import Problem
 from ...problem.values.made import problem as made
-from ...words import Words
+from ...words import Words, bare
+from ..candidates import exact
 from ..grashof import grashof
 
 LOOSE = 0.02  # of a length: an expected drawing error above which the construction is called ill-conditioned
@@ -31,7 +32,8 @@ class Verified:
     stroke: of the last link, in `unit` (° or mm). gamma, gamma_at: least transmission angle and the crank's angle there
     (deg). loose: key of each length of which the drawing tells less than 2 %, with what it may be off by. lost: the
     share of repeated hands that do not find it, where they are more than a few. assumed: what was not given, and is
-    taken for it to be moved. broken: why it does not move.
+    taken for it to be moved. broken: why it does not move. spoilt: what it is exactly, where it is of another type with
+    the lengths read.
     """
 
     number: int
@@ -49,6 +51,7 @@ class Verified:
     lost: float = 0.0
     assumed: Words | None = None
     broken: Words | None = None
+    spoilt: Words | None = None
 
     def as_json(self) -> dict[str, Any]:
         """Plain data; lengths in mm, angles in degrees."""
@@ -63,7 +66,8 @@ class Verified:
         ill = {"ill_conditioned": dict(self.loose)} if self.loose else {}
         moved = {"broken": self.broken.en} if self.broken else {"turns_fully": self.full, **kind, **told, **stroke}
         lost = {"not_found_share": self.lost} if self.lost else {}
-        return {"solution": self.number, **moved, **ill, **lost}
+        spoilt = {"spoilt": bare(self.spoilt.en)} if self.spoilt else {}
+        return {"solution": self.number, **moved, **ill, **lost, **spoilt}
 
 
 def linkage(design: Design, values: Mapping[str, float], name: str, title: Words | None = None) -> Problem | None:
@@ -90,9 +94,43 @@ def verified(
         if found is not None and (short := _vanishing(found.mechanism)):
             return Verified(number=number, loose=loose, lost=lost, broken=short)
         moved = None if found is None else _moved(number, values, loose, cycle(found.mechanism, 181))
-        return None if moved is None else replace(moved, lost=lost, assumed=design.assumed(values))
+        if moved is None:
+            return None
+        return replace(moved, lost=lost, assumed=design.assumed(values), spoilt=_spoilt(design, moved))
     except VecpolyError as error:
         return Verified(number=number, loose=loose, lost=lost, broken=error.words)
+
+
+def _spoilt(design: Design, read: Verified) -> Words | None:
+    """What the solution is by the closed form, where reading off the paper made a linkage of another type of it, or one
+    whose driver does not turn."""
+    known = exact(design)
+    if not 0 < read.number <= len(known):
+        return None
+    values = known[read.number - 1]
+    kind, margin = _type_of(values)
+    if read.full and (kind is None or read.kind is None or kind.en == read.kind.en):
+        return None
+    found = linkage(design, values, "exactly")
+    turns = found is not None and cycle(found.mechanism, 181).whole
+    if turns == read.full and (kind is None or read.kind is None or kind.en == read.kind.en):
+        return None
+    told = [f"$l_{{{key}}}$ = {values[key]:.5g} mm" for key in ("AB", "BC", "CD", "AD") if key in values]
+    what = Words("", "") if kind is None else kind + Words(f"（裕量 {margin:.3g} mm）", f" (by {margin:.3g} mm)")
+    turn = Words("原动件可整周转动", "its driver turns right round") if turns else Words("", "")
+    parts = [part for part in (what, turn) if part.en]
+    return Words(
+        f"准确作图时为{'，'.join(part.zh for part in parts)}，按量得的长度则不是，该解不能按量得值采用："
+        f"应取计算值 {'、'.join(told)}",
+        f"with the exact lengths it is: {', '.join(part.en for part in parts)}; with those read it is not: they are "
+        f"of no use. Computed are {', '.join(told)}",
+    )
+
+
+def _type_of(values: Mapping[str, float]) -> tuple[Words | None, float]:
+    """Of a four-bar with these lengths the type, and the margin of Grashof's condition (mm)."""
+    lengths = [values[key] for key in ("AB", "BC", "CD", "AD") if key in values]
+    return grashof(*lengths) if len(lengths) == 4 else (None, nan)
 
 
 def _nothing(keys: Sequence[str]) -> Words:
@@ -113,8 +151,7 @@ def _vanishing(mech: Mechanism) -> Words | None:
 
 def _moved(number: int, values: Mapping[str, float], loose: Mapping[str, float], turn: Cycle) -> Verified:
     seen = facts(turn)
-    lengths = [values[key] for key in ("AB", "BC", "CD", "AD") if key in values]
-    kind, margin = grashof(*lengths) if len(lengths) == 4 else (None, nan)
+    kind, margin = _type_of(values)
     stroke, least = (seen.strokes or (None,))[-1], min((t.least for t in seen.transmissions), key=_value, default=None)
     angle = stroke is not None and stroke.key.startswith("phi")
     return Verified(

@@ -24,7 +24,10 @@ def told(one: Verified, alone: bool) -> Words:
         f"Check{en}, moved through its cycle with the lengths read{own.en}: ",
     )
     parts = list(_parts(one))
-    return head + Words("，".join(part.zh for part in parts) + "。", ", ".join(part.en for part in parts) + ".")
+    said = head + Words("，".join(part.zh for part in parts) + "。", ", ".join(part.en for part in parts) + ".")
+    if one.spoilt is None:
+        return said
+    return said + Words(f"{one.spoilt.zh}。", f" But {one.spoilt.en}.")
 
 
 def _parts(one: Verified) -> list[Words]:

@@ -140,7 +140,7 @@ def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> lis
     alone = drawn(figures, lang)
     plain = paged(alone, on)
     if plain is None:
-        raise _too_large(next(one for one in alone if arranged((one,), on) is None), on.format)
+        return _each_turned(alone, on)
     expected = Expected.plain(figures, lang, on, alone)
     some = trials(expected, detailed, len(plain), most, boxed)
     made = (one for one in some if one is not None and len(one) <= len(plain))
@@ -149,6 +149,16 @@ def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> lis
         return further(expected, detailed, plain)
     enough = min(SPARSE, fullness(plain))
     return next((one for one in chain((first,), made) if fullness(one) >= enough), first)
+
+
+def _each_turned(alone: Sequence[Drawn], on: Paper) -> list[Page[Drawn]]:
+    """Each figure on a page of its own, turned as it needs. Raises VecpolyError where a figure is larger than that."""
+    made: list[Page[Drawn]] = []
+    for one in alone:
+        if (layout := arranged((one,), on)) is None:
+            raise _too_large(one, on.format)
+        made.append(((one,), layout))
+    return made
 
 
 def hung(

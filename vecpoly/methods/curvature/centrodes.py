@@ -11,7 +11,7 @@ from ...algebra.formula import Txt
 from ...algebra.quantity import number, paper
 from ...board.board import Board
 from ...board.construction import Place, View
-from ...board.paper.extent import box_of
+from ...board.paper.extent import bounds, box_of
 from ...board.paper.marks import Dot, Role
 from ...errors import NotAskedError
 from ...mechanism.asked.centres import centre
@@ -95,7 +95,13 @@ def _paper(desk: Desk, there: Sequence[Desk], asked: Centrodes, pairs: tuple[Pai
     own = _rolled(desk, desk, asked.link, pairs, 1.0, scratch)
     run = [_rolled(desk, one, asked.link, pairs, 1.0, scratch) for one in there]
     spots = [one.pole for one in run] + [scratch.image((*one.ends, one.pole), own.ends) for one in run]
-    found = fitted(desk, box_of([complex(nominal(spot)) for spot in spots]), sharing, NAME)
+    found = fitted(
+        desk,
+        bounds(desk.board.marks(View.MECHANISM)),
+        box_of([complex(nominal(spot)) for spot in spots]),
+        sharing,
+        NAME,
+    )
     if found is None:
         raise NotAskedError(
             Words(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...board.construction import View
+from ...board.paper.extent import bounds
 from ...errors import DeadPointError, NoMethodError, NotAskedError
 from ...mechanism.asked.curvature import (
     Way,
@@ -27,10 +28,12 @@ from ..desk import Desk
 from ..registry import Stage
 from .centrodes import draw_centrodes
 from .doors import WAYS
+from .off import carry_over
 from .pairs import rolling_of
 from .path import draw_paths
 from .readings import read_collineation, read_curvatures
-from .room import LEAST, NAME, TITLE, paper_for
+from .refused import off_the_sheet
+from .room import FAR, FAR_TITLE, LEAST, NAME, TITLE, Draw, Room, Wanted, room_for
 from .state import CurvatureFigure
 from .strokes.ball import draw_ball_point
 from .strokes.circle import draw_return_circle
@@ -64,8 +67,9 @@ def _curvatures(desk: Desk, problem: Problem, groups: Sequence[Group], keys: fro
     way = WAYS.find(Stage.CURVATURE, asked.way.value).draw
     axis = collineation(desk.mech, asked.link).key in keys
 
-    def construct(fig: CurvatureFigure) -> None:
+    def construct(fig: CurvatureFigure, second: Paper | None = None) -> None:
         draw_pole(fig)
+        carry_over(fig, second)
         if curved:
             try:
                 way(fig, points)
@@ -78,14 +82,29 @@ def _curvatures(desk: Desk, problem: Problem, groups: Sequence[Group], keys: fro
         if axis:
             read_collineation(fig)
 
-    paper = paper_for(desk, asked.link, construct, sharing(problem, LEAST))
-    pane = opened(desk.board, NAME, TITLE, paper, once=is_once(problem))
-    fig = CurvatureFigure(desk=desk, link=asked.link, pane=pane, factor=paper.factor)
-    if pane is not View.MECHANISM:
-        _copy(fig, paper, groups)
-    construct(fig)
-    draw_paths(fig, paper)
+    fig, room = _opened(desk, problem, groups, construct)
+    construct(fig, room.second)
+    draw_paths(fig, room.paper)
     read_curvatures(fig, keys)
+
+
+def _opened(desk: Desk, problem: Problem, groups: Sequence[Group], draw: Draw) -> tuple[CurvatureFigure, Room]:
+    """The figure, or the two, on which all that is to be drawn finds room."""
+    asked, board = problem.curvature, desk.board
+    assert asked is not None
+    box = bounds(board.marks(View.MECHANISM))
+    want = Wanted(desk=desk, link=asked.link, draw=draw, box=box, sharing=sharing(problem, LEAST))
+    room = room_for(want)
+    if room is None:
+        raise off_the_sheet(want)
+    pane = opened(board, NAME, TITLE, room.paper, once=is_once(problem))
+    fig = CurvatureFigure(desk=desk, link=asked.link, pane=pane, factor=room.paper.factor)
+    if (second := room.second) is not None:
+        far = board.open_pane(View.MECHANISM, FAR, FAR_TITLE, second.scale, aside=True, composed=True)
+        fig.off = room.off(far)
+    if pane is not View.MECHANISM:
+        _copy(fig, room.paper, groups)
+    return fig, room
 
 
 def _rolls(number: str) -> Words:

@@ -34,20 +34,20 @@ def read_curvatures(fig: CurvatureFigure, wanted: frozenset[str]) -> None:
     if wanted:
         fig.board.step(Words("由图量得：", "Measured on the figure:"), fig.pane)
     if (pole := centre(mech, link, FRAME)).key in wanted:
-        _place(fig, pole, fig.pole)
+        _place(fig, pole, fig.pole, fig.p)
     if (w := inflection_pole(mech, link)).key in wanted:
-        _place(fig, w, fig.opposite)
+        _place(fig, w, fig.opposite, fig.w)
     if (back := return_pole(mech, link)).key in wanted:
-        _place(fig, back, fig.returned)
+        _place(fig, back, fig.returned, back.symbol)
     if (ball := ball_point(mech, link)).key in wanted:
-        _place(fig, ball, fig.undulating)
+        _place(fig, ball, fig.undulating, ball.symbol)
     if (delta := diameter(mech, link)).key in wanted:
-        _length(fig, delta, fig.pole, fig.opposite, f"{fig.p} {fig.w}")
+        _length(fig, delta, (fig.pole, fig.opposite), f"{fig.p} {fig.w}", fig.w)
     for point, at in fig.centres.items():
         if (named := path_centre(point)).key in wanted:
-            _place(fig, named, at)
+            _place(fig, named, at, point)
         if (named := radius(point)).key in wanted:
-            _length(fig, named, fig.at(point), at, f"{fig.shown(point)} O_{{{point}}}")
+            _length(fig, named, (fig.at(point), at), f"{fig.shown(point)} O_{{{point}}}", point)
 
 
 def read_collineation(fig: CurvatureFigure) -> None:
@@ -75,18 +75,20 @@ def read_collineation(fig: CurvatureFigure) -> None:
     fig.board.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=degrees, formula=text), value)
 
 
-def _place(fig: CurvatureFigure, named: Named, at: Points) -> None:
-    """Both coordinates read off the rule (m on the diagram's axes)."""
-    mm, scale = fig.board.coordinates(at, named.symbol), fig.board.scale_of(fig.pane)
+def _place(fig: CurvatureFigure, named: Named, at: Points, found: str) -> None:
+    """Both coordinates read off the rule (m on the diagram's axes), on the figure on which the point was found."""
+    pane, ratio = fig.homes[found]
+    mm, scale = fig.board.coordinates(at * ratio, named.symbol), fig.board.scale_of(pane)
     reading, distance, each = place_read(named.key, named.symbol, mm, scale)
     assert reading.formula is not None
     fig.board.write(reading.formula)
     fig.board.keep(reading, distance, each)
 
 
-def _length(fig: CurvatureFigure, named: Named, a: Points, b: Points, letters: str) -> None:
-    """μ_l times the length on paper."""
-    keep_length(fig.board, fig.pane, named, fig.board.measure(a, b, letters), letters)
+def _length(fig: CurvatureFigure, named: Named, ends: tuple[Points, Points], letters: str, found: str) -> None:
+    """μ_l times the length on paper, on the figure on which its end was found."""
+    (a, b), (pane, ratio) = ends, fig.homes[found]
+    keep_length(fig.board, pane, named, fig.board.measure(a * ratio, b * ratio, letters), letters)
 
 
 def keep_length(board: Board, pane: Place, named: Named, on_paper: Quantity, line: str = "") -> None:

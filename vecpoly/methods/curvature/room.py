@@ -1,88 +1,143 @@
-"""How large the figure of the curvatures is drawn, and what to say where it does not fit a sheet."""
+"""How large the figures of the curvatures are drawn: on one where all fits, on two where points lie far off."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
-from math import degrees, inf, radians
 
 from ...board.construction import View
 from ...board.paper.extent import bounds, box_of
 from ...board.paper.scales import HALF, SERIES, round_up
-from ...board.place import Pane
-from ...errors import NotAskedError, VecpolyError
+from ...board.place import Pane, Place
+from ...foundation.slotted import dataclass
 from ...plane import Points, nominal
 from ...words import Words
 from ..centres.size import MARGIN, Paper, apart, is_shared, too_large
 from ..desk import Desk
-from ..positions.placed import placed_as_told
-from .state import CurvatureFigure
+from .state import CurvatureFigure, Off
 
-NAME = "curvature"
+NAME, FAR = "curvature", "curvature-far"
 TITLE = Words("曲率作图", "Curvatures")
-STEPS = (5, -5, 10, -10, 15, -15, 20, -20, 30, -30, 40, -40, 50, -50, 60, -60, 80, -80, 100, -100, 120, -120, 150, 180)
-FINE, MOST = 5.0, 36  # deg, how many of them: the steps by which a range is followed
+FAR_TITLE = Words("曲率作图（缩小）", "Curvatures, reduced")
 LEAST = 22.0  # mm that the mechanism must measure on the figure, for its links to be told apart
-EASY = 1.25  # times as large it must be where a position is recommended: what is lettered does not shrink with it
+AMPLE = 2.4  # times as large the mechanism is on the first of two figures, where this can be
+GROWN = 0.1  # of the box of what lies on the first figure: lines that end so near beyond it stay on it
+REDUCED = 1000.0  # times smaller than the first the second figure may be, no more
 SCALES = tuple(sorted((*SERIES, HALF)))  # 1 : 1.5 and its like among them
 Box = tuple[complex, complex]
 Draw = Callable[[CurvatureFigure], None]
 
 
-def paper_for(desk: Desk, link: str, draw: Draw, sharing: float) -> Paper:
-    """The paper on which pole, circle and centres fit with the mechanism. sharing: the least size of the mechanism (mm)
-    at which the diagram is drawn to the same scale.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Room:
+    """The paper of the figure, and where all does not fit on it: of the second, which points are found there (`names`),
+    and beyond which corners of the first (mm on the diagram) lines are drawn there."""
 
-    Raises NotAskedError where the mechanism would become too small, with a position in which it would not.
-    """
-    found = fitted(desk, _box(desk, link, draw), sharing)
-    if found is None:
-        raise _refused(desk, link, draw)
-    return found
+    paper: Paper
+    second: Paper | None = None
+    names: frozenset[str] = frozenset()
+    corners: Box = (0j, 0j)
 
-
-def _refused(desk: Desk, link: str, draw: Draw) -> NotAskedError:
-    """With the range of the drive, about the nearest position of those tried, in which all fits."""
-
-    def fits(phi: float) -> bool:
-        try:
-            box = _box(placed_as_told(desk, radians(phi)), link, draw)
-            return fitted(desk, box, inf, least=EASY * LEAST) is not None
-        except VecpolyError:
-            return False
-
-    here = degrees(desk.mech.drive.position)
-    steps = () if desk.mech.drive.slide or desk.thought else STEPS
-    other = next((round(here + step, 6) for step in steps if fits(here + step)), None)
-    if other is None:
-        return NotAskedError(_off_the_sheet(None), code="off-the-sheet")
-    low, high = (_end(fits, other, sense * FINE) for sense in (-1, 1))
-    return NotAskedError(_off_the_sheet((low, high)), code="off-the-sheet", numbers={"from": low, "to": high})
+    def off(self, pane: Place) -> Off | None:
+        """What lies off the paper of the first, if anything does."""
+        if self.second is None:
+            return None
+        ratio, factor = self.second.factor / self.paper.factor, self.paper.factor
+        low, high = self.corners
+        return Off(pane=pane, ratio=ratio, names=self.names, corners=(low * factor, high * factor))
 
 
-def _end(fits: Callable[[float], bool], phi: float, step: float) -> float:
-    """How far one may go on by these steps."""
-    for _ in range(MOST):
-        if not fits(phi + step):
-            break
-        phi += step
-    return phi
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wanted:
+    """What is to be drawn (`draw`) of a link, beside a mechanism in this box (mm on the diagram) that must measure
+    `least` mm at least; sharing: at which least size (mm) the diagram is drawn to the same scale; reduced: how many
+    times smaller than the first a second figure may be."""
+
+    desk: Desk
+    link: str
+    draw: Draw
+    box: Box
+    sharing: float
+    least: float = LEAST
+    reduced: float = REDUCED
+
+    def one(self, box: Box) -> Paper | None:
+        """The paper of a figure in this box; None where the mechanism would be too small on it."""
+        return fitted(self.desk, self.box, box, self.sharing, least=self.least)
 
 
-def _box(desk: Desk, link: str, draw: Draw) -> Box:
-    """The corners (mm on the diagram) of all that is constructed, as an exact hand sketches it."""
+def room_for(want: Wanted) -> Room | None:
+    """The paper on which pole, circle and centres fit with the mechanism; where they do not, that of a second figure
+    too; None where two do not hold it all."""
+    whole = sketched(want)
+    told = Pane(View.MECHANISM, FAR) in want.desk.board.scales  # the sheet was laid out for two
+    one = None if told else want.one(bounds(whole.board.marks(whole.pane)))
+    if one is not None:
+        return Room(paper=one)
+    return _divided(want, whole.spots, AMPLE * want.least) or _divided(want, whole.spots, want.least)
+
+
+def _divided(want: Wanted, spots: Mapping[str, complex], least: float) -> Room | None:
+    """The points that lie farthest off are left to the second figure, as few as must be for the mechanism to measure
+    `least` on the first."""
+    low, high = mechanism = box_of([complex(nominal(at)) for at in want.desk.at.values()])
+    near = sorted(spots, key=lambda name: abs(spots[name] - (low + high) / 2))
+    while near:
+        del near[-1]
+        box = box_of([low, high, *(spots[name] for name in near)])
+        grown = (box[1] - box[0]) * GROWN
+        corners = (box[0] - grown, box[1] + grown)
+        if _size(mechanism) / too_large(corners) >= least:
+            return _on_two(want, frozenset(spots) - frozenset(near), corners)
+    return None
+
+
+def _on_two(want: Wanted, names: frozenset[str], corners: Box) -> Room | None:
+    """The papers of both figures; None where the second would be too much smaller than the first."""
+    rough = Paper(scale=want.desk.board.scales[View.MECHANISM], factor=1.0, corners=corners, far=frozenset())
+    room = Room(paper=rough, second=rough, names=names, corners=corners)
+    sketch = sketched(want, room)
+    assert sketch.off is not None
+    one = replace(want, least=0.0).one(bounds(sketch.board.marks(sketch.pane)))
+    assert one is not None
+    second = _second(want, bounds(sketch.board.marks(sketch.off.pane)), one)
+    return None if second is None else replace(room, paper=one, second=second)
+
+
+def _size(box: Box) -> float:
+    span = box[1] - box[0]
+    return max(span.real, span.imag)
+
+
+def _second(want: Wanted, box: Box, one: Paper) -> Paper | None:
+    """The paper of the second figure; None where it would be too much smaller than the first."""
+    desk = want.desk
+    mu, wished = desk.board.scales[View.MECHANISM], desk.board.scales.get(Pane(View.MECHANISM, FAR))
+    own = replace(mu, value=max(one.scale.value, round_up(mu.value * too_large(box), SCALES)))
+    if own.value > want.reduced * one.scale.value:
+        return None
+    scale = apart(wished or own, mu)
+    return Paper(scale=scale, factor=mu.value / scale.value, corners=box, far=frozenset())
+
+
+def sketched(want: Wanted, room: Room | None = None) -> CurvatureFigure:
+    """All that is constructed, at the diagram's scale, as an exact hand sketches it."""
+    desk = want.desk
     at: dict[str, Points] = {name: complex(nominal(spot)) for name, spot in desk.at.items()}
     sketch = replace(desk, board=desk.board.scratch(), at=at)
     pane = sketch.board.open_pane(View.MECHANISM, NAME, TITLE, aside=True)
-    draw(CurvatureFigure(desk=sketch, link=link, pane=pane, factor=1.0))
-    return bounds(sketch.board.marks(pane))
+    off = None if room is None else room.off(sketch.board.open_pane(View.MECHANISM, FAR, TITLE, aside=True))
+    fig = CurvatureFigure(desk=sketch, link=want.link, pane=pane, factor=1.0, off=off)
+    want.draw(fig)
+    return fig
 
 
-def fitted(desk: Desk, box: Box, sharing: float, name: str = NAME, least: float = LEAST) -> Paper | None:
+def fitted(
+    desk: Desk, mechanism: Box, box: Box, sharing: float, name: str = NAME, least: float = LEAST
+) -> Paper | None:
     """The scale that the sheet wishes, else the largest round one, no larger than the diagram's; None where the
     mechanism would be smaller on it than `least` (mm)."""
-    low, high = bounds(desk.board.marks(View.MECHANISM))
-    box, size = box_of([*box, low, high]), max(high.real - low.real, high.imag - low.imag)
+    box, size = box_of([*box, *mechanism]), _size(mechanism)
     mu = desk.board.scales[View.MECHANISM]
     wished = desk.board.scales.get(Pane(View.MECHANISM, name))
     own = replace(mu, value=max(mu.value, round_up(mu.value * too_large(box), SCALES)))
@@ -94,19 +149,3 @@ def fitted(desk: Desk, box: Box, sharing: float, name: str = NAME, least: float 
     factor, margin = mu.value / scale.value, complex(MARGIN, MARGIN)
     corners = (box[0] * factor - margin, box[1] * factor + margin)
     return Paper(scale=scale, factor=factor, corners=corners, far=frozenset(), shared=shared)
-
-
-def _off_the_sheet(fitting: tuple[float, float] | None) -> Words:
-    words = Words(
-        "瞬心、拐点圆或曲率中心远在图纸之外，机构将小到无法作图",
-        "the pole, the inflection circle or a centre of curvature lies far off the sheet; the mechanism would be too "
-        "small to be drawn",
-    )
-    if fitting is None:
-        return words + Words("；请另取原动件位置", "; choose another input position")
-    low, high = fitting
-    if high - low < FINE:
-        return words + Words(f"；可取 φ = {low % 360:g}°", f"; φ = {low % 360:g}° would do")
-    return words + Words(
-        f"；可取 φ = {low % 360:g}° 至 {high % 360:g}°", f"; φ from {low % 360:g}° to {high % 360:g}° would do"
-    )

@@ -5,6 +5,8 @@ from __future__ import annotations
 from cmath import isfinite
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from ...board.board import Board
 from ...board.construction import Place
 from ...board.paper.marks import Dot, Role
@@ -18,6 +20,7 @@ from ...words import Words
 from ..desk import Desk
 
 BEYOND = 4.0  # mm that a thin line runs on beyond what it joins
+STUB = 15.0  # mm that is drawn of a line to a point off the paper
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,14 +57,32 @@ class Axis:
     at: Points | None
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Off:
+    """The figure, `ratio` times as large as that of the curvatures, on which the points `names` are found, which lie
+    off the paper: beyond these corners (mm)."""
+
+    pane: Place
+    ratio: float
+    names: frozenset[str]
+    corners: tuple[complex, complex]
+
+    def holds(self, at: complex) -> bool:
+        """Whether a point lies off the paper."""
+        low, high = self.corners
+        return not (low.real <= at.real <= high.real and low.imag <= at.imag <= high.imag)
+
+
 @dataclass(slots=True)
 class CurvatureFigure:
-    """The figure `pane`, `factor` times as large as the diagram; pole, W, points found on it."""
+    """The figure `pane`, `factor` times as large as the diagram; pole, W, points found on it, in mm of this figure,
+    also of what is drawn off the paper."""
 
     desk: Desk
     link: str
     pane: Place
     factor: float
+    off: Off | None = None
     rays: tuple[Ray, ...] = ()
     pole: Points = 0j
     opposite: Points = 0j  # W
@@ -71,6 +92,8 @@ class CurvatureFigure:
     axis: Axis | None = None  # where it was drawn
     centres: dict[str, Points] = field(default_factory=dict)  # of curvature, by the point of the link
     taken: set[str] = field(default_factory=set)  # letters that stand on the figure
+    spots: dict[str, complex] = field(default_factory=dict)  # where the points are that were found, by their letters
+    homes: dict[str, tuple[Place, float]] = field(default_factory=dict)  # on which figure, how large against this
 
     @property
     def board(self) -> Board:
@@ -107,20 +130,66 @@ class CurvatureFigure:
 
     # -- marks --------------------------------------------------------------------------------------------------
 
-    def letter(self, symbol: str, at: Points, dot: Dot = Dot.POINT) -> Points:
-        """A point is found: it has its letter. Raises DeadPointError where lines without length lead nowhere."""
+    def sheet(self, *points: Points, name: str = "") -> tuple[Place, float]:
+        """The figure on which these points lie, or the one of this name, and how large it is against this."""
+        off = self.off
+        if off is None or not (name in off.names or any(off.holds(complex(nominal(at))) for at in points)):
+            return self.pane, 1.0
+        return off.pane, off.ratio
+
+    def letter(self, symbol: str, at: Points, dot: Dot = Dot.POINT, beside: str = "") -> Points:
+        """A point is found, on the figure of the point `beside` it: it has its letter. Raises DeadPointError where
+        lines without length lead nowhere."""
         if not isfinite(complex(nominal(at))):
             raise DeadPointError(Words(f"${symbol}$ 作不出", f"${symbol}$ is not found"))
-        found = self.board.locate(self.pane, symbol, at, found_on=True)
-        self.board.plot(self.pane, found, symbol, dot)
-        return found
+        pane, ratio = self.sheet(name=symbol) if symbol in self._off else self.sheet(name=beside)
+        found = self.board.locate(pane, symbol, at * ratio, found_on=True)
+        self.board.plot(pane, found, symbol, dot)
+        self.spots[symbol], self.homes[symbol] = complex(nominal(found)) / ratio, (pane, ratio)
+        return found / ratio
+
+    def centre(self, letter: str, symbol: str, at: Points) -> Points:
+        """The centre of curvature of the path of a point is found."""
+        self.centres[letter] = self.letter(symbol, at)
+        self.homes[letter] = self.homes[symbol]
+        return self.centres[letter]
+
+    @property
+    def _off(self) -> frozenset[str]:
+        return self.off.names if self.off else frozenset()
 
     def thin(self, line: Line, *points: Points, role: Role = Role.CONSTRUCTION) -> None:
-        """A thin line, a little beyond the outermost of these points."""
-        at, along = complex(nominal(line.at)), complex(nominal(line.along))
+        """A thin line, a little beyond the outermost of these points; of one that leaves the paper also a piece on
+        it."""
+        pane, ratio = self.sheet(*points)
+        self._ruled(pane, line, [at * ratio for at in points], ratio, role)
+        on = [at for at in points if self.off is not None and not self.off.holds(complex(nominal(at)))]
+        if pane != self.pane and on:
+            away = next(at for at in points if self.sheet(at)[0] != self.pane)
+            self._ruled(self.pane, line, [*on, on[0] + STUB * unit(away - on[0])], 1.0, role)
+
+    def _ruled(self, pane: Place, line: Line, points: list[Points], ratio: float, role: Role) -> None:
+        start = line.at * ratio
+        at, along = complex(nominal(start)), complex(nominal(line.along))
         reach = [float((along.conjugate() * (complex(nominal(p)) - at)).real) for p in points]
         low, high = min(reach) - BEYOND, max(reach) + BEYOND
-        self.board.join(self.pane, line.at + line.along * low, line.at + line.along * high, role)
+        self.board.join(pane, start + line.along * low, start + line.along * high, role)
+
+    def name(self, symbol: str, at: Points, by: Points = 0j, *, key: str = "") -> None:
+        """A letter beside a point, `by` mm on paper from it."""
+        pane, ratio = self.sheet(at)
+        self.board.plot(pane, at * ratio + by, symbol, Dot.NONE, key=key)
+
+    def ring(self, over: tuple[Points, Points], role: Role) -> None:
+        """The circle over a diameter."""
+        pane, ratio = self.sheet(*over)
+        middle = (over[0] + over[1]) / 2
+        self.board.circle(pane, middle * ratio, np.abs(over[1] - middle) * ratio, role)
+
+    def arrow(self, a: Points, b: Points, role: Role, label: str) -> None:
+        """A vector, on the figure that holds it."""
+        pane, ratio = self.sheet(a, b)
+        self.board.arrow(pane, a * ratio, b * ratio, role, label=label)
 
     def through(self, a: Points, b: Points) -> Line:
         """The line through two points; raises NotAskedError where they are one."""

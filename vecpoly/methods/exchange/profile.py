@@ -119,13 +119,14 @@ def _turned(profile: CamProfile, turn: float) -> tuple[Board, Cam, float, Pose]:
 
 def _refuse(profile: CamProfile, phi: float, centre: complex, radius: float, most: float) -> None:
     """NoMethodError where the centre of curvature (mm on paper) is on no sheet, or on the axis."""
+    turned = number(round(degrees(phi), 9) % 360)
     if not np.isfinite(radius) or abs(radius) > most:
         raise NoMethodError(
             Words(
-                f"凸轮 {profile.link} 在 φ = {number(degrees(phi))}° 处廓线近于直线，曲率中心落在图纸之外，"
+                f"凸轮 {profile.link} 在 φ = {turned}° 处廓线近于直线，曲率中心落在图纸之外，"
                 "高副低代作不出；"
                 "请改取凸轮的另一位置，或用 vecpoly exact",
-                f"the profile of cam {profile.link} is nearly straight at φ = {number(degrees(phi))}°: its centre of "
+                f"the profile of cam {profile.link} is nearly straight at φ = {turned}°: its centre of "
                 "curvature lies on no sheet and the higher pair cannot be replaced; take another place of the cam, or "
                 "'vecpoly exact'",
             ),
@@ -134,10 +135,10 @@ def _refuse(profile: CamProfile, phi: float, centre: complex, radius: float, mos
     if abs(centre) < RESTS:
         raise NoMethodError(
             Words(
-                f"凸轮 {profile.link} 转到 φ = {number(degrees(phi))}° 时廓线的曲率中心就是轴心，"
+                f"凸轮 {profile.link} 转到 φ = {turned}° 时廓线的曲率中心就是轴心，"
                 "从动件静止（或正从静止起动），"
                 "没有多边形可作；请改取凸轮的另一位置，或用 vecpoly exact",
-                f"at φ = {number(degrees(phi))}° the profile of cam {profile.link} has its centre of curvature on the "
+                f"at φ = {turned}° the profile of cam {profile.link} has its centre of curvature on the "
                 "axis: the follower rests there and there is no polygon to draw; take another place of the cam, or "
                 "'vecpoly exact'",
             ),

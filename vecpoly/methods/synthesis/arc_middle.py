@@ -54,21 +54,33 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
         ),
         SHEET,
     )
-    middle = board.parallel(eta.centre, 1j * unit(c2 - c1))
-    ends = board.arc_on_line(middle, eta.centre, eta.radius, Words("求弧的中点", "the middle of the arc"))
-    up = max(ends, key=lambda at: float(nominal(at).imag)), min(ends, key=lambda at: float(nominal(at).imag))
-    board.rule(SHEET, middle, up[0 if (eta.side < 0) == crank else 1])
-    m = point(draft, f"M{primes}", up[0 if (eta.side < 0) == crank else 1])
+    far = eta.flat and not crank  # the middle of the greater arc
+    m = _middle(draft, limits, eta, upper=(eta.side < 0) == crank, far=far)
     radius, what = np.abs(c1 - m), Words(f"求 $S{primes}$", f"finding $S{primes}$")
     spots = board.arcs(c2, twice, m, radius, what)
-    board.circle(SHEET, m, radius)
+    if not far:
+        board.circle(SHEET, m, radius)
     s = point(draft, f"S{primes}", board.either(min(spots, key=lambda at: _across(c2, at, eta))))
     board.swing(SHEET, c2, twice, s)
+    if far:
+        board.swing(SHEET, m, radius, s)
     board.remark(MIRROR)
     line = Line(c2, unit(s - c2))
     a, _ = board.arc_on_line(line, eta.centre, eta.radius, Words(f"求 $A{primes}$", f"finding $A{primes}$"))
     board.rule(SHEET, line, a)
     yield board.either(a)
+
+
+def _middle(draft: Draft, limits: tuple[Points, Points], eta: Eta, *, upper: bool, far: bool) -> Points:
+    """M, the upper or the lower end of the diameter across C₁C₂; without a letter where it is far off."""
+    board = draft.board
+    line = board.parallel(eta.centre, 1j * unit(limits[1] - limits[0]))
+    ends = board.arc_on_line(line, eta.centre, eta.radius, Words("求弧的中点", "the middle of the arc"))
+    m = (max if upper else min)(ends, key=lambda at: float(nominal(at).imag))
+    if far:
+        return m
+    board.rule(SHEET, line, m)
+    return point(draft, f"M{eta.marks}", m)
 
 
 def _across(c2: Points, s: Points, eta: Eta) -> float:

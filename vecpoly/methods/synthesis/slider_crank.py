@@ -78,6 +78,8 @@ def _solution(draft: Draft, design: SliderCrank, ends: tuple[Points, Points], ci
         assert length is not None
         at = next(by_arc(draft, ends, circle, 2 * draft.mm(length.si), name))
     a = pivot(draft, draft.letter("A"), at)
+    if circle.flat:
+        circle.arc(draft, c1, a)
     base = foot(Line(c1, unit(c2 - c1)), a)
     along = float(nominal(dot(c2 - c1, base - c1) / np.square(np.abs(c2 - c1))))
     verdict = Verdict.ACROSS if 0 <= along <= 1 else Verdict.VALID

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Any, TypeVar
 
@@ -103,7 +104,19 @@ def _without_echo(items: list[Any]) -> list[Any]:
         near = [str(other[-1]) for other in unknown if other[:-1] == loc[:-1]]
         return bool(get_close_matches(str(loc[-1]), near, cutoff=0.6))
 
-    return [item for item in items if item["type"] != "missing" or not echoed(item["loc"])]
+    def lacks(item: Any) -> bool:
+        """Whether a list counts as short only for its entries that are wrong."""
+        own = item["loc"]
+        return item["type"] == "too_short" and any(len(at) > len(own) and at[: len(own)] == own for at in places)
+
+    places = [item["loc"] for item in items]
+    kept = [item for item in items if not lacks(item)]
+    return [item for item in kept if item["type"] != "missing" or not echoed(item["loc"])]
+
+
+def _too_few(ctx: Mapping[str, int]) -> Words:
+    least, there = ctx["min_length"], ctx["actual_length"]
+    return Words(f"此处至少要有 {least} 项，现有 {there} 项", f"{least} entries are needed here, there is {there}")
 
 
 def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> FaultError:
@@ -117,6 +130,8 @@ def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> Fa
             return FaultError(
                 Words(f"未知的键“{path[-1]}”", f"unknown key '{path[-1]}'") + known, *path, code="unknown-key"
             )
+        case "too_short" if item["ctx"]["min_length"] > 1:
+            return FaultError(_too_few(item["ctx"]), *path)
         case "missing":
             text = _PAIR if isinstance(path[-1], int) else Words(f"缺少“{path[-1]}”", f"'{path[-1]}' is missing")
             return FaultError(text, *path, code="missing")

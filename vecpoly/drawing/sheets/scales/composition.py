@@ -17,6 +17,7 @@ from ..pages import Paging, covered, trimmed
 from ..slicing import Pair, Size, Slicing
 from ..space import CLEAR, SPARSE
 
+NEVER = 10**6  # sheets: of figures of which one fits none
 LEAST = 0.55  # of the usual size: smaller no figure is drawn to save a sheet
 USUAL_WIDE, USUAL = 150.0, 100.0  # mm: of a figure that has the width of a page, of another
 USUAL_OWN = 180.0  # mm: of one with a scale of its own, on which the most is drawn
@@ -71,7 +72,7 @@ def _needed(sizes: tuple[Size, ...], page: Size, clear: float, pairs: frozenset[
     count = [0]
     for end in range(1, len(sizes) + 1):
         starts = (s for s in range(end) if sum(area[s:end]) <= wide * high and cut.shapes(s, end))
-        count.append(1 + min((count[start] for start in starts), default=len(sizes)))
+        count.append(1 + min((count[start] for start in starts), default=NEVER))
     return count[-1]
 
 
@@ -106,7 +107,7 @@ class Composing:
         return [one.at(one.scale if one.of is None else scales[one.of]) for one in self.figures]
 
     def needed(self, scales: Mapping[Place, float]) -> int:
-        """How many sheets hold the figures; more than there are figures where one fits none."""
+        """How many sheets hold the figures; more than there can be where one fits none."""
         return _needed(tuple(self.sizes(scales)), self.page, self.clear, self.pairs)
 
     def share(self, scales: Mapping[Place, float]) -> float:

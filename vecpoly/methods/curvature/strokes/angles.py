@@ -26,6 +26,7 @@ def carry_angle(fig: CurvatureFigure, between: tuple[Points, Points], onto: Poin
     start, end, corner = pole + radius * first, pole + radius * second, pole + radius * onto
     left, right = board.arcs(pole, radius, corner, np.abs(end - start), Words("移取角度", "carrying the angle over"))
     found = unit(board.locate(fig.pane, label, left if turned > 0 else right, found_on=True) - pole)
+    pane, ratio = fig.sheet(name=fig.p)
     for base in (first, onto):
-        board.angle(fig.pane, pole, base, turned, radius, label)
+        board.angle(pane, pole * ratio, base, turned, radius, label)
     return found

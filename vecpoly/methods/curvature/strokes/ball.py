@@ -7,7 +7,7 @@ whose paths are circles or straight lines are such points; so is Ball's point, w
 
 from __future__ import annotations
 
-from ....board.paper.marks import Dot, Role
+from ....board.paper.marks import Role
 from ....errors import NoMethodError
 from ....mechanism.asked.curvature import no_ball
 from ....plane import Line, Points, nominal, unit
@@ -101,7 +101,7 @@ def _along(fig: CurvatureFigure, letter: str, corner: Points) -> Line:
 
 def _lettered(fig: CurvatureFigure, last: Points, along: Points) -> None:
     """The letter of q, at the end of what is drawn of it."""
-    fig.board.plot(fig.pane, last + along * BEYOND, "q", Dot.NONE)
+    fig.name("q", last, along * BEYOND)
 
 
 def _opposite(fig: CurvatureFigure, symbol: str) -> None:
@@ -138,7 +138,7 @@ def _found(fig: CurvatureFigure, q: Line, symbol: str) -> None:
     foot = fig.meet(board.parallel(corner, unit(fig.opposite - fig.pole)), tangent, "垂足", "the foot")
     joined = fig.through(fig.opposite, foot)
     drop = fig.normal(joined, fig.pole)
-    fig.undulating = fig.letter(symbol, fig.meet(joined, drop, "鲍尔点", "Ball's point"), Dot.POINT)
+    fig.undulating = fig.letter(symbol, fig.meet(joined, drop, "鲍尔点", "Ball's point"), beside=fig.w)
     for a, b in ((fig.opposite, corner), (corner, foot), (fig.opposite, foot), (fig.pole, fig.undulating)):
         fig.thin(fig.through(a, b), a, b)
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from ....board.paper.marks import Dot, Role
+from ....board.paper.marks import Role
 from ....mechanism.asked.curvature import cusp, inflected
 from ....plane import Line, Points, nominal, unit
 from ....words import Words
 from ..state import CurvatureFigure, Ray
 
+NEAR = 16.0  # mm of the pole tangent to both sides, where the circle is drawn on another figure
+SAME = 0.02  # mm: two points of the paper are one
 INFLECTED = 1e-7  # of the distance to the pole: nearer to the inflection circle a point lies on it
 
 
@@ -72,8 +74,7 @@ def settle(fig: CurvatureFigure, w: Points) -> None:
     fig.opposite = fig.letter(fig.w, w)
     fig.tangent = 1j * unit(fig.opposite - fig.pole)
     fig.thin(fig.through(fig.pole, fig.opposite), fig.pole, fig.opposite, role=Role.CENTRE)
-    middle = (fig.pole + fig.opposite) / 2
-    fig.board.circle(fig.pane, middle, np.abs(fig.opposite - middle), Role.GIVEN)
+    fig.ring((fig.pole, fig.opposite), Role.GIVEN)
 
 
 def draw_return_circle(fig: CurvatureFigure, symbol: str) -> None:
@@ -91,25 +92,25 @@ def draw_return_circle(fig: CurvatureFigure, symbol: str) -> None:
     across = fig.pole - fig.opposite
     fig.returned = fig.letter(symbol, fig.board.lay_off(fig.pole, unit(across), np.abs(across)))
     fig.thin(fig.through(fig.pole, fig.returned), fig.pole, fig.returned, role=Role.CENTRE)
-    middle = (fig.pole + fig.returned) / 2
-    fig.board.circle(fig.pane, middle, np.abs(fig.returned - middle), Role.HIDDEN)
+    fig.ring((fig.pole, fig.returned), Role.HIDDEN)
 
 
 def letter_tangent(fig: CurvatureFigure) -> None:
     """The pole tangent t, with its letter at its end."""
     reach = float(nominal(np.abs(fig.opposite - fig.pole))) * 0.3
-    fig.thin(Line(fig.pole, fig.tangent), fig.pole - fig.tangent * reach, fig.pole + fig.tangent * reach)
-    fig.board.plot(fig.pane, fig.pole + fig.tangent * (reach + 5.0), "t", Dot.NONE)
-    along = unit(fig.opposite - fig.pole)
-    fig.thin(Line(fig.opposite, along), fig.opposite, fig.opposite + along * 4.0, role=Role.CENTRE)
-    fig.board.plot(fig.pane, fig.opposite + along * 9.0, "n", Dot.NONE)
+    along, (_, ratio) = unit(fig.opposite - fig.pole), fig.sheet(fig.opposite)
+    for far in (reach, NEAR) if ratio < 1 else (reach,):
+        fig.thin(Line(fig.pole, fig.tangent), fig.pole - fig.tangent * far, fig.pole + fig.tangent * far)
+        fig.name("t", fig.pole + fig.tangent * far, fig.tangent * 5.0)
+    fig.thin(Line(fig.opposite, along), fig.opposite, fig.opposite + along * 4.0 / ratio, role=Role.CENTRE)
+    fig.name("n", fig.opposite, along * 9.0)
 
 
 def refuse_inflected(fig: CurvatureFigure, letter: str) -> None:
     """Raise NotAskedError where the point is the pole, or lies on the inflection circle."""
     p, e, w = (complex(nominal(at)) for at in (fig.pole, fig.at(letter), fig.opposite))
     size = abs(w - p)
-    if abs(e - p) <= INFLECTED * size:
+    if abs(e - p) <= max(INFLECTED * size, SAME):
         raise cusp(fig.shown(letter))
     along = (e - p) / abs(e - p)
     if abs(abs(e - p) - (along.conjugate() * (w - p)).real) <= INFLECTED * size:
@@ -118,6 +119,6 @@ def refuse_inflected(fig: CurvatureFigure, letter: str) -> None:
 
 def _square(fig: CurvatureFigure, at: Points) -> None:
     """The right angle over the diameter; none where it is too small to be seen."""
-    u, v = fig.pole - at, fig.opposite - at
-    if min(float(nominal(np.abs(u))), float(nominal(np.abs(v)))) > 6.0:
-        fig.board.right_angle(fig.pane, at, unit(u), unit(v))
+    u, v, (pane, ratio) = fig.pole - at, fig.opposite - at, fig.sheet(at, fig.opposite)
+    if min(float(nominal(np.abs(u))), float(nominal(np.abs(v)))) * ratio > 6.0:
+        fig.board.right_angle(pane, at * ratio, unit(u), unit(v))

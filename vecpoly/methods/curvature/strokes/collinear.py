@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from ....board.paper.extent import box_of
 from ....board.paper.marks import Role
-from ....plane import Line, Points, unit
+from ....plane import Line, Points, nominal, unit
 from ....words import Words
 from ..state import Axis, CurvatureFigure, Ray, sine
 
 FAR = 1e-7  # sine below which Q is at infinity
+INACCESSIBLE = 4.0  # times the size of what the axis rests on: from there on Q is done without
 
 
 def draw_axis(fig: CurvatureFigure) -> Axis:
@@ -29,6 +31,8 @@ def _drawn(fig: CurvatureFigure) -> Axis:
         line = Line(fig.pole, fig.board.turn(known.along))
         fig.thin(line, fig.pole - 20 * line.along, fig.pole + 20 * line.along, role=Role.DIRECTION)
         return Axis(line=line, letter=q, at=None)
+    if one.whole and two.whole and _is_far(fig, moving, fixed):
+        return _beside(fig, moving, fixed, q)
     fig.board.step(_told(fig, q), fig.pane)
     at = fig.letter(q, fig.meet(moving, fixed, "Q 点", "Q"))
     for g, ends in ((moving, (one.x, two.x)), (fixed, (one.o, two.o))):
@@ -36,6 +40,51 @@ def _drawn(fig: CurvatureFigure) -> Axis:
     line = Line(fig.pole, unit(at - fig.pole))
     fig.thin(line, fig.pole, at, role=Role.DIRECTION)
     return Axis(line=line, letter=q, at=at)
+
+
+def _is_far(fig: CurvatureFigure, moving: Line, fixed: Line) -> bool:
+    """Whether Q lies many times as far off as the pole and the points of the normals are apart."""
+    spots = [complex(nominal(at)) for ray in fig.rays for at in (*ray.spots(), fig.pole)]
+    low, high = box_of(spots)
+    g, h = ((complex(nominal(line.at)), complex(nominal(line.along))) for line in (moving, fixed))
+    at = g[0] + g[1] * ((h[0] - g[0]).conjugate() * h[1]).imag / (g[1].conjugate() * h[1]).imag
+    return abs(at - (low + high) / 2) > INACCESSIBLE * abs(high - low)
+
+
+def _beside(fig: CurvatureFigure, moving: Line, fixed: Line, q: str) -> Axis:
+    """PS in place of PQ: the triangle of one normal's centre, the other's moving point and P once more, about the other
+    centre, in the figure that is similar to it and similarly placed about Q."""
+    one, two = fig.rays
+    assert one.o is not None and two.o is not None and two.x is not None
+    a, s = fig.free("K"), fig.free("S")
+    o, x, p = fig.shown(two.fixed), fig.shown(two.moving), fig.shown(one.fixed)
+    fig.board.step(
+        Words(
+            f"${fig.shown(one.moving)}{x}$ 与 ${p}{o}$ 的交点 ${q}$ 太远：过 ${o}$ 作 ${p}{x}$ 的平行线，交 "
+            f"${fig.shown(one.moving)}{x}$ 于 ${a}$；过 ${o}$、${a}$ 分别作 ${fig.shown(one.moving)}$、${x}$ 处法线的"
+            f"平行线，交于 ${s}$。两三角形对 ${q}$ 位似，故 ${fig.p}{s}$ 过 ${q}$，为两法线的共线轴。",
+            f"${fig.shown(one.moving)}{x}$ and ${p}{o}$ meet too far off at ${q}$: the parallel to ${p}{x}$ through "
+            f"${o}$ cuts ${fig.shown(one.moving)}{x}$ in ${a}$; the parallels to the normals at "
+            f"${fig.shown(one.moving)}$ and ${x}$ through ${o}$ and ${a}$ meet in ${s}$. The two triangles are "
+            f"similarly placed about ${q}$: ${fig.p}{s}$ leads to ${q}$ and is the collineation axis of the normals.",
+        ),
+        fig.pane,
+    )
+    across = fig.board.parallel(two.o, unit(two.x - one.o))
+    at_a = fig.letter(a, fig.meet(across, moving, f"{a} 点", a))
+    first, second = fig.board.parallel(two.o, one.line.along), fig.board.parallel(at_a, two.line.along)
+    at_s = fig.letter(s, fig.meet(first, second, f"{s} 点", s))
+    line = fig.through(fig.pole, at_s)
+    for g, ends in (
+        (fig.through(one.o, two.x), (one.o, two.x)),
+        (across, (two.o, at_a)),
+        (moving, (two.x, at_a)),
+        (first, (two.o, at_s)),
+        (second, (at_a, at_s)),
+    ):
+        fig.thin(g, *ends)
+    fig.thin(line, fig.pole, at_s, role=Role.DIRECTION)
+    return Axis(line=line, letter=s, at=at_s)
 
 
 def _joined(a: Points | None, b: Points | None, fig: CurvatureFigure) -> Line | None:

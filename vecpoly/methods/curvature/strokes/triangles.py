@@ -12,6 +12,7 @@ from ..state import CurvatureFigure, Ray
 from .circle import refuse_inflected
 
 LETTERS = "abcdefghijklmqrs"  # of auxiliary points; the others stand for lines and polygons
+ALONG = 1e-9  # sine of a direction that lies along the normal
 AUXILIARY = 50.0  # degrees from the normal to the auxiliary ray
 
 
@@ -61,8 +62,7 @@ def centre_by_triangles(fig: CurvatureFigure, letter: str) -> None:
     j = fig.letter(name, fig.meet(drop, mine, "垂足", "the foot of the perpendicular"))
     fig.thin(drop, fig.opposite, j)
     found = _third(fig, e, j, mine, aux)
-    centre = fig.letter(o, fig.board.follow(fig.pane, e, found - e, f"{letter}{o}"))
-    fig.centres[letter] = centre
+    centre = fig.centre(letter, o, fig.board.follow(fig.pane, e, found - e, f"{letter}{o}"))
     fig.thin(mine, fig.pole, e, centre, j)
 
 
@@ -95,6 +95,5 @@ def _third(fig: CurvatureFigure, x: Points, o: Points, line: Line, aux: tuple[st
 
 def _side(x: Points, p: Points, w: Points) -> float:
     """To which side of the normal the auxiliary ray goes: away from the inflection pole where that is known."""
-    u = complex(nominal(p - x))
-    away = (u.conjugate() * complex(nominal(w - p))).imag
-    return radians(-AUXILIARY if away > 0 else AUXILIARY)
+    u, v = complex(nominal(p - x)), complex(nominal(w - p))
+    return radians(-AUXILIARY if (u.conjugate() * v).imag > ALONG * abs(u) * abs(v) else AUXILIARY)

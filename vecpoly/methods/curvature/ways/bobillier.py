@@ -6,14 +6,16 @@ from math import pi, sin
 
 import numpy as np
 
-from ....plane import Line, nominal, unit
+from ....plane import Line, Points, nominal, unit
 from ....words import Words
 from ...registry import Stage, method
 from ..state import Axis, CurvatureFigure, Ray, sine
 from ..strokes.angles import carry_angle
 from ..strokes.circle import letter_tangent, on_normal, refuse_inflected
 from ..strokes.collinear import draw_axis, inflection_by_axis
+from ..strokes.triangles import inflection_by_triangles
 
+GRAZED = 0.1  # sine to the axis below which a point of the circle is badly found on a normal
 _SOURCE = "Bobillier 1870; 机械原理, 连杆曲线的曲率"
 
 
@@ -28,8 +30,7 @@ def bobillier(fig: CurvatureFigure, points: tuple[str, ...]) -> None:
     """∠(p_1, PQ) = ∠(t, p_2), and the same of the normal of E."""
     axis = draw_axis(fig)
     _draw_tangent(fig, axis)
-    ray, other = _steeper(fig, axis)
-    j, name = inflection_by_axis(fig, axis, ray, other)
+    ray, j, name = _inflected(fig, axis)
     on_normal(fig, ray, j, name)
     letter_tangent(fig)
     for letter in points:
@@ -52,16 +53,15 @@ def _draw_tangent(fig: CurvatureFigure, axis: Axis) -> None:
     fig.tangent = carry_angle(fig, (axis.line.along, one.line.along), two.line.along, "ψ")
 
 
-def _steeper(fig: CurvatureFigure, axis: Axis) -> tuple[Ray, Ray]:
-    """The normal that cuts pole tangent and axis the more steeply, on which W is found the better; and the other."""
+def _inflected(fig: CurvatureFigure, axis: Axis) -> tuple[Ray, Points, str]:
+    """A point of the inflection circle, on the normal that cuts the pole tangent the more steeply, on which W is found
+    the better; by similar triangles where the axis grazes it: by as much as the tangent grazes the other."""
     one, two = fig.rays
     at_once = [ray for ray in fig.rays if ray.o is None and sine(ray.line.along, fig.tangent) > 0.3]
-
-    def steepness(ray: Ray) -> float:
-        return sine(ray.line.along, fig.tangent) * sine(ray.line.along, axis.line.along)
-
-    first = at_once[0] if at_once else max(fig.rays, key=steepness)
-    return (first, two if first is one else one)
+    first = at_once[0] if at_once else max(fig.rays, key=lambda ray: sine(ray.line.along, fig.tangent))
+    if not at_once and first.whole and sine(first.line.along, axis.line.along) < GRAZED:
+        return (first, *inflection_by_triangles(fig, first))
+    return (first, *inflection_by_axis(fig, axis, first, two if first is one else one))
 
 
 def _centre(fig: CurvatureFigure, letter: str) -> None:
@@ -87,8 +87,7 @@ def _centre(fig: CurvatureFigure, letter: str) -> None:
     side = Line(e, unit(ray.x - e)) if ray.x is not None else Line(e, ray.line.along)
     at_q = fig.letter(q, fig.meet(axis, side, q, q))
     back = Line(at_q, unit(at_q - ray.o)) if ray.o is not None else Line(at_q, ray.line.along)
-    centre = fig.letter(o, fig.meet(back, mine, o, o))
-    fig.centres[letter] = centre
+    centre = fig.centre(letter, o, fig.meet(back, mine, o, o))
     fig.thin(axis, fig.pole, at_q)
     fig.thin(side, e, at_q, *([ray.x] if ray.x is not None else []))
     fig.thin(back, at_q, centre, *([ray.o] if ray.o is not None else []))

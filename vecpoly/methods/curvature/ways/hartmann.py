@@ -45,7 +45,7 @@ def _velocity(fig: CurvatureFigure, letter: str, at: Points) -> Points:
     """The tip of v: a quarter turn ahead of the ray from the pole, and as long."""
     along = at - fig.pole
     tip = fig.board.lay_off(at, 1j * unit(along), np.abs(along), key=f"v_{letter}")
-    fig.board.arrow(fig.pane, at, tip, Role.GIVEN, label=f"v_{{{letter}}}")
+    fig.arrow(at, tip, Role.GIVEN, f"v_{{{letter}}}")
     return tip
 
 
@@ -73,7 +73,7 @@ def _component(fig: CurvatureFigure, ray: Ray) -> tuple[Points, Line]:
         turned = Line(ray.o, unit(tip - ray.o)) if ray.o is not None else board.parallel(tip, ray.line.along)
         part = fig.meet(turned, across, "u 的分量", "the component of u")
         fig.thin(turned, tip, part, *([ray.o] if ray.o is not None else []))
-    board.arrow(fig.pane, fig.pole, part, Role.GIVEN, label=f"u_{{{ray.name}}}")
+    fig.arrow(fig.pole, part, Role.GIVEN, f"u_{{{ray.name}}}")
     return part, board.parallel(part, ray.line.along)
 
 
@@ -106,7 +106,7 @@ def _whole(fig: CurvatureFigure, one: tuple[Points, Line], two: tuple[Points, Li
     tip = fig.meet(one[1], two[1], "u 的末端", "the tip of u")
     for part, line in (one, two):
         fig.thin(line, part, tip)
-    fig.board.arrow(fig.pane, fig.pole, tip, Role.RESULT, label="u")
+    fig.arrow(fig.pole, tip, Role.RESULT, "u")
     return tip
 
 
@@ -141,10 +141,9 @@ def _centre(fig: CurvatureFigure, letter: str, tip: Points) -> None:
     velocity = _velocity(fig, letter, e)
     across, down = fig.normal(mine, fig.pole), fig.board.parallel(tip, mine.along)
     part = fig.meet(down, across, "u 的分量", "the component of u")
-    fig.board.arrow(fig.pane, fig.pole, part, Role.GIVEN, label=f"u_{{{letter}}}")
+    fig.arrow(fig.pole, part, Role.GIVEN, f"u_{{{letter}}}")
     turned = fig.through(velocity, part)
-    centre = fig.letter(o, fig.meet(turned, mine, o, o))
-    fig.centres[letter] = centre
+    centre = fig.centre(letter, o, fig.meet(turned, mine, o, o))
     fig.thin(down, tip, part)
     fig.thin(turned, velocity, part, centre)
     fig.thin(mine, fig.pole, e, centre)

@@ -233,7 +233,12 @@ def _tip(bench: Bench, rack: Rack, radii: tuple[float, float], thick: Quantity, 
     angle = magnitude("∠POK", np.degrees(board.gauge(0j, rack.pole / at)), "deg")
     r = magnitude("r", 1e3 * radii[0], "mm")
     half = board.compute("ψ_a", DEGREE * thick / (TWO * r) + angle - DEGREE * way / base, "deg")
-    tip = bench.worked(S_TIP, Times(2, magnitude("r_a", 1e3 * radii[1], "mm") * half) / DEGREE)
+    thickness = Times(2, magnitude("r_a", 1e3 * radii[1], "mm") * half) / DEGREE
+    if float(nominal(thickness.value)) > 0:
+        tip = bench.worked(S_TIP, thickness)
+    else:  # the flanks have met before
+        tip = board.formula(S_TIP.symbol, thickness, S_TIP.unit)
+        bench.stated(S_TIP, np.maximum(tip.value, 0.0))
     said = pointed(tip.value, 1e3 * rack.gear.m.si)
     board.remark(said)
     board.revise(replace(board.readings[S_TIP.key], remark=said))

@@ -26,7 +26,11 @@ def pointed(tip: Reals, module: float) -> Words:
             "cannot be told from the drawing, and is to be computed.",
         )
     if size <= 0:
-        return Words("齿顶变尖：应减小变位系数。", " The tooth is pointed: take a smaller shift.")
+        return Words(
+            "两侧齿廓在齿顶圆以内相交，齿顶变尖，$s_a$ = 0：应减小变位系数 $x$ 或齿顶高系数。",
+            " The flanks meet inside the tip circle: the tooth is pointed, $s_a$ = 0. Take a smaller shift $x$, or a "
+            "smaller addendum.",
+        )
     if size < THIN:
         return Words(f"小于 {limit}，齿顶过薄。", f" It is less than {limit}: the tip is too thin.")
     return Words(f"不小于 {limit}，足够厚。", f" It is not less than {limit}: the tip is thick enough.")

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from ....algebra.quantity import Quantity
 from ....board.paper.marks import Role
 from ....designs.crank_rocker import CrankRocker
 from ....plane import Points, nominal, unit
 from ....words import Words
 from ..draft import SHEET, Draft
-from ..eta import Locus, Straight, eta
+from ..eta import Eta, Locus, Straight, eta
 from ..limits.judged import BESIDE, judged, limits_of, settled
 from ..linkage import pin, pivot
 from .pivots import pivots
@@ -67,7 +69,8 @@ def _loci(draft: Draft, rocker: Rocker, theta: Quantity) -> Iterator[Locus]:
         yield Straight(line=board.parallel(rocker.c1, chord, key="C1C2"))
         return
     for way in (-1, 1):
-        yield eta(draft, (rocker.c1, rocker.c2), theta, way, way < 0)
+        size = float(nominal(np.abs(rocker.c1 - rocker.d)))
+        yield eta(draft, (rocker.c1, rocker.c2), theta, way, way < 0, size)
 
 
 def _solutions(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) -> None:
@@ -75,6 +78,8 @@ def _solutions(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) 
     for a in pivots(draft, design, rocker, locus):
         letter = draft.letter("A")
         a = pivot(draft, letter, a)
+        if isinstance(locus, Eta) and locus.flat:
+            locus.arc(draft, rocker.c1, a)
         verdict = judged(a, rocker.d, rocker.c1, rocker.c2, seen=_sees(a, rocker, locus))
         settled(draft, limits_of(a, rocker.d, rocker.c1, rocker.c2, (letter, "C_1", "C_2")), verdict)
 

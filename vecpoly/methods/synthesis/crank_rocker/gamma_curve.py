@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import groupby
 from math import degrees, isfinite
 
@@ -16,12 +17,13 @@ from ..eta import Straight
 from .track import Track
 
 STATIONS, DENSE, FINE = 7, 720, 80  # A on the sheet; trials that tell where A is of use; points of the curve
-FURTHEST = 3.0  # chords from C₁, on a locus that is a straight line
+FURTHEST, OVER = 3.0, 1.25  # chords from C₁, on a locus that is drawn in part; of the way to what is sought
 
 
-def gamma_curve(draft: Draft, track: Track) -> Chart | None:
-    """The stations on the sheet and the curve in a figure of its own; None where no A on this locus is of use."""
-    run = _useful(track)
+def gamma_curve(draft: Draft, track: Track, sought: Sequence[float]) -> Chart | None:
+    """The stations on the sheet and the curve in a figure of its own, as far as the places that are sought; None where
+    no A on this locus is of use."""
+    run = _useful(track, sought)
     if len(run) < STATIONS:
         return None
     board, places = draft.board, [track.place(t) for t in run]
@@ -72,9 +74,17 @@ def _over_en(straight: bool, primes: str) -> str:
     return "the distance $C_{1}A$ on paper" if straight else f"$β = ∠C_{{1}}O{primes}A$"
 
 
-def _useful(track: Track) -> list[float]:
-    """The longest run of trials in which A is of use."""
+def _is_long(track: Track) -> bool:
+    """Whether the locus is drawn in part: a straight line, or a circle of which only arcs are."""
+    return isinstance(track.locus, Straight) or track.locus.flat
+
+
+def _useful(track: Track, sought: Sequence[float]) -> list[float]:
+    """The longest run of trials in which A is of use; on a locus that is drawn in part not far beyond what is
+    sought."""
+    far = max((OVER * abs(track.at(t) - track.c1) for t in sought), default=0.0)
+    reach = max(FURTHEST * track.chord, far)
     trials = (float(t) for t in np.linspace(0.0, 1.0, DENSE + 2)[1:-1])
-    near = (t for t in trials if not isinstance(track.locus, Straight) or track.place(t) < FURTHEST * track.chord)
+    near = (t for t in trials if not _is_long(track) or abs(track.at(t) - track.c1) < reach)
     runs = [list(run) for valid, run in groupby(near, lambda t: isfinite(min(track.angles(t)))) if valid]
     return max(runs, key=len, default=[])

@@ -9,11 +9,13 @@ import numpy as np
 from ....designs.crank_rocker import NEAREST
 from ....designs.verdict import Verdict
 from ....plane import Points, nominal
+from ....words import Words
 from ..draft import Draft
 from ..eta import Eta, Locus, Straight
 from ..limits.judged import judged
 from .rocker import Rocker
 
+_WHAT = Words("求 $A$", "finding $A$")
 NOTHING = (float("nan"), float("nan"))
 
 
@@ -21,7 +23,7 @@ class Track:
     """The left half of a locus, from C₁ (0) to the bisector, or far away (1), in even ratios of the distance."""
 
     def __init__(self, rocker: Rocker, locus: Locus) -> None:
-        self.locus = locus
+        self.locus, self._start = locus, rocker.c1
         self.d, self.c1, self.c2 = (complex(nominal(at)) for at in (rocker.d, rocker.c1, rocker.c2))
         self.c, self.chord = abs(self.c1 - self.d), abs(self.c2 - self.c1)
 
@@ -52,6 +54,10 @@ class Track:
         if isinstance(self.locus, Straight):
             line = self.locus.line
             return draft.board.lay_off(line.at, -line.along, abs(self.at(t) - self.c1))
+        if self.locus.flat:  # by its distance from C₁, for no angle is set off about a centre off the paper
+            there, centre = self.at(t), self.locus.centre
+            pair = draft.board.arcs(self._start, abs(there - self.c1), centre, self.locus.radius, _WHAT)
+            return min(pair, key=lambda at: abs(complex(nominal(at)) - there))
         return draft.board.lay_off(self.locus.centre, np.exp(1j * self.turn(t)), self.locus.radius)
 
     def angles(self, t: float) -> tuple[float, float]:

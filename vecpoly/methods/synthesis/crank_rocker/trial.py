@@ -28,7 +28,8 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
         SHEET,
     )
     track = Track(rocker, locus)
-    curve = gamma_curve(draft, track)
+    places = list(summit(track) if design.gamma_min is None else meetings(track, design.gamma_min.si))
+    curve = gamma_curve(draft, track, places)
     if curve is not None:
         board.step(
             Words(
@@ -42,8 +43,6 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
             ),
             SHEET,
         )
-    found = summit(track) if design.gamma_min is None else meetings(track, design.gamma_min.si)
-    places = list(found)
     if not places and curve is not None:
         _nowhere(draft, best)
     for t in places:

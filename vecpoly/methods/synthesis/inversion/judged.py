@@ -15,11 +15,11 @@ import numpy as np
 from ....designs.inversion.loops import Hinged, Loop, Sliding
 from ....designs.verdict import Verdict
 from ....plane import nominal
+from .chained import Spots, chains, reaches
 from .sheet import Sheet
 
 DEAD = 1e-6  # sine: at a dead point either side is as good
 NONE = 1e-5  # mm: a link shorter than that has no length
-Spots = tuple[complex, ...]
 
 
 def judged(sheet: Sheet) -> Verdict:
@@ -27,7 +27,16 @@ def judged(sheet: Sheet) -> Verdict:
     if _shrunk(sheet):
         return Verdict.NO_LINK
     verdicts = [_loop(sheet, loop) for loop in sheet.plan.loops]
-    return next((verdict for verdict in verdicts if verdict is not Verdict.VALID), Verdict.VALID)
+    wrong = next((verdict for verdict in verdicts if verdict is not Verdict.VALID), Verdict.VALID)
+    if wrong is Verdict.VALID and not all(_passes(sheet, *chain) for chain in chains(tuple(sheet.plan.loops))):
+        return Verdict.BRANCH
+    return wrong
+
+
+def _passes(sheet: Sheet, four: Hinged, slide: Sliding) -> bool:
+    """Whether the slider on its rocker lets the crank through the positions."""
+    a, b, c, d = (_spots(sheet, letter) for letter in four.letters)
+    return reaches((a, b, c, d), slide.along, _spots(sheet, slide.c))
 
 
 def _shrunk(sheet: Sheet) -> bool:

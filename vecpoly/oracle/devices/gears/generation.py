@@ -16,14 +16,22 @@ GRID, ZOOMS = 2001, 6
 
 @answers(GearGeneration)
 def generation(device: GearGeneration) -> Values:
-    """Lengths in mm."""
+    """Lengths in mm; the tip of a tooth whose flanks meet before is 0 thick."""
     m, z, alpha, ha = device.m.si, device.z, device.alpha.si, device.ha.si
     r = m * z / 2
     rb, ra, rf = r * cos(alpha), r + (ha + device.x) * m, r - (ha + device.c.si - device.x) * m
     limit = _limit(device)
     thick = m * (pi / 2 + 2 * device.x * tan(alpha))
     tip = ra * (thick / r + 2 * (_involute(alpha) - _involute(acos(rb / ra))))
-    lengths = {"r": r, "rb": rb, "ra": ra, "rf": rf, "s": thick, "s_tip": tip, "r_start": _start(device, r, rb)}
+    lengths = {
+        "r": r,
+        "rb": rb,
+        "ra": ra,
+        "rf": rf,
+        "s": thick,
+        "s_tip": max(tip, 0.0),
+        "r_start": _start(device, r, rb),
+    }
     found = {key: 1e3 * value for key, value in lengths.items()}
     return found | {"x_min": limit, "z_min": 2 * ha / sin(alpha) ** 2, "undercut": float(device.x < limit)}
 

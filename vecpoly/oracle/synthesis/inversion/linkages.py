@@ -8,12 +8,13 @@ from itertools import pairwise
 from math import degrees
 
 from ....designs.inversion.angle_pairs import AnglePairs
-from ....designs.inversion.loops import Hinged, Loop
+from ....designs.inversion.loops import Hinged, Loop, Sliding
 from ....designs.inversion.plan import Find, Plan
 from ....designs.inversion.positions import Positions
 from ....designs.inversion.stages import Stages
 from ....designs.verdict import Verdict
 from ..registry import Linkage, synthesizes
+from .chained import stopped
 from .defects import Defect, fourbar, slider_crank
 from .staged import Found, linkages
 
@@ -84,7 +85,23 @@ def _verdict(plan: Plan, found: Found) -> Verdict:
     if min(found.length(one, two) for one, two in plan.bars()) < _NONE * plan.extent:
         return Verdict.NO_LINK
     defects = [_defect(loop, found, plan.either) for loop in plan.loops]
-    return next((Verdict[defect.name] for defect in defects if defect is not None), Verdict.VALID)
+    found_wrong = next((defect for defect in defects if defect is not None), None)
+    if found_wrong is None and any(_stopped(found, four, slide) for four, slide in _chains(plan)):
+        found_wrong = Defect.BRANCH
+    return Verdict.VALID if found_wrong is None else Verdict[found_wrong.name]
+
+
+def _chains(plan: Plan) -> Iterator[tuple[Hinged, Sliding]]:
+    """Each four-bar with a slider that hangs on its rocker."""
+    fours = [loop for loop in plan.loops if isinstance(loop, Hinged)]
+    slides = [loop for loop in plan.loops if isinstance(loop, Sliding)]
+    return ((four, slide) for four in fours for slide in slides if (four.d, four.c) == (slide.a, slide.b))
+
+
+def _stopped(found: Found, four: Hinged, slide: Sliding) -> bool:
+    pins = found.pins
+    bars = pins[four.b], pins[four.c], pins[four.a][0], pins[four.d][0]
+    return stopped(bars, slide.along, pins[slide.c])
 
 
 def _defect(loop: Loop, found: Found, either: bool) -> Defect | None:
