@@ -78,6 +78,7 @@ class ReportDoc(Floating):
         self._level = -1
         self._pages, self._filled = 0, list[tuple[int, float]]()  # of each part: its pages, how full the last one is
         self._turned = False  # whether the story itself asks for the turn of this page
+        self._counts = False  # whether its pages are only counted
         tell_contents(self.story)
         lang = "zh-CN" if metadata.lang == "zh" else "en-GB"
         super().__init__(
@@ -112,6 +113,8 @@ class ReportDoc(Floating):
 
     def _furniture(self, canvas: Any, _: Any) -> None:
         """Running header and footer."""
+        if self._counts:
+            return
         head(canvas, self.metadata.title)
         foot(canvas, FOOT, self.metadata.identity)
 
@@ -200,7 +203,9 @@ class ReportDoc(Floating):
     def counted(self) -> int:
         """How many pages it has: every block finds its place, and none is drawn."""
         story = [item.undrawn() if isinstance(item, Block) else item for item in _expanded(self.story)]
+        self._counts = True
         self._set(story)
+        self._counts = False
         return int(self.page)
 
     def _set(self, story: list[Any]) -> None:
