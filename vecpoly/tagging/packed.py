@@ -9,7 +9,7 @@ from functools import lru_cache
 from typing import Any
 from zlib import compress
 
-from reportlab.pdfbase.pdfdoc import PDFDocument, PDFFile, PDFTrueTypeFont
+from reportlab.pdfbase.pdfdoc import PDFArray, PDFDocument, PDFFile, PDFTrueTypeFont
 from reportlab.pdfbase.pdfdoc import format as formatted
 
 _STREAM = b"endstream\n"
@@ -70,17 +70,17 @@ class PackedDocument(PDFDocument):  # type: ignore[misc]
 
 
 def _with_widths(held: Any) -> Any:
-    """The object; of a font the widths of its letters, most of them alike, are told here: reportlab takes longer over
-    them than over a page."""
-    font = getattr(held, "content", None)
+    """The object; of a font the widths of its letters are told here, once for all documents that have the same:
+    reportlab takes longer over them than over a page."""
+    font = getattr(held, "content", held)
     if isinstance(font, PDFTrueTypeFont):
-        font.Widths.sequence = [_number(one) for one in font.Widths.sequence]
+        font.Widths = _widths(tuple(font.Widths.sequence))
     return held
 
 
-@lru_cache(maxsize=4096)
-def _number(value: float | bytes) -> bytes:
-    return bytes(formatted(value, None))
+@lru_cache(maxsize=_FACES)
+def _widths(values: tuple[float, ...]) -> bytes:
+    return bytes(PDFArray(values).format(None))
 
 
 def _add(file: Any, number: int, text: bytes) -> int:
