@@ -77,8 +77,7 @@ class ReportDoc(Floating):
         self.story, self.metadata, self._stamp = led(story), metadata, stamp
         self._level = -1
         self._pages, self._filled = 0, list[tuple[int, float]]()  # of each part: its pages, how full the last one is
-        self._turned = False  # whether the story itself asks for the turn of this page
-        self._counts = False  # whether its pages are only counted
+        self._turned = self._counts = False  # whether the story asks for this turn; whether pages are only counted
         tell_contents(self.story)
         lang = "zh-CN" if metadata.lang == "zh" else "en-GB"
         super().__init__(
@@ -113,18 +112,19 @@ class ReportDoc(Floating):
 
     def _furniture(self, canvas: Any, _: Any) -> None:
         """Running header and footer."""
-        if self._counts:
-            return
-        head(canvas, self.metadata.title)
-        foot(canvas, FOOT, self.metadata.identity)
+        if not self._counts:
+            head(canvas, self.metadata.title)
+            foot(canvas, FOOT, self.metadata.identity)
 
     def _foot(self, canvas: Any, _: Any) -> None:
         """What stands under the frame of a sheet."""
-        foot(canvas, SHEET_FOOT, self.metadata.identity)
+        if not self._counts:
+            foot(canvas, SHEET_FOOT, self.metadata.identity)
 
     def _cover(self, canvas: Any, _: Any) -> None:
         """A page without a number."""
-        foot(canvas, FOOT, self.metadata.identity, numbered=False)
+        if not self._counts:
+            foot(canvas, FOOT, self.metadata.identity, numbered=False)
 
     def _stamp_text(self, canvas: Any, _: Any) -> None:
         """Over all else of a page of text."""
