@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 
 from .board.acts import Act, Compute, Follow, Invert, Judge, LayOff, Locate, Meet, Parallel, Ray, Touch, Transfer
@@ -25,36 +26,37 @@ def slips(problem: Problem) -> tuple[Slip, ...]:
 
 def slips_of(acts: Sequence[Act]) -> tuple[Slip, ...]:
     """Every mistake that can be made with these acts."""
-    return tuple(dict.fromkeys(slip for act in acts for slip in _of(act, acts)))
+    named = zip(acts, _names(acts), strict=True)
+    return tuple(dict.fromkeys(slip for act, name in named for slip in _of(act, acts, name)))
 
 
-def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
+def _of(act: Act, acts: Sequence[Act], name: str) -> Iterator[Slip]:
     """The mistakes that can be made with one act."""
     match act:
         case LayOff(mm=mm) if act.key and mm > NOTHING:
             first = act.head.place is None or before(act.head.place, _drawn(acts)) is view_of(act.head.place)
-            yield from (Slip(m, _name(act, acts)) for m in KNOWN if not (first and m is Mistake.SCALED))
+            yield from (Slip(m, name) for m in KNOWN if not (first and m is Mistake.SCALED))
         case Transfer(by=by) if act.key and abs(by) > NOTHING:
-            yield from (Slip(mistake, _name(act, acts)) for mistake in KNOWN)
+            yield from (Slip(mistake, name) for mistake in KNOWN)
         case Follow(by=by) if abs(by) > NOTHING:
-            yield from (Slip(mistake, _name(act, acts)) for mistake in (Mistake.REVERSED, Mistake.DROPPED))
-            yield from (Slip(Mistake.COINCIDENT, _name(act, acts), letter) for letter in _coincident(act, acts))
+            yield from (Slip(mistake, name) for mistake in (Mistake.REVERSED, Mistake.DROPPED))
+            yield from (Slip(Mistake.COINCIDENT, name, letter) for letter in _coincident(act, acts))
         case Parallel() if act.key and len(led := _on_line(act, acts)) > 1:
-            yield from (Slip(Mistake.OTHER_CENTRE, _name(act, acts), letter) for letter in _beside(act, led, acts))
+            yield from (Slip(Mistake.OTHER_CENTRE, name, letter) for letter in _beside(act, led, acts))
         case Parallel() if act.key:
-            yield Slip(Mistake.TURNED, _name(act, acts))
+            yield Slip(Mistake.TURNED, name)
         case Ray(of_friction=True):
-            yield Slip(Mistake.OTHER_SIDE, _name(act, acts))
+            yield Slip(Mistake.OTHER_SIDE, name)
         case Ray() if act.key:
-            yield from (Slip(mistake, _name(act, acts)) for mistake in (Mistake.COMPLEMENT, Mistake.OTHER_SIDE))
+            yield from (Slip(mistake, name) for mistake in (Mistake.COMPLEMENT, Mistake.OTHER_SIDE))
         case Invert():
             yield Slip(Mistake.FORWARDS, act.key)
         case Locate() if any(isinstance(met := acts[n], Meet) and met.other is not None for n in act.inputs):
-            yield Slip(Mistake.OTHER_MEETING, _name(act, acts))
+            yield Slip(Mistake.OTHER_MEETING, name)
         case Compute(chances=chances):
-            yield from (Slip(mistake, _name(act, acts), instead) for mistake, instead in chances)
+            yield from (Slip(mistake, name, instead) for mistake, instead in chances)
         case Judge(crosses=False):
-            yield Slip(Mistake.COUNTED, _name(act, acts))
+            yield Slip(Mistake.COUNTED, name)
         case Touch(free=False) if act.key:
             yield Slip(Mistake.OTHER_TANGENT, act.key)
         case _:
@@ -88,14 +90,17 @@ def _beside(act: Parallel, led: Sequence[Locate], acts: Sequence[Act]) -> Iterat
             yield one.key
 
 
-def _name(act: Act, acts: Sequence[Act]) -> str:
-    """The act's key, with its figure where the same key stands on several.
+def _names(acts: Sequence[Act]) -> list[str]:
+    """The key of each act, with its figure where the same key stands on several.
 
     What is laid off wrongly on the diagram, for want of knowing better, is so on every figure apart that shows it
     again: the offset of a cam's follower on the other side.
     """
-    figures = {one.figure for one in acts if one.key == act.key and type(one) is type(act)}
-    return act.key if len(figures) < 2 or act.head.place is View.MECHANISM else act.names[0]
+    figures = defaultdict[tuple[type[Act], str], set[str]](set)
+    for act in acts:
+        figures[type(act), act.key].add(act.figure)
+    several = (len(figures[type(act), act.key]) > 1 and act.head.place is not View.MECHANISM for act in acts)
+    return [act.names[0] if act.key and there else act.key for act, there in zip(acts, several, strict=True)]
 
 
 def _coincident(act: Follow, acts: Sequence[Act]) -> Iterator[str]:

@@ -153,6 +153,19 @@ def solve_by_hands(problem: Problem, by: Hand) -> tuple[Solution, Drawn]:
     return Solution(problem, _warned(task, alone, answers), answers), drawn
 
 
+def read_off(problem: Problem, by: Hand) -> tuple[dict[str, Answer], Construction]:
+    """The answers of a linkage as this hand reads them, and what it drew; nobody reads the lines that are worked out,
+    and no ideal hand's drawing is beside it to tell what is suspect.
+
+    Raises what `solve` raises.
+    """
+    task = task_of(problem)
+    size = sizes(problem, task.truth)
+    off = noise(problem, task.truth, size)
+    drawn = drawn_beside(problem, by, DrawingPaper(problem.paper))
+    return answers_of(task, drawn, off, size, scatters=by.name == "pencil", judged=False), drawn.construction
+
+
 def _warned(task: Task, drawn: Drawn, answers: Mapping[str, Answer]) -> Construction:
     """The construction with its readings, and the alarm where something must not be taken for right."""
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import field
+from functools import lru_cache
 
 from ..foundation.slotted import dataclass
 
@@ -79,6 +80,7 @@ class Vec:
 
 Node = Sym | Txt | Row | Frac | Power | Root | Over | Vec
 
+PARSED = 4096  # texts whose symbols are remembered: the same ones stand in every problem
 _LETTERS = "A-Za-zμωαφρθβγδψχΔληπεσ"
 _SYMBOL = re.compile(
     rf"(?P<base>[{_LETTERS}]['′]*)"
@@ -100,6 +102,7 @@ def _bare(group: str | None) -> str:
     return (group or "").strip("{}")
 
 
+@lru_cache(maxsize=PARSED)
 def sym(text: str) -> Sym:
     """Read one symbol in the short notation; raises ValueError when the text is none."""
     m = _SYMBOL.fullmatch(text)
@@ -116,6 +119,11 @@ def is_symbol(text: str) -> bool:
 def row(text: str) -> Row:
     """Read a run of symbols, operators, functions and numbers: ``ω_3 = μ_v pb / l_BC``;
     whatever is no symbol stays upright."""
+    return Row(_items(text))
+
+
+@lru_cache(maxsize=PARSED)
+def _items(text: str) -> tuple[Node, ...]:
     items: list[Node] = []
     end = 0
     text = _EXPONENT.sub(lambda found: f"^{{{found[0].translate(LOWERED)}}}", text)
@@ -128,7 +136,7 @@ def row(text: str) -> Row:
         end = m.end()
     if end < len(text):
         items.append(Txt(text[end:]))
-    return Row(tuple(items))
+    return tuple(items)
 
 
 def letters_node(letters: str) -> Node:

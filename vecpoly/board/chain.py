@@ -20,10 +20,11 @@ def numbers(acts: Sequence[Act], key: str) -> frozenset[int]:
 
 def needed(acts: Sequence[Act], of: Collection[int]) -> frozenset[int]:
     """These acts, and all acts that they needed."""
-    found = set(of)
-    for act in reversed(acts):
-        if act.number in found:
-            found.update(act.inputs)
+    found, todo = set(of), list(of)
+    while todo:
+        below = [one for one in acts[todo.pop()].inputs if one not in found]
+        found.update(below)
+        todo += below
     return frozenset(found)
 
 

@@ -10,7 +10,8 @@ import matplotlib
 import numpy as np
 from matplotlib.backend_bases import RendererBase
 from matplotlib.path import Path
-from shapely import LineString, clip_by_rect, get_parts
+from numpy.typing import NDArray
+from shapely import LineString, clip_by_rect, get_coordinates, get_parts
 
 from ..drawing.scene import Fill, Item, Layer, Rect, Scene, Stroke, TextBox
 from ..drawing.style import Dash, Hue
@@ -44,7 +45,7 @@ class Recorder(RendererBase):
         if rgbFace is not None and len(rgbFace) and (len(rgbFace) < 4 or rgbFace[3] > 0):
             layer = Layer.JOINT
             for polygon in path.to_polygons(transform):
-                self.items.append(Fill(points=_points(polygon), hue=_hue(rgbFace), layer=layer))
+                self.items.append(Fill(points=tuple(_places(polygon)), hue=_hue(rgbFace), layer=layer))
         width = gc.get_linewidth() / MM
         if width <= 0 or (gc.get_rgb()[3] if len(gc.get_rgb()) > 3 else 1.0) == 0:
             return
@@ -90,12 +91,12 @@ def _lines(path: Any, transform: Any, clip: Any) -> list[tuple[tuple[complex, ..
     clean = path.cleaned(transform, remove_nans=True, clip=window, simplify=len(path.vertices) > 4000, curves=False)
     found: list[tuple[tuple[complex, ...], bool]] = []
     points: list[complex] = []
-    for (x, y), code in zip(clean.vertices, clean.codes, strict=True):
+    for at, code in zip(_places(clean.vertices), clean.codes.tolist(), strict=True):
         if code == Path.LINETO:
-            points.append(complex(x, y))
+            points.append(at)
             continue
         found += [(tuple(points), code == Path.CLOSEPOLY)] if len(points) > 1 else []
-        points = [complex(x, y)] if code == Path.MOVETO else []
+        points = [at] if code == Path.MOVETO else []
     found += [(tuple(points), False)] if len(points) > 1 else []
     return found if window is None else [one for line in found for one in _within(line, window)]
 
@@ -108,11 +109,13 @@ def _within(
     if closed:
         return [line]
     parts = get_parts(clip_by_rect(LineString([(at.real, at.imag) for at in points]), *window))
-    return [(tuple(complex(x, y) for x, y in part.coords), False) for part in parts if part.length > 0]
+    return [(tuple(_places(get_coordinates(part))), False) for part in parts if part.length > 0]
 
 
-def _points(polygon: Any) -> tuple[complex, ...]:
-    return tuple(complex(x, y) for x, y in polygon)
+def _places(xy: NDArray[np.float64]) -> list[complex]:
+    """Pairs of coordinates as complex numbers."""
+    found: list[complex] = np.ascontiguousarray(xy, dtype=np.float64).view(np.complex128).ravel().tolist()
+    return found
 
 
 def _hue(rgb: Any) -> Hue:

@@ -64,6 +64,7 @@ def axes(figure: Figure, x: float, y: float, width: float, height: float) -> Any
     for axis in (made.xaxis, made.yaxis):
         axis.set_major_formatter(FuncFormatter(lambda value, _: number(value)))
         axis.set_major_locator(_round_steps())
+        axis.set_label_coords(0.5, 0.5)  # it has none: no place is looked for beside the numbers
     return made
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import ClassVar
 
 from ..errors import UnknownNameError
@@ -68,9 +69,11 @@ def register(view: View) -> View:
     if any(view.name == other.name or view.order == other.order for other in _VIEWS.values()):
         raise ValueError(f"two kinds of figure have the name {view.name}, or the place {view.order}")
     _VIEWS[view.name] = view
+    views.cache_clear()
     return view
 
 
+@cache
 def views() -> tuple[View, ...]:
     """Every kind of figure on file, in the order of a sheet."""
     load_modules("vecpoly.figures")

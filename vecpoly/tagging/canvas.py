@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from reportlab.pdfbase.pdfdoc import PDFZCompress
 from reportlab.pdfgen.canvas import Canvas
 
-from .packed import PackedDocument
+from .packed import Flate, PackedDocument
 from .strings import pdf_string
 from .tag import Role, Tag
 from .tree import tree_of
@@ -22,7 +21,7 @@ class TaggedCanvas(Canvas):  # type: ignore[misc]
         super().__init__(filename, **options)
         tree_of(self).lang = "en" if str(options.get("lang") or "").startswith("en") else "zh"
         self._doc.__class__ = PackedDocument  # reportlab makes its document itself, and asks for no class
-        self._doc.defaultStreamFilters = [PDFZCompress]  # for this document alone, without Base 85 around it
+        self._doc.defaultStreamFilters = [Flate()]  # for this document alone, without Base 85 around it
         self.setViewerPreference("DisplayDocTitle", "true")
         self.setViewerPreference("PrintScaling", "None")  # a millimetre of the sheet is one of the print
 

@@ -9,10 +9,26 @@ from functools import lru_cache
 from typing import Any
 from zlib import compress
 
-from reportlab.pdfbase.pdfdoc import PDFDocument, PDFFile, PDFTrueTypeFont
+from reportlab.pdfbase.pdfdoc import PDFArray, PDFDocument, PDFFile, PDFTrueTypeFont
 from reportlab.pdfbase.pdfdoc import format as formatted
 
 _STREAM = b"endstream\n"
+_FACE = b"\x00\x01\x00\x00"  # with which a TrueType face begins
+_FACES = 64  # that are kept packed, some 30 KB each
+
+
+class Flate:
+    """What reportlab packs streams with; the subset of a face that several documents share is packed once."""
+
+    pdfname = "FlateDecode"
+
+    def encode(self, text: str | bytes) -> bytes:
+        """Packed."""
+        data = text.encode() if isinstance(text, str) else text
+        return _face(data) if data.startswith(_FACE) else compress(data)
+
+
+_face = lru_cache(maxsize=_FACES)(compress)
 
 
 class PackedDocument(PDFDocument):  # type: ignore[misc]
@@ -54,17 +70,17 @@ class PackedDocument(PDFDocument):  # type: ignore[misc]
 
 
 def _with_widths(held: Any) -> Any:
-    """The object; of a font the widths of its letters, most of them alike, are told here: reportlab takes longer over
-    them than over a page."""
-    font = getattr(held, "content", None)
+    """The object; of a font the widths of its letters are told here, once for all documents that have the same:
+    reportlab takes longer over them than over a page."""
+    font = getattr(held, "content", held)
     if isinstance(font, PDFTrueTypeFont):
-        font.Widths.sequence = [_number(one) for one in font.Widths.sequence]
+        font.Widths = _widths(tuple(font.Widths.sequence))
     return held
 
 
-@lru_cache(maxsize=4096)
-def _number(value: float | bytes) -> bytes:
-    return bytes(formatted(value, None))
+@lru_cache(maxsize=_FACES)
+def _widths(values: tuple[float, ...]) -> bytes:
+    return bytes(PDFArray(values).format(None))
 
 
 def _add(file: Any, number: int, text: bytes) -> int:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from enum import StrEnum
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import files
 from importlib.util import find_spec
 from io import BytesIO
@@ -35,6 +35,7 @@ class Face(StrEnum):
 
 
 MISSING = "VP-missing"
+SUBSETS = 16  # of a face that are kept, some 40 KB each: the documents of a class are of the same letters
 _BLANKS = "\t\n\r\u00a0\u2009"
 
 _OURS = {
@@ -91,6 +92,8 @@ def load(face: Face) -> Any:
 
     data = (files("vecpoly.fonts") / _OURS[face]).read_bytes() if face in _OURS else path(face).read_bytes()
     font = TTFont(face.value, BytesIO(data), shapable=False)
+    subset = lru_cache(maxsize=SUBSETS)(font.face.makeSubset)
+    font.face.makeSubset = lambda codes: subset(tuple(codes))
     pdfmetrics.registerFont(font)
     return font
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
 from math import inf
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ..board.otherwise.slip import Slip
 from ..problem.problem import Problem
@@ -54,8 +57,9 @@ def pilot(problem: Problem) -> Pilot:
     looks = [look for trial in trials for _, look in trial.drawn if isinstance(look, Look)]
     asked = tuple(dict.fromkeys(ask.rel.key for ask in problem.asks))
     demoted = _with_demoted(first, looks, asked)
+    counted = _Shown.of(looks)
     for most in SHARES:
-        standard = _with_slips(demoted, looks, most)
+        standard = replace(demoted, hidden=counted.hidden(most), twins=counted.twins(most))
         passed, failed = _weighed(trials, standard)
         if passed >= ENOUGH or not failed.get(Condition.SLIPS):
             break
@@ -98,20 +102,36 @@ def _good(look: Look, key: str) -> bool:
     return one is None or (long_enough(one, look) and deviation(one) <= look.problem.gate.deviation)
 
 
-def _with_slips(standard: Standard, looks: Sequence[Look], most: float) -> Standard:
-    """What does not show in more than this share of the drawings in which it can be made, is let off."""
-    made, unseen = Counter[Slip](), Counter[Slip]()
-    pairs, alike = Counter[frozenset[Slip]](), Counter[frozenset[Slip]]()
-    for look in looks:
-        least, shown, apart = look.problem.gate.slips, visible(look.places), told_apart(look.places)
-        made.update(look.slips)
-        unseen.update(slip for slip, by in zip(look.slips, shown, strict=True) if by <= least)
-        for (i, one), (j, other) in combinations(enumerate(look.slips), 2):
-            pairs[frozenset((one, other))] += 1
-            alike[frozenset((one, other))] += int(apart[i, j] <= least)
-    hidden = frozenset(slip for slip in made if unseen[slip] > most * made[slip])
-    twins = frozenset(pair for pair in pairs if alike[pair] > most * pairs[pair])
-    return replace(standard, hidden=hidden, twins=twins)
+@dataclass(frozen=True, slots=True)
+class _Shown:
+    """In how many drawings two slips can be made (on the diagonal: one), and do not show, or show alike."""
+
+    slips: tuple[Slip, ...]
+    made: NDArray[np.intp]
+    alike: NDArray[np.intp]
+
+    @classmethod
+    def of(cls, looks: Sequence[Look]) -> Self:
+        """Counted in these drawings."""
+        number = {slip: n for n, slip in enumerate(dict.fromkeys(slip for look in looks for slip in look.slips))}
+        made, alike = (np.zeros((len(number), len(number)), dtype=np.intp) for _ in range(2))
+        for look in looks:
+            some = np.array([number[slip] for slip in look.slips], dtype=np.intp)
+            there, apart = np.ix_(some, some), told_apart(look.places)
+            np.fill_diagonal(apart, visible(look.places))
+            made[there] += 1
+            alike[there] += apart <= look.problem.gate.slips
+        return cls(tuple(number), made, alike)
+
+    def hidden(self, most: float) -> frozenset[Slip]:
+        """Those that do not show in more than this share of the drawings in which they can be made: they are let
+        off."""
+        return frozenset(slip for n, slip in enumerate(self.slips) if self.alike[n, n] > most * self.made[n, n])
+
+    def twins(self, most: float) -> frozenset[frozenset[Slip]]:
+        """Pairs that show alike in more of them."""
+        pairs = np.argwhere(np.triu(self.alike > most * self.made, 1))
+        return frozenset(frozenset((self.slips[i], self.slips[j])) for i, j in pairs.tolist())
 
 
 def _weighed(trials: Sequence[Trial], standard: Standard) -> tuple[float, dict[Condition, float]]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 Squares = NDArray[np.uint8]
 Rows = tuple[bytes, ...]  # from the top; 1 black
 MASKS, LARGEST = 8, 41  # modules of a side, up to which there is one alignment pattern and no version told
-_EYE = bytes((1, 0, 1, 1, 1, 0, 1))
+_EYE, _WHITE = bytes((1, 0, 1, 1, 1, 0, 1)), bytes(4)
 
 
 @lru_cache(maxsize=4)
@@ -86,18 +86,19 @@ def _penalties(each: Squares) -> list[int]:
     runs = five.sum(axis=(1, 2)) + 2 * begun
     across, down = alike[:, :size], alike[:, size:].transpose(0, 2, 1)
     blocks = 3 * (across[:, 1:] & across[:, :-1] & down[:, :, 1:]).sum(axis=(1, 2))
-    eyes = [sum(40 * _eyes(line.tobytes()) for line in one) for one in lines]
+    eyes = [40 * _eyes(one) for one in lines]
     dark = [10 * int(abs(float(one) / size**2 * 100 - 50) / 5) for one in each.sum(axis=(1, 2))]
     parts: tuple[Any, ...] = (runs, blocks, eyes, dark)
     return [int(sum(of)) for of in zip(*parts, strict=True)]
 
 
-def _eyes(line: bytes) -> int:
-    """What looks like a finder pattern, with white of four modules before or behind."""
-    count, at = 0, line.find(_EYE)
+def _eyes(lines: Squares) -> int:
+    """What looks like a finder pattern, with white of four modules before or behind; all about a code is white."""
+    said = np.pad(lines, ((0, 0), (len(_WHITE), len(_WHITE)))).tobytes()
+    count, at = 0, said.find(_EYE)
     while at != -1:
         end = at + len(_EYE)
-        lone = at == 0 or end == len(line) or not any(line[max(at - 4, 0) : at]) or not any(line[end : end + 4])
+        lone = said.startswith(_WHITE, at - len(_WHITE)) or said.startswith(_WHITE, end)
         count += lone
-        at = line.find(_EYE, end if lone else at + 4)
+        at = said.find(_EYE, end if lone else at + 4)
     return count

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -21,11 +22,13 @@ from ...words import Words
 from ..slips.base import explained, weighed_by
 from ..slips.explain import Explanation, suspect
 from .columns import Table, read_table
-from .sheet import read_sheet
+from .sheet import Sheet, read_sheet
 from .told.column import of_column
 from .told.whole import of_whole
 from .variants import whose_lengths
 from .weigh import Column, Level, Weighing
+
+KEPT = 16  # tables
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -87,7 +90,13 @@ def check_table(problem: Problem, path: str | Path | Held, columns: Mapping[str,
     if not isinstance(problem.subject, Mechanism):
         raise TableError(no_cycle(problem))
     sheet = read_sheet(path if isinstance(path, Held) else Path(path))
-    table = read_table(sheet, problem, columns or {})
+    return _compared(problem, sheet, tuple((columns or {}).items()))
+
+
+@lru_cache(maxsize=KEPT)
+def _compared(problem: Problem, sheet: Sheet, columns: tuple[tuple[str, str], ...]) -> TableCheck:
+    """The check of these cells: every report of the problem, in each language, tells of the same."""
+    table = read_table(sheet, problem, dict(columns))
     given = suspect(problem.mechanism, table.positions, table.columns)
     if given is None:
         raise TableError(

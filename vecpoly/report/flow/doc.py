@@ -77,7 +77,7 @@ class ReportDoc(Floating):
         self.story, self.metadata, self._stamp = led(story), metadata, stamp
         self._level = -1
         self._pages, self._filled = 0, list[tuple[int, float]]()  # of each part: its pages, how full the last one is
-        self._turned = False  # whether the story itself asks for the turn of this page
+        self._turned = self._counts = False  # whether the story asks for this turn; whether pages are only counted
         tell_contents(self.story)
         lang = "zh-CN" if metadata.lang == "zh" else "en-GB"
         super().__init__(
@@ -112,16 +112,19 @@ class ReportDoc(Floating):
 
     def _furniture(self, canvas: Any, _: Any) -> None:
         """Running header and footer."""
-        head(canvas, self.metadata.title)
-        foot(canvas, FOOT, self.metadata.identity)
+        if not self._counts:
+            head(canvas, self.metadata.title)
+            foot(canvas, FOOT, self.metadata.identity)
 
     def _foot(self, canvas: Any, _: Any) -> None:
         """What stands under the frame of a sheet."""
-        foot(canvas, SHEET_FOOT, self.metadata.identity)
+        if not self._counts:
+            foot(canvas, SHEET_FOOT, self.metadata.identity)
 
     def _cover(self, canvas: Any, _: Any) -> None:
         """A page without a number."""
-        foot(canvas, FOOT, self.metadata.identity, numbered=False)
+        if not self._counts:
+            foot(canvas, FOOT, self.metadata.identity, numbered=False)
 
     def _stamp_text(self, canvas: Any, _: Any) -> None:
         """Over all else of a page of text."""
@@ -200,7 +203,9 @@ class ReportDoc(Floating):
     def counted(self) -> int:
         """How many pages it has: every block finds its place, and none is drawn."""
         story = [item.undrawn() if isinstance(item, Block) else item for item in _expanded(self.story)]
+        self._counts = True
         self._set(story)
+        self._counts = False
         return int(self.page)
 
     def _set(self, story: list[Any]) -> None:

@@ -54,7 +54,7 @@ class Formula(Block):
         self._em = size / MM
         self._number = layout_words(number, self._em) if number else None
         self._lines: tuple[tuple[float, Box], ...] = ()
-        self._left = 0.0  # mm
+        self._room = 0.0  # mm, for its lines
         self._run: tuple[_Sides, ...] = ()  # of the formulas that stand in one column with it
         self._broken: dict[float, tuple[tuple[float, Box], ...]] = {}  # by room; for all copies
 
@@ -64,8 +64,7 @@ class Formula(Block):
         room = width / MM - (2 * self._number.width + self._em if self._number else 0.0)
         if room not in self._broken:
             self._broken[room] = tuple((x, _strutted(box, self._em)) for x, box in lines(self.node, self._em, room))
-        self._lines = self._broken[room]
-        self._left = self._start(room) + (width / MM - room) / 2
+        self._lines, self._room = self._broken[room], room
         boxes = [box for _, box in self._lines]
         self.height = (sum(box.height for box in boxes) + _SKIP * (len(boxes) - 1)) * MM
         return width, self.height
@@ -84,6 +83,11 @@ class Formula(Block):
         """It stands in a column of these formulas, close to its neighbours."""
         self._run = run
         self.spaceBefore, self.spaceAfter = self.spaceBefore if first else _CLOSE, self.spaceAfter if last else _CLOSE
+
+    @property
+    def _left(self) -> float:
+        """Where its first line begins in the column (mm)."""
+        return self._start(self._room) + (self.width / MM - self._room) / 2
 
     def _start(self, room: float) -> float:
         """Where it begins in so much room: with its relation under that of its neighbours, in the middle else."""

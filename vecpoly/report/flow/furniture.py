@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from copy import copy
 from typing import Any
 
 from reportlab.platypus.frames import Frame
@@ -38,7 +37,9 @@ class TextFrame(Frame):  # type: ignore[misc]
         return int(added)
 
     def __deepcopy__(self, memo: object) -> TextFrame:
-        return copy(self)  # it holds numbers and names
+        own = type(self).__new__(type(self))
+        own.__dict__.update(self.__dict__)  # numbers and names
+        return own
 
 
 def beside(width: float) -> float:

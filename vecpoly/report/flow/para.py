@@ -40,6 +40,7 @@ class Para(Block):
         self.text = text
         self._label = cells(label, self.style.em, lang == "zh", True) if label else ()
         self._broken: dict[float, list[Line]] = {}  # by width; one for the paragraph and all its copies
+        self._heights: dict[float, float] = {}  # the same, of all that are set as closely
         self._item: Tag | None = None
 
     def put_in_list(self, item: Tag, body: Tag) -> None:
@@ -50,7 +51,8 @@ class Para(Block):
     def tighten(self, degree: Tightness) -> None:
         """Its lines closer too."""
         super().tighten(degree)
-        self.style = replace(self.style, leading=degree.lines * self.style.leading)
+        if degree.lines != 1.0:
+            self.style, self._heights = replace(self.style, leading=degree.lines * self.style.leading), {}
 
     def _measure(self, width: float) -> float:
         return width / MM - self.style.left * self.style.em
@@ -65,8 +67,9 @@ class Para(Block):
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column."""
-        self.width = width
-        self.height = sum(self._advance(line) for line in self.lines(width))
+        if width not in self._heights:
+            self._heights[width] = sum(self._advance(line) for line in self.lines(width))
+        self.width, self.height = width, self._heights[width]
         return width, self.height
 
     def _advance(self, line: Line) -> float:

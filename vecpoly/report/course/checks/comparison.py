@@ -3,6 +3,7 @@ the figures go on a sheet."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import floor, log10
 from typing import Any
@@ -12,11 +13,16 @@ from numpy.typing import NDArray
 
 from ....algebra.quantity import number
 from ....algebra.rounding import as_printed
+from ....board.hand import hand
 from ....board.paper.sizes import unfit
 from ....errors import VecpolyError
 from ....findings.study.study import Study
 from ....problem.problem import Problem
+<<<<<<< HEAD
 from ....solution import Solution, scales_of
+=======
+from ....solution import Answer, read_off, scales_of
+>>>>>>> w-speed
 from ....words import Words
 from ..analysis.force_words import refusals
 from ..numbering import SMALL, Press
@@ -92,7 +98,7 @@ def compared(study: Study) -> Compared:
     wanted = tuple(ask for ask in study.problem.asks if ask.rel.key in keys)
     for phi in _phis(study) if study.drawn else ():
         try:
-            answers = _drawn(study, replace(at_position(study, phi), asks=wanted)).answers
+            answers = _drawn(study, replace(at_position(study, phi), asks=wanted))
         except VecpolyError as error:
             refused.append((phi, cause(error)))
             continue
@@ -105,13 +111,20 @@ def compared(study: Study) -> Compared:
     return Compared(tuple(stations), tuple(refused), keys if stations else ())
 
 
-def _drawn(study: Study, there: Problem) -> Solution:
-    """The drawing at another position; at its own scales where those of the given one make a figure too small or too
-    large for a sheet."""
+def _drawn(study: Study, there: Problem) -> Mapping[str, Answer]:
+    """What is read off the drawing at another position; at its own scales where those of the given one make a figure
+    too small or too large for a sheet."""
     given = study.solution.construction
+<<<<<<< HEAD
     held = draw_there(replace(there, scales=scales_of(given)), given.hand)
     figures = held.construction.figures
     return draw_there(there, given.hand) if unfit(figures, {one.view for one in figures}) else held
+=======
+    held, drawn = read_off(replace(there, scales=scales_of(given)), hand(given.hand, repeats=0))
+    if not unfit(drawn.figures, {one.view for one in drawn.figures}):
+        return held
+    return read_off(there, hand(given.hand, repeats=0))[0]
+>>>>>>> w-speed
 
 
 def _phis(study: Study) -> list[float]:

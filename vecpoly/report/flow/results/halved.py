@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Self
+from copy import copy
+from typing import Any, Self
 
 from reportlab.platypus.flowables import Flowable
 
@@ -23,6 +24,10 @@ class HalvedTable(DataTable):
 
     _halves: _SET | None = None
     _tight: tuple[Tightness, ...] = ()
+
+    def __init__(self, *table: Any, **said: Any) -> None:
+        super().__init__(*table, **said)
+        self._apart: dict[float, _SET | None] = {}  # by width of the column; one for the table and all its copies
 
     @classmethod
     def of(cls, table: DataTable) -> Self:
@@ -62,9 +67,16 @@ class HalvedTable(DataTable):
             half.drawOn(self.canv, left + n * (wide + _GAP * MM), self.height - half.height)
 
     def _parted(self, width: float) -> _SET | None:
-        """The halves, where both have room."""
+        """The halves as they are set now, where both have room."""
         if len(self.rows) <= LONG or self.caption or self._continued:
             return None
+        if width not in self._apart:
+            self._apart[width] = self._divided(width)
+        halves = self._apart[width]
+        return None if halves is None else (self._as_tight(halves[0], width), self._as_tight(halves[1], width))
+
+    def _divided(self, width: float) -> _SET | None:
+        """The halves as the table was at first, their lines broken."""
         widths = next((some for some in (self.set_in(width).widths, self._narrow(width)) if _fit(some, width)), None)
         if widths is None:
             return None
@@ -72,13 +84,18 @@ class HalvedTable(DataTable):
         return self._half(slice(middle), widths), self._half(slice(middle, None), widths)
 
     def _half(self, rows: slice, widths: tuple[float, ...]) -> DataTable:
-        half = DataTable(
+        return DataTable(
             self.header, self.rows[rows], widths, self.align,
             lang=self.lang, style=self.style, inks=self.inks[rows], inked=self.inked, groups=self.groups[rows],
         )  # fmt: skip
+
+    def _as_tight(self, half: DataTable, width: float) -> DataTable:
+        """A copy of a half, set as the table is; its lines are broken once for all of them."""
+        half.set_in(width)
+        own = copy(half)
         for degree in self._tight:
-            half.tighten(degree)
-        return half
+            own.tighten(degree)
+        return own
 
     def _narrow(self, width: float) -> tuple[float, ...]:
         """The widths of the columns (mm), of a head that of its longest word."""
