@@ -50,9 +50,7 @@ def causes(found: Verdicts, mutants: Sequence[Mutant]) -> Causes:
     return why
 
 
-def _of_mistake(
-    found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mutant], *, whole: bool = False
-) -> None:
+def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mutant], *, whole: bool = False) -> None:
     """A mistake of the catalogue that explains the whole sheet, or else, beside what is right, the root alone."""
     if _a_single_sense(found, root) or _turned_alone(found, root):
         return

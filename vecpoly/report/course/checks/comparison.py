@@ -13,20 +13,15 @@ from numpy.typing import NDArray
 
 from ....algebra.quantity import number
 from ....algebra.rounding import as_printed
-from ....board.hand import hand
 from ....board.paper.sizes import unfit
 from ....errors import VecpolyError
 from ....findings.study.study import Study
 from ....problem.problem import Problem
-<<<<<<< HEAD
-from ....solution import Solution, scales_of
-=======
-from ....solution import Answer, read_off, scales_of
->>>>>>> w-speed
+from ....solution import Answer, scales_of
 from ....words import Words
 from ..analysis.force_words import refusals
 from ..numbering import SMALL, Press
-from ..results.positions import at_position, draw_there
+from ..results.positions import at_position, read_there
 from .refused import cause
 
 STATIONS = 24
@@ -115,16 +110,10 @@ def _drawn(study: Study, there: Problem) -> Mapping[str, Answer]:
     """What is read off the drawing at another position; at its own scales where those of the given one make a figure
     too small or too large for a sheet."""
     given = study.solution.construction
-<<<<<<< HEAD
-    held = draw_there(replace(there, scales=scales_of(given)), given.hand)
-    figures = held.construction.figures
-    return draw_there(there, given.hand) if unfit(figures, {one.view for one in figures}) else held
-=======
-    held, drawn = read_off(replace(there, scales=scales_of(given)), hand(given.hand, repeats=0))
+    held, drawn = read_there(replace(there, scales=scales_of(given)), given.hand)
     if not unfit(drawn.figures, {one.view for one in drawn.figures}):
         return held
-    return read_off(there, hand(given.hand, repeats=0))[0]
->>>>>>> w-speed
+    return read_there(there, given.hand)[0]
 
 
 def _phis(study: Study) -> list[float]:

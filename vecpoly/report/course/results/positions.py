@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from typing import TypeVar
 
-from ....board.construction import View
+from ....board.construction import Construction, View
+from ....board.hand import hand
 from ....cycle.pose import posed
 from ....errors import AssemblyError, LockedError
 from ....figures.mu import LENGTH
 from ....findings.study.study import Study
 from ....mechanism.asked.machine import machine_quantities, reduced_quantities
 from ....problem.problem import Problem, Scales
-from ....solution import Solution, solve
+from ....solution import Answer, Solution, read_off, solve
 from ....words import Words
+
+Found = TypeVar("Found")
 
 
 def at_position(study: Study, phi: float, *, same_scale: bool = True) -> Problem:
@@ -39,11 +44,20 @@ def _of_period(problem: Problem) -> set[str]:
     return set() if machine is None else {*machine_quantities(mech, machine)} - {*reduced_quantities(mech)}
 
 
-def draw_there(there: Problem, hand: str) -> Solution:
+def draw_there(there: Problem, by: str) -> Solution:
     """What is drawn there; where the other loads alone cannot move the mechanism, the balancing one drives too."""
+    return _or_driven(lambda problem: solve(problem, by=by, repeats=0), there)
+
+
+def read_there(there: Problem, by: str) -> tuple[Mapping[str, Answer], Construction]:
+    """The same as it is read off, and the drawing, of which nothing is written out."""
+    return _or_driven(lambda problem: read_off(problem, hand(by, repeats=0)), there)
+
+
+def _or_driven(drawn: Callable[[Problem], Found], there: Problem) -> Found:
     try:
-        return solve(there, by=hand, repeats=0)
+        return drawn(there)
     except LockedError:
         if there.loads is None:
             raise
-        return solve(replace(there, loads=there.loads.driven()), by=hand, repeats=0)
+        return drawn(replace(there, loads=there.loads.driven()))
