@@ -43,7 +43,7 @@ def test_a_vector_of_less_than_three_millimetres_is_drawn_apart_and_readable_the
     assert long == pytest.approx(short * knot.factor) and long >= READABLE
     assert knot.factor in FACTORS and 2 * knot.radius * knot.factor <= FULL
     assert detail.scale.value == pytest.approx(10.0 / knot.factor)
-    assert {m.label for m in main.marks if isinstance(m, Point)} - {""} == {"a", "b", "d", "Ⅰ"}
+    assert {m.label for m in main.marks if isinstance(m, Point)} - {""} == {"a", "b", "c", "d", "Ⅰ"}
     assert not any(isinstance(m, Vector) and m.label == "F_1" for m in main.marks)
     (ring,) = [m for m in main.marks if isinstance(m, Arc)]
     assert (ring.radius, abs(ring.sweep)) == pytest.approx((knot.radius, 2 * np.pi))

@@ -73,7 +73,7 @@ def test_an_arrowhead_is_always_wider_than_its_line() -> None:
 
 
 def test_line_widths_follow_the_role() -> None:
-    roles = {Role.LINK: 0.7, Role.DIRECTION: 0.25, Role.CONSTRUCTION: 0.25, Role.CENTRE: 0.25, Role.HIDDEN: 0.25}
+    roles = {Role.LINK: 0.7, Role.DIRECTION: 0.25, Role.CONSTRUCTION: 0.18, Role.CENTRE: 0.25, Role.HIDDEN: 0.25}
     for role, width in roles.items():
         (line,) = drawing(figure(Segment(a=0j, b=9j, role=role)), caption=False).scene.items
         assert isinstance(line, Stroke) and line.width == width

@@ -46,11 +46,15 @@ def test_a_part_of_a_circle_stays_beside_a_block() -> None:
 
 @pytest.mark.parametrize("ccw", [True, False])
 @pytest.mark.parametrize("radius", [5.0, 6.5, 12.0])
-def test_the_head_of_a_curved_arrow_lies_as_far_outside_its_arc_as_inside(radius: float, ccw: bool) -> None:
+def test_the_head_of_a_curved_arrow_leans_to_neither_side_of_its_arc_and_is_short_beside_it(
+    radius: float, ccw: bool
+) -> None:
     _, head = draw_turn(TurnArrow(at=0j, radius=radius, start=0.6, ccw=ccw, label=""), Hue.BLACK)
     assert isinstance(head, Fill)
-    away = np.abs(np.array(head.points)) - radius
-    assert away.max() == pytest.approx(-away.min()) and abs(away[0]) < 1e-9
+    tip, one, other = head.points
+    assert abs(tip) == pytest.approx(radius) and abs(one + other) / 2 == pytest.approx(radius)
+    assert abs(one - tip) == pytest.approx(abs(other - tip))
+    assert abs(np.angle((one + other) / tip)) < 1 / 3
 
 
 @pytest.mark.parametrize("end", [60 + 0j, 30 + 0j])

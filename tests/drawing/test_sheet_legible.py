@@ -47,10 +47,10 @@ def letters(figure: Figure) -> set[str]:
     return {m.label for m in figure.marks if isinstance(m, Point) and m.label}
 
 
-def test_a_knot_keeps_the_letter_of_its_pole_alone_where_it_is_and_has_them_all_in_the_detail() -> None:
+def test_a_knot_keeps_the_letters_of_its_pole_and_of_two_more_places_and_has_them_all_in_the_detail() -> None:
     figure = polygon(3.0)
     main, detail = detailed(figure)
-    assert letters(main) == {"p′", "f^′", "Ⅰ"}
+    assert letters(main) == {"p′", "b^′", "c^′", "f^′", "Ⅰ"}
     assert letters(detail) == letters(figure) - {"f^′"}
 
 

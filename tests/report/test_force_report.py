@@ -24,7 +24,7 @@ from vecpoly.problem.library import entries
 from vecpoly.problem.load import load, loads
 from vecpoly.report.document import write_report
 from vecpoly.report.picture import picture
-from vecpoly.report.question.equations import KEY
+from vecpoly.report.question.fields import FIELDS
 from vecpoly.report.question.frames import frames
 from vecpoly.report.titles import subject
 from vecpoly.report.values import rough, value
@@ -210,7 +210,7 @@ def test_the_frames_of_a_question_are_empty_but_for_what_is_given(name: str) -> 
     it = solved(name)
     for figure in frames(it.construction, it.problem)[0].figures:
         if figure.view is not View.MECHANISM:
-            inside = [m for m in figure.marks if m.key != KEY]  # but for the lines on which equations are written
+            inside = [m for m in figure.marks if m.key not in FIELDS]  # but for the lines to write on
             assert not [m for m in inside if isinstance(m, (Vector, Note, Cell, Outline))]
             assert all(getattr(m, "role", Role.DIRECTION) is Role.DIRECTION for m in inside)
 

@@ -37,6 +37,7 @@ from vecpoly.designs.straight_line import StraightLine
 from vecpoly.devices.cams.cam import Cam
 from vecpoly.devices.dynamics.flywheel import Flywheel
 from vecpoly.devices.dynamics.run_up import RunUp
+from vecpoly.devices.gears.generation import GearGeneration
 from vecpoly.drawing.scene import Rect
 from vecpoly.drawing.sheets.lettering import title_width
 from vecpoly.drawing.sheets.sheet import Hung, hung
@@ -52,7 +53,8 @@ from vecpoly.report.flow.furniture import COLUMN
 from vecpoly.report.flow.paging.tight import DEGREES
 from vecpoly.report.picture import to_scale
 from vecpoly.report.question.blanks import empty_table, working_room
-from vecpoly.report.question.equations import KEY, numbers
+from vecpoly.report.question.equations import numbers
+from vecpoly.report.question.fields import FIELDS, KEY
 from vecpoly.report.question.frames import MARGIN, frames
 from vecpoly.report.question.grid import shares
 from vecpoly.report.question.kinds import kind
@@ -108,12 +110,12 @@ def test_a_frame_shows_what_is_given_and_of_a_polygon_nothing_but_its_pole(name:
     problem = drawn(name).problem
     curves = isinstance(problem.subject, Flywheel | RunUp)
     for frame in blank_of(name)[0].figures:
-        inside = [mark for mark in frame.marks[4:] if mark.key != KEY]
+        inside = [mark for mark in frame.marks[4:] if mark.key not in FIELDS]
         assert not any("P_" in mark.label for mark in inside if isinstance(mark, Point))
         if frame.view is View.MECHANISM:
             lines = [mark for mark in inside if isinstance(mark, Segment)]
             circles = [mark for mark in inside if isinstance(mark, Arc)]
-            assert frame.name == "centre polygon" or all(is_base_circle(mark, frame, problem) for mark in circles)
+            assert frame.name == "centre polygon" or all(is_given(mark, frame, problem) for mark in circles)
             others = [mark for mark in inside if not isinstance(mark, Arc)]
             assert all(isinstance(mark, (Ground, FixedGuide, RackMark, Point, Segment, Note)) for mark in others)
             assert all(mark.role is Role.CENTRE for mark in lines)
@@ -127,11 +129,14 @@ def test_a_frame_shows_what_is_given_and_of_a_polygon_nothing_but_its_pole(name:
             assert len(inside) <= 1
 
 
-def is_base_circle(mark: Arc, frame: Figure, problem: Problem) -> bool:
-    """Whether it is the circle that is given of a cam, on a figure apart."""
-    cam = problem.subject
-    given_there = isinstance(cam, Cam) and cam.r0 is not None and bool(frame.name)
-    return given_there and abs(mark.radius * frame.scale.value - cam.r0.si) < 1e-9  # type: ignore[union-attr]
+def is_given(mark: Arc, frame: Figure, problem: Problem) -> bool:
+    """Whether it is the base circle that is given of a cam, on a figure apart, or the reference circle of a gear."""
+    match problem.subject:
+        case Cam(r0=r0) if r0 is not None and frame.name:
+            return abs(mark.radius * frame.scale.value - r0.si) < 1e-9
+        case GearGeneration(m=m, z=z):
+            return abs(mark.radius * frame.scale.value - m.si * z / 2) < 1e-9
+    return False
 
 
 @each(DRAWN)
@@ -202,7 +207,7 @@ def test_a_frame_tells_the_numbers_of_the_equations_that_are_drawn_in_it_and_not
         written = [mark.words.en for mark in frame.marks if isinstance(mark, Note) and mark.key == KEY]
         assert len(written) == bool(numbers(answer, frame))
         for words in written:
-            assert re.fullmatch(r"Equations? \(\d+\)([–, ]+\(\d+\))*", words)
+            assert re.fullmatch(r"Equations? \(\d+\)([–, ]+\(\d+\))*:", words)
             runs = [[int(n) for n in re.findall(r"\d+", run)] for run in words.split(", ")]
             told += [n for run in runs for n in range(run[0], run[-1] + 1)]
     assert sorted(told) == [n for n, _ in enumerate((s for s in answer.steps if s.equation is not None), 1)]
@@ -310,7 +315,7 @@ def test_who_writes_by_hand_has_rows_of_eight_millimetres(name: str) -> None:
 
 
 @each(IDS)
-def test_what_is_asked_has_its_rows_in_the_order_of_the_question(name: str) -> None:
+def test_what_is_asked_has_its_kinds_in_the_order_of_the_question(name: str) -> None:
     solution = drawn(name).solution
     keys = [key for _, some in in_order(solution) for key in some]
     assert sorted(keys) == sorted(solution.answers)
@@ -324,7 +329,7 @@ def test_what_is_asked_has_its_rows_in_the_order_of_the_question(name: str) -> N
 
 def test_a_moment_of_inertia_has_no_blank_for_its_direction() -> None:
     rows = {row[0]: row[1:] for row in empty_table(drawn("7-1").solution, "en").rows}
-    assert rows["$J_{e}$"][-1] == "—" and "—" not in rows["$M_{e}$"]
+    assert rows["$J_{e}$"][-1] == "—" and rows["$M_{e}$"][-1] == ""
 
 
 DESIGNS = Later(lambda: [name for name in IDS if isinstance(given(name).subject, Design)])

@@ -158,7 +158,7 @@ def test_a_question_does_not_give_away_that_there_is_no_solution(name: str) -> N
     asked = {solution.construction.readings[ask.rel.key].symbol for ask in problem.asks}
     rows = {row[0].split(",")[0].split("，")[0].strip("$") for row in empty_table(solution, "en").rows}
     assert asked <= {row.split("$")[-1] for row in rows}
-    assert question(solution, "en", Objects())["working"]
+    assert question(solution, solution.construction, "en", Objects())["working"]
 
 
 def test_data_of_which_nothing_meets_are_refused_with_the_range() -> None:

@@ -60,12 +60,14 @@ class Sketched:
     """A chain on paper (mm), and the numbers of its links as printed; ringed: whether compound hinges are marked.
 
     whole: the chain that was given, where this is what is left of it: each guide has the side that it has there.
+    gone: links that were taken off before: a place where one of them alone was pinned is a point of its link.
     """
 
     chain: Chained
     number: Callable[[str], str]
     ringed: bool = False
     whole: Chained | None = None
+    gone: frozenset[str] = frozenset()
 
     def drawn(self, links: tuple[str, ...], *, frame: bool) -> Iterator[Symbol]:
         """These links with their joints, and with the frame where they stand on it."""
@@ -133,8 +135,12 @@ class Sketched:
         if frame and FRAME in pair.links:
             ground = (Ground(at=pair.at, down=self.down(pair)),)
             yield Symbol.of(FIXED, ground if pair.hinged else profile(pair, FRAME))
-        dot = (Dot.MULTIPLE if self.ringed and len(pair.links) > 2 else Dot.JOINT) if pair.hinged else Dot.POINT
+        dot = (Dot.MULTIPLE if self.ringed and len(pair.links) > 2 else Dot.JOINT) if self._held(pair) else Dot.POINT
         yield Symbol.of(own, (Point(at=pair.at, label=subscripted(pair.letter), dot=dot),))
+
+    def _held(self, pair: Joined) -> bool:
+        """Whether a pin still joins links."""
+        return pair.hinged and len({*pair.links} - self.gone) > 1
 
     def _lettered(self, pair: Joined, frame: bool) -> complex:
         """Where a sliding pair has its letter: at the block; where that has a pin, at the free end of the guide as it
@@ -163,7 +169,7 @@ class Sketched:
     def _rigid(self, pair: Joined, links: tuple[str, ...], frame: bool) -> Iterator[Symbol]:
         """Where a link of these runs on past the pin; where its bars leave its block."""
         seen = [link for link in pair.links if link in links or (frame and link == FRAME)]
-        for link in (link for link in seen if link != FRAME and (pair.hinged or pair.slides)):
+        for link in (link for link in seen if link != FRAME and (self._held(pair) or pair.slides)):
             lines = tuple(lines_of(self._body(link)))
             if pair.hinged:
                 others = [other for other in seen if other != link]

@@ -17,6 +17,7 @@ HALF_BLOCK = 2.5  # mm from the middle of a block to its long side
 BUSH, PLAY = 8.0, 1.5  # mm: half of a fixed bush in which a rod runs, from the rod to it
 BESIDE = 0.3  # mm: nearer to a line a point stands on it
 RIM = 2.0  # mm of a block past the reaction of its guide
+STEEP = 0.26  # sine of the angle at which a rod leaves a block through its guide, and not beside it
 LONGEST = 20.0  # mm: farther out a reaction is not reached by its block
 ARM = 3.0  # mm: a point farther beside a slot is joined to it by an arm
 
@@ -137,7 +138,20 @@ def through(line: Way, pin: complex, half: float, own: Sequence[complex]) -> Ite
 
 
 def _other_side(posed: Posed, joint: Prismatic, middle: complex, along: complex) -> bool:
-    """Whether the sliding link lies to the right of the guide, where its hatching would be."""
+    """Whether the sliding link lies to the right of the guide, where its hatching would be, or a rod that is pinned to
+    the block leaves it there, and none to the left."""
     letters = [*posed.letters(joint.block), *(j.pin for j in posed.slides() if j.guide == joint.block)]
     spots = [posed.at[letter] for letter in letters if letter in posed.at]
-    return min(((along.conjugate() * (s - middle)).imag for s in spots), default=0.0) < -HALF_BLOCK
+    if min(((along.conjugate() * (s - middle)).imag for s in spots), default=0.0) < -HALF_BLOCK:
+        return True
+    leaning = [(along.conjugate() * way / abs(way)).imag for way in _rods(posed, joint, middle)]
+    return min(leaning, default=0.0) < -STEEP and max(leaning) <= STEEP
+
+
+def _rods(posed: Posed, joint: Prismatic, middle: complex) -> Iterator[complex]:
+    """The ways from a block along the links that are pinned to it."""
+    for letter in posed.letters(joint.block):
+        for link in posed.pinned(letter):
+            if link not in (FRAME, joint.block) and posed.is_located(link):
+                ways = (spot - middle for spot in posed.spots(link))
+                yield from (way for way in ways if abs(way) > HALF_SLOT)

@@ -11,7 +11,7 @@ from ..figures.hue import Hue as Hue  # an ink is a part of how a line looks
 from ..foundation.slotted import dataclass
 
 LINK, RESULT, GIVEN, THIN = 0.7, 0.5, 0.35, 0.25  # wide, two between, fine (GB/T 17450: 0.13 to 2 in steps of √2)
-HATCHING = 0.18  # close lines in light ink, which together look as dark as a fine one
+HATCHING = 0.18  # close lines in light ink, which together look as dark as a fine one; lines of help
 SYMBOL = 0.35  # outline of joints, grounds, guides
 JOINT_RADIUS, POLE_RADIUS, DOT_RADIUS, POINT_RADIUS = 1.25, 0.6, 0.55, 0.85  # the last on the line of a link
 MULTIPLE_RADIUS, INNER_RADIUS, MASS_RADIUS = 1.7, 0.8, 1.3  # both circles of a compound hinge; a centre of mass
@@ -70,8 +70,10 @@ def pen(role: Role, hue: Hue) -> Pen:
             return Pen(width=RESULT, hue=hue)
         case Role.GIVEN:
             return Pen(width=GIVEN, hue=hue)
-        case Role.DIRECTION | Role.CONSTRUCTION:
+        case Role.DIRECTION:
             return Pen(width=THIN, hue=Hue.GREY)
+        case Role.CONSTRUCTION:
+            return Pen(width=HATCHING, hue=Hue.GREY)
         case Role.PLACE:
             return Pen(width=HATCHING, hue=Hue.FAINT)
         case Role.CENTRE:

@@ -187,7 +187,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     if style == "question":
         blank, places = frames(solution.construction, solution.problem)
         made = hung(blank, places, of=solution.problem.paper.format, lang=lang, title=solution.problem.title)
-        return common | question(solution, lang, objects) | {"frames": _bound(made, blank, lang, objects)}
+        return common | question(solution, blank, lang, objects) | {"frames": _bound(made, blank, lang, objects)}
     return common | _solved(solution, lang, objects)
 
 

@@ -4,13 +4,14 @@ One and the same motion, or force, has one tone wherever it appears: in its equa
 on free bodies. v_CB, a^n_CB and a^t_CB are the motion of C about B; R_12 and R_21 are the force in one joint, with
 friction or without; W_1, W_1I and C_1 are what one mass of a rotor gives. What stands in one figure or in one equation
 has different tones: first one of as many as there are hues, then one of a second series with the same hues and another
-line; where these run out too, it has none.
+line; where these run out too, it has none. Of those that are free a quantity has one that no other of its kind has, as
+far as they go: two joints, or a joint and a load, are told apart also where no figure shows both.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import lru_cache
 from itertools import chain
 
@@ -27,6 +28,7 @@ _MOTION = pattern(r"\b[va][nktr]?_")
 _POINTS = pattern(r"([A-Z]'?\d*)([A-Z]'?\d*)")
 _JOINT = pattern(r"R[nt]?('*)_([A-Z]?\d)([A-Z]?\d)(?:(_r)|\b)")
 _MASS = pattern(r"[WC]_(\d+|b)(I*)")  # of a mass of a rotor: whole, its part in a plane, the couple that it makes
+_COUPLE = pattern(r"F_M(I?\d+)")  # a couple as a force on a lever
 _PRIME = "'"  # of the other sense of motion, in symbols; in keys it is _r
 _PART = pattern(r"([_,](0|[nt]))+$")
 
@@ -44,7 +46,7 @@ def whose(key: str) -> str:
         return f"mass {mass[1]}{mass[2] if mass[1] == 'b' else ''}"
     joint = _JOINT.match(bare)
     if joint is None:
-        return bare
+        return f"M_{couple[1]}" if (couple := _COUPLE.fullmatch(bare)) is not None else bare
     return f"joint{_PRIME if joint[4] else joint[1]} {'-'.join(sorted(joint.groups()[1:3]))}"
 
 
@@ -71,9 +73,28 @@ def tones(figures: Iterable[tuple[Mark, ...]], equations: Iterable[tuple[str, ..
     for one in dict.fromkeys(chain.from_iterable((*written, *drawn))):
         taken = {found[other] for other in beside[one] if other in found}
         if free := [tone for tone in range(1, MANY + 1) if tone not in taken]:
-            used = Counter(found.values())
-            found[one] = min(free, key=lambda tone: (tone > HUES, used[tone], tone))
+            alike, acting, used = (_used(found, one, test) for test in (_of_a_kind, _of_a_sort, _any))
+            found[one] = min(free, key=lambda tone: (tone > HUES, alike[tone], acting[tone], used[tone], tone))
     return FrozenMap(found)
+
+
+def _used(found: Mapping[str, int], one: str, test: Callable[[str, str], bool]) -> Counter[int]:
+    """How often each tone is taken by what is like this one."""
+    return Counter(tone for other, tone in found.items() if test(one, other))
+
+
+def _of_a_kind(one: str, other: str) -> bool:
+    """Both motions, both forces in joints, both loads."""
+    return one.partition(" ")[0] == other.partition(" ")[0] if " " in one else " " not in other
+
+
+def _of_a_sort(one: str, other: str) -> bool:
+    """Both motions, or both forces."""
+    return one.startswith("motion ") == other.startswith("motion ")
+
+
+def _any(_: str, __: str) -> bool:
+    return True
 
 
 def _vectors(marks: tuple[Mark, ...]) -> Iterator[str]:

@@ -33,7 +33,7 @@ from ..symbols.shapes import arc, circle
 from .knot import Knot
 from .knots import APART
 
-ROOM = 2  # letters beside a ring
+ROOM = 3  # letters beside a ring
 REACH = 2.0  # mm from the ring within which the letter at the end of a direction line stands on it
 SYMBOL = 6.0  # mm that the symbol of a pivot or a block stands out from its place
 
@@ -81,15 +81,13 @@ def unlettered(mark: Mark, knot: Knot) -> Mark:
 
 def spoken(figure: Figure, knot: Knot) -> tuple[Point, ...]:
     """The letters of a knot that stay on the figure itself, so that it can be read without the detail: those of joints
-    and of the pole; where there is none, that of the first point that is no foot of a normal component. So many alone
-    as find room."""
+    and of the pole first, then those of other points, of feet of normal components last. So many places alone as find
+    room."""
     inside = [
         m for m in figure.marks if isinstance(m, Point) and m.label and m.dot is not Dot.NONE and knot.holds(m.at)
     ]
-    chief = [one for one in inside if one.dot in (Dot.JOINT, Dot.POLE)]
-    chief = chief or [one for one in inside if not one.label.startswith("n")][:1] or inside[:1]
     places: list[complex] = []
-    for one in chief:
+    for one in sorted(inside, key=lambda one: (one.dot not in (Dot.JOINT, Dot.POLE), one.label.startswith("n"))):
         if all(abs(one.at - at) > APART for at in places):
             places.append(one.at)
     return tuple(one for one in inside if any(abs(one.at - at) <= APART for at in places[:ROOM]))

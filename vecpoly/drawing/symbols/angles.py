@@ -14,7 +14,8 @@ from .shapes import NEAR
 SQUARE = 2.5  # mm: side of a right-angle square
 Arc = AngleMark | TurnArrow
 HEAD, PART = 2.4, 0.36  # mm: arrowheads of an arc; but no longer than this part of it
-BENT = 4  # straight pieces of a side of such a head
+STEEPEST = 0.32  # rad: of an arc that its head takes
+BROAD = 3.2  # times as long as half as wide is such a head
 NARROW, TAIL, INNER_HEAD = 4.0, 4.6, 2.0  # mm: a shorter arc is pointed at from outside, with tails and heads so long
 
 
@@ -24,12 +25,12 @@ def sweep_of(arc: Arc) -> float:
 
 
 def curved_head(centre: complex, radius: float, end: float, turn: float, length: float) -> tuple[complex, ...]:
-    """An arrowhead at the end of an arc, its tip first, bent as the arc is (turn: +1 counter-clockwise): a straight one
-    would lean to one side of it."""
-    back, half = turn * min(1.0, length / radius), length / 6
-    shares = [n / BENT for n in range(1, BENT + 1)]
-    outer, inner = ([centre + cmath.rect(radius + side * half * s, end - back * s) for s in shares] for side in (1, -1))
-    return (centre + cmath.rect(radius, end), *outer, *reversed(inner))
+    """An arrowhead at the end of an arc, its tip first (turn: +1 counter-clockwise): a straight one, as on a vector,
+    which lies on the chord of its part of the arc, and short beside the radius, so that it leans to no side of it."""
+    tip = centre + cmath.rect(radius, end)
+    foot = centre + cmath.rect(radius, end - turn * min(STEEPEST, length / radius))
+    side = 1j * (tip - foot) / BROAD
+    return (tip, foot + side, foot - side)
 
 
 def draw_turn(mark: TurnArrow, hue: Hue) -> tuple[Item, ...]:
@@ -37,7 +38,7 @@ def draw_turn(mark: TurnArrow, hue: Hue) -> tuple[Item, ...]:
     if mark.radius < NEAR:
         return ()
     turn = 1.0 if mark.ccw else -1.0
-    length = shapes.head_length(mark.radius * TURN)
+    length = min(shapes.head_length(mark.radius * TURN), STEEPEST * mark.radius)
     bow = shapes.arc(mark.at, mark.radius, mark.start, turn * (TURN - 0.6 * length / mark.radius))
     tip = curved_head(mark.at, mark.radius, mark.start + turn * TURN, turn, length)
     return (Stroke(points=bow, width=SYMBOL, hue=hue, step=mark.step), Fill(points=tip, hue=hue, step=mark.step))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from ...board.construction import View
-from ...board.paper.marks import Block, Dot, FrictionCircle, Ground, Mark, Point, Role, Segment, Vector
+from ...board.paper.marks import Block, Disc, Dot, FrictionCircle, Ground, Mark, Point, Role, Segment, Vector
 from ...board.paper.walls import holds, leaves
 from ...words import Lang
 from ..hues import Tones
@@ -22,13 +22,14 @@ RING = "detail"  # whose the ring about a detail is: it shows a place, and has n
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Surroundings:
     """What a symbol must know of its figure:
-    the view, the blocks, the tips of its vectors, its friction circles, the language, by which tones vectors are told
-    apart."""
+    the view, the blocks, the tips of its vectors, its friction circles and discs, the language, by which tones vectors
+    are told apart."""
 
     view: View
     blocks: tuple[Block, ...] = ()
     tips: tuple[complex, ...] = ()
     circles: tuple[FrictionCircle, ...] = ()
+    discs: tuple[Disc, ...] = ()
     lang: Lang = "zh"
     tones: Tones = None
     spots: frozenset[complex] = frozenset()  # where points and pivots stand
@@ -43,6 +44,7 @@ class Surroundings:
             lang=lang,
             tones=tones,
             circles=tuple(m for m in marks if isinstance(m, FrictionCircle)),
+            discs=tuple(m for m in marks if isinstance(m, Disc)),
             links=() if view.images else tuple(outlines(marks)),
             tips=tuple(m.b for m in marks if isinstance(m, Vector) and abs(m.b - m.a) > 0.5),
             spots=frozenset(

@@ -104,7 +104,7 @@ def _solid(mark: Solid, around: Surroundings) -> tuple[Item, ...]:
         case FrictionCircle():
             return solids.friction_circle(mark)
         case Disc():
-            return solids.disc(mark)
+            return solids.disc(mark, around.discs)
         case Outline():
             return solids.outline(mark)
         case Hatched():

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Sequence
 
 import numpy as np
 import shapely
@@ -19,6 +20,7 @@ from .shapes import circle, rectangle
 FRICTION = 0.25  # line of a friction circle
 PITCH, SLOPE = 2.2, cmath.exp(1j * math.pi / 4)  # hatching of fixed bodies
 CELL_MARGIN = 1.2  # box to its words
+TOUCH = 0.3  # mm: outlines that come so near touch
 
 
 def friction_circle(mark: FrictionCircle) -> tuple[Item, ...]:
@@ -37,9 +39,18 @@ def friction_circle(mark: FrictionCircle) -> tuple[Item, ...]:
     )
 
 
-def disc(mark: Disc) -> tuple[Item, ...]:
-    """A round body seen from the side, under the lines that are drawn on it."""
-    return body(circle(mark.centre, mark.radius), mark.step) if mark.radius > 0 else ()
+def disc(mark: Disc, others: Sequence[Disc]) -> tuple[Item, ...]:
+    """A round body seen from the side, under the lines that are drawn on it; only its outline where it crosses another:
+    which of them lies in front is not known."""
+    drawn = body(circle(mark.centre, mark.radius), mark.step) if mark.radius > 0 else ()
+    crossed = any(_cross(mark, other) for other in others)
+    return tuple(item for item in drawn if isinstance(item, Stroke)) if crossed else drawn
+
+
+def _cross(one: Disc, other: Disc) -> bool:
+    """Whether their outlines cross, and do not only touch."""
+    away = abs(one.centre - other.centre)
+    return abs(one.radius - other.radius) + TOUCH < away < one.radius + other.radius - TOUCH
 
 
 def outline(mark: Outline) -> tuple[Item, ...]:

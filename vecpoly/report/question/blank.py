@@ -22,6 +22,7 @@ from .known import NEAR, begins_at, begun
 from .through import EDGE, Box, centred, crossed, reach, through
 
 PAST, _PARTS = 2.0, 360  # mm between a circle and the frame; parts of a circle that is cut off there
+_WHITE = 4.0  # mm between a polygon and its frame
 _PLACES = (1 / 2, 1 / 3, 2 / 3, 1 / 4, 3 / 4, 1 / 5, 4 / 5, 1 / 8, 7 / 8)  # of a frame, for a pole; the first that does
 _FLOORS = (0.0, 1 / 4, 1 / 2, 3 / 4)  # likewise for the axis of a diagram
 _HATCHED = 16.0  # mm of a guide
@@ -39,7 +40,8 @@ def framed(figure: Figure, size: tuple[float, float], known: Sequence[Mark]) -> 
         box = _about(figure, size)
         if not to_scale(figure):
             return box, begun(figure)
-        return box, tuple(_given(figure, known, box)) or tuple(centred(figure, box))
+        fixed = any(isinstance(mark, (Ground, FixedGuide)) for mark in known)
+        return box, (*(() if fixed else centred(figure, box)), *_given(figure, known, box))
     if figure.view is END_VIEW:
         return _about(figure, size), begun(figure)
     if (axes := _axes(figure)) is not None:
@@ -50,8 +52,18 @@ def framed(figure: Figure, size: tuple[float, float], known: Sequence[Mark]) -> 
     start = begins_at(figure)
     if start is None:
         return _about(figure, size), ()
+    if start.dot is Dot.POLE and figure.view is not HODOGRAPH:
+        return _in_the_middle(figure, start, size)
     box = _round(figure, start.at, size)
     return box, (start, *(crossed(start.at, box) if figure.view is HODOGRAPH else ()))
+
+
+def _in_the_middle(figure: Figure, pole: Point, size: tuple[float, float]) -> tuple[Box, tuple[Mark, ...]]:
+    """The frame with the pole in its middle, which tells nothing of a polygon; without it where it would not fit."""
+    low, high = bounds(figure.marks)
+    box = pole.at - complex(*size) / 2, pole.at + complex(*size) / 2
+    inside = min(low.real - box[0].real, low.imag - box[0].imag, box[1].real - high.real, box[1].imag - high.imag)
+    return (box, (pole,)) if inside >= _WHITE else (_about(figure, size), ())
 
 
 def _about(figure: Figure, size: tuple[float, float]) -> Box:
@@ -62,7 +74,7 @@ def _about(figure: Figure, size: tuple[float, float]) -> Box:
 
 
 def _round(figure: Figure, pole: complex, size: tuple[float, float]) -> Box:
-    """The frame in which the pole has a round place, in the middle if the figure allows: it tells nothing of it."""
+    """The frame in which a first point has a round place, in the middle if the figure allows."""
     low, high = bounds(figure.marks)
     middle = _about(figure, size)[0]
     x = _share(pole.real - low.real, high.real - pole.real, size[0], _PLACES)
@@ -75,8 +87,8 @@ def _round(figure: Figure, pole: complex, size: tuple[float, float]) -> Box:
 
 def _share(before: float, behind: float, room: float, of: Sequence[float]) -> float | None:
     """The first of these shares of the room that leaves enough before a place, and behind it."""
-    needed = before + 4.0 if before > NEAR else 0.0
-    return next((one for one in of if one * room >= needed and (1 - one) * room >= behind + 4.0), None)
+    needed = before + _WHITE if before > NEAR else 0.0
+    return next((one for one in of if one * room >= needed and (1 - one) * room >= behind + _WHITE), None)
 
 
 def _given(figure: Figure, known: Sequence[Mark], box: Box) -> Iterator[Mark]:
@@ -88,7 +100,7 @@ def _given(figure: Figure, known: Sequence[Mark], box: Box) -> Iterator[Mark]:
             yield mark
     for mark in known:
         if isinstance(mark, FixedGuide) and mark.about is not None:
-            yield from _guide(mark, mark.about, box)
+            yield from _guide(mark, mark.about, box, pivots)
         elif isinstance(mark, Arc):
             yield from _inside(mark, box)
         else:
@@ -109,15 +121,17 @@ def _inside(circle: Arc, box: Box) -> Iterator[Arc]:
         yield replace(circle, start=2 * pi * start / _PARTS, sweep=2 * pi * (length - 1) / _PARTS)
 
 
-def _guide(guide: FixedGuide, about: complex, box: Box) -> Iterator[Mark]:
-    """The line on which the block's pin moves, from edge to edge, hatched at both ends."""
+def _guide(guide: FixedGuide, about: complex, box: Box, pivots: Sequence[complex]) -> Iterator[Mark]:
+    """The line on which the block's pin moves, from edge to edge, hatched at both ends, at one where a pivot is in the
+    way of the other."""
     way = (guide.b - guide.a) / abs(guide.b - guide.a)
     back, on = reach(about, -way, box), reach(about, way, box)
     yield through(about, way, box)
     shift = ((guide.a - about) / way).imag * 1j * way
     start, end = about - back * way + shift, about + on * way + shift
     yield FixedGuide(a=end - _HATCHED * way, b=end, step=1)
-    if back + on > 3 * _HATCHED:
+    crowded = any(abs(pivot - start - _HATCHED * way / 2) < 1.5 * _HATCHED for pivot in pivots)
+    if back + on > 3 * _HATCHED and not crowded:
         yield FixedGuide(a=start, b=start + _HATCHED * way, step=1)
     yield Note(at=about + (on - _HATCHED / 2) * way, words=_GUIDE, step=1)
 

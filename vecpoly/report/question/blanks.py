@@ -12,27 +12,18 @@ from ...errors import UnknownNameError
 from ...names import Kind, Named, Rel, parse_rel
 from ...solution import YES_NO, Answer, Solution
 from ...typeset.box import MM
-from ...typeset.words import layout_words
 from ...words import Lang, Words
 from ..answers.order import solution_of
 from ..flow.furniture import COLUMN
-from ..flow.style import CELL
-from ..flow.table import PAD
 from ..statement.asked import in_order
 from ..statement.meant import meant_by
 from ..values import called
+from .columns import HEADS, NONE, WITH_UNIT, Cells, headed, in_columns
+from .found import as_found
 from .ruled import RuledTable
 
-_HEAD = {
-    "zh": ("量", "图上长度 /mm", "数值与单位", "方向（转向）"),
-    "en": ("Quantity", "Length on paper /mm", "Value with unit", "Direction, sense"),
-}
 _YES_OR_NO = Words("（是/否）", " (yes or no)")
-_BARE = Words("数值", "Value")  # where nothing asked has a unit
-_WIDTHS = (38.0, 36.0, 54.0, 42.0)
-_NARROW, _BROAD = 30.0, 85.0  # mm for names: so much for short ones, no more for long ones
 _SOLVED, _ROOM = Words("解 {}", "Solution {}"), 4  # columns for the solutions of a synthesis, not as many as there are
-NONE = "—"
 LINE, LISTED = 6, 4  # mm of squares for a line that is worked out, for an equation or a list
 _PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　　　　　) mm")
 _OTHERS = Words("其他", "Others")
@@ -40,35 +31,18 @@ _ON_THE_WAY, _ASKED = Words("中间量", "Intermediate results"), Words("所求�
 
 
 def empty_table(solution: Solution, lang: Lang) -> RuledTable:
-    """What is asked, in the order in which it is asked, with room for what is read, what it comes to, and where it
-    points; what has to be known on the way comes before."""
-    asked = list(solution.answers.values())
+    """What is asked, by kinds as it is asked and each kind in the order in which it is found, with room for what is
+    read, what it comes to, and where it points; what has to be known on the way comes before."""
     if all_sought(solution):
         return _solutions(solution, lang)
-    read, points = (any(map(test, asked)) for test in (_measured, _points))
-    read = read or any(map(_is_length, _valueless(solution)))
-    kept = [i for i, shown in enumerate((True, read, True, points)) if shown]
-    rows = [[cells[i] for i in kept] for cells in _in_order([*_between(solution, lang)], solution, lang)]
-    heads = [_HEAD[lang][i] for i in kept]
-    if not any(one.reading.unit not in ("", YES_NO) for one in asked) and not _valueless(solution):
-        heads = [_BARE.of(lang) if head == _HEAD[lang][2] else head for head in heads]
-    return RuledTable(heads, rows, _widths(rows, kept), "lccc"[: len(kept)], lang=lang)
+    return in_columns(list(_in_order([*_between(solution, lang)], solution, lang)), lang)
 
 
-def _widths(rows: Sequence[Sequence[str]], kept: Sequence[int]) -> list[float]:
-    """Names have the room they need, up to half of the page; the other columns share the rest."""
-    named = max(layout_words(row[0], CELL.em).width for row in rows) + 2 * PAD + 1.0
-    others = [_WIDTHS[i] for i in kept[1:]]
-    first = min(max(named, _NARROW), _BROAD, max(COLUMN / MM - sum(others), _WIDTHS[0]))
-    share = (COLUMN / MM - first) / sum(others)
-    return [first, *(one * share for one in others)]
-
-
-def _in_order(first: list[tuple[str, ...]], solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:
+def _in_order(first: list[Cells], solution: Solution, lang: Lang) -> Iterator[Cells]:
     """What has to be known on the way comes before what is asked."""
     yield from first
     if first and len(in_order(solution)) == 1:
-        yield _headed(_ASKED.of(lang))
+        yield headed(_ASKED.of(lang))
     yield from _sought(solution, lang)
 
 
@@ -82,12 +56,12 @@ def all_sought(solution: Solution) -> bool:
 
 def _solutions(solution: Solution, lang: Lang) -> RuledTable:
     """A column a solution; of each quantity what is read, and what it comes to."""
-    heads = [_HEAD[lang][0], *(_SOLVED.of(lang).format(n) for n in range(1, _ROOM + 1))]
+    heads = [HEADS[0].of(lang), *(_SOLVED.of(lang).format(n) for n in range(1, _ROOM + 1))]
     comma, sought = Words("，", ", ").of(lang), [(one.reading, _measured(one)) for one in solution.answers.values()]
     told = [
         f"{called(one.symbol, one.key, lang)}{comma}{head if lang == 'zh' else head.lower()}"
         for one, read in [*sought, *((one, _is_length(one)) for one in _valueless(solution))]
-        for head, has in zip(_HEAD[lang][1:3], (read, True), strict=True)
+        for head, has in zip((HEADS[1].of(lang), WITH_UNIT.of(lang)), (read, True), strict=True)
         if has
     ]
     first = 52.0
@@ -96,39 +70,36 @@ def _solutions(solution: Solution, lang: Lang) -> RuledTable:
     return RuledTable(heads, rows, widths, "l" + "c" * _ROOM, lang=lang)
 
 
-def _sought(solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:
+def _sought(solution: Solution, lang: Lang) -> Iterator[Cells]:
     """A row for each quantity, under the name of its kind where there are several kinds of them."""
     groups = in_order(solution)
     for group, keys in groups:
         if len(groups) > 1:
-            yield _headed(group.called(len(keys), lang) if group is not None else _OTHERS.of(lang))
-        yield from _by_solution(keys, solution, lang)
+            yield headed(group.called(len(keys), lang) if group is not None else _OTHERS.of(lang))
+        yield from _by_solution(as_found(keys, solution), solution, lang)
 
 
-def _by_solution(keys: Sequence[str], solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:
+def _by_solution(keys: Sequence[str], solution: Solution, lang: Lang) -> Iterator[Cells]:
     """Their rows; those of each of several solutions under its number, which stands in their subscripts."""
     numbers = {key: solution_of(solution.answers[key]) if key in solution.answers else 0 for key in keys}
     before = 0
     for key in sorted(keys, key=numbers.__getitem__):
         one, number = solution.answers.get(key), numbers[key]
         if number != before and len({*numbers.values()} - {0}) > 1:
-            yield _headed(_SOLVED.of(lang).format(number))
+            yield headed(_SOLVED.of(lang).format(number))
         before = number
         yield _none(solution.construction.readings[key], lang) if one is None else _row(one, solution, lang)
 
 
-def _headed(name: str) -> tuple[str, ...]:
-    return f"**{name[:1].upper()}{name[1:]}**", "", "", ""
-
-
-def _row(one: Answer, solution: Solution, lang: Lang) -> tuple[str, ...]:
+def _row(one: Answer, solution: Solution, lang: Lang) -> Cells:
     """Dashes for what it has not: a scalar points nowhere, what is computed is not read."""
     symbol, key = one.reading.symbol, one.reading.key
     meant = meant_by(solution.problem.subject, key, f"${symbol}$") if one.reading.unit != YES_NO else None
     name = called(symbol, key, lang) if meant is None else meant.of(lang)
     name += _YES_OR_NO.of(lang) * (one.reading.unit == YES_NO)
     paper, way = ("" if has(one) else NONE for has in (_measured, _points))
-    return name, paper, _PLACE.of(lang) if one.is_place else "", way
+    unit = NONE if one.is_place or one.reading.unit in ("", YES_NO) else ""
+    return name, paper, _PLACE.of(lang) if one.is_place else "", unit, way
 
 
 def _valueless(solution: Solution) -> list[Reading]:
@@ -140,18 +111,24 @@ def _is_length(one: Reading) -> bool:
     return one.unit == "mm"
 
 
-def _none(one: Reading, lang: Lang) -> tuple[str, ...]:
-    return called(one.symbol, one.key, lang), "" if _is_length(one) else NONE, "", NONE
+def _none(one: Reading, lang: Lang) -> Cells:
+    return called(one.symbol, one.key, lang), "" if _is_length(one) else NONE, "", "" if one.unit else NONE, NONE
 
 
-def _between(solution: Solution, lang: Lang) -> Iterator[tuple[str, ...]]:
-    """A row for each velocity and acceleration that is computed and not asked, under a heading."""
+def _between(solution: Solution, lang: Lang) -> Iterator[Cells]:
+    """A row for each velocity and acceleration that is computed and not asked, under a heading: those of points, which
+    are laid off, then those of links."""
     keys = (act.key for act in solution.construction.acts if isinstance(act, Compute))
     found = [rel for key in dict.fromkeys(keys) if key not in solution.answers and (rel := _motion(key)) is not None]
     if found:
-        yield _headed(_ON_THE_WAY.of(lang))
-    for rel in found:
-        yield (f"${rel.symbol}$", NONE, "", NONE if rel.is_vector else "")
+        yield headed(_ON_THE_WAY.of(lang))
+    for rel in sorted(found, key=_by_kind):
+        yield (f"${rel.symbol}$", "" if rel.is_vector else NONE, "", "", "")
+
+
+def _by_kind(rel: Rel) -> tuple[int, str]:
+    """Velocities and accelerations as they are found, ω of the links by their numbers, then α."""
+    return (0, "") if rel.is_vector else (1 + (rel.kind is Kind.ALPHA), rel.key)
 
 
 def _motion(key: str) -> Rel | None:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
-from ...board.construction import Figure
+from ...board.construction import Construction, Figure
 from ...board.paper.marks import Dot, Point
 from ...devices.structure import Structure
 from ...figures import View
@@ -15,9 +16,12 @@ from ..flow.base import Block
 from ..flow.blocks import Heading
 from ..flow.para import Para
 from ..flow.style import NOTE
-from .blanks import NONE, empty_table, working_room
+from .blanks import empty_table, working_room
+from .columns import NONE
 from .equation_rows import equation_rows
-from .known import begins_at, stands
+from .fields import FIELDS
+from .frames import BORDER
+from .known import begins_at
 from .working import working
 
 WORKING = Words("计算过程", "Working")
@@ -27,17 +31,27 @@ _DASHES = Words("“—”处不填。", "— : not to be filled in.")
 
 def _starts(figure: Figure) -> bool:
     """Whether a force polygon, or a link that is set free, has its first point in its frame."""
-    return figure.view in (View.FORCE, View.BODY) and begins_at(figure) is not None
+    return figure.view in (View.FORCE, View.BODY) and any(isinstance(mark, Point) for mark in figure.marks)
 
 
-def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
+def _free(figures: Sequence[Figure], blank: Sequence[Figure]) -> bool:
+    """Whether a polygon that begins at a pole has none in its frame."""
+    begun = {(one.view, one.name) for one in figures if (at := begins_at(one)) is not None and at.dot is Dot.POLE}
+    return not begun <= {(one.view, one.name) for one in blank if _has_pole(one)}
+
+
+def _has_pole(figure: Figure) -> bool:
+    return any(isinstance(mark, Point) and mark.dot is Dot.POLE for mark in figure.marks)
+
+
+def question(solution: Solution, sheets: Construction, lang: Lang, objects: Objects) -> dict[str, Any]:
     """Names of the rows for vector equations, and of the squares with the table of results at their foot; whether a
-    polygon is drawn from a pole, or from a point that is printed, whether a diagram has axes, and whether anything that
-    is given stands in a frame.
+    polygon is drawn from a pole that is printed in its frame (sheets), from a point that is printed, or from one to be
+    chosen; whether a diagram has axes, and whether anything that is given stands in a frame.
 
     Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
     """
-    figures = solution.construction.figures
+    figures, blank = solution.construction.figures, sheets.figures
     title = _READ if all(one.reading.mm is not None for one in solution.answers.values()) else _FOUND
     table = empty_table(solution, lang)
     foot: list[Block] = [Heading(title.of(lang), 3, lang), table]
@@ -47,8 +61,9 @@ def question(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]
     return ({"given": ""} if shown else {}) | {
         "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],
         "working": [objects.add("work", one) for one in working(WORKING.of(lang), working_room(solution), foot, lang)],
-        "poles": any(isinstance(mark, Point) and mark.dot is Dot.POLE for figure in figures for mark in figure.marks),
+        "poles": any(map(_has_pole, blank)),
+        "unplaced": _free(figures, blank),
         "axes": any(figure.view.across is not None for figure in figures),
-        "starts": any(map(_starts, figures)),
-        "placed": any(stands(solution.construction, one, solution.problem) or _starts(one) for one in figures),
+        "starts": any(map(_starts, blank)),
+        "placed": any(mark.key not in FIELDS for figure in blank for mark in figure.marks[BORDER:]),
     }

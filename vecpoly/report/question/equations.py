@@ -1,5 +1,4 @@
-"""The line at the head of a frame that tells by their numbers which vector equations are drawn in it, and nothing
-else."""
+"""Which vector equations are drawn in a figure, by their numbers, and what they are called."""
 
 from __future__ import annotations
 
@@ -7,12 +6,9 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from ...board.construction import Construction, Figure
-from ...board.paper.marks import Mark, Note
 from ...board.place import Pane, Place
 from ...words import Words
 
-KEY = "equation"  # of that line
-_HEAD, _EDGE = 7.0, 4.0  # mm: its height; from the frame to its words
 _NAMES = {
     "velocity": Words("速度方程", "Velocity equation"),
     "acceleration": Words("加速度方程", "Acceleration equation"),
@@ -38,21 +34,7 @@ def named(place: Place | None) -> Words:
     return _ANY if view is None else _NAMES.get(view.name, _ANY)
 
 
-def band(equations: Sequence[int]) -> float:
-    """How high the line of words over a drawing is (mm)."""
-    return _HEAD if equations else 0.0
-
-
-def head(equations: Sequence[int], corner: complex) -> Iterator[Mark]:
-    """Which equations are drawn in a frame, under its upper left corner."""
-    if not equations:
-        return
-    runs = ["–".join(f"({n})" for n in dict.fromkeys((run[0], run[-1]))) for run in _runs(equations)]
-    words = Words(f"按方程 {'、'.join(runs)} 作图", f"Equation{'s' * (len(equations) > 1)} {', '.join(runs)}")
-    yield Note(at=corner + _EDGE - 1j * _HEAD / 2, words=words, side=1 + 0j, step=1, key=KEY)
-
-
-def _runs(numbers: Sequence[int]) -> Iterator[list[int]]:
+def runs(numbers: Sequence[int]) -> Iterator[list[int]]:
     """Numbers that follow one another, together."""
     for _, run in groupby(enumerate(numbers), key=lambda pair: pair[1] - pair[0]):
         yield [number for _, number in run]

@@ -6,27 +6,29 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ...board.construction import Construction, Figure, View
-from ...board.paper.extent import extent
+from ...board.paper.extent import bounds, extent
 from ...board.paper.marks import Mark, Role, Segment
 from ...drawing.order import begun_in, reading_order
 from ...drawing.sheets.lettering import title_width
 from ...drawing.sheets.sheet import Hung
 from ...drawing.sheets.titleblock import TO_BE_DRAWN
-from ...foundation.stock import Format
+from ...foundation.stock import Format, Paper
 from ...problem.problem import Problem
 from ..picture import to_scale
 from .blank import framed
-from .equations import band, head, numbers
+from .fields import Fields, fields, written
 from .grid import Grid, Need, Size, grid, tightness
-from .known import stands
+from .known import begins_at, stands
 
 MARGIN = 8.0  # mm that stay free between a figure and its frame
+BORDER = 4  # marks that are the frame itself
+NEXT = 4.0  # mm that stay free between a figure and a line to write on
 MOST = 6  # frames on a sheet
 
 
 def frames(construction: Construction, problem: Problem) -> tuple[Construction, tuple[Hung, ...]]:
     """The blank sheets: for each figure a frame with what is given in it (fixed pivots, guides, racks), its pole or
-    its axes, the numbers of its vector equations, and its place.
+    its axes, lines for its vector equations and for what is read, and its place.
 
     Frames are of a few fixed sizes and together fill the sheet: a large drawing has a large frame, but neither the
     proportions of a polygon nor where it lies can be told from it.
@@ -34,9 +36,7 @@ def frames(construction: Construction, problem: Problem) -> tuple[Construction, 
     on = problem.paper
     figures = construction.figures
     asked = as_solved(reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY]))
-    told = [numbers(construction, figure) for figure in asked]
-    needs = [_needed(figure, band(some)) for figure, some in zip(asked, told, strict=True)]
-    found = min((_laid(needs, way, on.format) for way in on.ways), key=tightness)
+    told, found = _with_fields(asked, [fields(construction, figure) for figure in asked], on)
     sizes = [size for sheet in found for size in sheet.sizes]
     drawn = tuple(
         _frame(figure, size, stands(construction, figure, problem), some)
@@ -55,6 +55,34 @@ def as_solved(figures: Sequence[Figure]) -> list[Figure]:
     return sorted(figures, key=lambda figure: together if figure in free else begun_in(figure))
 
 
+def _with_fields(asked: Sequence[Figure], told: Sequence[Fields], on: Paper) -> tuple[Sequence[Fields], Sequence[Grid]]:
+    """The sheets with lines for equations; where they need no sheet more with several of these, with long ones, and
+    with lines for readings."""
+    broad, less = [some._replace(broad=True) for some in told], [some._replace(read=False) for some in told]
+    trials = (broad, told, less, [some._replace(most=1) for some in less])
+    made = [(some, _with_poles([*zip(asked, some, strict=True)], on)) for some in trials]
+    return min(made, key=lambda one: len(one[1]))
+
+
+def _with_poles(asked: Sequence[tuple[Figure, Fields]], on: Paper) -> list[Grid]:
+    """The sheets for these figures, with as many poles in the middle of their frames as need no sheet more."""
+    needs = [_needed(*one, even=False) for one in asked]
+    best = _found(needs, on)
+    for n, one in enumerate(asked):
+        tried = [*needs[:n], _needed(*one, even=True), *needs[n + 1 :]]
+        if tried == needs:
+            continue
+        found = _found(tried, on)
+        if len(found) <= len(best) and all(sheet.ease >= 1.0 for sheet in found):
+            needs, best = tried, found
+    return best
+
+
+def _found(needs: Sequence[Need], on: Paper) -> list[Grid]:
+    """The sheets on which these frames are best, whichever way they lie."""
+    return min((_laid(needs, way, on.format) for way in on.ways), key=tightness)
+
+
 def _laid(needs: Sequence[Need], landscape: bool, of: Format) -> list[Grid]:
     """The fewest sheets that lie this way, in order, with the most ease among these."""
     best: list[list[Grid]] = [[]]
@@ -68,17 +96,23 @@ def _laid(needs: Sequence[Need], landscape: bool, of: Format) -> list[Grid]:
     return best[-1]
 
 
-def _needed(figure: Figure, told: float) -> Need:
-    """The room of a figure with the white that it should have round it, words over it and its title below it."""
+def _needed(figure: Figure, told: Fields, *, even: bool) -> Need:
+    """The room of a figure with the white that it should have round it, what is written over and under it and its title
+    below it; even: with as much on either side of the pole."""
     wide, high = extent(figure.marks)
-    return Need(max(wide + 2 * MARGIN, title_width(figure)), high + 2 * MARGIN + told, figure.view.across is not None)
+    pole = begins_at(figure) if even else None
+    if pole is not None:
+        low, upper = bounds(figure.marks)
+        wide = max(wide, 2 * max(upper.real - pole.at.real, pole.at.real - low.real) - MARGIN)
+        high = max(high, 2 * max(upper.imag - pole.at.imag, pole.at.imag - low.imag) - MARGIN)
+    high += sum(field + NEXT if field else MARGIN for field in (told.above, told.below))
+    return Need(max(wide + 2 * MARGIN, title_width(figure), told.wide), high, figure.view.across is not None)
 
 
-def _frame(figure: Figure, size: Size, known: Sequence[Mark], equations: Sequence[int]) -> Figure:
+def _frame(figure: Figure, size: Size, known: Sequence[Mark], told: Fields) -> Figure:
     """The figure as a blank frame of this size."""
-    lined = band(equations)
-    (low, high), shown = framed(figure, (size[0], size[1] - lined), known)
-    high += 1j * lined
+    (low, high), shown = framed(figure, (size[0], size[1] - told.above - told.below), known)
+    low, high = low - 1j * told.below, high + 1j * told.above
     box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
-    return replace(figure, marks=border + shown + tuple(head(equations, box[3])))
+    return replace(figure, marks=border + shown + tuple(written(told, low, high)))

@@ -8,18 +8,21 @@ from math import pi
 
 from ...board.acts import Act, Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn
 from ...board.construction import Construction, Figure
-from ...board.paper.marks import Arc, Curve, Dot, FixedGuide, Ground, Mark, Point, Role, Segment, Vector
+from ...board.paper.marks import Arc, Curve, Dot, FixedGuide, Ground, Mark, Note, Point, Role, Segment, Vector
 from ...designs.base import Design
 from ...devices.cams.cam import Cam
 from ...devices.dynamics.flywheel import Flywheel
 from ...devices.dynamics.run_up import RunUp
+from ...devices.gears.generation import GearGeneration as Generation
 from ...figures import View
 from ...figures.characteristic import CHARACTERISTIC
 from ...figures.torque import TORQUE
 from ...problem.problem import Problem
+from ...words import Words
 
 _FOUND = (Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn)
 _HELP = (Role.CONSTRUCTION, Role.DIRECTION)
+_DATUM = Words("齿条中线", "datum line of the rack")
 NEAR = 1e-6  # mm
 HALF_BLOCK = 6.0  # mm: more than a guide lies beside the line of its block
 DIGITS = "0123456789°"  # with which the numbers along an axis end
@@ -57,6 +60,8 @@ def stands(construction: Construction, figure: Figure, problem: Problem) -> tupl
         return _curve(figure)
     if isinstance(problem.subject, Cam) and figure.name and figure.view is View.MECHANISM:
         return _cam(problem.subject, figure)
+    if isinstance(problem.subject, Generation) and figure.view is View.MECHANISM:
+        return _blank(problem.subject, figure)
     found = tuple(mark for mark in figure.marks if isinstance(mark, (Ground, FixedGuide)))
     if not isinstance(problem.subject, Design):
         return found
@@ -104,6 +109,16 @@ def _cam(cam: Cam, figure: Figure) -> tuple[Mark, ...]:
         return (centre,)
     size = cam.r0.si / figure.scale.value
     return centre, Arc(centre=centre.at, radius=size, start=0.0, sweep=2 * pi, role=Role.CENTRE, step=1)
+
+
+def _blank(gear: Generation, figure: Figure) -> tuple[Mark, ...]:
+    """With what the generation of a tooth begins: the reference circle with its letter, and the datum line of the rack,
+    which x m parts."""
+    circle = next(m for m in figure.marks if isinstance(m, Arc))
+    letter = next(m for m in figure.marks if isinstance(m, Point) and m.dot is Dot.NONE)
+    height = circle.centre + 1j * (circle.radius + gear.x * gear.m.si / figure.scale.value)
+    line = Segment(a=height - circle.radius, b=height + circle.radius, role=Role.CENTRE, step=1)
+    return circle, letter, line, Note(at=line.b, words=_DATUM, side=-1j, step=1)
 
 
 def _curve(figure: Figure) -> tuple[Mark, ...]:

@@ -59,6 +59,7 @@ def shaking_scales(device: ShakingForce, given: Scales) -> Mapping[View, Scale]:
     source="机械原理, balance of a slider-crank: two-mass rod, counterweight on the crank, hodograph of the force",
     example="engine-single",
     scales=shaking_scales,
+    called=View.MECHANISM.title,
 )
 def draw_shaking(bench: Bench, device: ShakingForce) -> None:
     """Masses, both orders, the fraction, the force at φ and over the turn."""

@@ -27,7 +27,7 @@ def draw_groups(bench: Bench, device: Structure, low: Replaced, drivers: tuple[s
     left, places = _panes(bench, taken, drivers, len(device.drive_sets) > 1)
     for index, (group, place) in enumerate(zip(taken.groups, places, strict=True), start=1):
         board.step(_told(group, index, chain), place)
-        draw_apart(board, place, device, low.chain, group.links)
+        draw_apart(board, place, device, low.chain, group.links, left=chain.links)
         chain = chain.without(group.links)
     if left is not None:
         board.step(
@@ -37,7 +37,7 @@ def draw_groups(bench: Bench, device: Structure, low: Replaced, drivers: tuple[s
             ),
             left,
         )
-        draw_apart(board, left, device, low.chain, drivers, frame=True)
+        draw_apart(board, left, device, low.chain, drivers, left=low.chain.links, frame=True)
     _class(bench, taken, drivers)
 
 

@@ -16,6 +16,7 @@ from ....diagram.single import number
 from ....words import Words
 
 TURNING, FIRST, RING = 6.5, 0.6, 4.0  # of a driver's arrow: radius (mm), direction of its foot (rad); to the next (mm)
+OUTSIDE = 5.0  # mm from a ring to the arrow of its driving
 FLAT = 10.0  # mm: half of a flat profile for which a link stands
 
 
@@ -46,12 +47,19 @@ def ring_compound(board: Board, place: Pane, pair: Pair) -> None:
 
 
 def draw_apart(
-    board: Board, place: Pane, device: Structure, chain: Chain, links: tuple[str, ...], frame: bool = False
+    board: Board,
+    place: Pane,
+    device: Structure,
+    chain: Chain,
+    links: tuple[str, ...],
+    *,
+    left: tuple[str, ...] = (),
+    frame: bool = False,
 ) -> None:
-    """These links alone, with the halves of the joints by which they hang on the rest;
-    `frame`: drivers, with the frame where they stand on it and their arrows."""
+    """These links alone, with the halves of the joints by which they hang on what is left beside them; `frame`:
+    drivers, with the frame where they stand on it and their arrows."""
     whole, scaled = _on_paper(board, place, device.chain), _on_paper(board, place, chain)
-    it = Sketched(scaled, device.number, whole=whole)
+    it = Sketched(scaled, device.number, whole=whole, gone=frozenset(chain.links) - {*links, *left, FRAME})
     board.depict(place, *it.drawn(links, frame=frame))
     _draw_drivers(board, place, device, scaled, links if frame else ())
 
@@ -79,5 +87,15 @@ def _draw_drivers(board: Board, place: Pane, device: Structure, chain: Chain, dr
     for n, (link, pivot) in enumerate(zip(drivers, pivots, strict=True)):
         if pivot is not None:
             inner, shared = pivots[:n].count(pivot), pivots.count(pivot) > 1
-            label = f"ω_{device.number(link)}" if shared else ""
-            board.curved_arrow(place, pivot.at, TURNING + inner * RING, FIRST + inner * pi, True, label)
+            label, ring = f"ω_{device.number(link)}" if shared else "", _ring(chain, link, pivot)
+            radius = ring + OUTSIDE if shared and ring else TURNING + inner * RING
+            board.curved_arrow(place, pivot.at, radius, FIRST + inner * pi, True, label)
+
+
+def _ring(chain: Chain, link: str, pivot: Pair) -> float:
+    """The pitch radius of a driver that is a ring about this pivot, inside which others turn; 0 of others."""
+    radii = [(one, abs(p.at - pivot.at)) for p in chain.pairs if p.meshes for one in p.links]
+    own = max((radius for one, radius in radii if one == link), default=0.0)
+    return (
+        own if own > max((radius for one, radius in radii if one in pivot.links and one != link), default=own) else 0.0
+    )

@@ -1,4 +1,4 @@
-"""The structure of a mechanism: kinematic diagram, degree of freedom,
+"""The structure of a mechanism: its diagram, not to scale, degree of freedom,
 replacement of higher pairs, Assur groups, class."""
 
 from __future__ import annotations
@@ -58,16 +58,16 @@ def draw_structure(bench: Bench, device: Structure) -> None:
 def _diagram(bench: Bench, device: Structure) -> Pane:
     """All links and pairs, as given; compound hinges are found later."""
     board = bench.board
-    board.section(Words("机构运动简图", "The kinematic diagram"))
-    place = pane(board, View.MECHANISM, "diagram", Words("机构运动简图", "Kinematic diagram"))
+    board.section(Words("机构示意图", "Diagram of the mechanism"))
+    place = pane(board, View.MECHANISM, "diagram", Words("机构示意图", "Diagram of the mechanism"))
     kinds = [(form, [pair for pair in device.chain.pairs if pair.form is form]) for form in Form]
     zh = "，".join(f"{_NAMES[form].zh} {'、'.join(_letters(pairs))}" for form, pairs in kinds if pairs)
     en = "; ".join(f"{_NAMES[form].en} {', '.join(_letters(pairs))}" for form, pairs in kinds if pairs)
     links = [device.number(link) for link in device.chain.links]
     board.step(
         Words(
-            f"用规定的符号画出机构运动简图，标出构件号和运动副字母：活动构件 {'、'.join(links)}；{zh}。",
-            "Draw the kinematic diagram with the standard symbols, number the links and letter "
+            f"用规定的符号画出机构示意图（不按比例），标出构件号和运动副字母：活动构件 {'、'.join(links)}；{zh}。",
+            "Draw the mechanism, not to scale, with the standard symbols, number the links and letter "
             f"the pairs: moving links {', '.join(links)}; {en}.",
         ),
         place,

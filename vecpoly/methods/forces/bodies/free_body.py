@@ -25,6 +25,7 @@ from ..inertia import SHORT, draw_arm
 from ..state import Statics
 from .arrows import REACH, Arrow, place_arrows
 from .brought import brought_near
+from .couple_arm import draw_couple_arm
 from .given_loads import ways_of_loads
 
 SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
@@ -67,9 +68,8 @@ def draw_free_bodies(st: Statics, problem: Problem, solved: Sequence[str]) -> No
         pressed = pushed.union(_pressing(st, name), (force.named.symbol for force in pressing))
         arrows = place_arrows(forces, spots, pressed, pulled)
         _displaced(st, pane, name)
-        _carry_on(st, pane, forces, arrows)
-        for arrow in arrows:
-            st.board.arrow(pane, arrow.start, arrow.end, Role.RESULT, key=arrow.key, label=arrow.symbol)
+        _arrows(st, pane, forces, arrows)
+        draw_couple_arm(st, pane, name, forces, arrows)
         _draw_normals(st, pane, name, {arrow.symbol: arrow for arrow in arrows})
         _couple(st, pane, name, couples)
 
@@ -100,13 +100,15 @@ def _pressing(st: Statics, link: str) -> set[str]:
     return {st.named(b if a == link else a, link).symbol for a, b in pairs if link in (a, b)}
 
 
-def _carry_on(st: Statics, pane: Pane, forces: Sequence[Acting], arrows: Sequence[Arrow]) -> None:
-    """The line of action from its point to an arrow that stands farther out."""
+def _arrows(st: Statics, pane: Pane, forces: Sequence[Acting], arrows: Sequence[Arrow]) -> None:
+    """The arrows, and the line of action from its point to one that stands farther out."""
     places = {force.named.symbol: complex(nominal(force.at)) for force in forces}
     for arrow in arrows:
         if arrow.far:
             at = places[arrow.symbol]
             st.board.join(pane, at, min(arrow.start, arrow.end, key=lambda z: abs(z - at)), Role.DIRECTION)
+    for arrow in arrows:
+        st.board.arrow(pane, arrow.start, arrow.end, Role.RESULT, key=arrow.key, label=arrow.symbol)
 
 
 def _spots(st: Statics, link: str) -> list[complex]:

@@ -1,4 +1,5 @@
-"""The curved arrow with ω about the driving link's pivot, where it touches nothing."""
+"""The curved arrow with ω about the driving link's pivot, where it touches nothing; the arrow with v before a driving
+block."""
 
 from __future__ import annotations
 
@@ -8,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....board.construction import View
-from ....board.paper.marks import AngleMark, Arc, FixedGuide, Segment, Slot
-from ....mechanism.model import Drive
+from ....board.paper.marks import AngleMark, Arc, FixedGuide, Role, Segment, Slot
+from ....mechanism.model import FRAME, Drive, Prismatic
+from ....names import At, Kind, Rel
 from ....plane import nominal
 from ...desk import Desk
 from ..position.drive import swept
@@ -18,15 +20,29 @@ Complexes = NDArray[np.complex128]
 Reals = NDArray[np.float64]
 
 ARROW_RADII = (10.0, 13.0, 16.0)  # mm: the first that keeps clear of circles about the pivot
+FROM, LONG = 6.0, 9.0  # mm: the arrow before a block begins so far from its pin, and is so long
 GROUND = 5.5  # mm from the pivot within which its ground is hatched
 APART = 4.0  # mm between the arrow and the arc of a reflex angle
 
 
 def draw_drive_arrow(desk: Desk) -> None:
-    """The curved arrow with ω at the pivot of each driving link; none where that link is only thought to drive."""
-    for drive in desk.mech.drives:
-        if not drive.slide and not desk.thought:
-            _draw(desk, drive)
+    """The curved arrow with ω at the pivot of each driving link, the arrow with v before its block; none where that
+    link is only thought to drive."""
+    for drive in () if desk.thought else desk.mech.drives:
+        (_before if drive.slide else _draw)(desk, drive)
+
+
+def _before(desk: Desk, drive: Drive) -> None:
+    """The way in which a driving block moves, with its velocity: no vector to scale."""
+    slides = (j for j in desk.mech.joints if isinstance(j, Prismatic) and (j.block, j.guide) == (drive.link, FRAME))
+    joint = next(slides, None)
+    if not drive.rate or joint is None or joint.pin not in desk.at:
+        return
+    at, along = (complex(nominal(z)) for z in (desk.at[joint.pin], desk.guide_line(joint).along))
+    way = along if drive.rate > 0 else -along
+    start = at + FROM * way
+    symbol = Rel(Kind.V, At(joint.pin)).symbol
+    desk.board.arrow(View.MECHANISM, start, start + LONG * way, Role.GIVEN, key="drive", label=symbol)
 
 
 def _draw(desk: Desk, drive: Drive) -> None:

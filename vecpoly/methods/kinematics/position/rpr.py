@@ -123,4 +123,5 @@ def _offset_circle(desk: Desk, q: str, p: str, radius: float, along: Points, let
     desk.board.join(View.MECHANISM, pivot, foot, Role.CONSTRUCTION)
     if letter and radius > LETTERED:
         desk.board.join(View.MECHANISM, centre, foot, Role.CONSTRUCTION)
-        desk.board.plot(View.MECHANISM, (centre + foot) / 2, letter, Dot.NONE)
+        desk.board.plot(View.MECHANISM, (centre + foot) / 2, f"r = {letter}", Dot.NONE)
+        desk.board.right_angle(View.MECHANISM, foot, unit(centre - foot), unit(pivot - foot))

@@ -1,0 +1,78 @@
+"""What is filled in on a question sheet: lines in the frames, cells of the table of results, poles to be chosen."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from tests.drawn_library import IDS, drawn
+from tests.each import Later, each
+from tests.laws import few
+from vecpoly.board.acts import Area, Gauge, Measure
+from vecpoly.board.construction import Construction, Figure
+from vecpoly.board.paper.extent import bounds
+from vecpoly.board.paper.marks import Dot, Point, Segment
+from vecpoly.figures.balancing import HODOGRAPH
+from vecpoly.report.question.blanks import empty_table
+from vecpoly.report.question.fields import FIELDS, READ
+from vecpoly.report.question.frames import frames
+
+
+@cache
+def blank_of(name: str) -> Construction:
+    """The blank sheets of a problem."""
+    return frames(drawn(name).construction, drawn(name).problem)[0]
+
+
+DRAWN = Later(lambda: [name for name in few(IDS, 6) if blank_of(name).figures])
+
+
+@each(DRAWN)
+def test_a_pole_stands_in_the_middle_of_its_frame_or_is_for_the_student_to_choose(name: str) -> None:
+    """Anywhere else it would tell to which side its polygon lies."""
+    for frame in blank_of(name).figures:
+        poles = [mark.at for mark in frame.marks if isinstance(mark, Point) and mark.dot is Dot.POLE]
+        lines = sorted(mark.a.imag for mark in frame.marks if mark.key in FIELDS and isinstance(mark, Segment))
+        if not poles or frame.view is HODOGRAPH:
+            continue
+        start, end = bounds(frame.marks[:4])
+        middle = (start + end) / 2
+        assert poles[0].real == pytest.approx(middle.real)
+        assert bool(lines) or poles[0].imag == pytest.approx(middle.imag)
+        assert abs(poles[0].imag - middle.imag) <= 7.5, frame.name  # half of what the lines to write on take
+
+
+@each(DRAWN)
+def test_what_is_read_off_a_figure_has_a_line_in_its_frame_or_no_figure_of_the_problem_has(name: str) -> None:
+    """Where lines for readings would need a sheet more there are none; a diagram has its axes."""
+    answer = drawn(name).construction
+    reads = {act.figure for act in answer.acts if isinstance(act, (Area, Gauge, Measure))}
+    lines = {called_(frame): any(mark.key == READ for mark in frame.marks) for frame in blank_of(name).figures}
+    wanted = {called_(f): f.view.across is None and called_(f) in reads for f in blank_of(name).figures}
+    assert lines == wanted or not any(lines.values())
+
+
+def called_(frame: Figure) -> str:
+    """A figure as an act tells it."""
+    return frame.view.name + f" {frame.name}" * bool(frame.name)
+
+
+def test_what_is_asked_has_its_rows_in_the_order_in_which_it_is_found() -> None:
+    """A moment behind the forces that give it; links by their numbers."""
+    rows = [row[0] for row in empty_table(drawn("plate-on-crank").solution, "en").rows]
+    assert rows.index("$M_{1}$") > rows.index("$R_{61}$")
+    assert rows.index("$ω_{2}$") < rows.index("$ω_{3}$") < rows.index("$ω_{4}$")
+
+
+def test_a_vector_on_the_way_has_cells_for_its_length_and_its_direction() -> None:
+    rows = {row[0]: row[1:] for row in empty_table(drawn("plate-on-crank").solution, "en").rows}
+    assert rows["$v_{B}$"] == ("", "", "", "") and rows["$ω_{2}$"] == ("—", "", "", "")
+
+
+@each(IDS)
+def test_no_column_of_results_is_for_nothing_and_none_wider_than_a_hand_needs(name: str) -> None:
+    table = empty_table(drawn(name).solution, "en")
+    columns = [*zip(*(row for row in table.rows if not row[0].startswith("**")), strict=True)]
+    assert not any(set(column) == {"—"} for column in columns)
+    assert max((table.widths or (0.0,))[1:]) <= 65.0

@@ -1,0 +1,59 @@
+"""The columns of a table of results, each as wide as a hand needs; none that is for nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...typeset.box import MM
+from ...typeset.words import layout_words
+from ...words import Lang, Words
+from ..flow.furniture import COLUMN
+from ..flow.style import CELL
+from ..flow.table import PAD
+from .ruled import RuledTable
+
+HEADS = (
+    Words("量", "Quantity"),
+    Words("图上长度 /mm", "On paper /mm"),
+    Words("数值", "Value"),
+    Words("单位", "Unit"),
+    Words("方向（转向）", "Direction, sense"),
+)
+WITH_UNIT = Words("数值与单位", "Value with unit")  # in one cell
+NONE = "—"
+Cells = tuple[str, str, str, str, str]
+_WIDTHS = (30.0, 32.0, 34.0, 22.0, 40.0)  # mm: the first at least
+_BROAD, _WIDER = 85.0, 1.2  # mm for names at most; as many times as wide as need be columns are to fill a page
+_PLACED = 54.0  # mm for the two coordinates of a place
+_FEW = 6  # rows that do not stand in two blocks side by side
+
+
+def headed(name: str) -> Cells:
+    """The name of a group of rows."""
+    return f"**{name[:1].upper()}{name[1:]}**", "", "", "", ""
+
+
+def in_columns(rows: Sequence[Cells], lang: Lang) -> RuledTable:
+    """The table of these rows; many rows of a few short cells in two blocks side by side."""
+    kept = [i for i in range(len(HEADS)) if i in (0, 2) or any(not is_headed(row) and row[i] != NONE for row in rows)]
+    heads, cells = [HEADS[i].of(lang) for i in kept], [[row[i] for i in kept] for row in rows]
+    widths, align = _widths(rows, kept), "lcccc"[: len(kept)]
+    if len(rows) > _FEW and 2 * sum(widths) <= COLUMN / MM and not any(map(is_headed, rows)):
+        half = (len(cells) + 1) // 2
+        behind = [*cells[half:], [""] * len(kept)][:half]
+        cells = [[*one, *other] for one, other in zip(cells[:half], behind, strict=True)]
+        heads, widths, align = heads * 2, widths * 2, align * 2
+    share = min(_WIDER, COLUMN / MM / sum(widths))
+    return RuledTable(heads, cells, [one * share for one in widths], align, lang=lang)
+
+
+def is_headed(row: Cells) -> bool:
+    """Whether it is the name of a group."""
+    return row[0].startswith("**") and not any(row[1:])
+
+
+def _widths(rows: Sequence[Cells], kept: Sequence[int]) -> list[float]:
+    """Names have the room they need, up to half of the page; the other columns what is written in them."""
+    named = max(layout_words(row[0], CELL.em).width for row in rows) + 2 * PAD + 1.0
+    others = [_PLACED if i == 2 and any(row[i] for row in rows) else _WIDTHS[i] for i in kept[1:]]
+    return [min(max(named, _WIDTHS[0]), _BROAD, max(COLUMN / MM - sum(others), _WIDTHS[0])), *others]
