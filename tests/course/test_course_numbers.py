@@ -227,7 +227,7 @@ def test_the_table_of_the_order_names_what_is_found() -> None:
 def test_the_printed_answers_of_the_book_are_compared() -> None:
     press = Recorder()
     found = book.chapter(studied("3-5"), press)
-    assert any(line[0] == "$ω_{2}$" and "1.26" in line[1] for line in press.lines) and "400 mm" in " ".join(
+    assert any(line[:2] == ("$ω_{2}$", "rad/s") and "1.26" in line[2] for line in press.lines) and "400 mm" in " ".join(
         text for _, text in found["verdicts"]
     )
     assert book.chapter(studied("A-27"), Recorder()) == {"table": "", "verdicts": []}

@@ -13,6 +13,7 @@ from tests.at_once import exactly
 from tests.curvature.linkages import DATA, WAYS, case_problem
 from tests.curvature.test_curvature_laws import linkages
 from tests.laws import often
+from vecpoly.check.alarm import Cause
 from vecpoly.check.truth import exact_values
 from vecpoly.errors import NoMethodError, NotAskedError, VecpolyError
 from vecpoly.oracle.curvature import Curvatures
@@ -54,7 +55,8 @@ def test_what_is_drawn_is_what_the_rates_tell(case: dict[str, Any]) -> None:
     answer = answers["U_2"]
     assert answer.drawn_vector is not None and answer.exact_vector is not None
     size = abs(answers["delta_2"].exact) + abs(answer.exact_vector) + 0.1
-    assert abs(answer.drawn_vector - answer.exact_vector) <= 1e-6 * size and not answer.suspect
+    assert abs(answer.drawn_vector - answer.exact_vector) <= 1e-6 * size
+    assert answer.suspect in (None, Cause.VAGUE)  # far off by a pencil, on a figure at a small scale
 
 
 @pytest.mark.parametrize("case", BALLS, ids=lambda case: case["id"])

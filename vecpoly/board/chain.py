@@ -19,8 +19,8 @@ def numbers(acts: Sequence[Act], key: str) -> frozenset[int]:
 
 
 def needed(acts: Sequence[Act], of: Collection[int]) -> frozenset[int]:
-    """These acts, and all acts that they needed."""
-    found, todo = set(of), list(of)
+    """These acts, and all acts that they needed; what was drawn by none (-1) needs none."""
+    found, todo = set(of), [number for number in of if number >= 0]
     while todo:
         below = [one for one in acts[todo.pop()].inputs if one not in found]
         found.update(below)

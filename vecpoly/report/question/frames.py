@@ -90,7 +90,7 @@ def _laid(needs: Sequence[Need], landscape: bool, of: Format) -> list[Grid]:
         options = [
             [*best[start], sheet]
             for start in range(max(0, end - MOST), end)
-            if (sheet := grid(needs[start:end], landscape, of)) is not None
+            if (sheet := grid(tuple(needs[start:end]), landscape, of)) is not None
         ]
         best.append(min(options, key=tightness))
     return best[-1]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations, permutations
 from typing import NamedTuple
 
@@ -58,14 +59,24 @@ def tightness(sheets: Sequence[Grid]) -> tuple[float, int, int, float, float, fl
     return bare, len(sheets), drawn_out, -ease, round(spread, 1), slim
 
 
-def grid(needs: Sequence[Need], landscape: bool, of: Format) -> Grid | None:
+@lru_cache(maxsize=1024)  # frames are tried with and without more in one of them: most sheets stay as they are
+def grid(needs: tuple[Need, ...], landscape: bool, of: Format) -> Grid | None:
     """The rows in which these frames are least tight; None where they don't fit. One figure has a sheet to itself
     however little white that leaves round it."""
     across = int(room_inside(landscape, of)[0] / (NARROWEST + CLEAR))
     rows = (rows for rows in _rows(len(needs)) if max(rows) <= across)
-    made = (_laid(needs, one, heights, landscape, of) for one in rows for heights in _shares(len(one)))
+    shared = ((one, heights) for one in rows for heights in _shares(len(one)))
+    high = room_inside(landscape, of)[1] - CLEAR
+    could = (each for each in shared if len(needs) == 1 or _high_enough(needs, *each, high))
+    made = (_laid(needs, *each, landscape, of) for each in could)
     fitting = (one for one in made if one.ease >= 1 or len(needs) == 1)
     return min(fitting, key=lambda one: tightness([one]), default=None)
+
+
+def _high_enough(needs: Sequence[Need], rows: Sequence[int], heights: Sequence[float], height: float) -> bool:
+    """Whether no frame is higher than its row."""
+    parts = (part for count, part in zip(rows, heights, strict=True) for _ in range(count))
+    return all(need.high <= part * height - CLEAR - CAPTION for need, part in zip(needs, parts, strict=True))
 
 
 def _rows(count: int) -> Iterator[tuple[int, ...]]:
@@ -87,7 +98,7 @@ def _laid(needs: Sequence[Need], rows: Sequence[int], heights: Sequence[float], 
     for count, part in zip(rows, heights, strict=True):
         here, waiting = waiting[:count], waiting[count:]
         high = part * height - CLEAR - CAPTION
-        widths = min(_widths(here, width), key=lambda some: _row_is(here, some, high))
+        widths = _widths_of(tuple(here), width, high)
         left = CLEAR / 2
         for wide in widths:
             sizes.append((wide - CLEAR, high))
@@ -103,6 +114,12 @@ def _slimness(need: Need, size: Size) -> float:
     """How many times as long as wide a frame is; one about a diagram against that."""
     slim = max(size[0] / size[1], size[1] / size[0])
     return slim / max(1.0, need.wide / need.high) if need.long else slim
+
+
+@lru_cache(maxsize=4096)  # a row may stand in many sheets
+def _widths_of(needs: tuple[Need, ...], width: float, high: float) -> tuple[float, ...]:
+    """The widths that suit the frames of a row best."""
+    return min(_widths(needs, width), key=lambda some: _row_is(needs, some, high))
 
 
 def _widths(needs: Sequence[Need], width: float) -> Iterator[tuple[float, ...]]:
