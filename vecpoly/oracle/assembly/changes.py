@@ -89,9 +89,12 @@ def _least(fold: Fold, low: Reals, high: Reals, times: int) -> tuple[Reals, Real
 
 
 def _root(fold: Fold, near: Reals, beside: float) -> Reals:
-    """Where the root of the fold, negative before and positive behind, passes through zero."""
+    """Where the root of the fold, negative before and positive behind, passes through zero; near as it is where the
+    fold beside it is nothing, or ends."""
     before, behind = (np.sqrt(np.maximum(part, 0.0)) for part in _two(fold, near - beside, near + beside))
-    return np.asarray(near + beside * (before - behind) / (before + behind))
+    both = before + behind
+    share = np.divide(before - behind, both, out=np.zeros_like(both), where=both > 0)
+    return np.asarray(near + beside * share)
 
 
 def _two(fold: Fold, one: Reals, other: Reals) -> tuple[Reals, Reals]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import radians
 
@@ -31,7 +31,8 @@ class Influence:
     at most over the cycle), unless positions are lost.
 
     least, most: changes (m, rad) at which the cycle can no longer be run through, and where on it;
-    None where REACH changes do no harm.
+    None where REACH changes do no harm. fitted: the least change either way loses every position, for other dimensions
+    fix this one: a rack lies where its gear is.
     """
 
     dimension: Dimension
@@ -39,6 +40,7 @@ class Influence:
     lost: Span | None
     least: tuple[float, float] | None
     most: tuple[float, float] | None
+    fitted: bool = False
 
     @property
     def matters(self) -> bool:
@@ -64,9 +66,12 @@ def influences(study: Study) -> tuple[Influence, ...]:
     keys = targets(study)
     written = frozenset(d.symbol for d in study.problem.given.lengths)
     found = []
-    for one in given_dimensions(study.problem.mechanism, written):
+    for one in given_dimensions(_as_it_stands(study.problem.mechanism), written):
         unit = CHANGE[one.is_angle]
         lost = lost_range(study, one, unit)
+        if lost == whole(study) == lost_range(study, one, -unit):
+            found.append(Influence(one, (), lost, None, None, fitted=True))
+            continue
         found.append(
             Influence(
                 one,
@@ -77,6 +82,14 @@ def influences(study: Study) -> tuple[Influence, ...]:
             )
         )
     return tuple(found)
+
+
+def _as_it_stands(mech: Mechanism) -> Mechanism:
+    """The mechanism with the places of its points, so that what is changed a little stays in its assembly: of a rhombus
+    that is none any more both assemblies may be as the statements say."""
+    motion = sample(mech, None, np.array([mech.drive.position]), order=0).motion
+    letters = {letter for link in mech.links for letter in link.points}
+    return replace(mech, guesses={**{one: complex(np.ravel(motion.place(one))[0]) for one in letters}, **mech.guesses})
 
 
 def _greatest(study: Study, changed: Mechanism, keys: tuple[str, ...]) -> tuple[float, ...]:
@@ -100,22 +113,24 @@ def _gap(key: str, before: Reals, after: Reals) -> Reals:
     return np.asarray(np.angle(np.exp(1j * (after - before))) if key.startswith("phi") else after - before)
 
 
+def whole(study: Study) -> Span:
+    """All positions of the input link."""
+    if study.whole.whole:
+        return study.whole.low, study.whole.high
+    return float(study.turn.phi[0]), float(study.turn.phi[-1])
+
+
 def lost_range(study: Study, one: Dimension, change: float) -> Span | None:
     """Where in the cycle the mechanism cannot be assembled with a dimension changed by so much (m, rad): the widest
     range; None where it can everywhere."""
-    ends = (
-        (study.whole.low, study.whole.high)
-        if study.whole.whole
-        else (float(study.turn.phi[0]), float(study.turn.phi[-1]))
-    )
-    phi = np.linspace(ends[0], ends[1], (_SOUGHT if study.model.closed else _COARSE) + 1)
+    phi = np.linspace(*whole(study), (_SOUGHT if study.model.closed else _COARSE) + 1)
     try:
         changed = one.enlarged(change)
         good = _stands(changed, phi)
     except (VecpolyError, ValueError):  # no triangle, no position at all
         good = np.zeros(phi.shape, bool)
     if good.all() or not good.any():
-        return None if good.all() else (float(phi[0]), float(phi[-1]))
+        return None if good.all() else whole(study)
     turn = phi[-1] - phi[0] if study.whole.whole else 0.0
     if turn:  # begin where it stands, so that no range lies across the ends
         first = int(np.argmax(good))

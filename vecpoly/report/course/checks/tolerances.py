@@ -17,6 +17,7 @@ from .influences import CHANGE, NOTHING, Influence, Span, influences, targets
 _LED = 0.5  # of the greatest influence: what is called great
 _SLIGHT = 0.01  # of the largest value: a change that needs no care
 _NAMED = 3  # dimensions in a sentence
+_FITTED = Words("由其他尺寸确定", "fixed by the others")
 _SHOWN = 0.001  # per cent: less is told to be less
 
 
@@ -57,12 +58,9 @@ def _row(study: Study, keys: tuple[str, ...], one: Influence, press: Press, boun
         else f"{number(1e3 * d.size if abs(d.size) > NOTHING else 0.0, 5)} mm"
     )
     if one.lost:
-        told = (
-            Words(f"不能装配（{_span(study, one.lost)}）", f"cannot be assembled ({_span(study, one.lost)})").of(
-                press.lang
-            ),
-            *["—"] * (len(keys) - 1),
-        )
+        where = _span(study, one.lost)
+        lost = Words(f"不能装配（{where}）", f"cannot be assembled ({where})")
+        told = ((_FITTED if one.fitted else lost).of(press.lang), *["—"] * (len(keys) - 1))
     else:
         told = tuple(_changed(study, key, gap) for key, gap in zip(keys, one.gaps, strict=True))
     limits = "；" if press.lang == "zh" else "; "
@@ -113,6 +111,12 @@ def judged(study: Study, keys: tuple[str, ...], found: tuple[Influence, ...]) ->
             f"{'、'.join(w.zh for w in idle)} 与表中各量无关，不列入。",
             f"{', '.join(w.en for w in idle)} {'has' if len(idle) == 1 else 'have'} no influence on these.",
         )
+    if fitted := [one.dimension.name for one in found if one.fitted]:
+        yield Words(
+            f"{'、'.join(w.zh for w in fitted)} 由其他尺寸确定（齿轮与齿条须保持啮合），不能单独改变。",
+            f"{', '.join(w.en for w in fitted)} cannot be changed alone: the other dimensions fix "
+            f"{'it' if len(fitted) == 1 else 'them'}, for gears and racks must stay in mesh.",
+        )
     ranked = sorted(
         (one for one in found if one.gaps and one.gaps[-1] > NOTHING * largest(study, keys[-1])),
         key=lambda one: -one.gaps[-1],
@@ -137,7 +141,7 @@ def _limited(study: Study, found: tuple[Influence, ...]) -> Iterator[Words]:
         ),
         key=lambda item: item[0],
     )
-    if not limits and study.model.closed:
+    if not limits and study.model.closed and not any(one.fitted for one in found):
         by = _either(found, Words("±2 mm", "±2 mm"), Words("（角度 ±2°）", " (of an angle ±2°)"))
         yield Words(
             f"单独改变任一尺寸，在 {by.zh}以内机构在{span.zh}均能装配。",
