@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import groupby
 
-from ..board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment
+from ..board.paper.marks import AngleMark, Dot, Mark, Point, RightAngle, Role, Segment
 from ..board.paper.symbols import Symbol
 
 
@@ -20,7 +20,7 @@ def copied(marks: Iterable[Mark], *, lettered: bool) -> Iterator[Symbol]:
 def _helps(mark: Mark) -> bool:
     """Whether a mark belongs to a construction: thin lines, their letters, angles."""
     lines = isinstance(mark, Segment) and mark.role in (Role.CONSTRUCTION, Role.HIDDEN)
-    return lines or isinstance(mark, AngleMark) or (isinstance(mark, Point) and mark.dot is Dot.NONE)
+    return lines or isinstance(mark, AngleMark | RightAngle) or (isinstance(mark, Point) and mark.dot is Dot.NONE)
 
 
 def _unlettered(mark: Mark) -> Mark:

@@ -77,6 +77,7 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
         "unsolvable": "unsolvable" if solution.construction.conclusion is not None else "",
         "doubled": "doubled" if _has_doubled(solution) else "",
         "coriolis": "coriolis" if any(key.startswith("ak_") for key in solution.construction.readings) else "",
+        "placed": "placed" if any(one.is_place for one in solution.answers.values()) else "",
         "superscripts": "superscripts" if _has_numbers(solution) else "",
     }
 

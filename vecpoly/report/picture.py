@@ -10,7 +10,7 @@ from typing import Any
 
 from ..board.construction import Construction, Figure, View
 from ..board.paper.extent import extent
-from ..board.paper.marks import AngleMark, Cell, Dot, FixedGuide, Mark, Note, Point, Role, Vector
+from ..board.paper.marks import AngleMark, Cell, Dot, FixedGuide, Mark, Note, Point, RightAngle, Role, Vector
 from ..designs.base import Design
 from ..devices.structure import Structure
 from ..mechanism.model import Mechanism
@@ -68,10 +68,9 @@ def _given_links(figure: Figure, upto: int) -> list[Mark]:
 
 
 def _drawn_on(mark: Mark) -> bool:
-    """Whether a mark belongs to a construction line: the letter at its end, the pressure angle α beside it."""
-    return (isinstance(mark, Point) and mark.dot is Dot.NONE) or (
-        isinstance(mark, AngleMark) and not mark.label.startswith("φ")
-    )
+    """Whether a mark belongs to a construction line: the letter at its end, its right angle, the pressure angle α."""
+    letter = isinstance(mark, Point) and mark.dot is Dot.NONE
+    return letter or isinstance(mark, RightAngle) or (isinstance(mark, AngleMark) and not mark.label.startswith("φ"))
 
 
 def _device(figure: Figure, width: float, height: float) -> Figure:
