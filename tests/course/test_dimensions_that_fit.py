@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.course.test_course_numbers import Recorder, studied
+from tests.course.test_course_numbers import Recorder
+from tests.studies import studied
 from vecpoly import loads
 from vecpoly.report.course.checks import tolerances
 from vecpoly.report.course.checks.influences import influences
