@@ -8,7 +8,7 @@ from tests.drawn_library import drawn
 from tests.each import each
 from vecpoly.board.paper.extent import extent
 from vecpoly.board.paper.marks import Note, Segment, Vector
-from vecpoly.report.question.frames import frames
+from vecpoly.report.question.framed.frames import frames
 
 CAMS = ("cam-least-circle", "cam-roller-offset", "cam-flat-face", "cam-rocker", "two-stroke-flywheel")
 

@@ -23,10 +23,10 @@ from vecpoly.board.paper.marks import (
 from vecpoly.devices.gears.generation import GearGeneration
 from vecpoly.drawing.sheets.lettering import title_width
 from vecpoly.figures import View
-from vecpoly.report.question.blank import framed
 from vecpoly.report.question.equation_rows import equation_rows
-from vecpoly.report.question.fields import FIELDS
-from vecpoly.report.question.frames import frames
+from vecpoly.report.question.framed.blank import framed
+from vecpoly.report.question.framed.fields import FIELDS
+from vecpoly.report.question.framed.frames import frames
 
 
 def figure(name: str, view: str, called: str = "") -> Figure:

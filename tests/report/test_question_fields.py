@@ -15,8 +15,8 @@ from vecpoly.board.paper.extent import bounds
 from vecpoly.board.paper.marks import Dot, Point, Segment
 from vecpoly.figures.balancing import HODOGRAPH
 from vecpoly.report.question.blanks import empty_table
-from vecpoly.report.question.fields import FIELDS, READ
-from vecpoly.report.question.frames import frames
+from vecpoly.report.question.framed.fields import FIELDS, READ
+from vecpoly.report.question.framed.frames import frames
 
 
 @cache

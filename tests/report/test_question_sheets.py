@@ -54,9 +54,9 @@ from vecpoly.report.flow.paging.tight import DEGREES
 from vecpoly.report.picture import to_scale
 from vecpoly.report.question.blanks import empty_table, working_room
 from vecpoly.report.question.equations import numbers
-from vecpoly.report.question.fields import FIELDS, KEY
-from vecpoly.report.question.frames import MARGIN, frames
-from vecpoly.report.question.grid import shares
+from vecpoly.report.question.framed.fields import FIELDS, KEY
+from vecpoly.report.question.framed.frames import MARGIN, frames
+from vecpoly.report.question.framed.grid import shares
 from vecpoly.report.question.kinds import kind
 from vecpoly.report.question.sketch import sketched
 from vecpoly.report.question.working import SQUARE, working

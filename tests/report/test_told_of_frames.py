@@ -11,7 +11,7 @@ from vecpoly.board.paper.marks import Arc, Point, Segment
 from vecpoly.figures import View
 from vecpoly.problem.load import load
 from vecpoly.report.document import markup
-from vecpoly.report.question.frames import frames
+from vecpoly.report.question.framed.frames import frames
 from vecpoly.report.question.kinds import kinds
 from vecpoly.report.titles import subject
 from vecpoly.solution import solve

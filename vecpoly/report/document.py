@@ -37,7 +37,7 @@ from .plates.page import sheet_page
 from .plates.sketch import sketch_of
 from .printed_tables import printed_tables
 from .question.content import question
-from .question.frames import frames
+from .question.framed.frames import frames
 from .question.sketch import sketched
 from .tables import given_tables, printed_table
 from .templates import filled

@@ -19,9 +19,9 @@ from ..flow.style import NOTE
 from .blanks import empty_table, working_room
 from .columns import NONE
 from .equation_rows import equation_rows
-from .fields import FIELDS
-from .frames import BORDER
-from .known import begins_at
+from .framed.fields import FIELDS
+from .framed.frames import BORDER
+from .framed.known import begins_at
 from .working import working
 
 WORKING = Words("计算过程", "Working")

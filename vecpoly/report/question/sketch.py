@@ -19,7 +19,7 @@ from ..picture import SKETCH, picture, reduced
 from ..sizes.coordinates import coordinates
 from ..sizes.sized import sized
 from .assembled import assembled
-from .known import NEAR, given
+from .framed.known import NEAR, given
 
 GIVEN = Words("已知条件（示意）", "What is given (sketch)")
 LOW = 0.72  # of the height of other sketches

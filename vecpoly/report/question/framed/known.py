@@ -6,19 +6,19 @@ from collections.abc import Sequence
 from dataclasses import replace
 from math import pi
 
-from ...board.acts import Act, Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn
-from ...board.construction import Construction, Figure
-from ...board.paper.marks import Arc, Curve, Dot, FixedGuide, Ground, Mark, Note, Point, Role, Segment, Vector
-from ...designs.base import Design
-from ...devices.cams.cam import Cam
-from ...devices.dynamics.flywheel import Flywheel
-from ...devices.dynamics.run_up import RunUp
-from ...devices.gears.generation import GearGeneration as Generation
-from ...figures import View
-from ...figures.characteristic import CHARACTERISTIC
-from ...figures.torque import TORQUE
-from ...problem.problem import Problem
-from ...words import Words
+from ....board.acts import Act, Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn
+from ....board.construction import Construction, Figure
+from ....board.paper.marks import Arc, Curve, Dot, FixedGuide, Ground, Mark, Note, Point, Role, Segment, Vector
+from ....designs.base import Design
+from ....devices.cams.cam import Cam
+from ....devices.dynamics.flywheel import Flywheel
+from ....devices.dynamics.run_up import RunUp
+from ....devices.gears.generation import GearGeneration as Generation
+from ....figures import View
+from ....figures.characteristic import CHARACTERISTIC
+from ....figures.torque import TORQUE
+from ....problem.problem import Problem
+from ....words import Words
 
 _FOUND = (Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn)
 _HELP = (Role.CONSTRUCTION, Role.DIRECTION)

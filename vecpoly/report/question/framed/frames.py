@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ...board.construction import Construction, Figure, View
-from ...board.paper.extent import bounds, extent
-from ...board.paper.marks import Mark, Role, Segment
-from ...drawing.order import begun_in, reading_order
-from ...drawing.sheets.lettering import title_width
-from ...drawing.sheets.sheet import Hung
-from ...drawing.sheets.titleblock import TO_BE_DRAWN
-from ...foundation.stock import Format, Paper
-from ...problem.problem import Problem
-from ..picture import to_scale
+from ....board.construction import Construction, Figure, View
+from ....board.paper.extent import bounds, extent
+from ....board.paper.marks import Mark, Role, Segment
+from ....drawing.order import begun_in, reading_order
+from ....drawing.sheets.lettering import title_width
+from ....drawing.sheets.sheet import Hung
+from ....drawing.sheets.titleblock import TO_BE_DRAWN
+from ....foundation.stock import Format, Paper
+from ....problem.problem import Problem
+from ...picture import to_scale
 from .blank import framed
 from .fields import Fields, fields, written
 from .grid import Grid, Need, Size, grid, tightness

@@ -8,8 +8,8 @@ from functools import lru_cache
 from itertools import combinations, permutations
 from typing import NamedTuple
 
-from ...drawing.sheets.space import CAPTION, CLEAR, room_inside
-from ...foundation.stock import Format
+from ....drawing.sheets.space import CAPTION, CLEAR, room_inside
+from ....foundation.stock import Format
 
 NARROWEST = 55.0  # mm: a frame with a short title under it
 _SLIM = 2.6  # times as long as wide, beyond which a frame looks drawn out

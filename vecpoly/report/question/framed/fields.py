@@ -6,14 +6,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ...board.acts import Area, Gauge, Measure
-from ...board.construction import Construction, Figure
-from ...board.paper.marks import Mark, Note, Role, Segment
-from ...board.place import Pane, Place, called
-from ...drawing.style import NOTE
-from ...typeset.words import layout_words
-from ...words import Words
-from .equations import numbers, runs
+from ....board.acts import Area, Gauge, Measure
+from ....board.construction import Construction, Figure
+from ....board.paper.marks import Mark, Note, Role, Segment
+from ....board.place import Pane, Place, called
+from ....drawing.style import NOTE
+from ....typeset.words import layout_words
+from ....words import Words
+from ..equations import numbers, runs
 
 KEY, READ = "equation", "readings"  # of what is written over and under a drawing
 FIELDS = (KEY, READ)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...board.construction import Figure
-from ...board.paper.marks import Dot, Mark, Point, Role, Segment
+from ....board.construction import Figure
+from ....board.paper.marks import Dot, Mark, Point, Role, Segment
 from .known import NEAR
 
 EDGE = 9.0  # mm that stay free beside what runs through a frame

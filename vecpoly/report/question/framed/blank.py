@@ -8,16 +8,16 @@ from dataclasses import replace
 from itertools import count, takewhile
 from math import pi
 
-from ...algebra.quantity import number
-from ...algebra.rounding import braced
-from ...board.construction import Figure, Scale, View
-from ...board.paper.extent import bounds
-from ...board.paper.marks import Arc, Dot, FixedGuide, Ground, Mark, Note, Point, RackMark, Role, Segment, Vector
-from ...board.paper.scales import round_up
-from ...figures.balancing import END_VIEW, HODOGRAPH
-from ...figures.energy import INDICATOR
-from ...words import Words
-from ..picture import to_scale
+from ....algebra.quantity import number
+from ....algebra.rounding import braced
+from ....board.construction import Figure, Scale, View
+from ....board.paper.extent import bounds
+from ....board.paper.marks import Arc, Dot, FixedGuide, Ground, Mark, Note, Point, RackMark, Role, Segment, Vector
+from ....board.paper.scales import round_up
+from ....figures.balancing import END_VIEW, HODOGRAPH
+from ....figures.energy import INDICATOR
+from ....words import Words
+from ...picture import to_scale
 from .known import NEAR, begins_at, begun
 from .through import EDGE, Box, centred, crossed, reach, through
 
