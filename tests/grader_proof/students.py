@@ -77,3 +77,9 @@ def _written(one: Graded, value: Any, rng: np.random.Generator) -> str:
     if one.kind is Kind.VECTOR and np.iscomplexobj(value) and abs(value) and rng.random() < 0.5:
         return f"{size} ∠ {bearing(complex(value)):.0f}°"
     return size
+
+
+def times(cell: str, factor: float) -> str:
+    """What was written, by a factor."""
+    number, blank, rest = cell.partition(" ")
+    return f"{float(number) * factor:.3g}{blank}{rest}"

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from tests.grader_proof.judge import Tally, Trial, apart
-from tests.grader_proof.students import Cells, Class, drawn_class
+from tests.grader_proof.students import Cells, Class, drawn_class, times
 from tests.grader_proof.telling import alike, distinct, shows
 from vecpoly import Problem
 from vecpoly.board.otherwise.amended import Amended
@@ -109,7 +109,7 @@ def uncatalogued(trial: Trial, group: Class, count: int, seed: int) -> Iterator[
         factor = float(
             np.exp(rng.choice([-1, 1]) * rng.uniform(np.log(1 + 4 * one.allowed / abs(one.exact)), np.log(3)))
         )
-        cells[one.key] = _times(cells[one.key], factor)
+        cells[one.key] = times(cells[one.key], factor)
         sheet, tally = trial.mark(cells), Tally()
         tally.add("uncatalogued errors caught", not sheet[one.key].is_right)
         told = {said.id.value for said in sheet[one.key].messages}
@@ -125,11 +125,6 @@ def _may_be_off(one: Graded) -> bool:
     """Whether a number can be off by more than its tolerance, and by less than a factor 3."""
     number = one.kind in (Kind.VECTOR, Kind.SIGNED, Kind.SCALAR) and one.asked and not one.demoted
     return number and 2 * one.allowed < abs(one.exact)
-
-
-def _times(cell: str, factor: float) -> str:
-    number, blank, rest = cell.partition(" ")
-    return f"{float(number) * factor:.3g}{blank}{rest}"
 
 
 def misread(trial: Trial, group: Class, count: int, seed: int) -> Iterator[Tally]:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from tests.grader_proof.judge import Tally, Trial
-from tests.grader_proof.students import Class
+from tests.grader_proof.students import Class, times
 from vecpoly.grading.key import Graded, Kind
 
 PLAIN = 2.0  # T: what differs by more is another value
@@ -98,16 +98,10 @@ def scaled(trial: Trial, group: Class, count: int, seed: int) -> Iterator[Tally]
     for n in range(count):
         k = float(rng.uniform(*FACTOR) ** rng.choice([-1, 1]))
         cells = group.sheet(n % group.count, rng)
-        sheet, tally = trial.mark({name: _times(trial, name, text, k) for name, text in cells.items()}), Tally()
+        sizes = {name: times(text, k) for name, text in cells.items() if _number(trial.key[name])}
+        sheet, tally = trial.mark(cells | sizes), Tally()
         tally.add("everything by a factor: named as a slip", bool(sheet.slips))
         yield tally
-
-
-def _times(trial: Trial, name: str, cell: str, k: float) -> str:
-    if not _number(trial.key[name]):
-        return cell
-    size, blank, rest = cell.partition(" ")
-    return f"{float(size) * k:.3g}{blank}{rest}"
 
 
 def _number(one: Graded) -> bool:

@@ -18,6 +18,7 @@ from ..mechanism.assembly.statements import Form
 from ..mechanism.groups.assur import decompose, ends
 from ..mechanism.model import Mechanism, Prismatic, Revolute, Shaped, Side, SideOf, Statement
 from ..names import At
+from ..oracle import placed as placed
 from ..problem.problem import Problem
 from .sample import travel
 

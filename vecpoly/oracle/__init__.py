@@ -6,6 +6,8 @@ motion.value(parse_rel("a_E"))
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -50,4 +52,12 @@ def is_iterated(mech: Mechanism) -> bool:
     return plan_for(mech).followed
 
 
-__all__ = ["SEARCHED", "Motion", "changes", "feasible", "is_iterated", "solve", "spans"]
+def placed(mech: Mechanism) -> Mechanism:
+    """The mechanism with the places of its points as guesses: changed a little it keeps its assembly, without a search
+    of all others."""
+    motion = solve(mech, order=0)
+    letters = {letter for link in mech.links for letter in link.points}
+    return replace(mech, guesses={letter: complex(motion.position(letter)) for letter in sorted(letters)})
+
+
+__all__ = ["SEARCHED", "Motion", "changes", "feasible", "is_iterated", "placed", "solve", "spans"]

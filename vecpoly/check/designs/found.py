@@ -109,11 +109,12 @@ def _spoilt(design: Design, read: Verified) -> Words | None:
         return None
     values = known[read.number - 1]
     kind, margin = _type_of(values)
-    if read.full and (kind is None or read.kind is None or kind.en == read.kind.en):
+    same = kind is None or read.kind is None or kind.en == read.kind.en
+    if same and read.full:
         return None
     found = linkage(design, values, "exactly")
     turns = found is not None and cycle(found.mechanism, 181).whole
-    if turns == read.full and (kind is None or read.kind is None or kind.en == read.kind.en):
+    if same and turns == read.full:
         return None
     told = [f"$l_{{{key}}}$ = {values[key]:.5g} mm" for key in ("AB", "BC", "CD", "AD") if key in values]
     what = Words("", "") if kind is None else kind + Words(f"（裕量 {margin:.3g} mm）", f" (by {margin:.3g} mm)")

@@ -203,13 +203,9 @@ def _nearby(problem: Problem) -> tuple[Values, ...]:
 
 
 def _placed(mech: Mechanism) -> Mechanism:
-    """The mechanism with the places of its points as guesses, where a group is solved by iteration: with nudged data
-    its assembly is then not sought among all others once more."""
-    if not oracle.is_iterated(mech) or any(isinstance(joint, Rolling) for joint in mech.joints):
-        return mech
-    motion = oracle.solve(mech, order=0)
-    letters = {letter for link in mech.links for letter in link.points}
-    return replace(mech, guesses={letter: complex(motion.position(letter)) for letter in sorted(letters)})
+    """The mechanism with the places of its points, where a group is solved by iteration and none rolls."""
+    rolls = any(isinstance(joint, Rolling) for joint in mech.joints)
+    return oracle.placed(mech) if oracle.is_iterated(mech) and not rolls else mech
 
 
 def _values(problem: Problem) -> Values | None:

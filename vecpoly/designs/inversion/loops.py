@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 
@@ -36,6 +37,14 @@ class Sliding:
 
 
 Loop = Hinged | Sliding
+
+
+def chains(loops: Iterable[Loop]) -> Iterator[tuple[Hinged, Sliding]]:
+    """Each four-bar with a slider that hangs on its rocker."""
+    every = list(loops)
+    fours = [loop for loop in every if isinstance(loop, Hinged)]
+    slides = [loop for loop in every if isinstance(loop, Sliding)]
+    return ((four, slide) for four in fours for slide in slides if (four.d, four.c) == (slide.a, slide.b))
 
 
 def sides(loop: Loop) -> tuple[tuple[str, str], ...]:

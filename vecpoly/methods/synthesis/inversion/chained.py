@@ -3,25 +3,15 @@ guide on the way from one position to the next."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
 
-from ....designs.inversion.loops import Hinged, Loop, Sliding
 from ....plane import circles_meet
 
 TRIED = 4001  # positions of the crank from one that is given to the next
 SLACK = 1e-9  # of a length
 Spots = tuple[complex, ...]
-
-
-def chains(loops: tuple[Loop, ...]) -> Iterator[tuple[Hinged, Sliding]]:
-    """Each four-bar with a slider that hangs on its rocker."""
-    for four in loops:
-        for slide in loops:
-            if isinstance(four, Hinged) and isinstance(slide, Sliding) and (slide.a, slide.b) == (four.d, four.c):
-                yield four, slide
 
 
 def reaches(four: tuple[Spots, Spots, Spots, Spots], along: complex, e: Spots) -> bool:

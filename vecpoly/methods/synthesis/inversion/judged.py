@@ -12,10 +12,10 @@ from typing import assert_never
 
 import numpy as np
 
-from ....designs.inversion.loops import Hinged, Loop, Sliding
+from ....designs.inversion.loops import Hinged, Loop, Sliding, chains
 from ....designs.verdict import Verdict
 from ....plane import nominal
-from .chained import Spots, chains, reaches
+from .chained import Spots, reaches
 from .sheet import Sheet
 
 DEAD = 1e-6  # sine: at a dead point either side is as good
@@ -28,7 +28,7 @@ def judged(sheet: Sheet) -> Verdict:
         return Verdict.NO_LINK
     verdicts = [_loop(sheet, loop) for loop in sheet.plan.loops]
     wrong = next((verdict for verdict in verdicts if verdict is not Verdict.VALID), Verdict.VALID)
-    if wrong is Verdict.VALID and not all(_passes(sheet, *chain) for chain in chains(tuple(sheet.plan.loops))):
+    if wrong is Verdict.VALID and not all(_passes(sheet, *chain) for chain in chains(sheet.plan.loops)):
         return Verdict.BRANCH
     return wrong
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 from math import degrees
 
 from ....designs.inversion.angle_pairs import AnglePairs
-from ....designs.inversion.loops import Hinged, Loop, Sliding
+from ....designs.inversion.loops import Hinged, Loop, Sliding, chains
 from ....designs.inversion.plan import Find, Plan
 from ....designs.inversion.positions import Positions
 from ....designs.inversion.stages import Stages
@@ -86,16 +86,9 @@ def _verdict(plan: Plan, found: Found) -> Verdict:
         return Verdict.NO_LINK
     defects = [_defect(loop, found, plan.either) for loop in plan.loops]
     found_wrong = next((defect for defect in defects if defect is not None), None)
-    if found_wrong is None and any(_stopped(found, four, slide) for four, slide in _chains(plan)):
+    if found_wrong is None and any(_stopped(found, four, slide) for four, slide in chains(plan.loops)):
         found_wrong = Defect.BRANCH
     return Verdict.VALID if found_wrong is None else Verdict[found_wrong.name]
-
-
-def _chains(plan: Plan) -> Iterator[tuple[Hinged, Sliding]]:
-    """Each four-bar with a slider that hangs on its rocker."""
-    fours = [loop for loop in plan.loops if isinstance(loop, Hinged)]
-    slides = [loop for loop in plan.loops if isinstance(loop, Sliding)]
-    return ((four, slide) for four in fours for slide in slides if (four.d, four.c) == (slide.a, slide.b))
 
 
 def _stopped(found: Found, four: Hinged, slide: Sliding) -> bool:

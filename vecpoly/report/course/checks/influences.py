@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from math import radians
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ....cycle.pose import placed
 from ....cycle.sample import sample
 from ....errors import VecpolyError
 from ....findings.given_lengths import Dimension, given_dimensions
@@ -66,7 +67,8 @@ def influences(study: Study) -> tuple[Influence, ...]:
     keys = targets(study)
     written = frozenset(d.symbol for d in study.problem.given.lengths)
     found = []
-    for one in given_dimensions(_as_it_stands(study.problem.mechanism), written):
+    standing = placed(study.problem.mechanism)  # of what is a rhombus no more both assemblies may fit
+    for one in given_dimensions(standing, written):
         unit = CHANGE[one.is_angle]
         lost = lost_range(study, one, unit)
         if lost == whole(study) == lost_range(study, one, -unit):
@@ -82,14 +84,6 @@ def influences(study: Study) -> tuple[Influence, ...]:
             )
         )
     return tuple(found)
-
-
-def _as_it_stands(mech: Mechanism) -> Mechanism:
-    """The mechanism with the places of its points, so that what is changed a little stays in its assembly: of a rhombus
-    that is none any more both assemblies may be as the statements say."""
-    motion = sample(mech, None, np.array([mech.drive.position]), order=0).motion
-    letters = {letter for link in mech.links for letter in link.points}
-    return replace(mech, guesses={**{one: complex(np.ravel(motion.place(one))[0]) for one in letters}, **mech.guesses})
 
 
 def _greatest(study: Study, changed: Mechanism, keys: tuple[str, ...]) -> tuple[float, ...]:
