@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Literal
+
+from .foundation.slotted import dataclass
 
 Lang = Literal["zh", "en"]
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 from ..algebra.formula import Node, Power, Row, Txt, row
 from ..algebra.quantity import number
 from ..board.construction import Figure, Scale, View
 from ..board.paper.marks import Ground
+from ..foundation.slotted import dataclass
 from ..typeset import Box, layout
 from ..words import Lang, Words
 from .beside import beside

@@ -7,7 +7,6 @@ a meeting that does not exist: it gives NaN, and the board, which knows the lett
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from math import atan2, pi
 from typing import Any
@@ -15,6 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ..foundation.slotted import dataclass
 from .traced import Traced
 
 Points = complex | npt.NDArray[Any]

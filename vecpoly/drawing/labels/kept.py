@@ -4,11 +4,11 @@ in black, both languages of a report often letter one figure."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import field, replace
+from dataclasses import field
 from functools import lru_cache
 from typing import Any
 
-from ...foundation.slotted import dataclass
+from ...foundation.slotted import dataclass, replace
 from ..scene import Fill, Item, Rect, Stroke
 from .about.obstacles import Obstacles, is_solid
 from .ground import is_ground

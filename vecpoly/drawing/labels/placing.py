@@ -4,10 +4,11 @@ it goes farther off, on a leader. It never shrinks: one figure has one size of t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf, isnan
 
+from ...foundation.slotted import replace
 from ..scene import Item, Layer, Rect, Stroke, TextBox
 from ..style import THIN, Hue
 from ..weighing.places import Row, cheapest, price_all

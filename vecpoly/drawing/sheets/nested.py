@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 
+from ...foundation.slotted import replace
 from ..details.room import Grow, Room, Spots, along, filled, reach_of
 from ..scene import Fill, Item, Rect, Scene, Stroke, rect_of
 

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from ....foundation.slotted import dataclass
 from ...scene import Fill, Item, Layer, Stroke, TextBox
 from ...style import THIN
 from ..ground import is_ground
