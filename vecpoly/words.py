@@ -5,9 +5,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Literal
-
-from .foundation.slotted import dataclass
 
 Lang = Literal["zh", "en"]
 

@@ -7,6 +7,7 @@ a meeting that does not exist: it gives NaN, and the board, which knows the lett
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from math import atan2, pi
 from typing import Any
@@ -14,7 +15,6 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ..foundation.slotted import dataclass
 from .traced import Traced
 
 Points = complex | npt.NDArray[Any]
