@@ -34,16 +34,18 @@ def _dataclass(*, frozen: Literal[True], slots: Literal[True], kw_only: bool = F
     return decorated
 
 
+def _replace(one: T, **changes: Any) -> T:
+    """As `dataclasses.replace`, in a fraction of its time."""
+    kind: Any = type(one)
+    made: T = _copying(kind)(one, changes)
+    return made
+
+
 if TYPE_CHECKING:
     from dataclasses import dataclass as dataclass
+    from dataclasses import replace as replace
 else:
-    dataclass = _dataclass
-
-
-def replace(one: T, **changes: Any) -> T:
-    """As `dataclasses.replace`, in a fraction of its time."""
-    made: T = _copying(type(one))(one, changes)
-    return made
+    dataclass, replace = _dataclass, _replace
 
 
 @cache

@@ -120,7 +120,6 @@ def _layout(
 def _white(corners: Sequence[complex], sizes: Sequence[Size], page: Size) -> float:
     """The least white between two figures, or twice that to an edge: pages are spread so that both are alike."""
     boxes = [(c.real, c.imag, c.real + w, c.imag + h) for c, (w, h) in zip(corners, sizes, strict=True)]
-    lefts, feet, rights, heads = zip(*boxes, strict=True)
-    edges = 2 * min(min(lefts), min(feet), page[0] - max(rights), page[1] - max(heads))
+    edges = 2 * min(min(x0, y0, page[0] - x1, page[1] - y1) for x0, y0, x1, y1 in boxes)
     between = [max(x0 - u1, u0 - x1, y0 - v1, v0 - y1) for (x0, y0, x1, y1), (u0, v0, u1, v1) in combinations(boxes, 2)]
     return min(edges, *between) if between else edges

@@ -49,7 +49,7 @@ class TextFrame(Frame):  # type: ignore[misc]
         room = self._y - self._y1p - before
         high = block.wrap(width, room)[1] + before if room > 0 else 0.0
         y = self._y - high
-        found = room > 0 and y >= self._y1p - FUZZ
+        found = bool(room > 0 and y >= self._y1p - FUZZ)
         if found:
             after = block.getSpaceAfter()
             block.drawOn(canv, self._x, y)

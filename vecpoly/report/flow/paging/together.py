@@ -30,9 +30,10 @@ class HeldTogether(KeepTogether):  # type: ignore[misc]
         """As reportlab finds it, without a copy of the column for blocks of ours, which put nothing into it; more than
         any column has, so that it is asked to part them."""
         if not all(isinstance(one, Block) for one in self._content):
-            return tuple(super().wrap(width, height))  # type: ignore[return-value]
+            wide, high = super().wrap(width, height)
+            return wide, high
         sizes = [one.wrapOn(self.canv, width, _ANY) for one in self._content]
-        wide, high, below = 0.0, 0.0, None
+        wide, high, below = 0.0, 0.0, None  # below: the white under the one before
         for one, (w, h) in zip(self._content, sizes, strict=True):
             if h <= FUZZ:
                 continue
