@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, assert_never
 
@@ -18,6 +18,7 @@ from ...board.otherwise.amended import Amended, Own
 from ...board.otherwise.slip import FOUND_AMISS, Mistake, Slip
 from ...devices.base import Device
 from ...errors import VecpolyError
+from ...foundation.slotted import replace
 from ...mechanism.model import Mechanism
 from ...mistakes import slips
 from ...problem.problem import Problem

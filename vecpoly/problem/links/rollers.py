@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import replace
 
 from ...errors import FaultError
+from ...foundation.slotted import replace
 from ...words import Words
 from ..joints.contacts import is_contact
 from ..schema.faults import Faults

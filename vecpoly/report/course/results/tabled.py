@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from math import floor, log10
 from typing import Any
 
@@ -11,6 +10,7 @@ import numpy as np
 
 from ....cycle import Column, Table, table
 from ....findings.study.study import Study
+from ....foundation.slotted import replace
 from ....words import Words
 from ...flow.style import Style
 from ..numbering import SMALL, TINY, Press

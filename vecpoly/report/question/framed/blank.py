@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from itertools import count, takewhile
 from math import pi
 
@@ -16,6 +15,7 @@ from ....board.paper.marks import Arc, Dot, FixedGuide, Ground, Mark, Note, Poin
 from ....board.paper.scales import round_up
 from ....figures.balancing import END_VIEW, HODOGRAPH
 from ....figures.energy import INDICATOR
+from ....foundation.slotted import replace
 from ....words import Words
 from ...picture import to_scale
 from .known import NEAR, begins_at, begun

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from ....board.construction import Construction, Figure, View
 from ....board.paper.extent import bounds, extent
@@ -12,6 +11,7 @@ from ....drawing.order import begun_in, reading_order
 from ....drawing.sheets.lettering import title_width
 from ....drawing.sheets.sheet import Hung
 from ....drawing.sheets.titleblock import TO_BE_DRAWN
+from ....foundation.slotted import replace
 from ....foundation.stock import Format, Paper
 from ....problem.problem import Problem
 from ...picture import to_scale

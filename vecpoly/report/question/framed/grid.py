@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import combinations, permutations
+from itertools import accumulate, combinations, permutations
 from typing import NamedTuple
 
 from ....drawing.sheets.space import CAPTION, CLEAR, room_inside
@@ -65,18 +65,22 @@ def grid(needs: tuple[Need, ...], landscape: bool, of: Format) -> Grid | None:
     however little white that leaves round it."""
     across = int(room_inside(landscape, of)[0] / (NARROWEST + CLEAR))
     rows = (rows for rows in _rows(len(needs)) if max(rows) <= across)
-    shared = ((one, heights) for one in rows for heights in _shares(len(one)))
     high = room_inside(landscape, of)[1] - CLEAR
-    could = (each for each in shared if len(needs) == 1 or _high_enough(needs, *each, high))
+    could = ((one, heights) for one in rows for heights in _high_enough(needs, one, high))
     made = (_laid(needs, *each, landscape, of) for each in could)
     fitting = (one for one in made if one.ease >= 1 or len(needs) == 1)
     return min(fitting, key=lambda one: tightness([one]), default=None)
 
 
-def _high_enough(needs: Sequence[Need], rows: Sequence[int], heights: Sequence[float], height: float) -> bool:
-    """Whether no frame is higher than its row."""
-    parts = (part for count, part in zip(rows, heights, strict=True) for _ in range(count))
-    return all(need.high <= part * height - CLEAR - CAPTION for need, part in zip(needs, parts, strict=True))
+def _high_enough(needs: Sequence[Need], rows: Sequence[int], height: float) -> Iterator[tuple[float, ...]]:
+    """The shares of a sheet of this height for its rows with which no frame is higher than its row; of a sheet with
+    one frame all."""
+    ends = [*accumulate(rows)]
+    highest = [max(need.high for need in needs[end - count : end]) for count, end in zip(rows, ends, strict=True)]
+    for some in _shares(len(rows)):
+        fits = (high <= part * height - CLEAR - CAPTION for high, part in zip(highest, some, strict=True))
+        if len(needs) == 1 or all(fits):
+            yield some
 
 
 def _rows(count: int) -> Iterator[tuple[int, ...]]:
