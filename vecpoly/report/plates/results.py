@@ -18,8 +18,8 @@ from ..flow.results.grid import sentence
 
 CONCLUSION = Words("结论", "Conclusion")
 WIDE = (70.0, 100.0, 130.0, 50.0)  # mm: of the lines in which a conclusion is told
-_STAR, NARROW = " *", 42.0  # mm: of the lines in which it is told what the star is for
-SHORT = Words(f"* 图上不足 {READABLE:g} mm，不可靠", f"* below {READABLE:g} mm on paper: not reliable")
+_STAR, NARROW = " *", 54.0  # mm: of the lines in which it is told what the star is for
+SHORT = Words(f"* 图上不足 {READABLE:g} mm，不可靠", f"* under {READABLE:g} mm, not reliable")
 _READ_FROM = {"omega": View.VELOCITY, "alpha": View.ACCELERATION}
 
 
