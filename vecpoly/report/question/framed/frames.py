@@ -19,7 +19,7 @@ from ....problem.problem import Problem
 from ...picture import to_scale
 from .blank import framed
 from .fields import Fields, fields, written
-from .grid import Grid, Need, Size, grid, tightness
+from .grid import Grid, Need, Size, grid, least_sheets, tightness
 from .known import begins_at, stands
 from .room import outline
 
@@ -62,11 +62,13 @@ def as_solved(figures: Sequence[Figure]) -> list[Figure]:
 def _with_fields(asked: Sequence[Figure], told: Sequence[Fields], on: Paper) -> tuple[Sequence[Fields], Sequence[Grid]]:
     """The sheets with lines for equations; where they need no sheet more with several of these, with long ones, and
     with lines for readings; with little white about the figures where that spares a sheet."""
-    best = (told, WHITES[0], _NO_END)
-    for white, some in _trials(told):
+    best, trials = (told, WHITES[0], _NO_END), list(_trials(told))
+    white, some = trials[-1]
+    least = least_sheets([_needed(*one, white, even=False) for one in zip(asked, some, strict=True)], on.format)
+    for white, some in trials:
         count = len(_found([_needed(*one, white, even=False) for one in zip(asked, some, strict=True)], on))
         best = min(best, (some, white, count), key=itemgetter(2))
-        if count <= 1:
+        if count <= least:
             break
     some, white, _ = best
     return some, _with_poles([*zip(asked, some, strict=True)], white, on)

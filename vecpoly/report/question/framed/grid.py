@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations, permutations
+from math import ceil
 from typing import NamedTuple
 
 from ....drawing.sheets.space import CAPTION, CLEAR, room_inside
@@ -84,6 +85,13 @@ def _cut(needs: Sequence[Need], landscape: bool, of: Format) -> Iterator[Grid]:
         sizes = [(width - CLEAR, height - CLEAR - CAPTION) for _, _, width, height in boxes]
         tops = [complex(CLEAR / 2 + left + width / 2, high - top) for left, top, width, _ in boxes]
         yield _grid(needs, sizes, tops, landscape)
+
+
+def least_sheets(needs: Sequence[Need], of: Format) -> int:
+    """So many sheets at least hold these frames, if nothing were lost between them."""
+    wide, high = (side - CLEAR for side in room_inside(False, of))
+    area = sum((need.wide + CLEAR) * (need.high + CLEAR + CAPTION) for need in needs)
+    return max(1, ceil(area / (wide * high)))
 
 
 def _high_enough(needs: Sequence[Need], rows: Sequence[int], heights: Sequence[float], height: float) -> bool:
