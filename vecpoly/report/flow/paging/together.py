@@ -13,6 +13,7 @@ from reportlab.platypus.flowables import KeepTogether, _listWrapOn
 from ..base import Block
 from ..blocks import Divider, Heading
 from ..furniture import FUZZ
+from ..listing import Listing
 from ..para import Para
 from ..table import DataTable
 
@@ -66,7 +67,7 @@ class HeldTogether(KeepTogether):  # type: ignore[misc]
     def _last_parted(self, width: float, height: float) -> bool:
         """Whether all but the last fit here, and the first lines of that."""
         *lead, last = self._content
-        parted = isinstance(last, (DataTable, Para)) or any(getattr(one, "leads", False) for one in lead)
+        parted = isinstance(last, (DataTable, Para, Listing)) or any(getattr(one, "leads", False) for one in lead)
         if not lead or not parted:
             return False
         _, used = _listWrapOn(lead, width, self.canv)

@@ -19,6 +19,7 @@ from ....foundation.slotted import replace
 from ....words import Words
 from ...picture import to_scale
 from .known import NEAR, begins_at, begun
+from .room import outline
 from .through import EDGE, Box, centred, crossed, reach, through
 
 PAST, _PARTS = 2.0, 360  # mm between a circle and the frame; parts of a circle that is cut off there
@@ -68,7 +69,7 @@ def _in_the_middle(figure: Figure, pole: Point, size: tuple[float, float]) -> tu
 
 def _about(figure: Figure, size: tuple[float, float]) -> Box:
     """The frame with the figure in its middle."""
-    low, high = bounds(figure.marks)
+    low, high = outline(figure)
     start = (low + high - complex(*size)) / 2
     return start, start + complex(*size)
 
