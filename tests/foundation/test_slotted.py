@@ -109,6 +109,15 @@ def test_a_mark_replaced_quickly_is_as_frozen_as_its_kind(x: float, key: str, st
         quickly_replaced(mark, nothing=1)  # type: ignore[call-arg]
 
 
+def test_a_field_of_any_name_is_replaced() -> None:
+    @DECORATORS["late"](frozen=True, slots=True)
+    class Pair:
+        one: int
+        changes: int = 0
+
+    assert quickly_replaced(Pair(1), one=2, changes=3) == Pair(2, 3)
+
+
 def test_a_subclass_with_a_dictionary_is_made_as_what_it_is() -> None:
     class Told(Segment):
         pass
