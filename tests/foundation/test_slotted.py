@@ -106,7 +106,16 @@ def test_a_mark_replaced_quickly_is_as_frozen_as_its_kind(x: float, key: str, st
     with pytest.raises(FrozenInstanceError, match="step"):
         found.step = 3  # type: ignore[misc]
     with pytest.raises(TypeError, match="nothing"):
-        quickly_replaced(mark, nothing=1)
+        quickly_replaced(mark, nothing=1)  # type: ignore[call-arg]
+
+
+def test_a_field_of_any_name_is_replaced() -> None:
+    @DECORATORS["late"](frozen=True, slots=True)
+    class Pair:
+        one: int
+        changes: int = 0
+
+    assert quickly_replaced(Pair(1), one=2, changes=3) == Pair(2, 3)
 
 
 def test_a_subclass_with_a_dictionary_is_made_as_what_it_is() -> None:
