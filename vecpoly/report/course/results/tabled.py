@@ -51,7 +51,7 @@ def laid_out(made: Table, press: Press, title: Words, style: Style = SMALL, halv
     return press.table(title, header, body, "r" * len(header), style=TINY if len(header) > TIGHT else style)
 
 
-def _abreast(header: list[str], body: list[tuple[str, ...]], count: int) -> tuple[list[str], list[tuple[str, ...]]]:
+def _abreast(header: list[str], body: Sequence[tuple[str, ...]], count: int) -> tuple[list[str], list[tuple[str, ...]]]:
     """The rows in so many parts beside each other, a narrow empty column between them."""
     high, blank = ceil(len(body) / count), ("",) * len(header)
     parts = [body[n * high : (n + 1) * high] for n in range(count)]
