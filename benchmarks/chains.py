@@ -6,7 +6,7 @@ from __future__ import annotations
 from math import log
 
 from vecpoly.board.construction import Construction
-from vecpoly.drawing.figure import drawing, unique
+from vecpoly.drawing.figure import drawn_anew, unique
 from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.drawing.symbols.around import Surroundings
 from vecpoly.drawing.symbols.marks import draw
@@ -38,7 +38,7 @@ def _sheets(problem: Problem) -> list[float]:
 
 
 def _lettered(construction: Construction) -> None:
-    drawing.cache_clear()
+    drawn_anew()
     sheets(construction)
 
 

@@ -12,7 +12,7 @@ from tempfile import TemporaryDirectory
 
 from reportlab.pdfgen.canvas import Canvas
 
-from vecpoly.drawing.figure import drawing
+from vecpoly.drawing.figure import drawn_anew
 from vecpoly.problem.load import load
 from vecpoly.report.document import write_report
 from vecpoly.solution import Solution, solve
@@ -53,7 +53,7 @@ def run() -> str:
 
 def _write(solution: Solution, path: Path) -> None:
     """The report with every figure drawn anew."""
-    drawing.cache_clear()
+    drawn_anew()
     write_report([solution], path)
 
 

@@ -44,11 +44,29 @@ def pytest_configure() -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Where several workers run groups of tests, those that share what they make stand together."""
+    """Of dear claims those whose turn it is. Where several workers run groups of tests, those that share what they make
+    stand together."""
+    if config.args == config.getini("testpaths"):
+        _rest(config, items)
     if config.getoption("loadgroup", False):
         from tests.sharing import arrange
 
         arrange(items)
+
+
+def _rest(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Take off the dear claims whose turn it is not."""
+    from tests.dear import dear, function_of, resting, state, turns
+    from tests.laws import soaking
+
+    if soaking() or turns() == 1:
+        return
+    names = dear()
+    resting_ones = resting(
+        (one.nodeid for one in items if function_of(one.nodeid) in names), state(config.rootpath), turns()
+    )
+    config.hook.pytest_deselected(items=[one for one in items if one.nodeid in resting_ones])
+    items[:] = [one for one in items if one.nodeid not in resting_ones]
 
 
 @pytest.hookimpl(tryfirst=True)

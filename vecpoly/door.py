@@ -7,7 +7,7 @@ them, and reach into every part: ``load("3-9").solve().report("3-9.pdf")``, pict
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import fields, replace
+from dataclasses import fields
 from functools import wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
@@ -17,6 +17,7 @@ from . import solution as inside
 from .amend import Length, Spot
 from .board import construction as board
 from .board.otherwise.slip import Slip
+from .foundation.slotted import replace
 from .problem import assignment
 from .problem import load as files
 from .problem import problem as exercise

@@ -4,7 +4,6 @@ scales are held, and letters carried on from where they stood."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 
 from .board.construction import Construction, Figure
 from .board.hand import hand
@@ -13,6 +12,7 @@ from .drawing.labels.following import Follower
 from .drawing.labels.following import Name as Label
 from .drawing.scene import Scene
 from .foundation.frozen import FrozenMap
+from .foundation.slotted import dataclass, replace
 from .mechanism.model import Mechanism
 from .methods.plan import drawn_alone
 from .problem.problem import Problem

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 
-from .board.acts import Act, Compute, Follow, Invert, Judge, LayOff, Locate, Meet, Parallel, Ray, Touch, Transfer
+from .board.acts import Act, Compute, Follow, Image, Invert, Judge, LayOff, Locate, Meet, Parallel, Ray, Touch, Transfer
 from .board.hand import hand
 from .board.otherwise.amended import AS_DRAWN
 from .board.otherwise.slip import Mistake, Slip
@@ -53,6 +53,8 @@ def _of(act: Act, acts: Sequence[Act], name: str) -> Iterator[Slip]:
             yield Slip(Mistake.FORWARDS, act.key)
         case Locate() if any(isinstance(met := acts[n], Meet) and met.other is not None for n in act.inputs):
             yield Slip(Mistake.OTHER_MEETING, name)
+        case Locate() if any(isinstance(drawn := acts[n], Image) and drawn.other is not None for n in act.inputs):
+            yield Slip(Mistake.TURNED_OVER, name)
         case Compute(chances=chances):
             yield from (Slip(mistake, name, instead) for mistake, instead in chances)
         case Judge(crosses=False):

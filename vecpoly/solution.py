@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self, cast
 
@@ -21,6 +21,7 @@ from .drawing.sheets.paper import DrawingPaper
 from .found import conclusion, found_json, linkage, objection, verification
 from .foundation.arguments import of_kind
 from .foundation.frozen import FrozenMap
+from .foundation.slotted import replace
 from .mechanism.model import Mechanism
 from .methods.desk import Desk
 from .methods.drawn import Drawn

@@ -16,10 +16,13 @@ from vecpoly.board.paper.marks import Block, Dot, Ground, Plate, Point, Role, Se
 from vecpoly.drawing.backends.pdf import to_pdf
 from vecpoly.drawing.backends.png import to_png
 from vecpoly.drawing.backends.svg import to_svg
-from vecpoly.drawing.figure import draw_figure, drawing, unit_per_mm
+from vecpoly.drawing.figure import draw_figure, drawing, drawn_anew, unit_per_mm
+from vecpoly.drawing.labels import kept
 from vecpoly.drawing.scene import Fill, Layer, Scene, Stroke
 from vecpoly.drawing.style import HEAD_LENGTH, HEAD_WIDTH, Hue
 from vecpoly.drawing.symbols import shapes
+from vecpoly.foundation.frozen import FrozenMap
+from vecpoly.foundation.slotted import replace
 from vecpoly.words import Words
 
 MM = 72 / 25.4
@@ -155,3 +158,21 @@ def test_matplotlib_figure_has_the_true_size() -> None:
 
 def test_an_empty_figure_draws_only_its_title() -> None:
     assert isinstance(draw_figure(figure()), Scene)
+
+
+def test_letters_that_were_placed_once_stand_there_again() -> None:
+    drawn_anew()
+    paper, again = drawing(SAMPLE, lang="zh"), drawing(replace(SAMPLE, tones=FrozenMap({})), lang="en")
+    hits = kept._placed.cache_info().hits
+    drawn_anew()
+    assert hits == 1 and [one.centre for one in paper.labels] == [one.centre for one in again.labels]
+    assert again.scene == drawing(replace(SAMPLE, tones=FrozenMap({})), lang="en").scene
+    assert {item.hue for item in paper.scene.items} > {item.hue for item in again.scene.items}
+
+
+def test_letters_are_placed_anew_where_a_line_has_come_nearer() -> None:
+    drawn_anew()
+    before = drawing(SAMPLE)
+    crossed = replace(SAMPLE, marks=(*SAMPLE.marks, Segment(a=25 - 2.3j, b=43 - 2.3j, role=Role.DIRECTION, step=2)))
+    after = drawing(crossed)
+    assert kept._placed.cache_info().hits == 0 and before.labels != after.labels

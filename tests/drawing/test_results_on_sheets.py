@@ -20,7 +20,7 @@ from vecpoly.drawing.sheets.space import FRAME, STRIP
 from vecpoly.printed.digits import drawn_number
 from vecpoly.problem.load import load
 from vecpoly.report.answers.line import named_line, short_line
-from vecpoly.report.plates.results import concluded
+from vecpoly.report.plates.results import SHORT, _listed, concluded
 from vecpoly.solution import YES_NO, solve
 from vecpoly.typeset import Glyphs, layout
 from vecpoly.typeset.box import MM
@@ -167,3 +167,18 @@ def test_the_red_box_over_a_full_page_lies_over_no_figure(name: str, plates: boo
     for sheet in _laid(name, plates=plates, warned=True):
         over = [one for item in sheet.alarm.items if (one := rect_of(item)).height < 20.0]
         assert over and not any(one.overlaps(figure.extents) for one in over for figure in sheet.figures)
+
+
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_what_was_read_off_too_short_a_length_has_a_star_and_a_line_that_says_so(lang: Lang) -> None:
+    solution = drafted("3-5")
+    assert solution is not None
+    answers = dict(solution.answers)
+    reading = answers["v_F"].reading
+    answers["v_F"] = replace(answers["v_F"], reading=replace(reading, mm=0.3))
+    assert answers["v_F"].short and not answers["v_B"].short
+    (listed,) = _listed((answers["v_B"], answers["v_F"]), solution, lang)
+    assert [plain(node).endswith(" *") for node in listed.nodes] == [False, True]
+    (told,) = listed.said(3.8)
+    assert "3 mm" in SHORT.of(lang) and told.width < 60.0
+    assert not any(one.said(3.8) for one in _listed((answers["v_B"],), solution, lang))

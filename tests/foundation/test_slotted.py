@@ -97,6 +97,26 @@ def test_what_is_replaced_quickly_is_what_is_replaced(given: dict[str, Any], cha
     assert _seen(quickly_replaced(one, **changes)) == _seen(replace(one, **changes))
 
 
+@given(st.floats(allow_nan=False), st.text(), st.integers())
+def test_a_mark_replaced_quickly_is_as_frozen_as_its_kind(x: float, key: str, step: int) -> None:
+    mark = Segment(a=0j, b=1j, role=Role.LINK)
+    changes: dict[str, Any] = {"a": complex(x), "key": key, "step": step}
+    found = quickly_replaced(mark, **changes)
+    assert found == replace(mark, **changes) and type(found) is Segment and mark == Segment(a=0j, b=1j, role=Role.LINK)
+    with pytest.raises(FrozenInstanceError, match="step"):
+        found.step = 3  # type: ignore[misc]
+    with pytest.raises(TypeError, match="nothing"):
+        quickly_replaced(mark, nothing=1)
+
+
+def test_a_subclass_with_a_dictionary_is_made_as_what_it_is() -> None:
+    class Told(Segment):
+        pass
+
+    told = Told(a=0j, b=1j, role=Role.LINK, key="AB")
+    assert type(told) is Told and told.key == "AB" and type(quickly_replaced(told, key="")) is Told
+
+
 def test_a_copy_and_a_pickle_are_equal_and_hash_alike() -> None:
     mark = Segment(a=0j, b=1j, role=Role.LINK, step=3)
     for again in (copy.copy(mark), copy.deepcopy(mark), pickle.loads(pickle.dumps(mark))):

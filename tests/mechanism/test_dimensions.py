@@ -185,7 +185,7 @@ def test_the_radius_of_every_disc_of_a_cam_is_among_the_given_lengths(name: str)
     discs = {end for contact in mech.contacts for end in (contact.disc, contact.on) if isinstance(end, Circle)}
     found = {one.name.en: one for one in given_dimensions(mech)}
     for disc in discs:
-        one = found[f"$r_{{{mech.number(disc.link)}}}$"]
+        one = found[f"$r_{{{mech.disc_number(disc.link)}}}$"]
         assert one.size == disc.radius
         assert replace(disc, radius=disc.radius + 1e-3) in {
             end for contact in one.enlarged(1e-3).contacts for end in (contact.disc, contact.on)

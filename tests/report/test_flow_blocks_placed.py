@@ -359,8 +359,9 @@ def test_a_listing_leaves_three_lines_on_each_page(height: float) -> None:
     assert [text for part in parts if isinstance(part, Listing) for _, text in part._lines] == (lines if parts else [])
 
 
-def test_a_listing_for_which_a_page_has_room_is_not_parted() -> None:
-    assert Listing("\n".join(f"key{i}: value" for i in range(50))).split(400, 300) == []
+def test_a_listing_for_which_a_page_has_room_is_parted_only_where_it_would_leave_a_gap() -> None:
+    listing = Listing("\n".join(f"key{i}: value" for i in range(50)))
+    assert listing.split(400, 200) == [] and len(listing.split(400, 300)) == 2
 
 
 def test_chinese_letters_take_more_of_a_folded_line() -> None:

@@ -17,6 +17,7 @@ from vecpoly.figures.balancing import HODOGRAPH
 from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.framed.fields import FIELDS, READ
 from vecpoly.report.question.framed.frames import frames
+from vecpoly.report.question.ruled import named
 
 
 @cache
@@ -76,3 +77,17 @@ def test_no_column_of_results_is_for_nothing_and_none_wider_than_a_hand_needs(na
     columns = [*zip(*(row for row in table.rows if not row[0].startswith("**")), strict=True)]
     assert not any(set(column) == {"—"} for column in columns)
     assert max((table.widths or (0.0,))[1:]) <= 65.0
+
+
+def test_short_groups_of_results_stand_side_by_side_each_under_its_name() -> None:
+    table = empty_table(drawn("2-7").solution, "zh")
+    assert len(table.header) == 4 and len(table.rows) < 10
+    names = [(row, n) for n, row in enumerate(table.rows) if any(text.startswith("**") for text in row)]
+    assert sum(text.startswith("**") for row, _ in names for text in row) == 3
+    assert table.rows[0][0].startswith("**") and table.rows[0][2].startswith("**")  # both blocks begin with one
+
+
+def test_no_line_parts_the_name_of_a_group_and_every_cell_to_be_filled_in_has_its_lines() -> None:
+    assert named(("**Velocities**", "", ""), 0) and named(("**Velocities**", "", ""), 1)
+    assert not named(("$v_{B}$", "", ""), 1)
+    assert not named(("$n$", "", "**Others**", ""), 1) and named(("$n$", "", "**Others**", ""), 2)

@@ -11,6 +11,7 @@ from tests.flat_positions import FLAT
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.report.answers.box import answer_box
 from vecpoly.report.answers.notes import UNREADABLE, notes_of
+from vecpoly.report.content import statement
 from vecpoly.report.picture import NOT_TO_SCALE
 from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.sketch import sketched
@@ -113,3 +114,16 @@ def test_a_module_is_no_metre() -> None:
     before an m."""
     told = _told("gear-shifted")
     assert "小于 $0.25·m$ = 2.5 mm" in told and not re.search(r"\d m\$", told)
+
+
+@pytest.mark.parametrize("lang", LANGS)
+def test_a_roller_that_is_welded_to_its_lever_keeps_its_own_number(lang: Lang) -> None:
+    """Roller 3 of lever 2 has the radius r_3, where it is given and where the bar of the contact is told."""
+    assert "r_{3}" in (text := statement(solved("cam-roller"), lang)["given"]) or "r_3" in text
+    assert "r_2" not in text and "r_1 + r_3" in _told("cam-roller", lang)
+
+
+def test_points_of_the_second_solution_are_told_by_their_prime_where_its_quantities_have_a_number() -> None:
+    assert statement(solved("best-gamma"), "zh")["primed"] == "$A′$"
+    assert statement(solved("8-4"), "zh")["primed"] == "$C′_2$"
+    assert not statement(solved("3-9"), "zh")["primed"]

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from ..errors import NoMethodError
+from ..foundation.slotted import replace
 from ..mechanism.model import FRAME, Prismatic
 from ..words import Words
 from .equations import Equation

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import VecpolyError
 from ..foundation.files import write_whole
+from ..foundation.slotted import replace
 from ..grading.scheme import USUAL_SCHEME, Scheme, scheme_of
 from ..problem.assignment import Assignment
 from ..problem.problem import Problem

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, lru_cache, partial
 from pathlib import Path
 from typing import Any
@@ -12,6 +12,7 @@ from typing import Any
 from pydantic import TypeAdapter, ValidationError
 
 from ..errors import UnknownNameError, VecpolyError
+from ..foundation.slotted import replace
 from ..grading.key import AnswerKey
 from ..grading.scheme import USUAL_SCHEME, Scheme
 from ..problem.problem import Problem, Scales

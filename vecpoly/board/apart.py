@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from math import isclose
 
+from ..foundation.slotted import replace
 from .construction import Scale
 from .place import Pane, Place, View
 

@@ -4,12 +4,12 @@ Everything that comes after drawing reads this, and only this."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field, replace
+from dataclasses import field
 from typing import Self
 
 from ..algebra.formula import Node
 from ..foundation.frozen import FrozenMap
-from ..foundation.slotted import dataclass
+from ..foundation.slotted import dataclass, replace
 from ..names import ascii_key
 from ..words import Words, language
 from .acts import Act

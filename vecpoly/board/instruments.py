@@ -23,7 +23,7 @@ from ..plane import (
     similar,
     unit,
 )
-from ..plane.geometry import crossing, dot, inclined
+from ..plane.geometry import crossing, dot, inclined, turned_over
 from ..plane.traced import acts_of, traced
 from ..words import Words
 from . import acts as done
@@ -32,7 +32,7 @@ from .construction import Scale
 from .hand import Hand
 from .ledger import Stood
 from .otherwise.amended import AS_DRAWN, Amended, plain_letters
-from .otherwise.slip import Mistake, Slip
+from .otherwise.slip import FOUND_AMISS, Mistake, Slip
 from .otherwise.wrongly import FACTOR, as_taken, before
 from .place import Place, View
 from .said.apart import arcs_apart, line_apart
@@ -59,7 +59,7 @@ class Instruments(Strokes):
         """
         key = plain_letters(letter)
         other = next((self._others[n] for n in acts_of(at) if n in self._others), at)
-        swapped = (hand for hand, slip in self.amended.wrong(view, key) if slip.mistake is Mistake.OTHER_MEETING)
+        swapped = (hand for hand, slip in self.amended.wrong(view, key) if slip.mistake in FOUND_AMISS)
         at = self.amended.altered(at, ((hand, other) for hand in swapped))
         at = self.amended.point(view, letter, at)
         head = self.head(at, on=view, key=key, owner=FOUND_ON if found_on else "" if of is None else f"point {of}")
@@ -215,8 +215,12 @@ class Instruments(Strokes):
 
     def image(self, of: tuple[Points, Points, Points], on: tuple[Points, Points]) -> Points:
         """The third corner of the similar figure on `on` that keeps the letter order of `of`."""
-        at = similar(*of, *on) + self.hand.carry(0.0) + 1j * self.hand.carry(0.0)
-        return traced(at, self.log(done.Image(head=self.head(of, on), at=spot(at))))
+        missed = self.hand.carry(0.0) + 1j * self.hand.carry(0.0)
+        at, other = similar(*of, *on) + missed, turned_over(*of, *on) + missed
+        in_line = abs(spot(other - at)) < NO_LENGTH
+        act = self.log(done.Image(head=self.head(of, on), at=spot(at), other=None if in_line else spot(other)))
+        self._others |= dict.fromkeys(act, traced(other, act))
+        return traced(at, act)
 
     def _led(self, slip: Slip, at: Points, along: Points) -> Points:
         """The direction of a ruled line by this mistake."""

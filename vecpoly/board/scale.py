@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import degrees
 
 from ..figures.mu import Mu
-from ..foundation.slotted import dataclass
+from ..foundation.slotted import dataclass, replace
 from .place import View
 
 

@@ -3,12 +3,11 @@ the acceleration of a drive where places and velocities alone are sought, loads 
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from .. import oracle
 from ..errors import VecpolyError
+from ..foundation.slotted import replace
 from ..mechanism.model import Mechanism, Statement
 from ..names import Kind, Rel
 from ..problem.asked.asks import AskPoint

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from ..designs.base import Design
 from ..designs.numbers import with_numbers
+from ..foundation.slotted import replace
 from ..mechanism.model import Mechanism
 
 TRIALS = 4  # sets of data that are looked at

@@ -4,12 +4,11 @@ what cannot be read is told at the end, and does not stop the others."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import NotAskedError
-from ..foundation.slotted import dataclass
+from ..foundation.slotted import dataclass, replace
 from ..foundation.stock import FormatName
 from ..words import Words
 from .errors import Tally

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,6 +11,7 @@ from ..cycle import Column, Cycle
 from ..cycle.facts.transmission_range import USUAL
 from ..drawing.style import THIN, Dash, Hue
 from ..errors import NotAskedError
+from ..foundation.slotted import replace
 from ..typeset import layout_words
 from ..words import Lang, Words
 from . import style

@@ -11,10 +11,10 @@ and 3; ``d_45`` distance of the outer pins of an RPR dyad. A vector's parts: ``v
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from itertools import chain
 
 from ..errors import EquilibriumError, UnknownNameError
+from ..foundation.slotted import replace
 from ..mechanism.asked.forces import pairs, press_named, quantities, slide_named
 from ..mechanism.asked.machine import reduced_quantities
 from ..mechanism.groups.assur import Dyad, decompose, ends

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -11,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import oracle
 from ..errors import VecpolyError
+from ..foundation.slotted import replace
 from ..mechanism.assembly.branch import margin, opposite
 from ..mechanism.assembly.four_bar import fourth_corner
 from ..mechanism.assembly.start import Start

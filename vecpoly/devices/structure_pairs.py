@@ -14,10 +14,11 @@ from __future__ import annotations
 
 import cmath
 import re
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import StrEnum
 
 from ..errors import FaultError
+from ..foundation.slotted import replace
 from ..words import Words
 
 FRAME = "0"

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from itertools import groupby
 
 from ..board.paper.marks import AngleMark, Dot, Mark, Point, RightAngle, Role, Segment
 from ..board.paper.symbols import Symbol
+from ..foundation.slotted import replace
 
 
 def copied(marks: Iterable[Mark], *, lettered: bool) -> Iterator[Symbol]:

@@ -6,7 +6,7 @@ import cmath
 from collections.abc import Iterator, Sequence
 from math import pi
 
-from ..board.paper.marks import FixedGuide, GearMark, LinkNumber, Mark, RackMark, Role, Segment
+from ..board.paper.marks import FixedGuide, GearMark, LinkNumber, Mark, RackMark, Role, Segment, Weld
 from ..mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
 from ..mechanism.pitch_lines import PitchLine, is_along
 from ..problem.problem import Shape
@@ -17,6 +17,7 @@ HALF_HATCH = 15.0  # mm: the hatching of a fixed gear to either side
 FACE = 2.2  # mm from the pitch line to the body of a rack, to which its pins are joined
 DEEP = 7.2  # mm from the pitch line to the underside of a rack
 RIM = 2.0  # mm from a ring to its number
+HUB, ARM = 1.3, 6.0  # mm: from the centre of a wheel to where its arms begin; a shorter arm has no room for a corner
 BESIDE = 0.3  # mm: a pin nearer to the pitch line stands on it
 
 
@@ -28,6 +29,7 @@ def gear_marks(posed: Posed, circle: Circle, joint: Rolling, drawn: Sequence[Mar
     if any(abs(mark.centre - centre) < BESIDE and abs(mark.radius - radius) < BESIDE for mark in circles):
         return
     yield GearMark(centre=centre, radius=radius)
+    yield from _welded(posed, circle, centre)
     if circle.link == FRAME:
         foot, along = centre - 1j * radius, 1.0 if joint.internal else -1.0
         yield FixedGuide(a=foot + along * -HALF_HATCH, b=foot + along * HALF_HATCH)
@@ -37,6 +39,18 @@ def gear_marks(posed: Posed, circle: Circle, joint: Rolling, drawn: Sequence[Mar
         if not any(isinstance(m, LinkNumber) and m.number == posed.name(circle.link) for m in drawn):
             spot = pins[0] if pins else _beside_ring(centre, radius) if _is_ring(circle, joint) else centre
             yield LinkNumber(a=centre if pins else spot, b=spot, number=posed.name(circle.link))
+
+
+def _welded(posed: Posed, circle: Circle, centre: complex) -> Iterator[Weld]:
+    """The filled corner where an arm of the wheel leaves its hub, towards the nearer of the lines of its cross: arm and
+    wheel are one link (GB/T 4460)."""
+    pins = () if circle.link == FRAME else posed.body(circle.link).points
+    ways = (posed.at[pin] - centre for pin in pins if pin in posed.at)
+    for way in ways:
+        if abs(way) > HUB + ARM:
+            u = way / abs(way)
+            side = -1j if (u.real * u.imag) > 0 else 1j
+            yield Weld(at=centre, off=HUB * u, u=u, v=side * u)
 
 
 def rack_marks(posed: Posed, joint: Rolling, rack: Rack) -> Iterator[Mark]:

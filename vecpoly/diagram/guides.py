@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 from ..board.paper.marks import Block, FixedGuide, LinkNumber, Mark, Role, Segment, Slot, Weld
+from ..foundation.slotted import replace
 from ..mechanism.model import FRAME, Prismatic, Revolute
 from ..problem.problem import Shape
 from .bars import weld

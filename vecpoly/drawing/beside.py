@@ -6,11 +6,11 @@ Nothing else moves: what is measured, the letters of points and the points thems
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from ..board.construction import View
 from ..board.paper.marks import Mark, Vector
 from ..board.paper.tones import key_of, whose
+from ..foundation.slotted import replace
 
 ASIDE = 1.5  # mm between two vectors on one line
 ON_LINE, OVERLAP = 0.15, 1.0  # mm beside a line that is still the line; of two vectors that must lie on each other

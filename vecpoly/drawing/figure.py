@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 from ..algebra.formula import Node, Power, Row, Txt, row
 from ..algebra.quantity import number
 from ..board.construction import Figure, Scale, View
 from ..board.paper.marks import Ground
+from ..foundation.slotted import dataclass
 from ..typeset import Box, layout
 from ..words import Lang, Words
 from .beside import beside
 from .cleared import cleared
-from .labels.about.obstacles import Obstacles
 from .labels.actions import is_line_of_action
 from .labels.ground import broken
+from .labels.kept import Lettering, places_forgotten
 from .labels.notes import LEADING, folded, lines
-from .labels.placing import Placed, place
+from .labels.placing import Placed
 from .labels.want import Line, Spot, Want
 from .labels.wants import grounds, unnamed, wants
 from .ringed import is_astray
@@ -97,12 +97,18 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
     What was drawn last is kept: question, solution, course report and player of one problem draw a figure once.
     """
     bare = Bare.of(figure, lang)
-    found = place(bare.wanted, Obstacles.of(bare.items), bare.extents, frame, bare.unnamed, bare.grounds)
-    placed = tuple(label for label in found if not is_astray(figure, label))
+    letters = Lettering.of(bare.wanted, bare.items, bare.extents, frame, bare.unnamed, bare.grounds)
+    placed = tuple(label for label in letters.placed if not is_astray(figure, label))
     items = broken(bare.items, [label.rect for label in placed])
     lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))
     scene = lettered + Scene.of(caption_items(figure, lettered.extents, lang)) if caption else lettered
     return Drawing(scene, placed, items, lettered.extents)
+
+
+def drawn_anew() -> None:
+    """From here on every figure is drawn again: for measuring."""
+    drawing.cache_clear()
+    places_forgotten()
 
 
 def unique(items: tuple[Item, ...]) -> tuple[Item, ...]:

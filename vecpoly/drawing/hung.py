@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import shapely
 
 from ..board.paper.marks import AngleMark, Dot, FixedGuide, Ground, Mark, Point
+from ..foundation.slotted import replace
 from .symbols.bodies import FOOT_HEIGHT, GROUND_HALF
 from .symbols.outlines import outlines
 from .symbols.shapes import NEAR

@@ -4,10 +4,9 @@ every backend draws this and nothing else."""
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from enum import IntEnum
 
-from ..foundation.slotted import dataclass
+from ..foundation.slotted import dataclass, replace
 from ..typeset import Box
 from .rect import Rect as Rect
 from .style import Dash, Hue
@@ -72,18 +71,20 @@ Item = Stroke | Fill | TextBox
 
 def rect_of(item: Item) -> Rect:
     """The rectangle an item covers, with its line width."""
+    return Rect(*_sides(item))
+
+
+def _sides(item: Item) -> tuple[float, float, float, float]:
+    """The sides of that."""
     match item:
-        case TextBox():
-            return item.rect
+        case TextBox(box=box, x=x, y=y):
+            return x, y - box.descent, x + box.width, y + box.ascent
         case Stroke(points=points, width=width):
-            return _hull(points).grown(width / 2)
+            xs, ys, by = [z.real for z in points], [z.imag for z in points], width / 2
+            return min(xs) - by, min(ys) - by, max(xs) + by, max(ys) + by
         case Fill(points=points):
-            return _hull(points)
-
-
-def _hull(points: tuple[complex, ...]) -> Rect:
-    xs, ys = [z.real for z in points], [z.imag for z in points]
-    return Rect(min(xs), min(ys), max(xs), max(ys))
+            xs, ys = [z.real for z in points], [z.imag for z in points]
+            return min(xs), min(ys), max(xs), max(ys)
 
 
 def moved(item: Item, by: complex) -> Item:
@@ -107,13 +108,8 @@ class Scene:
         """The scene of these items, with the extents they cover."""
         if not items:
             return cls((), Rect(0.0, 0.0, 0.0, 0.0))
-        rects = [rect_of(item) for item in items]
-        return cls(
-            items,
-            Rect(
-                min(r.x0 for r in rects), min(r.y0 for r in rects), max(r.x1 for r in rects), max(r.y1 for r in rects)
-            ),
-        )
+        lefts, feet, rights, heads = zip(*map(_sides, items), strict=True)
+        return cls(items, Rect(min(lefts), min(feet), max(rights), max(heads)))
 
     def __iter__(self) -> Iterator[Item]:
         """The items in drawing order: by layer, then as they were drawn."""

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import cmath
-from dataclasses import replace
 from typing import TypeGuard
 
 from ..board.paper.marks import Arc, Block, Mark, Role
 from ..board.paper.walls import holds
+from ..foundation.slotted import replace
 
 STROKE, SWUNG = 9.0, 14.0 + 1e-6  # mm: length of a stroke as it is inked, and as it is swung at most
 TURN = 1.0 + 1e-9  # rad through which it is swung at most: a longer arc is a part of a circle

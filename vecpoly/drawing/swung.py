@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from math import pi
 from typing import Any
 
@@ -13,6 +12,7 @@ import numpy as np
 import shapely
 
 from ..board.paper.marks import AngleMark, FixedGuide, Ground, Mark, TurnArrow
+from ..foundation.slotted import replace
 from .symbols.angles import TAIL, Arc, narrow, sweep_of
 from .symbols.bodies import FOOT_HEIGHT, GROUND_HALF
 from .symbols.outlines import outlines

@@ -4,7 +4,7 @@ the recorded sheet, the range in which it was proved, what does not follow."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import isfinite, pi
 
 from ..board import acts as done
@@ -14,6 +14,7 @@ from ..board.hand import hand
 from ..board.otherwise.amended import AS_DRAWN
 from ..board.place import view_of
 from ..errors import NoMethodError, VecpolyError
+from ..foundation.slotted import replace
 from ..mechanism.model import Drive, Mechanism
 from ..mechanism.profiles import refuse_profiles
 from ..methods.desk import Desk

@@ -64,7 +64,7 @@ def given_dimensions(mech: Mechanism, written: frozenset[str] = frozenset()) -> 
         if isinstance(joint, Prismatic) and joint.block not in mech.substitutes:
             yield from (_of_guide(mech, joint, one) for one in dims.of_guide(i, joint))
     for disc in dict.fromkeys(disc for contact in mech.contacts for disc in dims.of_contact(contact)):
-        yield Dimension(Words.same(f"$r_{{{mech.number(disc.link)}}}$"), mech, disc)
+        yield Dimension(Words.same(f"$r_{{{mech.disc_number(disc.link)}}}$"), mech, disc)
 
 
 def _of_link(mech: Mechanism, link: Link, written: frozenset[str]) -> Iterator[Dimension]:

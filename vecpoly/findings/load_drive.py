@@ -3,7 +3,7 @@ dead points, transmission angle."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import pi, radians
 
 import numpy as np
@@ -15,6 +15,7 @@ from ..cycle.facts.transmission_range import USUAL
 from ..cycle.root import ridders
 from ..cycle.sample import sample
 from ..errors import VecpolyError
+from ..foundation.slotted import replace
 from ..mechanism.groups.assur import Dyad, decompose, ends, hinges
 from ..mechanism.model import FRAME, Drive, Mechanism, Prismatic
 from .study.study import Study

@@ -4,7 +4,7 @@ whether it still runs, with which transmission angles, and what becomes of its o
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
@@ -13,6 +13,7 @@ from ..cycle import Cycle, Extremes, cycle, extremes, facts
 from ..cycle.facts.found import Facts
 from ..cycle.sample import sample
 from ..errors import AssemblyError, VecpolyError
+from ..foundation.slotted import replace
 from ..mechanism.dimensions.set_out import stretched
 from ..mechanism.model import Link, Mechanism, Prismatic
 from ..words import Words

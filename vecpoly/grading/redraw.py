@@ -5,7 +5,6 @@ them.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from ..board.acts import Answer as Wrote
 from ..board.hand import Hand, steady
 from ..board.otherwise.amended import AS_DRAWN, Amended
 from ..drawing.sheets.paper import DrawingPaper
+from ..foundation.slotted import replace
 from ..mechanism.model import Mechanism
 from ..methods.drawn import Drawn
 from ..methods.plan import drawn_otherwise

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from ..errors import FaultError
+from ..foundation.slotted import replace
 from ..problem.marking import Marking
 from ..problem.schema.faults import Faults, meant
 from ..problem.schema.marking import BlockSpec, MarkingSpec, PointsSpec

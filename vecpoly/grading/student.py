@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from ..errors import ArgumentError, UnknownNameError
 from ..foundation.arguments import of_kind
+from ..foundation.slotted import replace
 from ..names import Rel, parse_rel
 from ..problem.asked.asks import AskRel
 from ..problem.problem import Problem

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 from ..batch.register import Register
+from ..foundation.slotted import replace
 from ..grading.compare.band import target_of, weigh
 from ..grading.compare.measured import Measured, measured
 from ..grading.compare.outcome import Finding

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from ..batch.register import Register
 from ..errors import Fault
 from ..foundation.files import write_whole
+from ..foundation.slotted import replace
 from ..grading.key import AnswerKey
 from ..grading.scheme import Scheme
 from ..words import Lang, Words

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cache
 
 from ..batch.register import Part, Register, Sheet
 from ..batch.student import Student
 from ..board.otherwise.slip import Slip
 from ..errors import VecpolyError
+from ..foundation.slotted import replace
 from ..grading.drawings.judging.mark import DrawingMark
 from ..grading.marking.marked import Marked
 from ..grading.marking.marker import mark

@@ -6,8 +6,7 @@ roll on working pitch circles r' = r a' / a: the ratio stays. What differs by mo
 
 from __future__ import annotations
 
-from dataclasses import replace
-
+from ..foundation.slotted import replace
 from ..words import Words
 from .groups.assur import holders
 from .model import Circle, Mechanism, Rack, Rolling, Side

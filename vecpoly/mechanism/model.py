@@ -173,6 +173,10 @@ class Mechanism:
             link = pins[link].carrier
         return self.frame_number if link == FRAME else link
 
+    def disc_number(self, link: str) -> str:
+        """The number by which the radius of a link's disc is called: that of the roller that was welded to it."""
+        return next((roller for roller, host in self.welded if host == link), self.number(link))
+
     def named(self, number: str) -> str:
         """The link with this printed number."""
         return FRAME if number == self.frame_number else number

@@ -9,9 +9,9 @@ nearer to the frame: the rocker or the slider, not the connecting rod. None of t
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 
 from ..errors import MobilityError
+from ..foundation.slotted import replace
 from .groups.assur import decompose, ends, hinges
 from .model import FRAME, Joint, Mechanism, Revolute
 

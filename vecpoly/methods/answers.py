@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from ..algebra.formula import Node, Row, Txt, letters_node, sym
@@ -13,6 +11,7 @@ from ..board.board import NO_LENGTH
 from ..board.construction import Reading, View
 from ..board.strokes import amount, spot
 from ..errors import NoMethodError
+from ..foundation.slotted import replace
 from ..names import Key, Kind, Rel
 from ..plane import Points, Reals, nominal
 from ..problem.asked.asks import AskNamed

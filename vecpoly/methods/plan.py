@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -14,6 +13,7 @@ from ..board.hand import Hand, hand
 from ..board.otherwise.amended import AS_DRAWN, Amended
 from ..board.place import Place, views
 from ..board.said.yielded import evaluated
+from ..foundation.slotted import replace
 from ..problem.problem import Problem
 from ..words import Words
 from .answers import answered

@@ -4,7 +4,7 @@ its figures tells the round scales with which every figure fills its place on th
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import field
 from functools import lru_cache
 
 from ..board.board import Scratch
@@ -14,7 +14,7 @@ from ..board.paper.extent import extent, lasting
 from ..board.paper.marks import Vector
 from ..board.paper.scales import round_scale
 from ..board.place import Place
-from ..foundation.slotted import dataclass
+from ..foundation.slotted import dataclass, replace
 from ..names import Rel
 from ..problem.problem import Problem
 from .answers import answered

@@ -6,11 +6,10 @@ motion.value(parse_rel("a_E"))
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..foundation.slotted import replace
 from ..mechanism.model import Mechanism
 from .assembly.feasible import SEARCHED
 from .motion import Motion

@@ -3,12 +3,13 @@ the point at which two links have one velocity, or the direction in which it lie
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from ..errors import NotAskedError, UnknownNameError
+from ..foundation.slotted import replace
 from ..mechanism.asked.centres import centre, centre_speed, crank_groups, limits, link_pairs, ratio
 from ..mechanism.model import FRAME, Mechanism
 from ..words import Words

@@ -5,12 +5,13 @@ Nothing here knows of collineations or similar triangles: κ = v × a / |v|³ of
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from ..errors import NotAskedError, UnknownNameError
+from ..foundation.slotted import replace
 from ..mechanism.asked.centres import centre, pair_of
 from ..mechanism.asked.curvature import (
     Centrodes,

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ..errors import AssemblyError
+from ..foundation.slotted import replace
 from ..mechanism.model import FRAME, Mechanism
 from ..words import Words
 from .assembly.across import across

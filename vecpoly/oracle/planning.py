@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import lru_cache, partial
 
 import numpy as np
 
 from ..errors import AssemblyError
 from ..foundation.same import Same
+from ..foundation.slotted import replace
 from ..mechanism.gearing import misfit
 from ..mechanism.groups.assur import decompose
 from ..mechanism.groups.mobility import check

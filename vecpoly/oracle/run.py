@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import DeadPointError
-from ..foundation.slotted import dataclass
+from ..foundation.slotted import dataclass, replace
 from ..words import Words
 from .state import Bodies, Body, Points, Reals
 

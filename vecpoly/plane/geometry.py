@@ -107,6 +107,11 @@ def similar(a: Points, b: Points, c: Points, a1: Points, b1: Points) -> Points:
     return a1 + (c - a) / (b - a) * (b1 - a1)
 
 
+def turned_over(a: Points, b: Points, c: Points, a1: Points, b1: Points) -> Points:
+    """The point c1 for which a1 b1 c1 is similar to a b c in the reversed letter order."""
+    return a1 + np.conj((c - a) / (b - a)) * (b1 - a1)
+
+
 def inclined(axis: Points, sine: Reals) -> tuple[Points, Points]:
     """The two unit vectors u that make an angle of this sine with a vector, axis × u = |axis| sine:
     ahead, and behind; else NaN."""

@@ -4,7 +4,7 @@ of each, one group of lines for every step and layer, in both languages at once.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
 
@@ -12,6 +12,7 @@ from ..board.construction import Construction, Figure, Place, View
 from ..drawing.figure import caption_items, drawing
 from ..drawing.order import reading_order
 from ..drawing.scene import Item, Rect, Scene
+from ..foundation.slotted import replace
 from ..names import written_unit
 from ..words import Lang, Words
 from .setting.ink import UNIT, Ink

@@ -7,7 +7,7 @@ few terms say exactly what the construction would give. Where they do not, nothi
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import combinations_with_replacement
 from typing import Any
 
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from ..board.otherwise.amended import Amended, Own
 from ..errors import VecpolyError
+from ..foundation.slotted import replace
 from ..grading.compare.measured import Measured
 from ..grading.compare.own import Follower
 from ..grading.key import AnswerKey, Graded, Kind

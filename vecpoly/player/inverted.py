@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from ..answer import Answer
 from ..board.construction import Figure
+from ..foundation.slotted import replace
 from ..problem.asked.asks import AskNamed
 from ..problem.problem import Problem
 from ..solution import Solution, solve

@@ -4,7 +4,7 @@ what stays is written once, what moves once for every place of the drive."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import reduce
 from itertools import groupby
 
@@ -14,6 +14,7 @@ from ..drawing.labels.following import Follower
 from ..drawing.order import reading_order
 from ..drawing.scene import Item, Layer, Rect, Scene, TextBox
 from ..drawing.style import Hue
+from ..foundation.slotted import replace
 from ..words import Lang
 from .figures import LANGS, MARGIN, box, caption, key_of
 from .panes import magnified, pane

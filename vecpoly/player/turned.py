@@ -3,7 +3,7 @@ it stays assembled as it was, and keeps its scales where they will do."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import degrees, pi
 
 import numpy as np
@@ -13,6 +13,7 @@ from .. import oracle
 from ..board.construction import Construction
 from ..cycle.pose import posed
 from ..errors import VecpolyError
+from ..foundation.slotted import replace
 from ..mechanism.model import Mechanism
 from ..methods.desk import Desk
 from ..methods.plan import sketched

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from pathlib import Path
 
 from ..errors import FaultError
+from ..foundation.slotted import replace
 from ..foundation.stock import ANY_A4, paper_of
 from ..mechanism.model import Drive, Joint, Mechanism
 from ..mechanism.seats import seated

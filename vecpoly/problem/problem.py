@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field, replace
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from ..figures import Mu
 from ..foundation.frozen import FrozenMap
-from ..foundation.slotted import dataclass
+from ..foundation.slotted import dataclass, replace
 from ..foundation.stock import ANY_A4, FormatName, Paper, paper_of
 from ..mechanism.asked.curvature import Curvature
 from ..mechanism.counterweights import Counterweights

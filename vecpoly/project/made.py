@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from typing import Any
 
 from ..cycle import cycle
 from ..errors import FaultError
 from ..found import taken as solution_taken
+from ..foundation.slotted import replace
 from ..mechanism.model import Mechanism
 from ..problem.assignment import part as branch
 from ..problem.build import build

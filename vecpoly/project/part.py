@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from ..cycle import Cycle, Facts, cycle, facts
 from ..designs.base import Design
 from ..findings.study.study import Study
+from ..foundation.slotted import replace
 from ..mechanism.model import Mechanism
 from ..names import Rel
 from ..problem.problem import Problem

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import degrees
 
 from ..cycle.pose import posed
 from ..errors import FaultError
+from ..foundation.slotted import replace
 from ..problem.problem import Problem, Scales
 from ..solution import Solution, scales_of, solve
 from ..words import Words

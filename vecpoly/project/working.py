@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..cycle import Cycle, cycle
 from ..errors import FaultError, UnknownNameError
+from ..foundation.slotted import replace
 from ..mechanism.loads import Force, Loads
 from ..words import Words
 

@@ -79,6 +79,7 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
         "coriolis": "coriolis" if any(key.startswith("ak_") for key in solution.construction.readings) else "",
         "placed": "placed" if any(one.is_place for one in solution.answers.values()) else "",
         "superscripts": "superscripts" if _has_numbers(solution) else "",
+        "primed": _primed(solution),
     }
 
 
@@ -86,6 +87,14 @@ def _has_numbers(solution: Solution) -> bool:
     """Whether the number of a solution stands above symbols, l_AB^(1)."""
     lines = (line for step in solution.construction.steps for line in step.formulas)
     return any("^(" in plain(line) for line in lines)
+
+
+def _primed(solution: Solution) -> str:
+    """A point by whose prime the second solution is known on the sheet, while its quantities have a number; "" where
+    none is named."""
+    lines = (plain(line) for step in solution.construction.steps for line in step.formulas)
+    named = (_PRIMED.search(line.partition(" = ")[2]) for line in lines if "^(2)" in line)
+    return next((f"${found[0]}$" for found in named if found is not None), "")
 
 
 def _has_hues(solution: Solution) -> bool:
@@ -105,6 +114,7 @@ def _has_doubled(solution: Solution) -> bool:
     return any(drawn_apart(figure.view, figure.marks) is not figure.marks for figure in solution.construction.figures)
 
 
+_PRIMED = re.compile(r"[A-Z]′(?:_\d)?")
 _LONG = re.compile(r"(?<![\w.])(\d+\.\d+)(?= (mm)|[^\d.]|$)")
 _FIGURES = {"mm": 4}  # of a length; of other data one more
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import fields, replace
+from dataclasses import fields
 from itertools import combinations
 from math import inf
 from typing import Any
@@ -13,6 +13,7 @@ from ..board.paper.extent import extent
 from ..board.paper.marks import AngleMark, Cell, Dot, FixedGuide, Mark, Note, Point, RightAngle, Role, Vector
 from ..designs.base import Design
 from ..devices.structure import Structure
+from ..foundation.slotted import replace
 from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
 from ..words import Words

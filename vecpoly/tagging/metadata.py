@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from ..foundation.slotted import dataclass
 from ..foundation.stock import A4, Format
 from ..words import Lang
 

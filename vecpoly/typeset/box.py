@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 
-from ..foundation.slotted import dataclass
+from ..foundation.slotted import dataclass, replace
 
 MM = 72 / 25.4  # points in a millimetre
 Rgb = tuple[float, float, float]

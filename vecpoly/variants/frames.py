@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 from ..board.construction import Construction, Figure
 from ..board.paper.extent import corners, figured
 from ..board.paper.scales import round_up
 from ..figures import View
+from ..foundation.slotted import replace
 from ..problem.problem import Problem
 
 WIDTH, HEIGHT = 160.0, 150.0  # mm

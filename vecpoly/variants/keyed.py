@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
+from ..foundation.slotted import replace
 from ..grading.key import AnswerKey
 from .judge import Standard
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from math import asin, pi
 
@@ -32,6 +32,7 @@ from ..board.hand import hand, steady
 from ..board.otherwise.amended import AS_DRAWN, Amended
 from ..board.otherwise.slip import Slip
 from ..figures import views
+from ..foundation.slotted import replace
 from ..grading.allowance import STUDENT
 from ..grading.derive.keyed import TURNING, answer_key
 from ..grading.key import AnswerKey, Graded, Kind

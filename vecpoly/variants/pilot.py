@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import inf
 from typing import Self
 
@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..board.otherwise.slip import Slip
+from ..foundation.slotted import replace
 from ..problem.problem import Problem
 from ..solution import scales_of
 from .conditions import Condition

@@ -4,12 +4,12 @@ other."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import combinations
 from math import inf, log
 
 import numpy as np
 
+from ..foundation.slotted import replace
 from ..grading.key import AnswerKey
 from .apart import Apart, Taken, answers
 

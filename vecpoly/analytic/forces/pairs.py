@@ -169,7 +169,7 @@ def _contact(frame: Frame, contact: Contact, angle: float) -> Touch:
     """A force along the common normal, towards the disc; friction f N across it."""
     mech, (disc, on), k = frame.mech, contact.links, contact.point
     who, back = mech.number(on) + mech.number(disc), mech.number(disc) + mech.number(on)
-    (cx, cy), radius = frame.xy(contact.disc.centre), Const(f"r_{{{disc}}}", contact.disc.radius)
+    (cx, cy), radius = frame.xy(contact.disc.centre), Const(f"r_{{{mech.disc_number(disc)}}}", contact.disc.radius)
     nx, ny = Var(f"n_{{{k}x}}"), Var(f"n_{{{k}y}}")
     across = _normal(frame, contact)
     outer = not isinstance(contact.on, Rack) and contact.internal and contact.disc.radius > contact.on.radius

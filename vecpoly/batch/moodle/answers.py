@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import isfinite
 
 import numpy as np
 
+from ...foundation.slotted import replace
 from ...grading.key import AnswerKey, Graded, Kind
 from ...problem.problem import Problem
 from ...report.values import class_told, is_class, is_worded, value

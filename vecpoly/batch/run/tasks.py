@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from itertools import islice
 from pathlib import Path
 from typing import Any
 
 from ...errors import VecpolyError
 from ...foundation.files import write_whole
+from ...foundation.slotted import replace
 from ...problem.problem import Problem
 from ...solution import solve
 from ...variants.apart import Taken

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from ...board.construction import Figure
 from ...figures import View
+from ...foundation.slotted import replace
 from ...grading.key import AnswerKey, Graded, Kind
 from ...methods.desk import POLE
 from ...report.question.working import LEAST_ROOM

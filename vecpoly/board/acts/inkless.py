@@ -107,10 +107,12 @@ class Touch(Done):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Image(Done):
-    """The third corner of a similar figure with the same letter order."""
+    """The third corner of a similar figure with the same letter order; other: with the reversed order, None where the
+    three are in line."""
 
     verb: ClassVar[Words | None] = Words("作影像", "image")
     at: complex
+    other: complex | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

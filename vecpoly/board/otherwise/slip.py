@@ -20,6 +20,7 @@ class Mistake(StrEnum):
     SCALED = "scaled"  # laid off with another figure's scale
     COINCIDENT = "coincident"  # the vector of the other link's point at this place
     OTHER_MEETING = "other meeting"  # the links put together the other way
+    TURNED_OVER = "turned over"  # an image whose letters run the other way round
     OTHER_CENTRE = "other centre"  # a line through the wrong two centres
     OTHER_TANGENT = "other tangent"  # on the wrong side of the friction circle
     COMPLEMENT = "complement"  # θ set out for 90° − θ, or the other way round
@@ -52,6 +53,7 @@ _WORDS = {
     Mistake.SCALED: "用错比例尺",
     Mistake.COINCIDENT: "取错重合点",
     Mistake.OTHER_MEETING: "取了另一交点",
+    Mistake.TURNED_OVER: "所在相似形的字母绕行顺序取反",
     Mistake.OTHER_CENTRE: "连错瞬心",
     Mistake.OTHER_TANGENT: "切于摩擦圆的另一侧",
     Mistake.COMPLEMENT: "取了余角",
@@ -69,6 +71,7 @@ _WORDS = {
     Mistake.UNSQUARED: "的算式中漏了平方",
     Mistake.COFUNCTION: "的算式中正弦与余弦取错",
 }
+FOUND_AMISS = (Mistake.OTHER_MEETING, Mistake.TURNED_OVER)  # of two places where a point may be found, the wrong one
 # whose words tell of what
 TOLD_OF = (Mistake.AS_ONE, Mistake.OMITTED, Mistake.SIGN, Mistake.INVERTED, Mistake.UNSQUARED, Mistake.COFUNCTION)
 

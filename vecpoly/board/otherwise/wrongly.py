@@ -33,6 +33,8 @@ def as_taken(mistake: Mistake, vector: Points, scale: float) -> Points:
             return vector * scale
         case Mistake.COINCIDENT | Mistake.OTHER_MEETING | Mistake.OTHER_CENTRE | Mistake.OTHER_TANGENT:
             return vector
+        case Mistake.TURNED_OVER:
+            return vector
         case Mistake.COMPLEMENT | Mistake.OTHER_SIDE | Mistake.FORWARDS | Mistake.COUNTED | Mistake.SWAPPED:
             return vector
         case Mistake.WITH_FRAME | Mistake.AS_ONE:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import degrees, nan
 from typing import Any
 
@@ -12,6 +12,7 @@ from ...cycle.facts.found import facts
 from ...cycle.whole_cycle import cycle
 from ...designs.base import Design
 from ...errors import VecpolyError
+from ...foundation.slotted import replace
 from ...mechanism.model import Mechanism
 from ...problem.problem import Problem
 from ...problem.values.made import problem as made

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import cmath
-from dataclasses import replace
 from math import degrees, pi, radians
 
+from ...foundation.slotted import replace
 from ...words import Words
 from ..truth import Truth
 from .verdict import Checked, Verdict

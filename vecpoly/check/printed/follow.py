@@ -8,9 +8,10 @@ enters as printed (a mistake is followed through), any other with its exact valu
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import prod
 
+from ...foundation.slotted import replace
 from ...mechanism.loads import Loads, Mass
 from ...words import Words
 from .verdict import GRAPHICAL, Checked, Verdict, last_digit

@@ -8,13 +8,14 @@ then the data as printed and the printed solution contradict each other.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
 
 from ... import oracle
 from ...errors import VecpolyError
+from ...foundation.slotted import replace
 from ...mechanism.assembly.branch import opposite
 from ...mechanism.model import Mechanism, Statement
 from ...names import Rel

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
+from ...foundation.slotted import replace
 from ...mechanism.model import Mechanism
 from ...oracle import Motion
 from ...words import Words

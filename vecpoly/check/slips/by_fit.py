@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
 from ...errors import VecpolyError
+from ...foundation.slotted import replace
 from ...mechanism.model import FRAME, Mechanism
 from ...oracle import Motion
 from ...words import Words

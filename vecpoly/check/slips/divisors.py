@@ -7,11 +7,11 @@ along the guide (RPR). All that hangs on the link is computed with the undivided
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 import numpy as np
 
 from ...errors import VecpolyError
+from ...foundation.slotted import replace
 from ...mechanism.groups.assur import Dyad, decompose
 from ...mechanism.model import Joint, Mechanism, Prismatic, Revolute, Rolling
 from ...names import Kind

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import assert_never
 
+from ...foundation.slotted import replace
 from ...mechanism.assembly.branch import opposite
 from ...mechanism.dimensions.set_out import firm, set_out
 from ...mechanism.dimensions.values import Bar, Coordinate, Dimension, Led, Part, Placed

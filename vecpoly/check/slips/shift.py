@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from math import degrees, radians
 
 import numpy as np
 
+from ...foundation.slotted import replace
 from ...words import Words
 from ..table.target import Reals
 from ..table.truth import Truth, solved

@@ -4,7 +4,7 @@ units that are not written are found by fit."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import pi
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy as np
 from ... import oracle
 from ...cycle.facts.transmission import folded
 from ...errors import TableError
+from ...foundation.slotted import replace
 from ...mechanism.model import Drive, Mechanism
 from ...oracle import Motion
 from ...oracle.run import wrapped

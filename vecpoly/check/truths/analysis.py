@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from ... import oracle
 from ...errors import VecpolyError
+from ...foundation.slotted import replace
 from ...mechanism.asked.forces import given_value, pairs, press_named
 from ...mechanism.asked.pressure import driven_links
 from ...mechanism.groups.assur import hinges

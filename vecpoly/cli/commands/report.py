@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...errors import NoMethodError, VecpolyError
 from ...foundation.files import is_special
-from ...foundation.slotted import dataclass
+from ...foundation.slotted import dataclass, replace
 from ...foundation.spread import spread
 from ...words import Words
 from ..errors import Tally, about

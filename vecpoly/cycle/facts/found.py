@@ -4,11 +4,12 @@ transmission angles, dead points, peaks."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ... import oracle
+from ...foundation.slotted import replace
 from ...mechanism.groups.assur import hinges
 from ...mechanism.model import FRAME
 from ..columns import dyads, slides

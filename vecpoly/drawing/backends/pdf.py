@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from io import BytesIO
 from typing import Any
 
@@ -42,18 +43,21 @@ def _item(item: Item, canvas: Any, x: float, y: float, state: tuple[object, ...]
     return state
 
 
+@cache
 def _pen(width: float, dash: Dash, hue: Hue) -> str:
     pattern = " ".join(f"{part * MM:.4f}" for part in dash.pattern)
     return f"{width * MM:.4f} w [{pattern}] 0 d {_rgb(hue)} RG"
 
 
+@cache
 def _rgb(hue: Hue) -> str:
     return "{:.3g} {:.3g} {:.3g}".format(*hue.value)
 
 
 def _path(points: tuple[complex, ...], x: float, y: float) -> str:
     places = [f"{x + z.real * MM:.4f} {y + z.imag * MM:.4f}" for z in points]
-    return f"{places[0]} m " + " ".join(f"{place} l" for place in places[1:])
+    places[0] += " m"
+    return " l ".join(places).replace(" m l ", " m ", 1) + (" l" if len(places) > 1 else " ")
 
 
 def new_canvas(target: Any, width: float, height: float, lang: Lang = "en") -> Any:

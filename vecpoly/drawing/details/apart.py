@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 
 import numpy as np
 
 from ...board.construction import Figure
 from ...board.paper.marks import Arc, Dot, Mark, Point, Role, Segment, Vector
+from ...foundation.slotted import replace
 from ...words import Words
 from ..symbols.around import RING
 from .knot import Knot

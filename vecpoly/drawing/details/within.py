@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 import shapely
@@ -29,6 +28,7 @@ from ...board.paper.marks import (
     Segment,
     Vector,
 )
+from ...foundation.slotted import replace
 from ..symbols.shapes import arc, circle
 from .knot import Knot
 from .knots import APART

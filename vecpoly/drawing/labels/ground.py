@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 import shapely
 
+from ...foundation.slotted import replace
 from ..scene import Item, Layer, Rect, Stroke
 
 HALO = 0.45  # mm between a letter and the hatching that is broken off about it

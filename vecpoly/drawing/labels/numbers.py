@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import cmath
-from dataclasses import replace
 from itertools import pairwise
 from math import tau
 
 from ...board.paper.marks import Block, Disc, Dot, GearMark, LinkNumber, Mark, Passing, Point
+from ...foundation.slotted import replace
 from ..style import RESULT
 from ..symbols.bodies import block_corners
 from ..symbols.shapes import NEAR

@@ -4,10 +4,11 @@ it goes farther off, on a leader. It never shrinks: one figure has one size of t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf, isnan
 
+from ...foundation.slotted import replace
 from ..scene import Item, Layer, Rect, Stroke, TextBox
 from ..style import THIN, Hue
 from ..weighing.places import Row, cheapest, price_all
@@ -72,10 +73,12 @@ def place(
     """A place for each label; the same input always gives the same places."""
     table = _Table.of(Around(obstacles, wanted, drawn, frame, unnamed, grounds))
     for around in CROWDS:
-        crowded = [i for i, trouble in enumerate(table.troubles) if trouble > BAD]
+        crowded, reach = table.crowded(table.settled), CROWDS[-1]
+        if len(crowded) <= MANY * len(wanted):  # else there is no room to be made
+            crowded = table.crowded(table.standing)
+            reach = CROWDS[-1] if len(crowded) > MANY * len(wanted) else around
         if not crowded:
             break
-        reach = CROWDS[-1] if len(crowded) > MANY * len(wanted) else around
         sooner = {i for i in range(len(wanted)) if any(table.near(i, k) <= reach for k in crowded)}
         if any(not table.around.wanted[i].farther for i in sooner):
             table = table.eased(sooner)
@@ -109,9 +112,13 @@ class _Table:
         kept = {key: one.again() for key, one in self.meetings.items() if rows[key[0]].parts[key[1]] is known[key[:2]]}
         return _Table(around, rows, kept, self.pairs)
 
+    def crowded(self, standing: Standing) -> list[int]:
+        """The labels that are on something where they stand."""
+        return [i for i in range(len(self.rows)) if self._trouble(i, standing) > BAD]
+
     def near(self, i: int, k: int) -> float:
         """How far apart the middles of two labels stand."""
-        one, other = self.standing.stood[i], self.standing.stood[k]
+        one, other = self.settled.stood[i], self.settled.stood[k]
         return inf if one is None or other is None else abs(one.centre - other.centre)
 
     def _meeting(self, i: int, k: int, n: int, standing: Standing) -> Meeting:
@@ -130,6 +137,12 @@ class _Table:
 
     @cached_property
     def standing(self) -> Standing:
+        """Those that fared badly have made room for each other."""
+        self._make_room(self.settled)
+        return self.settled
+
+    @cached_property
+    def settled(self) -> Standing:
         """The most constrained label chooses first; then each reconsiders until none moves."""
         standing = Standing.nowhere(len(self.rows))
         price_all(self.rows)
@@ -141,7 +154,6 @@ class _Table:
                 self._choose(i, standing)
             if standing.chosen == before:
                 break
-        self._make_room(standing)
         return standing
 
     def _make_room(self, standing: Standing) -> None:
@@ -210,19 +222,14 @@ class _Table:
         k, n, place = self.rows[i].where(number)
         standing.put(i, number, self.rows[i].parts[k].batches[n].trial.one(place))
 
-    @cached_property
-    def troubles(self) -> tuple[float, ...]:
-        """What each label stands on, lines and other labels."""
-        return tuple(self._trouble(i) for i in range(len(self.rows)))
-
-    def _trouble(self, i: int) -> float:
-        part, at = self.rows[i].of_number(self.standing.chosen[i])
-        return float(part.hard[at]) + self._met(i, self.standing)
+    def _trouble(self, i: int, standing: Standing) -> float:
+        """What a label stands on, lines and other labels."""
+        part, at = self.rows[i].of_number(standing.chosen[i])
+        return float(part.hard[at]) + self._met(i, standing)
 
     def placed(self, i: int) -> Placed:
         """Label i at its chosen place."""
         part, at = self.rows[i].of_number(self.standing.chosen[i])
         foot = complex(part.spots.foot[at])
-        return Placed(
-            self.around.wanted[i], complex(part.spots.centre[at]), self.troubles[i], None if isnan(foot.real) else foot
-        )
+        cost = self._trouble(i, self.standing)
+        return Placed(self.around.wanted[i], complex(part.spots.centre[at]), cost, None if isnan(foot.real) else foot)

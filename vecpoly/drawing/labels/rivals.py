@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...foundation.slotted import dataclass
 from .about.bounds import Complexes, Floats, Indices
 from .about.clipping import enters
 from .want import Line, Spot, Thing, Want

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from ...foundation.slotted import dataclass
 from .about.bounds import Complexes, Floats
 from .want import Thing, Want
 

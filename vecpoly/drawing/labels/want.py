@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field
 from enum import Enum
 
+from ...foundation.slotted import dataclass, replace
 from ...typeset import Box
 from ..style import Hue
 

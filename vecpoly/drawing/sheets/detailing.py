@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 from ...board.construction import Figure
+from ...foundation.slotted import replace
 from ...words import Lang
 from ..details.apart import all_detailed, shown
 from ..details.knots import MOST

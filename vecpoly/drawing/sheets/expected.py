@@ -4,9 +4,9 @@ dear, and of all arrangements that are thought of one alone is drawn. Details ar
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 
 from ...board.construction import Figure
+from ...foundation.slotted import dataclass, replace
 from ...foundation.stock import Paper
 from ...words import Lang
 from ..details.apart import is_detail

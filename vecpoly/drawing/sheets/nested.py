@@ -3,25 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
+from ...foundation.slotted import replace
 from ..details.room import Grow, Room, Spots, along, filled, reach_of
 from ..scene import Fill, Item, Rect, Scene, Stroke, rect_of
+
+KEPT = 16  # figures
 
 
 def nested(scene: Scene, details: Sequence[tuple[Scene, complex]]) -> dict[Grow, tuple[complex, ...]]:
     """By how much the scene of each detail, given with the place that it shows, is moved to stand beside the figure,
     in whichever direction this may grow."""
     boxes = [one.extents for one, _ in details]
-    bare = Room.about(scene.extents, (_spots(item) for item in scene.items), reach_of(boxes))
+    bare = Room.about(scene.extents, [_ink(scene)], reach_of(boxes))
     moved = dict[Grow, tuple[complex, ...]]()
     for grow in Grow:
         room = replace(bare, taken=bare.taken.copy(), ink=[*bare.ink])
         found = [room.put(e, shown, grow) for e, (_, shown) in zip(boxes, details, strict=True)]
         moved[grow] = tuple(complex(at.x0 - e.x0, at.y0 - e.y0) for at, e in zip(found, boxes, strict=True))
     return moved
+
+
+@lru_cache(maxsize=KEPT)
+def _ink(scene: Scene) -> Spots:
+    """Points of all its items; a figure is tried with ever fewer details."""
+    return np.concatenate([_spots(item) for item in scene.items])
 
 
 def _spots(item: Item) -> Spots:

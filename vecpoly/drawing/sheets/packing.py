@@ -4,6 +4,7 @@ the arrangement with the most even white wins."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations
 
 from ...foundation.slotted import dataclass
 from .slicing import Pair, Piece, Shape, Size, Slicing, depth, is_read
@@ -79,7 +80,7 @@ def _best(slicing: Slicing, start: int, end: int, sizes: Sequence[Size], page: S
     """The arrangement with most white, of like ones the plainest, and whether it is read row by row."""
     together = sum(start <= i and j < end for i, j in slicing.tied)
     pieces = [piece for _, _, piece in slicing.shapes(start, end)]
-    made = [(_layout(piece, start, end, sizes, page, together), piece) for piece in pieces]
+    made = [(_layout(piece, (start, end), sizes, slicing.sizes, page, together), piece) for piece in pieces]
     found = max(made, key=lambda one: (min(one[0].white, AMPLE), -depth(one[1]), one[0].white), default=None)
     return (None, True) if found is None else (found[0], is_read(found[1]))
 
@@ -102,22 +103,23 @@ def _plates(slicing: Slicing, sizes: Sequence[Size]) -> list[Layout]:
 
 def _plate(shape: Shape, sizes: Sequence[Size], together: int) -> Layout:
     wide, high, piece = shape
-    return _layout(piece, 0, len(sizes), sizes, (max(NARROW, min(PLATE, wide + AROUND)), high + AROUND), together)
+    page = (max(NARROW, min(PLATE, wide + AROUND)), high + AROUND)
+    return _layout(piece, (0, len(sizes)), sizes, padded(sizes), page, together)
 
 
-def _layout(piece: Piece, start: int, end: int, sizes: Sequence[Size], page: Size, together: int) -> Layout:
-    corners = spread(piece, padded(sizes), inner(page))
-    placed = tuple(at + complex(TIGHT, TIGHT) for at in corners[start:end])
+def _layout(
+    piece: Piece, which: Pair, sizes: Sequence[Size], around: Sequence[Size], page: Size, together: int
+) -> Layout:
+    """Some of these figures, from one to before another; around: their sizes with their white."""
+    start, end = which
+    corners = spread(piece, around, inner(page))
+    placed = tuple([at + complex(TIGHT, TIGHT) for at in corners[start:end]])
     return Layout(page, placed, _white(placed, sizes[start:end], page), together, max(0, depth(piece) - 2))
 
 
 def _white(corners: Sequence[complex], sizes: Sequence[Size], page: Size) -> float:
     """The least white between two figures, or twice that to an edge: pages are spread so that both are alike."""
     boxes = [(c.real, c.imag, c.real + w, c.imag + h) for c, (w, h) in zip(corners, sizes, strict=True)]
-    edges = [2 * min(x0, y0, page[0] - x1, page[1] - y1) for x0, y0, x1, y1 in boxes]
-    between = [
-        max(x0 - u1, u0 - x1, y0 - v1, v0 - y1)
-        for i, (x0, y0, x1, y1) in enumerate(boxes)
-        for u0, v0, u1, v1 in boxes[:i]
-    ]
-    return min([*edges, *between])
+    edges = 2 * min(min(x0, y0, page[0] - x1, page[1] - y1) for x0, y0, x1, y1 in boxes)
+    between = [max(x0 - u1, u0 - x1, y0 - v1, v0 - y1) for (x0, y0, x1, y1), (u0, v0, u1, v1) in combinations(boxes, 2)]
+    return min(edges, *between) if between else edges

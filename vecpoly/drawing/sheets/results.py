@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
 from itertools import compress, islice
 from math import ceil
 
@@ -12,6 +11,7 @@ import shapely
 from numpy.typing import NDArray
 
 from ...algebra.formula import Node
+from ...foundation.slotted import dataclass, replace
 from ...typeset import Box, layout, layout_words
 from ...words import Words
 from ..scene import Fill, Item, Layer, Rect, Stroke, TextBox

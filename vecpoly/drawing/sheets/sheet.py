@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from itertools import chain
 
 from ...board.acts.inkless import is_reading
 from ...board.construction import Construction, Figure, View
 from ...errors import VecpolyError
+from ...foundation.slotted import dataclass, replace
 from ...foundation.stock import A4, ANY_A4, Format, Paper
 from ...words import Lang, Words
 from ..details.apart import is_detail

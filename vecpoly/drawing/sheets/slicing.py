@@ -8,8 +8,10 @@ figures is found by joining two curves, not by trying all cuts.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from operator import itemgetter
+
+from ...foundation.slotted import replace
 
 Size = tuple[float, float]
 Pair = tuple[int, int]

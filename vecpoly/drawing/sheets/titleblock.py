@@ -3,8 +3,7 @@ and the bar that proves the print true to scale."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from ...foundation.slotted import dataclass
 from ...typeset import Box, layout_words
 from ...typeset.box import place, scaled
 from ...words import Lang, Words, label

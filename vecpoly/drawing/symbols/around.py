@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
 
 from ...board.construction import View
 from ...board.paper.marks import Block, Disc, Dot, FrictionCircle, Ground, Mark, Point, Role, Segment, Vector
 from ...board.paper.walls import holds, leaves
+from ...foundation.slotted import dataclass
 from ...words import Lang
 from ..hues import Tones
 from ..scene import Layer

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import replace
 
+from ...foundation.slotted import replace
 from ..scene import Stroke
 from ..style import HEAD_LENGTH, HEAD_WIDTH, THIN, Dash, Hue
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
+from ...foundation.slotted import dataclass
 from ..labels.about.bounds import Complexes, Floats
 from ..labels.about.obstacles import Obstacles
 from ..labels.leading import alongside

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from ...errors import EquilibriumError, VecpolyError
+from ...foundation.slotted import replace
 from ...mechanism.loads import Constant, Loads
 from ...mechanism.machine import Steady, flywheel_of, known_of
 from ...mechanism.model import Mechanism

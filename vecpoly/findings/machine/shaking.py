@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...cycle import Cycle, Extremes, extremes
 from ...cycle.shaking import FORCE, MOMENT
+from ...foundation.slotted import replace
 from ...mechanism.groups.assur import pivot_of
 from ...mechanism.loads import Loads, Mass
 from ...words import Words

@@ -3,13 +3,12 @@ the rates of the output, where only centres or forces are asked for."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from ...cycle.columns import moving_points
 from ...cycle.sample import sample
 from ...errors import VecpolyError
+from ...foundation.slotted import replace
 from ...mechanism.groups.assur import decompose
 from ...mechanism.model import Mechanism
 from ...names import Kind, Rel, parse_rel

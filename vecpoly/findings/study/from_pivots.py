@@ -4,8 +4,8 @@ whichever letter the problem file names first."""
 from __future__ import annotations
 
 import cmath
-from dataclasses import replace
 
+from ...foundation.slotted import replace
 from ...mechanism.groups.assur import hinges
 from ...mechanism.model import FRAME, Joint, Link, Mechanism, Prismatic, Rack, Rolling
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import floor, log10
 
@@ -15,6 +15,7 @@ from ...analytic.equations import Model, Values
 from ...cycle import Cycle, Extremes, Facts, Path, cycle, extremes, facts, path
 from ...cycle.sample import Sample, sample
 from ...errors import NotAskedError
+from ...foundation.slotted import replace
 from ...mechanism.model import Mechanism
 from ...names import At, Kind, Rel
 from ...problem.asked.asks import AskPoint

@@ -3,13 +3,12 @@ what lies between its dead points, without their neighbourhood."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ...analytic.equations import Model
 from ...cycle import Cycle
+from ...foundation.slotted import replace
 
 SOUND = 0.3  # of a group's largest determinant: below, rates run away towards the dead point
 

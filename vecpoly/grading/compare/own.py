@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from math import hypot, isclose
 from typing import Any
 
@@ -13,6 +13,7 @@ from ...answer import bearing
 from ...board.otherwise.amended import Amended, Own
 from ...errors import VecpolyError
 from ...foundation.frozen import FrozenMap
+from ...foundation.slotted import replace
 from ...problem.problem import Problem
 from ..key import AnswerKey, Graded, Kind, spot_letters
 from ..redraw import by_hands

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from ...answer import YES_NO, Answer, bearing
 from ...board.acts import Act, Area, Compute, Locate, Measure
@@ -14,6 +14,7 @@ from ...board.otherwise.amended import AS_DRAWN
 from ...board.place import View, views
 from ...errors import VecpolyError
 from ...figures import View as Figured
+from ...foundation.slotted import replace
 from ...mechanism.model import Mechanism
 from ...methods.drawn import Drawn
 from ...names import parse_rel

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 from ...board.acts import Act
 from ...board.chain import needed
+from ...foundation.slotted import replace
 from ..key import Graded, Kind
 from .blocks import DIAGRAM
 

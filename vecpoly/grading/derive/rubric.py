@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
+from ...foundation.slotted import replace
 from ..key import NOTHING, Graded, Kind, Points
 from .blocks import ACCELERATION, DIAGRAM, FORCE, OTHER, VELOCITY
 

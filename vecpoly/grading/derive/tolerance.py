@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import floor, inf, isfinite, log10
 from typing import Any
 
@@ -12,6 +12,7 @@ import numpy as np
 from ...board.acts import Act
 from ...board.acts import Answer as Wrote
 from ...board.hand import scatter
+from ...foundation.slotted import replace
 from ...methods.drawn import Drawn
 from ..allowance import Allowance
 from ..key import Graded, Kind, beside

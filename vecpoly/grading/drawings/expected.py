@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from ...board.acts import Act, Arrow, Locate, Plot, Tint
 from ...board.construction import Construction
@@ -11,6 +11,7 @@ from ...board.hand import hand
 from ...board.otherwise.amended import AS_DRAWN, Amended, plain_letters
 from ...board.paper.marks import FixedGuide, Plate, Role, Segment, Slot
 from ...board.place import Pane, Place, View, called, view_of
+from ...foundation.slotted import replace
 from ...mechanism.model import Mechanism
 from ...methods.desk import Desk
 from ...methods.drawn import Drawn

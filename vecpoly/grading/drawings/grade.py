@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
+from ...foundation.slotted import replace
 from ...problem.problem import Problem
 from ...words import Words
 from ..allowance import CAD, Allowance

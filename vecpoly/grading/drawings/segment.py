@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
+from ...foundation.slotted import replace
 from ...words import Words
 
 TOUCH = 0.3  # mm: ends that are meant to be one

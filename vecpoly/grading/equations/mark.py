@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
+from ...foundation.slotted import replace
 from ...words import Words
 from ..compare.outcome import Finding, Outcome
 from ..key import AnswerKey, Graded

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
+from ...foundation.slotted import replace
 from ..key import Graded
 from .row import EquationRow
 

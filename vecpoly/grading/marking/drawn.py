@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
+from ...foundation.slotted import replace
 from ..key import AnswerKey, Graded, Kind, Points
 from ..reading.written import State
 from ..rules import Rules

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, assert_never
 
+from ...foundation.slotted import replace
 from ...words import Words
 from ..drawings.judging.mark import NO_WORDS, Basis, DrawingMark, FigureMark, VectorMark, Verdict
 from ..drawings.judging.reason import FAIR

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from math import isfinite, log10
 
 from ...algebra.quantity import number
+from ...foundation.slotted import replace
 from ...problem.problem import Problem
 from ...words import bare
 from ..compare.measured import UnitFault

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import replace
 from itertools import permutations
 
+from ...foundation.slotted import replace
 from ..compare.band import target_of, weigh
 from ..compare.measured import measured
 from ..key import AnswerKey

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 
+from ...foundation.slotted import replace
 from ...problem.problem import Problem
 from ...task import task_of
 from ..compare.band import target_of, weigh

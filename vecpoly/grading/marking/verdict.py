@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from ...answer import bearing
+from ...foundation.slotted import replace
 from ...problem.problem import Problem
 from ..compare.band import Target, target_of, weigh
 from ..compare.measured import Measured, UnitFault, measured

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, assert_never
 
@@ -15,16 +15,17 @@ from pydantic import TypeAdapter
 from ...answer import bearing
 from ...board.hand import scatter
 from ...board.otherwise.amended import Amended, Own
-from ...board.otherwise.slip import Mistake, Slip
+from ...board.otherwise.slip import FOUND_AMISS, Mistake, Slip
 from ...devices.base import Device
 from ...errors import VecpolyError
+from ...foundation.slotted import replace
 from ...mechanism.model import Mechanism
 from ...mistakes import slips
 from ...problem.problem import Problem
 from ..key import AnswerKey, Graded, Kind, beside
 from ..redraw import ByHand, by_hands
 
-TURNING = (Mistake.REVERSED, Mistake.DROPPED, Mistake.TURNED, Mistake.OTHER_MEETING)  # by which a motion may turn round
+TURNING = (Mistake.REVERSED, Mistake.DROPPED, Mistake.TURNED, *FOUND_AMISS)  # by which a motion may turn round
 FAR = 1e3  # times the exact value: no paper is so large
 SAME = 0.25  # of T: two values nearer than this are one
 HANDS = 24  # students who make each mistake, for what its values scatter by

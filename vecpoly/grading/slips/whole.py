@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import inf, log, pi, sqrt
 
+from ...foundation.slotted import replace
 from ..allowance import Allowance
 from ..compare.band import Target, distance, target_of, weigh
 from ..compare.measured import Measured

@@ -14,6 +14,7 @@ from .catalogue import Told
 from .message import Message, message
 
 _RATIO = re.compile(r"omega_ratio_(\d+?)_?(\d+)")  # omega_ratio_13, omega_ratio_1_12
+_POINT = re.compile(r"([A-Za-z])(\d+)('*)")
 SLIPS = (Told.SLIP, Told.EITHER, Told.CORIOLIS, Told.CORIOLIS_2)  # the sentences that tell of one
 MOST = 3  # slips that one sentence tells
 _SAID = {
@@ -27,6 +28,10 @@ _SAID = {
     Mistake.SCALED: Words("用错了比例尺", "laid off with another figure's scale"),
     Mistake.COINCIDENT: Words("取错了重合点", "taken of the wrong coincident point"),
     Mistake.OTHER_MEETING: Words("取了另一个交点", "found at the other intersection"),
+    Mistake.TURNED_OVER: Words(
+        "所在的影像（相似形）字母绕行顺序与构件上相反",
+        "in an image whose letters run the other way round than on the link",
+    ),
     Mistake.OTHER_CENTRE: Words("所在直线连错了瞬心", "on a line through the wrong two centres"),
     Mistake.OTHER_TANGENT: Words("切于摩擦圆的另一侧", "on the wrong side of the friction circle"),
     Mistake.COMPLEMENT: Words("取了余角（如以 θ 代 90° − θ）", "at the complementary angle (θ for 90° − θ, say)"),
@@ -76,7 +81,9 @@ def _said(slip: Slip) -> Words:
 
 
 def symbol_of(key: str) -> str:
-    """A key as it is printed: ``a^k_{C2C3}``, ``R_{32}``, ``bc2``."""
+    """A key as it is printed: ``a^k_{C2C3}``, ``R_{32}``, ``f_4'``, ``bc2``."""
+    if (point := _POINT.fullmatch(key)) is not None:
+        return f"{point[1]}_{{{point[2]}}}{point[3]}"
     if (ratio := _RATIO.fullmatch(key)) is not None:
         return f"ω_{{{ratio[1]}}}/ω_{{{ratio[2]}}}"
     with suppress(UnknownNameError):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +17,7 @@ from ...errors import VecpolyError
 from ...foundation.data import data_dir
 from ...foundation.files import write_whole
 from ...foundation.short import short
+from ...foundation.slotted import replace
 from ...grading.compare.outcome import Basis, Finding
 from ...grading.marking.marked import Marked
 from ...grading.rules import USUAL_RULES, Rules

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
-from dataclasses import replace
 from math import pi, radians
 
 from ...board.acts import Arrow
@@ -14,6 +13,7 @@ from ...board.place import View
 from ...drawing.figure import draw_figure
 from ...drawing.scene import Item, Layer, Scene, Stroke
 from ...drawing.style import RESULT, THIN, Dash, Hue
+from ...foundation.slotted import replace
 from ...grading.compare.outcome import Finding
 from ...grading.key import AnswerKey, Graded, Kind
 from ...grading.marking.marked import Marked

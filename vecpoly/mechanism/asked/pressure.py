@@ -6,10 +6,8 @@ frame; ``alpha``, ``gamma`` alone where the mechanism has only one such link.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from ...errors import MobilityError
-from ...foundation.slotted import dataclass
+from ...foundation.slotted import dataclass, replace
 from ...names import Named, Sort
 from ..groups.assur import Dyad, decompose, ends
 from ..model import FRAME, Joint, Mechanism, Prismatic, Revolute, Rolling

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from typing import assert_never
 
+from ...foundation.slotted import replace
 from ...words import Words
 from ..dimensions.placements import Side
 from .statements import Form, Shaped, SideOf, Statement

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Mapping
-from dataclasses import replace
 
+from ...foundation.slotted import replace
 from ..model import FRAME, Joint, Link, Mechanism, Prismatic
 from .placements import Placement, along, local
 

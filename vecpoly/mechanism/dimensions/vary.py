@@ -11,10 +11,10 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
-from dataclasses import replace
 from math import cos, sin
 from typing import TypeGuard, assert_never
 
+from ...foundation.slotted import replace
 from ..model import (
     FRAME,
     ByAngle,

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 
 from ...errors import VecpolyError
+from ...foundation.slotted import replace
 from ..model import FRAME, Drive, Mechanism, Prismatic
 from .assur import Group, decompose, ends, hinges
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from ...board.construction import View
+from ...foundation.slotted import replace
 from ...mechanism.counterweights import Outlet, Passing
 from ...mechanism.joints import FRAME
 from ...names import subscripted

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from ...algebra.quantity import Quantity, Sum, magnitude
+from ...foundation.slotted import replace
 from ...mechanism.counterweights import Counterweights, Outlet, Passing
 from ...mechanism.joints import FRAME
 from ...plane import Reals

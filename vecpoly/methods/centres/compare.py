@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Container, Mapping
-from dataclasses import replace
 from math import degrees, nan
 from typing import Any
 
 import numpy as np
 
 from ...board.construction import Reading
+from ...foundation.slotted import replace
 from ...mechanism.asked.centres import ENDLESS
 
 HALF, WHOLE = 180.0, 360.0  # deg: after which the direction of a line, and an angle, come round

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import isclose
 
 from ...board.construction import Scale, View
 from ...board.paper.extent import bounds, box_of
 from ...board.paper.scales import round_up
 from ...board.place import Pane
+from ...foundation.slotted import replace
 from ...mechanism.asked.centres import Pair
 from ...plane import Line, cross, nominal
 from ..desk import Desk

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from math import degrees, inf, radians
 
 from ...board.paper.extent import box_of
 from ...errors import NotAskedError, VecpolyError
+from ...foundation.slotted import replace
 from ...plane import nominal
 from ...words import Words
 from ..desk import Desk

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
 from ...board.construction import View
 from ...board.paper.extent import bounds, box_of
 from ...board.paper.scales import HALF, SERIES, round_up
 from ...board.place import Pane, Place
-from ...foundation.slotted import dataclass
+from ...foundation.slotted import dataclass, replace
 from ...plane import Points, nominal
 from ...words import Words
 from ..centres.size import MARGIN, Paper, apart, is_shared, too_large

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from ...algebra.worked import stated, worked
 from ...board.board import NO_LENGTH, Board
 from ...board.construction import LineOfAction, Place, Reading, Scale
 from ...board.otherwise.slip import Chance
+from ...foundation.slotted import replace
 from ...names import Named, ascii_key
 from ...plane import Points, Reals, nominal
 from ...words import Words

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import cmath
-from dataclasses import replace
 
-from ...foundation.slotted import dataclass
+from ...foundation.slotted import dataclass, replace
 from ...mechanism.model import CamProfile, Circle, Contact, Joint, Link, Mechanism, Prismatic, Rack, Side, SideOf
 
 

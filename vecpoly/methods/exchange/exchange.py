@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import field, replace
+from dataclasses import field
 from functools import lru_cache
 from math import pi
 
@@ -19,7 +19,7 @@ import numpy as np
 
 from ...board.construction import View
 from ...errors import AssemblyError, DeadPointError, NoMethodError, VecpolyError
-from ...foundation.slotted import dataclass
+from ...foundation.slotted import dataclass, replace
 from ...mechanism.assembly.bend import bend
 from ...mechanism.assembly.branch import margin
 from ...mechanism.groups.assur import Group, decompose

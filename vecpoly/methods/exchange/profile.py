@@ -7,7 +7,6 @@ the same position, velocity and acceleration, at this one place of the cam. The 
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import lru_cache
 from math import degrees, pi
 from typing import TYPE_CHECKING
@@ -19,6 +18,7 @@ from ...board.board import Board
 from ...board.construction import View
 from ...board.hand import hand
 from ...errors import NoMethodError
+from ...foundation.slotted import replace
 from ...mechanism.model import CamProfile, Mechanism
 from ...plane import nominal
 from ...problem.problem import Scales

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import lru_cache
 from math import pi, remainder
 
@@ -13,7 +12,7 @@ from ...board.construction import Scale, View
 from ...board.hand import hand
 from ...board.place import views
 from ...errors import AssemblyError
-from ...foundation.slotted import dataclass
+from ...foundation.slotted import dataclass, replace
 from ...mechanism.groups.assur import Group, decompose
 from ...mechanism.model import Drive, Mechanism, Prismatic
 from ...mechanism.rams import driven_joint

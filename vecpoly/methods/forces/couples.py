@@ -4,10 +4,10 @@ of friction in the pins of groups that moments solved."""
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import replace
 
 import numpy as np
 
+from ...foundation.slotted import replace
 from ...mechanism.asked.forces import load_named
 from ...mechanism.groups.assur import Group
 from ...mechanism.loads import Moment

@@ -10,12 +10,12 @@ on the links, found from round to round (`settling`).
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 import numpy as np
 
 from ...board.board import NO_LENGTH
 from ...board.construction import View
+from ...foundation.slotted import replace
 from ...mechanism.groups.assur import hinges
 from ...mechanism.model import Drive, Mechanism
 from ...mechanism.seats import seat, seated

@@ -3,8 +3,6 @@ M_I = J α against the angular acceleration, joined by h = M_I / F_I."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from ...algebra.formula import Node
@@ -13,6 +11,7 @@ from ...algebra.worked import worked
 from ...board.board import NO_LENGTH
 from ...board.construction import LineOfAction, Place, Reading, View
 from ...board.paper.marks import Dot, Role
+from ...foundation.slotted import replace
 from ...mechanism.asked.forces import quantities
 from ...mechanism.loads import Mass
 from ...names import At, Named, alpha, ascii_key

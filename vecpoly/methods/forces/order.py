@@ -3,9 +3,10 @@ the link that closes, the groups from the far end, and the links on which they h
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from ...errors import MobilityError
+from ...foundation.slotted import replace
 from ...mechanism.groups.assur import Group, decompose, ends
 from ...mechanism.loads import Force, Loads, Moment
 from ...mechanism.model import FRAME, Drive, Joint, Mechanism, Prismatic, Revolute, Rolling

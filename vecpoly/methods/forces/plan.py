@@ -8,11 +8,10 @@ pin couples of groups solved by moments have settled); then it is drawn.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from ...board.construction import View
 from ...diagram.single import friction_circle
 from ...errors import EquilibriumError, LockedError, NoSlipSenseError
+from ...foundation.slotted import replace
 from ...mechanism.asked.forces import load_named, without_friction
 from ...mechanism.groups.assur import Group
 from ...mechanism.loads import Loads, Moment

@@ -7,13 +7,14 @@ is known under that pair and, reversed, under the opposite one: R_21 = −R_12.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from ...board.board import Board
 from ...board.construction import Pane, Reading, Scale, View
 from ...board.paper.marks import Role
+from ...foundation.slotted import replace
 from ...mechanism.asked.forces import load_named, press_named, without_friction
 from ...mechanism.loads import Force, Load, Moment
 from ...mechanism.model import Joint, Mechanism, Prismatic, Revolute

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from ...algebra.quantity import Expr, Quantity
 from ...algebra.worked import worked
 from ...board.board import Board
 from ...board.construction import Reading
+from ...foundation.slotted import replace
 from ...mechanism.loads import Loads
 from ...mechanism.machine import Steady
 from ...names import Named

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from ...board.construction import View
 from ...errors import NoMethodError
+from ...foundation.slotted import replace
 from ...mechanism.asked.machine import STEADY, Equivalent, constant_of, equivalents
 from ...mechanism.groups.assur import Group
 from ...problem.problem import Problem

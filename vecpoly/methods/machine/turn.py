@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -13,6 +13,7 @@ from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.hand import Hand, hand
 from ...errors import VecpolyError
+from ...foundation.slotted import replace
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ...names import At, omega

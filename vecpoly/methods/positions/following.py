@@ -9,12 +9,13 @@ change point, and the nearest is taken.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 import numpy as np
 
 from ...errors import VecpolyError
+from ...foundation.slotted import replace
 from ...mechanism.groups.assur import Group, decompose
 from ...mechanism.model import Mechanism, Shaped
 from ...plane import nominal

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
 from ...board.hand import Hand
 from ...errors import NoMethodError
-from ...foundation.slotted import dataclass
+from ...foundation.slotted import dataclass, replace
 from ...mechanism.groups.assur import Group, decompose
 from ...mechanism.model import Mechanism
 from ...plane import Reals

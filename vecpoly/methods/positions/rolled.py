@@ -13,13 +13,12 @@ Source: 机械原理, pure rolling: arcs of equal length run off.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import AssemblyError
-from ...foundation.slotted import dataclass
+from ...foundation.slotted import dataclass, replace
 from ...mechanism.assembly.start import Start
 from ...mechanism.gearing import pitch_circles
 from ...mechanism.model import Circle, Mechanism, Rack, Rolling, Side

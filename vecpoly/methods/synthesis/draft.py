@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from math import nan
 
 import numpy as np
@@ -16,6 +16,7 @@ from ...board.construction import Place, Reading, View
 from ...designs.base import MOST, Design, numbered
 from ...designs.verdict import Verdict
 from ...foundation.frozen import FrozenMap
+from ...foundation.slotted import replace
 from ...names import Named, subscripted
 from ...plane import Points, Reals, nominal
 from ...words import Words

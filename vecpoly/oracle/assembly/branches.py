@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from ...errors import BranchError, DeadPointError, UnknownNameError
+from ...foundation.slotted import replace
 from ...mechanism.assembly.branch import margin, nearer, not_yet, opposite
 from ...mechanism.assembly.four_bar import folded_corner, fourth_corner
 from ...mechanism.assembly.statements import Form, Shaped

@@ -4,12 +4,12 @@ of all there are, the one that the statements, or else the guesses, describe."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import AssemblyError
+from ...foundation.slotted import replace
 from ...mechanism.assembly.branch import margin
 from ...mechanism.model import Mechanism, Side, SideOf
 from ...words import Words

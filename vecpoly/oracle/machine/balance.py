@@ -6,11 +6,12 @@ counterweights and in the constant; the masses at pivots that move follow from w
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ...errors import EquilibriumError
+from ...foundation.slotted import replace
 from ...mechanism.asked.counterweights import ADDED, SHARE, bearing, product, weight
 from ...mechanism.counterweights import Counterweights, Passing
 from ...mechanism.loads import Mass

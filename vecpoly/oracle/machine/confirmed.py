@@ -5,10 +5,11 @@ The flywheel comes from energies alone; here J_e α + ½ J_e′ ω² = M_e is in
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
+from ...foundation.slotted import replace
 from ...mechanism.loads import Loads, Moment
 from ...mechanism.model import Mechanism
 from ..state import Reals

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial import legendre
 
 from ...errors import EquilibriumError
+from ...foundation.slotted import replace
 from ...mechanism.laws.sizes import Motor
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism

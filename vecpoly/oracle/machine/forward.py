@@ -6,7 +6,7 @@ the machine turns back, or stalls: what only resists drives nothing back.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import EquilibriumError
+from ...foundation.slotted import replace
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ...words import Words

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
+from ...foundation.slotted import replace
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from .. import solve

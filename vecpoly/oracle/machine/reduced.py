@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ...foundation.slotted import replace
 from ...mechanism.asked.machine import Equivalent
 from ...mechanism.loads import Loads, Mass
 from ...mechanism.model import FRAME, Mechanism, Prismatic

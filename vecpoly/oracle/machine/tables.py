@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial import legendre
 
+from ...foundation.slotted import replace
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ..forces.laws.corners import corners

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import replace
 
 from ...errors import MobilityError
+from ...foundation.slotted import replace
 from ...mechanism.asked.forces import pairs, press_named
 from ...mechanism.groups.assur import decompose, ends
 from ...mechanism.groups.stars import has_plate

@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import replace
 
 from ...errors import FaultError
 from ...foundation.patterns import pattern
+from ...foundation.slotted import replace
 from ...mechanism.model import FRAME, Circle, Rack, Rolling, Side
 from ...units.reading import positive
 from ...words import Words

@@ -6,10 +6,10 @@ from __future__ import annotations
 import cmath
 import re
 from collections.abc import Mapping
-from dataclasses import replace
 
 from ...errors import FaultError
 from ...foundation.patterns import pattern
+from ...foundation.slotted import replace
 from ...mechanism.model import Prismatic
 from ...units.reading import Dim, read
 from ...words import Words

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import replace
 
 from ...errors import FaultError
+from ...foundation.slotted import replace
 from ...words import Words
 from ..joints.contacts import is_contact
 from ..schema.faults import Faults
@@ -111,14 +111,11 @@ def _weld(draft: Draft, host: Draft, bodies: Bodies) -> None:
         )
     (pin,) = draft.points
     host.disc = replace(draft.disc, link=host.name)
-    symbol = f"r_{host.name}"
+    symbol = f"r_{draft.name}"
     said = Words(
         f"滚子 {draft.name}（销轴 ${pin}$）的半径 ${symbol}$ = {{}}",
         f"radius of roller {draft.name} (pin ${pin}$) ${symbol}$ = {{}}",
     )
-    host.lengths += [
-        replace(datum, symbol=symbol, words=said) if datum.symbol == f"r_{draft.name}" else datum
-        for datum in draft.lengths
-    ]
+    host.lengths += [replace(datum, words=said) if datum.symbol == symbol else datum for datum in draft.lengths]
     del bodies.drafts[draft.name]
     bodies.welded[draft.name] = host.name

@@ -6,9 +6,9 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 
 from ...errors import FaultError, MobilityError
+from ...foundation.slotted import replace
 from ...mechanism.assembly.start import Start
 from ...mechanism.gearing import fitted, misfit
 from ...mechanism.groups.assur import Group, decompose

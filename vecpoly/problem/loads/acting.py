@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
+from ...foundation.slotted import replace
 from ...mechanism.counterweights import Counterweights
 from ...mechanism.loads import Loads, Mass
 from ...mechanism.machine import Machine

@@ -3,9 +3,8 @@ moments ``M_1: {on: 1, size: "?"}``, springs."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from ...errors import FaultError
+from ...foundation.slotted import replace
 from ...mechanism.laws.sizes import Motor
 from ...mechanism.laws.springs import Coil, Elastic, Spring
 from ...mechanism.loads import Constant, Force, Load, Loads, Mass, Moment

@@ -6,10 +6,10 @@ A datum is bound where, as loaded, it says what the mechanism says; of a bound d
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from math import degrees, isclose, remainder, tau
 
 from ...foundation.patterns import pattern
+from ...foundation.slotted import replace
 from ...mechanism.dimensions.values import Dimension, Led, Part, Placed
 from ...mechanism.dimensions.vary import dimensions, upright, value
 from ...mechanism.loads import Loads

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import fields, replace
+from dataclasses import fields
 from functools import lru_cache
 from pathlib import Path as FilePath
 from typing import Any
 
 from ...errors import ArgumentError
+from ...foundation.slotted import replace
 from ...words import Words
 from ..build import build
 from ..meaning import alike, at, meant_by, said

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from typing import Any
 
 from ...algebra.quantity import number
 from ...drawing.figure import draw_figure
 from ...findings.study.study import Study
+from ...foundation.slotted import replace
 from ...mechanism.groups.mobility import mobility
 from ...names import Rel
 from ...problem.values.given import Datum, as_printed

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import dataclass, replace
 from typing import Any, Self
 
 from reportlab.platypus.flowables import Flowable
 
+from ...foundation.slotted import dataclass, replace
 from ...tagging.tag import Role, Tag
 from ...tagging.tree import marked
 from .style import Colour

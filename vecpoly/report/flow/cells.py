@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from enum import Enum, auto
 from functools import lru_cache
 
 from ...algebra.formula import row, split_words
+from ...foundation.slotted import dataclass, replace
 from ...tagging.pieces import Source
 from ...tagging.references import called
 from ...typeset.atoms import THICK

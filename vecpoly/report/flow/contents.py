@@ -6,9 +6,9 @@ Also what is done to a whole story before it is set: its contents told.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from typing import Any
 
+from ...foundation.slotted import dataclass, replace
 from ...tagging.tag import Role, Tag
 from ...tagging.tree import artifact, marked, tree_of
 from ...typeset.box import MM

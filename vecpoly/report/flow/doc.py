@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -13,6 +12,7 @@ from reportlab.platypus.flowables import PageBreak
 from reportlab.platypus.frames import Frame
 
 from ...foundation.files import write_whole
+from ...foundation.slotted import dataclass
 from ...tagging.canvas import TaggedCanvas
 from ...tagging.metadata import Metadata as Metadata
 from ...tagging.tree import FOOTER, artifact, tree_of

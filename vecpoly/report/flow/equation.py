@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...algebra.formula import Node, Row, Sym, Vec, row, sym
 from ...board.construction import EquationTable
 from ...drawing.hues import hue_of
+from ...foundation.slotted import dataclass
 from ...tagging.speech import equation_said
 from ...tagging.tag import Role, Tag
 from ...tagging.tree import Open, Tree, tree_of

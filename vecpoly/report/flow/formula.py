@@ -4,11 +4,11 @@ that is too wide breaks before its equality signs."""
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import groupby
 
 from ...algebra.formula import Node, plain
+from ...foundation.slotted import dataclass
 from ...tagging.copied import copied
 from ...tagging.references import goal_of
 from ...tagging.speech import said

@@ -20,6 +20,7 @@ _CELL = 0.602  # em, the advance of the face
 _ENTRY = re.compile(r"\s*(- |#|[^\s:]+:(\s|$))")
 _LONG = 30  # lines of one string: more than these a page break may part
 _WHOLE = 50  # lines of a file that is not parted
+_GAP = 215.0  # pt under its headings: what would leave more white, 0.42 of a page with them, is parted all the same
 _LEAST = 3  # lines that a page break leaves together
 
 
@@ -47,9 +48,9 @@ class Listing(Block):
         return width, self.height
 
     def split(self, width: float, height: float) -> list[Block]:
-        """Whole lines to each page, of a file for which a page has no room."""
+        """Whole lines to each page, of a file for which a page has no room, or that would leave a gap."""
         self.wrap(width, height)
-        if len(self._lines) <= _WHOLE:
+        if len(self._lines) <= _WHOLE and height <= _GAP:
             return []
         room = height - self.getSpaceBefore()  # the frame may leave that out here and ask for it of the part
         fit = min(int((room - 4.0) / _LEADING), len(self._lines) - _LEAST)

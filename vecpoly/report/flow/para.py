@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import lru_cache
 
+from ...foundation.slotted import replace
 from ...tagging.pieces import Marks
 from ...tagging.tag import Role, Tag
 from ...tagging.tree import tree_of

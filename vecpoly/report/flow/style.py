@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-
+from ...foundation.slotted import dataclass, replace
 from ...typeset.box import MM
 from ...words import Lang
 

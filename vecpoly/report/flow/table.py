@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 
 from reportlab.platypus.doctemplate import FrameBreak
 from reportlab.platypus.flowables import Flowable
 
+from ...foundation.slotted import dataclass, replace
 from ...tagging.pieces import Marks
 from ...tagging.references import goal_of
 from ...tagging.tag import Role, Tag

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
+from ...algebra.formula import Node, Row, Txt
 from ...board.construction import View
+from ...board.ruler import READABLE
 from ...drawing.sheets.results import Listed, with_results
 from ...drawing.sheets.sheet import Sheet
+from ...foundation.slotted import replace
 from ...solution import YES_NO, Answer, Solution
 from ...words import Lang, Words
 from ..answers.line import named_line
@@ -15,6 +18,8 @@ from ..flow.results.grid import sentence
 
 CONCLUSION = Words("结论", "Conclusion")
 WIDE = (70.0, 100.0, 130.0, 50.0)  # mm: of the lines in which a conclusion is told
+_STAR, NARROW = " *", 54.0  # mm: of the lines in which it is told what the star is for
+SHORT = Words(f"* 图上不足 {READABLE:g} mm，不可靠", f"* under {READABLE:g} mm, not reliable")
 _READ_FROM = {"omega": View.VELOCITY, "alpha": View.ACCELERATION}
 
 
@@ -57,11 +62,19 @@ def _attempts(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list
 
 def _listed(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list[Listed]:
     """What came out of each, on every sheet in the one form that has room on all: the ways to it stand in the steps."""
-    idle = broken(solution)
-    return [
-        Listed(part.heading(lang, idle), tuple(named_line(one, solution, lang) for one in part.answers))
-        for part in arranged(answers)
+    idle, parts = broken(solution), list(arranged(answers))
+    listed = [
+        Listed(part.heading(lang, idle), tuple(_line(one, solution, lang) for one in part.answers)) for part in parts
     ]
+    if any(one.short for part in parts for one in part.answers):
+        listed[-1] = replace(listed[-1], said=lambda em: tuple(sentence(SHORT.of(lang), em, NARROW, lang == "zh")))
+    return listed
+
+
+def _line(answer: Answer, solution: Solution, lang: Lang) -> Node:
+    """One of them; starred where it was read off a length that is too short."""
+    line = named_line(answer, solution, lang)
+    return Row((line, Txt(_STAR))) if answer.short else line
 
 
 def _home(answer: Answer, made: Sequence[Sheet], solution: Solution) -> int:

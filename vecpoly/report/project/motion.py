@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 from ...board.construction import Pane, Step, View
+from ...foundation.slotted import replace
 from ...names import Rel
 from ...project.part import Part
 from ...solution import Answer, Solution

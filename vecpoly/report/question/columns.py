@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import zip_longest
 
 from ...typeset.box import MM
 from ...typeset.words import layout_words
@@ -38,13 +39,18 @@ def in_columns(rows: Sequence[Cells], lang: Lang) -> RuledTable:
     kept = [i for i in range(len(HEADS)) if i in (0, 2) or any(not is_headed(row) and row[i] != NONE for row in rows)]
     heads, cells = [HEADS[i].of(lang) for i in kept], [[row[i] for i in kept] for row in rows]
     widths, align = _widths(rows, kept), "lcccc"[: len(kept)]
-    if len(rows) > _FEW and 2 * sum(widths) <= COLUMN / MM and not any(map(is_headed, rows)):
-        half = (len(cells) + 1) // 2
-        behind = [*cells[half:], [""] * len(kept)][:half]
-        cells = [[*one, *other] for one, other in zip(cells[:half], behind, strict=True)]
+    if len(rows) > _FEW and 2 * sum(widths) <= COLUMN / MM:
+        half = _middle(rows)
+        cells = [[*one, *other] for one, other in zip_longest(cells[:half], cells[half:], fillvalue=[""] * len(kept))]
         heads, widths, align = heads * 2, widths * 2, align * 2
     share = min(_WIDER, COLUMN / MM / sum(widths))
     return RuledTable(heads, cells, [one * share for one in widths], align, lang=lang)
+
+
+def _middle(rows: Sequence[Cells]) -> int:
+    """How many rows stand in the first of two blocks: half of them, or the whole groups that are nearest to half."""
+    starts = [n for n, row in enumerate(rows) if is_headed(row) and n]
+    return min(starts, key=lambda n: (max(n, len(rows) - n), n)) if starts else (len(rows) + 1) // 2
 
 
 def is_headed(row: Cells) -> bool:

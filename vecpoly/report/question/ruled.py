@@ -38,10 +38,12 @@ class RuledTable(DataTable):
     def _rules(self, texts: Sequence[str], edges: Sequence[float], bottom: float, high: float) -> None:
         """The line under a row, and those between its cells."""
         self.canv.line(edges[0], bottom, edges[-1], bottom)
-        for edge in edges[1:-1] if is_blank(texts) else ():
-            self.canv.line(edge, bottom, edge, bottom + high)
+        for n, edge in enumerate(edges[1:-1]):
+            if texts[n + 1] or not named(texts, n):
+                self.canv.line(edge, bottom, edge, bottom + high)
 
 
-def is_blank(texts: Sequence[str]) -> bool:
-    """Whether a row has cells to be filled in; else it is the name of a group."""
-    return len(texts) > 1 and not (texts[0].startswith("**") and not any(texts[1:]))
+def named(texts: Sequence[str], n: int) -> bool:
+    """Whether this cell belongs to the name of a group, which runs on over the empty ones behind it."""
+    last = next((text for text in texts[n::-1] if text), "")
+    return last.startswith("**")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from ...board.construction import Construction, Figure, View
 from ...board.paper.marks import AngleMark, Ground, Mark, Plate, Point, Role, Segment
@@ -13,6 +12,7 @@ from ...designs.inversion.cognates import Cognates
 from ...designs.straight_line import StraightLine
 from ...figures.hue import Hue
 from ...foundation.frozen import FrozenMap
+from ...foundation.slotted import replace
 from ...problem.problem import Problem
 from ...words import Words
 from ..picture import SKETCH, picture, reduced

@@ -4,9 +4,9 @@ the frame's number where forces are meant."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from ...foundation.roman import NUMERALS
+from ...foundation.slotted import replace
 from ...mechanism.asked.pressure import pressure_quantities
 from ...mechanism.groups.assur import Group, decompose, hinges
 from ...mechanism.groups.mobility import Mobility, mobility

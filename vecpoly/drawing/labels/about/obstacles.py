@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from ....foundation.slotted import dataclass
 from ...scene import Fill, Item, Layer, Stroke, TextBox
 from ...style import THIN
 from ..ground import is_ground
@@ -61,7 +61,7 @@ class Obstacles:
         ends = np.array(a, dtype=complex), np.array(b, dtype=complex)
         shapes = _polygons([_corners(item) for item in areas])
         shapely.prepare(shapes)
-        solid = np.array([_is_solid(item) for item in areas], dtype=bool)
+        solid = np.array([is_solid(item) for item in areas], dtype=bool)
         way = ends[1] - ends[0]
         return cls(
             *ends,
@@ -163,7 +163,8 @@ def _pieces(stroke: Stroke, points: tuple[complex, ...]) -> list[tuple[complex, 
     return [(a, b, stroke.width / 2, weight) for a, b in itertools.pairwise(points)]
 
 
-def _is_solid(item: Fill | TextBox) -> bool:
+def is_solid(item: Fill | TextBox) -> bool:
+    """Whether letters may by no means stand on an area: not tinted, or over what is."""
     return isinstance(item, TextBox) or not item.hue.is_tint or item.layer > Layer.TINT
 
 

@@ -10,11 +10,11 @@ for.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 from ....board.construction import View
 from ....board.paper.scales import Sketched
 from ....board.place import Place
+from ....foundation.slotted import replace
 from ....foundation.stock import ANY_A4, Paper
 from ..space import HIGHEST, PLATE, SPARSE, rooms
 from .balancing import balanced

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 from ....board.construction import View
 from ....board.paper.scales import coarser
 from ....board.place import Place
+from ....foundation.slotted import replace
 from ....foundation.stock import Paper
 from ...details.knots import MOST
 from ...details.room import Grow

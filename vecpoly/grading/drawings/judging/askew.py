@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
 
+from ....foundation.slotted import replace
 from ....words import Words
 from ..matching.fit import Fit
 from ..matching.held import UPRIGHT, Held, one_turn

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from ....board.otherwise.slip import Slip
+from ....foundation.slotted import replace
 from ....words import Words
 from ..expected import NOTHING, Edge, Shape
 from ..matching.assign import Match, assigned

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from ....board.otherwise.slip import Slip
+from ....foundation.slotted import replace
 from ....words import Words
 from ..expected import Expected
 from .mark import Basis, FigureMark, VectorMark

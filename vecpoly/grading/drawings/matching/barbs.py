@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
+from ....foundation.slotted import replace
 from ..segment import TOUCH, Segment
 
 LONGEST = 8.0  # mm of a barb; of the line on which it sits SHARE at most

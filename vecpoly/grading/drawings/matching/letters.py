@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
+from ....foundation.slotted import replace
 from ..expected import Shape
 from ..segment import TOUCH, Label, Segment
 from .naming import letters_in, named, plain

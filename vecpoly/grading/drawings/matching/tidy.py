@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
+from ....foundation.slotted import replace
 from ..segment import TOUCH, Drawing, Segment
 from .barbs import headed_by_barbs
 from .naming import figure_of, helping

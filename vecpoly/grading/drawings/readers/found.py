@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import pairwise
 from math import isfinite
 
 from ....errors import FaultError
+from ....foundation.slotted import replace
 from ....limits import DRAWING_SPAN, DRAWN
 from ....words import Words
 from ..segment import Drawing, Label, Segment

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ....errors import FaultError
+from ....foundation.slotted import replace
 from ....limits import DRAWING_NESTED, DRAWN
 from ....words import Words
 from ..segment import Drawing, Label, Segment

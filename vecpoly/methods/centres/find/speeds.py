@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from ....algebra.worked import worked
 from ....board.construction import Reading
 from ....board.paper.marks import Dot, Point, Role, Segment
 from ....errors import NoMethodError
+from ....foundation.slotted import replace
 from ....mechanism.asked.centres import Pair, centre_speed, real_links
 from ....mechanism.model import FRAME
 from ....names import At, Rel, ascii_key

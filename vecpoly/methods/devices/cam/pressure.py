@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -13,6 +12,7 @@ from ....board.construction import Pane, Scale, View
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import ALPHA, ALPHA_BACK, ALPHA_RISE
 from ....devices.cams.cam import Cam
+from ....foundation.slotted import replace
 from ....names import Named
 from ....plane import Reals, nominal
 from ....plane.traced import acts_of, bare, traced

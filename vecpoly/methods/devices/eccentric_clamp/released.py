@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from ....algebra.quantity import Quantity, number
 from ....board.construction import Pane, Scale, View
 from ....board.paper.marks import Dot, Role
 from ....devices.eccentric_clamp import ARM, E_LIMIT, SELF_LOCKING, EccentricClamp
+from ....foundation.slotted import replace
 from ....plane import Line, Points, foot, nominal, unit
 from ....words import Words
 from ..bench import Bench

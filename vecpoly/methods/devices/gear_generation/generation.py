@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import degrees, pi, sin, tan
 
 import numpy as np
@@ -12,6 +11,7 @@ from ....algebra.quantity import Quantity, Times, magnitude, number
 from ....board.construction import Scale, View
 from ....board.paper.marks import Dot, Role
 from ....devices.gears.generation import RA, RB, RF, S_TIP, START, UNDERCUT, X_MIN, Z_MIN, GearGeneration, R, S
+from ....foundation.slotted import replace
 from ....plane import Line, Points, Reals, nominal
 from ....problem.problem import Scales
 from ....words import Words

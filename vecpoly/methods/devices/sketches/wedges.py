@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import pi
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from ....board.construction import Place, View
 from ....board.paper.marks import Role
 from ....devices.wedges import Wedges
+from ....foundation.slotted import replace
 from ....plane import Line, Points, dot, lines_meet, nominal
 from ..bench import Bench
 from ..inclined import Press, body, concur, numbered, press, pull

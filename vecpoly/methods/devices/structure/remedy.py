@@ -4,12 +4,13 @@ a hinge between two moving links asks too much, and is given one freedom more.""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from ....algebra.quantity import Times, magnitude
 from ....board.construction import View
 from ....devices.structure import Structure
 from ....devices.structure_pairs import FRAME, Chain, Form, Pair
+from ....foundation.slotted import replace
 from ....names import subscripted
 from ....words import Words
 from ..bench import Bench

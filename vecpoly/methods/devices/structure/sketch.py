@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import pi
 
 from ....board.board import Board
@@ -13,6 +12,7 @@ from ....devices.structure_pairs import FRAME, Chain, Pair
 from ....diagram.chains import Sketched
 from ....diagram.profiles import profile_drawn
 from ....diagram.single import number
+from ....foundation.slotted import replace
 from ....words import Words
 
 TURNING, FIRST, RING = 6.5, 0.6, 4.0  # of a driver's arrow: radius (mm), direction of its foot (rad); to the next (mm)

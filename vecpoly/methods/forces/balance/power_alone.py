@@ -4,9 +4,9 @@ virtual power gives it for every mechanism whose velocities are drawn, without a
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 from ....errors import NoMethodError
+from ....foundation.slotted import replace
 from ....mechanism.groups.assur import Group
 from ....mechanism.groups.stars import has_plate
 from ....mechanism.loads import Loads

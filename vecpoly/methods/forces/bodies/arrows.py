@@ -4,11 +4,12 @@ the freest place is taken."""
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
 
+from ....foundation.slotted import replace
 from ....names import ascii_key
 from ....plane import nominal
 from ....words import Words

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from ....board.board import NO_LENGTH
+from ....foundation.slotted import replace
 from ....mechanism.groups.assur import ends
 from ....mechanism.model import Prismatic, Rolling
 from ....plane import nominal

@@ -3,13 +3,12 @@ arrows at their points, curved arrows for moments, the balancing load's symbol."
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from ....board.construction import View
 from ....board.paper.marks import Role, Segment, Vector
 from ....board.paper.pulling import pulls
+from ....foundation.slotted import replace
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.loads import Force, Moment
 from ....plane import nominal

@@ -7,11 +7,10 @@ group.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from ....board.construction import View
+from ....foundation.slotted import replace
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.groups.assur import Group
 from ....mechanism.loads import Force, Loads

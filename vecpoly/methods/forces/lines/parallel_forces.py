@@ -3,7 +3,7 @@ moments take the place of the meeting point."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from ....board.board import NO_LENGTH
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....errors import EquilibriumError, LockedError, NoMethodError
+from ....foundation.slotted import replace
 from ....mechanism.model import Prismatic, Revolute
 from ....names import Named
 from ....plane import Line, Points, Reals, ahead, cross, dot, foot, lines_meet, nominal, unit

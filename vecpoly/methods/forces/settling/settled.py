@@ -10,12 +10,12 @@ self-locking two sets of senses may each agree with themselves, and the one that
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 
 from ....board.board import NO_LENGTH
 from ....errors import EquilibriumError, LockedError, NoSlipSenseError
+from ....foundation.slotted import replace
 from ....mechanism.groups.assur import Group, ends
 from ....mechanism.model import Prismatic, Revolute
 from ....plane import Reals, cross, dot, nominal

@@ -9,9 +9,10 @@ what it presses on the central link along its axis is sought, all else is known.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import assert_never
 
+from ....foundation.slotted import replace
 from ....plane import Line, Points
 from ...kinematics.class_iii.star import Axial, Guided, Hinged, Slotted, Star
 from ..acting import Acting

@@ -52,7 +52,7 @@ def tangent_words(desk: Desk, joint: Prismatic) -> Words | None:
     if contact is None:
         return None
     o, link = contact.disc.centre, contact.on.link
-    r = "ρ" if _profiled(desk, contact) else f"r_{contact.disc.link}"
+    r = "ρ" if _profiled(desk, contact) else f"r_{desk.mech.disc_number(contact.disc.link)}"
     return Words(
         f"平底与 ${o}$ 始终相距 ${r}$：过 ${o}$ 的虚拟导路与平底平行，由此定出构件 {link} 的位置",
         f"The face keeps the distance ${r}$ from ${o}$: the guide through ${o}$ is parallel to it, "
@@ -67,7 +67,7 @@ def _profiled(desk: Desk, contact: Contact) -> bool:
 
 def _bar(desk: Desk, contact: Contact, group: Group) -> Words:
     assert isinstance(contact.on, Circle)
-    bar, one, two = contact.substitute, contact.disc.link, contact.on.link
+    bar, (one, two) = contact.substitute, map(desk.mech.disc_number, (contact.disc.link, contact.on.link))
     length = f"r_{two} − r_{one}" if contact.internal else f"r_{one} + r_{two}"
     if _profiled(desk, contact):
         length = "ρ"  # of the tip's path on the cam

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cmath import exp
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
@@ -13,6 +13,7 @@ from ....algebra.worked import stated
 from ....designs.generator.formula import Value
 from ....designs.generator.function_generator import ERROR, FunctionGenerator
 from ....designs.ranges import extremes
+from ....foundation.slotted import replace
 from ....plane import Points, Reals, circles_meet, cross, distance, nominal
 from ....plane.geometry import dot
 from ....words import Words

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from ....designs.inversion.plan import FRAME, Body, Find, On, Pin, Plan, Positio
 from ....designs.quantities import AB, AD, BC, CD
 from ....designs.verdict import Verdict
 from ....foundation.frozen import FrozenMap
+from ....foundation.slotted import replace
 from ....names import Named
 from ....plane import Points, Reals, nominal
 from ....plane.geometry import dot

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import inf
 
 import numpy as np
@@ -12,6 +12,7 @@ from ....board.paper.marks import Role
 from ....designs.inversion.plan import CentrePoints, On
 from ....designs.inversion.refusals import no_centre_point
 from ....foundation.frozen import FrozenMap
+from ....foundation.slotted import replace
 from ....plane import Line, Points, Reals, lines_meet, nominal
 from ....words import Words
 from ..draft import SHEET

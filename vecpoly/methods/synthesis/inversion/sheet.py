@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from ....board.place import Place
 from ....board.strokes import NO_LENGTH
 from ....designs.inversion.plan import FRAME, Plan
 from ....foundation.frozen import FrozenMap
+from ....foundation.slotted import replace
 from ....plane import Points, cross, nominal, unit
 from ....plane.geometry import dot
 from ....plane.traced import acts_of, bare, traced

@@ -6,11 +6,12 @@ independent when the chain has moved; one that is redundant by its sizes stays s
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ....devices.structure_pairs import FRAME, Chain, Form
+from ....foundation.slotted import replace
 from .rows import Floats, Rows
 
 # share of the largest singular value below which one counts as zero; places are written to about 1e-6 of the size

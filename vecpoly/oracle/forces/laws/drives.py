@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
+from ....foundation.slotted import replace
 from ....mechanism.model import Mechanism
 
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
 
 from ....errors import EquilibriumError
+from ....foundation.slotted import replace
 from ....mechanism.loads import Loads
 from ....mechanism.model import Mechanism
 from ....words import Words

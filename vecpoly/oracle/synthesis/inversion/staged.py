@@ -6,12 +6,13 @@ Where a stage has several answers each of them is gone on with; where it has non
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import assert_never
 
 from ....designs.inversion.plan import Assemble, CentrePoints, Find, Limits, On, Plan, Position, Stage, Through
 from ....designs.inversion.refusals import coincident, collinear, no_centre_point, no_limit, out_of_reach, parallel
 from ....foundation.frozen import FrozenMap
+from ....foundation.slotted import replace
 from .burmester import CentrePoint, centre_points
 from .loci import Round, Still, Straight, equidistant, locus
 from .meetings import beyond, ray_and_circle

@@ -4,7 +4,7 @@ the figures go on a sheet."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import floor, log10
 from typing import Any
 
@@ -16,6 +16,7 @@ from ....algebra.rounding import as_printed
 from ....board.paper.sizes import unfit
 from ....errors import VecpolyError
 from ....findings.study.study import Study
+from ....foundation.slotted import replace
 from ....problem.problem import Problem
 from ....solution import Answer, scales_of
 from ....words import Words

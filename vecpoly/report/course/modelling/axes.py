@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
-from dataclasses import replace
 from math import degrees
 from typing import Any
 
@@ -15,6 +14,7 @@ from ....board.construction import Figure
 from ....board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment, TurnArrow, Vector
 from ....drawing.figure import draw_figure
 from ....findings.study.study import Study
+from ....foundation.slotted import replace
 from ....mechanism.groups.assur import hinges
 from ....mechanism.model import FRAME, Prismatic
 from ....names import subscripted

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import combinations
 
 from ....algebra.quantity import number
 from ....board.construction import Figure
 from ....board.paper.scales import round_up
 from ....findings.study.study import Study
+from ....foundation.slotted import replace
 from ....mechanism.model import FRAME
 from ....words import Words
 from ...picture import scaled, to_scale

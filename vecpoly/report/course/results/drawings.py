@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from ....drawing.sheets.sheet import Sheet, bound, sheets
 from ....errors import VecpolyError
 from ....findings.study.study import Study
+from ....foundation.slotted import replace
 from ....solution import Answer, Solution
 from ....words import Lang, Words
 from ...answers.placed import endless_words, place_words

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from typing import TypeVar
 
 from ....board.construction import Construction, View
@@ -12,6 +11,7 @@ from ....cycle.pose import posed
 from ....errors import AssemblyError, LockedError
 from ....figures.mu import LENGTH
 from ....findings.study.study import Study
+from ....foundation.slotted import replace
 from ....mechanism.asked.machine import machine_quantities, reduced_quantities
 from ....problem.problem import Problem, Scales
 from ....solution import Answer, Solution, read_off, solve

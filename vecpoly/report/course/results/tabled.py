@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
-from math import floor, log10
+from collections.abc import Iterator, Sequence
+from itertools import chain, zip_longest
+from math import ceil, floor, log10
 from typing import Any
 
 import numpy as np
 
 from ....cycle import Column, Table, table
 from ....findings.study.study import Study
+from ....foundation.slotted import replace
 from ....words import Words
 from ...flow.style import Style
 from ..numbering import SMALL, TINY, Press
 
 _HALVED, _LONG = 6, 12  # a table of few columns and many rows is told in two halves beside each other
+_NARROW, _MOST_ABREAST = 3, 3  # columns of one that is told in three parts, where it is long
 _MOST = 6  # decimals
 _ANGLE = 2  # decimals of degrees
 _SPARED = 1  # of four significant digits, in the smaller columns of a quantity
@@ -45,10 +47,22 @@ def laid_out(made: Table, press: Press, title: Words, style: Style = SMALL, halv
         for row in made.values.tolist()
     ]
     if len(header) <= halved and len(body) > _LONG:
-        half = (len(body) + 1) // 2
-        rest = [*body[half:], *([("",) * len(header)] * (2 * half - len(body)))]
-        header, body = [*header, "", *header], [(*one, "", *two) for one, two in zip(body[:half], rest, strict=True)]
+        header, body = _abreast(header, body, _MOST_ABREAST if len(header) <= _NARROW and len(body) > 2 * _LONG else 2)
     return press.table(title, header, body, "r" * len(header), style=TINY if len(header) > TIGHT else style)
+
+
+def _abreast(header: list[str], body: list[tuple[str, ...]], count: int) -> tuple[list[str], list[tuple[str, ...]]]:
+    """The rows in so many parts beside each other, a narrow empty column between them."""
+    high, blank = ceil(len(body) / count), ("",) * len(header)
+    parts = [body[n * high : (n + 1) * high] for n in range(count)]
+    rows = zip_longest(*parts, fillvalue=blank)
+    return [*header, *(["", *header] * (count - 1))], [tuple(chain(*_spaced(row))) for row in rows]
+
+
+def _spaced(row: Sequence[tuple[str, ...]]) -> Iterator[tuple[str, ...]]:
+    """The parts of a row with an empty cell between them."""
+    for n, part in enumerate(row):
+        yield part if n == 0 else ("", *part)
 
 
 def _head(column: Column) -> str:

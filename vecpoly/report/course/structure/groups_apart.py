@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 
 from ....board.construction import Figure, Scale, View
 from ....board.paper.extent import extent
@@ -12,6 +11,7 @@ from ....board.paper.marks import Dot, Ground, Mark, Point
 from ....diagram.links import link_alone
 from ....diagram.posed import Posed
 from ....findings.study.study import Study
+from ....foundation.slotted import replace
 from ....mechanism.groups.assur import Group, decompose, ends
 from ....mechanism.model import Mechanism, Prismatic, Revolute
 from ....names import subscripted

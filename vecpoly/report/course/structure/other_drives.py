@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from ....errors import VecpolyError
 from ....findings.study.study import Study
 from ....foundation.roman import NUMERALS
+from ....foundation.slotted import replace
 from ....mechanism.groups.assur import decompose, ends, hinges
 from ....mechanism.model import FRAME, Drive, Mechanism, Prismatic
 from ....names import subscripted

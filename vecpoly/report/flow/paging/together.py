@@ -10,18 +10,41 @@ from typing import Any
 from reportlab.platypus.doctemplate import ActionFlowable, FrameBreak
 from reportlab.platypus.flowables import KeepTogether, _listWrapOn
 
+from ..base import Block
 from ..blocks import Divider, Heading
+from ..furniture import FUZZ
+from ..listing import Listing
 from ..para import Para
 from ..table import DataTable
 
 HOLE = 0.18  # of a page: less may be left white below a step that goes to the next page as a whole
 GAP = 0.42  # of a page: a step that would leave more is parted; what leaves more than a hole asks for a tighter text
+_ANY, _PARTED = 0xFFFFFFF, 0xFFFFFF  # pt: as reportlab says "as high as you like", and "higher than any column"
 _UNDER = 3  # lines under a heading at the foot of a page, at least
 _LINE = {"zh": 44, "en": 92}  # letters of a paragraph that takes one line
 
 
 class HeldTogether(KeepTogether):  # type: ignore[misc]
     """Blocks on one page, where that leaves no gap; a table or text that stands last may be parted, not in a step."""
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """As reportlab finds it, without a copy of the column for blocks of ours, which put nothing into it; more than
+        any column has, so that it is asked to part them."""
+        if not all(isinstance(one, Block) for one in self._content):
+            wide, high = super().wrap(width, height)
+            return wide, high
+        sizes = [one.wrapOn(self.canv, width, _ANY) for one in self._content]
+        wide, high, below = 0.0, 0.0, None  # below: the white under the one before
+        for one, (w, h) in zip(self._content, sizes, strict=True):
+            if h <= FUZZ:
+                continue
+            wide, high = max(wide, min(w, width)), high + h
+            if below is not None:
+                high += max(one.getSpaceBefore() - below, 0)
+            below = one.getSpaceAfter()
+            high += below
+        self._H, self._H0, self._wrapInfo = high - (below or 0), sizes[0][1] if sizes else 0, (width, height)
+        return wide, _PARTED
 
     def split(self, width: float, height: float) -> list[Any]:
         """As they are where the first lines of the last one fit below the others, else on the next page; where that
@@ -44,7 +67,7 @@ class HeldTogether(KeepTogether):  # type: ignore[misc]
     def _last_parted(self, width: float, height: float) -> bool:
         """Whether all but the last fit here, and the first lines of that."""
         *lead, last = self._content
-        parted = isinstance(last, (DataTable, Para)) or any(getattr(one, "leads", False) for one in lead)
+        parted = isinstance(last, (DataTable, Para, Listing)) or any(getattr(one, "leads", False) for one in lead)
         if not lead or not parted:
             return False
         _, used = _listWrapOn(lead, width, self.canv)

@@ -4,10 +4,10 @@ columns, rows of one height."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from itertools import accumulate, groupby
 
 from ....algebra.formula import plain
+from ....foundation.slotted import replace
 from ....tagging.tag import Role, Tag
 from ....tagging.tree import artifact, tree_of
 from ....typeset.box import MM

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence, Sized
-from dataclasses import dataclass
 from functools import lru_cache
 
+from ....foundation.slotted import dataclass
 from ..cells import cells, joined
 
 BREAKS = "≙"  # after a length on paper, before its value: there a cell is broken where room is short

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import accumulate, groupby
 from math import ceil
 
 from ....algebra.formula import Node
+from ....foundation.slotted import replace
 from ....tagging.copied import copied
 from ....tagging.speech import said, words_said
 from ....typeset.box import Box, beside, place

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import pairwise
 from math import inf
 
+from ....foundation.slotted import replace
 from ..cells import Cell, Gap, Kind, gap
 
 

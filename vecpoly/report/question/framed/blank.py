@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from itertools import count, takewhile
 from math import pi
 
@@ -16,9 +15,11 @@ from ....board.paper.marks import Arc, Dot, FixedGuide, Ground, Mark, Note, Poin
 from ....board.paper.scales import round_up
 from ....figures.balancing import END_VIEW, HODOGRAPH
 from ....figures.energy import INDICATOR
+from ....foundation.slotted import replace
 from ....words import Words
 from ...picture import to_scale
 from .known import NEAR, begins_at, begun
+from .room import outline
 from .through import EDGE, Box, centred, crossed, reach, through
 
 PAST, _PARTS = 2.0, 360  # mm between a circle and the frame; parts of a circle that is cut off there
@@ -68,7 +69,7 @@ def _in_the_middle(figure: Figure, pole: Point, size: tuple[float, float]) -> tu
 
 def _about(figure: Figure, size: tuple[float, float]) -> Box:
     """The frame with the figure in its middle."""
-    low, high = bounds(figure.marks)
+    low, high = outline(figure)
     start = (low + high - complex(*size)) / 2
     return start, start + complex(*size)
 

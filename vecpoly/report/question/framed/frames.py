@@ -2,28 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from itertools import product
+from operator import itemgetter
 
 from ....board.construction import Construction, Figure, View
-from ....board.paper.extent import bounds, extent
+from ....board.paper.extent import bounds
 from ....board.paper.marks import Mark, Role, Segment
 from ....drawing.order import begun_in, reading_order
 from ....drawing.sheets.lettering import title_width
 from ....drawing.sheets.sheet import Hung
 from ....drawing.sheets.titleblock import TO_BE_DRAWN
+from ....foundation.slotted import replace
 from ....foundation.stock import Format, Paper
 from ....problem.problem import Problem
 from ...picture import to_scale
 from .blank import framed
 from .fields import Fields, fields, written
-from .grid import Grid, Need, Size, grid, tightness
+from .grid import Grid, Need, Size, grid, least_sheets, tightness
 from .known import begins_at, stands
+from .room import outline
 
-MARGIN = 8.0  # mm that stay free between a figure and its frame
+WHITES = (8.0, 6.5, 5.0)  # mm that stay free between a figure and its frame: less where that spares a sheet
 BORDER = 4  # marks that are the frame itself
 NEXT = 4.0  # mm that stay free between a figure and a line to write on
 MOST = 6  # frames on a sheet
+_NO_END = 10**6  # sheets, before any are found
 
 
 def frames(construction: Construction, problem: Problem) -> tuple[Construction, tuple[Hung, ...]]:
@@ -57,19 +61,33 @@ def as_solved(figures: Sequence[Figure]) -> list[Figure]:
 
 def _with_fields(asked: Sequence[Figure], told: Sequence[Fields], on: Paper) -> tuple[Sequence[Fields], Sequence[Grid]]:
     """The sheets with lines for equations; where they need no sheet more with several of these, with long ones, and
-    with lines for readings."""
+    with lines for readings; with little white about the figures where that spares a sheet."""
+    best, trials = (told, WHITES[0], _NO_END), list(_trials(told))
+    white, some = trials[-1]
+    least = least_sheets([_needed(*one, white, even=False) for one in zip(asked, some, strict=True)], on.format)
+    for white, some in trials:
+        count = len(_found([_needed(*one, white, even=False) for one in zip(asked, some, strict=True)], on))
+        best = min(best, (some, white, count), key=itemgetter(2))
+        if count <= least:
+            break
+    some, white, _ = best
+    return some, _with_poles([*zip(asked, some, strict=True)], white, on)
+
+
+def _trials(told: Sequence[Fields]) -> Iterator[tuple[float, Sequence[Fields]]]:
+    """Frames with less and less room for what is written in them, then with less white."""
     broad, less = [some._replace(broad=True) for some in told], [some._replace(read=False) for some in told]
-    trials = (broad, told, less, [some._replace(most=1) for some in less])
-    made = [(some, _with_poles([*zip(asked, some, strict=True)], on)) for some in trials]
-    return min(made, key=lambda one: len(one[1]))
+    few = [some._replace(most=1) for some in less]
+    yield from product(WHITES[:1], (broad, told, less, few))
+    yield from product(WHITES[1:], (told, few))
 
 
-def _with_poles(asked: Sequence[tuple[Figure, Fields]], on: Paper) -> list[Grid]:
+def _with_poles(asked: Sequence[tuple[Figure, Fields]], white: float, on: Paper) -> list[Grid]:
     """The sheets for these figures, with as many poles in the middle of their frames as need no sheet more."""
-    needs = [_needed(*one, even=False) for one in asked]
+    needs = [_needed(*one, white, even=False) for one in asked]
     best = _found(needs, on)
     for n, one in enumerate(asked):
-        tried = [*needs[:n], _needed(*one, even=True), *needs[n + 1 :]]
+        tried = [*needs[:n], _needed(*one, white, even=True), *needs[n + 1 :]]
         if tried == needs:
             continue
         found = _found(tried, on)
@@ -96,17 +114,18 @@ def _laid(needs: Sequence[Need], landscape: bool, of: Format) -> list[Grid]:
     return best[-1]
 
 
-def _needed(figure: Figure, told: Fields, *, even: bool) -> Need:
-    """The room of a figure with the white that it should have round it, what is written over and under it and its title
+def _needed(figure: Figure, told: Fields, white: float, *, even: bool) -> Need:
+    """The room of a figure with this white round it, what is written over and under it and its title
     below it; even: with as much on either side of the pole."""
-    wide, high = extent(figure.marks)
+    (left, foot), (right, top) = ((one.real, one.imag) for one in outline(figure))
+    wide, high = right - left, top - foot
     pole = begins_at(figure) if even else None
     if pole is not None:
         low, upper = bounds(figure.marks)
-        wide = max(wide, 2 * max(upper.real - pole.at.real, pole.at.real - low.real) - MARGIN)
-        high = max(high, 2 * max(upper.imag - pole.at.imag, pole.at.imag - low.imag) - MARGIN)
-    high += sum(field + NEXT if field else MARGIN for field in (told.above, told.below))
-    return Need(max(wide + 2 * MARGIN, title_width(figure), told.wide), high, figure.view.across is not None)
+        wide = max(wide, 2 * max(upper.real - pole.at.real, pole.at.real - low.real) - white)
+        high = max(high, 2 * max(upper.imag - pole.at.imag, pole.at.imag - low.imag) - white)
+    high += sum(field + NEXT if field else white for field in (told.above, told.below))
+    return Need(max(wide + 2 * white, title_width(figure), told.wide), high, figure.view.across is not None)
 
 
 def _frame(figure: Figure, size: Size, known: Sequence[Mark], told: Fields) -> Figure:

@@ -1,17 +1,20 @@
-"""How frames share a sheet: in rows, of a few fixed heights and widths, so that a large drawing has a large frame."""
+"""How frames share a sheet: in rows, of a few fixed heights and widths, so that a large drawing has a large frame;
+cut as the figures need where only so one sheet holds them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import combinations, permutations
+from itertools import accumulate, combinations, permutations
+from math import ceil
 from typing import NamedTuple
 
 from ....drawing.sheets.space import CAPTION, CLEAR, room_inside
 from ....foundation.stock import Format
+from .snug import snug
 
-NARROWEST = 55.0  # mm: a frame with a short title under it
+NARROWEST, LOWEST = 55.0, 40.0  # mm: a frame with a short title under it
 _SLIM = 2.6  # times as long as wide, beyond which a frame looks drawn out
 AMPLE = 1.2  # times the room that a figure needs
 Size = tuple[float, float]
@@ -61,22 +64,44 @@ def tightness(sheets: Sequence[Grid]) -> tuple[float, int, int, float, float, fl
 
 @lru_cache(maxsize=1024)  # frames are tried with and without more in one of them: most sheets stay as they are
 def grid(needs: tuple[Need, ...], landscape: bool, of: Format) -> Grid | None:
-    """The rows in which these frames are least tight; None where they don't fit. One figure has a sheet to itself
-    however little white that leaves round it."""
+    """The rows in which these frames are least tight; where none have room for them the cuts that have; None where they
+    don't fit. One figure has a sheet to itself however little white that leaves round it."""
     across = int(room_inside(landscape, of)[0] / (NARROWEST + CLEAR))
     rows = (rows for rows in _rows(len(needs)) if max(rows) <= across)
-    shared = ((one, heights) for one in rows for heights in _shares(len(one)))
     high = room_inside(landscape, of)[1] - CLEAR
-    could = (each for each in shared if len(needs) == 1 or _high_enough(needs, *each, high))
+    could = ((one, heights) for one in rows for heights in _high_enough(needs, one, high))
     made = (_laid(needs, *each, landscape, of) for each in could)
     fitting = (one for one in made if one.ease >= 1 or len(needs) == 1)
-    return min(fitting, key=lambda one: tightness([one]), default=None)
+    found = min(fitting, key=lambda one: tightness([one]), default=None)
+    return found or min(_cut(needs, landscape, of), key=lambda one: tightness([one]), default=None)
 
 
-def _high_enough(needs: Sequence[Need], rows: Sequence[int], heights: Sequence[float], height: float) -> bool:
-    """Whether no frame is higher than its row."""
-    parts = (part for count, part in zip(rows, heights, strict=True) for _ in range(count))
-    return all(need.high <= part * height - CLEAR - CAPTION for need, part in zip(needs, parts, strict=True))
+def _cut(needs: Sequence[Need], landscape: bool, of: Format) -> Iterator[Grid]:
+    """Sheets cut as these frames need."""
+    wide, high = (side - CLEAR for side in room_inside(landscape, of))
+    asked = [(max(need.wide, NARROWEST) + CLEAR, max(need.high, LOWEST) + CLEAR + CAPTION) for need in needs]
+    for boxes in snug(asked, (wide, high)):
+        sizes = [(width - CLEAR, height - CLEAR - CAPTION) for _, _, width, height in boxes]
+        tops = [complex(CLEAR / 2 + left + width / 2, high - top) for left, top, width, _ in boxes]
+        yield _grid(needs, sizes, tops, landscape)
+
+
+def least_sheets(needs: Sequence[Need], of: Format) -> int:
+    """So many sheets at least hold these frames, if nothing were lost between them."""
+    wide, high = (side - CLEAR for side in room_inside(False, of))
+    area = sum((need.wide + CLEAR) * (need.high + CLEAR + CAPTION) for need in needs)
+    return max(1, ceil(area / (wide * high)))
+
+
+def _high_enough(needs: Sequence[Need], rows: Sequence[int], height: float) -> Iterator[tuple[float, ...]]:
+    """The shares of a sheet of this height for its rows with which no frame is higher than its row; of a sheet with
+    one frame all."""
+    ends = [*accumulate(rows)]
+    highest = [max(need.high for need in needs[end - count : end]) for count, end in zip(rows, ends, strict=True)]
+    for some in _shares(len(rows)):
+        fits = (high <= part * height - CLEAR - CAPTION for high, part in zip(highest, some, strict=True))
+        if len(needs) == 1 or all(fits):
+            yield some
 
 
 def _rows(count: int) -> Iterator[tuple[int, ...]]:
@@ -105,6 +130,11 @@ def _laid(needs: Sequence[Need], rows: Sequence[int], heights: Sequence[float], 
             tops.append(complex(left + wide / 2, top))
             left += wide
         top -= part * height
+    return _grid(needs, sizes, tops, landscape)
+
+
+def _grid(needs: Sequence[Need], sizes: Sequence[Size], tops: Sequence[complex], landscape: bool) -> Grid:
+    """Frames of these sizes in these places, weighed against what the figures need."""
     eases = _eases(needs, sizes)
     slim = max(map(_slimness, needs, sizes))
     return Grid(landscape, tuple(sizes), tuple(tops), min(*eases, AMPLE), max(eases) / min(eases), slim)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from math import pi
 
 from ....board.acts import Act, Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn
@@ -17,6 +16,7 @@ from ....devices.gears.generation import GearGeneration as Generation
 from ....figures import View
 from ....figures.characteristic import CHARACTERISTIC
 from ....figures.torque import TORQUE
+from ....foundation.slotted import replace
 from ....problem.problem import Problem
 from ....words import Words
 

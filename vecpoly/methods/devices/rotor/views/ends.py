@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from cmath import rect
-from dataclasses import replace
 from math import degrees, isnan, tau
 
 from .....board.construction import Place
@@ -15,6 +14,7 @@ from .....devices.balancing.plane import RotorPlane
 from .....devices.balancing.rotor import Rotor
 from .....devices.balancing.sought import found_bearing, found_mass
 from .....diagram.single import disc, rod
+from .....foundation.slotted import replace
 from .....plane import nominal
 from .....words import Words
 from ...bench import Bench
