@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from textwrap import dedent
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ from vecpoly.errors import DeadPointError, ProblemFileError
 from vecpoly.mechanism.asked.machine import equivalents
 from vecpoly.oracle import solve
 from vecpoly.oracle.machine import reduce
+from vecpoly.problem.load import loads
 
 B03 = DATA["B03"]["results"]
 MOVING = [row for row in B03["table"] if row["m_e"] is not None]
@@ -62,6 +64,25 @@ def test_exercise_7_1_measures_no_ratio_of_a_velocity_to_itself_and_tabulates_no
     lines = [plain(line) for step in steps for line in step.formulas]
     assert "m_e5 = m_5 = 20 kg" in lines and not any(line.startswith("v_F/v_F") for line in lines)
     assert any(line.startswith("v_F/ω_1") for line in lines) and not any(step.listing for step in steps)
+
+
+YOKE = """
+    id: yoke
+    title: t
+    frame: {A: [0 mm, 0 mm]}
+    links: {1: {AB: 45 mm}, 2: {block: B}, 3: {slot: C}}
+    joints: [2 slides in 3, 3 slides on y = -60 mm turned 45 deg]
+    input: {link: 1, phi: 134 deg, omega: ccw}
+    masses: {3: {mass: 8 kg}}
+    loads: {F: {on: 3, at: C, size: 100 N, direction: 30 deg}}
+    find: [m_e3, F_e3]
+"""
+
+
+def test_a_yoke_at_an_angle_to_its_guide_moves_along_the_guide_and_not_along_its_slot() -> None:
+    """m_e is its own mass, F_e what the force has along the guide."""
+    values = exact_values(loads(dedent(YOKE)))
+    assert (values["m_e3"], abs(values["F_e3"])) == pytest.approx((8.0, 100 * np.cos(np.pi / 6)), rel=1e-12)
 
 
 @pytest.mark.parametrize("id", ["six-bar-dynamic", "slider-crank-dynamic", "4-7"])

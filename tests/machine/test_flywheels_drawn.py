@@ -24,13 +24,20 @@ CASES = {"press-flywheel": "B07", "shaper-flywheel": "B09", "engine-flywheel": "
 
 @pytest.fixture(scope="module", params=LIBRARY)
 def drawn(request: pytest.FixtureRequest) -> Solution:
-    return vecpoly.solve(vecpoly.load(request.param), by="exact", repeats=0, precise=False)
+    data = vecpoly.load(request.param).data
+    problem = vecpoly.problem(data | {"find": [*data["find"], "omega_max"]})
+    return vecpoly.solve(problem, by="exact", repeats=0, precise=False)
 
 
 def test_an_exact_hand_draws_the_flywheel_that_the_oracle_integrates(drawn: Solution) -> None:
     for key, answer in drawn.answers.items():
         assert answer.drawn == pytest.approx(answer.exact, rel=1e-9, abs=1e-9), key
         assert not answer.suspect
+
+
+def test_a_speed_that_is_told_by_its_size_has_no_sense_of_turning(drawn: Solution) -> None:
+    """Beside a drive that turns clockwise it was called ccw."""
+    assert (drawn.answers["omega_max"].sense, drawn.answers["J_e"].sense) == (None, None)
 
 
 def test_the_flywheel_is_that_of_the_case(drawn: Solution) -> None:

@@ -11,10 +11,12 @@ from hypothesis import strategies as st
 
 from tests.laws import often
 from tests.machine.engines import DATA, PRESS, SHAPER, engine, machine
-from vecpoly.check.truth import exact_values
+from vecpoly.check.precision import noise, sizes
+from vecpoly.check.truth import exact_values, truth_of
 from vecpoly.errors import EquilibriumError
 from vecpoly.oracle.machine.course import course
 from vecpoly.oracle.machine.steady import evenness, with_flywheel
+from vecpoly.problem.load import loads
 from vecpoly.problem.problem import Problem
 
 KEYS = ("J_e", "M_e", "M_d", "dW_max", "J_F", "J_F_areas", "phi_max", "phi_min", "omega_max", "omega_min")
@@ -105,3 +107,25 @@ def test_a_crank_without_a_whole_turn_has_no_period_and_is_told_its_range() -> N
     )
     with pytest.raises(EquilibriumError, match="no whole turns"):
         exact_values(machine(text.replace("constant", "10 N*m ccw"), ("J_F",), "n: 60 r/min, delta: 0.1"))
+
+
+TWICE = """
+id: twice
+title: t
+frame: {A: [0 mm, 0 mm], D: [190 mm, 60 mm]}
+links: {1: {AB: 50 mm}, 2: {BC: 200 mm}, 3: {block: C}}
+joints: [3 slides on y = 0 mm]
+input: {link: 1, phi: 30 deg, omega: ccw}
+branch: [C right of B]
+loads: {F_s: {spring: C3-D, k: 1 N/mm, l_0: 20 mm}, M_d: {on: 1, size: constant}}
+machine: {n: 60 r/min, delta: 0.1}
+find: [phi_max]
+"""
+
+
+def test_a_machine_that_is_fastest_at_two_places_is_refused_with_both() -> None:
+    """Out and back the piston passes under D, where the spring is shortest; this was told as a dead point."""
+    problem = loads(TWICE)
+    with pytest.raises(EquilibriumError, match=r"as fast at 94.23° as at 265.77°") as refused:
+        noise(problem, truth := truth_of(problem), sizes(problem, truth))
+    assert float(refused.value.numbers["one"]) + float(refused.value.numbers["other"]) == pytest.approx(360, abs=1e-3)

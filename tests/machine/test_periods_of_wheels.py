@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from textwrap import dedent
 
+import numpy as np
 import pytest
 
 from tests.at_once import exactly
 from tests.laws import few
+from vecpoly.check import never
 from vecpoly.errors import AssemblyError, EquilibriumError, NoMethodError
 from vecpoly.mechanism.model import Mechanism
+from vecpoly.oracle.forces.laws import returning
 from vecpoly.oracle.machine.answers import machine_values
 from vecpoly.oracle.machine.started import started_values
 from vecpoly.problem.load import loads
@@ -72,6 +75,53 @@ def test_a_flywheel_on_the_pinion_is_that_of_the_crank_over_the_ratio_squared() 
 def test_a_ratio_of_no_small_whole_numbers_has_no_period() -> None:
     with pytest.raises(EquilibriumError, match="take as input a link after whose turn all is as it was"):
         values(at_the_pinion("M_d", pinion=39.9713), ("M_d",))
+
+
+PLANET = """
+        id: planet
+        title: t
+        frame: {{C: [0 mm, 0 mm]}}
+        links: {{1: {{CV: 47 mm}}, 2: {{gear: V, radius: {planet} mm, W: {{VW: 20 mm, angle: -2 deg}}}}}}
+        joints: [2 rolls inside circle about C of {ring} mm at Y]
+        input: {{link: 1, phi: 305 deg, omega: ccw}}
+        loads: {{M_w: {{on: 2, size: 14 N*m, while: {while_}}}, M_1: {{on: 1, size: "?"}}}}
+        find: [M_1]
+    """
+
+
+def of_a_planet(planet: float, while_: str) -> Mechanism:
+    subject = loads(dedent(PLANET.format(planet=planet, ring=47 + planet, while_=while_))).subject
+    assert isinstance(subject, Mechanism)
+    return subject
+
+
+def test_after_how_many_turns_of_its_arm_a_planet_is_back_is_told_by_the_ratio_alone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """n_2/n_H = 1 − 78/31: back after 31 turns; 1 − 78.3/31.3 never, which is told without a position."""
+    walked: list[object] = []
+
+    def places(mech: Mechanism, q: object) -> object:
+        walked.append(q)
+        return np.zeros(1)
+
+    monkeypatch.setattr(returning, "_places", places)
+    assert returning.laps.__wrapped__(of_a_planet(31, "2 turns cw"), 0.0) == 31
+    assert len(walked) == 2  # at the beginning, and where the ratio says that all is back
+    with pytest.raises(EquilibriumError, match="is never back where it was"):
+        returning.laps.__wrapped__(of_a_planet(31.3, "2 turns cw"), 0.0)
+    assert len(walked) == 2
+
+
+@pytest.mark.parametrize(("while_", "told"), [("2 turns cw", 0), ("W moves left", 0), ("1 turns cw", 1)])
+def test_what_a_load_waits_for_is_looked_for_in_the_first_turn(
+    monkeypatch: pytest.MonkeyPatch, while_: str, told: int
+) -> None:
+    """31 turns of the arm bring this planet back; of a load that acts in the first they tell nothing."""
+    monkeypatch.setattr(never, "over_a_period", lambda mech, steps: pytest.fail("31 turns"))
+    problem = loads(dedent(PLANET.format(planet=31, ring=78, while_=while_)))
+    assert isinstance(problem.subject, Mechanism) and problem.loads is not None
+    assert len(list(never.never_acting(problem.subject, problem.loads))) == told
 
 
 @pytest.mark.parametrize("pinion", few([40, 80], 2))

@@ -1,10 +1,12 @@
-"""Two branch statements that cannot both be so are refused with both of them; others are not."""
+"""Branch statements that cannot both be so, or cannot be read where they are needed, are refused by name."""
 
 from __future__ import annotations
 
 import pytest
 
-from vecpoly.errors import ProblemFileError
+from vecpoly import oracle
+from vecpoly.errors import BranchError, ProblemFileError
+from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.load import loads
 
 TEXT = """
@@ -44,3 +46,15 @@ def test_two_sides_that_exclude_each_other_are_refused_with_both_statements(firs
 )
 def test_the_same_side_said_twice_is_no_contradiction(told: str) -> None:
     assert len(loads(TEXT % told).mechanism.branches) >= 1
+
+
+def test_a_statement_that_names_a_letter_placed_later_is_told_beside_one_that_can_be_read() -> None:
+    """It was refused as if nothing had been said of C."""
+    two = "1: {AB: 50 mm}, 2: {BC: 140 mm}, 3: {DC: 100 mm}, 4: {BE: 120 mm}, 5: {GE: 90 mm}"
+    text = TEXT.replace("1: {AB: 50 mm}, 2: {BC: 140 mm}, 3: {DC: 100 mm}", two).replace(
+        "D: [150", "G: [-60 mm, 120 mm], D: [150"
+    )
+    mech = loads(text % "C right of E, E left of GB").subject
+    assert isinstance(mech, Mechanism)
+    with pytest.raises(BranchError, match="'C right of E' cannot be read here, for E is placed later; say which: 'C"):
+        oracle.solve(mech)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from math import copysign, degrees
 
 import numpy as np
@@ -12,7 +12,7 @@ from ..errors import VecpolyError
 from ..mechanism.laws.windows import During, Moving, Turning
 from ..mechanism.loads import Load, Loads
 from ..mechanism.model import Mechanism
-from ..oracle.forces.laws.drives import unit_drive
+from ..oracle.forces.laws.drives import drive_range, unit_drive
 from ..oracle.forces.laws.returning import over_a_period
 from ..oracle.motion import Motion
 from ..oracle.state import Reals
@@ -24,19 +24,36 @@ Waiting = tuple[Load, Moving | Turning]
 
 
 def never_acting(mech: Mechanism, loads: Loads) -> Iterator[Words]:
-    """A remark on each load that waits for a motion that never comes; none where the motion has no period."""
+    """A remark on each load that waits for a motion that never comes; none where the motion has no period.
+
+    Most come within one turn of the drive, and no more than that is looked through then.
+    """
     waiting = list(_waiting(loads))
     if not waiting:
         return
     try:
-        motion = oracle.solve(unit_drive(mech), over_a_period(mech, PLACES), order=1, strict=False)
+        low, high, _ = drive_range(mech)
+        waiting = _still_waiting(mech, waiting, lambda: np.linspace(low, high, PLACES + 1))
+        own = [one for one in waiting if isinstance(one[1], Turning) and one[1].link == mech.drive.link]
+        others = [one for one in waiting if one not in own]
+        never = [*own, *_still_waiting(mech, others, lambda: over_a_period(mech, PLACES))]
     except VecpolyError:
         return
+    yield from (_said(mech, *one) for one in never)
+
+
+def _still_waiting(mech: Mechanism, waiting: list[Waiting], places: Callable[[], Reals]) -> list[Waiting]:
+    """Those whose motion does not come at any of these places of the drive."""
+    if not waiting:
+        return []
+    motion = oracle.solve(unit_drive(mech), places(), order=1, strict=False)
+    return [(load, window) for load, window in waiting if not _comes(mech, motion, window)]
+
+
+def _comes(mech: Mechanism, motion: Motion, window: Moving | Turning) -> bool:
+    still = STILL * (1.0 if isinstance(window, Turning) else mech.scale)
     way = copysign(1.0, mech.drive.rate)
-    for load, window in waiting:
-        still = STILL * (1.0 if isinstance(window, Turning) else mech.scale)
-        if not np.nanmax(way * _rate(mech, motion, window), initial=0.0) > still:
-            yield _said(mech, load, window)
+    return bool(np.nanmax(way * _rate(mech, motion, window), initial=0.0) > still)
 
 
 def _waiting(loads: Loads) -> Iterator[Waiting]:

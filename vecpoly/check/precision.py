@@ -11,7 +11,8 @@ from collections.abc import Mapping
 from math import floor, inf, isnan, log10
 from typing import overload
 
-from ..errors import DeadPointError
+from ..errors import DeadPointError, EquilibriumError
+from ..mechanism.asked.machine import PHI_MAX, PHI_MIN
 from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
 from ..words import Words
@@ -22,6 +23,7 @@ PLENTY = 7  # digits of which nothing need be said
 WHOLE = 360.0  # deg
 ROUNDED = 4.0  # times the scatter: within it a value cannot be told from zero
 NOTHING = 1e-9  # of the size of such quantities: what may be taken for zero at all
+_PLACES, _PLACE = (PHI_MAX.key, PHI_MIN.key), 4  # decimals of a degree: places that are one
 
 ELSEWHERE = Words("；请改取原动件的其他位置", "; choose another position of the input")
 OTHERWISE = Words("；请改用其他数据", "; choose other data")
@@ -42,7 +44,8 @@ def sizes(problem: Problem, truth: Truth) -> dict[str, float]:
 def noise(problem: Problem, truth: Truth, size: Mapping[str, float]) -> dict[str, float]:
     """Key → what the exact value may be off by; 359.9° and 0.1° are neighbours.
 
-    Raises DeadPointError where a value keeps fewer than FEWEST digits.
+    Raises DeadPointError where a value keeps fewer than FEWEST digits, EquilibriumError where a machine is fastest, or
+    slowest, at two places alike.
     """
     turns = {ask.rel.key for ask in problem.asks if ask.rel.unit == "deg"}
     found = {
@@ -51,6 +54,8 @@ def noise(problem: Problem, truth: Truth, size: Mapping[str, float]) -> dict[str
     }
     for key, off in found.items():
         if off > size[key] * 10.0**-FEWEST:
+            if key in _PLACES and len(places := _places(key, (truth.values, *truth.nearby))) == 2:
+                raise _alike(key, *places)
             raise _lost(key, off, size[key], of_motion=isinstance(problem.subject, Mechanism))
     return found
 
@@ -79,6 +84,25 @@ def _scatter(key: str, value: complex | float, near: tuple[Values, ...], whole: 
     """The farthest from the exact value that the nudged data bring it; whole: after which it comes round."""
     gaps = [abs(values[key] - value) for values in near if key in values]
     return max((min(gap, abs(whole - gap)) for gap in gaps), default=0.0)
+
+
+def _places(key: str, near: tuple[Values, ...]) -> list[float]:
+    """The places (deg) at which the nudged data have it, each told once."""
+    return sorted({round(abs(values[key]), _PLACE) for values in near})
+
+
+def _alike(key: str, one: float, other: float) -> EquilibriumError:
+    fast = key == PHI_MAX.key
+    return EquilibriumError(
+        Words(
+            f"{key}：机器在 {one:.2f}° 和 {other:.2f}° 处同样{'快' if fast else '慢'}，由舍入误差决定取哪一个，"
+            f"没有唯一的答案；请改求 {'omega_max' if fast else 'omega_min'}，或改变载荷",
+            f"{key}: the machine is as {'fast' if fast else 'slow'} at {one:.2f}° as at {other:.2f}°, and rounding "
+            f"alone would decide which is told; ask {'omega_max' if fast else 'omega_min'}, or change the loads",
+        ),
+        code="equal-places",
+        numbers={"one": one, "other": other},
+    )
 
 
 def _lost(key: str, off: float, size: float, *, of_motion: bool) -> DeadPointError:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import assert_never
 
 from ...foundation.slotted import replace
+from ...words import Words
 from ..dimensions.placements import Side
 from .statements import Form, Shaped, SideOf, Statement
 
@@ -47,6 +48,19 @@ def third_corners(a: complex, b: complex, d: complex) -> tuple[complex, complex]
     across = (d - b) / abs(d - b) if d != b else 1 + 0j
     middle = (b + d) / 2
     return middle - across * ((a - middle) / across).conjugate(), b + d - a
+
+
+def not_yet(statements: Iterable[Statement], about: str, placed: Iterable[str]) -> Words | None:
+    """Why the first statement about this letter that could tell does not: it names a letter that is placed later."""
+    known = {*placed}
+    for statement in statements:
+        if about in statement.letters and (later := sorted({*statement.letters} - known)):
+            names, verb = " and ".join(later), "is" if len(later) == 1 else "are"
+            return Words(
+                f"“{statement}”在这里无法判断，因为点 {'、'.join(later)} 在其后才能定位",
+                f"'{statement}' cannot be read here, for {names} {verb} placed later",
+            )
+    return None
 
 
 def opposite(statement: Statement) -> Statement:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from ...errors import BranchError, DeadPointError, UnknownNameError
 from ...foundation.slotted import replace
-from ...mechanism.assembly.branch import margin, nearer, opposite
+from ...mechanism.assembly.branch import margin, nearer, not_yet, opposite
 from ...mechanism.assembly.four_bar import folded_corner, fourth_corner
 from ...mechanism.assembly.statements import Form, Shaped
 from ...mechanism.model import Mechanism, Revolute, Statement
@@ -77,7 +77,8 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         raise BranchError(_neither(step, told, where) + advice(mech, step, before, after))
     if isinstance(step, Swinging):
         return _ahead(step, bodies) or _guessed(mech, options, after, where)
-    raise BranchError(_either(step) + advice(mech, step, before, after))
+    early = not_yet(mech.branches, step.joint, after[0])
+    raise BranchError(_either(step, early) + advice(mech, step, before, after))
 
 
 def _check_dead_point(mech: Mechanism, step: Step, after: Sequence[Places], where: str) -> None:
@@ -102,12 +103,13 @@ def _neither(step: Step, told: Sequence[Statement], where: str) -> Words:
     )
 
 
-def _either(step: Step) -> Words:
-    """Nothing tells which assembly is meant."""
-    return Words(
+def _either(step: Step, early: Words | None) -> Words:
+    """Nothing tells which assembly is meant; early: why what is said does not."""
+    told = Words(
         f"构件 {step.group.told.zh} 在运动副 {step.joint} 处有两种装配方式",
         f"links {step.group.told.en} can be assembled in two ways at joint {step.joint}",
     )
+    return told if early is None else told + Words("；", "; ") + early
 
 
 def _signed(step: Step, sign: float) -> Step:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from ...foundation.slotted import replace
 from ...mechanism.asked.machine import Equivalent
 from ...mechanism.loads import Loads, Mass
-from ...mechanism.model import Mechanism, Prismatic
+from ...mechanism.model import FRAME, Mechanism, Prismatic
 from .. import solve
 from ..forces.acting import given
 from ..motion import Motion
@@ -103,7 +103,8 @@ class Reduced:
 
 def along(mech: Mechanism, link: str, body: Body) -> Reals:
     """The velocity of a slider on the frame, positive along its guide."""
-    joint = next(one for one in mech.joints if isinstance(one, Prismatic) and link in (one.block, one.guide))
+    sliding = (joint for joint in mech.joints if isinstance(joint, Prismatic))
+    joint = next(one for one in sliding if {link, FRAME} == {one.block, one.guide})  # it may guide a block of its own
     guide = 1.0 if joint.block == link else body.unit
     axis = np.asarray(guide * np.full(1, np.exp(1j * joint.direction)), np.complex128)
     return dot(axis, body.velocity)

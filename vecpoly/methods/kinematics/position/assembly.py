@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import assert_never
 
 from ....errors import AssemblyError, DeadPointError
-from ....mechanism.assembly.branch import margin, nearer
+from ....mechanism.assembly.branch import margin, nearer, not_yet
 from ....mechanism.model import FRAME, Shaped, Side, SideOf, Statement
 from ....plane import Points, nominal
 from ....words import Words
@@ -46,7 +46,8 @@ def choose(
     if all(fits) and near is not None:
         return pair[desk.sides.take(key, near)], None
     if not about or fits[0] == fits[1]:
-        raise AssemblyError(_which(point, links, desk, about))
+        early = None if about else not_yet(desk.mech.branches, point, trials[0])
+        raise AssemblyError(_which(point, links, desk, about, early))
     deciding = next(s for s, a, b in zip(about, *holds, strict=True) if a != b)
     return pair[desk.sides.take(key, 0 if fits[0] else 1)], deciding
 
@@ -113,20 +114,21 @@ def _with_point(
     return known
 
 
-def _which(point: str, links: tuple[str, ...], desk: Desk, about: list[Statement]) -> Words:
+def _which(point: str, links: tuple[str, ...], desk: Desk, about: list[Statement], early: Words | None) -> Words:
     others = [p for name in links for p in desk.mech.link(name).points if p != point and p in desk.at][:2]
     line = "".join(others) if len(others) == 2 else (others[0] if others else "A")
-    problem = (
-        Words("相互矛盾或未指明一侧", "contradict each other or name no side")
-        if about
-        else Words("没有涉及它", "say nothing of it")
-    )
     moving = [name for name in links if name in desk.mech.bodies]
-    return Words(
-        f"构件 {'、'.join(moving)} 上的点 {point} 可装配在两侧，而 branch 中的语句{problem.zh}",
-        f"point {point} of links {', '.join(moving)} can be assembled on two sides and the branch "
-        f"statements {problem.en}",
-    ) + Words(
+    told = Words(
+        f"构件 {'、'.join(moving)} 上的点 {point} 可装配在两侧，而",
+        f"point {point} of links {', '.join(moving)} can be assembled on two sides, and ",
+    )
+    if early is None and about:
+        early = Words(
+            " branch 中的语句相互矛盾或未指明一侧", "the branch statements contradict each other or name no side"
+        )
+    elif early is None:
+        early = Words(" branch 中的语句没有涉及它", "the branch statements say nothing of it")
+    return (told + early) + Words(
         f"；请写 branch: [{point} left of {line}] 或 branch: [{point} right of {line}]",
         f"; write 'branch: [{point} left of {line}]' or 'branch: [{point} right of {line}]'",
     )

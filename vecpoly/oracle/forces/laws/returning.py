@@ -5,13 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import lru_cache
+from itertools import combinations
 from math import lcm
 
 import numpy as np
 
 from ....errors import EquilibriumError
 from ....mechanism.loads import Loads
-from ....mechanism.model import Circle, Link, Mechanism, Rolling
+from ....mechanism.model import FRAME, Circle, Link, Mechanism, Rolling
 from ....words import Words
 from ...state import Points, Reals
 from .drives import drive_range
@@ -32,8 +33,9 @@ def turns_of(mech: Mechanism, loads: Loads, low: float) -> int:
 @lru_cache(maxsize=64)
 def laps(mech: Mechanism, low: float) -> int:
     """After how many turns every letter is where it was; raises EquilibriumError where it is never."""
-    first = _places(mech, low + WITHIN)
-    for count in filter(_wheels_are_back(mech), range(1, MOST + 1)):  # one after the other: far turns are dear
+    likely = list(filter(_wheels_are_back(mech), range(1, MOST + 1)))
+    first = _places(mech, low + WITHIN) if likely else np.zeros(0)
+    for count in likely:  # one after the other: far turns are dear
         off = np.abs(_places(mech, low + WITHIN + 2 * np.pi * count) - first)
         if np.nanmax(off, initial=0.0) <= SAME * mech.scale:
             return count
@@ -49,43 +51,41 @@ def over_a_period(mech: Mechanism, steps: int) -> Reals:
 
 
 def _wheels_are_back(mech: Mechanism) -> Callable[[int], bool]:
-    """Whether, after so many turns of the drive, every wheel on a fixed axis is where it was: by the ratios alone."""
-    wheels = [(mech.link(name), turns) for name, turns in _on_fixed_axes(mech).items()]
-    reaches = [(max(map(abs, _arms(mech, link)), default=0.0), turns) for link, turns in wheels]
+    """Whether, after so many turns of the drive, every wheel is as it was whose turns the ratios alone tell."""
+    reaches = [(_reach(mech.link(name)), turns) for name, turns in _turns(mech).items() if name != FRAME]
     return lambda count: all(
         reach * abs(np.exp(2j * np.pi * count * turns) - 1) <= SAME * mech.scale for reach, turns in reaches
     )
 
 
-def _arms(mech: Mechanism, wheel: Link) -> list[complex]:
-    """From the fixed axis of a wheel to its other points (m)."""
-    axis = next(at for letter, at in wheel.points.items() if letter in mech.frame)
-    return [at - axis for at in wheel.points.values()]
+def _reach(wheel: Link) -> float:
+    """How far apart two of its points are at most (m)."""
+    return max((abs(one - other) for one, other in combinations(wheel.points.values(), 2)), default=0.0)
 
 
-def _on_fixed_axes(mech: Mechanism) -> dict[str, float]:
-    """Turns of each wheel on a fixed axis per turn of the drive, from gear to gear: i = ∓r_1/r_2."""
+def _turns(mech: Mechanism) -> dict[str, float]:
+    """Turns per turn of the drive, of the links to which they pass from gear to gear: on an arm that is known
+    i = (n_2 − n_H)/(n_1 − n_H) = ∓r_1/r_2."""
     if mech.drive.between or mech.drive.slide:
         return {}
-    turns, pairs = {mech.drive.link: 1.0}, list(_fixed_pairs(mech))
+    turns, pairs = {FRAME: 0.0, mech.drive.link: 1.0}, list(_pairs_on_arms(mech))
     for _ in pairs:
-        for one, other, ratio in pairs:
-            if one in turns:
-                turns.setdefault(other, turns[one] * ratio)
+        for one, other, arm, ratio in pairs:
+            if one in turns and arm in turns:
+                turns.setdefault(other, turns[arm] + (turns[one] - turns[arm]) * ratio)
     return turns
 
 
-def _fixed_pairs(mech: Mechanism) -> Iterator[tuple[str, str, float]]:
-    """Two gears whose centres the frame holds, either way round, and the turns of the second per turn of the first."""
+def _pairs_on_arms(mech: Mechanism) -> Iterator[tuple[str, str, str, float]]:
+    """Two gears, either way round, the link or the frame that holds both centres, and the turns of the second beside
+    it per turn of the first."""
+    held = {FRAME: set(mech.frame)} | {link.name: set(link.points) for link in mech.links}
     for pair in mech.joints:
-        if (
-            isinstance(pair, Rolling)
-            and isinstance(pair.on, Circle)
-            and {pair.gear.centre, pair.on.centre} <= {*mech.frame}
-        ):
+        if isinstance(pair, Rolling) and isinstance(pair.on, Circle):
             ratio = pair.gear.radius / pair.on.radius * (1 if pair.internal else -1)
-            yield pair.gear.link, pair.on.link, ratio
-            yield pair.on.link, pair.gear.link, 1 / ratio
+            for arm in (name for name, letters in held.items() if {pair.gear.centre, pair.on.centre} <= letters):
+                yield pair.gear.link, pair.on.link, arm, ratio
+                yield pair.on.link, pair.gear.link, arm, 1 / ratio
 
 
 def _places(mech: Mechanism, q: Reals) -> Points:
