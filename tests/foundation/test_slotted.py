@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from vecpoly.board.paper.marks import Ink, Role, Segment
 from vecpoly.foundation.slotted import _dataclass as late
+from vecpoly.foundation.slotted import dataclass as quickly_made
 from vecpoly.foundation.slotted import replace as quickly_replaced
 
 DECORATORS: dict[str, Any] = {"late": late, "standard": dataclasses.dataclass}
@@ -110,7 +111,7 @@ def test_a_mark_replaced_quickly_is_as_frozen_as_its_kind(x: float, key: str, st
 
 
 def test_a_field_of_any_name_is_replaced() -> None:
-    @DECORATORS["late"](frozen=True, slots=True)
+    @quickly_made(frozen=True, slots=True)
     class Pair:
         one: int
         changes: int = 0

@@ -5,12 +5,13 @@ from __future__ import annotations
 import pytest
 
 from tests.drawn_library import drawn, given
-from vecpoly import Mistake, Slip, Solution, solve
+from vecpoly import Mistake, Slip
 from vecpoly.board.acts import Locate
 from vecpoly.board.place import View
 from vecpoly.grading.compare.outcome import Basis
 from vecpoly.grading.student import check_answers
 from vecpoly.mistakes import slips
+from vecpoly.solution import Solution, solve
 
 OVER = Slip(Mistake.TURNED_OVER, "e")
 

@@ -40,7 +40,8 @@ def found_loads(desk: Desk, loads: Loads) -> tuple[Loads, Pulls]:
         forces, read = turned(at, spring) if isinstance(spring, Coil) else pulled(at, spring)
         found += forces
         pulls |= read
-    forces_, moments = (tuple(x for x in found if isinstance(x, kind)) for kind in (Force, Moment))
+    forces_ = tuple(one for one in found if isinstance(one, Force))
+    moments = tuple(one for one in found if isinstance(one, Moment))
     return replace(loads, forces=forces_, moments=moments, springs=()), pulls
 
 
