@@ -56,12 +56,12 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 def _rest(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Take off the dear claims whose turn it is not."""
-    from tests.dear import dear, function_of, resting, state, turns
+    from tests.dear import function_of, listed, resting, state, turns
     from tests.laws import soaking
 
     if soaking() or turns() == 1:
         return
-    names = dear()
+    names = listed()
     resting_ones = resting(
         (one.nodeid for one in items if function_of(one.nodeid) in names), state(config.rootpath), turns()
     )

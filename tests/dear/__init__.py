@@ -19,10 +19,10 @@ TURNS = 4  # a dear claim is tried in one of so many states of the code
 CODE = ("vecpoly", "templates", "problems")  # what is tried
 
 
-def dear() -> frozenset[str]:
-    """The functions of tests that are dear."""
+def listed() -> dict[str, str]:
+    """The functions of tests that are dear: the seconds that each took."""
     lines = LIST.read_text(encoding="utf-8").splitlines()
-    return frozenset(line.split()[0] for line in lines if not line.startswith("#"))
+    return dict(line.split() for line in lines if not line.startswith("#"))
 
 
 def turns() -> int:

@@ -1,19 +1,21 @@
-"""Which claims are dear: all tests are run, one after the other, and the functions that take long are written down."""
+"""Which claims are dear: tests are run one after the other, and the functions that take long are added to the list.
+
+Of those that share a drawing the first one run takes long, in other turns another: run it until nothing is added.
+"""
 
 from __future__ import annotations
 
-import os
 from collections import defaultdict
 from collections.abc import Generator
 from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage
 
 import pytest
 
-from . import LIST, function_of
+from . import LIST, function_of, listed
 
 DEAR = 0.5  # seconds of a processor
 ALWAYS = "tests/generated/"  # random problems are what finds most: they are tried every time
-HEAD = "# functions of tests that take more than {dear} s of a processor, as `python -m tests.dear` measured it\n"
+HEAD = "# functions of tests that took more than {dear} s of a processor, as `python -m tests.dear` measured it\n"
 
 
 class Clock:
@@ -37,14 +39,16 @@ def _seconds() -> float:
 
 def main() -> int:
     """The exit code of the tests; the list is written where they pass."""
-    os.environ["TURNS"] = "1"
     clock = Clock()
     code = pytest.main(["-q", "-n0"], plugins=[clock])
     if code == pytest.ExitCode.OK:
-        dear = ((name, taken) for name, taken in sorted(clock.taken.items()) if taken > DEAR)
-        lines = (f"{name} {taken:.1f}\n" for name, taken in dear if not name.startswith(ALWAYS))
-        LIST.write_text(HEAD.format(dear=DEAR) + "".join(lines), encoding="utf-8")
+        found = {name: f"{taken:.1f}" for name, taken in clock.taken.items() if taken > DEAR and ALWAYS not in name}
+        LIST.write_text(HEAD.format(dear=DEAR) + _lines(found | listed()), encoding="utf-8")
     return int(code)
+
+
+def _lines(found: dict[str, str]) -> str:
+    return "".join(f"{name} {taken}\n" for name, taken in sorted(found.items()))
 
 
 if __name__ == "__main__":

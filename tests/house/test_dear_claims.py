@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tests.dear import TURNS, dear, resting, state
+from tests.dear import TURNS, listed, resting, state
 
 ROOT = Path(__file__).parents[2]
 NAMES = tuple(f"tests/some/test_claims.py::test_claim[{n}]" for n in range(300))
 
 
 def test_every_name_on_the_list_is_that_of_a_test() -> None:
-    lost = [name for name in sorted(dear()) if not _is_test(name)]
+    lost = [name for name in sorted(listed()) if not _is_test(name)]
     assert not lost, lost
 
 
