@@ -114,6 +114,16 @@ def test_the_guide_of_an_engine_runs_through_its_frame_and_does_not_tell_where_t
     assert not any(min(g.a.real, g.b.real) < slider.real < max(g.a.real, g.b.real) for g in guides)
 
 
+@pytest.mark.parametrize(("name", "guides"), [("8-16", 2), ("8-3b", 2), ("K-slider-crank-AB", 0)])
+def test_the_place_of_greatest_pressure_is_not_told_by_its_guide(name: str, guides: int) -> None:
+    """Nor, where the offset is to be found, the guide."""
+    told = [m for m in blanks(name)["mechanism", "alpha 1"] if isinstance(m, FixedGuide)]
+    points = (m for m in figure(name, "mechanism", "alpha 1").marks if isinstance(m, Point))
+    slider = next(m.at for m in points if m.label == "C′")
+    assert len(told) == guides
+    assert not any(abs(((g.a + g.b) / 2 - slider).real) < 2.0 for g in told)
+
+
 @pytest.mark.parametrize("name", ["3-7a", "3-9", "4-3a"])
 def test_the_signs_between_the_blanks_of_an_equation_tell_nothing_of_its_terms(name: str) -> None:
     rows = equation_rows(drawn(name).solution, "en")

@@ -7,6 +7,7 @@ import cmath
 from math import pi
 
 from ..board.construction import Figure
+from ..board.paper.arrow_radius import clear_radius
 from ..board.paper.marks import Block, Disc, Dot, FrictionCircle, Mark, Point, Role, Segment, TurnArrow, Vector
 from ..board.paper.pulling import pulls
 from ..diagram.single import pivot
@@ -35,8 +36,20 @@ def acting(mech: Mechanism, loads: Loads, figure: Figure, sheet: Figure) -> tupl
         for pin, rho in loads.friction.pins.items()
         if rho and pin in spots
     )
-    arrows = tuple(mark for load in loads.all if (mark := _arrow(mech, load, spots, figure, sheet)) is not None)
-    return circles + _springs(mech, loads, spots) + _coils(mech, loads, spots) + arrows
+    arrows: list[Mark] = []
+    for load in loads.all:
+        if (mark := _arrow(mech, load, spots, figure, sheet)) is not None:
+            arrows.append(_clear(mark, (*figure.marks, *arrows)) if isinstance(mark, TurnArrow) else mark)
+    return circles + _springs(mech, loads, spots) + _coils(mech, loads, spots) + tuple(arrows)
+
+
+def _clear(arrow: TurnArrow, marks: tuple[Mark, ...]) -> TurnArrow:
+    """A moment's arrow farther out, where a circle or another arrow is in its way; the driving arrow is opposite."""
+    opposite = [
+        m for m in marks if isinstance(m, TurnArrow) and abs(cmath.exp(1j * (m.start - arrow.start)) + 1) < 1e-6
+    ]
+    others = tuple(mark for mark in marks if mark not in opposite)
+    return replace(arrow, radius=clear_radius(others, arrow.at, arrow.radius))
 
 
 def _springs(mech: Mechanism, loads: Loads, spots: dict[str, complex]) -> tuple[Mark, ...]:

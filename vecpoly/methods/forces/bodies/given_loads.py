@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from ....board.construction import View
+from ....board.paper.arrow_radius import clear_radius
 from ....board.paper.marks import Role, Segment, Vector
 from ....board.paper.pulling import pulls
 from ....foundation.slotted import replace
@@ -69,4 +70,5 @@ def _moment(st: Statics, load: Moment) -> None:
     pivot = next((p for p in points if p in st.mech.frame), next(iter(points)))
     assert load.size is not None
     at, ccw = st.desk.at[pivot], load.size > 0
-    st.board.curved_arrow(View.MECHANISM, at, RADIUS, 2.2 if ccw else 0.9, ccw, load_symbol(load.name))
+    radius = clear_radius(st.board.marks(View.MECHANISM), complex(nominal(at)), RADIUS)
+    st.board.curved_arrow(View.MECHANISM, at, radius, 2.2 if ccw else 0.9, ccw, load_symbol(load.name))

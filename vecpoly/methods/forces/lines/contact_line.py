@@ -43,11 +43,14 @@ def line_of_contact(st: Statics, two: TwoForce) -> Line:
         _say(st, i, j, contact.point, slip, normal)
     else:
         symbol = st.named(two.by, two.on).symbol
+        rubs = st.loads.friction and st.rubbing
+        zh, en = (
+            ("该接触处无摩擦", "No friction acts at this contact, so") if rubs else ("不计摩擦", "Without friction")
+        )
         st.board.step(
             Words(
-                f"不计摩擦，接触点 ${contact.point}$ 处的反力 ${symbol}$ 沿公法线 $n–n$。",
-                f"Without friction the reaction ${symbol}$ at the contact ${contact.point}$ acts along the common "
-                "normal $n–n$.",
+                f"{zh}，接触点 ${contact.point}$ 处的反力 ${symbol}$ 沿公法线 $n–n$。",
+                f"{en} the reaction ${symbol}$ at ${contact.point}$ acts along the common normal $n–n$.",
             ),
             View.MECHANISM,
         )

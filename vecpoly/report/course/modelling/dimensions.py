@@ -10,12 +10,12 @@ from ....board.construction import Figure
 from ....board.paper.scales import round_up
 from ....findings.study.study import Study
 from ....foundation.slotted import replace
-from ....mechanism.model import FRAME
+from ....mechanism.model import FRAME, Circle, Mechanism, Rolling
 from ....words import Words
 from ...picture import scaled, to_scale
 from ..numbering import SMALL, Press
 
-_HEADER = {"zh": ["构件", "两点距离 /mm", "图上长度 /mm"], "en": ["Link", "Distances, mm", "On paper, mm"]}
+_HEADER = {"zh": ["构件", "尺寸 /mm", "图上长度 /mm"], "en": ["Link", "Dimensions, mm", "On paper, mm"]}
 _MOST = 4  # points of a link of which all distances are told
 
 
@@ -32,13 +32,13 @@ def rounded(figure: Figure) -> Figure:
 
 
 def dimensions(study: Study, press: Press, figure: Figure | None) -> str:
-    """One line for every link with two points or more, the frame last."""
+    """One line for every link with two points or more, or teeth, the frame last."""
     if figure is None or not to_scale(figure):
         return ""
     comma = "，" if press.lang == "zh" else ", "
     rows = []
     for name in (*(body for body in study.mech.bodies if body not in study.mech.substitutes), FRAME):
-        found = list(_distances(study, name))
+        found = [*_distances(study, name), *_radii(study.mech, name)]
         if found:
             rows.append(
                 (
@@ -53,6 +53,14 @@ def dimensions(study: Study, press: Press, figure: Figure | None) -> str:
         f"{number(figure.scale.value)} {figure.scale.per_mm})",
     )
     return press.table(title, _HEADER[press.lang], rows, "cll", style=SMALL) if rows else ""
+
+
+def _radii(mech: Mechanism, link: str) -> Iterator[tuple[str, float]]:
+    """Of the pitch circles of a link, r_2, and of the frame, r."""
+    symbol = "r" if link == FRAME else f"r_{{{mech.number(link)}}}"
+    rolling = [joint for joint in mech.joints if isinstance(joint, Rolling)]
+    circles = [*(one.gear for one in rolling), *(one.on for one in rolling if isinstance(one.on, Circle))]
+    yield from dict.fromkeys((symbol, one.radius) for one in circles if one.link == link)
 
 
 def _distances(study: Study, link: str) -> Iterator[tuple[str, float]]:

@@ -114,16 +114,9 @@ def _candidates(study: Study) -> Iterator[tuple[float, Words]]:
         spots = [
             s for s in (found.highest, found.lowest) if s is not None and not s.end and abs(s.value) > _NOTHING * size
         ]
+        magnitude = f"|{symbol}|" if study.whole.info(key).is_vector else symbol
         for spot in sorted(spots, key=lambda s: -abs(s.value)):
-            most = spot is found.highest
-            magnitude = f"|{symbol}|" if study.whole.info(key).is_vector else symbol
-            yield (
-                spot.phi,
-                Words(
-                    f"${magnitude}$ 取最{'大' if most else '小'}值",
-                    f"${magnitude}$ is {'greatest' if most else 'least'}",
-                ),
-            )
+            yield spot.phi, Words.same(f"${magnitude}$ ") + _extreme(most=spot is found.highest, value=spot.value)
     for t in study.facts.transmissions:
         yield (
             t.least.phi,
@@ -132,6 +125,13 @@ def _candidates(study: Study) -> Iterator[tuple[float, Words]]:
                 f"the transmission angle ${study.whole.info(t.key).symbol}$ is least",
             ),
         )
+
+
+def _extreme(*, most: bool, value: float) -> Words:
+    """What is said of a greatest or a least value: of one the other way round that it is the greatest that way."""
+    if most:
+        return Words("取最大值", "is greatest")
+    return Words("取负向最大值", "is most negative") if value < 0 else Words("取最小值", "is least")
 
 
 def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:

@@ -66,9 +66,10 @@ def stands(construction: Construction, figure: Figure, problem: Problem) -> tupl
     if not isinstance(problem.subject, Design):
         return found
     told = given(construction, figure)
-    lines = [mark for mark in told if isinstance(mark, Segment) and mark.role is Role.CENTRE]
+    lines = [mark for mark in told if isinstance(mark, Segment)]
     guides = (_along(mark, lines) for mark in found if isinstance(mark, FixedGuide))
-    return (*(mark for mark in found if mark in told), *(guide for guide in guides if guide is not None))
+    pivots = (mark for mark in found if isinstance(mark, Ground) and mark in told)
+    return (*pivots, *(guide for guide in guides if guide is not None))
 
 
 def begun(figure: Figure) -> tuple[Mark, ...]:
@@ -133,12 +134,21 @@ def _curve(figure: Figure) -> tuple[Mark, ...]:
     return (*drawn, *(mark for mark in letters if mark.at not in ends))
 
 
-def _along(guide: FixedGuide, lines: Sequence[Segment]) -> FixedGuide | None:
-    """The guide with the line that is given of it, where one is: that on which the block's pin moves."""
+def _along(guide: FixedGuide, told: Sequence[Segment]) -> FixedGuide | None:
+    """The guide with a point of the line on which the block's pin moves, where that is given: the line itself, or the
+    foot of the offset that is laid off to it. Where the guide stands on the figure, the block was found."""
     way = (guide.b - guide.a) / abs(guide.b - guide.a)
-    return next((replace(guide, about=line.a) for line in lines if _beside(guide, way, line)), None)
+    lines = [line.a for line in told if line.role is Role.CENTRE and _beside(guide, way, line.a, line.b)]
+    feet = [line.b for line in told if abs(_across(line, way)) < NEAR and _beside(guide, way, line.b)]
+    return next((replace(guide, about=at) for at in (*lines, *feet)), None)
 
 
-def _beside(guide: FixedGuide, way: complex, line: Segment) -> bool:
-    away = [((end - guide.a) * way.conjugate()).imag for end in (line.a, line.b)]
-    return abs(away[0] - away[1]) < NEAR and abs(away[0]) < HALF_BLOCK
+def _across(line: Segment, way: complex) -> float:
+    """How far a line runs along the guide (mm)."""
+    return ((line.b - line.a) * way.conjugate()).real
+
+
+def _beside(guide: FixedGuide, way: complex, *ends: complex) -> bool:
+    """Whether these places lie on one line beside the guide, as near as the pin of its block."""
+    away = [((end - guide.a) * way.conjugate()).imag for end in ends]
+    return max(away) - min(away) < NEAR and abs(away[0]) < HALF_BLOCK
