@@ -34,8 +34,8 @@ def special(study: Study) -> Iterator[Words]:
     if any(isinstance(j, Rolling) for j in mech.joints):
         yield Words(
             "纯滚动副限制两个自由度，按低副计；两轮中心距已由构件保持者，按高副计。",
-            "A pair with pure rolling removes two degrees of freedom and counts as a lower pair; where links hold the "
-            "two centres at their distance it counts as a higher pair. ",
+            "Pure rolling removes two degrees of freedom and counts as a lower pair; where links hold the two centres "
+            "at their distance it counts as a higher pair. ",
         )
     if mech.contacts:
         zh, en = "、".join(f"${c.point}$" for c in mech.contacts), ", ".join(f"${c.point}$" for c in mech.contacts)
