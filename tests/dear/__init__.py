@@ -1,4 +1,4 @@
-"""Dear claims are tried in turns: `make test` takes a sixth of them, drawn anew with every change of the code.
+"""Dear claims are tried in turns: `make test` takes an eighth of them, drawn anew with every change of the code.
 
 What is drawn depends on the code alone, so that the same state of the project is tried by the same claims on every
 machine, and every claim has its turn within a few changes. `TURNS=1 make test` tries all of them, and so does the soak;
@@ -15,7 +15,7 @@ from zlib import crc32
 
 HERE = Path(__file__).parent
 LIST = HERE / "claims.txt"  # written by `python -m tests.dear`
-TURNS = 6  # a dear claim is tried in one of so many states of the code
+TURNS = 8  # a dear claim is tried in one of so many states of the code
 CODE = ("vecpoly", "templates", "problems")  # what is tried
 
 
