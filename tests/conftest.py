@@ -59,14 +59,13 @@ def _rest(config: pytest.Config, items: list[pytest.Item]) -> None:
     from tests.dear import function_of, listed, resting, state, turns
     from tests.laws import soaking
 
-    if soaking() or turns() == 1:
+    if soaking():
         return
     names = listed()
-    resting_ones = resting(
-        (one.nodeid for one in items if function_of(one.nodeid) in names), state(config.rootpath), turns()
-    )
-    config.hook.pytest_deselected(items=[one for one in items if one.nodeid in resting_ones])
-    items[:] = [one for one in items if one.nodeid not in resting_ones]
+    dear = (one.nodeid for one in items if function_of(one.nodeid) in names)
+    rest = resting(dear, state(config.rootpath), turns())
+    config.hook.pytest_deselected(items=[one for one in items if one.nodeid in rest])
+    items[:] = [one for one in items if one.nodeid not in rest]
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -1,8 +1,8 @@
 """Dear claims are tried in turns: `make test` takes an eighth of them, drawn anew with every change of the code.
 
 What is drawn depends on the code alone, so that the same state of the project is tried by the same claims on every
-machine, and every claim has its turn within a few changes. `TURNS=1 make test` tries all of them, and so does the soak;
-whoever names files or tests gets all that he names.
+machine, and every claim has its turn in one of eight states on average. `TURNS=1 make test` tries all of them, and so
+does the soak; whoever names files or tests gets all that he names.
 """
 
 from __future__ import annotations

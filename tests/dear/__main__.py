@@ -15,7 +15,7 @@ from . import LIST, function_of, listed
 
 DEAR = 0.5  # seconds of a processor
 ALWAYS = "tests/generated/"  # random problems are what finds most: they are tried every time
-HEAD = "# functions of tests that took more than {dear} s of a processor, as `python -m tests.dear` measured it\n"
+HEAD = "# functions of tests that took more than {dear} s of a processor, the list grows by `python -m tests.dear`\n"
 
 
 class Clock:

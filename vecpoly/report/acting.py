@@ -4,6 +4,7 @@ nothing that has to be found."""
 from __future__ import annotations
 
 import cmath
+from collections.abc import Sequence
 from math import pi
 
 from ..board.construction import Figure
@@ -38,18 +39,9 @@ def acting(mech: Mechanism, loads: Loads, figure: Figure, sheet: Figure) -> tupl
     )
     arrows: list[Mark] = []
     for load in loads.all:
-        if (mark := _arrow(mech, load, spots, figure, sheet)) is not None:
-            arrows.append(_clear(mark, (*figure.marks, *arrows)) if isinstance(mark, TurnArrow) else mark)
+        if (mark := _arrow(mech, load, spots, figure, sheet, arrows)) is not None:
+            arrows.append(mark)
     return circles + _springs(mech, loads, spots) + _coils(mech, loads, spots) + tuple(arrows)
-
-
-def _clear(arrow: TurnArrow, marks: tuple[Mark, ...]) -> TurnArrow:
-    """A moment's arrow farther out, where a circle or another arrow is in its way; the driving arrow is opposite."""
-    opposite = [
-        m for m in marks if isinstance(m, TurnArrow) and abs(cmath.exp(1j * (m.start - arrow.start)) + 1) < 1e-6
-    ]
-    others = tuple(mark for mark in marks if mark not in opposite)
-    return replace(arrow, radius=clear_radius(others, arrow.at, arrow.radius))
 
 
 def _springs(mech: Mechanism, loads: Loads, spots: dict[str, complex]) -> tuple[Mark, ...]:
@@ -77,8 +69,11 @@ def _coils(mech: Mechanism, loads: Loads, spots: dict[str, complex]) -> tuple[Ma
     return tuple(found)
 
 
-def _arrow(mech: Mechanism, load: Load, spots: dict[str, complex], figure: Figure, sheet: Figure) -> Mark | None:
-    """The arrow of one load; none for a moment that is sought, unless told to drive the input or to resist."""
+def _arrow(
+    mech: Mechanism, load: Load, spots: dict[str, complex], figure: Figure, sheet: Figure, drawn: Sequence[Mark]
+) -> Mark | None:
+    """The arrow of one load, beside those that are drawn; none for a moment that is sought, unless told to drive the
+    input or to resist."""
     symbol = load_named(load).symbol
     if isinstance(load, Force) and load.against:
         return _thrust(load, spots, symbol)
@@ -88,7 +83,7 @@ def _arrow(mech: Mechanism, load: Load, spots: dict[str, complex], figure: Figur
             if load.point in spots
             else None
         )
-    return _moment(mech, load, spots, symbol, figure)
+    return _moment(mech, load, spots, symbol, figure, drawn)
 
 
 def _pulls(load: Force, symbol: str, sheet: Figure) -> bool | None:
@@ -133,9 +128,11 @@ def _gap(p: complex, a: complex, b: complex) -> float:
     return abs(p - a - along * span)
 
 
-def _moment(mech: Mechanism, load: Moment, spots: dict[str, complex], symbol: str, figure: Figure) -> TurnArrow | None:
-    """About the link's fixed pivot, or its first lettered point;
-    opposite the driving arrow where both turn about one pivot."""
+def _moment(
+    mech: Mechanism, load: Moment, spots: dict[str, complex], symbol: str, figure: Figure, drawn: Sequence[Mark]
+) -> TurnArrow | None:
+    """About the link's fixed pivot, or its first lettered point; opposite the driving arrow where both turn about one
+    pivot, farther out where a circle or another arrow is in its way."""
     letters = [p for p in mech.link(load.link).points if p in spots]
     centre = next((p for p in letters if p in mech.frame), letters[0] if letters else None)
     if centre is None:
@@ -144,7 +141,8 @@ def _moment(mech: Mechanism, load: Moment, spots: dict[str, complex], symbol: st
     driving = next((m for m in figure.marks if isinstance(m, TurnArrow) and abs(m.at - at) < 1e-6), None)
     ccw = _sense(load, driving)
     start = pi / 4 if driving is None else driving.start + pi
-    size = TURN_RADIUS if driving is None else BESIDE
+    least = TURN_RADIUS if driving is None else BESIDE
+    size = clear_radius([mark for mark in (*figure.marks, *drawn) if mark is not driving], at, least)
     return None if ccw is None else TurnArrow(at=at, radius=size, start=start, ccw=ccw, label=symbol, step=1)
 
 
