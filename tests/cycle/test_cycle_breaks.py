@@ -18,6 +18,7 @@ from tests.laws import few
 from vecpoly import oracle
 from vecpoly.cli import app
 from vecpoly.cycle import Cycle, Shape, cycle, extremes, facts, force_sentences, path, path_sentences, sentences
+from vecpoly.cycle.sample import sample
 from vecpoly.mechanism.model import Circle, Drive, Link, Mechanism, Prismatic, Revolute, Rolling, Side, SideOf
 from vecpoly.problem.load import load, loads
 
@@ -271,3 +272,11 @@ def test_nothing_is_grumbled_about_the_places_where_an_eccentric_reaches_its_fol
     turn = cycle(loads(ECCENTRIC), over=np.linspace(0, 2 * pi, 37))
     balancing = turn.column("X_b")
     assert np.isfinite(balancing).any() and not np.isfinite(balancing).all()
+
+
+def test_a_cylinder_keeps_its_rates_up_to_the_ends_of_its_range_where_all_else_runs_away() -> None:
+    """There a_54 was −1·10⁻⁶ m/s², what is left of two accelerations of 10⁹: a column of 159 turning points."""
+    mech = load("scissor-lift").mechanism
+    turn = sample(mech, None, [mech.drive.position, 0.8130088399338862])
+    assert turn.value("v_54").tolist() == [0.05, 0.05] and turn.value("a_54").tolist() == [0.0, 0.0]
+    assert abs(turn.value("omega_1")[1]) > 1e4 * abs(turn.value("omega_1")[0])

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from tests.forces.test_pins_in_slots import agreeing, exact_hand
+from tests.forces.test_pins_in_slots import SCALES, agreeing, exact_hand
 from tests.laws import few
 from vecpoly.errors import LockedError
+from vecpoly.problem.load import loads
+from vecpoly.solution import solve
 
 # Slides that are steep against the pins help here: with φ = 30° at the one or the other the mechanism moves or is
 # locked. Raised by their angles the slides came to lag behind the circles, and it was locked at 74 % of the friction.
@@ -73,3 +75,28 @@ friction: {A: {rho: 24.48888 mm}, B: {rho: 30.78275 mm}, C: {rho: 6.065003 mm}, 
 def test_a_reaction_that_would_leap_is_led_there_by_less_friction() -> None:
     solution = exact_hand(LONG_LEVER)
     assert agreeing(solution) and solution.answers["X_b"].drawn == pytest.approx(-19.353775145761, rel=1e-9)
+
+
+LOADED_BARS = """
+id: x
+title: two loaded bars, solved by moments, and so with the couples of their pins
+frame: {A: [0 mm, 0 mm], D: [120 mm, 0 mm]}
+links: {1: {AB: 40 mm}, 2: {BC: 110 mm, E: {along: BC, at: 50 mm}}, 3: {DC: 80 mm, G: {along: DC, at: 30 mm}}}
+input: {link: 1, phi: 60 deg, omega: 10 rad/s}
+branch: [C above D]
+loads:
+  F_p: {on: 2, at: E, size: 300 N, direction: 250 deg}
+  F_q: {on: 3, at: G, size: 200 N, direction: 10 deg}
+  M_1: {on: 1, size: "?"}
+friction: {B: {rho: 4 mm}, C: {rho: 4 mm}, D: {rho: 4 mm}}
+find: [M_1, R_12, R_23]
+"""
+
+
+def test_what_all_couples_do_to_each_other_is_found_in_one_pass_as_in_one_pass_for_each() -> None:
+    """Beside repeated drawings the couples are moved one by one, else all at once by as many hands."""
+    problem = loads(LOADED_BARS + SCALES)
+    together, apart = (solve(problem, by="exact", repeats=n, precise=False).answers for n in (0, 2))
+    assert [answer.drawn for answer in together.values()] == pytest.approx(
+        [answer.drawn for answer in apart.values()], rel=1e-9
+    )

@@ -168,6 +168,12 @@ def test_another_vector_taken_is_told_by_its_symbol() -> None:
     assert told(sheet, "v_C2B")[-1] == "swapped" and sheet["v_C2B"].messages[-1].numbers["other"] == "v_{C2C3}"
 
 
+def test_the_value_of_another_vector_in_ones_own_direction_is_not_that_vector() -> None:
+    own, other = (key_of("3-9")[key].degrees for key in ("v_C2B", "v_C2C3"))
+    said = {at: told(marked("3-9", right("3-9") | {"v_C2B": f"0.1724 m/s ∠{at:.0f}°"}), "v_C2B") for at in (own, other)}
+    assert "swapped" not in said[own] and said[other][-1] == "swapped"
+
+
 def test_a_link_that_only_translates_has_no_angular_velocity() -> None:
     sheet = (
         marked("travel-doubler", {"omega_3": "2.5 ccw"})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cache
+from itertools import cycle
 from pathlib import Path
 
 from vecpoly import load
@@ -57,10 +58,17 @@ def everybody() -> dict[str, dict[str, str]]:
     return {number: answers(number) for number in NUMBERS}
 
 
+# N was once read as "no", and the row that the form itself writes told as one without a number
+UNITS = ("N", "mm", "°", "↻ ↺", "N·m", "m/s", "(m/s²)/mm", "v_C = v_B + v_CB: ✓ ?", "kg·m²", "r/min", "s", "", "g·mm")
+
+
 def wide(path: Path, rows: Mapping[str, Mapping[str, str]], *, encoding: str = "utf-8", mark: str = ",") -> Path:
-    """A CSV file with a row of units, as the answers form has it."""
+    """A CSV file with a row of units, as the answers form has it: all that it may write, one after another."""
     heads = list(next(iter(rows.values())))
-    lines = [mark.join(["学号", *heads]), mark.join(["", *("单位" for _ in heads)])]
+    lines = [
+        mark.join(["学号", *heads]),
+        mark.join(["", *(unit for unit, _ in zip(cycle(UNITS), heads, strict=False))]),
+    ]
     lines += [mark.join([number, *(cells[head] for head in heads)]) for number, cells in rows.items()]
     path.write_bytes("\r\n".join(lines).encode(encoding))
     return path

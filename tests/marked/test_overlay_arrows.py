@@ -8,10 +8,13 @@ from math import degrees
 from pathlib import Path
 
 import pytest
+import shapely
 
 from tests.marked.classes import NUMBERS, answers, graded, register, wide
-from vecpoly.drawing.scene import Stroke
+from vecpoly.board.paper.marks import Arc
+from vecpoly.drawing.scene import Stroke, TextBox
 from vecpoly.drawing.style import Dash
+from vecpoly.marked.out.feedback import side_by_side
 from vecpoly.marked.out.overlay import overlays
 from vecpoly.solution import solve
 
@@ -40,3 +43,21 @@ def test_an_arrow_is_drawn_where_it_points(tmp_path: Path, behind: str, right: b
     ]
     gap = min(abs((way - exact.degrees + 180) % 360 - 180) for way in ways)
     assert (gap < 1.0) or not right
+
+
+def test_letters_of_an_overlay_keep_clear_of_the_circles_of_what_is_allowed_and_figures_stand_in_rows(
+    tmp_path: Path,
+) -> None:
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", {NUMBERS[0]: answers(NUMBERS[0])}))
+    sheet, marked = register().sheet(NUMBERS[0]), done.results[0].marks["3-9"]
+    assert sheet is not None
+    drawn = list(overlays(solve(register().variant(sheet.parts[0]), repeats=0).construction, marked, "en"))
+    for figure, scene in drawn:
+        allowed = [mark for mark in figure.marks if isinstance(mark, Arc)]
+        rings = [shapely.Point(ring.centre.real, ring.centre.imag).buffer(ring.radius).boundary for ring in allowed]
+        letters = [item.rect for item in scene.items if isinstance(item, TextBox)]
+        assert rings and letters
+        assert not any(ring.intersects(shapely.box(r.x0, r.y0, r.x1, r.y1)) for ring in rings for r in letters)
+    (row,) = side_by_side([(figure.title.en, scene) for figure, scene in drawn])
+    assert len(drawn) == 2 and row[0] == "Velocity polygon; Acceleration polygon"
+    assert row[1].extents.width > sum(scene.extents.width for _, scene in drawn)

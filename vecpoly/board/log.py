@@ -35,6 +35,8 @@ Found = TypeVar("Found", Points, Reals)
 class Log:
     """What is written and drawn, in order; the board adds the acts."""
 
+    seen = True  # whether anyone looks at its figures
+
     def __init__(self, scales: Mapping[View, Scale] | Mapping[Place, Scale]) -> None:
         self.scales = all_apart(scales)  # of each kind of figure, and of a pane that has its own
         self.steps: list[Step] = []

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from math import floor, inf, isnan, log10
 from typing import overload
 
-from ..errors import DeadPointError, EquilibriumError
-from ..mechanism.asked.machine import PHI_MAX, PHI_MIN
+from ..errors import DeadPointError
+from ..mechanism.asked.machine import PHI_MAX, PHI_MIN, equally
 from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
 from ..words import Words
@@ -55,7 +55,7 @@ def noise(problem: Problem, truth: Truth, size: Mapping[str, float]) -> dict[str
     for key, off in found.items():
         if off > size[key] * 10.0**-FEWEST:
             if key in _PLACES and len(places := _places(key, (truth.values, *truth.nearby))) == 2:
-                raise _alike(key, *places)
+                raise equally(key, *places)
             raise _lost(key, off, size[key], of_motion=isinstance(problem.subject, Mechanism))
     return found
 
@@ -89,20 +89,6 @@ def _scatter(key: str, value: complex | float, near: tuple[Values, ...], whole: 
 def _places(key: str, near: tuple[Values, ...]) -> list[float]:
     """The places (deg) at which the nudged data have it, each told once."""
     return sorted({round(abs(values[key]), _PLACE) for values in near})
-
-
-def _alike(key: str, one: float, other: float) -> EquilibriumError:
-    fast = key == PHI_MAX.key
-    return EquilibriumError(
-        Words(
-            f"{key}：机器在 {one:.2f}° 和 {other:.2f}° 处同样{'快' if fast else '慢'}，由舍入误差决定取哪一个，"
-            f"没有唯一的答案；请改求 {'omega_max' if fast else 'omega_min'}，或改变载荷",
-            f"{key}: the machine is as {'fast' if fast else 'slow'} at {one:.2f}° as at {other:.2f}°, and rounding "
-            f"alone would decide which is told; ask {'omega_max' if fast else 'omega_min'}, or change the loads",
-        ),
-        code="equal-places",
-        numbers={"one": one, "other": other},
-    )
 
 
 def _lost(key: str, off: float, size: float, *, of_motion: bool) -> DeadPointError:

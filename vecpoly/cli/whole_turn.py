@@ -83,9 +83,12 @@ def _place(turn: Cycle, spot: Spot, found: Extremes) -> str:
     if found.is_constant:
         return "—"
     from ..check.precision import NOTHING
+    from ..cycle.facts.rests import stood
 
     drive, whole = turn.drive, pi if turn.drive.unit == "rad" else turn.mech.scale
     unit = written_unit("deg" if drive.unit == "rad" else " mm")
+    if (stretch := stood(turn, found, spot)) is not None:
+        return " … ".join(number(drive.factor * phi, 6) + unit for phi in stretch)
     return number(drive.factor * spot.phi, 7, drive.factor * NOTHING * whole) + unit
 
 

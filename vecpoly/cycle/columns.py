@@ -45,9 +45,11 @@ def dyads(mech: Mechanism) -> dict[str, Dyad]:
 
 
 def moving_points(mech: Mechanism) -> tuple[str, ...]:
-    """Letters that move, in the order of the links."""
+    """Letters that move, in the order of the links; not the centre of curvature of a cam's profile, which is another
+    point of the cam in each position."""
     letters = chain.from_iterable(mech.link(name).points for name in mech.bodies)
-    return tuple(letter for letter in dict.fromkeys(letters) if letter not in mech.frame)
+    others = {*mech.frame, *(cam.centre for cam in mech.cams)}
+    return tuple(letter for letter in dict.fromkeys(letters) if letter not in others)
 
 
 def catalogue(mech: Mechanism, loads: Loads | None, points: tuple[str, ...] | None = None) -> tuple[Column, ...]:

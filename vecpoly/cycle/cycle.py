@@ -150,9 +150,9 @@ class Cycle:
         return places if key == self.drive.key else self._on_turn(key, places, self._sampled(places).value(key))
 
     def _sampled(self, places: Reals) -> Sample:
-        """The mechanism solved at these positions;
-        with loads the last few are kept, for all columns break off at the same ones."""
-        if self.acting is None or places.size > FEW:
+        """The mechanism solved at these positions; with loads, or where it is iterated, the last few are kept, for all
+        columns break off at the same ones."""
+        if places.size > FEW or (self.acting is None and not oracle.is_iterated(self.mech)):
             return sample(self.mech, self.acting, places)
         mark = (places.shape, places.tobytes())  # one place, and an array of one place, are two
         if mark not in self._solved:

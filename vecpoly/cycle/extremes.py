@@ -122,7 +122,7 @@ def _turning(curve: Curve, piece: Piece) -> tuple[Reals, Reals]:
     """Places of the maxima and minima of an unbroken piece."""
     rise = np.diff(piece.f)
     about = np.maximum(np.abs(piece.f[:-1]), np.abs(piece.f[1:]))  # elsewhere it may run away
-    rise[np.abs(rise) <= ROUNDING * (about + curve.size)] = 0.0
+    rise[np.abs(rise) <= ROUNDING * about + noise(curve.cycle.mech) * curve.size] = 0.0
     moving = np.flatnonzero(rise)  # what stands still between two of them is level
     top = rise[moving[:-1]] > 0
     turn = np.flatnonzero(top != (rise[moving[1:]] > 0))

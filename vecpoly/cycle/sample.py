@@ -16,6 +16,7 @@ from ..mechanism.asked.machine import equivalent_of, reduced_quantities
 from ..mechanism.loads import Loads
 from ..mechanism.machine import known_of
 from ..mechanism.model import Mechanism, Prismatic
+from ..mechanism.rams import driven_joint
 from ..names import parse_rel
 from ..oracle.forces import Forces, forces
 from ..oracle.machine import Reduced, reduce
@@ -67,7 +68,7 @@ class Sample:
 
     def slide(self, stem: str, joint: Prismatic) -> Reals:
         """Travel s of the block's pin along the guide from the lettered point (else the line's origin),
-        its rate v, its second rate a."""
+        its rate v, its second rate a: as they are given where a drive prescribes them."""
         motion = self.motion
         if stem == "s":
             return travel(motion, joint, self.mech.link(joint.guide).points.get(joint.through, joint.origin))
@@ -76,10 +77,12 @@ class Sample:
         pin = self.mech.link(joint.block).points[joint.pin]
         along = guide.unit * complex(np.exp(1j * joint.direction))
         here = block.point(pin)
-        slip = block.velocity_of(pin) - guide.velocity_at(here)
-        if stem == "v":
-            return dot(along, slip)
-        return dot(along, block.acceleration_of(pin) - guide.acceleration_at(here) - 2j * guide.omega * slip)
+        moved = block.velocity_of(pin) - guide.velocity_at(here)
+        if stem == "a":
+            moved = block.acceleration_of(pin) - guide.acceleration_at(here) - 2j * guide.omega * moved
+        found = dot(along, moved)
+        drive = next((one for one in self.mech.drives if one.slide and driven_joint(self.mech, one) == joint), None)
+        return found if drive is None else np.where(np.isfinite(found), (drive.rate, drive.accel)[order - 1], np.nan)
 
 
 def travel(motion: oracle.Motion, joint: Prismatic, base: complex) -> Reals:

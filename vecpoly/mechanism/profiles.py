@@ -41,3 +41,17 @@ def refuse_profiles(cams: Sequence[CamProfile], what: Words) -> None:
             ),
             code="cam-profile",
         )
+
+
+def refuse_centre(cams: Sequence[CamProfile], point: str) -> None:
+    """Raise NoMethodError for the path of a profile's centre of curvature."""
+    for cam in (one for one in cams if one.centre == point):
+        raise NoMethodError(
+            Words(
+                f"{point} 是凸轮 {cam.link} 的廓线在接触点的曲率中心，在每一位置为凸轮上另一点，没有自己的轨迹；"
+                "请另取一点",
+                f"{point} is the centre of curvature of the profile of cam {cam.link} at the contact, another point of "
+                "the cam in each position: it has no path of its own; choose another point",
+            ),
+            code="centre-of-curvature",
+        )

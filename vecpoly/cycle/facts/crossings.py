@@ -13,6 +13,7 @@ from ..sample import sample
 Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]
 NEWTON = 12
+STILL = 1e-9  # of the path's size: a step of less is rounding, the point rests
 
 
 def crossings(cycle: Cycle, point: str, phi: Reals, p: Points, closed: bool) -> list[tuple[complex, float, float]]:
@@ -29,17 +30,18 @@ def crossings(cycle: Cycle, point: str, phi: Reals, p: Points, closed: bool) -> 
 
 
 def _pairs(p: Points, closed: bool) -> Iterator[tuple[int, int]]:
-    """Indices of pairs of sides that cross; neighbours do not count."""
+    """Indices of pairs of sides that cross; neighbours do not count, nor the sides of a rest."""
     a, d = p[:-1], np.diff(p)
     n = len(d)
     ahead = np.maximum(p[1:].real, a.real), np.minimum(p[1:].real, a.real)
-    for i in range(n - 2):
+    moves = np.abs(d) > STILL * np.abs(p - p[0]).max()
+    for i in np.flatnonzero(moves[:-2]):
         j = np.arange(i + 2, n - (1 if closed and i == 0 else 0))
-        j = j[(ahead[0][j] >= ahead[1][i]) & (ahead[1][j] <= ahead[0][i])]
+        j = j[moves[j] & (ahead[0][j] >= ahead[1][i]) & (ahead[1][j] <= ahead[0][i])]
         gap = a[j] - a[i]
         one = (np.conj(d[i]) * gap).imag * (np.conj(d[i]) * (gap + d[j])).imag
         two = (np.conj(d[j]) * -gap).imag * (np.conj(d[j]) * (d[i] - gap)).imag
-        yield from ((i, int(k)) for k in j[(one <= 0) & (two <= 0)])
+        yield from ((int(i), int(k)) for k in j[(one <= 0) & (two <= 0)])
 
 
 def _refined(cycle: Cycle, point: str, x: Reals) -> Iterator[tuple[complex, float, float]]:
@@ -61,6 +63,8 @@ def _refined(cycle: Cycle, point: str, x: Reals) -> Iterator[tuple[complex, floa
             break
     full = cycle.high - cycle.low
     x = cycle.low + np.mod(x - cycle.low, full) if cycle.whole else x
-    for first, second in np.sort(x, axis=0).T.tolist():
-        if min(second - first, full - (second - first) if cycle.whole else full) >= 1e-4:
-            yield complex(np.asarray(cycle.at(f"p_{point}", np.array([first])))[0]), first, second
+    first, second = np.sort(x, axis=0)
+    apart = np.minimum(second - first, full - (second - first) if cycle.whole else full) >= 1e-4
+    if apart.any():
+        places = np.asarray(cycle.at(f"p_{point}", first[apart]), np.complex128)
+        yield from zip(places.tolist(), first[apart].tolist(), second[apart].tolist(), strict=True)

@@ -10,6 +10,7 @@ from math import isfinite, tau
 import numpy as np
 from numpy.typing import NDArray
 
+from ...mechanism.profiles import refuse_centre
 from ..cycle import Cycle
 from ..extremes import Extremes, Spot, extremes
 from ..root import ridders
@@ -80,10 +81,11 @@ class Path:
 def path(cycle: Cycle, point: str) -> Path:
     """Length, self-intersections, cusps and turning number of the path of a point (a letter).
 
-    Length: ∫ |dp/dφ| dφ over the cycle. Raises UnknownNameError.
+    Length: ∫ |dp/dφ| dφ over the cycle. Raises UnknownNameError; NoMethodError of a profile's centre of curvature.
     """
     even = cycle.once.steady
     cycle.info(f"p_{point}")
+    refuse_centre(cycle.mech.cams, point)
     phi = np.linspace(even.low, even.high, STEPS + 1)
     here = sample(even.mech, None, phi)
     p = np.asarray(here.value(f"p_{point}"), np.complex128)

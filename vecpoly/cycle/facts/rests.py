@@ -3,17 +3,32 @@ the drive, and no place in it is the limit position."""
 
 from __future__ import annotations
 
+from math import isfinite
+
 import numpy as np
 from numpy.typing import NDArray
 
 from ..cycle import Cycle
-from ..extremes import Spot
+from ..extremes import Extremes, Spot
 
 # of the stroke: what does not change by more stands still; a smooth limit is so level over 1e-6 rad only
 _LEVEL = 1e-12
 _FEWEST = 3  # places of the grid in a rest
 _HALVINGS = 40
 Stretch = tuple[float, float]
+
+
+def stood(cycle: Cycle, found: Extremes, spot: Spot) -> Stretch | None:
+    """The stretch over which a column keeps an extreme value; None where it has it at one place alone."""
+    top, low = found.highest, found.lowest
+    if not cycle.whole or top is None or low is None or not isfinite(top.value - low.value):
+        return None
+    key = f"{found.key}.abs" if cycle.info(found.key).is_vector else found.key
+    if (stretch := rest(cycle, key, spot, top.value - low.value)) is None:
+        return None
+    begin, end = stretch
+    late = cycle.period if begin < cycle.low - 1e-6 else 0.0  # begins where the turn has not begun: in that before
+    return begin + late, end + late
 
 
 def rest(cycle: Cycle, key: str, spot: Spot, swing: float) -> Stretch | None:

@@ -16,6 +16,7 @@ from .places import of_places
 
 NEAR = 0.05  # a factor is one only as near as this
 TENS = 7
+ASKEW = 15.0  # deg by which a direction is nearer to that of one vector than to that of another
 POWERS = {"m/s": (1,), "rad/s": (1,), "m/s^2": (2,), "rad/s^2": (1, 2)}  # of ω in what has this unit
 
 
@@ -68,11 +69,21 @@ def _others(one: Graded, mine: Measured, key: AnswerKey) -> Iterator[Message]:
 
 
 def taken_for(one: Graded, mine: Measured, key: AnswerKey) -> Iterator[Graded]:
-    """The quantities whose value stands in the place of this one's."""
+    """The quantities whose value stands in the place of this one's; none with the direction of this one."""
     for other in mistaken_for(one, key):
+        if _has_direction_of(one, mine, other):
+            continue
         target = Target(value=other.exact, allowed=other.allowed)
         if abs(gap(mine.value, other, target)) <= other.allowed / 2:
             yield other
+
+
+def _has_direction_of(one: Graded, mine: Measured, other: Graded) -> bool:
+    """Whether the direction that was written is that of this quantity, and not of the other."""
+    if mine.direction is None or one.degrees is None or other.degrees is None:
+        return False
+    near, far = mine.direction.beside(one.degrees), mine.direction.beside(other.degrees)
+    return near + ASKEW < far
 
 
 def is_value_of(mine: Measured, one: Graded, other: Graded) -> bool:

@@ -22,7 +22,10 @@ class Message:
     @property
     def words(self) -> Words:
         """The sentence in both languages, symbols between dollar signs."""
-        said = SENTENCES[self.id]
+        return self.filled(SENTENCES[self.id])
+
+    def filled(self, said: Words) -> Words:
+        """A sentence with these parameters."""
         both = {name: value if isinstance(value, Words) else Words.same(value) for name, value in self.numbers.items()}
         zh = said.zh.format(**{name: value.zh for name, value in both.items()})
         return Words(zh, said.en.format(**{name: value.en for name, value in both.items()}))

@@ -8,6 +8,7 @@ from pathlib import Path
 from ...batch.roster import plain
 from ...errors import Place, TableError, UnknownNameError
 from ...grading.key import AnswerKey
+from ...grading.reading.unit import unit
 from ...grading.reading.written import State, written
 from ...words import Words
 from .documents import documents
@@ -113,8 +114,9 @@ def _wide_rows(
 
 
 def _is_of_units(row: Sequence[str], heads: Mapping[int, Head]) -> bool:
-    """Whether a row under the header tells units, so that no answer stands in it."""
-    return not any(written(row[j]).state is State.READ for j in heads if j < len(row))
+    """Whether a row under the header tells units, so that no answer stands in it: N is newton there, not "no"."""
+    cells = (row[j] for j in heads if j < len(row))
+    return not any(written(cell).state is State.READ for cell in cells if unit(cell) is None)
 
 
 def _long(row: Sequence[str]) -> dict[str, int]:

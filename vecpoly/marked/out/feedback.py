@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +21,8 @@ from ...foundation.slotted import replace
 from ...grading.compare.outcome import Basis, Finding
 from ...grading.marking.marked import Marked
 from ...grading.rules import USUAL_RULES, Rules
+from ...grading.told.brief import SCATTERED, brief, is_scattered
+from ...grading.told.message import Message
 from ...grading.told.scheme import rules_told
 from ...grading.told.veiled import veiled
 from ...names import written_unit
@@ -57,6 +59,7 @@ _HANDED = Words("所交的图与准确的多边形", "The drawing handed in, ove
 _OWN = Words("由前正确", "right by own values")
 _TITLE = Words("批改反馈", "feedback")
 _WIDE, _HIGH = 168.0, 150.0  # mm that a figure may take
+_BETWEEN = 12.0  # mm between two of a row
 
 
 def feedback_files(
@@ -110,13 +113,15 @@ def _problem(
 ) -> dict[str, Any]:
     problem = register.variant(part)
     rows = [_row(one, marked, lang, open_) for one in marked.findings]
-    table = DataTable(_HEAD[lang], rows, _WIDTHS, "lllrrl", lang=lang)
+    table = DataTable(_HEAD[lang], rows, _WIDTHS, "lllddl", lang=lang)
     drawn: Sequence[Scene] = () if work is None else work.scenes
     said = [*(one.words.of(lang) for one in marked.messages), *(fault.of(lang) for fault in marked.faults)]
     said += [] if work is None else [one.of(lang) for one in work.mark.told]
     return {
         "label": label(problem.id).of(lang), "title": problem.title.of(lang), "total": f"{marked.total:g}",
         "worth": f"{marked.worth:g}", "messages": said, "table": objects.add("tab", table),
+        "scattered": SCATTERED.of(lang) if any(is_scattered(_shown(one, open_)) for one in marked.findings) else "",
+        "named": _named(marked, lang),
         "stated": f"{sum(marked.stated.values()):g}" if marked.stated else "",
         "lost": f"{marked.lost:g}" if marked.lost else "",
         "equations": objects.add("tab", _equations(marked, lang, open_)) if marked.equations else "",
@@ -126,26 +131,39 @@ def _problem(
     }  # fmt: skip
 
 
+def _named(marked: Marked, lang: Lang) -> list[str]:
+    """The equations whose rows are marked, by their numbers."""
+    rows = {one.row.key.partition("_")[0]: one.row.printed for one in marked.equations}
+    head = Words("方程 {n}：", "equation {n}: ").of(lang)
+    return [f"{head.format(n=key.removeprefix('eq'))}${printed}$" for key, printed in rows.items()]
+
+
+def _shown(one: Finding, open_: bool) -> tuple[Message, ...]:
+    return veiled(one.messages) if open_ else one.messages
+
+
 def _row(one: Finding, marked: Marked, lang: Lang, open_: bool) -> tuple[str, ...]:
     graded = marked.key[one.key]
     verdict = _OWN if one.basis is not Basis.EXACT and one.is_right else one.outcome.words
-    messages = veiled(one.messages) if open_ else one.messages
-    why = ("；" if lang == "zh" else "; ").join(said.words.of(lang) for said in messages)
+    messages = _shown(one, open_)
     unit = written_unit(graded.written_in)
     unit = f" /({unit})" if set(unit) & set("/·") else f" /{unit}" if unit else ""
     points = (f"{one.earned.total:.2g}", f"{graded.points.total:.2g}") if graded.points.total else ("", "")
-    return (f"${graded.symbol}${unit}", one.written.raw or "—", verdict.of(lang), *points, why)
+    return (f"${graded.symbol}${unit}", one.written.raw or "—", verdict.of(lang), *points, _why(messages, lang))
+
+
+def _why(said: Sequence[Message], lang: Lang) -> str:
+    return ("；" if lang == "zh" else "; ").join(words.of(lang) for words in brief(said))
 
 
 def _equations(marked: Marked, lang: Lang, open_: bool) -> DataTable:
     """The rows of the vector equations."""
     rows = []
     for one in marked.equations:
-        said = veiled(one.messages) if open_ else one.messages
-        why = ("；" if lang == "zh" else "; ").join(dict.fromkeys(each.words.of(lang) for each in said))
-        points = (f"{one.earned:.2g}", f"{one.worth:.2g}")
+        why = _why(veiled(one.messages) if open_ else one.messages, lang)
+        points = (f"{one.earned:.2g}", f"{one.worth:.2g}") if one.worth else ("", "")
         rows.append((one.title.of(lang), one.raw.strip() or "—", one.outcome.words.of(lang), *points, why))
-    return DataTable(_ROWS[lang], rows, _WIDTHS, "lllrrl", lang=lang)
+    return DataTable(_ROWS[lang], rows, _WIDTHS, "lllddl", lang=lang)
 
 
 def _lines(marked: Marked, lang: Lang, open_: bool) -> DataTable:
@@ -157,7 +175,7 @@ def _lines(marked: Marked, lang: Lang, open_: bool) -> DataTable:
         )
         for one in marked.lines
     ]  # fmt: skip
-    return DataTable(_LINES[lang], rows, _WIDTHS, "lllrrl", lang=lang)
+    return DataTable(_LINES[lang], rows, _WIDTHS, "lllddl", lang=lang)
 
 
 def _figures(register: Register, part: Part, marked: Marked, lang: Lang, objects: Objects) -> list[str]:
@@ -167,8 +185,24 @@ def _figures(register: Register, part: Part, marked: Marked, lang: Lang, objects
         construction = constructed(problem, hand("exact"), AS_DRAWN).construction
     except VecpolyError:
         return []  # at a scale of the student's own that no paper holds
-    drawn = overlays(construction, marked, lang)
-    return [objects.add("pic", _block(scene, figure.title.of(lang))) for figure, scene in drawn if _fits(scene)]
+    drawn = [(figure.title.of(lang), scene) for figure, scene in overlays(construction, marked, lang) if _fits(scene)]
+    return [objects.add("pic", _block(scene, said)) for said, scene in side_by_side(drawn)]
+
+
+def side_by_side(drawn: Sequence[tuple[str, Scene]]) -> Iterator[tuple[str, Scene]]:
+    """Figures in rows: the next beside the last where the page is wide enough, at one height of their titles."""
+    row: tuple[str, Scene] | None = None
+    for said, scene in drawn:
+        if row is not None:
+            before = row[1].extents
+            beside = scene.moved(complex(before.x1 + _BETWEEN - scene.extents.x0, before.y0 - scene.extents.y0))
+            if _fits(both := row[1] + beside):
+                row = f"{row[0]}; {said}", both
+                continue
+            yield row
+        row = said, scene
+    if row is not None:
+        yield row
 
 
 def _fits(scene: Scene) -> bool:

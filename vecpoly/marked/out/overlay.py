@@ -4,22 +4,21 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
-from math import pi, radians
+from math import radians, tau
 
 from ...board.acts import Arrow
 from ...board.construction import Construction, Figure
-from ...board.paper.marks import Dot, Mark, Point, Role
+from ...board.paper.marks import Arc, Dot, Mark, Point, Role
 from ...board.place import View
 from ...drawing.figure import draw_figure
 from ...drawing.scene import Item, Layer, Scene, Stroke
-from ...drawing.style import RESULT, THIN, Dash, Hue
+from ...drawing.style import RESULT, Dash, Hue
 from ...foundation.slotted import replace
 from ...grading.compare.outcome import Finding
 from ...grading.key import AnswerKey, Graded, Kind
 from ...grading.marking.marked import Marked
 from ...words import Lang
 
-_CORNERS = 36
 _HEAD, _HALF = 3.0, radians(9.5)  # mm, half the angle of an arrowhead
 _LEFT_OUT = (Role.DIRECTION, Role.CONSTRUCTION, Role.IDEAL)
 POLYGONS = (View.VELOCITY, View.ACCELERATION, View.FORCE)
@@ -34,7 +33,10 @@ def overlays(construction: Construction, marked: Marked, lang: Lang) -> Iterator
         own = [one for one in marked.findings if _drawable(one, marked.key) and one.key in arrows]
         if own:
             items = tuple(item for one in own for item in _items(one, marked.key[one.key], arrows[one.key]))
-            yield figure, draw_figure(replace(_cleared(figure), tones=None), lang=lang) + Scene.of(items)
+            allowed = tuple(_allowed(marked.key[one.key], arrows[one.key][1]) for one in own)
+            cleared = _cleared(figure)
+            whole = replace(cleared, tones=None, marks=(*cleared.marks, *allowed))
+            yield whole, draw_figure(whole, lang=lang) + Scene.of(items)
 
 
 def _drawable(one: Finding, key: AnswerKey) -> bool:
@@ -73,9 +75,8 @@ def _items(one: Finding, graded: Graded, ends: tuple[complex, complex]) -> Itera
     yield Stroke(points=(start, tip), width=RESULT, dash=Dash.DASHED, hue=hue, layer=Layer.OVER)
     for side in (-_HALF, _HALF):
         yield Stroke(points=(tip, tip - _HEAD * along * cmath.exp(1j * side)), width=RESULT, hue=hue, layer=Layer.HEAD)
-    yield _circle(end, graded.allowed_mm or 0.0)
 
 
-def _circle(centre: complex, radius: float) -> Stroke:
-    around = tuple(centre + radius * cmath.exp(2j * pi * i / _CORNERS) for i in range(_CORNERS))
-    return Stroke(points=around, width=THIN, dash=Dash.SHORT, hue=Hue.BLACK, closed=True, layer=Layer.OVER)
+def _allowed(graded: Graded, end: complex) -> Arc:
+    """The circle of what is allowed, on the figure itself, so that its letters keep clear of it."""
+    return Arc(centre=end, radius=graded.allowed_mm or 0.0, start=0.0, sweep=tau, role=Role.DIRECTION)

@@ -18,7 +18,7 @@ from __future__ import annotations
 from math import degrees
 from typing import assert_never
 
-from ...errors import DeadPointError
+from ...errors import DeadPointError, EquilibriumError
 from ...foundation.patterns import pattern
 from ...foundation.slotted import dataclass
 from ...names import Named, Sort
@@ -148,4 +148,19 @@ def at_rest(mech: Mechanism, to: Equivalent) -> DeadPointError:
         ),
         code="at-rest",
         numbers={"link": number},
+    )
+
+
+def equally(key: str, one: float, other: float) -> EquilibriumError:
+    """Why nobody can say where a machine is fastest, or slowest: it is so at two places (deg)."""
+    fast = key == PHI_MAX.key
+    return EquilibriumError(
+        Words(
+            f"{key}：机器在 {one:.2f}° 和 {other:.2f}° 处同样{'快' if fast else '慢'}，由舍入误差决定取哪一个，"
+            f"没有唯一的答案；请改求 {'omega_max' if fast else 'omega_min'}，或改变载荷",
+            f"{key}: the machine is as {'fast' if fast else 'slow'} at {one:.2f}° as at {other:.2f}°, and rounding "
+            f"alone would decide which is told; ask {'omega_max' if fast else 'omega_min'}, or change the loads",
+        ),
+        code="equal-places",
+        numbers={"one": one, "other": other},
     )

@@ -12,7 +12,7 @@ from ...mechanism.model import Mechanism
 from ..forces.laws.period import constant_size
 from .reduced import Reduced, reduce
 from .started import started_values
-from .steady import steady_values
+from .steady import one_place, steady_values
 
 
 def machine_values(mech: Mechanism, machine: Machine, keys: Iterable[str]) -> dict[str, float]:
@@ -26,6 +26,7 @@ def machine_values(mech: Mechanism, machine: Machine, keys: Iterable[str]) -> di
     if (constant := machine.loads.constant) is not None and constant.name in asked:
         found[constant.name] = constant_size(mech, machine.loads)
     if machine.steady is not None and {named.key for named in STEADY} & set(asked):
+        one_place(mech, machine, asked)
         found |= {key: value for key, value in steady_values(mech, machine).items() if key in asked}
     if machine.started is not None and {named.key for named in machine_quantities(mech, machine).values()} & set(asked):
         found |= started_values(mech, machine, [key for key in asked if key not in found])

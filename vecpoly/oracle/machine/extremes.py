@@ -7,21 +7,25 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...foundation.slotted import replace
 from ..state import Reals
 from .course import Course
 
 SAMPLES = 33  # places in each piece between which at most one turning point lies
 ROUNDS = 52  # halvings: to the last digit
+ALIKE = 1e-11  # of the range of the values: tops that differ by less are equally high
+APART = 1e-3  # rad: places nearer than this are one top
 Made = Callable[[Reals, Reals], Reals]  # of E and J_e
 Slope = Callable[[Reals, Reals, Reals, Reals], Reals]  # of E, J_e, M, dJ_e/dψ: its sign is that of the derivative
 
 
 @dataclass(frozen=True, slots=True)
 class Top:
-    """A place ψ (rad) and the value there."""
+    """A place ψ (rad) and the value there; rival: another place that is as high."""
 
     psi: float
     value: float
+    rival: float | None = None
 
 
 def highest(course: Course, made: Made, slope: Slope) -> Top:
@@ -40,13 +44,16 @@ def highest(course: Course, made: Made, slope: Slope) -> Top:
     tops = np.concatenate([places[:, 0], places[-1:, -1], turning])
     values = made(course.at(course.works, tops), course.at(course.inertias, tops))
     best = int(np.argmax(values))
-    return Top(float(tops[best]), float(values[best]))
+    around = cuts[-1] - cuts[0]
+    apart = np.abs((tops - tops[best] + around / 2) % around - around / 2) > APART
+    rivals = tops[apart & (values[best] - values <= ALIKE * np.ptp(values))]
+    return Top(float(tops[best]), float(values[best]), float(rivals[0]) if rivals.size else None)
 
 
 def lowest(course: Course, made: Made, slope: Slope) -> Top:
     """The least value."""
     top = highest(course, lambda e, j: -made(e, j), lambda e, j, m, r: -slope(e, j, m, r))
-    return Top(top.psi, -top.value)
+    return replace(top, value=-top.value)
 
 
 def _values_at(rows: Sequence[Reals], x: Reals) -> Iterator[Reals]:

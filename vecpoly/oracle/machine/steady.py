@@ -7,13 +7,15 @@ which (ω_max + ω_min) / 2 = ω_m.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
 from ...errors import EquilibriumError
+from ...foundation.slotted import replace
+from ...mechanism.asked.machine import PHI_MAX, PHI_MIN, equally
 from ...mechanism.machine import Machine, Steady, flywheel_of
 from ...mechanism.model import Mechanism
 from ...words import Words
@@ -76,7 +78,10 @@ def evenness(of: Course, run: Steady) -> Evenness:
         return with_flywheel(of, run.speed, 0.0)
     top, low = (run.speed * (1 + sign * run.delta / 2) for sign in (1, -1))
     return Evenness(
-        fastest=Top(found.upper.psi, top), slowest=Top(found.lower.psi, low), delta=run.delta, flywheel=wheel
+        fastest=replace(found.upper, value=top),
+        slowest=replace(found.lower, value=low),
+        delta=run.delta,
+        flywheel=wheel,
     )
 
 
@@ -133,7 +138,23 @@ def _speeds(of: Course, energy: float, wheel: float) -> tuple[Top, Top]:
         return m * (wheel + j) - (energy + e) * r
 
     fast, slow = highest(of, square, slope), lowest(of, square, slope)
-    return Top(fast.psi, float(np.sqrt(fast.value))), Top(slow.psi, float(np.sqrt(max(slow.value, 0.0))))
+    return replace(fast, value=float(np.sqrt(fast.value))), replace(slow, value=float(np.sqrt(max(slow.value, 0.0))))
+
+
+@lru_cache(maxsize=32)
+def _found(mech: Mechanism, machine: Machine) -> tuple[Course, Evenness]:
+    """A period of the machine, and how evenly it runs."""
+    assert machine.steady is not None
+    of = course(mech, machine.loads)
+    return of, evenness(of, machine.steady)
+
+
+def one_place(mech: Mechanism, machine: Machine, asked: Collection[str]) -> None:
+    """EquilibriumError where it is asked at which place the machine is fastest or slowest, and two places are."""
+    of, found = _found(mech, machine)
+    for key, top in ((PHI_MAX.key, found.fastest), (PHI_MIN.key, found.slowest)):
+        if key in asked and top.rival is not None:
+            raise equally(key, *sorted((of.degrees(top.psi), of.degrees(top.rival))))
 
 
 @lru_cache(maxsize=32)
@@ -141,14 +162,13 @@ def steady_values(mech: Mechanism, machine: Machine) -> dict[str, float]:
     """Every quantity of `asked.machine.STEADY` by its key; J_F is 0 where the machine is even enough without."""
     run = machine.steady
     assert run is not None
-    of = course(mech, machine.loads)
+    of, found = _found(mech, machine)
     top, low = surplus(of)
-    found = evenness(of, run)
     values = {
         "dW_max": top.value - low.value,
         "J_F": found.flywheel,
-        "phi_max": of.degrees(found.fastest.psi),
-        "phi_min": of.degrees(found.slowest.psi),
+        PHI_MAX.key: of.degrees(found.fastest.psi),
+        PHI_MIN.key: of.degrees(found.slowest.psi),
         "omega_max": found.fastest.value,
         "omega_min": found.slowest.value,
         "delta": found.delta,

@@ -27,7 +27,7 @@ def group_pane(st: Statics, *links: str) -> Pane:
     pane = st.board.open_pane(
         View.BODY, name, Words(f"{ideal.zh}杆组 {numbers} 受力图", f"Free body of group {numbers}{ideal.en}")
     )
-    if not st.board.marks(pane):
+    if st.board.seen and not st.board.marks(pane):
         for link in links:
             _draw_link(st, pane, link)
     return pane
@@ -56,6 +56,8 @@ def draw_arm(st: Statics, pane: Place, about: Points, end: Points, force: Acting
 def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Acting]) -> None:
     """All outer forces and couples on the group, as far apart as their lines allow;
     once, for later rounds only repeat them."""
+    if not st.board.seen:
+        return
     if any(isinstance(m, Vector) and m.label in {force.named.symbol for force in forces} for m in st.board.marks(pane)):
         return
     spots = [complex(nominal(st.desk.at[p])) for link in links for p in st.mech.link(link).points if p in st.desk.at]

@@ -14,12 +14,15 @@ from collections.abc import Callable
 import numpy as np
 
 from ....board.board import NO_LENGTH
+from ....board.unseen import unseen
 from ....errors import EquilibriumError, LockedError, NoSlipSenseError
 from ....foundation.slotted import replace
 from ....mechanism.groups.assur import Group, ends
 from ....mechanism.model import Prismatic, Revolute
 from ....plane import Reals, cross, dot, nominal
+from ....plane.traced import bare
 from ....words import Words
+from ...desk import Desk
 from ..acting import Acting
 from ..couples import pin_couples
 from ..state import Statics
@@ -48,10 +51,8 @@ def settled(
 
     Raises LockedError where none is found: with this friction nothing moves.
     """
-    scratch = replace(ideal.desk, board=ideal.board.scratch())
-    scratch.board.step(Words.same(""))
     start = Statics(
-        desk=scratch,
+        desk=_on_fresh_paper(ideal),
         loads=ideal.loads,
         rubbing=True,
         ideal=ideal,
@@ -160,8 +161,22 @@ def _locked(start: Statics) -> LockedError:
     )
 
 
+def _on_fresh_paper(st: Statics) -> Desk:
+    """The desk with paper for one pass, at which nobody looks."""
+    desk = replace(st.desk, board=unseen(st.board))
+    desk.board.step(Words.same(""))
+    return desk
+
+
 def _pass(start: Statics, guide: Statics, couples: Couples, walk: Walk) -> Statics:
-    st = replace(start, ideal=guide, couples=dict(couples), acting={}, by_moments=set(start.by_moments))
+    st = replace(
+        start,
+        desk=_on_fresh_paper(start),
+        ideal=guide,
+        couples=dict(couples),
+        acting={},
+        by_moments=set(start.by_moments),
+    )
     st.balance = tried(st, couples)
     walk(st)
     return st
@@ -196,16 +211,21 @@ def _opposed(st: Statics, key: tuple[str, str], before: Acting | None, found: Ac
 
 
 def _slope(start: Statics, guide: Statics, rubbed: Further, walk: Walk, couples: Couples, after: Couples) -> np.ndarray:
-    """How the couples that come out change with those put in: one further pass for each, nominal hand.
+    """How the couples that come out change with those put in: a further pass for each, nominal hand; one pass for all,
+    as if by several hands, where nobody repeats the drawing.
 
     after: those that come out of `couples`; all with the senses of the guide, for the secant belongs to these.
     """
     base = {key: float(nominal(c)) for key, c in after.items()}
-    stride = max([abs(c) for c in base.values()]) or 1.0
-    columns = []
-    for key in couples:
-        moved = rubbed(
-            _pass(start, guide, {k: c + (stride * NUDGE if k == key else 0.0) for k, c in couples.items()}, walk)
-        )
-        columns.append([(float(nominal(moved.get(k, c))) - c) / (stride * NUDGE) for k, c in base.items()])
-    return np.array(columns).T
+    stride = (max([abs(c) for c in base.values()]) or 1.0) * NUDGE
+
+    def rise(moved: Couples) -> list[np.ndarray]:
+        found = rubbed(_pass(start, guide, moved, walk))
+        return [(np.asarray(bare(found.get(key, c))) - c) / stride for key, c in base.items()]
+
+    if any(np.ndim(bare(c)) for c in (*couples.values(), *after.values())):
+        apart = [rise({**couples, key: couples[key] + stride}) for key in couples]
+        return np.array([[nominal(one) for one in column] for column in apart]).T
+    nudges = stride * (1.0 + np.vstack([np.zeros(len(couples)), np.eye(len(couples))]))  # none is left at nothing
+    together = rise({key: c + nudges[:, i] for i, (key, c) in enumerate(couples.items())})
+    return np.stack([each[1:] - each[0] for each in (np.broadcast_to(one, len(nudges)) for one in together)])

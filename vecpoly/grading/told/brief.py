@@ -1,0 +1,35 @@
+"""The sentences as a table of marks has them, whose columns tell already what is right."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from ...words import Words
+from .catalogue import Told
+from .message import Message
+
+_IN_TABLE: Mapping[Told, Words] = {
+    Told.OK: Words("误差 {e} mm，允许 ±{t} mm", "error {e} mm, allowed ±{t} mm"),
+    Told.OK_RECKONED: Words("误差 {e}，允许 ±{t}", "error {e}, allowed ±{t}"),
+    Told.OK_ROUNDED: Words(
+        "误差 {e}；允许 ±{t}，按所写末位放宽到 ±{w}", "error {e}; allowed ±{t}, and ±{w} with the last digit written"
+    ),
+    Told.DEMOTED: Words("手工作图散布 ±{t}（{share}%）*", "drawings scatter by ±{t} ({share} %)*"),
+    Told.RIGHT: Words.same(""),
+    Told.BLANK: Words.same(""),
+}
+SCATTERED = Words(
+    "* 此处作图对误差极敏感，不能判得更细；此量宜计算求得。",
+    "* Drawings scatter so much here that it can be judged no more finely; it is better computed.",
+)
+
+
+def brief(said: Sequence[Message]) -> tuple[Words, ...]:
+    """The sentences in short, each once; what the verdict says is left out."""
+    found = dict.fromkeys(one.filled(_IN_TABLE[one.id]) if one.id in _IN_TABLE else one.words for one in said)
+    return tuple(words for words in found if words.en)
+
+
+def is_scattered(said: Sequence[Message]) -> bool:
+    """Whether the sentence below the table is meant."""
+    return any(one.id is Told.DEMOTED for one in said)
