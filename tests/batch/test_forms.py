@@ -96,6 +96,7 @@ def test_a_place_is_asked_by_both_coordinates_from_a_point_that_is_named() -> No
     assert units["D-1:P_13"] == "(x, y) mm, A = (0, 0)"
     page = openpyxl.load_workbook(BytesIO(key_bytes(few)))["D-1"]
     cells = dict(zip((cell.value for cell in page[1]), (cell.value for cell in page[3]), strict=True))
+    assert key.scales and {mu: cells[mu] for mu in key.scales} == pytest.approx(dict(key.scales))
     assert cells["P_13"] == "(-31.9341, 0)" and cells["P_13 T"] == pytest.approx(1e3 * key["P_13"].allowed, rel=1e-5)
     solution = solve(problem_of("D-1"))
     pages = composed([(solution, key, Seed(assignment="hw", problem="D-1", student="1"))], "en")

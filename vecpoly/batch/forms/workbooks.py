@@ -127,8 +127,13 @@ def write_row(page: Any, row: int, cells: Sequence[str | float], look: Any = Non
             page.write_number(row, i, cell, look)
 
 
+def _scales(part: Part) -> dict[str, float]:
+    """The scales of the sheet in the order of their names, with those that only the drawing chose."""
+    return dict(sorted({**part.key.scales, **part.scales}.items()))
+
+
 def _key_heads(part: Part, lang: str) -> tuple[list[str], list[str]]:
-    names = [zh if lang == "zh" else en for zh, en in IDENTITY] + [*part.values, *sorted(part.scales)]
+    names = [zh if lang == "zh" else en for zh, en in IDENTITY] + [*part.values, *_scales(part)]
     heads = names + [row.key for row in part.key.equations]
     units = [""] * len(names) + [bare(row.printed) for row in part.key.equations]
     for one in _asked(part):
@@ -141,7 +146,7 @@ def _key_heads(part: Part, lang: str) -> tuple[list[str], list[str]]:
 
 
 def _key_row(sheet: Sheet, part: Part) -> list[str | float]:
-    row: list[str | float] = [*identity(sheet), *part.values.values(), *(part.scales[mu] for mu in sorted(part.scales))]
+    row: list[str | float] = [*identity(sheet), *part.values.values(), *_scales(part).values()]
     row += [shown(one.known) for one in part.key.equations]
     for one in _asked(part):
         row += [_exact(one), _round(one.allowed / one.one)]
