@@ -56,8 +56,8 @@ def check_holes(plane: RotorPlane, wide: float) -> None:
             Words(
                 f"两孔中心相距 {1e3 * apart:.4g} mm，小于孔径 {text}，两孔重叠，所去质量不足；"
                 "请加大 spread 或 r，或用更小的钻头",
-                f"the two holes stand {1e3 * apart:.4g} mm apart and are {text} wide: they run into each other and take "
-                "away too little; take a larger spread or r, or a smaller drill",
+                f"the two holes stand {1e3 * apart:.4g} mm apart and are {text} wide: they run into each other and "
+                "take away too little; take a larger spread or r, or a smaller drill",
             ),
             code="out-of-range",
             numbers={"d": wide, "apart": apart},
@@ -68,8 +68,8 @@ def leaves_couple(couple: float) -> Words:
     """What is told where masses in several planes are balanced in one: the couple (kg·m²) stays."""
     return Words(
         f"各质量与校正面不在同一平面：单面（静）平衡后仍留下不平衡力偶矩 {couple:.4g} kg·m²；要消除它须取两个校正平面",
-        f"the masses and the correction do not lie in one plane: balanced in one plane (statically) it keeps a couple of "
-        f"{couple:.4g} kg·m²; two planes of correction would take it away",
+        f"the masses and the correction do not lie in one plane: balanced in one plane (statically) it keeps a couple "
+        f"of {couple:.4g} kg·m²; two planes of correction would take it away",
     )
 
 
