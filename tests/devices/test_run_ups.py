@@ -146,11 +146,15 @@ def test_what_is_no_run_is_refused_with_the_reason(data: dict[str, Any], said: s
         run(**data)
 
 
+DIPPING = [["0 rad/s", "5 N*m"], ["50 rad/s", "0 N*m"], ["90 rad/s", "40 N*m"]]
+
+
 @pytest.mark.parametrize(
     ("data", "said"),
     [
         ({"motor": "50 N*m", "load": "10 N*m"}, "no steady speed"),
         ({"motor": ["50 N*m", "1 N*m*s"], "load": "10 N*m", "to": "50 rad/s"}, r"at 40\.\d+ rad/s the driving moment"),
+        ({"load": DIPPING, "start": "90 rad/s", "brake": "5 N*m"}, r"at 50 rad/s 0 N·m resist: the speed never falls"),
         ({"motor": ["50 N*m", "1 N*m*s"], "load": "10 N*m", "start": "45 rad/s"}, r"is 5 N·m less .* slows down"),
         (
             {"motor": ["50 N*m", "1 N*m*s"], "start": "49 rad/s"},

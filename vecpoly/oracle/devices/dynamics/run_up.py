@@ -47,6 +47,7 @@ def run_up(device: RunUp) -> Values:
 
 
 def _down(device: RunUp, load: Moment) -> Values:
+    _refuse_idle(device, load)
     time, angle = _integrals(device, load, device.end, device.start.si)
     found: dict[str, complex | float] = {asked.TIME.key: time, asked.TURNS.key: angle / tau}
     if device.brake is not None:
@@ -54,6 +55,24 @@ def _down(device: RunUp, load: Moment) -> Values:
         time, angle = _integrals(device, lambda omega: load(omega) + brake, device.end, device.start.si)
         found |= {asked.TIME_BRAKED.key: time, asked.TURNS_BRAKED.key: angle / tau}
     return found
+
+
+def _refuse_idle(device: RunUp, load: Moment) -> None:
+    """Raise NotAskedError where nothing slows the machine down at a speed on its way."""
+    low, high = device.end, device.start.si
+    tried = {*np.linspace(low, high, TRIED).tolist(), *(one for one in _corners(device.load) if low <= one <= high)}
+    idle = max((one for one in tried if load(one) <= 0), default=None)
+    if idle is not None:
+        raise NotAskedError(
+            Words(
+                f"在 {idle:.6g} rad/s 处阻力矩为 {load(idle):.4g} N·m，转速降不到该值以下；"
+                "请用 to 给出更高的终了转速，或改 load",
+                f"at {idle:.6g} rad/s {load(idle):.4g} N·m resist: the speed never falls below that; let the run end "
+                "above it (to), or change the load",
+            ),
+            code="never-stops",
+            numbers={"omega": idle, "M_r": load(idle)},
+        )
 
 
 def _integrals(device: RunUp, surplus: Moment, low: float, high: float) -> tuple[float, float]:
