@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...names import Named
 from ...problem.problem import Problem
 from ...words import Words
 from ..truth import OfSeveral, Truth
@@ -11,7 +12,7 @@ def several_of(problem: Problem, truth: Truth) -> Words | None:
     """None where there is one, or where another is asked for as well."""
     others = truth.others if isinstance(truth, OfSeveral) else {}
     named = [ask.rel for ask in problem.asks]
-    if not others or not named or any(rel.solution in others for rel in named):
+    if not others or not named or any(isinstance(rel, Named) and rel.solution in others for rel in named):
         return None
     whole = max(others)
     apart = {

@@ -141,6 +141,13 @@ def _check(rows: Sequence[tuple[float, float]]) -> None:
                 number - 1,
                 code="contradiction",
             )
+    _refuse_three(rows)
+    if rows[-1][0] <= SAME:
+        raise FaultError(Words("曲线没有长度", "the curve has no length"), code="out-of-range")
+
+
+def _refuse_three(rows: Sequence[tuple[float, float]]) -> None:
+    """FaultError for a third moment at one angle: those between would be lost."""
     for number, ((a, _), (b, _)) in enumerate(zip(rows, rows[2:], strict=False), 3):
         if b < a + SAME:
             raise FaultError(
@@ -151,8 +158,6 @@ def _check(rows: Sequence[tuple[float, float]]) -> None:
                 number - 1,
                 code="contradiction",
             )
-    if rows[-1][0] <= SAME:
-        raise FaultError(Words("曲线没有长度", "the curve has no length"), code="out-of-range")
 
 
 def _unreadable() -> FaultError:
