@@ -44,6 +44,9 @@ def test_a_share_of_the_wrong_sign_is_refused_with_the_pairs_that_work() -> None
     assert agree(free)["W_b_1"] == pytest.approx(-500.0) and agree(free)["W_b_2"] == pytest.approx(500.0)
 
 
+BESIDE = {"G": "6.3 mm/s", "mass": "5 kg", "n": "3000 r/min", "z": "150 mm"}  # its planes are at 0 and 100 mm
+
+
 @pytest.mark.parametrize(
     ("data", "said"),
     [
@@ -56,11 +59,37 @@ def test_a_share_of_the_wrong_sign_is_refused_with_the_pairs_that_work() -> None
         ({"masses": {"1": {"m": "?", "r": "1 m", "at": "?"}}}, "two among the others"),
         ({"masses": lumps((1, 0, 0)), "correct": {"I": {"r": "1 m", "places": "50 deg"}}}, "does not divide"),
         ({"masses": lumps((1, 0, 0)), "correct": {"I": {"r": "1 m", "places": ["0 deg", "180 deg"]}}}, "opposite"),
+        ({"masses": lumps((1, 0, 0)), "correct": planes(0, 100), "tolerance": BESIDE}, "does not lie between"),
     ],
 )
 def test_what_no_rotor_can_be_is_refused(data: dict[str, Any], said: str) -> None:
     with pytest.raises((FaultError, ValueError), match=said):
         device("rotor", **data)
+
+
+@pytest.mark.parametrize(
+    ("plane", "said"),
+    [
+        ({"r": "40 mm", "hole": "60 mm", "spread": "20 deg"}, r"stand 27\.36 mm apart and are 60 mm wide"),
+        ({"r": "40 mm", "hole": "through", "spread": "5 deg"}, r"stand 6\.972 mm apart and are 13\.63 mm wide"),
+        ({"r": "5 mm", "hole": "through"}, r"of 54\.42 mm at a radius of 5 mm would reach over the axis"),
+        ({"r": "15 mm", "hole": "32 mm"}, "would reach over the axis"),
+    ],
+)
+def test_holes_that_overlap_or_reach_over_the_axis_balance_nothing(plane: dict[str, str], said: str) -> None:
+    disc = {"b": "140 mm", "density": "7850 kg/m^3"}
+    rotor = device("rotor", masses={"1": {"U": "12780 g*mm", "at": "60 deg"}}, correct={"I": plane}, disc=disc)
+    for solved in (device_answers, drawn):
+        with pytest.raises(EquilibriumError, match=said):
+            solved(rotor)
+
+
+def test_masses_in_several_planes_are_told_what_one_plane_leaves() -> None:
+    apart = device("rotor", masses=lumps((1, 60, 0), (0.8, 240, 100)), correct={"I": {"z": "30 mm", "r": "20 mm"}})
+    left = abs(1 * -0.03 - 0.8 * 0.07)  # W is 1 and 0.8 kg·m
+    assert f"keeps a couple of {left:.4g} kg·m²" in apart.noted(())[0].en
+    assert not device("rotor", masses=lumps((1, 60, 30), (0.8, 240, 30)), correct={"I": {"z": "30 mm"}}).noted(())
+    assert not device("rotor", masses=lumps((1, 60, 0), (0.8, 240, 100)), correct=planes(0, 100)).noted(())
 
 
 @pytest.mark.parametrize(

@@ -93,3 +93,15 @@ def test_of_a_trammel_every_point_of_the_circle_is_one() -> None:
     text = vecpoly.load("curv-7").text
     with pytest.raises(NotAskedError, match="no Ball point"):
         vecpoly.loads(text.partition("find:")[0] + "find: [W_2, U_2]\n").solve()
+
+
+@pytest.mark.parametrize(("rod", "phi"), [(60, -40), (60, 77), (180, 180)])
+def test_an_isosceles_slider_crank_has_no_one_ball_point_and_is_near_no_dead_point(rod: int, phi: int) -> None:
+    """Its coupler rolls Cardan's circles, the third rate of the pole is rounding; at 180° the pin C, U itself, is P."""
+    text = (
+        "{id: i, title: i, frame: {A: [0 mm, 0 mm]}, joints: [3 slides on y = 0 mm], branch: [C right of B], method: "
+        f"curvature, links: {{1: {{AB: 60 mm}}, 2: {{BC: {rod} mm}}, 3: {{block: C}}}}, find: [U_2], "
+        f"input: {{link: 1, phi: {phi} deg, omega: ccw}}}}"
+    )
+    with pytest.raises(NotAskedError, match="no Ball point"):
+        vecpoly.loads(text).solve()

@@ -159,12 +159,38 @@ def test_work_left_over_a_period_is_refused_with_the_change_per_turn() -> None:
         ({"M_d": TRIANGLE, "period": "360 deg"}, "period of 360 deg"),
         ({"M_d": TRIANGLE, "delta": "1.5"}, "between 0 and 1"),
         ({"M_d": TRIANGLE, "delta": None}, "delta or J is missing"),
+        ({"M_d": pairs([[0, 5], [360, 5]])}, "speed does not vary"),
+        ({"powers": [["90 deg", "368 W"], ["90 deg", "368 W"]]}, "speed does not vary"),
+        ({"M_d": TRIANGLE, "delta": None, "J": "1e-4 kg*m^2"}, r"not below 2.*machine stops; J must exceed"),
+        ({"M_d": TRIANGLE, "rim": {"D": "30 mm", "b/h": "1.5", "density": "7300 kg/m^3"}}, "D must exceed"),
+        ({"M_d": pairs([[0, 0], [90, 1], [90, 2], [90, 3], [360, 0]])}, "three or more moments stand at 90 deg"),
         ({"M_d": {"columns": ["phi", "M (N*m)"], "rows": [["0", "1"]]}}, "must name an angle"),
     ],
 )
 def test_data_that_make_no_flywheel_are_refused_with_the_reason(data: dict[str, Any], said: str) -> None:
     with pytest.raises(ValueError, match=said):
         wheel(**data)
+
+
+def test_the_least_inertia_that_is_told_is_that_with_which_the_slowest_speed_vanishes() -> None:
+    with pytest.raises(ValueError, match="machine stops") as refused:
+        wheel(M_d=TRIANGLE, delta=None, J="1e-4 kg*m^2")
+    least = refused.value.errors()[0]["ctx"]["error"].numbers["J"]  # type: ignore[attr-defined]
+    found = agree(wheel(M_d=TRIANGLE, delta=None, J=f"{1.001 * least:.9g} kg*m^2"))
+    assert 0 < found["n_min"] < 1
+
+
+def test_idle_strokes_take_no_power_and_equal_extremes_are_told_with_all_their_places() -> None:
+    halves = [["90 deg", "0 W"], ["90 deg", "300 W"]] * 2
+    shaper = wheel(powers=halves)
+    found = agree(shaper)
+    assert found["dW_max"] == pytest.approx(150 / (600 * tau / 60) * pi / 2)
+    assert (found["phi_max"], found["phi_min"]) == (90, 0)
+    assert [one.en for one in shaper.noted({"phi_max", "phi_min", "dW_max"})] == [
+        "the speed is greatest at b, d alike; phi_max tells the first of them",
+        "the speed is least at a, c alike; phi_min tells the first of them",
+    ]
+    assert not two_stroke().noted({"phi_max", "phi_min"})
 
 
 def test_enough_inertia_needs_no_flywheel_and_tells_its_delta() -> None:

@@ -89,6 +89,14 @@ def test_the_energy_rises_by_the_power_whatever_shaft_is_taken(data: dict[str, A
         assert found[f"alpha_{name}"] == pytest.approx(other[f"alpha_{name}"], rel=1e-9, abs=1e-9)
 
 
+# J_e = 1 + 4/4 = 2 kg·m², M_e = 4 − 24/2 = −8 N·m, α = −4 rad/s²: at rest after 6/4 s
+BRAKED: dict[str, Any] = {
+    "shafts": {"1": {"J": "1 kg*m^2", "drives": "4 N*m"}, "2": {"J": "4 kg*m^2", "resists": "24 N*m"}},
+    "pairs": ["1 to 2 by 20/40"],
+    "start": "6 rad/s",
+}
+
+
 @pytest.mark.parametrize(
     ("data", "said"),
     [
@@ -99,6 +107,9 @@ def test_the_energy_rises_by_the_power_whatever_shaft_is_taken(data: dict[str, A
         ({"until": "90 r/min", "after": "1 s"}, "write one of"),
         ({"shafts": {"1": {"J": "1 kg*m^2"}, "2": {"resists": "9 N*m"}}, "after": "1 s"}, r"by -6 N·m\)"),
         ({"start": "50 rad/s", "until": "40 rad/s"}, r"never comes to 40 rad/s with M_e = 74 N·m"),
+        ({**BRAKED, "after": "9 s"}, r"after 1\.5 s it stands still, and what resists drives nothing back"),
+        ({**BRAKED, "until": "-10 r/min"}, r"after 1\.5 s it stands still"),
+        ({**BRAKED, "start": "-9 rad/s", "after": "1 s"}, "what resists would drive"),
         ({"shafts": {"1": {"drum": "1 m"}, "2": {}}}, "a drum goes with"),
     ],
 )

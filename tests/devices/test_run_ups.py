@@ -146,16 +146,33 @@ def test_what_is_no_run_is_refused_with_the_reason(data: dict[str, Any], said: s
         run(**data)
 
 
+DIPPING = [["0 rad/s", "5 N*m"], ["50 rad/s", "0 N*m"], ["90 rad/s", "40 N*m"]]
+
+
 @pytest.mark.parametrize(
     ("data", "said"),
     [
         ({"motor": "50 N*m", "load": "10 N*m"}, "no steady speed"),
         ({"motor": ["50 N*m", "1 N*m*s"], "load": "10 N*m", "to": "50 rad/s"}, r"at 40\.\d+ rad/s the driving moment"),
+        ({"load": DIPPING, "start": "90 rad/s", "brake": "5 N*m"}, r"at 50 rad/s 0 N·m resist: the speed never falls"),
+        ({"motor": ["50 N*m", "1 N*m*s"], "load": "10 N*m", "start": "45 rad/s"}, r"is 5 N·m less .* slows down"),
+        (
+            {"motor": ["50 N*m", "1 N*m*s"], "start": "49 rad/s"},
+            r"at 49 rad/s, which is not below its end, 47\.5 rad/s",
+        ),
     ],
 )
 def test_a_speed_that_is_never_reached_is_refused_with_its_number(data: dict[str, Any], said: str) -> None:
     with pytest.raises(NotAskedError, match=said):
         device_answers(run(**data))
+
+
+def test_a_motor_whose_moment_is_flat_at_first_has_no_time_constant_and_runs_up() -> None:
+    """ΔM = 70 N·m up to 100 rad/s, then a straight line; the time constant divided by nothing."""
+    flat = [["0 rad/s", "100 N*m"], ["100 rad/s", "100 N*m"], ["150 rad/s", "0 N*m"]]
+    found = agree(run(motor=flat, load="30 N*m"))
+    assert found["omega_s"] == pytest.approx(135) and "T" not in found
+    assert found["t"] == pytest.approx(2 * 100 / 70 + 2 / 2 * log(70 / (70 - 2 * (0.95 * 135 - 100))))
 
 
 @given(st.floats(0.01, 3), st.floats(3.1, 9))

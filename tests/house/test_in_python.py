@@ -192,3 +192,13 @@ def test_a_device_has_no_cycle_and_unknown_ids_are_refused() -> None:
         load("5-1").cycle()
     with pytest.raises(UnknownNameError):
         load("nothing", resolver=lambda name: None)
+
+
+@pytest.mark.parametrize("teeth", [20, 20.0, np.int64(20)])
+def test_whole_numbers_of_a_program_are_teeth_drivers_and_firing_orders(teeth: Any) -> None:
+    data = {"sun": teeth, "planet": 22, "ring": 64, "m": "1 mm", "omega_1": "10 rad/s ccw", "omega_3": "0 rad/s"}
+    train = problem({"id": "t", "title": "t", "device": "epicyclic", "data": data})
+    assert train.data["data"]["sun"] == "20" and train.vary(sun=24, planet=20.0).parameters["planet"] == "20"
+    engine = load("engine-four")
+    order = [int(number) for number in engine.data["data"]["order"]]
+    assert problem(engine.data | {"data": engine.data["data"] | {"order": order}}).subject == engine.subject

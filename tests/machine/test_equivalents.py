@@ -124,6 +124,7 @@ def test_the_equivalent_link_has_the_energy_of_all_and_its_rate_is_the_differenc
         (["J_F"], "machine: {delta: 0.05}", "the mean speed is missing"),
         (["J_F"], "machine: {n: 60 r/min, delta: 5}", "must lie between 0 and 1"),
         (["J_F"], "machine: {n: 60 r/min, delta: 0.05, J_F: 6 kg*m^2}", "give delta or J_F"),
+        (["delta"], "machine: {n: 60 r/min, J_F: -6 kg*m^2}", "must not be negative; write 6 kg"),
         (["J_e"], "friction: {A: {rho: 3 mm}}", "equivalents know no friction"),
         (["omega_end"], "machine: {n: 60 r/min, start: {phi: 0 deg, omega: 0 rad/s}}", "does not go with n"),
     ],

@@ -130,3 +130,14 @@ def test_a_machine_that_is_fastest_at_two_places_is_refused_with_both(x: float, 
     problem = loads(TWICE % x)
     with pytest.raises(EquilibriumError, match=rf"as fast at {one:.2f}° as at {other:.2f}°"):
         noise(problem, truth := truth_of(problem), sizes(problem, truth))
+
+
+@pytest.mark.parametrize("masses", ["", "masses: {1: {mass: 5 kg, inertia: 0.5 kg*m^2, centre: A}}\n"])
+def test_a_machine_of_even_speed_has_no_fastest_place(masses: str) -> None:
+    """Rounding chose one: φ_max = 0.25°, φ_min = 320°."""
+    even = (TWICE % 190).replace("F_s: {spring: C3-D, k: 1 N/mm, l_0: 20 mm}", "M_r: {on: 1, size: 10 N*m cw}") + masses
+    with pytest.raises(EquilibriumError, match="the speed is even"):
+        exact_values(loads(even))
+    assert exact_values(loads(even.replace("[phi_max]", "[M_d]")))["M_d"] == pytest.approx(10)
+    pulled = even.replace("M_r: ", "F: {on: 3, at: C, size: 1 N, direction: 0 deg}, M_r: ")
+    assert exact_values(loads(pulled))["phi_max"] == pytest.approx(0, abs=0.01)  # outermost

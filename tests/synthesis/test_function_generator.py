@@ -78,6 +78,9 @@ def test_where_the_function_has_no_error_it_is_at_the_precision_points() -> None
         ({**LOG, "function": "__import__('os')"}, "is no formula"),
         ({**LOG, "function": "log10(x - 1.5)"}, "nan"),
         ({**LOG, "x": [1, 1]}, "different at both ends"),
+        ({**LOG, "function": "1/x", "x": [-1, 2]}, "all the way from x = -1 to 2, without a jump"),
+        ({**LOG, "function": "x", "psi": ["270 deg", "330 deg"]}, "any parallelogram does that"),
+        ({"AD": "1 mm", "pairs": ["1 deg -> 1 deg", "9 deg -> 9 deg", "20 deg -> 380 deg"]}, "any parallelogram"),
         ({**LOG, "phi": ["0 deg", "0 deg"]}, "the range of phi"),
         ({"AD": "1 mm", "pairs": ["1 deg -> 2 deg"]}, "here are 1"),
     ],
@@ -123,6 +126,7 @@ def test_every_drawn_generator_closes_at_its_three_pairs_and_is_that_of_the_equa
     phi: tuple[float, ...], psi: tuple[float, ...], where: float
 ) -> None:
     inputs, outputs = np.cumsum(phi), where + np.cumsum(psi)
+    assume(not np.allclose(np.cos(np.radians(outputs - inputs)), 1, rtol=0, atol=1e-11))  # a parallelogram: refused
     pairs = [f"{one!r} deg -> {two!r} deg" for one, two in zip(inputs.tolist(), outputs.tolist(), strict=True)]
     problem = posed("function-generator", AD="100 mm", pairs=pairs)
     try:

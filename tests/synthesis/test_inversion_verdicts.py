@@ -146,6 +146,11 @@ WRONG += [
     ("stages", {**CHAIN, "rays": {"XB": ["90 deg", "30 deg"]}, "stages": [FIND]}, "'X' is not known"),
     ("cognates", {"AB": "30 mm", "BC": "7 mm", "CD": "6 mm", "AD": "80 mm", "E": place(9, 9), "phi": "40 deg"}, "BD ="),
     (
+        "cognates",  # just at a dead point: rounding let it pass, and then there was no C
+        {"AB": "40 mm", "BC": "40 mm", "CD": "100 mm", "AD": "100 mm", "E": place(38, -25), "phi": "0 deg"},
+        "join points more than 60 and less than 140 mm apart",
+    ),
+    (
         "cognates",
         {"AB": "3 mm", "BC": "9 mm", "CD": "6 mm", "AD": "8 mm", "E": place(9, 0), "phi": "40 deg"},
         "no cogn",

@@ -162,12 +162,15 @@ def test_what_is_found_and_no_use_is_drawn_with_its_verdict(kind: str, change: d
 def test_what_just_reaches_is_refused_however_its_sum_is_rounded(crank: int, more: int, unit: str) -> None:
     """AB + e = BC, AB + e = AC, AB + AD = BC + CD: 44 mm + 26 mm is 70 mm, in metres too."""
     ab, e, both = f"{crank} mm", f"{more} mm", f"{(crank + more) / {'mm': 1, 'cm': 10, 'm': 1000}[unit]!r} {unit}"
-    for task in (
-        posed("slider-crank-limits", AB=ab, BC=both, e=e),
-        posed("guide-bar-limits", AB=ab, AC=both, e=e),
-        posed("crank-rocker-limits", AB=ab, BC=both, CD=both, AD=f"{crank + 2 * more} mm"),
+    for task, told in (
+        (posed("slider-crank-limits", AB=ab, BC=both, e=e), "equals BC: AB can turn right round, but"),
+        (posed("guide-bar-limits", AB=ab, AC=both, e=e), "AB is no crank"),
+        (
+            posed("crank-rocker-limits", AB=ab, BC=both, CD=both, AD=f"{crank + 2 * more} mm"),
+            "equals the sum of the others: AB can turn right round, but",
+        ),
     ):
-        with pytest.raises(AssemblyError, match="AB is no crank"):
+        with pytest.raises(AssemblyError, match=told):
             linkages(task.design)
 
 

@@ -125,7 +125,8 @@ class Curvatures:
             np.array([omega**2, 3 * omega * alpha]),
         )
         size = np.linalg.norm(rows, axis=1)
-        if min(size) == 0 or abs(np.linalg.det(rows / size[:, None])) < PARALLEL:
+        least = NONE * self.mech.scale * np.array([omega**2, abs(omega) ** 3])  # Cardan's circles: j_P is rounding
+        if (size <= least).any() or abs(np.linalg.det(rows / size[:, None])) < PARALLEL:
             raise no_ball(self.mech, self.link)
         q = complex(*np.linalg.solve(rows / size[:, None], sides / size))
         if abs(q) * self.mech.scale < NONE:

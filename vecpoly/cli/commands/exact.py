@@ -31,6 +31,7 @@ def exact(
     tally = Tally()
     found = problems(names, tally, allow_outside)
     spared(json, JSON, found)
+    from ...check.designs.several import several_of
     from ...check.designs.unsolvable import conclusion
     from ...check.precision import noise, settled, sizes
     from ...check.truth import truth_of
@@ -52,6 +53,8 @@ def exact(
             )
             if json != STDOUT:
                 _print(problem, values, size, lang)
+                if (several := several_of(problem, truth)) is not None:
+                    say(f"{problem.id}: {several.of(lang)}")
             tally.weigh(problem.id, None, lang, conclusion(problem))
     if json is not None and data:
         from ...answer import plain

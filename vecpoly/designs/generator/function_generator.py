@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import degrees, isfinite
+from itertools import pairwise
+from math import cos, degrees, isclose, isfinite
 from typing import Any, ClassVar
 
 from pydantic import model_validator
@@ -11,17 +12,19 @@ from pydantic import model_validator
 from ...devices.base import Angle, Length
 from ...errors import FaultError
 from ...names import Named
-from ...units.reading import Quantity
 from ...words import Words
 from ..base import Design
 from ..inversion.built import posed_four_bar
 from ..inversion.written import Corresponding, Pair
 from ..quantities import FOUR_BAR
 from .formula import Function, Number, Value
+from .refusals import turns_alike
 
 AHEAD_B, AHEAD_C = Named("delta_B", "δ_{B}", "deg"), Named("delta_C", "δ_{C}", "deg")
 P0, P1, P2 = (Named(f"P_{n}", f"P_{n}", "") for n in range(3))  # of Freudenstein's equation
 ERROR = Named("epsilon_max", "ε_{max}", "deg")  # greatest structural error over the range
+LOOKED = 400  # parts of the range in none of which a function changes by more than over the whole of it
+ALIKE = 1e-12  # of a cosine: angles that are one
 _CURVE = ("x", "phi", "psi")
 
 
@@ -58,6 +61,9 @@ class FunctionGenerator(Design):
             self._three(self.pairs or ())
         else:
             self._ranges(self.function)
+        found = [(pair.one, pair.two) for pair in self.pairs] if self.pairs else map(self.angles_at, (0.0, 0.3, 1.0))
+        if all(isclose(cos(phi - psi), 1.0, rel_tol=ALIKE) for phi, psi in found):
+            raise turns_alike()
         return self
 
     def _three(self, pairs: tuple[Pair, ...]) -> None:
@@ -76,14 +82,17 @@ class FunctionGenerator(Design):
     def _ranges(self, function: Any) -> None:
         """Ranges of some extent, in which the function has a value."""
         assert self.x is not None and self.phi is not None and self.psi is not None
-        ends = [self.y(at.si) for at in (*self.x, Quantity(self.x_at(0.5), ""))]
-        if not all(map(isfinite, ends)) or ends[0] == ends[1] or self.x[0].si == self.x[1].si:
+        ends = [self.y(at.si) for at in self.x]
+        between = [self.y(self.x_at(k / LOOKED)) for k in range(LOOKED + 1)]
+        jumps = max((abs(b - a) for a, b in pairwise(between)), default=0.0) > abs(ends[1] - ends[0])
+        if not all(map(isfinite, between)) or jumps or ends[0] == ends[1] or self.x[0].si == self.x[1].si:
             raise FaultError(
                 Words(
-                    f"函数 {function} 在 x = {self.x[0].text} 至 {self.x[1].text} 上应有值，且两端的值不相等，此处为 "
-                    f"{ends[0]:.6g} 和 {ends[1]:.6g}；请改动 x 或函数",
-                    f"the function {function} must have values from x = {self.x[0].text} to {self.x[1].text}, "
-                    f"different at both ends, and they are {ends[0]:.6g} and {ends[1]:.6g}; change x or the function",
+                    f"函数 {function} 在 x = {self.x[0].text} 至 {self.x[1].text} 上应处处有值、没有跳跃，"
+                    f"且两端的值不相等，此处两端为 {ends[0]:.6g} 和 {ends[1]:.6g}；请改动 x 或函数",
+                    f"the function {function} must have values all the way from x = {self.x[0].text} to "
+                    f"{self.x[1].text}, without a jump, different at both ends, and these are "
+                    f"{ends[0]:.6g} and {ends[1]:.6g}; change x or the function",
                 ),
                 "x",
                 code="out-of-range",

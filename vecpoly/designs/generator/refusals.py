@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import isfinite
 
-from ...errors import AssemblyError
+from ...errors import AssemblyError, FaultError
 from ...words import Words
 
 NONE, FAR = 1e-6, 1e4  # of the frame: a link shorter, or longer, than that is none
@@ -30,6 +30,18 @@ def unbounded(letters: str, length: float) -> AssemblyError:
         ),
         code="no-solution",
         numbers={"length": length},
+    )
+
+
+def turns_alike() -> FaultError:
+    """ψ = φ in all positions."""
+    return FaultError(
+        Words(
+            "各组中 ψ = φ，两连架杆同步转动：任何平行四边形机构（AB = CD，BC = AD）都满足，没有什么可求；请改动角度",
+            "ψ = φ in every pair, both links turn alike: any parallelogram does that (AB = CD, BC = AD), and nothing "
+            "is left to be found; change the angles",
+        ),
+        code="contradiction",
     )
 
 

@@ -14,6 +14,7 @@ from ...words import Words
 from ..base import Design
 from .written import Place
 
+STRETCHED = 1e-9  # of BC + CD: by so little they meet or miss at random
 LEFT, RIGHT = ("AG", "GH", "HF", "AF"), ("DM", "MN", "NF", "DF")
 
 
@@ -37,14 +38,14 @@ class Cognates(Design):
         a, d = self.AB.si, self.AD.si
         apart = (a * a + d * d - 2 * a * d * cos(self.phi.si)) ** 0.5
         least, most = abs(self.BC.si - self.CD.si), self.BC.si + self.CD.si
-        if not least < apart < most:
+        if not least + STRETCHED * most < apart < (1 - STRETCHED) * most:
             phi = degrees(self.phi.si)
             raise FaultError(
                 Words(
-                    f"phi = {phi:.6g}°：BD = {1e3 * apart:.6g} mm，而 BC、CD 只能联接相距 {1e3 * least:.6g} 至 "
-                    f"{1e3 * most:.6g} mm 的两点；请改变 phi 或长度",
-                    f"phi = {phi:.6g} deg: BD = {1e3 * apart:.6g} mm, while BC and CD join points between "
-                    f"{1e3 * least:.6g} and {1e3 * most:.6g} mm apart; change phi or the lengths",
+                    f"phi = {phi:.6g}°：BD = {1e3 * apart:.6g} mm，而 BC、CD 只能联接相距大于 {1e3 * least:.6g} "
+                    f"而小于 {1e3 * most:.6g} mm 的两点；请改变 phi 或长度",
+                    f"phi = {phi:.6g} deg: BD = {1e3 * apart:.6g} mm, while BC and CD join points more than "
+                    f"{1e3 * least:.6g} and less than {1e3 * most:.6g} mm apart; change phi or the lengths",
                 ),
                 "phi",
                 code="out-of-reach",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from cmath import rect
 from collections.abc import Iterator
 from itertools import combinations
-from math import degrees, pi, radians, sqrt
+from math import degrees, pi, radians, sin, sqrt
 
 from ...errors import EquilibriumError, NotAskedError
 from ...words import Words
@@ -21,7 +21,9 @@ def too_deep(plane: RotorPlane, mass: float, depth: float) -> EquilibriumError:
     wide = 1e3 * sqrt(4 * mass / (pi * plane.b.si * plane.density.si))
     two = 1e3 * depth / (2 * rect(1, radians(APART)).real)
     zh, en = f"请将钻头直径加大到 {wide:.4g} mm 以上", f"take a drill of more than {wide:.4g} mm"
-    if plane.spread is None and two <= 1e3 * plane.b.si:
+    assert plane.r is not None
+    room = plane.hole.si <= 2 * plane.r.si * sin(radians(APART))
+    if plane.spread is None and two <= 1e3 * plane.b.si and room:
         zh += f"，或在所求方位两侧各 {APART:g}° 钻两个深 {two:.4g} mm 的孔（spread: {APART:g} deg）"
         en += f", or drill two holes {two:.4g} mm deep at {APART:g}° on either side (spread: {APART:g} deg)"
     return EquilibriumError(
@@ -32,6 +34,42 @@ def too_deep(plane: RotorPlane, mass: float, depth: float) -> EquilibriumError:
         ),
         code="too-deep",
         numbers={"depth": depth, "b": plane.b.si, "two_holes": two / 1e3},
+    )
+
+
+def check_holes(plane: RotorPlane, wide: float) -> None:
+    """EquilibriumError where a hole of this diameter (m) would reach over the axis, or two would overlap."""
+    assert plane.r is not None
+    radius, text = plane.r.si, f"{1e3 * wide:.4g} mm"
+    if wide >= 2 * radius:
+        raise EquilibriumError(
+            Words(
+                f"半径 {plane.r.text} 处直径 {text} 的孔将越过转轴，钻不成；请加大 r（或厚度 b），或用更小的钻头",
+                f"a hole of {text} at a radius of {plane.r.text} would reach over the axis of the shaft; take a "
+                "larger r (or b), or a smaller drill",
+            ),
+            code="out-of-range",
+            numbers={"d": wide, "r": radius},
+        )
+    if plane.spread is not None and wide > (apart := 2 * radius * sin(plane.spread.si)):
+        raise EquilibriumError(
+            Words(
+                f"两孔中心相距 {1e3 * apart:.4g} mm，小于孔径 {text}，两孔重叠，所去质量不足；"
+                "请加大 spread 或 r，或用更小的钻头",
+                f"the two holes stand {1e3 * apart:.4g} mm apart and are {text} wide: they run into each other and "
+                "take away too little; take a larger spread or r, or a smaller drill",
+            ),
+            code="out-of-range",
+            numbers={"d": wide, "apart": apart},
+        )
+
+
+def leaves_couple(couple: float) -> Words:
+    """What is told where masses in several planes are balanced in one: the couple (kg·m²) stays."""
+    return Words(
+        f"各质量与校正面不在同一平面：单面（静）平衡后仍留下不平衡力偶矩 {couple:.4g} kg·m²；要消除它须取两个校正平面",
+        f"the masses and the correction do not lie in one plane: balanced in one plane (statically) it keeps a couple "
+        f"of {couple:.4g} kg·m²; two planes of correction would take it away",
     )
 
 

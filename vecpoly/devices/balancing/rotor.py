@@ -6,7 +6,7 @@ data: {masses: {1: {m: 5 kg, r: 200 mm, at: 60 deg, z: 150 mm}}, correct: {I: {z
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import ClassVar
 
 from pydantic import Field, model_validator
@@ -15,9 +15,10 @@ from ...errors import FaultError
 from ...names import Named
 from ...words import Words
 from ..base import Device, Length, Signed, Speed, Written, as_written
-from .asked import Weighing, of_rotor, weighing
+from .asked import CLOSES, Weighing, of_rotor, weighing
 from .mass import RotorDisc, RotorMass
 from .plane import THROUGH, RotorPlane
+from .refused import leaves_couple
 from .sought import check_sought, sought_quantities
 from .written import Entry, MassSize, Turning, named_well
 
@@ -112,6 +113,16 @@ class Rotor(Device):
                 code="contradiction",
                 numbers={"z_1": first.at, "z_2": second.at},
             )
+        assert self.parts()  # its refusal
+
+    def noted(self, asked: Collection[str]) -> tuple[Words, ...]:
+        """The couple that a correction in one plane leaves."""
+        if not self.static:
+            return ()
+        (plane,) = self.correct.values()
+        couple = abs(sum(mass.vector * (mass.place - plane.at) for mass in self.masses.values()))
+        whole = sum(mass.product for mass in self.masses.values()) * self.length
+        return (leaves_couple(couple),) if couple > CLOSES * whole else ()
 
     @property
     def weighing(self) -> Weighing:

@@ -141,8 +141,23 @@ def _check(rows: Sequence[tuple[float, float]]) -> None:
                 number - 1,
                 code="contradiction",
             )
+    _refuse_three(rows)
     if rows[-1][0] <= SAME:
         raise FaultError(Words("曲线没有长度", "the curve has no length"), code="out-of-range")
+
+
+def _refuse_three(rows: Sequence[tuple[float, float]]) -> None:
+    """FaultError for a third moment at one angle: those between would be lost."""
+    for number, ((a, _), (b, _)) in enumerate(zip(rows, rows[2:], strict=False), 3):
+        if b < a + SAME:
+            raise FaultError(
+                Words(
+                    f"转角 {degrees(a):g}° 处写了三个或更多力矩；突变处只写前、后两个",
+                    f"three or more moments stand at {degrees(a):g} deg; a jump has two, before and behind it",
+                ),
+                number - 1,
+                code="contradiction",
+            )
 
 
 def _unreadable() -> FaultError:

@@ -7,6 +7,7 @@ data: {powers: [[120 deg, 368 W], [240 deg, 3677 W]], n: 100 r/min, delta: 0.05}
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from math import degrees
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -14,7 +15,7 @@ from pydantic import BeforeValidator, WithJsonSchema, model_validator
 
 from ...errors import FaultError
 from ...names import Named
-from ...units.reading import Dim, positive, pure, read
+from ...units.reading import Dim, not_negative, positive, pure, read
 from ...words import Words
 from ..base import Angle, Device, Inertia, Omega, Positive, WorkScale, as_written
 from . import asked
@@ -22,6 +23,7 @@ from .asked import letter, level, place, work
 from .curve import Moments
 from .given import Areas, Torques, areas, of_powers, torques
 from .rim import Rim
+from .steady import check_it_goes_on, check_it_has_room, check_it_varies, ties
 
 COUNT = 40  # areas, or powers, at most
 GRAVITY = 9.81  # m/s²: in GD²
@@ -71,7 +73,7 @@ def _stretch(number: int, pair: Any) -> Any:
         )
     if not isinstance(pair[0], str):
         return tuple(pair)
-    return positive(pair[0], Dim.ANGLE), positive(pair[1], Dim.POWER)
+    return positive(pair[0], Dim.ANGLE), not_negative(pair[1], Dim.POWER)
 
 
 _LIST = WithJsonSchema({"type": "array"})
@@ -128,8 +130,17 @@ class Flywheel(Device):
                 code="out-of-range",
             )
         self._refuse_idle()
-        assert self.load.count  # its refusals
+        self._refuse_impossible(self.load)
         return self
+
+    def _refuse_impossible(self, load: Torques | Areas) -> None:
+        """FaultError for a speed that does not vary, a machine that stops, a rim that is none."""
+        check_it_varies(load)
+        if self.delta is None and self.J is not None:
+            check_it_goes_on(load.swing, self.J, self.speed)
+        if self.delta is not None and self.rim is not None:
+            has = self.J.si if self.J is not None else 0.0
+            check_it_has_room(self.rim, load.swing / (self.delta.si * self.speed**2) - has)
 
     def _refuse_idle(self) -> None:
         """FaultError for a period without areas, and for a rim where no flywheel is sought."""
@@ -147,6 +158,10 @@ class Flywheel(Device):
                 ),
                 code="missing",
             )
+
+    def noted(self, asked: Collection[str]) -> tuple[Words, ...]:
+        """Extreme speeds that stand at several places."""
+        return ties(self.load, asked) if isinstance(self.load, Torques) else ()
 
     @property
     def load(self) -> Torques | Areas:

@@ -9,6 +9,7 @@ data:
 from __future__ import annotations
 
 from itertools import permutations
+from math import inf, prod
 from typing import Annotated, ClassVar
 
 from pydantic import Field, model_validator
@@ -20,7 +21,6 @@ from ...words import Words
 from ..base import Device, Duration, Omega, as_written
 from .shafts import Meshing, Pair, Shaft, ways
 
-G = 9.81  # m/s²
 J_E, M_E = Named("J_e", "J_e", "kg·m^2"), Named("M_e", "M_e", "N·m")
 M_D, M_R = Named("M_d", "M_{ed}", "N·m"), Named("M_r", "M_{er}", "N·m")
 TIME, TURNS = Named("t", "t", "s"), Named("N", "N", "r")
@@ -108,6 +108,28 @@ class ReducedTrain(Device):
                 code="out-of-range",
                 numbers={"M_e": moment},
             )
+        self._keeps_its_sense(moment)
+
+    def _keeps_its_sense(self, moment: float) -> None:
+        """FaultError where what resists would have to drive: the train stands still on its way, or begins backwards."""
+        if not self.moves or not any(shaft.resists for shaft in self.shafts.values()):
+            return
+        rest = -self.start.si * self.inertia / moment if moment < 0 else inf
+        late = self.after is not None and self.after.si > rest * (1 + 1e-9)
+        if self.start.si < 0:
+            why = Words("start 不得为负：阻力矩将变成驱动", "'start' is not negative: what resists would drive")
+            raise FaultError(why, "start", code="out-of-range")
+        if late or (self.until is not None and self.until.si < 0):
+            raise FaultError(
+                Words(
+                    f"机器在 {rest:.4g} s 后停住，阻力矩不会使它反转；请写 until: 0 r/min，或更短的 after",
+                    f"after {rest:.4g} s it stands still, and what resists drives nothing back; write until: 0 r/min, "
+                    "or a shorter 'after'",
+                ),
+                "after" if late else "until",
+                code="out-of-range",
+                numbers={"t": rest},
+            )
 
     @property
     def main(self) -> str:
@@ -151,18 +173,19 @@ class ReducedTrain(Device):
         return next(((name, shaft) for name, shaft in self.shafts.items() if shaft.lifts is not None), None)
 
     @property
+    def turns(self) -> dict[str, float]:
+        """ω of every shaft over that of the main one."""
+        return {name: prod(one.ratio if on else 1 / one.ratio for one, on in way) for name, way in self.ways.items()}
+
+    @property
     def moment(self) -> float:
         """M_e (N·m), by which it is judged whether anything moves."""
-        total = 0.0
-        for name, way in self.ways.items():
-            turns = 1.0
-            for pair, forwards in way:
-                turns *= pair.ratio if forwards else 1 / pair.ratio
-            shaft = self.shafts[name]
-            total += turns * ((shaft.drives.si if shaft.drives else 0.0) - (shaft.resists.si if shaft.resists else 0.0))
-            if shaft.drum and shaft.lifts:
-                total -= turns * shaft.lifts.si * G * shaft.drum.si / 2
-        return total
+        return sum(ratio * self.shafts[name].moment for name, ratio in self.turns.items())
+
+    @property
+    def inertia(self) -> float:
+        """J_e (kg·m²), by which it is judged when it stands still."""
+        return sum(ratio**2 * self.shafts[name].inertia for name, ratio in self.turns.items())
 
     def quantities(self) -> tuple[Named, ...]:
         """The ratios, the equivalents, the angular accelerations; how it runs."""

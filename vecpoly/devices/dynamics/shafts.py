@@ -14,6 +14,7 @@ from ...units.reading import Dim, Quantity, positive, pure
 from ...words import Words
 from ..base import Length, Mass, Torque
 
+G = 9.81  # m/s²
 NAME = r"[0-9A-Za-z]{1,4}[′']?"
 _PAIR = re.compile(rf"\s*({NAME})\s+to\s+({NAME})\s+by\s+(.+?)\s*/\s*(.+?)\s*")
 
@@ -46,6 +47,18 @@ class Shaft(BaseModel):
                 code="missing",
             )
         return self
+
+    @property
+    def moment(self) -> float:
+        """What drives it, less what resists and what the load pulls on its drum (N·m)."""
+        weight = self.lifts.si * G * self.drum.si / 2 if self.lifts and self.drum else 0.0
+        return (self.drives.si if self.drives else 0.0) - (self.resists.si if self.resists else 0.0) - weight
+
+    @property
+    def inertia(self) -> float:
+        """Of all that sits on it, and of what it lifts (kg·m²)."""
+        lifted = self.lifts.si * (self.drum.si / 2) ** 2 if self.lifts and self.drum else 0.0
+        return sum(one.si for one in self.J) + lifted
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -146,8 +146,8 @@ def no_ball(mech: Mechanism, link: str) -> NotAskedError:
     number = mech.number(link)
     return NotAskedError(
         Words(
-            f"构件 {number} 此时没有确定的鲍尔点（拐点圆上处处为鲍尔点，或该点在无穷远处）；请另取原动件位置，或从 "
-            "find 中去掉",
+            f"构件 {number} 此时没有确定的鲍尔点（拐点圆上处处为鲍尔点，或该点即绝对瞬心，或在无穷远处）；"
+            "请另取原动件位置，或从 find 中去掉",
             f"link {number} has no Ball point here (every point of its inflection circle is one, or it is the pole or "
             "at infinity); choose another input position, or leave it out of `find`",
         ),

@@ -24,6 +24,7 @@ from .course import Course, course
 from .extremes import Top, highest, lowest
 
 ROUNDS, CLOSE = 60, 1e-13  # of the mean speed
+EVEN = 1e-9  # of the energies of a period: a change that is rounding
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -146,6 +147,8 @@ def _found(mech: Mechanism, machine: Machine) -> tuple[Course, Evenness]:
     """A period of the machine, and how evenly it runs."""
     assert machine.steady is not None
     of = course(mech, machine.loads)
+    top, low = surplus(of)
+    _refuse_even(of, top.value - low.value, machine.steady.speed)
     return of, evenness(of, machine.steady)
 
 
@@ -176,3 +179,20 @@ def steady_values(mech: Mechanism, machine: Machine) -> dict[str, float]:
     if run.delta is not None:
         values["J_F_areas"] = flywheel_of(top.value - low.value, run.speed, run.delta)
     return values
+
+
+def _refuse_even(of: Course, swing: float, speed: float) -> None:
+    """EquilibriumError where neither the work nor the inertia changes over the period, but by rounding."""
+    mean, most = of.inertias[:, 0], float(np.max(np.abs(of.inertias[:, 0])))
+    varies = max(float(np.ptp(mean)), float(np.max(np.abs(of.inertias[:, 1:]), initial=0.0)))
+    whole = max(abs(of.constant) * of.period, most * speed**2 / 2)
+    if varies > EVEN * most or swing > EVEN * whole:
+        return
+    raise EquilibriumError(
+        Words(
+            "驱动与阻力处处平衡，等效转动惯量也不变：速度没有波动，没有最快和最慢的位置，也不需要飞轮；请只求常数力矩",
+            "what drives is everywhere what resists, and the equivalent inertia does not change: the speed is even, no "
+            "place is the fastest or the slowest and no flywheel is needed; ask for the constant moment alone",
+        ),
+        code="even",
+    )

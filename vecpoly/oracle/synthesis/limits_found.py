@@ -19,10 +19,14 @@ def crank_rocker(design: CrankRockerLimits) -> list[Linkage]:
     """C₁, C₂ at the distances BC ∓ AB from A, above AD."""
     a, b, c, d = (one.si for one in (design.AB, design.BC, design.CD, design.AD))
     longest = max(b, c, d)
+    if not below(min(b, c, d), a) and _equal(a + longest, b + c + d - longest):
+        raise _change_point(
+            f"AB + l_max = {1e3 * (a + longest):.7g} mm", Words("其余两杆之和", "the sum of the others")
+        )
     if below(min(b, c, d), a) or not below(a + longest, b + c + d - longest):
         raise _no_crank(
-            f"AB + l_max = {1e3 * (a + longest):.4g} mm",
-            f"{1e3 * (b + c + d - longest):.4g} mm",
+            f"AB + l_max = {1e3 * (a + longest):.7g} mm",
+            f"{1e3 * (b + c + d - longest):.7g} mm",
             Words(
                 "AB 须最短，且 AB + l_max 小于其余两杆之和",
                 "AB must be the shortest, and AB + l_max below the sum of the others",
@@ -36,10 +40,12 @@ def crank_rocker(design: CrankRockerLimits) -> list[Linkage]:
 def slider_crank(design: SliderCrankLimits) -> list[Linkage]:
     """C₁, C₂ on the guide at the distances BC ∓ AB from A: θ = acos(e/(b + a)) − acos(e/(b − a))."""
     a, b, e = design.AB.si, design.BC.si, design.offset
+    if _equal(a + e, b):
+        raise _change_point(f"AB + e = {1e3 * (a + e):.7g} mm", Words("BC", "BC"))
     if not below(a + e, b):
         raise _no_crank(
-            f"AB + e = {1e3 * (a + e):.4g} mm",
-            f"BC = {1e3 * b:.4g} mm",
+            f"AB + e = {1e3 * (a + e):.7g} mm",
+            f"BC = {1e3 * b:.7g} mm",
             Words("须 AB + e < BC", "AB + e must be below BC"),
         )
     theta = acos(e / (b + a)) - acos(e / (b - a))
@@ -65,8 +71,8 @@ def guide_bar(design: GuideBarLimits) -> list[Linkage]:
     a, d, e = design.AB.si, design.AC.si, design.offset
     if not below(a + e, d):
         raise _no_crank(
-            f"AB + e = {1e3 * (a + e):.4g} mm",
-            f"AC = {1e3 * d:.4g} mm",
+            f"AB + e = {1e3 * (a + e):.7g} mm",
+            f"AC = {1e3 * d:.7g} mm",
             Words(
                 "摆动导杆须 AB + e < AC（AB ≥ AC + e 时为转动导杆，用 synthesis: whitworth）",
                 "for a bar that swings AB + e must be below AC (with AB ≥ AC + e it turns right round: "
@@ -88,6 +94,23 @@ def guide_bar(design: GuideBarLimits) -> list[Linkage]:
     ends = [complex(0, d) + side * a * exp(1j * lean) for side, lean in zip((-1, 1), leaning, strict=True)]
     pins = {"A": complex(0, d), "C": 0j, "B1": ends[0], "B2": ends[1]}
     return [Linkage(values=values, pins=pins, verdict=Verdict.VALID, order=(a, e, d, 0.0))]
+
+
+def _equal(one: float, other: float) -> bool:
+    return not below(one, other) and not below(other, one)
+
+
+def _change_point(one: str, other: Words) -> AssemblyError:
+    """AB turns right round, but where all links lie in one line the others may go on in either sense."""
+    return AssemblyError(
+        Words(
+            f"{one} 等于{other.zh}：AB 能整周回转，但要经过各杆共线的变点，该处 γ_min = 0，"
+            "从动件运动不确定；请改变一个长度",
+            f"{one} equals {other.en}: AB can turn right round, but through a change point in which all links lie in "
+            "one line, γ_min = 0 and what follows may go on in either sense; change a length",
+        ),
+        code="change-point",
+    )
 
 
 def _no_crank(one: str, other: str, condition: Words) -> AssemblyError:

@@ -17,7 +17,7 @@ from ...mechanism.asked.machine import REDUCED, RUN_KEYS
 from ...mechanism.loads import Loads
 from ...mechanism.machine import Machine, Run, Started, Steady, known_of
 from ...mechanism.model import Mechanism
-from ...units.reading import Dim, positive, pure, read
+from ...units.reading import Dim, not_negative, positive, pure, read
 from ...words import Words
 from ..problem import Datum
 from ..schema.faults import Faults
@@ -128,7 +128,7 @@ def _steady(spec: MachineSpec) -> tuple[Steady, tuple[Datum, ...]]:
         delta = _at("delta", partial(_share, spec.delta))
         told.append(Datum(symbol="[δ]", si=delta, text=spec.delta))
     if spec.J_F is not None:
-        wheel = _at("J_F", lambda: read(spec.J_F, Dim.INERTIA))
+        wheel = _at("J_F", lambda: not_negative(spec.J_F, Dim.INERTIA))
         flywheel = wheel.si
         told.append(Datum(symbol="J_F", si=wheel.si, text=wheel.text.replace("*", "·").replace("^2", "²")))
     return Steady(speed=abs(n.si), delta=delta, flywheel=flywheel), tuple(told)
@@ -139,7 +139,7 @@ def _started(spec: MachineSpec) -> tuple[Started, tuple[Datum, ...]]:
     phi = _at("start", lambda: read(spec.start.phi, Dim.ANGLE))  # type: ignore[union-attr]
     omega = _at("start", lambda: read(spec.start.omega, Dim.OMEGA))  # type: ignore[union-attr]
     turned = None if spec.until in STEADILY else _at("until", lambda: _way(spec.until or "360 deg"))
-    wheel = 0.0 if spec.J_F is None else _at("J_F", lambda: read(spec.J_F, Dim.INERTIA)).si
+    wheel = 0.0 if spec.J_F is None else _at("J_F", lambda: not_negative(spec.J_F, Dim.INERTIA)).si
     stations = tuple(_at("at", partial(positive, text, Dim.ANGLE)).si for text in spec.at)
     told = (Datum(symbol="φ_0", si=phi.si, text=phi.text), Datum(symbol="ω_0", si=omega.si, text=omega.text))
     return Started(phi=phi.si, omega=omega.si, turned=turned, stations=stations, flywheel=wheel), told

@@ -47,8 +47,10 @@ def as_text(name: str, value: object, dim: Dim | None) -> str:
             ),
             code="kind",
         )
-    number = repr(float(value))  # type: ignore[arg-type]
-    return number if dim is None else f"{number} {SI[dim]}"
+    number = float(value)  # type: ignore[arg-type]
+    if dim is not None:
+        return f"{number!r} {SI[dim]}"
+    return f"{number:.0f}" if number.is_integer() else repr(number)  # 20 teeth, driver 1, not 20.0
 
 
 def as_pair(name: str, value: object) -> list[str]:

@@ -228,10 +228,10 @@ def _over_a_turn(bench: Bench, device: ShakingForce, orders: Orders, place: View
     points = tip(trial_board(board), ideal, turns, c)
     board.step(
         Words(
-            "每隔 15° 重复，连成端迹图；离 $O$ 最远的点 $m$ 给出一周内最大的惯性力：",
-            "Repeat every 15° and join the ends: the hodograph. Its point $m$ farthest from $O$ gives the largest "
-            "force "
-            "of the turn:",
+            "每隔 15° 重复，连成端迹图，它对称于气缸轴线（$360° − φ$ 处的力同样大）；"
+            "离 $O$ 最远的点 $m$ 给出一周内最大的惯性力：",
+            "Repeat every 15° and join the ends: the hodograph, symmetric about the line of the cylinder (the force is "
+            "as large at $360° − φ$). Its point $m$ farthest from $O$ gives the largest force of the turn:",
         ),
         place,
     )

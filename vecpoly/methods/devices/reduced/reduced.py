@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from ....algebra.quantity import Expr, Product, Quantity, Quotient, Sum, magnitude, number
 from ....board.construction import Listing, View
-from ....devices.dynamics.reduced import J_E, M_D, M_E, M_R, G, ReducedTrain, alpha_of, ratio_of
-from ....devices.dynamics.shafts import Pair
+from ....devices.dynamics.reduced import J_E, M_D, M_E, M_R, ReducedTrain, alpha_of, ratio_of
+from ....devices.dynamics.shafts import G, Pair
 from ....plane import nominal
 from ....words import Words
 from ..bench import Bench

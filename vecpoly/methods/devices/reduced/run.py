@@ -6,7 +6,8 @@ from math import pi
 
 from ....algebra.formula import Txt
 from ....algebra.quantity import Quantity, magnitude
-from ....devices.dynamics.reduced import LIFT, ROPE, TIME, TURNS, G, ReducedTrain, alpha_of, omega_of
+from ....devices.dynamics.reduced import LIFT, ROPE, TIME, TURNS, ReducedTrain, alpha_of, omega_of
+from ....devices.dynamics.shafts import G
 from ....words import Words
 from ..bench import Bench
 

@@ -11,7 +11,7 @@ from ....algebra.quantity import Of, Quantity, Rooted, magnitude
 from ....algebra.worked import worked
 from ....devices.balancing.asked import hole_bearing, hole_size, weight
 from ....devices.balancing.plane import RotorPlane
-from ....devices.balancing.refused import too_deep
+from ....devices.balancing.refused import check_holes, too_deep
 from ....devices.balancing.rotor import Rotor
 from ....plane import Points, nominal
 from ....words import Words
@@ -86,8 +86,10 @@ def _size_of_hole(bench: Bench, rotor: Rotor, end: str, each: Quantity, plane: R
     if plane.through:
         deep = magnitude("b", plane.b.si * 1e3, "mm")
         value = np.sqrt(each.value / (QUARTER * deep * rho).value)
+        check_holes(plane, float(nominal(value)) / 1e3)
         bench.stated(named, value, _root(named.symbol, each, deep, rho))
         return
+    check_holes(plane, plane.hole.si)
     wide = magnitude("d", plane.hole.si * 1e3, "mm")
     depth = bench.worked(named, each / (QUARTER * wide.squared() * rho))
     if float(nominal(depth.value)) > 1e3 * plane.b.si:

@@ -11,7 +11,7 @@ import numpy as np
 from ....devices.balancing import asked
 from ....devices.balancing.asked import CLOSES
 from ....devices.balancing.plane import RotorPlane
-from ....devices.balancing.refused import check_signs, nothing_to_share, too_deep
+from ....devices.balancing.refused import check_holes, check_signs, nothing_to_share, too_deep
 from ....devices.balancing.rotor import Rotor
 from ..registry import Values, answers
 from .places import resolved, rounded
@@ -107,8 +107,10 @@ def _drilled(end: str, plane: RotorPlane, balance: complex) -> Found:
     assert plane.r is not None and plane.b is not None and plane.density is not None and plane.hole is not None
     mass, density, deep = abs(balance) / plane.r.si, plane.density.si, plane.b.si
     each = mass if plane.spread is None else mass / (2 * cos(plane.spread.si))
+    wide = sqrt(4 * each / (pi * deep * density)) if plane.through else plane.hole.si
+    check_holes(plane, wide)
     if plane.through:
-        yield f"d_b{end}", 1e3 * sqrt(4 * each / (pi * deep * density))
+        yield f"d_b{end}", 1e3 * wide
         return
     depth = 4 * each / (pi * plane.hole.si**2 * density)
     if depth > deep:

@@ -8,7 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ....devices.dynamics import reduced as asked
-from ....devices.dynamics.reduced import G, ReducedTrain
+from ....devices.dynamics.reduced import ReducedTrain
+from ....devices.dynamics.shafts import G
 from ..registry import Values, answers
 
 Reals = npt.NDArray[np.float64]

@@ -35,7 +35,9 @@ def run_up(device: RunUp) -> Values:
     if goal is None:
         steady = _steady(device, surplus)
         goal = device.share * steady
-        found |= {asked.STEADY.key: steady, asked.CONSTANT.key: device.J.si / (surplus(0.0) - surplus(1.0))}
+        found[asked.STEADY.key] = steady
+        if device.linear:
+            found[asked.CONSTANT.key] = device.J.si / (surplus(0.0) - surplus(1.0))
     _refuse_slow(surplus, device.start.si, goal)
     time, angle = _integrals(device, surplus, device.start.si, goal)
     found |= {asked.TIME.key: time, asked.TURNS.key: angle / tau}
@@ -45,6 +47,7 @@ def run_up(device: RunUp) -> Values:
 
 
 def _down(device: RunUp, load: Moment) -> Values:
+    _refuse_idle(device, load)
     time, angle = _integrals(device, load, device.end, device.start.si)
     found: dict[str, complex | float] = {asked.TIME.key: time, asked.TURNS.key: angle / tau}
     if device.brake is not None:
@@ -52,6 +55,24 @@ def _down(device: RunUp, load: Moment) -> Values:
         time, angle = _integrals(device, lambda omega: load(omega) + brake, device.end, device.start.si)
         found |= {asked.TIME_BRAKED.key: time, asked.TURNS_BRAKED.key: angle / tau}
     return found
+
+
+def _refuse_idle(device: RunUp, load: Moment) -> None:
+    """Raise NotAskedError where nothing slows the machine down at a speed on its way."""
+    low, high = device.end, device.start.si
+    tried = {*np.linspace(low, high, TRIED).tolist(), *(one for one in _corners(device.load) if low <= one <= high)}
+    idle = max((one for one in tried if load(one) <= 0), default=None)
+    if idle is not None:
+        raise NotAskedError(
+            Words(
+                f"在 {idle:.6g} rad/s 处阻力矩为 {load(idle):.4g} N·m，转速降不到该值以下；"
+                "请用 to 给出更高的终了转速，或改 load",
+                f"at {idle:.6g} rad/s {load(idle):.4g} N·m resist: the speed never falls below that; let the run end "
+                "above it (to), or change the load",
+            ),
+            code="never-stops",
+            numbers={"omega": idle, "M_r": load(idle)},
+        )
 
 
 def _integrals(device: RunUp, surplus: Moment, low: float, high: float) -> tuple[float, float]:
@@ -86,6 +107,8 @@ def _steady(device: RunUp, surplus: Moment) -> float:
     """The first speed above the start at which the moments are equal."""
     from scipy.optimize import brentq
 
+    if (left := surplus(device.start.si)) <= 0:
+        raise _slows_down(device.start.si, left)
     most = min(highest(curve) for curve in (device.motor, device.load) if curve is not None)
     bound = most if np.isfinite(most) else _bound(surplus, device.start.si)
     tried = np.linspace(device.start.si, bound, TRIED)
@@ -105,6 +128,19 @@ def _bound(surplus: Moment, start: float) -> float:
     return bound
 
 
+def _slows_down(start: float, left: float) -> NotAskedError:
+    return NotAskedError(
+        Words(
+            f"在 start = {start:.6g} rad/s 处驱动力矩比阻力矩小 {-left:.4g} N·m，机器降速而不是起动；"
+            "start 应低于稳定转速",
+            f"at the start, {start:.6g} rad/s, the driving moment is {-left:.4g} N·m less than that of the load: the "
+            "machine slows down and this is no run-up; start below the steady speed",
+        ),
+        code="no-steady",
+        numbers={"omega": start, "M": left},
+    )
+
+
 def _no_steady(bound: float) -> NotAskedError:
     return NotAskedError(
         Words(
@@ -120,17 +156,26 @@ def _no_steady(bound: float) -> NotAskedError:
 
 def _refuse_slow(surplus: Moment, start: float, goal: float) -> None:
     """Raise NotAskedError where the run-up ends before its goal, or has it behind."""
-    low = next((float(w) for w in np.linspace(start, goal, TRIED) if surplus(float(w)) <= 0), None)
-    if goal <= start or low is not None:
-        where = start if low is None else low
+    if goal <= start:
         raise NotAskedError(
             Words(
-                f"由 {start:.6g} rad/s 起动达不到 {goal:.6g} rad/s：在 {where:.6g} rad/s 处驱动力矩不大于阻力矩",
-                f"from {start:.6g} rad/s it never comes to {goal:.6g} rad/s: at {where:.6g} rad/s the driving moment "
+                f"终了转速 {goal:.6g} rad/s 不高于初速度 {start:.6g} rad/s；请加大 to 或减小 start",
+                f"the run-up begins at {start:.6g} rad/s, which is not below its end, {goal:.6g} rad/s; let it end "
+                "higher (to), or start lower",
+            ),
+            code="out-of-range",
+            numbers={"start": start, "goal": goal},
+        )
+    low = next((float(w) for w in np.linspace(start, goal, TRIED) if surplus(float(w)) <= 0), None)
+    if low is not None:
+        raise NotAskedError(
+            Words(
+                f"由 {start:.6g} rad/s 起动达不到 {goal:.6g} rad/s：在 {low:.6g} rad/s 处驱动力矩不大于阻力矩",
+                f"from {start:.6g} rad/s it never comes to {goal:.6g} rad/s: at {low:.6g} rad/s the driving moment "
                 "does not exceed that of the load",
             ),
             code="out-of-range",
-            numbers={"start": start, "goal": goal, "at": where},
+            numbers={"start": start, "goal": goal, "at": low},
         )
 
 
