@@ -72,7 +72,7 @@ def _parts(one: Graded) -> list[tuple[What, str]]:
         case Kind.PLACE:
             return [(What.PLACE, f"(x, y) {one.written_in}" + (f", {one.origin} = (0, 0)" if one.origin else ""))]
         case Kind.VECTOR:
-            return [(What.LENGTH, "mm"), value, (What.DIRECTION, "°")]
+            return [*([(What.LENGTH, "mm")] if one.mm else []), value, (What.DIRECTION, "°")]
         case Kind.SIGNED:
             return [value, (What.SENSE, "↻ ↺")]
         case _:

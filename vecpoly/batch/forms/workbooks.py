@@ -151,7 +151,8 @@ def _key_row(sheet: Sheet, part: Part) -> list[str | float]:
     for one in _asked(part):
         row += [_exact(one), _round(one.allowed / one.one)]
         if one.kind is Kind.VECTOR:
-            row += [_round(one.mm or 0.0), _round(one.degrees) if one.degrees is not None else ""]
+            row.append(_round(one.mm) if one.mm else "")
+            row.append("" if one.degrees is None else round(one.degrees, 4) % 360.0)
     return row
 
 

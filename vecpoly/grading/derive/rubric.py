@@ -60,13 +60,18 @@ def shared(
     for name in dict.fromkeys(one.block for one in worth):
         block, here = rubric.blocks.get(name, Block()), [one for one in worth if one.block == name]
         points |= _shared(block, here)
-        placed = any(one.kind is Kind.PLACE for one in here)  # one off the sheet is found by the scale of the others
-        told_by = [one for one in graded if one.block == name] if placed else here
-        mu = next((one.mu for one in told_by if one.mu in scales), "")
-        if mu and block.scale:
+        if block.scale and (mu := scale_of(name, graded, scales)):
             stated[mu] = block.scale
     points |= rubric.own
     return tuple(replace(one, points=points.get(one.key, NOTHING)) for one in graded), stated
+
+
+def scale_of(name: str, graded: Sequence[Graded], scales: Mapping[str, float]) -> str:
+    """The scale of what is asked in this part, "" of none; a place off the sheet is found by that of the others."""
+    block = [one for one in graded if one.block == name]
+    asked = [one for one in block if one.asked]
+    placed = any(one.kind is Kind.PLACE for one in asked)
+    return next((one.mu for one in (block if placed else asked) if one.mu in scales), "")
 
 
 def _shared(block: Block, here: Sequence[Graded]) -> dict[str, Points]:

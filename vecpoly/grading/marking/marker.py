@@ -11,6 +11,7 @@ from ...problem.problem import Problem
 from ...words import bare
 from ..compare.measured import UnitFault
 from ..compare.outcome import Basis, Finding, Outcome
+from ..derive.rubric import scale_of
 from ..drawings.judging.mark import DrawingMark
 from ..equations.mark import only_with_equation, paid_by_equations
 from ..key import AnswerKey, Graded, Points
@@ -64,6 +65,7 @@ def mark(
     findings = tuple(_finding(found, why, one, named, rules) for one in key.quantities if _shown(one, sheet))
     findings = only_with_equation(findings, key, equations, rules)
     used = {key[name].mu for name in found.given}
+    used |= {scale_of(one.block, key.quantities, key.scales) for one in map(key.__getitem__, found.given) if one.at}
     stated = {mu: worth for mu, worth in key.stated.items() if mu in sheet.stated and mu in {*used, *sheet.scales}}
     faulty = any(one.fault is UnitFault.DIMENSION or (one.fault and not rules.printed) for one in found.given.values())
     return Marked(
