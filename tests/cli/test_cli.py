@@ -259,12 +259,13 @@ def test_an_exercise_with_parts_stands_for_all_of_them() -> None:
     assert family("3-9") == ()
 
 
-def test_exact_answers_of_one_linkage_of_several_say_so(run: Run, tmp_path: Path) -> None:
+def test_answers_of_one_linkage_of_several_say_so(run: Run, tmp_path: Path) -> None:
     file, asked = tmp_path / "k.yaml", "find: [AB, BC, gamma_min]\n"
     data = "data: {K: 1.2, CD: 60 mm, swing: 45 deg, AD: 70 mm}\n"
     file.write_text(f"id: k\ntitle: k\nsynthesis: crank-rocker\n{data}{asked}", encoding="utf-8")
-    told = run("exact", str(file)).stderr
-    assert re.search(r"there are 2 solutions, and these answers are of the first; .*_2, or write take: 2", told)
+    for command in ("exact", "solve"):
+        told = run(command, str(file)).stderr
+        assert re.search(r"there are 2 solutions, and these answers are of the first; .*_2, or write take: 2", told)
     file.write_text(file.read_text(encoding="utf-8").replace("AB,", "AB, AB_2,"), encoding="utf-8")
     assert "solutions" not in run("exact", str(file)).stderr
 

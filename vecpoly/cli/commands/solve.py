@@ -119,12 +119,16 @@ def _print_verified(solution: Solution, lang: Lang) -> None:
     if (others := rejections(solution.construction.candidates)) is not None:
         typer.echo(bare(others.of(lang)))
     from ...check.designs.found_words import ill_conditioned, told  # late: a whole cycle, which other problems need not
+    from ...check.designs.several import several_of
+    from ...check.truth import truth_of
 
     alone = len(solution.verification) == 1
     for one in solution.verification:
         for words in (told(one, alone), ill_conditioned(one, alone)):
             if words is not None:
                 typer.echo(bare(words.of(lang)))
+    if (several := several_of(solution.problem, truth_of(solution.problem))) is not None:
+        say(f"{solution.problem.id}: {several.of(lang)}")
 
 
 def _passed_on(answer: Answer) -> Words:
