@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..check.printed.answers import PrintedCheck
-from ..check.printed.verdict import Verdict
+from ..check.printed.verdict import Checked, Verdict, is_angle
 from ..names import Key
 from ..solution import Solution
 from ..words import Lang, Words, stopped
@@ -54,6 +54,16 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
     if checked.whole is not None:  # one error, which the others tell of: one box
         return [("fail", _GAP[lang].join(f"**{head.strip()}**{_AFTER[lang]}{text}" for _, head, text in boxes))]
     return [(kind, head + text) for kind, head, text in boxes]
+
+
+def judged_by(answers: Sequence[Checked]) -> dict[str, bool]:
+    """What a template may say of how the printed answers are judged."""
+    read = [c for c in answers if c.printed.kind == "graphical"]
+    return {
+        "graphical": any(c.printed.rel is None or c.printed.rel.is_vector for c in answers) or bool(read),
+        "angular": any(is_angle(c.printed) for c in read),
+        "by_size": any(by_size(c.printed.rel) for c in answers),
+    }
 
 
 def _listed(texts: Sequence[str], lang: Lang) -> str:

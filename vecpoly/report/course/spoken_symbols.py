@@ -14,7 +14,7 @@ COUNTED: tuple[Row, ...] = (  # in the chapter on the structure, which every rep
     ("$F$", Words("机构的自由度", "degrees of freedom"), "—"),
 )
 _ROWS: tuple[tuple[str, Row], ...] = (
-    ("$K$ = ", ("$K$", Words("行程速度变化系数", "time ratio of the strokes"), "—")),
+    ("$K$ = ", ("$K$", Words("行程速比系数", "time ratio of the strokes"), "—")),
     ("$θ$ = ", ("$θ$", Words("极位夹角", "angle between the limit positions of the drive"), "°")),
     ("$J_e$", ("$J_e$", Words("等效转动惯量", "equivalent moment of inertia"), "kg·m²")),
     ("$M_e$", ("$M_e$", Words("等效力矩", "equivalent moment"), "N·m")),

@@ -165,7 +165,7 @@ def scales(study: Study) -> Iterator[Row]:
 def letters(study: Study) -> Iterator[Row]:
     """Letters of the polygons."""
     views_drawn = sorted({figure.view for figure in _figures(study)})
-    yield from ((*view.letters, "mm") for view in views_drawn if view.letters is not None)
+    yield from ((*view.letters, "—") for view in views_drawn if view.letters is not None)
 
 
 def components(study: Study) -> Iterator[Row]:
