@@ -29,6 +29,7 @@ _PRINTED = {
 _OFF, _OFF_OR_ANGLE = 3, Words("偏差", "Deviation")  # column; its head where some of it are angles
 _UNIT = Words("单位", "Unit")
 _NONE = "—"
+_SENSE, _TURNING = re.compile(r"cw\b|[顺逆]"), (Words("顺时针", "clockwise"), Words("逆时针", "counter-clockwise"))
 _MANIFOLD = 2.0  # share off from which a deviation is told as a factor
 MOST_COLUMNS = 15  # of a table of stations, in all its blocks
 _DECIMAL, _PADDED = re.compile(r"[+−]?\d+(?:\.(\d+))?"), 2
@@ -174,7 +175,11 @@ def _exact_like(checked: Checked, lang: Lang) -> str:
     rel = checked.printed.rel
     if rel is None or is_place(rel):
         return f"{number(checked.exact, 5)} m"
-    return value(checked.exact, rel.unit, lang, digits=5)
+    text = value(checked.exact, rel.unit, lang, digits=5)
+    if not checked.exact or not _SENSE.search(checked.printed.text):
+        return text
+    told = _TURNING[checked.exact > 0].of(lang)  # as the printed one has its sense
+    return text.lstrip("−") + (f"（{told}）" if lang == "zh" else f" ({told})")
 
 
 def symbol_of(checked: Checked) -> str:

@@ -9,7 +9,7 @@ from ..check.printed.verdict import Checked, Verdict, is_angle
 from ..names import Key
 from ..solution import Solution
 from ..words import Lang, Words, stopped
-from .tables import counted, percent, symbol_of
+from .tables import counted, symbol_of
 
 _HEADINGS = {
     "fail": Words("总评：", "On the whole: "),
@@ -36,10 +36,6 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
             said.append(
                 ("warn", Words(f"${symbol}$：{c.printed.note.zh}", f"${symbol}$: {c.printed.note.en}").of(lang))
             )
-        elif c.verdict is Verdict.OUTLIER and checked.fit is None:
-            off = percent(c.deviation, 1)
-            told = Words(f"${symbol}$ 偏差 {off}：作图不够准确。", f"${symbol}$ is off by {off}: a drafting error.")
-            said.append(("warn", told.of(lang)))
     if (
         checked.answers
         and not said
