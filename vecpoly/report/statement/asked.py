@@ -21,6 +21,7 @@ _MEANT = {
     "h": Words("原动件上力偶的力臂 {}", "the arm {} of the couple on the input link"),
     "eta": Words("效率 {}", "the efficiency {}"),
 }
+_IN_LINE = ("_extended", "_overlapped")  # crank and coupler, in one line
 _NUMBER = "number of "  # that is said once of several in a row
 ALL_CENTRES = Words("全部瞬心", "all instant centres")
 T = TypeVar("T")
@@ -125,7 +126,15 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
         return meant.of(lang)
     if isinstance(solution.problem.subject, Mechanism) and reading.key in _MEANT:
         return _MEANT[reading.key].of(lang).format(symbol)
+    if reading.key.endswith(_IN_LINE):
+        return _in_line(reading.key, symbol).of(lang)
     return curved(ask.rel, lang) + called(reading.symbol, reading.key, lang)
+
+
+def _in_line(key: str, symbol: str) -> Words:
+    """A crank angle at which a led point stands still."""
+    way = Words("拉直", "extended") if key.endswith(_IN_LINE[0]) else Words("重叠", "overlapped")
+    return Words(f"曲柄与连杆{way.zh}共线时的曲柄位置角 {symbol}", f"the crank angle {symbol} with both {way.en}")
 
 
 def _load_told(kind: Words, key: str, symbol: str, solution: Solution) -> Words:
