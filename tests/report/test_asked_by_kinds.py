@@ -50,7 +50,7 @@ def test_every_quantity_asked_stands_in_the_line_of_what_is_asked(name: str) -> 
     ("name", "kinds"),
     [
         ("3-5", ("速度", "角速度", "加速度", "角加速度")),
-        ("six-bar-dynamic", ("加速度", "角加速度", "惯性力和惯性力矩", "运动副反力")),
+        ("six-bar-dynamic", ("加速度", "角加速度", "惯性力、惯性力矩和力臂", "运动副反力")),
         ("2-6", ("活动构件数", "高副低代后：活动构件数")),
     ],
 )
