@@ -96,7 +96,7 @@ def _said(one: ColumnCheck, sharing: int) -> bool:
             and one.best.level < Level.ROWS
             and len({slip.slip for slip in one.explanations} - {"constant factor"}) == 1
         )
-    return one.verdict <= Level.LAST_DIGIT
+    return one.verdict <= Level.LAST_DIGIT or one.verdict is Level.LOW
 
 
 def _run_on(texts: list[str], lang: Lang) -> str:
