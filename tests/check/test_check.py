@@ -9,9 +9,10 @@ import pytest
 
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.check.printed.verdict import Verdict, check_printed
-from vecpoly.names import parse_rel
+from vecpoly.names import Named, parse_rel
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Printed
+from vecpoly.report.tables import printed_table
 
 
 def printed(text: str, value: float, kind: str = "calculated", key: str = "v_E") -> Printed:
@@ -58,6 +59,23 @@ def test_a_book_is_held_to_no_more_figures_than_it_reckoned_with(figures: int | 
 )
 def test_a_value_read_off_a_drawing_may_be_three_per_cent_off(value: float, verdict: Verdict) -> None:
     assert check_printed(printed(f"{value} m/s", value, "graphical"), 1.0).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("value", "verdict"),
+    [(26.9, Verdict.REPRODUCED), (28.0, Verdict.OUTLIER), (30.0, Verdict.WRONG), (227.0, Verdict.WRONG)],
+)
+def test_an_angle_read_off_a_drawing_may_be_a_degree_off_whatever_its_size(value: float, verdict: Verdict) -> None:
+    """3 % would be 0.8° of 26° and 7° of 227°."""
+    told = replace(printed(f"{value} deg", value, "graphical"), rel=Named("theta", "θ", "deg"))
+    assert check_printed(told, 222.0 if value > 200 else 26.0).verdict is verdict
+
+
+def test_a_table_of_printed_answers_tells_angles_off_in_degrees() -> None:
+    made = printed_table(check_problem(load("3-2")).answers, "zh")
+    assert made is not None and made.header[-2] == "偏差"
+    assert [row[-2] for row in made.rows if "φ" in row[0]] == ["+0.4°", "−0.4°"]
+    assert [row[-2] for row in made.rows if "ω" in row[0]] == ["+0.4 %"]
 
 
 @pytest.mark.parametrize(

@@ -265,7 +265,7 @@ def test_a_table_that_numbers_its_links_otherwise_is_matched_by_its_angles() -> 
         "phi_5",
     ]
     assert any("its links 5, 6 are the problem's links 4, 5" in note.en for note in check.notes)
-    assert check.column("theta5_deg").column.label.en == "the table's $θ_{5}$ (our $φ_{4}$)"
+    assert check.column("theta5_deg").column.label.en == "$θ_{5}$ (here $φ_{4}$)"
 
 
 # -- true tables ------------------------------------------------------------------------------------------------

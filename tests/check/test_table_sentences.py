@@ -323,7 +323,7 @@ def test_positions_are_shown_in_degrees_or_in_millimetres() -> None:
 
 def test_a_table_that_numbers_its_links_otherwise_is_told_with_both_numbers() -> None:
     label = column(TRUE, renumbered="ω_4").label
-    assert label == Words("表中 $ω_4$（即 $ω_{3}$）", "the table's $ω_4$ (our $ω_{3}$)")
+    assert label == Words("表中 $ω_4$（即 $ω_{3}$）", "$ω_4$ (here $ω_{3}$)")
 
 
 @pytest.mark.parametrize(

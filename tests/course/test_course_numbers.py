@@ -7,7 +7,7 @@ import re
 from dataclasses import replace
 from functools import cache
 from math import atan, copysign, cos, degrees, floor, log10, radians, sin, sqrt
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -16,6 +16,7 @@ from tests.laws import few
 from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.algebra.formula import Frac, Node, Power, Root, Row, Txt, plain
+from vecpoly.algebra.quantity import number
 from vecpoly.analytic.equations import Equation
 from vecpoly.analytic.expr import Num, Sum, Var
 from vecpoly.analytic.numbers import worked
@@ -30,7 +31,7 @@ from vecpoly.report.course.checks import book, comparison
 from vecpoly.report.course.checks.influences import CHANGE, influences, lost_range, targets
 from vecpoly.report.course.checks.tolerances import judged, largest, section
 from vecpoly.report.course.modelling import order
-from vecpoly.report.course.modelling.example import by_group, told
+from vecpoly.report.course.modelling.example import as_told_by_group, by_group, told
 from vecpoly.report.course.numbering import Press
 from vecpoly.solution import solve
 
@@ -88,8 +89,8 @@ def keyed(node: Node) -> str:
 
 
 def half_unit(value: float, turns: bool) -> float:
-    """Half a unit of the last digit printed: five figures, angles to 0.001°."""
-    return 0.0005 if turns else 0.5 * 10.0 ** (floor(log10(abs(value))) - 4) if value else 1e-13
+    """Half a unit of the last digit printed: six figures, angles to 0.0001°."""
+    return 0.00005 if turns else 0.5 * 10.0 ** (floor(log10(abs(value))) - 5) if value else 1e-13
 
 
 def reckoned(node: Node) -> float:
@@ -106,7 +107,7 @@ def largest_in(node: Node) -> float:
 def test_every_printed_substitution_gives_its_printed_result(name: str) -> None:
     """The figures printed give the result to half a unit of its last place."""
     it, lines = studied(name), 0
-    for group, env in zip(it.model.groups, by_group(it), strict=True):
+    for group, env in zip(it.model.groups, as_told_by_group(it), strict=True):
         for equation in told(group):
             node = worked(equation, env)
             assert isinstance(node, Row)
@@ -121,6 +122,18 @@ def test_every_printed_substitution_gives_its_printed_result(name: str) -> None:
             assert abs(gap) <= half_unit(result or largest_in(body), bool(m[3])) * (1.0 + 1e-6), plain(node)
             lines += 1
     assert lines >= 12
+
+
+def test_a_number_that_a_substitution_goes_on_with_is_the_one_that_was_printed() -> None:
+    it = studied("A-27")
+    ends = {number(one.size, 6) for group in it.model.groups for one in group.constants}
+    for group, env in zip(it.model.groups, as_told_by_group(it), strict=True):
+        for equation in told(group):
+            *_, body, end = cast("Row", worked(equation, env)).items
+            later = {one[0] for one in _NUMBER.finditer(plain(body)) if len(one[1].replace(".", "").lstrip("0")) == 6}
+            assert later <= ends, later - ends
+            ends |= {one[0] for one in _NUMBER.finditer(plain(end))}
+    assert len(ends) > 40
 
 
 def test_auxiliary_names_belong_to_their_group() -> None:

@@ -43,3 +43,10 @@ def test_moments_and_forces_of_friction_are_listed_as_the_equations_have_them() 
     assert {"$M_{fA}$", "$M_{fC,23}$", "$M_{fC,34}$"} <= {*shared} and "$M_{fC}$" not in shared
     assert {"$M_{fA}$", "$N_{43}$", "$T_{43}$", "$F_{f43}$"} <= {*guided}
     assert not any(one.startswith(("$M_{f", "$F_{f")) for one in told("six-bar-dynamic"))
+
+
+def test_symbols_of_masses_arms_and_limit_angles_are_listed_where_they_are_written() -> None:
+    """Those of a motion stand for themselves in its formulas; these only in the words."""
+    listed = {symbol for symbol, _, _ in rows_of(studied("3-9"), "$k$ = 4 $m_{3}$, $S_3$, $J_{S3}$, $h_0$, $W_{c1}$")}
+    assert {"$N$、$k$", "$m_i$", "$S_i$", "$J_{Si}$", "$h$", "$W_{ci}$"} <= listed
+    assert not {"$m_i$", "$h$"} & {symbol for symbol, _, _ in rows_of(studied("3-9"), "$ω_m$")}

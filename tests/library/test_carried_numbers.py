@@ -45,7 +45,7 @@ def test_what_is_read_has_the_figures_of_its_reading_three_at_least_and_one_more
 
 @pytest.mark.parametrize(
     ("name", "scale", "symbol", "end"),
-    [("3-10", "0.0015 m/mm", "l_CB", "0.11205 m"), ("A-27", "", "ω_2", "14.49 rad/s")],
+    [("3-10", "0.0015 m/mm", "l_CB", "0.11205 m"), ("A-27", "", "ω_2", "14.486 rad/s")],
 )
 def test_a_number_that_is_not_asked_has_the_figures_that_later_lines_need_up_to_five(
     name: str, scale: str, symbol: str, end: str
@@ -94,3 +94,16 @@ def test_an_answer_has_three_figures_and_four_after_a_leading_1_however_far_it_m
     """Of fewer the rounding would look like a deviation of the drawing: 0.0245 m/s told as 0.024 is 2 % off."""
     answer = solve(load("3-14")).answers[key]
     assert drawn_number(replace(answer, expected_error=error * answer.drawn)) == told
+
+
+@pytest.mark.parametrize(
+    ("name", "symbol", "number"),
+    [("hoist", "ω_1", "100.53"), ("hoist", "α_1", "251.15"), ("7-4", "J_F", "80.52"), ("4-3b", "h", "0.02275")],
+)
+def test_a_number_has_one_form_where_it_is_found_and_where_lines_go_on_with_it(
+    name: str, symbol: str, number: str
+) -> None:
+    """Of what is stated only, is computed, or is told in mm, too."""
+    lines = [plain(one) for step in solve(load(name)).construction.steps for one in step.formulas]
+    (found,) = (line for line in lines if line.startswith(f"{symbol} = "))
+    assert f"= {number} " in found and sum(number in line for line in lines) > 1

@@ -42,7 +42,7 @@ def steps(name: str) -> list[str]:
 @each(IDS)
 def test_the_number_of_centres_is_counted_first(name: str) -> None:
     k = len(real_links(drawn(name).problem.mechanism))
-    assert f"$K$ = {k} 个构件" in steps(name)[0] and count(drawn(name).problem.mechanism) == k * (k - 1) // 2
+    assert f"$k$ = {k} 个构件" in steps(name)[0] and count(drawn(name).problem.mechanism) == k * (k - 1) // 2
     first = 2 if is_own(name) else 1
     assert any("重画机构图" in words for words in steps(name)) is is_own(name)
     assert steps(name)[first].startswith("直接相连的构件，其瞬心由观察得到：")

@@ -8,8 +8,10 @@ import pytest
 
 from tests.drawn_library import IDS, drawn, given
 from tests.each import Later, each
+from tests.studies import solved
 from vecpoly.devices.structure import Structure
 from vecpoly.report.content import statement
+from vecpoly.report.statement.asked import asked
 from vecpoly.report.statement.groups import LONG
 from vecpoly.report.values import is_worded
 from vecpoly.words import Lang
@@ -48,7 +50,7 @@ def test_every_quantity_asked_stands_in_the_line_of_what_is_asked(name: str) -> 
     ("name", "kinds"),
     [
         ("3-5", ("速度", "角速度", "加速度", "角加速度")),
-        ("six-bar-dynamic", ("加速度", "角加速度", "惯性力和惯性力矩", "运动副反力")),
+        ("six-bar-dynamic", ("加速度", "角加速度", "惯性力、惯性力矩和力臂", "运动副反力")),
         ("2-6", ("活动构件数", "高副低代后：活动构件数")),
     ],
 )
@@ -67,3 +69,16 @@ def test_a_force_is_not_taken_for_a_mobility(name: str) -> None:
     """The F of a wedge has the key that the mobility has elsewhere."""
     for lang, word in (("zh", "自由度"), ("en", "mobility")):
         assert word not in statement(drawn(name).solution, lang)["asked"]  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        ("field-influence", "影响系数的大小 $α$"),
+        ("5-5", "下降时的效率 $η′$"),
+        ("7-2a", "传动比 $i_{0I}$、$i_{II,I}$"),
+        ("7-6", "速度不均匀系数 $δ$、最大转速 $n_{max}$"),
+    ],
+)
+def test_quantities_of_devices_are_asked_by_what_they_are(name: str, told: str) -> None:
+    assert told in asked(solved(name), "zh")

@@ -213,7 +213,7 @@ def test_a_frame_tells_the_numbers_of_the_equations_that_are_drawn_in_it_and_not
         written = [mark.words.en for mark in frame.marks if isinstance(mark, Note) and mark.key == KEY]
         assert len(written) == bool(numbers(answer, frame))
         for words in written:
-            assert re.fullmatch(r"Equations? \(\d+\)([–, ]+\(\d+\))*:", words)
+            assert re.fullmatch(r"Equations? \(\d+\)([–, ]+\(\d+\))*:?", words)
             runs = [[int(n) for n in re.findall(r"\d+", run)] for run in words.split(", ")]
             told += [n for run in runs for n in range(run[0], run[-1] + 1)]
     assert sorted(told) == [n for n, _ in enumerate((s for s in answer.steps if s.equation is not None), 1)]

@@ -160,12 +160,25 @@ def split_words(text: str) -> tuple[tuple[bool, str], ...]:
 
 
 def signed(nodes: Iterable[Node], signs: Iterable[int]) -> Row:
-    """A sum: each node behind its sign, +1 or −1; a leading plus is not written."""
+    """A sum: each node behind its sign, +1 or −1; a leading plus is not written, nor + before a negative number."""
     items: list[Node] = []
     for i, (node, sign) in enumerate(zip(nodes, signs, strict=True)):
+        if i and sign > 0 and isinstance(node, Txt) and node.text.startswith("(−"):
+            items.append(Txt(f" − {node.text[2:-1]}"))
+            continue
         items += [Txt(" + " if sign > 0 else " − ")] if i else [Txt("−")] if sign < 0 else []
-        items.append(node)
+        items.append(node if items else alone(node))
     return Row(tuple(items))
+
+
+def alone(node: Node) -> Node:
+    """A negative number without its brackets, where nothing stands before it."""
+    match node:
+        case Row((Txt() as only,)):
+            return alone(only)
+        case Txt(text) if text.startswith("(") and text.endswith(")"):
+            return Txt(text[1:-1])
+    return node
 
 
 def plain(node: Node) -> str:

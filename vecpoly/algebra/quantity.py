@@ -14,7 +14,7 @@ import numpy as np
 
 from ..foundation.slotted import dataclass
 from ..plane import Reals, nominal
-from .formula import Frac, Node, Over, Power, Root, Row, Txt, named, signed
+from .formula import Frac, Node, Over, Power, Root, Row, Txt, alone, named, signed
 from .functions import FUNCTIONS
 from .rounding import to_figures, to_places
 
@@ -140,7 +140,7 @@ class Quotient(Composed):
         return Frac(self.num.symbol(), self.den.symbol())
 
     def numbers(self, digits: int = FIGURES) -> Node:
-        return Frac(self.num.numbers(digits), self.den.numbers(digits))
+        return Frac(alone(self.num.numbers(digits)), alone(self.den.numbers(digits)))
 
 
 @dataclass(frozen=True, slots=True)

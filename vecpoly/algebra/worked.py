@@ -89,11 +89,11 @@ def goes_on(line: Row, shown: str, told: Callable[[Node, float], str]) -> bool:
     )
 
 
-def reckoned_again(line: Row, told: Callable[[Node, float], str]) -> float:
+def reckoned_again(line: Row, told: Callable[[Node, float], str], figures: int = FIGURES) -> float:
     """What a calculator shows for the line with the numbers that are told elsewhere, the others to their figures."""
     own = cast("Expr", line.worked)
     other = _each(own, lambda one: replace(one, told=told(one.node, float(nominal(one.value))) or one.told))
-    return _reckoned(other, FIGURES)
+    return _reckoned(other, figures)
 
 
 def stated(quantity: Quantity) -> Row:

@@ -1,6 +1,6 @@
 """The formulas with numbers put in, at one position: x_B = 0.04 × cos 58° = 0.0212 m.
 
-The numbers have guard figures where five would not give the printed result.
+Each number is rounded once, and the lines after it go on with it as it is printed.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from ..algebra.quantity import number
 from .equations import Equation
 from .expr import THIN, Const, Expr, Num, Product, Quotient, Sum, Var
 from .functions import Arctan, Square, SquareRoot, Wave
-from .keyed import ANGLES, FIGURES, figures_for, is_angle, turned
+from .keyed import ANGLES, FIGURES, is_angle, turned
 
 _UNITS = {"x": "m", "y": "m", "s": "m", "v": "m/s", "a": "m/s^2", "ω": "rad/s", "α": "rad/s^2"}
 Env = Mapping[str, float]
@@ -30,8 +30,7 @@ def worked(equation: Equation, env: Env) -> Node:
     bare = isinstance(equation.right, (Var, Const, Num))
     if bare:
         return Row((equation.left.node, end))
-    digits = figures_for(equation.right, env, value, angle)
-    body = (_angular if angle else numbers)(equation.right, env, digits)
+    body = (_angular if angle else numbers)(equation.right, env)
     if plain(body).replace(" ", "") == told.replace("-", "−"):  # −1, which a formula gave: nothing is worked out
         return Row((equation.left.node, end))
     return Row((equation.left.node, Txt(" = "), body, end))
@@ -42,7 +41,7 @@ def unit(symbol: str) -> str:
     return _UNITS.get(symbol[0], "")
 
 
-def numbers(expr: Expr, env: Env, digits: int = FIGURES) -> Node:
+def numbers(expr: Expr, env: Env) -> Node:
     """The expression with the values of all it holds (SI, angles in degrees)."""
     match expr:
         case Sum(terms):
@@ -50,20 +49,20 @@ def numbers(expr: Expr, env: Env, digits: int = FIGURES) -> Node:
             for i, (term, sign) in enumerate(terms):
                 items += [Txt(" + " if sign > 0 else " − ")] if i else [Txt("−")] if sign < 0 else []
                 first = not i and sign > 0 and isinstance(term, (Var, Const))  # −0.1 − (−0.0212)
-                items.append((numbers if first else _guarded)(term, env, digits))
+                items.append((numbers if first else _guarded)(term, env))
             return Row(tuple(items))
         case Product():
             return Row(
                 tuple(
                     node
                     for i, factor in enumerate(expr.printed)
-                    for node in ((Txt(" × "),) if i else ()) + (_guarded(factor, env, digits),)
+                    for node in ((Txt(" × "),) if i else ()) + (_guarded(factor, env),)
                 )
             )
         case Quotient(num, den):
-            return Frac(numbers(num, env, digits), numbers(den, env, digits))
+            return Frac(numbers(num, env), numbers(den, env))
         case Square(body):
-            inner = numbers(body, env, digits)
+            inner = numbers(body, env)
             return Power(
                 inner
                 if isinstance(inner, Txt) and not inner.text.startswith("−")
@@ -71,15 +70,15 @@ def numbers(expr: Expr, env: Env, digits: int = FIGURES) -> Node:
                 "2",
             )
         case SquareRoot(body):
-            return Root(numbers(body, env, digits))
+            return Root(numbers(body, env))
         case Wave(name, angle):
-            return Row((Txt(f"{name}{THIN}"), Txt(_turned(float(angle.value(env)), digits))))
+            return Row((Txt(f"{name}{THIN}"), Txt(_turned(float(angle.value(env))))))
         case Arctan(rise, run):
-            ratio = Frac(numbers(rise, env, digits), numbers(run, env, digits))
+            ratio = Frac(numbers(rise, env), numbers(run, env))
             turn = _half_turn(rise, run, env)
             principal = Row((Txt(f"arctan{THIN}"), ratio))
             return Row((principal, Txt(turn))) if turn else principal
-    return Txt(number(float(np.asarray(expr.value(env))), digits))
+    return Txt(number(float(np.asarray(expr.value(env))), FIGURES))
 
 
 def _half_turn(rise: Expr, run: Expr, env: Env) -> str:
@@ -88,7 +87,7 @@ def _half_turn(rise: Expr, run: Expr, env: Env) -> str:
     return "" if along >= 0 else " − 180°" if up < 0 else " + 180°"
 
 
-def _angular(expr: Expr, env: Env, digits: int) -> Node:
+def _angular(expr: Expr, env: Env) -> Node:
     """A sum of angles, each in degrees where it is a mere angle."""
     if isinstance(expr, Sum):
         return Row(
@@ -96,7 +95,7 @@ def _angular(expr: Expr, env: Env, digits: int) -> Node:
                 node
                 for i, (term, sign) in enumerate(expr.terms)
                 for node in ((Txt(" + " if sign > 0 else " − "),) if i else (Txt("−"),) if sign < 0 else ())
-                + (_angular(term, env, digits),)
+                + (_angular(term, env),)
             )
         )
     if isinstance(expr, Product) and any(is_angle(factor) for factor in expr.factors):
@@ -104,29 +103,28 @@ def _angular(expr: Expr, env: Env, digits: int) -> Node:
             tuple(
                 node
                 for i, factor in enumerate(expr.printed)
-                for node in ((Txt(" × "),) if i else ())
-                + ((_degrees if is_angle(factor) else _guarded)(factor, env, digits),)
+                for node in ((Txt(" × "),) if i else ()) + ((_degrees if is_angle(factor) else _guarded)(factor, env),)
             )
         )
     if isinstance(expr, (Var, Const)):
-        return Txt(_turned(float(expr.value(env)), digits))
-    return numbers(expr, env, digits)
+        return Txt(_turned(float(expr.value(env))))
+    return numbers(expr, env)
 
 
-def _degrees(expr: Expr, env: Env, digits: int) -> Node:
+def _degrees(expr: Expr, env: Env) -> Node:
     """An angle as a factor, a sum of angles in brackets."""
-    node = _angular(expr, env, digits)
+    node = _angular(expr, env)
     return Row((Txt("("), node, Txt(")"))) if isinstance(expr, Sum) else node
 
 
-def _guarded(expr: Expr, env: Env, digits: int) -> Node:
+def _guarded(expr: Expr, env: Env) -> Node:
     """In brackets where it is a sum or a negative number."""
-    node = numbers(expr, env, digits)
+    node = numbers(expr, env)
     negative = isinstance(node, Txt) and node.text.startswith("−")
     turned_on = isinstance(expr, Arctan) and _half_turn(expr.rise, expr.run, env)
     return Row((Txt("("), node, Txt(")"))) if isinstance(expr, Sum) or negative or turned_on else node
 
 
-def _turned(angle: float, digits: int) -> str:
-    text = turned(angle, digits)
+def _turned(angle: float) -> str:
+    text = turned(angle)
     return f"({text})" if text.startswith("−") else text

@@ -9,6 +9,7 @@ from math import isclose, isfinite, log10
 from ..algebra.columns import significant
 from ..algebra.formula import Node, Row, Sym, Txt, named
 from ..algebra.quantity import number
+from ..algebra.rounding import read_back
 from ..algebra.worked import goes_on, numbers_of, reckoned_again, scale_of, size_of, told_again
 from ..answer import YES_NO, Answer
 from .digits import MOST, decimals, leads_with_1, places_as_read, rounded
@@ -18,6 +19,7 @@ from .units import printed_unit
 NUMBER = re.compile(r"(−?)\d+(?:\.\d+)?(?:×10\^\{−?\d+\})?")  # as `number` writes it
 EQUALS, ABOUT = " = ", " ≈ "
 _FINE, _FEW = 5, 3  # figures of a number that is carried on, at most; of one that goes on with an answer, at least
+_MORE, _FINEST = 4, 6  # figures that it has where those are too few; where five are, for what lies midway
 _WHOLE = 100.0  # from there on a number is told to its ones at least
 _NEAR = 0.01  # share by which what printed numbers give may differ from what the drawing goes on with
 
@@ -35,12 +37,19 @@ class Told:
     def carry(self, lines: Sequence[tuple[Row, Txt | None]]) -> None:
         """Learn how what is not asked is printed: from the last line to the first, for a number that is told to more
         figures needs more figures of those that it is worked out from. None: the line has its own end."""
+        self._carry(lines)
+        if self._finer:  # lines that were settled before the guard figures of an answer were known
+            self._carried, self._later = {}, {}
+            self._carry(lines)
+
+    def _carry(self, lines: Sequence[tuple[Row, Txt | None]]) -> None:
+        """Once from the last line to the first."""
         needed: dict[Node, tuple[float, str]] = {}
         for line, end in reversed(lines):
-            if line.worked is None:
-                continue
             if end is None:
                 self._own(line, needed)
+            if line.worked is None:
+                continue
             shown = number_at_the_end(self._end(line, end))
             if shown is None:
                 continue
@@ -56,7 +65,7 @@ class Told:
     def _refine(self, symbol: Node, value: float, text: str) -> None:
         """Learn of an answer with which a line goes on with guard figures, that its own line must tell them."""
         answer, told = self._by_symbol.get(symbol), self._told(symbol, value).lstrip("−")
-        if answer is None or answer.computed or not told or not _figures(told) < _figures(text) <= _FINE:
+        if answer is None or not told or not _figures(told) < _figures(text) <= _FINEST:
             return
         self._finer[symbol] = max(self._finer.get(symbol, ""), text, key=_figures)
 
@@ -65,15 +74,18 @@ class Told:
         symbol, shown = line.items[0], number_at_the_end(line.items[-1])
         if shown is None or not isinstance(symbol, Sym) or symbol in self._by_symbol:
             return
-        size = size_of(line)
+        size = _size(line, needed.get(symbol))
         read = _to_scale(line, size)
         text = read or shown.lstrip("−")
         wanted, finer = needed.get(symbol, (size, text))
-        if isclose(wanted, size, rel_tol=1e-9) and _figures(text) < _figures(finer) <= _FINE:
+        if isclose(wanted, size, rel_tol=1e-9) and _figures(text) < _figures(finer) <= _FINEST:
             text = finer
         self._carried[symbol] = size, text
-        few = significant(size, _FEW + leads_with_1(size))
-        self._fewer(line, symbol, () if read or size >= _WHOLE or _figures(few) >= _figures(text) else (few,))
+        if line.worked is None:
+            return
+        least = _MORE if size >= _WHOLE else _FEW + leads_with_1(size)
+        short = (significant(size, figures) for figures in range(least, _MORE + 1))
+        self._fewer(line, symbol, () if read else tuple(few for few in short if _figures(few) < _figures(text)))
 
     def _fewer(self, line: Row, symbol: Node, short: tuple[str, ...]) -> None:
         """A number with the figures of a reading where later lines need no more. One that its line gives only with
@@ -83,37 +95,48 @@ class Told:
         sign = "−" if (number_at_the_end(line.items[-1]) or "").startswith("−") else ""
         reckoned, given = abs(reckoned_again(line, self._told)), goes_on(line, sign + text, self._told)
         near = (number(reckoned),) if not given and isclose(reckoned, size, rel_tol=_NEAR) else ()
-        for few in (*short, *near, *(() if given else (number(size, _FEW),))):
-            self._carried[symbol] = size, few
-            if goes_on(line, sign + few, self._told) and all(goes_on(*one, self._told) for one in users):
-                return
+        tried = (*short, *near, *(() if given else (number(size, _FEW),)))
+        five = number(abs(reckoned_again(line, lambda *_: "", _FINE)))
+        guarded = (*short, text, *((five,) if isclose(read_back(five)[0], size, rel_tol=_NEAR) else ()))
+        for reached, some in ((self._goes_on, tried), (self._within, guarded)):
+            for few in some:
+                self._carried[symbol] = size, few
+                if reached(line, sign + few) and all(self._goes_on(*one) for one in users):
+                    return
         self._carried[symbol] = size, text
+
+    def _goes_on(self, line: Row, shown: str) -> bool:
+        return goes_on(line, shown, self._told)
+
+    def _within(self, line: Row, shown: str) -> bool:
+        """Whether the line needs no more than a few guard figures to come to this."""
+        return all(_figures(text) <= _FINE for _, _, text in numbers_of(line, shown, self._told))
 
     def _end(self, line: Row, end: Txt | None) -> Node:
         """The end of a line: this one, or its own with the number as it is carried on."""
         last = self._guarded(line, end) or line.items[-1]
         carried = self._carried.get(line.items[0]) if end is None else None
-        if carried is None or not isinstance(last, Txt) or line.worked is None:
+        if carried is None or not isinstance(last, Txt):
             return last
         size, text = carried
-        if not isclose(size, size_of(line), rel_tol=1e-9):
+        if not isclose(size, _size(line, carried), rel_tol=1e-9):
             return last
         return Txt(NUMBER.sub(lambda found: found[1] + text, last.text, count=1))
 
     def _guarded(self, line: Row, end: Txt | None) -> Txt | None:
         """The end of an answer's line, after the number that later lines go on with: 3.126 rad/s ≈ 3.13 rad/s."""
         finer = self._finer.get(line.items[0])
-        if end is None or line.worked is None or finer is None or end.text.count(EQUALS) != 1:
+        if end is None or finer is None or EQUALS not in end.text:
             return end
-        if not isclose(abs(self._by_symbol[line.items[0]].drawn), size_of(line), rel_tol=1e-9):
+        drawn = abs(self._by_symbol[line.items[0]].drawn)
+        if not isclose(drawn, _size(line, (drawn, finer)), rel_tol=1e-9):
             return end
-        result = end.text.removeprefix(EQUALS)
-        return Txt(f"{EQUALS}{NUMBER.sub(lambda found: found[1] + finer, result, count=1)}{ABOUT}{result}")
+        result, *others = end.text.removeprefix(EQUALS).split(EQUALS)  # 0.02275 m ≈ 22.8 mm
+        exact = NUMBER.sub(lambda found: found[1] + finer, result, count=1)
+        return Txt(f"{EQUALS}{exact}{ABOUT}{EQUALS.join(others or [result])}")
 
     def line(self, line: Row, end: Txt | None) -> Row:
-        """The line with this end, or with its own; what is not worked out, or goes on with nothing asked, as it is."""
-        if end is None and line.worked is None:
-            return line
+        """The line with this end, or with its own; what goes on with nothing asked, as it is."""
         last = self._end(line, end)
         shown = number_at_the_end(last)
         if line.worked is None or not isinstance(last, Txt) or EQUALS not in last.text:
@@ -130,6 +153,14 @@ class Told:
             return ("−" if value < 0 else "") + finer if finer else number_of(answer, value, 1.0)
         size, text = self._carried.get(symbol, (0.0, ""))
         return ("−" if value < 0 else "") + text if text and isclose(abs(value), size, rel_tol=1e-9) else ""
+
+
+def _size(line: Row, told: tuple[float, str] | None) -> float:
+    """What a line comes to; of one that only states its number, what is told of its symbol, if that is the number."""
+    if line.worked is not None:
+        return size_of(line)
+    stated, half = read_back((number_at_the_end(line.items[-1]) or "").lstrip("−") or "0")
+    return told[0] if told is not None and abs(told[0] - stated) <= half else stated
 
 
 def number_at_the_end(end: Node) -> str | None:

@@ -9,14 +9,12 @@ from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Any
 
-from ..algebra.formula import Node, plain
+from ..algebra.formula import Node
 from ..algebra.quantity import number
 from ..board.construction import Step
-from ..board.paper.marks import Role, Segment
 from ..check.designs.found_words import all_ill_conditioned, told
 from ..check.shaking import shaking_of
 from ..check.structure import dependence
-from ..drawing.beside import beside as drawn_apart
 from ..mechanism.model import Mechanism
 from ..problem.asked.asks import AskCoriolis, AskNamed
 from ..problem.values.given import Datum
@@ -27,6 +25,7 @@ from .answers.asked_in_words import answered_in_words
 from .on_paper import on_paper
 from .sources import printed_source
 from .statement.asked import asked
+from .statement.conventions import conventions
 from .statement.in_table import in_table, in_table_words
 from .statement.structure import numbering, structure
 from .tables import listed
@@ -72,49 +71,9 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
         "structure": structure(problem).of(lang),
         "numbering": numbering(problem).of(lang),
         "scales": scales(solution, lang),
-        "hued": "hued" if _has_hues(solution) else "",
-        "dashed": "dashed" if _has_dashes(solution) else "",
-        "unsolvable": "unsolvable" if solution.construction.conclusion is not None else "",
-        "doubled": "doubled" if _has_doubled(solution) else "",
-        "coriolis": "coriolis" if any(key.startswith("ak_") for key in solution.construction.readings) else "",
-        "placed": "placed" if any(one.is_place for one in solution.answers.values()) else "",
-        "superscripts": "superscripts" if _has_numbers(solution) else "",
-        "primed": _primed(solution),
-    }
+    } | conventions(solution)
 
 
-def _has_numbers(solution: Solution) -> bool:
-    """Whether the number of a solution stands above symbols, l_AB^(1)."""
-    lines = (line for step in solution.construction.steps for line in step.formulas)
-    return any("^(" in plain(line) for line in lines)
-
-
-def _primed(solution: Solution) -> str:
-    """A point by whose prime the second solution is known on the sheet, while its quantities have a number; "" where
-    none is named."""
-    lines = (plain(line) for step in solution.construction.steps for line in step.formulas)
-    named = (_PRIMED.search(line.partition(" = ")[2]) for line in lines if "^(2)" in line)
-    return next((f"${found[0]}$" for found in named if found is not None), "")
-
-
-def _has_hues(solution: Solution) -> bool:
-    """Whether vectors have hues, in equations and figures alike."""
-    construction = solution.construction
-    return bool(construction.tones) and any(step.equation is not None for step in construction.steps)
-
-
-def _has_dashes(solution: Solution) -> bool:
-    """Whether the construction without friction stands beside that with it."""
-    marks = (mark for figure in solution.construction.figures for mark in figure.marks)
-    return any(isinstance(mark, Segment) and mark.role is Role.IDEAL for mark in marks)
-
-
-def _has_doubled(solution: Solution) -> bool:
-    """Whether vectors that lie on one line are drawn side by side."""
-    return any(drawn_apart(figure.view, figure.marks) is not figure.marks for figure in solution.construction.figures)
-
-
-_PRIMED = re.compile(r"[A-Z]′(?:_\d)?")
 _LONG = re.compile(r"(?<![\w.])(\d+\.\d+)(?= (mm)|[^\d.]|$)")
 _FIGURES = {"mm": 4}  # of a length; of other data one more
 
@@ -209,6 +168,9 @@ def _coriolis(answer: Answer) -> Words:
     return Words(f"存在哥氏加速度 {symbol}。", f"A Coriolis acceleration {symbol} exists.")
 
 
+_WITHIN = str.maketrans({"（": "，", "）": None, "(": "– ", ")": None})  # of a title that stands in brackets
+
+
 def scales(solution: Solution, lang: Lang) -> str:
     """μ_l = 0.001 m/mm, ...; each scale once, block diagrams have none."""
     figures = [figure for figure in solution.construction.figures if figure.scale.symbol and figure.scale.value]
@@ -216,7 +178,8 @@ def scales(solution: Solution, lang: Lang) -> str:
     for figure in figures:
         own = [figure.scale] if figure.scale.across is None else [figure.scale, figure.scale.across]
         told = [f"${scale.symbol}$ = {number(scale.told.value)} {scale.told.per_mm}" for scale in own]
-        named = (f"（{figure.title.zh}）" if lang == "zh" else f" ({_begun(figure.title.en)})") if len(own) > 1 else ""
+        title = _begun(figure.title.of(lang)).translate(_WITHIN)
+        named = (f"（{title}）" if lang == "zh" else f" ({title})") if len(own) > 1 else ""
         new = [text for text in told if text not in parts]
         parts |= dict.fromkeys(new, "")
         if new:

@@ -42,7 +42,7 @@ from .question.sketch import sketched
 from .tables import given_tables, printed_table
 from .templates import filled
 from .titles import subject
-from .verdicts import by_size, verdicts
+from .verdicts import judged_by, verdicts
 from .verification import as_moved, beside_exact, heads_told
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
@@ -215,10 +215,6 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "unlisted": unlisted(solution),
         "counts": all(map(counted, solution.answers.values())),
         "directed": answer.directed,
-        "graphical": any(
-            c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers
-        ),
-        "by_size": any(by_size(c.printed.rel) for c in checked.answers),
         "design": isinstance(solution.problem.subject, Design),
         "printed": objects.add("tab", printed) if printed is not None else "",
         "verdicts": verdicts(solution, checked, lang),
@@ -227,7 +223,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "diagram": objects.add("pic", sketch_of(blocks, solution, lang)) if blocks else "",
         "sheets": bound,
         "plates": [*takewhile(lambda name: isinstance(objects.named[name], Plate), bound)],
-    }
+    } | judged_by(checked.answers)
 
 
 def _repeats(construction: Construction) -> bool:

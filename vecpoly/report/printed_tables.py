@@ -18,6 +18,7 @@ _HEADER = {
     "zh": ("列", "结论", "相符行数", "最大偏差", "原因"),
     "en": ("Column", "Verdict", "Rows right", "Deviation", "By which slip"),
 }
+_RIGHT = 2  # column
 _AS_ABOVE = Words("同上", "as above")
 _UNKNOWN = Words("不明", "unknown")
 
@@ -40,10 +41,21 @@ def _table(checked: TableCheck, lang: Lang, put: Put) -> dict[str, Any]:
         "name": checked.title.of(lang),
         "whole": _run_on([words.of(lang) for words in checked.whole], lang),
         "notes": _run_on([words.of(lang) for words in checked.notes], lang),
-        "table": put(title, _HEADER[lang], _rows(checked, lang), "llrrl"),
+        "table": put(title, *_lines(checked, lang), "llrrl"),
         "short": "；".join(parts) if lang == "zh" else "; ".join(parts),
         "columns": [one.words.of(lang) for one in checked.columns if not _said(one, count[_cause(one)])],
     }
+
+
+def _lines(checked: TableCheck, lang: Lang) -> tuple[list[str], list[tuple[str, ...]]]:
+    """Heads and rows; of how many rows, in the head where that is one number."""
+    heads, rows = [*_HEADER[lang]], _rows(checked, lang)
+    counts = {row[_RIGHT].partition("/")[2] for row in rows}
+    if len(counts) == 1:
+        (every,) = counts
+        heads[_RIGHT] += f"（共 {every} 行）" if lang == "zh" else f" of {every}"
+        rows = [(*row[:_RIGHT], row[_RIGHT].partition("/")[0], *row[_RIGHT + 1 :]) for row in rows]
+    return heads, rows
 
 
 def _rows(checked: TableCheck, lang: Lang) -> list[tuple[str, ...]]:
@@ -96,7 +108,7 @@ def _said(one: ColumnCheck, sharing: int) -> bool:
             and one.best.level < Level.ROWS
             and len({slip.slip for slip in one.explanations} - {"constant factor"}) == 1
         )
-    return one.verdict <= Level.LAST_DIGIT
+    return one.verdict <= Level.LAST_DIGIT or one.verdict is Level.LOW
 
 
 def _run_on(texts: list[str], lang: Lang) -> str:

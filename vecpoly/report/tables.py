@@ -8,7 +8,7 @@ from math import isfinite
 
 from ..algebra.quantity import number
 from ..board.construction import Listing
-from ..check.printed.verdict import Checked
+from ..check.printed.verdict import Checked, is_angle
 from ..drawing.hues import ink_called
 from ..figures.hue import Hue
 from ..foundation.slotted import replace
@@ -26,8 +26,10 @@ _PRINTED = {
     "zh": ("量", "原书", "精确值", "偏差 /%", "结论"),
     "en": ("Quantity", "Textbook", "Exact", "Deviation /%", "Verdict"),
 }
+_OFF, _OFF_OR_ANGLE = 3, Words("偏差", "Deviation")  # column; its head where some of it are angles
 _UNIT = Words("单位", "Unit")
 _NONE = "—"
+_SENSE, _TURNING = re.compile(r"cw\b|[顺逆]"), (Words("顺时针", "clockwise"), Words("逆时针", "counter-clockwise"))
 _MANIFOLD = 2.0  # share off from which a deviation is told as a factor
 MOST_COLUMNS = 15  # of a table of stations, in all its blocks
 _DECIMAL, _PADDED = re.compile(r"[+−]?\d+(?:\.(\d+))?"), 2
@@ -115,14 +117,27 @@ def trimmed(
 
 def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable | None:
     """Printed answers, the exact values, and what is to be said of them; None where all are counts that agree."""
-    rows = [_printed_row(c, lang) for c in checked if not agreed(c)]
-    if not rows:
+    told = [c for c in checked if not agreed(c)]
+    if not told:
         return None
-    heads, cells = united(_PRINTED[lang], rows)
-    apart = unit_column(cells, (1, 2)) if [*heads] == [*_PRINTED[lang]] else None
+    header, rows = [*_PRINTED[lang]], [_printed_row(c, lang) for c in told]
+    if any(is_angle(c.printed) for c in told):
+        header[_OFF], rows = _OFF_OR_ANGLE.of(lang), [_with_units(row, c) for row, c in zip(rows, told, strict=True)]
+    heads, cells = united(header, rows)
+    apart = unit_column(cells, (1, 2)) if heads[1:3] == header[1:3] else None
     if apart is None:
         return DataTable(heads, cells, None, "ldddl", lang=lang)
     return DataTable([heads[0], _UNIT.of(lang), *heads[1:]], apart, None, "lcdddl", lang=lang)
+
+
+def _with_units(row: tuple[str, ...], c: Checked) -> tuple[str, ...]:
+    """The row with the unit of its deviation, of an angle in degrees: +0.4°, −1.2 %."""
+    off = row[_OFF]
+    if is_angle(c.printed):
+        off = percent(c.deviation * c.exact / 100, 1 if c.printed.kind == "graphical" else 2).replace(" %", "°")
+    elif off != _NONE:
+        off += " %"
+    return (*row[:_OFF], off, *row[_OFF + 1 :])
 
 
 def agreed(c: Checked) -> bool:
@@ -160,7 +175,11 @@ def _exact_like(checked: Checked, lang: Lang) -> str:
     rel = checked.printed.rel
     if rel is None or is_place(rel):
         return f"{number(checked.exact, 5)} m"
-    return value(checked.exact, rel.unit, lang, digits=5)
+    text = value(checked.exact, rel.unit, lang, digits=5)
+    if not checked.exact or not _SENSE.search(checked.printed.text):
+        return text
+    told = _TURNING[checked.exact > 0].of(lang)  # as the printed one has its sense
+    return text.lstrip("−") + (f"（{told}）" if lang == "zh" else f" ({told})")
 
 
 def symbol_of(checked: Checked) -> str:

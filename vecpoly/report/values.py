@@ -94,7 +94,7 @@ def called(symbol: str, key: str, lang: Lang) -> str:
     if key == "undercut" and symbol.startswith("x"):
         return f"根切（${symbol}$）" if lang == "zh" else f"undercut (${symbol}$)"
     if key == "undercut":
-        return "运动失真" if lang == "zh" else "undercut, motion lost"  # not by ρ alone: by corners, or elsewhere too
+        return "运动失真" if lang == "zh" else "undercut (motion lost)"  # not by ρ alone: by corners, or elsewhere too
     if _STATION.fullmatch(key):
         return f"${symbol}$"
     if key == "determined":

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..check.printed.answers import PrintedCheck
-from ..check.printed.verdict import Verdict
+from ..check.printed.verdict import Checked, Verdict, is_angle
 from ..names import Key
 from ..solution import Solution
 from ..words import Lang, Words, stopped
-from .tables import counted, percent, symbol_of
+from .tables import counted, symbol_of
 
 _HEADINGS = {
     "fail": Words("总评：", "On the whole: "),
@@ -36,10 +36,6 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
             said.append(
                 ("warn", Words(f"${symbol}$：{c.printed.note.zh}", f"${symbol}$: {c.printed.note.en}").of(lang))
             )
-        elif c.verdict is Verdict.OUTLIER and checked.fit is None:
-            off = percent(c.deviation, 1)
-            told = Words(f"${symbol}$ 偏差 {off}：作图不够准确。", f"${symbol}$ is off by {off}: a drafting error.")
-            said.append(("warn", told.of(lang)))
     if (
         checked.answers
         and not said
@@ -54,6 +50,16 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
     if checked.whole is not None:  # one error, which the others tell of: one box
         return [("fail", _GAP[lang].join(f"**{head.strip()}**{_AFTER[lang]}{text}" for _, head, text in boxes))]
     return [(kind, head + text) for kind, head, text in boxes]
+
+
+def judged_by(answers: Sequence[Checked]) -> dict[str, bool]:
+    """What a template may say of how the printed answers are judged."""
+    read = [c for c in answers if c.printed.kind == "graphical"]
+    return {
+        "graphical": any(c.printed.rel is None or c.printed.rel.is_vector for c in answers) or bool(read),
+        "angular": any(is_angle(c.printed) for c in read),
+        "by_size": any(by_size(c.printed.rel) for c in answers),
+    }
 
 
 def _listed(texts: Sequence[str], lang: Lang) -> str:

@@ -52,7 +52,7 @@ _SAID = {  # the same of a single solution, in a sentence
     ),
     _ORDER: Words("位置次序为 {}", "it takes them in the order {}"),
     _TYPE: Words("机构类型为{}", "its type is {}"),
-    _TYPE_OF: Words("$ABCD$ 为{}", "$ABCD$ is of the type {}"),
+    _TYPE_OF: Words("$ABCD$ 为{}", "type of $ABCD$: {}"),
     MARGIN: Words(
         "其余两杆之和减去最短杆与最长杆之和为 {}",
         "the sum of the other two links less that of the shortest and the longest is {}",
@@ -203,7 +203,7 @@ class _Line:
         cell = _YES if self.moved.full else _NO
         turns = _TURNS[cell]
         if added:
-            clause = Words(f"连同杆组{turns.zh}整周转动", f"with what is added it {turns.en} fully")
+            clause = Words(f"连同杆组{turns.zh}整周转动", f"with the dyad added it {turns.en} fully")
         else:
             clause = Words(f"原动件 ${ab}$ {turns.zh}整周转动", f"the driver ${ab}$ {turns.en} fully")
         return _Item(head, cell, clause)

@@ -18,6 +18,8 @@ from ...problem.problem import Printed
 from ...words import Words
 
 GRAPHICAL = 0.03  # relative deviation that a careful drawing may have
+DEGREE = 1.0  # that of an angle, which is no share of it, whatever line it is counted from
+MOST_DEGREES = 3.0  # beyond it, no drawing slip explains an angle
 ZERO = 1e-9  # of the printed value: rounding of an exact zero
 SLIP = 0.10  # beyond it, no drawing slip explains the number
 _NUMBER = re.compile(r"[-+−]?(\d+)(?:\.(\d+))?(?:[eE]([-+]?\d+))?")
@@ -74,6 +76,11 @@ def _signed(printed: Printed) -> bool:
 
 def _verdict(printed: Printed, value: float, truth: float, deviation: float, slip: float) -> Verdict:
     unit = max(last_digit(printed.text, value), _carried(printed, value))
+    if printed.kind == "graphical" and is_angle(printed):
+        gap = abs(value - truth)
+        if gap <= max(DEGREE, unit / 2):
+            return Verdict.REPRODUCED
+        return Verdict.OUTLIER if gap <= (MOST_DEGREES if slip > GRAPHICAL else DEGREE) else Verdict.WRONG
     if printed.kind == "graphical":
         if abs(deviation) <= GRAPHICAL or abs(value - truth) <= unit / 2:
             return Verdict.REPRODUCED
@@ -82,6 +89,11 @@ def _verdict(printed: Printed, value: float, truth: float, deviation: float, sli
         return Verdict.REPRODUCED
     units = abs(value - truth) / unit if unit else float("inf")
     return Verdict.ROUNDING if units <= 1 or (units <= 2 and abs(deviation) <= SLIP) else Verdict.WRONG
+
+
+def is_angle(printed: Printed) -> bool:
+    """Whether it is told in degrees."""
+    return printed.rel is not None and printed.rel.unit == "deg"
 
 
 def last_digit(text: str, value: float) -> float:

@@ -153,7 +153,7 @@ def _numbered(sheet: Sheet, head: Headings, mech: Mechanism, motion: Motion, not
     notes.append(
         Words(
             f"表中构件编号与题目不同：按转角判断，表中的构件 {theirs} 即题目的构件 {ours}。".replace(", ", "、"),
-            f"The table numbers its links otherwise: by their angles, its links {theirs} are the "
+            f"The table numbers its links differently: judging by their angles, its links {theirs} are the "
             f"problem's links {ours}.",
         )
     )

@@ -82,7 +82,7 @@ class Column:
         that of the table beside it where the table numbers the links otherwise."""
         symbol = f"${self.target.symbol}$"
         return (
-            Words(f"表中 ${self.renumbered}$（即 {symbol}）", f"the table's ${self.renumbered}$ (our {symbol})")
+            Words(f"表中 ${self.renumbered}$（即 {symbol}）", f"${self.renumbered}$ (here {symbol})")
             if self.renumbered
             else Words.same(symbol)
         )

@@ -57,7 +57,9 @@ def _swept(cycle: Cycle, found: Path, start: Words) -> Words:
     if found.passes == 1:
         return start + Words("。", ".")
     whole, all_ = cycle.whole, _mm(found.length)
-    span = Words("每循环" if whole else "在这一范围内", "a cycle" if whole else "in this range")
+    turn = whole and cycle.once is not cycle  # the cycle of a machine is several turns
+    span = Words("原动件每转一周" if turn else "每循环", "a turn of the drive" if turn else "a cycle")
+    span = span if whole else Words("在这一范围内", "in this range")
     if not found.passes:
         return start + Words(f"，{span.zh}往复走过的路程共 {all_} mm。", f", to and fro, {all_} mm {span.en} in all.")
     return start + Words(

@@ -53,16 +53,16 @@ def centre_pass(desk: Desk, problem: Problem, groups: tuple[Group, ...]) -> None
 
 
 def _count(desk: Desk) -> None:
-    """K links have N = K (K − 1) / 2 centres."""
+    """k links have N = k (k − 1) / 2 centres; K is the time ratio of the strokes, n counts the moving links."""
     k, n = len(real_links(desk.mech)), count(desk.mech)
     number = desk.mech.frame_number
     desk.board.step(
         Words(
-            f"机构（含机架 {number}）共有 $K$ = {k} 个构件，瞬心数目为：",
-            f"With the frame, {number}, the mechanism has $K$ = {k} links; the number of their centres is:",
+            f"机构（含机架 {number}）共有 $k$ = {k} 个构件，瞬心数目为：",
+            f"With the frame, {number}, the mechanism has $k$ = {k} links; the number of their centres is:",
         )
     )
-    desk.board.write(Row((*row("N = K(K − 1)/2").items, Txt(f" = {k} × {k - 1}/2 = {n}"))))
+    desk.board.write(Row((*row("N = k(k − 1)/2").items, Txt(f" = {k} × {k - 1}/2 = {n}"))))
 
 
 def _copy(fig: CentreFigure, paper: Paper, groups: tuple[Group, ...]) -> None:

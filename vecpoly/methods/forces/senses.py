@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...algebra.columns import significant
 from ...algebra.quantity import magnitude, number
+from ...algebra.rounding import places_of, read_back
 from ...algebra.worked import figures_for
 from ...board.construction import View
 from ...board.said.sides import side_of
@@ -57,10 +59,30 @@ def relative_omega(st: Statics, by: str, on: str) -> tuple[str, str]:
     if on == FRAME:
         return f"$ω_{{{j}{i}}}$ = −$ω_{i}$", f"ω_{{{j}{i}}}"
     one, two = st.turning(on, FRAME), st.turning(by, FRAME)
-    digits = figures_for(magnitude("ω_1", one, "rad/s") - magnitude("ω_2", two, "rad/s"))
-    taken = f"({number(two, digits)})" if two < 0 else number(two, digits)
-    gap = f"{number(one, digits)} − {taken} = {number(one - two)} rad/s"
-    return f"$ω_{{{j}{i}}}$ = $ω_{j}$ − $ω_{i}$ = {gap}", f"ω_{{{j}{i}}}"
+    if not two:  # a slider
+        return f"$ω_{{{j}{i}}}$ = $ω_{j}$ = {_as_answered(one)} rad/s", f"ω_{{{j}{i}}}"
+    return f"$ω_{{{j}{i}}}$ = $ω_{j}$ − $ω_{i}$ = {_difference(one, two)} rad/s", f"ω_{{{j}{i}}}"
+
+
+def _difference(one: float, two: float) -> str:
+    """Two rates with the figures of answers, three and four after a leading 1, and what these give; with more figures
+    where they would be told as one."""
+    first, second = map(_as_answered, (one, two))
+    gap = read_back(first)[0] - read_back(second)[0]
+    places = max(map(places_of, (first, second)))
+    if not gap:
+        digits = figures_for(magnitude("ω_1", one, "rad/s") - magnitude("ω_2", two, "rad/s"))
+        first, second, told = number(one, digits), number(two, digits), number(one - two)
+    else:
+        told = f"{gap:.{places}f}".replace("-", "−")
+    return f"{first} − {f'({second})' if two < 0 else second} = {told}"
+
+
+def _as_answered(rate: float) -> str:
+    """With three figures, four after a leading 1; a round number, such as that of the drive, as it is."""
+    figures = 3 + f"{abs(rate):e}".startswith("1")
+    plain = number(rate, figures)
+    return plain if number(rate, 9) == plain else significant(rate, figures)
 
 
 def velocity_of(st: Statics, link: str, place: Points) -> Points:

@@ -174,11 +174,6 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
         ),
         View.VELOCITY,
     )
-    if to.slide:
-        symbol = f"${to.load.symbol}$"
-        st.board.remark(
-            Words(f"{symbol} 以 ${moved.symbol}$ 的指向为正。", f" {symbol} is positive along ${moved.symbol}$.")
-        )
     parts = [written_power(st, work) for work in given]
     moving = [part for part in parts if nominal(part.value)]
     if not moving:
@@ -188,11 +183,26 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
     _keep_load(st, to, moved, moving, total / (moved.size.value * moved.sign))
 
 
+def _along(load: str, speed: str, along: bool) -> Words:
+    """How the sign of an equivalent force is counted, and what it says."""
+    sign, way = (
+        (Words("正", "positive"), Words("同向", "along"))
+        if along
+        else (Words("负", "negative"), Words("反向", "against"))
+    )
+    return Words(
+        f"${load}$ 以 ${speed}$ 的指向为正；各功率之和为{sign.zh}，故 ${load}$ 与 ${speed}$ {way.zh}：",
+        f" ${load}$ is positive along ${speed}$; the powers sum to a {sign.en} value, so it acts {way.en} ${speed}$:",
+    )
+
+
 def _keep_load(st: Statics, to: Equivalent, moved: Motion, moving: list[Quantity], value: Reals) -> None:
     """F_e with its sign along the motion; M_e as a size with its sense."""
     named, sense = to.load, int(np.sign(nominal(value)))
     way = 1
-    if not to.slide and sense:
+    if to.slide:
+        st.board.remark(_along(named.symbol, moved.symbol, nominal(value) >= 0))
+    elif sense:
         way = sense * int(nominal(moved.sign))
         powers = Words("各功率", "The powers")
         st.board.remark(told_by_powers(powers, way > 0, (named.symbol, moved.symbol), sense, along=way > 0))

@@ -49,7 +49,7 @@ def across_guide(desk: Desk, driven: Driven) -> Points:
     by, on = bodily(desk, driven.by), bodily(desk, driven.link)
     guide = bodily(desk, driven.press.guide)
     fixed = driven.press.guide == FRAME
-    track = Words("固定导路", "fixed guide") if fixed else Words(f"{guide.zh}的槽", f"slot of {guide.en}")
+    track = Words("固定导路", "fixed guide") if fixed else Words(f"{guide.zh}的滑道", f"slideway of {guide.en}")
     desk.board.step(
         Words(
             f"不计重力和摩擦，{by.zh}（{block_of(driven).zh}）只受两力，移动副中的力垂直于{track.zh}，故给从动件"

@@ -12,7 +12,7 @@ from ..links.guides import LINK
 from ..problem import Shape
 
 # what makes an angle with the guide
-_OWN = {Shape.SLOT: Words("的槽", "the slot of "), Shape.ROD: Words("的杆", "the rod of ")}
+_OWN = {Shape.SLOT: Words("的滑道", "the slideway of "), Shape.ROD: Words("的杆", "the rod of ")}
 
 
 def note_aside(m: re.Match[str], draft: Draft) -> None:

@@ -26,6 +26,7 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
     text = study.problem.text
     return {
         "file": press.objects.add("listing", Listing(in_one_language(text, press.lang))) if text else "",
+        "several": "extends:" in text,
         "tables": list(_tables(study, press)),
         "sparse": _every(study) > 1,
     }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from ...words import Words
@@ -13,26 +14,39 @@ COUNTED: tuple[Row, ...] = (  # in the chapter on the structure, which every rep
     ("$n$、$p_L$、$p_H$", Words("活动构件数、低副数、高副数", "numbers of moving links, lower, higher pairs"), "—"),
     ("$F$", Words("机构的自由度", "degrees of freedom"), "—"),
 )
-_ROWS: tuple[tuple[str, Row], ...] = (
-    ("$K$ = ", ("$K$", Words("行程速度变化系数", "time ratio of the strokes"), "—")),
-    ("$θ$ = ", ("$θ$", Words("极位夹角", "angle between the limit positions of the drive"), "°")),
-    ("$J_e$", ("$J_e$", Words("等效转动惯量", "equivalent moment of inertia"), "kg·m²")),
-    ("$M_e$", ("$M_e$", Words("等效力矩", "equivalent moment"), "N·m")),
-    ("∫$M$", ("$E$", Words("动能的增量", "change of the kinetic energy"), "J")),
-    ("$ΔW", ("$ΔW$", Words("盈亏功", "surplus or deficit of work"), "J")),
-    ("$ω_m", ("$ω_m$", Words("平均角速度", "mean angular velocity"), "rad/s")),
-    ("$δ$", ("$δ$", Words("速度不均匀系数", "coefficient of speed fluctuation"), "—")),
-    ("$J_F$", ("$J_F$", Words("飞轮的转动惯量", "moment of inertia of the flywheel"), "kg·m²")),
-    ("$r_{Si}$", ("$r_{Si}$", Words("由简化中心到质心 $S_i$ 的矢径", "position vector of the centre $S_i$"), "m")),
-    ("$m_c r_c$", ("$m_c r_c$", Words("配重的质径积", "mass-radius product of a counterweight"), "kg·m")),
-    ("$F_I$", ("$F_I$", Words("总惯性力", "resultant inertia force"), "N")),
-    ("$M_I$", ("$M_I$", Words("总惯性力矩", "resultant inertia moment"), "N·m")),
+_ROWS: tuple[tuple[str, Row], ...] = (  # what they follow from is how they are written
+    (r"\$K\$ = ", ("$K$", Words("行程速比系数", "time ratio of the strokes"), "—")),
+    (r"\$θ\$ = ", ("$θ$", Words("极位夹角", "angle between the limit positions of the drive"), "°")),
+    (r"\$J_e\$", ("$J_e$", Words("等效转动惯量", "equivalent moment of inertia"), "kg·m²")),
+    (r"\$M_e\$", ("$M_e$", Words("等效力矩", "equivalent moment"), "N·m")),
+    (r"∫\$M\$", ("$E$", Words("动能的增量", "change of the kinetic energy"), "J")),
+    (r"\$ΔW", ("$ΔW$", Words("盈亏功", "surplus or deficit of work"), "J")),
+    (r"\$ω_m", ("$ω_m$", Words("平均角速度", "mean angular velocity"), "rad/s")),
+    (r"\$δ\$", ("$δ$", Words("速度不均匀系数", "coefficient of speed fluctuation"), "—")),
+    (r"\$J_F\$", ("$J_F$", Words("飞轮的转动惯量", "moment of inertia of the flywheel"), "kg·m²")),
+    (r"\$r_\{Si\}\$", ("$r_{Si}$", Words("由简化中心到质心 $S_i$ 的矢径", "position vector of the centre $S_i$"), "m")),
+    (r"\$m_c r_c\$", ("$m_c r_c$", Words("配重的质径积", "mass-radius product of a counterweight"), "kg·m")),
+    (r"\$F_I\$", ("$F_I$", Words("总惯性力", "resultant inertia force"), "N")),
+    (r"\$M_I\$", ("$M_I$", Words("总惯性力矩", "resultant inertia moment"), "N·m")),
+    (
+        r"\$k\$ = \d",
+        ("$N$、$k$", Words("瞬心数、构件数（含机架）", "numbers of centres, of links with the frame"), "—"),
+    ),
+    (r"\$m_\{?[\di]", ("$m_i$", Words("构件 $i$ 的质量", "mass of link $i$"), "kg")),
+    (r"\$S_\{?[\di]", ("$S_i$", Words("构件 $i$ 的质心", "centre of mass of link $i$"), "—")),
+    (
+        r"\$J_\{?S",
+        ("$J_{Si}$", Words("构件 $i$ 对质心的转动惯量", "moment of inertia of link $i$ about $S_i$"), "kg·m²"),
+    ),
+    (r"\$h(_[^$]+)?\$", ("$h$", Words("力（力偶）的力臂", "arm of a force or couple"), "m")),
+    (r"\$W_\{?c", ("$W_{ci}$", Words("构件 $i$ 上配重的质径积", "mass-radius product on link $i$"), "kg·m")),
+    (r"\$P_\{?[FM]", ("$P_F$、$P_M$", Words("力、力矩的功率", "powers of a force, of a moment"), "W")),
 )
 
 
 def used(told: str) -> Iterator[Row]:
     """The rows of those that stand in these words."""
-    yield from (row for token, row in _ROWS if token in told)
+    yield from (row for written, row in _ROWS if re.search(written, told))
 
 
 def words_in(thing: object) -> str:

@@ -153,6 +153,11 @@ def centres(study: Study) -> Iterator[Row]:
     if any(key.startswith("P_") for key in study.solution.answers):
         told = Words("构件 $i$、$j$ 的（速度）瞬心", "instant centre of links $i$ and $j$")
         yield "$P_{ij}$", told, "—"
+    extended = next((key for key in study.solution.answers if key.endswith("_extended")), "")
+    if extended:
+        at = f"φ_{{{extended[4:-9]}}}"
+        told = Words("曲柄与连杆拉直、重叠共线时的曲柄位置角", "crank angles, crank and coupler extended, overlapped")
+        yield f"${at}^{{′}}$、${at}^{{′′}}$", told, "°"
 
 
 def scales(study: Study) -> Iterator[Row]:
@@ -165,7 +170,7 @@ def scales(study: Study) -> Iterator[Row]:
 def letters(study: Study) -> Iterator[Row]:
     """Letters of the polygons."""
     views_drawn = sorted({figure.view for figure in _figures(study)})
-    yield from ((*view.letters, "mm") for view in views_drawn if view.letters is not None)
+    yield from ((*view.letters, "—") for view in views_drawn if view.letters is not None)
 
 
 def components(study: Study) -> Iterator[Row]:

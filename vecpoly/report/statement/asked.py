@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeVar
 
@@ -20,7 +21,20 @@ from .meant import meant_by, plural
 _MEANT = {
     "h": Words("原动件上力偶的力臂 {}", "the arm {} of the couple on the input link"),
     "eta": Words("效率 {}", "the efficiency {}"),
+    r"J_e\d*": Words("等效转动惯量 {}", "the equivalent moment of inertia {}"),
+    r"M_e\d*": Words("等效力矩 {}", "the equivalent moment {}"),
+    r"m_e\d*": Words("等效质量 {}", "the equivalent mass {}"),
+    r"F_e\d*": Words("等效力 {}", "the equivalent force {}"),
+    "dW_max": Words("最大盈亏功 {}", "the greatest surplus of work {}"),
+    "J_F": Words("飞轮的转动惯量 {}", "the moment of inertia of the flywheel {}"),
+    "J_F_areas": Words("其近似值 {}", "its approximation {}"),
+    "phi_max": Words("最大转速的位置 {}", "the place of the greatest speed {}"),
+    "phi_min": Words("最小转速的位置 {}", "the place of the least speed {}"),
+    r"W_c\d+": Words("配重的质径积 {}", "the mass-radius product of the counterweight {}"),
+    r"theta_c\d+": Words("配重的方位角 {}", "the angular position of the counterweight {}"),
+    r"m_c\d+": Words("配重的质量 {}", "the mass of the counterweight {}"),
 }
+_IN_LINE = ("_extended", "_overlapped")  # crank and coupler, in one line
 _NUMBER = "number of "  # that is said once of several in a row
 ALL_CENTRES = Words("全部瞬心", "all instant centres")
 T = TypeVar("T")
@@ -123,9 +137,19 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
         return _load_told(kind, reading.key, symbol, solution).of(lang)
     if (meant := meant_by(solution.problem.subject, reading.key, symbol)) is not None:
         return meant.of(lang)
-    if isinstance(solution.problem.subject, Mechanism) and reading.key in _MEANT:
-        return _MEANT[reading.key].of(lang).format(symbol)
+    if isinstance(solution.problem.subject, Mechanism):
+        meant = next((words for keys, words in _MEANT.items() if re.fullmatch(keys, reading.key)), None)
+        if meant is not None:
+            return meant.of(lang).format(symbol)
+    if reading.key.endswith(_IN_LINE):
+        return _in_line(reading.key, symbol).of(lang)
     return curved(ask.rel, lang) + called(reading.symbol, reading.key, lang)
+
+
+def _in_line(key: str, symbol: str) -> Words:
+    """A crank angle at which a led point stands still."""
+    way = Words("拉直", "extended") if key.endswith(_IN_LINE[0]) else Words("重叠", "overlapped")
+    return Words(f"曲柄与连杆{way.zh}共线时的曲柄位置角 {symbol}", f"the crank angle {symbol} with both {way.en}")
 
 
 def _load_told(kind: Words, key: str, symbol: str, solution: Solution) -> Words:

@@ -47,7 +47,8 @@ GROUPS = (
     Group(r"omega_\d+$", "角速度", "angular velocity", "angular velocities"),
     Group(r"a[nktr]?_[A-Z]", "加速度", "acceleration", "accelerations"),
     Group(r"alpha_\d+$", "角加速度", "angular acceleration", "angular accelerations"),
-    Group(r"(F|M)_I\w*$|[mJh]_\d$", "惯性力和惯性力矩", "inertia force", "inertia forces and couples"),
+    Group(r"m_\d$|J_S", "质量和转动惯量", "mass", "masses and moments of inertia"),
+    Group(r"(F|M)_I\w*$|h_\d$", "惯性力、惯性力矩和力臂", "inertia force", "inertia forces, couples and arms"),
     Group(r"R[nt]?'*_", "运动副反力", "joint reaction", "joint reactions"),
 )
 T = TypeVar("T")

@@ -13,6 +13,7 @@ from ...devices.gears.generation import GearGeneration
 from ...devices.structure import Structure
 from ...words import Words
 from . import cam_words
+from .device_words import DEVICES
 
 _COUNTS = {
     "n(_low)?": Words("活动构件数", "number of moving links"),
@@ -23,6 +24,8 @@ _COUNTS = {
     "F(_low)?": Words("自由度", "degree of freedom"),
 }
 _ROTOR = {
+    "e_per": Words("许用偏心距", "permissible eccentricity"),
+    "U_per.*": Words("许用不平衡量", "permissible unbalance"),
     "W_S": Words("静不平衡的质径积", "mass-radius product of the static unbalance"),
     "W_b[^_]*": Words("平衡质径积", "balancing mass-radius product"),
     "W_r.*": Words("剩余质径积", "residual mass-radius product"),
@@ -48,7 +51,16 @@ _SHAKING = {
     "F": Words("振动力", "shaking force"),
 }
 _FLYWHEEL = {
+    "P": Words("电动机的功率", "power of the motor"),
+    "M_r": Words("阻力矩", "resisting moment"),
+    "delta": Words("速度不均匀系数", "coefficient of speed fluctuation"),
+    "n_max": Words("最大转速", "greatest speed"),
+    "n_min": Words("最小转速", "least speed"),
+    "phi_max": Words("最大转速的位置", "place of the greatest speed"),
+    "phi_min": Words("最小转速的位置", "place of the least speed"),
+    "E_.*": Words("动能的变化", "change of the kinetic energy"),
     "dW_max": Words("最大盈亏功", "greatest fluctuation of energy"),
+    "J_F2": Words("电动机轴上飞轮的转动惯量", "moment of inertia of a flywheel on the motor"),
     "J_F": Words("飞轮的转动惯量", "moment of inertia of the flywheel"),
     "GD2": Words("飞轮矩", "flywheel moment"),
     "m_rim": Words("轮缘质量", "mass of the rim"),
@@ -69,6 +81,10 @@ _GEAR = {
     "r_start": Words("渐开线起始圆半径", "radius at which the involute begins"),
 }
 _DESIGN = {
+    "K": Words("行程速比系数", "time ratio"),
+    "psi(_.*)?": Words("摇杆的摆角", "swing of the rocker"),
+    "H": Words("行程", "stroke"),
+    "epsilon_max": Words("最大结构误差", "greatest structural error"),
     "theta(_.*)?": Words("极位夹角", "angle between the limit positions"),
     "gamma_min(_.*)?": Words("最小传动角", "minimum transmission angle"),
     "alpha_max(_.*)?": Words("最大压力角", "greatest pressure angle"),
@@ -80,6 +96,7 @@ _NAMED: tuple[tuple[type, Mapping[str, Words]], ...] = (
     (Flywheel, _FLYWHEEL),
     (GearGeneration, _GEAR),
     (Design, _DESIGN),
+    *DEVICES,
 )
 
 
@@ -95,6 +112,8 @@ def plural(name: str) -> str:
 def _several(noun: str) -> str:
     if noun.endswith("radius"):
         return noun.removesuffix("us") + "i"
+    if noun.endswith("ty"):
+        return noun.removesuffix("y") + "ies"
     return noun + ("es" if noun.endswith("s") else "s")
 
 

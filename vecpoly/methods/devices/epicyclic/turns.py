@@ -65,7 +65,7 @@ def _by_teeth(bench: Bench, train: Epicyclic, found: Mapping[str, Quantity]) -> 
         return
     bench.board.step(
         Words(
-            "校核：转化轮系的传动比，由角速度（逆时针为正）求得者应与由齿数求得者相同：",
+            "校核：转化轮系的传动比，由角速度（逆时针为正）求得者应与由齿数求得者相符，差别为作图误差：",
             "Check: the ratio relative to the carrier is to be the same by the angular velocities (counter-clockwise "
             "positive) and by the teeth:",
         )

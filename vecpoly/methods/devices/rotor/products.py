@@ -21,17 +21,19 @@ def products(bench: Bench, rotor: Rotor) -> dict[str, Quantity]:
     board, unit = bench.board, rotor.weighing
     board.section(Words("质径积", "Mass–radius products"))
     holes = any(mass.removed for mass in rotor.masses.values())
+    told = not holes and all(mass.U is None and not mass.unknown for mass in rotor.masses.values())  # each by its line
     board.step(
         Words(
-            "算出各质量的质径积 $W$ = $m r$，列表。"
+            f"算出各质量的质径积 $W$ = $m r${'：' if told else '，列表。'}"
             + ("孔、槽处缺少质量，视为负质量，其质径积的方向与孔、槽的方位相反。" * holes),
-            "Compute the product $W$ = $m r$ of every mass."
+            f"Compute the product $W$ = $m r$ of every mass{':' if told else '.'}"
             + " At a hole or a keyway mass is missing: it counts as a negative mass, its product points the opposite "
             "way." * holes,
         )
     )
     found = {name: _product(bench, name, mass, unit) for name, mass in rotor.masses.items() if "m" not in mass.unknown}
-    board.tabulate(_table(rotor, found))
+    if not told:
+        board.tabulate(_table(rotor, found))
     return found
 
 

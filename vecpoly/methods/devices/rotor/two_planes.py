@@ -70,8 +70,8 @@ def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[s
         Words(
             f"把每个质径积按杠杆关系分解到平面 ${one}$ 和 ${other}$：{arm_told} 为质量 $i$ 到平面 ${one}$ 的距离，"
             f"{span_told} 为两平面的距离。",
-            f"Share every product between the planes ${one}$ and ${other}$ by the lever: {arm_told} is the distance of "
-            f"mass $i$ from plane ${one}$, {span_told} that of the two planes.",
+            f"Share every product between the planes ${one}$ and ${other}$ by the lever rule: {arm_told} is the "
+            f"distance of mass $i$ from plane ${one}$, {span_told} that of the two planes.",
         )
         + _overhung(over)
     )

@@ -148,9 +148,9 @@ def _slid_words(d: Dyad, inner: Prismatic, b: str, r: str) -> Words:
     if inner.guide == d.link_k:
         on = Words.same("") if d.parent_k == FRAME else Words(f"相对构件 {d.parent_k} ", f" on link {d.parent_k}")
         return Words(
-            f"构件 {d.link_k} {on.zh}只能沿其导路移动，方位已定：沿该导路推移，使其导槽通过 ${b}$。",
+            f"构件 {d.link_k} {on.zh}只能沿其导路移动，方位已定：沿该导路推移，使其滑道通过 ${b}$。",
             f"Link {d.link_k} can only move along its guide{on.en}, which fixes its orientation: "
-            f"shift it until its slot passes through ${b}$.",
+            f"shift it until its slideway passes through ${b}$.",
         )
     return Words(
         f"构件 {d.link_j} 与 {d.link_k} 之间不能相对转动，其导路方向已定：过 ${b}$ 按此方向作构件 {d.link_j} "

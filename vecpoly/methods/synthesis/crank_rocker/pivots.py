@@ -67,9 +67,9 @@ def _at_distance(draft: Draft, rocker: Rocker, locus: Locus, frame: float) -> It
 
 def _met(drawn: Words, locus: Locus, meets: bool) -> Words:
     """What is drawn, and whether it meets the locus."""
-    on = called(locus)
+    on, a = called(locus), f"$A{primes_of(locus)}$"
     if meets:
-        return Words(f"{drawn.zh}，与{on.zh}相交于 $A$。", f"{drawn.en}; it meets {on.en} at $A$.")
+        return Words(f"{drawn.zh}，与{on.zh}相交于 {a}。", f"{drawn.en}; it meets {on.en} at {a}.")
     return Words(f"{drawn.zh}，与{on.zh}不相交。", f"{drawn.en}; it does not meet {on.en}.")
 
 

@@ -6,6 +6,7 @@ from math import degrees
 
 import numpy as np
 
+from ....algebra.columns import column
 from ....algebra.quantity import magnitude
 from ....board.paper.marks import Dot, Role
 from ....designs.straight_line import BAND, L, StraightLine
@@ -24,6 +25,7 @@ from .path import Path
 STATIONS, FINE = 9, 80
 FLAT = 0.5  # mm: E nearer to BC lies on it
 APART = 7.0  # mm from the curve to a dimension
+ANGLE_PLACES = 2
 LEGIBLE = 2.0  # mm: of a narrower band on the drawing a reading says nothing
 
 
@@ -68,10 +70,10 @@ def _traced(draft: Draft, design: StraightLine, phis: list[float]) -> dict[str, 
 
 def _positions(design: StraightLine, phis: list[float]) -> Words:
     """The first step: where AB is set, and how C is found."""
-    angles = [f"{degrees(phi):.2f}".rstrip("0").rstrip(".") + "°" for phi in phis]
+    angles = [f"{angle}°" for angle in column([degrees(phi) for phi in phis], ANGLE_PLACES)]
     dead = [f"$φ_{n}$" for n, phi in enumerate(phis, 1) if design.dead(phi)]
     told = Words(
-        f"选 $μ_l$，画 $A$、$D$；在给定范围内取 $AB$ 的 {STATIONS} 个位置，使 $E$ 的各点间距相等："
+        f"选 $μ_l$，画 $A$、$D$；在给定范围内取 $AB$ 的 {STATIONS} 个位置，使相邻两 $E$ 点的间距相等："
         f"$φ$ = {'、'.join(angles)}。以两弧求 $C$，作出各位置的 $E$，连成光滑曲线。",
         f"Choose $μ_l$, draw $A$ and $D$; set $AB$ to {STATIONS} positions over the range, so that the places of $E$ "
         f"are equally far apart: $φ$ = {', '.join(angles)}. Find $C$ by two arcs and with it $E$, and lead a smooth "
@@ -136,7 +138,7 @@ def _computed(draft: Draft, band: float, heights: list[float]) -> Words:
     places = max(0, 2 - int(np.floor(np.log10(band)))) if band > 0 else 0
     rows = [f"{height:.{min(places, 6)}f}" for height in heights]
     narrow = Words(
-        f"轨迹的高低在上图中仅差 {on_paper:.2g} mm，量不准，故由计算求得：",
+        f"轨迹在上图中的高度差仅 {on_paper:.2g} mm，难以量准，故由计算求得：",
         f"On the drawing the heights of the path differ by {on_paper:.2g} mm only, too little to be read well; they "
         "are computed: ",
     )

@@ -43,7 +43,7 @@ def chapter(
         "peak": peaks.alone(study, told[0]).of(press.lang) if len(told) == 1 else "",
         "remarks": [w.of(press.lang) for w in remarks(study, told)],
         "conditioning": _conditioned(study, press, groups),
-        "condition": _only(study, groups[0]).of(press.lang) if len(groups) == 1 else "",
+        "condition": _only(study, groups[0], advised=bool(mending)).of(press.lang) if len(groups) == 1 else "",
         "singular": [w.of(press.lang) for w in mending],
         "forces": [w.of(press.lang) for w in force_analysis.forces(study)],
         "conclusion": _paragraphs(concluded, press.lang),
@@ -89,8 +89,8 @@ def _is_steady(one: Conditioning) -> bool:
     return one.ratio > 1 - 1e-9
 
 
-def _only(study: Study, one: Conditioning) -> Words:
-    """The only group's determinant, its minimum transmission angle, and the verdict, in sentences."""
+def _only(study: Study, one: Conditioning, *, advised: bool) -> Words:
+    """The only group's determinant, its minimum transmission angle (which advice tells, too), and the verdict."""
     group, by, low, high = one.group.title, f"$|{one.symbol}|$", study.where(one.phi), study.where(one.top)
     told = Words(f"{group.zh}的行列式 {by} 不变", f"{by}, the determinant of the {group.en}, does not change")
     if not _is_steady(one):
@@ -101,7 +101,7 @@ def _only(study: Study, one: Conditioning) -> Words:
         )
     if is_square(study, one):
         told += Words("，传动角恒为 90°", ", and the transmission angle is always 90°")
-    if one.gamma is not None:
+    if one.gamma is not None and not advised:
         least = f"{degrees(one.gamma.least.value):.1f}°"
         told += Words(
             f"；最小传动角为 {least}，误差最多放大 1/$sin γ$ = {one.times} 倍",

@@ -31,6 +31,7 @@ _AXES = {
 }
 _NEAR = 0.05  # degrees
 _MANY = 10  # quantities asked: of more, those of the output are told, and where the others stand
+_LISTED = 3  # instant centres asked: of more, a table tells the places
 _COMMA, _DRAWN, _EXACT = (
     Words("，", ", "),
     Words("作图求得", "the drawing gives "),
@@ -42,9 +43,9 @@ RATES = (Kind.V, Kind.A, Kind.OMEGA, Kind.ALPHA)
 def stated(study: Study) -> Iterator[Words]:
     """All that is asked, in the order asked: size and sense in the given position; and how far it is from exact."""
     keys = [ask.rel.key for ask in study.given.problem.asks]
-    main = _main(study, keys) if len(keys) > _MANY and study.drawn else []
-    centres = [key for key in main if key.startswith("P_")]
-    gathered = centres if len(centres) > _MANY else []
+    centres = [key for key in keys if key.startswith("P_")]
+    gathered = centres if len(centres) > _LISTED and study.drawn else []
+    main = _main(study, keys) if len(keys) - len(gathered) > _MANY and study.drawn else []
     told = [_centres(study, gathered)] if gathered else []
     told += [said for key in main or keys if key not in gathered and (said := _asked(study, key)) is not None]
     if not told:

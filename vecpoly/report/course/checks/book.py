@@ -8,7 +8,7 @@ from ....check.printed.answers import check_problem
 from ....findings.study.study import Study
 from ....words import Words
 from ...tables import printed_table
-from ...verdicts import verdicts
+from ...verdicts import judged_by, verdicts
 from ..numbering import SMALL, Press
 
 
@@ -24,4 +24,4 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
         if made
         else ""
     )
-    return {"table": table, "verdicts": verdicts(study.given, checked, press.lang)}
+    return {"table": table, "verdicts": verdicts(study.given, checked, press.lang)} | judged_by(checked.answers)

@@ -11,7 +11,7 @@ import numpy as np
 from ....algebra.quantity import number
 from ....analytic.equations import Equation, GroupModel
 from ....analytic.expr import Var
-from ....analytic.keyed import size
+from ....analytic.keyed import ANGLES, as_told, size
 from ....analytic.numbers import unit, worked
 from ....findings.study.study import Study
 from ....words import Words
@@ -25,15 +25,15 @@ _HEADER = {"zh": ["量", "数值"], "en": ["Quantity", "Value"]}
 
 def section(study: Study, press: Press) -> dict[str, Any]:
     """Groups with their formulas worked out, or one table of all values."""
-    where, envs = study.where(study.mech.drive.position), by_group(study)
+    where = study.where(study.mech.drive.position)
     if study.dense or not study.model.closed:
-        return {"where": where, "groups": [], "table": _table(study, press, envs)}
+        return {"where": where, "groups": [], "table": _table(study, press, by_group(study))}
     groups = [
         {
             "title": group.title.of(press.lang),
             "formulas": [press.objects.add("f", node) for node in (worked(e, env) for e in told(group))],
         }
-        for group, env in zip(study.model.groups, envs, strict=True)
+        for group, env in zip(study.model.groups, as_told_by_group(study), strict=True)
     ]
     return {"where": where, "groups": [group for group in groups if group["formulas"]], "table": ""}
 
@@ -52,6 +52,19 @@ def by_group(study: Study) -> list[dict[str, float]]:
             value = float(np.asarray(e.right.value(own)).ravel()[0])
             own[e.left.symbol] = 0.0 if abs(value) < max(_NOTHING, _LEFT * size(e.right, own)) else value
         found.append({k: 0.0 if abs(v) < _NOTHING else v for k, v in own.items()})
+    return found
+
+
+def as_told_by_group(study: Study) -> list[dict[str, float]]:
+    """The same, each rounded as it is printed and gone on with so, in the groups after it, too."""
+    found, kept = [], dict[str, float]()
+    for group, exact in zip(study.model.groups, by_group(study), strict=True):
+        own = exact | kept
+        for e in told(group):
+            assert isinstance(e.left, Var)
+            symbol = e.left.symbol
+            kept[symbol] = own[symbol] = as_told(e.right, own, symbol[0] in ANGLES) if exact[symbol] else 0.0
+        found.append(own)
     return found
 
 

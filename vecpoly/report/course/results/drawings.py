@@ -12,6 +12,7 @@ from ....drawing.sheets.sheet import Sheet, bound, sheets
 from ....errors import VecpolyError
 from ....findings.study.study import Study
 from ....foundation.slotted import replace
+from ....printed.midway import some_go_down
 from ....solution import Answer, Solution
 from ....words import Lang, Words
 from ...answers.placed import endless_words, place_words
@@ -155,6 +156,7 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
         "views": drawn_views(study.solution.construction).of(press.lang),
         "sections": sections(study.solution, press.lang, press.objects),
         "scales": scales(study.solution, press.lang),
+        "to_even": some_go_down(study.solution.construction),
         "readings": _given(study, press),
         "placed": _placed(study, press.lang),
         "others": _others(study, press, drawn[1:]),

@@ -16,6 +16,7 @@ from ....words import Words
 from ...flow.style import Style
 from ..numbering import SMALL, TINY, Press
 
+_ONE_TURN = Words("（每转一周重复，只列一周）", " (the same in every turn; one is listed)")
 _HALVED, _LONG = 6, 12  # a table of few columns and many rows is told in two halves beside each other
 _NARROW, _MOST_ABREAST = 3, 3  # columns of one that is told in three parts, where it is long
 _MOST = 6  # decimals
@@ -29,6 +30,8 @@ def tabled(study: Study, press: Press, keys: Sequence[str], title: Words, style:
     parts = dict.fromkeys(part for key in keys for part in study.turn.info(key).parts)
     made = table(study.turn, tuple(part for part in parts if study.varies(part)) or tuple(parts), study.rows[::every])
     made = _without_repeat(made) if study.whole.whole else made
+    if (period := _repeats_after(made)) < len(made.values):
+        made, title = replace(made, values=made.values[:period]), title + _ONE_TURN
     return laid_out(made, press, title, style, _HALVED if study.dense else _HALVED - 1)
 
 
@@ -36,6 +39,17 @@ def _without_repeat(made: Table) -> Table:
     """The table of a whole turn without its last row, where that is the first again."""
     first, last = made.values[0, 1:], made.values[-1, 1:]
     return replace(made, values=made.values[:-1]) if np.allclose(first, last, 1e-6, 1e-9, equal_nan=True) else made
+
+
+def _repeats_after(made: Table) -> int:
+    """The rows after which all of them come again: of a machine whose period is two turns, those of one turn."""
+    rows = made.values[:, 1:]
+    count, turns = len(rows), abs(made.values[-1, 0] - made.values[0, 0]) / 360.0
+    for n in range(2, round(turns) + 2):
+        part, left = divmod(count, n)
+        if not left and np.allclose(rows, np.tile(rows[:part], (n, 1)), 1e-6, 1e-9, equal_nan=True):
+            return part
+    return count
 
 
 def laid_out(made: Table, press: Press, title: Words, style: Style = SMALL, halved: int = _HALVED) -> str:

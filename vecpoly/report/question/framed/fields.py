@@ -17,10 +17,10 @@ from ..equations import numbers, runs
 
 KEY, READ = "equation", "readings"  # of what is written over and under a drawing
 FIELDS = (KEY, READ)
-MOST = 2  # equations that have a line each; more are told together
+MOST = 2  # equations that have a line each; of more the numbers are told, for they are written on the pages before
 WRITTEN = 80.0  # mm: a frame in which an equation is written
-_LINE, _EDGE, _GAP, _DROP = 7.5, 4.0, 2.0, 1.6  # mm: its height; to the frame; to the words, and below their middle
-_READINGS = Words("量得：", "Readings:")
+_LINE, _EDGE, _GAP, _DROP = 7.0, 4.0, 2.0, 1.6  # mm: its height; to the frame; to the words, and below their middle
+_READINGS, _COLON = Words("量得：", "Readings:"), Words("：", ":")
 
 
 class Fields(NamedTuple):
@@ -34,8 +34,10 @@ class Fields(NamedTuple):
 
     @property
     def lines(self) -> int:
-        """How many there are for the equations."""
-        return min(len(self.equations), self.most)
+        """How many there are for the equations; of more than have a line each one tells the numbers."""
+        if not self.most:  # their numbers stand before the readings, if there are any
+            return int(bool(self.equations) and not self.read)
+        return min(len(self.equations), self.most) if len(self.equations) <= MOST else 1
 
     @property
     def above(self) -> float:
@@ -66,22 +68,39 @@ def _place(figure: Figure) -> Place:
 
 def written(some: Fields, low: complex, high: complex) -> Iterator[Mark]:
     """The lines in a frame from its lower left to its upper right corner."""
-    if some.equations:
-        parts = ["–".join(f"({n})" for n in dict.fromkeys((run[0], run[-1]))) for run in runs(some.equations)]
-        words = Words(f"方程 {'、'.join(parts)}：", f"Equation{'s' * (len(some.equations) > 1)} {', '.join(parts)}:")
-        top = complex(low.real, high.imag)
-        yield from _named(words, top - 1j * _LINE / 2, high.real, KEY)
+    told, top, foot = _equations(some.equations), complex(low.real, high.imag), low + 1j * _LINE / 2
+    if some.lines and (len(some.equations) > MOST or not some.most):
+        yield _note(told, top - 1j * _LINE / 2, KEY)
+    elif some.lines:
+        yield from _named(told + _COLON, top - 1j * _LINE / 2, high.real, KEY)
         for n in range(1, some.lines):
             yield _rule(top.real + _EDGE, high.real, top.imag - (n + 1 / 2) * _LINE - _DROP, KEY)
+    elif some.equations:
+        yield _note(told, foot, KEY)
+        foot += _wide(told) + _EDGE
     if some.read:
-        yield from _named(_READINGS, low + 1j * _LINE / 2, high.real, READ)
+        yield from _named(_READINGS, foot, high.real, READ)
+
+
+def _equations(found: tuple[int, ...]) -> Words:
+    """Their numbers: 方程 (1)–(3)."""
+    parts = ["–".join(f"({n})" for n in dict.fromkeys((run[0], run[-1]))) for run in runs(found)]
+    return Words(f"方程 {'、'.join(parts)}", f"Equation{'s' * (len(found) > 1)} {', '.join(parts)}")
+
+
+def _note(words: Words, at: complex, key: str) -> Note:
+    return Note(at=at + _EDGE, words=words, side=1 + 0j, step=1, key=key)
+
+
+def _wide(words: Words) -> float:
+    """How wide words are in the language in which they are wider (mm)."""
+    return max(layout_words(text, NOTE).width for text in (words.zh, words.en))
 
 
 def _named(words: Words, at: complex, end: float, key: str) -> Iterator[Mark]:
     """Words with a line behind them that goes on to the other side of the frame."""
-    yield Note(at=at + _EDGE, words=words, side=1 + 0j, step=1, key=key)
-    wide = max(layout_words(text, NOTE).width for text in (words.zh, words.en))
-    yield _rule(at.real + _EDGE + wide + _GAP, end, at.imag - _DROP, key)
+    yield _note(words, at, key)
+    yield _rule(at.real + _EDGE + _wide(words) + _GAP, end, at.imag - _DROP, key)
 
 
 def _rule(start: float, end: float, y: float, key: str) -> Segment:

@@ -25,7 +25,7 @@ from .room import outline
 
 WHITES = (8.0, 6.5, 5.0)  # mm that stay free between a figure and its frame: less where that spares a sheet
 BORDER = 4  # marks that are the frame itself
-NEXT = 4.0  # mm that stay free between a figure and a line to write on
+NEXT = 2.5  # mm that stay free between a figure and a line to write on
 MOST = 6  # frames on a sheet
 _NO_END = 10**6  # sheets, before any are found
 
@@ -75,11 +75,12 @@ def _with_fields(asked: Sequence[Figure], told: Sequence[Fields], on: Paper) -> 
 
 
 def _trials(told: Sequence[Fields]) -> Iterator[tuple[float, Sequence[Fields]]]:
-    """Frames with less and less room for what is written in them, then with less white."""
-    broad, less = [some._replace(broad=True) for some in told], [some._replace(read=False) for some in told]
-    few = [some._replace(most=1) for some in less]
-    yield from product(WHITES[:1], (broad, told, less, few))
-    yield from product(WHITES[1:], (told, few))
+    """Frames with less and less room for what is written in them, then with less white. Equations, which are written
+    on the pages before, give up their lines before readings do, which are written nowhere else."""
+    broad, bare = [some._replace(broad=True) for some in told], [some._replace(most=0) for some in told]
+    one = [some._replace(most=1) for some in told]
+    yield from product(WHITES[:1], (broad, told, one, bare))
+    yield from product(WHITES[1:], (told, bare))
 
 
 def _with_poles(asked: Sequence[tuple[Figure, Fields]], white: float, on: Paper) -> list[Grid]:

@@ -1,0 +1,120 @@
+"""What the quantities of devices are called where they are asked for, by their keys."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ...devices.balancing.engine import InlineEngine
+from ...devices.balancing.field import FieldBalancing
+from ...devices.dynamics.reduced import ReducedTrain
+from ...devices.dynamics.run_up import RunUp
+from ...devices.gears.epicyclic import Epicyclic
+from ...devices.incline import Incline
+from ...devices.power_train import PowerTrain
+from ...devices.ring_spring import RingSpring
+from ...devices.screw_jack import ScrewJack
+from ...devices.vee_guide import VeeGuide
+from ...devices.wedge_clamp import WedgeClamp
+from ...devices.wedges import Wedges
+from ...words import Words
+
+_ENGINE = {
+    "lambda": Words("曲柄连杆比", "crank-rod ratio"),
+    "W_I+": Words("质径积的矢量和", "vector sum of the products"),
+    "F_I+": Words("惯性力", "inertia force"),
+    "C_I+": Words("质径积对中间平面之矩的矢量和", "vector sum of the moments of the products"),
+    "M_I+": Words("惯性力偶", "inertia couple"),
+}
+_FIELD = {
+    r"V_t(_\d)?": Words("试重引起的振动", "effect of the trial weight"),
+    "phi_t": Words("其相位", "its phase"),
+    "alpha": Words("影响系数的大小", "size of the influence coefficient"),
+    "beta": Words("影响系数的相位", "phase of the influence coefficient"),
+    r"m_b(_\d)?": Words("校正质量", "correction mass"),
+    r"theta_b(_\d)?": Words("校正质量的方位角", "angular position of the correction mass"),
+    "spread": Words("三圆交点的散布", "spread of the meetings of the circles"),
+}
+_FRICTION = {
+    "phi": Words("摩擦角", "friction angle"),
+    "F": Words("驱动力", "driving force"),
+    "F_0": Words("理想驱动力", "ideal driving force"),
+    "eta": Words("效率", "efficiency"),
+    "F_r": Words("反行程的力", "force of the return stroke"),
+    "eta_r": Words("反行程的效率", "efficiency of the return stroke"),
+    "alpha_limit": Words("自锁的极限角", "limit angle of self-locking"),
+    "lock_direct": Words("正行程自锁的极限摩擦角", "limit friction angle of the direct stroke"),
+    "lock_reverse": Words("反行程自锁的极限摩擦角", "limit friction angle of the return stroke"),
+    "alpha_min": Words("不自锁的最小角", "least angle without self-locking"),
+    "alpha_max": Words("不自锁的最大角", "greatest angle without self-locking"),
+}
+_CLAMP = {key: words for key, words in _FRICTION.items() if key in ("phi", "alpha_limit")}  # F holds the wedge there
+_JACK = {
+    "phi": Words("摩擦角", "friction angle"),
+    "alpha": Words("螺纹升角", "lead angle"),
+    "M1(_over_Q)?": Words("螺纹中的力矩", "moment of the thread"),
+    "M2(_over_Q)?": Words("环面的摩擦力矩", "friction moment of the ring"),
+    "M(_over_Q)?": Words("手柄上的力矩", "moment of the lever"),
+    "M0(_over_Q)?": Words("理想力矩", "ideal moment"),
+    "eta": Words("效率", "efficiency"),
+    "eta_thread": Words("螺纹的效率", "efficiency of the thread"),
+    "Q": Words("载荷", "load"),
+    "M_r_over_Q": Words("下降时的力矩", "moment of lowering"),
+    "eta_r": Words("下降时的效率", "efficiency of lowering"),
+}
+_GUIDE = {
+    "F1|F2": Words("两导轨的支承力", "load of the guide"),
+    "N_flank": Words("V 形一侧的法向反力", "normal force on a flank of the V"),
+    "f_vee": Words("V 形导轨的当量摩擦系数", "equivalent coefficient of the V guide"),
+    "F_f_.*": Words("一条导轨的摩擦力", "friction force of the guide"),
+    "F_f": Words("总摩擦力", "whole friction force"),
+    "f_V": Words("整个导轨的当量摩擦系数", "equivalent coefficient of both guides"),
+}
+_TRAIN = {
+    "P_out": Words("输出功率", "power delivered"),
+    "eta_prime": Words("并联部分的效率", "efficiency of the parallel part"),
+    "eta": Words("总效率", "efficiency of the whole"),
+    "P": Words("电动机的功率", "power of the motor"),
+    r"P_\w+_in": Words("供给各分支的功率", "power of the branch"),
+}
+_REDUCED = {
+    "i_.*": Words("传动比", "speed ratio"),
+    "J_e": Words("等效转动惯量", "equivalent moment of inertia"),
+    "M_r": Words("等效阻力矩", "equivalent resisting moment"),
+    "M_d": Words("等效驱动力矩", "equivalent driving moment"),
+    "M_e": Words("等效力矩", "equivalent moment"),
+    "alpha_.*": Words("角加速度", "angular acceleration"),
+    "omega_.*": Words("角速度", "angular velocity"),
+    "t": Words("起动时间", "starting time"),
+    "N": Words("转数", "number of revolutions"),
+    "lift": Words("提升高度", "lift"),
+    "F_rope": Words("绳的拉力", "tension of the rope"),
+}
+_RUN = {
+    "omega_s": Words("稳定角速度", "steady angular velocity"),
+    "T": Words("机电时间常数", "time constant"),
+    "omega_t": Words("给定时刻的角速度", "angular velocity at the given time"),
+    "t": Words("时间", "time"),
+    "N": Words("转数", "number of revolutions"),
+    "t_b": Words("制动时间", "time with the brake"),
+    "N_b": Words("制动时的转数", "number of revolutions with the brake"),
+}
+_EPICYCLIC = {
+    r"v_\w+": Words("速度", "velocity"),
+    r"omega_\w+": Words("角速度", "angular velocity"),
+    r"i_\w+": Words("传动比", "speed ratio"),
+}
+
+DEVICES: tuple[tuple[type, Mapping[str, Words]], ...] = (
+    (InlineEngine, _ENGINE),
+    (FieldBalancing, _FIELD),
+    (Incline, _FRICTION),
+    (Wedges, _FRICTION),
+    (RingSpring, _FRICTION),
+    (WedgeClamp, _CLAMP),
+    (ScrewJack, _JACK),
+    (VeeGuide, _GUIDE),
+    (PowerTrain, _TRAIN),
+    (ReducedTrain, _REDUCED),
+    (RunUp, _RUN),
+    (Epicyclic, _EPICYCLIC),
+)
