@@ -24,12 +24,12 @@ def lettered(name: str) -> tuple[Drawing, ...]:
 
 
 @cache
-def laid(name: str, lang: Lang = "zh") -> tuple[Sheet, ...]:
-    """The sheets of this problem as its report has them."""
+def laid(name: str, lang: Lang = "zh", bands: bool = False) -> tuple[Sheet, ...]:
+    """The sheets of this problem as its report has them; bands: as they are for results."""
     solution = drafted(name)
     assert solution is not None
     problem = solution.problem
-    return sheets(solution.construction, lang=lang, title=problem.title, on=problem.paper, plates=True)
+    return sheets(solution.construction, lang=lang, title=problem.title, on=problem.paper, plates=True, bands=bands)
 
 
 def span(sheet: Sheet) -> tuple[float, float]:

@@ -20,6 +20,7 @@ from vecpoly.typeset import Glyphs
 
 LEVEL = 0.3  # mm by which two labels overlap in height, or in width, to be in one line, or over each other
 ON = 0.3  # mm: a point so near to a line is on it
+NEAR = 1.8  # mm between two labels
 BESIDE, OVER = 1.5, 0.8  # mm between two labels in one line, and over each other, that keep them two
 
 
@@ -82,6 +83,12 @@ def crammed(drawn: Drawing) -> list[str]:
         if (dy < -LEVEL and dx < BESIDE) or (dx < -LEVEL and dy < OVER):
             found.append(f"{text_of(label)} and {text_of(other)} stand {max(dx, dy):.1f} mm apart")
     return found
+
+
+def close(drawn: Drawing) -> int:
+    """How many pairs of labels stand so near that it takes a second look to tell what each names."""
+    boxes = np.array([_box(rect) for rect in drawn.label_boxes], dtype=object)
+    return int(np.triu(shapely.dwithin(boxes[:, None], boxes[None, :], NEAR), 1).sum()) if len(boxes) else 0
 
 
 def fractions(drawn: Drawing) -> list[str]:

@@ -32,6 +32,11 @@ def test_instant_centres_are_listed_where_the_report_finds_any(name: str, has: b
     assert ("$P_{ij}$" in told(name)) is has
 
 
+@pytest.mark.parametrize(("name", "asked"), [("curv-6", ["$L_{f2}$、$L_{m2}$", "$Q_i$、$Q′_i$"]), ("3-9", [])])
+def test_centrodes_and_curvatures_are_listed_where_they_are_asked(name: str, asked: list[str]) -> None:
+    assert [symbol for symbol in told(name) if symbol[1] in "LQWU"] == asked
+
+
 def test_the_list_of_a_report_reads_from_lengths_to_scales() -> None:
     symbols = told("3-1d")
     wanted = ["$F$", "$l_{AB}$", "$φ_i$", "$v_{Ex}$", "$ω_i$", "$a_{Ex}$", "$α_i$", "$K$", "$G_1$", "$μ_l$"]

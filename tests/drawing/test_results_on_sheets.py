@@ -35,7 +35,7 @@ def _laid(name: str, *, plates: bool = True, warned: bool = False) -> tuple[Shee
     if solution is None:
         return ()
     if plates and not warned:
-        return concluded(laid(name), solution, "zh")
+        return concluded(laid(name, bands=True), solution, "zh")
     construction = solution.construction
     shown = replace(construction, warning=SUSPECT) if warned else construction
     made = sheets(shown, lang="zh", on=solution.problem.paper, plates=plates)
@@ -96,7 +96,7 @@ def test_figures_that_moved_together_for_the_results_are_true_to_scale_where_the
     """Each item is that of the figure at its origin."""
     solution = drafted(name)
     assert solution is not None
-    for before, after in zip(laid(name), _laid(name), strict=True):
+    for before, after in zip(laid(name, bands=True), _laid(name), strict=True):
         for (one, scene), (other, moved) in zip(before.parts, after.parts, strict=True):
             by = other.origin - one.origin
             pairs = zip(scene.items, moved.items, strict=True)

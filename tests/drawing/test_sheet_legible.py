@@ -211,9 +211,14 @@ def test_a_small_mechanism_with_forces_or_centres_about_it_has_the_room_of_one_s
 
 
 @pytest.mark.parametrize("name", ["curv-1", "curv-2"])
-def test_a_mechanism_that_is_small_on_a_plate_has_a_page(name: str) -> None:
+def test_no_mechanism_is_made_small_for_a_plate(name: str) -> None:
     (sheet,) = laid(name)
-    assert not sheet.plate and linked(drawn(name).figures(View.MECHANISM)[0]) > 0.9 * OWN
+    assert sheet.plate and linked(drawn(name).figures(View.MECHANISM)[0]) > 0.9 * OWN
+
+
+def test_a_first_sheet_of_which_bands_would_be_white_is_a_plate_in_the_text() -> None:
+    one, other = laid("class-iii")
+    assert one.plate and share(one) > 0.85 and not other.plate
 
 
 LETTERED = ["stephenson-valve-gear", "class-iii-slides", "B-24", "A-30-b", "dump-hoist"]

@@ -13,7 +13,9 @@ from tests.each import each
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import TURN, AngleMark, FixedGuide, Ground, Mark, Role, Segment, TurnArrow
 from vecpoly.drawing.labels.wants import wants
+from vecpoly.drawing.scene import Layer
 from vecpoly.drawing.swung import swung
+from vecpoly.drawing.symbols.angles import draw_angle
 
 LINK = Segment(a=-20 + 7j, b=20 + 7j, role=Role.LINK, step=1)
 
@@ -86,3 +88,9 @@ def test_in_the_library_arrows_of_speeds_and_moments_cross_no_link_where_there_i
 
 
 CROSSING = {"plate-two-slides"}  # three links meet about the arrow's point
+
+
+def test_the_arc_of_an_angle_is_hidden_by_no_slot_and_no_block() -> None:
+    for sweep in (1.0, 0.2):
+        arc, *rest = draw_angle(AngleMark(at=0j, radius=12.0, start=0.0, sweep=sweep, label="φ"))
+        assert all(item.layer > max(Layer.SLOT, Layer.BODY) for item in (arc, *rest))

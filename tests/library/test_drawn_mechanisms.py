@@ -182,6 +182,12 @@ def test_the_arrow_of_the_drive_turns_as_the_drive_does(name: str) -> None:
     assert [mark.ccw for mark in arrows] == ([] if drive.slide else [drive.rate > 0])
 
 
+def test_a_drive_that_gains_speed_has_a_second_arrow_clear_of_the_first() -> None:
+    first, second = marks("planet-drive", TurnArrow)
+    assert (first.label, second.label, second.ccw) == ("ω_1", "α_1", True)
+    assert abs(cmath.phase(cmath.exp(1j * (second.start - first.start)))) > 1.8 or second.radius != first.radius
+
+
 def bars(name: str) -> list[list[complex]]:
     """The points of every plain bar: no guide, no block, no gear, no cam."""
     problem = drawn(name).problem

@@ -104,7 +104,7 @@ def test_result_vectors_measure_on_the_page_what_they_measure_on_the_board(name:
     told by the corner of its frame."""
     it = solve(load(name))
     path = write_report([it], tmp_path / "r.pdf")
-    (sheet,) = sheets(it.construction, title=it.problem.title, plates=True)
+    (sheet,) = sheets(it.construction, title=it.problem.title, plates=True, bands=False)
     with pdfplumber.open(path) as document:
         page = _drawn_page(document)
         framed = [one for one in page.rects if one["stroke"]]

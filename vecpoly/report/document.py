@@ -235,7 +235,7 @@ def _repeats(construction: Construction) -> bool:
 def _pages(construction: Construction, solution: Solution, lang: Lang, objects: Objects) -> list[str]:
     """The sheets of a construction, each put among the objects of the report, whose box of answers has the results."""
     problem = solution.problem
-    made = sheets(construction, lang=lang, title=problem.title, on=problem.paper, plates=True)
+    made = sheets(construction, lang=lang, title=problem.title, on=problem.paper, plates=True, bands=False)
     return _bound(made, construction, lang, objects)
 
 

@@ -23,7 +23,7 @@ from .ground import broken
 from .placing import BAD, Placed
 from .rivals import Named, misled_here
 from .spots import spot, spots
-from .want import Want, resized
+from .want import BREAKING, Want, resized
 
 APART, BESIDE = 0.9, 1.5  # mm between two labels one over the other, and side by side
 CLASH = 200.0  # what standing on another label costs
@@ -131,9 +131,10 @@ def _costs(stayed: Mapping[int, Placed], around: Around) -> Floats:
     """What each label stands on, and what it could be taken to name if it has no leader."""
     labels = list(stayed.values())
     own = np.array([label.want.own for label in labels], dtype=complex).reshape(-1, 2)
-    sizes = np.array([(label.want.width, label.want.height) for label in labels]).reshape(-1, 2)
+    size = np.array([complex(label.want.width, label.want.height) for label in labels], dtype=complex)
+    breaks = np.array([label.want.thing in BREAKING for label in labels], dtype=bool)
     at = np.array([label.centre for label in labels], dtype=complex)
-    cost = around.obstacles.cost(at, sizes[:, 0], sizes[:, 1], (own[:, 0], own[:, 1]), [slice(0, len(at))])
+    cost = around.obstacles.cost(at, size, (own[:, 0], own[:, 1]), [slice(0, len(at))], breaks)
     led = np.array([label.foot is not None for label in labels], dtype=bool)
     middles = {number: label.centre for number, label in stayed.items()}
     return cost + np.where(led, 0.0, misled_here(Named.by(around.wanted, around.unnamed, around.grounds), middles))

@@ -11,7 +11,7 @@ from typing import Any
 from ...foundation.slotted import dataclass, replace
 from ..scene import Fill, Item, Rect, Stroke
 from .about.obstacles import Obstacles, is_solid
-from .ground import is_ground
+from .ground import gives_way, is_ground
 from .placing import Placed, place
 from .want import Line, Spot, Want
 
@@ -80,7 +80,7 @@ def _stands(item: Item) -> Key:
     """What tells how far labels keep clear of a line or an area."""
     match item:
         case Stroke(points=points, width=width, closed=closed):
-            return points, width, closed, is_ground(item)
+            return points, width, closed, is_ground(item), gives_way(item)
         case Fill(points=points):
             return points, is_solid(item)
         case _:

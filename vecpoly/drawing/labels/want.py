@@ -29,6 +29,11 @@ class Thing(Enum):
     OTHER, POINT, LINK, VECTOR, END, DIRECTION, ARC, ACTION = range(8)
 
 
+BREAKING = frozenset(
+    (Thing.POINT, Thing.LINK, Thing.ARC)
+)  # a name of a line would be taken for that of the one it breaks
+
+
 @dataclass(frozen=True, slots=True)
 class Want:
     """A label to be placed beside points of a curve: each with a normal (0: all directions) and a radius to keep."""

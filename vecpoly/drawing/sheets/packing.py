@@ -85,25 +85,25 @@ def _best(slicing: Slicing, start: int, end: int, sizes: Sequence[Size], page: S
     return (None, True) if found is None else (found[0], is_read(found[1]))
 
 
-def flat(sizes: Sequence[Size], pairs: frozenset[Pair] = frozenset()) -> Layout | None:
-    """The figures on a plate no larger than they need; None where it would be as high as a page."""
-    for slicing in slicings(sizes, (PLATE, HIGHEST), pairs):
-        made = _plates(slicing, sizes)
+def flat(sizes: Sequence[Size], pairs: frozenset[Pair] = frozenset(), most: Size = (PLATE, HIGHEST)) -> Layout | None:
+    """The figures on a plate no larger than they need; None where it would be wider or higher than this."""
+    for slicing in slicings(sizes, most, pairs):
+        made = _plates(slicing, sizes, most[0])
         if made:
             least = max(layout.share(sizes) for layout in made) - LITTLE
-            wide = [layout for layout in _plates(slicing.read, sizes) if layout.share(sizes) >= least]
+            wide = [layout for layout in _plates(slicing.read, sizes, most[0]) if layout.share(sizes) >= least]
             return max(wide or made, key=lambda layout: layout.share(sizes))
     return None
 
 
-def _plates(slicing: Slicing, sizes: Sequence[Size]) -> list[Layout]:
+def _plates(slicing: Slicing, sizes: Sequence[Size], widest: float) -> list[Layout]:
     """All figures on a plate, in every shape."""
-    return [_plate(shape, sizes, len(slicing.tied)) for shape in slicing.shapes(0, len(sizes))]
+    return [_plate(shape, sizes, len(slicing.tied), widest) for shape in slicing.shapes(0, len(sizes))]
 
 
-def _plate(shape: Shape, sizes: Sequence[Size], together: int) -> Layout:
+def _plate(shape: Shape, sizes: Sequence[Size], together: int, widest: float) -> Layout:
     wide, high, piece = shape
-    page = (max(NARROW, min(PLATE, wide + AROUND)), high + AROUND)
+    page = (max(NARROW, min(widest, wide + AROUND)), high + AROUND)
     return _layout(piece, (0, len(sizes)), sizes, padded(sizes), page, together)
 
 

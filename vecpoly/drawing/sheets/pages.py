@@ -8,10 +8,11 @@ from typing import Generic, Protocol, TypeVar
 from ...board.construction import View
 from .packing import Layout, flat, packed, slicings
 from .slicing import Pair, Size
-from .space import SPARSE
+from .space import HIGHEST, LARGEST, PLATE, SPARSE
 
 CROWDED = 6.5  # mm of white below which a page is full to the brim
 LONGEST = 12  # figures on a page
+BANDS, FULLER = 0.7, 0.12  # of a page that figures take that leave bands of it white; so much more they take of a plate
 
 
 class Sized(Protocol):
@@ -47,9 +48,21 @@ def covered(figures: Sequence[Sized], layout: Layout) -> float:
 
 def trimmed(figures: Sequence[Sized], layout: Layout) -> Layout:
     """The figures on a plate no higher than they need, where they would be lost on the page."""
-    if covered(figures, layout) >= SPARSE:
+    return _on_plate(figures, layout, (PLATE, HIGHEST)) if covered(figures, layout) < SPARSE else layout
+
+
+def plated(figures: Sequence[Sized], layout: Layout) -> Layout:
+    """The same where they leave bands of the page white, on a plate that may be nearly as large as a page, if it is
+    filled so much better."""
+    share = covered(figures, layout)
+    if share >= BANDS:
         return layout
-    plate = flat([one.size for one in figures], pairs_of(figures))
+    made = _on_plate(figures, layout, LARGEST)
+    return made if covered(figures, made) > share + FULLER else trimmed(figures, layout)
+
+
+def _on_plate(figures: Sequence[Sized], layout: Layout, most: Size) -> Layout:
+    plate = flat([one.size for one in figures], pairs_of(figures), most)
     return plate if plate is not None and covered(figures, plate) > covered(figures, layout) else layout
 
 

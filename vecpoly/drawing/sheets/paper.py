@@ -8,7 +8,7 @@ from math import isclose
 
 from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
-from ...board.paper.marks import Disc, Dot, FixedGuide, GearMark, LinkNumber, Mark, Point, Vector
+from ...board.paper.marks import Disc, Dot, FixedGuide, GearMark, LinkNumber, Mark, Point, TurnArrow, Vector
 from ...board.paper.scales import Sketched
 from ...board.place import Pane, Place
 from ...foundation.slotted import dataclass
@@ -92,7 +92,10 @@ def nearest_pins(figure: Figure, least: float) -> float:
 
 
 def _asks_for_room(mark: Mark, figure: Figure) -> bool:
-    """Whether it has a label among lines; on a structural sketch the number of the frame stands under its support."""
+    """Whether it has a label among lines; on a structural sketch the number of the frame stands under its support, and
+    the arrow with α about the same pivot as that with ω."""
+    if isinstance(mark, TurnArrow) and mark.label.startswith("α"):
+        return False
     if isinstance(mark, LinkNumber):
         return bool(figure.scale.symbol) or mark.owner != "frame"
     return bool(getattr(mark, "label", ""))

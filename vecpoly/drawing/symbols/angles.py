@@ -45,9 +45,9 @@ def draw_turn(mark: TurnArrow, hue: Hue) -> tuple[Item, ...]:
 
 
 def draw_angle(mark: AngleMark) -> tuple[Item, ...]:
-    """The arc of an angle, with arrowheads where there is room for them."""
+    """The arc of an angle, with arrowheads where there is room for them; no slot or block hides it."""
     bow = Stroke(
-        points=shapes.arc(mark.at, mark.radius, mark.start, mark.sweep), width=THIN, layer=Layer.THIN, step=mark.step
+        points=shapes.arc(mark.at, mark.radius, mark.start, mark.sweep), width=THIN, layer=Layer.OVER, step=mark.step
     )
     if narrow(mark):
         return (bow, *_pointed_at(mark))
@@ -73,7 +73,7 @@ def _pointed_at(mark: AngleMark) -> tuple[Item, ...]:
     for ray, out in ((mark.start, -tail), (mark.start + mark.sweep, tail)):
         turn = -math.copysign(1.0, out)
         items.append(
-            Stroke(points=shapes.arc(mark.at, mark.radius, ray, out), width=THIN, layer=Layer.THIN, step=mark.step)
+            Stroke(points=shapes.arc(mark.at, mark.radius, ray, out), width=THIN, layer=Layer.OVER, step=mark.step)
         )
         items.append(
             Fill(points=curved_head(mark.at, mark.radius, ray, turn, INNER_HEAD), layer=Layer.HEAD, step=mark.step)

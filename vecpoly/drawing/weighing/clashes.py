@@ -21,10 +21,13 @@ from .stood import (
     APART,
     AS_ONE,
     CLEAR,
+    CORNER,
+    CORNERED,
     FRACTION,
     LEADER_ON_LABEL,
     LEADERS_CROSS,
     LEVEL,
+    LISTED,
     MISREAD,
     OVER,
     OVERLAP,
@@ -125,8 +128,11 @@ def _crowded(trial: Trial, others: Others, place: Indices, other: Indices) -> Fl
     price += np.where((dx <= 0) & (dx > APART - AS_ONE) & level, MISREAD, 0.0)
     in_line = (dx <= APART - AS_ONE) & (dx > APART - RUN) & (np.abs(apart.imag) < LEVEL)
     price += np.where(in_line & level, RUNS_ON, 0.0)
+    corner = (dy <= 0) & ~over & (np.minimum(dx, dy) > APART - CORNER)
+    price += np.where(corner, CORNERED, 0.0)
     if over.any():
-        price += np.where(over & (dy > APART - STACK), np.where(dy > APART - TIGHT, MISREAD, STACKED), 0.0)
+        stack = np.where(others.things == Thing.OTHER, LISTED, STACK)[other] if trial.thing is Thing.OTHER else STACK
+        price += np.where(over & (dy > APART - stack), np.where(dy > APART - TIGHT, MISREAD, STACKED), 0.0)
         if trial.thing in OVER:  # a letter over a number, or a number over a letter
             fraction = np.asarray(others.things == OVER[trial.thing], dtype=bool)[other]
             price += np.where(over & fraction & (dy > APART - FRACTION), READ_SO, 0.0)

@@ -12,7 +12,7 @@ from ..labels.about.obstacles import Obstacles
 from ..labels.leading import alongside
 from ..labels.rivals import Named, misled
 from ..labels.spots import Spots, ends
-from ..labels.want import Line, Spot, Want
+from ..labels.want import BREAKING, Line, Spot, Want
 from ..scene import Rect
 
 BEYOND_FRAME = 60.0  # a mm beyond the allowed frame
@@ -66,10 +66,11 @@ def priced(obstacles: Obstacles, places: Sequence[tuple[Want, Complexes]]) -> li
     """What the lines and solids of a figure cost each label at each of its places."""
     counts = [len(centre) for _, centre in places]
     own = _repeated([want.own for want, _ in places], counts)
-    size = _repeated([(want.width, want.height) for want, _ in places], counts).real
+    size = np.repeat([complex(want.width, want.height) for want, _ in places], counts)
+    breaks = np.repeat([want.thing in BREAKING for want, _ in places], counts)
     centre = np.concatenate([centre for _, centre in places])
     groups = _groups(counts)
-    cost = obstacles.cost(centre, size[:, 0], size[:, 1], (own[:, 0], own[:, 1]), groups)
+    cost = obstacles.cost(centre, size, (own[:, 0], own[:, 1]), groups, breaks)
     return [cost[some] for some in groups]
 
 

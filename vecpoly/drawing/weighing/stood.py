@@ -12,7 +12,9 @@ from ..labels.want import Thing
 APART = 0.7  # mm between two labels
 AS_ONE, MISREAD = 1.8, 39.0  # mm side by side below which two labels are read as one, and what that costs
 RUN, RUNS_ON, LEVEL = 4.2, 6.0, 1.5  # the same in one line, within so many mm: D 2 of one thing, or of two
-STACK, STACKED = 1.3, 12.0  # mm one over the other below which they look like a fraction, and what that costs
+STACK, STACKED = 2.2, 9.0  # mm one over the other below which they look like a fraction, and what that costs
+LISTED = 1.3  # the same of numbers of an axis
+CORNER, CORNERED = 1.7, 6.0  # mm from corner to corner below which one is taken for the other's, and what that costs
 FRACTION, READ_SO = 3.2, 30.0  # the same of the letter of a point and the number of a link: D over 4
 TIGHT = 0.9  # mm one over the other below which they are taken for one
 OVER = {Thing.POINT: Thing.LINK, Thing.LINK: Thing.POINT}
@@ -61,21 +63,23 @@ class Stood:
         dx, dy = room.real + APART - abs(apart.real), room.imag + APART - abs(apart.imag)
         near = dx > APART - RUN and dy > APART - FRACTION
         fraction, level = OVER.get(self.thing) is other.thing, abs(apart.imag) < LEVEL
-        cost = _crowded(dx, dy, fraction, level) if near else 0.0
+        stack = LISTED if self.thing is other.thing is Thing.OTHER else STACK
+        cost = _crowded(dx, dy, fraction, level, stack) if near else 0.0
         cost += LEADER_ON_LABEL * _strikes(self, other) + LEADER_ON_LABEL * _strikes(other, self)
         return cost + LEADERS_CROSS * _cross(self, other)
 
 
-def _crowded(dx: float, dy: float, fraction: bool, level: bool) -> float:
+def _crowded(dx: float, dy: float, fraction: bool, level: bool, stack: float) -> float:
     """What it costs that two labels are on, beside or one over the other; dx, dy: mm by which they are too near;
-    fraction: whether one over the other they would be read as one; level: whether they stand in one line."""
+    fraction: whether one over the other they would be read as one; level: whether they stand in one line; stack: mm
+    between them, one over the other, that are enough."""
     if dy > 0:
         if dx > APART - AS_ONE:
             return OVERLAP + PER_AREA * dx * dy if dx > 0 else MISREAD
         return RUNS_ON if level else 0.0
     if dx <= APART:
-        return 0.0
-    stacked = (MISREAD if dy > APART - TIGHT else STACKED) if dy > APART - STACK else 0.0
+        return CORNERED if min(dx, dy) > APART - CORNER else 0.0
+    stacked = (MISREAD if dy > APART - TIGHT else STACKED) if dy > APART - stack else 0.0
     return stacked + (READ_SO if fraction else 0.0)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import ceil, degrees, floor, log10
 
@@ -15,6 +15,7 @@ from ...words import Words
 BEYOND, TICK = 9.0, 1.5  # mm: how far the axes run on; half a tick
 STEPS = (1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180, 360)  # deg from tick to tick
 MOST = 8  # ticks
+ROUNDING = 1e-6  # of a step
 LEVELS = 4  # round numbers, about, along the axis that goes up
 
 
@@ -65,10 +66,20 @@ def _levels(axes: Axes, scale: float) -> Iterator[tuple[float, str]]:
             yield value / scale, f"{value:.6g}".replace("-", "−")
 
 
-def angle_ticks(board: Board, place: Place, period: float) -> Iterable[tuple[float, str]]:
-    """Round angles up to the end of a period (rad), and its end."""
+def angle_ticks(
+    board: Board, place: Place, period: float, corners: Sequence[float] = ()
+) -> Iterable[tuple[float, str]]:
+    """Round angles up to the end of a period (rad), and its end; those among them, if that can be, at which a curve has
+    its corners (rad)."""
     whole = degrees(period)
-    step = next((one for one in STEPS if whole / one <= MOST), 360)
+    step = angle_steps(whole, [*map(degrees, corners)])
     inner = [step * i for i in range(1, int(whole / step) + 1) if step * i < whole - step / 3]
     for angle in (*inner, whole):
         yield period * angle / whole / board.scale_of(place).right.value, f"{angle:.6g}°"
+
+
+def angle_steps(whole: float, corners: Sequence[float]) -> int:
+    """From tick to tick (deg): the least that makes few ticks, if there is one among which all corners are."""
+    steps = [one for one in STEPS if whole / one <= MOST] or [STEPS[-1]]
+    at_corners = (one for one in steps if all(abs(at / one - round(at / one)) < ROUNDING for at in corners))
+    return next(at_corners, steps[0])

@@ -14,6 +14,16 @@ from ...names import subscripted
 from ...words import Words
 from .spoken_symbols import Row
 
+_CURVED = (  # by the beginnings of the keys
+    ("W", Words("拐点极", "inflection pole"), "—"),
+    ("Wr", Words("回归极", "return pole"), "—"),
+    ("U", Words("鲍尔点", "Ball’s point"), "—"),
+    ("delta", Words("拐点圆直径", "diameter of the inflection circle"), "mm"),
+    ("lambda", Words("共线轴与两铰链连线的夹角", "angle of the collineation axis to the line of the pins"), "°"),
+    ("rho", Words("轨迹的曲率半径", "radius of curvature of a path"), "mm"),
+    ("L", Words("定、动瞬心线的弦长之和", "chords of the fixed, of the moving centrode"), "mm"),
+)
+
 
 def model(study: Study) -> Iterator[Row]:
     """Lengths, angles, coordinates, rates, slides of chapter 4; transmission angles."""
@@ -158,6 +168,18 @@ def centres(study: Study) -> Iterator[Row]:
         at = f"φ_{{{extended[4:-9]}}}"
         told = Words("曲柄与连杆拉直、重叠共线时的曲柄位置角", "crank angles, crank and coupler extended, overlapped")
         yield f"${at}^{{′}}$、${at}^{{′′}}$", told, "°"
+
+
+def curvatures(study: Study) -> Iterator[Row]:
+    """What was found of the kinematic geometry of a link, and the poles of its centrodes."""
+    found: dict[str, list[str]] = {}
+    for key, answer in study.solution.answers.items():
+        found.setdefault(key.partition("_")[0], []).append(f"${answer.rel.symbol}$")
+    for stem, words, unit in _CURVED:
+        if stem in found:
+            yield "、".join(found[stem]), words, unit
+    if "L" in found:
+        yield "$Q_i$、$Q′_i$", Words("定、动瞬心线上的瞬心", "poles of the fixed and of the moving centrode"), "—"
 
 
 def scales(study: Study) -> Iterator[Row]:

@@ -44,7 +44,7 @@ def rows_of(study: Study, told: str) -> list[Row]:
     taken = {symbol for symbol, _, _ in own}
     counted, spoken = ([row for row in rows if row[0] not in taken] for rows in (COUNTED, used(told)))
     behind = [*symbol_rows.auxiliary(study), *symbol_rows.scales(study), *symbol_rows.letters(study)]
-    return [*counted, *symbol_rows.centres(study), *ordered([*own, *spoken]), *behind]
+    return [*counted, *symbol_rows.centres(study), *symbol_rows.curvatures(study), *ordered([*own, *spoken]), *behind]
 
 
 def ordered(rows: Iterable[Row]) -> list[Row]:

@@ -203,6 +203,12 @@ class Plate(Drawing):
         super().__init__(width_mm, height_mm, draw, alt or title)
         self.outline, self.level, self.floats = title, 2, True
 
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Size in a column, which it exceeds on both sides alike where it is wider."""
+        super().wrap(width, height)
+        self.width = width
+        return width, self.height
+
 
 class SheetPage(Block):
     """A whole A4 page drawn by a callback at the paper's lower left corner, in true millimetres.

@@ -7,7 +7,8 @@ The places for one label lie close together: of the pieces of a figure only thos
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from math import inf
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 from ....foundation.slotted import dataclass
 from ...scene import Fill, Item, Layer, Stroke, TextBox
 from ...style import THIN
-from ..ground import is_ground
+from ..ground import gives_way, is_ground
 from .bounds import Bounds, Complexes, Floats, Groups, Indices
 from .clipping import inside
 
@@ -27,9 +28,12 @@ GAP = 0.45  # mm between lettering and a line
 ROOM = 1.1  # mm beyond which a neighbour no longer confuses
 COARSE = 0.08  # mm sagitta that is fine enough for keeping clear
 ON_LINE, PER_MM, NEARBY = 40.0, 6.0, 0.7
-PARTED = 20.0  # a line between a label and what it names
+PARTED = 24.0  # a line between a label and what it names
+TINY = 1e-9  # mm
 BESIDE = 0.25  # mm off what is named: what lies nearer is part of it
 ON_SOLID, ON_TINT = 90.0, 0.8
+FINE, BROAD, BROKEN = 1.2, 1.6, 0.22  # what weighs standing on a fine line, a broader one, one that is broken off there
+ENDS = 5.0  # mm at the ends of a line in which it is not broken off
 CROSSING, OVER_BAR, CROSSING_SOLID = 8.4, 14.0, 30.0  # a leader over a thin line, a thick one, an arrowhead or a joint
 
 
@@ -41,6 +45,7 @@ class Obstacles:
     b: Complexes
     half: Floats
     weight: Floats
+    yields: NDArray[np.bool_]  # whether a piece may be broken off about a letter
     polygons: NDArray[np.object_]
     solid: NDArray[np.bool_]
     spans: Bounds  # of the pieces
@@ -57,7 +62,7 @@ class Obstacles:
         pieces = [
             piece for stroke, points in zip(strokes, _coarse(strokes), strict=True) for piece in _pieces(stroke, points)
         ]
-        a, b, half, weight = zip(*pieces, strict=True) if pieces else ((), (), (), ())
+        a, b, half, weight, yields = zip(*pieces, strict=True) if pieces else ((), (), (), (), ())
         ends = np.array(a, dtype=complex), np.array(b, dtype=complex)
         shapes = _polygons([_corners(item) for item in areas])
         shapely.prepare(shapes)
@@ -67,6 +72,7 @@ class Obstacles:
             *ends,
             np.array(half, dtype=float),
             np.array(weight, dtype=float),
+            np.array(yields, dtype=bool),
             shapes,
             solid,
             Bounds.between(*ends),
@@ -76,8 +82,10 @@ class Obstacles:
             np.flatnonzero(solid),
         )
 
-    def cost(self, centre: Complexes, wide: Floats, high: Floats, own: Own, groups: Groups) -> Floats:
-        """What each of many places costs; `own`: the line that its label names, which may be as near as it likes."""
+    def cost(self, centre: Complexes, size: Complexes, own: Own, groups: Groups, breaks: NDArray[np.bool_]) -> Floats:
+        """What each of many places costs; size: of its label, width and height; own: the line that this names, which
+        may be as near as it likes; breaks: whether it may break off a fine line."""
+        wide, high = size.real, size.imag
         total = np.zeros(len(centre))
         reach = GAP + ROOM + float(self.half.max(initial=0.0))
         box, piece = Bounds.about(centre, wide, high, reach).over(self.spans, groups)
@@ -87,7 +95,8 @@ class Obstacles:
             near, close = inside(start, d, w + GAP + ROOM, h + GAP + ROOM)
             price = NEARBY * np.where(self._along(own, box, piece), 0.0, near * self.long[piece])
             within, hit = inside(start[close], d[close], w[close] + GAP, h[close] + GAP)
-            dear = self.weight[piece[close]] * (ON_LINE + PER_MM * (within * self.long[piece[close]]))
+            weight = np.where(self.yields[piece[close]] & breaks[box[close]], BROKEN, self.weight[piece[close]])
+            dear = weight * (ON_LINE + PER_MM * (within * self.long[piece[close]]))
             price[close] += np.where(hit, dear, 0.0)
             np.add.at(total, box, price)
         box, polygon = Bounds.about(centre, wide, high, 0.3).over(self.areas, groups)
@@ -158,9 +167,22 @@ def _coarse(strokes: Sequence[Stroke]) -> list[tuple[complex, ...]]:
     return found
 
 
-def _pieces(stroke: Stroke, points: tuple[complex, ...]) -> list[tuple[complex, complex, float, float]]:
-    weight = 1.2 if stroke.width <= THIN else 1.6
-    return [(a, b, stroke.width / 2, weight) for a, b in itertools.pairwise(points)]
+def _pieces(stroke: Stroke, points: tuple[complex, ...]) -> Iterator[tuple[complex, complex, float, float, bool]]:
+    half, weight = stroke.width / 2, FINE if stroke.width <= THIN else BROAD
+    if not gives_way(stroke):
+        yield from ((a, b, half, weight, False) for a, b in itertools.pairwise(points))
+        return
+    lengths = [0.0, *itertools.accumulate(abs(b - a) for a, b in itertools.pairwise(points))]
+    low, high = (0.0, inf) if stroke.closed else (ENDS, lengths[-1] - ENDS)
+    for (a, b), start, end in zip(itertools.pairwise(points), lengths, lengths[1:], strict=False):
+        cuts = [start, *(cut for cut in (low, high) if start < cut < end), end]
+        at = [a + (b - a) * (cut - start) / max(end - start, TINY) for cut in cuts]
+        for p, q, middle in zip(at, at[1:], map(_half_way, cuts, cuts[1:]), strict=False):
+            yield p, q, half, weight, low < middle < high
+
+
+def _half_way(start: float, end: float) -> float:
+    return (start + end) / 2
 
 
 def is_solid(item: Fill | TextBox) -> bool:

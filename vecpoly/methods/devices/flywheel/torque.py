@@ -34,7 +34,7 @@ def measured_areas(bench: Bench, wheel: Flywheel, load: Torques, omega: Quantity
     board.section(SECTION)
     rows = _rows(bench, wheel, load, omega)
     board.step(curves_drawn(load), TORQUE)
-    _axes(bench, load)
+    _axes(bench, load, [angle for curve in rows.values() for angle, _ in curve])
     drawn = {key: _curve(bench, key, corners) for key, corners in rows.items()}
     if load.sought:
         (other,) = drawn.values()
@@ -48,12 +48,12 @@ def measured_areas(bench: Bench, wheel: Flywheel, load: Torques, omega: Quantity
     return Pieces(works=works, letters=lobes.letters, ends=lobes.ends)
 
 
-def _axes(bench: Bench, load: Torques) -> None:
+def _axes(bench: Bench, load: Torques, corners: Sequence[float]) -> None:
     scale, (low, high) = bench.board.scale_of(TORQUE), load.highest
     axes = Axes(
         wide=load.period / scale.right.value, low=low / scale.value, high=high / scale.value, across="φ", up="M"
     )
-    draw_axes(bench.board, TORQUE, axes, angle_ticks(bench.board, TORQUE, load.period))
+    draw_axes(bench.board, TORQUE, axes, angle_ticks(bench.board, TORQUE, load.period, corners))
 
 
 def _rows(bench: Bench, wheel: Flywheel, load: Torques, omega: Quantity) -> dict[str, Rows]:

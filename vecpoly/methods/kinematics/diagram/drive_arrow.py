@@ -1,5 +1,5 @@
-"""The curved arrow with ω about the driving link's pivot, where it touches nothing; the arrow with v before a driving
-block."""
+"""The curved arrows with ω, and with α where one is given, about the driving link's pivot, where they touch nothing;
+the arrow with v before a driving block."""
 
 from __future__ import annotations
 
@@ -22,12 +22,13 @@ Reals = NDArray[np.float64]
 ARROW_RADII = (10.0, 13.0, 16.0)  # mm: the first that keeps clear of circles about the pivot
 FROM, LONG = 6.0, 9.0  # mm: the arrow before a block begins so far from its pin, and is so long
 GROUND = 5.5  # mm from the pivot within which its ground is hatched
+HALF = 0.9  # rad: of an arrow, to either side of its middle
 APART = 4.0  # mm between the arrow and the arc of a reflex angle
 
 
 def draw_drive_arrow(desk: Desk) -> None:
-    """The curved arrow with ω at the pivot of each driving link, the arrow with v before its block; none where that
-    link is only thought to drive."""
+    """The curved arrows with ω and α at the pivot of each driving link, the arrow with v before its block; none where
+    that link is only thought to drive."""
     for drive in () if desk.thought else desk.mech.drives:
         (_before if drive.slide else _draw)(desk, drive)
 
@@ -48,10 +49,13 @@ def _before(desk: Desk, drive: Drive) -> None:
 def _draw(desk: Desk, drive: Drive) -> None:
     pivot, _ = desk.crank(drive.link)
     at = complex(nominal(desk.at[pivot]))
-    radius = _arrow_radius(desk, at)
-    middle = _free_side(desk, at, drive.position, radius)
-    start = middle - 0.9 if drive.rate > 0 else middle + 0.9
-    desk.board.curved_arrow(View.MECHANISM, at, radius, start, drive.rate > 0, f"ω_{drive.link}")
+    radius, taken = _arrow_radius(desk, at), _taken(desk, at, drive.position)
+    for kind, rate in (("ω", drive.rate), ("α", drive.accel)):
+        if kind == "ω" or rate:
+            middle = _free_side(at, radius, taken)
+            start = middle - HALF if rate > 0 else middle + HALF
+            desk.board.curved_arrow(View.MECHANISM, at, radius, start, rate > 0, f"{kind}_{drive.link}")
+            taken = np.append(taken, at + radius * np.exp(1j * (middle + np.linspace(-1.3, 1.3, 18))))
 
 
 def _arrow_radius(desk: Desk, pivot: complex) -> float:
@@ -65,14 +69,18 @@ def _arrow_radius(desk: Desk, pivot: complex) -> float:
     return next(free, ARROW_RADII[-1])
 
 
-def _free_side(desk: Desk, pivot: complex, phi: float, radius: float) -> float:
-    """The direction from the pivot in which the arrow stands farthest from all lines, the angle mark and the ground."""
+def _taken(desk: Desk, pivot: complex, phi: float) -> Complexes:
+    """Points of all lines, of the angle mark and of the ground."""
     ground = pivot + np.array([-3 - 4j, -4j, 3 - 4j])  # within GROUND
-    mark = pivot + radius * np.exp(1j * np.linspace(0.0, swept(phi), 18))
+    mark = pivot + _arrow_radius(desk, pivot) * np.exp(1j * np.linspace(0.0, swept(phi), 18))
     marks = [m for m in desk.board.marks(View.MECHANISM) if isinstance(m, Segment | FixedGuide | Slot)]
     a, b = np.array([m.a for m in marks])[:, None], np.array([m.b for m in marks])[:, None]
     lines = a + (b - a) * np.linspace(0.0, 1.0, 60)
-    taken = np.concatenate([ground, mark, lines.ravel()])
+    return np.concatenate([ground, mark, lines.ravel()])
+
+
+def _free_side(pivot: complex, radius: float, taken: Complexes) -> float:
+    """The direction from the pivot in which the arrow stands farthest from all that is taken."""
     taken = taken[
         np.abs(np.abs(taken - pivot) - radius) < radius + GROUND
     ]  # what lies beyond is farther than the ground

@@ -120,7 +120,7 @@ def _read(draft: Draft, path: Path, stations: list[float]) -> None:
     right, left, high, low = places
     base = low.imag
     over = Axis(symbol="x", unit="mm", low=left.real, high=right.real)
-    up = Axis(symbol="y", unit="mm", low=0.0, high=high.imag - base)
+    up = Axis(symbol="h", unit="mm", low=0.0, high=high.imag - base)
     curve = chart(draft, "band", Words("轨迹的偏差（高度放大）", "The path, its height enlarged"), over, up)
     marked = [at - 1j * base for at in path.seen(stations)]
     draft.board.step(_computed(draft, up.high, [at.imag for at in marked]), curve.place)
@@ -144,13 +144,14 @@ def _computed(draft: Draft, band: float, heights: list[float]) -> Words:
     )
     wide = Words("轨迹的高度由计算求得：", "The heights of the path are computed: ")
     return (narrow if on_paper < LEGIBLE else wide) + Words(
-        "在 $△BCD$ 中由余弦定理求 $∠CBD$，得 $C$、$E$ 的坐标。自最低点量起，$E_1$ 至 "
-        f"$E_{STATIONS}$ 的高度为 {'、'.join(rows)} mm；其间再算若干点，以放大的比例画出。"
-        "作平行于 $AD$ 的两直线夹住曲线，量出近似直线段的长度 $L$ 和这段轨迹偏离直线的宽度 $δ$（两平行线的距离）：",
-        "the law of cosines gives $∠CBD$ in $△BCD$, and so the coordinates of $C$ and $E$. Counted from the lowest "
-        f"point, $E_1$ to $E_{STATIONS}$ are {', '.join(rows)} mm high; compute more places between them, and plot all "
-        "to an enlarged scale. Two parallels to $AD$ enclose the curve. Read the length $L$ of the straight part and "
-        "the width $δ$ of its band:",
+        "在 $△BCD$ 中由余弦定理求 $∠CBD$，得 $C$、$E$ 的坐标。$x$ 自 $A$ 沿 $AD$ 量起，高度 $h$ "
+        f"自轨迹的最低点量起，$E_1$ 至 $E_{STATIONS}$ 的 $h$ 为 {'、'.join(rows)} mm；"
+        "其间再算若干点，以放大的比例画出。作平行于 $AD$ 的两直线夹住曲线，"
+        "量出近似直线段的长度 $L$ 和这段轨迹偏离直线的宽度 $δ$（两平行线的距离）：",
+        "the law of cosines gives $∠CBD$ in $△BCD$, and so the coordinates of $C$ and $E$: $x$ from $A$ along "
+        f"$AD$, the height $h$ from the lowest point of the path. At $E_1$ to $E_{STATIONS}$ $h$ is {', '.join(rows)} "
+        "mm; compute more places between them, and plot all to an enlarged scale. Two parallels to $AD$ enclose the "
+        "curve. Read the length $L$ of the straight part and the width $δ$ of its band:",
     )
 
 
