@@ -227,7 +227,12 @@ def test_the_conclusion_gives_what_was_asked_for() -> None:
     assert tuple(conclusion(studied("A-27"))) == () == tuple(forces(studied("A-27")))
 
 
-@pytest.mark.parametrize("name", ["press-flywheel", "A-27", "4-3a", "3-1a"])
+def test_the_conclusion_gathers_the_instant_centres_where_all_are_asked() -> None:
+    (said,) = stated(studied("3-1a"))
+    assert "all 6 instant centres, with their places in 6.2" in said.en and "P_{12}" not in said.en
+
+
+@pytest.mark.parametrize("name", ["press-flywheel", "A-27", "4-3a"])
 def test_the_conclusion_lists_what_is_asked_and_nothing_else_in_the_order_asked(name: str) -> None:
     """The press asks for J_e ... φ_min and no rates; a sense stands for a sign, a point has its coordinates."""
     it = studied(name)

@@ -243,7 +243,8 @@ def test_the_printed_answers_of_the_book_are_compared() -> None:
     assert any(line[:2] == ("$ω_{2}$", "rad/s") and "1.26" in line[2] for line in press.lines) and "400 mm" in " ".join(
         text for _, text in found["verdicts"]
     )
-    assert book.chapter(studied("A-27"), Recorder()) == {"table": "", "verdicts": []}
+    nothing = book.chapter(studied("A-27"), Recorder())
+    assert not any(nothing.values()) and {"table", "verdicts"} <= nothing.keys()
 
 
 def test_the_hand_s_expected_error_stands_beside_the_deviations() -> None:

@@ -124,7 +124,7 @@ def points(study: Study) -> Iterator[Words]:
         length = shown(study, f"p_{letter}", found.length)
         within = Words(f"在{span(study).zh}内", "in a cycle" if study.whole.whole else "in the working range")
         if study.whole.once is not study.whole:  # a path is that of one turn
-            within = Words("在原动件每转一周内", "in a turn of the drive")
+            within = Words("在原动件每转一周内", "in a turn of the input link")
         at = subscripted(letter)
         zh = f"${at}$ 点{within.zh}走过的路程为 {length}，" if found.length else f"${at}$ 点："
         en = f"Point ${at}$ travels {length} {within.en}; " if found.length else f"Of point ${at}$: "
