@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ...foundation.slotted import dataclass
 from ..closed.off_centre import places
-from ..run import Run, Track
+from ..run import Run, Track, wrapped
 from ..state import Bodies, Body, Reals
 from .assemblies import chosen, distances, is_guessed
 from .driven import asked_of, drives_in
@@ -52,8 +52,12 @@ class Newton(Loops):
         return self.bodies_at(states)
 
     def begin(self, state: NDArray[np.float64]) -> None:
-        """Take this assembly at the own position, where none was taken yet."""
-        self.walked[0] = Strode((1.0,), (state,))
+        """Take this assembly at the own position, where none was taken yet; angles within half a turn, from which those
+        of all other positions go on, as nothing tells whole turns where nothing rolls."""
+        own = np.array(state)
+        if not any(r.rolls for r in self.rows):
+            own[..., 2] = wrapped(own[..., 2])
+        self.walked[0] = Strode((1.0,), (own,))
 
     def move(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """Velocities, then accelerations, from one Jacobian."""
