@@ -14,6 +14,7 @@ from tests.each import Later, each
 from tests.laws import few
 from tests.studies import studied
 from vecpoly.board.construction import View
+from vecpoly.board.paper.marks import LinkNumber, Point, Role, Segment
 from vecpoly.findings.study.study import Study, study
 from vecpoly.mechanism.asked.forces import load_symbol
 from vecpoly.mechanism.groups.assur import decompose
@@ -21,6 +22,7 @@ from vecpoly.mechanism.model import Prismatic, Revolute, Rolling
 from vecpoly.report.content import Objects
 from vecpoly.report.course.numbering import Press
 from vecpoly.report.course.structure.chapter import _pairs, _pins
+from vecpoly.report.course.structure.groups_apart import apart
 from vecpoly.report.course.structure.special_joints import concluded, special
 from vecpoly.report.course.symbols import symbols
 from vecpoly.report.flow.table import DataTable
@@ -169,3 +171,12 @@ def test_no_two_joints_have_one_letter(name: str) -> None:
     mech = drawn(name).problem.mechanism
     letters = Counter(letter for letter, _, _ in (*_pins(mech), *_pairs(mech)))
     assert letters and max(letters.values()) == 1, letters
+
+
+def test_a_group_with_a_higher_pair_is_joined_by_the_bar_that_stands_for_it() -> None:
+    """Without it the group of a knife-edge follower fell in two: a centre here, a rod there."""
+    _, group = apart(studied("D-3-knife"))
+    bars = [mark for mark in group.marks if isinstance(mark, Segment) and mark.role is Role.HIDDEN]
+    at = {mark.label: mark.at for mark in group.marks if isinstance(mark, Point)}
+    assert [{bar.a, bar.b} for bar in bars] == [{at["O"], at["E"]}]
+    assert any(isinstance(mark, LinkNumber) and mark.number == "K" for mark in group.marks)

@@ -11,10 +11,10 @@ import pytest
 from tests.studies import studied
 from vecpoly.curves import curves, given_values, hodograph, trace
 from vecpoly.curves.flat import plane
-from vecpoly.curves.peaks import extremes, figures, told
+from vecpoly.curves.peaks import exact, extremes, figures, told
 from vecpoly.curves.place import Placer
 from vecpoly.curves.poses import poses
-from vecpoly.cycle import Cycle, cycle
+from vecpoly.cycle import Cycle, Extremes, Spot, cycle
 from vecpoly.figures.hue import TONES, Hue
 from vecpoly.problem.load import load
 from vecpoly.report.course.results.plots import inks
@@ -152,3 +152,12 @@ def test_the_number_of_a_point_is_a_subscript_in_captions() -> None:
     turn = turned("engine-card")
     for title in (trace(turn, ("S2",)).title, poses(turn, "S2").title, curves(turn, ("v_S2", "v_S2.x")).title):
         assert "S_2" in title.zh and "S_2" in title.en and "$S2$" not in title.zh + title.en, title
+
+
+def test_a_value_that_is_rounding_beside_the_greatest_is_labelled_nought() -> None:
+    """A transmission angle of an antiparallelogram was 0.0000000000004862°."""
+    turn = turned("3-9")
+    low, high = Spot(0.0, 8e-15), Spot(3.0, 1.5)
+    known = Extremes("omega_2", (high,), (low,), (), high, low)
+    shown = exact([(0.0, 4.9e-13)], known, turn.drive, turn.info("omega_2"), 1.0)
+    assert shown == [(0.0, 0.0)] and told(shown, turn.drive) == "0 (0°)"

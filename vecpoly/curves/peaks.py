@@ -68,8 +68,8 @@ def exact(spots: Sequence[Spot], known: Extremes, drive: Column, column: Column,
     true = [(drive.factor * top.phi, column.factor * top.value) for top in tops]
     room = _NEAR * (max((value for _, value in true), default=0.0) - min((value for _, value in true), default=0.0))
     found = [top for top in true if any(abs(x - top[0]) <= 2 * step and abs(y - top[1]) <= room for x, y in spots)]
-    size = max((abs(value) for _, value in found), default=0.0)
-    return [(x, 0.0 if abs(value) <= _NOTHING * size else value) for x, value in found] or spots
+    size = max((abs(value) for _, value in (*true, *spots)), default=0.0)
+    return [(x, 0.0 if abs(value) <= _NOTHING * size else value) for x, value in found or spots]
 
 
 def _alike(known: Extremes, end: Turned) -> list[Turned]:

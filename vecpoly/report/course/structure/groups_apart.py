@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from ....board.construction import Figure, Scale, View
 from ....board.paper.extent import extent
-from ....board.paper.marks import Dot, Ground, Mark, Point
+from ....board.paper.marks import Dot, Ground, LinkNumber, Mark, Point, Role, Segment
 from ....diagram.links import link_alone
 from ....diagram.posed import Posed
 from ....findings.study.study import Study
@@ -21,6 +21,7 @@ from ...statement.structure import group_zh, kind_of
 from .kinds import ROLLING
 
 _WIDE, _HIGH = 70.0, 52.0  # mm that a group may take
+BAR = 2  # centres that it joins; a block has one
 _OVER = 1.5  # times that a group may take more
 
 
@@ -79,7 +80,16 @@ def sketched(
     posed = _posed(problem, mech or problem.mechanism, at, turned, per_m)
     alone = (link_alone(posed, link, lettered=False) for link in links)
     bodies = (replace(mark, owner=symbol.owner) for symbol in alone for mark in symbol.marks)
-    return (*bodies, *_joints(posed, links, pins))
+    return (*bodies, *_thought(posed, links), *_joints(posed, links, pins))
+
+
+def _thought(posed: Posed, links: tuple[str, ...]) -> Iterator[Mark]:
+    """The bar between two centres that stands for a higher pair, dashed and with its letter; no link has it."""
+    for contact in (one for one in posed.mech.contacts if one.substitute in links):
+        places = [posed.at[letter] for letter in posed.body(contact.substitute).points]
+        if len(places) == BAR:
+            yield Segment(a=places[0], b=places[1], role=Role.HIDDEN)
+            yield LinkNumber(a=places[0], b=places[1], number=contact.point)
 
 
 def _posed(
