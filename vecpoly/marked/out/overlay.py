@@ -64,7 +64,7 @@ def _direction(mark: Mark) -> bool:
 def _items(one: Finding, graded: Graded, ends: tuple[complex, complex]) -> Iterator[Item]:
     start, end = ends
     exact = end - start
-    if not abs(exact) or one.value is None or graded.mm is None:
+    if not abs(exact) or not graded.exact or one.value is None or graded.mm is None:
         return
     size = abs(one.value / graded.exact) * graded.mm
     along, told = exact / abs(exact), one.written.direction
