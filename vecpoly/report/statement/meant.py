@@ -51,7 +51,7 @@ _SHAKING = {
     "F": Words("振动力", "shaking force"),
 }
 _FLYWHEEL = {
-    "P": Words("电动机的功率", "power of the motor"),
+    "P": Words("驱动功率", "driving power"),
     "M_r": Words("阻力矩", "resisting moment"),
     "delta": Words("速度不均匀系数", "coefficient of speed fluctuation"),
     "n_max": Words("最大转速", "greatest speed"),
