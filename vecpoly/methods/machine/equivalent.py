@@ -177,27 +177,20 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
 
 def _of_power(load: str, speed: str, *, signed: bool) -> Words:
     """What is computed: a force with the sign of its power, or the size of a moment, whose sense is told apart."""
-    measured = Words(
+    sized = Words(
+        f"功率等效：${load}$ 的大小等于各力（矩）的功率 $F v cos α$、$M ω$ 之和的绝对值除以 ${speed}$，转向由该和的"
+        "正负判定。",
+        f"It has the power of all: the size of ${load}$ is that of the sum of the powers $F v cos α$ and $M ω$, over "
+        f"${speed}$; the sign of the sum tells its sense.",
+    )
+    whole = Words(
+        f"功率等效：${load}$ 为代数值，等于各力（矩）的功率 $F v cos α$、$M ω$ 之和除以 ${speed}$。",
+        f"It has the power of all: ${load}$, with its sign, is the sum of the powers $F v cos α$ and $M ω$, over "
+        f"${speed}$.",
+    )
+    return (whole if signed else sized) + Words(
         "作用点的速度沿力方向的分量由速度多边形量得。",
         " The component of each velocity along its force is measured on the polygon.",
-    )
-    if signed:
-        return (
-            Words(
-                f"功率等效：${load}$ 为代数值，等于各力（矩）的功率 $F v cos α$、$M ω$ 之和除以 ${speed}$。",
-                f"It has the power of all: ${load}$, with its sign, is the sum of the powers $F v cos α$ and $M ω$, over "
-                f"${speed}$.",
-            )
-            + measured
-        )
-    return (
-        Words(
-            f"功率等效：${load}$ 的大小等于各力（矩）的功率 $F v cos α$、$M ω$ 之和的绝对值除以 ${speed}$，转向由该和的"
-            "正负判定。",
-            f"It has the power of all: the size of ${load}$ is that of the sum of the powers $F v cos α$ and $M ω$, over "
-            f"${speed}$; the sign of the sum tells its sense.",
-        )
-        + measured
     )
 
 
