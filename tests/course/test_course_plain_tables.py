@@ -111,3 +111,11 @@ def test_where_the_loads_alone_cannot_move_it_the_balancing_one_drives_with_them
     found = stations("4-4")
     assert not found.refused and len(found.stations) == comparison.STATIONS
     assert found.worst(studied("4-4")) < 0.005
+
+
+def test_links_that_turn_evenly_have_their_rate_in_words_and_neither_table_nor_plot() -> None:
+    """Angles that grow evenly are no results; a link that does not turn evenly has all three columns."""
+    kept = Press("en", Objects())
+    even, uneven = (sections(studied(name), kept)[0] for name in ("stepped-planet", "3-9"))
+    assert "Link 2 rotates uniformly" in even["words"] and not even["tables"] and not even["figures"]
+    assert uneven["tables"] and uneven["figures"]

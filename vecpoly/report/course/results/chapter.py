@@ -52,14 +52,15 @@ def sections(study: Study, press: Press) -> list[dict[str, Any]]:
         _angles(study, press),
         _forces(study, press),
     ]
-    told = [one for one in found if one["tables"] or one["figures"] or one["before"]]
+    told = [one for one in found if any(one.get(part) for part in ("tables", "figures", "before", "alone"))]
     return [one | {"shown": press.shown(one["tables"], one["figures"])} for one in told]
 
 
 def _links(study: Study, press: Press) -> dict[str, Any]:
-    """Angles, ω, α of all links that turn."""
+    """Angles, ω, α of all links that turn unevenly; of the others ω in words alone."""
     every = [f"{stem}_{link}" for stem in _STEMS for link in study.links]
-    keys = [key for key in every if study.varies(key)]
+    even = {f"phi_{link}" for link in study.links if not study.varies(f"omega_{link}")}
+    keys = [key for key in every if study.varies(key) and key not in even]
     title = Words("构件的转角、角速度和角加速度", "Angles, angular velocities and accelerations of the links")
     blocks = (
         [keys]
@@ -77,6 +78,7 @@ def _links(study: Study, press: Press) -> dict[str, Any]:
     return {
         "title": Words("构件的转动", "Rotation of the links").of(press.lang),
         "words": Words("".join(w.zh for w in steady), "".join(w.en for w in steady)).of(press.lang),
+        "alone": bool(steady),
         "before": [],
         "tables": tables,
         "figures": press.figures(plots),
