@@ -117,6 +117,6 @@ def test_links_that_turn_evenly_have_their_rate_in_words_and_neither_table_nor_p
     """Angles that grow evenly are no results; a link that does not turn evenly has all three columns."""
     kept = Press("en", Objects())
     even, uneven = (sections(studied(name), kept)[0] for name in ("stepped-planet", "pin-in-two-slots"))
-    assert "$ω_{2}$ = −20 rad/s and $α_{2}$ = −60 rad/s²" in even["words"]
+    assert "$ω_{2}$ = −20 rad/s and $α_{2}$ = −60 rad/s^2" in even["words"]
     assert not even["tables"] and not even["figures"]
     assert uneven["tables"] and uneven["figures"]
