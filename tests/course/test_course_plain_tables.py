@@ -111,3 +111,12 @@ def test_where_the_loads_alone_cannot_move_it_the_balancing_one_drives_with_them
     found = stations("4-4")
     assert not found.refused and len(found.stations) == comparison.STATIONS
     assert found.worst(studied("4-4")) < 0.005
+
+
+def test_links_that_turn_evenly_have_their_rate_in_words_and_neither_table_nor_plot() -> None:
+    """Angles that grow evenly are no results; a link that does not turn evenly has all three columns."""
+    kept = Press("en", Objects())
+    even, uneven = (sections(studied(name), kept)[0] for name in ("stepped-planet", "pin-in-two-slots"))
+    assert "$ω_{2}$ = −20 rad/s and $α_{2}$ = −60 rad/s^2" in even["words"]
+    assert not even["tables"] and not even["figures"]
+    assert uneven["tables"] and uneven["figures"]

@@ -58,6 +58,13 @@ def test_the_headstock_and_the_train_have_the_numbers_of_the_book() -> None:
     assert (run["alpha_1"].drawn, run["omega_1"].drawn) == pytest.approx((told["alpha1_rad_s2"], told["omega1_rad_s"]))
 
 
+def test_a_moment_that_resists_is_a_size_in_the_sum_and_negative_in_the_table_which_is_told() -> None:
+    steps = solve(load("7-2a"), by="exact").construction.steps
+    (told,) = [step for step in steps if step.listing is not None]
+    assert [row[-1] for row in told.listing.rows if row[-1] != "0"] == ["−15"]
+    assert "阻力为负" in told.words.zh and "what resists negative" in told.words.en
+
+
 @st.composite
 def chains(draw: st.DrawFn) -> dict[str, Any]:
     """Shafts in a row or side by side, as many pairs as join them."""

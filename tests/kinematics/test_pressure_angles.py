@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 import vecpoly
 from tests.at_once import exactly
+from tests.drawn_library import drawn
 from tests.laws import often
 from vecpoly.board.acts import Angle, Corner
 from vecpoly.board.otherwise.slip import Mistake, Slip
@@ -129,3 +130,9 @@ def test_gamma_of_a_four_bar_is_the_acute_angle_of_coupler_and_rocker(bars: tupl
     mu = degrees(acos((bc**2 + cd**2 - diagonal**2) / (2 * bc * cd)))
     assert found["gamma"].drawn == pytest.approx(min(mu, 180 - mu), abs=1e-6)
     assert found["alpha"].drawn + found["gamma"].drawn == pytest.approx(90.0, abs=1e-9)
+
+
+def test_an_angle_that_is_zero_by_the_build_is_not_said_to_be_measured() -> None:
+    told = {name: "".join(step.words.zh for step in drawn(name).construction.steps) for name in ("8-2g", "8-2a")}
+    assert "力与速度方向重合" in told["8-2g"] and "量得" not in told["8-2g"]
+    assert "量得：" in told["8-2a"] and "重合" not in told["8-2a"]

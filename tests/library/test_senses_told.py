@@ -51,6 +51,13 @@ def test_a_load_told_clockwise_has_the_direction_that_stands_in_the_table() -> N
     assert "direction 270°" in given and "−90" not in given, given
 
 
+def test_an_equivalent_moment_is_computed_as_a_size_and_is_said_to_be_one() -> None:
+    """−P/ω_1 is no sum of powers over ω_1: the resisting moment's size, whose sense the sum tells."""
+    (told,) = [step for step in drawn("7-1").construction.steps if "功率等效：$M_{e}$" in step.words.zh]
+    assert "$M_{e}$ 的大小等于" in told.words.zh and "为顺时针方向" in told.words.zh
+    assert "the size of $M_{e}$" in told.words.en and plain(told.formulas[-1]).endswith(("= 50 N·m", "= 50.0 N·m"))
+
+
 def test_an_equivalent_force_tells_which_way_it_is_positive() -> None:
     told = [step.words for step in drawn("7-1").construction.steps if "F_{e5}" in step.words.en]
     assert [words.en for words in told if "$F_{e5}$ is positive along $v_F$" in words.en]

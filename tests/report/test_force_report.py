@@ -116,7 +116,7 @@ def test_values_by_formula_alone_have_no_deviation(pages) -> None:  # type: igno
     text = pages("5-7", "en")
     before, _, after = text.partition("Textbook answers compared")
     assert after and "Deviation" not in before and "Expected error" not in before
-    assert "The analytic solution gives the same values." in " ".join(before.split())
+    assert "analytic" not in before  # nothing was drawn: the formulas are the analytic solution
     assert all(a.computed for a in solved("5-7").answers.values())
     assert not any(a.computed for a in solved("4-3a").answers.values())
 

@@ -11,7 +11,7 @@ from tests.flat_positions import FLAT
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.report.answers.box import answer_box
 from vecpoly.report.answers.notes import UNREADABLE, notes_of
-from vecpoly.report.content import statement
+from vecpoly.report.content import by_rank, statement
 from vecpoly.report.picture import NOT_TO_SCALE
 from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.sketch import sketched
@@ -73,6 +73,13 @@ def test_a_question_on_structure_prints_no_kinematic_diagram() -> None:
         shown = sketched(one.problem, one.construction, 120.0, 70.0)
         assert shown is not None and shown.title == NOT_TO_SCALE
         assert one.problem.statement is not None and "绘制机构运动简图" not in one.problem.statement.zh
+
+
+def test_of_a_structure_only_what_the_rank_gives_is_compared_with_it() -> None:
+    """The numbers of links, pairs and groups are counted, and no rank tells them; a train has no rank at all."""
+    assert by_rank(solved("2-1"), "zh") == "自由度 $F$和虚约束 $p′$"
+    assert by_rank(solved("2-1"), "en") == "degree of freedom $F$ and number of redundant constraints $p′$"
+    assert not by_rank(solved("7-2a"), "zh")
 
 
 def test_where_all_solutions_are_asked_there_is_room_for_several() -> None:

@@ -15,18 +15,22 @@ from ..board.construction import Step
 from ..check.designs.found_words import all_ill_conditioned, told
 from ..check.shaking import shaking_of
 from ..check.structure import dependence
+from ..devices.structure import Structure
+from ..devices.structure_named import F_LOW, P_REDUNDANT, F
 from ..mechanism.model import Mechanism
 from ..problem.asked.asks import AskCoriolis, AskNamed
 from ..problem.values.given import Datum
 from ..solution import YES_NO, Answer, Solution, fewer_digits
-from ..words import Lang, Words, label
+from ..words import Lang, Words, joined, label
 from .answers.alike import lines_of_twins
 from .answers.asked_in_words import answered_in_words
+from .answers.tables import counted
 from .on_paper import on_paper
 from .sources import printed_source
 from .statement.asked import asked
 from .statement.conventions import conventions
 from .statement.in_table import in_table, in_table_words
+from .statement.meant import meant_by
 from .statement.structure import numbering, structure
 from .tables import listed
 from .values import called, value
@@ -114,6 +118,19 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
         *moved,
         *([shaken.of(lang)] if shaken is not None else []),
     ]
+
+
+def by_rank(solution: Solution, lang: Lang) -> str:
+    """The counts of a structure that the rank of its constraint equations gives too, and gives the same."""
+    subject, answers = solution.problem.subject, solution.answers
+    if not isinstance(subject, Structure):
+        return ""
+    same = [answers[key] for key in _RANKED if key in answers and counted(answers[key])]
+    named = [meant_by(subject, one.key, f"${one.reading.symbol}$") for one in same]
+    return joined([words for words in named if words is not None]).of(lang)
+
+
+_RANKED = (F.key, P_REDUNDANT.key, F_LOW.key)
 
 
 def cautions(solution: Solution, lang: Lang) -> list[str]:

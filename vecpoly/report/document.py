@@ -23,8 +23,7 @@ from ..solution import REPEATS, Solution
 from ..words import Lang, Words, label
 from .answers.box import answer_box
 from .answers.checks import check_tables, check_words, unlisted
-from .answers.tables import counted
-from .content import Objects, beside_tables, cautions, conclusions, sections
+from .content import Objects, beside_tables, by_rank, cautions, conclusions, sections
 from .flow.blocks import Callout, Plate
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.paging.tight import saved
@@ -213,7 +212,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "results": [objects.add("tab", made) for made in check_tables(solution, lang)],
         "placed": check_words(solution, lang),
         "unlisted": unlisted(solution),
-        "counts": all(map(counted, solution.answers.values())),
+        "counts": by_rank(solution, lang),
         "directed": answer.directed,
         "design": isinstance(solution.problem.subject, Design),
         "printed": objects.add("tab", printed) if printed is not None else "",

@@ -165,15 +165,7 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
     if not given:
         keep_nothing(st, to.load)
         return
-    st.board.step(
-        Words(
-            f"功率等效：${to.load.symbol}$ 等于各力（矩）的功率 $F v cos α$、$M ω$ 之和除以 ${moved.symbol}$；"
-            "作用点的速度沿力方向的分量由速度多边形量得。",
-            f"It has the power of all: ${to.load.symbol}$ is the sum of the powers $F v cos α$ and $M ω$, over "
-            f"${moved.symbol}$; the component of each velocity along its force is measured on the polygon.",
-        ),
-        View.VELOCITY,
-    )
+    st.board.step(_of_power(to.load.symbol, moved.symbol, signed=to.slide), View.VELOCITY)
     parts = [written_power(st, work) for work in given]
     moving = [part for part in parts if nominal(part.value)]
     if not moving:
@@ -181,6 +173,25 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
         return
     total = sum((part.value for part in parts), np.zeros(()))
     _keep_load(st, to, moved, moving, total / (moved.size.value * moved.sign))
+
+
+def _of_power(load: str, speed: str, *, signed: bool) -> Words:
+    """What is computed: a force with the sign of its power, or the size of a moment, whose sense is told apart."""
+    sized = Words(
+        f"功率等效：${load}$ 的大小等于各力（矩）的功率 $F v cos α$、$M ω$ 之和的绝对值除以 ${speed}$，转向由该和的"
+        "正负判定。",
+        f"It has the power of all: the size of ${load}$ is that of the sum of the powers $F v cos α$ and $M ω$, over "
+        f"${speed}$; the sign of the sum tells its sense.",
+    )
+    whole = Words(
+        f"功率等效：${load}$ 为代数值，等于各力（矩）的功率 $F v cos α$、$M ω$ 之和除以 ${speed}$。",
+        f"It has the power of all: ${load}$, with its sign, is the sum of the powers $F v cos α$ and $M ω$, over "
+        f"${speed}$.",
+    )
+    return (whole if signed else sized) + Words(
+        "作用点的速度沿力方向的分量由速度多边形量得。",
+        " The component of each velocity along its force is measured on the polygon.",
+    )
 
 
 def _along(load: str, speed: str, along: bool) -> Words:

@@ -29,6 +29,7 @@ from .told import bodily, force_key, moved_point, velocity_key
 FORCE, SPEED = 26.0, 34.0  # mm: the arrows tell directions alone
 OF_ALPHA, OF_GAMMA = 19.0, 12.0  # mm: radii of the angles' marks
 SMALL = np.radians(3.0)  # an angle that cannot be marked
+NO_ANGLE = np.radians(0.05)  # no protractor tells it from nothing
 NUDGE = 1e-4  # rad, or of the mechanism's size: how far the drive goes to show which way the driven link moves
 STILL = 1e-6  # mm: less is no motion
 
@@ -134,21 +135,28 @@ def _told(named: Named, read: Mapping[str, Reals]) -> str:
 
 def _read(desk: Desk, driven: Driven, marked: Marked, keys: set[str]) -> dict[str, Reals]:
     """The acute angles that are asked for, by protractor (deg)."""
-    alpha, gamma = driven.alpha, driven.gamma
-    desk.board.remark(
-        Words(
-            f"力与速度方向所夹的锐角为压力角 ${alpha.symbol}$，其余角（力与速度垂线的夹角）为传动角 "
-            f"${gamma.symbol}$。量得：",
-            f" The acute angle between the force and the velocity is the pressure angle ${alpha.symbol}$; its "
-            "complement, the angle between the force and the normal to the velocity, is the transmission angle "
-            f"${gamma.symbol}$. By protractor:",
-        )
-    )
+    desk.board.remark(_both(driven, marked))
     return {
         named.key: _kept(desk, named, np.degrees(desk.board.gauge(0j, marked.force * np.conj(base))))
-        for named, base in ((alpha, marked.way), (gamma, marked.across))
+        for named, base in ((driven.alpha, marked.way), (driven.gamma, marked.across))
         if named.key in keys
     }
+
+
+def _both(driven: Driven, marked: Marked) -> Words:
+    """What both angles are. Across a sliding pair whose normal is the way of the driven link neither is measured."""
+    alpha, gamma = driven.alpha.symbol, driven.gamma.symbol
+    if not isinstance(driven.press, str) and abs(amount(np.angle(marked.force / marked.way))) < NO_ANGLE:
+        return Words(
+            f"力与速度方向重合，故压力角 ${alpha}$ 为零，传动角 ${gamma}$（力与速度垂线的夹角）为直角：",
+            f" The force is along the velocity: the pressure angle ${alpha}$ is zero, and the transmission angle "
+            f"${gamma}$, between the force and the normal to the velocity, is a right angle:",
+        )
+    return Words(
+        f"力与速度方向所夹的锐角为压力角 ${alpha}$，其余角（力与速度垂线的夹角）为传动角 ${gamma}$。量得：",
+        f" The acute angle between the force and the velocity is the pressure angle ${alpha}$; its complement, the "
+        f"angle between the force and the normal to the velocity, is the transmission angle ${gamma}$. By protractor:",
+    )
 
 
 def _kept(desk: Desk, named: Named, turned: Reals) -> Reals:

@@ -72,9 +72,11 @@ _TYPESET = {
         (pattern(r"(?<=[A-Za-z])\*(?=[a-z])"), "·"),
         (pattern(r" -> "), " → "),
         (pattern(r"(?<=[°)]) - (?=[\da-z])"), " − "),
-        (pattern(r"(\d+°): (-?[\d.]+)"), at),
+        (pattern(r"(\d+°): (-?[\d.]+)"), r"\2 (\1)"),
+        (pattern(r" \((\d+°)\)"), at),
+        (pattern(r"(?<=°[）)]), "), comma),
     )
-    for lang, log, at in (("zh", r"lg $\1$", r"\2（\1）"), ("en", r"log₁₀ $\1$", r"\2 (\1)"))
+    for lang, log, at, comma in (("zh", r"lg $\1$", r"（\1）", "，"), ("en", r"log₁₀ $\1$", r" (\1)", ", "))
 }
 
 

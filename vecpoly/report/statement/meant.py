@@ -6,6 +6,8 @@ import re
 from collections.abc import Mapping
 
 from ...designs.base import Design
+from ...designs.limits_found import GuideBarLimits
+from ...designs.quick_return import Shaper
 from ...devices.balancing.rotor import Rotor
 from ...devices.balancing.shaking import ShakingForce
 from ...devices.dynamics.flywheel import Flywheel
@@ -51,7 +53,7 @@ _SHAKING = {
     "F": Words("振动力", "shaking force"),
 }
 _FLYWHEEL = {
-    "P": Words("电动机的功率", "power of the motor"),
+    "P": Words("驱动功率", "driving power"),
     "M_r": Words("阻力矩", "resisting moment"),
     "delta": Words("速度不均匀系数", "coefficient of speed fluctuation"),
     "n_max": Words("最大转速", "greatest speed"),
@@ -89,12 +91,14 @@ _DESIGN = {
     "gamma_min(_.*)?": Words("最小传动角", "minimum transmission angle"),
     "alpha_max(_.*)?": Words("最大压力角", "greatest pressure angle"),
 }
-_NAMED: tuple[tuple[type, Mapping[str, Words]], ...] = (
+_GUIDE_BAR = _DESIGN | {"psi(_.*)?": Words("导杆的摆角", "swing of the guide bar")}
+_NAMED: tuple[tuple[type | tuple[type, ...], Mapping[str, Words]], ...] = (
     (Structure, _COUNTS),
     (Rotor, _ROTOR),
     (ShakingForce, _SHAKING),
     (Flywheel, _FLYWHEEL),
     (GearGeneration, _GEAR),
+    ((GuideBarLimits, Shaper), _GUIDE_BAR),
     (Design, _DESIGN),
     *DEVICES,
 )

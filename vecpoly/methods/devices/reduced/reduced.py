@@ -114,8 +114,9 @@ def _moments(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | Non
     bench.board.section(Words("等效力矩", "Equivalent moment"))
     bench.board.step(
         Words(
-            "功率相等，各力矩乘以传动比，驱动与阻力分别求和：",
-            "Of equal power: each moment times its ratio, those that drive and those that resist:",
+            "功率相等，各力矩乘以传动比，驱动与阻力分别求和，取其大小（表中驱动为正、阻力为负）：",
+            "Of equal power: each moment times its ratio, the sizes of those that drive and of those that resist (in "
+            "the table what drives is positive, what resists negative):",
         )
     )
     driving: list[Expr] = []

@@ -52,14 +52,15 @@ def sections(study: Study, press: Press) -> list[dict[str, Any]]:
         _angles(study, press),
         _forces(study, press),
     ]
-    told = [one for one in found if one["tables"] or one["figures"] or one["before"]]
+    told = [one for one in found if any(one.get(part) for part in ("tables", "figures", "before", "alone"))]
     return [one | {"shown": press.shown(one["tables"], one["figures"])} for one in told]
 
 
 def _links(study: Study, press: Press) -> dict[str, Any]:
-    """Angles, ω, α of all links that turn."""
+    """Angles, ω, α of all links that turn unevenly; of the others ω in words alone."""
     every = [f"{stem}_{link}" for stem in _STEMS for link in study.links]
-    keys = [key for key in every if study.varies(key)]
+    even = {f"phi_{link}" for link in study.links if not study.varies(f"omega_{link}")}
+    keys = [key for key in every if study.varies(key) and key not in even]
     title = Words("构件的转角、角速度和角加速度", "Angles, angular velocities and accelerations of the links")
     blocks = (
         [keys]
@@ -73,10 +74,11 @@ def _links(study: Study, press: Press) -> dict[str, Any]:
     stems = [[key for key in keys if key.startswith(f"{stem}_")] for stem in _STEMS]
     panels = [alike for some in stems for alike in ([some] if study.dense else _alike(study, some))]
     plots = [curve(study, press.lang, some[i : i + LINES]) for some in panels for i in range(0, len(some), LINES)]
-    steady = [_steady(study, key) for key in every if key.startswith("omega_") and key not in keys]
+    steady = [_steady(study, key[6:]) for key in every if key.startswith("omega_") and key not in keys]
     return {
         "title": Words("构件的转动", "Rotation of the links").of(press.lang),
         "words": Words("".join(w.zh for w in steady), "".join(w.en for w in steady)).of(press.lang),
+        "alone": bool(steady),
         "before": [],
         "tables": tables,
         "figures": press.figures(plots),
@@ -91,14 +93,24 @@ def _alike(study: Study, keys: list[str]) -> list[list[str]]:
     return [large, *_alike(study, small)] if small else [large] if large else []
 
 
-def _steady(study: Study, key: str) -> Words:
-    """A link that turns evenly."""
-    info, value = study.whole.info(key), float(np.nanmean(study.turn.real(key)))
-    symbol, size = f"${info.symbol}$", f"{info.factor * value:.5g} {info.shown_unit}".replace("-", "−")
+def _steady(study: Study, link: str) -> Words:
+    """A link that turns evenly; or, where the drive's own acceleration is given, that has the same rates everywhere."""
+    (omega, size), (alpha, growth) = (_mean(study, f"{stem}_{link}") for stem in ("omega", "alpha"))
+    if study.mech.drive.accel:
+        return Words(
+            f"构件 {link} 在各位置均有 {omega} = {size}，{alpha} = {growth}。",
+            f"Link {link} has {omega} = {size} and {alpha} = {growth} in every position. ",
+        )
     return Words(
-        f"构件 {key[6:]} 匀速转动，{symbol} = {size}，角加速度为零。",
-        f"Link {key[6:]} rotates uniformly: {symbol} = {size}, and its angular acceleration is zero. ",
+        f"构件 {link} 匀速转动，{omega} = {size}，角加速度为零。",
+        f"Link {link} rotates uniformly: {omega} = {size}, and its angular acceleration is zero. ",
     )
+
+
+def _mean(study: Study, key: str) -> tuple[str, str]:
+    """The symbol of a rate, and what it is on the average."""
+    info, value = study.whole.info(key), float(np.nanmean(study.turn.real(key)))
+    return f"${info.symbol}$", f"{info.factor * value:.5g} {info.shown_unit}".replace("-", "−")
 
 
 def _point(study: Study, press: Press, letter: str) -> dict[str, Any]:
