@@ -60,9 +60,9 @@ def test_the_headstock_and_the_train_have_the_numbers_of_the_book() -> None:
 
 def test_a_moment_that_resists_is_a_size_in_the_sum_and_negative_in_the_table_which_is_told() -> None:
     steps = solve(load("7-2a"), by="exact").construction.steps
-    (told,) = [step for step in steps if step.listing is not None]
-    assert [row[-1] for row in told.listing.rows if row[-1] != "0"] == ["−15"]
-    assert "阻力为负" in told.words.zh and "what resists negative" in told.words.en
+    ((words, listing),) = [(step.words, step.listing) for step in steps if step.listing is not None]
+    assert [row[-1] for row in listing.rows if row[-1] != "0"] == ["−15"]
+    assert "阻力为负" in words.zh and "what resists negative" in words.en
 
 
 @st.composite

@@ -9,12 +9,12 @@ from .catalogue import Told
 from .message import Message
 
 _IN_TABLE: Mapping[Told, Words] = {
-    Told.OK: Words("误差 {e} mm，允许 ±{t} mm", "error {e} mm, allowed ±{t} mm"),
-    Told.OK_RECKONED: Words("误差 {e}，允许 ±{t}", "error {e}, allowed ±{t}"),
+    Told.OK: Words("误差 {e} mm，允许 ±{t} mm", "Error {e} mm, allowed ±{t} mm"),
+    Told.OK_RECKONED: Words("误差 {e}，允许 ±{t}", "Error {e}, allowed ±{t}"),
     Told.OK_ROUNDED: Words(
-        "误差 {e}；允许 ±{t}，按所写末位放宽到 ±{w}", "error {e}; allowed ±{t}, and ±{w} with the last digit written"
+        "误差 {e}；允许 ±{t}，按所写末位放宽到 ±{w}", "Error {e}; allowed ±{t}, and ±{w} with the last digit written"
     ),
-    Told.DEMOTED: Words("手工作图散布 ±{t}（{share}%）*", "drawings scatter by ±{t} ({share} %)*"),
+    Told.DEMOTED: Words("手工作图散布 ±{t}（{share}%）*", "Drawings scatter by ±{t} ({share} %)*"),
     Told.RIGHT: Words.same(""),
     Told.BLANK: Words.same(""),
 }

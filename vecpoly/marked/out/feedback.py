@@ -153,7 +153,7 @@ def _row(one: Finding, marked: Marked, lang: Lang, open_: bool) -> tuple[str, ..
 
 
 def _why(said: Sequence[Message], lang: Lang) -> str:
-    return ("；" if lang == "zh" else "; ").join(words.of(lang) for words in brief(said))
+    return ("；" if lang == "zh" else ". ").join(words.of(lang) for words in brief(said))
 
 
 def _equations(marked: Marked, lang: Lang, open_: bool) -> DataTable:
