@@ -115,12 +115,13 @@ def _problem(
     rows = [_row(one, marked, lang, open_) for one in marked.findings]
     table = DataTable(_HEAD[lang], rows, _WIDTHS, "lllddl", lang=lang)
     drawn: Sequence[Scene] = () if work is None else work.scenes
+    scattered = any(is_scattered(_shown(one.messages, open_)) for one in marked.findings)
     said = [*(one.words.of(lang) for one in marked.messages), *(fault.of(lang) for fault in marked.faults)]
     said += [] if work is None else [one.of(lang) for one in work.mark.told]
     return {
         "label": label(problem.id).of(lang), "title": problem.title.of(lang), "total": f"{marked.total:g}",
         "worth": f"{marked.worth:g}", "messages": said, "table": objects.add("tab", table),
-        "scattered": SCATTERED.of(lang) if any(is_scattered(_shown(one, open_)) for one in marked.findings) else "",
+        "scattered": SCATTERED.of(lang) if scattered else "",
         "named": _named(marked, lang),
         "stated": f"{sum(marked.stated.values()):g}" if marked.stated else "",
         "lost": f"{marked.lost:g}" if marked.lost else "",
@@ -138,14 +139,14 @@ def _named(marked: Marked, lang: Lang) -> list[str]:
     return [f"{head.format(n=key.removeprefix('eq'))}${printed}$" for key, printed in rows.items()]
 
 
-def _shown(one: Finding, open_: bool) -> tuple[Message, ...]:
-    return veiled(one.messages) if open_ else one.messages
+def _shown(said: tuple[Message, ...], open_: bool) -> tuple[Message, ...]:
+    return veiled(said) if open_ else said
 
 
 def _row(one: Finding, marked: Marked, lang: Lang, open_: bool) -> tuple[str, ...]:
     graded = marked.key[one.key]
     verdict = _OWN if one.basis is not Basis.EXACT and one.is_right else one.outcome.words
-    messages = _shown(one, open_)
+    messages = _shown(one.messages, open_)
     unit = written_unit(graded.written_in)
     unit = f" /({unit})" if set(unit) & set("/·") else f" /{unit}" if unit else ""
     points = (f"{one.earned.total:.2g}", f"{graded.points.total:.2g}") if graded.points.total else ("", "")
@@ -160,7 +161,7 @@ def _equations(marked: Marked, lang: Lang, open_: bool) -> DataTable:
     """The rows of the vector equations."""
     rows = []
     for one in marked.equations:
-        why = _why(veiled(one.messages) if open_ else one.messages, lang)
+        why = _why(_shown(one.messages, open_), lang)
         points = (f"{one.earned:.2g}", f"{one.worth:.2g}") if one.worth else ("", "")
         rows.append((one.title.of(lang), one.raw.strip() or "—", one.outcome.words.of(lang), *points, why))
     return DataTable(_ROWS[lang], rows, _WIDTHS, "lllddl", lang=lang)
