@@ -4,8 +4,7 @@ ASCII forms (the textbook's symbol in brackets):
 ``v_C`` [v_C], ``v_C2`` [v_{C2}: point C of link 2], ``v_CB`` [v_{CB}: C relative to B, one link],
 ``v_B3B2`` [v_{B3B2}: coincident points of links 3 and 2], ``an_CB`` [a^n_{CB}], ``at_CB`` [a^t_{CB}],
 ``an_C`` [a^n_C, about the fixed pivot], ``ak_B3B2`` [a^k_{B3B2}, Coriolis], ``ar_B3B2`` [a^r_{B3B2}],
-``omega_3`` [ω_3], ``alpha_3`` [α_3], ``p_X`` [position of the point X].
-"""
+``omega_3`` [ω_3], ``alpha_3`` [α_3], ``p_X`` [position of X]."""
 
 from __future__ import annotations
 
@@ -13,6 +12,7 @@ from dataclasses import field
 from enum import StrEnum
 
 from .errors import UnknownNameError
+from .foundation.indices import LETTER
 from .foundation.patterns import pattern
 from .foundation.slotted import dataclass
 from .words import Words
@@ -198,9 +198,9 @@ def written_unit(unit: str) -> str:
     return {"deg": "°", "yes/no": ""}.get(unit, unit.replace("^2", "²"))
 
 
-_POINT = r"([A-Z][a-z']?)(\d*)"
+_POINT = rf"({LETTER})(\d*)"
 _VECTOR = pattern(rf"^(p|v|a|an|at|ak|ar)_{_POINT}(?:{_POINT})?$")
-_NAMED_POINT = pattern(r"^p_([A-Z][a-z']?\d*)$")
+_NAMED_POINT = pattern(rf"^p_({LETTER}\d*)$")
 _ANGULAR = pattern(r"^(omega|alpha)_(\w+)$")
 
 

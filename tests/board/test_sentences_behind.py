@@ -8,9 +8,11 @@ import pytest
 
 from tests.drawn_library import IDS, drawn
 from tests.each import each
+from vecpoly.algebra.formula import Sym, row
 from vecpoly.board.said.behind import behind
 from vecpoly.words import Words
 
+TAKEN = re.compile(r"\d[a-z].*")  # b_{3c}, where bc or b_3 c is meant
 GLUED = re.compile(r"[.;:][A-Z][a-z]|  |: \([A-Z]|: (?:The|It|Candidate) ")
 
 
@@ -53,3 +55,11 @@ def test_no_sentence_of_a_step_runs_into_the_one_before(name: str) -> None:
     for step in drawn(name).construction.steps:
         assert not GLUED.search(step.words.en), step.words.en
         assert "：（" not in step.words.zh and "： " not in step.words.zh, step.words.zh
+
+
+@each(IDS)
+def test_no_letter_of_a_polygon_takes_the_next_letter_into_its_index(name: str) -> None:
+    for step in drawn(name).construction.steps:
+        for formula in step.words.zh.split("$")[1::2]:
+            for one in row(formula).items:
+                assert not (isinstance(one, Sym) and one.base.islower() and TAKEN.fullmatch(one.sub)), formula

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from dataclasses import field
 from functools import lru_cache
 
+from ..foundation.indices import DIGITS, ON_LINE
 from ..foundation.slotted import dataclass
 
 
@@ -83,9 +84,9 @@ Node = Sym | Txt | Row | Frac | Power | Root | Over | Vec
 PARSED = 4096  # texts whose symbols are remembered: the same ones stand in every problem
 _LETTERS = "A-Za-zμωαφρθβγδψχΔληπεσ"
 _SYMBOL = re.compile(
-    rf"(?P<base>[{_LETTERS}]['′]*)"
+    rf"(?P<base>[{_LETTERS}]['′]*)(?P<index>[{DIGITS}]?)"
     r"(?:\^(?P<sup>\{[^}]*\}|[A-Za-z0-9′']))?"
-    rf"(?:_(?P<sub>\{{[^}}]*\}}|[{_LETTERS}0-9′']+))?"
+    rf"(?:_(?P<sub>\{{[^}}]*\}}|[{_LETTERS}0-9′'{DIGITS}]+))?"
     r"(?:\^(?P<sup2>\{[^}]*\}|[A-Za-z0-9′']))?"
 )
 
@@ -108,7 +109,13 @@ def sym(text: str) -> Sym:
     m = _SYMBOL.fullmatch(text)
     if m is None:
         raise ValueError(f"'{text}' is no symbol")
-    return Sym(m["base"], _bare(m["sub"]), _bare(m["sup"] or m["sup2"]))
+    return _symbol(m)
+
+
+def _symbol(m: re.Match[str]) -> Sym:
+    """O₁ is O with the subscript 1; thought on link 2 it has both, O_{1,2}."""
+    indices = (m["index"].translate(ON_LINE), _bare(m["sub"]))
+    return Sym(m["base"], ",".join(filter(None, indices)), _bare(m["sup"] or m["sup2"]))
 
 
 def is_symbol(text: str) -> bool:
@@ -130,9 +137,7 @@ def _items(text: str) -> tuple[Node, ...]:
     for m in _PIECE.finditer(text):
         if m.start() > end:
             items.append(Txt(text[end : m.start()]))
-        items.append(
-            Txt(m["function"]) if m["function"] else Sym(m["base"], _bare(m["sub"]), _bare(m["sup"] or m["sup2"]))
-        )
+        items.append(Txt(m["function"]) if m["function"] else _symbol(m))
         end = m.end()
     if end < len(text):
         items.append(Txt(text[end:]))

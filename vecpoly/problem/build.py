@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 from ..errors import FaultError
+from ..foundation.indices import LETTER
 from ..foundation.slotted import replace
 from ..foundation.stock import ANY_A4, paper_of
 from ..mechanism.model import Drive, Joint, Mechanism
@@ -24,7 +25,7 @@ from .joints.pins import read_pins
 from .joints.profiles import read_profiles
 from .joints.rolling import is_rolling, read_rolling
 from .links.bodies import Bodies
-from .links.draft import LETTER, refuse_frame
+from .links.draft import refuse_frame
 from .links.links import read_link
 from .links.masses import read_masses
 from .links.profiles import letter_centres
@@ -39,13 +40,14 @@ from .schema.faults import Faults, meant
 from .schema.models import ProblemSpec
 from .schema.validate import validate
 from .schema.warnings import warnings_of
+from .text.respelled import respelled
 from .text.source import Tree
 from .values.written import Written, written_of
 
 
 def build(tree: Tree, path: Path | None = None, written: Written | None = None) -> Problem:
     """The problem in this tree; raises ProblemFileError with all that is wrong with it. written: the tree, as kept."""
-    if {"device", "synthesis", "data"} & tree.data.keys() and (by_data := _by_data(tree, path)) is not None:
+    if (by_data := _by_data(tree := respelled(tree), path)) is not None:
         return by_data
     spec, faults = _spec(tree)
     bodies = _bodies(spec, faults)
@@ -93,6 +95,8 @@ def _spec(tree: Tree) -> tuple[ProblemSpec, Faults]:
 
 def _by_data(tree: Tree, path: Path | None) -> Problem | None:
     """The problem, where it is about a device, or about a mechanism that is to be found."""
+    if not {"device", "synthesis", "data"} & tree.data.keys():
+        return None
     from .by_data import build_by_data, sort_of  # late: a mechanism needs none of it
 
     return build_by_data(tree, sort, path) if (sort := sort_of(tree)) is not None else None

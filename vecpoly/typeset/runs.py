@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from ..algebra.formula import LOWERED, RAISED
+from ..foundation.indices import DIGITS, ON_LINE
 from ..foundation.patterns import pattern
 from .box import MM, Box, Glyphs, Item, beside, place
 from .fonts import Face, glyph
@@ -69,8 +70,9 @@ def letters(text: str, em: float, bold: bool) -> Box:
     parts: list[tuple[float, float, Box]] = []
     x = 0.0
     for italic, piece in _by_slope(text.translate(SHOWN).replace("′′", "″")):
-        box = run(piece, roman_or_italic(italic, bold), em)
-        parts.append((x, 0.0, box))
+        below = piece[0] in DIGITS  # O₁ in an index: the figure hangs under its letter
+        box = run(piece.translate(ON_LINE), roman_or_italic(italic, bold), em * SCRIPT if below else em)
+        parts.append((x, -SUB * em if below else 0.0, box))
         x += box.width
     return place(parts, x) if len(parts) != 1 else parts[0][2]
 
@@ -100,7 +102,7 @@ def _by_slope(text: str) -> tuple[tuple[bool, str], ...]:
     pieces: list[tuple[bool, str]] = []
     for char in text:
         italic = char.isalpha() and ord(char) < 0x400 and char not in _UPRIGHT
-        if pieces and pieces[-1][0] is italic:
+        if pieces and pieces[-1][0] is italic and (char in DIGITS) is (pieces[-1][1][-1] in DIGITS):
             pieces[-1] = (italic, pieces[-1][1] + char)
         else:
             pieces.append((italic, char))

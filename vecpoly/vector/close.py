@@ -12,6 +12,7 @@ from ..board.board import Board
 from ..board.paper.marks import Role
 from ..board.place import Place
 from ..errors import DeadPointError, EquilibriumError, bilingual
+from ..foundation.indices import ON_LINE
 from ..foundation.slotted import dataclass
 from ..names import At, Kind, Named, Rel
 from ..plane import Line, Points, nominal, unit
@@ -193,7 +194,7 @@ def _meet(board: Board, g: Line, h: Line, term: Term, what: str) -> Points:
 def _lettered(term: Term) -> str:
     """The direction of a line in letters, ⊥BC, where it has letters."""
     text = term.direction.zh.replace("$", "").replace(" ", "")
-    return text if text.isascii() or text.lstrip("⊥∥").isascii() else ""
+    return text if text.lstrip("⊥∥").translate(ON_LINE).isascii() else ""
 
 
 def _said(term: Term) -> Words | None:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from vecpoly.foundation.indices import BELOW
 from vecpoly.solution import Solution
 
 from ..family import family
@@ -30,6 +31,11 @@ class Names:
         self.number = dict(zip(self.links, map(str, rng.permutation(np.array(self.links, dtype=int))), strict=True))
         self.letters = sorted({p for word in _words(data) for p in re.findall(_LETTER, word)})
         self.letter = dict(zip(self.letters, map(str, rng.permutation(self.letters)), strict=True))
+        pivots = [letter for letter in self.letters if letter in data["frame"]]
+        moving = {new[0] for old, new in self.letter.items() if old not in pivots}
+        self.indexed = bool(rng.random() < 0.5 and "O" not in moving and len(pivots) < 10)
+        if self.indexed:  # as many books call the fixed pivots: O1, O2
+            self.letter |= {letter: f"O{n}" for n, letter in enumerate(pivots, 1)}
 
     def points(self, word: str) -> str:
         """v_B3B2 → v_K1K4, AB → KD; load names and units stay."""
@@ -41,6 +47,11 @@ class Names:
         return (m[1] or "") + re.sub(
             rf"({_LETTER})(\d*)", lambda n: self.letter[n[1]] + self.number.get(n[2], n[2]), m[2]
         )
+
+    def answer(self, key: str) -> str:
+        """The key of the renamed solution: an indexed pivot is one letter there, O₁."""
+        new = self.points(key)
+        return re.sub(r"O(\d)", lambda n: "O" + n[1].translate(BELOW), new) if self.indexed else new
 
     def text(self, text: str) -> str:
         """A text of the file: a statement, a key."""
@@ -118,7 +129,7 @@ def renaming(mark: str, seed: int) -> tuple[Data, Names]:
 def under_other_names(solution: Solution) -> str:
     """The answers are the original's, under the other names."""
     mark, _, seed = str(solution.problem.title.en).rpartition(" ")
-    return compared(solution, Change(key=renaming(mark, int(seed))[1].points), mark)
+    return compared(solution, Change(key=renaming(mark, int(seed))[1].answer), mark)
 
 
 @family("retold-names", also=under_other_names, often=1)

@@ -18,6 +18,7 @@ from itertools import chain
 from ...algebra.formula import is_symbol
 from ...figures.hue import TONES
 from ...foundation.frozen import FrozenMap
+from ...foundation.indices import LETTER
 from ...foundation.patterns import pattern
 from ...names import ascii_key
 from .marks import Mark, TurnArrow, Vector
@@ -25,7 +26,7 @@ from .marks import Mark, TurnArrow, Vector
 HUES = len(TONES)
 MANY = 2 * HUES
 _MOTION = pattern(r"\b[va][nktr]?_")
-_POINTS = pattern(r"([A-Z]'?\d*)([A-Z]'?\d*)")
+_POINTS = pattern(rf"({LETTER}\d*)({LETTER}\d*)")
 _JOINT = pattern(r"R[nt]?('*)_([A-Z]?\d)([A-Z]?\d)(?:(_r)|\b)")
 _MASS = pattern(r"[WC]_(\d+|b)(I*)")  # of a mass of a rotor: whole, its part in a plane, the couple that it makes
 _COUPLE = pattern(r"F_M(I?\d+)")  # a couple as a force on a lever

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from ...algebra.formula import plain
+from ...algebra.formula import adjoined, plain
 from ...algebra.quantity import number
 from ...foundation.slotted import dataclass, replace
 from ...words import Words
@@ -72,7 +72,7 @@ def _with(step: Step, short: Sequence[Short]) -> Step:
 
 
 def _said(short: Sequence[Short]) -> tuple[str, str]:
-    named = [f"${''.join(one.letters.split())}$ {about(one.mm)}" for one in short[:MOST]]
+    named = [f"${adjoined(*one.letters.split())}$ {about(one.mm)}" for one in short[:MOST]]
     zh, en = "、".join(named), ", ".join(named)
     if len(short) > MOST:
         zh, en = f"{zh} 等 {len(short)} 处", f"{en} and {len(short) - MOST} more"

@@ -6,6 +6,7 @@ import re
 from functools import cache
 
 from ...errors import NotAskedError, UnknownNameError
+from ...foundation.indices import LETTER
 from ...mechanism.asked.centres import centre_quantities
 from ...names import Named
 from ...oracle.centres import Centres
@@ -13,7 +14,7 @@ from ...problem.asked.asks import AskPoint
 from ...problem.problem import Printed, Problem
 from ..truth import exact_values
 
-_ENDS = re.compile(r"l_(P\d+|[A-Z][a-z']?\d*)(P\d+|[A-Z][a-z']?\d*)")
+_ENDS = re.compile(rf"l_(P\d+|{LETTER}\d*)(P\d+|{LETTER}\d*)")
 
 
 class CentralTruth:

@@ -6,6 +6,7 @@ import re
 
 from ...cycle.columns import column_of
 from ...errors import UnknownNameError, VecpolyError
+from ...foundation.indices import LETTER
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ...names import At, Kind, Rel, parse_rel
@@ -15,11 +16,11 @@ _GREEK = str.maketrans({"φ": "phi", "ϕ": "phi", "θ": "theta", "ψ": "psi", "�
                         "$": "", "{": "", "}": "", "^": "", "₀": "0", "₁": "1", "₂": "2", "₃": "3", "₄": "4", "₅": "5",
                         "₆": "6", "₇": "7", "₈": "8", "₉": "9", " ": ""})  # fmt: skip
 _LINK = r"_?(\d+[a-z']?)"
-_LETTER = r"_?([A-Z][a-z']?\d*)"
+_LETTER = rf"_?({LETTER}\d*)"
 _ANGLE = re.compile(rf"(?:phi|theta|psi|angle|th|fi|f){_LINK}", re.I)
 _OMEGA = re.compile(rf"(?:omega|om|w){_LINK}", re.I)
 _ALPHA = re.compile(rf"(?:alpha|alfa|eps|epsilon|e|a){_LINK}", re.I)
-_COMPONENT = re.compile(rf"([vas]?)_?([xy]){_LETTER}|([vas])?_?([A-Z][a-z']?\d*)_?([xy])")
+_COMPONENT = re.compile(rf"([vas]?)_?([xy]){_LETTER}|([vas])?_?({LETTER}\d*)_?([xy])")
 _SIZE = re.compile(rf"([va]){_LETTER}")
 _REACTION = re.compile(r"[RF]_?(\d\d)[._]?(x|y)?")
 _LENGTH = re.compile(r"[ls]_?([A-Z])([A-Z])")

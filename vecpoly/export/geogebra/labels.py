@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from ...board.place import View
+from ...foundation.indices import ON_LINE
 from ...names import subscripted
 
 # a polygon's letters are told from each other by its kind
@@ -20,13 +21,13 @@ class Labels:
 
     def point(self, letter: str, view: View) -> str:
         """The label of a lettered point: B, C_{2}, c_{2v}, c_{2a}."""
-        base, rest = letter[:1], re.sub(r"[^0-9A-Za-z]", "", letter[1:])
+        base, rest = letter[:1], re.sub(r"[^0-9A-Za-z]", "", letter[1:].translate(ON_LINE))
         return self.new(base, rest + INDEX[view])
 
     def quantity(self, key: str, end: str = "") -> str:
         """The label of a quantity: ω_{2}, v_{C2B}, an_{CB}."""
         base, _, index = key.partition("_")
-        return self.new(_GREEK.get(base, base), re.sub(r"[^0-9A-Za-z]", "", index) + end)
+        return self.new(_GREEK.get(base, base), re.sub(r"[^0-9A-Za-z]", "", index.translate(ON_LINE)) + end)
 
     def new(self, base: str, index: str) -> str:
         """base_{index}, with a number behind it where the name is in use."""
@@ -41,7 +42,7 @@ class Labels:
 
 def caption(letter: str) -> str:
     """A letter with its index and prime as TeX: $c_{2}'$."""
-    plain = letter.replace("^", "").replace("{", "").replace("}", "").replace("_", "").replace("′", "'")
+    plain = letter.translate(ON_LINE | str.maketrans("′", "'", "^{}_"))
     primes = "'" * plain.count("'")
     base, _, index = subscripted(plain.replace("'", "")).partition("_")
     return f"${base}{primes}" + (f"_{{{index}}}" if index else "") + "$"

@@ -14,6 +14,7 @@ from ...board.otherwise.amended import AS_DRAWN
 from ...board.place import View, views
 from ...errors import VecpolyError
 from ...figures import View as Figured
+from ...foundation.indices import ON_LINE
 from ...foundation.slotted import replace
 from ...mechanism.model import Mechanism
 from ...methods.drawn import Drawn
@@ -177,7 +178,7 @@ def _symbol(key: str) -> str:
 
 
 def _is_step(act: Compute) -> bool:
-    return bool(act.key) and act.key.isascii() and act.unit not in LEFT_OUT
+    return bool(act.key) and act.key.translate(ON_LINE).isascii() and act.unit not in LEFT_OUT
 
 
 def _of_place(act: Measure, places: set[str]) -> bool:

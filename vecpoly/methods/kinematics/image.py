@@ -73,12 +73,11 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     a, b, c = letters
     if _in_line(desk, p_at, q_at, at):
         three = (p_at, q_at, at)
-        one, two = _between(desk, three, f"{p}{q}", f"{q}{p}"), _between(desk, three, f"{a}{b}", f"{b}{a}")
+        one, two = _between(desk, three, f"{p}{q}", f"{q}{p}"), _between(desk, three, adjoined(a, b), adjoined(b, a))
+        ratio = f"${adjoined(a, c)} : {adjoined(a, b)} = {p}{x} : {p}{q}$"
         words = Words(
-            f"求 ${x}$ 点的{kind}（{kind}影像法）：${x}$ 在{one.zh}上，按 ${a}{c} : {a}{b} = {p}{x} : {p}{q}$ "
-            f"在{two.zh}上定出影像点 ${c}$。",
-            f"{kind_en.capitalize()} image: ${x}$ lies on {one.en}, so ${c}$ lies on {two.en} "
-            f"with ${a}{c} : {a}{b} = {p}{x} : {p}{q}$.",
+            f"求 ${x}$ 点的{kind}（{kind}影像法）：${x}$ 在{one.zh}上，按 {ratio} 在{two.zh}上定出影像点 ${c}$。",
+            f"{kind_en.capitalize()} image: ${x}$ lies on {one.en}, so ${c}$ lies on {two.en} with {ratio}.",
         )
     else:
         words = Words(

@@ -9,6 +9,7 @@ from html import escape
 from typing import assert_never
 
 from ...algebra.formula import Node, Sym, Txt, row, split_words
+from ...foundation.indices import DIGITS, ON_LINE
 from ...report.flow.text.held import UNBROKEN, is_number, unbroken
 from ...tagging.speech import said
 from ...typeset import Box, Glyphs, Rule, layout
@@ -158,10 +159,16 @@ def _index(text: str, faces: Faces) -> str:
 def _sloped(text: str, faces: Faces) -> str:
     """Latin and Greek letters italic, digits and primes upright."""
     shown = text.translate(SHOWN)
-    faces.letters(shown)
-    faces.take(shown)
-    pieces = re.findall(rf"[^\W\d_{_UPRIGHT}]+|.", shown)
-    return "".join(
-        f"<i>{escape(p)}</i>" if p[0].isalpha() and ord(p[0]) < 0x400 and p[0] not in _UPRIGHT else escape(p)
-        for p in pieces
+    faces.letters(shown.translate(ON_LINE))
+    faces.take(shown.translate(ON_LINE))
+    return "".join(map(_leaning, re.findall(rf"[^\W\d_{_UPRIGHT}{DIGITS}]+|.", shown)))
+
+
+def _leaning(piece: str) -> str:
+    if piece in DIGITS:  # O₁ in an index
+        return f"<sub>{piece.translate(ON_LINE)}</sub>"
+    return (
+        f"<i>{piece}</i>"
+        if piece[0].isalpha() and ord(piece[0]) < 0x400 and piece[0] not in _UPRIGHT
+        else escape(piece)
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError, UnknownNameError
+from ...foundation.indices import LETTER
 from ...foundation.patterns import pattern
 from ...mechanism.asked.machine import RUN_KEYS
 from ...mechanism.model import FRAME
@@ -18,7 +19,7 @@ from ..schema.models import FindSpec
 from ..text.spelling import did_you_mean, intended, plain
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 
-_POINT = pattern(r"([A-Z][a-z'′]?)(\d+)")
+_POINT = pattern(rf"({LETTER})(\d+)")
 _FORCES = pattern(r"[A-Z]\w*_?\w*|eta|[hm](?:_\w+)?")  # what may be meant for a quantity of the loads
 CURVED = pattern(r"(?:Wr?|U)_\d|delta_\d|lambda_\d|rho_[A-Z]|p_O[A-Z]")  # how what curvatures give is written
 CENTRAL = pattern(r"P_\d|v_P\d|omega_ratio_|phi_[A-Z]")  # how what instant centres give is written

@@ -13,6 +13,7 @@ from ..joints.contacts import FORMS as CONTACTS
 from ..joints.rolling import FORMS as ROLLING
 from ..joints.slides import FORMS as JOINTS
 from ..loads.laws.lawful import CONSTANT
+from ..text.chinese import SENTENCES as CHINESE
 
 Schema = dict[str, Any]
 _SYMBOL = (
@@ -79,7 +80,7 @@ def sentences(forms: Iterable[re.Pattern[str]]) -> Schema:
 
 def joints() -> Schema:
     """Sliding and rolling joints, and contacts."""
-    return sentences((*JOINTS, *ROLLING, *CONTACTS))
+    return sentences((*JOINTS, *ROLLING, *CONTACTS, *CHINESE))
 
 
 def branch() -> Schema:

@@ -31,6 +31,7 @@ _PER_MM = (Dim.MU_L, Dim.MU_V, Dim.MU_A, Dim.MU_F)
 _VALUES = {
     "InputSpec.phi": patterns.angle_from(),
     "InputSpec.omega": patterns.omega(),
+    "InputSpec.n": patterns.omega(),
     "InputSpec.alpha": quantity(Dim.ALPHA),
     "InputSpec.s": _LENGTH,
     "InputSpec.length": _LENGTH,

@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError
+from ...foundation.indices import LETTER
 from ...foundation.patterns import pattern
 from ...mechanism.assembly.statements import Form, Shaped, SideOf, Statement
 from ...mechanism.dimensions.placements import Side
 from ...words import Words
 from ..links.bodies import Bodies
-from ..links.draft import LETTER
 from ..schema.faults import Faults, meant
 from .opposed import check_opposed
 

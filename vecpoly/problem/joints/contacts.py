@@ -6,11 +6,12 @@ import cmath
 import re
 
 from ...errors import FaultError
+from ...foundation.indices import LETTER
 from ...foundation.patterns import pattern
 from ...mechanism.model import Circle, Contact, Joint, Prismatic, Rack, Side
 from ...words import Words
 from ..links.bodies import Bodies
-from ..links.draft import LETTER, Draft
+from ..links.draft import Draft
 from ..links.guides import LINK
 from ..problem import Shape
 

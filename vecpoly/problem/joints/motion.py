@@ -6,6 +6,7 @@ import cmath
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError
+from ...foundation.indices import LETTER
 from ...foundation.patterns import pattern
 from ...mechanism.model import FRAME, Drive, Joint, Prismatic
 from ...mechanism.travel import travel_words
@@ -14,7 +15,7 @@ from ...units.reading import Dim, Quantity, read
 from ...words import Words
 from ..asked.asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 from ..links.bodies import Bodies
-from ..links.draft import LETTER, Draft, letters_of
+from ..links.draft import Draft, letters_of
 from ..problem import Datum, Shape
 from ..schema.faults import meant
 from ..schema.models import InputSpec, ProblemSpec

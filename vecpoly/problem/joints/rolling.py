@@ -7,13 +7,13 @@ import math
 import re
 
 from ...errors import FaultError
+from ...foundation.indices import LETTER
 from ...foundation.patterns import pattern
 from ...foundation.slotted import replace
 from ...mechanism.model import FRAME, Circle, Rack, Rolling, Side
 from ...units.reading import positive
 from ...words import Words
 from ..links.bodies import Bodies
-from ..links.draft import LETTER
 from ..links.guides import LINK, fixed_line
 from ..links.teeth import pressure_angle
 from ..schema.faults import not_on_frame

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from math import degrees
 
+from ...foundation.indices import LETTER
 from ...units.reading import Dim, read
 from ...words import Words
-from ..links.draft import LETTER, Draft
+from ..links.draft import Draft
 from ..links.guides import LINK
 from ..problem import Shape
 

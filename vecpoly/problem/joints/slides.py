@@ -8,13 +8,14 @@ import re
 from collections.abc import Mapping
 
 from ...errors import FaultError
+from ...foundation.indices import LETTER
 from ...foundation.patterns import pattern
 from ...foundation.slotted import replace
 from ...mechanism.model import Prismatic
 from ...units.reading import Dim, read
 from ...words import Words
 from ..links.bodies import Bodies
-from ..links.draft import LETTER, Draft, Line
+from ..links.draft import Draft, Line
 from ..links.guides import GUIDE, LINK, guide_of, own_line
 from ..problem import Shape
 from ..schema.faults import meant, not_on_link

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from ...errors import FaultError
+from ...foundation.indices import LETTER
 from ...foundation.patterns import pattern
 from ...mechanism.assembly.start import Start
 from ...mechanism.model import Circle, Link, Placement
@@ -18,7 +19,6 @@ from ..schema.faults import not_on_link
 if TYPE_CHECKING:
     from ...devices.cams.cam import Cam  # not at once: pydantic, which checks its data, is slow to load
 
-LETTER = r"[A-Z][a-z'′]?"
 ONE = pattern(LETTER)
 TWO = pattern(rf"({LETTER})({LETTER})")
 CENTRE = r"S\d+[a-z'′]?"  # the centre of mass of a link

@@ -8,13 +8,14 @@ import re
 from collections.abc import Mapping
 
 from ...errors import FaultError
+from ...foundation.indices import LETTER
 from ...mechanism.model import FRAME
 from ...units.reading import Dim, read
 from ...words import Words
 from ..problem import Shape
 from ..schema.faults import not_on_frame
 from .bodies import Bodies
-from .draft import LETTER, Draft, Line, letters_of
+from .draft import Draft, Line, letters_of
 
 LINK = r"\d+[a-z']?"
 GUIDE = rf"[xy] = .+?|line through {LETTER} at .+?|{LETTER}{LETTER}(?: of {LINK})?|{LINK}"

@@ -6,6 +6,7 @@ import cmath
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError
+from ...foundation.indices import LETTER
 from ...foundation.patterns import pattern
 from ...mechanism.dimensions.placements import ByAngle, ByLengths, ByOffsets, Placement, Side, local
 from ...names import subscripted
@@ -13,7 +14,7 @@ from ...units.reading import Dim, Quantity, positive, read
 from ...words import Words
 from ..schema.faults import meant
 from ..text.source import Value
-from .draft import ANGLE_FROM, LETTER, PLACED, Draft, ends_of, ray
+from .draft import ANGLE_FROM, PLACED, Draft, ends_of, ray
 from .starts import is_phased, phased
 
 _SIDE = pattern(rf"(left|right) of ({LETTER})({LETTER})")

@@ -11,12 +11,13 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from ...errors import FaultError, ProblemFileError
+from ...foundation.indices import LETTER
 from ...mechanism.model import Circle
 from ...words import Words
 from ..schema.faults import Faults
 from ..text.source import Value
 from .bodies import Bodies
-from .draft import LETTER, Draft
+from .draft import Draft
 
 if TYPE_CHECKING:
     from ...devices.cams.cam import Cam

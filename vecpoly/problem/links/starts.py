@@ -7,6 +7,7 @@ import cmath
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError
+from ...foundation.indices import LETTER
 from ...foundation.patterns import pattern
 from ...mechanism.assembly.start import Start
 from ...mechanism.model import Joint, Prismatic
@@ -15,7 +16,7 @@ from ...units.reading import Dim, Quantity, positive, read
 from ...words import Words
 from ..problem import Shape
 from ..text.source import Value
-from .draft import LETTER, Draft
+from .draft import Draft
 
 _FROM = pattern(rf"(.+?)\s+from\s+({LETTER})({LETTER})")
 

@@ -7,11 +7,12 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, WithJsonSchema
 
 from ...errors import FaultError
+from ...foundation.indices import LETTER
 from ...words import Words
 from ..text.commas import with_points
 from ..text.pairs import pair_of
 
-_LETTER = "[A-Z][a-z'′]?"
+_LETTER = rf"(?:{LETTER}|[A-Z]_?[0-9])"
 _QUANTITY = {"type": ["string", "number"], "description": "a number with its unit, e.g. 30 mm"}
 
 

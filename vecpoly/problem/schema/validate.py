@@ -119,6 +119,13 @@ def _too_few(ctx: Mapping[str, int]) -> Words:
     return Words(f"此处至少要有 {least} 项，现有 {there} 项", f"{least} entries are needed here, there is {there}")
 
 
+_LETTER_WANTED = Words(
+    "此处应为构件上一点的字母，如 at: G；点本身写在构件中，如 5: {EF: 200 mm, G: {along: EF, at: 80 mm}}",
+    "the letter of a point of the link is expected here, as at: G; the point itself is set out in the link, as "
+    "5: {EF: 200 mm, G: {along: EF, at: 80 mm}}",
+)
+
+
 def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> FaultError:
     written, reason = item["input"], (item.get("ctx") or {}).get("error")
     path = tuple(part for part in path if part != "[key]")  # the key itself is the place
@@ -153,6 +160,8 @@ def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> Fa
                 *path,
                 code="spelling",
             )
+        case "string_type" if path[0] == "loads" and path[-1] == "at":
+            return FaultError(_LETTER_WANTED, *path, code="spelling")
         case "greater_than_equal" | "less_than_equal" | "greater_than" as kind:
             return FaultError(_bounded(kind, written, item["ctx"]), *path, code="range")
         case kind:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from pathlib import PurePath
 
 from ..schema.faults import Path, Place
+from .respelled import respelled
 from .source import Tree, Value
 
 
 def overlay(base: Tree, over: Tree) -> Tree:
     """`over` laid on `base`: mappings merged key by key, all else replaced;
     null takes a key away. The base's text follows the other's."""
+    base, over = respelled(base), respelled(over, base)
     places = dict(base.places)
     text = f"{over.text.rstrip()}\n\n# ----- {PurePath(base.name).name} -----\n{base.text}"
     return Tree(

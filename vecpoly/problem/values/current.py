@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from math import degrees, isclose, remainder, tau
 
+from ...foundation.indices import LETTER
 from ...foundation.patterns import pattern
 from ...foundation.slotted import replace
 from ...mechanism.dimensions.values import Dimension, Led, Part, Placed
@@ -16,7 +17,7 @@ from ...mechanism.loads import Loads
 from ...mechanism.model import Circle, Drive, Mechanism, Prismatic, Rolling
 from .given import Datum, Given
 
-_ENDS = pattern(r"l_([A-Z][a-z']?\d*)([A-Z][a-z']?\d*)")
+_ENDS = pattern(rf"l_({LETTER}\d*)({LETTER}\d*)")
 _SAME = 1e-9  # relative
 Values = Mapping[str, float]  # symbol -> SI value
 

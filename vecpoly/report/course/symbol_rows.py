@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from ...analytic.expr import Var
@@ -9,6 +10,7 @@ from ...analytic.forces.balance import ForceModel, force_model
 from ...board.construction import Figure, View
 from ...figures import views
 from ...findings.study.study import Study
+from ...foundation.indices import LETTER
 from ...mechanism.asked.forces import load_symbol
 from ...names import subscripted
 from ...words import Words
@@ -30,7 +32,7 @@ def model(study: Study) -> Iterator[Row]:
     constants = list(dict.fromkeys(c.symbol for group in study.model.groups for c in group.constants))
     length = next((c for c in constants if c.startswith("l_")), "")
     if length:
-        one, two = length[3], length[4:-1]
+        one, two = re.findall(f"{LETTER}|.+", length[3:-1])
         yield (
             f"${length}$",
             Words(f"${one}$、${two}$ 两点的距离，余类推", f"distance from ${one}$ to ${two}$, and so on"),

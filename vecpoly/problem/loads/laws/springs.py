@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 
 from ....errors import FaultError
+from ....foundation.indices import LETTER
 from ....foundation.patterns import pattern
 from ....mechanism.laws.springs import Coil, Elastic, Spring
 from ....mechanism.model import FRAME
 from ....units.reading import Dim, positive, read
 from ....words import Words
 from ...links.bodies import Bodies, frame_number
-from ...links.draft import LETTER
 from ...links.guides import LINK
 from ...schema.faults import meant
 from ...schema.models import LoadSpec

@@ -6,12 +6,12 @@ import re
 from math import pi
 
 from ....errors import FaultError
+from ....foundation.indices import LETTER
 from ....foundation.patterns import pattern
 from ....mechanism.laws.windows import During, Moving, Turning, Window
 from ....units.reading import Dim, read
 from ....words import Words
 from ...links.bodies import Bodies
-from ...links.draft import LETTER
 from ...links.guides import LINK
 from ...schema.faults import meant
 from ...schema.models import LoadSpec
