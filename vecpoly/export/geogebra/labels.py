@@ -42,7 +42,7 @@ class Labels:
 
 def caption(letter: str) -> str:
     """A letter with its index and prime as TeX: $c_{2}'$."""
-    plain = letter.translate(ON_LINE | str.maketrans("′", "'", "^{}_"))
+    plain = letter.translate(ON_LINE).translate(str.maketrans("′", "'", "^{}_"))
     primes = "'" * plain.count("'")
     base, _, index = subscripted(plain.replace("'", "")).partition("_")
     return f"${base}{primes}" + (f"_{{{index}}}" if index else "") + "$"
