@@ -153,3 +153,33 @@ def test_of_assemblies_without_number_six_are_told() -> None:
 def test_a_kind_under_a_key_of_ones_own_is_told_where_it_belongs(key: str, kind: str, right: str) -> None:
     with pytest.raises(ProblemFileError, match=f"line 3.*'{key}' is no key of a problem; write {right}: {kind}"):
         loads(f"id: t\ntitle: t\n{key}: {kind}\ndata: {{K: 1.5}}\n")
+
+
+ROTOR = """\
+id: t
+title: t
+device: rotor
+data:
+  masses: {1: {m: 5 kg, r: 100 mm, at: 0 deg}}
+  correct: {I: {r: 150 mm}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        (ROTOR.replace("at: 0", "angle: 0"), "unknown key 'angle'; known: U, at, b, density, depth, hole"),
+        (ROTOR.replace("{I: {r: 150 mm}}", "{r: 150 mm}"), "as correct: {I: {r: 150 mm}}"),
+        (
+            "id: t\ntitle: t\ndevice: structure\ndata: {joints: {A: R(0,1) at (0,0), B: R(1,2) at (9,0)}}\n",
+            "line 4.*cut at its comma; .* goes between quotes",
+        ),
+        (
+            FOUR_BAR + "loads: {F: {on: 3, at: {along: CD, at: 9 mm}, size: 1 N, direction: 0 deg}}\n",
+            "loads.F.at: the letter of a point of the link is expected",
+        ),
+    ],
+)
+def test_what_is_known_at_a_place_is_what_that_very_place_may_hold(changed: str, said: str) -> None:
+    with pytest.raises(ProblemFileError, match=said):
+        loads(changed)

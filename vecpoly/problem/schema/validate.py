@@ -2,52 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
-from typing import Any, TypeVar
+from types import UnionType
+from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
 from ...errors import FaultError
 from ...words import Words
 from .faults import Faults, meant
-from .marking import BlockSpec, PointsSpec, RubricSpec, RulesSpec
-from .models import (
-    FindSpec,
-    FrictionSpec,
-    GateSpec,
-    InputSpec,
-    LoadSpec,
-    MassSpec,
-    PrintedSpec,
-    RodSpec,
-    ScalesSpec,
-    SheetSpec,
-    TableSpec,
-    TargetSpec,
-)
 
 Model = TypeVar("Model", bound=BaseModel)
 
-_MODELS: dict[str, type[BaseModel]] = {
-    "input": InputSpec,
-    "scales": ScalesSpec,
-    "find": FindSpec,
-    "printed": PrintedSpec,
-    "sheet": SheetSpec,
-    "loads": LoadSpec,
-    "friction": FrictionSpec,
-    "masses": MassSpec,
-    "gate": GateSpec,
-    "target": TargetSpec,
-    "rules": RulesSpec,
-    "rubric": RubricSpec,
-}
-_DEEPER: dict[tuple[str, int], type[BaseModel]] = {
-    ("rubric", 2): BlockSpec,
-    ("points", 3): PointsSpec,
-    ("loads", 3): TableSpec,
-}
 _PAIR = Words("此处应为两个值，如 [100 mm, 0 mm]", "two values are expected here, e.g. [100 mm, 0 mm]")
 _MAPPING = Words("此处应为映射（键: 值）", "a mapping (key: value) is expected here")
 _SAID = {
@@ -152,20 +119,30 @@ def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> Fa
         case "list_type":
             return FaultError(_list_wanted(path, written), *path, code="spelling")
         case "tuple_type" if len(path) == 2 and path[0] in ("frame", "guesses") and str(path[-1])[:1].isdigit():
-            return FaultError(
-                Words(
-                    f"“{path[-1]}”不在方括号内；坐标请写如 A: [100 mm, 0 mm]",
-                    f"'{path[-1]}' stands outside of brackets; write coordinates as A: [100 mm, 0 mm]",
-                ),
-                *path,
-                code="spelling",
-            )
+            return FaultError(_outside(path[-1]), *path, code="spelling")
+        case "model_type" if path[-1] in _model_at(model, path).model_fields:
+            return FaultError(_below_a_name(path, written), *path, code="spelling")
         case "string_type" if path[0] == "loads" and path[-1] == "at":
             return FaultError(_LETTER_WANTED, *path, code="spelling")
         case "greater_than_equal" | "less_than_equal" | "greater_than" as kind:
             return FaultError(_bounded(kind, written, item["ctx"]), *path, code="range")
         case kind:
             return FaultError(_SAID.get(kind, Words(f"不能读取（{kind}）", str(item["msg"]))), *path)
+
+
+def _outside(key: str | int) -> Words:
+    return Words(
+        f"“{key}”不在方括号内；坐标请写如 A: [100 mm, 0 mm]",
+        f"'{key}' stands outside of brackets; write coordinates as A: [100 mm, 0 mm]",
+    )
+
+
+def _below_a_name(path: tuple[str | int, ...], written: Any) -> Words:
+    """That a key stands where the name of its entry is expected: correct: {r: 150 mm}."""
+    right = f"{path[-2] if len(path) > 1 else ''}: {{I: {{{path[-1]}: {written}}}}}"
+    return Words(
+        f"“{path[-1]}”应写在各项的名称之下，如 {right}", f"'{path[-1]}' stands below the name of an entry, as {right}"
+    )
 
 
 def _bounded(kind: str, written: Any, ctx: dict[str, Any]) -> Words:
@@ -194,8 +171,34 @@ def _list_wanted(path: tuple[str | int, ...], written: Any) -> Words:
 
 
 def _model_at(model: type[BaseModel], path: tuple[str | int, ...]) -> type[BaseModel]:
-    if not path or str(path[0]) not in model.model_fields:
-        return model
-    if (deeper := _DEEPER.get((str(path[0]), len(path)))) is not None:
-        return deeper
-    return RodSpec if path[-1] == "rod" else _MODELS.get(str(path[0]), model)
+    """The model of what stands at this path."""
+    kinds: tuple[Any, ...] = (model,)
+    for step in path:
+        kinds = tuple(inner for kind in kinds for inner in _within(kind, step)) or kinds
+    return next((kind for kind in kinds if _is_model(kind)), model)
+
+
+def _within(kind: Any, step: str | int) -> Iterator[Any]:
+    """What may stand below a key or index of this kind of value."""
+    if _is_model(kind):
+        if (known := kind.model_fields.get(str(step))) is not None:
+            yield from _options(known.annotation)
+    elif get_origin(kind) in (dict, Mapping):
+        yield from _options(get_args(kind)[1])
+    elif get_origin(kind) in (list, tuple):
+        yield from _options(get_args(kind)[0])
+
+
+def _options(annotation: Any) -> Iterator[Any]:
+    """The kinds of a union; one by itself."""
+    if get_origin(annotation) in (Union, UnionType):
+        for one in get_args(annotation):
+            yield from _options(one)
+    elif get_origin(annotation) is Annotated:
+        yield from _options(get_args(annotation)[0])
+    else:
+        yield annotation
+
+
+def _is_model(kind: Any) -> bool:
+    return isinstance(kind, type) and issubclass(kind, BaseModel)

@@ -55,3 +55,23 @@ def with_points(texts: Sequence[str]) -> Words | None:
         return None
     written = right[1:-1].replace(".", ",")
     return Words(f"“{written}”中用逗号作小数点；请写 {right}", f"'{written}' has decimal commas; write {right}")
+
+
+def cut_short(text: str) -> bool:
+    """Whether a text closes a bracket that it did not open: what YAML cut at a comma inside of it."""
+    opened = 0
+    for sign in text:
+        opened += (sign == "(") - (sign == ")")
+        if opened < 0:
+            return True
+    return False
+
+
+def torn(text: str) -> Words:
+    """What is said of such a key."""
+    quoted = 'A: "R(0, 1) at (0, 0)"'
+    return Words(
+        f"“{text}”是在逗号处断开的文本的后半；含逗号的文本写在花括号中时要加引号，如 {quoted}，或各占一行",
+        f"'{text}' is the end of a text that was cut at its comma; inside braces a text with a comma goes between "
+        f"quotes, as {quoted}, or each stands on a line of its own",
+    )

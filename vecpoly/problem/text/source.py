@@ -14,7 +14,7 @@ from ...words import Words
 from ..reach import Reach
 from ..schema.faults import Path, Place
 from .characters import refuse_unwanted
-from .commas import braced, is_braced, parted
+from .commas import braced, cut_short, is_braced, parted, torn
 from .narrow import Narrowed, narrowed
 from .nodes import composed, refused
 
@@ -218,6 +218,8 @@ class _Reader:
         if key.id != "scalar":
             raise refused(place, Words("键应为一个词", "a key must be a plain word"))
         self.scalar(key.value, place, limits.SCALAR)
+        if cut_short(key.value):
+            raise refused(place, torn(key.value))
         if ":" in key.value:
             zh, en = f"“{key.value}”：冒号后要写空格和值", f"'{key.value}': write a space and a value after the ':'"
             raise refused(place, Words(zh, en))
