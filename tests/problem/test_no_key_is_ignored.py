@@ -135,7 +135,6 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "input.link": (BASE, "link: 1", "link: 3"),
     "input.phi": (BASE, "phi: 60 deg", "phi: 61 deg"),
     "input.omega": (BASE, "10 rad/s", "11 rad/s"),
-    "input.n": (BASE.replace("omega: 10 rad/s", "n: 100 r/min"), "100 r/min", "110 r/min"),
     "input.alpha": (BASE, "3 rad/s^2", "4 rad/s^2"),
     "input.s": (DRIVEN, "110 mm", "111 mm"),
     "input.v": (DRIVEN, "0.5 m/s", "0.6 m/s"),

@@ -9,7 +9,7 @@ import pytest
 from vecpoly.algebra.formula import Sym, plain, row, sym
 from vecpoly.errors import ProblemFileError
 from vecpoly.problem.editors import json_schema
-from vecpoly.problem.load import loads
+from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem
 from vecpoly.problem.text.chinese import joint
 from vecpoly.solution import solve
@@ -35,7 +35,7 @@ PLAIN = SLOTTER.replace("O1", "P").replace("O2", "Q").replace("n: 60", "omega: 6
 
 
 def answers(problem: Problem) -> dict[str, object]:
-    return {key: answer.exact for key, answer in solve(problem).answers.items()}
+    return {key: repr(answer.exact) for key, answer in solve(problem).answers.items()}
 
 
 @pytest.mark.parametrize("written", ["O1", "O_1", "O₁"])
@@ -128,3 +128,21 @@ def test_the_motion_of_a_cam_may_be_said_in_chinese() -> None:
     told = base.format("rise 30 mm in 120 deg cosine, dwell 30 deg, return in 120 deg parabolic, dwell 90 deg")
     pieces = [loads(text).subject.pieces for text in (said, told)]  # type: ignore[union-attr]
     assert pieces[0] == pieces[1]
+
+
+def test_masses_angles_and_answers_have_the_symbols_of_the_textbook() -> None:
+    base = SLOTTER.replace("phi: 150 deg", "φ: 150 deg").replace("find: [", "find: [η, M_1, ")
+    base += (
+        "loads: {M_1: {on: 1, size: '?'}, F: {on: 5, at: C, size: 9 N, direction: 90 deg}}\nfriction: {A: {ρ: 2 mm}}\n"
+    )
+    symbols = loads(base + "masses: {4: {m: 2 kg, J_S: 0.1 kg*m^2, S: {along: BC, at: 50 mm}}}\n")
+    words = loads(base + "masses: {4: {mass: 2 kg, inertia: 0.1 kg*m^2, centre: {along: BC, at: 50 mm}}}\n")
+    assert answers(symbols) == answers(words)
+    assert {"m", "J_S", "S"} <= SCHEMA["$defs"]["MassSpec"]["properties"].keys()
+    assert {"n", "φ"} <= SCHEMA["$defs"]["InputSpec"]["properties"].keys()
+    assert [str(ask.rel) for ask in symbols.asks][:2] == ["eta", "M_1"]
+
+
+def test_the_n_of_a_device_stays_its_own() -> None:
+    text = load("7-6").text.replace("id: 7-6", "id: x")
+    assert [one.name for one in loads(text + "\nvary: {n: 900 r/min .. 1100 r/min by 100 r/min}\n").ranges] == ["n"]

@@ -17,6 +17,7 @@ from ..read_ranges import SPAN, STEP
 from ..schema.assignment import AssignmentSpec
 from ..schema.marking import KEYS as MARKING
 from ..schema.models import ProblemSpec
+from ..text.respelled import OTHER_KEYS
 from . import patterns
 from .design_words import DESIGNS
 from .device_words import DATA
@@ -31,7 +32,6 @@ _PER_MM = (Dim.MU_L, Dim.MU_V, Dim.MU_A, Dim.MU_F)
 _VALUES = {
     "InputSpec.phi": patterns.angle_from(),
     "InputSpec.omega": patterns.omega(),
-    "InputSpec.n": patterns.omega(),
     "InputSpec.alpha": quantity(Dim.ALPHA),
     "InputSpec.s": _LENGTH,
     "InputSpec.length": _LENGTH,
@@ -92,6 +92,9 @@ def json_schema() -> Schema:
     _with_assignments(schema)
     for name, spec in schema["$defs"].items():
         _finish(spec, name)
+    for name, part in (("InputSpec", "input"), ("MassSpec", "masses"), ("FrictionSpec", "friction")):
+        known = schema["$defs"][name]["properties"]
+        known |= {written: known[key] for written, key in OTHER_KEYS[part].items()}
     for branch in schema["allOf"]:
         data = branch["then"]["properties"]["data"]
         _finish(data, next(iter(branch["if"]["properties"].values()))["const"])

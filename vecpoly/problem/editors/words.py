@@ -101,7 +101,6 @@ KEYS = {
     "Item.problem": Words("题号或文件", "id or file of the problem"),
     "InputSpec.link": Words("原动件的编号", "number of the driving link"),
     "InputSpec.phi": Words("位置角：60 deg，或 60 deg from AD", "position: 60 deg, or 60 deg from AD"),
-    "InputSpec.n": Words("转速，代替 omega：40 r/min ccw", "the speed, in place of omega: 40 r/min ccw"),
     "InputSpec.omega": Words(
         "角速度：10 rad/s ccw、40 r/min 顺时针；只需转向时写 ccw",
         "angular velocity: 10 rad/s ccw, 40 r/min cw; ccw alone where only the sense matters",

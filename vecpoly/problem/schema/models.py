@@ -34,7 +34,6 @@ class InputSpec(Spec):
     length: Number | None = Field(None, description="of a cylinder: between its two pins")
     phi: Number | None = Field(None, description="60 deg, or 60 deg from AD")
     omega: Number | None = Field(None, description="10 rad/s ccw, 40 r/min 顺时针")
-    n: Number | None = Field(None, description="the same as omega, in its place: 40 r/min ccw")  # text/respelled.py
     alpha: Number | None = None
     s: Number | None = Field(None, description="travel along the guide from its origin")
     v: Number | None = None

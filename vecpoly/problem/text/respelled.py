@@ -1,5 +1,5 @@
-"""What books write otherwise, as the rest of the program calls it: n of an input is its omega, the fixed pivot O1 the
-one letter O₁, and a joint said in Chinese one in English."""
+"""What books write otherwise, as the rest of the program calls it: n of an input is its omega, η what is asked as eta,
+the fixed pivot O1 the one letter O₁, and a joint said in Chinese one in English."""
 
 from __future__ import annotations
 
@@ -16,8 +16,17 @@ from .chinese import joint, motion
 from .source import PROSE, Tree, Value
 
 _INDEXED = pattern(rf"([A-Z])_?([0-9{DIGITS}])")
-_SPEED = pattern(r"n(_\d+)?")
 _AS_WRITTEN = PROSE | {"id", "title", "extends", "tables", "problems", "title_block"}  # sentences, names of files
+_MOTION = {"n": "omega", "ω": "omega", "φ": "phi", "α": "alpha"}
+OTHER_KEYS = {  # of a part of the file, for editors too
+    "input": _MOTION,
+    "vary": _MOTION,
+    "masses": {"m": "mass", "J": "inertia", "J_S": "inertia", "S": "centre"},
+    "friction": {"φ": "phi", "ρ": "rho"},
+}
+_ASKED = str.maketrans(
+    {"η": "eta", "ρ": "rho", "δ": "delta", "λ": "lambda", "φ": "phi", "ψ": "psi", "θ": "theta", "Δ": "d"}
+)
 
 
 def respelled(tree: Tree, base: Tree | None = None) -> Tree:
@@ -26,16 +35,43 @@ def respelled(tree: Tree, base: Tree | None = None) -> Tree:
     Raises ProblemFileError where n and omega both stand, or a letter of the frame stands with its index and without.
     """
     letters = _indexed(base) | _indexed(tree)
-    speeds = {(*path, key): f"omega{key[1:]}" for path, turning in _turning(tree) for key in _speeds(turning)}
     faults = Faults(tree.name, tree.places)
-    for path, key in speeds.items():
-        with faults.at(*path):
-            _refuse_twice(key, next(turning for at, turning in _turning(tree) if at == path[:-1]))
+    renamed = dict(_renamed(tree, base, faults))
     _refuse_bare(letters, tree, faults)
     faults.settle()
-    speller = _Speller(letters, speeds)
+    speller = _Speller(letters, renamed)
     places = {speller.path(path): place for path, place in tree.places.items()}
     return replace(tree, data=speller.value(tree.data, ()), places=places)
+
+
+def _renamed(tree: Tree, base: Tree | None, faults: Faults) -> Iterator[tuple[Path, str]]:
+    """The keys that have another name here, by their paths."""
+    whole = {**(base.data if base is not None else {}), **tree.data}
+    for part, names in OTHER_KEYS.items():
+        speeds = part != "vary" or ("input" in whole and "machine" not in whole)  # n of a device, a machine, is its own
+        for path, mapping in _mappings(tree.data.get(part), (part,)):
+            for key in mapping:
+                if key in names and (speeds or key != "n"):
+                    yield (*path, key), names[key]
+                    _refuse_twice((*path, key), names[key], mapping, faults)
+
+
+def _mappings(value: Value, path: Path) -> Iterator[tuple[Path, dict[str, Value]]]:
+    """All mappings at and below a path."""
+    if isinstance(value, dict):
+        yield path, value
+    inner = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, item in inner:
+        yield from _mappings(item, (*path, key))
+
+
+def _refuse_twice(path: Path, name: str, mapping: dict[str, Value], faults: Faults) -> None:
+    if name in mapping:
+        key = path[-1]
+        twice = Words(
+            f"{key} 与 {name} 是同一个量；请删去其一", f"{key} and {name} are one quantity; leave out one of them"
+        )
+        faults.note(FaultError(twice, *path, code="contradiction"))
 
 
 def _indexed(tree: Tree | None) -> dict[str, str]:
@@ -43,32 +79,6 @@ def _indexed(tree: Tree | None) -> dict[str, str]:
     frame = tree.data.get("frame") if tree is not None else None
     found = [(key, _INDEXED.fullmatch(key)) for key in frame] if isinstance(frame, dict) else []
     return {m[1] + m[2].translate(BELOW): key for key, m in found if m}
-
-
-def _turning(tree: Tree) -> Iterator[tuple[Path, dict[str, Value]]]:
-    """The mappings in which n is an angular velocity, with their paths."""
-    inputs = tree.data.get("input")
-    listed = enumerate(inputs) if isinstance(inputs, list) else ()
-    for path, one in (
-        (("input",), inputs),
-        *((("input", i), one) for i, one in listed),
-        (("vary",), tree.data.get("vary")),
-    ):
-        if isinstance(one, dict):
-            yield path, one
-
-
-def _speeds(turning: dict[str, Value]) -> Iterator[str]:
-    return (key for key in turning if _SPEED.fullmatch(key))
-
-
-def _refuse_twice(key: str, turning: dict[str, Value]) -> None:
-    if key in turning:
-        n = key.replace("omega", "n")
-        raise FaultError(
-            Words(f"{n} 与 {key} 是同一个量；请删去其一", f"{n} and {key} are one quantity; leave out one of them"),
-            code="contradiction",
-        )
 
 
 def _refuse_bare(letters: dict[str, str], tree: Tree, faults: Faults) -> None:
@@ -95,8 +105,8 @@ def _keys(value: Value) -> Iterator[str]:
 class _Speller:
     """Writes letters, keys and sentences of joints anew, wherever they stand but in prose."""
 
-    def __init__(self, letters: Iterable[str], speeds: dict[Path, str]) -> None:
-        self.speeds = speeds
+    def __init__(self, letters: Iterable[str], renamed: dict[Path, str]) -> None:
+        self.renamed = renamed
         self.plain = {letter.translate(ON_LINE): letter for letter in letters}
         names = "|".join(rf"{name[0]}_?{name[1]}|{it[0]}_?{it[1]}" for name, it in self.plain.items())
         self.found = re.compile(names) if names else None
@@ -112,6 +122,8 @@ class _Speller:
                 return self.text(joint(value))
             case str() if "motion" in path:
                 return motion(value)
+            case str() if path[0] == "find" or path[-1] == "symbol":
+                return self.text(value.translate(_ASKED))
             case str() if path[0] not in _AS_WRITTEN:
                 return self.text(value)
         return value
@@ -122,7 +134,7 @@ class _Speller:
 
     def key(self, path: Path) -> str:
         """The last key of a path."""
-        return self.speeds.get(path) or (str(path[-1]) if path[0] in _AS_WRITTEN else self.text(str(path[-1])))
+        return self.renamed.get(path) or (str(path[-1]) if path[0] in _AS_WRITTEN else self.text(str(path[-1])))
 
     def text(self, text: str) -> str:
         """A text with its letters."""
