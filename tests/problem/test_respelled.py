@@ -122,6 +122,16 @@ def test_a_mechanism_said_in_chinese_is_that_said_in_english() -> None:
     assert loads(chinese).mechanism == loads(SLOTTER).mechanism
 
 
+def test_the_side_of_a_point_may_be_said_in_chinese() -> None:
+    base = (
+        SLOTTER.replace("{", "{{")
+        .replace("}", "}}")
+        .replace("{{BC: 125 mm}}", "{{BC: 125 mm, E: {{BE: 80 mm, CE: 70 mm, side: {}}}}}")
+    )
+    said, told = (loads(base.format(text)).mechanism.link("4").points for text in ("BC 左侧", "left of BC"))
+    assert said == told
+
+
 def test_the_motion_of_a_cam_may_be_said_in_chinese() -> None:
     base = "id: cam\ntitle: cam\ndevice: cam\ndata: {{follower: {{knife: yes}}, r0: 40 mm, turns: ccw, motion: [{}]}}\n"
     said = base.format("推程 30 mm 120° 余弦加速度, 远休止 30°, 回程 120° 等加速等减速运动, 近休 90°")

@@ -1,4 +1,4 @@
-"""Sentences of joints and of a cam's motion in Chinese, as the English ones that the readers know:
+"""Sentences of joints, of a point's side and of a cam's motion in Chinese, as the English ones that the readers know:
 ``滑块 4 在构件 5 的槽中滑动`` is ``4 slides in 5``. What stands behind in English (``turned 60 deg``) stays."""
 
 from __future__ import annotations
@@ -32,6 +32,8 @@ _SPOKEN = {"N": r"(\d+[a-z']?)", "P": f"({LETTER})", "G": f"({_LINE})", " ": r"\
 _BEHIND = r"(?P<behind>\s+(?:with|turned|left|right|above|below) .+)?"
 _LAWS = {"等加速等减速": "parabolic", "等速": "uniform", "余弦": "cosine", "正弦": "sine", "3-4-5": "3-4-5"}
 _WHAT = {"推程": "rise", "升程": "rise", "回程": "return", "远休": "dwell", "近休": "dwell", "停歇": "dwell"}
+_SIDES = {"左": "left of", "右": "right of", "上": "above", "下": "below"}
+_SIDE = pattern(rf"(?:在\s*)?({LETTER}{LETTER})\s*的?(左|右|上|下)[侧方边]")
 _MOTION = pattern(
     rf"(?P<what>{'|'.join(_WHAT)})止?(?:\s*(?P<by>[\d.]+ ?(?:mm|cm|m|deg|°)))??\s*(?P<angle>[\d.]+ ?(?:deg|rad|°))"
     rf"(?:\s*(?P<law>{'|'.join(_LAWS)})(?:加速度)?(?:运动)?)?"
@@ -55,6 +57,12 @@ def joint(text: str) -> str:
         if found := form.fullmatch(said):
             return found.expand(english) + (found["behind"] or "")
     return text
+
+
+def side(text: str) -> str:
+    """On which side of a line a point lies, in English: ``BC 左侧`` is ``left of BC``."""
+    found = _SIDE.fullmatch(text.strip())
+    return text if found is None else f"{_SIDES[found[2]]} {found[1]}"
 
 
 def motion(text: str) -> str:

@@ -12,7 +12,7 @@ from ...foundation.patterns import pattern
 from ...foundation.slotted import replace
 from ...words import Words
 from ..schema.faults import Faults, Path
-from .chinese import joint, motion
+from .chinese import joint, motion, side
 from .source import PROSE, Tree, Value
 
 _INDEXED = pattern(rf"([A-Z])_?([0-9{DIGITS}])")
@@ -120,6 +120,8 @@ class _Speller:
                 return [self.value(item, (*path, i)) for i, item in enumerate(value)]
             case str() if path[0] == "joints":
                 return self.text(joint(value))
+            case str() if path[-1] == "side":
+                return self.text(side(value))
             case str() if "motion" in path:
                 return motion(value)
             case str() if path[0] == "find" or path[-1] == "symbol":
