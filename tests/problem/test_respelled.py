@@ -123,13 +123,11 @@ def test_a_mechanism_said_in_chinese_is_that_said_in_english() -> None:
 
 
 def test_the_side_of_a_point_may_be_said_in_chinese() -> None:
-    base = (
-        SLOTTER.replace("{", "{{")
-        .replace("}", "}}")
-        .replace("{{BC: 125 mm}}", "{{BC: 125 mm, E: {{BE: 80 mm, CE: 70 mm, side: {}}}}}")
-    )
-    said, told = (loads(base.format(text)).mechanism.link("4").points for text in ("BC 左侧", "left of BC"))
-    assert said == told
+    def points(side: str) -> object:
+        triangle = f"{{BC: 125 mm, E: {{BE: 80 mm, CE: 70 mm, side: {side}}}}}"
+        return loads(SLOTTER.replace("{BC: 125 mm}", triangle)).mechanism.link("4").points
+
+    assert points("BC 左侧") == points("left of BC")
 
 
 def test_the_motion_of_a_cam_may_be_said_in_chinese() -> None:
