@@ -61,3 +61,33 @@ def test_the_direction_of_what_creeps_is_told_in_json(tmp_path: Path) -> None:
     path.write_text(FOUR_BAR.replace("RATE", "1e-12"), "utf-8")
     told = json.loads(CliRunner().invoke(app, ["solve", str(path), "--json", "-"]).stdout)["answers"]["v_C"]
     assert told["exact_direction_deg"] == pytest.approx(told["direction_deg"], abs=0.2)
+
+
+def test_exact_tells_a_sense_as_solve_does_and_nothing_twice() -> None:
+    """It had −1.995 where solve had 1.9952 cw, and a^k_B3B2, which is asked in two ways, on two lines."""
+    shown = CliRunner().invoke(app, ["exact", "3-9", "--lang", "zh"]).stdout
+    assert [row.split()[1:] for row in shown.splitlines() if row.startswith(" ω_2")] == [["1.99524", "rad/s", "顺时针"]]
+    assert (
+        json.loads(CliRunner().invoke(app, ["exact", "3-9", "--json", "-"]).stdout)["answers"]["omega_2"]["sense"]
+        == "cw"
+    )
+    assert CliRunner().invoke(app, ["exact", "3-7a"]).stdout.count("a^k_B3B2") == 1
+
+
+def test_places_are_told_in_the_unit_in_which_they_are_checked() -> None:
+    shown = CliRunner().invoke(app, ["exact", "D-2"]).stdout
+    row = next(row for row in shown.splitlines() if row.startswith(" P_24"))
+    place = row[row.index("(") : row.index(")") + 1]
+    assert CliRunner().invoke(app, ["check", "D-2", f"P_24={place}"]).exit_code == 0
+
+
+def test_the_library_lists_what_is_no_problem_with_its_command() -> None:
+    shown = CliRunner().invoke(app, ["list"]).stdout
+    assert "vecpoly design design-shaper" in shown and "vecpoly search search-dwell" in shown
+    assert not any(line != line.rstrip() for line in shown.splitlines())
+
+
+def test_a_copy_is_told_with_the_command_that_takes_it(tmp_path: Path) -> None:
+    for like, command in (("design-press", "design"), ("search-path", "search"), ("5-5", "solve")):
+        told = CliRunner().invoke(app, ["new", str(tmp_path / f"{command}.yaml"), "--like", like]).stderr
+        assert f"vecpoly {command} " in told

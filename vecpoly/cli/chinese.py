@@ -55,7 +55,8 @@ HELP = {
         "在没有作图法的场合搜索机构：再现轨迹、实现停歇、传动角最大。\n\n"
         "-o 结果.yaml 写成题目，可作图和分析；-o 结果.pdf 写出报告。"
     ),
-    "A search file: search, data, candidates.": "搜索文件：search、data、candidates。",
+    "A search: search-dwell of the library, or a file.": "搜索：题库中的 search-dwell 等，或文件。",
+    "Seed of the candidates: another has others.": "候选机构的随机种子：换一个就换一批候选。",
     "How many are tried, instead of the file's.": "候选数，代替文件中所写的。",
     "A project: design-shaper of the library, or a file.": "课程设计：题库中的 design-shaper 等，或文件。",
     "Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves.": (

@@ -37,6 +37,11 @@ def beside(degrees: Any, other: float) -> Any:
     return other + (degrees - other + 90.0) % 180.0 - 90.0
 
 
+def come_round(degrees: Any, other: float) -> Any:
+    """An angle, or many, written so that it is nearest to another: 361° beside 359°, for 1°."""
+    return other + (degrees - other + 180.0) % 360.0 - 180.0
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Points:
     """What a quantity is worth: for the way (M), for the number (A), for the sense of turning (B)."""

@@ -59,7 +59,7 @@ def check_claims(
         _print(checked, lang)
     if json is not None:
         write_json(checked.as_json(), json)
-    if any(one.for_a_person for one in checked.answers):
+    if any(one.outcome.for_a_person for one in checked.answers):
         raise typer.Exit(REFUSED)
     if not checked.right:
         raise typer.Exit(DISAGREES)

@@ -22,12 +22,17 @@ def listing(what: What = "problems", lang: LangOption = "en") -> None:
 
 
 def _problems(lang: Lang) -> None:
-    from ...problem.library import library
+    from ...problem.library import library, others
 
     names = {"zh": ("题号", "题目", "所在"), "en": ("id", "title", "in")}[lang]
     made = table("", [(name, "left") for name in names])
     for entry in library():
         add(made, (entry.id, bare(entry.title.of(lang)), entry.path.parent.name))
+    show(made)
+    names = {"zh": ("名称", "题目", "命令"), "en": ("name", "title", "command")}[lang]
+    made = table("", [(name, "left") for name in names])
+    for command, entry in others():
+        add(made, (entry.id, bare(entry.title.of(lang)), f"vecpoly {command} {entry.id}"))
     show(made)
 
 

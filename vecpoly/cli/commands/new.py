@@ -39,19 +39,15 @@ def new(path: NewFile, like: Like = None) -> None:
     if _ID.fullmatch(target.stem):
         text = _ID_LINE.sub(f"id: {target.stem}", text, count=1)
     text = text if _EDITOR in text else f"{_EDITOR}{SCHEMA}\n{text}"
+    from ...problem.library import command_for
+
     try:
         write_whole(target, text.encode(), new=True)
     except FileExistsError:
         raise FileExistsError(17, "exists already and is not overwritten; choose another name", str(target)) from None
     _write_schema(target.with_name(SCHEMA))
-    say(
-        told_in(
-            Words(
-                f"已写入 {target}；可接着运行：vecpoly solve {target}",
-                f"wrote {target}; now try: vecpoly solve {target}",
-            )
-        )
-    )
+    told = f"vecpoly {command_for(text)} {target}"
+    say(told_in(Words(f"已写入 {target}；可接着运行：{told}", f"wrote {target}; now try: {told}")))
 
 
 def _write_schema(path: Path) -> None:

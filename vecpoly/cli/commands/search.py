@@ -12,7 +12,7 @@ import typer
 from ...words import Words, bare
 from ..errors import Tally
 from ..files import STDOUT, put, spared
-from ..options import JobsOption, Lang, LangOption, OutOption, SeedOption
+from ..options import JobsOption, Lang, LangOption, OutOption
 from ..terminal import add, progress, show, table
 from ..wording import number
 
@@ -23,8 +23,10 @@ ENDINGS = (".yaml", ".pdf")
 _COLUMNS = {"zh": ("求得", "值"), "en": ("found", "value")}
 
 SearchFile = Annotated[
-    str, typer.Argument(metavar="FILE", help="A search file: search, data, candidates.", show_default=False)
+    str,
+    typer.Argument(metavar="ID_OR_PATH", help="A search: search-dwell of the library, or a file.", show_default=False),
 ]
+RandomOption = Annotated[int, typer.Option("--seed", min=0, help="Seed of the candidates: another has others.")]
 CountOption = Annotated[
     int | None,
     typer.Option(
@@ -37,7 +39,7 @@ def search(
     name: SearchFile,
     output: OutOption = None,
     count: CountOption = None,
-    seed: SeedOption = 0,
+    seed: RandomOption = 0,
     processes: JobsOption = 0,
     lang: LangOption = "en",
 ) -> None:
