@@ -91,3 +91,10 @@ def test_a_copy_is_told_with_the_command_that_takes_it(tmp_path: Path) -> None:
     for like, command in (("design-press", "design"), ("search-path", "search"), ("5-5", "solve")):
         told = CliRunner().invoke(app, ["new", str(tmp_path / f"{command}.yaml"), "--like", like]).stderr
         assert f"vecpoly {command} " in told
+
+
+def test_what_is_printed_is_told_as_it_is_printed() -> None:
+    """It was "26 deg", off by −1.46 %, and "2 rad/s cw" beside −1.9952 rad/s."""
+    shown = CliRunner().invoke(app, ["check", "3-2", "3-9", "--lang", "zh"]).stdout
+    assert " 26° " in shown and " −0.38° " in shown and "deg" not in shown and "^2" not in shown
+    assert "2 rad/s（顺时针）" in shown and "1.9952 rad/s 顺时针" in shown

@@ -95,6 +95,12 @@ def percent(part: float) -> str:
     return "0.00 %" if text[1:] == "0.00 %" else text
 
 
+def degrees(off: float) -> str:
+    """+0.13°."""
+    text = f"{off:+.2f}°".replace("-", "−")
+    return "0.00°" if text[1:] == "0.00°" else text
+
+
 def reach(answer: Answer) -> str:
     """±3σ of repeated hands."""
     in_mm = answer.is_place and answer.drawn_vector is not None

@@ -118,6 +118,11 @@ class Graded:
         return self.allowed * self.mm / abs(self.exact) if self.mm and self.exact else None
 
 
+def is_count(one: Graded) -> bool:
+    """Whether it is a whole number of links, pairs, freedoms: nothing that is drawn."""
+    return one.unit == "" and not one.sigma and one.kind is Kind.SCALAR and one.exact == round(one.exact)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AnswerKey:
     """The key of one problem, or of one student's variant of it.

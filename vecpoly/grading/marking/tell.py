@@ -11,7 +11,7 @@ from ...words import Words, bare
 from ..compare.band import distance, gap, is_other_sense, target_of, widened
 from ..compare.measured import UnitFault
 from ..compare.outcome import Basis, Outcome
-from ..key import Graded, Kind
+from ..key import Graded, Kind, is_count
 from ..rules import Rules
 from ..told.catalogue import Told
 from ..told.message import Message, message
@@ -74,7 +74,7 @@ def _right(found: Verdicts, why: Causes, one: Graded, outcome: Outcome, basis: B
         case Basis.SLIP | Basis.SCALE:
             return message(Told.OK_SLIP, src=found.key[why.source[one.key]].symbol)
         case Basis.EXACT:
-            if one.kind is Kind.YES_NO or (_is_count(one) and not off_by(found, one)):
+            if one.kind is Kind.YES_NO or (is_count(one) and not off_by(found, one)):
                 return message(Told.RIGHT)
             if outcome is Outcome.CLOSE:
                 return message(Told.CLOSE, e=_off(found, one), t=_amount(one, one.allowed, 2))
@@ -107,7 +107,7 @@ def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Itera
         direction = found.given[one.key].direction
         assert direction is not None and one.degrees is not None
         yield message(Told.DIRECTION, d=f"{direction.beside(one.degrees):.0f}")
-    elif (one.kind is Kind.YES_NO or _is_count(one)) and (said is None or said.id is Told.TWO_SLIPS):
+    elif (one.kind is Kind.YES_NO or is_count(one)) and (said is None or said.id is Told.TWO_SLIPS):
         yield message(Told.NOT_RIGHT)
     elif said is None or said.id in (Told.TWO_SLIPS, Told.SWAPPED):
         yield message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed, 2))
@@ -152,17 +152,12 @@ def _unit(found: Verdicts, one: Graded, rules: Rules) -> Iterator[Message]:
 
 
 def _digits(found: Verdicts, one: Graded, digits: int, rules: Rules) -> Iterator[Message]:
-    if not found.outcome[one.key].answered or one.kind is Kind.YES_NO or _is_count(one) or not digits:
+    if not found.outcome[one.key].answered or one.kind is Kind.YES_NO or is_count(one) or not digits:
         return
     if digits < rules.few_digits and abs(off_by(found, one)) > 1e-9 * abs(one.exact):
         yield message(Told.FEW_DIGITS, n=str(digits))
     if digits > rules.many_digits:
         yield message(Told.MANY_DIGITS, n=str(digits))
-
-
-def _is_count(one: Graded) -> bool:
-    """Whether it is a whole number of links, pairs, freedoms: nothing that is drawn."""
-    return one.unit == "" and not one.sigma and one.exact == round(one.exact)
 
 
 def _read(found: Verdicts, one: Graded) -> Iterator[Message]:
