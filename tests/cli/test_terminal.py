@@ -98,3 +98,13 @@ def test_what_is_printed_is_told_as_it_is_printed() -> None:
     shown = CliRunner().invoke(app, ["check", "3-2", "3-9", "--lang", "zh"]).stdout
     assert " 26° " in shown and " −0.38° " in shown and "deg" not in shown and "^2" not in shown
     assert "2 rad/s（顺时针）" in shown and "1.9952 rad/s 顺时针" in shown
+
+
+@pytest.mark.parametrize(
+    ("words", "command"),
+    [("search shaper-cut", "solve"), ("design search-dwell", "search"), ("solve design-press", "design")],
+)
+def test_a_file_of_another_kind_is_told_with_the_command_that_takes_it(words: str, command: str) -> None:
+    told = CliRunner().invoke(app, words.split())
+    assert told.exit_code == 2 and f"the command is: vecpoly {command} " in told.stderr
+    assert len(told.stderr.splitlines()) == 1

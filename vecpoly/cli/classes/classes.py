@@ -92,7 +92,7 @@ def classes(
     """
     from ... import __version__
     from ...batch.classwork import Order, make_class
-    from ...batch.forms.profile import read_profile
+    from ...batch.forms.profile import read_profile, refuse_unknown
     from ...batch.gather import gather as gathered
     from ...batch.roster import read_roster
     from ...batch.run.runners import runner
@@ -107,6 +107,8 @@ def classes(
         lang=lang,
         version=__version__,
     )
+    if columns is not None:
+        refuse_unknown(columns, order.assignment.problems)
     with progress_bar() as told, runner(jobs or os.cpu_count() or 1, dask) as run:
         made = gathered(order, gather, run, told) if gather else make_class(order, run, told, part)
         if part is None:

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from ...names import written_unit
 from ...words import Words, bare
 from ..errors import Tally
 from ..files import STDOUT, put, spared
+from ..jobs import refuse_other
 from ..options import JobsOption, Lang, LangOption, OutOption
 from ..terminal import add, progress, show, table
-from ..wording import number
+from ..wording import beside, number
 
 if TYPE_CHECKING:
     from ...search.run import Found
@@ -47,9 +49,12 @@ def search(
 
     -o FOUND.yaml writes it as a problem, to be drawn and analysed; -o FOUND.pdf its report.
     """
+    from ...problem.load import locate
+
     tally = Tally()
     with tally.job():
         spared(output, ENDINGS, more=[Path(name)])
+        refuse_other(locate(name), "search")
         found = _found(name, count, seed, processes)
         if output is not None:
             put(output, _written(found, output, lang))
@@ -88,6 +93,6 @@ def _tell(found: Found, lang: Lang) -> None:
         [(head, "left" if not i else "right") for i, head in enumerate(_COLUMNS[lang])],
     )
     for one in found.measures:
-        add(made, (one.name.of(lang), f"{number(one.value)} {one.unit}".strip()))
+        add(made, (one.name.of(lang), beside(number(one.value), written_unit(one.unit))))
     add(made, (Words("候选数", "candidates").of(lang), str(found.tried)))
     show(made)
