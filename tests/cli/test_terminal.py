@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
 
 from vecpoly.cli import app
+from vecpoly.cli.sources import group_told, source_told
+from vecpoly.methods.devices.registry import device_methods
+from vecpoly.methods.registry import methods
+from vecpoly.methods.synthesis.registry import design_methods
 
 FOUR_BAR = """
 id: creeping
@@ -108,3 +113,12 @@ def test_a_file_of_another_kind_is_told_with_the_command_that_takes_it(words: st
     told = CliRunner().invoke(app, words.split())
     assert told.exit_code == 2 and f"the command is: vecpoly {command} " in told.stderr
     assert len(told.stderr.splitlines()) == 1
+
+
+def test_the_list_of_methods_speaks_one_language() -> None:
+    """In Chinese English words stay for what is written in a file (the kinds of devices and designs); in English none
+    of the other tongue."""
+    every = [*methods(), *device_methods(), *design_methods()]
+    assert not [one for one in every if re.search("[a-z]{4}", source_told(one.source, "zh"))]
+    assert not [one for one in every if re.search("[\u4e00-\u9fff]", source_told(one.source, "en"))]
+    assert not [one for one in methods() if re.search("[a-z]{4}", group_told(one.group, "zh"))]

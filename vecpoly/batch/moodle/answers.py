@@ -14,7 +14,7 @@ from ...grading.told.slip import told_of
 from ...problem.problem import Problem
 from ...report.values import class_told, is_class, is_worded, value
 from ...variants.look import Look, sketch_of
-from ...words import Lang, Words
+from ...words import Lang, Words, bare
 
 CLOSE, TURNED, SLIPPED = 50, 25, 20  # per cent, as Moodle allows them
 DIGITS = 6
@@ -117,7 +117,8 @@ def _by_slips(problem: Problem) -> dict[str, Slipped]:
         for slip, found_by in zip(look.slips, values, strict=True):
             size = abs(found_by) if one.kind is Kind.VECTOR else float(found_by.real)
             if np.isfinite(size):
-                found.setdefault(one.key, []).append((float(size), told_of(slip).words))
+                said = told_of(slip).words
+                found.setdefault(one.key, []).append((float(size), Words(bare(said.zh), bare(said.en))))
     return {key: tuple(values) for key, values in found.items()}
 
 
