@@ -191,6 +191,17 @@ def test_an_archive_has_neither_dates_nor_another_order(done: tuple[Path, Regist
     )
 
 
+def test_the_key_says_yes_and_no_in_words() -> None:
+    """Beside the truth of whether a motion is determined stood 1, with the tolerance 0."""
+    whole = register()
+    first = whole.sheets[0]
+    part = replace(first.parts[0], key=replace(first.parts[0].key, quantities=(key_of("5-5")["self_locking"],)))
+    book = openpyxl.load_workbook(BytesIO(key_bytes(replace(whole, sheets=(replace(first, parts=(part,)),)))))
+    head, units, row = list(book.worksheets[0].iter_rows(values_only=True))[:3]
+    at = head.index("self_locking")
+    assert row[at] == "是" and not row[at + 1] and units[head.index("mu_v")] == "(m/s)/mm"
+
+
 def test_a_column_that_would_hold_nothing_is_refused_before_anything_is_made() -> None:
     varied = replace(
         problem_of("3-9"), ranges=(Range(name="AB", first=Decimal(24), step=Decimal(2), count=9, unit="mm"),)

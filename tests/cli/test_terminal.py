@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
+from vecpoly import load
 from vecpoly.cli import app
 from vecpoly.cli.sources import group_told, source_told
 from vecpoly.methods.devices.registry import device_methods
@@ -84,6 +85,13 @@ def test_places_are_told_in_the_unit_in_which_they_are_checked() -> None:
     row = next(row for row in shown.splitlines() if row.startswith(" P_24"))
     place = row[row.index("(") : row.index(")") + 1]
     assert CliRunner().invoke(app, ["check", "D-2", f"P_24={place}"]).exit_code == 0
+
+
+@pytest.mark.parametrize("like", ["engine-card", "B-24"])
+def test_a_copy_has_the_tables_that_it_reads(like: str, tmp_path: Path) -> None:
+    file = tmp_path / "mine.yaml"
+    assert CliRunner().invoke(app, ["new", str(file), "--like", like]).exit_code == 0
+    assert load(file).files
 
 
 def test_the_library_lists_what_is_no_problem_with_its_command() -> None:

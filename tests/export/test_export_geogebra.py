@@ -20,7 +20,7 @@ from vecpoly.board.place import Pane, view_of
 from vecpoly.cli.app import app
 from vecpoly.errors import NoMethodError
 from vecpoly.export.geogebra.document import to_ggb
-from vecpoly.export.recording import moving, record
+from vecpoly.export.recording import record
 from vecpoly.problem.problem import Problem, Scales
 from vecpoly.solution import Solution
 
@@ -219,13 +219,6 @@ def test_what_does_not_follow_an_input_is_refused(problem: str, code: str) -> No
     with pytest.raises(NoMethodError) as refused:
         record(load(problem))
     assert refused.value.code == code
-
-
-@pytest.mark.parametrize("problem", ["engine-flywheel", "7-1", "balance-shaper", "4-3a"])
-def test_what_is_asked_of_loads_is_left_away_with_them(problem: str) -> None:
-    """A machine reduced to its crank, or counterweights, broke the drawing that follows."""
-    left = moving(load(problem))
-    assert left.loads is left.machine is left.counterweights is None and not left.asks
 
 
 def test_what_would_not_follow_is_left_out_and_said(tmp_path: Path) -> None:

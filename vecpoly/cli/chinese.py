@@ -17,6 +17,7 @@ LABELS = {  # what stands in place of a value, in the order in which it is looke
     "KEY": "量",
     "LETTERS": "字母",
     "ID": "题号",
+    "TEXT": "文本",
     "what": "内容",
     "folder": "文件夹",
     "<int range>": "整数",
@@ -74,7 +75,9 @@ HELP = {
         "与图纸上相同；极点可拖动。按精确作图，不取整；不含载荷。"
         "凸轮题写出廓线：.dxf 为样条，.csv 为点。"
     ),
-    "List the library of problems, or the methods.": "列出题库中的题目，或已有的图解法。",
+    "List the library, its problems, design projects, searches and assignments, or the methods.": (
+        "列出题库中的题目、课程设计、搜索和作业，或已有的图解法。"
+    ),
     "Write a step player: one HTML file for class, phone or desktop, in both languages.\n\nIt shows the "
     "construction line by line with the sentence of each step beside it, and the finished figures for every place "
     "of the crank.": (
@@ -85,7 +88,7 @@ HELP = {
         "写出一个可供修改的题目文件：带注释的样板，或题库中某题的副本。"
     ),
     "Print the JSON Schema of problem files, assignments, design projects and searches.": (
-        "输出题目文件、作业文件、设计项目文件和搜索文件的 JSON Schema。"
+        "输出题目文件、作业文件、课程设计文件和搜索文件的 JSON Schema。"
     ),
     "Render chapters 2 to 5 as assignments and one course report, in both languages, and one step player.": (
         "生成第 2 至 5 章的作业解答、一份课程报告（均有中英文）和一个分步演示。"

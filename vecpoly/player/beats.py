@@ -81,8 +81,8 @@ def beats(construction: Construction) -> tuple[Beat, ...]:
     inside: dict[int, list[Act]] = {step.number: [] for step in construction.steps}
     lines = sorted((at, step.number) for step in construction.steps for at in step.written)
     for act in construction.acts:
-        if (step := _step_of(act, lines)) in inside:
-            inside[step].append(act)
+        if (home := _step_of(act, lines)) in inside:
+            inside[home].append(act)
     found: list[Beat] = []
     for step in construction.steps:
         for one in _cut(step, inside[step.number]):

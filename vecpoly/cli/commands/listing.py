@@ -16,7 +16,7 @@ What = Annotated[Literal["problems", "methods"], typer.Argument(help="What to li
 
 
 def listing(what: What = "problems", lang: LangOption = "en") -> None:
-    """List the library of problems, or the methods."""
+    """List the library, its problems, design projects, searches and assignments, or the methods."""
     if what == "problems":
         _problems(lang)
     else:

@@ -46,6 +46,8 @@ def new(path: NewFile, like: Like = None) -> None:
     except FileExistsError:
         raise FileExistsError(17, "exists already and is not overwritten; choose another name", str(target)) from None
     _write_schema(target.with_name(SCHEMA))
+    if like is not None:
+        _write_tables(like, text, target)
     told = f"vecpoly {command_for(text)} {target}"
     say(told_in(Words(f"已写入 {target}；可接着运行：{told}", f"wrote {target}; now try: {told}")))
 
@@ -56,6 +58,21 @@ def _write_schema(path: Path) -> None:
         from .schema import schema_text
 
         put(path, schema_text().encode())
+
+
+def _write_tables(name: str, text: str, target: Path) -> None:
+    """The tables that a copied problem reads, beside the copy where it looks for them; what lies there already is left
+    as it is."""
+    from ...problem.library import command_for
+    from ...problem.load import load, locate
+
+    if command_for(text) != "solve":
+        return
+    home = locate(name).parent
+    for file in load(name).files:
+        copy = target.parent / file.relative_to(home) if file.is_relative_to(home) else target
+        if file.suffix != ".yaml" and not copy.exists():
+            put(copy, file.read_bytes())
 
 
 def _start(target: Path) -> str:
