@@ -13,7 +13,7 @@ from vecpoly.export.recording import moving
 def test_what_is_asked_of_loads_is_left_away_with_them(problem: str) -> None:
     """A machine reduced to its crank, or counterweights, broke the drawing that follows."""
     left = moving(load(problem))
-    assert left.loads is left.machine is left.counterweights is None and not left.asks
+    assert (left.loads, left.machine, left.counterweights, left.asks) == (None, None, None, ())
 
 
 def test_captions_are_the_letters_that_are_printed() -> None:

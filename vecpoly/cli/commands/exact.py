@@ -35,7 +35,8 @@ def exact(
     from ...check.designs.unsolvable import conclusion
     from ...check.precision import noise, settled, sizes
     from ...check.truth import truth_of
-    from ...task import Task, drawing_of
+    from ...methods.drawing import drawing_of
+    from ...task import Task
 
     data: list[dict[str, Any]] = []
     for problem in progress(found, Words("求解", "solving")):
@@ -47,7 +48,8 @@ def exact(
             values = {key: settled(value, off[key], size[key]) for key, value in truth.values.items()}
             task = Task(problem, drawing_of(problem), truth)
             answers = {
-                key: _plain(task, task.asked[key], value) | _line(truth.lines.get(key)) for key, value in values.items()
+                key: _plain(task.asked[key], value) | _sense(task, key, value) | _line(truth.lines.get(key))
+                for key, value in values.items()
             }
             data.append({"id": problem.id, "answers": answers})
             if json != STDOUT:
@@ -63,15 +65,14 @@ def exact(
     tally.settle()
 
 
-def _plain(task: Task, rel: Key, value: complex | float) -> dict[str, Any]:
+def _plain(rel: Key, value: complex | float) -> dict[str, Any]:
     si = rel.unit
     if not isinstance(value, complex):
         endless = is_centre(rel)  # an instant centre at infinity: its direction
         if isnan(value):
             return {"unit": si, "exact": None, "undefined": True}
-        turned = {"sense": "ccw" if value > 0 else "cw" if value else None} if task.turns(rel) else {}
         return {"unit": "deg" if endless else si, "exact": bool(value) if si == YES_NO else value} | (
-            {"at_infinity": True} if endless else turned
+            {"at_infinity": True} if endless else {}
         )
     from ...answer import bearing, place_of
 
@@ -95,6 +96,13 @@ def _told(task: Task, rel: Key, value: complex | float, zero: float, lang: Lang)
         return place(value, 7, zero), "mm", "—"
     way = bearing_told(degrees(cmath.phase(value)), 3) if abs(value) > zero else "—"
     return number(abs(value), 7, zero), unit, way
+
+
+def _sense(task: Task, key: str, value: complex | float) -> dict[str, Any]:
+    """ccw or cw of what turns; none of what does not turn now."""
+    if isinstance(value, complex) or isnan(value) or not task.turns(task.asked[key]):
+        return {}
+    return {"sense": "ccw" if value > 0 else "cw" if value else None}
 
 
 def _line(line: ActsAt | None) -> dict[str, Any]:
