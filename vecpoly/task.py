@@ -19,7 +19,7 @@ from .foundation.slotted import dataclass
 from .methods.desk import Desk
 from .methods.drawing import Drawing, drawing_of
 from .methods.drawn import Drawn
-from .names import Key
+from .names import Key, Named
 from .problem.problem import Problem
 
 
@@ -53,6 +53,12 @@ class Task:
         """Units whose sign is a sense of turning; none of a device of which only speeds are known."""
         subject = self.problem.subject
         return self.drawing.turning if not isinstance(subject, Device) or subject.sensed else ()
+
+    def turns(self, rel: Key) -> bool:
+        """Whether the sign of a quantity is a sense of turning; none is that of ω_max and ω_min of a machine, sizes of
+        a speed whose drive may turn either way."""
+        is_size = isinstance(rel, Named) and rel.is_reduced and rel.unit == "rad/s"
+        return rel.unit in self.turning and not is_size
 
     @property
     def others(self) -> Mapping[int, Mapping[str, float]]:

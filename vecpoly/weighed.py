@@ -17,7 +17,7 @@ from .check.truth import ActsAt, size_of
 from .found import answered
 from .methods.centres.compare import comparable
 from .methods.drawn import Drawn
-from .names import Key, Named, is_place
+from .names import Key, is_place
 from .task import Task
 
 FEW, SHARE = 3.0, 0.05  # deg; of the likely size: what is less is as good as nothing
@@ -47,15 +47,9 @@ def answers_of(
             own=measure_of(reading, size_of(exact[key]), reached, likely=task.truth.likely, size=size[key]),
             steady=not scatters,
         )
-        line, turns = task.truth.lines.get(key), reading.unit in task.turning and not _is_size(asked[key])
+        line, turns = task.truth.lines.get(key), task.turns(asked[key])
         answers[key] = _answer(asked[key], reading, exact[key], reached, line, turns, weighed)
     return answers
-
-
-def _is_size(rel: Key) -> bool:
-    """Whether it is ω_max or ω_min of a machine, whose drive may turn either way: the size of a speed, without a
-    sense."""
-    return isinstance(rel, Named) and rel.is_reduced and rel.unit == "rad/s"
 
 
 def measure_of(reading: Reading, exact: float, expected: float, *, likely: Mapping[str, float], size: float) -> float:

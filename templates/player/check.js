@@ -30,7 +30,8 @@ const check = {
     const off = Math.abs(row.kind === "sc" ? mine.value - x : Math.abs(mine.value) - Math.abs(x));
     const room = t + 0.5 * Math.min(mine.half, t);
     if (off > wrong * room) return row.kind === "sc" && Math.abs(Math.abs(mine.value) - Math.abs(x)) <= wrong * t ? "sense" : "wrong";
-    return check.turned(row, mine, target) || (off <= room * (1 + 1e-9) ? "right" : "close");
+    const turned = check.turned(row, mine, target), close = off > room * (1 + 1e-9);
+    return turned && !(turned === "unsaid" && close) ? turned : close ? "close" : "right";
   },
 
   turned(row, mine, { x, t, deg, mm }) {
@@ -73,7 +74,8 @@ const check = {
     if (source !== null) return { verdict: "right", said: [`ok_own:${source}`] };
     const verdict = check.weigh(row, mine, row), other = check.solution ? [`other_solution:${check.solution[0]}`] : [];
     if (verdict === "right") return { verdict, said: ["right", ...other] };
-    if (verdict === "close") return { verdict, said: ["nearly", ...other] };
+    const unsaid = row.kind === "si" && !mine.sense && Math.abs(row.x) > row.t ? ["sense_missing"] : [];
+    if (verdict === "close") return { verdict, said: ["nearly", ...unsaid, ...other] };
     if (verdict === "unsaid") return { verdict: "right", said: ["right", "sense_missing", ...other] };
     if (verdict === "sense") return { verdict: "wrong", said: [{ si: "sense", ve: "reversed", sc: "sign" }[row.kind]] };
     if (verdict === "direction") return { verdict: "wrong", said: [`dir:${check.apart(mine.direction, row.deg).toFixed(0)}`] };

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as xml
 from dataclasses import replace
+from decimal import Decimal
 from io import BytesIO
 from pathlib import Path
 from zipfile import ZipFile
@@ -18,7 +19,7 @@ from tests.grading.cases import key_of, problem_of
 from tests.marked.classes import register
 from vecpoly.batch.bundles import merged, zipped
 from vecpoly.batch.forms.columns import columns_of
-from vecpoly.batch.forms.profile import read_profile, table_bytes
+from vecpoly.batch.forms.profile import ColumnOf, Profile, read_profile, refuse_unknown, table_bytes
 from vecpoly.batch.forms.workbooks import answers_bytes, key_bytes
 from vecpoly.batch.moodle.quiz import Quizzes
 from vecpoly.batch.register import Exercise, Part, Register, Sheet
@@ -28,6 +29,7 @@ from vecpoly.batch.sheet.write import sheet_bytes
 from vecpoly.batch.student import Student
 from vecpoly.errors import VecpolyError
 from vecpoly.grading.key import Kind
+from vecpoly.problem.ranges import Range
 from vecpoly.solution import solve
 from vecpoly.variants.seeds import Seed
 
@@ -187,6 +189,27 @@ def test_an_archive_has_neither_dates_nor_another_order(done: tuple[Path, Regist
     assert sorted(ZipFile(BytesIO(zipped(paths, out))).namelist()) == sorted(
         question_file(sheet.student) for sheet in register.sheets
     )
+
+
+def test_the_key_says_yes_and_no_in_words() -> None:
+    """Beside the truth of whether a motion is determined stood 1, with the tolerance 0."""
+    whole = register()
+    first = whole.sheets[0]
+    part = replace(first.parts[0], key=replace(first.parts[0].key, quantities=(key_of("5-5")["self_locking"],)))
+    book = openpyxl.load_workbook(BytesIO(key_bytes(replace(whole, sheets=(replace(first, parts=(part,)),)))))
+    head, units, row = list(book.worksheets[0].iter_rows(values_only=True))[:3]
+    at = head.index("self_locking")
+    assert row[at] == "是" and not row[at + 1] and units[head.index("mu_v")] == "(m/s)/mm"
+
+
+def test_a_column_that_would_hold_nothing_is_refused_before_anything_is_made() -> None:
+    varied = replace(
+        problem_of("3-9"), ranges=(Range(name="AB", first=Decimal(24), step=Decimal(2), count=9, unit="mm"),)
+    )
+    known = Profile(file="x.csv", columns=(ColumnOf(head="a", holds="3-9:AB"), ColumnOf(head="b", text="x")))
+    refuse_unknown(known, [varied])
+    with pytest.raises(VecpolyError, match="3-9:phi"):
+        refuse_unknown(Profile(file="x.csv", columns=(ColumnOf(head="c", holds="3-9:phi"),)), [varied])
 
 
 def test_a_profile_gives_the_columns_of_another_platform_and_guards_formulas(

@@ -17,12 +17,11 @@ from tests.laws import few
 from tests.marked.classes import register
 from vecpoly.batch.moodle.answers import asked_of, bands
 from vecpoly.batch.moodle.cloze import UNITS, choice, plain_number, row, unit_of
-from vecpoly.batch.moodle.quiz import Quizzes
+from vecpoly.batch.moodle.quiz import Quizzes, label, right_told
 from vecpoly.errors import VecpolyError
 from vecpoly.grading.key import Graded, Kind
 from vecpoly.names import written_unit
-from vecpoly.report.values import called, is_worded
-from vecpoly.words import bare
+from vecpoly.report.values import is_worded
 
 FOUND_EMPTY = ("train-differential", "7-6", "5-5", "5-1", "7-1", "8-9", "D-1", "D-3", "2-8")
 _NUMBER = re.compile(r"\{2:NUMERICAL:(.*?)\}")
@@ -89,9 +88,20 @@ def test_whatever_is_said_in_a_blank_moodle_shows_without_a_backslash(texts: lis
 def test_a_place_is_asked_by_both_coordinates_in_mm_from_a_point_that_is_named() -> None:
     by_key = {one.key: one for one in _asked("D-1")}
     x = by_key["P_13 x"]
-    assert bare(called(x.symbol, x.key, "en")) == "x(P_13), A = (0, 0)" and x.unit == "mm"
+    assert label(x, "en") == "x(P_13) from A" and label(x, "zh") == "x(P_13)（以 A 为原点）" and x.unit == "mm"
     assert _answers(x)[0][1:] == pytest.approx((-31.9341, 1e3 * key_of("D-1")["P_13"].allowed), rel=1e-4)
     assert _answers(by_key["P_13 y"])[0][1] == 0.0
+
+
+def test_what_is_right_is_told_as_it_is_printed() -> None:
+    """It was "omega_3 = -2.179 rad/s", in full-width brackets in English too."""
+    assert right_told(key_of("3-9")["omega_3"], "en").startswith("ω_3 = 1.995 rad/s clockwise (tolerance ")
+    assert right_told(key_of("5-5")["M1_over_Q"], "zh") == "M_1/Q = 1.167 mm（允许误差 0.012 mm）"
+    assert right_told(key_of("2-3")["n"], "en") == "n = 3"
+
+
+def test_a_count_is_not_nearly_right() -> None:
+    assert [worth.percent for worth in bands(key_of("2-3")["n"])] == [100]
 
 
 def test_what_is_told_in_words_is_a_choice() -> None:

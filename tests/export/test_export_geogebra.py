@@ -213,7 +213,7 @@ def test_equal_drawings_are_equal_files() -> None:
 
 
 @pytest.mark.parametrize(
-    ("problem", "code"), [("class-iii", "export-trial"), ("5-2", "export-drive"), ("tipper", "export-drive")]
+    ("problem", "code"), [("class-iii", "export-trial"), ("5-2", "export-device"), ("tipper", "export-drive")]
 )
 def test_what_does_not_follow_an_input_is_refused(problem: str, code: str) -> None:
     with pytest.raises(NoMethodError) as refused:

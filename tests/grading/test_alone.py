@@ -110,3 +110,34 @@ def test_a_wrong_size_of_the_wrong_sense_is_off_by_both_and_told_of_both() -> No
     assert [one.id for one in wrong.messages] == [Told.WRONG, Told.SENSE_TOO]
     (wrong,) = check_answers(problem_of("3-9"), [f"omega_2={3.3 * abs(exact):.3g} {sense}"]).answers
     assert [one.id for one in wrong.messages] == [Told.WRONG]
+
+
+def test_a_direction_near_east_is_judged_as_finely_as_any_other() -> None:
+    """359.9° and 0.1° are neighbours: T was 185°, and every direction right."""
+    assert key_of("engine-four")["theta_II"].exact == 0 and key_of("engine-four")["theta_II"].allowed < 3
+    assert check_answers(problem_of("engine-four"), ["theta_II=359.5"]).right
+    assert not check_answers(problem_of("engine-four"), ["theta_II=180"]).right
+
+
+def test_a_value_that_is_close_is_no_right_one_because_its_sense_is_not_said() -> None:
+    one = key_of("3-9")["omega_2"]
+    size = abs(one.exact) + 1.3 * one.allowed
+    for answer in (f"omega_2={size:.5g}", f"omega_2={size:.5g} cw"):
+        (checked,) = check_answers(problem_of("3-9"), [answer]).answers
+        assert checked.outcome.value == "close"
+    assert "Its sense is not stated" in sentences("3-9", f"omega_2={size:.5g}")
+
+
+def test_what_follows_from_a_wrong_power_is_drawn_anew() -> None:
+    assert sentences("5-6", "P_out=6.864", "P=8.347").endswith("Right when continued from your $P_r$ = 6.864 kW")
+
+
+def test_a_number_without_a_unit_and_a_count_are_told_as_such() -> None:
+    assert sentences("2-3", "n=3", "class_1=2 N") == "Correct Correct This quantity has no unit, and 'N' is written"
+    assert sentences("2-3", "n=7") == "Not correct"
+
+
+def test_a_power_of_ten_in_an_angle_does_not_excuse_one_in_lengths() -> None:
+    answers = [f"{name}={1e3 * key_of('8-16')[name].exact:.5g}" for name in ("theta", "AB", "BC")]
+    said = [checked.outcome.value for checked in check_answers(problem_of("8-16"), answers).answers]
+    assert said.count("right") == 1  # BC, after AB

@@ -43,7 +43,7 @@ def test_the_corner_lies_on_the_other_side_and_what_follows_goes_on_from_there()
 
 
 @pytest.mark.parametrize(
-    ("name", "letter", "follow"), [("3-9", "e", 0), ("A-27", "f4", 2), ("geared-five-bar", "e", 4)]
+    ("name", "letter", "follow"), [("3-9", "e", 0), ("A-27", "f4", 2), ("geared-five-bar", "e", 5)]
 )
 def test_the_answers_of_one_who_makes_it_have_one_cause_and_what_follows_is_right(
     name: str, letter: str, follow: int

@@ -90,7 +90,7 @@ def test_what_cannot_be_used_is_told_with_its_place_and_stops_nobody(tmp_path: P
     assert [fault.code for fault in done.faults] == ["column", "stranger"]
     assert "line 6, column 1" in done.faults[1].words.en and "2099999" in done.faults[1].words.en
     queue = list(csv.reader(io.StringIO((tmp_path / "out" / "queue.csv").read_text("utf-8-sig"))))
-    assert [row[3] for row in queue[1:3]] == ["O.17", "1,234"] and "line 3" in queue[1][4]
+    assert [row[3] for row in queue[1:3]] == ["O.17", "1,234"] and "第 3 行" in queue[1][4]
     assert done.results[2].marks["3-9"]["v_E"].is_right
 
 

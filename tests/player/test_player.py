@@ -20,6 +20,7 @@ from vecpoly.cli.app import app
 from vecpoly.player.beats import beats, stepped
 from vecpoly.player.figures import shown_figures
 from vecpoly.player.page import LIMIT, PLACES, player_html
+from vecpoly.player.pointing import pointed
 from vecpoly.player.setting.ink import Ink, path
 from vecpoly.player.steps import said
 from vecpoly.typeset.fonts import Face
@@ -212,3 +213,21 @@ def test_text_of_a_problem_cannot_break_the_page() -> None:
     title = replace(solution.problem.title, zh="</title><script>alert(1)</script>", en='"><b>')
     page = player_html(replace(solution, problem=replace(solution.problem, title=title)))
     assert "<script>alert" not in page and read(page).unclosed == []
+
+
+def test_a_length_is_pointed_at_beside_the_line_that_takes_it() -> None:
+    """What is read when all is drawn glowed in the last line, all at once, and in none of its own."""
+    construction = solved("3-9").construction
+    cut = beats(construction)
+    marked = {
+        beat.step: len(data["marks"])
+        for beat, data in zip(cut, pointed(construction, cut), strict=True)
+        if "marks" in data
+    }
+    assert {6, 7, 11, 12} <= set(marked) and marked[12] == 1
+
+
+def test_lines_of_a_step_appear_from_above_to_below() -> None:
+    for step in {beat.step for beat in beats(solved("4-3a").construction)}:
+        shown = [n for beat in beats(solved("4-3a").construction) if beat.step == step for n in beat.formulas]
+        assert shown == sorted(shown)

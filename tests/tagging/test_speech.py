@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from vecpoly.algebra.formula import Frac, Node, Over, Power, Root, Row, Sym, Txt, Vec, row
 from vecpoly.tagging.copied import copied
-from vecpoly.tagging.speech import equation_said, said, spoken
+from vecpoly.tagging.speech import equation_said, said, spoken, words_said
 from vecpoly.tagging.units_said import unit_said
 
 LAW = Row((Sym("ω", "2"), Txt(" = "), Frac(Row((Sym("μ", "v"), Txt(" "), Over(row("bc")))), Sym("l", "BC"))))
@@ -77,3 +77,8 @@ def nodes() -> st.SearchStrategy[Node]:
 def test_every_formula_is_said_in_its_own_language_without_a_sign(node: Node) -> None:
     zh, en = said(node, "zh"), said(node, "en")
     assert en.isascii() and zh and not set("=+/^_√ωμφ") & set(zh + en) and "  " not in zh + en
+
+
+def test_words_in_a_subscript_and_a_question_are_read_as_words() -> None:
+    assert spoken("ω_{max}", "en") == "omega sub max" and spoken("W_{bII}", "zh") == "W 下标 b II"
+    assert words_said("Is it undercut? $x$ = ?", "en") == "Is it undercut? x = unknown"

@@ -99,8 +99,9 @@ COMMANDS: dict[str, Callable[..., None]] = {
     "schema": schema,
     "demo": demo,
 }
-for _name, _command in COMMANDS.items():
-    app.command(_name, cls=Command)(_command)
+for _name, _command in COMMANDS.items():  # in a word each, wrapped and not cut off in the middle
+    _first = " ".join((_command.__doc__ or "").partition("\n\n")[0].split())
+    app.command(_name, cls=Command, short_help=_first)(_command)
 
 
 def main() -> None:

@@ -17,6 +17,7 @@ LABELS = {  # what stands in place of a value, in the order in which it is looke
     "KEY": "量",
     "LETTERS": "字母",
     "ID": "题号",
+    "TEXT": "文本",
     "what": "内容",
     "folder": "文件夹",
     "<int range>": "整数",
@@ -55,7 +56,8 @@ HELP = {
         "在没有作图法的场合搜索机构：再现轨迹、实现停歇、传动角最大。\n\n"
         "-o 结果.yaml 写成题目，可作图和分析；-o 结果.pdf 写出报告。"
     ),
-    "A search file: search, data, candidates.": "搜索文件：search、data、candidates。",
+    "A search: search-dwell of the library, or a file.": "搜索：题库中的 search-dwell 等，或文件。",
+    "Seed of the candidates: another has others.": "候选机构的随机种子：换一个就换一批候选。",
     "How many are tried, instead of the file's.": "候选数，代替文件中所写的。",
     "A project: design-shaper of the library, or a file.": "课程设计：题库中的 design-shaper 等，或文件。",
     "Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves.": (
@@ -73,7 +75,9 @@ HELP = {
         "与图纸上相同；极点可拖动。按精确作图，不取整；不含载荷。"
         "凸轮题写出廓线：.dxf 为样条，.csv 为点。"
     ),
-    "List the library of problems, or the methods.": "列出题库中的题目，或已有的图解法。",
+    "List the library, its problems, design projects, searches and assignments, or the methods.": (
+        "列出题库中的题目、课程设计、搜索和作业，或已有的图解法。"
+    ),
     "Write a step player: one HTML file for class, phone or desktop, in both languages.\n\nIt shows the "
     "construction line by line with the sentence of each step beside it, and the finished figures for every place "
     "of the crank.": (
@@ -84,7 +88,7 @@ HELP = {
         "写出一个可供修改的题目文件：带注释的样板，或题库中某题的副本。"
     ),
     "Print the JSON Schema of problem files, assignments, design projects and searches.": (
-        "输出题目文件、作业文件、设计项目文件和搜索文件的 JSON Schema。"
+        "输出题目文件、作业文件、课程设计文件和搜索文件的 JSON Schema。"
     ),
     "Render chapters 2 to 5 as assignments and one course report, in both languages, and one step player.": (
         "生成第 2 至 5 章的作业解答、一份课程报告（均有中英文）和一个分步演示。"

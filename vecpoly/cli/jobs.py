@@ -56,6 +56,14 @@ def jobs(names: Sequence[str], tally: Tally, outside: bool = False) -> list[Job]
     return found
 
 
+_KINDS = {  # by the key that tells it: the command, and what it is
+    "problems": ("report", Words("作业", "an assignment")),
+    "parts": ("design", Words("课程设计", "a design project")),
+    "search": ("search", Words("搜索", "a search")),
+    "id": ("solve", Words("题目", "a problem")),
+}
+
+
 def each(path: Path, name: str, count: int) -> Path:
     """Where the output of one of several problems goes: table-3-9.csv."""
     return path if count < 2 else path.with_name(f"{path.stem}-{name}{path.suffix}")
@@ -77,7 +85,7 @@ def job(name: str, outside: bool = False) -> Job:
     from ..problem.load import load, locate
 
     path = locate(name)
-    _no_project(path)
+    refuse_other(path, "solve", "report")
     if not is_assignment(path):
         problem = load(path, allow_outside=outside)
         return Job(name=problem.id, problems=(problem,))
@@ -85,18 +93,22 @@ def job(name: str, outside: bool = False) -> Job:
     return Job(name=Path(path).stem, problems=sheet.problems, title=sheet.title, fields=sheet.block, path=path)
 
 
-def _no_project(path: Path) -> None:
-    """Raise NotAskedError for a design project and for a search, which are no problems."""
+def refuse_other(path: Path, *wanted: str) -> None:
+    """Raise NotAskedError for a file that another command takes: a design project, a search, an assignment, a
+    problem."""
     from ..problem.text.source import read
 
     data = read(path).data
-    command = "design" if "parts" in data and "problems" not in data else "search" if "search" in data else ""
-    if command:
-        what = Words("课程设计", "a design project") if command == "design" else Words("搜索", "a search")
-        raise NotAskedError(
-            Words(
-                f"{path} 是{what.zh}，不是一道题；请用 vecpoly {command} {path}",
-                f"{path} is {what.en}, not a problem; the command is: vecpoly {command} {path}",
-            ),
-            code=command,
-        )
+    kinds = (command for key, (command, _) in _KINDS.items() if key in data)
+    command = next(kinds, "")
+    if not command or command in wanted:
+        return
+    what = next(what for taken, what in _KINDS.values() if taken == command)
+    asked = next(what for taken, what in _KINDS.values() if taken == wanted[0])
+    raise NotAskedError(
+        Words(
+            f"{path} 是{what.zh}，不是{asked.zh}；请用 vecpoly {command} {path}",
+            f"{path} is {what.en}, not {asked.en}; the command is: vecpoly {command} {path}",
+        ),
+        code=command,
+    )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from io import TextIOWrapper
@@ -17,6 +18,7 @@ from .tongue import told_in
 if TYPE_CHECKING:
     from rich.table import Table
 
+_TRAILING = re.compile(r"[ ]+$", re.M)
 Align = Literal["left", "right"]
 T = TypeVar("T")
 
@@ -35,11 +37,15 @@ def show(table: Table) -> None:
     from rich.console import Console
 
     console = Console()
-    if not console.is_terminal:
+    watched = console.is_terminal
+    if not watched:
         console = Console(width=200)
+    title, table.title = table.title, None  # a line of its own: rich breaks it to the width of the table
     with console.capture() as shown:  # a reader that goes away is then our error, not rich's
+        if title is not None:
+            console.print(title, style=table.title_style or "", soft_wrap=True)
         console.print(table)
-    typer.echo(shown.get(), nl=False)
+    typer.echo(shown.get() if watched else _TRAILING.sub("", shown.get()), nl=False)
 
 
 def table(title: str, columns: Sequence[tuple[str, Align]]) -> Table:

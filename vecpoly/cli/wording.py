@@ -5,15 +5,20 @@ from __future__ import annotations
 from math import isnan
 from typing import TYPE_CHECKING
 
+from ..names import written_unit
 from ..words import Lang
 
 if TYPE_CHECKING:
     from ..solution import Answer
 
 _SENSE = {"ccw": {"zh": "逆时针", "en": "↺ ccw"}, "cw": {"zh": "顺时针", "en": "↻ cw"}}
-_GREEK = {"omega": "ω", "alpha": "α", "eta": "η", "phi": "φ", "rho": "ρ", "delta": "δ", "lambda": "λ", "gamma": "γ"}
+_GREEK = {
+    "omega": "ω", "alpha": "α", "eta": "η", "phi": "φ", "rho": "ρ", "delta": "δ", "lambda": "λ", "gamma": "γ",
+    "theta": "θ", "psi": "ψ", "beta": "β", "psi0": "ψ0", "dW": "ΔW",
+}  # fmt: skip
 _YES_NO = {True: {"zh": "是", "en": "yes"}, False: {"zh": "否", "en": "no"}}
 _UNDEFINED = {"zh": "无意义", "en": "undefined"}
+MM = 1e3  # in a metre: places are told in mm, as a text gives them
 YES_NO = "yes/no"  # unit of an answer that is 1 or 0
 _HUGE = 1e9  # a value below this is written without a power of ten
 
@@ -45,10 +50,20 @@ def exact(answer: Answer, lang: Lang) -> str:
 def _value(answer: Answer, size: float, vector: complex | None, lang: Lang) -> str:
     zero = answer.nothing
     if answer.is_place and vector is not None:
-        return f"({number(vector.real, zero=zero)}, {number(vector.imag, zero=zero)})"
+        return place(vector, zero=zero)
     if answer.is_place:
         return f"∞, {number(size, zero=zero)}"
     return scalar(answer.counted * size, answer.reading.unit, lang, zero=zero)
+
+
+def place(at: complex, digits: int = 5, zero: float = 0.0) -> str:
+    """The coordinates of a point (m), in mm."""
+    return f"({', '.join(number(MM * part, digits, MM * zero) for part in (at.real, at.imag))})"
+
+
+def unit(answer: Answer) -> str:
+    """The unit of what `drawn` and `exact` say."""
+    return "mm" if answer.is_place and answer.drawn_vector is not None else written_unit(answer.reading.unit)
 
 
 def beside(text: str, name: str) -> str:
@@ -68,7 +83,7 @@ def gap(answer: Answer) -> str:
     if answer.computed:
         return "—"
     if answer.is_place and answer.drawn_vector is not None and answer.exact_vector is not None:
-        return number(abs(answer.drawn_vector - answer.exact_vector), 2, answer.nothing)
+        return number(MM * abs(answer.drawn_vector - answer.exact_vector), 2, MM * answer.nothing)
     if abs(answer.exact) <= answer.nothing or answer.is_place:  # of a direction to infinity, in degrees
         return number(answer.deviation, 2, answer.nothing)
     return percent(answer.relative_deviation)
@@ -80,9 +95,16 @@ def percent(part: float) -> str:
     return "0.00 %" if text[1:] == "0.00 %" else text
 
 
+def degrees(off: float) -> str:
+    """+0.13°."""
+    text = f"{off:+.2f}°".replace("-", "−")
+    return "0.00°" if text[1:] == "0.00°" else text
+
+
 def reach(answer: Answer) -> str:
     """±3σ of repeated hands."""
-    return "—" if answer.computed else f"±{number(answer.expected_error, 2)}"
+    in_mm = answer.is_place and answer.drawn_vector is not None
+    return "—" if answer.computed else f"±{number(answer.expected_error * (MM if in_mm else 1.0), 2)}"
 
 
 def way(answer: Answer, lang: Lang) -> str:
@@ -94,4 +116,9 @@ def way(answer: Answer, lang: Lang) -> str:
 
         turn = answer.direction
         return "—" if turn is None or abs(answer.drawn_vector) <= answer.nothing else bearing_told(turn)
-    return _SENSE[answer.sense][lang] if answer.sense and abs(answer.drawn) > answer.nothing else "—"
+    return sense(answer.drawn, lang) if answer.sense and abs(answer.drawn) > answer.nothing else "—"
+
+
+def sense(turn: float, lang: Lang) -> str:
+    """The sense of turning by the sign."""
+    return _SENSE["ccw" if turn > 0 else "cw"][lang]

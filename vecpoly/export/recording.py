@@ -19,6 +19,7 @@ from ..mechanism.model import Drive, Mechanism
 from ..mechanism.profiles import refuse_profiles
 from ..methods.desk import Desk
 from ..methods.plan import drawn_exactly, scale_symbols
+from ..names import Sort
 from ..problem.asked.asks import AskNamed
 from ..problem.problem import Problem
 from ..solution import constructed
@@ -33,6 +34,26 @@ TRAVEL = 0.6  # of the mechanism's size: how far a sliding input is tried to eit
 CLOSE = 1e-8  # of the largest coordinate: nearer than this two points are one
 
 
+_OF_LOADS = (Sort.PLAIN, Sort.REDUCED, Sort.BALANCE)
+_STANDING = Words(
+    "此题没有随原动件运动的机构，没有 GeoGebra 文件；可用 vecpoly draw 或 vecpoly play，凸轮廓线可写成 .dxf 或 .csv",
+    "this problem has no mechanism that follows a driving link, so there is no GeoGebra file of it; take vecpoly draw "
+    "or vecpoly play, for the profile of a cam .dxf or .csv",
+)
+_OTHERWISE_DRIVEN = Words(
+    "GeoGebra 文件须有且只有一个相对机架转动或移动的原动件，此题的原动件不止一个，或在两个活动构件之间；"
+    "可用 vecpoly draw 或 vecpoly play",
+    "a GeoGebra file needs one link, and no other, that is driven against the frame, and here more are, or one "
+    "is driven against another that moves; take vecpoly draw or vecpoly play",
+)
+_BY_TRIAL = Words(
+    "此题的作图过程不能随原动件连续变动（如用试作法定位，或在此位置有矢量为零），不能写成 GeoGebra 文件；"
+    "可另取原动件位置，或用 vecpoly play",
+    "this construction does not follow its driving link (a point is found by trial, or a vector vanishes in this "
+    "position), so there is no GeoGebra file of it; choose another position, or take vecpoly play",
+)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recording:
     """The drawing; the input's name and the range (rad or m) over which it was proved; the answers that follow."""
@@ -45,6 +66,7 @@ class Recording:
     high: float
     follow: tuple[done.Answer, ...]
     left_out: tuple[str, ...]  # keys of what is asked and does not follow
+    loads: tuple[str, ...]  # keys of what is asked of loads, which are left away
     stale: frozenset[int]  # numbers of the acts whose ink does not follow
 
     @property
@@ -58,7 +80,7 @@ def record(problem: Problem) -> Recording:
 
     Raises NoMethodError for a device, for an input between moving links, and where the drawing does not follow.
     """
-    problem = moving(problem)
+    asked, problem = problem.asks, moving(problem)
     refuse_profiles(
         problem.mechanism.cams, Words("随原动件运动的 GeoGebra 图", "a GeoGebra drawing that follows its drive")
     )
@@ -77,27 +99,19 @@ def record(problem: Problem) -> Recording:
         high=high,
         follow=follow,
         left_out=tuple(sorted(proof.fails)),
+        loads=tuple(ask.rel.key for ask in asked if ask not in problem.asks),
         stale=frozenset(proof.stale),
     )
 
 
 def moving(problem: Problem) -> Problem:
     """The problem without its loads: what moves."""
-    if (
-        not isinstance(problem.subject, Mechanism)
-        or len(problem.mechanism.drives) != 1
-        or problem.mechanism.drive.between
-    ):
-        raise NoMethodError(
-            Words(
-                "GeoGebra 文件须有且只有一个相对机架转动或移动的原动件，此题不然；可用 vecpoly draw 或 vecpoly play",
-                "a GeoGebra file needs one link, and no other, that is driven against the frame, and here it is "
-                "otherwise; take vecpoly draw or vecpoly play",
-            ),
-            code="export-drive",
-        )
-    asks = tuple(ask for ask in problem.asks if not isinstance(ask, AskNamed))
-    return replace(problem, loads=None, asks=asks) if problem.loads is not None else problem
+    if not isinstance(problem.subject, Mechanism):
+        raise NoMethodError(_STANDING, code="export-device")
+    if len(problem.mechanism.drives) != 1 or problem.mechanism.drive.between:
+        raise NoMethodError(_OTHERWISE_DRIVEN, code="export-drive")
+    asks = tuple(ask for ask in problem.asks if not (isinstance(ask, AskNamed) and ask.rel.sort in _OF_LOADS))
+    return replace(problem, loads=None, machine=None, counterweights=None, asks=asks)
 
 
 def scales_of(problem: Problem) -> dict[View, Scale]:
@@ -142,14 +156,7 @@ class _Proof:
         drive = self.problem.mechanism.drive
         step = TRAVEL * self.problem.mechanism.scale / PLACES if drive.slide else pi / PLACES
         if not all(self._holds(drive.position + by) for by in (0.0, 1e-3 * step, -1e-3 * step)):
-            raise NoMethodError(
-                Words(
-                    "此题的作图过程不能随原动件连续变动（如用试作法定位），不能写成 GeoGebra 文件；可用 vecpoly play",
-                    "this construction does not follow its driving link (it is found by trial), so there "
-                    "is no GeoGebra file of it; take vecpoly play",
-                ),
-                code="export-trial",
-            )
+            raise NoMethodError(_BY_TRIAL, code="export-trial")
         up, down = self._reach(drive.position, step), self._reach(drive.position, -step)
         if not drive.slide and up == down == PLACES:
             return 0.0, 2 * pi

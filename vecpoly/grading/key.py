@@ -37,6 +37,11 @@ def beside(degrees: Any, other: float) -> Any:
     return other + (degrees - other + 90.0) % 180.0 - 90.0
 
 
+def come_round(degrees: Any, other: float) -> Any:
+    """An angle, or many, written so that it is nearest to another: 361° beside 359°, for 1°."""
+    return other + (degrees - other + 180.0) % 360.0 - 180.0
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Points:
     """What a quantity is worth: for the way (M), for the number (A), for the sense of turning (B)."""
@@ -111,6 +116,11 @@ class Graded:
     def allowed_mm(self) -> float | None:
         """T in mm on paper; None for what is not drawn as a length."""
         return self.allowed * self.mm / abs(self.exact) if self.mm and self.exact else None
+
+
+def is_count(one: Graded) -> bool:
+    """Whether it is a whole number of links, pairs, freedoms: nothing that is drawn."""
+    return one.unit == "" and not one.sigma and one.kind is Kind.SCALAR and one.exact == round(one.exact)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

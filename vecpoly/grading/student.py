@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ..answer import plain
 from ..errors import ArgumentError, UnknownNameError
 from ..foundation.arguments import of_kind
 from ..foundation.slotted import replace
@@ -76,7 +77,7 @@ class Checked:
         """Plain data."""
         told = [one for one in self.marked.as_json()["answers"] if one["written"]]
         kept = ("key", "written", "outcome", "basis", "value", "off", "messages")
-        return {
+        data = {
             "id": self.problem.id,
             "right": self.right,
             "answers": [
@@ -85,6 +86,7 @@ class Checked:
             "equations": [one.as_json() for one in self.ticked],
             **({"said": [{"zh": words.zh, "en": words.en} for words in self.said]} if self.said else {}),
         }
+        return {name: plain(value) for name, value in data.items()}
 
 
 def check_answers(problem: Problem, answers: Mapping[str, str | float] | Iterable[str]) -> Checked:

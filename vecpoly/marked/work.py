@@ -10,7 +10,7 @@ from functools import cache
 from ..batch.register import Part, Register, Sheet
 from ..batch.student import Student
 from ..board.otherwise.slip import Slip
-from ..errors import VecpolyError
+from ..errors import Place, VecpolyError
 from ..foundation.slotted import replace
 from ..grading.drawings.judging.mark import DrawingMark
 from ..grading.marking.marked import Marked
@@ -35,7 +35,7 @@ class Result:
     student: Student
     sheet: str
     marks: Mapping[str, Marked]
-    places: Mapping[tuple[str, str], str] = field(default_factory=dict)
+    places: Mapping[tuple[str, str], Place] = field(default_factory=dict)
     returned: bool = True
     aside: bool = False  # a row of this student was not used
     drawings: Mapping[str, Work] = field(default_factory=dict)
@@ -95,7 +95,7 @@ def _result(
     drawn: Mapping[tuple[str, str], Work],
 ) -> Result:
     marks: dict[str, Marked] = {}
-    places: dict[tuple[str, str], str] = {}
+    places: dict[tuple[str, str], Place] = {}
     faults: list[Words] = []
     for part in sheet.parts:
         whose = (sheet.student.number, part.problem)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import accumulate
+from math import inf
 
 from ..board.acts import Act, Area, Arrow, Compute, Corner, Gauge, Locate, Measure, Plot, Rule, Swing
 from ..board.acts import Leaving as Inked
@@ -16,6 +19,7 @@ from ..foundation.slotted import replace
 TRAILING = (Plot, Corner)  # what is set to a vector that has been drawn: the letter at its tip, its right angle
 LINES = (Rule, Swing)  # what meets in the point that a vector then goes to
 FRESH = (Compute, Measure, Area, Gauge)  # what a line that has been written has not waited for
+READ = (Measure, Area, Gauge)
 Event = Act | int  # something done, or the number of a formula in its step
 
 
@@ -75,15 +79,27 @@ class _Open:
 def beats(construction: Construction) -> tuple[Beat, ...]:
     """All beats in order; every step has one at least."""
     inside: dict[int, list[Act]] = {step.number: [] for step in construction.steps}
+    lines = sorted((at, step.number) for step in construction.steps for at in step.written)
     for act in construction.acts:
-        if act.head.step in inside:
-            inside[act.head.step].append(act)
+        if (home := _step_of(act, lines)) in inside:
+            inside[home].append(act)
     found: list[Beat] = []
     for step in construction.steps:
         for one in _cut(step, inside[step.number]):
             number = len(found) + 1
             found.append(Beat(number=number, step=step.number, acts=tuple(one.acts), formulas=tuple(one.formulas)))
     return tuple(found)
+
+
+def _step_of(act: Act, lines: Sequence[tuple[int, int]]) -> int:
+    """The step of an act; of what is read when all is drawn, that of the line which it is for.
+
+    lines: of each formula the number of the act before which it was written, and its step.
+    """
+    following = bisect_right(lines, (act.number, inf))
+    if isinstance(act, READ) and following < len(lines):
+        return min(act.head.step, lines[following][1])
+    return act.head.step
 
 
 def _cut(step: Step, acts: Sequence[Act]) -> list[_Open]:
@@ -114,7 +130,8 @@ def _joined(cut: list[_Open]) -> list[_Open]:
 
 def _events(step: Step, acts: Sequence[Act]) -> Iterator[Event]:
     """Acts and formulas in the order in which they came; a formula stands after the acts that were done before it."""
-    waiting = sorted(zip(step.written, range(len(step.formulas)), strict=True))
+    standing = accumulate(step.written, max)  # revealed from above to below, though some were written later
+    waiting = list(zip(standing, range(len(step.formulas)), strict=True))
     for act in acts:
         while waiting and waiting[0][0] <= act.number:
             yield waiting.pop(0)[1]

@@ -12,6 +12,8 @@ from ..foundation.slotted import dataclass
 from ..words import Words
 
 _ID = pattern(r"^id:\s*['\"]?([\w.\-]+)", re.M)
+_KIND = pattern(r"^(problems|parts|search):", re.M)
+_COMMAND = {"problems": "report", "parts": "design", "search": "search"}
 _TITLE = pattern(r"^title:\s*(?:\{\s*zh:\s*(?P<zh>.+?),\s*en:\s*(?P<en>.+?)\s*\}|(?P<one>.+?))\s*$", re.M)
 
 
@@ -46,6 +48,23 @@ def entries(folder: Path | None = None) -> tuple[Entry, ...]:
     return tuple(entry for path in sorted(root.rglob("*.yaml")) if (entry := _head(path)) is not None)
 
 
+def others() -> tuple[tuple[str, Entry], ...]:
+    """The design projects, searches and assignments of the library, each behind the command that takes it."""
+    found: list[tuple[str, Entry]] = []
+    for path in sorted(data_dir("problems").glob("*.yaml")):
+        text = path.read_text(encoding="utf-8")
+        if _KIND.search(text) and (title := _titled(text)) is not None:
+            found.append((command_for(text), Entry(path.stem, title, path)))
+    return tuple(sorted(found, key=lambda one: one[0]))
+
+
+def command_for(text: str) -> str:
+    """The command that takes a file of this text: design for a project, search for a search, report for an assignment;
+    solve for a problem."""
+    kinds = {found[1] for found in _KIND.finditer(text)}
+    return next((command for kind, command in _COMMAND.items() if kind in kinds), "solve")
+
+
 def find(name: str) -> Path | None:
     """The file of a problem of the library: '3-9' or 'ch3/3-9'."""
     if not re.fullmatch(r"[\w.\-/]+", name) or ".." in name:
@@ -71,9 +90,14 @@ def natural(text: str) -> tuple[tuple[int, str], ...]:
 def _head(path: Path) -> Entry | None:
     with path.open(encoding="utf-8", errors="replace") as file:
         head = file.read(2000)
-    m, t = _ID.search(head), _TITLE.search(head)
-    if m is None:
+    m = _ID.search(head)
+    return None if m is None else Entry(m[1], _titled(head) or Words.same(m[1]), path)
+
+
+def _titled(head: str) -> Words | None:
+    """The title, in one language or in both."""
+    if (t := _TITLE.search(head)) is None:
         return None
-    bare = (t["one"].strip("'\"") if t["one"] else "") if t else m[1]
-    title = Words(t["zh"].strip("'\""), t["en"].strip("'\"")) if t and t["zh"] else Words(bare, bare)
-    return Entry(m[1], title, path)
+    if t["zh"]:
+        return Words(t["zh"].strip("'\""), t["en"].strip("'\""))
+    return Words.same(t["one"].strip("'\""))

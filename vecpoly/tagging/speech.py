@@ -31,6 +31,7 @@ _SIGNS = {
     "✓": ("已知", "known"), "✔": ("已知", "known"), "—": ("无", "none"),
     "²": ("的平方", "squared"), "³": ("的立方", "cubed"),
 }  # fmt: skip
+_ASKING = re.compile(r"[^\W\d_]([?？])")
 _TOLD = frozenset("⊥⟂∥→✓✔√?？—")
 _UNARY = {"−": ("负", "minus"), "-": ("负", "minus"), "+": ("正", "plus")}
 _POWERS = {"2": ("的平方", "squared"), "3": ("的立方", "cubed")}
@@ -82,8 +83,11 @@ def words_said(text: str, lang: Lang) -> str:
 
 
 def _signed(text: str, lang: Lang) -> str:
-    """Words with their signs told: ∥guide."""
-    return "".join(f" {_named(char, lang)} " if char in _TOLD else char for char in text)
+    """Words with their signs told: ∥guide; a question mark behind a word asks, and names no unknown."""
+    asking = {found.start(1) for found in _ASKING.finditer(text)}
+    return "".join(
+        f" {_named(char, lang)} " if char in _TOLD and at not in asking else char for at, char in enumerate(text)
+    )
 
 
 def _said(node: Node, lang: Lang) -> list[str]:
@@ -120,8 +124,8 @@ def _row(items: Sequence[Node], lang: Lang) -> list[str]:
 
 
 def _letters(text: str, lang: Lang) -> str:
-    """Letters one by one; digits and primes stay with their letter."""
-    parts = re.findall(r"\d+|.", text)
+    """Letters one by one; digits and primes stay with their letter, max, min and Roman numbers are words."""
+    parts = re.findall(r"max|min|I{2,3}|\d+|.", text)
     return " ".join(_named(part, lang) for part in parts if part.strip(", "))
 
 

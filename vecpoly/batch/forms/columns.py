@@ -43,6 +43,13 @@ class Column:
 
 
 IDENTITY = (("学号", "number"), ("姓名", "name"), ("班级", "class"), ("卷号", "sheet"))
+
+
+def per_mm(mu: str) -> str:
+    """The unit of a scale, where it is told."""
+    return _PER_MM.get(mu, "")
+
+
 _PER_MM = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm", "mu_F": "N/mm"}
 
 
@@ -56,7 +63,7 @@ def columns_of(register: Register) -> tuple[Column, ...]:
         found += [_of_row(part.problem, row) for row in part.key.equations]
         asked = [one for one in part.key.quantities if one.asked]
         used = sorted({one.mu for one in asked if one.mu and one.mm})
-        found += [Column(problem=part.problem, key=mu, what=What.SCALE, unit=_PER_MM.get(mu, "")) for mu in used]
+        found += [Column(problem=part.problem, key=mu, what=What.SCALE, unit=per_mm(mu)) for mu in used]
         for one in asked:
             found += [Column(problem=part.problem, key=one.key, what=what, unit=unit) for what, unit in _parts(one)]
     return tuple(found)

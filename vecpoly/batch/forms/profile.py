@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Iterable, Sequence
 from io import StringIO
 from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from ...errors import VecpolyError
+from ...problem.problem import Problem
 from ...problem.text.source import read
 from ...words import Words
 from ..register import Register, Sheet
@@ -78,8 +80,20 @@ def _cell(sheet: Sheet, column: ColumnOf) -> str:
     for part in sheet.parts:
         if part.problem == problem and name in part.values:
             return part.values[name]
-    known = [*_OF_STUDENT, *(f"{part.problem}:{name}" for part in sheet.parts for name in part.values)]
-    raise VecpolyError(
+    raise _nothing(column, [f"{part.problem}:{name}" for part in sheet.parts for name in part.values])
+
+
+def refuse_unknown(profile: Profile, problems: Iterable[Problem]) -> None:
+    """Raise VecpolyError for a column that would hold nothing, before anything is made."""
+    values = [f"{problem.id}:{one.name}" for problem in problems for one in problem.ranges]
+    for column in profile.columns:
+        if column.holds and column.holds not in (*_OF_STUDENT, *values):
+            raise _nothing(column, values)
+
+
+def _nothing(column: ColumnOf, values: Sequence[str]) -> VecpolyError:
+    known = (*_OF_STUDENT, *values)
+    return VecpolyError(
         Words(
             f"列“{column.head}”的 holds: {column.holds} 不存在；可写 {'、'.join(known)}",
             f"column '{column.head}' holds {column.holds}, which is nothing; write one of {', '.join(known)}",

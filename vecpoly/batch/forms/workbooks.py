@@ -15,7 +15,7 @@ from ...grading.told.scheme import SCHEME, scheme_rows
 from ...names import written_unit
 from ...words import Lang, Words, bare
 from ..register import Part, Register, Sheet
-from .columns import IDENTITY, Column, What, columns_of
+from .columns import IDENTITY, Column, What, columns_of, per_mm
 
 _CREATED = datetime(2000, 1, 1)
 _SENSES = ("顺", "逆", "↻", "↺", "cw", "ccw")
@@ -23,6 +23,7 @@ TICK_LETTERS = 12  # at most, in each cell of an equation that is copied with it
 _LENGTH, _TURN = 400.0, 360.0  # mm, degrees: nothing on a page is longer, no direction larger
 _PAIR = 3  # characters that two coordinates have at least
 _ANSWERS, _KEY = Words("答案", "answers"), Words("答案键", "key")
+_YES, _NO = Words("是", "yes"), Words("否", "no")
 _WRONG = Words("此处应为", "expected here: ")
 
 
@@ -99,7 +100,7 @@ def key_bytes(register: Register) -> bytes:
             page.write_string(0, i, text, bold)
             page.write_string(1, i, unit, bold)
         for row, (sheet, part) in enumerate(parts, 2):
-            write_row(page, row, _key_row(sheet, part))
+            write_row(page, row, _key_row(sheet, part, "zh" if register.lang == "zh" else "en"))
         page.freeze_panes(2, len(IDENTITY))
         page.set_column(0, len(heads), 12)
     points_page(book, register, bold)
@@ -135,7 +136,7 @@ def _scales(part: Part) -> dict[str, float]:
 def _key_heads(part: Part, lang: str) -> tuple[list[str], list[str]]:
     names = [zh if lang == "zh" else en for zh, en in IDENTITY] + [*part.values, *_scales(part)]
     heads = names + [row.key for row in part.key.equations]
-    units = [""] * len(names) + [bare(row.printed) for row in part.key.equations]
+    units = [per_mm(name) for name in names] + [bare(row.printed) for row in part.key.equations]
     for one in _asked(part):
         mark = Words("（连带）", " (follow-through)") if one.demoted else Words.same("")
         heads = [*heads, one.key + (mark.zh if lang == "zh" else mark.en), f"{one.key} T"]
@@ -145,19 +146,22 @@ def _key_heads(part: Part, lang: str) -> tuple[list[str], list[str]]:
     return heads, units
 
 
-def _key_row(sheet: Sheet, part: Part) -> list[str | float]:
-    row: list[str | float] = [*identity(sheet), *part.values.values(), *_scales(part).values()]
+def _key_row(sheet: Sheet, part: Part, lang: Lang) -> list[str | float]:
+    given = (value.replace(" deg", "°") for value in part.values.values())
+    row: list[str | float] = [*identity(sheet), *given, *_scales(part).values()]
     row += [shown(one.known) for one in part.key.equations]
     for one in _asked(part):
-        row += [_exact(one), _round(one.allowed / one.one)]
+        row += [_exact(one, lang), "" if one.kind is Kind.YES_NO else _round(one.allowed / one.one)]
         if one.kind is Kind.VECTOR:
             row.append(_round(one.mm) if one.mm else "")
             row.append("" if one.degrees is None else round(one.degrees, 4) % 360.0)
     return row
 
 
-def _exact(one: Graded) -> str | float:
-    """The value, of a place both coordinates."""
+def _exact(one: Graded, lang: Lang) -> str | float:
+    """The value, of a place both coordinates; yes and no in words."""
+    if one.kind is Kind.YES_NO:
+        return (_YES if one.exact else _NO).of(lang)
     if one.at is None:
         return _round(one.exact)
     return "({:.6g}, {:.6g})".format(*(at / one.one + 0.0 for at in one.at))

@@ -9,11 +9,12 @@ from math import isfinite
 import numpy as np
 
 from ...foundation.slotted import replace
-from ...grading.key import AnswerKey, Graded, Kind
+from ...grading.key import AnswerKey, Graded, Kind, is_count
+from ...grading.told.slip import told_of
 from ...problem.problem import Problem
 from ...report.values import class_told, is_class, is_worded, value
 from ...variants.look import Look, sketch_of
-from ...words import Lang, Words
+from ...words import Lang, Words, bare
 
 CLOSE, TURNED, SLIPPED = 50, 25, 20  # per cent, as Moodle allows them
 DIGITS = 6
@@ -55,8 +56,10 @@ def bands(one: Graded, slipped: Slipped = ()) -> Iterator[Worth]:
     right, wide = _rounded(one.exact), _rounded(one.allowed)
     taken = [right, *_again(one, right)]
     yield from (Worth(value=at, allowed=wide, percent=100, said=Words.same("")) for at in taken)
-    yield from (Worth(value=at, allowed=_rounded(2.0 * wide), percent=CLOSE, said=_CLOSE) for at in taken)
-    if _has_sign(one) and abs(right) > 2.0 * wide:
+    counted = is_count(one)  # nothing is nearly as many, or as many below nothing
+    if not counted:
+        yield from (Worth(value=at, allowed=_rounded(2.0 * wide), percent=CLOSE, said=_CLOSE) for at in taken)
+    if _has_sign(one) and abs(right) > 2.0 * wide and not counted:
         taken.append(-right)
         yield Worth(value=-right, allowed=wide, percent=TURNED, said=_TURNED)
     for given, said in slipped:
@@ -81,12 +84,11 @@ def _comparable(one: Graded) -> bool:
 
 def _coordinates(one: Graded) -> Iterator[Graded]:
     """Both coordinates as numbers by themselves, in mm."""
-    there = f", {one.origin} = (0, 0)" if one.origin else ""
     for axis, at in zip("xy", one.at or (), strict=False):
         yield replace(
             one,
             key=f"{one.key} {axis}",
-            symbol=f"{axis}({one.symbol}){there}",
+            symbol=f"{axis}({one.symbol})",
             kind=Kind.SCALAR,
             unit=one.written_in,
             exact=at / one.one,
@@ -115,8 +117,8 @@ def _by_slips(problem: Problem) -> dict[str, Slipped]:
         for slip, found_by in zip(look.slips, values, strict=True):
             size = abs(found_by) if one.kind is Kind.VECTOR else float(found_by.real)
             if np.isfinite(size):
-                said = Words(f"{slip.key} {slip.mistake.words.zh}？", f"{slip.key} {slip.mistake.words.en}?")
-                found.setdefault(one.key, []).append((float(size), said))
+                said = told_of(slip).words
+                found.setdefault(one.key, []).append((float(size), Words(bare(said.zh), bare(said.en))))
     return {key: tuple(values) for key, values in found.items()}
 
 

@@ -10,9 +10,10 @@ from functools import cached_property
 from html import escape
 from xml.etree import ElementTree as xml
 
+from ...algebra.quantity import number
 from ...drawing.backends.svg import to_svg
 from ...drawing.figure import draw_figure
-from ...grading.key import Graded
+from ...grading.key import Graded, Kind, is_count
 from ...names import written_unit
 from ...report.content import statement
 from ...report.document import PICTURE
@@ -27,7 +28,11 @@ from .cloze import plain_number, row
 VARIANTS = 20  # of each problem: Moodle warns of large banks of questions
 _GIVEN, _FIND = Words("已知：", "Given: "), Words("求：", "Find: ")
 _HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n'
-_SCALE = Words("允许误差", "tolerance")
+_WITHIN = Words("（允许误差 {}）", " (tolerance {})")
+_COLON, _BETWEEN = Words("：", ": "), Words("；", "; ")
+_SENSE = {True: Words("逆时针", "counter-clockwise"), False: Words("顺时针", "clockwise")}
+_WAY = Words("，逆时针为正", ", counter-clockwise positive")
+_FROM = Words("（以 {} 为原点）", " from {}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +45,7 @@ class _Asked:
     said: dict[str, str]
     svg: bytes
     worths: dict[str, tuple[Worth, ...]]
-    solution: str
+    solution: dict[str, str]
 
     @property
     def name(self) -> str:
@@ -105,15 +110,29 @@ def _asked(register: Register, sheet: Sheet, part: Part, lang: Lang) -> _Asked:
     asked = asked_of(part.key)
     drawn = picture(problem, solution.construction.toned({}), *PICTURE)  # a question is in black
     svg = to_svg(draw_figure(drawn, lang=lang, caption=False)).encode() if drawn else b""
-    right = "；".join(_solved(one, lang) for one in asked)
+    right = {one.key: right_told(one, lang) for one in asked}
     return _Asked(sheet, part, asked, statement(solution, lang), svg, worths(problem, asked), right)
 
 
-def _solved(one: Graded, lang: Lang) -> str:
+def right_told(one: Graded, lang: Lang) -> str:
     """What is right, and within what."""
+    name = label(one, lang)
     if said := worded(one, lang):
-        return f"{one.key}: {said[0]}"
-    return f"{one.key} = {one.exact:.4g} {written_unit(one.unit)}（{_SCALE.of(lang)} {one.allowed:.2g}）"
+        return f"{name}{_COLON.of(lang)}{said[0]}"
+    turns = one.kind is Kind.SIGNED and one.exact
+    right = _measured(abs(one.exact) if turns else one.exact, 4, one)
+    if turns:
+        right += f" {_SENSE[one.exact > 0].of(lang)}"
+    return (
+        f"{name} = {right}"
+        if is_count(one)
+        else f"{name} = {right}{_WITHIN.of(lang).format(_measured(one.allowed, 2, one))}"
+    )
+
+
+def _measured(value: float, digits: int, one: Graded) -> str:
+    text, unit = bare(number(value, digits)), written_unit(one.unit)
+    return text + unit if unit == "°" else f"{text} {unit}".strip()
 
 
 def _category(root: xml.Element, register: Register, name: str, sort: str, lang: Lang) -> None:
@@ -122,7 +141,10 @@ def _category(root: xml.Element, register: Register, name: str, sort: str, lang:
     xml.SubElement(xml.SubElement(question, "category"), "text").text = path
 
 
-def _question(root: xml.Element, sort: str, one: _Asked, name: str, text: str, lang: Lang) -> xml.Element:
+def _question(
+    root: xml.Element, sort: str, one: _Asked, name: str, text: str, lang: Lang, only: str | None = None
+) -> xml.Element:
+    """only: the quantity of which alone the feedback tells."""
     question = xml.SubElement(root, "question", type=sort)
     xml.SubElement(xml.SubElement(question, "name"), "text").text = name
     body = xml.SubElement(question, "questiontext", format="html")
@@ -131,7 +153,8 @@ def _question(root: xml.Element, sort: str, one: _Asked, name: str, text: str, l
         file = xml.SubElement(body, "file", name="figure.svg", path="/", encoding="base64")
         file.text = b64encode(one.svg).decode()
     feedback = xml.SubElement(question, "generalfeedback", format="html")
-    xml.SubElement(feedback, "text").text = f"<p>{escape(one.solution)}</p>"
+    told = one.solution.values() if only is None else (one.solution[only],)
+    xml.SubElement(feedback, "text").text = f"<p>{escape(_BETWEEN.of(lang).join(told))}</p>"
     _tell(question, "penalty", "0.3333333")
     _tell(question, "idnumber", name.replace(" ", "-"))
     return question
@@ -144,24 +167,26 @@ def _text(one: _Asked, lang: Lang, *, blanks: bool) -> str:
         parts.append(f'<p><img src="@@PLUGINFILE@@/figure.svg" alt="{said["title"]}"></p>')
     if blanks:
         parts += [
-            f"<p>{escape(_label(asked, lang))} = {escape(row(asked, one.worths[asked.key], lang), quote=False)}</p>"
+            f"<p>{escape(label(asked, lang))} = {escape(row(asked, one.worths[asked.key], lang), quote=False)}</p>"
             for asked in one.asked
         ]
     return "".join(parts)
 
 
-def _label(one: Graded, lang: Lang) -> str:
+def label(one: Graded, lang: Lang) -> str:
     """What is asked: its symbol, and by which way it is found where that is told."""
-    return bare(called(one.symbol, one.key, lang))
+    there = _FROM.of(lang).format(one.origin) if one.origin and one.kind is Kind.SCALAR else ""
+    return bare(called(one.symbol, one.key, lang)).replace("^′", "′") + there
 
 
 def _alone(root: xml.Element, variant: _Asked, one: Graded, lang: Lang) -> None:
     """A question of one quantity: a number within its bands, or a choice."""
     words = worded(one, lang)
     unit = "" if words or not one.unit else f" ({written_unit(one.unit)})"
-    text = f"{_text(variant, lang, blanks=False)}<p>{_FIND.of(lang)}{escape(_label(one, lang) + unit)}</p>"
+    way = _WAY.of(lang) if one.kind is Kind.SIGNED else ""
+    text = f"{_text(variant, lang, blanks=False)}<p>{_FIND.of(lang)}{escape(label(one, lang) + unit + way)}</p>"
     sort = "multichoice" if words else "numerical"
-    question = _question(root, sort, variant, f"{variant.name} {one.key}", text, lang)
+    question = _question(root, sort, variant, f"{variant.name} {one.key}", text, lang, only=one.key)
     _tell(question, "defaultgrade", "1")
     _tell(question, "hidden", "0")
     if words:

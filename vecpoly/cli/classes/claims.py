@@ -59,7 +59,7 @@ def check_claims(
         _print(checked, lang)
     if json is not None:
         write_json(checked.as_json(), json)
-    if any(one.for_a_person for one in checked.answers):
+    if any(one.outcome.for_a_person for one in checked.answers):
         raise typer.Exit(REFUSED)
     if not checked.right:
         raise typer.Exit(DISAGREES)
@@ -67,13 +67,16 @@ def check_claims(
 
 def _print(checked: Checked, lang: Lang) -> None:
     from ...grading.student import is_right
+    from ...report.values import called
 
     title = f"{checked.problem.id}  {bare(checked.problem.title.of(lang))}"
     made = table(title, [(name, "left") for name in _COLUMNS[lang]])
     fine = [is_right(one) for one in checked.answers]
     fine += [one.outcome.is_right for one in checked.ticked]
-    for row, right in zip(checked.rows(lang), fine, strict=True):
-        add(made, row, alarmed=not right)
+    names = [bare(called(checked.marked.key[one.key].symbol, one.key, lang)) for one in checked.answers]
+    names += [one.row.key for one in checked.ticked]
+    for name, row, right in zip(names, checked.rows(lang), fine, strict=True):
+        add(made, (name, *row[1:]), alarmed=not right)
     show(made)
     for words in checked.said:
         say(words.of(lang))

@@ -22,6 +22,7 @@ from ..tongue import told_in
 if TYPE_CHECKING:
     from ...batch.classwork import Made
     from ...batch.forms.profile import Profile
+    from ...problem.problem import Problem
 
 Told = Callable[[Words, int, int], None]
 Sheet = Annotated[
@@ -92,14 +93,12 @@ def classes(
     """
     from ... import __version__
     from ...batch.classwork import Order, make_class
-    from ...batch.forms.profile import read_profile
     from ...batch.gather import gather as gathered
     from ...batch.roster import read_roster
     from ...batch.run.runners import runner
     from ...problem.assignment import load_assignment
 
-    part, columns = _shard(shard, gather), read_profile(profile) if profile else None
-    people = read_roster(roster)
+    part, people = _shard(shard, gather), read_roster(roster)
     order = Order(
         assignment=load_assignment(assignment, allow_outside=allow_outside),
         students=people.students,
@@ -107,12 +106,23 @@ def classes(
         lang=lang,
         version=__version__,
     )
+    columns = _columns(profile, order.assignment.problems)
     with progress_bar() as told, runner(jobs or os.cpu_count() or 1, dask) as run:
         made = gathered(order, gather, run, told) if gather else make_class(order, run, told, part)
         if part is None:
             _bundle(made, output, columns, told)
     _report(made)
     _settle(people.faults, made.refused)
+
+
+def _columns(path: Path | None, problems: Sequence[Problem]) -> Profile | None:
+    """The columns of another platform's table, each of which will hold something."""
+    from ...batch.forms.profile import read_profile, refuse_unknown
+
+    if path is None:
+        return None
+    refuse_unknown(profile := read_profile(path), problems)
+    return profile
 
 
 def _settle(faults: Sequence[Fault], refused: Mapping[str, VecpolyError]) -> None:

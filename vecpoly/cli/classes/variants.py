@@ -26,7 +26,7 @@ Name = Annotated[
     ),
 ]
 Count = Annotated[int, typer.Option("--count", "-n", min=0, max=1000, help="How many variants to draw.")]
-Salt = Annotated[str, typer.Option("--salt", help="Another text gives other numbers.")]
+Salt = Annotated[str, typer.Option("--salt", metavar="TEXT", help="Another text gives other numbers.")]
 
 
 def variants(
@@ -61,4 +61,9 @@ def _tell(problem: Problem, assignment: str, count: int, salt: str, lang: Lang) 
     for number in range(1, count + 1):
         seed = Seed(assignment=assignment, problem=problem.id, student=f"{number}", salt=salt)
         for one in islice(drawn(problem, seed, first.standard), 1):
-            typer.echo(f"  {number}: " + ", ".join(f"{name} = {value}" for name, value in one.values.items()))
+            typer.echo(f"  {number}: " + ", ".join(f"{name} = {_degrees(value)}" for name, value in one.values.items()))
+
+
+def _degrees(value: str) -> str:
+    """A value of a problem file as it is printed: 55 deg is 55°."""
+    return value.replace(" deg", "°")

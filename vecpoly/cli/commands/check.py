@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from ...foundation.patterns import pattern
 from ...names import written_unit
 from ...words import Words, bare
 from ..classes.claims import check_claims, claims_among
@@ -17,7 +18,7 @@ from ..files import STDOUT, spared, write_json
 from ..jobs import problems
 from ..options import JSON, ColumnsOption, JsonOption, Lang, LangOption, OutsideOption, TableOption
 from ..terminal import add, progress, show, table
-from ..wording import beside, number, percent, symbol
+from ..wording import beside, degrees, number, percent, sense, symbol
 from .check_drawing import check_drawings, drawings_among
 from .check_table import check_table_of, columns_said
 
@@ -30,6 +31,7 @@ _COLUMNS = {
     "zh": ("量", "原书", "精确值", "偏差", "结论", "缘由"),
     "en": ("quantity", "printed", "exact", "deviation", "verdict", "by which slip"),
 }
+_SENSED = pattern(r"\bc?cw\b")
 _NOTHING = {"zh": "没有可核对的印刷答案", "en": "no printed answers to check"}
 
 
@@ -108,7 +110,7 @@ def _print(problem: Problem, result: PrintedCheck, lang: Lang) -> None:
     for line in result.answers:
         add(made, _row(line, lang))
     for printed in result.unchecked:
-        add(made, (symbol(printed.symbol), printed.text, "—", "—", "—", ""))
+        add(made, (symbol(printed.symbol), _as_printed(printed, lang), "—", "—", "—", ""))
     show(made)
     if result.whole is not None:
         typer.echo(f"{bare(result.whole.of(lang))}\n")
@@ -116,12 +118,35 @@ def _print(problem: Problem, result: PrintedCheck, lang: Lang) -> None:
 
 def _row(line: Checked, lang: Lang) -> tuple[str, ...]:
     printed, name = line.printed, _unit(line.printed)
-    text = printed.text if printed.paper_mm is None else f"{printed.text} = {beside(number(printed.value), name)}"
-    gap = percent(line.deviation) if isfinite(line.deviation) else "—"  # of an exact zero
+    text = _as_printed(printed, lang)
+    if printed.paper_mm is not None:
+        text += f" = {beside(number(printed.value), name)}"
     return (
-        symbol(printed.symbol), text, beside(number(line.exact), name), gap, line.verdict.words.of(lang),
+        symbol(printed.symbol), text, _exact(line, lang), _off(line), line.verdict.words.of(lang),
         bare(line.slip.of(lang)) if line.slip else "",
     )  # fmt: skip
+
+
+def _as_printed(printed: Printed, lang: Lang) -> str:
+    from ...problem.problem import as_printed
+
+    return written_unit(as_printed(printed.text, lang)).replace("*", "·").replace("-", "−")
+
+
+def _exact(line: Checked, lang: Lang) -> str:
+    """The exact value with its unit, and with its sense where the printed one has one."""
+    if not line.exact or not _SENSED.search(line.printed.text):
+        return beside(number(line.exact), _unit(line.printed))
+    return f"{beside(number(abs(line.exact)), _unit(line.printed))} {sense(line.exact, lang)}"
+
+
+def _off(line: Checked) -> str:
+    """By how many per cent a printed value is off, an angle by how many degrees; of an exact zero nothing."""
+    from ...check.printed.verdict import is_angle
+
+    if not isfinite(line.deviation):
+        return "—"
+    return degrees(line.deviation * line.exact) if is_angle(line.printed) else percent(line.deviation)
 
 
 def _unit(printed: Printed) -> str:

@@ -11,6 +11,7 @@ from ...words import Words, bare
 from ..completion import ids
 from ..errors import DISAGREES, Tally
 from ..files import STDOUT, put, spared
+from ..jobs import refuse_other
 from ..options import Hand, HandOption, Lang, LangOption, OutOption, OutsideOption, SeedOption
 from ..terminal import add, say, show, table, warn
 from ..tongue import told_in
@@ -43,9 +44,12 @@ def design(
     allow_outside: OutsideOption = False,
 ) -> None:
     """Write the report of a design project: linkage, motion, forces, cam, gears, and whether the demands are met."""
+    from ...problem.load import locate
+
     tally = Tally()
     unmet = False
     with tally.job():
+        refuse_other(locate(name), "design")
         found = _solved(name, hand, seed, allow_outside)
         path = _place(output, found.id, lang)
         spared(path, PDF, more=[found.path])

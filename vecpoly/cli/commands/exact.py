@@ -14,12 +14,12 @@ from ..files import STDOUT, spared, write_json
 from ..jobs import problems
 from ..options import JSON, JsonOption, Lang, LangOption, OutsideOption, Problems
 from ..terminal import add, progress, say, show, table, warn
-from ..wording import YES_NO, number, scalar, symbol
+from ..wording import YES_NO, number, place, scalar, sense, symbol
 
 if TYPE_CHECKING:
     from ...check.truth import ActsAt
     from ...names import Key
-    from ...problem.problem import Problem
+    from ...task import Task
 
 _COLUMNS = {"zh": ("量", "精确", "单位", "方向"), "en": ("symbol", "exact", "unit", "direction")}
 
@@ -35,6 +35,8 @@ def exact(
     from ...check.designs.unsolvable import conclusion
     from ...check.precision import noise, settled, sizes
     from ...check.truth import truth_of
+    from ...methods.drawing import drawing_of
+    from ...task import Task
 
     data: list[dict[str, Any]] = []
     for problem in progress(found, Words("求解", "solving")):
@@ -44,15 +46,14 @@ def exact(
             size = sizes(problem, truth)
             off = noise(problem, truth, size)  # refuses what has lost its digits
             values = {key: settled(value, off[key], size[key]) for key, value in truth.values.items()}
-            lines, rels = truth.lines, {ask.rel.key: ask.rel for ask in problem.asks}
-            data.append(
-                {
-                    "id": problem.id,
-                    "answers": {key: _plain(rels[key], value) | _line(lines.get(key)) for key, value in values.items()},
-                }
-            )
+            task = Task(problem, drawing_of(problem), truth)
+            answers = {
+                key: _plain(task.asked[key], value) | _sense(task, key, value) | _line(truth.lines.get(key))
+                for key, value in values.items()
+            }
+            data.append({"id": problem.id, "answers": answers})
             if json != STDOUT:
-                _print(problem, values, size, lang)
+                _print(task, values, size, lang)
                 if (several := several_of(problem, truth)) is not None:
                     say(f"{problem.id}: {several.of(lang)}")
             tally.weigh(problem.id, None, lang, conclusion(problem))
@@ -80,6 +81,30 @@ def _plain(rel: Key, value: complex | float) -> dict[str, Any]:
     return {"unit": si, "exact": abs(value), "direction_deg": bearing(value) if value else None}
 
 
+def _told(task: Task, rel: Key, value: complex | float, zero: float, lang: Lang) -> tuple[str, str, str]:
+    """Size, unit and direction or sense."""
+    from ...printed.angles import bearing_told
+
+    unit = written_unit(rel.unit)
+    if not isinstance(value, complex) and is_centre(rel):
+        return "∞", "", f"{value:.3f}°"
+    if not isinstance(value, complex):
+        turned = task.turns(rel) and abs(value) > zero
+        size = scalar(abs(value) if turned else value, rel.unit, lang, 7, zero)
+        return size, unit, sense(value, lang) if turned else "—"
+    if is_place(rel):
+        return place(value, 7, zero), "mm", "—"
+    way = bearing_told(degrees(cmath.phase(value)), 3) if abs(value) > zero else "—"
+    return number(abs(value), 7, zero), unit, way
+
+
+def _sense(task: Task, key: str, value: complex | float) -> dict[str, Any]:
+    """ccw or cw of what turns; none of what does not turn now."""
+    if isinstance(value, complex) or isnan(value) or not task.turns(task.asked[key]):
+        return {}
+    return {"sense": "ccw" if value > 0 else "cw" if value else None}
+
+
 def _line(line: ActsAt | None) -> dict[str, Any]:
     """A point (m) of a reaction's line,
     the sense of its moment about the pin where it touches a friction circle, a slide's couple (N·m)."""
@@ -91,26 +116,15 @@ def _line(line: ActsAt | None) -> dict[str, Any]:
     return {"point": place_of(line.point), "tangent": line.tangent or None} | couple
 
 
-def _print(problem: Problem, values: Mapping[str, complex | float], sizes: Mapping[str, float], lang: Lang) -> None:
+def _print(task: Task, values: Mapping[str, complex | float], sizes: Mapping[str, float], lang: Lang) -> None:
     from ...check.precision import NOTHING
-    from ...printed.angles import bearing_told
 
+    problem = task.problem
     title = f"{problem.id}  {bare(problem.title.of(lang))}"
     made = table(title, [(name, "right" if i == 1 else "left") for i, name in enumerate(_COLUMNS[lang])])
-    for ask in problem.asks:
-        if ask.rel.key not in values:  # of a synthesis without a solution
-            continue
-        value, way, zero = values[ask.rel.key], "—", NOTHING * min(1.0, sizes[ask.rel.key])
-        if not isinstance(value, complex) and is_centre(ask.rel):
-            size, way = "∞", f"{value:.3f}°"
-        elif not isinstance(value, complex):
-            size = scalar(value, ask.rel.unit, lang, 7, zero)
-        elif is_place(ask.rel):
-            size = f"({number(value.real, 7, zero)}, {number(value.imag, 7, zero)})"
-        else:
-            size = number(abs(value), 7, zero)
-            way = bearing_told(degrees(cmath.phase(value)), 3) if abs(value) > zero else "—"
-        add(made, (symbol(ask.rel.key), size, written_unit(ask.rel.unit), way))
+    for key, rel in task.asked.items():
+        if key in values:  # none of a synthesis without a solution
+            add(made, (symbol(key), *_told(task, rel, values[key], NOTHING * min(1.0, sizes[key]), lang)))
     if values:
         show(made)
     from ...check.ending import ending_of

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,11 +13,15 @@ from ..jobs import each, problems
 from ..onward import ThenOption, onward
 from ..options import Lang, LangOption, OutOption, OutsideOption
 from ..terminal import warn
+from ..wording import symbol
 from .draw import Id
 
 if TYPE_CHECKING:
+    from ...export.recording import Recording
     from ...problem.problem import Problem
 
+_STIFF = Words("：其作图不能随原动件变动，未写入", ": found by a construction that cannot follow the input, left out")
+_LOADED = Words("：属力分析，GeoGebra 文件不含载荷，未写入", ": found from loads, which a GeoGebra file leaves away")
 ENDINGS = (".ggb", ".dxf", ".csv")
 
 
@@ -52,11 +57,17 @@ def _moving(problem: Problem, target: Path, lang: Lang) -> None:
 
     recording = record(problem)
     put(target, to_ggb(recording, lang))
-    if recording.left_out:
-        keys = recording.left_out
-        zh, en = "、".join(keys), ", ".join(keys)
-        said = Words(f"{zh} 不随原动件变动，未写入", f"{en} would not follow the input and is left out")
-        warn(problem.id, [said], lang)
+    warn(problem.id, _left_out(recording), lang)
+
+
+def _left_out(recording: Recording) -> Iterator[Words]:
+    """What is asked and does not stand in the file; that it shows the moving diagram alone, where nothing does."""
+    for keys, why in ((recording.left_out, _STIFF), (recording.loads, _LOADED)):
+        if keys:
+            names = [symbol(key) for key in keys]
+            yield Words("、".join(names), ", ".join(names)) + why
+    if not recording.follow and (recording.left_out or recording.loads):
+        yield Words("文件中只有随原动件运动的机构图", "the file has the moving diagram alone")
 
 
 def _profile(problem: Problem, ending: str) -> bytes:

@@ -39,19 +39,17 @@ def new(path: NewFile, like: Like = None) -> None:
     if _ID.fullmatch(target.stem):
         text = _ID_LINE.sub(f"id: {target.stem}", text, count=1)
     text = text if _EDITOR in text else f"{_EDITOR}{SCHEMA}\n{text}"
+    from ...problem.library import command_for
+
     try:
         write_whole(target, text.encode(), new=True)
     except FileExistsError:
         raise FileExistsError(17, "exists already and is not overwritten; choose another name", str(target)) from None
     _write_schema(target.with_name(SCHEMA))
-    say(
-        told_in(
-            Words(
-                f"已写入 {target}；可接着运行：vecpoly solve {target}",
-                f"wrote {target}; now try: vecpoly solve {target}",
-            )
-        )
-    )
+    if like is not None:
+        _write_tables(like, text, target)
+    told = f"vecpoly {command_for(text)} {target}"
+    say(told_in(Words(f"已写入 {target}；可接着运行：{told}", f"wrote {target}; now try: {told}")))
 
 
 def _write_schema(path: Path) -> None:
@@ -60,6 +58,21 @@ def _write_schema(path: Path) -> None:
         from .schema import schema_text
 
         put(path, schema_text().encode())
+
+
+def _write_tables(name: str, text: str, target: Path) -> None:
+    """The tables that a copied problem reads, beside the copy where it looks for them; what lies there already is left
+    as it is."""
+    from ...problem.library import command_for
+    from ...problem.load import load, locate
+
+    if command_for(text) != "solve":
+        return
+    home = locate(name).parent
+    for file in load(name).files:
+        copy = target.parent / file.relative_to(home) if file.is_relative_to(home) else target
+        if file.suffix != ".yaml" and not copy.exists():
+            put(copy, file.read_bytes())
 
 
 def _start(target: Path) -> str:

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from ...names import written_unit
 from ...words import Words, bare
 from ..errors import Tally
 from ..files import STDOUT, put, spared
-from ..options import JobsOption, Lang, LangOption, OutOption, SeedOption
+from ..jobs import refuse_other
+from ..options import JobsOption, Lang, LangOption, OutOption
 from ..terminal import add, progress, show, table
-from ..wording import number
+from ..wording import beside, number
 
 if TYPE_CHECKING:
     from ...search.run import Found
@@ -23,8 +25,10 @@ ENDINGS = (".yaml", ".pdf")
 _COLUMNS = {"zh": ("求得", "值"), "en": ("found", "value")}
 
 SearchFile = Annotated[
-    str, typer.Argument(metavar="FILE", help="A search file: search, data, candidates.", show_default=False)
+    str,
+    typer.Argument(metavar="ID_OR_PATH", help="A search: search-dwell of the library, or a file.", show_default=False),
 ]
+RandomOption = Annotated[int, typer.Option("--seed", min=0, help="Seed of the candidates: another has others.")]
 CountOption = Annotated[
     int | None,
     typer.Option(
@@ -37,7 +41,7 @@ def search(
     name: SearchFile,
     output: OutOption = None,
     count: CountOption = None,
-    seed: SeedOption = 0,
+    seed: RandomOption = 0,
     processes: JobsOption = 0,
     lang: LangOption = "en",
 ) -> None:
@@ -45,9 +49,12 @@ def search(
 
     -o FOUND.yaml writes it as a problem, to be drawn and analysed; -o FOUND.pdf its report.
     """
+    from ...problem.load import locate
+
     tally = Tally()
     with tally.job():
         spared(output, ENDINGS, more=[Path(name)])
+        refuse_other(locate(name), "search")
         found = _found(name, count, seed, processes)
         if output is not None:
             put(output, _written(found, output, lang))
@@ -86,6 +93,6 @@ def _tell(found: Found, lang: Lang) -> None:
         [(head, "left" if not i else "right") for i, head in enumerate(_COLUMNS[lang])],
     )
     for one in found.measures:
-        add(made, (one.name.of(lang), f"{number(one.value)} {one.unit}".strip()))
+        add(made, (one.name.of(lang), beside(number(one.value), written_unit(one.unit))))
     add(made, (Words("候选数", "candidates").of(lang), str(found.tried)))
     show(made)

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ...names import written_unit
 from ...words import Words, bare
 from ..errors import Tally, about
 from ..files import STDOUT, spared, write_json
@@ -14,7 +13,7 @@ from ..jobs import problems
 from ..onward import ThenOption
 from ..options import JSON, HandOption, JsonOption, Lang, LangOption, OutsideOption, Problems, SeedOption
 from ..terminal import add, progress, say, show, table, warn
-from ..wording import drawn, exact, gap, reach, symbol, way
+from ..wording import drawn, exact, gap, reach, symbol, unit, way
 
 if TYPE_CHECKING:
     from ...answer import Answer
@@ -86,7 +85,7 @@ def _print(solution: Solution, lang: Lang) -> None:
                 symbol(answer.key),
                 drawn(answer, lang),
                 exact(answer, lang),
-                written_unit(answer.reading.unit),
+                unit(answer),
                 gap(answer),
                 reach(answer),
                 way(answer, lang),

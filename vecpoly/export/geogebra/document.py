@@ -16,6 +16,7 @@ from ...algebra.quantity import number
 from ...board import acts as done
 from ...board.paper.tones import tones
 from ...board.place import View, view_of
+from ...names import written_unit
 from ...plane.derived import moves
 from ...words import Lang, bare
 from ..parts import Numbers
@@ -23,7 +24,7 @@ from ..recording import Recording
 from ..terms import Term, values
 from .bodies import Bodies
 from .figure import Figure
-from .labels import INDEX, caption
+from .labels import INDEX, length, named
 from .page import Page
 from .spelling import Spelling
 
@@ -130,20 +131,22 @@ class _Writer:
             anchor, at, caption="$p'$" if view is View.ACCELERATION else "$p$" if pole else "", seen=pole
         )
         scale = self.recording.desk.board.scale_of(view)
-        words = f"{view.title.of(self.lang)}  {scale.symbol} = {number(scale.told.value)} {scale.told.per_mm}"
+        words = (
+            f"{view.title.of(self.lang)}  {scale.symbol} = {number(scale.told.value)} {written_unit(scale.told.per_mm)}"
+        )
         self.page.text(words, f"{anchor} + ({low.real!r}, {low.imag - TITLE!r})")
         return Figure(self.page, self.terms, self.spelling, view, anchor, self.tones)
 
     def _number(self, base: str, index: str, value: Any) -> None:
         term = self.terms.parts(value)[0]
         label = self.page.labels.new(base, "".join(filter(str.isalnum, index)))
-        self.page.number(label, self.spelling.text(term), caption=caption(index))
+        self.page.number(label, self.spelling.text(term), caption=length(index))
         self.spelling.know(term, label)
 
     def _quantity(self, key: str, value: Any, end: str = "", part: int = 0) -> None:
         term = self.terms.parts(value)[part]
         label = self.page.labels.quantity(key, end)
-        self.page.number(label, self.spelling.text(term), caption=key + (f".{end}" if end else ""))
+        self.page.number(label, self.spelling.text(term), caption=named(key) + (f".{end}" if end else ""))
         self.written_down.add(key)
         self.spelling.know(term, label)
 

@@ -10,6 +10,7 @@ from ...names import subscripted
 
 # a polygon's letters are told from each other by its kind
 INDEX = {View.MECHANISM: "", View.VELOCITY: "v", View.ACCELERATION: "a"}
+_END = re.compile(r"([^\W\d_])('*)(\d*)('*)")
 _GREEK = {"omega": "ω", "alpha": "α", "gamma": "γ", "phi": "φ", "mu": "μ"}
 
 
@@ -40,9 +41,24 @@ class Labels:
         raise AssertionError(base)
 
 
+def named(key: str) -> str:
+    """A quantity by its key, with the letter that is printed: ω_2, α."""
+    base, low, index = key.partition("_")
+    return f"{_GREEK.get(base, base)}{low}{index}"
+
+
+def length(ends: str) -> str:
+    """A length by its two ends as TeX: $p'd'$, $n_{2}'c_{2}'$."""
+    each = _END.findall(ends.replace("′", "'"))
+    if "".join("".join(parts) for parts in each) != ends.replace("′", "'"):
+        return caption(ends)
+    one = (f"{letter}{first}{last}" + (f"_{{{index}}}" if index else "") for letter, first, index, last in each)
+    return f"${''.join(one)}$"
+
+
 def caption(letter: str) -> str:
     """A letter with its index and prime as TeX: $c_{2}'$."""
-    plain = letter.translate(ON_LINE).translate(str.maketrans("′", "'", "^{}_"))
+    plain = letter.translate(ON_LINE).translate(str.maketrans("′", "'", "^{}"))
     primes = "'" * plain.count("'")
     base, _, index = subscripted(plain.replace("'", "")).partition("_")
     return f"${base}{primes}" + (f"_{{{index}}}" if index else "") + "$"

@@ -28,8 +28,8 @@ class Page:
         ET.SubElement(
             one,
             "slider",
-            min=repr(low),
-            max=repr(high),
+            min=repr(round(low, 9)),
+            max=repr(round(high, 9)),
             absoluteScreenLocation="true",
             width="260",
             x=repr(at[0]),

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import degrees, hypot
 
 from ..allowance import Allowance
-from ..key import Graded, Kind, beside
+from ..key import Graded, Kind, beside, come_round
 from .measured import Measured
 from .outcome import Outcome
 
@@ -34,7 +34,7 @@ def gap(value: float, graded: Graded, target: Target) -> float:
     if graded.kind is Kind.LINE:
         return float(beside(value, target.value)) - target.value
     if graded.unit == "deg":
-        return (value - target.value + 180.0) % 360.0 - 180.0
+        return float(come_round(value, target.value)) - target.value
     return value - target.value
 
 
@@ -66,7 +66,8 @@ def weigh(given: Measured, graded: Graded, target: Target, rule: Allowance) -> O
     sized = _band(off, widened(given, target), rule)
     if sized is Outcome.WRONG:
         return _sign(given, graded, target, rule)
-    return _turned(given, graded, target, rule) or sized
+    turned = _turned(given, graded, target, rule)
+    return sized if turned is None or (turned is Outcome.UNSAID and sized is Outcome.CLOSE) else turned
 
 
 def _band(off: float, allowed: float, rule: Allowance) -> Outcome:

@@ -15,7 +15,7 @@ from ...board.hand import scatter
 from ...foundation.slotted import replace
 from ...methods.drawn import Drawn
 from ..allowance import Allowance
-from ..key import Graded, Kind, beside
+from ..key import Graded, Kind, beside, come_round
 
 LOST = 0.1  # share of hands that cannot close a figure, beyond which nothing can be promised
 COMPUTED = 1e-9  # of the largest of its unit: less is zero
@@ -31,15 +31,16 @@ class Scatter:
     allowance: Allowance
     scales: Mapping[str, float]
 
-    def sigma(self, act: Act, *, place: bool = False, line: bool = False) -> float:
+    def sigma(self, one: Graded, act: Act) -> float:
         """σ of what an act gave (SI, readings in mm), of a place of its distance from the nominal one; infinite where
         too many hands find nothing."""
         own: Any = self.drawn.hands.get(act.number)
+        place = one.kind is Kind.PLACE
         repeats = self.drawn.repeats.get(act.key) if isinstance(act, Wrote) and not place else own
         if repeats is None or np.ndim(repeats) == 0:
             return 0.0
         nominal, *others = np.asarray(repeats, dtype=complex if place else float)
-        found = np.array(beside(np.array(others), nominal) if line else others)  # 179° and 1° are 2° apart
+        found = np.asarray(_near(one, np.array(others), nominal))
         closed = found[np.isfinite(found)]
         if closed.size < (1 - LOST) * found.size:
             return inf
@@ -113,6 +114,13 @@ class Scatter:
         return max(size * rule.floor / mm if mm else 0.0, rule.arithmetic * size)
 
 
+def _near(one: Graded, found: Any, nominal: float) -> Any:
+    """What hands found, of a line with 179° and 1° 2° apart, of another angle 359° and 1°."""
+    if one.kind is Kind.LINE:
+        return beside(found, nominal)
+    return come_round(found, nominal) if one.unit == "deg" else found
+
+
 def _like(one: Graded, other: Graded) -> bool:
     """Whether one could be taken for the other."""
     return other.asked and other.key != one.key and other.unit == one.unit and other.kind is one.kind
@@ -131,8 +139,4 @@ def _rid_of_rounding(one: Graded, largest: float) -> Graded:
 
 def with_tolerance(one: Graded, act: Act, scatter: Scatter) -> Graded:
     """The quantity with the scatter of the act that gave it."""
-    return replace(
-        one,
-        sigma=scatter.sigma(act, place=one.kind is Kind.PLACE, line=one.kind is Kind.LINE),
-        turned=scatter.turned(act),
-    )
+    return replace(one, sigma=scatter.sigma(one, act), turned=scatter.turned(act))

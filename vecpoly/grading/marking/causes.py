@@ -154,9 +154,14 @@ def _of_itself(found: Verdicts, why: Causes, root: Graded) -> None:
         said = explanations(root, found.given[root.key], target, found.key)
         if len({(one.id, *one.numbers.items()) for one in said}) == 1:
             before = next(
-                (name for name, one in why.said.items() if one == said[0] and one.id is not Told.SWAPPED), None
+                (
+                    name
+                    for name, one in why.said.items()
+                    if one == said[0] and one.id is not Told.SWAPPED and _alike(found.key[name], root)
+                ),
+                None,
             )
-            if before is not None and found.key[before].block == root.block:
+            if before is not None:
                 found.outcome[root.key], found.basis[root.key] = Outcome.RIGHT, Basis.SLIP
                 why.source[root.key] = before
             else:
@@ -164,6 +169,11 @@ def _of_itself(found: Verdicts, why: Causes, root: Graded) -> None:
             return
         if said:
             why.said[root.key] = message(Told.TWO_SLIPS)
+
+
+def _alike(first: Graded, second: Graded) -> bool:
+    """Whether one mistake with a unit or a scale may be in both: none that lengths have in common is in an angle."""
+    return first.block == second.block and (first.unit == "deg") is (second.unit == "deg")
 
 
 def _of_scales(found: Verdicts, why: Causes) -> None:

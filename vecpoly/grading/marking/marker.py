@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from math import isfinite, log10
+from math import copysign, isfinite, log10
 
 from ...algebra.quantity import number
 from ...foundation.slotted import replace
 from ...problem.problem import Problem
 from ...words import bare
-from ..compare.measured import UnitFault
+from ..compare.measured import Measured, UnitFault
 from ..compare.outcome import Basis, Finding, Outcome
 from ..derive.rubric import scale_of
 from ..drawings.judging.mark import DrawingMark
 from ..equations.mark import only_with_equation, paid_by_equations
-from ..key import AnswerKey, Graded, Points
+from ..key import AnswerKey, Graded, Kind, Points
 from ..reading.written import State, Written
 from ..rules import USUAL_RULES, Rules
 from ..sheet import Sheet
@@ -87,10 +87,15 @@ def _finding(found: Verdicts, why: Causes, one: Graded, named: set[str], rules: 
     off = off_by(found, one) if mine is not None and mine.at is None else None
     return Finding(
         key=one.key, written=found.sheet.answers[one.key], outcome=outcome, basis=basis, messages=said,
-        value=None if mine is None else mine.value, off=off if off is not None and isfinite(off) else None,
+        value=None if mine is None else _signed(mine, one), off=off if off is not None and isfinite(off) else None,
         earned=_points(found, one, one.key in named, rules), chain=_chain(found, one.key),
         for_a_person=outcome.for_a_person or any(each.id is Told.UNDRAWABLE for each in said),
     )  # fmt: skip
+
+
+def _signed(mine: Measured, one: Graded) -> float:
+    """What was written, negative where it was said to turn clockwise."""
+    return copysign(mine.value, mine.sense) if one.kind is Kind.SIGNED and mine.sense else mine.value
 
 
 def _points(found: Verdicts, one: Graded, named: bool, rules: Rules) -> Points:

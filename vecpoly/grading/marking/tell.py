@@ -11,7 +11,7 @@ from ...words import Words, bare
 from ..compare.band import distance, gap, is_other_sense, target_of, widened
 from ..compare.measured import UnitFault
 from ..compare.outcome import Basis, Outcome
-from ..key import Graded, Kind
+from ..key import Graded, Kind, is_count
 from ..rules import Rules
 from ..told.catalogue import Told
 from ..told.message import Message, message
@@ -53,10 +53,15 @@ def _outcome(found: Verdicts, why: Causes, one: Graded) -> Iterator[Message]:
             yield message(Told.AMBIGUOUS, raw=raw.raw, why=reason)
         case Outcome.RIGHT | Outcome.CLOSE | Outcome.UNSAID:
             yield _right(found, why, one, outcome, basis)
-            if outcome is Outcome.UNSAID:
+            if outcome is Outcome.UNSAID or (outcome is Outcome.CLOSE and _is_unsaid(found, one)):
                 yield message(Told.SENSE_MISSING)
         case Outcome.SENSE | Outcome.DIRECTION | Outcome.WRONG:
             yield from _wrong(found, why, one, outcome)
+
+
+def _is_unsaid(found: Verdicts, one: Graded) -> bool:
+    """Whether no sense was written of what turns."""
+    return one.kind is Kind.SIGNED and abs(one.exact) > one.allowed and not found.given[one.key].sense
 
 
 def _right(found: Verdicts, why: Causes, one: Graded, outcome: Outcome, basis: Basis) -> Message:
@@ -69,7 +74,7 @@ def _right(found: Verdicts, why: Causes, one: Graded, outcome: Outcome, basis: B
         case Basis.SLIP | Basis.SCALE:
             return message(Told.OK_SLIP, src=found.key[why.source[one.key]].symbol)
         case Basis.EXACT:
-            if one.kind is Kind.YES_NO:
+            if one.kind is Kind.YES_NO or (is_count(one) and not off_by(found, one)):
                 return message(Told.RIGHT)
             if outcome is Outcome.CLOSE:
                 return message(Told.CLOSE, e=_off(found, one), t=_amount(one, one.allowed, 2))
@@ -102,7 +107,7 @@ def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Itera
         direction = found.given[one.key].direction
         assert direction is not None and one.degrees is not None
         yield message(Told.DIRECTION, d=f"{direction.beside(one.degrees):.0f}")
-    elif one.kind is Kind.YES_NO and (said is None or said.id is Told.TWO_SLIPS):
+    elif (one.kind is Kind.YES_NO or is_count(one)) and (said is None or said.id is Told.TWO_SLIPS):
         yield message(Told.NOT_RIGHT)
     elif said is None or said.id in (Told.TWO_SLIPS, Told.SWAPPED):
         yield message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed, 2))
@@ -141,13 +146,13 @@ def _unit(found: Verdicts, one: Graded, rules: Rules) -> Iterator[Message]:
     if mine.fault is UnitFault.MISSING and not rules.printed:
         yield message(Told.UNIT_MISSING, u=written_unit(one.written_in))
     if mine.fault is UnitFault.DIMENSION:
-        unit = found.sheet.answers[one.key].unit
-        yield message(Told.UNIT_WRONG, given=unit.text if unit else "", u=written_unit(one.written_in))
+        unit, asked = found.sheet.answers[one.key].unit, written_unit(one.written_in)
+        given = unit.text if unit else ""
+        yield message(Told.UNIT_WRONG, given=given, u=asked) if asked else message(Told.UNIT_NONE, given=given)
 
 
 def _digits(found: Verdicts, one: Graded, digits: int, rules: Rules) -> Iterator[Message]:
-    is_count = one.unit == "" and one.exact == round(one.exact)
-    if not found.outcome[one.key].answered or one.kind is Kind.YES_NO or is_count or not digits:
+    if not found.outcome[one.key].answered or one.kind is Kind.YES_NO or is_count(one) or not digits:
         return
     if digits < rules.few_digits and abs(off_by(found, one)) > 1e-9 * abs(one.exact):
         yield message(Told.FEW_DIGITS, n=str(digits))
@@ -183,11 +188,7 @@ def _turns_otherwise(found: Verdicts, one: Graded) -> bool:
 
 def _off(found: Verdicts, one: Graded) -> str:
     off = abs(off_by(found, one))
-    return (
-        f"{_rounded(off / one.one, one.allowed / one.one)} {written_unit(one.written_in)}".strip()
-        if isfinite(off)
-        else "?"
-    )
+    return _with_unit(_rounded(off / one.one, one.allowed / one.one), one) if isfinite(off) else "?"
 
 
 def _rounded(off: float, allowed: float) -> str:
@@ -201,9 +202,14 @@ def _mine(found: Verdicts, name: str) -> str:
     one, mine = found.key[name], found.given[name]
     if mine.at is not None:
         return f"({', '.join(bare(number(way / one.one, 4)) for way in mine.at)}) {written_unit(one.written_in)}"
-    return _amount(one, abs(mine.value), 4)
+    return _amount(one, mine.value if one.kind is Kind.SCALAR else abs(mine.value), 4)
 
 
 def _amount(one: Graded, value: float, digits: int = 3) -> str:
     """A number with the unit of its quantity, as it is printed."""
-    return f"{bare(number(value / one.one, digits))} {written_unit(one.written_in)}".strip()
+    return _with_unit(bare(number(value / one.one, digits)), one)
+
+
+def _with_unit(text: str, one: Graded) -> str:
+    unit = written_unit(one.written_in)
+    return text + unit if unit == "°" else f"{text} {unit}".strip()

@@ -22,7 +22,7 @@ from ...foundation.slotted import replace
 from ...mechanism.model import Mechanism
 from ...mistakes import slips
 from ...problem.problem import Problem
-from ..key import AnswerKey, Graded, Kind, beside
+from ..key import AnswerKey, Graded, Kind, beside, come_round
 from ..redraw import ByHand, by_hands
 
 TURNING = (Mistake.REVERSED, Mistake.DROPPED, Mistake.TURNED, *FOUND_AMISS)  # by which a motion may turn round
@@ -165,7 +165,7 @@ def _among(one: Graded, value: Value, found: NDArray[Any] | None) -> Value:
     side of what an exact hand finds."""
     if found is None:
         return value
-    closed = _compared(one, found[np.isfinite(found)])
+    closed = _compared(one, found[np.isfinite(found)], value.value)
     if not closed.size:
         return value
     mean, sigma = np.mean(closed), scatter(closed)
@@ -173,13 +173,13 @@ def _among(one: Graded, value: Value, found: NDArray[Any] | None) -> Value:
     return replace(value, value=float(np.real(mean)) if aside else value.value, sigma=sigma)
 
 
-def _compared(one: Graded, found: Any) -> Any:
-    """What is held against each other: sizes, signed numbers, places."""
+def _compared(one: Graded, found: Any, about: float) -> Any:
+    """What is held against each other: sizes, signed numbers, places; angles as they lie nearest to one."""
     match one.kind:
         case Kind.VECTOR | Kind.READING:
             return np.abs(found)
         case Kind.SIGNED | Kind.SCALAR | Kind.YES_NO:
-            return np.real(found)
+            return come_round(np.real(found), about) if one.unit == "deg" else np.real(found)
         case Kind.LINE:
             return beside(np.real(found), one.exact)
         case Kind.PLACE:
@@ -209,7 +209,7 @@ def _apart(one: Graded, first: Value, second: Value) -> bool:
     """Whether two values of a quantity are not the same."""
     if first.at is not None and second.at is not None:
         return abs(complex(*first.at) - complex(*second.at)) > SAME * one.allowed
-    if abs(first.value - second.value) > SAME * one.allowed:
+    if abs(float(_compared(one, first.value, second.value)) - second.value) > SAME * one.allowed:
         return True
     if first.degrees is None or second.degrees is None:
         return False

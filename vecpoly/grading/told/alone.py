@@ -12,6 +12,7 @@ _INSTEAD = {
     Told.AMBIGUOUS: Told.CONTRADICTION,
     Told.UNDRAWABLE: Told.NOT_CLOSED,
     Told.UNIT_WRONG: Told.NO_UNIT_OF_IT,
+    Told.UNIT_NONE: Told.HAS_NO_UNIT,
     Told.UNIT_MISSING: Told.NO_UNIT,
     Told.OK_OWN: Told.FOLLOWS_OWN,
     Told.OK_SLIP: Told.FOLLOWS_SLIP,
@@ -19,6 +20,7 @@ _INSTEAD = {
     Told.SCALE_CONST: Told.ONE_FACTOR,
 }
 _RIGHT = (Told.OK, Told.OK_RECKONED, Told.OK_ROUNDED)
+_MISNAMED = (Told.UNIT_WRONG, Told.UNIT_NONE, Told.NO_UNIT_OF_IT, Told.HAS_NO_UNIT)
 
 
 def alone(said: Sequence[Message]) -> tuple[Message, ...]:
@@ -30,4 +32,4 @@ def alone(said: Sequence[Message]) -> tuple[Message, ...]:
 
 def has_wrong_unit(said: Sequence[Message]) -> bool:
     """Whether what was written has the unit of something else."""
-    return any(one.id in (Told.UNIT_WRONG, Told.NO_UNIT_OF_IT) for one in said)
+    return any(one.id in _MISNAMED for one in said)

@@ -28,6 +28,7 @@ class Told(StrEnum):
     DIRECTION = "dir"
     UNIT_MISSING = "unit_missing"
     UNIT_WRONG = "unit_wrong"
+    UNIT_NONE = "unit_none"
     POW10 = "pow10"
     TURNS = "two_pi"
     PER_MINUTE = "per_minute"
@@ -68,6 +69,7 @@ class Told(StrEnum):
     CONTRADICTION = "contradiction"
     NOT_CLOSED = "not_closed"
     NO_UNIT_OF_IT = "no_unit_of_it"
+    HAS_NO_UNIT = "has_no_unit"
     NO_UNIT = "no_unit"
     NUMBER_RIGHT = "number_right"
     FOLLOWS_OWN = "follows_own"
@@ -98,15 +100,13 @@ SENTENCES: Mapping[Told, Words] = {
         "Close: off by {e}; drawing or reading not accurate enough (allowed ±{t})",
     ),
     Told.WRONG: Words("不正确：与正确值相差 {e}（允许 ±{t}）", "Not correct: off by {e} (allowed ±{t})"),
-    Told.WRONG_FROM: Words(
-        "不正确：按你的 ${src}$ = {v} 应得 {own}", "Not correct: from your ${src}$ = {v} follows {own}"
-    ),
+    Told.WRONG_FROM: Words("按你的 ${src}$ = {v} 应得 {own}", "From your ${src}$ = {v} follows {own}"),
     Told.SENSE: Words(
         "大小正确，转向相反：请在图上重新判断转向（如将切向矢量移到机构图上）",
         "Magnitude right, sense reversed: judge it again on the drawing (place the tangential vector on the link)",
     ),
     Told.SENSE_TOO: Words("转向也相反", "Its sense is reversed, too"),
-    Told.SENSE_MISSING: Words("大小正确，没有写转向", "Magnitude right, but its sense is not stated"),
+    Told.SENSE_MISSING: Words("没有写转向", "Its sense is not stated"),
     Told.SIGN: Words("大小正确，符号相反", "Magnitude right, sign reversed"),
     Told.REVERSED: Words(
         "大小正确，方向相反：请检查箭头由哪一点指向哪一点",
@@ -118,8 +118,13 @@ SENTENCES: Mapping[Told, Words] = {
         "单位“{given}”不是此量的单位（应为 {u}），同题只扣一次",
         "'{given}' is no unit of this quantity ({u}); deducted once per question",
     ),
+    Told.UNIT_NONE: Words(
+        "此量没有单位，所写的“{given}”多余，同题只扣一次",
+        "This quantity has no unit, and '{given}' is written; deducted once per question",
+    ),
     Told.POW10: Words(
-        "数字对，差 10 的 {n} 次方：检查 mm/m 换算或比例尺", "Digits right, off by 10^{n}: check mm/m or the scale"
+        "数字对，差 10 的 {n} 次方：检查单位换算、比例尺或小数点",
+        "Digits right, off by 10^{n}: check the unit, the scale, the decimal point",
     ),
     Told.TURNS: Words(
         "与少乘（或多乘）2π 的结果一致：r/s 不是 rad/s", "Matches a 2π left out (or too many): r/s is not rad/s"
@@ -155,7 +160,7 @@ SENTENCES: Mapping[Told, Words] = {
         "More than one mistake gives these results; which one cannot be told",
     ),
     Told.SWAPPED: Words(
-        "这是 ${other}$ 的值：是否取错了矢量？", "This is the value of ${other}$: was the wrong vector taken?"
+        "这是 ${other}$ 的值：是否取错了量？", "This is the value of ${other}$: was the wrong one taken?"
     ),
     Told.COORDINATE_SIGN: Words("坐标的正负号不对", "The sign of a coordinate is wrong"),
     Told.DIVIDED: Words(
@@ -221,6 +226,7 @@ SENTENCES: Mapping[Told, Words] = {
     Told.NO_UNIT_OF_IT: Words(
         "“{given}”不是此量的单位（应为 {u}）", "'{given}' is no unit of this quantity (it should be {u})"
     ),
+    Told.HAS_NO_UNIT: Words("此量没有单位，所写的“{given}”多余", "This quantity has no unit, and '{given}' is written"),
     Told.NO_UNIT: Words("缺单位（应为 {u}）", "Unit missing ({u})"),
     Told.NUMBER_RIGHT: Words("数值正确，但单位不对", "The number is right, its unit is not"),
     Told.FOLLOWS_OWN: Words("按你前面的 ${src}$ = {v} 计算，本步正确", "Right when continued from your ${src}$ = {v}"),

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from ...words import Words
+from ...words import Words, bare
 from .catalogue import SENTENCES, Told
 
 Parameter = str | Words
@@ -33,7 +33,7 @@ class Message:
     def as_json(self) -> dict[str, Any]:
         """Plain data: the name, the parameters, the sentence in both languages."""
         numbers = {name: value if isinstance(value, str) else value.en for name, value in self.numbers.items()}
-        return {"id": self.id.value, "numbers": numbers, "zh": self.words.zh, "en": self.words.en}
+        return {"id": self.id.value, "numbers": numbers, "zh": bare(self.words.zh), "en": bare(self.words.en)}
 
 
 def message(name: Told, **numbers: Parameter) -> Message:

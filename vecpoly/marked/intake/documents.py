@@ -72,7 +72,7 @@ def _add(
             parts[head(symbol, {problem: keys[problem]})] = "" if value is None else str(value)
         except UnknownNameError as error:
             returned.fault(place, "symbol", error.words)
-    where = {one.symbol: place.words.en for one in parts}
+    where = {one.symbol: place for one in parts}
     returned.add(Answers(student=student, problem=problem, cells=joined(keys[problem], parts), places=where))
 
 

@@ -109,7 +109,7 @@ def _wide_rows(
         for problem, key in keys.items():
             parts = {one: row[j] for j, one in heads.items() if one.problem == problem and j < len(row)}
             if any(text.strip() for text in parts.values()):  # a row of blanks is nobody's work
-                places = {one.symbol: page.place(n, j).words.en for j, one in heads.items() if one.problem == problem}
+                places = {one.symbol: page.place(n, j) for j, one in heads.items() if one.problem == problem}
                 returned.add(Answers(student=number, problem=problem, cells=joined(key, parts), places=places))
 
 
@@ -129,7 +129,7 @@ def _long_rows(
 ) -> None:
     """One row an answer: student, step, value, unit, sense, mm, deg."""
     parts: dict[tuple[str, str], dict[Head, str]] = {}
-    places: dict[tuple[str, str], dict[str, str]] = {}
+    places: dict[tuple[str, str], dict[str, Place]] = {}
     for n, row in enumerate(page.rows[i + 1 :], i + 1):
         cell = {what: row[j].strip() if j < len(row) else "" for what, j in {**columns, "student": student}.items()}
         cell["student"] = plain(cell["student"])
@@ -149,7 +149,7 @@ def _long_rows(
         for what, part in (("sense", Part.SENSE), ("mm", Part.LENGTH), ("deg", Part.DIRECTION)):
             if cell.get(what):
                 mine[Head(one.problem, one.symbol, part)] = cell[what]
-        places.setdefault((cell["student"], one.problem), {})[one.symbol] = page.place(n, columns["value"]).words.en
+        places.setdefault((cell["student"], one.problem), {})[one.symbol] = page.place(n, columns["value"])
     for (number, problem), mine in parts.items():
         key = (keys_of(number) or {})[problem]
         returned.add(Answers(student=number, problem=problem, cells=joined(key, mine), places=places[number, problem]))

@@ -18,7 +18,7 @@ class Answers:
     student: str
     problem: str
     cells: Mapping[str, str]
-    places: Mapping[str, str] = field(default_factory=dict)
+    places: Mapping[str, Place] = field(default_factory=dict)
 
 
 @dataclass(slots=True)
@@ -34,13 +34,13 @@ class Returned:
         if key not in self.answers:
             self.answers[key] = one
             return
-        where, before = next(iter(one.places.values()), ""), next(iter(self.answers[key].places.values()), "")
+        where, before = (next(iter(each.places.values()), Place("")) for each in (one, self.answers[key]))
         self.fault(
-            Place(where),
+            where,
             "twice",
             Words(
-                f"学号 {one.student} 的题 {one.problem} 已在 {before} 读入；此行未用，请只留一行",
-                f"problem {one.problem} of {one.student} was read from {before} already; this row is not used",
+                f"学号 {one.student} 的题 {one.problem} 已在 {before.words.zh} 读入；此行未用，请只留一行",
+                f"problem {one.problem} of {one.student} was read from {before.words.en} already; this row is not used",
             ),
             one.student,
         )

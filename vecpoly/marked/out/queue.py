@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...errors import Fault
+from ...grading.told.alone import alone
 from ...words import Lang, Words, bare
 from ..work import Result
 
@@ -24,9 +25,10 @@ def queue_rows(results: Sequence[Result], lang: Lang, faults: Sequence[Fault] = 
     for result in results:
         for problem, marked in result.marks.items():
             for one in marked.queue:
-                why = "; ".join(bare(said.words.of(lang)) for said in one.messages)
-                place = result.places.get((problem, one.key), "")
-                rows.append([result.student.number, problem, one.key, one.written.raw, place, why])
+                why = ("；" if lang == "zh" else "; ").join(bare(said.words.of(lang)) for said in alone(one.messages))
+                place = result.places.get((problem, one.key))
+                where = "" if place is None else place.words.of(lang)
+                rows.append([result.student.number, problem, one.key, one.written.raw, where, why])
             rows += [
                 [result.student.number, problem, figure.of(lang), "", "", why.of(lang)] for figure, why in marked.doubts
             ]

@@ -104,7 +104,7 @@ def _loads(way: _Way) -> Quantity:
     for letter, end in way.ends():
         named = out(letter) if several else POWER_OUT
         way.delivered[letter] = _delivered(way.bench, named, end)
-        way.out[id(end)] = Flow(symbol=named.symbol, power=float(way.delivered[letter].value))
+        way.out[id(end)] = Flow(symbol=named.symbol, power=float(nominal(way.delivered[letter].value)))
     return (
         way.bench.worked(POWER_OUT, way.useful(way.device.train)) if several else way.delivered[way.device.letters[0]]
     )

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from cmath import exp, phase
+from cmath import exp
 from collections.abc import Iterator
-from math import degrees, nan
+from math import nan
 
 from ....devices.balancing.asked import CLOSES
 from ....devices.balancing.engine import ORDERS, InlineEngine
 from ..registry import Values, answers
+from .directions import direction
 
 
 @answers(InlineEngine)
@@ -35,4 +36,4 @@ def _found(device: InlineEngine) -> Iterator[tuple[str, float]]:
 
 
 def _turned(total: complex, whole: float) -> float:
-    return degrees(phase(total)) % 360 if abs(total) > CLOSES * whole else nan
+    return direction(total) if abs(total) > CLOSES * whole else nan

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from cmath import phase, rect
+from cmath import rect
 from collections.abc import Iterator
 from itertools import combinations
-from math import acos, degrees
+from math import acos
 
 from ....devices.balancing.field import FieldBalancing
 from ....devices.balancing.unclear import check_effect, check_spread, no_meeting
 from ..registry import Values, answers
+from .directions import direction
 
 
 @answers(FieldBalancing)
@@ -27,16 +28,16 @@ def _by_coefficient(device: FieldBalancing) -> Iterator[tuple[str, float]]:
     rest = v0 if device.correct.trial == "removed" else v1
     product = -rest / alpha
     yield "V_t", abs(effect)
-    yield "phi_t", degrees(phase(effect)) % 360
+    yield "phi_t", direction(effect)
     yield "alpha", abs(alpha) * 1e-6
-    yield "beta", degrees(phase(-rest / effect)) % 360
+    yield "beta", direction(-rest / effect)
     yield "m_b", 1e3 * abs(product) / device.correct.r.si
-    yield "theta_b", degrees(phase(product)) % 360
+    yield "theta_b", direction(product)
 
 
 def _by_arcs(device: FieldBalancing) -> Iterator[tuple[str, float]]:
     if len(device.trials) == 2:
-        found = sorted(_meetings(device, 0, 1), key=lambda q: degrees(phase(q)) % 360)
+        found = sorted(_meetings(device, 0, 1), key=direction)
         for which, q in enumerate(found, 1):
             yield from _weight(device, q, f"_{which}")
         return
@@ -53,7 +54,7 @@ def _weight(device: FieldBalancing, q: complex, way: str) -> Iterator[tuple[str,
     check_effect(device, abs(q))
     yield f"V_t{way}", abs(q)
     yield f"m_b{way}", 1e3 * trial.m.si * device.initial.size / abs(q) * trial.r.si / device.correct.r.si
-    yield f"theta_b{way}", degrees(phase(q)) % 360
+    yield f"theta_b{way}", direction(q)
 
 
 def _meetings(device: FieldBalancing, i: int, j: int) -> tuple[complex, complex]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from cmath import phase, rect
+from cmath import rect
 from collections.abc import Iterator
 from math import cos, degrees, nan, pi, sqrt
 
@@ -14,6 +14,7 @@ from ....devices.balancing.plane import RotorPlane
 from ....devices.balancing.refused import check_holes, check_signs, nothing_to_share, too_deep
 from ....devices.balancing.rotor import Rotor
 from ..registry import Values, answers
+from .directions import direction, turned_to
 from .places import resolved, rounded
 from .sought import sought_answers
 
@@ -80,12 +81,12 @@ def _corrected(device: Rotor, end: str, plane: RotorPlane, balance: complex) -> 
     whole = sum(abs(mass.vector) for mass in device.masses.values())
     yield f"W_b{end}", balance * unit.products
     turned = abs(balance) > CLOSES * whole
-    yield f"theta_b{end}", _turned(balance) if turned else nan
+    yield f"theta_b{end}", direction(balance) if turned else nan
     if plane.r is None:
         return
     yield f"m_b{end}", abs(balance) / plane.r.si * unit.masses
     if plane.hole is not None:
-        yield f"theta_h{end}", _turned(-balance) if turned else nan
+        yield f"theta_h{end}", direction(-balance) if turned else nan
         yield from _drilled(end, plane, balance)
     if plane.places is not None:
         if not turned:
@@ -93,13 +94,9 @@ def _corrected(device: Rotor, end: str, plane: RotorPlane, balance: complex) -> 
         shares = resolved(plane, balance)
         check_signs(plane, balance, shares)
         for which, (at, share) in enumerate(shares, 1):
-            yield f"theta_b{end}_{which}", degrees(at) % 360
+            yield f"theta_b{end}_{which}", turned_to(degrees(at))
             yield f"W_b{end}_{which}", share * unit.products
             yield f"m_b{end}_{which}", share / plane.r.si * unit.masses
-
-
-def _turned(vector: complex) -> float:
-    return degrees(phase(vector)) % 360
 
 
 def _drilled(end: str, plane: RotorPlane, balance: complex) -> Found:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from cmath import phase, rect
+from cmath import rect
 from collections.abc import Iterator, Mapping
 from math import acos, degrees, sqrt
 
 from ....devices.balancing.mass import RotorMass
 from ....devices.balancing.rotor import Rotor
 from ....devices.balancing.sought import answers_of, no_polygon, parallel_couples, reference, unknowns
+from .directions import direction
 
 ALIKE = 1e-6  # sine between two directions that are one
 Vectors = dict[str, complex]  # product (kg·m) of each mass
@@ -31,7 +32,7 @@ def sought_answers(device: Rotor) -> Iterator[tuple[str, complex | float]]:
                 sense = 1.0 if "at" in device.masses[name].unknown else _along(vector, device.masses[name])
                 yield f"m_{name}{which}", sense * abs(vector) / radius.si * unit.masses
             if "at" in device.masses[name].unknown:
-                yield f"theta_{name}{which}", degrees(phase(vector)) % 360
+                yield f"theta_{name}{which}", direction(vector)
 
 
 def _along(vector: complex, mass: RotorMass) -> float:
@@ -41,7 +42,7 @@ def _along(vector: complex, mass: RotorMass) -> float:
 def _order(found: Vectors, masses: Mapping[str, RotorMass]) -> float:
     """Answers are numbered by the first direction that was sought."""
     name = next((name for name, key in unknowns(masses) if key == "at"), next(iter(found)))
-    return degrees(phase(found[name])) % 360
+    return direction(found[name])
 
 
 def _couples(masses: Mapping[str, RotorMass], first: str) -> list[Vectors]:
