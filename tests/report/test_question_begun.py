@@ -23,7 +23,7 @@ from vecpoly.board.paper.marks import (
 from vecpoly.devices.gears.generation import GearGeneration
 from vecpoly.drawing.sheets.lettering import title_width
 from vecpoly.figures import View
-from vecpoly.report.question.equation_rows import equation_rows
+from vecpoly.report.question.equation_rows import SideBySide, equation_rows, laid
 from vecpoly.report.question.framed.blank import framed
 from vecpoly.report.question.framed.fields import FIELDS
 from vecpoly.report.question.framed.frames import frames
@@ -124,14 +124,24 @@ def test_the_place_of_greatest_pressure_is_not_told_by_its_guide(name: str, guid
     assert not any(abs(((g.a + g.b) / 2 - slider).real) < 2.0 for g in told)
 
 
-@pytest.mark.parametrize("name", ["3-7a", "3-9", "4-3a"])
-def test_the_signs_between_the_blanks_of_an_equation_tell_nothing_of_its_terms(name: str) -> None:
+@pytest.mark.parametrize("name", ["3-9", "4-3a", "jansen-leg"])
+def test_an_equation_has_a_cell_for_each_of_its_terms(name: str) -> None:
     rows = equation_rows(drawn(name).solution, "en")
     sums = [step.equation for step in drawn(name).construction.steps if step.equation is not None]
     for row, told in zip(rows, sums, strict=True):
-        assert len(row.signs) + 1 >= len(told.symbols)
-        assert ("=" in row.signs) == (told.symbols[0][0] in "va")
-    assert len({row.signs for row in rows}) == len({"=" in row.signs for row in rows})
+        assert (*row.signs, *("=",) * (told.symbols[-1] == "0")) == told.signs[1:]
+
+
+@pytest.mark.parametrize("name", ["3-7a", "3-7d"])
+def test_where_a_coriolis_term_is_asked_for_the_cells_do_not_tell_it(name: str) -> None:
+    """There is one in 3-7a, and none in 3-7d."""
+    _, acceleration = equation_rows(drawn(name).solution, "en")
+    assert acceleration.signs == ("",) * 6
+
+
+def test_short_equations_stand_side_by_side() -> None:
+    blocks = [*laid(equation_rows(drawn("jansen-leg").solution, "en"))]
+    assert [len(one.parts) if isinstance(one, SideBySide) else 1 for one in blocks] == [2, 1, 1, 1, 1]
 
 
 def test_a_rack_that_moves_is_not_printed_where_it_is_found_to_lie() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from ...board.construction import Construction, Figure
@@ -18,10 +17,9 @@ from ..flow.para import Para
 from ..flow.style import NOTE
 from .blanks import empty_table, working_room
 from .columns import NONE
-from .equation_rows import equation_rows
+from .equation_rows import equation_rows, laid
 from .framed.fields import FIELDS
 from .framed.frames import BORDER
-from .framed.known import begins_at
 from .working import working
 
 WORKING = Words("计算过程", "Working")
@@ -34,20 +32,14 @@ def _starts(figure: Figure) -> bool:
     return figure.view in (View.FORCE, View.BODY) and any(isinstance(mark, Point) for mark in figure.marks)
 
 
-def _free(figures: Sequence[Figure], blank: Sequence[Figure]) -> bool:
-    """Whether a polygon that begins at a pole has none in its frame."""
-    begun = {(one.view, one.name) for one in figures if (at := begins_at(one)) is not None and at.dot is Dot.POLE}
-    return not begun <= {(one.view, one.name) for one in blank if _has_pole(one)}
-
-
 def _has_pole(figure: Figure) -> bool:
     return any(isinstance(mark, Point) and mark.dot is Dot.POLE for mark in figure.marks)
 
 
 def question(solution: Solution, sheets: Construction, lang: Lang, objects: Objects) -> dict[str, Any]:
     """Names of the rows for vector equations, and of the squares with the table of results at their foot; whether a
-    polygon is drawn from a pole that is printed in its frame (sheets), from a point that is printed, or from one to be
-    chosen; whether a diagram has axes, and whether anything that is given stands in a frame.
+    polygon is drawn from a pole that is printed in its frame (sheets), or from a point that is; whether a diagram has
+    axes, and whether anything that is given stands in a frame.
 
     Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
     """
@@ -59,10 +51,9 @@ def question(solution: Solution, sheets: Construction, lang: Lang, objects: Obje
         foot.append(Para(_DASHES.of(lang), NOTE, lang))
     shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
     return ({"given": ""} if shown else {}) | {
-        "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],
+        "rows": [objects.add("rows", one) for one in laid(equation_rows(solution, lang))],
         "working": [objects.add("work", one) for one in working(WORKING.of(lang), working_room(solution), foot, lang)],
         "poles": any(map(_has_pole, blank)),
-        "unplaced": _free(figures, blank),
         "axes": any(figure.view.across is not None for figure in figures),
         "starts": any(map(_starts, blank)),
         "placed": any(mark.key not in FIELDS for figure in blank for mark in figure.marks[BORDER:]),
