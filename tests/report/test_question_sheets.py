@@ -98,8 +98,9 @@ def border(figure: Figure) -> tuple[float, float]:
 def test_every_figure_that_is_to_scale_fits_its_frame(name: str) -> None:
     construction = drawn(name).construction
     blank, places = blank_of(name)
-    measured = [(f.view, f.name) for f in construction.figures if to_scale(f) or f.aside or f.view is View.BODY]
-    assert sorted((f.view, f.name) for f in blank.figures) == sorted(measured)
+    measured = {(f.view, f.name) for f in construction.figures if to_scale(f) or f.aside or f.view is View.BODY}
+    framed = {(f.view, f.name) for f in blank.figures}
+    assert framed <= measured and {name for _, name in measured - framed} <= {"centre polygon"}  # stands in the text
     assert sum(len(page.tops) for page in places) == len(blank.figures)
     for frame in blank.figures:
         answer = next(f for f in construction.figures if (f.view, f.name) == (frame.view, frame.name))

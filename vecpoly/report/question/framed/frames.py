@@ -20,7 +20,7 @@ from ...picture import to_scale
 from .blank import framed
 from .fields import Fields, fields, written
 from .grid import Grid, Need, Size, grid, least_sheets, tightness
-from .known import begins_at, lettered, stands
+from .known import begins_at, is_circle, lettered, stands
 from .room import outline
 
 WHITES = (8.0, 6.5, 5.0)  # mm that stay free between a figure and its frame: less where that spares a sheet
@@ -35,12 +35,17 @@ def frames(construction: Construction, problem: Problem) -> tuple[Construction, 
     its axes, lines for its vector equations and for what is read, the bar of its scale, and its place.
 
     Frames are of a few fixed sizes and together fill the sheet: a large drawing has a large frame, but neither the
-    proportions of a polygon nor where it lies can be told from it.
+    proportions of a polygon nor where it lies can be told from it. A circle diagram, which has no scale, has none where
+    that would need a sheet more: it stands in the text.
     """
     on = problem.paper
     figures = tuple(lettered(figure, construction.figure(View.MECHANISM)) for figure in construction.figures)
     asked = as_solved(reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY]))
     told, found = _with_fields(asked, [fields(construction, figure) for figure in asked], on)
+    less = [figure for figure in asked if not is_circle(figure)]
+    if less and len(less) < len(asked):
+        fewer = _with_fields(less, [fields(construction, figure) for figure in less], on)
+        asked, (told, found) = (less, fewer) if len(fewer[1]) < len(found) else (asked, (told, found))
     sizes = [size for sheet in found for size in sheet.sizes]
     drawn = tuple(
         _frame(figure, size, () if _measured(figure, some) else stands(construction, figure, problem), some)

@@ -106,6 +106,11 @@ def begun(figure: Figure) -> tuple[Mark, ...]:
     return (*lines, *axes, *circles, *numbers)
 
 
+def is_circle(figure: Figure) -> bool:
+    """Whether it is a circle diagram: numbers of links on a circle."""
+    return figure.view is View.MECHANISM and not figure.scale.value and any(isinstance(m, Arc) for m in begun(figure))
+
+
 def begins_at(figure: Figure) -> Point | None:
     """The point from which a polygon, or a link that is set free, is drawn: the pole, the start of the first force, the
     first joint."""
