@@ -23,6 +23,8 @@ from vecpoly.board.paper.marks import (
 from vecpoly.devices.gears.generation import GearGeneration
 from vecpoly.drawing.sheets.lettering import title_width
 from vecpoly.figures import View
+from vecpoly.report.document import markup
+from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.equation_rows import SideBySide, equation_rows, laid
 from vecpoly.report.question.framed.blank import framed
 from vecpoly.report.question.framed.fields import FIELDS
@@ -167,3 +169,21 @@ def test_a_frame_is_as_wide_as_the_title_below_it(name: str) -> None:
 def test_an_equation_of_several_solutions_is_told_by_its_solution() -> None:
     told = [row.purpose for row in equation_rows(drawn("rotor-dalby").solution, "en")]
     assert [text.partition(":")[0] for text in told] == [f"Mass–radius polygon, solution {n}" for n in (1, 2)]
+
+
+def test_a_circle_diagram_that_would_need_a_sheet_more_stands_in_the_text() -> None:
+    assert "centre polygon" not in {name for _, name in blanks("3-1b")}
+    assert ("mechanism", "centre polygon") in blanks("3-2")
+    for name, shown in (("3-1b", 2), ("3-2", 1)):  # the sketch, and the circle
+        text, _ = markup([drawn(name).solution], "en", "question", {}, None, None)
+        assert text.count('<figure ref="pic') == shown
+
+
+def test_the_table_of_results_does_not_tell_which_centre_lies_at_infinity() -> None:
+    assert "∞" in "".join(one.reading.symbol for one in drawn("3-1d").solution.answers.values())
+    assert "∞" not in "".join(cell for row in empty_table(drawn("3-1d").solution, "en").rows for cell in row)
+
+
+def test_a_second_figure_of_the_mechanism_has_the_letters_of_its_pivots() -> None:
+    letters = {mark.label for mark in blanks("3-1d")["mechanism", "centres"] if isinstance(mark, Point)}
+    assert letters == {"A", "C"}

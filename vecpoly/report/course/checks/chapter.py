@@ -98,11 +98,11 @@ def _sound(study: Study) -> NDArray[np.bool_]:
     if not near.any():
         return ~near
     start = int(np.argmin(np.abs(np.exp(1j * study.turn.phi) - np.exp(1j * study.mech.drive.position))))
-    back, on = (_until(near, start, way) for way in (-1, 1))
+    back, on = (until(near, start, way) for way in (-1, 1))
     return np.isin(np.arange(len(near)), np.arange(start - back, start + on + 1) % len(near))
 
 
-def _until(near: NDArray[np.bool_], start: int, way: int) -> int:
+def until(near: NDArray[np.bool_], start: int, way: int) -> int:
     """How many positions may be taken this way from a position before one that is not sound."""
     ahead = np.roll(near[::way], -start if way > 0 else start + 1 - len(near))
     return max(int(np.argmax(ahead)) - 1, 0)
