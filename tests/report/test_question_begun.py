@@ -14,6 +14,7 @@ from vecpoly.board.paper.marks import (
     FixedGuide,
     Mark,
     Note,
+    Outline,
     Point,
     RackMark,
     Role,
@@ -187,3 +188,10 @@ def test_the_table_of_results_does_not_tell_which_centre_lies_at_infinity() -> N
 def test_a_second_figure_of_the_mechanism_has_the_letters_of_its_pivots() -> None:
     letters = {mark.label for mark in blanks("3-1d")["mechanism", "centres"] if isinstance(mark, Point)}
     assert letters == {"A", "C"}
+
+
+@pytest.mark.parametrize(("name", "shown"), [("4-2", 2), ("5-2", 2), ("5-1", 0), ("5-5", 0)])
+def test_a_wedge_is_printed_in_its_free_body_and_no_body_whose_angle_is_sought(name: str, shown: int) -> None:
+    """The block of 5-1 lies at the limit of self-locking, the nut of 5-5 at its lead angle."""
+    bodies = [marks for (view, _), marks in blanks(name).items() if view == View.BODY.name]
+    assert sum(isinstance(mark, Outline) for marks in bodies for mark in marks) == shown

@@ -13,6 +13,10 @@ from ....devices.cams.cam import Cam
 from ....devices.dynamics.flywheel import Flywheel
 from ....devices.dynamics.run_up import RunUp
 from ....devices.gears.generation import GearGeneration as Generation
+from ....devices.ring_spring import RingSpring
+from ....devices.vee_guide import VeeGuide
+from ....devices.wedge_clamp import WedgeClamp
+from ....devices.wedges import Wedges
 from ....figures import View
 from ....figures.characteristic import CHARACTERISTIC
 from ....figures.torque import TORQUE
@@ -22,6 +26,7 @@ from ....words import Words
 from .poses import poses
 
 _FOUND = (Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn)
+_SHAPED = (RingSpring, VeeGuide, WedgeClamp, Wedges)  # bodies whose angles are given
 _HELP = (Role.CONSTRUCTION, Role.DIRECTION)
 _DATUM = Words("齿条中线", "datum line of the rack")
 NEAR = 1e-6  # mm
@@ -63,9 +68,9 @@ def stands(construction: Construction, figure: Figure, problem: Problem) -> tupl
         return _cam(problem.subject, figure)
     if isinstance(problem.subject, Generation) and figure.view is View.MECHANISM:
         return _blank(problem.subject, figure)
-    if figure.view is View.BODY:  # of wedges and nuts their outlines, where data tell them
-        known = by_data(construction.acts)
-        return tuple(mark for mark in figure.marks if isinstance(mark, Outline) and mark.act in known)
+    if figure.view is View.BODY:  # of wedges their outlines, whose angles are data; that of a nut tells its lead angle
+        shaped = isinstance(problem.subject, _SHAPED)
+        return tuple(mark for mark in figure.marks if shaped and isinstance(mark, Outline))
     found = tuple(mark for mark in figure.marks if isinstance(mark, (Ground, FixedGuide)))
     if not isinstance(problem.subject, Design):
         return found
