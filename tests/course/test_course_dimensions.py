@@ -12,8 +12,9 @@ from tests.presses import press
 from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.mechanism.model import FRAME
-from vecpoly.report.course.modelling.dimensions import dimensions, rounded
+from vecpoly.report.course.modelling.dimensions import dimensions, listed, rounded
 from vecpoly.report.course.modelling.order import order
+from vecpoly.report.course.statement import known
 from vecpoly.report.picture import picture
 
 NAMES = ("A-27", "B-24", "3-9", "3-5")
@@ -86,3 +87,15 @@ def test_every_letter_is_found_once_and_none_is_taken_over_before_it_was_found(n
     assert [re.findall(r"\$[^$]*\$", " ".join(row)) for row in lines] == [
         re.findall(r"\$[^$]*\$", " ".join(row)) for row in zh.made[0].rows
     ]
+
+
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_a_length_of_the_table_of_dimensions_is_not_told_among_the_data_too(lang: Any) -> None:
+    it, kept = studied("3-9"), press(lang)
+    drawn = picture(it.problem, it.solution.construction, 130.0, 80.0)
+    assert drawn is not None
+    there = listed(it, rounded(drawn))
+    told = known(it, kept, there)
+    assert told["lengths"] and {"l_AB", "l_BD", "l_DE"} <= there
+    assert not re.search(r"l_\{?(AB|BD|DE)", told["given"]) and "φ_1" in told["given"]
+    assert re.search(r"l_\{?AB", known(it, kept)["given"])

@@ -22,6 +22,7 @@ from vecpoly.mechanism.model import Mechanism
 from vecpoly.names import At
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load, loads
+from vecpoly.report.course.checks.chapter import until
 
 
 @cache
@@ -229,3 +230,13 @@ def test_a_slot_that_is_reached_along_its_slide_closes_a_loop_in_its_pin_on_the_
     assert not off(mech, printed)
     (loops,) = [group.loops for group in printed.groups if group.loops is not None]
     assert len(loops.conditions) == len(loops.unknowns) == 4
+
+
+@pytest.mark.parametrize(
+    ("start", "way", "count"), [(2, -1, 1), (2, 1, 3), (8, 1, 3), (8, -1, 1), (11, -1, 4), (11, 1, 0), (6, 1, 0)]
+)
+def test_the_model_is_compared_up_to_the_change_points_on_either_side_round_the_cycle(
+    start: int, way: int, count: int
+) -> None:
+    near = np.isin(np.arange(12), (0, 6))
+    assert until(near, start, way) == count

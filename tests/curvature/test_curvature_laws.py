@@ -9,10 +9,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.curvature.linkages import WAYS, case_problem
+from tests.drawn_library import drawn
 from tests.laws import often
+from vecpoly.algebra.formula import Over, Txt, plain
 from vecpoly.check.alarm import Cause
 from vecpoly.errors import VecpolyError
 from vecpoly.oracle.curvature import Curvatures
+from vecpoly.tagging.speech import said
 
 EXACT = 1e-9
 DEGREE = 1e-4  # degrees from one position to the next in a difference
@@ -120,3 +123,10 @@ def _drawn(case: dict[str, Any], way: str) -> dict[str, complex]:
     except VecpolyError:
         return {}
     return {key: complex(one.drawn if one.drawn_vector is None else one.drawn_vector) for key, one in answers.items()}
+
+
+def test_a_sum_of_chords_is_told_with_the_letters_of_one_chord_and_no_bar_over_the_sign() -> None:
+    lines = [plain(line) for step in drawn("curv-6").construction.steps for line in step.formulas]
+    (fixed,) = (line for line in lines if line.startswith("L_f2"))
+    assert "ΣQ_k Q_k+1 = " in fixed
+    assert plain(Over(Txt("Q"), summed=True)) == "ΣQ" and said(Over(Txt("Q"), summed=True), "en").startswith("the sum")

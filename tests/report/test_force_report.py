@@ -24,8 +24,9 @@ from vecpoly.problem.library import entries
 from vecpoly.problem.load import load, loads
 from vecpoly.report.document import write_report
 from vecpoly.report.picture import picture
-from vecpoly.report.question.framed.fields import FIELDS
+from vecpoly.report.question.framed.fields import FIELDS, READ
 from vecpoly.report.question.framed.frames import frames
+from vecpoly.report.question.framed.known import by_data
 from vecpoly.report.titles import subject
 from vecpoly.report.values import rough, value
 from vecpoly.solution import Solution, solve
@@ -211,7 +212,10 @@ def test_the_frames_of_a_question_are_empty_but_for_what_is_given(name: str) -> 
     for figure in frames(it.construction, it.problem)[0].figures:
         if figure.view is not View.MECHANISM:
             inside = [m for m in figure.marks if m.key not in FIELDS]  # but for the lines to write on
-            assert not [m for m in inside if isinstance(m, (Vector, Note, Cell, Outline))]
+            bodies = [m for m in inside if isinstance(m, Outline)]  # of a wedge, where data tell it and nothing is read
+            assert not bodies or (figure.view is View.BODY and not any(m.key == READ for m in figure.marks))
+            assert {m.act for m in bodies} <= by_data(it.construction.acts)
+            assert not [m for m in inside if isinstance(m, (Vector, Note, Cell))]
             assert all(getattr(m, "role", Role.DIRECTION) is Role.DIRECTION for m in inside)
 
 

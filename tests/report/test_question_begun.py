@@ -14,6 +14,7 @@ from vecpoly.board.paper.marks import (
     FixedGuide,
     Mark,
     Note,
+    Outline,
     Point,
     RackMark,
     Role,
@@ -23,7 +24,9 @@ from vecpoly.board.paper.marks import (
 from vecpoly.devices.gears.generation import GearGeneration
 from vecpoly.drawing.sheets.lettering import title_width
 from vecpoly.figures import View
-from vecpoly.report.question.equation_rows import equation_rows
+from vecpoly.report.document import markup
+from vecpoly.report.question.blanks import empty_table
+from vecpoly.report.question.equation_rows import SideBySide, equation_rows, laid
 from vecpoly.report.question.framed.blank import framed
 from vecpoly.report.question.framed.fields import FIELDS
 from vecpoly.report.question.framed.frames import frames
@@ -124,14 +127,24 @@ def test_the_place_of_greatest_pressure_is_not_told_by_its_guide(name: str, guid
     assert not any(abs(((g.a + g.b) / 2 - slider).real) < 2.0 for g in told)
 
 
-@pytest.mark.parametrize("name", ["3-7a", "3-9", "4-3a"])
-def test_the_signs_between_the_blanks_of_an_equation_tell_nothing_of_its_terms(name: str) -> None:
+@pytest.mark.parametrize("name", ["3-9", "4-3a", "jansen-leg"])
+def test_an_equation_has_a_cell_for_each_of_its_terms(name: str) -> None:
     rows = equation_rows(drawn(name).solution, "en")
     sums = [step.equation for step in drawn(name).construction.steps if step.equation is not None]
     for row, told in zip(rows, sums, strict=True):
-        assert len(row.signs) + 1 >= len(told.symbols)
-        assert ("=" in row.signs) == (told.symbols[0][0] in "va")
-    assert len({row.signs for row in rows}) == len({"=" in row.signs for row in rows})
+        assert (*row.signs, *("=",) * (told.symbols[-1] == "0")) == told.signs[1:]
+
+
+@pytest.mark.parametrize("name", ["3-7a", "3-7d"])
+def test_where_a_coriolis_term_is_asked_for_the_cells_do_not_tell_it(name: str) -> None:
+    """There is one in 3-7a, and none in 3-7d."""
+    _, acceleration = equation_rows(drawn(name).solution, "en")
+    assert acceleration.signs == ("",) * 6
+
+
+def test_short_equations_stand_side_by_side() -> None:
+    blocks = [*laid(equation_rows(drawn("jansen-leg").solution, "en"))]
+    assert [len(one.parts) if isinstance(one, SideBySide) else 1 for one in blocks] == [2, 1, 1, 1, 1]
 
 
 def test_a_rack_that_moves_is_not_printed_where_it_is_found_to_lie() -> None:
@@ -157,3 +170,28 @@ def test_a_frame_is_as_wide_as_the_title_below_it(name: str) -> None:
 def test_an_equation_of_several_solutions_is_told_by_its_solution() -> None:
     told = [row.purpose for row in equation_rows(drawn("rotor-dalby").solution, "en")]
     assert [text.partition(":")[0] for text in told] == [f"Mass–radius polygon, solution {n}" for n in (1, 2)]
+
+
+def test_a_circle_diagram_that_would_need_a_sheet_more_stands_in_the_text() -> None:
+    assert "centre polygon" not in {name for _, name in blanks("3-1b")}
+    assert ("mechanism", "centre polygon") in blanks("3-2")
+    for name, shown in (("3-1b", 2), ("3-2", 1)):  # the sketch, and the circle
+        text, _ = markup([drawn(name).solution], "en", "question", {}, None, None)
+        assert text.count('<figure ref="pic') == shown
+
+
+def test_the_table_of_results_does_not_tell_which_centre_lies_at_infinity() -> None:
+    assert "∞" in "".join(one.reading.symbol for one in drawn("3-1d").solution.answers.values())
+    assert "∞" not in "".join(cell for row in empty_table(drawn("3-1d").solution, "en").rows for cell in row)
+
+
+def test_a_second_figure_of_the_mechanism_has_the_letters_of_its_pivots() -> None:
+    letters = {mark.label for mark in blanks("3-1d")["mechanism", "centres"] if isinstance(mark, Point)}
+    assert letters == {"A", "C"}
+
+
+@pytest.mark.parametrize(("name", "shown"), [("4-2", 2), ("5-2", 2), ("5-1", 0), ("5-5", 0)])
+def test_a_wedge_is_printed_in_its_free_body_and_no_body_whose_angle_is_sought(name: str, shown: int) -> None:
+    """The block of 5-1 lies at the limit of self-locking, the nut of 5-5 at its lead angle."""
+    bodies = [marks for (view, _), marks in blanks(name).items() if view == View.BODY.name]
+    assert sum(isinstance(mark, Outline) for marks in bodies for mark in marks) == shown

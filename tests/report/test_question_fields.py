@@ -12,11 +12,13 @@ from tests.laws import few
 from vecpoly.board.acts import Area, Gauge, Measure
 from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.extent import bounds
-from vecpoly.board.paper.marks import Dot, Point, Segment
+from vecpoly.board.paper.marks import Dot, Note, Point, Segment
 from vecpoly.figures.balancing import HODOGRAPH
 from vecpoly.report.question.blanks import empty_table
-from vecpoly.report.question.framed.fields import FIELDS, READ
+from vecpoly.report.question.framed.bar import BAR
+from vecpoly.report.question.framed.fields import READ
 from vecpoly.report.question.framed.frames import frames
+from vecpoly.report.question.framed.known import begins_at
 from vecpoly.report.question.ruled import named
 
 
@@ -30,18 +32,50 @@ DRAWN = Later(lambda: [name for name in few(IDS, 6) if blank_of(name).figures])
 
 
 @each(DRAWN)
-def test_a_pole_stands_in_the_middle_of_its_frame_or_is_for_the_student_to_choose(name: str) -> None:
-    """Anywhere else it would tell to which side its polygon lies."""
+def test_a_polygon_has_its_pole_in_its_frame_in_the_middle_wherever_it_fits(name: str) -> None:
+    """Off it a pole tells to which side its polygon lies: only where the frame would not hold this about its middle."""
+    answer = drawn(name).construction
     for frame in blank_of(name).figures:
-        poles = [mark.at for mark in frame.marks if isinstance(mark, Point) and mark.dot is Dot.POLE]
-        lines = sorted(mark.a.imag for mark in frame.marks if mark.key in FIELDS and isinstance(mark, Segment))
-        if not poles or frame.view is HODOGRAPH:
+        drawing = next(one for one in answer.figures if (one.view, one.name) == (frame.view, frame.name))
+        begins = begins_at(drawing)
+        if begins is None or begins.dot is not Dot.POLE or frame.view is HODOGRAPH:
             continue
+        (pole,) = (mark.at for mark in frame.marks if isinstance(mark, Point) and mark.dot is Dot.POLE)
         start, end = bounds(frame.marks[:4])
-        middle = (start + end) / 2
-        assert poles[0].real == pytest.approx(middle.real)
-        assert bool(lines) or poles[0].imag == pytest.approx(middle.imag)
-        assert abs(poles[0].imag - middle.imag) <= 7.5, frame.name  # half of what the lines to write on take
+        low, high = bounds(drawing.marks)
+        assert start.real < low.real and high.real < end.real and start.imag < low.imag and high.imag < end.imag
+        wide, tall = (2 * max(b - at, at - a) + 8.0 for at, a, b in zip(*map(parts, (pole, low, high)), strict=True))
+        if wide <= (end - start).real and tall <= (end - start).imag - 28.0:  # under it are lines to write on, over it
+            assert pole.real == pytest.approx((start + end).real / 2)
+
+
+def parts(place: complex) -> tuple[float, float]:
+    """Across and up."""
+    return place.real, place.imag
+
+
+@pytest.mark.parametrize("name", ["3-9", "jansen-leg", "6-4", "8-12", "4-3a"])
+def test_a_bar_in_a_frame_is_as_long_as_its_round_value_is_to_scale(name: str) -> None:
+    bars = 0
+    for frame in blank_of(name).figures:
+        lines = [mark for mark in frame.marks if mark.key == BAR and isinstance(mark, Segment)]
+        told = [mark.words.en for mark in frame.marks if mark.key == BAR and isinstance(mark, Note)]
+        assert len(told) == bool(lines)
+        for words in told:
+            value, unit = words.split(" ")
+            per_mm = frame.scale.told.value * (1e3 if unit == "mm" else 1.0)
+            assert max(abs(line.b - line.a) for line in lines) * per_mm == pytest.approx(float(value))
+            assert value.strip("0.")[:1] in "125" and 15.0 < float(value) / per_mm <= 40.0 + 1e-9
+            bars += 1
+    assert bars
+
+
+def test_a_body_is_printed_in_the_positions_that_a_synthesis_is_given_and_no_pin_that_it_finds() -> None:
+    (frame,) = blank_of("three-positions-frame").figures
+    letters = {mark.label for mark in frame.marks if isinstance(mark, Point)}
+    assert letters == {"A", "D", *(f"{point}_{n}" for point in "PQ" for n in (1, 2, 3))}
+    (log, *_) = (one for one in blank_of("function-log").figures if not one.name)  # its angles are worked out first
+    assert {mark.label for mark in log.marks if isinstance(mark, Point)} <= {"A", "D"}
 
 
 @each(DRAWN)

@@ -67,9 +67,10 @@ class Root:
 
 @dataclass(frozen=True, slots=True)
 class Over:
-    """A length on paper, overlined: \\overline{pb}."""
+    """A length on paper, overlined: \\overline{pb}; of many that are added up with the sign of a sum before it."""
 
     body: Node
+    summed: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,7 +202,7 @@ def plain(node: Node) -> str:
             return f"{plain(body)}^{exponent}"
         case Root(body):
             return f"√({plain(body)})"
-        case Over(body):
-            return plain(body)
+        case Over(body, summed):
+            return "Σ" * summed + plain(body)
         case Vec(body):
             return plain(body)

@@ -245,6 +245,6 @@ def magnitude(symbol: str, value: Reals, unit: str) -> Quantity:
     return Quantity(named(symbol), value, unit)
 
 
-def paper(letters: Node, mm: Reals) -> Quantity:
-    """A length measured on paper, overlined: \\overline{pb}."""
-    return Quantity(Over(letters), mm, "mm")
+def paper(letters: Node, mm: Reals, *, summed: bool = False) -> Quantity:
+    """A length measured on paper, overlined: \\overline{pb}; or the sum of several, told by the letters of one."""
+    return Quantity(Over(letters, summed), mm, "mm")

@@ -109,8 +109,9 @@ def _said(node: Node, lang: Lang) -> list[str]:
             return [*_said(body, lang), _power(exponent, lang)]
         case Root(body):
             return ["根号" if zh else "the square root of", *_said(body, lang), "根号止" if zh else "end of root"]
-        case Over(body):
-            return ["线段" if zh else "the length", *_said(body, lang)]
+        case Over(body, summed):
+            sum_ = ["各" if zh else "the sum of"] * summed
+            return [*sum_, "线段" if zh else "the length", *_said(body, lang), *(["之和"] * (summed and zh))]
         case Vec(body):
             return ["矢量" if zh else "vector", *_said(body, lang)]
     assert_never(node)

@@ -34,7 +34,9 @@ def layout(node: Node, em_mm: float, bold: bool = False) -> Box:
             return _power(body, exponent, em_mm, bold)
         case Root(body):
             return _root(layout(body, em_mm, bold), em_mm)
-        case Over(body):
+        case Over(body, summed):
+            if summed:
+                return _row((Txt("Σ"), Over(body)), em_mm, bold)
             return _over(layout(body, em_mm, bold), em_mm)
         case Vec(body):
             return _sym(body, em_mm, bold, arrow=True)

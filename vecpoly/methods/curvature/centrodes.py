@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import degrees
 
-from ...algebra.formula import Txt
+from ...algebra.formula import row
 from ...algebra.quantity import number, paper
 from ...board.board import Board
 from ...board.construction import Place, View
@@ -181,7 +181,7 @@ def _keep(desk: Desk, pane: Place, named: Named, run: Sequence[Points], prime: s
     board = desk.board
     pairs = enumerate(pairwise(run), start=1)
     chords = [board.measure(a, b, f"{POLE}{prime}_{{{k}}} {POLE}{prime}_{{{k + 1}}}").value for k, (a, b) in pairs]
-    total = chords[0]
+    total, letters = chords[0], row(f"{POLE}{prime}_{{k}} {POLE}{prime}_{{k+1}}")
     for chord in chords[1:]:
         total = total + chord
-    keep_length(board, pane, named, paper(Txt("Σ"), total))
+    keep_length(board, pane, named, paper(letters, total, summed=True))

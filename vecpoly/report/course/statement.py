@@ -16,7 +16,7 @@ from ...words import Words
 from ..content import pivots, shortened, statement
 from ..picture import picture, to_scale
 from ..tables import given_tables
-from .modelling.dimensions import dimensions, rounded
+from .modelling.dimensions import dimensions, listed, rounded
 from .numbering import Press
 
 _PICTURE = (130.0, 80.0)  # mm
@@ -40,7 +40,7 @@ def task(study: Study, press: Press) -> dict[str, Any]:
     told = statement(study.given, press.lang) if study.drawn else _undrawn(study, press)
     return {
         **told,
-        **known(study, press, told["given"]),
+        **known(study, press, listed(study, figure)),
         "tables": [
             press.table(_TABLE, one.header, one.rows, one.align) for one in given_tables(study.problem, press.lang)
         ],
@@ -52,22 +52,34 @@ def task(study: Study, press: Press) -> dict[str, Any]:
     }
 
 
-def known(study: Study, press: Press, whole: str) -> dict[str, str]:
-    """What is given in words, and the table of the numbers where they are many."""
-    given = study.problem.given
-    data = list(given.data)
+def known(study: Study, press: Press, listed: frozenset[str] = frozenset()) -> dict[str, Any]:
+    """What is given in words, and the table of the numbers where they are many; listed: lengths that the table of the
+    dimensions tells, whose symbols stand in no other place."""
+    lengths = [datum for datum in study.problem.given.data if _bare(datum.symbol) in listed]
+    data = [datum for datum in study.problem.given.data if datum not in lengths]
     rows = [row for datum in data if (row := _parts(datum, press)) is not None]
-    if len(rows) < _MANY:
-        return {"given": whole, "data": ""}
-    told = [pivots(study.mech).of(press.lang), *(shortened(d.of(press.lang)) for d in data if _parts(d, press) is None)]
+    parted = len(rows) >= _MANY
+    told = [
+        pivots(study.mech).of(press.lang),
+        *(shortened(d.of(press.lang)) for d in data if not parted or _parts(d, press) is None),
+    ]
+    given = ("，" if press.lang == "zh" else ", ").join(told)
+    return {"given": given, "lengths": bool(lengths), "data": _data(rows, press) if parted else ""}
+
+
+def _bare(symbol: str) -> str:
+    return symbol.replace("{", "").replace("}", "")
+
+
+def _data(rows: list[tuple[str, str, str]], press: Press) -> str:
+    """The table of many numbers, in as many blocks as it fills."""
     blocks = next(n for n in (3, 2, 1) if len(rows) >= n * _FEW)
     high = -(-len(rows) // blocks)
     columns = [rows[i : i + high] for i in range(0, len(rows), high)]
     lines = [[one[n] if n < len(one) else ("",) * 3 for one in columns] for n in range(high)]
     table = [tuple(cell for row in line for cell in (*row, ""))[:-1] for line in lines]
     heads = [*([*_HEADS[press.lang], ""] * len(columns))][:-1]
-    made = press.table(_DATA, heads, table, ("lrll" * len(columns))[:-1])
-    return {"given": ("，" if press.lang == "zh" else ", ").join(told), "data": made}
+    return press.table(_DATA, heads, table, ("lrll" * len(columns))[:-1])
 
 
 def _parts(datum: Datum, press: Press) -> tuple[str, str, str] | None:

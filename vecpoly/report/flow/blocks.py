@@ -221,6 +221,7 @@ class SheetPage(Block):
     role = Role.FIGURE
     pieces = True
     numbered = True  # under the frame stands the number of the page
+    fixed = False  # it never stands before text that comes before it
 
     def __init__(self, draw: Draw, *, wide: bool = False, title: str = "", alt: str = "", told: bool = False) -> None:
         super().__init__()

@@ -10,6 +10,7 @@ from ...drawing.backends.pdf import draw_pdf
 from ...drawing.scene import Scene
 from ...drawing.sheets.sheet import Sheet
 from ...drawing.sheets.space import FRAME, STRIP
+from ...drawing.sheets.titleblock import TO_BE_DRAWN
 from ...tagging.tag import Role, Tag, boxed
 from ...tagging.tree import marked
 from ...typeset.box import MM
@@ -50,4 +51,6 @@ def _page(sheet: Sheet, construction: Construction, name: str) -> SheetPage:
             with marked(canvas, Tag(Role.P)):
                 draw_pdf(sheet.alarm, canvas, x, y)
 
-    return SheetPage(draw, wide=sheet.landscape, title=name, told=True)
+    page = SheetPage(draw, wide=sheet.landscape, title=name, told=True)
+    page.fixed = construction.hand == TO_BE_DRAWN  # blank ones stand behind the table of results
+    return page

@@ -26,6 +26,7 @@ _YES_OR_NO = Words("（是/否）", " (yes or no)")
 _SOLVED, _ROOM = Words("解 {}", "Solution {}"), 4  # columns for the solutions of a synthesis, not as many as there are
 LINE, LISTED = 6, 4  # mm of squares for a line that is worked out, for an equation or a list
 _PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　　　　　) mm")
+_AWAY = "^{∞}"  # of a centre, which tells where it lies
 _OTHERS = Words("其他", "Others")
 _ON_THE_WAY, _ASKED = Words("中间量", "Intermediate results"), Words("所求量", "Required")
 
@@ -93,7 +94,7 @@ def _by_solution(keys: Sequence[str], solution: Solution, lang: Lang) -> Iterato
 
 def _row(one: Answer, solution: Solution, lang: Lang) -> Cells:
     """Dashes for what it has not: a scalar points nowhere, what is computed is not read."""
-    symbol, key = one.reading.symbol, one.reading.key
+    symbol, key = one.reading.symbol.replace(_AWAY, ""), one.reading.key
     meant = meant_by(solution.problem.subject, key, f"${symbol}$") if one.reading.unit != YES_NO else None
     name = called(symbol, key, lang) if meant is None else meant.of(lang)
     name += _YES_OR_NO.of(lang) * (one.reading.unit == YES_NO)

@@ -24,6 +24,7 @@ WITH_UNIT = Words("数值与单位", "Value with unit")  # in one cell
 NONE = "—"
 Cells = tuple[str, str, str, str, str]
 _WIDTHS = (30.0, 32.0, 34.0, 22.0, 40.0)  # mm: the first at least
+_LEAST = (30.0, 26.0, 28.0, 16.0, 30.0)  # mm: where names are long
 _BROAD, _WIDER = 85.0, 1.2  # mm for names at most; as many times as wide as need be columns are to fill a page
 _PLACED = 54.0  # mm for the two coordinates of a place
 _FEW = 6  # rows that do not stand in two blocks side by side
@@ -59,7 +60,11 @@ def is_headed(row: Cells) -> bool:
 
 
 def _widths(rows: Sequence[Cells], kept: Sequence[int]) -> list[float]:
-    """Names have the room they need, up to half of the page; the other columns what is written in them."""
-    named = max(layout_words(row[0], CELL.em).width for row in rows) + 2 * PAD + 1.0
-    others = [_PLACED if i == 2 and any(row[i] for row in rows) else _WIDTHS[i] for i in kept[1:]]
+    """Names have the room they need, up to half of the page; the other columns what is written in them, less of it
+    beside long names."""
+    named = max(layout_words(row[0], CELL.em).width for row in rows if not is_headed(row)) + 2 * PAD + 1.0
+    for widths in (_WIDTHS, _LEAST):
+        others = [_PLACED if i == 2 and any(row[i] for row in rows) else widths[i] for i in kept[1:]]
+        if named + sum(others) <= COLUMN / MM:
+            break
     return [min(max(named, _WIDTHS[0]), _BROAD, max(COLUMN / MM - sum(others), _WIDTHS[0])), *others]

@@ -2,26 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ...board.construction import Construction, Figure
 from ...board.paper.marks import Dot, Point
 from ...devices.structure import Structure
 from ...figures import View
+from ...foundation.slotted import replace
 from ...solution import Solution
 from ...words import Lang, Words
 from ..content import Objects
 from ..flow.base import Block
-from ..flow.blocks import Heading
+from ..flow.blocks import Drawing, Heading
 from ..flow.para import Para
 from ..flow.style import NOTE
+from ..plates.sketch import sketch_of
 from .blanks import empty_table, working_room
 from .columns import NONE
-from .equation_rows import equation_rows
+from .equation_rows import equation_rows, laid
 from .framed.fields import FIELDS
 from .framed.frames import BORDER
-from .framed.known import begins_at
+from .framed.known import begun, is_circle
 from .working import working
 
 WORKING = Words("计算过程", "Working")
@@ -34,20 +36,22 @@ def _starts(figure: Figure) -> bool:
     return figure.view in (View.FORCE, View.BODY) and any(isinstance(mark, Point) for mark in figure.marks)
 
 
-def _free(figures: Sequence[Figure], blank: Sequence[Figure]) -> bool:
-    """Whether a polygon that begins at a pole has none in its frame."""
-    begun = {(one.view, one.name) for one in figures if (at := begins_at(one)) is not None and at.dot is Dot.POLE}
-    return not begun <= {(one.view, one.name) for one in blank if _has_pole(one)}
-
-
 def _has_pole(figure: Figure) -> bool:
     return any(isinstance(mark, Point) and mark.dot is Dot.POLE for mark in figure.marks)
 
 
+def _circles(solution: Solution, blank: Sequence[Figure], lang: Lang) -> Iterator[Drawing]:
+    """The circle diagrams that have no frame, with the numbers of the links and no line."""
+    framed = {(one.view, one.name) for one in blank}
+    for one in solution.construction.figures:
+        if is_circle(one) and (one.view, one.name) not in framed:
+            yield sketch_of(replace(one, marks=begun(one)), solution, lang, sketch=True)
+
+
 def question(solution: Solution, sheets: Construction, lang: Lang, objects: Objects) -> dict[str, Any]:
-    """Names of the rows for vector equations, and of the squares with the table of results at their foot; whether a
-    polygon is drawn from a pole that is printed in its frame (sheets), from a point that is printed, or from one to be
-    chosen; whether a diagram has axes, and whether anything that is given stands in a frame.
+    """Names of the rows for vector equations, of circle diagrams without a frame, and of the squares with the table of
+    results at their foot; whether a polygon is drawn from a pole that is printed in its frame (sheets), or from a point
+    that is; whether a diagram has axes, and whether anything that is given stands in a frame.
 
     Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
     """
@@ -59,10 +63,10 @@ def question(solution: Solution, sheets: Construction, lang: Lang, objects: Obje
         foot.append(Para(_DASHES.of(lang), NOTE, lang))
     shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
     return ({"given": ""} if shown else {}) | {
-        "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],
+        "rows": [objects.add("rows", one) for one in laid(equation_rows(solution, lang))],
+        "circle": [objects.add("pic", one) for one in _circles(solution, blank, lang)],
         "working": [objects.add("work", one) for one in working(WORKING.of(lang), working_room(solution), foot, lang)],
         "poles": any(map(_has_pole, blank)),
-        "unplaced": _free(figures, blank),
         "axes": any(figure.view.across is not None for figure in figures),
         "starts": any(map(_starts, blank)),
         "placed": any(mark.key not in FIELDS for figure in blank for mark in figure.marks[BORDER:]),

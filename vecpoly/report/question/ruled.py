@@ -6,12 +6,16 @@ from collections.abc import Sequence
 from itertools import accumulate
 
 from ...tagging.tree import artifact
-from ...typeset.box import MM
+from ...typeset.box import MM, Glyphs
+from ...typeset.canvas import Ink
+from ...typeset.fonts import Face
+from ..flow.cells import Cell
 from ..flow.lines import Line
 from ..flow.style import GREY
 from ..flow.table import DataTable
 
-ROW = 8.5 * MM  # least height of a row to be written in
+ROW, NAME = 8.0 * MM, 6.5 * MM  # least height of a row to be written in, and of one that names a group
+_BOLD = {Face.BOLD, Face.BOLD_ITALIC, Face.HEI, Face.HEI_BOLD}
 _FINE = 0.4  # pt
 
 
@@ -19,8 +23,22 @@ class RuledTable(DataTable):
     """A table whose empty cells are filled in by hand; a row with nothing but its first text is the name of a group."""
 
     def _height(self, row: tuple[tuple[Line, ...], ...]) -> float:
-        """As high as a hand needs it; a row of several lines is higher."""
-        return max(super()._height(row), ROW)
+        """As high as a hand needs it; a row of several lines is higher, one that nobody writes in lower."""
+        return max(super()._height(row), NAME if is_name(_cells(row)) else ROW)
+
+    def _lines(self, row: Sequence[Sequence[Cell]], widths: Sequence[float]) -> tuple[tuple[Line, ...], ...]:
+        """The name of a group runs on over the empty cells behind it."""
+        if not is_name([cell for some in row for cell in some]):
+            return super()._lines(row, widths)
+        return super()._lines(row, joined(row, widths))
+
+    def _row(
+        self, ink: Ink, row: tuple[tuple[Line, ...], ...], widths: Sequence[float], left: float, top: float, align: str,
+        shifts: Sequence[float | None] = (), header: bool = False,
+    ) -> float:  # fmt: skip
+        """A row; the name of a group over all of its cells."""
+        wide = joined(row, widths) if is_name(_cells(row)) and not header else widths
+        return super()._row(ink, row, wide, left, top, align, shifts, header)
 
     def draw(self) -> None:
         """The table, and the lines between its cells."""
@@ -41,6 +59,25 @@ class RuledTable(DataTable):
         for n, edge in enumerate(edges[1:-1]):
             if texts[n + 1] or not named(texts, n):
                 self.canv.line(edge, bottom, edge, bottom + high)
+
+
+def joined(row: Sequence[Sequence[object]], widths: Sequence[float]) -> tuple[float, ...]:
+    """The widths of cells that run on over the empty ones behind them."""
+    starts = [n for n, some in enumerate(row) if some]
+    ends = dict(zip(starts, [*starts[1:], len(row)], strict=True))
+    return tuple(sum(widths[n : ends.get(n, n)]) for n in range(len(row)))
+
+
+def _cells(row: Sequence[Sequence[Line]]) -> list[Cell]:
+    return [cell for lines in row for line in lines for cell in line.cells]
+
+
+def is_name(cells: Sequence[Cell]) -> bool:
+    """Whether there is nothing but names of groups, which are bold."""
+    glyphs = [item for cell in cells for item in cell.box.items if isinstance(item, Glyphs) and item.text.strip()]
+    return any(item.font in _BOLD for item in glyphs) and all(
+        item.font in _BOLD or not item.text.isalpha() for item in glyphs
+    )
 
 
 def named(texts: Sequence[str], n: int) -> bool:

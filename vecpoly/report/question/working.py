@@ -13,8 +13,8 @@ from ..flow.furniture import COLUMN
 from ..flow.style import PALE
 
 SQUARE = 5.0 * MM
-LEAST_ROOM = 35.0 * MM  # of squares under a heading; less is no room
-_TALLEST = 180.0 * MM  # of what stands at the foot: with heading and least room it fits the lowest paper
+LEAST_ROOM, _LITTLE = 35.0 * MM, 25.0 * MM  # of squares under a heading; less is no room: over a tall table
+_TALL, _TALLEST = 180.0 * MM, 190.0 * MM  # of what stands at the foot, at most: it fits the lowest paper
 _GAP = 3.0 * MM
 _ON = {"zh": "{}（续）", "en": "{} (continued)"}
 
@@ -60,10 +60,11 @@ class Working(Block):
         self._lang, self.outline, self._need, self._foot = lang, title, need, tuple(foot)
         self.name = title
         self._head = (Heading(title, 3, lang),) if title else ()
+        self._least = LEAST_ROOM if sum(_tall(one, COLUMN) for one in foot) <= _TALL else _LITTLE
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """All that is left, where it suffices."""
-        need = max(self._need, LEAST_ROOM) + self._other(width)
+        need = max(self._need, self._least) + self._other(width)
         self.width, self.height = width, height - 0.01 if height >= need - 0.02 else need
         return width, self.height
 
@@ -72,7 +73,7 @@ class Working(Block):
         room = height - sum(_tall(one, width) for one in self._head)
         if room < LEAST_ROOM:
             return []
-        rest = Working(_ON[self._lang].format(self.name), max(self._need - room, LEAST_ROOM), self._foot, self._lang)
+        rest = Working(_ON[self._lang].format(self.name), max(self._need - room, self._least), self._foot, self._lang)
         rest.name = self.name
         first = Working(self.outline, int(room / SQUARE) * SQUARE, (), self._lang)
         return [first.made_of(self, first=True), rest.made_of(self, first=False)]

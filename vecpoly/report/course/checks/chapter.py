@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....algebra.quantity import number
+from ....findings.conditioning import determinant
 from ....findings.study.study import Study
 from ....typeset.runs import raised
 from ....words import Words
@@ -17,6 +18,7 @@ from ..numbering import Press
 from . import tolerances
 
 _QUARTER = ("—", "3.99", "4.00", "4.01")  # ratio of the errors over two steps and one
+_SINGULAR, _NEAR = 1e-9, 0.05  # of a group's largest determinant: it vanishes; it is not far from that
 _NOTHING, _BESIDE = 1e-13, 1e-9  # no value at all; none beside the largest of its kind, as across a guide
 _CHECKED = {
     "zh": ["量", "与独立求解结果之差", "差商误差（2 格）/%", "差商误差（1 格）/%", "两误差之比"],
@@ -33,15 +35,17 @@ Reals = NDArray[np.float64]
 
 def chapter(study: Study, press: Press) -> dict[str, Any]:
     """The tables with what is said of them."""
-    gaps = [_most(gap) for _, gap in study.model.gaps(study.turn.phi)]
+    sound = _sound(study)
+    gaps = [_most(np.broadcast_to(gap, sound.shape)[sound]) for _, gap in study.model.gaps(study.turn.phi)]
     step = study.turn.drive.factor * float(study.turn.phi[1] - study.turn.phi[0])
     unit = "°" if study.turn.drive.shown_unit == "°" else f" {study.turn.drive.shown_unit}"
     return {
         "table": _checked(study, press),
         "residual": _power(max(gaps, default=0.0)),
         "step": f"{number(step, 3)}{unit}",
-        "count": len(study.turn.phi),
+        "count": int(sound.sum()),
         "differences": not study.mech.drive.accel,
+        "singular": not sound.all(),
     } | tolerances.section(study, press)
 
 
@@ -56,7 +60,8 @@ def _power(value: float) -> str:
 def _checked(study: Study, press: Press) -> str:
     """Of every rate told: the model less the solver,
     and the model's rate less the difference quotient of what it is the rate of."""
-    rates = [(one, _most(one[2])) for one in _rates(study)]
+    sound = _sound(study)
+    rates = [(one, _most(one[2][sound])) for one in _rates(study)]
     largest: dict[str, float] = {}  # by the first letter of the symbol: v, a, ω, α
     for (symbol, *_), size in rates:
         largest[symbol[0]] = max(size, largest.get(symbol[0], 0.0))
@@ -64,9 +69,9 @@ def _checked(study: Study, press: Press) -> str:
     for (symbol, own, exact, base), size in rates:
         if not size > max(_NOTHING, _BESIDE * largest[symbol[0]]):
             continue
-        row = [f"${symbol}$", _percent(_most(own - exact) / size)]
+        row = [f"${symbol}$", _percent(_most((own - exact)[sound]) / size)]
         if not study.mech.drive.accel:
-            row += _by_quotients(study, base, own, size)
+            row += _by_quotients(study, base, np.where(sound, own, np.nan), size)
         rows.append(tuple(row))
     if rows and all(row[-1] in _QUARTER for row in rows):  # the sentence before the table says it
         rows = [row[:-1] for row in rows]
@@ -80,6 +85,27 @@ def _checked(study: Study, press: Press) -> str:
         if rows
         else ""
     )
+
+
+def _sound(study: Study) -> NDArray[np.bool_]:
+    """The positions that are compared: all of them; where a group is singular at a change point, at which rates are 0/0
+    and the assembly is not determined, those of the given assembly, on this side of the change points and not near."""
+    near = np.zeros(study.turn.phi.shape, np.bool_)
+    for size in (determinant(study, one, study.turn.phi) for one in study.model.groups if one.determinant is not None):
+        most = float(np.nanmax(size, initial=0.0))
+        if not (size > _SINGULAR * most).all():
+            near |= ~(size > _NEAR * most)
+    if not near.any():
+        return ~near
+    start = int(np.argmin(np.abs(np.exp(1j * study.turn.phi) - np.exp(1j * study.mech.drive.position))))
+    back, on = (until(near, start, way) for way in (-1, 1))
+    return np.isin(np.arange(len(near)), np.arange(start - back, start + on + 1) % len(near))
+
+
+def until(near: NDArray[np.bool_], start: int, way: int) -> int:
+    """How many positions may be taken this way from a position before one that is not sound."""
+    ahead = np.roll(near[::way], -start if way > 0 else start + 1 - len(near))
+    return max(int(np.argmax(ahead)) - 1, 0)
 
 
 def _most(values: Reals) -> float:

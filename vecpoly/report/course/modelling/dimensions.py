@@ -36,23 +36,34 @@ def dimensions(study: Study, press: Press, figure: Figure | None) -> str:
     if figure is None or not to_scale(figure):
         return ""
     comma = "，" if press.lang == "zh" else ", "
-    rows = []
-    for name in (*(body for body in study.mech.bodies if body not in study.mech.substitutes), FRAME):
-        found = [*_distances(study, name), *_radii(study.mech, name)]
-        if found:
-            rows.append(
-                (
-                    Words("机架", "frame").of(press.lang) if name == FRAME else study.name(name),
-                    comma.join(f"${symbol}$ = {number(round(1e3 * size, 9), 5)}" for symbol, size in found),
-                    comma.join(f"{size / figure.scale.value:.1f}" for _, size in found),
-                )
-            )
+    rows = [
+        (
+            Words("机架", "frame").of(press.lang) if name == FRAME else study.name(name),
+            comma.join(f"${symbol}$ = {number(round(1e3 * size, 9), 5)}" for symbol, size in found),
+            comma.join(f"{size / figure.scale.value:.1f}" for _, size in found),
+        )
+        for name, found in _sizes(study)
+        if found
+    ]
     title = Words(
         f"各构件的尺寸（图上长度按 ${figure.scale.symbol}$ = {number(figure.scale.value)} {figure.scale.per_mm}）",
         f"Dimensions of the links (on paper at ${figure.scale.symbol}$ = "
         f"{number(figure.scale.value)} {figure.scale.per_mm})",
     )
     return press.table(title, _HEADER[press.lang], rows, "cll", style=SMALL) if rows else ""
+
+
+def listed(study: Study, figure: Figure | None) -> frozenset[str]:
+    """The symbols of what that table tells, without braces; none where there is no table."""
+    if figure is None or not to_scale(figure):
+        return frozenset()
+    return frozenset(symbol.replace("{", "").replace("}", "") for _, found in _sizes(study) for symbol, _ in found)
+
+
+def _sizes(study: Study) -> Iterator[tuple[str, list[tuple[str, float]]]]:
+    """Each link, the frame last, with the symbols and lengths (m) that are told of it."""
+    for name in (*(body for body in study.mech.bodies if body not in study.mech.substitutes), FRAME):
+        yield name, [*_distances(study, name), *_radii(study.mech, name)]
 
 
 def _radii(mech: Mechanism, link: str) -> Iterator[tuple[str, float]]:

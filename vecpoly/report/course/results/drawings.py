@@ -18,13 +18,14 @@ from ....words import Lang, Words
 from ...answers.placed import endless_words, place_words
 from ...answers.tables import lone_place, readings_at, readings_tables
 from ...content import scales, sections
-from ...flow.blocks import SheetPage, spoken
+from ...flow.blocks import Plate, SheetPage, spoken
 from ...plates.page import sheet_page
 from ...plates.results import concluded
 from ..analysis.force_words import role_note
 from ..numbering import SMALL, Press
 from .drawn_views import drawn_views
 from .positions import at_position, draw_there
+from .repeated import without_repeated
 
 POSITIONS, LOADED = 4, 3  # with forces, or centres beside polygons, every position fills two sheets
 _APART = np.radians(12.0)
@@ -212,12 +213,17 @@ def _sheets(study: Study, phi: float, solution: Solution, lang: Lang, *, plates:
     zh = f"{title.zh[:-1]}，{where}）" if title.zh.endswith("）") else f"{title.zh}（{where}）"
     en = f"{title.en[:-1]}, {where_en})" if title.en.endswith(")") else f"{title.en} ({where_en})"
     paper = study.problem.paper
-    made = sheets(solution.construction, lang=lang, title=Words(zh, en), on=paper, plates=plates)
+    drawn = without_repeated(solution.construction, study.solution.construction, paper.format)
+    made = sheets(drawn, lang=lang, title=Words(zh, en), on=paper, plates=plates)
     return concluded(made, solution, lang, study.given.answers)
 
 
-def _page(study: Study, one: Drawn, sheet: Sheet, lang: Lang) -> SheetPage:
-    return sheet_page(sheet, one.solution.construction, _name(study, one, sheet).of(lang))
+def _page(study: Study, one: Drawn, sheet: Sheet, lang: Lang) -> SheetPage | Plate:
+    """The sheet, bound in behind the page on which its chapter ends, so that it tears no step and no table of it."""
+    page = sheet_page(sheet, one.solution.construction, _name(study, one, sheet).of(lang))
+    if isinstance(page, SheetPage):
+        page.behind = 1
+    return page
 
 
 def _name(study: Study, one: Drawn, sheet: Sheet) -> Words:

@@ -41,7 +41,7 @@ def _shared(story: Sequence[Any], doc: ReportDoc) -> list[Any] | None:
         heads = [next(opened, None) for _ in range(pages)]
         last, changed = number == len(parts) - 1, len(out) != sum(len(a) + len(b) for a, b in parts[:number])
         sheets = [item for item in behind if isinstance(item, SheetPage)]
-        if full >= FULL or (last and (not sheets or pages < 2 or changed)):
+        if full >= FULL or any(sheet.fixed for sheet in sheets) or (last and (not sheets or pages < 2 or changed)):
             out += [*text, *behind]
             continue
         head = _opening(text)

@@ -13,8 +13,10 @@ from typing import Any
 
 from reportlab.platypus.flowables import PageBreak
 
+from ....foundation.slotted import replace
 from ..base import Tightness
 from ..blocks import Divider, SheetPage
+from ..contents import Contents
 from ..doc import LEFTOVER, Metadata, ReportDoc
 from .balanced import balanced
 from .loose import loosened
@@ -30,6 +32,8 @@ DEGREES = (
     Tightness(white=0.45, lines=0.93, figures=0.7),
 )
 SHARES = (1 / 3, 2 / 3)  # of the way from one degree to the next, the looser first
+LARGE = 0.9  # of the size of a sketch, at least, where a long text is closed up: its letters shrink with it
+FRONT = 2  # pages of contents and symbols, one of which may be saved
 SHORT = 3  # pages of a part of which the lines are set closer too; in a longer one this would catch the eye
 
 
@@ -48,7 +52,7 @@ def settled(story: Sequence[Any], meta: Metadata) -> ReportDoc:
     plain = ReportDoc(story, meta)
     plain.counted()
     if len(plain.ends) > 1:
-        return _closed_up(*run_on(story, plain))
+        return _closed_up(*run_on(*_fronted(story, plain)))
     tried = {part: _degree(story, part, pages, meta) for part, pages in plain.leftover.items()}
     chosen = {part: degree for part, degree in tried.items() if degree is not None}
     if chosen:
@@ -56,6 +60,22 @@ def settled(story: Sequence[Any], meta: Metadata) -> ReportDoc:
         plain = ReportDoc(story, meta)
         plain.counted()
     return balanced(loosened(*_mended(*sectioned(*run_on(story, plain)))), given)
+
+
+def _fronted(story: list[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
+    """The story with its list of contents set closer, where what stands behind that goes overleaf for a few lines; and
+    it laid out. doc: it, as it was."""
+    first = next((text for text, _ in split(story) if text), [])
+    pages = doc.leftover.get(0, 0)
+    if pages != FRONT or not any(isinstance(item, Contents) for item in first):
+        return story, doc
+    for degree in DEGREES:
+        found = _set(story, {0: degree})
+        closer = ReportDoc(found, doc.metadata)
+        closer.counted()
+        if closer.ends[0][0] < pages:
+            return found, closer
+    return story, doc
 
 
 def _closed_up(story: Sequence[Any], doc: ReportDoc) -> ReportDoc:
@@ -67,7 +87,7 @@ def _closed_up(story: Sequence[Any], doc: ReportDoc) -> ReportDoc:
     start = (
         max((at for at, item in enumerate(story) if isinstance(item, PageBreak | SheetPage | Divider)), default=-1) + 1
     )
-    for degree in DEGREES:
+    for degree in (replace(one, figures=max(one.figures, LARGE)) for one in DEGREES):
         tried = ReportDoc([*story[:start], *tightened(story[start:], degree)], doc.metadata)
         if tried.counted() < doc.page:
             return tried

@@ -52,7 +52,7 @@ def framed(figure: Figure, size: tuple[float, float], known: Sequence[Mark]) -> 
         return _levels(figure, size)
     start = begins_at(figure)
     if start is None:
-        return _about(figure, size), ()
+        return _about(figure, size), tuple(known)
     if start.dot is Dot.POLE and figure.view is not HODOGRAPH:
         return _in_the_middle(figure, start, size)
     box = _round(figure, start.at, size)
@@ -60,11 +60,12 @@ def framed(figure: Figure, size: tuple[float, float], known: Sequence[Mark]) -> 
 
 
 def _in_the_middle(figure: Figure, pole: Point, size: tuple[float, float]) -> tuple[Box, tuple[Mark, ...]]:
-    """The frame with the pole in its middle, which tells nothing of a polygon; without it where it would not fit."""
+    """The frame with the pole in its middle, which tells nothing of a polygon; where it would not fit, at the round
+    place nearest to it."""
     low, high = bounds(figure.marks)
     box = pole.at - complex(*size) / 2, pole.at + complex(*size) / 2
     inside = min(low.real - box[0].real, low.imag - box[0].imag, box[1].real - high.real, box[1].imag - high.imag)
-    return (box, (pole,)) if inside >= _WHITE else (_about(figure, size), ())
+    return (box if inside >= _WHITE else _round(figure, pole.at, size)), (pole,)
 
 
 def _about(figure: Figure, size: tuple[float, float]) -> Box:
@@ -97,8 +98,8 @@ def _given(figure: Figure, known: Sequence[Mark], box: Box) -> Iterator[Mark]:
     pivots = [mark.at for mark in known if isinstance(mark, Ground)]
     yield from (mark for mark in figure.marks if isinstance(mark, RackMark) and mark.fixed)
     for mark in figure.marks:
-        if isinstance(mark, Point) and mark.dot is not Dot.NONE and "P_" not in mark.label and mark.at in pivots:
-            yield mark
+        if isinstance(mark, Point) and mark.dot is not Dot.NONE and mark.at in pivots:
+            yield replace(mark, label=_own(mark.label))
     for mark in known:
         if isinstance(mark, FixedGuide) and mark.about is not None:
             yield from _guide(mark, mark.about, box, pivots)
@@ -106,6 +107,11 @@ def _given(figure: Figure, known: Sequence[Mark], box: Box) -> Iterator[Mark]:
             yield from _inside(mark, box)
         else:
             yield mark
+
+
+def _own(label: str) -> str:
+    """The letter of a pivot without that of the centre that lies there."""
+    return ", ".join(part for part in label.split(", ") if "P_" not in part)
 
 
 def _inside(circle: Arc, box: Box) -> Iterator[Arc]:

@@ -1,5 +1,5 @@
-"""What is written by hand in a frame beside the drawing: over it the equations that are drawn there, told by their
-numbers and nothing else, under it what is read off; each on a line of its own."""
+"""What stands in a frame beside the drawing: over it the equations that are drawn there, told by their numbers and
+nothing else, under it what is read off, to be written by hand, and the bar of the scale."""
 
 from __future__ import annotations
 
@@ -14,23 +14,27 @@ from ....drawing.style import NOTE
 from ....typeset.words import layout_words
 from ....words import Words
 from ..equations import numbers, runs
+from .bar import BAR, Bar, bar_of, barred
 
 KEY, READ = "equation", "readings"  # of what is written over and under a drawing
-FIELDS = (KEY, READ)
+FIELDS = (KEY, READ, BAR)
 MOST = 2  # equations that have a line each; of more the numbers are told, for they are written on the pages before
-WRITTEN = 80.0  # mm: a frame in which an equation is written
+WRITTEN, READS = 80.0, 60.0  # mm: a frame in which an equation is written; of a line for readings beside a bar
 _LINE, _EDGE, _GAP, _DROP = 7.0, 4.0, 2.0, 1.6  # mm: its height; to the frame; to the words, and below their middle
 _READINGS, _COLON = Words("量得：", "Readings:"), Words("：", ":")
 
 
 class Fields(NamedTuple):
     """The numbers of the equations that are drawn in a frame, how many lines they have at most, and whether anything is
-    read off it; broad: whether the frame is as wide as an equation that is written."""
+    read off it; broad: whether the frame is as wide as an equation that is written; bar: that of its scale, with a
+    line of its `own` where it has none beside the readings."""
 
     equations: tuple[int, ...]
     read: bool
     most: int = MOST
     broad: bool = False
+    bar: Bar | None = None
+    own: bool = True
 
     @property
     def lines(self) -> int:
@@ -52,14 +56,14 @@ class Fields(NamedTuple):
     @property
     def below(self) -> float:
         """Likewise under it."""
-        return _LINE * self.read
+        return _LINE * (self.read + (self.bar is not None and self.own))
 
 
 def fields(construction: Construction, figure: Figure) -> Fields:
     """What is written in the frame of this figure."""
     reads = (act.figure for act in construction.acts if isinstance(act, Area | Gauge | Measure))
     read = figure.view.across is None and called(_place(figure)) in reads  # what is read along axes has its axes
-    return Fields(numbers(construction, figure), read)
+    return Fields(numbers(construction, figure), read, bar=bar_of(figure))
 
 
 def _place(figure: Figure) -> Place:
@@ -78,8 +82,14 @@ def written(some: Fields, low: complex, high: complex) -> Iterator[Mark]:
     elif some.equations:
         yield _note(told, foot, KEY)
         foot += _wide(told) + _EDGE
+    end = high.real
+    beside = end - _EDGE - (some.bar.wide if some.bar is not None else 0.0)
+    aside = beside - foot.real - _wide(_READINGS) >= READS or not some.read
+    if some.bar is not None and (aside or some.own):
+        yield from barred(some.bar, complex(end - _EDGE, low.imag + _LINE / 2))
+        foot, end = (foot, beside) if aside else (foot + 1j * _LINE, end)
     if some.read:
-        yield from _named(_READINGS, foot, high.real, READ)
+        yield from _named(_READINGS, foot, end, READ)
 
 
 def _equations(found: tuple[int, ...]) -> Words:

@@ -20,7 +20,7 @@ from ...picture import to_scale
 from .blank import framed
 from .fields import Fields, fields, written
 from .grid import Grid, Need, Size, grid, least_sheets, tightness
-from .known import begins_at, stands
+from .known import begins_at, is_circle, lettered, stands
 from .room import outline
 
 WHITES = (8.0, 6.5, 5.0)  # mm that stay free between a figure and its frame: less where that spares a sheet
@@ -32,23 +32,33 @@ _NO_END = 10**6  # sheets, before any are found
 
 def frames(construction: Construction, problem: Problem) -> tuple[Construction, tuple[Hung, ...]]:
     """The blank sheets: for each figure a frame with what is given in it (fixed pivots, guides, racks), its pole or
-    its axes, lines for its vector equations and for what is read, and its place.
+    its axes, lines for its vector equations and for what is read, the bar of its scale, and its place.
 
     Frames are of a few fixed sizes and together fill the sheet: a large drawing has a large frame, but neither the
-    proportions of a polygon nor where it lies can be told from it.
+    proportions of a polygon nor where it lies can be told from it. A circle diagram, which has no scale, has none where
+    that would need a sheet more: it stands in the text.
     """
     on = problem.paper
-    figures = construction.figures
+    figures = tuple(lettered(figure, construction.figure(View.MECHANISM)) for figure in construction.figures)
     asked = as_solved(reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY]))
     told, found = _with_fields(asked, [fields(construction, figure) for figure in asked], on)
+    less = [figure for figure in asked if not is_circle(figure)]
+    if less and len(less) < len(asked):
+        fewer = _with_fields(less, [fields(construction, figure) for figure in less], on)
+        asked, (told, found) = (less, fewer) if len(fewer[1]) < len(found) else (asked, (told, found))
     sizes = [size for sheet in found for size in sheet.sizes]
     drawn = tuple(
-        _frame(figure, size, stands(construction, figure, problem), some)
+        _frame(figure, size, () if _measured(figure, some) else stands(construction, figure, problem), some)
         for figure, size, some in zip(asked, sizes, told, strict=True)
     )
     return replace(construction, figures=drawn, hand=TO_BE_DRAWN), tuple(
         Hung(sheet.landscape, sheet.tops) for sheet in found
     )
+
+
+def _measured(figure: Figure, told: Fields) -> bool:
+    """Whether a free body is there to be measured: its outline would tell what is read off it."""
+    return figure.view is View.BODY and told.read
 
 
 def as_solved(figures: Sequence[Figure]) -> list[Figure]:
@@ -62,13 +72,13 @@ def as_solved(figures: Sequence[Figure]) -> list[Figure]:
 def _with_fields(asked: Sequence[Figure], told: Sequence[Fields], on: Paper) -> tuple[Sequence[Fields], Sequence[Grid]]:
     """The sheets with lines for equations; where they need no sheet more with several of these, with long ones, and
     with lines for readings; with little white about the figures where that spares a sheet."""
-    best, trials = (told, WHITES[0], _NO_END), list(_trials(told))
+    best, trials = (told, WHITES[0], (_NO_END, True)), list(_trials(told))
     white, some = trials[-1]
     least = least_sheets([_needed(*one, white, even=False) for one in zip(asked, some, strict=True)], on.format)
     for white, some in trials:
-        count = len(_found([_needed(*one, white, even=False) for one in zip(asked, some, strict=True)], on))
-        best = min(best, (some, white, count), key=itemgetter(2))
-        if count <= least:
+        found = _found([_needed(*one, white, even=False) for one in zip(asked, some, strict=True)], on)
+        best = min(best, (some, white, tightness(found)[1:3]), key=itemgetter(2))
+        if best[2] <= (least, False):
             break
     some, white, _ = best
     return some, _with_poles([*zip(asked, some, strict=True)], white, on)
@@ -76,11 +86,11 @@ def _with_fields(asked: Sequence[Figure], told: Sequence[Fields], on: Paper) -> 
 
 def _trials(told: Sequence[Fields]) -> Iterator[tuple[float, Sequence[Fields]]]:
     """Frames with less and less room for what is written in them, then with less white. Equations, which are written
-    on the pages before, give up their lines before readings do, which are written nowhere else."""
-    broad, bare = [some._replace(broad=True) for some in told], [some._replace(most=0) for some in told]
-    one = [some._replace(most=1) for some in told]
-    yield from product(WHITES[:1], (broad, told, one, bare))
-    yield from product(WHITES[1:], (told, bare))
+    on the pages before, give up their lines before readings do, which are written nowhere else; then bars that
+    need one go."""
+    for white, some in product(WHITES, (told, [one._replace(own=False) for one in told])):
+        broad, bare = [one._replace(broad=True) for one in some], [one._replace(most=0) for one in some]
+        yield from ((white, lines) for lines in (broad, some, [one._replace(most=1) for one in some], bare))
 
 
 def _with_poles(asked: Sequence[tuple[Figure, Fields]], white: float, on: Paper) -> list[Grid]:

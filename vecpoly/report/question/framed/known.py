@@ -7,20 +7,26 @@ from math import pi
 
 from ....board.acts import Act, Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn
 from ....board.construction import Construction, Figure
-from ....board.paper.marks import Arc, Curve, Dot, FixedGuide, Ground, Mark, Note, Point, Role, Segment, Vector
+from ....board.paper.marks import Arc, Curve, Dot, FixedGuide, Ground, Mark, Note, Outline, Point, Role, Segment, Vector
 from ....designs.base import Design
 from ....devices.cams.cam import Cam
 from ....devices.dynamics.flywheel import Flywheel
 from ....devices.dynamics.run_up import RunUp
 from ....devices.gears.generation import GearGeneration as Generation
+from ....devices.ring_spring import RingSpring
+from ....devices.vee_guide import VeeGuide
+from ....devices.wedge_clamp import WedgeClamp
+from ....devices.wedges import Wedges
 from ....figures import View
 from ....figures.characteristic import CHARACTERISTIC
 from ....figures.torque import TORQUE
 from ....foundation.slotted import replace
 from ....problem.problem import Problem
 from ....words import Words
+from .poses import poses
 
 _FOUND = (Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn)
+_SHAPED = (RingSpring, VeeGuide, WedgeClamp, Wedges)  # bodies whose angles are given
 _HELP = (Role.CONSTRUCTION, Role.DIRECTION)
 _DATUM = Words("齿条中线", "datum line of the rack")
 NEAR = 1e-6  # mm
@@ -55,13 +61,16 @@ def _stands(mark: Mark, places: list[complex]) -> bool:
 
 def stands(construction: Construction, figure: Figure, problem: Problem) -> tuple[Mark, ...]:
     """Fixed pivots and guides, with whose places a drawing begins: all of a mechanism, those that are given of one that
-    is to be found; of a diagram the curve that is given."""
+    is to be found, with the positions that it is given; of a diagram the curve that is given."""
     if isinstance(problem.subject, Flywheel | RunUp) and figure.view in (TORQUE, CHARACTERISTIC):
         return _curve(figure)
     if isinstance(problem.subject, Cam) and figure.name and figure.view is View.MECHANISM:
         return _cam(problem.subject, figure)
     if isinstance(problem.subject, Generation) and figure.view is View.MECHANISM:
         return _blank(problem.subject, figure)
+    if figure.view is View.BODY:  # of wedges their outlines, whose angles are data; that of a nut tells its lead angle
+        shaped = isinstance(problem.subject, _SHAPED)
+        return tuple(mark for mark in figure.marks if shaped and isinstance(mark, Outline))
     found = tuple(mark for mark in figure.marks if isinstance(mark, (Ground, FixedGuide)))
     if not isinstance(problem.subject, Design):
         return found
@@ -69,7 +78,24 @@ def stands(construction: Construction, figure: Figure, problem: Problem) -> tupl
     lines = [mark for mark in told if isinstance(mark, Segment)]
     guides = (_along(mark, lines) for mark in found if isinstance(mark, FixedGuide))
     pivots = (mark for mark in found if isinstance(mark, Ground) and mark in told)
-    return (*pivots, *(guide for guide in guides if guide is not None))
+    return (*pivots, *(guide for guide in guides if guide is not None), *(() if figure.name else poses(problem, told)))
+
+
+def lettered(figure: Figure, main: Figure | None) -> Figure:
+    """A figure on which the mechanism is drawn once more, its fixed pivots with their letters; main: the first."""
+    if main is None or figure is main or figure.view is not View.MECHANISM or not figure.scale.value:
+        return figure
+    share = main.scale.value / figure.scale.value
+    pivots = {mark.at for mark in figure.marks if isinstance(mark, Ground)}
+    letters = [mark for mark in main.marks if isinstance(mark, Point) and mark.dot is Dot.JOINT]
+
+    def named(mark: Mark) -> Mark:
+        if not isinstance(mark, Point) or mark.label or mark.at not in pivots:
+            return mark
+        found = (one.label for one in letters if abs(one.at * share - mark.at) < NEAR)
+        return replace(mark, label=next(found, ""))
+
+    return replace(figure, marks=tuple(map(named, figure.marks)))
 
 
 def begun(figure: Figure) -> tuple[Mark, ...]:
@@ -85,6 +111,11 @@ def begun(figure: Figure) -> tuple[Mark, ...]:
     return (*lines, *axes, *circles, *numbers)
 
 
+def is_circle(figure: Figure) -> bool:
+    """Whether it is a circle diagram: numbers of links on a circle."""
+    return figure.view is View.MECHANISM and not figure.scale.value and any(isinstance(m, Arc) for m in begun(figure))
+
+
 def begins_at(figure: Figure) -> Point | None:
     """The point from which a polygon, or a link that is set free, is drawn: the pole, the start of the first force, the
     first joint."""
@@ -92,8 +123,8 @@ def begins_at(figure: Figure) -> Point | None:
     if pole := next((mark for mark in points if mark.dot is Dot.POLE), None):
         return pole
     if figure.view is View.BODY:
-        joints = (mark for mark in points if mark.dot is Dot.JOINT and mark.label)
-        return min(joints, key=lambda mark: mark.label, default=None)
+        lettered = [mark for mark in points if mark.dot in (Dot.JOINT, Dot.POINT) and mark.label]
+        return min(lettered, key=lambda mark: (mark.dot is Dot.POINT, mark.label), default=None)
     first = min((mark for mark in figure.marks if isinstance(mark, Vector)), key=lambda mark: mark.step, default=None)
     if figure.view is not View.FORCE or first is None:
         return None

@@ -1,0 +1,60 @@
+"""The bar of a frame: a length on paper that stands for a round value of what is drawn there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import floor, log10
+from typing import NamedTuple
+
+from ....algebra.quantity import number
+from ....board.construction import Figure
+from ....board.paper.marks import Mark, Note, Role, Segment
+from ....drawing.style import NOTE
+from ....figures.energy import INDICATOR
+from ....typeset.words import layout_words
+from ....words import Words
+from ...picture import to_scale
+
+BAR = "bar"  # of its marks
+_LONGEST, _ROUND = 40.0, (1.0, 2.0, 5.0)  # mm; of its value
+_TICK, _GAP = 1.0, 1.5  # mm: half of one at its ends and its middle; to its value
+_METRE, _MILLIMETRE, _MILLI = "m", "mm", 1e3
+
+
+class Bar(NamedTuple):
+    """How long it is on paper (mm), and the value that it stands for, with its unit."""
+
+    long: float
+    told: str
+
+    @property
+    def wide(self) -> float:
+        """With its value behind it (mm)."""
+        return self.long + _GAP + layout_words(self.told, NOTE).width
+
+
+def bar_of(figure: Figure) -> Bar | None:
+    """The bar of a figure that is drawn to one scale; one with axes has its numbers there."""
+    if not to_scale(figure) or figure.view.across is not None or figure.view is INDICATOR:
+        return None
+    scale = figure.scale.told
+    per_mm, unit = (scale.value * _MILLI, _MILLIMETRE) if scale.unit == _METRE else (scale.value, scale.unit)
+    value = _round_down(_LONGEST * per_mm)
+    return Bar(value / per_mm, f"{number(value, 3)} {unit}")
+
+
+def _round_down(most: float) -> float:
+    """The greatest round value that is no more than this."""
+    power = floor(log10(most * (1 + 1e-9)))
+    step = max(one for one in _ROUND if one * 10.0**power <= most * (1 + 1e-9))
+    return float(f"{step:g}e{power}")
+
+
+def barred(bar: Bar, end: complex) -> Iterator[Mark]:
+    """The bar with its value, which ends here."""
+    start = end - bar.wide
+    ends = start, start + bar.long / 2, start + bar.long
+    yield Segment(a=ends[0], b=ends[-1], role=Role.CONSTRUCTION, step=1, key=BAR)
+    for at in ends:
+        yield Segment(a=at - 1j * _TICK, b=at + 1j * _TICK, role=Role.CONSTRUCTION, step=1, key=BAR)
+    yield Note(at=ends[-1] + _GAP, words=Words.same(bar.told), side=1 + 0j, step=1, key=BAR)
