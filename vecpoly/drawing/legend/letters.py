@@ -75,7 +75,8 @@ def _seen(name: str) -> Callable[[Figure], bool]:
     return lambda figure: figure.view.name == name
 
 
-def _cam(figure: Figure) -> bool:
+def is_of_cam(figure: Figure) -> bool:
+    """Whether the profile of a cam is drawn on it, by the places of its follower."""
     return figure.view is View.MECHANISM and not figure.name and {"B_0", "ω"} <= set(_labels(figure))
 
 
@@ -92,7 +93,7 @@ LETTERS: tuple[Letter, ...] = (
     Letter(_motion, r"m_1", Words("推程压力角最大处", "greatest $α$ of the rise")),
     Letter(_motion, r"m_2", Words("回程压力角最大处", "greatest $α$ of the return")),
     Letter(_motion, r"m_3", Words("曲率半径最小处", "least radius of curvature")),
-    Letter(_cam, r"r_\{(\d+)\}", Words("$φ$ = {}° 处的向径", "radius at $φ$ = {}°")),
+    Letter(is_of_cam, r"r_\{(\d+)\}", Words("$φ$ = {}° 处的向径", "radius at $φ$ = {}°")),
     Letter(_named("alpha_rise", "alpha_return", "rho_min"), r"P", Words("相对瞬心", "relative instant centre")),
     Letter(_named("alpha_rise", "alpha_return", "rho_min"), r"n", Words("公法线", "common normal")),
     Letter(_named("rho_min"), r"K", Words("曲率中心", "centre of curvature")),
