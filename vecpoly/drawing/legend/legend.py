@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from math import ceil
 
 from ...board.construction import Figure
@@ -19,6 +20,7 @@ from .vectors import key_of_vectors
 TITLE = Words("图例", "Legend")
 PAD, GAP, BESIDE = 2.4, 1.6, 5.0  # mm: to the edge of a legend; sample to words; between columns
 PITCH = 5.2  # mm: row to row
+KEPT = 256  # words that are set: the same ones stand on many sheets
 WIDEST = 12.0  # mm between columns that are spread over a band
 
 
@@ -55,12 +57,17 @@ def entries(figures: Sequence[Figure], lang: Lang) -> tuple[Entry, ...]:
 
 def cells(some: Sequence[Entry], lang: Lang) -> list[Cell]:
     """Set in the type of notes."""
-    return [Cell(one.sample, layout_words(one.words.of(lang), NOTE)) for one in some]
+    return [Cell(one.sample, _set(one.words.of(lang))) for one in some]
+
+
+@lru_cache(maxsize=KEPT)
+def _set(words: str, bold: bool = False) -> Box:
+    return layout_words(words, NOTE, bold)
 
 
 def band(some: Sequence[Cell], lang: Lang, width: float) -> Grid:
     """As wide as this, in as few rows as hold it, the title before the first."""
-    title = layout_words(TITLE.of(lang), NOTE, True)
+    title = _set(TITLE.of(lang), True)
     room = width - 2 * PAD - title.width - BESIDE
     rows = next(n for n in range(1, len(some) + 1) if n == len(some) or _wide(_columns(some, n)) <= room)
     columns = _columns(some, rows)
@@ -70,7 +77,7 @@ def band(some: Sequence[Cell], lang: Lang, width: float) -> Grid:
 
 def blocks(some: Sequence[Cell], lang: Lang, most: float) -> Iterator[Grid]:
     """In one to four columns under the title, those first that are about twice as wide as high."""
-    title = layout_words(TITLE.of(lang), NOTE, True)
+    title = _set(TITLE.of(lang), True)
     made = (_grid(_columns(some, ceil(len(some) / n)), title, BESIDE) for n in range(1, min(4, len(some)) + 1))
     yield from sorted((one for one in made if one.width <= most), key=lambda one: abs(one.width / one.height - 2.0))
 

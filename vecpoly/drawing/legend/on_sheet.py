@@ -6,13 +6,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...foundation.slotted import replace
-from ...words import Words
 from ..scene import Item, Layer, Rect, Stroke, moved
 from ..sheets.redbox import BAND
 from ..sheets.sheet import Sheet
 from ..sheets.space import FRAME, STRIP
 from ..style import THIN
-from .entry import Entry
 from .kinds import FOUND, KNOWN
 from .legend import Cell, Grid, band, blocks, cells, entries
 from .places import standing
@@ -23,31 +21,31 @@ ROWS = 4  # of a band on a page: what is higher is a block
 
 
 def with_legend(sheet: Sheet) -> Sheet:
-    """The sheet with what its lines and symbols stand for; without what is plain where it has no room for all; as it is
-    where it has no room, or where all is plain."""
+    """The sheet with what its lines and symbols stand for: on a band; else on one without what is plain; else, with
+    both, on a block; without the kinds of vector where no block has room; as it is where all is plain, or nothing has
+    room."""
     figures = [one.figure for one in sheet.figures if one.figure is not None]
     found = entries(figures, sheet.lang)
-    for some in dict.fromkeys((found, _without(found), _without(found, KNOWN.words, FOUND.words))):
-        if some and (made := _with(sheet, cells(some, sheet.lang))) is not None:
-            return made
-    return sheet
-
-
-def _without(some: Sequence[Entry], *words: Words) -> tuple[Entry, ...]:
-    """Without what is plain, and what these words tell."""
-    return tuple(one for one in some if not one.plain and one.words not in words)
-
-
-def _with(sheet: Sheet, some: Sequence[Cell]) -> Sheet | None:
-    grid = band(some, sheet.lang, sheet.room[0])
+    told = [one for one in found if not one.plain]
+    least = [one for one in told if one.words not in (KNOWN.words, FOUND.words)]
+    sets = [cells(some, sheet.lang) for some in (found, told, least) if some]
     if sheet.plate:
-        wide, high = sheet.room
-        grown = replace(_shifted(sheet, 1j * grid.height), room=(wide, high + grid.height))
-        return replace(grown, results=_ruled(grid, grown))
-    if (made := _over_strip(sheet, grid)) is not None:
-        return made
-    found = standing(sheet, [*blocks(some, sheet.lang, sheet.room[0] * MOST)])
-    return None if found is None else replace(sheet, results=_framed(*found, sheet))
+        return _grown(sheet, band(sets[0], sheet.lang, sheet.room[0])) if sets else sheet
+    bands = (_over_strip(sheet, band(some, sheet.lang, sheet.room[0])) for some in sets[:2])
+    made = next((one for one in bands if one is not None), None)
+    return made if made is not None else _with_block(sheet, sets)
+
+
+def _grown(plate: Sheet, grid: Grid) -> Sheet:
+    """A plate, higher by the band."""
+    wide, high = plate.room
+    grown = replace(_shifted(plate, 1j * grid.height), room=(wide, high + grid.height))
+    return replace(grown, results=_ruled(grid, grown))
+
+
+def _with_block(sheet: Sheet, sets: Sequence[Sequence[Cell]]) -> Sheet:
+    found = standing(sheet, (one for some in sets for one in blocks(some, sheet.lang, sheet.room[0] * MOST)))
+    return sheet if found is None else replace(sheet, results=_framed(*found, sheet))
 
 
 def _over_strip(sheet: Sheet, grid: Grid) -> Sheet | None:
@@ -58,8 +56,7 @@ def _over_strip(sheet: Sheet, grid: Grid) -> Sheet | None:
     white = (head - foot - (high - low)) / 2
     if white < WHITE or grid.height > ROWS * 6.0:
         return None
-    up = max(foot + white - low, 0.0) if low - FRAME - STRIP < grid.height + white else 0.0
-    return replace(_shifted(sheet, 1j * up), results=_ruled(grid, sheet))
+    return replace(_shifted(sheet, 1j * (foot + white - low)), results=_ruled(grid, sheet))
 
 
 def _standing(sheet: Sheet) -> tuple[float, float]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
 import numpy as np
@@ -18,7 +18,7 @@ MARGIN, CLEAR = 4.0, 3.5  # mm of white to the frame; to whatever stands on the 
 LATER = 0.01  # mm for each mm that it stands farther from the lower right corner
 
 
-def standing(sheet: Sheet, grids: Sequence[Grid]) -> tuple[Grid, complex] | None:
+def standing(sheet: Sheet, grids: Iterable[Grid]) -> tuple[Grid, complex] | None:
     """The first of these for which the sheet has room, and its lower left corner."""
     room = _room(sheet)
     for grid in grids:
