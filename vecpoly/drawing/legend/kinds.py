@@ -35,11 +35,13 @@ from .met import (
     dotted,
     has_lobes,
     imagined,
+    in_axial_view,
     in_centre_polygon,
     in_polygon,
     of_profile,
     of_rotor,
     on_curvature,
+    to_counterweight,
     traced,
 )
 from .samples import Marks, arrow, image, line, passing, pinned, welded
@@ -148,6 +150,8 @@ KINDS: tuple[Kind, ...] = (
     Kind(words=Words("拐点圆", "inflection circle"), met=on_curvature(Role.GIVEN, Arc), sample=line),
     Kind(words=Words("曲率圆", "osculating circle"), met=on_curvature(Role.HIDDEN, Arc), sample=line),
     Kind(words=Words("其余各位置", "its other places"), met=traced(Role.PLACE, Segment), sample=line),
+    Kind(words=Words("校正平面", "correction plane"), met=in_axial_view, sample=line),
+    Kind(words=Words("配重的方位", "place of a counterweight"), met=to_counterweight, sample=line),
     Kind(words=Words("假想线、辅助线", "imagined or auxiliary line"), met=imagined, sample=line),
     Kind(words=Words("节圆", "pitch circle"), met=lambda _, mark: isinstance(mark, GearMark), sample=line, black=True),
     Kind(words=Words("轨迹圆、基准圆", "path or base circle"), met=traced(Role.CENTRE, Arc), sample=line),

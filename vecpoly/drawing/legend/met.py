@@ -48,10 +48,25 @@ def on_curvature(role: Role, *types: type[Mark]) -> Met:
 
 
 def imagined(figure: Figure, mark: Mark) -> bool:
-    """Whether it is dashed and fine, and no link in another position."""
-    if not isinstance(mark, Segment) or mark.role is not Role.HIDDEN or in_centre_polygon(figure):
+    """Whether it is dashed and fine, and none of what the other kinds have."""
+    if not _fine(mark) or in_centre_polygon(figure) or of_rotor(figure):
         return False
-    return not of_rotor(figure) and not any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
+    taken = in_axial_view(figure, mark) or to_counterweight(figure, mark)
+    return not taken and not any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
+
+
+def in_axial_view(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a plane of a rotor that is seen from its side."""
+    return _fine(mark) and figure.title.zh == "轴向简图"
+
+
+def to_counterweight(figure: Figure, mark: Mark) -> bool:
+    """Whether it leads to a mass that is hung on a link."""
+    return _fine(mark) and any(isinstance(one, Point) and one.label.startswith("m_{c") for one in figure.marks)
+
+
+def _fine(mark: Mark) -> bool:
+    return isinstance(mark, Segment) and mark.role is Role.HIDDEN
 
 
 def of_rotor(figure: Figure) -> bool:

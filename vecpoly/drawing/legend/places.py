@@ -15,6 +15,7 @@ from ..sheets.space import FRAME, STRIP
 from .legend import Grid
 
 MARGIN, CLEAR = 4.0, 3.5  # mm of white to the frame; to whatever stands on the sheet
+OVER = 60.0  # mm from a corner that a place beside all figures is worth
 LATER = 0.01  # mm for each mm that it stands farther from the lower right corner
 
 
@@ -48,10 +49,11 @@ def _place(sheet: Sheet, room: Room, grid: Grid) -> complex | None:
     right, up = e.x1 - grid.width, e.y1 - grid.height
     found = found[(found.real < right + CELL) & (found.imag < up + CELL)]
     across, along = np.minimum(found.real - e.x0, right - found.real), np.minimum(found.imag - e.y0, up - found.imag)
-    good = (np.minimum(across, along) < CELL) | ~_over(sheet, found, grid)
+    over = _over(sheet, found, grid)
+    good = (np.minimum(across, along) < CELL) | ~over
     if not good.any():
         return None
-    cost = across + along + LATER * (right - found.real + found.imag - e.y0)
+    cost = across + along + LATER * (right - found.real + found.imag - e.y0) + OVER * over
     at = complex(found[good][np.argmin(cost[good])])
     return complex(_snapped(at.real, e.x0, right), _snapped(at.imag, e.y0, up))
 
