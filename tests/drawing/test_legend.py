@@ -19,7 +19,7 @@ from vecpoly.drawing.legend.vectors import _symbol, key_of_vectors
 from vecpoly.drawing.scene import Rect, Scene, Stroke, TextBox, rect_of
 from vecpoly.drawing.sheets.sheet import Sheet
 from vecpoly.drawing.sheets.space import FRAME, STRIP
-from vecpoly.drawing.style import Hue
+from vecpoly.drawing.style import THIN, Hue
 
 SOME = ("3-9", "4-7", "curv-10")  # a plate, bands, a block
 
@@ -104,6 +104,20 @@ def _stands_in(sheet: Sheet, legend: Rect) -> list[bool]:
 def test_a_plate_grows_by_its_legend_and_a_page_stays_as_large_as_it_is() -> None:
     (plate,), (page, *_) = laid("3-9"), laid("4-7")
     assert with_legend(plate).room[1] > plate.room[1] and with_legend(page).room == page.room
+
+
+def test_a_full_sheet_tells_the_inks_of_its_vectors_in_one_block_and_the_rest_in_another() -> None:
+    (bare,) = laid("3-13")
+    sheet = with_legend(bare)
+    one, other = (
+        rect_of(item) for item in sheet.results if isinstance(item, Stroke) and item.closed and _is_frame(item)
+    )
+    assert not one.overlaps(other) and sheet.drawn == bare.drawn
+    assert not any(part for block in (one, other) for part in _stands_in(sheet, block))
+
+
+def _is_frame(item: Stroke) -> bool:
+    return item.closed and item.width == THIN and len(item.points) == 4
 
 
 def test_a_sheet_on_which_all_is_plain_has_no_legend() -> None:

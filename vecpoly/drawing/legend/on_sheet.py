@@ -14,6 +14,7 @@ from ..style import THIN
 from .kinds import FOUND, KNOWN
 from .legend import Cell, Grid, band, blocks, cells, entries
 from .places import standing
+from .vectors import key_of_vectors
 
 WHITE = 4.0  # mm over and under the figures of a page that keeps a band for its legend
 MOST = 0.6  # of the sheet's width that a block may take
@@ -22,8 +23,8 @@ ROWS = 4  # of a band on a page: what is higher is a block
 
 def with_legend(sheet: Sheet) -> Sheet:
     """The sheet with what its lines and symbols stand for: on a band; else on one without what is plain; else, with
-    both, on a block; without the kinds of vector where no block has room; as it is where all is plain, or nothing has
-    room."""
+    both, on a block; without the kinds of vector where no block has room; else on two, of the inks of vectors and of
+    the rest, or the one that has room; as it is where all is plain, or nothing has room."""
     figures = [one.figure for one in sheet.figures if one.figure is not None]
     found = entries(figures, sheet.lang)
     told = [one for one in found if not one.plain]
@@ -33,7 +34,11 @@ def with_legend(sheet: Sheet) -> Sheet:
         return _grown(sheet, band(sets[0], sheet.lang, sheet.room[0])) if sets else sheet
     bands = (_over_strip(sheet, band(some, sheet.lang, sheet.room[0])) for some in sets[:2])
     made = next((one for one in bands if one is not None), None)
-    return made if made is not None else _with_block(sheet, sets)
+    if made is not None or not sets:
+        return made or sheet
+    blocked = _with_block(sheet, sets)
+    inks = len([*key_of_vectors(figures, sheet.lang)])
+    return blocked if blocked is not sheet else _with_block(_with_block(sheet, (sets[-1][:inks],)), (sets[-1][inks:],))
 
 
 def _grown(plate: Sheet, grid: Grid) -> Sheet:
@@ -44,8 +49,9 @@ def _grown(plate: Sheet, grid: Grid) -> Sheet:
 
 
 def _with_block(sheet: Sheet, sets: Sequence[Sequence[Cell]]) -> Sheet:
-    found = standing(sheet, (one for some in sets for one in blocks(some, sheet.lang, sheet.room[0] * MOST)))
-    return sheet if found is None else replace(sheet, results=_framed(*found, sheet))
+    """With the first of these that has room beside the others; as it is where none has."""
+    found = standing(sheet, (one for some in sets if some for one in blocks(some, sheet.lang, sheet.room[0] * MOST)))
+    return sheet if found is None else replace(sheet, results=(*sheet.results, *_framed(*found, sheet)))
 
 
 def _over_strip(sheet: Sheet, grid: Grid) -> Sheet | None:

@@ -32,8 +32,9 @@ def _room(sheet: Sheet) -> Room:
     """What of the sheet is taken, cell by cell."""
     high = sheet.size[1] - FRAME - (BAND if sheet.warning is not None else 0.0)
     inside = Rect(FRAME, FRAME + STRIP, sheet.size[0] - FRAME, high).grown(CLEAR - MARGIN)
-    lines = spread(np.array([ends for item in sheet.drawn for ends in _lines(item)], dtype=complex).reshape(-1, 2))
-    texts = [filled(item.rect) for item in sheet.drawn if isinstance(item, TextBox)]
+    every = (*sheet.drawn, *sheet.results)
+    lines = spread(np.array([ends for item in every for ends in _lines(item)], dtype=complex).reshape(-1, 2))
+    texts = [filled(item.rect) for item in every if isinstance(item, TextBox)]
     return Room.about(inside, (lines, *texts), 0.0)
 
 
