@@ -115,7 +115,7 @@ KINDS: tuple[Kind, ...] = (
         sample=line,
     ),
     Kind(
-        words=Words("不计摩擦时的作用线", "the same without friction"),
+        words=Words("不计摩擦时的作用线", "line of action without friction"),
         met=lambda _, mark: is_line_of_action(mark) and getattr(mark, "role", None) is Role.IDEAL,
         sample=line,
     ),
