@@ -17,6 +17,8 @@ from vecpoly.drawing.figure import Drawing, drawing
 from vecpoly.drawing.labels.ground import is_ground
 from vecpoly.drawing.labels.placing import BAD, Placed
 from vecpoly.drawing.labels.want import Thing
+from vecpoly.drawing.legend.legend import entries
+from vecpoly.drawing.legend.on_sheet import with_legend
 from vecpoly.drawing.scene import Item, Rect, Stroke, rect_of
 from vecpoly.drawing.sheets.sheet import Sheet, sheets
 from vecpoly.drawing.sheets.space import FRAME, STRIP
@@ -40,7 +42,10 @@ class Faults:
     name: str
     letters: int
     filled: float  # of the sheet, by the box about all figures
-    white: float  # of the sheet, by the largest empty rectangle
+    bare: float  # of the sheet, by the largest empty rectangle, without its legend
+    white: float  # the same as it is printed
+    told: int  # entries of its legend
+    untold: int  # entries that a legend would have, where it has none
     on: int  # letters on a line or on another letter
     led: int  # letters on leaders
     struck: int  # leaders that cross a line
@@ -65,7 +70,8 @@ class Faults:
 
     def __str__(self) -> str:
         return (
-            f"{self.name:28} {self.letters:4} letters; filled {self.filled:4.0%}, white {self.white:4.0%}; "
+            f"{self.name:28} {self.letters:4} letters; filled {self.filled:4.0%}, white {self.bare:4.0%} → "
+            f"{self.white:4.0%}; told {self.told}, untold {self.untold}, "
             f"on {self.on}, led {self.led}, struck {self.struck}, crossing {self.crossing}, crowded {self.crowded}, "
             f"pairs {self.pairs}, dense {self.dense}, "
             f"astray {self.astray}"
@@ -82,6 +88,8 @@ def of_solution(solution: Solution, lang: Lang) -> Iterator[Faults]:
 
 def of_sheet(name: str, sheet: Sheet, lang: Lang) -> Faults:
     """Of one sheet."""
+    printed = with_legend(sheet)
+    known = len(entries([one.figure for one in sheet.figures if one.figure is not None], lang))
     figures = [drawing(one.figure, lang=lang) for one in sheet.figures if one.figure is not None]
     labels = [label for one in figures for label in one.labels]
     return Faults(
@@ -89,6 +97,9 @@ def of_sheet(name: str, sheet: Sheet, lang: Lang) -> Faults:
         len(labels),
         _filled(sheet),
         _white(sheet),
+        _white(printed),
+        known if printed.results else 0,
+        0 if printed.results else known,
         sum(label.cost > BAD for label in labels),
         sum(label.foot is not None for label in labels),
         sum(map(_struck, figures)),
@@ -219,14 +230,16 @@ def main(ids: Sequence[str], lang: Lang) -> None:
 
 def summed(found: Sequence[Faults]) -> str:
     """What all of them add up to."""
-    filled, white = (np.array([getattr(one, key) for one in found]) for key in ("filled", "white"))
+    filled, bare, white = (np.array([getattr(one, key) for one in found]) for key in ("filled", "bare", "white"))
+    legends = f"legends {sum(one.told > 0 for one in found)}, wanting {sum(one.untold > 0 for one in found)}"
     sums = ", ".join(
         f"{key} {sum(getattr(one, key) for one in found)}"
         for key in ("letters", "on", "led", "struck", "crossing", "crowded", "pairs", "dense", "astray")
     )
     return (
         f"{len(found)} sheets: filled {filled.mean():.1%} ({(filled < 0.6).sum()} under 60 %), "
-        f"white {white.mean():.1%} ({(white > 0.2).sum()} over 20 %); {sums}"
+        f"white {bare.mean():.1%} → {white.mean():.1%} ({(bare > 0.2).sum()} → {(white > 0.2).sum()} over 20 %); "
+        f"{legends}; {sums}"
     )
 
 

@@ -110,6 +110,18 @@ def test_a_rod_passes_under_its_sleeve_but_a_crank_pinned_to_the_block_lies_over
     assert [link.layer for link in links] == [Layer.LINE, Layer.OVER, Layer.OVER]
 
 
+def test_a_crank_lies_over_the_slot_in_which_its_pin_runs_but_the_slotted_link_under_it() -> None:
+    marks = (
+        Slot(a=-20 + 0j, b=20 + 0j, owner="link 2"),
+        Segment(a=20 + 0j, b=60 + 0j, role=Role.LINK, owner="link 2"),
+        Segment(a=5 - 30j, b=5 + 0j, role=Role.LINK, owner="link 1"),
+        Segment(a=-40 - 30j, b=-40 + 0j, role=Role.LINK, owner="link 3"),
+    )
+    items = drawing(figure(*marks, view=View.MECHANISM), caption=False).scene.items
+    links = [item for item in items if isinstance(item, Stroke) and item.width == 0.7]
+    assert [link.layer for link in links] == [Layer.LINE, Layer.OVER, Layer.LINE]
+
+
 def test_hatching_lies_to_the_right_of_the_guide() -> None:
     assert all(b.imag < 0 for _, b in shapes.hatching(0j, 20 + 0j))
 

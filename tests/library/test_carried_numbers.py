@@ -9,9 +9,10 @@ import pytest
 
 from tests.drawn_library import DRAFTED, drafted
 from tests.each import each
-from vecpoly.algebra.formula import Row, plain
+from vecpoly.algebra.formula import Row, plain, sym
 from vecpoly.printed.digits import drawn_number
 from vecpoly.printed.lengths import is_length
+from vecpoly.printed.told import of_both
 from vecpoly.problem.load import load, loads
 from vecpoly.solution import Solution, solve
 
@@ -41,6 +42,13 @@ def test_what_is_read_has_the_figures_of_its_reading_three_at_least_and_one_more
         whole = "." not in told  # told to its ones, whatever was read
         midway = figures.endswith("5")  # the one figure more is the value itself
         assert whole or len(figures) <= most + midway, f"{answer.key} = {told} from {mm:.1f} mm"
+
+
+def test_the_force_in_a_joint_has_one_number_by_whichever_links_it_is_called() -> None:
+    told = {parts[0]: parts for parts in lines_of(solve(load("cam-roller-load"), repeats=0, precise=False))}
+    assert told["R_12,0"][-1] == "412.8 N" and told["M_0"][2].startswith("412.8 × ")
+    assert of_both(sym("R_{21,0}")) == of_both(sym("R_{12,0}")) == sym("R_{12,0}")
+    assert of_both(sym("R_{31}")) != of_both(sym("R_{21}")) and of_both(sym("r_{21}")) == sym("r_{21}")
 
 
 @pytest.mark.parametrize(

@@ -18,6 +18,7 @@ from vecpoly.board.construction import Construction, Figure, View
 from vecpoly.board.paper.marks import Role, Vector
 from vecpoly.drawing.beside import beside
 from vecpoly.drawing.details.apart import is_detail
+from vecpoly.drawing.legend.on_sheet import with_legend
 from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.drawing.sheets.space import FRAME
 from vecpoly.errors import UnknownNameError
@@ -104,7 +105,8 @@ def test_result_vectors_measure_on_the_page_what_they_measure_on_the_board(name:
     told by the corner of its frame."""
     it = solve(load(name))
     path = write_report([it], tmp_path / "r.pdf")
-    (sheet,) = sheets(it.construction, title=it.problem.title, plates=True, bands=False)
+    (bare,) = sheets(it.construction, title=it.problem.title, plates=True, bands=False)
+    sheet = with_legend(bare)
     with pdfplumber.open(path) as document:
         page = _drawn_page(document)
         framed = [one for one in page.rects if one["stroke"]]

@@ -8,6 +8,7 @@ from ..algebra.formula import Node, Power, Row, Txt, row
 from ..algebra.quantity import number
 from ..board.construction import Figure, Scale, View
 from ..board.paper.marks import Ground
+from ..foundation.patterns import pattern
 from ..foundation.slotted import dataclass
 from ..typeset import Box, layout
 from ..words import Lang, Words
@@ -27,6 +28,8 @@ from .symbols.around import Surroundings
 from .symbols.marks import draw
 
 TITLE_GAP, LINE = 6.0, 6.0  # mm: lowest ink to the title's capitals; title to scale
+DETAIL = 1.15 * NOTE  # em of the title of a detail, which is a part of its figure: that of a scale
+PART = pattern(r"(^| )detail \d+$")  # the name of a detail (`details/apart.py`)
 _FIGURES = 6  # of a scale
 KEPT = 64  # drawings
 WITH_LINES = Words("与力的作用线", " with lines of action")
@@ -135,8 +138,9 @@ def titled(figure: Figure) -> Words:
 
 def caption_items(figure: Figure, over: Rect, lang: Lang) -> tuple[Item, ...]:
     """The title and the scale, centred under a figure; a sketch without a scale has none printed."""
-    text = folded(titled(figure).of(lang), TITLE, max(over.width, TITLE_WIDTH))
-    title, middle = lines(text, TITLE), over.centre.real
+    em = DETAIL if is_part(figure) else TITLE
+    text = folded(titled(figure).of(lang), em, max(over.width, TITLE_WIDTH))
+    title, middle = lines(text, em), over.centre.real
     y = over.y0 - TITLE_GAP - title.ascent / 2
     under = TextBox(box=title, x=middle - title.width / 2, y=y)
     if not figure.scale.symbol or not figure.scale.value:
@@ -144,6 +148,11 @@ def caption_items(figure: Figure, over: Rect, lang: Lang) -> tuple[Item, ...]:
     scale = scale_box(figure.scale)
     below = LINE + text.count("\n") * LEADING * TITLE
     return (under, TextBox(box=scale, x=middle - scale.width / 2, y=y - below))
+
+
+def is_part(figure: Figure) -> bool:
+    """Whether it is a detail of another."""
+    return PART.search(figure.name) is not None
 
 
 def title_line(scene: Scene, figure: Figure) -> float:
@@ -156,7 +165,7 @@ def title_line(scene: Scene, figure: Figure) -> float:
 def scale_box(scale: Scale) -> Box:
     """A scale in type: ``μ_v = 0.006 (m/s)/mm``; after it that to the right, where it is another."""
     right = () if scale.across is None else (Txt(",  "), *_scale_items(scale.across))
-    return layout(Row((*_scale_items(scale), *right)), NOTE * 1.15)
+    return layout(Row((*_scale_items(scale), *right)), DETAIL)
 
 
 def _scale_items(scale: Scale) -> tuple[Node, ...]:

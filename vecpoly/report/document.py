@@ -13,6 +13,7 @@ from jinja2 import TemplateNotFound
 from ..board.construction import Construction
 from ..check.printed.answers import check_problem
 from ..designs.base import Design
+from ..drawing.legend.on_sheet import with_legend
 from ..drawing.sheets.sheet import Sheet, hung, sheets
 from ..errors import ArgumentError, NotAskedError, UnknownNameError
 from ..foundation.arguments import known_language, of_kind
@@ -235,7 +236,7 @@ def _pages(construction: Construction, solution: Solution, lang: Lang, objects: 
     """The sheets of a construction, each put among the objects of the report, whose box of answers has the results."""
     problem = solution.problem
     made = sheets(construction, lang=lang, title=problem.title, on=problem.paper, plates=True, bands=False)
-    return _bound(made, construction, lang, objects)
+    return _bound([with_legend(sheet) for sheet in made], construction, lang, objects)
 
 
 def _bound(made: Sequence[Sheet], shown: Construction, lang: Lang, objects: Objects) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from ...board.construction import View
-from ...board.paper.marks import Block, Disc, Dot, FrictionCircle, Ground, Mark, Point, Role, Segment, Vector
+from ...board.paper.marks import Block, Disc, Dot, FrictionCircle, Ground, Mark, Point, Role, Segment, Slot, Vector
 from ...board.paper.walls import holds, leaves
 from ...foundation.slotted import dataclass
 from ...words import Lang
@@ -27,6 +27,7 @@ class Surroundings:
 
     view: View
     blocks: tuple[Block, ...] = ()
+    slots: tuple[Slot, ...] = ()
     tips: tuple[complex, ...] = ()
     circles: tuple[FrictionCircle, ...] = ()
     discs: tuple[Disc, ...] = ()
@@ -41,6 +42,7 @@ class Surroundings:
         return cls(
             view=view,
             blocks=tuple(m for m in marks if isinstance(m, Block)),
+            slots=tuple(m for m in marks if isinstance(m, Slot)),
             lang=lang,
             tones=tones,
             circles=tuple(m for m in marks if isinstance(m, FrictionCircle)),
@@ -59,10 +61,13 @@ class Surroundings:
 
     def link_layer(self, owner: str, *points: complex) -> Layer:
         """Where a link through these points lies: over a block of another link whose pin it carries, unless it runs
-        along the block; a bar ends at the walls of a block that is one with it."""
+        along the block, and over a slot in which its own pin runs; a bar ends at the walls of a block that is one with
+        it."""
         others = [block for block in self.blocks if not owner or block.owner != owner]
+        slots = [slot for slot in self.slots if owner and slot.owner != owner]
         pairs = tuple(pairwise(points))
-        return Layer.OVER if any(_carries(a, b, block) for a, b in pairs for block in others) else Layer.LINE
+        over = any(_carries(a, b, block) for a, b in pairs for block in others)
+        return Layer.OVER if over or any(_runs_in(z, slot) for z in points for slot in slots) else Layer.LINE
 
     def outside(self, bar: Segment) -> tuple[complex, complex]:
         """The ends of a line: a bar that starts in a block of its own link starts at the block's wall."""
@@ -86,6 +91,13 @@ class Surroundings:
     def tipped(self, at: complex) -> bool:
         """Whether an arrowhead already shows the place."""
         return any(abs(at - tip) < NEAR for tip in self.tips)
+
+
+def _runs_in(pin: complex, slot: Slot) -> bool:
+    """Whether a pin stands on the middle line of a slot."""
+    if abs(slot.b - slot.a) < NEAR:
+        return False
+    return _between(pin, slot.a, slot.b)
 
 
 def _between(at: complex, a: complex, b: complex) -> bool:

@@ -62,7 +62,7 @@ _FLYWHEEL = {
     "phi_min": Words("最小转速的位置", "place of the least speed"),
     "E_.*": Words("动能的变化", "change of the kinetic energy"),
     "dW_max": Words("最大盈亏功", "greatest fluctuation of energy"),
-    "J_F2": Words("电动机轴上飞轮的转动惯量", "moment of inertia of a flywheel on the motor"),
+    "J_F2": Words("另一轴上飞轮的转动惯量", "moment of inertia of a flywheel on the other shaft"),
     "J_F": Words("飞轮的转动惯量", "moment of inertia of the flywheel"),
     "GD2": Words("飞轮矩", "flywheel moment"),
     "m_rim": Words("轮缘质量", "mass of the rim"),

@@ -1,0 +1,139 @@
+"""The legend of a sheet: what its lines, arrows, symbols and letters stand for."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from tests.drawn_library import drafted
+from tests.drawn_sheets import laid
+from vecpoly.board.construction import Figure, View
+from vecpoly.board.paper.marks import Mark, Vector, Weld
+from vecpoly.board.paper.tones import key_of, whose
+from vecpoly.drawing.hues import ink_of, is_hollow
+from vecpoly.drawing.legend.kinds import KINDS
+from vecpoly.drawing.legend.legend import band, blocks, cells, entries
+from vecpoly.drawing.legend.on_sheet import with_legend
+from vecpoly.drawing.legend.vectors import _symbol, key_of_vectors
+from vecpoly.drawing.scene import Rect, Scene, Stroke, TextBox, rect_of
+from vecpoly.drawing.sheets.sheet import Sheet
+from vecpoly.drawing.sheets.space import FRAME, STRIP
+from vecpoly.drawing.style import THIN, Hue
+
+SOME = ("3-9", "4-7", "curv-10")  # a plate, bands, a block
+
+
+def _figures(name: str) -> list[Figure]:
+    solution = drafted(name)
+    assert solution is not None
+    return list(solution.construction.figures)
+
+
+def _told(name: str) -> set[str]:
+    return {one.words.en for one in entries(_figures(name), "en")}
+
+
+def test_every_motion_of_the_polygons_has_a_sample_in_its_ink_and_with_its_shaft() -> None:
+    figures = _figures("A-30")
+    tones = figures[0].tones
+    drawn = {
+        whose(key_of(mark)): (ink_of(key_of(mark), tones), is_hollow(key_of(mark), tones))
+        for figure in figures
+        for mark in figure.marks
+        if figure.view.images and isinstance(mark, Vector)
+    }
+    found = [[item for item in one.sample if isinstance(item, Stroke)] for one in key_of_vectors(figures, "zh")]
+    assert len(found) == len(drawn) > 8
+    assert {(strokes[0].hue, len(strokes) == 2) for strokes in found} == set(drawn.values())
+    assert any(hollow for _, hollow in drawn.values())
+
+
+def test_a_motion_is_named_by_its_whole_and_a_sum_of_parts_by_these() -> None:
+    names = [one.words.en for one in key_of_vectors(_figures("3-9"), "en")]
+    assert "$v_{C2B}$, $a_{C2B}$" in names and "$v_{C2C3}$, $a_{C2C3}$" in names
+    assert _symbol("(at_CB + at_S3C)") == "a^t_{CB} + a^t_{S3C}" and _symbol("an_CB") == "a_{CB}"
+
+
+@pytest.mark.parametrize("name", SOME)
+def test_a_kind_is_told_exactly_where_a_figure_of_the_sheet_has_it(name: str) -> None:
+    for sheet in laid(name):
+        figures = [one.figure for one in sheet.figures if one.figure is not None]
+        marks: list[tuple[Figure, Mark]] = [(figure, mark) for figure in figures for mark in figure.marks]
+        told = {one.words for one in entries(figures, "zh")}
+        known = {kind.words for kind in KINDS if any(kind.met(*pair) for pair in marks)}
+        both = {kind.words for kind in KINDS[:2]}
+        assert told & {kind.words for kind in KINDS} == (known if both <= known else known - both)
+
+
+def test_friction_is_told_of_sheets_with_friction_alone() -> None:
+    assert {"friction circle", "force without friction", "line of action"} <= _told("4-7")
+    assert not {one for one in _told("3-9") if "friction" in one or "action" in one}
+
+
+def test_letters_of_a_curvature_drawing_are_told_what_they_stand_for() -> None:
+    assert {"inflection pole", "pole tangent", "pole normal", "Ball's point"} <= _told("curv-10")
+    assert "pole normal" not in _told("4-7")  # where n is the normal of a contact
+
+
+@pytest.mark.parametrize("name", SOME)
+def test_a_legend_stands_on_nothing_within_the_frame_and_moves_the_figures_together(name: str) -> None:
+    for bare in laid(name):
+        sheet = with_legend(bare)
+        assert sheet.results
+        legend, frame = Scene.of(sheet.results).extents, Rect(0.0, 0.0, *sheet.size).grown(-FRAME)
+        assert legend.y0 > FRAME + STRIP - 0.2 and legend.y1 < frame.y1
+        assert legend.x0 > frame.x0 - 0.2 and legend.x1 < frame.x1 + 0.2
+        assert not any(_stands_in(sheet, legend))
+        shifts = {
+            complex(round(by.real, 6), round(by.imag, 6))
+            for by in (b.origin - a.origin for a, b in zip(bare.figures, sheet.figures, strict=True))
+        }
+        assert len(shifts) == 1
+        assert all(one.extents.y1 < sheet.size[1] - FRAME for one in sheet.figures)
+
+
+def _stands_in(sheet: Sheet, legend: Rect) -> list[bool]:
+    """Whether type, or an end of a line, stands in the legend."""
+    inside = legend.grown(1.0)
+    texts = [item.rect.overlaps(inside) for item in sheet.drawn if isinstance(item, TextBox)]
+    ends = [z for item in sheet.drawn if not isinstance(item, TextBox) for z in item.points]
+    return texts + [inside.x0 < z.real < inside.x1 and inside.y0 < z.imag < inside.y1 for z in ends]
+
+
+def test_a_plate_grows_by_its_legend_and_a_page_stays_as_large_as_it_is() -> None:
+    (plate,), (page, *_) = laid("3-9"), laid("4-7")
+    assert with_legend(plate).room[1] > plate.room[1] and with_legend(page).room == page.room
+
+
+def test_a_full_sheet_tells_the_inks_of_its_vectors_in_one_block_and_the_rest_in_another() -> None:
+    (bare,) = laid("3-13")
+    sheet = with_legend(bare)
+    one, other = (
+        rect_of(item) for item in sheet.results if isinstance(item, Stroke) and item.closed and _is_frame(item)
+    )
+    assert not one.overlaps(other) and sheet.drawn == bare.drawn
+    assert not any(part for block in (one, other) for part in _stands_in(sheet, block))
+
+
+def _is_frame(item: Stroke) -> bool:
+    return item.closed and item.width == THIN and len(item.points) == 4
+
+
+def test_a_sheet_on_which_all_is_plain_has_no_legend() -> None:
+    sheet = laid("3-9")[0]
+    (diagram,) = (one for one in sheet.figures if one.view is View.MECHANISM)
+    assert diagram.figure is not None
+    bare = tuple(mark for mark in diagram.figure.marks if not isinstance(mark, Weld))
+    alone = replace(sheet, figures=(replace(diagram, figure=replace(diagram.figure, marks=bare)),))
+    assert with_legend(alone) is alone and with_legend(replace(sheet, figures=(diagram,))) is not sheet
+
+
+def test_samples_and_words_of_a_legend_overlap_nowhere() -> None:
+    found = cells(entries(_figures("A-30"), "zh"), "zh")
+    for grid in (band(found, "zh", 190.0), *blocks(found, "zh", 190.0)):
+        texts = [item.rect for item in grid.items if isinstance(item, TextBox)]
+        samples = [rect_of(item) for item in grid.items if isinstance(item, Stroke) and item.hue is not Hue.WHITE]
+        assert not any(a.overlaps(b) for n, a in enumerate(texts) for b in texts[:n])
+        assert not any(a.overlaps(b) for a in texts for b in samples)
+        assert all(r.x0 > 0 and r.x1 < grid.width and r.y0 > 0 and r.y1 < grid.height for r in texts)

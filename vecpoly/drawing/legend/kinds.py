@@ -1,0 +1,184 @@
+"""The kinds of line and symbol that a legend explains: how each is known, how its sample looks, what it stands for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+
+from ...board.construction import Figure
+from ...board.paper.marks import (
+    Arc,
+    Dot,
+    FrictionCircle,
+    GearMark,
+    Hatched,
+    ImageOf,
+    Mark,
+    Passing,
+    Point,
+    Role,
+    Segment,
+    Vector,
+    Weld,
+)
+from ...board.paper.tones import key_of
+from ...foundation.slotted import dataclass
+from ...words import Lang, Words
+from ..beside import ASIDE, beside
+from ..hues import dash_of
+from ..labels.actions import is_line_of_action
+from ..style import Dash
+from ..symbols.around import RING
+from .entry import HALF, MIDDLE, WIDE, Entry, drawn_as_on
+from .met import (
+    Met,
+    area,
+    dotted,
+    has_lobes,
+    imagined,
+    in_axial_view,
+    in_centre_polygon,
+    in_polygon,
+    of_profile,
+    of_rotor,
+    on_curvature,
+    to_counterweight,
+    traced,
+)
+from .samples import Marks, arrow, image, line, passing, pinned, welded
+
+LEAST = 8.0  # mm²: an image with a smaller area is a line
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Kind:
+    """met: whether a mark of a figure is one; sample: how it looks, by one that was met."""
+
+    words: Words
+    met: Met
+    sample: Callable[[Mark], Marks]
+    black: bool = False
+    plain: bool = False
+
+
+def kinds_met(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
+    """An entry for each kind that these figures have, in the order of KINDS."""
+    marks = [(figure, mark) for figure in figures for mark in figure.marks]
+    for kind in KINDS:
+        first = next(((figure, mark) for figure, mark in marks if kind.met(figure, mark)), None)
+        if first is not None:
+            figure, mark = first
+            yield Entry(drawn_as_on(figure, kind.sample(mark), lang, black=kind.black), kind.words, kind.plain)
+
+
+def side_by_side(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
+    """Where vectors that lie on one line are drawn beside each other."""
+    for figure in figures:
+        if beside(figure.view, figure.marks) is not figure.marks:
+            pair = tuple(Vector(a=1j * y, b=WIDE + 1j * y, role=Role.RESULT) for y in (ASIDE / 2, -ASIDE / 2))
+            words = Words("并排的矢量实际共线", "side by side: on one line")
+            yield Entry(drawn_as_on(figure, pair, lang, black=True), words)
+            return
+
+
+def _hatched(rising: bool) -> Kind:
+    corners = (-1j * HALF, WIDE - 1j * HALF, WIDE + 1j * HALF, 1j * HALF)
+    return Kind(
+        words=Words("盈功", "surplus of work") if rising else Words("亏功", "deficit of work"),
+        met=lambda figure, mark: isinstance(mark, Hatched) and mark.rising is rising and has_lobes(figure),
+        sample=lambda _: (Hatched(points=corners, rising=rising),),
+    )
+
+
+KNOWN = Kind(
+    words=Words("已知矢量", "known vector"),
+    met=lambda figure, mark: isinstance(mark, Vector) and mark.role is Role.GIVEN and in_polygon(figure),
+    sample=lambda _: arrow(Role.GIVEN),
+    black=True,
+)
+FOUND = Kind(
+    words=Words("求得的矢量", "vector found"),
+    met=lambda figure, mark: isinstance(mark, Vector) and mark.role is Role.RESULT and in_polygon(figure),
+    sample=lambda _: arrow(Role.RESULT),
+    black=True,
+)
+KINDS: tuple[Kind, ...] = (
+    KNOWN,
+    FOUND,
+    Kind(
+        words=Words("不计摩擦时的力", "force without friction"),
+        met=lambda _, mark: isinstance(mark, Vector) and dash_of(key_of(mark)) is not Dash.FULL,
+        sample=lambda mark: arrow(Role.RESULT, key_of(mark)),
+    ),
+    Kind(
+        words=Words("力的作用线", "line of action"),
+        met=lambda _, mark: is_line_of_action(mark) and getattr(mark, "role", None) is Role.DIRECTION,
+        sample=line,
+    ),
+    Kind(
+        words=Words("不计摩擦时的作用线", "line of action without friction"),
+        met=lambda _, mark: is_line_of_action(mark) and getattr(mark, "role", None) is Role.IDEAL,
+        sample=line,
+    ),
+    Kind(
+        words=Words("构件的影像", "image of a link"),
+        met=lambda _, mark: isinstance(mark, ImageOf) and area(mark.points) > LEAST,
+        sample=image,
+    ),
+    Kind(
+        words=Words("已知瞬心", "known centre"),
+        met=lambda figure, mark: in_centre_polygon(figure) and traced(Role.GIVEN, Segment)(figure, mark),
+        sample=line,
+    ),
+    Kind(
+        words=Words("待求瞬心", "centre to be found"),
+        met=lambda figure, mark: in_centre_polygon(figure) and traced(Role.HIDDEN, Segment)(figure, mark),
+        sample=line,
+    ),
+    Kind(words=Words("实际廓线", "cam profile"), met=of_profile(Role.LINK), sample=line),
+    Kind(words=Words("理论廓线", "pitch curve"), met=of_profile(Role.HIDDEN), sample=line),
+    Kind(words=Words("机构的另一位置", "another position"), met=traced(Role.OTHER, Segment), sample=line),
+    Kind(
+        words=Words("平衡质量的方位", "place of a balancing mass"),
+        met=lambda figure, mark: of_rotor(figure) and traced(Role.HIDDEN, Segment)(figure, mark),
+        sample=line,
+    ),
+    Kind(
+        words=Words("被代换的高副", "higher pair replaced"),
+        met=lambda figure, mark: figure.name == "low" and traced(Role.HIDDEN, Arc)(figure, mark),
+        sample=line,
+    ),
+    Kind(words=Words("拐点圆", "inflection circle"), met=on_curvature(Role.GIVEN, Arc), sample=line),
+    Kind(words=Words("曲率圆", "osculating circle"), met=on_curvature(Role.HIDDEN, Arc), sample=line),
+    Kind(words=Words("其余各位置", "its other places"), met=traced(Role.PLACE, Segment), sample=line),
+    Kind(words=Words("校正平面", "correction plane"), met=in_axial_view, sample=line),
+    Kind(words=Words("配重的方位", "place of a counterweight"), met=to_counterweight, sample=line),
+    Kind(words=Words("假想线、辅助线", "imagined or auxiliary line"), met=imagined, sample=line),
+    Kind(words=Words("节圆", "pitch circle"), met=lambda _, mark: isinstance(mark, GearMark), sample=line, black=True),
+    Kind(words=Words("轨迹圆、基准圆", "path or base circle"), met=traced(Role.CENTRE, Arc), sample=line),
+    _hatched(True),
+    _hatched(False),
+    Kind(
+        words=Words("摩擦圆", "friction circle"),
+        met=lambda _, mark: isinstance(mark, FrictionCircle),
+        sample=lambda _: (FrictionCircle(centre=MIDDLE, radius=HALF + 0.4), Point(at=MIDDLE, label="", dot=Dot.POLE)),
+    ),
+    Kind(words=Words("复合铰链", "multiple joint"), met=dotted(Dot.MULTIPLE), sample=pinned(Dot.MULTIPLE)),
+    Kind(
+        words=Words("杆件连续，销在杆中", "bar runs on past the pin"),
+        met=lambda _, mark: isinstance(mark, Passing),
+        sample=passing,
+    ),
+    Kind(words=Words("质心", "centre of mass"), met=dotted(Dot.MASS), sample=pinned(Dot.MASS)),
+    Kind(words=Words("固连为一体", "rigidly joined"), met=lambda _, mark: isinstance(mark, Weld), sample=welded),
+    Kind(
+        words=Words("作图线", "construction line"),
+        met=lambda _, mark: (
+            isinstance(mark, Segment | Arc)
+            and mark.role in (Role.DIRECTION, Role.CONSTRUCTION)
+            and mark.owner != RING
+            and not is_line_of_action(mark)
+        ),
+        sample=lambda _: (Segment(a=0j, b=complex(WIDE), role=Role.CONSTRUCTION),),
+        plain=True,
+    ),
+)

@@ -1,0 +1,96 @@
+"""A legend on its sheet: a band over the title strip, for which a plate grows and the figures of a page move up, where
+their white allows it; else a block where nothing stands."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...foundation.slotted import replace
+from ..scene import Item, Layer, Rect, Stroke, moved
+from ..sheets.redbox import BAND
+from ..sheets.sheet import Sheet
+from ..sheets.space import FRAME, STRIP
+from ..style import THIN
+from .kinds import FOUND, KNOWN
+from .legend import Cell, Grid, band, blocks, cells, entries
+from .places import standing
+from .vectors import key_of_vectors
+
+WHITE = 4.0  # mm over and under the figures of a page that keeps a band for its legend
+MOST = 0.6  # of the sheet's width that a block may take
+ROWS = 4  # of a band on a page: what is higher is a block
+
+
+def with_legend(sheet: Sheet) -> Sheet:
+    """The sheet with what its lines and symbols stand for: on a band; else on one without what is plain; else, with
+    both, on a block; without the kinds of vector where no block has room; else on two, of the inks of vectors and of
+    the rest, or the one that has room; as it is where all is plain, or nothing has room."""
+    figures = [one.figure for one in sheet.figures if one.figure is not None]
+    found = entries(figures, sheet.lang)
+    told = [one for one in found if not one.plain]
+    least = [one for one in told if one.words not in (KNOWN.words, FOUND.words)]
+    sets = [cells(some, sheet.lang) for some in (found, told, least) if some]
+    if sheet.plate:
+        return _grown(sheet, band(sets[0], sheet.lang, sheet.room[0])) if sets else sheet
+    bands = (_over_strip(sheet, band(some, sheet.lang, sheet.room[0])) for some in sets[:2])
+    made = next((one for one in bands if one is not None), None)
+    if made is not None or not sets:
+        return made or sheet
+    blocked = _with_block(sheet, sets)
+    inks = len([*key_of_vectors(figures, sheet.lang)])
+    return blocked if blocked is not sheet else _with_block(_with_block(sheet, (sets[-1][:inks],)), (sets[-1][inks:],))
+
+
+def _grown(plate: Sheet, grid: Grid) -> Sheet:
+    """A plate, higher by the band."""
+    wide, high = plate.room
+    grown = replace(_shifted(plate, 1j * grid.height), room=(wide, high + grid.height))
+    return replace(grown, results=_ruled(grid, grown))
+
+
+def _with_block(sheet: Sheet, sets: Sequence[Sequence[Cell]]) -> Sheet:
+    """With the first of these that has room beside the others; as it is where none has."""
+    found = standing(sheet, (one for some in sets if some for one in blocks(some, sheet.lang, sheet.room[0] * MOST)))
+    return sheet if found is None else replace(sheet, results=(*sheet.results, *_framed(*found, sheet)))
+
+
+def _over_strip(sheet: Sheet, grid: Grid) -> Sheet | None:
+    """With the band, its figures midway between it and the upper edge; None where they would have too little white."""
+    low, high = _standing(sheet)
+    foot = FRAME + STRIP + grid.height
+    head = sheet.size[1] - FRAME - (BAND if sheet.warning is not None else 0.0)
+    white = (head - foot - (high - low)) / 2
+    if white < WHITE or grid.height > ROWS * 6.0:
+        return None
+    return replace(_shifted(sheet, 1j * (foot + white - low)), results=_ruled(grid, sheet))
+
+
+def _standing(sheet: Sheet) -> tuple[float, float]:
+    """How low and how high its figures reach."""
+    boxes: list[Rect] = [one.extents for one in sheet.figures]
+    return min(box.y0 for box in boxes), max(box.y1 for box in boxes)
+
+
+def _shifted(sheet: Sheet, by: complex) -> Sheet:
+    """With its figures moved."""
+    placed = (replace(one, origin=one.origin + by, extents=one.extents.moved(by)) for one in sheet.figures)
+    return replace(sheet, drawn=tuple(moved(item, by) for item in sheet.drawn), figures=tuple(placed))
+
+
+def _ruled(grid: Grid, sheet: Sheet) -> tuple[Item, ...]:
+    """The band where it stands, with the line over it, after the last step."""
+    over = 1j * grid.height
+    rule = Stroke(points=(over, over + sheet.room[0]), width=THIN, layer=Layer.THIN)
+    return _put((rule, *grid.items), complex(FRAME, FRAME + STRIP), sheet)
+
+
+def _framed(grid: Grid, at: complex, sheet: Sheet) -> tuple[Item, ...]:
+    """The block where it stands, in a frame."""
+    frame = Stroke(points=Rect(0.0, 0.0, grid.width, grid.height).corners, width=THIN, closed=True, layer=Layer.THIN)
+    return _put((frame, *grid.items), at, sheet)
+
+
+def _put(items: Sequence[Item], at: complex, sheet: Sheet) -> tuple[Item, ...]:
+    """There, after the last step."""
+    last = max((item.step for item in sheet.drawn), default=0)
+    return tuple(replace(moved(item, at), step=last) for item in items)

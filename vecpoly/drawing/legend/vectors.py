@@ -1,0 +1,42 @@
+"""Which vector has which ink and shaft, where no letters stand at the vectors of a polygon."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ...board.construction import Figure
+from ...board.paper.marks import Role, Vector
+from ...board.paper.tones import key_of, whose
+from ...foundation.patterns import pattern
+from ...foundation.slotted import replace
+from ...words import Lang, Words
+from .entry import WIDE, Entry, drawn_as_on
+
+_MOTION = pattern(r"\b([va])([nktr]?)_(\w+)")
+_SHORT = 0.5  # mm: of what is shorter nothing can be seen
+
+
+def key_of_vectors(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
+    """An entry for each motion that the polygons of a sheet show in an ink of its own, in the order in which they are
+    drawn: v_CB, a_CB, whose parts have its ink."""
+    found: dict[str, list[tuple[Figure, Vector]]] = {}
+    for figure in figures:
+        for mark in _unnamed(figure):
+            found.setdefault(whose(key_of(mark)), []).append((figure, mark))
+    for several in found.values():
+        figure, mark = several[0]
+        names = dict.fromkeys(_symbol(one.key) for _, one in several)
+        sample = replace(mark, a=0j, b=complex(WIDE), role=Role.RESULT)
+        yield Entry(drawn_as_on(figure, (sample,), lang), Words.same(", ".join(f"${name}$" for name in names)))
+
+
+def _unnamed(figure: Figure) -> Iterator[Vector]:
+    if figure.view.images and figure.tones:
+        vectors = (mark for mark in figure.marks if isinstance(mark, Vector) and not mark.label)
+        yield from (mark for mark in vectors if abs(mark.b - mark.a) > _SHORT and whose(key_of(mark)) in figure.tones)
+
+
+def _symbol(key: str) -> str:
+    """The symbol of the motion: a_{CB} of its parts; of a sum of parts, these."""
+    whole = not key.startswith("(")
+    return _MOTION.sub(lambda m: f"{m[1]}{f'^{m[2]}' if m[2] and not whole else ''}_{{{m[3]}}}", key.strip("()"))
