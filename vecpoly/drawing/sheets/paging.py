@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import reduce
+from itertools import product
 from operator import or_
 
 from ...board.construction import Figure, View
@@ -18,7 +19,7 @@ from .packing import TIGHT, Layout, pack
 from .pages import CROWDED, NOTHING, Cost, F, Page, Paging, Sized, covered, fullness, pairs_of
 from .redbox import BAND
 from .slicing import Size
-from .space import is_across, is_page, rooms
+from .space import STRIP, is_across, is_page, rooms
 from .spreading import sunk
 
 UPRIGHT = 0.04  # of a page's area by which figures must spread wider over one that lies across
@@ -102,13 +103,15 @@ def _standing(figures: Sequence[Drawn], layout: Layout) -> tuple[list[Rect], lis
 
 def under_box(figures: tuple[F, ...], layout: Layout) -> list[Page[F]]:
     """The figures of a page closer together, so that the red box over them covers none, on two pages where one is full;
-    as they are on a plate, which is made higher, and where a figure alone leaves no room for the box."""
+    on pages turned the other way where a figure alone leaves no room for the box; as they are where it leaves none so,
+    and on a plate, which is made higher."""
     if not is_page(layout.page):
         return [(figures, layout)]
-    lower, pairs = (layout.page[0], layout.page[1] - BAND), pairs_of(figures)
+    (wide, high), pairs = layout.page, pairs_of(figures)
     ends = sorted(range(len(figures), 0, -1), key=lambda end: (end < len(figures), (end - 1, end) in pairs))
-    for end in ends:
+    for page, end in product((layout.page, (high + STRIP, wide - STRIP)), ends):
         parts = [part for part in (figures[:end], figures[end:]) if part]
+        lower = page[0], page[1] - BAND
         made = [pack([one.size for one in part], lower, tuple(pairs_of(part))) for part in parts]
         if all(made):
             return [(part, found) for part, found in zip(parts, made, strict=True) if found is not None]
