@@ -32,3 +32,14 @@ def test_an_svg_of_a_figure_names_its_problem_and_its_vectors(lang: str, title: 
 
 def test_an_svg_of_a_sheet_has_the_title_of_its_problem_alone(tmp_path: Path) -> None:
     assert told(tmp_path) == {"title": "摇块机构的速度与加速度", "desc": None}
+
+
+def test_a_sheet_that_is_begun_shows_no_title_of_what_is_not_and_no_answers(tmp_path: Path) -> None:
+    """After step 4 the acceleration polygon had its title and scale already, and the box told a_E."""
+    shown = {}
+    for step in ("4", "12"):
+        out = tmp_path / f"{step}.svg"
+        assert CliRunner().invoke(app, ["draw", "3-9", "-o", str(out), "--step", step]).exit_code == 0
+        shown[step] = "".join(ElementTree.fromstring(out.read_text(encoding="utf-8")).itertext())
+    assert "速度多边形" in shown["4"] and "加速度多边形" not in shown["4"]
+    assert "加速度多边形" in shown["12"] and len(shown["4"]) < len(shown["12"])

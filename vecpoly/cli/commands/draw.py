@@ -89,7 +89,8 @@ def draw(
             solution = solve(problem, by=hand, seed=seed, repeats=0)
             solution = solution.toned({}) if plain else solution
             warn_of_letters([problem], lang)
-            upto = None if step is None else known_step(solution.construction, step)
+            last = len(solution.construction.steps)
+            upto = None if step in (None, last) else known_step(solution.construction, step)
             for target, data in _files(solution, figure, lang, each(path, problem.id, len(found)), dpi, upto):
                 put(target, data)
             warn(problem.id, solution.warnings, lang)
@@ -101,9 +102,7 @@ def _files(
     solution: Solution, figure: str, lang: Lang, path: Path, dpi: float, upto: int | None
 ) -> list[tuple[Path, bytes]]:
     if path.suffix.lower() != ".dxf":
-        pages = scenes(solution, figure, lang)
-        shown = pages if upto is None else tuple(page.upto(upto) for page in pages)
-        return encoded(shown, path, dpi, said=_said(solution, figure, lang), lang=lang)
+        return encoded(scenes(solution, figure, lang, upto), path, dpi, said=_said(solution, figure, lang), lang=lang)
     from ...export.dxf.document import figure_dxf, sheet_dxf
 
     if figure != SHEET:
@@ -120,14 +119,16 @@ def _sheets(solution: Solution, lang: Lang) -> tuple[Sheet, ...]:
     return concluded(sheets(solution.construction, lang=lang, title=title, on=paper), solution, lang)
 
 
-def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
-    """The pages of a sheet, or the one scene of a figure."""
+def scenes(solution: Solution, figure: str, lang: Lang, upto: int | None = None) -> tuple[Scene, ...]:
+    """The pages of a sheet, or the one scene of a figure; upto: as they stand after that step."""
     if figure == SHEET:
-        return tuple(page.scene for page in _sheets(solution, lang))
+        from ...drawing.sheets.unfinished import after
+
+        return tuple((page if upto is None else after(page, upto)).scene for page in _sheets(solution, lang))
     from ...drawing.figure import draw_figure
     from ...drawing.scene import Scene
 
-    scene = draw_figure(_drawn(solution, figure), lang=lang)
+    scene = draw_figure(_drawn(solution, figure), lang=lang, upto_step=upto)
     return (Scene(scene.items, scene.extents.grown(3.0)),)
 
 
