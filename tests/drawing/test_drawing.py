@@ -12,7 +12,7 @@ import pytest
 
 from vecpoly.algebra.formula import Row, plain
 from vecpoly.board.construction import Figure, Scale, View
-from vecpoly.board.paper.marks import Block, Dot, Ground, Plate, Point, Role, Segment, Slot, Vector
+from vecpoly.board.paper.marks import Arc, Block, Dot, Ground, Plate, Point, Role, Segment, Slot, Vector
 from vecpoly.drawing.backends.pdf import to_pdf
 from vecpoly.drawing.backends.png import to_png
 from vecpoly.drawing.backends.svg import to_svg
@@ -92,6 +92,15 @@ def test_joints_hide_the_line_ends_under_them() -> None:
     scene = draw_figure(figure(Segment(a=0j, b=30j, role=Role.LINK), Ground(at=0j, down=-1j), view=View.MECHANISM))
     order = [item.layer for item in scene]
     assert order == sorted(order) and any(i.layer is Layer.JOINT and i.hue is Hue.WHITE for i in scene)
+
+
+@pytest.mark.parametrize("role", [Role.CONSTRUCTION, Role.DIRECTION, Role.HIDDEN, Role.CENTRE])
+def test_fine_lines_pass_under_the_bars_of_the_mechanism(role: Role) -> None:
+    arc = Arc(centre=0j, radius=9.0, start=0.0, sweep=1.0, role=role)
+    marks = (Segment(a=0j, b=30j, role=Role.LINK), Segment(a=0j, b=30j, role=role), arc)
+    items = drawing(figure(*marks, view=View.MECHANISM), caption=False).scene.items
+    bar, *fine = sorted((i for i in items if isinstance(i, Stroke)), key=lambda i: -i.width)
+    assert len(fine) == 2 and all(line.layer < bar.layer for line in fine)
 
 
 def test_a_rod_passes_under_its_sleeve_but_a_crank_pinned_to_the_block_lies_over_it() -> None:

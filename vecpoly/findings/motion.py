@@ -114,7 +114,7 @@ def _turns(study: Study) -> Iterator[Words]:
         )
         yield Words(
             f"原动件每转一周：{zh}" + (f"；构件 {'、'.join(rocking)} 不作整周转动。" if rocking else "。"),
-            f"In one turn of the input link {en}"
+            f"In one turn of the input link, {en}"
             + (f"; {_links_en(rocking)} {'does' if len(rocking) == 1 else 'do'} not turn round." if rocking else "."),
         )
 

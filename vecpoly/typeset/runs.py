@@ -69,7 +69,7 @@ def letters(text: str, em: float, bold: bool) -> Box:
     """Symbols' letters: Latin and Greek italic; digits, primes and everything else upright."""
     parts: list[tuple[float, float, Box]] = []
     x = 0.0
-    for italic, piece in _by_slope(text.translate(SHOWN).replace("′′", "″")):
+    for italic, piece in _by_slope(text.translate(SHOWN).replace("′′′", "‴").replace("′′", "″")):
         below = piece[0] in DIGITS  # O₁ in an index: the figure hangs under its letter
         box = run(piece.translate(ON_LINE), roman_or_italic(italic, bold), em * SCRIPT if below else em)
         parts.append((x, -SUB * em if below else 0.0, box))

@@ -119,14 +119,14 @@ def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
         case Segment(role=role):
             a, b = around.outside(mark)
             p = pen(role, image_hue(around.view, around.tones))
-            layer = Layer.THIN if p.width == THIN else around.link_layer(mark.owner, a, b)
+            layer = Layer.THIN if p.width <= THIN else around.link_layer(mark.owner, a, b)
             hue = line_hue(mark.key, around.tones, p.hue)
             return (Stroke(points=(a, b), width=p.width, dash=p.dash, hue=hue, layer=layer, step=mark.step),)
         case Arc(centre=centre, radius=radius, start=start, sweep=sweep, role=role):
             p = pen(role, Hue.BLACK)
             full = abs(abs(sweep) - 2 * math.pi) < 1e-9
             points = shapes.circle(centre, radius) if full else shapes.arc(centre, radius, start, sweep)
-            layer = Layer.THIN if p.width == THIN else Layer.LINE
+            layer = Layer.THIN if p.width <= THIN else Layer.LINE
             line = Stroke(
                 points=points, width=p.width, dash=p.dash, hue=p.hue, closed=full, layer=layer, step=mark.step
             )
@@ -134,7 +134,7 @@ def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
             return (line, *bodies.cross(centre, mark.step)) if bare else (line,)
         case Curve(points=points, role=role):
             p = pen(role, Hue.BLACK)
-            layer = Layer.THIN if p.width == THIN else Layer.LINE
+            layer = Layer.THIN if p.width <= THIN else Layer.LINE
             return (Stroke(points=points, width=p.width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),)
         case Vector():
             return _vector(mark, around)

@@ -68,9 +68,9 @@ def _say(st: Statics, to: Equivalent) -> None:
         Words(
             f"取构件 {link} 为等效构件。动能等效：${to.inertia.symbol}$ = Σ[$m_i$ ($v_{{Si}}/{stem}$)² + $J_{{Si}}$ "
             f"($ω_i/{stem}$)²]，只用到速度比，与 ${stem}$ 的大小无关；各速度由速度多边形量得。",
-            f"Link {link} is the equivalent link. It has the kinetic energy of all: ${to.inertia.symbol}$ = Σ[$m_i$ "
-            f"($v_{{Si}}/{stem}$)² + $J_{{Si}}$ ($ω_i/{stem}$)²]; only ratios of velocities enter, whatever ${stem}$ "
-            "is. The velocities are measured on the polygon.",
+            f"Link {link} is the equivalent link. Its kinetic energy equals that of all the links: "
+            f"${to.inertia.symbol}$ = Σ[$m_i$ ($v_{{Si}}/{stem}$)² + $J_{{Si}}$ ($ω_i/{stem}$)²]; only ratios of "
+            f"velocities enter, so the value of ${stem}$ does not matter. The velocities are measured on the polygon.",
         ),
         View.VELOCITY,
     )

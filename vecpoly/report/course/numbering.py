@@ -122,7 +122,7 @@ class Press:
 
     def tabled(self, title: Words, made: Sequence[DataTable], style: Style = CELL) -> list[str]:
         """The same of tables that are made already, if any; where there are two, the second is one of places."""
-        titles = (title, title + Words("：点的位置", ": places of points"))[: len(made)]
+        titles = (title, title + Words("：点的位置", ": positions of points"))[: len(made)]
         return [
             self.table(one, each.header, each.rows, each.align, style=style, inks=each.inks, inked=each.inked)
             for one, each in zip(titles, made, strict=True)

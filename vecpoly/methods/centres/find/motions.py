@@ -109,7 +109,7 @@ class Motions:
         self.fig.board.step(
             Words(
                 f"${p}$ 在无穷远处，构件 {link} 与 {via} 的角速度相等：$ω_{link}$ = $ω_{via}$。",
-                f"${p}$ is at infinity: links {link} and {via} turn alike, $ω_{link}$ = $ω_{via}$.",
+                f"${p}$ is at infinity: links {link} and {via} have the same angular velocity, $ω_{link}$ = $ω_{via}$.",
             ),
             self.fig.pane,
         )
@@ -230,9 +230,9 @@ def _sense(own: str, common: str, base: str, outside: bool) -> Words:
     if outside:
         return Words(
             f"${base}$、${own}$ 位于 ${common}$ 的同侧，两构件转向相同",
-            f"it lies outside ${base}$ and ${own}$, so they turn alike",
+            f"it lies outside ${base}$ and ${own}$, so they turn in the same sense",
         )
     return Words(
         f"${common}$ 位于 ${base}$ 与 ${own}$ 之间，两构件转向相反",
-        f"it lies between ${base}$ and ${own}$, so they turn oppositely",
+        f"it lies between ${base}$ and ${own}$, so they turn in opposite senses",
     )

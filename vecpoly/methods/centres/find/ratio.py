@@ -47,7 +47,10 @@ def _alike(fig: CentreFigure, pair: Pair, name: Named) -> tuple[Reals, Expr]:
     """P_ij at infinity: the ratio is 1."""
     letters = fig.letters(*pair)
     fig.board.step(
-        Words(f"${letters}$ 在无穷远处，两构件角速度相等。", f"${letters}$ is at infinity: the links turn alike."),
+        Words(
+            f"${letters}$ 在无穷远处，两构件角速度相等。",
+            f"${letters}$ is at infinity: both links have the same angular velocity.",
+        ),
         fig.pane,
     )
     return 1.0, magnitude(name.symbol, 1.0, "")
@@ -87,12 +90,12 @@ def _words(i: str, j: str, common: str, one: str, two: str, outside: bool) -> Wo
         else "在两绝对瞬心之间，两构件转向相反，比值为负（下式为其大小）"
     )
     en = (
-        "outside the two absolute centres: they turn alike"
+        "outside the two absolute centres: they turn in the same sense"
         if outside
-        else "between the two absolute centres: they turn oppositely, the ratio is negative (its size follows)"
+        else "between the two absolute centres: they turn in opposite senses, the ratio is negative (its size follows)"
     )
     return Words(
         f"${common}$ 处两构件速度相同，$ω_{i}$\u2009${one}{common}$ = $ω_{j}$\u2009${two}{common}$；${common}$ {zh}：",
-        f"At ${common}$ both have one velocity, $ω_{i}$\u2009${one}{common}$ = "
+        f"At ${common}$ both links have the same velocity, $ω_{i}$\u2009${one}{common}$ = "
         f"$ω_{j}$\u2009${two}{common}$; ${common}$ lies {en}:",
     )

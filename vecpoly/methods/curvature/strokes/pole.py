@@ -50,7 +50,8 @@ def _rolling_pole(fig: CurvatureFigure, joint: Rolling) -> None:
             f"构件 {number} 在机架上纯滚动，绝对瞬心 ${fig.p}$ 即节点 ${joint.point}$；其中心 ${x}$ {about.zh}，法线过 "
             f"${fig.p}$，且垂直于节圆的公切线，故为极法线 $n$。",
             f"Link {number} rolls on the frame: its pole ${fig.p}$ is the pitch point ${joint.point}$. Its centre "
-            f"${x}$ {about.en}; the normal ${x}{fig.p}$ stands on the common tangent: it is the pole normal $n$.",
+            f"${x}$ {about.en}; the normal ${x}{fig.p}$ is perpendicular to the common tangent: it is the pole "
+            "normal $n$.",
         ),
         fig.pane,
     )
@@ -81,10 +82,10 @@ def _told(fig: CurvatureFigure, ray: Ray) -> Words:
         return Words(
             f"${x}$ 沿导路作直线运动，曲率中心在导路垂线方向的无穷远处，法线过 ${x}$ 垂直于导路。",
             f" ${x}$ runs on a straight line: its centre of curvature is at infinity across the guide, and the normal "
-            f"stands on the guide at ${x}$.",
+            f"is perpendicular to the guide at ${x}$.",
         )
     return Words(
         f"构件 {fig.desk.mech.number(fig.link)} 的导路线始终与 ${o}$ 保持定距，其包络的法线过 ${o}$ 垂直于该线。",
         f" A line of link {fig.desk.mech.number(fig.link)} always passes ${o}$ at one distance: the normal of what it "
-        f"envelops stands on it through ${o}$.",
+        f"envelops is perpendicular to it and passes through ${o}$.",
     )

@@ -47,7 +47,7 @@ def _draw_tangent(fig: CurvatureFigure, axis: Axis) -> None:
         f"makes "
         f"with the other. Carry the chord of the arc about ${fig.p}$ with the dividers: this gives the pole tangent "
         f"$t$; "
-        "the pole normal $n$ stands on it.",
+        "the pole normal $n$ is perpendicular to it.",
     )
     board.step(words, fig.pane)
     fig.tangent = carry_angle(fig, (axis.line.along, one.line.along), two.line.along, "ψ")

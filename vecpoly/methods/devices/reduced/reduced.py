@@ -93,7 +93,8 @@ def _inertia(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | Non
     bench.board.section(Words("等效转动惯量", "Equivalent moment of inertia"))
     bench.board.step(
         Words(
-            "动能相等，各转动惯量 $J$ 乘以传动比的平方：", "Of equal kinetic energy: each $J$ times its ratio squared:"
+            "动能相等，各转动惯量 $J$ 乘以传动比的平方：",
+            "Equating kinetic energies, each $J$ is multiplied by the square of its speed ratio:",
         )
     )
     terms: list[Expr] = []

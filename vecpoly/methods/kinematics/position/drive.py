@@ -68,8 +68,8 @@ def _centre_found(desk: Desk, drive: Drive, pivot: str, k: str) -> Words:
     return Words(
         f"凸轮 {drive.link} 在 {phi} 时的曲率中心 ${k}$ 已作得（{size}），连 ${pivot}{k}$，为代换机构的"
         f"构件 {drive.link}。",
-        f"the centre of curvature ${k}$ of cam {drive.link} at {phi} is found already ({size}): join ${pivot}{k}$, "
-        f"link {drive.link} of the substitute.",
+        f"the centre of curvature ${k}$ of cam {drive.link} at {phi} has already been found ({size}): join "
+        f"${pivot}{k}$, link {drive.link} of the substitute.",
     )
 
 
