@@ -103,7 +103,7 @@ def agree(subject: Device, within: float = 1e-9) -> dict[str, Any]:
     readings, exact = drawn(subject).readings, device_answers(subject)
     found = {key: one.scalar if one.vector is None else one.vector for key, one in readings.items()}
     assert set(found) == {named.key for named in subject.quantities()}
-    largest: dict[str, float] = dict(subject.likely)
+    largest: dict[str, float] = {"deg": 180.0} | dict(subject.likely)  # an angle near 0 is no rounder than another
     for key, one in readings.items():
         if not isnan(abs(exact[key])):
             largest[one.unit] = max(abs(exact[key]), largest.get(one.unit, 1e-6))

@@ -30,4 +30,4 @@ def test_solve_refuses_what_is_no_problem_and_names_the_right_command(name: str,
 def test_design_refuses_a_problem() -> None:
     done = CliRunner().invoke(app, ["design", "3-9"])
     assert done.exit_code == 2
-    assert "parts" in done.output
+    assert "vecpoly solve" in done.output
