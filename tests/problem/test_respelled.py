@@ -78,7 +78,13 @@ def test_what_extends_it_calls_the_pivots_alike() -> None:
 @pytest.mark.parametrize(
     ("changed", "line", "said"),
     [
-        (SLOTTER.replace("n: 60 r/min cw", "n: 60 r/min cw, omega: 6 rad/s cw"), 11, "n and omega are one quantity"),
+        (
+            SLOTTER.replace("n: 60 r/min cw", "n: 60 r/min cw, omega: 6 rad/s cw"),
+            11,
+            "n and omega are one and the same",
+        ),
+        (SLOTTER.replace("n: 60 r/min cw", "n: 60 r/min cw, ω: 6 rad/s cw"), 11, "ω and n are one and the same"),
+        (SLOTTER.replace("{O1:", "{O_1: [9 mm, 0 mm], O1:"), 3, "O_1 and O1 are one and the same"),
         (SLOTTER.replace("2: {block: A}", "2: {block: A, O: {AO: 9 mm}}"), 3, "O1 is read as point O of link 1"),
         (SLOTTER.replace("O1A: 75 mm", "O1A: 75"), 5, "links.1.O₁A"),
     ],

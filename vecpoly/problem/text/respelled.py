@@ -36,6 +36,8 @@ def respelled(tree: Tree, base: Tree | None = None) -> Tree:
     """
     letters = _indexed(base) | _indexed(tree)
     faults = Faults(tree.name, tree.places)
+    for key, letter in _indices(tree):
+        _refuse_twice(("frame", key), letters[letter], faults)
     renamed = dict(_renamed(tree, base, faults))
     _refuse_bare(letters, tree, faults)
     faults.settle()
@@ -50,10 +52,11 @@ def _renamed(tree: Tree, base: Tree | None, faults: Faults) -> Iterator[tuple[Pa
     for part, names in OTHER_KEYS.items():
         speeds = part != "vary" or ("input" in whole and "machine" not in whole)  # n of a device, a machine, is its own
         for path, mapping in _mappings(tree.data.get(part), (part,)):
+            taken = dict(zip(mapping, mapping, strict=True))
             for key in mapping:
                 if key in names and (speeds or key != "n"):
                     yield (*path, key), names[key]
-                    _refuse_twice((*path, key), names[key], mapping, faults)
+                    _refuse_twice((*path, key), taken.setdefault(names[key], key), faults)
 
 
 def _mappings(value: Value, path: Path) -> Iterator[tuple[Path, dict[str, Value]]]:
@@ -65,20 +68,25 @@ def _mappings(value: Value, path: Path) -> Iterator[tuple[Path, dict[str, Value]
         yield from _mappings(item, (*path, key))
 
 
-def _refuse_twice(path: Path, name: str, mapping: dict[str, Value], faults: Faults) -> None:
-    if name in mapping:
-        key = path[-1]
+def _refuse_twice(path: Path, other: str, faults: Faults) -> None:
+    """Note a key that says what another one says: n beside omega, O_1 beside O1."""
+    if (key := path[-1]) != other:
         twice = Words(
-            f"{key} 与 {name} 是同一个量；请删去其一", f"{key} and {name} are one quantity; leave out one of them"
+            f"{key} 与 {other} 是同一个；请删去其一", f"{key} and {other} are one and the same; leave out one"
         )
         faults.note(FaultError(twice, *path, code="contradiction"))
 
 
 def _indexed(tree: Tree | None) -> dict[str, str]:
     """The letters of the frame that have an index, each as one letter, O₁, with how it is written there."""
-    frame = tree.data.get("frame") if tree is not None else None
-    found = [(key, _INDEXED.fullmatch(key)) for key in frame] if isinstance(frame, dict) else []
-    return {m[1] + m[2].translate(BELOW): key for key, m in found if m}
+    return {letter: key for key, letter in (_indices(tree) if tree is not None else ())}
+
+
+def _indices(tree: Tree) -> Iterator[tuple[str, str]]:
+    frame = tree.data.get("frame")
+    for key in frame if isinstance(frame, dict) else ():
+        if found := _INDEXED.fullmatch(key):
+            yield key, found[1] + found[2].translate(BELOW)
 
 
 def _refuse_bare(letters: dict[str, str], tree: Tree, faults: Faults) -> None:
