@@ -14,7 +14,7 @@ from tests.each import each
 from tests.laws import few
 from vecpoly.algebra.formula import plain
 from vecpoly.drawing.scene import Item, Rect, Stroke, TextBox, rect_of
-from vecpoly.drawing.sheets.results import CLEAR, MARGINS, SIZES
+from vecpoly.drawing.sheets.boxes.results import CLEAR, MARGINS, SIZES
 from vecpoly.drawing.sheets.sheet import Sheet, sheets
 from vecpoly.drawing.sheets.space import FRAME, STRIP
 from vecpoly.printed.digits import drawn_number

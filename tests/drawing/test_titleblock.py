@@ -14,7 +14,7 @@ from vecpoly.board.acts.inkless import Measure
 from vecpoly.devices.structure import Structure
 from vecpoly.drawing.labels.notes import WIDE_SPACE, folded
 from vecpoly.drawing.scene import TextBox
-from vecpoly.drawing.sheets import titleblock
+from vecpoly.drawing.sheets.boxes import titleblock
 from vecpoly.drawing.sheets.space import STRIP
 from vecpoly.drawing.style import NOTE
 from vecpoly.problem.load import load

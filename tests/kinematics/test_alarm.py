@@ -26,7 +26,7 @@ from vecpoly.check.alarm import Cause, Weighed, alarm_at
 from vecpoly.cli.app import app
 from vecpoly.cli.errors import SUSPECT
 from vecpoly.designs.base import Design
-from vecpoly.drawing.sheets.titleblock import LABELS as STRIP
+from vecpoly.drawing.sheets.boxes.titleblock import LABELS as STRIP
 from vecpoly.errors import DeadPointError, NotAskedError, VecpolyError
 from vecpoly.methods import answers
 from vecpoly.methods.answers import answer

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from ..drawing.sheets.boxes.titleblock import BAR_CELL
 from ..drawing.sheets.space import FRAME, STRIP
-from ..drawing.sheets.titleblock import BAR_CELL
 from ..foundation.short import short
 from ..report.document import report_bytes
 from ..solution import Solution

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from ...foundation.slotted import replace
 from ..scene import Item, Layer, Rect, Stroke, moved
-from ..sheets.redbox import BAND
+from ..sheets.boxes.redbox import BAND
 from ..sheets.sheet import Sheet
 from ..sheets.space import FRAME, STRIP
 from ..style import THIN

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..details.room import CELL, Room, Spots, filled, spread
 from ..scene import Item, Rect, TextBox
-from ..sheets.redbox import BAND
+from ..sheets.boxes.redbox import BAND
 from ..sheets.sheet import Sheet
 from ..sheets.space import FRAME, STRIP
 from .legend import Grid

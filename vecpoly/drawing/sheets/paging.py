@@ -14,10 +14,10 @@ from ...foundation.stock import ANY_A4, Paper
 from ..figure import title_line
 from ..order import reading_order as reading_order
 from ..scene import Rect, Scene
+from .boxes.redbox import BAND
 from .evening import evened
 from .packing import TIGHT, Layout, pack
 from .pages import CROWDED, NOTHING, Cost, F, Page, Paging, Sized, covered, fullness, pairs_of
-from .redbox import BAND
 from .slicing import Size
 from .space import STRIP, is_across, is_page, rooms
 from .spreading import sunk

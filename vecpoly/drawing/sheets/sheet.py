@@ -14,14 +14,14 @@ from ...words import Lang, Words
 from ..details.apart import is_detail
 from ..details.knots import knots
 from ..scene import Item, Rect, Scene
+from .boxes.redbox import BAND, red_box
+from .boxes.titleblock import Strip, furniture
 from .detailing import arrangements, drawn
 from .expected import Expected, dear, further, trials
 from .packing import Layout
 from .pages import Page, fullness, plated, trimmed
 from .paging import Drawn, arranged, best_paged, even, lined, paged, reading_order, under_box
-from .redbox import BAND, red_box
 from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
-from .titleblock import Strip, furniture
 
 NO_TITLE = Words.same("")
 

@@ -11,9 +11,9 @@ from ...board.construction import Figure
 from ...drawing.cleared import cleared
 from ...drawing.figure import drawing
 from ...drawing.scene import Item, Rect, TextBox
-from ...drawing.sheets.redbox import red_box
+from ...drawing.sheets.boxes.redbox import red_box
+from ...drawing.sheets.boxes.titleblock import furniture
 from ...drawing.sheets.sheet import Sheet
-from ...drawing.sheets.titleblock import furniture
 from ...drawing.symbols.around import Surroundings
 from ...errors import VecpolyError
 from ...words import Lang, Words

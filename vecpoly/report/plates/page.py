@@ -8,9 +8,9 @@ from typing import Any
 from ...board.construction import Construction
 from ...drawing.backends.pdf import draw_pdf
 from ...drawing.scene import Scene
+from ...drawing.sheets.boxes.titleblock import TO_BE_DRAWN
 from ...drawing.sheets.sheet import Sheet
 from ...drawing.sheets.space import FRAME, STRIP
-from ...drawing.sheets.titleblock import TO_BE_DRAWN
 from ...tagging.tag import Role, Tag, boxed
 from ...tagging.tree import marked
 from ...typeset.box import MM

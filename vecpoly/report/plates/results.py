@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Sequence
 from ...algebra.formula import Node, Row, Txt
 from ...board.construction import View
 from ...board.ruler import READABLE
-from ...drawing.sheets.results import Listed, with_results
+from ...drawing.sheets.boxes.results import Listed, with_results
 from ...drawing.sheets.sheet import Sheet
 from ...foundation.slotted import replace
 from ...solution import YES_NO, Answer, Solution

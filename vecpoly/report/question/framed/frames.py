@@ -10,9 +10,9 @@ from ....board.construction import Construction, Figure, View
 from ....board.paper.extent import bounds
 from ....board.paper.marks import Mark, Role, Segment
 from ....drawing.order import begun_in, reading_order
+from ....drawing.sheets.boxes.titleblock import TO_BE_DRAWN
 from ....drawing.sheets.lettering import title_width
 from ....drawing.sheets.sheet import Hung
-from ....drawing.sheets.titleblock import TO_BE_DRAWN
 from ....foundation.slotted import replace
 from ....foundation.stock import Format, Paper
 from ....problem.problem import Problem

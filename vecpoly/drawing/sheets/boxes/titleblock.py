@@ -3,14 +3,14 @@ and the bar that proves the print true to scale."""
 
 from __future__ import annotations
 
-from ...foundation.slotted import dataclass
-from ...typeset import Box, layout_words
-from ...typeset.box import place, scaled
-from ...words import Lang, Words, label
-from ..labels.notes import WIDE_SPACE, folded
-from ..scene import Item, Layer, Rect, Stroke, TextBox
-from ..style import GIVEN, NOTE, RESULT, THIN
-from .space import FRAME, STRIP
+from ....foundation.slotted import dataclass
+from ....typeset import Box, layout_words
+from ....typeset.box import place, scaled
+from ....words import Lang, Words, label
+from ...labels.notes import WIDE_SPACE, folded
+from ...scene import Item, Layer, Rect, Stroke, TextBox
+from ...style import GIVEN, NOTE, RESULT, THIN
+from ..space import FRAME, STRIP
 
 BAR = 50.0
 BAR_CELL = 62.0  # width of the strip's last cell

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from ..labels.notes import fitted
-from ..scene import Fill, Item, Layer, Rect, Stroke, TextBox
-from ..style import LETTER, RESULT, Hue
-from .space import FRAME
+from ...labels.notes import fitted
+from ...scene import Fill, Item, Layer, Rect, Stroke, TextBox
+from ...style import LETTER, RESULT, Hue
+from ..space import FRAME
 
 HEIGHT, MARGIN = 13.0, 2.0  # mm: of the box; around it and its text
 BAND = HEIGHT + 2 * MARGIN  # mm by which a plate is higher for it, on which no white is left over

@@ -10,19 +10,19 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from ...algebra.formula import Node
-from ...foundation.slotted import dataclass, replace
-from ...typeset import Box, layout, layout_words
-from ...words import Words
-from ..scene import Fill, Item, Layer, Rect, Stroke, TextBox
-from ..style import NOTE, THIN
-from .packing import Layout, pack
-from .pages import pairs_of
-from .paging import Drawn, even, lined
+from ....algebra.formula import Node
+from ....foundation.slotted import dataclass, replace
+from ....typeset import Box, layout, layout_words
+from ....words import Words
+from ...scene import Fill, Item, Layer, Rect, Stroke, TextBox
+from ...style import NOTE, THIN
+from ..packing import Layout, pack
+from ..pages import pairs_of
+from ..paging import Drawn, even, lined
+from ..sheet import Sheet, placed
+from ..slicing import Size
+from ..space import FRAME, STRIP
 from .redbox import BAND
-from .sheet import Sheet, placed
-from .slicing import Size
-from .space import FRAME, STRIP
 
 TITLE = Words("结果", "Results")
 PAD, SKIP, BESIDE = 2.0, 1.5, 5.0  # mm: inside the block's frame; between its lines; between its columns
