@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from ...foundation.indices import ON_LINE
+
 _WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)}  # ！ to ～
 _SIGNS = str.maketrans(
     {
@@ -39,11 +41,10 @@ _SIGNS = str.maketrans(
     }
 )
 _RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"
-_LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _TO_LINE = str.maketrans(_RAISED, "0123456789-+")
 
 
 def plain(text: str) -> str:
     """The text in ordinary characters: ３．２×１０² → 3.2×10^2."""
-    narrow = text.translate(_WIDE).translate(_SIGNS).translate(_LOWERED)
+    narrow = text.translate(_WIDE).translate(_SIGNS).translate(ON_LINE)
     return re.sub(f"[{_RAISED}]+", lambda found: "^" + found[0].translate(_TO_LINE), narrow).strip()

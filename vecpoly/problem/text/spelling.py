@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from ...errors import UnknownNameError
+from ...foundation.indices import DIGITS
 from ...foundation.patterns import pattern
 from ...names import parse_rel
 from ...words import Words
@@ -12,7 +13,7 @@ from ...words import Words
 RAISED = {"ⁿ": "n", "ᵗ": "t", "ᵏ": "k", "ʳ": "r", "ᶜ": "k"}  # the parts of an acceleration, set as a small letter
 _SMALL = str.maketrans(
     {
-        **{chr(0x2080 + n): str(n) for n in range(10)},
+        **dict(zip(DIGITS, "0123456789", strict=True)),
         **{sign: f"^{part}" for sign, part in RAISED.items()},
         "ω": "omega",
         "Ω": "omega",

@@ -6,11 +6,12 @@ import re
 from collections.abc import Iterable
 
 from ....figures import View
+from ....foundation.indices import DIGITS
 from ..expected import Edge, Shape
 
 _SIGNS = re.compile(r"[\s_\-–—→⃗{}^$.,:：，、]+")
 _PRIMES = str.maketrans({"′": "'", "’": "'", "‘": "'", "´": "'", "`": "'", "″": "''"})
-_SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉ⁿᵗᵏʳ", "0123456789ntkr")
+_SUBSCRIPTS = str.maketrans(DIGITS + "ⁿᵗᵏʳ", "0123456789ntkr")
 _HELPING = re.compile(
     r"constr|direction|auxil|helper|help|guide ?line|hidden|cent(er|re)|dim|defpoints|text|label|sheet|frame|title|"
     r"border|hatch|tint|grid|axis|axes|^thin$|^joint$|^body$|辅助|作图线|方向线|构造|中心线|虚线|细实线|尺寸|标注|图框|文字|边框|标题",
