@@ -153,6 +153,16 @@ class AnswerKey:
         """The quantity of this key; None where there is none."""
         return next((one for one in self.quantities if one.key == key), None)
 
+    def below(self, one: Graded) -> set[str]:
+        """All that a quantity rests on."""
+        found, todo = set[str](), list(one.needs)
+        while todo:
+            name = todo.pop()
+            if name not in found:
+                found.add(name)
+                todo += self[name].needs
+        return found
+
     @property
     def worth(self) -> float:
         """All points."""

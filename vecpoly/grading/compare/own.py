@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ...answer import bearing
-from ...board.otherwise.amended import Amended, Own
+from ...board.otherwise.amended import Amended, Own, plain_letters
 from ...errors import VecpolyError
 from ...foundation.frozen import FrozenMap
 from ...foundation.slotted import replace
@@ -74,7 +74,7 @@ class Follower:
         for one in steps:
             for way in ways(self.problem, one):
                 source = self.key.find(way.source)
-                if source is None or not self.usable(source) or self._below(source) & {one.key, one.line}:
+                if source is None or not self.usable(source) or self.key.below(source) & {one.key, one.line}:
                     continue  # what was found from this very quantity tells nothing of it
                 mine = self.given[way.source]
                 size = way.of(abs(mine.value))
@@ -84,16 +84,6 @@ class Follower:
                 so_far = drawn.get(one.key) or Followed(target=target, sources=())
                 drawn[one.key] = replace(so_far, otherwise=target, sources=(*so_far.sources, way.source))
         return drawn
-
-    def _below(self, one: Graded) -> set[str]:
-        """All that a quantity rests on."""
-        found, todo = set[str](), list(one.needs)
-        while todo:
-            name = todo.pop()
-            if name not in found:
-                found.add(name)
-                todo += self.key[name].needs
-        return found
 
     def _drawn(self, steps: Sequence[Graded]) -> dict[str, Followed]:
         near = {one.key: self.inputs(one, deep=False) for one in steps}
@@ -184,7 +174,8 @@ class Follower:
         elif one.kind is Kind.READING:
             found.readings[one.letters] = abs(mine.value) / (1.0 if source == one.key else self.key.scales[one.mu])
         else:
-            found.values[one.key] = -abs(mine.value) if is_other_sense(mine, one) else abs(mine.value)
+            own = -abs(mine.value) if is_other_sense(mine, one) else abs(mine.value)
+            found.values |= {one.key: own, plain_letters(one.symbol): own}  # what is computed of θ has no other key
         found.sources.append(source)
 
     def _target(self, one: Graded, found: Any) -> Target | None:

@@ -10,7 +10,7 @@ from ...answer import YES_NO, Answer, bearing
 from ...board.acts import Act, Area, Compute, Locate, Measure
 from ...board.acts import Answer as Wrote
 from ...board.hand import Hand
-from ...board.otherwise.amended import AS_DRAWN
+from ...board.otherwise.amended import AS_DRAWN, plain_letters
 from ...board.place import View, views
 from ...errors import VecpolyError
 from ...figures import View as Figured
@@ -107,13 +107,19 @@ class _Found:
         return sorted(steps, key=lambda step: step[0].number)
 
     def on_the_way(self, keys: set[str]) -> dict[int, str]:
-        """Number → key of the acts that compute what is asked:
+        """Number → key of the acts that compute what is asked, by its key or, as θ is theta, by its symbol:
         what follows rests on these, and not on the answer written down.
         """
         acts = self.drawn.construction.acts
+        written = ((act.key, acts[number]) for act in acts if isinstance(act, Wrote) for number in act.inputs)
+        behind = {one.number: key for key, one in written if key in keys and self._computes(one, key)}
         spots = {spot_letters(key): key for key, one in self.solution.answers.items() if one.is_place and key in keys}
         named = {act.number: spots[act.key] for act in acts if isinstance(act, Locate) and act.key in spots}
-        return named | {act.number: act.key for act in acts if isinstance(act, Compute) and act.key in keys}
+        return behind | named | {act.number: act.key for act in acts if isinstance(act, Compute) and act.key in keys}
+
+    def _computes(self, act: Act, key: str) -> bool:
+        found = self.solution.answers.get(key)
+        return isinstance(act, Compute) and found is not None and act.key == plain_letters(found.reading.symbol)
 
     def _asked(self, answer: Answer) -> Graded:
         kind, unit = _kind(answer), answer.reading.unit

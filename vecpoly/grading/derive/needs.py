@@ -17,9 +17,9 @@ def needs(acts: Sequence[Act], act: Act, known: Mapping[int, str], key: str) -> 
     known: number of a graded act → its key; key: of this one, which may have been computed before it was written down.
     What stands in its own formula is a need even where another need rests on it too: l of ω²l.
     """
-    computed = [number for number in needed(acts, (act.number,)) if known.get(number) == key]
+    computed = [n for n in needed(acts, (act.number,)) if known.get(n) == key == acts[n].key]
     found = acts[min(computed, default=act.number)]
-    nearest = _nearest(acts, found, known)
+    nearest = _nearest(acts, found, {number: name for number, name in known.items() if name != key})
     below = {lower for number in nearest for lower in needed(acts, (number,)) if lower != number}
     kept = (number for number in sorted(nearest) if number not in below or number in found.inputs)
     return tuple(dict.fromkeys(known[number] for number in kept))

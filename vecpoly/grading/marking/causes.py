@@ -57,7 +57,7 @@ def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mu
     open_ones = [one.key for one in found.roots() if one.key not in why.said and not found.basis.get(one.key)]
     settled = {name for name in found.given if name in why.said or name in why.source}
     pool = set(found.given) - settled if whole else _near(found, root)
-    explained = explain(found.key, found.given, pool, mutants)
+    explained = explain(found.key, found.given, pool, [one for one in mutants if not _denied(found, root, one)])
     made = explained.mutant
     if made is not None and _outvoted(found, made):
         return
@@ -70,6 +70,13 @@ def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mu
         at = _made_at(found, made.slip, open_ones) or root.key
         why.said[at], why.slips[at] = told_of(made.slip, made.also), made.slip
         _spread(found, why, at, open_ones, made)
+
+
+def _denied(found: Verdicts, root: Graded, mutant: Mutant) -> bool:
+    """Whether something on which the root rests was written otherwise than the mistake makes it: nobody who wrote
+    θ = 12.6° had 45° from a formula without K, whatever agrees with that further on."""
+    moved = (found.key[name] for name in found.key.below(root) if name in found.given and name in mutant.values)
+    return any(not agrees(one, found.given[one.key], mutant, found.key.allowance) for one in moved)
 
 
 def _made_at(found: Verdicts, slip: Slip, open_ones: Collection[str]) -> str | None:

@@ -28,6 +28,7 @@ from ..redraw import ByHand, by_hands
 TURNING = (Mistake.REVERSED, Mistake.DROPPED, Mistake.TURNED, *FOUND_AMISS)  # by which a motion may turn round
 FAR = 1e3  # times the exact value: no paper is so large
 SAME = 0.25  # of T: two values nearer than this are one
+NO_WORK: tuple[dict[str, Value], ByHand] = ({}, {})
 HANDS = 24  # students who make each mistake, for what its values scatter by
 
 
@@ -79,8 +80,14 @@ def mutants(problem: Problem, key: AnswerKey, of: Sequence[Slip] | None = None) 
     for slip in alone:
         with suppress(VecpolyError):  # nothing can be drawn by this mistake
             found[slip] = _drawn_alone(problem, key, slip)
-    each = [Mutant(slip=slip, values=found[slip][0]) for slip in made if slip in found and found[slip][0]]
+    each = [Mutant(slip=slip, values=values) for slip in made if _is_work(values := found.get(slip, NO_WORK)[0])]
     return tuple(_scattered(key, one, found[one.slip][1]) for one in _grouped(key, each))
+
+
+def _is_work(values: Mapping[str, Value]) -> bool:
+    """Whether something comes out otherwise, and not nothing throughout: a polygon whose only known force is left out
+    shrinks to a point, which nobody hands in."""
+    return any(one.value or one.at for one in values.values())
 
 
 def _is_alone(problem: Problem, slip: Slip) -> bool:

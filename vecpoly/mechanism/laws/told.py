@@ -8,6 +8,7 @@ from ...words import Words
 from ..loads import Load
 from ..model import Mechanism
 from .sizes import Table
+from .springs import Spring
 
 
 def beyond(load: Load, table: Table, place: float, mech: Mechanism) -> Words:
@@ -43,4 +44,15 @@ def no_stroke(link: str, point: str, direction: float, stroke: float, scale: flo
         f"构件 {link} 的点 {point} 沿 {way} 方向可移到无穷远，没有行程可言；请用 during 限定载荷作用的范围",
         f"point {point} of link {link} runs away to infinity along {way} and has no stroke; say with 'during' where "
         "the load acts",
+    )
+
+
+def no_direction(spring: Spring) -> Words:
+    """That the ends of a spring are at one place, so that nothing says along which line it acts."""
+    zh, en = ("弹簧", "spring") if spring.stiffness else ("阻尼器", "damper")
+    return Words(
+        f"{zh} {spring.name} 的两端 {spring.foot}、{spring.point} 在此位置重合，长度为 0，其力没有方向；"
+        "请改原动件的位置，或另取连接点",
+        f"the ends {spring.foot} and {spring.point} of {en} {spring.name} are at one place here, so that its force has "
+        "no direction; give another position of the drive, or another point",
     )

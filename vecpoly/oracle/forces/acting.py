@@ -12,7 +12,7 @@ from ...mechanism.loads import GRAVITY, Force, Load, Loads, Mass
 from ...mechanism.model import FRAME, Mechanism
 from ...words import Words
 from ..state import NONE, STILL, Bodies, Body, Points, Reals, dot
-from .laws.stands import Stands, couple_here, pull_here, refuse_still, size_here
+from .laws.stands import Stands, couple_here, pull_here, refuse_met, refuse_still, size_here
 from .laws.wound import refuse_wound
 
 
@@ -162,6 +162,7 @@ def _elastic(spring: Elastic, at: Stands) -> Acting:
             other = Acting(name=spring.name, link=spring.against, at=there, force=STILL, couple=-turns)
         return Acting(name=spring.name, link=spring.link, at=place, force=STILL, couple=turns, opposite=other)
     foot, point = at.ends(spring)
+    refuse_met(spring, at)
     with np.errstate(invalid="ignore", divide="ignore"):  # ends at one place have no direction: NaN
         pull: Points = -pull_here(spring, at) * (point - foot) / np.abs(point - foot)
     back = Acting(name=spring.name, link=spring.against, at=foot, force=-pull, couple=NONE)

@@ -11,8 +11,10 @@ from ....board.paper.marks import Dot, Role
 from ....diagram.single import pivot
 from ....diagram.springs.straight import damper, spring_symbol
 from ....diagram.springs.torsion import coil_symbol
+from ....errors import EquilibriumError
 from ....mechanism.asked.forces import spring_named
 from ....mechanism.laws.springs import Coil, Spring
+from ....mechanism.laws.told import no_direction
 from ....mechanism.loads import Force, Moment
 from ....mechanism.model import FRAME
 from ....plane import Points, Reals, ahead, dot, nominal, unit
@@ -23,9 +25,14 @@ from .pull import Pull
 
 
 def pulled(at: OffPaper, spring: Spring) -> tuple[tuple[Force, ...], dict[str, Pull]]:
-    """The force of a spring on its link, and the opposite one on the other if that moves."""
+    """The force of a spring on its link, and the opposite one on the other if that moves.
+
+    Raises EquilibriumError where its ends are at one place.
+    """
     _say(at, spring)
     foot, point = at.ends(spring)
+    if abs(complex(nominal(point - foot))) < NO_LENGTH:
+        raise EquilibriumError(no_direction(spring), code="no-direction", numbers={"spring": spring.name})
     size = _size(at, spring)
     way = np.sign(float(nominal(size)))
     if not way:

@@ -10,7 +10,7 @@ from ....errors import EquilibriumError
 from ....mechanism.laws.acting import couple, is_beyond, place_in, size_of, tension
 from ....mechanism.laws.sizes import Table
 from ....mechanism.laws.springs import Coil, Spring
-from ....mechanism.laws.told import beyond
+from ....mechanism.laws.told import STILL, beyond, no_direction
 from ....mechanism.loads import Load, Loads
 from ....mechanism.model import FRAME, Mechanism
 from ....words import Words
@@ -20,6 +20,7 @@ from .drives import unit_drive
 from .strokes import stroke
 
 ROUNDING = 1e-9  # of the mechanism's scale of rates: below it nothing moves
+RANGE = 12  # positions that are a range: fewer are one position with its neighbours
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -134,3 +135,9 @@ def refuse_still(mech: Mechanism, loads: Loads) -> None:
             ),
             code="contradiction",
         )
+
+
+def refuse_met(spring: Spring, at: Stands) -> None:
+    """EquilibriumError where the ends of a spring meet in one of a few positions; in a range that is NaN."""
+    if np.size(at.q) < RANGE and (at.length(spring) <= STILL * at.mech.scale).any():
+        raise EquilibriumError(no_direction(spring), code="no-direction", numbers={"spring": spring.name})

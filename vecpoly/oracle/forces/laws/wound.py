@@ -15,10 +15,9 @@ from ...run import wrapped
 from ...state import Reals
 from .drives import drive_range, unit_drive
 from .returning import over_a_period
-from .stands import Stands
+from .stands import RANGE, Stands
 
 STEPS = 720
-RANGE = 12  # positions that are a range: fewer are one position with its neighbours
 
 
 def refuse_wound(coil: Coil, at: Stands) -> None:

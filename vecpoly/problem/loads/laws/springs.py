@@ -74,17 +74,8 @@ def _refuse_others(spec: LoadSpec, key: str) -> None:
 
 def _straight(name: str, spec: LoadSpec, m: re.Match[str], bodies: Bodies, key: str) -> Spring:
     first, second = (_end(text, bodies, key) for text in m.groups())
-    if first[0] == second[0]:
-        here = Words("都在机架上", "both on the frame") if first[0] == FRAME else Words.same(f"{first[0]}")
-        raise FaultError(
-            Words(
-                f"{m[1]}、{m[2]} 在同一构件上（{here.zh}），距离不变；请把弹簧连在两个不同的构件之间",
-                f"{m[1]} and {m[2]} are on one link ({here.en}) and keep their distance; a spring goes from one link "
-                "to another",
-            ),
-            key,
-            code="contradiction",
-        )
+    if (why := _keep_apart(m, first, second)) is not None:
+        raise FaultError(why, key, code="contradiction")
     if spec.phi_0 is not None:
         raise _not_of("phi_0", Words("两点间的弹簧", "a spring between two points"), "l_0: 80 mm")
     if spec.k is not None and spec.l_0 is None:
@@ -105,6 +96,24 @@ def _straight(name: str, spec: LoadSpec, m: re.Match[str], bodies: Bodies, key: 
         free=_positive("l_0", spec.l_0, Dim.LENGTH),
         preload=_value("preload", spec.preload, Dim.FORCE),
         damping=_positive("c", spec.c, Dim.DAMPING),
+    )
+
+
+def _keep_apart(m: re.Match[str], first: tuple[str, str], second: tuple[str, str]) -> Words | None:
+    """Why the length between two ends (link, letter) is always the same; None where it changes."""
+    if first[0] == second[0]:
+        here = Words("都在机架上", "both on the frame") if first[0] == FRAME else Words.same(f"{first[0]}")
+        return Words(
+            f"{m[1]}、{m[2]} 在同一构件上（{here.zh}），距离不变；请把弹簧连在两个不同的构件之间",
+            f"{m[1]} and {m[2]} are on one link ({here.en}) and keep their distance; a spring goes from one link to "
+            "another",
+        )
+    if first[1] != second[1]:
+        return None
+    return Words(
+        f"{m[1]}、{m[2]} 同在 {first[1]} 处，长度恒为 0，其力没有方向；请把弹簧连在两个不同的点之间",
+        f"{m[1]} and {m[2]} are both at {first[1]}, so that its length is 0 and its force has no direction; a spring "
+        "goes from one point to another",
     )
 
 

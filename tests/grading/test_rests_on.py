@@ -1,0 +1,40 @@
+"""A value rests on what it was found from, whatever the symbol under which that was computed: θ as theta, η as eta."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.grading.cases import key_of, marked, mutants_of
+from vecpoly.grading.compare.outcome import Basis
+from vecpoly.grading.slips.whole import mutated
+
+
+@pytest.mark.parametrize(
+    ("problem", "name", "on"), [("8-15", "AD mm", "theta"), ("5-6", "P", "eta"), ("8-4", "psi_1", "theta")]
+)
+def test_what_is_found_with_a_computed_symbol_rests_on_its_answer(problem: str, name: str, on: str) -> None:
+    assert on in key_of(problem)[name].needs
+
+
+def test_a_power_follows_from_ones_own_efficiency() -> None:
+    exact = key_of("5-6")["P"].exact
+    own = exact * key_of("5-6")["eta"].exact / 0.5
+    followed = marked("5-6", {"eta": "0.500", "P": f"{own:.4g}"})
+    assert followed["P"].is_right and followed["P"].basis is Basis.OWN and not followed["eta"].is_right
+    assert not marked("5-6", {"eta": "0.500", "P": f"{1.3 * own:.4g}"})["P"].is_right
+
+
+def test_nobody_who_wrote_another_value_of_what_a_mistake_moves_is_said_to_have_made_it() -> None:
+    """Everything by 0.65: A'D agrees with that of a θ of 45° without K, but θ = 13° was written."""
+    key, names = key_of("8-15"), ("theta", "AD mm", "A'D")
+    (made,) = (one for one in mutants_of("8-15") if str(one.slip) == "θ left out of its formula (K)")
+    targets = {name: mutated(key[name], made, key.allowance) for name in names}
+    agreeing = [name for name, by in targets.items() if abs(0.65 * key[name].exact - by.value) < by.allowed]
+    assert agreeing == ["A'D"]
+    assert not marked("8-15", {name: f"{0.65 * key[name].exact:.3g}" for name in names}).slips
+
+
+def test_a_polygon_that_shrinks_to_a_point_is_nobodys_work() -> None:
+    """Q left out of the frictionless polygon of 4-4: every force in it is 0. To halve it is a mistake."""
+    made = [str(one.slip) for one in mutants_of("4-4")]
+    assert "force 2 ideal:Q halved" in made and "force 2 ideal:Q dropped" not in made
