@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from math import tau
 from pathlib import Path
 
 import pytest
 
 from tests.laws import few
 from tests.sources import ROOT
+from vecpoly.devices.cams.cam import Cam
 from vecpoly.errors import ProblemFileError
 from vecpoly.project.project import load_project
 
@@ -69,6 +71,13 @@ def test_the_file_that_is_damaged_below_is_sound(tmp_path: Path) -> None:
         ("motion.K = 1.25 within 1 %", "motion.K <= 30 deg", 20, "of different kinds"),
         ("title: A feeder\n", "", 1, "'title' is missing"),
         ("data: {K: 1.25", "data: {K: 0.25", 7, "K = 0.25"),
+        ("phi: 250 deg", "phi: 518 deg", 14, "F_r does not act at the given position, 158°"),
+        (
+            "synthesis: slider-crank\n    data: {K: 1.25, H: 160 mm, e: 50 mm}\n    find: [theta, AB, BC]",
+            "synthesis: crank-rocker\n    data: {K: 1.73, CD: 156 mm, swing: 55 deg, AD: 226 mm}\n    find: [AB, BC]",
+            5,
+            "No linkage satisfies the conditions.*AD may be 25.06 to 204 mm",
+        ),
     ],
 )
 def test_a_fault_is_told_with_its_line(tmp_path: Path, old: str, new: str, line: int, said: str) -> None:
@@ -95,3 +104,35 @@ def test_the_project_of_the_manual_is_solved_and_meets_its_demands(manual: str, 
     path = tmp_path / "feeder.yaml"
     path.write_text(block, encoding="utf-8")
     assert [one.holds for one in load_project(path).demands] == [True, True]
+
+
+CAM = """\
+  cam:
+    title: Its cam
+    device: cam
+    data:
+      follower: {roller: 10 mm}
+      r0: 50 mm
+      turns: ccw
+      motion:
+        - rise 25 mm in <(180 deg - linkage.theta) / 2> cosine
+        - return in <(180 deg - linkage.theta) / 2> parabolic
+        - dwell <180 deg + linkage.theta>
+    find: [alpha_rise]
+"""
+
+
+@pytest.mark.parametrize("advance", few(["1.17", "1.3", "1.35", "1.42"], 2))
+def test_a_cam_whose_angles_follow_from_any_time_ratio_closes_its_turn(advance: str, tmp_path: Path) -> None:
+    """Three angles, each put in with six digits, missed 360° by some 10⁻⁴."""
+    path = tmp_path / "feeder.yaml"
+    path.write_text(GOOD.replace("K: 1.25", f"K: {advance}").replace("demands:", f"{CAM}demands:"), encoding="utf-8")
+    cam = load_project(path).parts[-1].problem.device
+    assert isinstance(cam, Cam) and cam.pieces[-1].end == tau
+
+
+def test_angles_that_miss_a_turn_by_more_than_their_digits_are_refused(tmp_path: Path) -> None:
+    path, cam = tmp_path / "feeder.yaml", CAM.replace("dwell <180 deg", "dwell <180.01 deg")
+    path.write_text(GOOD.replace("demands:", f"{cam}demands:"), encoding="utf-8")
+    with pytest.raises(ProblemFileError, match=r"take away 0\.01 deg"):
+        load_project(path)

@@ -46,8 +46,13 @@ def made(
     also, works, delta = _beside(spec, problem, faults, key)
     acting: Working | None = None
     if problem.loads is not None:
+        turn = None
+        with faults.at("parts", key):
+            turn = cycle(problem, FINE)
+        faults.settle()
+        assert turn is not None
         with faults.at("parts", key, "works"):
-            acting = working(cycle(problem, FINE), works)
+            acting = working(turn, works)
             refuse_idle(problem, acting)
     faults.settle()
     if tell is not None:
@@ -55,11 +60,18 @@ def made(
     solution: Solution | None = None
     with faults.at("parts", key):
         solution = solve(problem, by=by, seed=seed)
+        _refuse_unsolved(solution)
     faults.settle()
     assert solution is not None
     found = Part(name=key, solution=solution, base=base, taken=taken, works=works, acting=acting, unevenness=delta)
     others = _others(found, also, faults, by, seed)
     return replace(found, others=others, acting=found.working) if others else found
+
+
+def _refuse_unsolved(solution: Solution) -> None:
+    """Raise FaultError where no candidate serves: what comes after has no lengths to go on with."""
+    if (why := solution.construction.conclusion) is not None:
+        raise FaultError(why, code="no-solution")
 
 
 def _others(found: Part, also: tuple[float, ...], faults: Faults, by: str, seed: int) -> tuple[Position, ...]:

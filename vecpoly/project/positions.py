@@ -51,11 +51,11 @@ def refuse_idle(problem: Problem, working: Working) -> None:
     if working.force is None or working.at(phi):
         return
     at = "、".join(f"{degrees(a):.1f}°～{degrees(b):.1f}°" for a, b in working.stretches)
-    name = working.force.name
+    name, here = working.force.name, degrees(phi) % 360
     raise FaultError(
         Words(
-            f"载荷 {name} 在题设位置 {degrees(phi):g}° 不作用（只作用于 {at}）；请把 phi 取在该范围内",
-            f"load {name} does not act at the given position, {degrees(phi):g}°, but at "
+            f"载荷 {name} 在题设位置 {here:g}° 不作用（只作用于 {at}）；请把 phi 取在该范围内",
+            f"load {name} does not act at the given position, {here:g}°, but at "
             f"{at.replace('、', ', ').replace('～', ' to ')}: choose phi there",
         ),
         code="contradiction",

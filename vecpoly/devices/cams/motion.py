@@ -11,12 +11,14 @@ from math import degrees, pi, tau
 from typing import Literal
 
 from ...errors import FaultError
+from ...foundation.slotted import replace
 from ...units.reading import Dim, positive
 from ...words import Words
 
 EXAMPLE = "rise 30 mm in 120 deg cosine"
 JUST = 1e-13  # of a piece: so little before its end, or its middle
-TURN = 1e-9  # rad: by how much the angles may miss a whole turn
+TURN = 1e-9  # rad: angles nearer than this are one
+WHOLE = 2e-5  # rad: by how much the angles, each told with six digits, may miss a whole turn
 LEVEL = 1e-9  # of the stroke: by how much the follower may miss its lowest place
 _WRITTEN = re.compile(
     r"(?P<what>rise|return|dwell)(?:\s+(?P<by>\S.*?))??(?:\s+(?:in|for))?\s+(?P<angle>[\d.]+\s*(?:deg|rad|°))"
@@ -128,7 +130,8 @@ def _unreadable(text: object) -> FaultError:
 
 @lru_cache(maxsize=64)
 def pieces_of(entries: tuple[Entry, ...], dim: Dim) -> tuple[Piece, ...]:
-    """The pieces of a whole turn, each level a length or an angle; raises FaultError where they make no turn."""
+    """The pieces of a whole turn, each level a length or an angle, the last one as long as the turn leaves it; raises
+    FaultError where they make no turn."""
     pieces, start, level = [], 0.0, 0.0
     for entry in entries:
         by = level if entry.by is None else positive(entry.by, dim).si
@@ -147,11 +150,12 @@ def pieces_of(entries: tuple[Entry, ...], dim: Dim) -> tuple[Piece, ...]:
         pieces.append(Piece(start=start, angle=entry.angle, low=low, high=high, rises=rises, law=entry.law))
         start, level = start + entry.angle, high if rises > 0 else low
     _closes(pieces, start, level, dim)
-    return tuple(pieces)
+    last = pieces[-1]
+    return (*pieces[:-1], replace(last, angle=tau - last.start))
 
 
 def _closes(pieces: Sequence[Piece], turn: float, level: float, dim: Dim) -> None:
-    if abs(turn - tau) > TURN:
+    if abs(turn - tau) > WHOLE:
         raise FaultError(
             Words(
                 f"motion：各段转角之和为 {degrees(turn):.6g} deg；一周应为 360 deg，请补上或减去 "

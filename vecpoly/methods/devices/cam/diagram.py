@@ -7,6 +7,7 @@ from math import degrees
 
 import numpy as np
 
+from ....algebra.quantity import number
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import travel
@@ -87,7 +88,7 @@ def _axes(bench: Bench, place: View, cam: Cam, symbol: str) -> None:
     for piece in cam.pieces:
         at = piece.end / scale.right.value
         board.join(place, at + 0j, at - TICK * 1j, Role.CONSTRUCTION)
-        board.note(place, at - TICK * 1j, Words.same(f"{degrees(piece.end):g}°"), BELOW)
+        board.note(place, at - TICK * 1j, Words.same(f"{number(degrees(piece.end))}°"), BELOW)
 
 
 def _curve(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> None:
