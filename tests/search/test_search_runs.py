@@ -17,7 +17,7 @@ from vecpoly.search.path import PathSearch
 from vecpoly.search.run import Found, run
 from vecpoly.search.spec import load_search
 from vecpoly.solution import solve
-from vecpoly.words import Words
+from vecpoly.words import Words, bare
 
 NAME = Words.same("found")
 
@@ -103,6 +103,8 @@ def test_the_command_writes_a_problem_that_can_be_drawn(tmp_path: Path) -> None:
     done = CliRunner().invoke(app, ["search", "search-dwell", "--candidates", "20000", "-j", "1", "-o", str(out)])
     assert done.exit_code == 0, done.output
     assert "swing" in done.output
+    lengths = {bare(one.symbol): one.text for one in load(out).given.lengths}
+    assert "l_AB" in lengths and all(f"{key} " in done.output and text in done.output for key, text in lengths.items())
     drawn = solve(load(out), repeats=0)
     assert not drawn.suspect and "omega_5" in drawn.answers
 

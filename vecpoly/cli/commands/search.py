@@ -19,6 +19,7 @@ from ..terminal import add, progress, show, table
 from ..wording import beside, number
 
 if TYPE_CHECKING:
+    from ...problem.problem import Problem
     from ...search.run import Found
 
 ENDINGS = (".yaml", ".pdf")
@@ -95,4 +96,14 @@ def _tell(found: Found, lang: Lang) -> None:
     for one in found.measures:
         add(made, (one.name.of(lang), beside(number(one.value), written_unit(one.unit))))
     add(made, (Words("候选数", "candidates").of(lang), str(found.tried)))
+    for one in _linkage(found.problem):
+        add(made, one)
     show(made)
+
+
+def _linkage(problem: Problem) -> Iterable[tuple[str, str]]:
+    """Where its fixed pivots lie, and its lengths."""
+    for letter, at in problem.mechanism.frame.items():
+        yield letter, f"({number(1e3 * at.real)}, {number(1e3 * at.imag)}) mm"
+    for length in problem.given.lengths:
+        yield bare(length.symbol), length.text

@@ -15,7 +15,9 @@ from .faults import Faults, meant
 
 Model = TypeVar("Model", bound=BaseModel)
 
-_PAIR = Words("此处应为两个值，如 [100 mm, 0 mm]", "two values are expected here, e.g. [100 mm, 0 mm]")
+_PAIR = Words(
+    "此处应为两个值，写在方括号中，以逗号分开", "two values are expected here, in brackets with a comma between"
+)
 _MAPPING = Words("此处应为映射（键: 值）", "a mapping (key: value) is expected here")
 _SAID = {
     "string_type": Words("此处应为文本", "a text is expected here"),
@@ -83,7 +85,10 @@ def _without_echo(items: list[Any]) -> list[Any]:
 
 def _too_few(ctx: Mapping[str, int]) -> Words:
     least, there = ctx["min_length"], ctx["actual_length"]
-    return Words(f"此处至少要有 {least} 项，现有 {there} 项", f"{least} entries are needed here, there is {there}")
+    return Words(
+        f"此处至少要有 {least} 项，现有 {there} 项",
+        f"{least} entries are needed here, there {'is' if there == 1 else 'are'} {there}",
+    )
 
 
 _LETTER_WANTED = Words(
