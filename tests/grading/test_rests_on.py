@@ -35,3 +35,10 @@ def test_a_polygon_that_shrinks_to_a_point_is_nobodys_work() -> None:
     """Q left out of the frictionless polygon of 4-4: every force in it is 0. To halve it is a mistake."""
     made = [str(one.slip) for one in mutants_of("4-4")]
     assert "force 2 ideal:Q halved" in made and "force 2 ideal:Q dropped" not in made
+
+
+def test_an_angle_that_nobody_reads_is_judged_by_own_values_and_never_by_the_largest_of_the_sheet() -> None:
+    """γ_min of 8-4's first solution is 13.5°; a tenth of the hands find no crank-rocker, and T was 105.8°."""
+    one = key_of("8-4")["gamma_min_1"]
+    assert one.demoted and one.allowed <= one.exact
+    assert not marked("8-4", {"gamma_min_1": "60"})["gamma_min_1"].is_right

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import floor, inf, isfinite, log10
+from math import floor, inf, isfinite, log10, radians
 from typing import Any
 
 import numpy as np
@@ -94,9 +94,9 @@ class Scatter:
         if one.kind is Kind.YES_NO:
             return one
         if size <= COMPUTED * largest or one.kind is Kind.PLACE or (one.unit == "deg" and spread):
-            return replace(
-                one, allowed=max(spread, floor) if isfinite(spread) else largest
-            )  # no share of what has no size
+            wide = one.unit == "deg" and radians(spread) > rule.share  # of an angle: of a radian
+            allowed = max(spread, floor) if isfinite(spread) else size or largest
+            return replace(one, allowed=allowed, demoted=wide)  # no share of what has no size
         if spread > rule.share * size:
             return replace(one, allowed=max(min(spread, size), floor), demoted=True)
         cap = min(rule.cap / mm if mm else inf, rule.share) * size
