@@ -75,3 +75,9 @@ def test_a_point_that_rests_crosses_its_path_nowhere_meanwhile_and_a_centre_of_c
     eight = np.sin(2 * t) + 1j * np.sin(t)
     resting = np.append(eight, eight[-1] + 1e-12 * np.exp(7j * t))
     assert list(_pairs(resting, False)) == list(_pairs(eight, False)) != []
+
+
+def test_a_link_that_only_translates_has_no_angular_acceleration_though_rounding_grows_towards_a_dead_point() -> None:
+    """plate-two-slides printed "α_2 has a peak of −6·10⁻⁹ rad/s²", and spent four fifths of its time on it."""
+    found = extremes(cycle(load("plate-two-slides"), n=37), "alpha_2")
+    assert found.is_constant and found.highest is not None and found.highest.value == 0.0

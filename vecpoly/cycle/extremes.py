@@ -77,6 +77,8 @@ def _extremes(cycle: Cycle, key: str) -> Extremes:
     known = f[np.isfinite(f)]
     if not known.size:
         return Extremes(key, (), (), (), None, None)
+    if _is_rate_of_nothing(cycle, key):
+        return Extremes(key, (), (), (), Spot(cycle.low, 0.0), Spot(cycle.low, 0.0))
     if known.max() - known.min() <= noise(cycle.mech) * max(float(np.abs(known).max()), curve.size):
         flat = Spot(cycle.low, float(known.mean()))
         return Extremes(key, (), (), (), flat, flat)
@@ -100,6 +102,16 @@ def _extremes(cycle: Cycle, key: str) -> Extremes:
         _farthest(found, grid, 1.0, level),
         _farthest(found, grid, -1.0, level),
     )
+
+
+def _is_rate_of_nothing(cycle: Cycle, key: str) -> bool:
+    """Whether it is the rate of a column that does not change while the drive moves evenly: α of a link that only
+    translates, whose rounding grows towards a dead point."""
+    drive = cycle.mech.drive
+    if drive.rate == 0.0 or drive.accel != 0.0:
+        return False
+    of = next((one.key for one in cycle.columns if one.rate == key and not one.is_vector), None)
+    return of is not None and extremes(cycle, of).is_constant
 
 
 def _farthest(found: tuple[Spot, ...], grid: tuple[Spot, ...], sign: float, level: float) -> Spot:
