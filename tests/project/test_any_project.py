@@ -1,4 +1,4 @@
-"""Any design project of this kind is solved, or refused at its line: K, stroke, offset, position, loads, cam, reducer."""
+"""Any design project of this kind is solved, or refused at its line: K, stroke, offset, position, loads, a cam."""
 
 from __future__ import annotations
 
