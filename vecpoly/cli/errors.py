@@ -17,8 +17,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import typer
 
-from ..errors import Fault, VecpolyError, of_system
+from ..errors import Fault, VecpolyError
 from ..foundation.data import data_dir
+from ..foundation.system import of_system
 from ..words import Words, bare, unmarked
 from .tongue import told_in, tongue
 from .usage import UsageError, in_chinese

@@ -131,6 +131,7 @@ def _period(curves: Sequence[Curve], period: Quantity | None) -> float:
                 "e.g. [[0 deg, 0 N*m], [180 deg, 90 N*m]]",
             ),
             code="contradiction",
+            keys=("M_d", "M_r"),
         )
     return ends[0]
 
@@ -167,4 +168,5 @@ def _unsteady(left: float, on_paper: str) -> FaultError:
         ),
         code="unsteady",
         numbers={"dW": left},
+        keys=("M_d", "M_r", "areas", "powers"),
     )
