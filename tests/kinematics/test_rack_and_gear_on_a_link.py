@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from vecpoly import loads
+from vecpoly import loads, solve
 from vecpoly.errors import ProblemFileError
 from vecpoly.mechanism.model import Circle, Mechanism, Rack, Rolling
 from vecpoly.problem.problem import Problem
@@ -32,7 +32,7 @@ def written(link: str = LINKS[0], first: str = RACK, second: str = GEAR) -> Prob
 
 @pytest.mark.parametrize("link", LINKS)
 def test_both_flanks_of_a_link_roll_drawn_as_exact(link: str) -> None:
-    solution = written(link).solve(by="exact")
+    solution = solve(written(link), by="exact")
     assert len(solution.answers) == 5
     for answer in solution.answers.values():
         assert answer.drawn == pytest.approx(answer.exact, rel=1e-9)
@@ -47,7 +47,7 @@ def test_both_flanks_of_a_link_roll_drawn_as_exact(link: str) -> None:
     ],
 )
 def test_the_flank_may_be_told_in_other_ways(first: str, second: str) -> None:
-    wanted, told = (one.solve(by="exact").answers for one in (written(), written(first=first, second=second)))
+    wanted, told = (solve(one, by="exact").answers for one in (written(), written(first=first, second=second)))
     assert [answer.exact for answer in told.values()] == pytest.approx([one.exact for one in wanted.values()])
     subject = written(first=first, second=second).subject
     assert isinstance(subject, Mechanism)
