@@ -9,6 +9,7 @@ import pytest
 from tests.laws import few
 from tests.projects import pages, project
 from vecpoly.answer import YES_NO
+from vecpoly.printed.digits import drawn_number
 from vecpoly.report.answers.line import result_of
 from vecpoly.words import Lang
 
@@ -79,3 +80,13 @@ def test_the_summary_has_the_digits_of_the_chapters(name: str) -> None:
                 result_of(one, "en") for one in part.solution.answers.values() if one.reading.unit not in ("", YES_NO)
             ]
             assert told and not [text for text in told if text not in summary]
+
+
+@pytest.mark.parametrize("name", ENGLISH)
+def test_lengths_are_taken_from_those_that_were_read(name: str) -> None:
+    page = next(page for page in pages(name, "en") if "Lengths as read and as taken" in page)
+    table = page.partition("Lengths as read and as taken")[2]
+    first = project(name).parts[0]
+    read = {key: drawn_number(one) for key, one in first.solution.answers.items() if one.reading.unit == "mm"}
+    assert len(read) > 1
+    assert all(re.search(rf"(?<![\d.]){re.escape(text)}(?![\d.])", table) for text in read.values())
