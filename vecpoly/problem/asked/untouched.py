@@ -12,6 +12,12 @@ from ..links.bodies import Bodies, frame_number
 _REACTION = pattern(r"R_(?:([1-9])([1-9])|([1-9]\d*)_([1-9]\d*))(?:_0)?")
 
 
+def joined(key: str) -> str:
+    """R_2_5 is R_25; only numbers of two digits have to stand apart."""
+    m = _REACTION.fullmatch(key)
+    return key if m is None or not m[3] or len(m[3] + m[4]) > 2 else key.replace(f"{m[3]}_{m[4]}", m[3] + m[4])
+
+
 def refuse_untouched(text: str, bodies: Bodies, asked: Iterable[str]) -> None:
     """FaultError for the force between two links, both there, that are joined by nothing; with those that act on the
     second."""
