@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import isfinite
 
+from ..grading.told.slip import said_of
 from ..problem.problem import Problem
 from ..problem.values.vary import parameters
-from ..words import Words
+from ..words import Words, bare, many
 from .conditions import Condition
 from .pilot import Pilot
 
@@ -55,11 +56,13 @@ def demoted(pilot: Pilot) -> Iterator[Words]:
             f"the exact value): {names}",
         )
     if hidden := sorted(pilot.standard.hidden, key=str):
-        zh, en = "、".join(slip.words.zh for slip in hidden), ", ".join(slip.words.en for slip in hidden)
+        said = list(dict.fromkeys(map(said_of, hidden)))  # of one mistake on several figures once
+        zh, en = "、".join(bare(one.zh) for one in said), "; ".join(bare(one.en) for one in said)
         yield Words(f"读数上看不出的错误：{zh}", f"slips that no answer shows: {en}")
     if pilot.standard.twins:
         count = len(pilot.standard.twins)
         yield Words(
             f"{count} 对错误的读数相同，只能给出其一",
-            f"{count} pairs of slips give the same readings; either may be named",
+            f"{many(count, 'pairs')} of slips {'gives' if count == 1 else 'give'} the same readings; either may be "
+            "named",
         )

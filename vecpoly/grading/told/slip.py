@@ -54,7 +54,7 @@ _SAID = {
 def told_of(slip: Slip, also: Sequence[Slip] = ()) -> Message:
     """The sentence of a slip, or of several that give the same numbers; the Coriolis term has words of its own."""
     if also:
-        ways = list(dict.fromkeys(map(_said, (slip, *also))))  # two lines may be drawn through the same wrong centres
+        ways = list(dict.fromkeys(map(said_of, (slip, *also))))  # two lines may be drawn through the same wrong centres
         if len(ways) == 1:
             return message(Told.SLIP, what=symbol_of(slip.key.rpartition(":")[2]), mistake=_done(slip))
         zh, en = zip(*((said.zh, said.en) for said in ways[:MOST]), strict=True)
@@ -75,13 +75,16 @@ def _done(slip: Slip) -> Words:
     return Words(said.zh.format(of=of), said.en.format(of=of))
 
 
-def _said(slip: Slip) -> Words:
+def said_of(slip: Slip) -> Words:
+    """$e$ is left out."""
     what, mistake = symbol_of(slip.key.rpartition(":")[2]), _done(slip)
     return Words(f"${what}$ {mistake.zh}", f"${what}$ is {mistake.en}")
 
 
 def symbol_of(key: str) -> str:
-    """A key as it is printed: ``a^k_{C2C3}``, ``R_{32}``, ``f_4'``, ``bc2``."""
+    """A key as it is printed: ``a^k_{C2C3}``, ``R_{32}``, ``f_4'``, ``bc2``; the inversion of a cam is −ω."""
+    if key == "inversion":
+        return "−ω"
     if (point := _POINT.fullmatch(key)) is not None:
         return f"{point[1]}_{{{point[2]}}}{point[3]}"
     if (ratio := _RATIO.fullmatch(key)) is not None:
