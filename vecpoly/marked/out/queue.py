@@ -30,10 +30,10 @@ def queue_rows(results: Sequence[Result], lang: Lang, faults: Sequence[Fault] = 
                 where = _where(result, problem, one.key, lang)
                 rows.append([result.student.number, problem, one.key, one.written.raw, where, why])
             told = {one.title: one for one in marked.equations}
-            for figure, why in marked.doubts:
+            for figure, doubt in marked.doubts:
                 row = told.get(figure)
                 where, raw = ("", "") if row is None else (_where(result, problem, row.row.key, lang), row.raw)
-                said = why.of(lang) if row is None else _why(row.messages, lang)
+                said = doubt.of(lang) if row is None else _why(row.messages, lang)
                 rows.append([result.student.number, problem, figure.of(lang), raw, where, said])
         rows += [[result.student.number, "", "", "", "", fault.of(lang)] for fault in result.faults]
     rows += [
