@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import isfinite
+from pathlib import Path
 
 from ..grading.told.slip import said_of
+from ..problem.asked.asks import AskNamed, AskRel
 from ..problem.problem import Problem
 from ..problem.values.vary import parameters
 from ..words import Words, bare, many
@@ -44,6 +46,20 @@ def said_already(problem: Problem) -> Iterator[Words]:
                 f"{problem.id}: the statement says {one.name} = {written}, which now differs from student to "
                 f"student; take it out",
             )
+
+
+def asks_otherwise(problem: Problem) -> Iterator[Words]:
+    """Where what is asked stands in another file than the text of the problem, which asks what it always did."""
+    places = {} if problem.written is None else problem.written.places
+    find, text = places.get(("find",)), places.get(("statement",))
+    if find is not None and text is not None and find.file != text.file:
+        asked = ", ".join(ask.rel.key for ask in problem.asks if isinstance(ask, AskRel | AskNamed))
+        file = Path(text.file).name
+        yield Words(
+            f"{problem.id}：题目正文取自 {file}，而这里所求为 {asked}；请在 find 旁另写 statement，使正文与所求一致",
+            f"{problem.id}: the statement is that of {file}, but here {asked} are asked; write a statement beside find "
+            "that asks for these",
+        )
 
 
 def demoted(pilot: Pilot) -> Iterator[Words]:
