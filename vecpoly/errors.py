@@ -67,10 +67,12 @@ class Fault:
     def _keys(self) -> Words:
         """data.d, data.d1 (line 6): the other keys with their lines where they stand on others."""
         zh = en = dotted(self.path)
+        own = self.place or Place("")
         for path, place in self.beside:
-            apart = self.place is None or place.line != self.place.line
-            zh += f"、{dotted(path)}" + (f"（第 {place.line} 行）" if apart else "")
-            en += f", {dotted(path)}" + (f" (line {place.line})" if apart else "")
+            where = Words(f"第 {place.line} 行", f"line {place.line}") if place.file == own.file else place.words
+            apart = (place.file, place.line) != (own.file, own.line)
+            zh += f"、{dotted(path)}" + (f"（{where.zh}）" if apart else "")
+            en += f", {dotted(path)}" + (f" ({where.en})" if apart else "")
         return Words(zh, en)
 
     @property
@@ -85,7 +87,8 @@ class Fault:
             "code": self.code, "file": at.file or None, "line": at.line or None, "column": at.column or None,
             "path": dotted(self.path) or None, "numbers": dict(self.numbers),
             "beside": [
-                {"path": dotted(to), "line": on.line or None, "column": on.column or None} for to, on in self.beside
+                {"path": dotted(to), "file": on.file, "line": on.line or None, "column": on.column or None}
+                for to, on in self.beside
             ],
             "zh": self.said.zh, "en": self.said.en, "remedy": {"zh": self.remedy.zh, "en": self.remedy.en},
         }  # fmt: skip
@@ -210,8 +213,7 @@ class FaultError(ValueError):
     """One thing wrong in a file, at a path below the one being read;
     the reader collects these into one ProblemFileError.
 
-    keys: those below the path that disagree, or are wrong together; a path where one lies deeper. What is not written
-    is passed over.
+    keys: those below the path (deeper ones as paths) that are wrong together; what is not written is passed over.
     """
 
     def __init__(

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from vecpoly import loads
+from vecpoly import load, loads
 from vecpoly.errors import Fault, ProblemFileError
 
 SEVERAL = {  # data, an entry after each bar; the keys that disagree
@@ -76,3 +78,19 @@ def test_numbers_of_teeth_are_whole(teeth: str) -> None:
     shafts = "{1: {J: 1 kg*m^2, drives: 9 N*m}, 2: {J: 1 kg*m^2}}"
     fault, _ = fault_of("reduced-train", f"shafts: {shafts} | pairs: [1 to 2 by {teeth}] | to: 1")
     assert fault.path == ("data", "pairs", 0) and "whole" in fault.words.en and "正整数" in fault.words.zh
+
+
+def test_a_key_of_the_problem_that_is_extended_is_told_with_its_file(tmp_path: Path) -> None:
+    """What stands in the file at hand comes first, whatever its line."""
+    base = "id: base\ntitle: t\ndevice: screw-jack\n"
+    base += "data: {d1: 20 mm, d: 24 mm, p: 4 mm, D: 30 mm, d0: 15 mm, l: 300 mm, f: 0.1, F: 90 N}\n"
+    (tmp_path / "base.yaml").write_text(base, encoding="utf-8")
+    mine = "extends: base.yaml\nid: mine\ntitle: t\nstatement: s\ndata: {d: 18 mm}\n"
+    (tmp_path / "mine.yaml").write_text(mine, encoding="utf-8")
+    with pytest.raises(ProblemFileError) as refused:
+        load(tmp_path / "mine.yaml")
+    (fault,) = refused.value.faults
+    assert fault.place and (fault.place.file, fault.place.line) == (str(tmp_path / "mine.yaml"), 5)
+    assert "data.d, data.d1 (" in fault.words.en and "base.yaml, line 4, column 8): d = 18 mm" in fault.words.en
+    (other,) = fault.as_json()["beside"]
+    assert (other["path"], other["line"], other["column"]) == ("data.d1", 4, 8) and other["file"].endswith("base.yaml")

@@ -45,10 +45,11 @@ class Faults:
             self.found.append(new)
 
     def _keys(self, fault: FaultError) -> list[Path]:
-        """The keys that a fault is about, as far as they are written, in the order of the file."""
+        """The keys that a fault is about, as far as they are written: first those of this file, in its order."""
         paths = [(*fault.path, *((key,) if isinstance(key, str) else key)) for key in fault.keys]
         there = [path for path in paths if path in self.places]
-        return sorted(there, key=lambda path: (self.places[path].line, self.places[path].column))
+        spots = {path: self.places[path] for path in there}
+        return sorted(spots, key=lambda key: (spots[key].file != self.file, spots[key].line, spots[key].column))
 
     def settle(self) -> None:
         """Raise one ProblemFileError with all that was found, if anything was."""
