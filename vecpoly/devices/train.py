@@ -85,6 +85,7 @@ class Part(BaseModel):
                     f"stand {' and '.join(kinds) or 'none of them'}; write e.g. gear: 0.97",
                 ),
                 code="spelling",
+                keys=kinds,
             )
         self._check_load()
         if self.parallel is not None:

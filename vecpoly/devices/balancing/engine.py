@@ -79,7 +79,7 @@ class InlineEngine(Device):
                     f"the firing order {list(self.order)} must name each of 1 to {len(self.cranks)} once",
                 ),
                 code="contradiction",
-                keys=("order", "cranks"),
+                keys=("order",),
             )
         return self
 
