@@ -96,10 +96,10 @@ def of_friction() -> Pilot:
     return pilot(loads('extends: "5-5"\nid: mine\nvary: {f: 0.08 .. 0.14 by 0.01}\n'))
 
 
-def with_standard(**changed: frozenset[Slip] | frozenset[frozenset[Slip]]) -> Pilot:
+def with_slips(hidden: frozenset[Slip] = frozenset(), twins: frozenset[frozenset[Slip]] = frozenset()) -> Pilot:
     """The same, with other slips that do not show."""
     found = of_friction()
-    return replace(found, standard=replace(found.standard, **changed))
+    return replace(found, standard=replace(found.standard, hidden=hidden, twins=twins))
 
 
 def test_no_more_are_told_apart_than_there_are_sets_of_values() -> None:
@@ -109,7 +109,7 @@ def test_no_more_are_told_apart_than_there_are_sets_of_values() -> None:
 
 def test_slips_that_no_answer_shows_are_told_as_a_marker_tells_them() -> None:
     slips = {Slip(Mistake.FORWARDS, "inversion"), Slip(Mistake.DROPPED, "mechanism rho_min:e")}
-    said = demoted(with_standard(hidden=frozenset(slips)))
+    said = demoted(with_slips(hidden=frozenset(slips)))
     hidden = next(words for words in said if "no answer shows" in words.en)
     assert "−ω is carried on with the motion" in hidden.en and "e is left out" in hidden.en
     assert not any(word in hidden.en + hidden.zh for word in ("mechanism", "inversion", "rho_min", "forwards"))
@@ -119,4 +119,4 @@ def test_slips_that_no_answer_shows_are_told_as_a_marker_tells_them() -> None:
 def test_one_pair_of_slips_is_one(count: int, en: str) -> None:
     a, b, c = (Slip(mistake, "v_B") for mistake in (Mistake.DROPPED, Mistake.HALVED, Mistake.DOUBLED))
     twins = frozenset([frozenset((a, b)), frozenset((b, c))][:count])
-    assert any(en in words.en for words in demoted(with_standard(twins=twins)))
+    assert any(en in words.en for words in demoted(with_slips(twins=twins)))
