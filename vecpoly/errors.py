@@ -6,9 +6,8 @@ in English. `str(error)` is the English text; `error.words.of("zh")` the Chinese
 
 from __future__ import annotations
 
-import errno
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, Self
 
@@ -47,7 +46,8 @@ class Place:
 class Fault:
     """One thing that is wrong, as data: what kind (`code`), where in which file, at which path, which numbers disagree.
 
-    said: cause and remedy in both languages, the remedy behind the first semicolon.
+    said: cause and remedy in both languages, the remedy behind the first semicolon. beside: the other keys that it is
+    about, each with its place.
     """
 
     said: Words
@@ -55,16 +55,25 @@ class Fault:
     place: Place | None = None
     path: Path = ()
     numbers: Numbers = field(default_factory=dict)
+    beside: tuple[tuple[Path, Place], ...] = ()
 
     @property
     def words(self) -> Words:
         """File, line, column, path, cause, remedy in one line."""
-        text = (
-            self.said
-            if not self.path
-            else Words(f"{dotted(self.path)}：{self.said.zh}", f"{dotted(self.path)}: {self.said.en}")
-        )
+        text = self._keys + Words("：", ": ") + self.said if self.path else self.said
         return text if self.place is None else self.place.words + Words("：", ": ") + text
+
+    @property
+    def _keys(self) -> Words:
+        """data.d, data.d1 (line 6): the other keys with their lines where they stand on others."""
+        zh = en = dotted(self.path)
+        own = self.place or Place("")
+        for path, place in self.beside:
+            where = Words(f"第 {place.line} 行", f"line {place.line}") if place.file == own.file else place.words
+            apart = (place.file, place.line) != (own.file, own.line)
+            zh += f"、{dotted(path)}" + (f"（{where.zh}）" if apart else "")
+            en += f", {dotted(path)}" + (f" ({where.en})" if apart else "")
+        return Words(zh, en)
 
     @property
     def remedy(self) -> Words:
@@ -77,29 +86,12 @@ class Fault:
         return {
             "code": self.code, "file": at.file or None, "line": at.line or None, "column": at.column or None,
             "path": dotted(self.path) or None, "numbers": dict(self.numbers),
+            "beside": [
+                {"path": dotted(to), "file": on.file, "line": on.line or None, "column": on.column or None}
+                for to, on in self.beside
+            ],
             "zh": self.said.zh, "en": self.said.en, "remedy": {"zh": self.remedy.zh, "en": self.remedy.en},
         }  # fmt: skip
-
-
-_SYSTEM = {
-    errno.ENOENT: "没有此文件或文件夹",
-    errno.EACCES: "没有权限",
-    errno.EPERM: "没有权限",
-    errno.EEXIST: "已存在，不会覆盖；请换一个名称",
-    errno.EISDIR: "是文件夹；请给出其中的文件名",
-    errno.ENOTDIR: "是文件而不是文件夹；请另选位置",
-    errno.ENOSPC: "磁盘已满",
-    errno.EROFS: "是只读的",
-    errno.ENAMETOOLONG: "名称过长",
-    errno.EIO: "读写错误",
-    errno.EMFILE: "打开的文件过多",
-}
-
-
-def of_system(error: OSError) -> Words:
-    """What the operating system refuses, in both languages."""
-    en = error.strerror or str(error) or type(error).__name__
-    return Words(_SYSTEM.get(error.errno or 0, en), en)
 
 
 def dotted(path: Path) -> str:
@@ -219,20 +211,29 @@ class ReportTemplateError(VecpolyError, ValueError):
 
 class FaultError(ValueError):
     """One thing wrong in a file, at a path below the one being read;
-    the reader collects these into one ProblemFileError."""
+    the reader collects these into one ProblemFileError.
+
+    keys: those below the path (deeper ones as paths) that are wrong together; what is not written is passed over.
+    """
 
     def __init__(
-        self, text: Words | str, *path: str | int, code: str = "value", numbers: Numbers | None = None
+        self,
+        text: Words | str,
+        *path: str | int,
+        code: str = "value",
+        numbers: Numbers | None = None,
+        keys: Sequence[str | Path] = (),
     ) -> None:
         super().__init__(text)
         self.words, self.path, self.code, self.numbers = bilingual(text), path, code, dict(numbers or {})
+        self.keys = tuple(keys)
 
     def __str__(self) -> str:
         return self.words.en
 
     def under(self, *path: str | int) -> FaultError:
         """The same fault, seen from further up in the file."""
-        return FaultError(self.words, *path, *self.path, code=self.code, numbers=self.numbers)
+        return FaultError(self.words, *path, *self.path, code=self.code, numbers=self.numbers, keys=self.keys)
 
 
 class EquilibriumError(VecpolyError, ValueError):

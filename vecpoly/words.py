@@ -51,6 +51,15 @@ def joined(names: Sequence[Words]) -> Words:
     )
 
 
+def many(count: int, what: str) -> str:
+    """1 student, 2 students; 0 answers or rows."""
+    return (
+        f"{count} {what}"
+        if count != 1
+        else f"{count} {' or '.join(one.removesuffix('s') for one in what.split(' or '))}"
+    )
+
+
 def stopped(text: str, lang: Lang) -> str:
     """A sentence with its full stop, where it has none."""
     return text if text.rstrip(" ")[-1:] in _STOPS else text + ("。" if lang == "zh" else ".")

@@ -186,3 +186,19 @@ def test_characters_that_no_face_has_are_named_before_they_are_printed(run: Run)
         and result.stderr.count("字体") == 1
     )
     assert "no face has '㛃'" in run("draw", "rare.yaml", "--figure", "velocity", "-o", "v.svg").stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["solve", "3-9", "--hand", "foo"], "'foo' is not one of 'exact', 'drafting', 'pencil'"),
+        (["solve", "3-9", "--seed", "x"], "'--seed': a whole number is expected"),
+        (["solve", "3-9", "--seed", "-1"], "'--seed': it must not be below 0"),
+        (["draw", "3-9", "--dpi", "x"], "'--dpi': a number is expected"),
+        (["draw", "3-9", "--dpi", "9999"], "'--dpi': it must not be above 1200"),
+    ],
+)
+def test_a_bad_value_of_an_option_is_told_in_plain_english(run: Run, words: list[str], said: str) -> None:
+    result = run(*words)
+    assert result.exit_code == 2 and said in " ".join(result.stderr.split())
+    assert "Value error" not in result.stderr and "Input should" not in result.stderr

@@ -83,3 +83,12 @@ def test_the_tolerance_of_the_chords_is_measured_halfway_between_the_points(rise
 def test_what_has_no_profile_that_can_be_made_is_refused(name: str) -> None:
     with pytest.raises(NoMethodError, match=r"undercut|only a cam"):
         profile_of(load(name))
+
+
+@pytest.mark.parametrize("name", CAMS)
+def test_no_point_of_the_drawing_stands_there_twice(name: str) -> None:
+    """Where two stretches meet there was a second one."""
+    space = drawing.Drawing.read(io.StringIO(cam_dxf(profile_of(load(name))).decode())).modelspace()
+    spots = [complex(one.dxf.location.x, one.dxf.location.y) for one in space.query("POINT")]
+    assert len(spots) > 355
+    assert min(abs(spot - before) for spot, before in zip(spots, [spots[-1], *spots], strict=False)) > 1e-6

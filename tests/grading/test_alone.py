@@ -141,3 +141,14 @@ def test_a_power_of_ten_in_an_angle_does_not_excuse_one_in_lengths() -> None:
     answers = [f"{name}={1e3 * key_of('8-16')[name].exact:.5g}" for name in ("theta", "AB", "BC")]
     said = [checked.outcome.value for checked in check_answers(problem_of("8-16"), answers).answers]
     assert said.count("right") == 1  # BC, after AB
+
+
+def test_what_is_zero_is_wrong_by_itself_beside_another_that_is_zero() -> None:
+    """That two quantities are zero is no mistake with which the second is right."""
+    checked = check_answers(problem_of("engine-four"), ["W_I=1", "C_I=50", "C_II=1"])
+    assert [one.outcome.is_right for one in checked.answers] == [False, False, False]
+    assert all(one.messages[0].id is Told.ZERO for one in checked.answers)
+
+
+def test_a_direction_of_0_degrees_is_no_quantity_that_is_zero() -> None:
+    assert "zero" not in (said := sentences("engine-four", "theta_II=30")) and "Not correct" in said

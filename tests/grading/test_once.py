@@ -8,8 +8,12 @@ from tests.grading.cases import key_of, marked, mutants_of, problem_of
 from vecpoly.grading.compare.outcome import Basis, Outcome
 from vecpoly.grading.key import Kind
 from vecpoly.grading.marking.marked import Marked
+from vecpoly.grading.marking.marker import mark
+from vecpoly.grading.rules import USUAL_RULES
+from vecpoly.grading.sheet import sheet_of
 from vecpoly.grading.slips.mutants import Mutant
 from vecpoly.grading.student import check_answers
+from vecpoly.grading.told.catalogue import Told
 
 
 def left_out(name: str, term: str) -> Mutant:
@@ -78,3 +82,15 @@ def test_the_solutions_of_a_synthesis_may_be_numbered_otherwise() -> None:
     assert checked.right and "1 → 2, 2 → 1" in str(checked) and checked.as_json()["said"]
     mixed = marked("8-4", right | {"AB_1": right["AB_2"]})
     assert not mixed["AB_1"].is_right and mixed["AB_2"].is_right and mixed["BC_1"].is_right
+
+
+def test_a_scale_is_missed_only_where_something_of_its_figure_was_answered() -> None:
+    """Whoever left a problem blank was told of each of its scales."""
+    key = key_of("3-12")
+    told: dict[str, list[str]] = {}
+    sheets: dict[str, dict[str, str]] = {"blank": {}, "velocity": {"v_C": "0.506"}, "acceleration": {"a_C": "1.33"}}
+    for name, cells in sheets.items():
+        sheet = sheet_of(key, cells, printed_scales=False)
+        marked = mark(problem_of("3-12"), key, lambda: (), sheet, USUAL_RULES)
+        told[name] = [str(one.numbers["mu"]) for one in marked.messages if one.id is Told.SCALE_UNDECLARED]
+    assert told == {"blank": [], "velocity": ["μ_v"], "acceleration": ["μ_a"]}

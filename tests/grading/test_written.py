@@ -261,3 +261,18 @@ def test_an_equals_sign_before_an_answer_makes_no_formula_of_it(text: str) -> No
 )
 def test_every_greek_letter_that_is_printed_can_be_typed(typed: str, key: str) -> None:
     assert keyed(typed, ["theta", "theta_b", "psi", "beta", "dW_max", "m_b", "theta_bL"]) == key
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("0.32 ∠ 北偏西", "'北偏西' is no direction that is known"),
+        ("0.32 m/s ∠ 北偏西", "'北偏西' is no direction that is known"),
+        ("59.9 kgf", "'kgf' is no unit that is known"),
+        ("2.49 rad/s 逆 顺", "two senses are written"),
+        ("-2.49 rad/s 逆", "its sign and its sense contradict each other"),
+    ],
+)
+def test_what_cannot_be_read_beside_a_number_is_called_what_it_is(text: str, told: str) -> None:
+    found = written(text)
+    assert found.state in (State.UNREADABLE, State.AMBIGUOUS) and found.why is not None and told in found.why.en

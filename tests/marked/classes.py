@@ -15,7 +15,7 @@ from vecpoly.grading.key import Kind
 from vecpoly.grading.scheme import Scheme
 from vecpoly.marked.graded import Graded, Order, grade
 from vecpoly.problem.values.vary import data_of
-from vecpoly.words import Words
+from vecpoly.words import Lang, Words
 
 NUMBERS = ("2023001", "2023002", "2023003")
 ANGLES = ("45 deg", "40 deg", "50 deg")
@@ -81,6 +81,7 @@ def graded(
     before: Path | None = None,
     feedback: bool = False,
     drawings: Path | None = None,
+    lang: Lang = "zh",
 ) -> Graded:
     """Mark these files into a folder."""
     order = Order(
@@ -88,7 +89,7 @@ def graded(
         files=files,
         out=out,
         scheme=scheme or Scheme(),
-        lang="zh",
+        lang=lang,
         feedback=feedback,
         drawings=drawings,
         before=before,

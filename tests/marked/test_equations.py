@@ -37,3 +37,13 @@ def test_rows_are_marked_counted_and_told_and_whoever_typed_none_loses_nothing(t
     with pdfplumber.open(tmp_path / "out" / "feedback" / f"{NUMBERS[1]}__李四.pdf") as book:
         text = "".join(page.extract_text() for page in book.pages)
     assert "方程 1 大小" in text and "未知" in text
+
+
+def test_a_row_that_cannot_be_read_waits_with_what_was_written_and_where(tmp_path: Path) -> None:
+    rows = {number: answers(number) | dict.fromkeys(ROWS, "") for number in NUMBERS}
+    rows[NUMBERS[1]]["eq1_dir"] = "✓✓"
+    graded(tmp_path / "out", wide(tmp_path / "a.csv", rows), lang="en")
+    (waiting,) = list(csv.DictReader((tmp_path / "out" / "queue.csv").read_text("utf-8-sig").splitlines()))
+    assert (waiting["quantity"], waiting["written"]) == ("equation 1, direction", "✓✓")
+    assert "a.csv, line 4, column" in waiting["place"]
+    assert "2 terms are written" in waiting["why"] and "manual marking" not in waiting["why"]

@@ -157,6 +157,24 @@ def test_while_answers_can_be_handed_in_again_no_feedback_gives_them_away(tmp_pa
     assert "不正确" in text and "相差" not in text and "允许" not in text
 
 
+@pytest.mark.parametrize(("scale", "unit", "told"), [
+    (0, 1, ("Units: 1 point lost (once a problem).",)), (1, 0.5, ("Scales: 2 points.", "Units: 0.5 points lost")),
+])  # fmt: skip
+def test_feedback_tells_what_a_unit_cost_with_scales_or_without(
+    tmp_path: Path, scale: float, unit: float, told: tuple[str, ...]
+) -> None:
+    file = tmp_path / "rules.yaml"
+    rubric = f"velocity: {{scale: {scale}, drawn: 5, values: 1}}, acceleration: {{scale: {scale}, drawn: 7, values: 2}}"
+    file.write_text(f"rules: {{printed: false, unit: {unit}}}\nrubric: {{{rubric}}}\n", encoding="utf-8")
+    rows = {NUMBERS[0]: answers(NUMBERS[0], lambda key, text: f"{text} N" if key == "v_E" else text)}
+    graded(
+        tmp_path / "out", wide(tmp_path / "a.csv", rows), scheme=read_scheme(file, register()), feedback=True, lang="en"
+    )
+    with pdfplumber.open(next((tmp_path / "out" / "feedback").iterdir())) as book:
+        text = " ".join(page.extract_text() for page in book.pages)
+    assert all(sentence in text for sentence in told)
+
+
 def test_rules_and_points_are_the_lecturers(tmp_path: Path) -> None:
     file = tmp_path / "rules.yaml"
     file.write_text(

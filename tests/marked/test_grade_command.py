@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from typer.testing import CliRunner
 
 from tests.marked.classes import NUMBERS, answers, register, wide
 from vecpoly.batch.register import NAME
 from vecpoly.cli.app import app
+from vecpoly.words import many
 
 
 def run(folder: Path, *arguments: str) -> tuple[int, str]:
@@ -55,3 +57,36 @@ def test_a_stranger_in_the_answers_is_told_and_the_rest_is_marked(tmp_path: Path
     ]
     done = CliRunner().invoke(app, words)
     assert done.exit_code == 2 and "2099999" in done.stderr and (tmp_path / "two" / "grades.csv").exists()
+
+
+def test_the_key_of_a_class_is_not_taken_for_its_answers(tmp_path: Path) -> None:
+    """Everybody would have all points."""
+    run(tmp_path, "--no-feedback")
+    key = wide(tmp_path / "hw" / "key.xlsx", {NUMBERS[0]: answers(NUMBERS[0])})
+    words = ["grade", str(tmp_path / "hw"), str(key), "-o", str(tmp_path / "out2"), "--lang", "en"]
+    done = CliRunner().invoke(app, words)
+    assert done.exit_code == 2 and "is the key of this class" in " ".join(done.stderr.split())
+    assert not (tmp_path / "out2").exists()
+
+
+def test_one_answer_that_is_marked_otherwise_is_one(tmp_path: Path) -> None:
+    run(tmp_path, "--no-feedback")
+    rows = {number: answers(number) for number in NUMBERS[:2]}
+    rows[NUMBERS[0]]["v_E"] = "0.9"
+    wide(tmp_path / "b.csv", rows)
+    words = ["grade", str(tmp_path / "hw"), str(tmp_path / "b.csv"), "-o", str(tmp_path / "two"), "--no-feedback"]
+    done = CliRunner().invoke(app, [*words, "--diff", str(tmp_path / "out"), "--lang", "en"])
+    assert done.exit_code == 0 and "1 answer is marked otherwise" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("count", "what", "said"),
+    [
+        (1, "students", "1 student"),
+        (2, "students", "2 students"),
+        (0, "students", "0 students"),
+        (1, "answers or rows", "1 answer or row"),
+    ],
+)
+def test_one_is_told_in_the_singular(count: int, what: str, said: str) -> None:
+    assert many(count, what) == said

@@ -368,7 +368,7 @@ def test_joints_that_have_no_part_in_a_dependence_are_not_named() -> None:
 
 
 def test_a_link_that_hangs_on_nothing_is_refused_by_name() -> None:
-    with pytest.raises(ProblemFileError, match=r"line 4.*links 2, 3 hang on nothing"):
+    with pytest.raises(ProblemFileError, match=r"line 5.*data.joints: links 2, 3 hang on nothing"):
         problem({"A": "R(0, 1) at (0, 0)", "B": "R(2, 3) at (30, 40)"}, "1")
 
 

@@ -332,7 +332,7 @@ CASES = {
         "R_13]",
         "line 21",
         "find[1]",
-        "'R_13' is no quantity of these loads; did you mean",
+        "no joint joins links 1 and 3, which do not act on each other; on link 3 act",
     ),
     "a printed force in metres": (
         "find:",

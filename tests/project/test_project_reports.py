@@ -8,6 +8,9 @@ import pytest
 
 from tests.laws import few
 from tests.projects import pages, project
+from vecpoly.answer import YES_NO
+from vecpoly.printed.digits import drawn_number
+from vecpoly.report.answers.line import result_of
 from vecpoly.words import Lang
 
 ALL: list[tuple[str, Lang]] = [
@@ -64,3 +67,26 @@ def test_the_summary_tells_each_demand(name: str) -> None:
     text = "\n".join(pages(name, "en"))
     assert text.count(" met") >= len(project(name).demands)
     assert "Not met" not in text
+
+
+@pytest.mark.parametrize("name", ENGLISH)
+def test_the_summary_has_the_digits_of_the_chapters(name: str) -> None:
+    """s_0 = 49.0 mm where it is read is no 49.05 mm at the end."""
+    *_, last = (n for n, page in enumerate(pages(name, "en")) if "The main results" in page)
+    summary = pages(name, "en")[last].partition("The main results")[2].replace("−", "")
+    for part in project(name).parts:
+        if part.finds and part.taken == {}:
+            told = [
+                result_of(one, "en") for one in part.solution.answers.values() if one.reading.unit not in ("", YES_NO)
+            ]
+            assert told and not [text for text in told if text not in summary]
+
+
+@pytest.mark.parametrize("name", ENGLISH)
+def test_lengths_are_taken_from_those_that_were_read(name: str) -> None:
+    page = next(page for page in pages(name, "en") if "Lengths as read and as taken" in page)
+    table = page.partition("Lengths as read and as taken")[2]
+    first = project(name).parts[0]
+    read = {key: drawn_number(one) for key, one in first.solution.answers.items() if one.reading.unit == "mm"}
+    assert len(read) > 1
+    assert all(re.search(rf"(?<![\d.]){re.escape(text)}(?![\d.])", table) for text in read.values())

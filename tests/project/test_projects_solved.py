@@ -115,3 +115,19 @@ def test_the_crank_of_the_shaper_turns_as_the_reducer_says() -> None:
     demand = project("design-shaper").demands[-1]
     rate = moving("design-shaper").problem.mechanism.drive.rate
     assert demand.asked.si == pytest.approx(rate) and demand.exact.si == pytest.approx(rate)
+
+
+@pytest.mark.parametrize("name", few(NAMES, 2))
+def test_the_extremes_of_the_driving_moment_are_no_points_of_a_grid(name: str) -> None:
+    """They stand beside the greatest of the positions, and between two of these unless a load comes or goes there."""
+    part = moving(name)
+    found, acts = even(part), part.working.acts
+    step = float(np.diff(found.phi)[0])
+    for spot, way in ((found.highest, 1), (found.lowest, -1)):
+        at = int(np.argmax(way * found.moment))
+        rise = way * (spot.value - float(found.moment[at]))
+        assert 0 <= rise < 1e-3 * np.ptp(found.moment)
+        off = abs(np.exp(1j * spot.phi) - np.exp(1j * found.phi[at]))
+        assert off < step
+        if np.unique(acts[[at - 1, at, (at + 1) % len(found.phi)]]).size == 1:
+            assert off > 1e-9 and rise > 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from math import inf
 from pathlib import Path
 
@@ -11,13 +12,16 @@ from tests.batch.homework import made, ordered, people, piloted
 from vecpoly import loads
 from vecpoly.batch.classwork import make_class
 from vecpoly.batch.run.runners import Here
+from vecpoly.board.otherwise.slip import Mistake, Slip
 from vecpoly.errors import VecpolyError
+from vecpoly.foundation.slotted import replace
 from vecpoly.grading.key import AnswerKey, Graded, Kind
 from vecpoly.variants.conditions import Condition
 from vecpoly.variants.obstacle import obstacle
-from vecpoly.variants.pilot import pilot
+from vecpoly.variants.pilot import Pilot, pilot
 from vecpoly.variants.room import room
 from vecpoly.variants.seeds import Seed
+from vecpoly.variants.told import demoted
 
 TRAIN = """\
 title: {zh: 轮系, en: A train}
@@ -84,3 +88,35 @@ def test_what_no_draw_passes_is_named() -> None:
     standard = pilot(loads(text)).standard
     narrow = loads(text + "gate: {vectors: 300 mm, alike: no}")
     assert obstacle(narrow, seed, standard) in (Condition.VECTORS, Condition.SHORT)
+
+
+@cache
+def of_friction() -> Pilot:
+    """Seven coefficients of friction of a screw jack."""
+    return pilot(loads('extends: "5-5"\nid: mine\nvary: {f: 0.08 .. 0.14 by 0.01}\n'))
+
+
+def with_slips(hidden: frozenset[Slip] = frozenset(), twins: frozenset[frozenset[Slip]] = frozenset()) -> Pilot:
+    """The same, with other slips that do not show."""
+    found = of_friction()
+    return replace(found, standard=replace(found.standard, hidden=hidden, twins=twins))
+
+
+def test_no_more_are_told_apart_than_there_are_sets_of_values() -> None:
+    """Seven coefficients of friction were enough for 19 students."""
+    assert of_friction().room <= 7
+
+
+def test_slips_that_no_answer_shows_are_told_as_a_marker_tells_them() -> None:
+    slips = {Slip(Mistake.FORWARDS, "inversion"), Slip(Mistake.DROPPED, "mechanism rho_min:e")}
+    said = demoted(with_slips(hidden=frozenset(slips)))
+    hidden = next(words for words in said if "no answer shows" in words.en)
+    assert "−ω is carried on with the motion" in hidden.en and "e is left out" in hidden.en
+    assert not any(word in hidden.en + hidden.zh for word in ("mechanism", "inversion", "rho_min", "forwards"))
+
+
+@pytest.mark.parametrize(("count", "en"), [(1, "1 pair of slips gives"), (2, "2 pairs of slips give the")])
+def test_one_pair_of_slips_is_one(count: int, en: str) -> None:
+    a, b, c = (Slip(mistake, "v_B") for mistake in (Mistake.DROPPED, Mistake.HALVED, Mistake.DOUBLED))
+    twins = frozenset([frozenset((a, b)), frozenset((b, c))][:count])
+    assert any(en in words.en for words in demoted(with_slips(twins=twins)))

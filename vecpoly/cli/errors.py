@@ -17,11 +17,12 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import typer
 
-from ..errors import Fault, VecpolyError, of_system
+from ..errors import Fault, VecpolyError
 from ..foundation.data import data_dir
+from ..foundation.system import of_system
 from ..words import Words, bare, unmarked
 from .tongue import told_in, tongue
-from .usage import UsageError, in_chinese
+from .usage import UsageError, in_chinese, in_plain_english
 
 if TYPE_CHECKING:
     from ..problem.problem import Problem
@@ -46,6 +47,7 @@ def told() -> Iterator[None]:
         raise typer.Exit(REFUSED) from None
     except UsageError as error:
         if tongue() != "zh":
+            in_plain_english(error)
             raise
         typer.echo(in_chinese(error), err=True)
         raise typer.Exit(REFUSED) from None

@@ -6,6 +6,7 @@ import os
 import re
 import sys
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from io import TextIOWrapper
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeVar
@@ -83,6 +84,18 @@ def progress(items: Sequence[T], doing: Words) -> Iterator[T]:
     from rich.progress import track
 
     yield from track(items, description=told_in(doing), console=Console(stderr=True), transient=True)
+
+
+@contextmanager
+def working(doing: Words) -> Iterator[None]:
+    """While something takes its time: a line on stderr that says what, where a person watches."""
+    if not sys.stderr.isatty():
+        yield
+        return
+    from rich.console import Console
+
+    with Console(stderr=True).status(f"{told_in(doing)} ..."):
+        yield
 
 
 def warn(problem: str, said: Iterable[Words], lang: Lang) -> None:

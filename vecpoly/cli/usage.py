@@ -38,6 +38,21 @@ _SAID = tuple(
 )
 
 
+_PLAIN = (  # what the reader of options says of values, as an English sentence
+    (re.compile(r"^Value error, "), ""),
+    (re.compile(r"^Input should be greater than or equal to "), "it must not be below "),
+    (re.compile(r"^Input should be less than or equal to "), "it must not be above "),
+    (re.compile(r"^Input should be a valid integer.*"), "a whole number is expected."),
+    (re.compile(r"^Input should be a valid number.*"), "a number is expected."),
+)
+
+
+def in_plain_english(error: Any) -> None:
+    """The same error without the jargon of the library that reads options."""
+    for pattern, plain in _PLAIN:
+        error.message = pattern.sub(plain, error.message)
+
+
 def in_chinese(error: Any) -> str:
     """What is wrong with the command line, and where to read how it is written."""
     english = error.format_message()

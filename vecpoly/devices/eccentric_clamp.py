@@ -45,7 +45,8 @@ class EccentricClamp(Device):
                     f"{self.rho.text if self.rho else '0 mm'} 之和已达 R = {self.R.text}",
                     f"the pin with its friction circle must lie inside the disc: e = {self.e.text} and rho = "
                     f"{self.rho.text if self.rho else '0 mm'} together reach R = {self.R.text}",
-                )
+                ),
+                keys=("e", "R", "rho"),
             )
         if self.turn * cos(self.theta.si) >= -1e-9:
             raise FaultError(
@@ -54,7 +55,8 @@ class EccentricClamp(Device):
                     "偏心夹具不能夹紧；请改正 theta 或 closing",
                     f"turned {self.closing}, the centre at theta = {self.theta.text} does not move down on the "
                     "work, so the clamp does not close; correct theta or closing",
-                )
+                ),
+                keys=("theta", "closing"),
             )
         if self.turn * sin(self.F.si - self.handle.si) <= 1e-9:
             raise FaultError(
@@ -63,7 +65,8 @@ class EccentricClamp(Device):
                     f"{self.closing} 方向转动；请改正 F 或 closing",
                     f"a force in the direction F = {self.F.text} on the handle at {self.handle.text} does not "
                     f"turn it {self.closing}; correct F or closing",
-                )
+                ),
+                keys=("handle", "F", "closing"),
             )
         return self
 

@@ -35,6 +35,7 @@ class Incline(Device):
                     "limit of self-locking",
                 ),
                 code="out-of-range",
+                keys=("alpha",),
             )
         if self.alpha is None and self.f.si == 0:
             raise FaultError(
@@ -44,6 +45,7 @@ class Incline(Device):
                     "e.g. alpha: 24 deg",
                 ),
                 code="unknown-name",
+                keys=("f", "alpha"),
             )
         if not -90 < beta < 90:
             raise FaultError(
@@ -53,6 +55,7 @@ class Incline(Device):
                     "horizontal, towards the slope",
                 ),
                 code="out-of-range",
+                keys=("beta",),
             )
         return self
 

@@ -40,6 +40,7 @@ class PowerTrain(Device):
                     f"two ends of the train are named {twice[0]}; give each its own letter",
                 ),
                 code="contradiction",
+                keys=("train",),
             )
         return self
 

@@ -31,6 +31,7 @@ class RingSpring(Device):
                     f"alpha = {self.alpha.text}: it must lie between 0 and 90 deg",
                 ),
                 code="out-of-range",
+                keys=("alpha",),
             )
         return self
 

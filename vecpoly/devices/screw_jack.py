@@ -53,6 +53,7 @@ class ScrewJack(Device):
                     f"diameter d1 = {self.d1.text}",
                 ),
                 code="out-of-range",
+                keys=("d", "d1"),
             )
         if self.D.si <= self.d0.si:
             raise FaultError(
@@ -62,6 +63,7 @@ class ScrewJack(Device):
                     f"diameter d0 = {self.d0.text}",
                 ),
                 code="out-of-range",
+                keys=("D", "d0"),
             )
 
     def _check_given(self) -> None:
@@ -75,6 +77,7 @@ class ScrewJack(Device):
                     "write f: 0.1 for thread and collar, or both f_thread and f_collar",
                 ),
                 code="spelling",
+                keys=("f", "f_thread", "f_collar"),
             )
         if (self.Q is None) == (self.F is None):
             raise FaultError(
@@ -83,6 +86,7 @@ class ScrewJack(Device):
                     "give the load Q or the force F on the lever, and not both: the other one is sought",
                 ),
                 code="contradiction",
+                keys=("Q", "F"),
             )
 
     def _check_slope(self) -> None:
@@ -95,6 +99,7 @@ class ScrewJack(Device):
                     "leave it out for a square thread",
                 ),
                 code="out-of-range",
+                keys=("beta",),
             )
         if self.alpha + self.phi >= pi / 2 - 1e-9:
             raise FaultError(
@@ -104,7 +109,8 @@ class ScrewJack(Device):
                     f"the lead angle {degrees(self.alpha):.4g} deg and the friction angle "
                     f"{degrees(self.phi):.4g} deg of the thread add up to 90 deg or more: no moment turns this "
                     "screw; take a smaller pitch p or a lower f",
-                )
+                ),
+                keys=("p", "d", "d1", "f", "f_thread"),
             )
 
     @property

@@ -46,13 +46,15 @@ class Structure(Device):
                     "no joint joins a link to the frame; the frame is link 0: write e.g. A: R(0, 1) at (0, 0)",
                 ),
                 code="spelling",
+                keys=("joints",),
             )
         if self.links and (odd := names ^ {*(_plain(link, self.frame) for link in self.links), FRAME}):
             raise FaultError(
                 Words(
                     f"构件 {', '.join(sorted(odd, key=natural))} 只出现在 links 或 joints 之一中；两处应一致",
                     f"link {', '.join(sorted(odd, key=natural))} stands in links or in joints, but not in both",
-                )
+                ),
+                keys=("links", "joints"),
             )
         chain = self.chain
         if loose := _loose(chain):
@@ -61,10 +63,15 @@ class Structure(Device):
                 Words(
                     f"构件 {', '.join(loose)} 没有经运动副与机架相连；请补上缺少的运动副",
                     f"{told} on nothing: no chain of joints leads to the frame; add the missing joint",
-                )
+                ),
+                keys=("joints",),
             )
         for pair in chain.pairs:
             _check_contact(pair)
+        self._check_drivers(chain)
+        return self
+
+    def _check_drivers(self, chain: Chain) -> None:
         for together in self.drive_sets:
             if len(set(together)) < len(together):
                 raise FaultError(
@@ -73,10 +80,10 @@ class Structure(Device):
                         f"drivers {'+'.join(together)}: a link stands twice; name each link that drives together once",
                     ),
                     code="contradiction",
+                    keys=("drivers",),
                 )
             for link in together:
                 _check_driver(chain, link)
-        return self
 
     @property
     def chain(self) -> Chain:
@@ -107,6 +114,7 @@ class Structure(Device):
                     f"{', '.join(self.joints)}",
                 ),
                 code="unknown-name",
+                keys=(("joints", letter),),
             )
         return self.joints[centre].at
 
@@ -191,7 +199,8 @@ def _check_contact(pair: Pair) -> None:
                 Words(
                     f"运动副 {pair.letter}：尖点与平面接触时无公法线；请给轮廓一个小的圆角半径",
                     f"joint {pair.letter}: a point on a flat face has no normal; let the profile have a small radius",
-                )
+                ),
+                keys=(("joints", pair.letter),),
             )
         return
     if abs(two - one) < 1e-9:
@@ -202,6 +211,7 @@ def _check_contact(pair: Pair) -> None:
                 "no higher pair",
             ),
             code="spelling",
+            keys=(("joints", pair.letter),),
         )
     off = abs(((two - one).conjugate() * (pair.at - one)).imag) / abs(two - one)
     if off > OFF_LINE * abs(two - one):
@@ -210,7 +220,8 @@ def _check_contact(pair: Pair) -> None:
                 f"运动副 {pair.letter}：接触点偏离两曲率中心的连线（公法线）{1e3 * off:.2f} mm；请将其置于连线上",
                 f"joint {pair.letter}: the contact stands {1e3 * off:.2f} mm beside the line of the two "
                 "centres, which is the common normal; put it on the line",
-            )
+            ),
+            keys=(("joints", pair.letter),),
         )
 
 
@@ -223,6 +234,7 @@ def _check_driver(chain: Chain, link: str) -> None:
                 f"driver {link} is no link; links: {', '.join(chain.links)}",
             ),
             code="spelling",
+            keys=("drivers",),
         )
     if not any(pair.form.is_lower and FRAME in pair.links for pair in chain.at(link)):
         raise FaultError(
@@ -231,4 +243,5 @@ def _check_driver(chain: Chain, link: str) -> None:
                 f"driver {link} is neither pinned to the frame nor slides on it; name a link that is",
             ),
             code="missing",
+            keys=("drivers",),
         )

@@ -85,6 +85,7 @@ class Part(BaseModel):
                     f"stand {' and '.join(kinds) or 'none of them'}; write e.g. gear: 0.97",
                 ),
                 code="spelling",
+                keys=kinds,
             )
         self._check_load()
         if self.parallel is not None:
@@ -100,6 +101,7 @@ class Part(BaseModel):
                     "a force needs the speed at which it is overcome: write both F and v, or P alone",
                 ),
                 code="spelling",
+                keys=("F", "v"),
             )
         if self.P is not None and self.F is not None:
             raise FaultError(
@@ -107,6 +109,7 @@ class Part(BaseModel):
                     "输出功率重复给出；请写 P，或写 F 和 v", "what is delivered stands there twice: write P, or F and v"
                 ),
                 code="contradiction",
+                keys=("P", "F"),
             )
 
     def _check_branches(self, branches: tuple[Train, ...]) -> None:
@@ -118,6 +121,7 @@ class Part(BaseModel):
                     "where the train parts nothing is delivered: write P, F, v and name at the ends of its branches",
                 ),
                 code="spelling",
+                keys=("name", "P", "F"),
             )
         if len(branches) < 2:
             raise FaultError(

@@ -37,6 +37,7 @@ class VeeGuide(Device):
                     "deg has theta: 50 deg",
                 ),
                 code="out-of-range",
+                keys=("theta",),
             )
         return self
 

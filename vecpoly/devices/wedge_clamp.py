@@ -31,6 +31,7 @@ class WedgeClamp(Device):
                     f"alpha = {self.alpha.text}: the angle of the wedge must lie between 0 and 90 deg",
                 ),
                 code="out-of-range",
+                keys=("alpha",),
             )
         return self
 

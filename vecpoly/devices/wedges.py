@@ -43,6 +43,7 @@ class Wedges(Device):
                     "the vertical",
                 ),
                 code="out-of-range",
+                keys=("beta",),
             )
         if alpha <= 0 or alpha + beta >= 180 - 1e-9:
             raise FaultError(
@@ -53,6 +54,7 @@ class Wedges(Device):
                     "beta below 180 deg, or wedge 1 has no taper and cannot lift wedge 2",
                 ),
                 code="out-of-range",
+                keys=("alpha", "beta"),
             )
         each = (self.f12, self.f13, self.f23)
         if (self.f is None) == (None in each) or (self.f is not None and any(each)):
@@ -62,6 +64,7 @@ class Wedges(Device):
                     "write f: 0.15 for all faces, or each of f12, f13 and f23",
                 ),
                 code="spelling",
+                keys=("f", "f12", "f13", "f23"),
             )
         return self
 

@@ -127,13 +127,28 @@ def _owner(register: Register, path: Path) -> tuple[Sheet, Part]:
         part = next((one for one in sheet.parts if one.problem == problem), None) if sheet is not None else None
         if sheet is not None and part is not None:
             return sheet, part
-    raise VecpolyError(
-        Words(
-            "文件名看不出是谁的哪道题；请命名为 学号_题号，如 2024001_3-9.dxf，或放在以学号命名的文件夹里",
-            "its name does not tell whose it is, and of which problem; call it NUMBER_PROBLEM, as 2024001_3-9.dxf, "
-            "or put it into a folder of the student's number",
-        ),
-        code="drawing-owner",
+    raise VecpolyError(_why_nobodys(register, path), code="drawing-owner")
+
+
+def _why_nobodys(register: Register, path: Path) -> Words:
+    """A student or a problem that the class has not, else a name that tells neither."""
+    problems = {one.id for one in register.exercises}
+    for number, problem in _names(path):
+        known = any(number in (one.student.number, one.sheet) for one in register.sheets)
+        if problem in problems and not known:
+            return Words(
+                f"登记表中没有学号 {number}；请核对文件名",
+                f"the register has no student {number}; check the file's name",
+            )
+        if known and problem not in problems:
+            there = ", ".join(sorted(problems))
+            return Words(
+                f"这次作业没有题 {problem}；有：{there}", f"this class has no problem {problem}; there are {there}"
+            )
+    return Words(
+        "文件名看不出是谁的哪道题；请命名为 学号_题号，如 2024001_3-9.dxf，或放在以学号命名的文件夹里",
+        "its name does not tell whose it is, and of which problem; call it NUMBER_PROBLEM, as 2024001_3-9.dxf, "
+        "or put it into a folder of the student's number",
     )
 
 

@@ -60,7 +60,7 @@ def _facts(part: Part) -> Iterator[Fact]:
     least = min((t.least.value for t in part.facts.transmissions), default=nan)
     yield "gamma_min", "γ_{min}", least, "rad"
     if part.problem.loads is not None and (even := part.balance) is not None:
-        yield "M_max", "M_{d,max}", float(even.moment.max()), "N*m"
+        yield "M_max", "M_{d,max}", even.highest.value, "N*m"
         yield "M_mean", "M_m", even.mean, "N*m"
         yield "P", "P", even.power, "W"
         if even.inertia is not None:

@@ -71,8 +71,9 @@ def run(
 
 def _said(measures: Sequence[Measure], count: int) -> Words:
     """What stands in the file that was found."""
-    zh = "，".join(f"{one.name.zh} {_size(one)}" for one in measures)
-    en = ", ".join(f"{one.name.en} {_size(one)}" for one in measures)
+    signs = [" = " if one.name.zh[-1].isascii() else " " for one in measures]  # behind a symbol: K = 1.3
+    zh = "，".join(f"{one.name.zh}{sign}{_size(one)}" for one, sign in zip(measures, signs, strict=True))
+    en = ", ".join(f"{one.name.en}{sign}{_size(one)}" for one, sign in zip(measures, signs, strict=True))
     return Words(f"由 {count} 个候选中搜索得到：{zh}。", f"Found among {count} candidates: {en}.")
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import inf
+from math import inf, isfinite, prod
 from typing import Self
 
 import numpy as np
@@ -71,6 +71,8 @@ def pilot(problem: Problem) -> Pilot:
     slips = max((len(look.slips) for look in looks), default=0)
     good = [key_for(look.key, standard) for look in looks if failing(look, standard) is None]
     found = room(good, problem.gate.apart, ATTEMPTS)
+    if isfinite(found):
+        found = min(found, passed * prod(one.count for one in problem.ranges))  # no more than sets of values pass
     return Pilot(standard=standard, passed=passed, failed=failed, asked=asked, slips=slips, room=found)
 
 

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import isfinite
+from pathlib import Path
 
+from ..grading.told.slip import said_of
+from ..problem.asked.asks import AskNamed, AskRel
 from ..problem.problem import Problem
 from ..problem.values.vary import parameters
-from ..words import Words
+from ..words import Words, bare, many
 from .conditions import Condition
 from .pilot import Pilot
 
@@ -45,6 +48,20 @@ def said_already(problem: Problem) -> Iterator[Words]:
             )
 
 
+def asks_otherwise(problem: Problem) -> Iterator[Words]:
+    """Where what is asked stands in another file than the text of the problem, which asks what it always did."""
+    places = {} if problem.written is None else problem.written.places
+    find, text = places.get(("find",)), places.get(("statement",))
+    if find is not None and text is not None and find.file != text.file:
+        asked = ", ".join(ask.rel.key for ask in problem.asks if isinstance(ask, AskRel | AskNamed))
+        file = Path(text.file).name
+        yield Words(
+            f"{problem.id}：题目正文取自 {file}，而这里所求为 {asked}；请在 find 旁另写 statement，使正文与所求一致",
+            f"{problem.id}: the statement is that of {file}, but here {asked} are asked; write a statement beside find "
+            "that asks for these",
+        )
+
+
 def demoted(pilot: Pilot) -> Iterator[Words]:
     """What is graded by follow-through only, and which slips no number shows."""
     if keys := [key for key in pilot.asked if key in pilot.standard.demoted]:
@@ -55,11 +72,13 @@ def demoted(pilot: Pilot) -> Iterator[Words]:
             f"the exact value): {names}",
         )
     if hidden := sorted(pilot.standard.hidden, key=str):
-        zh, en = "、".join(slip.words.zh for slip in hidden), ", ".join(slip.words.en for slip in hidden)
+        said = list(dict.fromkeys(map(said_of, hidden)))  # of one mistake on several figures once
+        zh, en = "、".join(bare(one.zh) for one in said), "; ".join(bare(one.en) for one in said)
         yield Words(f"读数上看不出的错误：{zh}", f"slips that no answer shows: {en}")
     if pilot.standard.twins:
         count = len(pilot.standard.twins)
         yield Words(
             f"{count} 对错误的读数相同，只能给出其一",
-            f"{count} pairs of slips give the same readings; either may be named",
+            f"{many(count, 'pairs')} of slips {'gives' if count == 1 else 'give'} the same readings; either may be "
+            "named",
         )

@@ -20,7 +20,8 @@ _WORD = re.compile(r"[A-Za-z]\w*")
 _POINTS = re.compile(rf"((?:p|v|a|an|at|ak|ar|l)_)?((?:{_LETTER}\d*)+)")
 _FORCE = re.compile(r"-?[\d.e+-]+ k?N(\*m)?( c?cw)?")
 _LOOSE = re.compile(r"(?<![\w.\-^])(\d+)(?![\w.]| mm| deg)")  # a link in a joint, no number of a quantity
-_KEYS = re.compile(r"(omega|alpha|R|h|m|J|F_I|M_I)(_?)(\d+)((?:_0)?)")
+_KEYS = re.compile(r"(omega|alpha|h|m|J|F_I|M_I)(_?)(\d+)((?:_0)?)")
+_REACTION = re.compile(r"R_(?:(\d)(\d)|(\d+)_([1-9]\d*))((?:_0)?)")  # R_12, R_1_11, both with friction left out
 
 
 class Names:
@@ -40,13 +41,20 @@ class Names:
     def points(self, word: str) -> str:
         """v_B3B2 → v_K1K4, AB → KD; load names and units stay."""
         if m := _KEYS.fullmatch(word):
-            return f"{m[1]}{m[2]}{''.join(self.number.get(digit, digit) for digit in m[3])}{m[4]}"
+            return f"{m[1]}{m[2]}{self.number.get(m[3], m[3])}{m[4]}"
+        if m := _REACTION.fullmatch(word):
+            return self._reaction(m[1] or m[3], m[2] or m[4]) + m[5]
         m = _POINTS.fullmatch(word)
         if m is None or not set(re.findall(_LETTER, m[2])) <= set(self.letters):
             return word
         return (m[1] or "") + re.sub(
             rf"({_LETTER})(\d*)", lambda n: self.letter[n[1]] + self.number.get(n[2], n[2]), m[2]
         )
+
+    def _reaction(self, first: str, second: str) -> str:
+        """R_12; R_1_11, where one of the numbers has two digits."""
+        one, other = (self.number.get(link, link) for link in (first, second))
+        return f"R_{one}{other}" if len(one) == len(other) == 1 else f"R_{one}_{other}"
 
     def answer(self, key: str) -> str:
         """The key of the renamed solution: an indexed pivot is one letter there, O₁."""

@@ -15,7 +15,7 @@ from ..errors import DISAGREES, REFUSED, Tally
 from ..files import STDOUT, spared, write_json
 from ..jobs import problems
 from ..options import JSON
-from ..terminal import add, say, show, table
+from ..terminal import add, say, show, table, working
 
 if TYPE_CHECKING:
     from ...grading.student import Checked
@@ -54,7 +54,8 @@ def check_claims(
     spared(json, JSON, found)
     from ...grading.student import check_answers
 
-    checked = check_answers(found[0], claims)
+    with working(Words("核对各答案，逐一试算常见错误", "checking, and trying the usual mistakes")):
+        checked = check_answers(found[0], claims)
     if json != STDOUT:
         _print(checked, lang)
     if json is not None:

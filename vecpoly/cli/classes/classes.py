@@ -111,7 +111,7 @@ def classes(
         made = gathered(order, gather, run, told) if gather else make_class(order, run, told, part)
         if part is None:
             _bundle(made, output, columns, told)
-    _report(made)
+    _report(made, order.assignment.problems)
     _settle(people.faults, made.refused)
 
 
@@ -175,10 +175,12 @@ def _bundle(made: Made, output: Path, profile: Profile | None, told: Told) -> No
             )
 
 
-def _report(made: Made) -> None:
-    """Yield and what is demoted, problem by problem."""
-    from ...variants.told import demoted, said_already, told
+def _report(made: Made, problems: Sequence[Problem]) -> None:
+    """Yield and what is demoted, problem by problem; texts that ask for something else."""
+    from ...variants.told import asks_otherwise, demoted, said_already, told
 
+    for line in (line for problem in problems for line in asks_otherwise(problem)):
+        say(told_in(line))
     for name, found in made.pilots.items():
         if found.standard.work:
             for line in (*told(name, found), *demoted(found), *said_already(made.register.exercise(name).problem)):

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ...errors import VecpolyError
-from ...words import Words
+from ...errors import ArgumentError, VecpolyError
+from ...words import Words, many
 from ..errors import REFUSED, tell
 from ..options import JobsOption, LangOption, place
 from ..terminal import say, wrote
@@ -19,6 +19,7 @@ from .classes import progress_bar
 if TYPE_CHECKING:
     from ...marked.graded import Graded
 
+KEY = "key.xlsx"
 Class = Annotated[
     Path, typer.Argument(metavar="FOLDER", help="The folder that 'vecpoly class' wrote.", show_default=False)
 ]
@@ -74,6 +75,7 @@ def grade(
     from ...marked.scheme import read_scheme
 
     register = read_register(folder)
+    _no_key(folder, answers)
     order = Order(
         register=register, files=tuple(answers), out=output, scheme=read_scheme(rules, register), lang=lang,
         jobs=jobs or os.cpu_count() or 1, feedback=feedback, before=diff, drawings=drawings,
@@ -88,6 +90,18 @@ def grade(
         raise typer.Exit(REFUSED)
 
 
+def _no_key(folder: Path, answers: list[Path]) -> None:
+    """Raise ArgumentError where the key of the class is handed in for its answers: everybody would have all points."""
+    key = folder / KEY
+    if any(one.exists() and key.exists() and one.samefile(key) for one in answers):
+        raise ArgumentError(
+            Words(
+                f"{key} 是这次作业的标准答案，不是学生的作答；请给出填好的 answers.xlsx",
+                f"{key} is the key of this class, not its answers; name the answers.xlsx that was filled in",
+            )
+        )
+
+
 def _report(done: Graded, output: Path) -> None:
     for path in done.files:
         if path.parent == output:
@@ -100,13 +114,12 @@ def _report(done: Graded, output: Path) -> None:
         told_in(
             Words(
                 f"{count} 人，{missing} 人没有交，{waiting} 处待人工批改",
-                f"{count} students, {missing} returned nothing, {waiting} answers or rows wait for a person",
+                f"{many(count, 'students')}, {missing} returned nothing, {many(waiting, 'answers or rows')} "
+                f"{'waits' if waiting == 1 else 'wait'} for a person",
             )
         )
     )
     if done.changed is not None:
-        say(
-            told_in(
-                Words(f"与前次相比有 {len(done.changed)} 处不同", f"{len(done.changed)} answers are marked otherwise")
-            )
-        )
+        changed = len(done.changed)
+        are = "is" if changed == 1 else "are"
+        say(told_in(Words(f"与前次相比有 {changed} 处不同", f"{many(changed, 'answers')} {are} marked otherwise")))

@@ -46,8 +46,10 @@ def _tell(problem: Problem, assignment: str, count: int, salt: str, lang: Lang) 
     from ...variants.draw import variants as drawn
     from ...variants.pilot import pilot
     from ...variants.seeds import Seed
-    from ...variants.told import demoted, said_already, told
+    from ...variants.told import asks_otherwise, demoted, said_already, told
 
+    for line in asks_otherwise(problem):
+        typer.echo(line.of(lang))
     if not problem.ranges:
         typer.echo(
             Words(

@@ -96,8 +96,8 @@ def _tell(found: Found, lang: Lang) -> None:
     for one in found.measures:
         add(made, (one.name.of(lang), beside(number(one.value), written_unit(one.unit))))
     add(made, (Words("候选数", "candidates").of(lang), str(found.tried)))
-    for one in _linkage(found.problem):
-        add(made, one)
+    for row in _linkage(found.problem):
+        add(made, row)
     show(made)
 
 

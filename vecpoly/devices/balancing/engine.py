@@ -60,6 +60,7 @@ class InlineEngine(Device):
                 ),
                 code="out-of-range",
                 numbers={"cranks": len(self.cranks)},
+                keys=("cranks",),
             )
         if self.l.si <= self.r.si:
             raise FaultError(
@@ -69,6 +70,7 @@ class InlineEngine(Device):
                 ),
                 code="contradiction",
                 numbers={"l": self.l.si, "r": self.r.si},
+                keys=("r", "l"),
             )
         if self.order is not None and sorted(self.order) != list(range(1, len(self.cranks) + 1)):
             raise FaultError(
@@ -77,6 +79,7 @@ class InlineEngine(Device):
                     f"the firing order {list(self.order)} must name each of 1 to {len(self.cranks)} once",
                 ),
                 code="contradiction",
+                keys=("order",),
             )
         return self
 

@@ -67,6 +67,7 @@ class FieldBalancing(Device):
                     "only, or velocities only",
                 ),
                 code="wrong-unit",
+                keys=("initial", "trials"),
             )
         if len({one.phase is None for one in shown}) > 1:
             raise FaultError(
@@ -76,6 +77,7 @@ class FieldBalancing(Device):
                     "phases, or none",
                 ),
                 code="contradiction",
+                keys=("initial", "trials"),
             )
 
     def _one_trial(self) -> None:
@@ -88,6 +90,7 @@ class FieldBalancing(Device):
                 ),
                 code="contradiction",
                 numbers={"trials": len(self.trials)},
+                keys=("trials",),
             )
 
     def _several(self) -> None:
@@ -99,6 +102,7 @@ class FieldBalancing(Device):
                 ),
                 code="missing",
                 numbers={"trials": len(self.trials)},
+                keys=("trials",),
             )
         if len({(trial.m.si, trial.r.si) for trial in self.trials}) > 1:
             raise FaultError(
@@ -108,6 +112,7 @@ class FieldBalancing(Device):
                     "angles",
                 ),
                 code="contradiction",
+                keys=("trials",),
             )
         turns = sorted(degrees(trial.at.si % tau) for trial in self.trials)
         if min((b - a) % 360.0 for a, b in zip(turns, turns[1:] + turns[:1], strict=True)) < 1.0:
@@ -116,6 +121,7 @@ class FieldBalancing(Device):
                     "两次试重的方位相同（相差不到 1°）", "two trial weights sit at the same angle (less than 1° apart)"
                 ),
                 code="contradiction",
+                keys=("trials",),
             )
 
     @property

@@ -52,6 +52,7 @@ class RotorMass(Entry):
                     "kg",
                 ),
                 code="spelling",
+                keys=there,
             )
         self._placed(there[0])
         return self
@@ -65,16 +66,19 @@ class RotorMass(Entry):
                     "U is m r already and has no r; m, hole and keyway need their radius: write e.g. r: 120 mm",
                 ),
                 code="missing" if self.r is None else "contradiction",
+                keys=("r",),
             )
         if kind == "keyway" and self.depth is None:
             raise FaultError(
                 Words("键槽须写槽深 depth，如 depth: 6 mm", "a keyway needs its depth: write e.g. depth: 6 mm"),
                 code="missing",
+                keys=("depth",),
             )
         if kind in ("m", "U") and (self.depth or self.b or self.density):
             raise FaultError(
                 Words("depth、b、density 只属于孔和键槽", "depth, b and density belong to holes and keyways only"),
                 code="contradiction",
+                keys=("depth", "b", "density"),
             )
 
     @property
@@ -92,7 +96,7 @@ class RotorMass(Entry):
         """Along the axis (m)."""
         return (self.z or HERE).si
 
-    def within(self, disc: RotorDisc) -> RotorMass:
+    def within(self, disc: RotorDisc, name: str) -> RotorMass:
         """The same with thickness and density of the disc, where it has none of its own; FaultError for what lacks."""
         if not self.removed:
             return self
@@ -105,7 +109,10 @@ class RotorMass(Entry):
                     "the mass of a hole or keyway follows from the thickness b and the density: write e.g. "
                     "disc: {b: 40 mm, density: 7850 kg/m^3}",
                 ),
+                "masses",
+                name,
                 code="missing",
+                keys=("hole", "keyway"),
             )
         return self.model_copy(update={"b": deep, "density": density})
 

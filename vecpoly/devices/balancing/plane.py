@@ -82,7 +82,7 @@ class RotorPlane(Entry):
         """How many holes are drilled."""
         return 0 if self.hole is None else 1 if self.spread is None else 2
 
-    def within(self, disc: RotorDisc) -> RotorPlane:
+    def within(self, disc: RotorDisc, name: str) -> RotorPlane:
         """The same with thickness and density of the disc, where holes are drilled; FaultError where they lack."""
         if self.hole is None:
             return self
@@ -94,7 +94,10 @@ class RotorPlane(Entry):
                     "a hole needs the thickness b and the density of the disc: write e.g. "
                     "disc: {b: 40 mm, density: 7850 kg/m^3}",
                 ),
+                "correct",
+                name,
                 code="missing",
+                keys=("hole",),
             )
         return self.model_copy(update={"b": deep, "density": density})
 
@@ -108,6 +111,7 @@ class RotorPlane(Entry):
                         f"{key} needs the radius of the correction: write e.g. r: 250 mm",
                     ),
                     code="missing",
+                    keys=("r",),
                 )
         if self.hole is not None and (self.places or self.use or self.only or self.step):
             raise FaultError(
@@ -116,14 +120,7 @@ class RotorPlane(Entry):
                     "a hole is drilled where the drawing says: places, use, only and step belong to weights",
                 ),
                 code="contradiction",
-            )
-        if (self.only or self.use) and not self.places:
-            raise FaultError(
-                Words(
-                    "only、use 属于固定方位；请同时写 places，如 places: 30 deg",
-                    "only and use belong to fixed places: write places as well, e.g. places: 30 deg",
-                ),
-                code="missing",
+                keys=("hole", "places", "use", "only", "step"),
             )
         if self.spread is not None and not (self.hole is not None and 0 < self.spread.si < pi / 2):
             raise FaultError(
@@ -133,9 +130,23 @@ class RotorPlane(Entry):
                     "holes and lies between 0 and 90 deg",
                 ),
                 code="out-of-range",
+                keys=("hole", "spread"),
             )
+        self._placed()
         self._two_places()
         return self
+
+    def _placed(self) -> None:
+        """FaultError where something is said of places and there are none."""
+        if (self.only or self.use) and not self.places:
+            raise FaultError(
+                Words(
+                    "only、use 属于固定方位；请同时写 places，如 places: 30 deg",
+                    "only and use belong to fixed places: write places as well, e.g. places: 30 deg",
+                ),
+                code="missing",
+                keys=("places", "use", "only"),
+            )
 
     def _two_places(self) -> None:
         """FaultError where two places are no two directions."""
@@ -144,6 +155,7 @@ class RotorPlane(Entry):
             raise FaultError(
                 Words("use 是两个方位，如 [90 deg, 120 deg]", "use: two directions, e.g. [90 deg, 120 deg]"),
                 code="spelling",
+                keys=("use",),
             )
         if pair is None:
             return

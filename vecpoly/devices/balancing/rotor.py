@@ -63,10 +63,11 @@ class Rotor(Device):
                 ),
                 code="out-of-range",
                 numbers={"masses": len(self.masses)},
+                keys=("masses",),
             )
         named_well([*self.masses, *self.correct], Words("质量或平面", "a mass or a plane"), TAKEN)
         object.__setattr__(self, "masses", {name: self._whole(name) for name in self.masses})
-        object.__setattr__(self, "correct", {name: one.within(self.disc) for name, one in self.correct.items()})
+        object.__setattr__(self, "correct", {name: one.within(self.disc, name) for name, one in self.correct.items()})
         if any(mass.unknown for mass in self.masses.values()):
             check_sought(self.masses, bool(self.correct or self.tolerance))
         else:
@@ -75,7 +76,7 @@ class Rotor(Device):
 
     def _whole(self, name: str) -> RotorMass:
         """A mass with what the disc says of holes; FaultError where a hole is deeper than the disc."""
-        mass = self.masses[name].within(self.disc)
+        mass = self.masses[name].within(self.disc, name)
         if mass.hole is not None and mass.b is not None and mass.high > mass.b.si * (1 + 1e-9):
             raise FaultError(
                 Words(
@@ -84,6 +85,7 @@ class Rotor(Device):
                 ),
                 code="out-of-range",
                 numbers={"depth": mass.high, "b": mass.b.si},
+                keys=(("masses", name), "disc"),
             )
         return mass
 
@@ -100,6 +102,7 @@ class Rotor(Device):
                 ),
                 code="missing",
                 numbers={"planes": len(planes)},
+                keys=("correct",),
             )
         if len(planes) == PLANES and abs(planes[0].at - planes[1].at) < self.length * 1e-6 + 1e-9:
             (one, first), (other, second) = self.correct.items()
@@ -112,6 +115,7 @@ class Rotor(Device):
                 ),
                 code="contradiction",
                 numbers={"z_1": first.at, "z_2": second.at},
+                keys=(("correct", one), ("correct", other)),
             )
         assert self.parts()  # its refusal
 
@@ -236,4 +240,5 @@ def _outside(part: float, one: str, other: str) -> FaultError:
         ),
         code="out-of-range",
         numbers={"share": part},
+        keys=("tolerance", ("correct", one), ("correct", other)),
     )

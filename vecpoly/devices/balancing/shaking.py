@@ -80,6 +80,7 @@ class ShakingForce(Device):
                     ),
                     code="contradiction",
                     numbers={name: least.si, "l": greatest.si},
+                    keys=(name, "l"),
                 )
         return self
 

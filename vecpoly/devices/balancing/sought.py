@@ -40,6 +40,7 @@ def check_sought(masses: Mapping[str, RotorMass], corrected: bool) -> None:
                 "masses that are sought (?) do the balancing themselves: leave out correct and tolerance",
             ),
             code="contradiction",
+            keys=("correct", "tolerance"),
         )
     whole = [name for name, mass in masses.items() if len(mass.unknown) == SCALARS]
     rest = sum(len(mass.unknown) for mass in masses.values()) - SCALARS
@@ -54,6 +55,7 @@ def check_sought(masses: Mapping[str, RotorMass], corrected: bool) -> None:
             ),
             code="missing",
             numbers={"whole": len(whole), "others": rest},
+            keys=("masses",),
         )
     here = masses[whole[0]].place
     flat = [name for name, mass in masses.items() if name != whole[0] and mass.unknown and mass.place == here]
@@ -67,6 +69,7 @@ def check_sought(masses: Mapping[str, RotorMass], corrected: bool) -> None:
             ),
             code="contradiction",
             numbers={"z": here},
+            keys=(("masses", flat[0]), ("masses", whole[0])),
         )
 
 

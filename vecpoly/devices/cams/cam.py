@@ -9,6 +9,7 @@ stations: 15 deg
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from math import degrees, pi, radians
 from typing import Annotated, ClassVar, Literal
 
@@ -41,6 +42,7 @@ from .asked import (
     radius,
     travel,
 )
+from .corners import corners_noted
 from .fits import clears, closes, first_angle, may_be_sized, stays_behind
 from .follower import Follower
 from .motion import Entry, Piece, pieces_of, read_entry, stations
@@ -106,6 +108,7 @@ class Cam(Device):
                     "which the least one is found",
                 ),
                 code="contradiction",
+                keys=("r0", "alpha"),
             )
         if self.r0 is None:
             may_be_sized(self.follower)
@@ -181,6 +184,11 @@ class Cam(Device):
         first = (PSI0 if self.arm else S0, ALPHA, ALPHA_RISE, ALPHA_BACK, RHO)
         whole = (*first, RHO_PROFILE, UNDERCUT) if self.follower.roller else first
         return (*whole, *moved, *(pressure(phi) for phi in here), *(radius(phi) for phi in here))
+
+    def noted(self, asked: Collection[str]) -> tuple[Words, ...]:
+        """That corners have no radius of curvature, where the least one is asked."""
+        keys = {*asked} or {one.key for one in self.quantities()}
+        return () if self.follower.flat or not {RHO.key, RHO_PROFILE.key} & keys else corners_noted(self.pieces)
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """r0 or [α], follower, motion."""

@@ -32,6 +32,7 @@ def may_be_sized(follower: Follower) -> None:
                 "offset; leave out flat, arm and offset",
             ),
             code="contradiction",
+            keys=tuple(("follower", key) for key in ("flat", "offset", "arm")),
         )
 
 
@@ -45,6 +46,7 @@ def clears(r0: Quantity, follower: Follower) -> None:
                 "circle; |offset| must be less than r0",
             ),
             code="out-of-range",
+            keys=(("follower", "offset"), "r0"),
         )
     if follower.radius >= r0.si:
         raise FaultError(
@@ -54,6 +56,7 @@ def clears(r0: Quantity, follower: Follower) -> None:
                 "it must be less than r0",
             ),
             code="out-of-range",
+            keys=(("follower", "roller"), "r0"),
         )
 
 
@@ -73,6 +76,7 @@ def closes(r0: Quantity, follower: Follower, lift: float) -> None:
                 f"{_mm(abs(oa - ab))} and {_mm(oa + ab)}",
             ),
             code="out-of-range",
+            keys=("r0", ("follower", "arm")),
         )
     psi0 = first_angle(r0, follower.arm)
     if psi0 + lift >= SWUNG:
@@ -84,6 +88,7 @@ def closes(r0: Quantity, follower: Follower, lift: float) -> None:
                 f"would be stretched; let it swing less than {degrees(SWUNG - psi0):.4g} deg",
             ),
             code="out-of-range",
+            keys=("r0", "motion", ("follower", "arm")),
         )
 
 
@@ -98,6 +103,7 @@ def _tangent(r0: Quantity, arm: Arm, lift: float) -> None:
                 f"between {_mm(r0.si - oa)} and {_mm(r0.si)}",
             ),
             code="out-of-range",
+            keys=("r0", ("follower", "arm")),
         )
     psi0 = first_angle(r0, arm, flat=True)
     if psi0 + lift >= UPRIGHT:
@@ -110,6 +116,7 @@ def _tangent(r0: Quantity, arm: Arm, lift: float) -> None:
                 f"would stand nearly across OA; let it swing less than {degrees(UPRIGHT - psi0):.4g} deg",
             ),
             code="out-of-range",
+            keys=("r0", "motion", ("follower", "arm")),
         )
 
 
@@ -131,6 +138,7 @@ def stays_behind(pieces: Iterable[Piece], way: int) -> None:
             ),
             code="out-of-range",
             numbers={"swing": swing, "angle": angle},
+            keys=("motion",),
         )
 
 

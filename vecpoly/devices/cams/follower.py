@@ -76,6 +76,7 @@ class Follower(BaseModel):
                     "write e.g. {roller: 10 mm}, {knife: yes} or {flat: yes}",
                 ),
                 code="spelling",
+                keys=ends,
             )
         if self.offset is not None and (self.flat or self.arm):
             raise FaultError(
@@ -84,6 +85,7 @@ class Follower(BaseModel):
                     "the offset of a flat face changes nothing of the cam, and an arm has none; leave out 'offset'",
                 ),
                 code="contradiction",
+                keys=("offset", "flat", "arm"),
             )
         if self.arm is not None:
             self._fits(self.arm)
@@ -99,6 +101,7 @@ class Follower(BaseModel):
                     "where it is; leave out AB",
                 ),
                 code="contradiction",
+                keys=("flat", ("arm", "AB")),
             )
         if not self.flat and (arm.AB is None or arm.face is not None):
             raise FaultError(
@@ -108,6 +111,7 @@ class Follower(BaseModel):
                     "arm: {OA: 80 mm, AB: 70 mm}",
                 ),
                 code="missing" if arm.AB is None else "contradiction",
+                keys=("arm", ("arm", "face")),
             )
 
     @property

@@ -145,6 +145,7 @@ def pieces_of(entries: tuple[Entry, ...], dim: Dim) -> tuple[Piece, ...]:
                     "strokes",
                 ),
                 code="contradiction",
+                keys=("motion",),
             )
         low, high = sorted((level, after if after > LEVEL * by else 0.0))
         pieces.append(Piece(start=start, angle=entry.angle, low=low, high=high, rises=rises, law=entry.law))
@@ -165,12 +166,14 @@ def _closes(pieces: Sequence[Piece], turn: float, level: float, dim: Dim) -> Non
             ),
             code="contradiction",
             numbers={"sum": degrees(turn)},
+            keys=("motion",),
         )
     highest = max((piece.high for piece in pieces), default=0.0)
     if not highest:
         raise FaultError(
             Words(f"motion：从动件没有推程；如写 {EXAMPLE}", f"motion: the follower never rises; write e.g. {EXAMPLE}"),
             code="missing",
+            keys=("motion",),
         )
     if level > LEVEL * highest:
         left = f"{degrees(level):.6g} deg" if dim is Dim.ANGLE else f"{1e3 * level:.6g} mm"
@@ -181,6 +184,7 @@ def _closes(pieces: Sequence[Piece], turn: float, level: float, dim: Dim) -> Non
                 "rises",
             ),
             code="contradiction",
+            keys=("motion",),
         )
 
 

@@ -107,11 +107,13 @@ class Flywheel(Device):
                     "give one of these and only one: moments M_d and M_r (or one of them), areas, or powers",
                 ),
                 code="contradiction",
+                keys=("M_d", "M_r", "areas", "powers"),
             )
         if (self.areas is None) != (self.mu_A is None):
             raise FaultError(
                 Words("areas 与 mu_A 应一并给出，如 mu_A: 12 J/mm^2", "areas go with their scale, mu_A: 12 J/mm^2"),
                 code="missing",
+                keys=("areas", "mu_A"),
             )
         if not self.n.si or (self.shaft is not None and not self.shaft.si):
             raise FaultError(Words("转速不得为零", "the speed is not zero"), "n", code="out-of-range")
@@ -157,6 +159,7 @@ class Flywheel(Device):
                     "'rim' and 'shaft' belong to a flywheel that is sought: give delta",
                 ),
                 code="missing",
+                keys=("delta", "shaft", "rim"),
             )
 
     def noted(self, asked: Collection[str]) -> tuple[Words, ...]:

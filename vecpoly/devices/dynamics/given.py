@@ -131,6 +131,7 @@ def _period(curves: Sequence[Curve], period: Quantity | None) -> float:
                 "e.g. [[0 deg, 0 N*m], [180 deg, 90 N*m]]",
             ),
             code="contradiction",
+            keys=("M_d", "M_r"),
         )
     return ends[0]
 
@@ -157,14 +158,19 @@ def _balance(both: Torques) -> None:
 
 def _unsteady(left: float, on_paper: str) -> FaultError:
     told = f"（{on_paper}）" if on_paper else ""
+    remedy = Words(
+        "请改正数据，或删去 M_d、M_r 之一，由面积相等求出常数力矩",
+        "mend the data, or leave out M_d or M_r, which then is the constant of equal area",
+    )
     return FaultError(
         Words(
-            f"一个周期内驱动功与阻力功不相等：每周期动能变化 {left:+.6g} J{told}，机器不能稳定运转，δ 和飞轮都无意义；"
-            "请改正数据，或删去 M_d、M_r 之一，由面积相等求出常数力矩",
+            f"一个周期内驱动功与阻力功不相等：每周期动能变化 {left:+.6g} J{told}，机器不能稳定运转，δ 和飞轮都无意义；",
             f"driving and resisting work differ over a period: the energy changes by {left:+.6g} J"
             f"{f' ({on_paper})' if on_paper else ''} in each, so that the motion is not steady and neither delta nor a "
-            "flywheel means anything; mend the data, or leave out M_d or M_r, which then is the constant of equal area",
-        ),
+            "flywheel means anything; ",
+        )
+        + (Words("请使各面积之和为零", "mend the areas, whose sum is zero") if on_paper else remedy),
         code="unsteady",
         numbers={"dW": left},
+        keys=("M_d", "M_r", "areas", "powers"),
     )

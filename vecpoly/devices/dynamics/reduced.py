@@ -97,6 +97,7 @@ class ReducedTrain(Device):
                 ),
                 code="no-start",
                 numbers={"M_e": moment},
+                keys=("shafts",),
             )
         if self.until is not None and (self.until.si - self.start.si) * moment <= 0:
             raise FaultError(

@@ -85,6 +85,7 @@ class RunUp(Device):
                 ),
                 code="no-start",
                 numbers={"M_start": at_rest(motor), "M_r": load},
+                keys=("motor", "load"),
             )
         return self
 

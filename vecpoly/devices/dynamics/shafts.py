@@ -45,6 +45,7 @@ class Shaft(BaseModel):
                     "a drum goes with what it lifts: drum: 400 mm, lifts: 500 kg",
                 ),
                 code="missing",
+                keys=("drum", "lifts"),
             )
         return self
 
@@ -102,9 +103,14 @@ def read_pair(value: Any) -> Pair:
         )
     belt = "m" in m[3] + m[4]
     sizes = tuple(positive(part).si if belt else pure(part, "20") for part in (m[3], m[4]))
-    if min(sizes) <= 0:
+    if not belt and any(size < 1 or size % 1 for size in sizes):
         raise FaultError(
-            Words(f"“{value}”：齿数应大于零", f"'{value}': numbers of teeth are positive"), code="out-of-range"
+            Words(
+                f"“{value}”：齿数应为正整数；带轮直径请带单位，如 1 to 2 by 80 mm/240 mm",
+                f"'{value}': numbers of teeth are whole and positive; diameters of pulleys have their unit, as in 1 to "
+                "2 by 80 mm/240 mm",
+            ),
+            code="out-of-range",
         )
     return Pair(first=m[1], second=m[2], sizes=(sizes[0], sizes[1]), belt=belt, text=str(value))
 

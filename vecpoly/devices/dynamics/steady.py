@@ -30,6 +30,7 @@ def check_it_varies(load: Torques | Areas) -> None:
                 "M_r (or the powers) must change with the angle, e.g. [[0 deg, 0 N*m], [180 deg, 90 N*m]]",
             ),
             code="contradiction",
+            keys=("M_d", "M_r", "powers"),
         )
 
 

@@ -70,8 +70,24 @@ class Epicyclic(Device):
                     "'sun_2', e.g. ring: 64",
                 ),
                 code="missing",
+                keys=("ring", "sun_2"),
             )
         self._meshes()
+        self._turns()
+        if abs(self.basic - 1) < ONE_TO_ONE and self.sought == "H":
+            raise FaultError(
+                Words(
+                    "转化轮系的传动比为 1，两中心轮总是同速，系杆的转速不能由它们确定；请改变齿数或给出 omega_H",
+                    "relative to the carrier the ratio is 1: both central gears always turn alike and say nothing of "
+                    "the carrier; change the teeth, or give omega_H",
+                ),
+                code="contradiction",
+                keys=("sun", "planet", "ring"),
+            )
+        return self
+
+    def _turns(self) -> None:
+        """FaultError where not two angular velocities are given, or both are nothing."""
         given = [key for key, omega in self.omegas.items() if omega is not None]
         if len(given) != 2:
             names = ", ".join(f"omega_{key}" for key in given) or "–"
@@ -82,6 +98,7 @@ class Epicyclic(Device):
                     f"{names}",
                 ),
                 code="missing",
+                keys=tuple(f"omega_{key}" for key in given),
             )
         if not any(omega.si for omega in self.omegas.values() if omega is not None):
             raise FaultError(
@@ -90,17 +107,8 @@ class Epicyclic(Device):
                     "both angular velocities are zero and nothing turns; write e.g. omega_1: 10 rad/s",
                 ),
                 code="out-of-range",
+                keys=("omega_1", "omega_3", "omega_H"),
             )
-        if abs(self.basic - 1) < ONE_TO_ONE and self.sought == "H":
-            raise FaultError(
-                Words(
-                    "转化轮系的传动比为 1，两中心轮总是同速，系杆的转速不能由它们确定；请改变齿数或给出 omega_H",
-                    "relative to the carrier the ratio is 1: both central gears always turn alike and say nothing of "
-                    "the carrier; change the teeth, or give omega_H",
-                ),
-                code="contradiction",
-            )
-        return self
 
     def _meshes(self) -> None:
         """Concentric: with plain planets z_3 = z_1 + 2 z_2; a stepped planet must leave room."""
@@ -114,6 +122,7 @@ class Epicyclic(Device):
                 ),
                 code="contradiction",
                 numbers={"ring": self.ring or 0, "needed": right},
+                keys=("sun", "planet", "ring"),
             )
         if self.ring is not None and self.ring <= self.planet[-1]:
             raise FaultError(
@@ -122,6 +131,7 @@ class Epicyclic(Device):
                     f"ring = {self.ring}: a ring has more teeth than the planet in it, {self.planet[-1]}",
                 ),
                 code="out-of-range",
+                keys=("planet", "ring"),
             )
 
     @property

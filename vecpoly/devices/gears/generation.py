@@ -63,11 +63,13 @@ class GearGeneration(Device):
                     f"alpha = {self.alpha.text}: the rack's angle should be 10 … 30 deg, by the standard 20 deg",
                 ),
                 code="out-of-range",
+                keys=("alpha",),
             )
         if not 0.5 <= self.ha.si <= 1.25:
             raise FaultError(
                 Words(f"ha = {self.ha.text}：应为 0.5 … 1.25", f"ha = {self.ha.text}: it should be 0.5 … 1.25"),
                 code="out-of-range",
+                keys=("ha",),
             )
         low, high = self.ha.si - 0.4 * self.z, (pi / 4 - self.ha.si * tan(self.alpha.si)) / tan(self.alpha.si)
         if not -1.0 <= self.x <= 1.5 or not low <= self.x <= 1.5:
@@ -75,6 +77,7 @@ class GearGeneration(Device):
             raise FaultError(
                 Words(f"x = {self.x:g}：变位系数应为 {span}", f"x = {self.x:g}: the shift should be {span}"),
                 code="out-of-range",
+                keys=("x",),
             )
         if high <= -self.ha.si / 2:
             raise FaultError(
@@ -84,6 +87,7 @@ class GearGeneration(Device):
                     "of them",
                 ),
                 code="out-of-range",
+                keys=("alpha", "ha"),
             )
         return self
 

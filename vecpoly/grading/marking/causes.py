@@ -21,6 +21,7 @@ from .verdict import Verdicts
 FAR = -2  # powers of ten
 TENFOLD = 0.02  # as near to a power of ten a factor is one
 MANY = 3  # times as much wrong as a mistake explains: too much to name it
+_BY_ITSELF = (Told.SWAPPED, Told.ZERO)  # what is said of one quantity, and is no mistake that two have in common
 ALIKE = 3  # values that one wrong scale must explain, at least
 
 
@@ -164,7 +165,7 @@ def _of_itself(found: Verdicts, why: Causes, root: Graded) -> None:
                 (
                     name
                     for name, one in why.said.items()
-                    if one == said[0] and one.id is not Told.SWAPPED and _alike(found.key[name], root)
+                    if one == said[0] and one.id not in _BY_ITSELF and _alike(found.key[name], root)
                 ),
                 None,
             )

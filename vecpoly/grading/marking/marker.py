@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from math import copysign, isfinite, log10
 
 from ...algebra.quantity import number
@@ -71,7 +71,7 @@ def mark(
     return Marked(
         key=key, findings=findings, stated=stated, lost=rules.unit if faulty else 0.0, lines=lines, slips=why.slips,
         equations=equations, roots=tuple(one.key for one in found.roots()), faults=sheet.faults,
-        messages=(*order, *other, *_of_scales(key, sheet)),
+        messages=(*order, *other, *_of_scales(key, sheet, used)),
     )  # fmt: skip
 
 
@@ -113,9 +113,11 @@ def _chain(found: Verdicts, name: str) -> int:
     return 1 + _chain(found, source_of(found, found.key[name]))
 
 
-def _of_scales(key: AnswerKey, sheet: Sheet) -> list[Message]:
-    """Scales that are not stated, and those that nobody would take; that of the sheet may be any."""
-    missing = [message(Told.SCALE_UNDECLARED, mu=_mu(mu)) for mu in key.stated if mu not in sheet.stated]
+def _of_scales(key: AnswerKey, sheet: Sheet, used: Collection[str]) -> list[Message]:
+    """Scales that are not stated of figures on which something was answered, and those that nobody would take; that of
+    the sheet may be any."""
+    lacking = [mu for mu in key.stated if mu in used and mu not in sheet.stated]
+    missing = [message(Told.SCALE_UNDECLARED, mu=_mu(mu)) for mu in lacking]
     odd = [
         message(Told.SCALE_ODD, mu=_mu(mu), v=bare(number(value)))
         for mu, value in sheet.scales.items()

@@ -146,16 +146,10 @@ def _one(raw: str, bare: str) -> Written:
     named = bare[found.end() :].strip().rstrip(".,;").strip()
     known = unit(named) if named else None
     if named and known is None:
-        return _refused(raw, Words(f"“{named}”不是可识别的单位", f"'{named}' is no unit that is known"))
+        return _refused(raw, _beside(named))
     sense = senses[0] if senses else 0
     if len(set(senses)) > 1 or (sense and value.signed and value.value and (value.value > 0) != (sense > 0)):
-        return Written(
-            raw=raw,
-            state=State.AMBIGUOUS,
-            value=value.value,
-            unit=known,
-            why=Words("符号与转向互相矛盾", "its sign and its sense contradict each other"),
-        )
+        return Written(raw=raw, state=State.AMBIGUOUS, value=value.value, unit=known, why=_both(len(set(senses)) > 1))
     return Written(
         raw=raw,
         state=State.READ,
@@ -167,6 +161,22 @@ def _one(raw: str, bare: str) -> Written:
         last=value.last,
         direction=direction,
     )
+
+
+def _beside(named: str) -> Words:
+    """What stands beside a number and is neither a unit nor, behind ∠, a direction."""
+    before, angle, way = named.partition("∠")
+    if angle and way.strip() and (not before.strip() or unit(before.strip())):
+        said = way.strip()
+        return Words(f"“{said}”不是可识别的方向", f"'{said}' is no direction that is known")
+    return Words(f"“{named}”不是可识别的单位", f"'{named}' is no unit that is known")
+
+
+def _both(senses: bool) -> Words:
+    """That two things that were written of a sense are not one."""
+    if senses:
+        return Words("写了两个相反的转向", "two senses are written, one against the other")
+    return Words("符号与转向互相矛盾", "its sign and its sense contradict each other")
 
 
 def _place(raw: str, two: Pair) -> Written:

@@ -27,7 +27,7 @@ def explanations(one: Graded, mine: Measured, target: Target, key: AnswerKey) ->
     if one.kind is Kind.YES_NO:
         return ()
     if abs(target.value) <= one.allowed and not one.exact:
-        return (_why_zero(one),)
+        return () if one.unit == "deg" else (_why_zero(one),)  # 0° is a direction
     if not target.value or not mine.value:
         return ()
     near = min(NEAR, one.allowed / abs(one.exact)) if one.exact else NEAR

@@ -16,7 +16,7 @@ _HEAD = (
     Words("部分", "part"),
     Words("方法分", "method"),
     Words("准确分", "accuracy"),
-    Words("转向分", "sense"),
+    Words("方向或转向分", "direction or sense"),
     Words("合计", "total"),
 )
 _PARTS = {

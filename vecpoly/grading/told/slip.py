@@ -15,6 +15,12 @@ from .message import Message, message
 
 _RATIO = re.compile(r"omega_ratio_(\d+?)_?(\d+)")  # omega_ratio_13, omega_ratio_1_12
 _POINT = re.compile(r"([A-Za-z])(\d+)('*)")
+_SIDE = re.compile(r"_(left|right)$")  # of the two flanks of a groove, which bear alike
+_LETTER = {
+    "omega": "ω", "alpha": "α", "eta": "η", "phi": "φ", "rho": "ρ", "delta": "δ", "lambda": "λ", "gamma": "γ",
+    "theta": "θ", "psi": "ψ", "beta": "β", "dW": "ΔW",
+}  # fmt: skip
+_GREEK = re.compile(rf"(?<![A-Za-z])(?:{'|'.join(_LETTER)})(?![A-Za-z])")
 SLIPS = (Told.SLIP, Told.EITHER, Told.CORIOLIS, Told.CORIOLIS_2)  # the sentences that tell of one
 MOST = 3  # slips that one sentence tells
 _SAID = {
@@ -54,7 +60,7 @@ _SAID = {
 def told_of(slip: Slip, also: Sequence[Slip] = ()) -> Message:
     """The sentence of a slip, or of several that give the same numbers; the Coriolis term has words of its own."""
     if also:
-        ways = list(dict.fromkeys(map(_said, (slip, *also))))  # two lines may be drawn through the same wrong centres
+        ways = list(dict.fromkeys(map(said_of, (slip, *also))))  # two lines may be drawn through the same wrong centres
         if len(ways) == 1:
             return message(Told.SLIP, what=symbol_of(slip.key.rpartition(":")[2]), mistake=_done(slip))
         zh, en = zip(*((said.zh, said.en) for said in ways[:MOST]), strict=True)
@@ -75,13 +81,16 @@ def _done(slip: Slip) -> Words:
     return Words(said.zh.format(of=of), said.en.format(of=of))
 
 
-def _said(slip: Slip) -> Words:
+def said_of(slip: Slip) -> Words:
+    """$e$ is left out."""
     what, mistake = symbol_of(slip.key.rpartition(":")[2]), _done(slip)
     return Words(f"${what}$ {mistake.zh}", f"${what}$ is {mistake.en}")
 
 
 def symbol_of(key: str) -> str:
-    """A key as it is printed: ``a^k_{C2C3}``, ``R_{32}``, ``f_4'``, ``bc2``."""
+    """A key as it is printed: ``a^k_{C2C3}``, ``R_{32}``, ``f_4'``, ``bc2``; the inversion of a cam is −ω."""
+    if key == "inversion":
+        return "−ω"
     if (point := _POINT.fullmatch(key)) is not None:
         return f"{point[1]}_{{{point[2]}}}{point[3]}"
     if (ratio := _RATIO.fullmatch(key)) is not None:
@@ -89,5 +98,6 @@ def symbol_of(key: str) -> str:
     with suppress(UnknownNameError):
         if (rel := parse_rel(key)).kind is not Kind.P:  # p_L is a number of lower pairs
             return rel.symbol
-    head, low, body = key.partition("_")
+    head, low, body = _SIDE.sub("", key).partition("_")
+    head, body = (_GREEK.sub(lambda found: _LETTER[found[0]], part) for part in (head, body))
     return f"{head}_{{{body}}}" if low and body else head

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from ...errors import Fault
 from ...grading.told.alone import alone
+from ...grading.told.message import Message
 from ...words import Lang, Words, bare
 from ..work import Result
 
@@ -25,13 +26,15 @@ def queue_rows(results: Sequence[Result], lang: Lang, faults: Sequence[Fault] = 
     for result in results:
         for problem, marked in result.marks.items():
             for one in marked.queue:
-                why = ("；" if lang == "zh" else "; ").join(bare(said.words.of(lang)) for said in alone(one.messages))
-                place = result.places.get((problem, one.key))
-                where = "" if place is None else place.words.of(lang)
+                why = _why(one.messages, lang)
+                where = _where(result, problem, one.key, lang)
                 rows.append([result.student.number, problem, one.key, one.written.raw, where, why])
-            rows += [
-                [result.student.number, problem, figure.of(lang), "", "", why.of(lang)] for figure, why in marked.doubts
-            ]
+            told = {one.title: one for one in marked.equations}
+            for figure, doubt in marked.doubts:
+                row = told.get(figure)
+                where, raw = ("", "") if row is None else (_where(result, problem, row.row.key, lang), row.raw)
+                said = doubt.of(lang) if row is None else _why(row.messages, lang)
+                rows.append([result.student.number, problem, figure.of(lang), raw, where, said])
         rows += [[result.student.number, "", "", "", "", fault.of(lang)] for fault in result.faults]
     rows += [
         [
@@ -45,3 +48,14 @@ def queue_rows(results: Sequence[Result], lang: Lang, faults: Sequence[Fault] = 
         for one in faults
     ]
     return rows
+
+
+def _where(result: Result, problem: str, key: str, lang: Lang) -> str:
+    """The cell in which it was written, where that is known."""
+    place = result.places.get((problem, key))
+    return "" if place is None else place.words.of(lang)
+
+
+def _why(said: Sequence[Message], lang: Lang) -> str:
+    """The reasons, for the person who looks at it."""
+    return ("；" if lang == "zh" else "; ").join(bare(one.words.of(lang)) for one in alone(said))

@@ -18,6 +18,7 @@ from ..schema.faults import meant
 from ..schema.models import FindSpec
 from ..text.spelling import did_you_mean, intended, plain
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
+from .untouched import joined, refuse_untouched
 
 _POINT = pattern(rf"({LETTER})(\d+)")
 _FORCES = pattern(r"[A-Z]\w*_?\w*|eta|[hm](?:_\w+)?")  # what may be meant for a quantity of the loads
@@ -122,8 +123,8 @@ def _vector(value: tuple[str, str] | str | None, dim: Dim) -> complex | None:
 
 def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str, Named]) -> Key:
     """A key of motion (v_E) or of forces (R_12); raises FaultError."""
-    if plain(text) in forces:
-        return forces[plain(text)]
+    if (key := joined(plain(text))) in forces:
+        return forces[key]
     if CENTRAL.match(text) and text[0] != "v":
         raise FaultError(
             Words(
@@ -143,6 +144,8 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
         )
     _refuse_running(text, forces)
     loads = [key for key, named in forces.items() if not (named.is_central or named.is_curved or named.is_pressure)]
+    if loads:
+        refuse_untouched(plain(text), bodies, loads)
     if _FORCES.fullmatch(text) and (loads or intended(text) is None):
         raise FaultError(
             Words(f"“{text}”不是这些载荷下可求的量", f"'{text}' is no quantity of these loads") + meant(text, loads)

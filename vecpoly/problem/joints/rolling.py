@@ -19,12 +19,14 @@ from ..links.teeth import pressure_angle
 from ..schema.faults import not_on_frame
 
 _SIZE = r"[\d.]+ \w+"  # of the second pitch circle of a stepped gear
+_BESIDE = "above|below|left|right"
 _FIXED = rf"circle about ({LETTER}) of (.+)"
 _ROLLS = pattern(
     rf"(?P<gear>{LINK}(?: of {_SIZE})?) rolls (?P<how>on|inside|above|below|left of|right of) "
-    rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{LINK}(?: of {_SIZE})?)"
-    rf"(?:,? (?P<mid>above|below|left|right))? at (?P<point>{LETTER})(?:,? (?P<last>above|below|left|right))?"
+    rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|(?:the (?:rack|gear) of )?{LINK}"
+    rf"(?: of {_SIZE})?)(?:,? (?P<mid>{_BESIDE}))? at (?P<point>{LETTER})(?:,? (?P<last>{_BESIDE}))?"
 )
+_MOVING = pattern(rf"(?:the (?P<what>rack|gear) of )?(?P<link>{LINK})(?: of (?P<size>{_SIZE}))?")
 FORMS = (_ROLLS,)  # for editors too
 EXAMPLES = (
     "'3 rolls on y = 0 mm at D', '3 rolls below y = 200 mm at D', '4 rolls on 3 at H', '2 rolls inside circle "
@@ -181,11 +183,34 @@ def _partner(on: str, bodies: Bodies) -> Circle | Rack:
         return Circle(link=FRAME, centre=_pinned_there(m[1], bodies), radius=positive(m[2]).si)
     if (fixed := fixed_line(on, bodies)) is not None:
         return Rack(link=FRAME, origin=fixed.origin, direction=fixed.direction)
-    draft = bodies.draft(on.split(" of ")[0])
+    m = _MOVING.fullmatch(on)
+    assert m
+    draft = bodies.draft(m["link"])
     line = draft.rack or (draft.line if draft.gear is None else None)
-    if line is not None:
-        return Rack(link=on, origin=line.origin, direction=line.direction)
-    return _circle(on, bodies)
+    if m["what"] == "rack" and line is None:
+        raise FaultError(
+            Words(
+                f"构件 {draft.name} 没有齿条；请在构件 {draft.name} 中写 rack: {next(iter(draft.points))}",
+                f"link {draft.name} has no rack; write rack: {next(iter(draft.points))} in link {draft.name}",
+            )
+        )
+    if m["what"] is None and not m["size"] and draft.rack is not None and draft.gear is not None:
+        raise _which(on)
+    if line is None or m["what"] == "gear" or m["size"]:
+        return _circle(on.removeprefix("the gear of "), bodies)
+    return Rack(link=m["link"], origin=line.origin, direction=line.direction)
+
+
+def _which(link: str) -> FaultError:
+    return FaultError(
+        Words(
+            f"构件 {link} 既有齿条又有齿轮；请写明与哪一个啮合，如 on the rack of {link}（与 {link} 的齿条在……啮合）"
+            f"或 on the gear of {link}",
+            f"link {link} has a rack and a gear; say with which it meshes: 'on the rack of {link}' or 'on the gear of "
+            f"{link}'",
+        ),
+        code="ambiguous",
+    )
 
 
 def _pinned_there(letter: str, bodies: Bodies) -> str:

@@ -34,14 +34,22 @@ class Faults:
             self.note(FaultError(error.words, *path, code=error.code, numbers=error.numbers))
 
     def note(self, fault: FaultError) -> None:
-        """Keep a fault, with the place of the nearest key that is written."""
-        path = fault.path
+        """Keep a fault, with the place of the nearest key that is written; of several keys the first in the file."""
+        path, *others = self._keys(fault) or [fault.path]
         cut = next((path[:n] for n in range(len(path), 0, -1) if path[:n] in self.places), ())
         place = self.places.get(cut, Place(self.file, 1, 1) if self.places else Place(self.file))
         said = fault.words + _leave_out(path, place.file != self.file)
-        new = Fault(said=said, code=fault.code, place=place, path=path, numbers=fault.numbers)
+        beside = tuple((other, self.places[other]) for other in others)
+        new = Fault(said=said, code=fault.code, place=place, path=path, numbers=fault.numbers, beside=beside)
         if new not in self.found:
             self.found.append(new)
+
+    def _keys(self, fault: FaultError) -> list[Path]:
+        """The keys that a fault is about, as far as they are written: first those of this file, in its order."""
+        paths = [(*fault.path, *((key,) if isinstance(key, str) else key)) for key in fault.keys]
+        there = [path for path in paths if path in self.places]
+        spots = {path: self.places[path] for path in there}
+        return sorted(spots, key=lambda key: (spots[key].file != self.file, spots[key].line, spots[key].column))
 
     def settle(self) -> None:
         """Raise one ProblemFileError with all that was found, if anything was."""

@@ -20,6 +20,8 @@ _MEANT = (  # N: a link, P: a point, G: a line
     ("N 的 P 点? ?沿 G ?(?:滑动|移动)", r"\2 of \1 slides on \3"),
     ("P 在 N 的? ?槽?[中内] ?(?:滑动|移动)", r"\1 runs in \2"),
     ("N 穿过 N", r"\1 passes through \2"),
+    ("N [与和] N 的? ?齿条 在 P 点?处? ?啮合", r"\1 rolls on the rack of \2 at \3"),
+    ("N [与和] N 的? ?齿轮 在 P 点?处? ?外?啮合", r"\1 rolls on the gear of \2 at \3"),
     ("N [与和] N 在 P 点?处? ?外?啮合", r"\1 rolls on \2 at \3"),
     ("N [与和] N 在 P 点?处? ?内啮合", r"\1 rolls inside \2 at \3"),
     ("N 在 P 点?处? ?沿 G ?滚动", r"\1 rolls on \3 at \2"),

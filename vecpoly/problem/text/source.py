@@ -8,7 +8,8 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from ... import limits
-from ...errors import FaultError, ProblemFileError, of_system
+from ...errors import FaultError, ProblemFileError
+from ...foundation.system import of_system
 from ...units.comma import refuse_comma
 from ...words import Words
 from ..reach import Reach

@@ -103,13 +103,12 @@ def _reaction_curves(turn: Cycle, keys: list[str], binder: Binder) -> str:
 
 def _even(part: Part, even: Balance) -> dict[str, str]:
     """The numbers of motor and flywheel."""
-    top, low = int(np.argmax(even.moment)), int(np.argmin(even.moment))
     return {
         "symbol": part.turn.info(even.key).symbol,
-        "max": number(float(even.moment[top])),
-        "max_at": part.study.where(float(even.phi[top])),
-        "min": number(float(even.moment[low])),
-        "min_at": part.study.where(float(even.phi[low])),
+        "max": number(even.highest.value),
+        "max_at": part.study.where(even.highest.phi),
+        "min": number(even.lowest.value),
+        "min_at": part.study.where(even.lowest.phi),
         "mean": number(even.mean),
         "power": number(1e-3 * even.power),
         "omega": number(abs(part.problem.mechanism.drive.rate)),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ...found import taken
+from ...printed.digits import drawn_number
 from ...project.part import Part
 from ...words import Words
 from ..answers.box import answer_box
@@ -41,9 +42,10 @@ def _taken(part: Part, binder: Binder) -> str:
         return ""
     design, one = part.problem.design, taken(part.problem, part.solution.construction.candidates)
     assert one is not None  # else nothing could use it
-    read = one.values
+    read, answers = one.values, part.solution.answers
+    as_read = {key: drawn_number(answers[key]) if key in answers else _mm(value) for key, value in read.items()}
     rows = [
-        (f"${named.symbol}$", _mm(read[named.key]), _mm(user.taken[named.key]))
+        (f"${named.symbol}$", as_read[named.key], _mm(user.taken[named.key]))
         for named in design.quantities()
         if named.key in read and design.is_length(named.key)
     ]

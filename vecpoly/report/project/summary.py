@@ -8,7 +8,9 @@ from typing import Any
 from ...project.demand import Demand
 from ...project.measured import measured
 from ...project.part import Part
-from ...words import Words
+from ...solution import YES_NO
+from ...words import Lang, Words
+from ..answers.line import result_of
 from .binder import Binder, amount
 
 _HEADER = {
@@ -24,7 +26,7 @@ def chapter(binder: Binder) -> dict[str, Any]:
     project, press, lang = binder.project, binder.press, binder.lang
     rows = [_row(one, binder) for one in project.demands]
     title = Words("设计要求的校核", "The demands and what was reached")
-    results = [(part.problem.title.of(lang), binder.listed(list(_results(part)))) for part in project.parts]
+    results = [(part.problem.title.of(lang), binder.listed(list(_results(part, lang)))) for part in project.parts]
     failed = [one.say.of(lang) for one in project.demands if not one.holds]
     return {
         "table": press.table(title, _HEADER[lang], rows, "lclrrc") if rows else "",
@@ -36,20 +38,34 @@ def chapter(binder: Binder) -> dict[str, Any]:
 
 def _row(one: Demand, binder: Binder) -> tuple[str, ...]:
     lang = binder.lang
+    part, key = _of(one.name, binder)
+    read = _as_read(part, key, lang) if part is not None else None
     asked = f"{one.sign} {amount(one.asked)}" + (f" ± {100 * one.within:g} %" if one.sign == "=" else "")
     return (
-        one.say.of(lang), _symbol(one, binder), asked, amount(one.drawn), amount(one.exact),
+        one.say.of(lang), _symbol(part, key), asked, read or amount(one.drawn), amount(one.exact),
         _VERDICT[one.holds].of(lang),
     )  # fmt: skip
 
 
-def _symbol(one: Demand, binder: Binder) -> str:
-    name, _, key = one.name.partition(".")
-    part = next((part for part in binder.project.parts if part.name == name), None)
+def _of(name: str, binder: Binder) -> tuple[Part | None, str]:
+    """The part of a quantity that is called `part.key`, and its key."""
+    part, _, key = name.partition(".")
+    return next((one for one in binder.project.parts if one.name == part), None), key
+
+
+def _symbol(part: Part | None, key: str) -> str:
     return "—" if part is None else f"${measured(part)[key].symbol}$"
 
 
-def _results(part: Part) -> Iterator[str]:
+def _as_read(part: Part, key: str, lang: Lang) -> str | None:
+    """An answer with the digits that it has in the chapter of its part; None of what is no answer."""
+    answer = part.solution.answers.get(key)
+    if answer is None or answer.reading.unit == YES_NO:
+        return None
+    return ("−" if answer.counted < 0 else "") + result_of(answer, lang)
+
+
+def _results(part: Part, lang: Lang) -> Iterator[str]:
     """The answers of a part as read; of a mechanism the facts of its cycle."""
     gives = measured(part)
     if part.finds and part.taken == {}:
@@ -59,4 +75,4 @@ def _results(part: Part) -> Iterator[str]:
     for key in shown:
         one = gives[key]
         if one.unit or key.startswith("i_") or key == "K":
-            yield f"${one.symbol}$ = {amount(one.drawn)}"
+            yield f"${one.symbol}$ = {_as_read(part, key, lang) or amount(one.drawn)}"

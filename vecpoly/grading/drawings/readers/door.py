@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ....errors import Fault, FaultError, Place, ProblemFileError, VecpolyError, of_system
+from ....errors import Fault, FaultError, Place, ProblemFileError, VecpolyError
+from ....foundation.system import of_system
 from ....limits import DRAWING_BYTES
 from ....words import Words
 from ..segment import Drawing

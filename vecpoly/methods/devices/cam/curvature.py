@@ -12,6 +12,7 @@ from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import RHO, RHO_PROFILE, UNDERCUT, UNDERCUT_FLAT
 from ....devices.cams.cam import Cam
+from ....devices.cams.corners import corners_of
 from ....plane import nominal
 from ....words import Words
 from ..bench import Bench
@@ -61,11 +62,11 @@ def _hartmann(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Sp
     board = bench.board
     board.step(
         Words(
-            f"外凸部分曲率半径的最小值经试作在 $φ$ = {spot.told}° 处"
+            f"外凸部分曲率半径的最小值{_but(cam).zh}经试作在 $φ$ = {spot.told}° 处"
             f"{lettered(cam, spot, MOST_BENT).zh}。该处用哈特曼法作曲率中心：反转运动中 "
             "$v_B$ ⊥ $PB$，$v_B$ = $PB$·$ω$；瞬心 $P$ 的换位速度 $u$ 沿法线的垂直方向取分量 $u′$；连两矢量的端点"
             "，交法线于 $K$（两速度用同一比例，取一半）。以 $K$ 为圆心过 $B$ 作密切圆：",
-            f"By trial the radius of the parts that bulge out is least at $φ$ = {spot.told}°"
+            f"By trial the radius of the parts that bulge out is least{_but(cam).en} at $φ$ = {spot.told}°"
             f"{lettered(cam, spot, MOST_BENT).en}. "
             "Hartmann's construction there: in the inversion $v_B$ ⊥ $PB$ with $v_B$ = $PB$·$ω$, and the centre $P$ "
             "itself moves with $u$, of which the part $u′$ at right angles to the normal is taken. The line of both "
@@ -87,6 +88,11 @@ def _hartmann(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Sp
     board.plot(place, centre, "K", Dot.POINT)
     osculating_circle(board, place, centre, it.b)
     return length(bench, RHO, place, centre, it.b, "K B")
+
+
+def _but(cam: Cam) -> Words:
+    """That corners are left out, where there are some."""
+    return Words("（尖点除外）", ", corners apart,") if corners_of(cam.pieces) else Words("", "")
 
 
 def _judged(bench: Bench, cam: Cam, rho: Quantity) -> None:

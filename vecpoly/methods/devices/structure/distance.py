@@ -49,7 +49,8 @@ def kept(chain: Chain, near: float, drivers: tuple[str, ...]) -> Iterator[Found]
         if bar.link in drivers:
             continue
         start, end = bar.ends
-        shared = [link for link in start.links if link in end.links and link != bar.link]
+        here, there = (_resting(chain, hinge, bar.link, near) for hinge in bar.ends)
+        shared = [link for link in here if link in there]
         a, b = subscripted(start.letter), subscripted(end.letter)
         if shared:
             which = (
@@ -65,6 +66,20 @@ def kept(chain: Chain, near: float, drivers: tuple[str, ...]) -> Iterator[Found]
                 ),
             )
         yield from _third_sides(chain, bar, near)
+
+
+def _resting(chain: Chain, hinge: Pair, but: str, near: float) -> list[str]:
+    """The links of which the place of a hinge is a point: those that it joins, and those that another hinge in the same
+    place joins to these."""
+    found = [link for link in hinge.links if link != but]
+    alike = [
+        pair for pair in chain.pairs if pair.form is Form.R and pair is not hinge and abs(pair.at - hinge.at) < near
+    ]
+    while new := [
+        link for pair in alike if {*pair.links} & {*found} for link in pair.links if link not in (*found, but)
+    ]:
+        found += dict.fromkeys(new)
+    return found
 
 
 def _third_sides(chain: Chain, bar: Bar, near: float) -> Iterator[Found]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from math import ceil
+from math import ceil, radians, sin
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from ..draft import SHEET, Draft
 from ..linkage import drawn, pin, pivot
 from ..registry import design_method
 
+FLAT = sin(radians(20))  # parallels that meet flatter than this give a bad point: a hand carries the side over
 TURN = 48  # positions of the crank in which the coupler curve is drawn and the cognates are tried
 
 
@@ -79,9 +80,9 @@ def _parallelograms(draft: Draft, pins: Mapping[str, Points]) -> dict[str, Point
 
 
 def _fourth(draft: Draft, one: Points, corner: Points, other: Points, letter: str) -> Points:
-    """The corner opposite `corner`, where parallels to its sides meet; laid off where it lies in line with them."""
+    """The corner opposite `corner`, where parallels to its sides meet; laid off where they meet flat."""
     board, sides = draft.board, (unit(other - corner), unit(one - corner))
-    if abs(float(np.imag(complex(nominal(np.conj(sides[0]) * sides[1]))))) < 1e-3:
+    if abs(float(np.imag(complex(nominal(np.conj(sides[0]) * sides[1]))))) < FLAT:
         return board.lay_off(one, sides[0], np.abs(other - corner))
     first, second = board.parallel(one, sides[0]), board.parallel(other, sides[1])
     at = board.meet(first, second, Words(f"求 ${letter}$", f"finding ${letter}$"))
