@@ -1,4 +1,4 @@
-"""English sentences of a step begin with a capital, whatever they are put together from."""
+"""English sentences of a step begin with a capital and with a word, whatever they are put together from."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import re
 from tests.drawn_library import IDS, drawn
 from tests.each import each
 
+SYMBOL = re.compile(r"(?:^|(?<!\.\.)\. \(?)\$")
 SMALL = re.compile(r"(?:^|(?<!\.\.)\. )[a-z]\w+")  # B_1, B_2 ... give the curve: no end of a sentence
 
 
@@ -14,3 +15,9 @@ SMALL = re.compile(r"(?:^|(?<!\.\.)\. )[a-z]\w+")  # B_1, B_2 ... give the curve
 def test_a_sentence_of_a_step_begins_with_a_capital(name: str) -> None:
     for step in drawn(name).construction.steps:
         assert not SMALL.search(step.words.en.strip()), step.words.en
+
+
+@each(IDS)
+def test_no_sentence_of_a_step_begins_with_a_symbol(name: str) -> None:
+    for step in drawn(name).construction.steps:
+        assert not SYMBOL.search(step.words.en.strip()), step.words.en

@@ -35,7 +35,7 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
         Words(
             f"$v_{{{name}}}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；取极点 $p$，作 $p{tip}$ 代表 "
             f"$v_{{{name}}}$：",
-            f"$v_{{{name}}}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ "
+            f"The velocity $v_{{{name}}}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ "
             f"({way_en}); from the pole $p$ lay off $p{tip}$ for $v_{{{name}}}$:",
         ),
         View.VELOCITY,

@@ -165,7 +165,7 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
     if not given:
         keep_nothing(st, to.load)
         return
-    st.board.step(_of_power(to.load.symbol, moved.symbol, signed=to.slide), View.VELOCITY)
+    st.board.step(_of_power(to.load.symbol, moved.symbol, force=to.slide), View.VELOCITY)
     parts = [written_power(st, work) for work in given]
     moving = [part for part in parts if nominal(part.value)]
     if not moving:
@@ -175,44 +175,38 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
     _keep_load(st, to, moved, moving, total / (moved.size.value * moved.sign))
 
 
-def _of_power(load: str, speed: str, *, signed: bool) -> Words:
-    """What is computed: a force with the sign of its power, or the size of a moment, whose sense is told apart."""
-    sized = Words(
-        f"功率等效：${load}$ 的大小等于各力（矩）的功率 $F v cos α$、$M ω$ 之和的绝对值除以 ${speed}$，转向由该和的"
-        "正负判定。",
-        f"It has the power of all: the size of ${load}$ is that of the sum of the powers $F v cos α$ and $M ω$, over "
-        f"${speed}$; the sign of the sum tells its sense.",
-    )
-    whole = Words(
-        f"功率等效：${load}$ 为代数值，等于各力（矩）的功率 $F v cos α$、$M ω$ 之和除以 ${speed}$。",
-        f"It has the power of all: ${load}$, with its sign, is the sum of the powers $F v cos α$ and $M ω$, over "
-        f"${speed}$.",
-    )
-    return (whole if signed else sized) + Words(
-        "作用点的速度沿力方向的分量由速度多边形量得。",
-        " The component of each velocity along its force is measured on the polygon.",
+def _of_power(load: str, speed: str, *, force: bool) -> Words:
+    """What is computed: the size of a force or of a moment, whose way is told apart."""
+    way = Words("指向", "its direction") if force else Words("转向", "its sense")
+    return Words(
+        f"功率等效：${load}$ 的大小等于各力（矩）的功率 $F v cos α$、$M ω$ 之和的绝对值除以 ${speed}$，{way.zh}由该和的"
+        "正负判定。作用点的速度沿力方向的分量由速度多边形量得。",
+        f"The power of ${load}$ equals that of all forces and moments: its size is that of the sum of the powers "
+        f"$F v cos α$ and $M ω$, over ${speed}$; the sign of the sum determines {way.en}. The component of each "
+        "velocity along its force is measured on the polygon.",
     )
 
 
 def _along(load: str, speed: str, along: bool) -> Words:
-    """How the sign of an equivalent force is counted, and what it says."""
+    """Which way an equivalent force acts."""
     sign, way = (
         (Words("正", "positive"), Words("同向", "along"))
         if along
         else (Words("负", "negative"), Words("反向", "against"))
     )
     return Words(
-        f"${load}$ 以 ${speed}$ 的指向为正；各功率之和为{sign.zh}，故 ${load}$ 与 ${speed}$ {way.zh}：",
-        f" ${load}$ is positive along ${speed}$; the powers sum to a {sign.en} value, so it acts {way.en} ${speed}$:",
+        f"各功率之和为{sign.zh}，故 ${load}$ 与 ${speed}$ {way.zh}：",
+        f" The powers sum to a {sign.en} value, so ${load}$ acts {way.en} ${speed}$:",
     )
 
 
 def _keep_load(st: Statics, to: Equivalent, moved: Motion, moving: list[Quantity], value: Reals) -> None:
-    """F_e with its sign along the motion; M_e as a size with its sense."""
+    """The size of F_e or M_e, and which way it acts or turns."""
     named, sense = to.load, int(np.sign(nominal(value)))
     way = 1
-    if to.slide:
-        st.board.remark(_along(named.symbol, moved.symbol, nominal(value) >= 0))
+    if to.slide and sense:
+        way = sense
+        st.board.remark(_along(named.symbol, moved.symbol, sense > 0))
     elif sense:
         way = sense * int(nominal(moved.sign))
         powers = Words("各功率", "The powers")

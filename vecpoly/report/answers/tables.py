@@ -233,4 +233,6 @@ def way(answer: Answer, problem: Problem, lang: Lang) -> str:
     fixed = direction_of_load(problem, answer.key)
     if fixed is not None:
         return bearing_told(degrees(fixed))
+    if answer.along is not None:
+        return answer.along.of(lang)
     return _SENSE[answer.sense].of(lang) if answer.sense and clean(answer) else NOTHING

@@ -129,7 +129,7 @@ def show(bench: Bench, place: Pane, cam: Cam, it: Pose) -> None:
         board.remark(
             Words(
                 " $P$ 在 $OA$ 上很远处，法线几乎与 $OA$ 平行。",
-                " $P$ is far away on $OA$: the normal is all but parallel to it.",
+                " The centre $P$ is far away on $OA$: the normal is all but parallel to it.",
             )
         )
     if cam.arm:

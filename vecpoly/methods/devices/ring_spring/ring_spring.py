@@ -170,7 +170,7 @@ def _release(bench: Bench, device: RingSpring, it: Faces, phi: Quantity, ideal: 
         board.remark(
             Words(
                 "$F' ≤ 0$，$η' ≤ 0$：回弹行程自锁，弹簧不能把楔块 1 顶回。",
-                " $F' ≤ 0$ and $η' ≤ 0$: the release is self-locking, the springs do not push wedge 1 back.",
+                " With $F' ≤ 0$ and $η' ≤ 0$ the release is self-locking: the springs do not push wedge 1 back.",
             )
         )
 

@@ -135,8 +135,8 @@ def _taken(phi: str, load: str, push: str, press_on: str) -> Words:
         f"nut moves up the slope, so ${press_on}$ is turned from the normal $n$ by "
         f"${phi}$ against the sliding. Draw the force polygon to the scale $μ_F$: $ab$ stands "
         f"for ${load}$; a horizontal line through $b$ and the direction of "
-        f"${press_on}$ through $a$ meet at $c$. ${push} = {load} tan(α + "
-        f"{phi})$ gives a check by formula.",
+        f"${press_on}$ through $a$ meet at $c$. The formula ${push} = {load} tan(α + "
+        f"{phi})$ serves as a check.",
     )
 
 

@@ -135,7 +135,8 @@ def _keep(st: Statics, ratio: Quotient) -> None:
         st.board.remark(
             Words(
                 f"读得 $η$ = {eta:.4g} 略大于 1，系作图误差：摩擦损失小于读数误差。",
-                f" $η$ = {eta:.4g} is read, above 1 by the error of drawing: friction takes less than can be read.",
+                f" The efficiency read, $η$ = {eta:.4g}, is above 1 by the error of drawing: friction takes less than "
+                "can be read.",
             )
         )
     keep_value(st, ETA, value.value, ratio)

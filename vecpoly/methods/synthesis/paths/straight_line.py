@@ -83,8 +83,8 @@ def _positions(design: StraightLine, phis: list[float]) -> Words:
         return told
     return told + Words(
         f"{'、'.join(dead)} 为死点，$B$、$C$、$D$ 共线，两弧相切，$C$ 直接在直线 $BD$ 上量取。",
-        f" {' and '.join(dead)}: a dead point; $B$, $C$ and $D$ are in line, the arcs only touch, and $C$ is laid off "
-        "on the line $BD$.",
+        f" There is a dead point at {' and '.join(dead)}: $B$, $C$ and $D$ are in line, the arcs only touch, and $C$ "
+        "is laid off on the line $BD$.",
     )
 
 
