@@ -6,9 +6,17 @@ from collections.abc import Sequence
 from math import floor, log10
 
 from .quantity import FIGURES, number
-from .rounding import to_figures, to_places
+from .rounding import braced, to_figures, to_places
 
 _EXACT, _MORE = 1e-9, 1  # share of the largest by which a number may be beside its decimals; figures more, if all fit
+
+
+TOTAL = "Σ"  # the head of a row that sums up those above it
+
+
+def headed(what: str, unit: str) -> str:
+    """The head of a column of numbers in one unit: $M_i$ /(N·m), $φ$ /°."""
+    return f"{what} /{braced(unit)}"
 
 
 def places_of(step: float) -> int:
@@ -30,6 +38,13 @@ def column(values: Sequence[float], places: int | None = None) -> tuple[str, ...
     """The numbers with one count of decimals: 240.0, 69.0; 14.25, 28.50."""
     count = decimals(values) if places is None else places
     return tuple(_fixed(value, count) for value in values)
+
+
+def summed(values: Sequence[float], places: int | None = None) -> tuple[str, ...]:
+    """The same, and behind them the sum of the numbers as they are printed."""
+    count = decimals(values) if places is None else places
+    printed = [to_places(value, count) for value in values]
+    return column([*printed, sum(printed)], count)
 
 
 def significant(value: float, figures: int = FIGURES) -> str:

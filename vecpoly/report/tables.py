@@ -75,14 +75,16 @@ def given_tables(problem: Problem, lang: Lang) -> list[DataTable]:
 
 
 def padded(rows: Sequence[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
-    """The rows with the zeros that were read: each column of numbers has one count of decimals, two at most."""
+    """The rows with the zeros that were read: each column of numbers has one count of decimals, two at most, or what
+    two thirds of its numbers have."""
     return tuple(zip(*map(_padded, zip(*rows, strict=True)), strict=True))
 
 
 def _padded(column: tuple[str, ...]) -> tuple[str, ...]:
     found = [_DECIMAL.fullmatch(text) for text in column]
     most = max((len(one[1] or "") for one in found if one is not None), default=0)
-    if not 0 < most <= _PADDED:
+    told = [len(one[1] or "") == most for one in found if one is not None]
+    if not most or (most > _PADDED and 3 * sum(told) < 2 * len(told)):
         return column
     return tuple(
         text if one is None else f"{text}{'' if one[1] else '.'}{'0' * (most - len(one[1] or ''))}"

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...algebra.columns import TOTAL, column, decimals, headed, summed
 from ...algebra.formula import Row, Txt
-from ...algebra.quantity import Expr, Product, Quantity, Sum, magnitude, number
+from ...algebra.quantity import Expr, Product, Quantity, Sum, magnitude
 from ...board.board import NO_LENGTH
 from ...board.construction import Listing, View
 from ...mechanism.asked.machine import Equivalent
@@ -25,7 +26,8 @@ from ..registry import Stage, method
 from .motion_of import Motion, motion_of
 
 _SOURCE = "机械原理, equivalent link: its kinetic energy and its power are those of the whole machine"
-_Row = tuple[str, ...]
+_Values = tuple[float, ...]
+_FIGURES = 5  # of the largest number of a column: small ratios keep some
 
 
 @method(
@@ -79,13 +81,14 @@ def _say(st: Statics, to: Equivalent) -> None:
 def _inertia(st: Statics, to: Equivalent, moved: Motion) -> None:
     """Every mass by its ratios, several as a table; then their sum."""
     terms: list[Expr] = []
-    rows: list[_Row] = []
+    rows: list[_Values] = []
     for mass in st.loads.masses:
         found = [_moving(st, mass, moved), _turning(st, mass, moved)]
         terms += [term for _, term in found if term is not None]
-        rows.append(_row(st, mass, found))
+        rows.append(_values(found))
     if len(rows) > 1:
-        st.board.tabulate(_table(moved, rows, to.inertia.unit))
+        links = [st.mech.number(mass.link) for mass in st.loads.masses]
+        st.board.tabulate(_table(moved, links, rows, to.inertia.unit))
     if not terms:
         keep_nothing(st, to.inertia)
         return
@@ -131,18 +134,14 @@ def _bracketed(ratio: Quantity) -> Quantity:
     return Quantity(Row((Txt("("), ratio.node, Txt(")"))), ratio.value, ratio.unit)
 
 
-def _row(st: Statics, mass: Mass, found: list[_Found]) -> _Row:
-    ratios = [_written(ratio) for ratio, _ in found]
-    parts = [_written(term) for _, term in found]
-    return (st.mech.number(mass.link), *ratios, *parts)
+def _values(found: list[_Found]) -> _Values:
+    """Both ratios, and both parts of the sum."""
+    every = [*(ratio for ratio, _ in found), *(part for _, part in found)]
+    return tuple(0.0 if one is None else float(nominal(one.value)) for one in every)
 
 
-def _written(value: Expr | None) -> str:
-    return "0" if value is None else number(float(nominal(value.value)))
-
-
-def _table(moved: Motion, rows: list[_Row], unit: str) -> Listing:
-    """Symbols over their units; unit: of every part of the sum."""
+def _table(moved: Motion, links: list[str], rows: list[_Values], unit: str) -> Listing:
+    """Symbols over their units, under the parts their sums; unit: of every part of the sum."""
     speeds, turns = f"$v_S/{moved.symbol}$", f"$ω_i/{moved.symbol}$"
     head = (
         Words("构件", "link"),
@@ -151,12 +150,16 @@ def _table(moved: Motion, rows: list[_Row], unit: str) -> Listing:
         _in(f"$m$ ({speeds})²", unit),
         _in(f"$J_S$ ({turns})²", unit),
     )
-    return Listing(head=head, rows=tuple(rows), blocks=1)
+    linear, angular, moving, turning = zip(*rows, strict=True)
+    count = decimals([*moving, *turning], _FIGURES)
+    (*moved_on, first), (*turned, second) = (summed(each, count) for each in (moving, turning))
+    ratios = (column(each, decimals(each, _FIGURES)) for each in (linear, angular))
+    told = zip(links, *ratios, moved_on, turned, strict=True)
+    return Listing(head=head, rows=(*told, (TOTAL, "", "", first, second)), blocks=1)
 
 
 def _in(symbol: str, unit: str) -> Words:
-    text = written_unit(unit)
-    return Words.same(f"{symbol}/({text})" if {*"·/"} & {*text} else f"{symbol}/{text}")
+    return Words.same(headed(symbol, written_unit(unit)))
 
 
 def _load(st: Statics, to: Equivalent, moved: Motion) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from reportlab.platypus.doctemplate import FrameBreak
 from reportlab.platypus.flowables import Flowable
 
+from ...algebra.columns import TOTAL
 from ...foundation.slotted import dataclass, replace
 from ...tagging.pieces import Marks
 from ...tagging.references import goal_of
@@ -195,6 +196,8 @@ class DataTable(Block):
         y = self._row(ink, found.head, found.widths, left, y, "c" * len(self.header), header=True)
         y = self._rule(ink, left, y, width, _FINE)
         for n, (row, texts) in enumerate(zip(found.body, self.rows, strict=True)):
+            if n and texts[0] == TOTAL:
+                self._rule(ink, left, y, width, LIGHT)
             shifts = [
                 column[n].indent(text, width - 2 * PAD) if column is not None and len(cell) == 1 else None
                 for cell, text, width, column in zip(row, texts, found.widths, found.points, strict=True)

@@ -15,11 +15,11 @@ SECTIONS = {
 }
 _OF = {"run": Words("", ""), "free": Words("（自由停车）", ", running down"), "braked": Words("（制动）", ", braked")}
 HEAD = (
-    Words.same("$ω$ / (rad/s)"),
-    Words.same("$M_d$ / N·m"),
-    Words.same("$M_r$ / N·m"),
-    Words.same("$ΔM$ / N·m"),
-    Words.same("$1/|ΔM|$ / (1/(N·m))"),
+    Words.same("$ω$ /(rad/s)"),
+    Words.same("$M_d$ /(N·m)"),
+    Words.same("$M_r$ /(N·m)"),
+    Words.same("$ΔM$ /(N·m)"),
+    Words.same("$1/|ΔM|$ /(N·m)^{−1}"),
 )
 DRIVING = 1  # the column of M_d
 INVERSES = Words(
