@@ -177,7 +177,7 @@ def _bar(period: Period, sizes: Sizes, works: tuple[Reals, ...], letters: tuple[
         Words(
             "作能量指示图：自基线起依次向上（盈）、向下（亏）画出各功，终点回到基线；最高点处动能最大，最低点处最小，"
             "两者之差即最大盈亏功。",
-            "The energy-fluctuation diagram: from the base line draw the works one after the other, up where work is "
+            "In the energy-fluctuation diagram draw the works one after the other from the base line, up where work is "
             "gained, down where it is lost, back to the base line. The energy is greatest at the highest point and "
             "least at the lowest; between them is the greatest surplus.",
         ),

@@ -52,7 +52,7 @@ def angular_velocities(bench: Bench, train: Epicyclic, tips: Mapping[str, Points
         if train.omegas.get(key) is None:
             turning(bench, train, key, -float(nominal(at).real))
     if train.ratio is not None and train.driver is not None:
-        board.step(Words("传动比（角速度以逆时针为正）：", "The ratio (counter-clockwise positive):"))
+        board.step(Words("传动比（角速度以逆时针为正）：", "The ratio is (counter-clockwise positive):"))
         bench.worked(train.ratio, found[train.driver] / found[train.sought])
     _by_teeth(bench, train, found)
 

@@ -49,7 +49,7 @@ def draw_reduced(bench: Bench, train: ReducedTrain) -> None:
     _table(bench, train, ratios)
     if moment is None:
         return
-    board.step(Words("由 $M_e = J_e α$：", "From $M_e = J_e α$:"))
+    board.step(Words("由 $M_e = J_e α$：", "The equation of motion, $M_e = J_e α$, gives:"))
     alpha = bench.worked(alpha_of(train.main), moment / inertia)
     for name, ratio in ratios.items():
         if name != train.main and ratio is not None:
@@ -117,8 +117,8 @@ def _moments(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | Non
     bench.board.step(
         Words(
             "功率相等，各力矩乘以传动比，驱动与阻力分别求和，取其大小（表中驱动为正、阻力为负）：",
-            "Of equal power: each moment times its ratio, the sizes of those that drive and of those that resist (in "
-            "the table what drives is positive, what resists negative):",
+            "Equating powers, each moment is multiplied by its speed ratio; those that drive and those that resist "
+            "are summed apart, by their sizes (in the table what drives is positive, what resists negative):",
         )
     )
     driving: list[Expr] = []

@@ -109,7 +109,7 @@ def _moments(bench: Bench, device: ScrewJack, m1: Quantity, m2: Quantity, m0: Qu
         load = device.trial
         bench.worked(DRIVE, magnitude("Q", load, "N") * whole / arm)
     in_kn = magnitude("Q", load / 1e3, "kN")
-    bench.board.step(Words("各力矩的大小（$Q$ 以 kN 计）：", "The moments ($Q$ in kN):"))
+    bench.board.step(Words("各力矩的大小（$Q$ 以 kN 计）：", "The moments are ($Q$ in kN):"))
     for name, ratio in zip(MOMENTS, (m1, m2, whole, m0), strict=True):
         bench.worked(name, in_kn * (ratio if ratio is whole else Quantity(_bracketed(ratio.node), ratio.value, "mm")))
 

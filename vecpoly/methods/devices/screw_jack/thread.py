@@ -65,7 +65,7 @@ def _friction(bench: Bench, device: ScrewJack) -> Quantity:
     """The friction angle of the thread; of a V-thread with the equivalent coefficient f_v."""
     board = bench.board
     if device.beta is None:
-        board.step(Words("螺纹副的摩擦角：", "The friction angle of the thread:"))
+        board.step(Words("螺纹副的摩擦角：", "The friction angle of the thread is:"))
         return friction_angle(bench, PHI, device.thread, "f" if device.f else "f_s")
     board.step(
         Words(

@@ -143,7 +143,7 @@ def _class(bench: Bench, taken: Taken, drivers: tuple[str, ...]) -> None:
             f"The mechanism has {_grouped(taken).en}; its class is that of its highest group. ",
         )
         + _concluded(taken, drivers)
-        + Words("杆组数：", " The number of groups:")
+        + Words("杆组数：", " The number of groups is:")
     )
     bench.stated(groups(drivers), float(len(taken.groups)))
     _keep_class(bench, drivers, taken.rank, None if taken.complete else _concluded(taken, drivers))

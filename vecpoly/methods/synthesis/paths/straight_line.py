@@ -136,7 +136,7 @@ def _computed(draft: Draft, band: float, heights: list[float]) -> Words:
     """The second step: whence the heights are known."""
     on_paper = draft.mm(1e-3 * band)
     places = max(0, 2 - int(np.floor(np.log10(band)))) if band > 0 else 0
-    rows = [f"{height:.{min(places, 6)}f}" for height in heights]
+    rows = column(heights, min(places, 6))
     narrow = Words(
         f"轨迹在上图中的高度差仅 {on_paper:.2g} mm，难以量准，故由计算求得：",
         f"On the drawing the heights of the path differ by {on_paper:.2g} mm only, too little to be read well; they "
