@@ -106,8 +106,8 @@ def concluded(study: Study) -> Words:
         f"因此机构由{driven.zh}和 {'、'.join(zh)}{_assur(groups)}组成，"
         f"{'该杆组为' if one else '所含杆组的最高级别为'} {roman} 级，故为 {roman} 级机构。",
         f"So the mechanism consists of {driven.en} and the group{'s' * (not one)} {_listed(en)}"
-        + (f", which is of class {top}: " if one else f". The highest class among them is {top}: ")
-        + f"a class {top} mechanism.",
+        + (f", which is of class {top}" if one else f", of which the highest class is {top}")
+        + f"; it is therefore a class {top} mechanism.",
     )
 
 
