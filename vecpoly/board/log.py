@@ -28,6 +28,7 @@ from .place import Pane, Place, View, view_of, views
 from .said.behind import behind
 from .said.grazing import grazing
 from .said.short import Short, remarked, too_short
+from .said.spaced import spaced
 
 Found = TypeVar("Found", Points, Reals)
 
@@ -70,12 +71,12 @@ class Log:
         again: what it says where an earlier one began with the same words."""
         said = again if again is not None and words in self._opened else words
         self._opened.add(words)
-        self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=said, view=view))
+        self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=spaced(said), view=view))
 
     def remark(self, words: Words) -> None:
         """Add a sentence to the step."""
         last = self.steps[-1]
-        self.steps[-1] = replace(last, words=behind(last.words, words))
+        self.steps[-1] = replace(last, words=behind(last.words, spaced(words)))
 
     def graze(self, angle: float) -> None:
         """Say in the step that two lines meet at this small angle (deg): one sentence of all such meetings."""
