@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from math import isfinite
 
+from ..algebra.columns import padded
 from ..algebra.quantity import number
 from ..board.construction import Listing
 from ..check.printed.verdict import Checked, Verdict, is_angle
@@ -33,7 +34,6 @@ _NONE = "—"
 _SENSE, _TURNING = re.compile(r"cw\b|[顺逆]"), (Words("顺时针", "clockwise"), Words("逆时针", "counter-clockwise"))
 _MANIFOLD = 2.0  # share off from which a deviation is told as a factor
 MOST_COLUMNS = 15  # of a table of stations, in all its blocks
-_DECIMAL, _PADDED = re.compile(r"[+−]?\d+(?:\.(\d+))?"), 2
 MOST_GIVEN = 140  # rows of a table that is printed with what is given
 FEW = 6  # rows of a table that stays one block
 
@@ -73,24 +73,6 @@ def given_tables(problem: Problem, lang: Lang) -> list[DataTable]:
         for one in tables
         if one is not None and len(one.rows) <= MOST_GIVEN
     ]
-
-
-def padded(rows: Sequence[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
-    """The rows with the zeros that were read: each column of numbers has one count of decimals, two at most, or what
-    two thirds of its numbers have."""
-    return tuple(zip(*map(_padded, zip(*rows, strict=True)), strict=True))
-
-
-def _padded(column: tuple[str, ...]) -> tuple[str, ...]:
-    found = [_DECIMAL.fullmatch(text) for text in column]
-    most = max((len(one[1] or "") for one in found if one is not None), default=0)
-    told = [len(one[1] or "") == most for one in found if one is not None]
-    if not most or (most > _PADDED and 3 * sum(told) < 2 * len(told)):
-        return column
-    return tuple(
-        text if one is None else f"{text}{'' if one[1] else '.'}{'0' * (most - len(one[1] or ''))}"
-        for text, one in zip(column, found, strict=True)
-    )
 
 
 def trimmed(
