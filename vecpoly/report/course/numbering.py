@@ -22,7 +22,10 @@ _FIGURE, _TABLE = Words("图", "Figure"), Words("表", "Table")
 SMALL = Style(size=8.8, leading=10.6, after=0.0, align="left")
 
 _BOTH = Words("数值列于{}，曲线见{}。", "The values are listed in {}, and the curves are drawn in {}.")
-_LISTED, _DRAWN = Words("数值列于{}。", "The values are listed in {}."), Words("见{}。", "See {}.")
+_LISTED, _DRAWN = (
+    Words("数值列于{}。", "The values are listed in {}."),
+    Words("曲线见{}。", "The curves are drawn in {}."),
+)
 _GAP, _ROOM = 4.0, 170.0  # mm between two figures beside each other, and for both
 TINY = Style(size=8.5, leading=9.0, after=0.0, align="left")
 

@@ -51,7 +51,13 @@ def special(study: Study) -> Iterator[Words]:
         *([] if mech.contacts else [Words("局部自由度", "passive degree of freedom")]),
         Words("虚约束", "redundant constraint"),
     ]
-    yield Words(f"机构中无{'、'.join(w.zh for w in absent)}。", f"There is no {', no '.join(w.en for w in absent)}.")
+    yield Words(f"机构中无{'、'.join(w.zh for w in absent)}。", f"There is {_none_of([w.en for w in absent])}.")
+
+
+def _none_of(names: Sequence[str]) -> str:
+    """No a; no a and no b; no a, no b and no c."""
+    *before, last = [f"no {name}" for name in names]
+    return f"{', '.join(before)} and {last}" if before else last
 
 
 def _highest(groups: Sequence[Group]) -> str:
