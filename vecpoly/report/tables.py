@@ -110,7 +110,7 @@ def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable | None:
         rows = [_in_degrees(row, c) for row, c in zip(rows, told, strict=True)]
         header, align = [*header[: _OFF + 1], _OFF_ANGLE.of(lang), *header[_OFF + 1 :]], "lddddl"
         if all(row[_OFF] == _NONE for row in rows):  # of angles alone
-            header, rows, align = _without(_OFF, header), [_without(_OFF, row) for row in rows], "ldddl"
+            header, rows, align = [*_without(_OFF, header)], [_without(_OFF, row) for row in rows], "ldddl"
     if len(told) > 1 and all(c.verdict is Verdict.REPRODUCED and c.slip is None for c in told):
         header, rows, align = header[:-1], [row[:-1] for row in rows], align[:-1]  # a sentence says that all agree
     heads, cells = united(header, rows)
@@ -129,8 +129,8 @@ def _in_degrees(row: tuple[str, ...], c: Checked) -> tuple[str, ...]:
     return (*before, _NONE, told, *behind)
 
 
-def _without(column: int, cells: Sequence[str]) -> list[str]:
-    return [cell for n, cell in enumerate(cells) if n != column]
+def _without(column: int, cells: Sequence[str]) -> tuple[str, ...]:
+    return tuple(cell for n, cell in enumerate(cells) if n != column)
 
 
 def agreed(c: Checked) -> bool:
