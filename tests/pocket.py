@@ -56,9 +56,11 @@ class Sum:
 
     @property
     def holds(self) -> bool:
-        """Whether a reader gets the printed result; what lies midway goes to the even figure: 13.75 is never 13.7."""
+        """Whether a reader gets the printed result; what lies midway goes to the even figure, or up: 13.75 is never
+        13.7."""
         midway = abs(self.off - 0.5) <= 1e-6
-        return round(self.printed.value / (2 * self.printed.half)) % 2 == 0 if midway else self.off < 0.5
+        even = round(self.printed.value / (2 * self.printed.half)) % 2 == 0
+        return even or abs(self.printed.value) > abs(self.reckoned) if midway else self.off < 0.5
 
 
 class _Stop(Exception):

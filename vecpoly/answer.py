@@ -12,7 +12,7 @@ from .board.said.short import TOO_SHORT, about, is_short
 from .check.alarm import Cause, Weighed
 from .check.precision import NOTHING, PLENTY, digits, settled
 from .foundation.slotted import dataclass
-from .names import Key, is_place
+from .names import Key, Named, is_place
 from .words import Lang, Words, bare
 
 _HEAD = {"zh": ("量", "图解", "精确", "单位", "预期误差"), "en": ("symbol", "drawn", "exact", "unit", "expected")}
@@ -103,14 +103,22 @@ class Answer:
         return "ccw" if self.drawn > 0 else "cw"
 
     @property
+    def along(self) -> Words | None:
+        """Which way an equivalent force acts on its slider, beside which it is printed as a size; None of all else."""
+        equivalent = isinstance(self.rel, Named) and self.rel.is_reduced and self.rel.unit == "N"
+        if not equivalent or self.drawn == 0:
+            return None
+        return Words("与运动同向", "along the motion") if self.drawn > 0 else Words("与运动反向", "against the motion")
+
+    @property
     def nothing(self) -> float:
         """What is rounding beside the size that the answer is measured by, however slow or small the mechanism."""
         return NOTHING * (self.weighed.own if isfinite(self.weighed.own) else 1.0)
 
     @property
     def counted(self) -> float:
-        """+1, or −1 of what turns clockwise: printed beside its sense it is counted that way round."""
-        return -1.0 if self.sense == "cw" else 1.0
+        """+1, or −1 of what turns clockwise or acts against the motion: beside these words its size is printed."""
+        return -1.0 if self.sense == "cw" or (self.along is not None and self.drawn < 0) else 1.0
 
     def as_json(self) -> dict[str, Any]:
         """The answer as plain data, in the shape that `vecpoly solve --json` prints."""

@@ -197,4 +197,4 @@ def test_a_rocker_between_drive_and_output_is_called_intermediate_and_the_output
     it = studied("3-5")
     rocker, slider = (limits_and_ratio(it, stroke) for stroke in it.facts.strokes)
     assert rocker.en.startswith("Intermediate link 3: ") and rocker.zh.startswith("中间构件 3：")
-    assert slider.en.startswith("$s_{56}$") and slider.zh.startswith("$s_{56}$")
+    assert slider.en.startswith("The travel $s_{56}$") and slider.zh.startswith("$s_{56}$")

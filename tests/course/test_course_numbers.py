@@ -19,6 +19,7 @@ from vecpoly.algebra.formula import Frac, Node, Power, Root, Row, Txt, plain
 from vecpoly.algebra.quantity import number
 from vecpoly.analytic.equations import Equation
 from vecpoly.analytic.expr import Num, Sum, Var
+from vecpoly.analytic.keyed import FIGURES
 from vecpoly.analytic.numbers import worked
 from vecpoly.cycle import cycle
 from vecpoly.findings.given_lengths import Dimension, given_dimensions
@@ -89,8 +90,8 @@ def keyed(node: Node) -> str:
 
 
 def half_unit(value: float, turns: bool) -> float:
-    """Half a unit of the last digit printed: six figures, angles to 0.0001°."""
-    return 0.00005 if turns else 0.5 * 10.0 ** (floor(log10(abs(value))) - 5) if value else 1e-13
+    """Half a unit of the last digit printed: five figures, angles to 0.001°."""
+    return 0.0005 if turns else 0.5 * 10.0 ** (floor(log10(abs(value))) - 4) if value else 1e-13
 
 
 def reckoned(node: Node) -> float:
@@ -126,11 +127,12 @@ def test_every_printed_substitution_gives_its_printed_result(name: str) -> None:
 
 def test_a_number_that_a_substitution_goes_on_with_is_the_one_that_was_printed() -> None:
     it = studied("A-27")
-    ends = {number(one.size, 6) for group in it.model.groups for one in group.constants}
+    ends = {number(one.size, FIGURES) for group in it.model.groups for one in group.constants}
     for group, env in zip(it.model.groups, as_told_by_group(it), strict=True):
         for equation in told(group):
             *_, body, end = cast("Row", worked(equation, env)).items
-            later = {one[0] for one in _NUMBER.finditer(plain(body)) if len(one[1].replace(".", "").lstrip("0")) == 6}
+            long = (one for one in _NUMBER.finditer(plain(body)) if len(one[1].replace(".", "").lstrip("0")) == FIGURES)
+            later = {one[0] for one in long}
             assert later <= ends, later - ends
             ends |= {one[0] for one in _NUMBER.finditer(plain(end))}
     assert len(ends) > 40

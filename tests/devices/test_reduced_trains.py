@@ -61,7 +61,9 @@ def test_the_headstock_and_the_train_have_the_numbers_of_the_book() -> None:
 def test_a_moment_that_resists_is_a_size_in_the_sum_and_negative_in_the_table_which_is_told() -> None:
     steps = solve(load("7-2a"), by="exact").construction.steps
     ((words, listing),) = [(step.words, step.listing) for step in steps if step.listing is not None]
-    assert [row[-1] for row in listing.rows if row[-1] != "0"] == ["−15"]
+    *shafts, total = listing.rows
+    assert [row[-1] for row in shafts if row[-1] != "0"] == ["−15"]
+    assert total == ("Σ", "", "", "0.2850", "", "−15"), "what the table is for: J_e and M_e"
     assert "阻力为负" in words.zh and "what resists negative" in words.en
 
 

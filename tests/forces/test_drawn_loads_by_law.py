@@ -56,7 +56,7 @@ def test_whether_a_load_acts_is_one_sentence_with_its_place_and_range() -> None:
     press = problem(data_of(load("press-flywheel")) | {"find": ["M_b"]})
     told = [step.words for step in drawn_exactly(press).construction.steps]
     (said,) = (words for words in told if words.en.endswith(", so $M_{r}$ acts here."))
-    assert said.en == "$φ_{1}$ = 120° lies within 60° to 150°, so $M_{r}$ acts here."
+    assert said.en == "The position $φ_{1}$ = 120° lies within 60° to 150°, so $M_{r}$ acts here."
     assert said.zh == "$φ_{1}$ = 120° 在 60°～150° 内，故 $M_{r}$ 起作用。"
     beyond = drawn_exactly(placed(press, 200)).construction.steps
     assert any(step.words.zh == "$φ_{1}$ = 200° 不在 60°～150° 内，故 $M_{r}$ 不起作用。" for step in beyond)

@@ -55,10 +55,15 @@ def test_an_equivalent_moment_is_computed_as_a_size_and_is_said_to_be_one() -> N
     """−P/ω_1 is no sum of powers over ω_1: the resisting moment's size, whose sense the sum tells."""
     (told,) = [step for step in drawn("7-1").construction.steps if "功率等效：$M_{e}$" in step.words.zh]
     assert "$M_{e}$ 的大小等于" in told.words.zh and "为顺时针方向" in told.words.zh
-    assert "the size of $M_{e}$" in told.words.en and plain(told.formulas[-1]).endswith(("= 50 N·m", "= 50.0 N·m"))
+    assert "its size is that of the sum of the powers" in told.words.en and plain(told.formulas[-1]).endswith(
+        ("= 50 N·m", "= 50.0 N·m")
+    )
 
 
-def test_an_equivalent_force_tells_which_way_it_is_positive() -> None:
-    told = [step.words for step in drawn("7-1").construction.steps if "F_{e5}" in step.words.en]
-    assert [words.en for words in told if "$F_{e5}$ is positive along $v_F$" in words.en]
-    assert [words.zh for words in told if "$F_{e5}$ 以 $v_F$ 的指向为正" in words.zh]
+def test_an_equivalent_force_is_a_size_that_acts_along_or_against_the_motion_as_a_moment_has_its_sense() -> None:
+    (told,) = [step for step in drawn("7-1").construction.steps if "功率等效：$F_{e5}$" in step.words.zh]
+    assert "$F_{e5}$ acts against $v_F$" in told.words.en and "$F_{e5}$ 与 $v_F$ 反向" in told.words.zh
+    assert plain(told.formulas[-1]).endswith("= 1000 N")
+    solution = drawn("7-1").solution
+    line = plain(short_line(solution.answers["F_e5"], solution, "en"))
+    assert line == "F_e5 = 1000 N (against the motion)" and solution.answers["F_e5"].drawn < 0

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vecpoly.algebra.columns import column, significant
-from vecpoly.report.flow.results.banded import ends_band, is_banded
+from vecpoly.report.flow.results.banded import is_banded, is_parted
 from vecpoly.report.flow.table import DataTable
 
 MOMENTS = [240.0, 218.625, 197.25, 111.75, 69.0]
@@ -35,7 +35,8 @@ def test_a_number_keeps_its_figures(value: float, told: str) -> None:
 def test_a_long_table_of_numbers_has_a_light_rule_under_every_sixth_row_also_where_it_goes_on() -> None:
     degrees = [(str(10 * n), "−0.1") for n in range(37)]
     assert is_banded(degrees) and not is_banded(degrees[:17]) and not is_banded([("$v_B$", "1")] * 37)
-    assert [n for n in range(9) if ends_band(n)] == [5]
+    assert [n for n in range(9) if is_parted(n, ["0"], True)] == [6]
+    assert is_parted(3, ["Σ", "0"], False) and not is_parted(3, ["3", "0"], False), "the sums stand apart"
     table = DataTable(["φ", "v"], degrees)
     rest = table._part(20, 37, 400.0, table.set_in(400.0))
     assert rest._banded and rest._before == 20

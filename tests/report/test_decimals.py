@@ -6,10 +6,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.studies import solved
+from vecpoly.algebra.columns import padded, with_zeros
 from vecpoly.algebra.formula import plain
 from vecpoly.report.flow.results.decimal import aligned, grouped
 from vecpoly.report.flow.table import DataTable
-from vecpoly.report.tables import padded, trimmed
+from vecpoly.report.tables import trimmed
 from vecpoly.typeset.box import MM
 
 EM = 9.5 / MM
@@ -97,3 +98,9 @@ def test_numbers_of_neighbouring_columns_do_not_run_into_each_other_where_room_i
     assert sum(found.widths) <= 110.0 + 1e-6 and len(found.body[2][0]) == 2
     for column, width in zip(found.points[:2], found.widths, strict=False):
         assert column is not None and all(one.width <= width for one in column)
+
+
+def test_a_zero_has_the_decimals_of_the_numbers_under_which_it_stands() -> None:
+    assert with_zeros(("0", "90.0", "—")) == ("0.0", "90.0", "—")
+    assert with_zeros(("0", "1.25", "3.5")) == ("0", "1.25", "3.5"), "they have no one count"
+    assert with_zeros(("0", "90.0", "0"), ("N", "°", "°")) == ("0", "90.0", "0.0"), "each unit its own"

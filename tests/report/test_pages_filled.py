@@ -111,3 +111,11 @@ def test_behind_a_cover_too_it_is_the_text_with_little_that_shares_its_page() ->
     sheets = [item for item in moved if isinstance(item, SheetPage)]
     assert [item.behind for item in sheets] == [0, 1, 0] and moved[2] is sheets[1]
     assert moved[-1] is second and not sparse(after)
+
+
+@pytest.mark.parametrize(("name", "lang"), few([("3-14", "en"), ("3-14", "zh"), ("4-3a", "en")], 3))
+def test_no_page_within_a_course_report_is_a_fifth_white(name: str, lang: Lang) -> None:
+    """A figure that has no room waits for the next page, and the text runs on."""
+    document, objects = markup([drawn(name).solution], lang, "course", {}, None, None)
+    filled = settled(to_flowables(document, objects.named, lang), META).filled
+    assert len(filled) > 8 and min(filled[1:-1]) > 0.8

@@ -3,6 +3,7 @@ values."""
 
 from __future__ import annotations
 
+import re
 from io import BytesIO
 
 import pytest
@@ -14,8 +15,9 @@ from tests.laws import few
 from vecpoly.printed.digits import exact_number
 from vecpoly.problem.load import load
 from vecpoly.report.answers.checks import check_tables, check_words, checked, unlisted
+from vecpoly.report.answers.kinds import kinds
 from vecpoly.report.answers.placed import clean
-from vecpoly.report.answers.tables import readings_tables
+from vecpoly.report.answers.tables import readings_tables, tabled
 from vecpoly.report.document import report_bytes
 from vecpoly.report.flow.results.halved import LONG, HalvedTable
 from vecpoly.report.values import called
@@ -24,6 +26,7 @@ from vecpoly.typeset.box import MM
 from vecpoly.words import Lang
 
 COLUMN = 170.0 * MM
+NUMBER_AND_UNIT = re.compile(r"[\d.]+ \S")
 _SAID_ABOVE = ("On paper", "Scale", "Direction", "图上长度", "比例尺", "方向")
 
 
@@ -44,20 +47,35 @@ def test_no_sheet_of_a_report_says_what_its_box_of_answers_says(name: str) -> No
 
 
 @each(DRAFTED)
+def test_a_column_of_the_check_has_one_unit_which_stands_in_its_head(name: str) -> None:
+    """But in a table of two or three quantities that are each off in another unit."""
+    solution = drafted(name)
+    for table in check_tables(solution, "en") if solution is not None else ():
+        assert solution is not None
+        shared = len(kinds(tabled(checked(solution))[1])) == len(table.rows) > 1
+        cells = [cell for row in table.rows for cell in row[1:]]
+        assert shared or not [cell for cell in cells if cell.endswith(("%", "°")) or NUMBER_AND_UNIT.match(cell)]
+
+
+@each(DRAFTED)
 def test_whatever_was_read_is_checked_and_what_is_computed_has_no_row(name: str) -> None:
     solution = drafted(name)
     if solution is None:
         return
-    every = [row for table in check_tables(solution, "en") for row in table.rows]
+    every, told = [row for table in check_tables(solution, "en") for row in table.rows], check_words(solution, "en")
     rows = {symbol: row for row in every for symbol in row[0].replace("$ = $", "$|$").split("|")}
     listed = {one.key for one in checked(solution)}
     for answer in solution.answers.values():
         read = answer.expected_error > 1e-9 * abs(answer.exact)
         assert not read or answer.key in listed, answer.key
         if answer.key in listed and not answer.is_place:
-            row = rows[called(answer.reading.symbol, answer.key, "en")]
+            name, exact = called(answer.reading.symbol, answer.key, "en"), exact_number(answer, clean(answer))
+            if f"The value of {name} was read as" in told:  # alone in its kind
+                assert f"exactly it is {exact}" in told and name not in rows
+                continue
+            row = rows[name]
             assert row[1:] != ("—",) * (len(row) - 1)
-            assert exact_number(answer, clean(answer)) in row or answer.reading.unit == "yes/no"
+            assert exact in row or answer.reading.unit == "yes/no"
     assert unlisted(solution) is (0 < len(listed) < len(solution.answers))
 
 

@@ -50,10 +50,11 @@ def half_unit(value: float, digits: int) -> float:
 
 
 def rounds_to(value: float, result: float, half: float) -> bool:
-    """Whether a number rounds to a result of which half the last unit is told; what lies midway, to the even one."""
+    """Whether a number rounds to a result of which half the last unit is told; what lies midway, to the even one, or up
+    as everybody would: 9.45/0.2 = 47.25 is 47.3 where further figures lie above it."""
     gap = abs(value - result)
     if abs(gap - half) <= _MIDWAY * half:
-        return not half or round(result / (2 * half)) % 2 == 0
+        return not half or round(result / (2 * half)) % 2 == 0 or abs(result) > abs(value)
     return gap < half
 
 

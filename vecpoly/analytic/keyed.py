@@ -10,7 +10,7 @@ from ..algebra.rounding import as_printed, to_places
 from .expr import Const, Env, Expr, Product, Quotient, Sum, Var
 from .functions import Arctan, Square, SquareRoot, Wave
 
-FIGURES = 6  # of which the lines after it leave four
+FIGURES = 5  # of which the lines after it leave three or four
 ANGLES = ("φ", "ψ")  # symbols of what is printed in degrees
 
 

@@ -28,6 +28,7 @@ from .place import Pane, Place, View, view_of, views
 from .said.behind import behind
 from .said.grazing import grazing
 from .said.short import Short, remarked, too_short
+from .said.spaced import spaced
 
 Found = TypeVar("Found", Points, Reals)
 
@@ -51,6 +52,7 @@ class Log:
         self.composed = set[Pane]()  # panes whose own scale is chosen with those of the kinds, if it is not told yet
         self._titles: dict[Place, Words] = {}
         self._section = Words.same("")
+        self._opened = set[Words]()  # what steps began with
         self._short: list[Short] = []
         self._grazing: dict[int, tuple[float, ...]] = {}  # angles (deg) told of, by the step's number
 
@@ -64,14 +66,17 @@ class Log:
         """Open a part of the solution."""
         self._section = title
 
-    def step(self, words: Words, view: Place | None = None) -> None:
-        """Open the next numbered step; marks and formulas that follow belong to it."""
-        self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=words, view=view))
+    def step(self, words: Words, view: Place | None = None, *, again: Words | None = None) -> None:
+        """Open the next numbered step; marks and formulas that follow belong to it.
+        again: what it says where an earlier one began with the same words."""
+        said = again if again is not None and words in self._opened else words
+        self._opened.add(words)
+        self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=spaced(said), view=view))
 
     def remark(self, words: Words) -> None:
         """Add a sentence to the step."""
         last = self.steps[-1]
-        self.steps[-1] = replace(last, words=behind(last.words, words))
+        self.steps[-1] = replace(last, words=behind(last.words, spaced(words)))
 
     def graze(self, angle: float) -> None:
         """Say in the step that two lines meet at this small angle (deg): one sentence of all such meetings."""

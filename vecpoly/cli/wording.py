@@ -116,6 +116,8 @@ def way(answer: Answer, lang: Lang) -> str:
 
         turn = answer.direction
         return "—" if turn is None or abs(answer.drawn_vector) <= answer.nothing else bearing_told(turn)
+    if answer.along is not None:
+        return answer.along.of(lang)
     return sense(answer.drawn, lang) if answer.sense and abs(answer.drawn) > answer.nothing else "—"
 
 

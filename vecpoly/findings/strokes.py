@@ -32,12 +32,14 @@ def limits_and_ratio(study: Study, stroke: Stroke) -> Words:
         if link in study.mech.bodies and link not in ends(study)
         else Words.same("")
     )
+    quantity = "the angle" if info.unit == "rad" else "the travel"
+    quantity = quantity if inner.en else quantity.capitalize()
     zh = f"{inner.zh}${info.symbol}$ 的两极限位置为 {low.zh}和 {high.zh}，{what.zh} {swing}；"
-    en = f"{inner.en}${info.symbol}$ has the limits {low.en} and {high.en}, the {what.en} being {swing}; "
+    en = f"{inner.en}{quantity} ${info.symbol}$ has the limits {low.en} and {high.en}, the {what.en} being {swing}; "
     if stroke.ratio < _EVEN:
         return Words(
             zh + "往返所用原动件转角相等，$K$ = 1，无急回特性。",
-            en + "both strokes take the same angle of the input link, $K$ = 1: no quick return.",
+            en + "both strokes take the same angle of the input link, so $K$ = 1 and there is no quick return.",
         )
     up = Words("增大", "forward") if forth > back else Words("减小", "backward")
     slow, quick, ratio = _angles(max(forth, back), min(forth, back))
@@ -47,7 +49,7 @@ def limits_and_ratio(study: Study, stroke: Stroke) -> Words:
         zh + f"${info.symbol}$ {up.zh}的慢行程对应原动件转角 {slow}°，回程 {quick}°，行程速比系数 $K$ = "
         f"{slow}°/{quick}° = {ratio}，极位夹角 $θ$ = {theta}{weak.zh}。",
         en + f"the slow {up.en} stroke takes {slow}° of the input link, the return {quick}°: $K$ = "
-        f"{slow}°/{quick}° = {ratio}, $θ$ = {theta}{weak.en}.",
+        f"{slow}°/{quick}° = {ratio} and $θ$ = {theta}{weak.en}.",
     )
 
 

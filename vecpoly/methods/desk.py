@@ -43,6 +43,7 @@ class Desk(Diagram):
     # letter under which links slide over each other → the block
     coincident: Mapping[str, str] = field(default_factory=dict)
     turns: dict[Rel, Turn] = field(default_factory=dict)
+    turning: int = 0  # number of the step in which an ω or α was read last
     lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
     forces: tuple[str, ...] = ()  # keys of what a force analysis found

@@ -34,7 +34,7 @@ def unit_column(rows: Sequence[Sequence[str]], columns: Sequence[int]) -> list[t
     found = []
     for row in rows:
         told = [_TOLD.fullmatch(row[n]) for n in columns]
-        units = {one[2] or "—" for one in told if one is not None}
+        units = {(one[2] or "—").replace("²", "^2") for one in told if one is not None}
         if None in told or len(units) != 1:
             return None
         bare = {n: one[1] + one[3] for n, one in zip(columns, told, strict=True) if one is not None}

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from math import degrees
 
+from ..algebra.columns import with_zeros
 from ..algebra.quantity import number
 from ..board.construction import LineOfAction
 from ..board.said.sides import side_of
@@ -40,6 +41,7 @@ def lines_table(solution: Solution, lang: Lang) -> DataTable | None:
     rows = [_row(answer, acts, lies(solution, answer.key, acts), lang) for answer, acts in acting]
     if all(row[-1] in ("0", "—") for row in rows):  # every line lies where it must
         rows = [(*row[:-1], "—") for row in rows]
+    rows = [(*row[:-1], off) for row, off in zip(rows, with_zeros([row[-1] for row in rows]), strict=True)]
     return trimmed(_HEADER[lang], rows, (), "lddld", lang, inks_of(solution, (answer.key for answer, _ in acting)))
 
 

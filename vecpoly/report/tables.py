@@ -6,9 +6,10 @@ import re
 from collections.abc import Iterable, Sequence
 from math import isfinite
 
+from ..algebra.columns import padded
 from ..algebra.quantity import number
 from ..board.construction import Listing
-from ..check.printed.verdict import Checked, is_angle
+from ..check.printed.verdict import Checked, Verdict, is_angle
 from ..drawing.hues import ink_called
 from ..figures.hue import Hue
 from ..foundation.slotted import replace
@@ -26,13 +27,13 @@ _PRINTED = {
     "zh": ("量", "原书", "精确值", "偏差 /%", "结论"),
     "en": ("Quantity", "Textbook", "Exact", "Deviation /%", "Verdict"),
 }
-_OFF, _OFF_OR_ANGLE = 3, Words("偏差", "Deviation")  # column; its head where some of it are angles
+_OFF, _OFF_ANGLE = 3, Words("偏差 /°", "Deviation /°")  # column; the head of that of angles
+_NUMBER_UNIT = re.compile(r"([+−-]?\d+(?:\.\d+)?) ?([^\d\s.(（]\S*)")
 _UNIT = Words("单位", "Unit")
 _NONE = "—"
 _SENSE, _TURNING = re.compile(r"cw\b|[顺逆]"), (Words("顺时针", "clockwise"), Words("逆时针", "counter-clockwise"))
 _MANIFOLD = 2.0  # share off from which a deviation is told as a factor
 MOST_COLUMNS = 15  # of a table of stations, in all its blocks
-_DECIMAL, _PADDED = re.compile(r"[+−]?\d+(?:\.(\d+))?"), 2
 MOST_GIVEN = 140  # rows of a table that is printed with what is given
 FEW = 6  # rows of a table that stays one block
 
@@ -74,22 +75,6 @@ def given_tables(problem: Problem, lang: Lang) -> list[DataTable]:
     ]
 
 
-def padded(rows: Sequence[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
-    """The rows with the zeros that were read: each column of numbers has one count of decimals, two at most."""
-    return tuple(zip(*map(_padded, zip(*rows, strict=True)), strict=True))
-
-
-def _padded(column: tuple[str, ...]) -> tuple[str, ...]:
-    found = [_DECIMAL.fullmatch(text) for text in column]
-    most = max((len(one[1] or "") for one in found if one is not None), default=0)
-    if not 0 < most <= _PADDED:
-        return column
-    return tuple(
-        text if one is None else f"{text}{'' if one[1] else '.'}{'0' * (most - len(one[1] or ''))}"
-        for text, one in zip(column, found, strict=True)
-    )
-
-
 def trimmed(
     header: Sequence[str],
     rows: Sequence[Sequence[str]],
@@ -120,24 +105,32 @@ def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable | None:
     told = [c for c in checked if not agreed(c)]
     if not told:
         return None
-    header, rows = [*_PRINTED[lang]], [_printed_row(c, lang) for c in told]
+    header, rows, align = [*_PRINTED[lang]], [_printed_row(c, lang) for c in told], "ldddl"
     if any(is_angle(c.printed) for c in told):
-        header[_OFF], rows = _OFF_OR_ANGLE.of(lang), [_with_units(row, c) for row, c in zip(rows, told, strict=True)]
+        rows = [_in_degrees(row, c) for row, c in zip(rows, told, strict=True)]
+        header, align = [*header[: _OFF + 1], _OFF_ANGLE.of(lang), *header[_OFF + 1 :]], "lddddl"
+        if all(row[_OFF] == _NONE for row in rows):  # of angles alone
+            header, rows, align = [*_without(_OFF, header)], [_without(_OFF, row) for row in rows], "ldddl"
+    if len(told) > 1 and all(c.verdict is Verdict.REPRODUCED and c.slip is None for c in told):
+        header, rows, align = header[:-1], [row[:-1] for row in rows], align[:-1]  # a sentence says that all agree
     heads, cells = united(header, rows)
     apart = unit_column(cells, (1, 2)) if heads[1:3] == header[1:3] else None
     if apart is None:
-        return DataTable(heads, cells, None, "ldddl", lang=lang)
-    return DataTable([heads[0], _UNIT.of(lang), *heads[1:]], apart, None, "lcdddl", lang=lang)
+        return DataTable(heads, cells, None, align, lang=lang)
+    return DataTable([heads[0], _UNIT.of(lang), *heads[1:]], apart, None, f"lc{align[1:]}", lang=lang)
 
 
-def _with_units(row: tuple[str, ...], c: Checked) -> tuple[str, ...]:
-    """The row with the unit of its deviation, of an angle in degrees: +0.4°, −1.2 %."""
-    off = row[_OFF]
-    if is_angle(c.printed):
-        off = percent(c.deviation * c.exact / 100, 1 if c.printed.kind == "graphical" else 2).replace(" %", "°")
-    elif off != _NONE:
-        off += " %"
-    return (*row[:_OFF], off, *row[_OFF + 1 :])
+def _in_degrees(row: tuple[str, ...], c: Checked) -> tuple[str, ...]:
+    """The row with a column more: of an angle its deviation stands there, in degrees."""
+    before, off, behind = row[:_OFF], row[_OFF], row[_OFF + 1 :]
+    if not is_angle(c.printed):
+        return (*before, off, _NONE, *behind)
+    told = percent(c.deviation * c.exact / 100, 1 if c.printed.kind == "graphical" else 2).removesuffix(" %")
+    return (*before, _NONE, told, *behind)
+
+
+def _without(column: int, cells: Sequence[str]) -> tuple[str, ...]:
+    return tuple(cell for n, cell in enumerate(cells) if n != column)
 
 
 def agreed(c: Checked) -> bool:
@@ -175,11 +168,21 @@ def _exact_like(checked: Checked, lang: Lang) -> str:
     rel = checked.printed.rel
     if rel is None or is_place(rel):
         return f"{number(checked.exact, 5)} m"
-    text = value(checked.exact, rel.unit, lang, digits=5)
+    text = _as_told(checked) or value(checked.exact, rel.unit, lang, digits=5)
     if not checked.exact or not _SENSE.search(checked.printed.text):
         return text
     told = _TURNING[checked.exact > 0].of(lang)  # as the printed one has its sense
     return text.lstrip("−") + (f"（{told}）" if lang == "zh" else f" ({told})")
+
+
+def _as_told(checked: Checked) -> str:
+    """The exact value in the unit in which the book tells its own: kg·cm beside kg·cm; nothing where none is told."""
+    printed = checked.printed
+    told = _NUMBER_UNIT.fullmatch(as_printed(printed.text, "en").replace("*", "·"))
+    if told is None or printed.scale or not printed.value or is_angle(printed):
+        return ""
+    figures = max(5, len(told[1].replace(".", "").lstrip("+−-0")))  # no fewer than the book has
+    return f"{number(checked.exact * float(told[1].replace('−', '-')) / printed.value, figures)} {told[2]}"
 
 
 def symbol_of(checked: Checked) -> str:

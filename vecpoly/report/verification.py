@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from math import isfinite
 
-from ..algebra.quantity import number
+from ..algebra.columns import column, significant
 from ..board.candidates import Candidate
 from ..check.candidates import exact
 from ..check.designs.found import Verified
@@ -62,6 +63,8 @@ _SAID = {  # the same of a single solution, in a sentence
 }
 _TURNS = {_YES: Words("能", "turns"), _NO: Words("不能", "does not turn")}
 _BESIDE = frozenset({"K", "psi", "H", "gamma_min"})  # keys of what is moved and found exactly too
+_SIZE = re.compile(r"([−\d.]+)(°| mm)(?: \([−\d.]+\2\))?")  # 40.75° (40.74°)
+_UNIT = re.compile(r"(?<=\d)(?:°| mm)")
 _BARS = (("A", "B"), ("B", "C"), ("C", "D"))
 
 
@@ -112,13 +115,25 @@ def _table(solution: Solution, lines: list[list[_Item]], lang: Lang) -> DataTabl
     told = _told(lines)
     header = [_NUMBER.of(lang), *(one.head.of(lang) for one in told[0])]
     numbers = [str(one.number) for one in solution.verification]
-    rows = [[number, *(one.cell.of(lang) for one in line)] for number, line in zip(numbers, told, strict=True)]
-    return DataTable(header, rows, None, "c" * len(header), lang=lang)
+    columns = [[line[n].cell.of(lang) for line in told] for n in range(len(told[0]))]
+    named = [_in_head(head, cells) for head, cells in zip(header[1:], columns, strict=True)]
+    rows = list(zip(numbers, *(cells for _, cells in named), strict=True))
+    return DataTable([header[0], *(head for head, _ in named)], rows, None, "c" * len(header), lang=lang)
+
+
+def _in_head(head: str, cells: list[str]) -> tuple[str, list[str]]:
+    """A unit that all numbers of a column have stands in its head."""
+    found = [_SIZE.fullmatch(cell) for cell in cells if cell != _NONE.zh]
+    units = {one[2].strip() if one else "" for one in found}
+    if len(units) != 1 or "" in units:
+        return head, cells
+    (unit,) = units
+    return f"{head} /{unit}", [_UNIT.sub("", cell) for cell in cells]
 
 
 def heads_told(table: DataTable | None, lang: Lang) -> str:
     """What the heads of that table mean that do not say all."""
-    header = () if table is None else table.header
+    header = [] if table is None else [head.partition(" /")[0] for head in table.header]
     told = [meant.of(lang) for head, meant in _MEANT.items() if head.of(lang) in header]
     return stopped(Words("；", "; ").of(lang).join(told), lang) if told else ""
 
@@ -150,7 +165,7 @@ class _Line:
             _item(_CIRCUIT, self._yes()),
             _item(_ORDER, self._order()),
             _item(_TYPE_OF if self._added() else _TYPE, _NONE if one.kind is None else one.kind),
-            _item(MARGIN, _NONE if one.kind is None else Words.same(f"{number(one.margin)} mm")),
+            _item(MARGIN, _NONE if one.kind is None else Words.same(f"{column([one.margin], 1)[0]} mm")),
             self._turning(),
             _item(Words.same("$K$"), self._beside(one.ratio, "K", "", 4)),
             _item(_SWING if swings else _STROKE, self._beside(one.stroke, stroke, unit, 4)),
@@ -215,8 +230,8 @@ class _Line:
     def _beside(self, value: float, key: str, unit: str, digits: int) -> Words:
         if not isfinite(value):
             return _NONE
-        exact = f" ({number(self.exact[key], digits)}{unit})" if key in self.exact else ""
-        return Words.same(f"{number(value, digits)}{unit}{exact}")
+        exact = f" ({significant(self.exact[key], digits)}{unit})" if key in self.exact else ""
+        return Words.same(f"{significant(value, digits)}{unit}{exact}")
 
 
 def _item(head: Words, cell: Words) -> _Item:

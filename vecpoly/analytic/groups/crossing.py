@@ -26,7 +26,7 @@ def crossing(scope: Scope, one: Track, two: Track, c: str, first: Turning | None
         determinant,
         Words(
             "$G_1$ 为两导路夹角的正弦；两导路平行时 $G_1$ = 0，杆组处于奇异位置，接近平行时方程组病态。",
-            "$G_1$ is the sine of the angle between both guides; where they are parallel the group is "
+            "The determinant $G_1$ is the sine of the angle between both guides; where they are parallel the group is "
             "singular, and near there ill-conditioned.",
         ),
     )
@@ -44,7 +44,7 @@ def _position(scope: Scope, one: Track, two: Track, c: str, determinant: Expr) -
         Part(
             Words(
                 f"${c}$ 同在两导路上，${one.travel.symbol}$、${two.travel.symbol}$ 为其沿两导路的坐标，故",
-                f"${c}$ lies on both guides, at ${one.travel.symbol}$ and ${two.travel.symbol}$ along them:",
+                f"Point ${c}$ lies on both guides, at ${one.travel.symbol}$ and ${two.travel.symbol}$ along them:",
             ),
             both(one.point(scope), two.point(scope), gives=False),
         ),
@@ -92,7 +92,7 @@ def _sliding(one: Track, two: Track) -> Words:
     first, second = one.speed.symbol, two.speed.symbol
     return Words(
         f"其中 ${first}$、${second}$ 为沿导路的滑动速度。解为",
-        f"${first}$ and ${second}$ being the sliding speeds along the guides. The solution is",
+        f"Here ${first}$ and ${second}$ are the sliding speeds along the guides. The solution is",
     )
 
 

@@ -111,7 +111,7 @@ def _position(scope: Scope, it: Swing, turning: Turning) -> tuple[Part, ...]:
         Part(
             Words(
                 f"$s_{{{it.name}}}$ 为 ${it.f}$ 沿导路到 ${it.g}$ 的坐标。${it.f}$ 已知，封闭矢量方程的投影为",
-                f"$s_{{{it.name}}}$ is the coordinate of ${it.f}$ along the guide, measured from "
+                f"Here $s_{{{it.name}}}$ is the coordinate of ${it.f}$ along the guide, measured from "
                 f"${it.g}$. With ${it.f}$ known the vector loop gives",
             ),
             both((xf, yf), (xg + s * u - e * w, yg + s * w + e * u), gives=False),
@@ -137,7 +137,7 @@ def _velocity(scope: Scope, it: Swing, turning: Turning) -> tuple[Part, ...]:
         Part(
             Words(
                 f"其中 $v_{{{it.name}}}$ 为滑块沿导路的相对速度。解为",
-                f"$v_{{{it.name}}}$ being the block's speed along the guide. The solution is",
+                f"Here $v_{{{it.name}}}$ is the block's speed along the guide. The solution is",
             ),
             (
                 Equation(rate, (dy * u - dx * w) / s),

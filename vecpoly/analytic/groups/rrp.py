@@ -45,7 +45,7 @@ def _position(scope: Scope, j: Arm, k: Track, c: str) -> tuple[Part, ...]:
         Part(
             Words(
                 f"${k.travel.symbol}$ 为 ${c}$ 沿导路的坐标，自{foot.zh}量起。封闭矢量方程的投影为",
-                f"${k.travel.symbol}$ is the coordinate of ${c}$ along the guide, measured from "
+                f"Here ${k.travel.symbol}$ is the coordinate of ${c}$ along the guide, measured from "
                 f"{foot.en}. The vector loop projected on the axes gives",
             ),
             both(j.tip(scope), k.point(scope), gives=False),
@@ -81,7 +81,7 @@ def _velocity(scope: Scope, j: Arm, k: Track, c: str, determinant: Expr) -> tupl
         Part(
             Words(
                 f"其中 ${k.speed.symbol}$ 为沿导路的滑动速度。解为",
-                f"${k.speed.symbol}$ being the sliding speed along the guide. The solution is",
+                f"Here ${k.speed.symbol}$ is the sliding speed along the guide. The solution is",
             ),
             (
                 *under,

@@ -119,7 +119,7 @@ def _far_place(fig: CentreFigure, pair: Pair) -> Points:
     fig.board.step(
         Words(
             f"${far.letter}$ 落在图外：量 ${start.letter}{far.letter}$ 的方向，其长度由比例线段求得：",
-            f"${far.letter}$ is off the paper: measure the direction of "
+            f"The centre ${far.letter}$ is off the paper: measure the direction of "
             f"${start.letter}{far.letter}$; its length follows from proportional segments:",
         ),
         fig.pane,

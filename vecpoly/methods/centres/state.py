@@ -39,6 +39,7 @@ class CentreFigure:
     polygon: Pane
     paper: Paper
     known: Known
+    reasoned: bool = False  # whether it was said once why a centre is where two lines meet
 
     @property
     def board(self) -> Board:

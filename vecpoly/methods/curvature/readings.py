@@ -32,7 +32,7 @@ def read_curvatures(fig: CurvatureFigure, wanted: frozenset[str]) -> None:
     """Every answer that is asked, measured on the figure."""
     mech, link = fig.desk.mech, fig.link
     if wanted:
-        fig.board.step(Words("由图量得：", "Measured on the figure:"), fig.pane)
+        fig.board.step(Words("由图量得：", "The following is measured on the figure:"), fig.pane)
     if (pole := centre(mech, link, FRAME)).key in wanted:
         _place(fig, pole, fig.pole, fig.p)
     if (w := inflection_pole(mech, link)).key in wanted:

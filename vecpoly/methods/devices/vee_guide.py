@@ -151,7 +151,7 @@ def _flanks(bench: Bench, device: VeeGuide, on_v: Quantity) -> Quantity:
             "摩擦力也垂直于图面）。$F_1$ 已知，两个 $N$ 的方向已知；由对称，二者大小相等。按 $μ_F$ 作力多边形。",
             "Take the V as a free body: in the cross-section the load $F_1$ and the normal "
             "reactions $N$ of both flanks act on it (the slide moves perpendicular to the paper, "
-            "and so friction acts). $F_1$ is known, and both directions of $N$; by symmetry the "
+            "and so friction acts). The load $F_1$ is known, and so are both directions of $N$; by symmetry the "
             "two are equal. Draw the force polygon to the scale $μ_F$.",
         ),
         plan,

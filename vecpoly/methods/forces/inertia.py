@@ -141,7 +141,7 @@ def _join(st: Statics, mass: Mass, force: Acting, couple: Quantity, sense: int) 
         board.remark(
             Words(
                 f"$h_{link}$ 大于机构尺寸，$F_{{I{link}}}$ 与 $M_{{I{link}}}$ 不再合成。",
-                f" $h_{link}$ exceeds the mechanism; $F_{{I{link}}}$ and $M_{{I{link}}}$ stay apart.",
+                f" The distance $h_{link}$ exceeds the mechanism; $F_{{I{link}}}$ and $M_{{I{link}}}$ stay apart.",
             )
         )
         st.inertia_couples[link] = st.board.found[f"M_I{link}"]

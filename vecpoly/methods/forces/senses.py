@@ -46,7 +46,7 @@ def pin_words(st: Statics, point: str, by: str, on: str, touch: Points) -> Words
     return Words(
         f"{rate}，为{way.zh}；${symbol}$ 对 ${point}$ 之矩与 ${turns}$ 转向相反，为{against.zh}，"
         f"故 ${symbol}$ 切于 ${point}$ 处摩擦圆{side.zh}侧。",
-        f" {rate}, {way.en}; the moment of ${symbol}$ about ${point}$ opposes ${turns}$ and is "
+        f" Here {rate}, {way.en}; the moment of ${symbol}$ about ${point}$ opposes ${turns}$ and is "
         f"{against.en}, so ${symbol}$ is tangent to the friction circle at ${point}$ on its {side.en} side.",
     )
 
@@ -139,7 +139,8 @@ def slide_words(st: Statics, joint: Prismatic, by: str, on: str) -> Words:
     i, j, symbol = st.mech.number(by), st.mech.number(on), st.named(by, on).symbol
     if not st.phi(joint):
         return Words(
-            f"${symbol}$ 垂直于构件 {i}、{j} 间的导路。", f" ${symbol}$ is normal to the guide of links {i} and {j}."
+            f"${symbol}$ 垂直于构件 {i}、{j} 间的导路。",
+            f" The reaction ${symbol}$ is normal to the guide of links {i} and {j}.",
         )
     way = sliding_way(st, joint, by, on)
     return Words(

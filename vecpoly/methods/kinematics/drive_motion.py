@@ -35,7 +35,7 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
         Words(
             f"$v_{{{name}}}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；取极点 $p$，作 $p{tip}$ 代表 "
             f"$v_{{{name}}}$：",
-            f"$v_{{{name}}}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ "
+            f"The velocity $v_{{{name}}}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ "
             f"({way_en}); from the pole $p$ lay off $p{tip}$ for $v_{{{name}}}$:",
         ),
         View.VELOCITY,
@@ -111,15 +111,15 @@ def _turned(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
         return Words(
             f"原动件的法向加速度由 ${b}$ 指向 ${pivot}$，切向加速度垂直于 ${pivot}{b}$，指向与 $α_{link}$ 一致；"
             f"取极点 $p′$，依次作 $p′{n}$、${n}{tip}$：",
-            f"The normal acceleration of the driving link points from ${b}$ to ${pivot}$, the "
+            f"The normal acceleration of the driving link points from ${b}$ to ${pivot}$, and the "
             f"tangential one is perpendicular to ${pivot}{b}$ in the sense of $α_{link}$; from the "
             f"pole $p′$ lay off $p′{n}$ and ${n}{tip}$:",
         )
     return Words(
-        f"原动件匀速转动（$α_{link}$ = 0），$a_{{{desk.show(At(b))}}}$ 只有法向分量，由 ${b}$ 指向 ${pivot}$；"
+        f"构件 {link} 匀速转动（$α_{link}$ = 0），$a_{{{desk.show(At(b))}}}$ 只有法向分量，由 ${b}$ 指向 ${pivot}$；"
         f"取极点 $p′$，作 $p′{tip}$：",
-        f"Uniform rotation ($α_{link}$ = 0): $a_{{{desk.show(At(b))}}}$ is purely normal, from "
-        f"${b}$ to ${pivot}$; from the pole $p′$ lay off $p′{tip}$:",
+        f"Link {link} rotates uniformly ($α_{link}$ = 0), so $a_{{{desk.show(At(b))}}}$ is purely normal and points "
+        f"from ${b}$ to ${pivot}$; from the pole $p′$ lay off $p′{tip}$:",
     )
 
 

@@ -77,14 +77,14 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
         ratio = f"${adjoined(a, c)} : {adjoined(a, b)} = {p}{x} : {p}{q}$"
         words = Words(
             f"求 ${x}$ 点的{kind}（{kind}影像法）：${x}$ 在{one.zh}上，按 {ratio} 在{two.zh}上定出影像点 ${c}$。",
-            f"{kind_en.capitalize()} image: ${x}$ lies on {one.en}, so ${c}$ lies on {two.en} with {ratio}.",
+            f"{kind_en.capitalize()} image: since ${x}$ lies on {one.en}, ${c}$ lies on {two.en} with {ratio}.",
         )
     else:
         words = Words(
             f"求构件 {link} 上 ${x}$ 点的{kind}（{kind}影像法）：作 $△{adjoined(a, b, c)} ∽ △{p}{q}{x}$，字母绕行"
             f"顺序相同，得影像点 ${c}$。",
-            f"{kind_en.capitalize()} image of link {link}: triangle ${adjoined(a, b, c)}$ similar to "
-            f"${p}{q}{x}$ with the letters in the same order gives ${c}$.",
+            f"{kind_en.capitalize()} image of link {link}: the triangle ${adjoined(a, b, c)}$, similar to "
+            f"${p}{q}{x}$ with its letters in the same order, gives ${c}$.",
         )
     board.step(words, view)
     letter_at_pole(desk, view, p_at, q_at)
@@ -146,7 +146,7 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
     board.step(
         Words(
             f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{QUANTITY[view].zh}。",
-            f"The {QUANTITY[view].en} of ${desk.name(at)}$ from the rotation of link {link}.",
+            f"The rotation of link {link} gives the {QUANTITY[view].en} of ${desk.name(at)}$.",
         ),
         view,
     )

@@ -22,9 +22,10 @@ def angular_velocity(
     desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str
 ) -> None:
     """ω = v / l from the relative velocity of `point` about `about`, v = μ_v × its length on paper."""
+    told = _begin(desk, View.VELOCITY, f"ω_{link}", ends, letters)
     rate = _rate(desk, View.VELOCITY, f"ω_{link}", "rad/s", about, point, ends, letters)
     desk.turns[omega(link)] = Turn(desk.board.conclude(omega(link).key, rate, "rad/s"))
-    desk.board.remark(_sense(f"ω_{link}", symbol, point, nominal(desk.turns[omega(link)].value)))
+    desk.board.remark(told + _sense(f"ω_{link}", symbol, point, nominal(rate), bool(told.en)))
 
 
 def angular_acceleration(
@@ -32,9 +33,10 @@ def angular_acceleration(
 ) -> None:
     """α = a^t / l from the tangential acceleration of `point` about `about`."""
     standing = lettered(desk, View.ACCELERATION, ends, letters)
+    told = _begin(desk, View.ACCELERATION, f"α_{link}", ends, standing)
     rate = _rate(desk, View.ACCELERATION, f"α_{link}", "rad/s^2", about, point, ends, standing)
     desk.turns[alpha(link)] = Turn(desk.board.conclude(alpha(link).key, rate, "rad/s^2"))
-    desk.board.remark(_sense(f"α_{link}", symbol, point, nominal(desk.turns[alpha(link)].value)))
+    desk.board.remark(told + _sense(f"α_{link}", symbol, point, nominal(rate), bool(told.en)))
 
 
 def same_turn(desk: Desk, link: str, as_link: str, view: View, said: bool = True) -> None:
@@ -51,21 +53,30 @@ def same_turn(desk: Desk, link: str, as_link: str, view: View, said: bool = True
         )
 
 
+def _begin(desk: Desk, view: View, name: str, ends: tuple[Points, Points], letters: str) -> Words:
+    """Open the step; behind another link's turning no step is opened, but a sentence of that one begun."""
+    board, (first, last) = desk.board, letters.split()
+    none = abs(nominal(ends[1] - ends[0])) < NO_LENGTH
+    measured = f"${_braced(first)}{last}$"
+    if desk.turning == len(board.steps) > 0 and board.here is view:
+        if none:
+            return Words(f" ${last}$ 与 ${first}$ 重合，故", f" Point ${last}$ coincides with ${first}$, so")
+        return Words(f"又由 {measured} 得 ${name}$：", f" The length {measured} gives ${name}$:")
+    board.step(
+        Words(f"${last}$ 与 ${first}$ 重合，故", f"Point ${last}$ coincides with ${first}$, so")
+        if none
+        else Words(f"量取图上长度 {measured}，求 ${name}$。", f"Measure {measured} and find ${name}$."),
+        view,
+    )
+    desk.turning = len(board.steps)
+    return Words.same("")
+
+
 def _rate(
     desk: Desk, view: View, name: str, unit: str, about: str, point: str, ends: tuple[Points, Points], letters: str
 ) -> Reals:
     board = desk.board
     none = abs(nominal(ends[1] - ends[0])) < NO_LENGTH
-    first, last = letters.split()
-    words = (
-        Words(f"${last}$ 与 ${first}$ 重合，故", f"${last}$ coincides with ${first}$, so")
-        if none
-        else Words(
-            f"量取图上长度 ${_braced(first)}{last}$，求 ${name}$。",
-            f"Measure ${_braced(first)}{last}$ and find ${name}$.",
-        )
-    )
-    board.step(words, view)
     on_paper = board.measure(*ends, letters)
     length = desk.length(about, point)
     expr = board.mu(view) * on_paper / length
@@ -81,10 +92,14 @@ def _way(out: Points, vector: Points) -> Reals:
     return np.where(np.abs(across) > ALONG * np.abs(along), np.sign(across), -np.sign(along))[()]
 
 
-def _sense(name: str, symbol: str, point: str, value: float) -> Words:
+def _sense(name: str, symbol: str, point: str, value: float, again: bool) -> Words:
     if abs(value) < 1e-12:
         return Words(f" ${name}$ = 0。", f" ${name}$ = 0.")
     way, way_en = ("逆时针方向", "counter-clockwise") if value > 0 else ("顺时针方向", "clockwise")
+    if again:
+        return Words(
+            f"将 ${symbol}$ 移至 ${point}$ 点，知其为{way}。", f" with ${symbol}$ placed at ${point}$ it is {way_en}."
+        )
     return Words(
         f"将 ${symbol}$ 移至 ${point}$ 点，知 ${name}$ 为{way}。",
         f" Placing ${symbol}$ at ${point}$ shows that ${name}$ is {way_en}.",

@@ -55,7 +55,7 @@ def _say_positions(period: Period) -> None:
     angles = column([period.degrees(step * k) for k in range(count)])
     moments = column([shown(one.moment) for one in period.read[:-1]])
     rows = tuple(zip(angles, moments, strict=True))
-    board.tabulate(Listing(head=(Words.same("$φ$/°"), Words.same("$M_e$/(N·m)")), rows=rows))
+    board.tabulate(Listing(head=(Words.same("$φ$ /°"), Words.same("$M_e$ /(N·m)")), rows=rows))
 
 
 def _rubs(name: str) -> NoMethodError:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...algebra.columns import TOTAL, column, decimals, headed, summed
 from ...algebra.formula import Row, Txt
-from ...algebra.quantity import Expr, Product, Quantity, Sum, magnitude, number
+from ...algebra.quantity import Expr, Product, Quantity, Sum, magnitude
 from ...board.board import NO_LENGTH
 from ...board.construction import Listing, View
 from ...mechanism.asked.machine import Equivalent
@@ -25,7 +26,8 @@ from ..registry import Stage, method
 from .motion_of import Motion, motion_of
 
 _SOURCE = "机械原理, equivalent link: its kinetic energy and its power are those of the whole machine"
-_Row = tuple[str, ...]
+_Values = tuple[float, ...]
+_FIGURES = 5  # of the largest number of a column: small ratios keep some
 
 
 @method(
@@ -79,13 +81,14 @@ def _say(st: Statics, to: Equivalent) -> None:
 def _inertia(st: Statics, to: Equivalent, moved: Motion) -> None:
     """Every mass by its ratios, several as a table; then their sum."""
     terms: list[Expr] = []
-    rows: list[_Row] = []
+    rows: list[_Values] = []
     for mass in st.loads.masses:
         found = [_moving(st, mass, moved), _turning(st, mass, moved)]
         terms += [term for _, term in found if term is not None]
-        rows.append(_row(st, mass, found))
+        rows.append(_values(found))
     if len(rows) > 1:
-        st.board.tabulate(_table(moved, rows, to.inertia.unit))
+        links = [st.mech.number(mass.link) for mass in st.loads.masses]
+        st.board.tabulate(_table(moved, links, rows, to.inertia.unit))
     if not terms:
         keep_nothing(st, to.inertia)
         return
@@ -131,18 +134,14 @@ def _bracketed(ratio: Quantity) -> Quantity:
     return Quantity(Row((Txt("("), ratio.node, Txt(")"))), ratio.value, ratio.unit)
 
 
-def _row(st: Statics, mass: Mass, found: list[_Found]) -> _Row:
-    ratios = [_written(ratio) for ratio, _ in found]
-    parts = [_written(term) for _, term in found]
-    return (st.mech.number(mass.link), *ratios, *parts)
+def _values(found: list[_Found]) -> _Values:
+    """Both ratios, and both parts of the sum."""
+    every = [*(ratio for ratio, _ in found), *(part for _, part in found)]
+    return tuple(0.0 if one is None else float(nominal(one.value)) for one in every)
 
 
-def _written(value: Expr | None) -> str:
-    return "0" if value is None else number(float(nominal(value.value)))
-
-
-def _table(moved: Motion, rows: list[_Row], unit: str) -> Listing:
-    """Symbols over their units; unit: of every part of the sum."""
+def _table(moved: Motion, links: list[str], rows: list[_Values], unit: str) -> Listing:
+    """Symbols over their units, under the parts their sums; unit: of every part of the sum."""
     speeds, turns = f"$v_S/{moved.symbol}$", f"$ω_i/{moved.symbol}$"
     head = (
         Words("构件", "link"),
@@ -151,12 +150,16 @@ def _table(moved: Motion, rows: list[_Row], unit: str) -> Listing:
         _in(f"$m$ ({speeds})²", unit),
         _in(f"$J_S$ ({turns})²", unit),
     )
-    return Listing(head=head, rows=tuple(rows), blocks=1)
+    linear, angular, moving, turning = zip(*rows, strict=True)
+    count = decimals([*moving, *turning], _FIGURES)
+    (*moved_on, first), (*turned, second) = (summed(each, count) for each in (moving, turning))
+    ratios = (column(each, decimals(each, _FIGURES)) for each in (linear, angular))
+    told = zip(links, *ratios, moved_on, turned, strict=True)
+    return Listing(head=head, rows=(*told, (TOTAL, "", "", first, second)), blocks=1)
 
 
 def _in(symbol: str, unit: str) -> Words:
-    text = written_unit(unit)
-    return Words.same(f"{symbol}/({text})" if {*"·/"} & {*text} else f"{symbol}/{text}")
+    return Words.same(headed(symbol, written_unit(unit)))
 
 
 def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
@@ -165,7 +168,7 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
     if not given:
         keep_nothing(st, to.load)
         return
-    st.board.step(_of_power(to.load.symbol, moved.symbol, signed=to.slide), View.VELOCITY)
+    st.board.step(_of_power(to.load.symbol, moved.symbol, force=to.slide), View.VELOCITY)
     parts = [written_power(st, work) for work in given]
     moving = [part for part in parts if nominal(part.value)]
     if not moving:
@@ -175,44 +178,38 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
     _keep_load(st, to, moved, moving, total / (moved.size.value * moved.sign))
 
 
-def _of_power(load: str, speed: str, *, signed: bool) -> Words:
-    """What is computed: a force with the sign of its power, or the size of a moment, whose sense is told apart."""
-    sized = Words(
-        f"功率等效：${load}$ 的大小等于各力（矩）的功率 $F v cos α$、$M ω$ 之和的绝对值除以 ${speed}$，转向由该和的"
-        "正负判定。",
-        f"It has the power of all: the size of ${load}$ is that of the sum of the powers $F v cos α$ and $M ω$, over "
-        f"${speed}$; the sign of the sum tells its sense.",
-    )
-    whole = Words(
-        f"功率等效：${load}$ 为代数值，等于各力（矩）的功率 $F v cos α$、$M ω$ 之和除以 ${speed}$。",
-        f"It has the power of all: ${load}$, with its sign, is the sum of the powers $F v cos α$ and $M ω$, over "
-        f"${speed}$.",
-    )
-    return (whole if signed else sized) + Words(
-        "作用点的速度沿力方向的分量由速度多边形量得。",
-        " The component of each velocity along its force is measured on the polygon.",
+def _of_power(load: str, speed: str, *, force: bool) -> Words:
+    """What is computed: the size of a force or of a moment, whose way is told apart."""
+    way = Words("指向", "its direction") if force else Words("转向", "its sense")
+    return Words(
+        f"功率等效：${load}$ 的大小等于各力（矩）的功率 $F v cos α$、$M ω$ 之和的绝对值除以 ${speed}$，{way.zh}由该和的"
+        "正负判定。作用点的速度沿力方向的分量由速度多边形量得。",
+        f"The power of ${load}$ equals that of all forces and moments: its size is that of the sum of the powers "
+        f"$F v cos α$ and $M ω$, over ${speed}$; the sign of the sum determines {way.en}. The component of each "
+        "velocity along its force is measured on the polygon.",
     )
 
 
 def _along(load: str, speed: str, along: bool) -> Words:
-    """How the sign of an equivalent force is counted, and what it says."""
+    """Which way an equivalent force acts."""
     sign, way = (
         (Words("正", "positive"), Words("同向", "along"))
         if along
         else (Words("负", "negative"), Words("反向", "against"))
     )
     return Words(
-        f"${load}$ 以 ${speed}$ 的指向为正；各功率之和为{sign.zh}，故 ${load}$ 与 ${speed}$ {way.zh}：",
-        f" ${load}$ is positive along ${speed}$; the powers sum to a {sign.en} value, so it acts {way.en} ${speed}$:",
+        f"各功率之和为{sign.zh}，故 ${load}$ 与 ${speed}$ {way.zh}：",
+        f" The powers sum to a {sign.en} value, so ${load}$ acts {way.en} ${speed}$:",
     )
 
 
 def _keep_load(st: Statics, to: Equivalent, moved: Motion, moving: list[Quantity], value: Reals) -> None:
-    """F_e with its sign along the motion; M_e as a size with its sense."""
+    """The size of F_e or M_e, and which way it acts or turns."""
     named, sense = to.load, int(np.sign(nominal(value)))
     way = 1
-    if to.slide:
-        st.board.remark(_along(named.symbol, moved.symbol, nominal(value) >= 0))
+    if to.slide and sense:
+        way = sense
+        st.board.remark(_along(named.symbol, moved.symbol, sense > 0))
     elif sense:
         way = sense * int(nominal(moved.sign))
         powers = Words("各功率", "The powers")

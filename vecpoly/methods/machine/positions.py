@@ -36,7 +36,7 @@ def draw_positions(period: Period, sizes: Sizes) -> None:
 
 
 def _table(period: Period) -> Listing:
-    head = (Words.same("$φ$/°"), Words.same("$J_e$/(kg·m²)"), Words.same("$M_e$/(N·m)"))
+    head = (Words.same("$φ$ /°"), Words.same("$J_e$ /(kg·m²)"), Words.same("$M_e$ /(N·m)"))
     step = period.curve.period / (len(period.read) - 1)
     read = period.read[:-1]
     angles = column([period.degrees(step * k) for k in range(len(read))])

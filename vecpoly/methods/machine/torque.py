@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...algebra.columns import column
+from ...algebra.columns import TOTAL, column, summed
 from ...algebra.quantity import Quantity, number
 from ...board.acts import Way
 from ...board.construction import Listing, Pane
@@ -162,11 +162,12 @@ def _letters(upper: Graph, lower: Graph, period: Period) -> tuple[str, ...]:
 
 
 def _table(lobes: Lobes, works: list[Reals]) -> Listing:
-    head = (Words("区间", "from–to"), Words.same("$A$/mm²"), Words.same("$ΔW$/J"))
+    head = (Words("区间", "from–to"), Words.same("$A$ /mm²"), Words.same("$ΔW$ /J"))
     ends = [f"{a}–{b}" for a, b in pairwise(lobes.letters)]
     areas = column([shown(lobe.area.value) for lobe in lobes.lobes])
-    rows = tuple(zip(ends, areas, column([shown(work) for work in works]), strict=True))
-    return Listing(head=head, rows=rows, blocks=1)
+    *told, total = summed([shown(work) for work in works])
+    rows = tuple(zip(ends, areas, told, strict=True))
+    return Listing(head=head, rows=(*rows, (TOTAL, "", total)), blocks=1)
 
 
 def _bar(period: Period, sizes: Sizes, works: tuple[Reals, ...], letters: tuple[str, ...]) -> Quantity:
@@ -176,7 +177,7 @@ def _bar(period: Period, sizes: Sizes, works: tuple[Reals, ...], letters: tuple[
         Words(
             "作能量指示图：自基线起依次向上（盈）、向下（亏）画出各功，终点回到基线；最高点处动能最大，最低点处最小，"
             "两者之差即最大盈亏功。",
-            "The energy-fluctuation diagram: from the base line draw the works one after the other, up where work is "
+            "In the energy-fluctuation diagram draw the works one after the other from the base line, up where work is "
             "gained, down where it is lost, back to the base line. The energy is greatest at the highest point and "
             "least at the lowest; between them is the greatest surplus.",
         ),

@@ -89,9 +89,9 @@ def _speeds(period: Period, pane: Pane) -> None:
         Words(
             f"由 $ω_m$ 和 $δ$ 得最大、最小角速度，作斜率为 $½ω²$ ${mass}/{energy}$ 的两条切线（上切、下切），与"
             " $J_e$ = 0 的纵轴交于 $a$、$b$。载荷突变处的尖点也算切点。",
-            f"$ω_m$ and $δ$ give the greatest and the least speed. Draw the tangents of slope $½ω²$ ${mass}/{energy}$, "
-            "one above the loop and one below it; they cut the axis $J_e$ = 0 in $a$ and $b$. A corner, where a load "
-            "jumps, may be touched as well.",
+            "The values $ω_m$ and $δ$ give the greatest and the least speed. Draw the tangents of slope $½ω²$ "
+            f"${mass}/{energy}$, one above the loop and one below it; they cut the axis $J_e$ = 0 in $a$ and $b$. A "
+            "corner, where a load jumps, may be touched as well.",
         ),
         pane,
     )
@@ -137,7 +137,7 @@ def _none_needed(period: Period) -> None:
     period.board.remark(
         Words(
             "$a$ 在 $b$ 之下：机器本身已足够均匀，不需要飞轮。",
-            " $a$ lies below $b$: the machine is even enough by itself, and no flywheel is needed.",
+            " Point $a$ lies below $b$: the machine is even enough by itself, and no flywheel is needed.",
         )
     )
     period.board.keep(Reading(key=J_F.key, symbol=J_F.symbol, unit=J_F.unit, scalar=0.0), 0.0)

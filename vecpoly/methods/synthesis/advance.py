@@ -14,7 +14,7 @@ def theta_of(draft: Draft, advance: float) -> Quantity:
     board = draft.board
     board.section(Words("极位夹角", "Angle between the limit positions"))
     board.step(
-        Words("由行程速比系数 $K$ 求极位夹角：", "The angle between the limit positions, from the time ratio $K$:"),
+        Words("由行程速比系数 $K$ 求极位夹角：", "The time ratio $K$ gives the angle between the limit positions:"),
         SHEET,
     )
     draft.shared(ADVANCE, advance)

@@ -129,10 +129,10 @@ def _told_flat(marks: str) -> Words:
         f"$θ$ 很小，圆 $η{marks}$ 很大，其圆心 ${o}$ 在图外：由 $C_{{1}}C_{{2}}$ 计算半径，用长臂圆规以 $C_1$、$C_2$ "
         f"为圆心、$r_η$ 为半径作弧得 ${o}$，再以 ${o}$ 为圆心只画所需的弧段；自弧上 $C_{{1}}C_{{2}}$ 以外各点看 "
         "$C_{1}C_{2}$ 的角均为 $θ$，$A$ 必在此弧上。",
-        f"$θ$ is small and the circle $η{marks}$ so large that its centre ${o}$ lies off the paper: compute its radius "
-        f"from $C_{{1}}C_{{2}}$, find ${o}$ by arcs of this radius about $C_1$ and $C_2$ with a beam compass, and draw "
-        f"only those pieces of $η{marks}$ that are needed. From its points beyond $C_1$ and $C_2$ the chord "
-        "$C_{1}C_{2}$ is seen under $θ$: $A$ lies there.",
+        f"The angle $θ$ is small and the circle $η{marks}$ so large that its centre ${o}$ lies off the paper: compute "
+        f"its radius from $C_{{1}}C_{{2}}$, find ${o}$ by arcs of this radius about $C_1$ and $C_2$ with a beam "
+        f"compass, and draw only those pieces of $η{marks}$ that are needed. From its points beyond $C_1$ and $C_2$ "
+        "the chord $C_{1}C_{2}$ is seen under $θ$: $A$ lies there.",
     )
 
 

@@ -128,7 +128,7 @@ def _offset(draft: Draft, limits: Limits) -> Quantity:
     board.remark(
         Words(
             "自 $A$ 向导路作垂线，垂足为 $N$，$AN$ 为偏距。",
-            " $N$ is the foot of the perpendicular from $A$ on the guide, and $AN$ the offset.",
+            " Point $N$ is the foot of the perpendicular from $A$ on the guide, and $AN$ the offset.",
         )
     )
     return draft.length(draft.of_this(OFFSET), board.measure(a, n, "A N"), "A N")

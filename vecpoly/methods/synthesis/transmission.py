@@ -50,6 +50,10 @@ def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
             "frame. Draw both with the lengths found and read $∠BCD$; of an obtuse one take the supplement.",
         ),
         place,
+        again=Words(
+            f"同样按解 {n} 的长度作出这两个位置，量得最小传动角：",
+            f"Draw these two positions with the lengths of solution {n}, too, and read the transmission angles:",
+        ),
     )
     frame = _mm(draft, AD)
     a = board.locate(place, "A", 0j)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...printed.digits import is_hopeless
 from ...solution import Answer, Solution
 from ...words import Lang, Words
 from ..flow.results.halved import HalvedTable
@@ -11,6 +12,7 @@ from ..flow.table import DataTable
 from ..tables import inks_of, trimmed
 from .alike import named_once
 from .errors import NOTHING, beside
+from .kinds import tables_and_sentences
 from .order import listed
 from .placed import endless_words, place_words, places_table
 from .tables import counted, filled, lone_place, row_of, tabled, unit_of
@@ -20,30 +22,25 @@ _ALIGN = "lcdddd"
 
 
 def check_tables(solution: Solution, lang: Lang) -> tuple[DataTable, ...]:
-    """What was read beside the exact values, and how far it is off; none where all is computed, and exact; a lone place
-    beside other answers has a sentence."""
+    """What was read beside the exact values, and how far it is off, in per cent, in degrees, or where it vanishes; none
+    where all is computed, and exact; a lone place beside other answers, and a lone value of its kind, has a
+    sentence."""
     places, others = tabled(checked(solution))
-    found = [_values(others, solution, lang)] if others and lone_value(solution) is None else []
+    found = [_values(kind, solution, lang) for kind in tables_and_sentences(others, len(places) > 1)[0]]
     rows = places if lone_place(checked(solution)) is None else []
     return (*found, *([HalvedTable.of(places_table(rows, solution, lang))] if rows else []))
 
 
 def check_words(solution: Solution, lang: Lang) -> str:
-    """A lone place, or a lone value beside places, with what it is exactly, and the places at infinity."""
+    """A lone place, or a value alone in its kind, with what it is exactly, and the places at infinity."""
     every = checked(solution)
-    lone, value = lone_place(every), lone_value(solution)
+    lone, (places, others) = lone_place(every), tabled(every)
     told = (
+        *(_value_words(one, solution, lang) for one in tables_and_sentences(others, len(places) > 1)[1]),
         "" if lone is None else place_words(lone, lang),
-        "" if value is None else _value_words(value, solution, lang),
         endless_words(every, lang),
     )
     return ("" if lang == "zh" else " ").join(filter(None, told))
-
-
-def lone_value(solution: Solution) -> Answer | None:
-    """The only value beside several places, which a sentence tells."""
-    places, others = tabled(checked(solution))
-    return others[0] if len(others) == 1 and len(places) > 1 else None
 
 
 def _value_words(answer: Answer, solution: Solution, lang: Lang) -> str:
@@ -51,11 +48,15 @@ def _value_words(answer: Answer, solution: Solution, lang: Lang) -> str:
     name, unit, _, _, drawn, _, exact, off = row_of(answer, solution, lang, unit_of(answer))
     (error,) = beside([answer], [off])
     unit = {NOTHING: "", "°": "°"}.get(unit, f" {unit}")
-    off, error = (text if text == NOTHING or text.endswith("°") else f"{text} %" for text in (off, error))
-    return Words(
-        f"{name} 量得 {drawn}{unit}，精确值 {exact}{unit}，偏差 {off}（预期误差 {error}）。",
-        f"{name} was read as {drawn}{unit}; exactly it is {exact}{unit}: a deviation of {off} (expected error "
-        f"{error}).",
+    told = Words(
+        f"{name} 量得 {drawn}{unit}，精确值 {exact}{unit}",
+        f"The value of {name} was read as {drawn}{unit}; exactly it is {exact}{unit}",
+    )
+    if off == NOTHING or is_hopeless(answer):
+        return (told + Words(f"（预期误差 {error}）。", f" (expected error {error}).")).of(lang)
+    off, error = (text if text.endswith("°") else f"{text} %" for text in (off, error))
+    return (
+        told + Words(f"，偏差 {off}（预期误差 {error}）。", f": a deviation of {off} (expected error {error}).")
     ).of(lang)
 
 

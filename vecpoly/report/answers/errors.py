@@ -19,14 +19,14 @@ def beside(answers: Sequence[Answer], deviations: Sequence[str]) -> list[str]:
     where there is no deviation in the printed unit, beside the number; nothing of what was computed."""
     found = [NOTHING] * len(answers)
     for sign in ("", "°", NOTHING):
-        rows = [n for n, off in enumerate(deviations) if _sign(off) == sign and not answers[n].computed]
+        rows = [n for n, off in enumerate(deviations) if sign_of(off) == sign and not answers[n].computed]
         sizes = [_size(answers[n], sign) for n in rows]
         for n, text in zip(rows, alike(sizes), strict=True):
             found[n] = f"{text}{sign}" if sign != NOTHING else f"{text} {printed_unit(answers[n].reading.unit)[1]}"
     return [text.strip() for text in found]
 
 
-def _sign(off: str) -> str:
+def sign_of(off: str) -> str:
     """What stands behind a deviation: ° of an angle, nothing of per cents; NOTHING where there is none."""
     return off if off == NOTHING else "°" if off.endswith("°") else ""
 

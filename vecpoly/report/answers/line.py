@@ -133,6 +133,8 @@ def _direction(answer: Answer, problem: Problem, lang: Lang) -> str:
         return "" if answer.direction is None else _pointing(answer.direction)
     if (fixed := direction_of_load(problem, answer.key)) is not None and answer.drawn:
         return _pointing(degrees(fixed))
+    if answer.along is not None:
+        return answer.along.of(lang)
     return _TURNS[answer.sense].of(lang) if answer.sense else ""
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from math import hypot
 
+from ...algebra.columns import with_zeros
 from ...algebra.rounding import read_back
 from ...printed.digits import coordinates
 from ...printed.places import place_parts
@@ -72,7 +73,7 @@ def endless_words(answers: Iterable[Answer], lang: Lang) -> str:
     if not told:
         return ""
     zh, en = "，".join(told), ", ".join(told)
-    return Words(f"在无穷远处的瞬心，其方向{zh}。", f"Directions of the centres at infinity: {en}.").of(lang)
+    return Words(f"在无穷远处的瞬心，其方向{zh}。", f"The centres at infinity lie in these directions: {en}.").of(lang)
 
 
 def _within(answer: Answer) -> Words:
@@ -96,7 +97,7 @@ def gaps(answers: Iterable[Answer]) -> Iterator[str]:
     """How far apart (mm) the drawn and the exact point are, as they stand beside each other."""
     found = [_gap(one) for one in answers]
     told = iter(alike([off for off in found if off]))
-    yield from (NOTHING if off is None else next(told) if off else "0" for off in found)
+    yield from with_zeros([NOTHING if off is None else next(told) if off else "0" for off in found])
 
 
 def _gap(answer: Answer) -> float | None:

@@ -136,6 +136,9 @@ def filled(answers: Sequence[Answer], solution: Solution, lang: Lang) -> tuple[l
     worth = [NOTHING if is_hopeless(one) else off for one, off in zip(answers, told, strict=True)]
     header[_OFF], offs = _in_one_unit(_DEVIATION.of(lang), worth)
     header[-1], errors = _in_one_unit(_EXPECTED.of(lang), beside(answers, told))
+    if one_unit != NOTHING and all(off == NOTHING for off in told):  # each in the unit of its row
+        errors = [error.partition(" ")[0] for error in errors]
+        header[-1] = _EXPECTED.of(lang) + (f" /{braced(one_unit)}" if one_unit else "")
     return header, [(*row[:_OFF], off, error) for row, off, error in zip(rows, offs, errors, strict=True)]
 
 
@@ -233,4 +236,6 @@ def way(answer: Answer, problem: Problem, lang: Lang) -> str:
     fixed = direction_of_load(problem, answer.key)
     if fixed is not None:
         return bearing_told(degrees(fixed))
+    if answer.along is not None:
+        return answer.along.of(lang)
     return _SENSE[answer.sense].of(lang) if answer.sense and clean(answer) else NOTHING

@@ -22,7 +22,10 @@ _FIGURE, _TABLE = Words("图", "Figure"), Words("表", "Table")
 SMALL = Style(size=8.8, leading=10.6, after=0.0, align="left")
 
 _BOTH = Words("数值列于{}，曲线见{}。", "The values are listed in {}, and the curves are drawn in {}.")
-_LISTED, _DRAWN = Words("数值列于{}。", "The values are listed in {}."), Words("见{}。", "See {}.")
+_LISTED, _DRAWN = (
+    Words("数值列于{}。", "The values are listed in {}."),
+    Words("曲线见{}。", "The curves are drawn in {}."),
+)
 _GAP, _ROOM = 4.0, 170.0  # mm between two figures beside each other, and for both
 TINY = Style(size=8.5, leading=9.0, after=0.0, align="left")
 
@@ -63,20 +66,17 @@ class Press:
         return self._kept("fig", drawn(scene, caption.text, sketch=True), caption)
 
     def figures(self, plots: Sequence[tuple[Scene, Words]]) -> list[str]:
-        """Numbered figures, two beside each other where they are narrow enough; their names for the template."""
+        """Numbered figures, two beside each other where they are narrow enough; their names for the template. Where a
+        page has no room for them the text runs on."""
         rows: list[list[tuple[Scene, _Caption]]] = []
         for scene, title in plots:
             caption = self._caption(_FIGURE, "figure", title)
             fits = rows and len(rows[-1]) == 1 and _wide(*rows[-1][0]) + _GAP + _wide(scene, caption) <= _ROOM
             rows[-1].append((scene, caption)) if fits else rows.append([(scene, caption)])
-        return [
-            self._kept(
-                "fig",
-                drawn(row[0][0], row[0][1].text) if len(row) == 1 else _paired(*row),
-                *(caption for _, caption in row),
-            )
-            for row in rows
-        ]
+        made = [drawn(row[0][0], row[0][1].text) if len(row) == 1 else _paired(*row) for row in rows]
+        for one in made:
+            one.floats = True
+        return [self._kept("fig", one, *(caption for _, caption in row)) for one, row in zip(made, rows, strict=True)]
 
     def sheet(self) -> Words:
         """The number of a sheet, which is a figure that fills its page: Figure 6-1."""

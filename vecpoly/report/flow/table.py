@@ -19,7 +19,7 @@ from ...words import Lang
 from .base import Block, Tightness
 from .cells import Cell, cells, joined
 from .lines import Line, break_lines, draw_line
-from .results.banded import LIGHT, ends_band, is_banded
+from .results.banded import LIGHT, is_banded, is_parted
 from .results.columns import longest, shared
 from .results.decimal import BREAKS, Columns, aligned_columns, unbroken
 from .style import CAPTION, CELL, Style
@@ -195,13 +195,13 @@ class DataTable(Block):
         y = self._row(ink, found.head, found.widths, left, y, "c" * len(self.header), header=True)
         y = self._rule(ink, left, y, width, _FINE)
         for n, (row, texts) in enumerate(zip(found.body, self.rows, strict=True)):
+            if n and is_parted(self._before + n, texts, self._banded):
+                self._rule(ink, left, y, width, LIGHT)
             shifts = [
                 column[n].indent(text, width - 2 * PAD) if column is not None and len(cell) == 1 else None
                 for cell, text, width, column in zip(row, texts, found.widths, found.points, strict=True)
             ]
             y = self._row(ink, row, found.widths, left, y, self.align, shifts)
-            if self._banded and ends_band(self._before + n) and n + 1 < len(self.rows):
-                self._rule(ink, left, y, width, LIGHT)
         self._rule(ink, left, y, width, _HEAVY)
         ink.flush()
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ...algebra.columns import padded
 from ...algebra.rounding import braced
 from ...devices.balancing.rotor import Rotor
 from ...devices.base import Device
@@ -55,7 +56,7 @@ def in_table(problem: Problem, lang: Lang) -> tuple[tuple[Datum, ...], DataTable
     rows = [_row(name, columns, told) for name in dict.fromkeys(cell.row for cell in told)]
     heads = [_ROWS.of(lang), *(_head(column, told) for column in columns)]
     kept = {id(cell.datum) for cell in told}
-    table = DataTable(heads, rows, None, "c" + "d" * len(columns), lang=lang)
+    table = DataTable(heads, padded(rows), None, "c" + "d" * len(columns), lang=lang)
     return tuple(one for one in data if id(one) not in kept), table
 
 

@@ -135,7 +135,8 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...], free
     elif slots.zh:
         replaced = Words("在销处各加一滑块作高副低代后，", "; with a block put in place of each pin in its slot,")
     rest = Words(
-        f"其余为 {zh}，属{_class(groups).zh}机构。", f" the rest is {kind} {en}: a {_class(groups).en} mechanism."
+        f"其余为 {zh}，属{_class(groups).zh}机构。",
+        f" the rest is {kind} {en}, so this is a {_class(groups).en} mechanism.",
     )
     return opening + replaced + rest
 

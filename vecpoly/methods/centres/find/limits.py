@@ -41,7 +41,8 @@ def find_limit(desk: Desk, named: Named) -> None:
     )
     board, a = desk.board, desk.at[_pivot(desk)]
     pane = board.open_pane(View.MECHANISM, NAME, PANE, aside=True)
-    board.step(_words(_pivot(desk), pin, led, rod, extended, crank > rod_length), pane)
+    board.step(_lead(led, rod), pane, again=_SECOND)
+    board.remark(_words(_pivot(desk), pin, led, extended, crank > rod_length))
     reach = crank + rod_length if extended else abs(rod_length - crank)
     ends = [
         (c, ahead(a, unit(c - a), crank if extended or crank > rod_length else -crank))
@@ -141,13 +142,21 @@ def _length(desk: Desk, link: str, p: str, q: str) -> float:
     return desk.mm(abs(points[p] - points[q]))
 
 
-def _words(a: str, b: str, c: str, rod: str, extended: bool, long_crank: bool) -> Words:
+_SECOND = Words("曲柄与连杆还有另一个共线位置。", "There is a second position in which crank and rod are in one line.")
+
+
+def _lead(c: str, rod: str) -> Words:
+    return Words(
+        f"$v_{c}$ = 0 时，构件 {rod} 的绝对瞬心与 ${c}$ 重合，曲柄与连杆共线。",
+        f"Where $v_{c}$ = 0 the absolute centre of link {rod} falls on ${c}$: crank and rod are in one line.",
+    )
+
+
+def _words(a: str, b: str, c: str, extended: bool, long_crank: bool) -> Words:
     how, how_en = ("拉直", "extended") if extended else ("重叠", "overlapped")
     sum_up = f"{b}{c} + {a}{b}" if extended else (f"{a}{b} − {b}{c}" if long_crank else f"{b}{c} − {a}{b}")
     return Words(
-        f"$v_{c}$ = 0 时，构件 {rod} 的绝对瞬心与 ${c}$ 重合，曲柄与连杆共线。{how}共线：以 ${a}$ 为圆心、"
-        f"${sum_up}$ 为半径画弧，交 ${c}$ 的轨迹于极限位置，量得曲柄的位置角。",
-        f"Where $v_{c}$ = 0 the absolute centre of link {rod} falls on ${c}$: crank and rod are in "
-        f"one line. {how_en.capitalize()}: the arc about ${a}$ with the radius ${sum_up}$ cuts the "
-        f"path of ${c}$ in a limit position; read off the crank's angle.",
+        f"{how}共线：以 ${a}$ 为圆心、${sum_up}$ 为半径画弧，交 ${c}$ 的轨迹于极限位置，量得曲柄的位置角：",
+        f" {how_en.capitalize()}: the arc about ${a}$ with the radius ${sum_up}$ cuts the path of ${c}$ in a limit "
+        "position; the angle of the crank is read off there:",
     )

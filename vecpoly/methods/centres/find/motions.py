@@ -109,7 +109,8 @@ class Motions:
         self.fig.board.step(
             Words(
                 f"${p}$ 在无穷远处，构件 {link} 与 {via} 的角速度相等：$ω_{link}$ = $ω_{via}$。",
-                f"${p}$ is at infinity: links {link} and {via} have the same angular velocity, $ω_{link}$ = $ω_{via}$.",
+                f"The centre ${p}$ is at infinity: links {link} and {via} have the same angular velocity, $ω_{link}$ "
+                f"= $ω_{via}$.",
             ),
             self.fig.pane,
         )

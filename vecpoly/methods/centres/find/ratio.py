@@ -49,7 +49,7 @@ def _alike(fig: CentreFigure, pair: Pair, name: Named) -> tuple[Reals, Expr]:
     fig.board.step(
         Words(
             f"${letters}$ 在无穷远处，两构件角速度相等。",
-            f"${letters}$ is at infinity: both links have the same angular velocity.",
+            f"The centre ${letters}$ is at infinity: both links have the same angular velocity.",
         ),
         fig.pane,
     )

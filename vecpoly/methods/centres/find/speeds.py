@@ -88,7 +88,10 @@ def _speed(motions: Motions, link: str, spot: Spot, key: str, symbol: str) -> Dr
 def _gliding(motions: Motions, link: str, spot: Spot, blank: Reading) -> tuple[Reading, Points]:
     """All points of a translating link have one velocity."""
     motions.fig.board.step(
-        Words(f"${spot.letter}$ 在平动构件 {link} 上：", f"${spot.letter}$ belongs to link {link}, which translates:"),
+        Words(
+            f"${spot.letter}$ 在平动构件 {link} 上：",
+            f"Point ${spot.letter}$ belongs to link {link}, which translates:",
+        ),
         motions.fig.pane,
     )
     return replace(blank, formula=worked(sym(blank.symbol), motions.sizes[link], "m/s")), motions.glides[link]
@@ -101,7 +104,7 @@ def _turning(motions: Motions, link: str, spot: Spot, blank: Reading) -> tuple[R
     board.step(
         Words(
             f"${spot.letter}$ 绕构件 {link} 的绝对瞬心 ${own.letter}$ 转动，速度垂直于 ${own.letter}{spot.letter}$：",
-            f"${spot.letter}$ of link {link} turns about the absolute centre ${own.letter}$; its "
+            f"Point ${spot.letter}$ of link {link} turns about the absolute centre ${own.letter}$; its "
             f"velocity is perpendicular to ${own.letter}{spot.letter}$:",
         ),
         fig.pane,

@@ -76,12 +76,19 @@ def _words(fig: CentreFigure, search: Search) -> Words:
         a, b = (f"${fig.letters(*side)}$" for side in ((i, via), (via, j)))
         return Words(
             f"求 {p}：{a} 与 {b} 重合，三个构件在该处速度相同，{p} 也在该处。",
-            f"{p}: {a} and {b} are one; the three links have one velocity there, so {p} is there too.",
+            f"Find {p}: the centres {a} and {b} coincide, and there the three links have one velocity, so {p} is "
+            "there too.",
         )
     triangles = [
         f"△{fig.numbers(*sorted((i, way.via, j), key=real_links(fig.mech).index))}" for way in search.ways if way.via
     ]
     lines = [_line(fig, search.pair, way) for way in search.ways]
+    if len(triangles) > 1 and fig.reasoned and not search.endless:
+        return Words(
+            f"求 {p}：同理，由{'、'.join(triangles)} 知它既在{lines[0].zh}上，又在{lines[1].zh}上。",
+            f"Find {p} likewise, from {' and '.join(triangles)}: there {lines[0].en} meets {lines[1].en}.",
+        )
+    fig.reasoned |= len(triangles) > 1
     shared = Words(
         f"边 {fig.numbers(i, j)} 为{'、'.join(triangles)} 的公共边，故 " if len(triangles) > 1 else "",
         f"the side {fig.numbers(i, j)} closes the triangles {' and '.join(triangles)}, so "
@@ -90,7 +97,7 @@ def _words(fig: CentreFigure, search: Search) -> Words:
     )
     return Words(
         f"求 {p}：{shared.zh}{p} 既在{lines[0].zh}上，又在{lines[1].zh}上",
-        f"{p}: {shared.en}{p} lies on {lines[0].en} and on {lines[1].en}",
+        f"Find {p}: {shared.en or 'the centre '}{p} lies on {lines[0].en} and on {lines[1].en}",
     ) + _where(fig, search)
 
 

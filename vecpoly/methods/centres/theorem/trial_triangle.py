@@ -85,7 +85,7 @@ def _words(fig: CentreFigure, trial: Trial) -> Words:
         f"求 {kc}：构件 {number} 的瞬心 {ka}、{kb}、{kc} 各只有一条已知连线，用试作法。在 {ka} 的连线上任取一点 "
         f"$x$，连 $x${ab} 交 {kb} 的连线于 $y$，$x${ac} 与 $y${bc} 交于 $z$。因 {ab}、{ac}、{bc} 共线，"
         f"$x$ 移动时 $z$ 的轨迹为一直线，且过 {ka}、{kb} 两连线的交点；此直线与 {kc} 的连线的交点即为 {kc}。",
-        f"{kc}: of the centres {ka}, {kb}, {kc} of link {number} one line each is known. Try any "
+        f"Find {kc}: of the centres {ka}, {kb}, {kc} of link {number} one line each is known. Try any "
         f"point $x$ on the line of {ka}; the line from $x$ to {ab} meets the line of {kb} at $y$; "
         f"the lines from $x$ to {ac} and from $y$ to {bc} meet at $z$. Since {ab}, {ac} and {bc} "
         "lie on one line, $z$ runs on a straight line as $x$ moves, and it passes where the lines "

@@ -14,9 +14,8 @@ def inflection_at_sight(fig: CurvatureFigure, ray: Ray) -> tuple[Points, str]:
         fig.board.step(
             Words(
                 f"${name}$ 作直线运动，曲率中心在无穷远处，故 ${name}$ 在拐点圆上。",
-                f"${name}$ runs on a straight line; its centre of curvature is at infinity, so ${name}$ itself lies on "
-                f"the "
-                "inflection circle.",
+                f"Point ${name}$ runs on a straight line; its centre of curvature is at infinity, so ${name}$ itself "
+                "lies on the inflection circle.",
             ),
             fig.pane,
         )

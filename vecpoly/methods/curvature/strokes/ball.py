@@ -89,7 +89,8 @@ def _along(fig: CurvatureFigure, letter: str, corner: Points) -> Line:
     fig.board.step(
         Words(
             f"${name}$ 在 ${on}$ 上，相应的点在无穷远处：过 ${letter}$ 作 ${to}$ 的平行线 $q$。",
-            f"${name}$ lies on ${on}$; its point is at infinity: draw $q$ through ${letter}$ parallel to ${to}$.",
+            f"Point ${name}$ lies on ${on}$; its counterpart is at infinity: draw $q$ through ${letter}$ parallel to "
+            f"${to}$.",
         ),
         fig.pane,
     )
@@ -109,7 +110,7 @@ def _opposite(fig: CurvatureFigure, symbol: str) -> None:
     fig.board.step(
         Words(
             f"$q$ ∥ $t$，鲍尔点 ${symbol}$ 与 ${fig.w}$ 重合。",
-            f"$q$ is parallel to $t$: Ball's point ${symbol}$ is ${fig.w}$ itself.",
+            f"The line $q$ is parallel to $t$: Ball's point ${symbol}$ is ${fig.w}$ itself.",
         ),
         fig.pane,
     )

@@ -60,7 +60,7 @@ def on_the_normal(fig: CurvatureFigure, j: Points, name: str) -> None:
     fig.board.step(
         Words(
             f"${name}$ 在极法线上，即拐点极 ${fig.w}$；以 ${fig.p}{fig.w}$ 为直径作拐点圆。",
-            f"${name}$ lies on the pole normal: it is the inflection pole ${fig.w}$ itself; draw the inflection "
+            f"Point ${name}$ lies on the pole normal: it is the inflection pole ${fig.w}$ itself; draw the inflection "
             f"circle on "
             f"the diameter ${fig.p}{fig.w}$.",
         ),

@@ -63,8 +63,8 @@ def _beside(fig: CurvatureFigure, moving: Line, fixed: Line, q: str) -> Axis:
             f"${fig.shown(one.moving)}{x}$ 与 ${p}{o}$ 的交点 ${q}$ 太远：过 ${o}$ 作 ${p}{x}$ 的平行线，交 "
             f"${fig.shown(one.moving)}{x}$ 于 ${a}$；过 ${o}$、${a}$ 分别作 ${fig.shown(one.moving)}$、${x}$ 处法线的"
             f"平行线，交于 ${s}$。两三角形对 ${q}$ 位似，故 ${fig.p}{s}$ 过 ${q}$，为两法线的共线轴。",
-            f"${fig.shown(one.moving)}{x}$ and ${p}{o}$ meet too far off at ${q}$: the parallel to ${p}{x}$ through "
-            f"${o}$ cuts ${fig.shown(one.moving)}{x}$ in ${a}$; the parallels to the normals at "
+            f"The lines ${fig.shown(one.moving)}{x}$ and ${p}{o}$ meet too far off at ${q}$: the parallel to ${p}{x}$ "
+            f"through ${o}$ cuts ${fig.shown(one.moving)}{x}$ in ${a}$; the parallels to the normals at "
             f"${fig.shown(one.moving)}$ and ${x}$ through ${o}$ and ${a}$ meet in ${s}$. The two triangles are "
             f"similarly placed about ${q}$: ${fig.p}{s}$ leads to ${q}$ and is the collineation axis of the normals.",
         ),
@@ -148,7 +148,7 @@ def inflection_by_axis(fig: CurvatureFigure, axis: Axis, ray: Ray, other: Ray) -
         fig.board.step(
             Words(
                 f"${fig.shown(ray.moving)}$ 作直线运动，曲率中心在无穷远处，故 ${fig.shown(ray.moving)}$ 在拐点圆上。",
-                f"${fig.shown(ray.moving)}$ runs on a straight line; its centre is at infinity, so "
+                f"Point ${fig.shown(ray.moving)}$ runs on a straight line; its centre is at infinity, so "
                 f"${fig.shown(ray.moving)}$ itself lies on the inflection circle.",
             ),
             fig.pane,

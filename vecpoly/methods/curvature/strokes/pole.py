@@ -76,13 +76,13 @@ def _told(fig: CurvatureFigure, ray: Ray) -> Words:
     if ray.whole:
         return Words(
             f"${x}$ 绕 ${o}$ 作圆周运动，其轨迹的法线为 ${x}{o}$。",
-            f" ${x}$ runs on a circle about ${o}$: the normal of its path is ${x}{o}$.",
+            f" Point ${x}$ runs on a circle about ${o}$: the normal of its path is ${x}{o}$.",
         )
     if ray.moving:
         return Words(
             f"${x}$ 沿导路作直线运动，曲率中心在导路垂线方向的无穷远处，法线过 ${x}$ 垂直于导路。",
-            f" ${x}$ runs on a straight line: its centre of curvature is at infinity across the guide, and the normal "
-            f"is perpendicular to the guide at ${x}$.",
+            f" Point ${x}$ runs on a straight line: its centre of curvature is at infinity across the guide, and the "
+            f"normal is perpendicular to the guide at ${x}$.",
         )
     return Words(
         f"构件 {fig.desk.mech.number(fig.link)} 的导路线始终与 ${o}$ 保持定距，其包络的法线过 ${o}$ 垂直于该线。",

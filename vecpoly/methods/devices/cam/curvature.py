@@ -118,8 +118,8 @@ def _verdict(left: float, sharp: bool, hit: bool, cam: Cam) -> Words:
         most = number(left + 1e3 * cam.follower.radius)
         return Words(
             f"$r_r$ = {radius} mm 大于 $ρ_min$，实际廓线相交，运动失真；滚子半径应小于 {most} mm，或加大基圆。",
-            f" $r_r$ = {radius} mm exceeds $ρ_min$: the profile crosses itself and is undercut. The roller's radius "
-            f"must be less than {most} mm, or the base circle larger.",
+            f" The radius $r_r$ = {radius} mm exceeds $ρ_min$: the profile crosses itself and is undercut. The "
+            f"roller's radius must be less than {most} mm, or the base circle larger.",
         )
     if sharp:
         return Words(
@@ -131,7 +131,7 @@ def _verdict(left: float, sharp: bool, hit: bool, cam: Cam) -> Words:
             "滚子在别处切入廓线，运动失真；应减小滚子或加大基圆。",
             " Elsewhere the roller cuts into the profile: take a smaller roller or a larger base circle.",
         )
-    return Words("$ρ_{a min}$ > 0，廓线不失真。", " $ρ_{a min}$ > 0: the profile is not undercut.")
+    return Words("$ρ_{a min}$ > 0，廓线不失真。", " Since $ρ_{a min}$ > 0 the profile is not undercut.")
 
 
 def _judged_flat(bench: Bench, cam: Cam, rho: Quantity) -> None:
@@ -139,11 +139,11 @@ def _judged_flat(bench: Bench, cam: Cam, rho: Quantity) -> None:
     value = np.asarray(rho.value)
     spoilt = value <= 0 if not sharp else np.full_like(value, 1.0) > 0
     least = 1e3 * (cam.r0.si if cam.r0 else 0.0) - float(nominal(rho.value))
-    verdict = Words("$ρ_min$ > 0，廓线处处外凸，不失真。", " $ρ_min$ > 0: the profile is convex, not undercut.")
+    verdict = Words("$ρ_min$ > 0，廓线处处外凸，不失真。", " Since $ρ_min$ > 0 the profile is convex and not undercut.")
     if float(nominal(rho.value)) <= 0:
         verdict = Words(
             "$ρ_min$ ≤ 0，平底各位置的包络线相交，运动失真；",
-            " $ρ_min$ ≤ 0: the envelope of the face crosses itself and is undercut; ",
+            " Since $ρ_min$ ≤ 0 the envelope of the face crosses itself and is undercut; ",
         ) + (
             Words("应加大基圆。", "take a larger base circle.")
             if cam.arm

@@ -47,7 +47,7 @@ def pressure_angles(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
     ]
     larger = max(found, key=lambda value: float(nominal(value)))
     larger = traced(np.maximum(*map(bare, found)), acts_of(larger))  # by each hand
-    board.step(Words("两者中的大者：", "The greater of the two:"))
+    board.step(Words("两者中的大者：", "The greater of the two is:"))
     bench.stated(ALPHA, larger)
 
 
@@ -64,7 +64,7 @@ def _greatest(bench: Bench, cam: Cam, cuts: Sequence[Cut], way: int, named: Name
             f"{'推程' if way > 0 else '回程'}：比较各分点的压力角，在最大值附近加密试作，最大压力角在 $φ$ = "
             f"{spot.told}° 处{at.zh}。作该位置的{part.zh}、瞬心 $P$ 和法线 $BP$，量法线与从动件"
             "运动方向的夹角：",
-            f"{'Rise' if way > 0 else 'Return'}: compare the stations and try more positions near the greatest "
+            f"On the {'rise' if way > 0 else 'return'} compare the stations and try more positions near the greatest "
             f"pressure angle; it is at $φ$ = {spot.told}°{at.en}. Draw the {part.en} there, the "
             "instant centre $P$ and the normal $BP$, and read the angle between the normal and the follower's motion:",
         ),
@@ -129,7 +129,7 @@ def show(bench: Bench, place: Pane, cam: Cam, it: Pose) -> None:
         board.remark(
             Words(
                 " $P$ 在 $OA$ 上很远处，法线几乎与 $OA$ 平行。",
-                " $P$ is far away on $OA$: the normal is all but parallel to it.",
+                " The centre $P$ is far away on $OA$: the normal is all but parallel to it.",
             )
         )
     if cam.arm:

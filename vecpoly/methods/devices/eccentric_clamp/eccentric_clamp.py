@@ -103,7 +103,7 @@ def _side(touch: Points) -> Words:
     side = side_of(complex(nominal(touch)))
     return Words(
         f"$R_{{31}}$ 切于 $A$ 处摩擦圆{side.zh}侧。",
-        f" $R_{{31}}$ is tangent to the friction circle at $A$ on its {side.en} side.",
+        f" The reaction $R_{{31}}$ is tangent to the friction circle at $A$ on its {side.en} side.",
     )
 
 

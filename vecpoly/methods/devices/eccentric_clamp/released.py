@@ -77,9 +77,12 @@ def _judged(bench: Bench, device: EccentricClamp, arm: Quantity) -> None:
     text = f"$h {sign} ρ$ = {number(1e3 * device.radius)} mm"  # the number of h stands in its line
     if float(nominal(arm.value)) < 0:
         bench.board.remark(
-            Words("$h$ 为负，$R′_{21}$ 之矩使机构夹紧。", " $h$ is negative: the moment of $R′_{21}$ closes the clamp.")
+            Words(
+                "$h$ 为负，$R′_{21}$ 之矩使机构夹紧。",
+                " The arm $h$ is negative: the moment of $R′_{21}$ closes the clamp.",
+            )
         )
-    bench.judged(SELF_LOCKING, locks, Words(f"{text}，{zh}。", f" {text}: {en}."))
+    bench.judged(SELF_LOCKING, locks, Words(f"因 {text}，故 {zh}。", f" Since {text}, {en}."))
 
 
 def _finer(bench: Bench, clamp: Clamp) -> Scale:

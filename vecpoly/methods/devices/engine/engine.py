@@ -148,7 +148,7 @@ def _read(bench: Bench, polygon: Polygon, named: tuple[Named, ...], factor: tupl
     found = bench.measured(total, polygon.place, 0j * polygon.tip, polygon.tip, f"O {polygon.letter}")
     stated_bearing(bench, turned, polygon.tip, polygon.least)
     if float(nominal(abs(polygon.tip))) <= polygon.least:
-        bench.board.remark(Words("多边形封闭：已平衡。", " The polygon closes: in balance."))
+        bench.board.remark(Words("多边形封闭：已平衡。", " The polygon closes, so they are in balance."))
     whole: Expr = found * factor[0]
     for other in factor[1:]:
         whole = whole * other

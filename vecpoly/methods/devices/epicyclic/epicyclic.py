@@ -52,7 +52,7 @@ def _gears(bench: Bench, train: Epicyclic) -> None:
             "按 $μ_l$ 画出各轮的节圆，行星轮中心 $O_2$ 在 $O$ 的正上方；$A$、$C$ 为行星轮与中心轮 1、3 的节点。节圆半"
             "径：",
             "To the scale $μ_l$ draw the pitch circles with the centre $O_2$ of a planet straight above $O$; $A$ and "
-            "$C$ are the pitch points of the planet with the central gears 1 and 3. The pitch radii:",
+            "$C$ are the pitch points of the planet with the central gears 1 and 3. The pitch radii are:",
         ),
         View.MECHANISM,
     )

@@ -52,7 +52,7 @@ def angular_velocities(bench: Bench, train: Epicyclic, tips: Mapping[str, Points
         if train.omegas.get(key) is None:
             turning(bench, train, key, -float(nominal(at).real))
     if train.ratio is not None and train.driver is not None:
-        board.step(Words("传动比（角速度以逆时针为正）：", "The ratio (counter-clockwise positive):"))
+        board.step(Words("传动比（角速度以逆时针为正）：", "The ratio is (counter-clockwise positive):"))
         bench.worked(train.ratio, found[train.driver] / found[train.sought])
     _by_teeth(bench, train, found)
 
@@ -106,8 +106,12 @@ def _read(bench: Bench, key: str, at: Points) -> Quantity:
 
 def _senses(bench: Bench, cuts: Mapping[str, Points]) -> None:
     """How each turns: the lines have the sizes alone."""
+    told = []
     for side, turn in ((-1, Words("逆时针", "counter-clockwise")), (1, Words("顺时针", "clockwise"))):
         found = [Words.same(f"$ω_{key}$") for key, at in cuts.items() if side * float(nominal(at).real) > NO_LENGTH]
         if found:
             names, verb = joined(found), "is" if len(found) == 1 else "are"
-            bench.board.remark(Words(f"{names.zh} 为{turn.zh}方向。", f" {names.en} {verb} {turn.en}."))
+            told.append(Words(f"{names.zh} 为{turn.zh}方向", f"{names.en} {verb} {turn.en}"))
+    if told:
+        zh, en = "，".join(one.zh for one in told), ", and ".join(one.en for one in told)
+        bench.board.remark(Words(f"故 {zh}。", f" So {en}."))

@@ -66,8 +66,8 @@ def _effect(bench: Bench, device: FieldBalancing, trial: Trial, a: Points, b: Po
     board.step(
         Words(
             "$ab$ = $V_1$ − $V_0$ 就是试重单独引起的振动（效应）$V_t$；除以试重的质径积即影响系数 $α$：",
-            "$ab$ = $V_1$ − $V_0$ is what the trial weight alone does, its effect $V_t$; over the product of the trial "
-            "weight it is the influence coefficient $α$:",
+            "The vector $ab$ = $V_1$ − $V_0$ is what the trial weight alone does, its effect $V_t$; over the product "
+            "of the trial weight it is the influence coefficient $α$:",
         ),
         view,
     )

@@ -172,7 +172,8 @@ def _answer(bench: Bench, device: FieldBalancing, q: Points, letter: str, way: s
     board.step(
         Words(
             f"$O{letter}$ 为试重的效应，校正质量装在 ${letter}$ 的方向上：",
-            f"$O{letter}$ is the effect of the trial weight; the correction sits in the direction of ${letter}$:",
+            f"The vector $O{letter}$ is the effect of the trial weight; the correction sits in the direction of "
+            f"${letter}$:",
         ),
         view,
     )

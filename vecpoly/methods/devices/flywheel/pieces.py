@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
-from ....algebra.quantity import Expr, Quantity, Sum, magnitude, number
+from ....algebra.columns import TOTAL, column, decimals, summed
+from ....algebra.quantity import Expr, Quantity, Sum, magnitude
 from ....board.construction import Listing
 from ....devices.dynamics.asked import letter, level, work
 from ....devices.dynamics.given import Areas
@@ -20,10 +22,10 @@ from .words import GIVEN, GIVEN_SECTION, shared
 NOTHING = 1e-9  # of all works: rounding, and no misreading
 HEAD = (
     Words("区间", "from–to"),
-    Words("$A$ / mm²", "$A$ / mm²"),
-    Words("$W$ / J", "$W$ / J"),
-    Words("改正后 $W$ / J", "$W$ corrected / J"),
-    Words("段末 $E$ / J", "$E$ at its end / J"),
+    Words("$A$ /mm²", "$A$ /mm²"),
+    Words("$W$ /J", "$W$ /J"),
+    Words("改正后 $W$ /J", "$W$ corrected /J"),
+    Words("段末 $E$ /J", "$E$ at its end /J"),
 )
 
 
@@ -83,10 +85,8 @@ def works_of(
         noted(bench, work(n), value)
         if n < len(sizes):
             noted(bench, level(n), energy)
-        rows.append(_row(f"{names[n - 1]}–{names[n]}", size.value, raw, value, energy if n < len(sizes) else 0.0))
-    kept = [column for column in range(len(HEAD)) if missed or column != CORRECTED]
-    told = tuple(tuple(row[column] for column in kept) for row in rows)
-    board.tabulate(Listing(head=tuple(HEAD[column] for column in kept), rows=told, blocks=1))
+        rows.append(_values(size.value, raw, value, energy if n < len(sizes) else 0.0))
+    board.tabulate(_table(names, rows, missed))
     return works
 
 
@@ -94,5 +94,18 @@ def _signed(size: Expr, sign: Reals) -> Expr:
     return size if float(nominal(sign)) > 0 else Sum((size,), (-1,))
 
 
-def _row(between: str, *values: Reals) -> tuple[str, ...]:
-    return (between, *(number(float(nominal(value))) for value in values))
+def _values(*values: Reals) -> tuple[float, ...]:
+    return tuple(float(nominal(value)) for value in values)
+
+
+def _table(names: Sequence[str], rows: Sequence[tuple[float, ...]], missed: bool) -> Listing:
+    """Each column with one count of decimals, and the sum of the works under them."""
+    areas, read, works, energies = zip(*rows, strict=True)
+    between = [f"{one}–{other}" for one, other in pairwise(names)]
+    count = decimals([*read, *works] if missed else read)
+    sums, ends = (summed(each, count) for each in (read, works)), [*column(energies, count), ""]
+    columns = ([*between, TOTAL], [*column(areas), ""], *sums, ends)
+    kept = [n for n in range(len(HEAD)) if missed or n != CORRECTED]
+    return Listing(
+        head=tuple(HEAD[n] for n in kept), rows=tuple(zip(*(columns[n] for n in kept), strict=True)), blocks=1
+    )

@@ -81,7 +81,7 @@ BAR = Words(
 INERTIA_SECTION = Words("飞轮的转动惯量", "Moment of inertia of the flywheel")
 UNEVEN_SECTION = Words("速度不均匀系数", "Coefficient of speed fluctuation")
 SPEED_SECTION = Words("平均角速度", "Mean angular velocity")
-SPEED = Words("由平均转速求平均角速度：", "The mean angular velocity from the mean speed:")
+SPEED = Words("由平均转速求平均角速度：", "The mean speed gives the mean angular velocity:")
 POWERS = Words(
     "角速度变化不大，各段的等效阻力矩按 $M_r = P / ω_m$ 计算：",
     "The speed changes little, so in each part of the cycle the resisting moment is $M_r = P / ω_m$:",
@@ -90,4 +90,4 @@ ENOUGH = Words(
     "已有的转动惯量足以使 $δ$ 不超过许用值，不需要飞轮。",
     " What turns already keeps $δ$ below what is allowed: no flywheel is needed.",
 )
-UNEVEN = Words("速度不均匀系数与最大、最小转速：", "The coefficient of speed fluctuation, and the extreme speeds:")
+UNEVEN = Words("速度不均匀系数与最大、最小转速：", "The coefficient of speed fluctuation and the extreme speeds are:")

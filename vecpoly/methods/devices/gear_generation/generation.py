@@ -124,8 +124,7 @@ def _limits(bench: Bench, gear: GearGeneration, rack: Rack) -> None:
             "齿条齿顶线不超过 $N$ 时不根切。过 $N$ 作水平线交 $OP$ 于 $Q$，$h$ = $PQ$，由 $h_a^{*}$$m$ − $x$$m$ ≤ $h$ "
             "得：",
             "There is no undercut while the rack's tip line does not pass $N$. The level through $N$ meets $OP$ at "
-            "$Q$; "
-            "with $h$ = $PQ$ the condition $h_a^{*}$$m$ − $x$$m$ ≤ $h$ gives:",
+            "$Q$; with $h$ = $PQ$ the condition $h_a^{*}$$m$ − $x$$m$ ≤ $h$ gives:",
         ),
         VIEW,
     )
@@ -146,10 +145,13 @@ def _limits(bench: Bench, gear: GearGeneration, rack: Rack) -> None:
     said = (
         Words(
             f"$x$ = {number(gear.x)} < $x_min$，齿根被切去一部分，发生根切；变位系数应不小于 {low}。",
-            f" $x$ = {number(gear.x)} < $x_min$: the root is undercut; the shift should be {low} at least.",
+            f" Since $x$ = {number(gear.x)} < $x_min$ the root is undercut; the shift should be {low} at least.",
         )
         if bool(nominal(cut))
-        else Words(f"$x$ = {number(gear.x)} ≥ $x_min$，不根切。", f" $x$ = {number(gear.x)} ≥ $x_min$: no undercut.")
+        else Words(
+            f"$x$ = {number(gear.x)} ≥ $x_min$，不根切。",
+            f" Since $x$ = {number(gear.x)} ≥ $x_min$ there is no undercut.",
+        )
     )
     board.step(Words("检查根切：", "Is the gear undercut?"))
     bench.judged(UNDERCUT, cut, said)

@@ -58,7 +58,7 @@ def _apart(bench: Bench, along: Points, force: Points, phi: Quantity, limit: boo
             "三力汇交于一点。",
             "Take the block as a free body. It slides up the plane ($v_12$), so friction acts "
             "down the plane and $R_21$ is turned from the normal $n$ by $φ$ down the slope: it "
-            "makes $90° + φ$ with $v_12$. $Q$ is known, $F$ and $R_21$ in direction, so that two "
+            "makes $90° + φ$ with $v_12$. The load $Q$ is known, $F$ and $R_21$ in direction, so that two "
             "magnitudes are unknown; the three forces are concurrent.",
         ),
         place,

@@ -109,7 +109,7 @@ def _back(bench: Bench, device: Incline, place: Pane, it: Slope, b: Points, idea
             "反行程：$Q$ 为驱动力，滑块下滑，$R'_21$ 偏到法线的另一侧，过 $a$ 作其方向线，交 $F$ 的方向线于 $c'$；"
             "$F'$ 为使滑块匀速下滑所需的阻力。反行程效率等于实际阻力与理想阻力之比。",
             "Return stroke: $Q$ drives and $R'_21$ is turned to the other side of the normal; its "
-            "direction through $a$ meets the line of $F$ at $c'$. $F'$ is the resistance with "
+            "direction through $a$ meets the line of $F$ at $c'$. The force $F'$ is the resistance with "
             "which the block slides down uniformly; the efficiency is the ratio of the actual to "
             "the ideal resistance.",
         ),

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ....algebra.quantity import Expr, Product, Quantity, Quotient, Sum, magnitude, number
+from ....algebra.columns import TOTAL, column, headed, summed
+from ....algebra.quantity import Expr, Product, Quantity, Quotient, Sum, magnitude
 from ....board.construction import Listing, View
 from ....devices.dynamics.reduced import J_E, M_D, M_E, M_R, ReducedTrain, alpha_of, ratio_of
 from ....devices.dynamics.shafts import G, Pair
@@ -15,11 +16,11 @@ from .sketch import draw_shafts
 
 HEAD = (
     Words("轴", "shaft"),
-    Words("$ω_i/ω$", "$ω_i/ω$"),
-    Words("$J_i$ / kg·m²", "$J_i$ / kg·m²"),
-    Words("$J_i (ω_i/ω)^2$ / kg·m²", "$J_i (ω_i/ω)^2$ / kg·m²"),
-    Words("$M_i$ / N·m", "$M_i$ / N·m"),
-    Words("$M_i ω_i/ω$ / N·m", "$M_i ω_i/ω$ / N·m"),
+    Words.same("$ω_i/ω$"),
+    Words.same(headed("$J_i$", "kg·m²")),
+    Words.same(headed("$J_i (ω_i/ω)^2$", "kg·m²")),
+    Words.same(headed("$M_i$", "N·m")),
+    Words.same(headed("$M_i ω_i/ω$", "N·m")),
 )
 
 
@@ -48,7 +49,7 @@ def draw_reduced(bench: Bench, train: ReducedTrain) -> None:
     _table(bench, train, ratios)
     if moment is None:
         return
-    board.step(Words("由 $M_e = J_e α$：", "From $M_e = J_e α$:"))
+    board.step(Words("由 $M_e = J_e α$：", "The equation of motion, $M_e = J_e α$, gives:"))
     alpha = bench.worked(alpha_of(train.main), moment / inertia)
     for name, ratio in ratios.items():
         if name != train.main and ratio is not None:
@@ -116,8 +117,8 @@ def _moments(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | Non
     bench.board.step(
         Words(
             "功率相等，各力矩乘以传动比，驱动与阻力分别求和，取其大小（表中驱动为正、阻力为负）：",
-            "Of equal power: each moment times its ratio, the sizes of those that drive and of those that resist (in "
-            "the table what drives is positive, what resists negative):",
+            "Equating powers, each moment is multiplied by its speed ratio; those that drive and those that resist "
+            "are summed apart, by their sizes (in the table what drives is positive, what resists negative):",
         )
     )
     driving: list[Expr] = []
@@ -148,7 +149,7 @@ def _sum(terms: list[Expr], signs: list[int]) -> Expr:
 
 
 def _table(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | None]) -> None:
-    """Shaft by shaft, the weight that is lifted with its drum."""
+    """Shaft by shaft, the weight that is lifted with its drum; under them the sums."""
     rows = []
     for name, shaft in train.shafts.items():
         ratio = ratios[name]
@@ -158,6 +159,9 @@ def _table(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | None]
         if shaft.lifts is not None and shaft.drum is not None:
             inertia += shaft.lifts.si * (shaft.drum.si / 2) ** 2
             moment -= shaft.lifts.si * G * shaft.drum.si / 2
-        values = (turns, inertia, inertia * turns**2, moment, moment * turns)
-        rows.append((name, *(number(value) for value in values)))
-    bench.board.tabulate(Listing(head=HEAD, rows=tuple(rows), blocks=1))
+        rows.append((turns, inertia, inertia * turns**2, moment, moment * turns))
+    turning, own, reduced, moments, powers = zip(*rows, strict=True)
+    (*energies, energy), (*driving, drive) = (summed(each) for each in (reduced, powers))
+    columns = column(turning), column(own), energies, column(moments), driving
+    total = (TOTAL, "", "", energy, "", drive)
+    bench.board.tabulate(Listing(head=HEAD, rows=(*zip(train.shafts, *columns, strict=True), total), blocks=1))

@@ -36,8 +36,8 @@ def _least(bench: Bench, place: Pane, push: Points, release: Points) -> None:
             "φ$。",
             "The limit of compression: $R_12$ and $R_42$ are vertical, along $F$; they have no "
             "horizontal component to balance $Q$, and no $F$ moves the wedges. Set off $φ$ from "
-            "the vertical to get the normal $n$; its angle with $F$ is the lower limit of $α$. $η "
-            "= tan(α − φ)/tan α > 0$ gives $α > φ$ as well.",
+            "the vertical to get the normal $n$; its angle with $F$ is the lower limit of $α$. The "
+            "condition $η = tan(α − φ)/tan α > 0$ gives $α > φ$ as well.",
         ),
         place,
     )
@@ -56,7 +56,7 @@ def _greatest(bench: Bench, place: Pane, release: Points) -> None:
             "$n'$，它与 $F$ 的夹角为 $α$ 的上限。由 $η' = tan α/tan(α + φ) > 0$ 同样得 $α < 90° − φ$。",
             "The limit of release: $R'_12$ and $R'_42$ are horizontal, along $Q$; they have no "
             "vertical component to push wedge 1 back. Set off $φ$ from the horizontal to get the "
-            "normal $n'$; its angle with $F$ is the upper limit of $α$. $η' = tan α/tan(α + φ) > "
+            "normal $n'$; its angle with $F$ is the upper limit of $α$. The condition $η' = tan α/tan(α + φ) > "
             "0$ gives $α < 90° − φ$ as well.",
         ),
         place,

@@ -56,7 +56,7 @@ def draw_ring_spring(bench: Bench, device: RingSpring) -> None:
         View.MECHANISM,
     )
     sketch(bench, it)
-    board.step(Words("求摩擦角：", "The friction angle:"))
+    board.step(Words("求摩擦角：", "The friction angle is:"))
     phi = friction_angle(bench, PHI, device.f)
     alpha, load = angle("α", device.alpha.si), magnitude("Q", device.Q.si, "N")
     drive = _push(bench, device, it, phi)
@@ -170,7 +170,7 @@ def _release(bench: Bench, device: RingSpring, it: Faces, phi: Quantity, ideal: 
         board.remark(
             Words(
                 "$F' ≤ 0$，$η' ≤ 0$：回弹行程自锁，弹簧不能把楔块 1 顶回。",
-                " $F' ≤ 0$ and $η' ≤ 0$: the release is self-locking, the springs do not push wedge 1 back.",
+                " With $F' ≤ 0$ and $η' ≤ 0$ the release is self-locking: the springs do not push wedge 1 back.",
             )
         )
 
@@ -198,7 +198,7 @@ def _polygon(bench: Bench, device: RingSpring, along: tuple[Points, Points], str
         Words(
             f"楔块 1 的力多边形：${tips[0]}$$b$ 即 ${on_1.symbol}$；过 $b$ 作 ${by_3.symbol}$ 的方向线，"
             f"过 ${tips[0]}$ 作 ${drive.symbol}$ 的方向线，交于 ${tips[1]}$。",
-            f"The polygon of wedge 1: ${tips[0]}$$b$ is ${on_1.symbol}$; the direction of "
+            f"In the polygon of wedge 1 ${tips[0]}$$b$ is ${on_1.symbol}$; the direction of "
             f"${by_3.symbol}$ through $b$ and that of ${drive.symbol}$ through ${tips[0]}$ meet at "
             f"${tips[1]}$.",
         ),

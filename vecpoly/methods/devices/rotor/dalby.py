@@ -113,6 +113,10 @@ def _products(
             f"closing side is the product of mass {first} in the reference plane:",
         ),
         place,
+        again=Words(
+            f"同样由解 {which[1:]} 作质径积多边形，得质量 {first}：",
+            f"In the same way the mass–radius polygon of solution {which[1:]} gives mass {first}:",
+        ),
     )
     laid = [_laid(bench, rotor, name, sizes, which, solution) for name in rotor.masses if name != first]
     closing = _closing(first, rotor)

@@ -136,7 +136,7 @@ def stated_bearing(bench: Bench, named: Named, vector: Points, least: float) -> 
 
 
 def in_plane(end: str, words: Words) -> Words:
-    """A sentence about one of two planes: “Plane I: ...”; of a single plane as it stands."""
+    """A sentence about one of two planes: “In plane I, ...”; of a single plane as it stands."""
     if not end:
         return words
-    return Words(f"平面 ${end}$：{words.zh}", f"Plane ${end}$: {words.en[:1].lower()}{words.en[1:]}")
+    return Words(f"平面 ${end}$ 内，{words.zh}", f"In plane ${end}$, {words.en[:1].lower()}{words.en[1:]}")

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from math import degrees, pi
 
-from ....algebra.quantity import Product, Quantity, magnitude, number
+from ....algebra.columns import column, decimals, headed
+from ....algebra.quantity import Product, Quantity, magnitude
 from ....board.construction import Listing
 from ....devices.balancing.asked import LIGHT, Weighing, mass_of, product_of
 from ....devices.balancing.mass import RotorMass
@@ -75,21 +76,32 @@ def _volume(name: str, mass: RotorMass) -> Product:
 
 
 def _table(rotor: Rotor, found: dict[str, Quantity]) -> Listing:
-    unit = rotor.weighing
-    axial = rotor.length > 0
-    head = ["$i$", f"$m$/{unit.mass}", "$r$/mm", "$θ$/°", *(["$z$/mm"] if axial else []), f"$W$/({unit.product})"]
-    rows = []
-    for name, mass in rotor.masses.items():
-        sign = "−" if mass.removed else ""
-        known = "" if mass.U is not None else "?" if "m" in mass.unknown else sign + number(mass.size * unit.masses)
-        rows.append(
-            (
-                name,
-                known,
-                "" if mass.r is None else number(1e3 * mass.r.si),
-                "?" if "at" in mass.unknown else number(degrees(mass.at.si), 5),
-                *([number(1e3 * mass.place)] if axial else []),
-                "?" if name not in found else sign + number(float(nominal(found[name].value)), 5),
-            )
-        )
-    return Listing(head=tuple(Words.same(one) for one in head), rows=tuple(rows))
+    """Each column with one count of decimals; none of what is given of no mass."""
+    unit, masses = rotor.weighing, rotor.masses
+    every: list[tuple[str, list[float | str]]] = [
+        (headed("$m$", unit.mass), [_known_mass(mass, unit) for mass in masses.values()]),
+        ("$r$ /mm", ["" if mass.r is None else 1e3 * mass.r.si for mass in masses.values()]),
+        ("$θ$ /°", ["?" if "at" in mass.unknown else degrees(mass.at.si) for mass in masses.values()]),
+        ("$z$ /mm", [1e3 * mass.place if rotor.length > 0 else "" for mass in masses.values()]),
+        (headed("$W$", unit.product), [_known_product(name, mass, found) for name, mass in masses.items()]),
+    ]
+    kept = [(head, _even(cells)) for head, cells in every if any(cell != "" for cell in cells)]
+    rows = zip(masses, *(cells for _, cells in kept), strict=True)
+    return Listing(head=tuple(map(Words.same, ("$i$", *(head for head, _ in kept)))), rows=tuple(rows))
+
+
+def _known_mass(mass: RotorMass, unit: Weighing) -> float | str:
+    if mass.U is not None:
+        return ""
+    return "?" if "m" in mass.unknown else (-1 if mass.removed else 1) * mass.size * unit.masses
+
+
+def _known_product(name: str, mass: RotorMass, found: dict[str, Quantity]) -> float | str:
+    return "?" if name not in found else (-1 if mass.removed else 1) * float(nominal(found[name].value))
+
+
+def _even(cells: list[float | str]) -> list[str]:
+    """The numbers of a column with one count of decimals, of five figures."""
+    numbers = [cell for cell in cells if not isinstance(cell, str)]
+    told = iter(column(numbers, decimals(numbers, 5)))
+    return [cell if isinstance(cell, str) else next(told) for cell in cells]

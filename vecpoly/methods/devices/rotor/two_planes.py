@@ -106,8 +106,8 @@ def _plane(bench: Bench, rotor: Rotor, end: str, laid: list[Laid], whole: float)
     place = board.open_pane(view, end, Words(f"平面 ${end}$ 的质径积多边形", f"Polygon of plane ${end}$"))
     board.step(
         Words(
-            f"平面 ${end}$：把各分量首尾相接，封闭边即 ${closing.symbol}$。量得：",
-            f"Plane ${end}$: lay its shares off head to tail; the closing side is ${closing.symbol}$. Read it off:",
+            f"在平面 ${end}$ 内把各分量首尾相接，封闭边即 ${closing.symbol}$。量得：",
+            f"In plane ${end}$ lay the shares off head to tail; the closing side is ${closing.symbol}$. Read it off:",
         ),
         place,
     )

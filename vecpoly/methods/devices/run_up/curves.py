@@ -22,7 +22,7 @@ from ...diagrams.strip import root, summed
 from ..bench import Bench
 from .course import Course
 from .scales import CHARACTERISTIC, INVERSE, SPEED, scales_of
-from .words import DRIVING, HEAD, INVERSES, SPEEDS, drawn, titles
+from .words import DRIVING, HEAD, INVERSES, INVERSES_AGAIN, SPEEDS, SPEEDS_AGAIN, drawn, titles
 
 STATIONS, TICKS = 25, 6  # points through which a characteristic is led; ticks of an axis
 ROWS = 9  # of the table
@@ -68,7 +68,7 @@ def inverse_curve(bench: Bench, device: RunUp, course: Course, shift: Reals) -> 
     """1/ΔM over the speeds of the run, and the area below; shift: by how much the goal of every hand is beside it."""
     board = bench.board
     place = _pane(bench, device, course, INVERSE)
-    board.step(INVERSES, place)
+    board.step(INVERSES, place, again=INVERSES_AGAIN)
     _tabulate(bench, device, course)
     scale, mu = board.scale_of(place), board.scale_of(_pane(bench, device, course, CHARACTERISTIC))
     strips = course.cut()
@@ -115,7 +115,7 @@ def speed_curve(
     """ω over t: the areas up to each speed are the times. The speed at a time; the area below."""
     board = bench.board
     place = _pane(bench, device, course, SPEED)
-    board.step(SPEEDS, place)
+    board.step(SPEEDS, place, again=SPEEDS_AGAIN)
     scale, strips = board.scale_of(place), course.cut()
     share = time.value / timed.true  # of a square millimetre of the other figure (s)
     reached: Reals = 0.0

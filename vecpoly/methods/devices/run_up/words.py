@@ -15,11 +15,11 @@ SECTIONS = {
 }
 _OF = {"run": Words("", ""), "free": Words("（自由停车）", ", running down"), "braked": Words("（制动）", ", braked")}
 HEAD = (
-    Words.same("$ω$ / (rad/s)"),
-    Words.same("$M_d$ / N·m"),
-    Words.same("$M_r$ / N·m"),
-    Words.same("$ΔM$ / N·m"),
-    Words.same("$1/|ΔM|$ / (1/(N·m))"),
+    Words.same("$ω$ /(rad/s)"),
+    Words.same("$M_d$ /(N·m)"),
+    Words.same("$M_r$ /(N·m)"),
+    Words.same("$ΔM$ /(N·m)"),
+    Words.same("$1/|ΔM|$ /(N·m)^{−1}"),
 )
 DRIVING = 1  # the column of M_d
 INVERSES = Words(
@@ -28,10 +28,18 @@ INVERSES = Words(
     "From $J dω/dt = ΔM$ follows $t = J ∫ dω/ΔM$. Take $ΔM$ off the characteristics, draw $y = 1/|ΔM|$ over $ω$; the "
     "area below it is the integral. It is measured:",
 )
+INVERSES_AGAIN = Words(
+    "同样作 $y = 1/|ΔM|$ 随 $ω$ 变化的线图，量得线下的面积，求时间：",
+    "In the same way draw $y = 1/|ΔM|$ over $ω$ and measure the area below it, which gives the time:",
+)
 SPEEDS = Words(
     "到某一转速为止的面积即到该转速的时间，由此作 $ω$–$t$ 线图；其线下的面积为转角：",
     "The area up to a speed is the time until then: this gives the curve of $ω$ over $t$, below which the area is the "
     "angle:",
+)
+SPEEDS_AGAIN = Words(
+    "由此再作 $ω$–$t$ 线图，量得线下的面积，求转角：",
+    "From it draw the curve of $ω$ over $t$ again and measure the area below it, which gives the angle:",
 )
 
 

@@ -60,7 +60,7 @@ def _collar(bench: Bench, device: ScrewJack) -> Quantity:
             "The load is uniformly distributed over the ring between the diameters $d_0$ and $D$, with "
             "the pressure $q = 4Q/[π(D^2 − d_0^2)]$; on a ring of radius $r$ and width d$r$ "
             f"friction has the moment ${rub} q · 2π r^2$d$r$; the integral from $r = d_0/2$ to "
-            "$D/2$ is $M_1$. $D$ and $d_0$ are diameters: the factor is 1/3 (2/3 goes with radii):",
+            "$D/2$ is $M_1$. Since $D$ and $d_0$ are diameters, the factor is 1/3 (2/3 goes with radii):",
         ),
         ring,
     )
@@ -100,16 +100,16 @@ def _moments(bench: Bench, device: ScrewJack, m1: Quantity, m2: Quantity, m0: Qu
         bench.board.step(
             Words(
                 "由 $F l = M$ 求手柄上的力 $F$ 所能提升的载荷：",
-                "$F l = M$ gives the load that the force $F$ on the lever lifts:",
+                "Moments on the lever, $F l = M$, give the load that the force $F$ on the lever lifts:",
             )
         )
         load = bench.worked(LOAD, magnitude("F", device.F.si, "N") * arm / whole).value
     else:
-        bench.board.step(Words("由 $F l = M$ 求手柄上的力：", "$F l = M$ gives the force on the lever:"))
+        bench.board.step(Words("由 $F l = M$ 求手柄上的力：", "Moments on the lever, $F l = M$, give the force on it:"))
         load = device.trial
         bench.worked(DRIVE, magnitude("Q", load, "N") * whole / arm)
     in_kn = magnitude("Q", load / 1e3, "kN")
-    bench.board.step(Words("各力矩的大小（$Q$ 以 kN 计）：", "The moments ($Q$ in kN):"))
+    bench.board.step(Words("各力矩的大小（$Q$ 以 kN 计）：", "The moments are ($Q$ in kN):"))
     for name, ratio in zip(MOMENTS, (m1, m2, whole, m0), strict=True):
         bench.worked(name, in_kn * (ratio if ratio is whole else Quantity(_bracketed(ratio.node), ratio.value, "mm")))
 
@@ -145,7 +145,10 @@ def _locked(bench: Bench, jack: Thread) -> None:
     bench.judged(
         SELF_LOCKING,
         locks,
-        Words(f"$α$ = {steep}° {sign} ${name}$ = {lean}°，{zh}。", f" $α$ = {steep}° {sign} ${name}$ = {lean}°: {en}."),
+        Words(
+            f"$α$ = {steep}° {sign} ${name}$ = {lean}°，{zh}。",
+            f" Here $α$ = {steep}° {sign} ${name}$ = {lean}°: {en}.",
+        ),
     )
 
 

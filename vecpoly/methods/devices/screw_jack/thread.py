@@ -65,7 +65,7 @@ def _friction(bench: Bench, device: ScrewJack) -> Quantity:
     """The friction angle of the thread; of a V-thread with the equivalent coefficient f_v."""
     board = bench.board
     if device.beta is None:
-        board.step(Words("螺纹副的摩擦角：", "The friction angle of the thread:"))
+        board.step(Words("螺纹副的摩擦角：", "The friction angle of the thread is:"))
         return friction_angle(bench, PHI, device.thread, "f" if device.f else "f_s")
     board.step(
         Words(
@@ -135,8 +135,8 @@ def _taken(phi: str, load: str, push: str, press_on: str) -> Words:
         f"nut moves up the slope, so ${press_on}$ is turned from the normal $n$ by "
         f"${phi}$ against the sliding. Draw the force polygon to the scale $μ_F$: $ab$ stands "
         f"for ${load}$; a horizontal line through $b$ and the direction of "
-        f"${press_on}$ through $a$ meet at $c$. ${push} = {load} tan(α + "
-        f"{phi})$ gives a check by formula.",
+        f"${press_on}$ through $a$ meet at $c$. The formula ${push} = {load} tan(α + "
+        f"{phi})$ serves as a check.",
     )
 
 

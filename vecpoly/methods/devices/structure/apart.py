@@ -26,7 +26,7 @@ def draw_groups(bench: Bench, device: Structure, low: Replaced, drivers: tuple[s
     taken, chain = take_apart(low.chain, drivers), low.chain
     left, places = _panes(bench, taken, drivers, len(device.drive_sets) > 1)
     for index, (group, place) in enumerate(zip(taken.groups, places, strict=True), start=1):
-        board.step(_told(group, index, chain), place)
+        board.step(_told(group, index, chain), place, again=_told(group, 0, chain) if index == 1 else None)
         draw_apart(board, place, device, low.chain, group.links, left=chain.links)
         chain = chain.without(group.links)
     if left is not None:
@@ -92,15 +92,20 @@ def _named(links: tuple[str, ...]) -> str:
 
 
 def _told(group: Group, index: int, chain: Chain) -> Words:
-    """How it comes off, and why it has its class."""
+    """How it comes off, and why it has its class; index 0: the first, as with the drivers before."""
     zh, en = "、".join(group.links), ", ".join(group.links)
     inner, outer = ([f"${subscripted(pair.letter)}$" for pair in pairs] for pairs in (group.inner, group.outer))
-    first = index == 1
+    begun = (
+        Words("从远离原动件处开始：", "Start farthest from the input: detach")
+        if index == 1
+        else Words("", "Detach")
+        if index
+        else Words("同样从远离原动件处开始，先", "Here, too, first detach")
+    )
     lead = Words(
-        f"{'从远离原动件处开始：' if first else ''}拆下构件 {zh}，内接副 {'、'.join(inner)}，"
-        f"外接副 {'、'.join(outer)}，",
-        f"{'Start farthest from the input: detach' if first else 'Detach'} links {en}, with the inner "
-        f"pair{'s' * (len(inner) > 1)} {', '.join(inner)} and the outer pairs {', '.join(outer)}: ",
+        f"{begun.zh}拆下构件 {zh}，内接副 {'、'.join(inner)}，外接副 {'、'.join(outer)}，",
+        f"{begun.en} links {en}, with the inner pair{'s' * (len(inner) > 1)} {', '.join(inner)} "
+        f"and the outer pairs {', '.join(outer)}: ",
     )
     if group.rank == 2:
         return lead + Words(f"为 {group.kind} 型 Ⅱ 级杆组。", f"a class II group {group.kind}.")
@@ -138,7 +143,7 @@ def _class(bench: Bench, taken: Taken, drivers: tuple[str, ...]) -> None:
             f"The mechanism has {_grouped(taken).en}; its class is that of its highest group. ",
         )
         + _concluded(taken, drivers)
-        + Words("杆组数：", " The number of groups:")
+        + Words("杆组数：", " The number of groups is:")
     )
     bench.stated(groups(drivers), float(len(taken.groups)))
     _keep_class(bench, drivers, taken.rank, None if taken.complete else _concluded(taken, drivers))

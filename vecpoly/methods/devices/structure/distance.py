@@ -97,7 +97,7 @@ def _third_sides(chain: Chain, bar: Bar, near: float) -> Iterator[Found]:
                     Words(
                         f"${' ∥ '.join(lines)}$ 且 ${' = '.join(lines)}$，${a}$、${b}$ 两点之间的距离始终不变，"
                         f"用双转动副构件 {bar.link} 连接这两点不起独立的约束作用",
-                        f"${' ∥ '.join(lines)}$ and ${' = '.join(lines)}$: ${a}$ and ${b}$ "
+                        f"since ${' ∥ '.join(lines)}$ and ${' = '.join(lines)}$ the points ${a}$ and ${b}$ "
                         f"always keep their distance, and bar {bar.link} between them adds "
                         "nothing to the motion",
                     ),

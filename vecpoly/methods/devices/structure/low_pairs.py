@@ -27,7 +27,8 @@ def draw_replacement(bench: Bench, device: Structure, low: Replaced) -> None:
     board.step(
         Words(
             "高副低代后，构件数、低副数和自由度为（自由度应不变）：",
-            "Links, lower pairs and degree of freedom after the replacement (F must not change):",
+            "After the replacement the numbers of links and of lower pairs, and the degree of freedom, which must not "
+            "change, are:",
         )
     )
     n, p = bench.stated(N_LOW, float(len(low.chain.links))), bench.stated(P_LOW, float(low.chain.lower))
@@ -53,7 +54,7 @@ def _replaced_by(device: Structure, pair: Pair, link: str, pairs: tuple[Pair, Pa
         return Words(
             f"高副 ${subscripted(pair.letter)}$ 有一平直轮廓：用构件 {link} 代替，"
             f"它在曲率中心 ${subscripted(pin.letter)}$ 铰接，并沿平直轮廓移动。",
-            f"Higher pair ${subscripted(pair.letter)}$ has a flat face: link {link} replaces it, "
+            f"The higher pair ${subscripted(pair.letter)}$ has a flat face: link {link} replaces it, "
             f"pinned at the centre of curvature ${subscripted(pin.letter)}$ and sliding along the "
             "face.",
         )
@@ -61,7 +62,7 @@ def _replaced_by(device: Structure, pair: Pair, link: str, pairs: tuple[Pair, Pa
     return Words(
         f"高副 ${subscripted(pair.letter)}$：用构件 {link} 代替，它在两轮廓的曲率中心 "
         f"${subscripted(one.letter)}$、${subscripted(two.letter)}$ 处分别与构件 {a}、{b} 铰接。",
-        f"Higher pair ${subscripted(pair.letter)}$: link {link} replaces it, pinned to links {a} and "
+        f"Link {link} replaces the higher pair ${subscripted(pair.letter)}$; it is pinned to links {a} and "
         f"{b} at the centres of curvature ${subscripted(one.letter)}$ and "
         f"${subscripted(two.letter)}$.",
     )

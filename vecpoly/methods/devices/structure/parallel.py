@@ -153,7 +153,7 @@ def _why(chain: Chain, part: tuple[Bar, ...], links: tuple[str, ...], shift: com
     return Words(
         f"{told} 且 {same}，去掉构件 {'、'.join(links)} 后，它们所连接的各点之间的距离仍保持不变，"
         "这部分对运动不起独立的约束作用",
-        f"{told} and {same}: without link{'s' * (len(links) > 1)} {', '.join(links)} the points "
+        f"since {told} and {same}, without link{'s' * (len(links) > 1)} {', '.join(links)} the points "
         "that they join keep their distances all the same, and this part adds nothing to the "
         "motion",
     )

@@ -89,7 +89,7 @@ def _freedom(bench: Bench, device: Structure, found: Count, place: Pane) -> None
         Words(
             "活动构件数、低副数（转动副与移动副，复合铰链按上述计）和高副数为：",
             "The numbers of moving links, of lower pairs (revolute and prismatic joints, multiple "
-            "joints counted as above) and of higher pairs:",
+            "joints counted as above) and of higher pairs are:",
         )
     )
     n, low, high = (
@@ -98,7 +98,7 @@ def _freedom(bench: Bench, device: Structure, found: Count, place: Pane) -> None
         bench.stated(P_H, float(chain.higher)),
     )
     local, redundant = _local(bench, device, found), _redundant(bench, found)
-    board.step(Words("机构的自由度为：", "The degree of freedom:"))
+    board.step(Words("机构的自由度为：", "The degree of freedom is:"))
     bench.worked(F, Times(3, n) - Times(2, low) - high - local + redundant)
     if found.rollers or found.repeated:
         _check(bench, found)
@@ -172,8 +172,8 @@ def _local(bench: Bench, device: Structure, found: Count) -> Quantity:
         bench.board.step(
             Words(
                 "没有公法线通过自身转动中心的滚子，无局部自由度：",
-                "There is no roller whose common normal passes through its own pin, and so no passive degree of "
-                "freedom:",
+                "There is no roller whose common normal passes through its own pin, and so there is no passive degree "
+                "of freedom:",
             )
         )
     return bench.stated(F_LOCAL, float(len(found.rollers)))
@@ -186,7 +186,7 @@ def _redundant(bench: Bench, found: Count) -> Quantity:
         board.step(
             Words(
                 "没有对运动重复起作用的部分，无虚约束：",
-                "No part repeats what others constrain already: no redundant constraints:",
+                "No part repeats what others constrain already, so there are no redundant constraints:",
             )
         )
         return bench.stated(P_REDUNDANT, 0.0)
@@ -203,7 +203,7 @@ def _redundant(bench: Bench, found: Count) -> Quantity:
         if len(found.repeated) == 1:
             return bench.worked(P_REDUNDANT, terms)
         board.formula("p′", terms, "")
-    board.step(Words("虚约束总数：", "In all:"))
+    board.step(Words("虚约束总数：", "The redundant constraints number in all:"))
     return bench.stated(P_REDUNDANT, float(found.redundant))
 
 

@@ -85,7 +85,7 @@ def _of_the_block(runner: Runner, bar: str, rod: str, root: Pair, tip: Pair, run
     return Words(
         f"${_equal(root, tip, runners)}$，构件 {rod} 上 ${x}$ 点的轨迹本来就是过 ${o}$ 的直线，"
         f"与滑块 {runner.block} 的导路重合，滑块 {runner.block} 不起独立的约束作用",
-        f"${_equal(root, tip, runners)}$: with crank {bar} point ${x}$ of link {rod} moves on a "
+        f"since ${_equal(root, tip, runners)}$, with crank {bar} point ${x}$ of link {rod} moves on a "
         f"straight line through ${o}$ even without block {runner.block}, on the very line of its "
         "guide",
     )

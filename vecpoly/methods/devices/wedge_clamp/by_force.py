@@ -51,7 +51,7 @@ def _wedge_apart(bench: Bench, slope: Points, high: Points, low: Points) -> None
             "$R_23$ 都自法线 $n$ 向右偏转 $φ$。$R_23$ 已知，$R_13$、$F'$ 只有大小未知；三力汇交于一点。",
             "Let the wedge slip out to the left, and let $F'$ be the force that stops it. It "
             "slides to the left on 1 and on 2 ($v_31$, $v_32$), so both reactions are turned to "
-            "the right of the normals $n$ by $φ$. $R_23$ is known, of $R_13$ and $F'$ only the "
+            "the right of the normals $n$ by $φ$. The reaction $R_23$ is known, of $R_13$ and $F'$ only the "
             "magnitudes are unknown; the three forces are concurrent.",
         ),
         place,

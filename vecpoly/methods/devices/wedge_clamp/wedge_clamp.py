@@ -38,7 +38,7 @@ def draw_clamp(bench: Bench, device: WedgeClamp) -> None:
         View.MECHANISM,
     )
     _sketch(bench, slope)
-    board.step(Words("求摩擦角：", "The friction angle:"))
+    board.step(Words("求摩擦角：", "The friction angle is:"))
     phi = friction_angle(bench, PHI, device.f)
     by_geometry(bench, device, slope, phi)
     _by_efficiency(bench, device, slope, by_force(bench, device, slope, phi), phi)

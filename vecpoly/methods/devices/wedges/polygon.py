@@ -79,7 +79,7 @@ def polygon(bench: Bench, device: Wedges, it: Shapes, lines: Lines, stroke: Stro
         Words(
             f"楔块 1 的力多边形：$a$${tips[0]}$ 即 ${on_1.symbol}$；过 ${tips[0]}$ 作 ${under.symbol}$ 的方向线，"
             f"过 $a$ 作 ${drive.symbol}$ 的方向线，交于 ${tips[1]}$。",
-            f"The polygon of wedge 1: $a$${tips[0]}$ is ${on_1.symbol}$; the direction of "
+            f"In the polygon of wedge 1 $a$${tips[0]}$ is ${on_1.symbol}$; the direction of "
             f"${under.symbol}$ through ${tips[0]}$ and that of ${drive.symbol}$ through $a$ meet "
             f"at ${tips[1]}$.",
         ),

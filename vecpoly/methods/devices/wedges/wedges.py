@@ -146,7 +146,7 @@ def _back(bench: Bench, device: Wedges, it: Shapes, phi: Angles, ideal: Quantity
         board.remark(
             Words(
                 "$F' ≤ 0$，$η' ≤ 0$：去掉 $F$ 后楔块 2 不会下滑，反行程自锁；要退回须反向拉动楔块 1。",
-                " $F' ≤ 0$ and $η' ≤ 0$: without $F$ wedge 2 does not sink, the return stroke is "
-                "self-locking; wedge 1 must be pulled out.",
+                " With $F' ≤ 0$ and $η' ≤ 0$ the return stroke is self-locking: without $F$ wedge 2 does not sink; "
+                "wedge 1 must be pulled out.",
             )
         )

@@ -99,12 +99,14 @@ def _of_loads(st: Statics, without: Statics, *, drives: bool) -> None:
     st.board.step(
         Words(
             f"机械效率：阻力（矩）相同时，理想驱动{kind}与实际驱动{kind}之比。",
-            f"Efficiency: with the same resisting load, the ideal driving {kind_en} over the actual one.",
+            f"The efficiency is the ratio of the ideal driving {kind_en} to the actual one, with the same resisting "
+            "load.",
         )
         if drives
         else Words(
             f"机械效率：驱动力（矩）相同时，实际阻{kind}与理想阻{kind}之比。",
-            f"Efficiency: with the same driving load, the actual resisting {kind_en} over the ideal one.",
+            f"The efficiency is the ratio of the actual resisting {kind_en} to the ideal one, with the same driving "
+            "load.",
         )
     )
     _keep(st, zero / actual if drives else actual / zero)
@@ -135,7 +137,8 @@ def _keep(st: Statics, ratio: Quotient) -> None:
         st.board.remark(
             Words(
                 f"读得 $η$ = {eta:.4g} 略大于 1，系作图误差：摩擦损失小于读数误差。",
-                f" $η$ = {eta:.4g} is read, above 1 by the error of drawing: friction takes less than can be read.",
+                f" The efficiency read, $η$ = {eta:.4g}, is above 1 by the error of drawing: friction takes less than "
+                "can be read.",
             )
         )
     keep_value(st, ETA, value.value, ratio)

@@ -86,5 +86,5 @@ def written_power(st: Statics, work: Work) -> Quantity:
     if way:
         st.board.write_worked(quantity.node, Sum((work.expr,), (way,)), "W")
     else:
-        st.board.remark(Words(f" ${work.named.symbol}$ 不作功。", f" ${work.named.symbol}$ does no work."))
+        st.board.remark(Words(f" ${work.named.symbol}$ 不作功。", f" The force ${work.named.symbol}$ does no work."))
     return quantity

@@ -136,7 +136,7 @@ def say_measured(st: Statics, sides: tuple[tuple[str, Drawn], ...]) -> None:
         why = (
             Words("", "")
             if first == last
-            else Words(f"${first}$ 与 ${last}$ 重合，故 ", f" ${first}$ and ${last}$ coincide, so")
+            else Words(f"${first}$ 与 ${last}$ 重合，故 ", f" Points ${first}$ and ${last}$ coincide, so")
         )
         st.board.remark(why + Words(f"{zeros}0。", f" {zeros}0."))
 

@@ -57,7 +57,9 @@ def settle_slide(
         at = _displaced(st, group_pane(st, *links), by, on, point, drawn, turning)
     else:
         i, j = st.mech.number(by), st.mech.number(on)
-        st.board.remark(Words(f"$R_{{{i}{j}}}$ 过 ${point}$ 点。", f" $R_{{{i}{j}}}$ passes through ${point}$."))
+        st.board.remark(
+            Words(f"$R_{{{i}{j}}}$ 过 ${point}$ 点。", f" The reaction $R_{{{i}{j}}}$ passes through ${point}$.")
+        )
     st.settle(by, on, vector, at, drawn)
     _leave(st, links, by, on, pin, at, vector)
 
@@ -72,14 +74,14 @@ def _say_couple(st: Statics, by: str, on: str, couple: Reals) -> None:
     i, j = st.mech.number(by), st.mech.number(on)
     size = float(nominal(couple))
     if not size:
-        st.board.remark(Words(f"$R_{{{i}{j}}}$ = 0。", f" $R_{{{i}{j}}}$ = 0."))
+        st.board.remark(Words(f"$R_{{{i}{j}}}$ = 0。", f" Hence $R_{{{i}{j}}}$ = 0."))
         return
     way = TURN[1 if size > 0 else -1]
     st.board.remark(
         Words(
             f"$R_{{{i}{j}}}$ = 0，而 $ΣM$ ≠ 0：导路两侧的压力等值、反向，合成为一力偶（作用线在无穷远处），"
             f"构件 {i} 对构件 {j} 的力偶矩为 {number(abs(size))} N·m，{way.zh}。",
-            f" $R_{{{i}{j}}}$ = 0 while $ΣM$ ≠ 0: the pressures on the two sides of the guide "
+            f" Here $R_{{{i}{j}}}$ = 0 while $ΣM$ ≠ 0: the pressures on the two sides of the guide "
             "are equal and opposite and form a couple (a force of zero at infinity); link "
             f"{i} turns link {j} with {number(abs(size))} N·m, {way.en}.",
         )
@@ -101,7 +103,7 @@ def _displaced(st: Statics, pane: Pane, by: str, on: str, point: str, drawn: Dra
     st.board.step(
         Words(
             f"由构件 {j} 的 $ΣM_{point}$ = 0 定出 $R_{{{i}{j}}}$ 的作用线至 ${point}$ 的距离：",
-            f"$ΣM_{point}$ = 0 of link {j} gives the distance of the line of $R_{{{i}{j}}}$ from ${point}$:",
+            f"The moments $ΣM_{point}$ = 0 of link {j} give the distance of the line of $R_{{{i}{j}}}$ from ${point}$:",
         ),
         pane,
     )

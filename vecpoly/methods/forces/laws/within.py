@@ -91,5 +91,5 @@ def _during(at: OffPaper, window: During, *, here: bool) -> Words:
     now, low, high = (f"{number(unit * size)}{mark}" for size in (place, window.low, window.high))
     return Words(
         f"${drive.symbol}$ = {now} {'' if here else '不'}在 {low}～{high} 内",
-        f"${drive.symbol}$ = {now} lies {'within' if here else 'outside'} {low} to {high}",
+        f"the position ${drive.symbol}$ = {now} lies {'within' if here else 'outside'} {low} to {high}",
     )

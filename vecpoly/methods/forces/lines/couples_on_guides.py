@@ -61,7 +61,7 @@ def couple_on_guide(st: Statics, held: Held, load: Resultant, line: Line, by: st
         Words(
             f"取构件 {j} 为分离体：其上只有力偶，而 ${one}$ 与 ${two}$ 的方向不平行，两者之和为零，"
             f"故 ${one}$ = ${two}$ = 0；力偶由构件 {i} 与 {j} 间的移动副承受。",
-            f"Isolate link {j}: only a couple acts on it. ${one}$ and ${two}$, which are not "
+            f"Isolate link {j}: only a couple acts on it. The reactions ${one}$ and ${two}$, which are not "
             f"parallel, sum to zero, so ${one}$ = ${two}$ = 0; the slide of links {i} and {j} "
             "bears the couple.",
         ),

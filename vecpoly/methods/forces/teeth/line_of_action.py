@@ -81,7 +81,7 @@ def _told(st: Statics, mesh: Mesh) -> Words:
         f"压力角 $α$ = {alpha}；${symbol}$ {need.zh}；齿面间只能受压，由此确定工作齿面及其啮合线。",
         f"The teeth of links {i} and {j} mesh at the pitch point ${h}$. Without friction on the flanks ${symbol}$ acts "
         f"along the line of action, through ${h}$ at the pressure angle $α$ = {alpha} to the common tangent $t–t$. "
-        f"${symbol}$ {need.en}, and teeth can only press: this determines the flank.",
+        f"The force ${symbol}$ {need.en}, and teeth can only press: this determines the flank.",
     )
 
 

@@ -127,9 +127,9 @@ def _told(st: Statics, one: Carried, pair: tuple[Mesh, Mesh]) -> Words:
         f"$α$ = {alpha}；${rest}$ 过节点 ${k}$，${held}$ 沿 ${bar}$ 的分力也过 ${k}$，故由构件 {number} 的 "
         f"$ΣM_{k}$ = 0 求 ${symbol}$（其指向由力矩确定；齿面间只能受压，由此确定工作齿面）：",
         f"The teeth of links {i} and {number} mesh at the pitch point ${h}$; without friction on the flanks "
-        f"${symbol}$ acts along the line of action, at the pressure angle $α$ = {alpha} to the common tangent. "
-        f"${rest}$ passes through ${k}$, and so does the part of ${held}$ along ${bar}$: $ΣM_{k}$ = 0 of link {number} "
-        f"gives ${symbol}$ and its sense; teeth can only press, which determines the flank:",
+        f"${symbol}$ acts along the line of action, at the pressure angle $α$ = {alpha} to the common tangent. The "
+        f"reaction ${rest}$ passes through ${k}$, and so does the part of ${held}$ along ${bar}$: $ΣM_{k}$ = 0 of "
+        f"link {number} gives ${symbol}$ and its sense; teeth can only press, which determines the flank:",
     )
 
 

@@ -103,7 +103,7 @@ def _opening(desk: Desk, view: View, ram: Ram) -> Words:
     return Words(
         f"${name}$ 与扩大的构件 {ram.near} 上的 ${under}$ 为重合点，其相对{kind}沿 ${d}{c}$，由油缸给定；"
         f"列{kind}矢量方程并作图。",
-        f"${name}$ and the point ${under}$ of the extended link {ram.near} coincide; their relative "
+        f"Point ${name}$ and the point ${under}$ of the extended link {ram.near} coincide; their relative "
         f"{kind_en} along ${d}{c}$ is given by the cylinder. Write the {kind_en} equation and draw "
         "it.",
     )

@@ -41,7 +41,7 @@ def step_off(desk: Desk, d: Dyad) -> bool:
         Words(
             f"${corner}{b}{c}{end}$ 为平行四边形：过 ${b}$ 作 ${corner}{end}$ 的平行线，"
             f"截取 ${b}{c} = {corner}{end}$，得 ${c}$。",
-            f"${corner}{b}{c}{end}$ is a parallelogram: through ${b}$ draw a line parallel to "
+            f"The quadrilateral ${corner}{b}{c}{end}$ is a parallelogram: through ${b}$ draw a line parallel to "
             f"${corner}{end}$ and step off ${b}{c} = {corner}{end}$ on it.",
         ),
         View.MECHANISM,
@@ -63,7 +63,7 @@ def move_parallelogram(desk: Desk, view: View, d: Dyad) -> None:
     corners = f"{fourth_corner(desk.mech, d)}{b}{c}{end}"
     words = Words(
         f"${corners}$ 为平行四边形，对边始终平行，",
-        f"${corners}$ is a parallelogram, whose opposite sides remain parallel: ",
+        f"The quadrilateral ${corners}$ is a parallelogram, whose opposite sides remain parallel: ",
     )
     if fixed:
         coupler, held = (d.link_j, b) if fixed[0] == d.link_j else (d.link_k, end)

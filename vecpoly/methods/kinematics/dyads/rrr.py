@@ -89,5 +89,6 @@ def opening(view: View, c: str, *links: str) -> Words:
     plural = "s" if len(links) > 1 else ""
     return Words(
         f"求构件 {'、'.join(links)} 上 ${c}$ 点的{kind}，列矢量方程并作图。",
-        f"${c}$ belongs to link{plural} {' and '.join(links)}: write the vector equation of its {kind_en} and draw it.",
+        f"Point ${c}$ belongs to link{plural} {' and '.join(links)}: write the vector equation of its {kind_en} and "
+        "draw it.",
     )

@@ -71,7 +71,7 @@ def acceleration_gear(desk: Desk, group: Group) -> None:
         )
         return (*(() if rest else (known(desk, view, At(c)),)), normal(desk, own, At(c), gear), tangent)
 
-    closed = mesh(desk, joint, gear, led, Words(f"，列方程求 $α_{gear}$：", f"; for $α_{gear}$:"))
+    closed = mesh(desk, joint, gear, led, Words(f"，列方程求 $α_{gear}$：", f"; write the equation for $α_{gear}$:"))
     angular_acceleration(
         desk, gear, c, h, closed.ends[rel.key], f"n_{gear}^′ {desk.tip_label(view, own)}", desk.symbol(rel)
     )

@@ -37,6 +37,6 @@ def _tangents_agree(joint: Rolling) -> Words:
     h, way = joint.point, normal_words(joint)
     return Words(
         f"啮合点 ${h}$：两构件在 ${h}$ 处的切向加速度相等，加速度只差{way.zh}分量",
-        f"Pitch point ${h}$: both bodies have the same tangential acceleration there; their "
+        f"At the pitch point ${h}$ both bodies have the same tangential acceleration; their "
         f"accelerations differ only by a component {way.en}",
     )

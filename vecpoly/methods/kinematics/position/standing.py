@@ -60,7 +60,7 @@ def said_standing(desk: Desk, link: str) -> Words:
     )
     return Words(
         f"按图示位置 ${first}{other}$ 与{zero}成 {angle}° 定出 ${other}$。",
-        f" ${other}$ is set out with ${first}{other}$ at {angle}° to {zero_en}, as given.",
+        f" Point ${other}$ is set out with ${first}{other}$ at {angle}° to {zero_en}, as given.",
     )
 
 

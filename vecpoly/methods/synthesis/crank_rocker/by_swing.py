@@ -62,7 +62,7 @@ def _loci(draft: Draft, rocker: Rocker, theta: Quantity) -> Iterator[Locus]:
         board.step(
             Words(
                 "$K = 1$，$θ = 0$，无急回；$A$ 在直线 $C_{1}C_{2}$ 上。",
-                "$K = 1$ and $θ = 0$: no quick return, and $A$ lies on the line $C_{1}C_{2}$.",
+                "With $K = 1$ and $θ = 0$ there is no quick return, and $A$ lies on the line $C_{1}C_{2}$.",
             ),
             SHEET,
         )

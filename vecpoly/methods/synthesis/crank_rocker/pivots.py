@@ -114,7 +114,7 @@ def _middle_and_coupler(draft: Draft, rocker: Rocker, locus: Straight, coupler: 
     board.step(
         Words(
             "$AC_1 + AC_2 = 2l_BC/μ_l$，故自 $C_{1}C_{2}$ 的中点 $M$ 沿直线截取 $l_BC/μ_l$ 得 $A$。",
-            "$AC_1 + AC_2 = 2l_BC/μ_l$, so $A$ lies on the line at $l_BC/μ_l$ from the middle $M$ of $C_{1}C_{2}$.",
+            "Since $AC_1 + AC_2 = 2l_BC/μ_l$, $A$ lies on the line at $l_BC/μ_l$ from the middle $M$ of $C_{1}C_{2}$.",
         ),
         SHEET,
     )

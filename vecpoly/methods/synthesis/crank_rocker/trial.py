@@ -42,6 +42,7 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
                 "Take as $A$ the points for which the curve has the given $γ_min$.",
             ),
             SHEET,
+            again=Words("在此曲线上同样选取 $A$。", "Choose $A$ on this curve in the same way."),
         )
     if not places and curve is not None:
         _nowhere(draft, best)

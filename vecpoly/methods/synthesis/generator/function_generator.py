@@ -76,9 +76,8 @@ def _laid_out(draft: Draft, design: FunctionGenerator, pairs: tuple[Pair, ...]) 
             "$DN_3$。"
             "$B$ 在标线 $AM$ 上，$C$ 在标线 $DN$ 上（或其反向延长线上）。",
             "Choose $μ_l$, draw the pivots $A$ and $D$, and at the three pairs of angles the lines $AM_1$, $AM_2$, "
-            "$AM_3$ "
-            "and $DN_1$, $DN_2$, $DN_3$ of both links. $B$ lies on $AM$ and $C$ on $DN$, or on these lines produced "
-            "backwards.",
+            "$AM_3$ and $DN_1$, $DN_2$, $DN_3$ of both links. Point $B$ lies on $AM$ and $C$ on $DN$, or on these "
+            "lines produced backwards.",
         ),
         SHEET,
     )

@@ -70,10 +70,9 @@ _FOUND = Words(
     "$1/DP$、$1/DQ$ 都与 $1/AE$ 成线性关系，故 $k = 1/DP − 1/DQ = PQ/(DP·DQ)$ 也是；$k = 0$ 时 $P$、$Q$ 重合于 $C$。"
     "由"
     "两次试作量得的 $k_E$、$k_F$ 线性内插（各线段以指向标线方向为正）：",
-    "$1/DP$ and $1/DQ$ are linear in $1/AE$, and so is $k = 1/DP − 1/DQ = PQ/(DP·DQ)$; where $k = 0$ both fall "
-    "together "
-    "in $C$. By interpolation between $k_E$ and $k_F$, as read in both trials (a length along its line counts as "
-    "positive):",
+    "The values $1/DP$ and $1/DQ$ are linear in $1/AE$, and so is $k = 1/DP − 1/DQ = PQ/(DP·DQ)$; where $k = 0$ both "
+    "fall together in $C$. By interpolation between $k_E$ and $k_F$, as read in both trials (a length along its line "
+    "counts as positive):",
 )
 
 

@@ -41,7 +41,7 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
             "$C_2$ 等距，"
             "又在极限位置 $A$、$B_2$、$C_2$ 共线，故 $C′_{1}C_2$ 的中垂线与直线 $AC_2$ 的交点即 $B_2$。",
             "Regard the figure of position 1 as rigid and turn it by $φ_12$ about $A$, so that $AB_1$ falls on $AB_2$ "
-            "and $C_1$ on $C′_1$. $B_2$ is as far from $C′_1$ as from $C_2$, and $A$, $B_2$ and $C_2$ lie in one "
+            "and $C_1$ on $C′_1$. Point $B_2$ is as far from $C′_1$ as from $C_2$, and $A$, $B_2$ and $C_2$ lie in one "
             "line; so the bisector of $C′_{1}C_2$ meets the line $AC_2$ at $B_2$.",
         ),
         SHEET,

@@ -43,10 +43,8 @@ def draw_drag_link(draft: Draft, design: DragLink) -> None:
             "从动曲柄转过 180°，将位置 2 的图形刚化，绕 $D$ 反转 180°，使 $DC_2$ 与 $DC_1$ 重合，$B_2$ 转到 $B′_2$。"
             "$C_1$ 到 $B_1$、$B′_2$ 等距，故 $B_{1}B′_2$ 的中垂线与给定的射线 $DC_1$ 的交点即 $C_1$。",
             "The driven crank turns by 180°. Regard the figure of position 2 as rigid and turn it back by 180° about "
-            "$D$, "
-            "so that "
-            "$DC_2$ falls on $DC_1$ and $B_2$ on $B′_2$. $C_1$ is as far from $B_1$ as from $B′_2$, so the bisector of "
-            "$B_{1}B′_2$ meets the given ray $DC_1$ at $C_1$.",
+            "$D$, so that $DC_2$ falls on $DC_1$ and $B_2$ on $B′_2$. Point $C_1$ is as far from $B_1$ as from "
+            "$B′_2$, so the bisector of $B_{1}B′_2$ meets the given ray $DC_1$ at $C_1$.",
         ),
         SHEET,
     )

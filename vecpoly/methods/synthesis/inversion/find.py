@@ -38,7 +38,8 @@ def _seen(sheet: Sheet, stage: Find) -> Places:
     if stage.on == FRAME:
         return sheet.pins[stage.known]
     board, kept = sheet.draft.board, stage.kept
-    board.step(_inverting(sheet, stage), SHEET)
+    board.step(_inverting(sheet, stage), SHEET, again=_inverting_again(sheet, stage))
+    board.remark(_goes(sheet, stage))
     seen = []
     for n, place in enumerate(sheet.pins[stage.known]):
         letter = sheet.named(stage.known, n)
@@ -70,15 +71,29 @@ def _primed(letter: str, position: int) -> str:
 def _inverting(sheet: Sheet, stage: Find) -> Words:
     kept, name = stage.kept + 1, stage.on
     others = _others(sheet, stage)
-    moved = "、".join(f"${_primed(stage.known, n)}$" for n in others)
-    figures = "、".join(f"${sheet.named(stage.known, n)}$" for n in others)
-    what_zh = f"取构件 ${name}$ 的位置 {kept} 为“机架”，将{_positions(others).zh} 的 ${name}$ 连同 {figures} 刚化"
-    letters = ", ".join(dict.fromkeys(figures.split("、")))
     turned, way = _positions(others), _carrying(sheet, stage, others)
     return Words(
-        f"{what_zh}，反转使 ${name}$ 与位置 {kept} 重合（{way.zh}），得 {moved}。",
-        f"Fix link ${name}$ in position {kept} and turn {turned.en} back so that ${name}$ coincides with it "
-        f"({way.en}): {letters} go{'es' * (', ' not in letters)} to {moved.replace('、', ', ')}.",
+        f"取构件 ${name}$ 的位置 {kept} 为“机架”，将机构的{turned.zh} 刚化，反转使 ${name}$ 与位置 {kept} "
+        f"重合（{way.zh}）。",
+        f"Fix link ${name}$ in position {kept} and turn {turned.en} of the mechanism, as a rigid whole, back so that "
+        f"${name}$ coincides with it ({way.en}).",
+    )
+
+
+def _inverting_again(sheet: Sheet, stage: Find) -> Words:
+    turned = _positions(_others(sheet, stage))
+    return Words(f"同样将{turned.zh} 反转。", f"Turn {turned.en} back in the same way.")
+
+
+def _goes(sheet: Sheet, stage: Find) -> Words:
+    """Where the known pin goes by it."""
+    others = _others(sheet, stage)
+    moved = [f"${_primed(stage.known, n)}$" for n in others]
+    figures = list(dict.fromkeys(f"${sheet.named(stage.known, n)}$" for n in others))
+    return Words(
+        f"点 {'、'.join(figures)} 转到 {'、'.join(moved)}。",
+        f" Point{'s' * (len(figures) > 1)} {joined([Words.same(one) for one in figures]).en} "
+        f"go{'es' * (len(figures) == 1)} to {joined([Words.same(one) for one in moved]).en}.",
     )
 
 
@@ -195,12 +210,11 @@ def _placed(sheet: Sheet, stage: Find, at: Points) -> Sheet:
     if stage.on == FRAME:
         return sheet.with_pin(stage.pin, lettered(sheet.draft, stage.pin, (at,) * sheet.plan.count))
     at, back = pin(sheet.draft, f"{stage.pin}_{stage.kept + 1}", at), _positions(_others(sheet, stage))
-    sheet.draft.board.step(
+    sheet.draft.board.remark(
         Words(
-            f"将 ${stage.pin}$ 随构件 ${stage.on}$ 转回{back.zh}。",
-            f"Carry ${stage.pin}$ with link ${stage.on}$ back into {back.en}.",
-        ),
-        SHEET,
+            f"再将 ${stage.pin}$ 随构件 ${stage.on}$ 转回{back.zh}。",
+            f" Carry ${stage.pin}$ with link ${stage.on}$ back into {back.en}.",
+        )
     )
     places = []
     for n in range(sheet.plan.count):

@@ -72,7 +72,7 @@ def _told(sheet: Sheet, verdict: Verdict) -> Words:
     zh, en = ("经过死点", "meets a dead point") if why is Verdict.BRANCH else ("次序不对", "comes in another order")
     driver = Words(
         f"（须以 ${able}$ 为原动件；若以 ${other}$ 为原动件，则在各位置之间{zh}。）",
-        f" (${able}$ must drive it: ${other}$ as the driver {en} between the positions.)",
+        f" (The link ${able}$ must drive it: ${other}$ as the driver {en} between the positions.)",
     )
     return behind(told, driver)
 
@@ -103,7 +103,9 @@ def _kinds(sheet: Sheet) -> Words:
                 if aside
                 else Words("", "")
             )
-            told += Words(f"（{terms}{e.zh}：{name} 为{kind.zh}。）", f" ({terms}{e.en}: {name} is {kind.en}.)")
+            told += Words(
+                f"（因 {terms}{e.zh}，{name} 为{kind.zh}。）", f" (Since {terms}{e.en}, {name} is {kind.en}.)"
+            )
     return told
 
 

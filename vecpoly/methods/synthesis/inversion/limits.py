@@ -27,8 +27,9 @@ def limits(sheet: Sheet, stage: Limits) -> Iterator[Sheet]:
         Words(
             f"极位夹角 $θ = 180°(K − 1)/(K + 1)$ = {theta:.4g}°。连 ${stage.about}{c}_1$，过 ${stage.about}$ 作与"
             f"它成 $θ$ 的射线，与以 ${stage.pivot}$ 为圆心、${stage.pivot}{c}_1$ 为半径的圆相交于 ${c}_2$。",
-            f"$θ = 180°(K − 1)/(K + 1)$ = {theta:.4g}°. Join ${stage.about}{c}_1$; a ray at $θ$ to it from "
-            f"${stage.about}$ meets the circle about ${stage.pivot}$ through ${c}_1$ at ${c}_2$.",
+            f"The angle between the limit positions is $θ = 180°(K − 1)/(K + 1)$ = {theta:.4g}°. Join "
+            f"${stage.about}{c}_1$; a ray at $θ$ to it from ${stage.about}$ meets the circle about ${stage.pivot}$ "
+            f"through ${c}_1$ at ${c}_2$.",
         ),
         SHEET,
     )
@@ -71,8 +72,8 @@ def _swung(sheet: Sheet, stage: Limits, a: Points, d: Points, c: tuple[Points, P
         Words(
             f"${stage.about}{stage.pin}$ 在一极限位置为 $l_{{{stage.crank}{stage.pin}}} + "
             f"l_{{{stage.about}{stage.crank}}}$，在另一极限位置为其差，由此得 ${stage.crank}$。",
-            f"${stage.about}{stage.pin}$ is $l_{{{stage.crank}{stage.pin}}} + l_{{{stage.about}{stage.crank}}}$ in one "
-            f"limit and their difference in the other: hence ${stage.crank}$.",
+            f"The distance ${stage.about}{stage.pin}$ is $l_{{{stage.crank}{stage.pin}}} + "
+            f"l_{{{stage.about}{stage.crank}}}$ in one limit and their difference in the other: hence ${stage.crank}$.",
         ),
         SHEET,
     )

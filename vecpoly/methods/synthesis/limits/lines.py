@@ -61,9 +61,8 @@ def _rockers(draft: Draft, design: LimitLines, pins: tuple[Points, Points, Point
                 f"$D$ 在 $C_{{1}}C_2$ 的中垂线上。$C_1$ 处的传动角为 $90° − α_1$：过 $C_1$ 在 $C_{{1}}A$ 的{side[0]}作"
                 f"与它成此角的直线，"
                 "与中垂线相交于 $D$。",
-                f"$D$ lies on the bisector of $C_{{1}}C_2$. The transmission angle at $C_1$ is $90° − α_1$: draw a "
-                f"line "
-                f"through $C_1$ at this angle to $C_{{1}}A$ {side[1]}; it meets the bisector at $D$.",
+                f"Point $D$ lies on the bisector of $C_{{1}}C_2$. The transmission angle at $C_1$ is $90° − α_1$: "
+                f"draw a line through $C_1$ at this angle to $C_{{1}}A$ {side[1]}; it meets the bisector at $D$.",
             ),
             SHEET,
         )

@@ -83,8 +83,8 @@ def _positions(design: StraightLine, phis: list[float]) -> Words:
         return told
     return told + Words(
         f"{'、'.join(dead)} 为死点，$B$、$C$、$D$ 共线，两弧相切，$C$ 直接在直线 $BD$ 上量取。",
-        f" {' and '.join(dead)}: a dead point; $B$, $C$ and $D$ are in line, the arcs only touch, and $C$ is laid off "
-        "on the line $BD$.",
+        f" There is a dead point at {' and '.join(dead)}: $B$, $C$ and $D$ are in line, the arcs only touch, and $C$ "
+        "is laid off on the line $BD$.",
     )
 
 
@@ -136,7 +136,7 @@ def _computed(draft: Draft, band: float, heights: list[float]) -> Words:
     """The second step: whence the heights are known."""
     on_paper = draft.mm(1e-3 * band)
     places = max(0, 2 - int(np.floor(np.log10(band)))) if band > 0 else 0
-    rows = [f"{height:.{min(places, 6)}f}" for height in heights]
+    rows = column(heights, min(places, 6))
     narrow = Words(
         f"轨迹在上图中的高度差仅 {on_paper:.2g} mm，难以量准，故由计算求得：",
         f"On the drawing the heights of the path differ by {on_paper:.2g} mm only, too little to be read well; they "

@@ -108,8 +108,8 @@ def _arm(draft: Draft, design: Whitworth, c: Points) -> None:
     board.step(
         Words(
             "导杆转过 180° 滑块走完行程 $H$，$D$ 为导杆上与连杆铰接的点，故 $l_CD = H/2$：",
-            "The slider moves through its stroke $H$ while the bar turns through 180°. $D$ is the point of the bar to "
-            "which the connecting rod is pinned, so $l_CD = H/2$:",
+            "The slider moves through its stroke $H$ while the bar turns through 180°. Point $D$ is the point of the "
+            "bar to which the connecting rod is pinned, so $l_CD = H/2$:",
         ),
         SHEET,
     )

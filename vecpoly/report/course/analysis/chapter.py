@@ -19,6 +19,7 @@ from .conclusion import themes
 from .peak_remarks import remarks
 from .why_peaks import causes
 
+_BEYOND = Words("两端趋近死点", "dead points beyond")
 _MACHINE = Words("机械的运转与平衡", "The machine in motion and its balance")
 _HEADER = {
     "zh": ["杆组", "行列式", "最小处", "最小值/最大值", "最大处", "最小传动角", "1/$sin γ$", "判断"],
@@ -92,11 +93,11 @@ def _is_steady(one: Conditioning) -> bool:
 def _only(study: Study, one: Conditioning, *, advised: bool) -> Words:
     """The only group's determinant, its minimum transmission angle (which advice tells, too), and the verdict."""
     group, by, low, high = one.group.title, f"$|{one.symbol}|$", study.where(one.phi), study.where(one.top)
-    told = Words(f"{group.zh}的行列式 {by} 不变", f"{by}, the determinant of the {group.en}, does not change")
+    told = Words(f"{group.zh}的行列式 {by} 不变", f"The determinant {by} of the {group.en} does not change")
     if not _is_steady(one):
         told = Words(
             f"{group.zh}的行列式 {by} 在 {high} 处最大，在 {low} 处最小，为最大值的 {one.ratio:.3f} 倍",
-            f"{by}, the determinant of the {group.en}, is largest at {high} and least at {low}, "
+            f"The determinant {by} of the {group.en} is largest at {high} and least at {low}, "
             f"{one.ratio:.3f} of its largest",
         )
     if is_square(study, one):
@@ -109,9 +110,10 @@ def _only(study: Study, one: Conditioning, *, advised: bool) -> Words:
             f"{one.times} times",
         )
     verdict = _verdict(study, one)
-    return told + Words(f"。判断：{verdict.zh}。", f". Conditioning: {verdict.en}.")
+    judged = f". There are {verdict.en}." if verdict is _BEYOND else f". The conditioning is {verdict.en}."
+    return told + Words(f"。判断：{verdict.zh}。", judged)
 
 
 def _verdict(study: Study, one: Conditioning) -> Words:
     """Of a drive that cannot turn right round the ends of the range told lie beside its dead points."""
-    return Words("两端趋近死点", "dead points beyond") if one.is_poor and study.facts.dead else one.verdict
+    return _BEYOND if one.is_poor and study.facts.dead else one.verdict

@@ -43,8 +43,8 @@ def _steady(study: Study, loads: Loads) -> Iterator[Words]:
     if given:
         yield Words(
             f"计算中 {listed(given)} 的大小和方向在{span(study).zh}内不变。",
-            f"{listed(given).replace('、', ', ')} {'keeps' if len(given) == 1 else 'keep'} size and direction "
-            f"throughout the {span(study).en}.",
+            f"The load{'s' * (len(given) > 1)} {listed(given).replace('、', ', ')} "
+            f"{'keeps' if len(given) == 1 else 'keep'} size and direction throughout the {span(study).en}.",
         )
 
 
@@ -61,7 +61,7 @@ def roles(study: Study, loads: Loads) -> Iterator[Words]:
             yield Words(
                 f"题中称 {symbol} 为{_ROLES[load.role].zh}载荷，但在 ${study.whole.drive.symbol}$ = {where.zh} "
                 f"内 {symbol} 作{'负' if load.role == 'driving' else '正'}功，实为{kind.zh}。",
-                f"{symbol} is called {_ROLES[load.role].en}, but at ${study.whole.drive.symbol}$ = "
+                f"The load {symbol} is called {_ROLES[load.role].en}, but at ${study.whole.drive.symbol}$ = "
                 f"{where.en} its power is {'negative' if load.role == 'driving' else 'positive'}: "
                 f"there it is {kind.en}.",
             )
@@ -91,12 +91,12 @@ def _missing(study: Study) -> Iterator[Words]:
         gaps = [duty for duty in duties(study.whole) if duty.cause is cause]
         if cause and gaps:
             where, why = ranges(study, gaps), reason(gaps[0])
-            told.append(Words(f"${symbol}$ = {where.zh}：{why.zh}", f"${symbol}$ = {where.en}: {why.en}"))
+            told.append(Words(f"${symbol}$ = {where.zh}：{why.zh}", f"at ${symbol}$ = {where.en} ({why.en})"))
     for still in each_still(study):
         told.append(
             Words(
                 f"{still[1]}：{_no_slip(still[0]).zh}，摩擦力的指向不定",
-                f"{still[1].replace('、', ', ')}: {_no_slip(still[0]).en}, so friction has no sense",
+                f"at {still[1].replace('、', ', ')} ({_no_slip(still[0]).en}, so friction has no sense)",
             )
         )
     if told:
@@ -136,7 +136,8 @@ def _equal(study: Study) -> Iterator[Words]:
         names, one = [f"${study.whole.info(k).symbol}$" for k in keys], f"${study.whole.info(twin).symbol}$"
         yield Words(
             f"{'、'.join(names)} 与 {one} 处处等值，不另列出。",
-            f"{' and '.join(names)} {'is' if len(names) == 1 else 'are'} everywhere as large as {one} and not tabled.",
+            f"The reaction{'s' * (len(names) > 1)} {' and '.join(names)} {'is' if len(names) == 1 else 'are'} "
+            f"everywhere as large as {one} and not tabled.",
         )
 
 
@@ -155,7 +156,7 @@ def jumps(study: Study) -> Iterator[Words]:
         yield Words(
             f"{where} 处 {_no_slip(still).zh}，其两侧相对运动反向，{side.zh}，各力随之突变"
             + (f"（左、右极限：{zh}）。" if zh else "。"),
-            f"{where.replace('、', ', ')}: {_no_slip(still).en}; the relative motion changes its "
+            f"At {where.replace('、', ', ')} {_no_slip(still).en}; the relative motion changes its "
             f"sense, {side.en}, and the forces jump" + (f" (limits from the left and the right: {en})." if en else "."),
         )
 

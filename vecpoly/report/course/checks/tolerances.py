@@ -177,14 +177,14 @@ def _weighed(study: Study, keys: tuple[str, ...], ranked: list[Influence]) -> Wo
             f"尺寸误差 {by.zh}对 ${symbol}$ 的影响都不到 1 %，按一般公差制造即可；其中影响最大的是 "
             f"{zh[0]}，最小的是 {zh[2]}。",
             f"Errors of {by.en} change ${symbol}$ by less than 1 %, so ordinary tolerances suffice; "
-            f"greatest effect: {en[0]}; least: {en[2]}.",
+            f"the greatest effect is that of {en[0]}, the least that of {en[2]}.",
         )
     if not small:
         return Words(
             f"以 ${symbol}$ 的改变衡量，各尺寸的影响相差不到一倍，最大的是 {zh[0]}，最小的是 {zh[2]}，"
             "各尺寸的公差应同样严格。",
             f"Measured by the change of ${symbol}$ all dimensions have effects of one size, within a factor of "
-            f"two: greatest {en[0]}, least {en[2]}; all need tolerances of the same grade.",
+            f"two: the greatest is that of {en[0]}, the least that of {en[2]}; all need tolerances of the same grade.",
         )
     return Words(
         f"以 ${symbol}$ 的改变衡量，影响最大的是 {zh[0]}，须从严控制公差；影响最小的是 {zh[1]}，可以放宽。",

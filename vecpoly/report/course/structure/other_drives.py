@@ -35,7 +35,7 @@ def _only(link: str, joint: str, groups: str, top: str) -> Words:
         f"机构的级别与原动件的选取有关。若改以另一连架构件 {link}（{joint}）为原动件，则杆组（按求解次序）为 {groups}，"
         f"机构为 {top} 级机构。",
         f"The class depends on which link drives. With another link on the frame, link {link} ({joint}), as the driver "
-        f"the groups in order of solution would be {groups}: a class {top} mechanism.",
+        f"the groups in order of solution would be {groups}, and this would be a class {top} mechanism.",
     )
 
 

@@ -51,7 +51,13 @@ def special(study: Study) -> Iterator[Words]:
         *([] if mech.contacts else [Words("局部自由度", "passive degree of freedom")]),
         Words("虚约束", "redundant constraint"),
     ]
-    yield Words(f"机构中无{'、'.join(w.zh for w in absent)}。", f"There is no {', no '.join(w.en for w in absent)}.")
+    yield Words(f"机构中无{'、'.join(w.zh for w in absent)}。", f"There is {_none_of([w.en for w in absent])}.")
+
+
+def _none_of(names: Sequence[str]) -> str:
+    """No a; no a and no b; no a, no b and no c."""
+    *before, last = [f"no {name}" for name in names]
+    return f"{', '.join(before)} and {last}" if before else last
 
 
 def _highest(groups: Sequence[Group]) -> str:
@@ -106,8 +112,8 @@ def concluded(study: Study) -> Words:
         f"因此机构由{driven.zh}和 {'、'.join(zh)}{_assur(groups)}组成，"
         f"{'该杆组为' if one else '所含杆组的最高级别为'} {roman} 级，故为 {roman} 级机构。",
         f"So the mechanism consists of {driven.en} and the group{'s' * (not one)} {_listed(en)}"
-        + (f", which is of class {top}: " if one else f". The highest class among them is {top}: ")
-        + f"a class {top} mechanism.",
+        + (f", which is of class {top}" if one else f", of which the highest class is {top}")
+        + f"; it is therefore a class {top} mechanism.",
     )
 
 

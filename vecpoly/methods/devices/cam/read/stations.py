@@ -18,10 +18,10 @@ TENTH = 0.1  # mm of a rule, degrees of a protractor
 
 def stations_read(bench: Bench, cam: Cam, stations: Sequence[Station]) -> Listing:
     """A row for every station, in the order of the cam's angle."""
-    level = Words.same("$ψ$/°" if cam.arm else "$s$/mm")
-    head: tuple[Words, ...] = (Words("点", "No."), Words.same("$φ$/°"), level, Words.same("$r$/mm"))
+    level = Words.same("$ψ$ /°" if cam.arm else "$s$ /mm")
+    head: tuple[Words, ...] = (Words("点", "No."), Words.same("$φ$ /°"), level, Words.same("$r$ /mm"))
     if not cam.follower.flat:
-        head = (*head, Words.same("$α$/°"))
+        head = (*head, Words.same("$α$ /°"))
     named = [(travel(s.name, swings=bool(cam.arm)), radius(s.name), pressure(s.name)) for s in stations]
     columns = [_read(bench, [row[k].key for row in named]) for k in range(len(head) - 2)]
     numbers = tuple((f"{station.number}", number(station.name)) for station in stations)

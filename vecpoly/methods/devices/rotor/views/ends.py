@@ -90,7 +90,8 @@ def solved_from_its_end(bench: Bench, rotor: Rotor, which: str) -> None:
         told = Words(f"端视图（解 {which[1:]}）", f"End view, solution {which[1:]}")
         view = board.open_pane(END_VIEW, which[1:], told)
         _axes(bench, rotor, view)
-    board.step(Words("把求得的质量画入端视图。", "Draw the masses as they were found into the end view."), view)
+    of = Words(f"解 {which[1:]} ", f" of solution {which[1:]}") if which else Words("求得", " that were found")
+    board.step(Words(f"把{of.zh}的质量画入端视图。", f"Draw the masses{of.en} in the end view."), view)
     for name, mass in rotor.masses.items():
         turn, size = found.get(found_bearing(name, which).key), found.get(found_mass(name, which, rotor.weighing).key)
         at = degrees(mass.at.si) if turn is None else float(nominal(turn))
@@ -112,7 +113,7 @@ def _parts_in(one: str, other: str, arm: str) -> Words:
 
 
 def _likewise(end: str) -> Words:
-    return Words(f"同样画出平面 ${end}$ 的端视图。", f"Likewise plane ${end}$.")
+    return Words(f"同样画出平面 ${end}$ 的端视图。", f"Draw plane ${end}$ from its end in the same way.")
 
 
 def plane_view(bench: Bench, end: str) -> Pane:

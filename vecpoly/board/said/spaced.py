@@ -1,0 +1,23 @@
+"""A blank between a Chinese character and a symbol, however a sentence is put together."""
+
+from __future__ import annotations
+
+import re
+
+from ...words import Words
+
+_HAN = "\u4e00-\u9fff"
+_BEFORE, _BEHIND = re.compile(rf"(?<=[{_HAN}])$"), re.compile(rf"^(?=[{_HAN}])")
+
+
+def spaced(words: Words) -> Words:
+    """The sentence with such blanks: 圆 $η$ 上."""
+    pieces = words.zh.split("$")
+    if len(pieces) < 3:
+        return words
+    for n in range(0, len(pieces), 2):  # between the symbols
+        if n + 1 < len(pieces):
+            pieces[n] = _BEFORE.sub(" ", pieces[n])
+        if n:
+            pieces[n] = _BEHIND.sub(" ", pieces[n])
+    return Words("$".join(pieces), words.en)
