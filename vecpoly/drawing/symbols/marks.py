@@ -41,11 +41,13 @@ from ...board.paper.marks import (
 from ...board.paper.tones import key_of
 from ..hues import dash_of, image_hue, is_hollow, line_hue, mark_hue, tint_of
 from ..scene import Fill, Item, Layer, Stroke
-from ..style import DOT_RADIUS, POINT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
+from ..style import DOT_RADIUS, FOUND, POINT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
 from . import bodies, shapes, solids
 from .angles import draw_angle, draw_square, draw_turn
 from .around import RING, Surroundings
 from .shapes import NEAR
+
+WALL = 0.22  # mm: of an open head
 
 
 def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
@@ -147,17 +149,20 @@ def _vector(mark: Vector, around: Surroundings) -> tuple[Item, ...]:
         return ()
     u = (mark.b - mark.a) / length
     p = pen(mark.role, mark_hue(mark, around.view, mark.label, around.tones))
-    width, dash = shapes.shaft_width(length, p.width), p.dash if p.dash is not Dash.FULL else dash_of(key_of(mark))
+    wide = FOUND if mark.role is Role.RESULT and around.view.is_polygon else p.width
+    width, dash = shapes.shaft_width(length, wide), p.dash if p.dash is not Dash.FULL else dash_of(key_of(mark))
     tip = shapes.head(mark.b, u, shapes.head_length(length), shapes.head_width(length, width))
     # the shaft ends inside the head, where the head is wider than the shaft, so that the tip stays sharp
     end = mark.b - u * shapes.head_length(length) * 0.75
     solid = Layer.OVER if around.view.bodies else Layer.LINE  # a force is seen over the block on which it acts
     layer = Layer.THIN if mark.role in (Role.DIRECTION, Role.CONSTRUCTION, Role.IDEAL) else solid
     shaft = Stroke(points=(mark.a, end), width=width, dash=dash, hue=p.hue, layer=layer, step=mark.step)
-    return (
-        *(shapes.hollow(shaft) if is_hollow(key_of(mark), around.tones) else (shaft,)),
-        Fill(points=tip, hue=p.hue, layer=Layer.HEAD, step=mark.step),
-    )
+    lines = shapes.hollow(shaft) if is_hollow(key_of(mark), around.tones) else (shaft,)
+    known = mark.role is Role.GIVEN and around.view.is_polygon
+    heads = [Fill(points=tip, hue=p.hue, layer=Layer.HEAD, step=mark.step)]
+    if known:
+        heads.append(Fill(points=shapes.inside(tip, WALL), hue=Hue.WHITE, layer=Layer.HEAD, step=mark.step))
+    return (*lines, *heads)
 
 
 def _point(mark: Point, around: Surroundings) -> tuple[Item, ...]:

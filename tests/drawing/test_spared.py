@@ -1,0 +1,60 @@
+"""Names of directions that would crowd a polygon are left to the equation, which tells them anyhow."""
+
+from __future__ import annotations
+
+from cmath import rect
+from dataclasses import replace
+
+import pytest
+
+from tests.drawing.test_labels import figure
+from tests.drawn_library import IDS, drawn
+from tests.each import each
+from tests.label_faults import text_of
+from vecpoly.board.construction import Figure, View
+from vecpoly.board.paper.marks import Dot, Mark, Point, Role, Segment
+from vecpoly.board.strokes import OVERRUN
+from vecpoly.drawing.figure import Bare, drawing
+from vecpoly.drawing.labels.want import Thing
+from vecpoly.drawing.spared import ABOUT, LED, MANY, spared
+from vecpoly.words import Words
+
+
+def _meeting(around: int) -> Figure:
+    """Two direction lines that meet at c, with so many more letters about it."""
+    lines: list[Mark] = []
+    for turn, name in ((0.3, "⊥BC"), (1.9, "⊥DC")):
+        a, b = rect(-40, turn), rect(OVERRUN, turn)
+        lines += [Segment(a=a, b=b, role=Role.DIRECTION), Point(at=b, label="", said=Words.same(name), dot=Dot.NONE)]
+    letters = [Point(at=rect(11.0, 0.5 * n), label=f"n_{n}", dot=Dot.POINT) for n in range(around)]
+    return figure(*lines, Point(at=0j, label="c", dot=Dot.POINT), *letters)
+
+
+def _named(shown: Figure) -> set[str]:
+    return {text_of(one) for one in drawing(shown).labels if one.want.thing is Thing.DIRECTION}
+
+
+@pytest.mark.parametrize(("around", "named"), [(0, {"⊥BC", "⊥DC"}), (12, set[str]())])
+def test_where_letters_crowd_neither_line_of_a_meeting_has_its_name(around: int, named: set[str]) -> None:
+    assert _named(_meeting(around)) == named
+
+
+def test_on_a_mechanism_every_line_keeps_its_name() -> None:
+    crowded = _meeting(12)
+    assert not spared(replace(crowded, view=View.MECHANISM), drawing(crowded).labels)
+
+
+@each(IDS)
+def test_no_name_of_a_direction_stands_in_a_crowd_and_every_letter_of_a_point_stays(name: str) -> None:
+    for shown in drawn(name).construction.figures:
+        if not shown.view.is_polygon:
+            continue
+        labels = drawing(shown).labels
+        points, wanted = (
+            [one for one in wants if one.thing is Thing.POINT]
+            for wants in ([one.want for one in labels], Bare.of(shown, "zh").wanted)
+        )
+        assert len(points) == len(wanted)
+        for one in labels:
+            near = [LED if other.foot is not None else 1 for other in labels if abs(other.centre - one.centre) <= ABOUT]
+            assert one.want.thing is not Thing.DIRECTION or sum(near) <= MANY + LED
