@@ -159,7 +159,8 @@ def is_solid(mark: Mark) -> bool:
 
 def at_infinity(figure: Figure, mark: Mark) -> bool:
     """Whether it is an arrow towards a centre at infinity."""
-    return isinstance(mark, Vector) and mark.role is Role.DIRECTION and figure.view is View.MECHANISM
+    far = any("∞" in getattr(one, "label", "") for one in figure.marks)
+    return far and isinstance(mark, Vector) and mark.role is Role.DIRECTION and figure.view is View.MECHANISM
 
 
 def is_mass(kind: type[Mark]) -> Met:
