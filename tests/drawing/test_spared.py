@@ -12,11 +12,11 @@ from tests.drawn_library import IDS, drawn
 from tests.each import each
 from tests.label_faults import text_of
 from vecpoly.board.construction import Figure, View
-from vecpoly.board.paper.marks import Dot, Mark, Point, Role, Segment
+from vecpoly.board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment
 from vecpoly.board.strokes import OVERRUN
 from vecpoly.drawing.figure import Bare, drawing
 from vecpoly.drawing.labels.want import Thing
-from vecpoly.drawing.spared import ABOUT, LED, MANY, spared
+from vecpoly.drawing.spared import ABOUT, FAR, LED, MANY, spared
 from vecpoly.words import Words
 
 
@@ -58,3 +58,24 @@ def test_no_name_of_a_direction_stands_in_a_crowd_and_every_letter_of_a_point_st
         for one in labels:
             near = [LED if other.foot is not None else 1 for other in labels if abs(other.centre - one.centre) <= ABOUT]
             assert one.want.thing is not Thing.DIRECTION or sum(near) <= MANY + LED
+
+
+def _angled(around: int) -> Figure:
+    """An angle with its value, in which so many arms leave no room."""
+    angle = AngleMark(at=0j, radius=9.0, start=0.0, sweep=0.9, label="θ = 20.25°")
+    arms = [Segment(a=0j, b=rect(60.0, 6.3 * n / max(around, 1)), role=Role.LINK) for n in range(around)]
+    letters = [Point(at=rect(r, 6.3 * n / 16), label=f"A_{n}", dot=Dot.POINT) for n in range(16) for r in (20.0, 32.0)]
+    return replace(figure(angle, *arms, *(letters if around else ())), view=View.MECHANISM)
+
+
+@pytest.mark.parametrize(("around", "said"), [(0, "θ=20.25°"), (24, "θ")])
+def test_an_angle_in_a_crowd_has_its_symbol_alone_for_the_steps_have_its_value(around: int, said: str) -> None:
+    (angle,) = (one for one in drawing(_angled(around)).labels if one.want.thing is Thing.ARC)
+    assert text_of(angle) == said
+
+
+@each(IDS)
+def test_no_angle_tells_its_value_far_off_on_a_leader(name: str) -> None:
+    for shown in drawn(name).construction.figures:
+        for one in drawing(shown).labels:
+            assert not (one.want.brief and one.foot is not None and abs(one.centre - one.foot) > FAR + one.want.width)

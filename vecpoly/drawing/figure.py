@@ -23,7 +23,7 @@ from .labels.want import Line, Spot, Want
 from .labels.wants import grounds, unnamed, wants
 from .ringed import is_astray
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
-from .spared import spared
+from .spared import relieved
 from .style import NOTE, TITLE
 from .symbols.around import Surroundings
 from .symbols.marks import draw
@@ -33,6 +33,7 @@ DETAIL = 1.15 * NOTE  # em of the title of a detail, which is a part of its figu
 PART = pattern(r"(^| )detail \d+$")  # the name of a detail (`details/apart.py`)
 _FIGURES = 6  # of a scale
 KEPT = 64  # drawings
+RELIEFS = 2  # times that a crowd is relieved
 WITH_LINES = Words("与力的作用线", " with lines of action")
 TITLE_WIDTH = 70.0  # a title wider than this and than its figure takes two lines
 
@@ -113,10 +114,14 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
 
 
 def _lettered(figure: Figure, bare: Bare, frame: Rect | None) -> tuple[Placed, ...]:
-    """Its labels in their places; once more without the names of directions that crowd it."""
+    """Its labels in their places; again without what a crowd spares, until it spares nothing more."""
     placed = bare.lettering(bare.wanted, frame).placed
-    idle = spared(figure, placed)
-    return bare.lettering(tuple(one for one in bare.wanted if one not in idle), frame).placed if idle else placed
+    for _ in range(RELIEFS):
+        left = relieved(figure, placed)
+        if left == tuple(one.want for one in placed):
+            break
+        placed = bare.lettering(left, frame).placed
+    return placed
 
 
 def drawn_anew() -> None:

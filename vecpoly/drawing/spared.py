@@ -1,10 +1,12 @@
-"""Names of directions that are spared: where they would crowd a polygon, the row of the equation tells them alone."""
+"""What a crowded figure need not say: names of directions that the row of the equation tells anyhow, values of angles
+that stand in the steps."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
 from ..board.construction import Figure
+from ..foundation.slotted import replace
 from .labels.placing import BAD, Placed
 from .labels.want import Thing, Want
 
@@ -12,6 +14,19 @@ ABOUT, MANY = 12.0, 4  # mm about a label in which no more stand than so many, i
 FAR = 8.0  # mm from its line to a name on a leader, beyond which it no longer stands at it
 LED = 2  # labels for which one on a leader counts
 MEET = 2.5  # mm between the feet of direction lines that meet in one point
+
+
+def relieved(figure: Figure, placed: Sequence[Placed]) -> tuple[Want, ...]:
+    """What is lettered, without the names of directions that crowd a polygon, and with the symbols alone of angles
+    whose values would stand far off, or in a crowd, on a leader."""
+    idle = spared(figure, placed)
+    return tuple(_brief(one, placed) for one in placed if one.want not in idle)
+
+
+def _brief(label: Placed, placed: Sequence[Placed]) -> Want:
+    if not label.want.brief or label.foot is None or not (_is_far(label) or _stands_in_crowd(label, placed)):
+        return label.want
+    return replace(label.want, pieces=label.want.brief, brief=())
 
 
 def spared(figure: Figure, placed: Sequence[Placed]) -> frozenset[Want]:
