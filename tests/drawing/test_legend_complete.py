@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import pytest
+
 from tests.drawn_library import DRAFTED, IDS, drawn
 from tests.drawn_sheets import laid
 from tests.each import each
@@ -85,3 +87,29 @@ def test_every_sheet_on_which_anything_asks_for_a_legend_has_one(name: str) -> N
     for sheet in laid(name):
         figures = [one.figure for one in sheet.figures if one.figure is not None]
         assert bool(with_legend(sheet).results) is bool(entries(figures, sheet.lang))
+
+
+@pytest.mark.parametrize(
+    ("name", "told", "untold"),
+    [
+        ("8-10", {"given position", "other given positions"}, {"other solution"}),
+        ("K-crank-rocker-BC", {"other solution", "another position"}, {"given position"}),
+        ("four-positions", {"solution rejected"}, {"other solution"}),
+        ("curv-6", {"fixed centrode", "moving centrode"}, {"path of a point"}),
+        ("curv-3", {"path of a point", "osculating circle"}, {"base circle", "outline or connecting line"}),
+        ("gear-undercut", {"base circle"}, {"hole or negative mass"}),
+        ("cam-moves-arm", {"circle of curvature of the profile"}, {"osculating circle"}),
+        ("6-6", {"concentrated mass", "balancing mass"}, {"hole or negative mass"}),
+        ("rotor-blind-hole", {"hole or negative mass"}, {"balancing mass"}),
+        ("engine-single", {"concentrated mass"}, {"correction plane"}),
+        ("straight-roberts", {"coupler curve"}, {"to a centre at infinity"}),
+        ("3-1d", {"to a centre at infinity"}, {"coupler curve"}),
+        ("stephenson-valve-gear", {"image of a link"}, {"outline or connecting line"}),
+    ],
+)
+def test_lines_of_one_look_are_told_by_what_they_are_where_they_stand(
+    name: str, told: set[str], untold: set[str]
+) -> None:
+    figures = [one.figure for sheet in laid(name) for one in sheet.figures if one.figure is not None]
+    found = {one.words.en for one in entries(figures, "en")}
+    assert told <= found and not untold & found

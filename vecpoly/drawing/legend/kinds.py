@@ -131,7 +131,7 @@ KINDS: tuple[Kind, ...] = (
     Kind(words=Words("凸轮廓线", "profile of the cam"), met=is_lone_profile, sample=line),
     Kind(words=Words("理论廓线", "pitch curve"), met=of_profile(Role.HIDDEN), sample=line),
     Kind(words=Words("机构的另一位置", "another position"), met=traced(Role.OTHER, Segment), sample=line),
-    Kind(words=Words("给定的第一位置", "first given position"), met=designed(Role.GIVEN, given=True), sample=line),
+    Kind(words=Words("给定位置", "given position"), met=designed(Role.GIVEN, given=True), sample=line),
     Kind(words=Words("给定的其余位置", "other given positions"), met=designed(Role.HIDDEN, given=True), sample=line),
     Kind(words=Words("另一解", "other solution"), met=designed(Role.GIVEN, given=False), sample=line),
     Kind(words=Words("舍去的解", "solution rejected"), met=designed(Role.HIDDEN, given=False), sample=line),

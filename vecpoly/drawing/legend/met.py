@@ -11,7 +11,7 @@ from .letters import is_of_cam, is_of_curvature
 
 _FORCES = frozenset("FRQGNTWC")  # first letters of a force's symbol
 _PLACES = ("alpha_rise", "alpha_return", "rho_min")  # of a cam, each with a figure of its own
-_MASSES = ("mass", "trial", "crank")  # whose bodies on a rotor are masses
+_MASSES = ("mass", "trial", "crank", "counterweight")  # whose bodies on a rotor are masses
 Met = Callable[[Figure, Mark], bool]
 
 
@@ -75,16 +75,22 @@ def to_counterweight(figure: Figure, mark: Mark) -> bool:
 
 
 def designed(role: Role, *, given: bool) -> Met:
-    """Whether it is a line, in this role, of the sheet on which a linkage is found: given at the outset, or drawn later
-    of a solution that is not the one in thick lines."""
+    """Whether it is a line, in this role, of the sheet on which a linkage is found: given, or a bar of a solution
+    that is not the one in thick lines."""
     drawn = traced(role, Segment)
     return lambda figure, mark: (
         drawn(figure, mark)
         and figure.view is View.MECHANISM
         and not figure.name
-        and (mark.step <= 1) is given
+        and (mark.step <= 1 or not _between_pins(figure, mark)) is given
         and any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
     )
+
+
+def _between_pins(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a bar, with a pin at either end."""
+    pins = [one.at for one in figure.marks if isinstance(one, Point) and one.dot in (Dot.JOINT, Dot.MULTIPLE)]
+    return isinstance(mark, Segment) and all(any(abs(pin - end) < 0.1 for pin in pins) for end in (mark.a, mark.b))
 
 
 def is_rim(mark: Mark) -> bool:
@@ -123,14 +129,15 @@ def is_arc_of_cam(figure: Figure, mark: Mark) -> bool:
 
 def is_base_circle(figure: Figure, mark: Mark) -> bool:
     """Whether it is that of a wheel, on which its teeth are generated."""
-    return isinstance(mark, Arc) and mark.role is Role.HIDDEN and figure.view is View.MECHANISM and figure.name != "low"
+    lettered = any(isinstance(one, Point) and one.label.replace("{", "").startswith("r_b") for one in figure.marks)
+    return lettered and isinstance(mark, Arc) and mark.role is Role.HIDDEN and figure.view is View.MECHANISM
 
 
 def is_outline(figure: Figure, mark: Mark) -> bool:
     """Whether it is a full line, neither thick nor fine, that is known for what it is: an outline, a spring, a line
     between two places."""
     thin = isinstance(mark, Arc | Segment) and mark.role is Role.GIVEN
-    known = in_centre_polygon(figure) or on_curvature(Role.GIVEN, Arc)(figure, mark)
+    known = in_polygon(figure) or in_centre_polygon(figure) or on_curvature(Role.GIVEN, Arc)(figure, mark)
     return thin and not known and not any(designed(Role.GIVEN, given=one)(figure, mark) for one in (True, False))
 
 
@@ -168,7 +175,7 @@ def is_mass(kind: type[Mark]) -> Met:
     return lambda figure, mark: (
         isinstance(mark, kind)
         and (mark.owner.startswith(_MASSES) if isinstance(mark, Disc) else traced(Role.RESULT, Arc)(figure, mark))
-        and (of_rotor(figure) or figure.title.zh == "轴向简图")
+        and (of_rotor(figure) or figure.title.zh == "轴向简图" or mark.owner == "counterweight")
     )
 
 

@@ -11,6 +11,7 @@ from ..style import HEAD_LENGTH, HEAD_WIDTH, THIN, Dash, Hue
 
 HATCH = 1.7  # mm: how deep ground is hatched
 NEAR = 1e-4  # mm: places closer than this are one
+WIDER = 2.4  # times as wide as its line a head is at least
 HOLLOW = 0.72  # mm: width of a hollow shaft
 SAGITTA = 0.004  # mm: how far a curve may be from its chords
 
@@ -53,8 +54,8 @@ def head_length(length: float) -> float:
 
 
 def head_width(length: float, line: float) -> float:
-    """A third of the head's length, but always wider than its line."""
-    return max(head_length(length) * HEAD_WIDTH / HEAD_LENGTH, 2 * line)
+    """Two fifths of the head's length, but always much wider than its line."""
+    return max(head_length(length) * HEAD_WIDTH / HEAD_LENGTH, WIDER * line)
 
 
 def shaft_width(length: float, line: float) -> float:
