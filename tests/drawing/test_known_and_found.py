@@ -8,6 +8,8 @@ from tests.drawn_library import IDS, drawn
 from tests.each import each
 from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.paper.marks import Mark, Role, Segment, Vector
+from vecpoly.drawing.details.knot import Knot
+from vecpoly.drawing.details.within import within
 from vecpoly.drawing.figure import Bare
 from vecpoly.drawing.legend.kinds import FOUND, KNOWN
 from vecpoly.drawing.legend.vectors import key_of_vectors
@@ -83,3 +85,9 @@ def test_a_motion_of_which_no_part_is_found_has_an_open_head_in_the_legend_and_n
     for entry, met in zip(entries, roles.values(), strict=True):
         hollow = any(item.hue is Hue.WHITE for item in entry.sample if isinstance(item, Stroke))
         assert hollow or _is_open(entry.sample) is (Role.RESULT not in met)
+
+
+def test_a_vector_that_the_ring_of_a_detail_cuts_off_is_as_wide_there_as_the_whole() -> None:
+    long = Vector(a=0j, b=60 + 0j, role=Role.RESULT, key="v_C")
+    (cut,) = within(long, Knot(30 + 0j, 3.0, 5.0))
+    assert isinstance(cut, Segment) and _width(_drawn(cut)) == _width(_drawn(long))

@@ -101,6 +101,7 @@ def test_every_sheet_on_which_anything_asks_for_a_legend_has_one(name: str) -> N
         ("cam-moves-arm", {"circle of curvature of the profile"}, {"osculating circle"}),
         ("6-6", {"concentrated mass", "balancing mass"}, {"hole or negative mass"}),
         ("rotor-blind-hole", {"hole or negative mass"}, {"balancing mass"}),
+        ("6-5", {"correction plane"}, {"inflection pole"}),
         ("engine-single", {"concentrated mass"}, {"correction plane"}),
         ("straight-roberts", {"coupler curve"}, {"to a centre at infinity"}),
         ("3-1d", {"to a centre at infinity"}, {"coupler curve"}),

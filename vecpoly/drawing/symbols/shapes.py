@@ -12,7 +12,7 @@ from ..style import HEAD_LENGTH, HEAD_WIDTH, THIN, Dash, Hue
 HATCH = 1.7  # mm: how deep ground is hatched
 NEAR = 1e-4  # mm: places closer than this are one
 WIDER = 2.4  # times as wide as its line a head is at least
-HOLLOW = 0.72  # mm: width of a hollow shaft
+HOLLOW, WIDENED = 0.72, 1.45  # mm: width of a hollow shaft at least; times as wide as a full one
 SAGITTA = 0.004  # mm: how far a curve may be from its chords
 
 
@@ -63,9 +63,14 @@ def shaft_width(length: float, line: float) -> float:
     return min(line, max(THIN, head_length(length) / 4))
 
 
+def hollow_width(line: float) -> float:
+    """How wide a shaft is that has white in its middle: that of a vector found is wider than that of a known one."""
+    return max(WIDENED * line, HOLLOW)
+
+
 def hollow(shaft: Stroke) -> tuple[Stroke, Stroke]:
     """A shaft as two thin lines with white between them."""
-    wide = max(shaft.width, HOLLOW)
+    wide = hollow_width(shaft.width)
     return replace(shaft, width=wide), replace(shaft, width=wide / 2, dash=Dash.FULL, hue=Hue.WHITE)
 
 
