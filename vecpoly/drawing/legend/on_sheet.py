@@ -26,9 +26,9 @@ ROWS = 4  # of a band on a page: what is higher is a block
 
 def with_legend(sheet: Sheet) -> Sheet:
     """The sheet with what its lines and symbols stand for: on a band; else on one without what is plain; else on these
-    with the figures laid out anew, closer together; else, with both, on a block; without the kinds of vector where no
-    block has room; else on two, of the inks of vectors and of the rest, or the one that has room; else on a band, with
-    the figures as close as they may stand; as it is where all is plain, or nothing has room."""
+    with the figures laid out anew, closer together; else, with both, on a block; else on a band, with the figures as
+    close as they may stand; else on a block without the kinds of vector; else on two, of the inks of vectors and of the
+    rest, or the one that has room; as it is where all is plain, or nothing has room."""
     figures = [one.figure for one in sheet.figures if one.figure is not None]
     found = entries(figures, sheet.lang)
     told = [one for one in found if not one.plain]
@@ -40,9 +40,10 @@ def with_legend(sheet: Sheet) -> Sheet:
     bands = (made for way in (_over_strip, _laid_anew) for grid in grids if (made := way(sheet, grid)) is not None)
     if (banded := next(bands, None)) is not None or not sets:
         return banded or sheet
-    blocked = _with_blocks(sheet, sets, len([*key_of_vectors(figures, sheet.lang)]))
-    tight = (_laid_anew(sheet, grid, TIGHT) for grid in grids) if blocked is sheet else ()
-    return next((one for one in tight if one is not None), blocked)
+    if (blocked := _with_block(sheet, sets[:2])) is not sheet:
+        return blocked
+    tight = next((one for grid in grids if (one := _laid_anew(sheet, grid, TIGHT)) is not None), None)
+    return tight or _with_blocks(sheet, sets, len([*key_of_vectors(figures, sheet.lang)]))
 
 
 def _with_blocks(sheet: Sheet, sets: Sequence[Sequence[Cell]], inks: int) -> Sheet:
