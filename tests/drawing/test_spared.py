@@ -79,3 +79,11 @@ def test_no_angle_tells_its_value_far_off_on_a_leader(name: str) -> None:
     for shown in drawn(name).construction.figures:
         for one in drawing(shown).labels:
             assert not (one.want.brief and one.foot is not None and abs(one.centre - one.foot) > FAR + one.want.width)
+
+
+@pytest.mark.parametrize("letter", ["", "P_"])
+def test_numbers_along_a_curve_that_find_no_place_are_left_to_their_neighbours_and_letters_never(letter: str) -> None:
+    at = [rect(4.0 + 0.1 * n, 0.42 * n) for n in range(30)]
+    crowd = figure(*(Point(at=z, label=f"{letter}{n}", dot=Dot.POINT) for n, z in enumerate(at)))
+    told = [text_of(one) for one in drawing(crowd).labels]
+    assert (len(told) < len(at)) is (not letter) and len(told) > 5

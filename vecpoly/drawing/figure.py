@@ -33,7 +33,7 @@ DETAIL = 1.15 * NOTE  # em of the title of a detail, which is a part of its figu
 PART = pattern(r"(^| )detail \d+$")  # the name of a detail (`details/apart.py`)
 _FIGURES = 6  # of a scale
 KEPT = 64  # drawings
-RELIEFS = 2  # times that a crowd is relieved
+RELIEFS = 4  # times that a crowd is relieved
 WITH_LINES = Words("与力的作用线", " with lines of action")
 TITLE_WIDTH = 70.0  # a title wider than this and than its figure takes two lines
 
