@@ -77,7 +77,7 @@ def test_letters_of_a_curvature_drawing_are_told_what_they_stand_for() -> None:
 
 
 @pytest.mark.parametrize("name", SOME)
-def test_a_legend_stands_on_nothing_within_the_frame_and_moves_the_figures_together(name: str) -> None:
+def test_a_legend_stands_on_nothing_in_the_frame_and_moves_figures_together_or_lays_them_anew(name: str) -> None:
     for bare in laid(name):
         sheet = with_legend(bare)
         assert sheet.results
@@ -89,7 +89,8 @@ def test_a_legend_stands_on_nothing_within_the_frame_and_moves_the_figures_toget
             complex(round(by.real, 6), round(by.imag, 6))
             for by in (b.origin - a.origin for a, b in zip(bare.figures, sheet.figures, strict=True))
         }
-        assert len(shifts) == 1
+        figures = [one.extents for one in sheet.figures if "detail" not in one.name]
+        assert len(shifts) == 1 or not any(a.overlaps(b) for n, a in enumerate(figures) for b in figures[:n])
         assert all(one.extents.y1 < sheet.size[1] - FRAME for one in sheet.figures)
 
 
@@ -102,7 +103,7 @@ def _stands_in(sheet: Sheet, legend: Rect) -> list[bool]:
 
 
 def test_a_plate_grows_by_its_legend_and_a_page_stays_as_large_as_it_is() -> None:
-    (plate,), (page, *_) = laid("3-9"), laid("5-1")
+    (plate,), (page, *_) = laid("3-9"), laid("3-5")
     assert with_legend(plate).room[1] > plate.room[1] and with_legend(page).room == page.room
 
 

@@ -14,6 +14,7 @@ from tests.drawn_library import drawn
 from tests.laws import often
 from vecpoly.board.acts import Angle, Corner
 from vecpoly.board.otherwise.slip import Mistake, Slip
+from vecpoly.board.paper.marks import AngleMark, Point, Vector
 from vecpoly.errors import ProblemFileError, VecpolyError
 
 CASES = {"8-2a": 20.92483, "8-2b": 26.88183, "8-2d": 0.0, "8-2g": 0.0}
@@ -57,7 +58,17 @@ def test_both_angles_have_their_arcs_and_a_right_one_its_square() -> None:
     assert {"alpha", "gamma"} <= set(marked)
     square = vecpoly.load("8-2d").solve().construction.acts
     assert any(isinstance(act, Corner) for act in square)
-    assert not {"alpha", "gamma"} & {act.key for act in square if isinstance(act, Angle)}
+    assert {"alpha", "gamma"} & {act.key for act in square if isinstance(act, Angle)} == {"gamma"}
+
+
+@pytest.mark.parametrize("name", ["8-2d", "8-2g"])
+def test_a_pressure_angle_of_nothing_is_told_at_the_force_and_the_right_angle_by_its_arc(name: str) -> None:
+    """Also where no arc can be drawn the sheet says what was asked."""
+    marks = vecpoly.load(name).solve().construction.figures[0].marks
+    assert [mark.label for mark in marks if isinstance(mark, AngleMark) and "γ" in mark.label] == ["γ = 90°"]
+    (point,) = (mark for mark in marks if isinstance(mark, Point) and mark.label.startswith("α"))
+    (force,) = (mark for mark in marks if isinstance(mark, Vector) and mark.label == "F")
+    assert point.label == "α = 0°" and abs(((point.at - force.a) / (force.b - force.a)).imag) < 1e-6
 
 
 def test_several_driven_links_are_told_apart_by_their_points() -> None:

@@ -5,12 +5,15 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from reportlab.platypus import Flowable
 
 from tests.drawn_library import drawn
 from tests.laws import few
 from tests.studies import in_small
 from vecpoly.report.document import markup
+from vecpoly.report.flow.base import Block
 from vecpoly.report.flow.doc import Metadata, ReportDoc
+from vecpoly.report.flow.furniture import TextFrame
 from vecpoly.report.flow.paging.justified import NEARLY, OPENEST, stretches
 from vecpoly.report.flow.paging.tight import settled
 from vecpoly.report.flow.paging.together import first_of
@@ -55,6 +58,22 @@ def test_a_page_that_ends_above_white_is_opened_to_its_foot(name: str) -> None:
     doc.justify()
     doc.drawn()
     assert doc.filled[at] > 0.96 or doc.stretched[at] == OPENEST
+
+
+@pytest.mark.parametrize("stretch", [1.0, OPENEST])
+def test_what_of_a_table_finds_room_on_an_opened_page_is_counted_under_its_opened_white(stretch: float) -> None:
+    """Else its first part is too high for the page, and the document cannot be set."""
+    rooms: list[float] = []
+
+    class Parted(Block):
+        def split(self, width: float, height: float) -> list[Flowable]:
+            rooms.append(height)
+            return []
+
+    frame, block = TextFrame(0, 0, 400, HEIGHT), Parted()
+    frame.stretch, frame._atTop, block.spaceBefore = stretch, 0, 6.0
+    frame.split(block, None)
+    assert rooms == [pytest.approx(frame._y - frame._y1p - stretch * 6.0)]
 
 
 @given(st.floats(0.0, 1.0), st.floats(0.0, 500.0))

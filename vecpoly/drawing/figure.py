@@ -23,6 +23,7 @@ from .labels.want import Line, Spot, Want
 from .labels.wants import grounds, unnamed, wants
 from .ringed import is_astray
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
+from .spared import relieved
 from .style import NOTE, TITLE
 from .symbols.around import Surroundings
 from .symbols.marks import draw
@@ -32,6 +33,7 @@ DETAIL = 1.15 * NOTE  # em of the title of a detail, which is a part of its figu
 PART = pattern(r"(^| )detail \d+$")  # the name of a detail (`details/apart.py`)
 _FIGURES = 6  # of a scale
 KEPT = 64  # drawings
+RELIEFS = 4  # times that a crowd is relieved
 WITH_LINES = Words("与力的作用线", " with lines of action")
 TITLE_WIDTH = 70.0  # a title wider than this and than its figure takes two lines
 
@@ -76,6 +78,10 @@ class Bare:
         """The rectangle that the items cover."""
         return Scene.of(self.items).extents
 
+    def lettering(self, wanted: tuple[Want, ...], frame: Rect | None) -> Lettering:
+        """These labels among its lines."""
+        return Lettering.of(wanted, self.items, self.extents, frame, self.unnamed, self.grounds)
+
 
 def draw_figure(
     figure: Figure,
@@ -100,12 +106,22 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
     What was drawn last is kept: question, solution, course report and player of one problem draw a figure once.
     """
     bare = Bare.of(figure, lang)
-    letters = Lettering.of(bare.wanted, bare.items, bare.extents, frame, bare.unnamed, bare.grounds)
-    placed = tuple(label for label in letters.placed if not is_astray(figure, label))
+    placed = tuple(label for label in _lettered(figure, bare, frame) if not is_astray(figure, label))
     items = broken(bare.items, [label.rect for label in placed])
     lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))
     scene = lettered + Scene.of(caption_items(figure, lettered.extents, lang)) if caption else lettered
     return Drawing(scene, placed, items, lettered.extents)
+
+
+def _lettered(figure: Figure, bare: Bare, frame: Rect | None) -> tuple[Placed, ...]:
+    """Its labels in their places; again without what a crowd spares, until it spares nothing more."""
+    placed = bare.lettering(bare.wanted, frame).placed
+    for _ in range(RELIEFS):
+        left = relieved(figure, placed)
+        if left == tuple(one.want for one in placed):
+            break
+        placed = bare.lettering(left, frame).placed
+    return placed
 
 
 def drawn_anew() -> None:

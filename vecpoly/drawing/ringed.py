@@ -11,7 +11,7 @@ from .labels.want import Thing
 from .symbols.around import RING
 
 _DETAIL = re.compile(r"(^| )detail \d+$")  # as figures of details are named
-FAR = 10.0  # mm from a point to the middle of its letter beyond which a leader tells less than the detail
+FAR = 7.0  # mm from a point to the middle of its letter beyond which a leader tells less than the detail
 
 
 def is_astray(figure: Figure, label: Placed) -> bool:

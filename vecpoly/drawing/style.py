@@ -12,6 +12,7 @@ from ..foundation.slotted import dataclass
 
 LINK, RESULT, GIVEN, THIN = 0.7, 0.5, 0.35, 0.25  # wide, two between, fine (GB/T 17450: 0.13 to 2 in steps of √2)
 HATCHING = 0.18  # close lines in light ink, which together look as dark as a fine one; lines of help
+FOUND = 0.7  # a vector found, on a polygon: twice as wide as one that is known (GB/T 17450)
 SYMBOL = 0.35  # outline of joints, grounds, guides
 JOINT_RADIUS, POLE_RADIUS, DOT_RADIUS, POINT_RADIUS = 1.25, 0.6, 0.55, 0.85  # the last on the line of a link
 MULTIPLE_RADIUS, INNER_RADIUS, MASS_RADIUS = 1.7, 0.8, 1.3  # both circles of a compound hinge; a centre of mass

@@ -56,6 +56,11 @@ class View:
         return self.order < other.order
 
     @property
+    def is_polygon(self) -> bool:
+        """Whether vectors are laid end to end on it: no links stand there, and no axes with scales of their own."""
+        return not self.bodies and self is not View.MECHANISM and self.across is None
+
+    @property
     def paired(self) -> bool:
         """Whether its figures stand in pairs with those of another kind."""
         return self.beside is not None or any(other.beside is self for other in _VIEWS.values())

@@ -9,8 +9,8 @@ class Role(StrEnum):
     """Why a line is there; the drawing decides width, dash and hue."""
 
     LINK = "link"  # 0.7 mm
-    RESULT = "result"  # 0.5 mm: vectors asked for
-    GIVEN = "given"  # 0.35 mm: known vectors
+    RESULT = "result"  # 0.5 mm: vectors asked for; 0.7 mm on a polygon
+    GIVEN = "given"  # 0.35 mm: known vectors; on a polygon with an open head
     DIRECTION = "direction"  # 0.25 mm: direction lines of a polygon, run a little past their meeting point
     CONSTRUCTION = "construction"  # 0.25 mm: arcs, helping lines in the kinematic diagram
     PLACE = "place"  # 0.18 mm light: one of many places of a line, of which only what they leave is looked at

@@ -28,6 +28,7 @@ from ...board.paper.marks import (
     Segment,
     Vector,
 )
+from ...board.paper.tones import key_of
 from ...foundation.slotted import replace
 from ..symbols.shapes import arc, circle
 from .knot import Knot
@@ -125,7 +126,7 @@ def _line(mark: Segment | Vector, a: complex, b: complex, knot: Knot) -> Iterato
         return
     p, q = knot.moved(a + low * d), knot.moved(a + high * d)
     if isinstance(mark, Vector) and high < 1.0:
-        yield Segment(a=p, b=q, role=mark.role, step=mark.step, key=mark.key)
+        yield Segment(a=p, b=q, role=mark.role, step=mark.step, key=key_of(mark))
     else:
         yield replace(mark, a=p, b=q)
 

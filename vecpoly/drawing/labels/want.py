@@ -48,6 +48,7 @@ class Want:
     farther: bool = False  # whether its leader may be longer than is usual: a crowd leaves it no other place
     level: bool = False  # whether it stands on one line with its like, as the numbers of an axis do
     bow: tuple[complex, ...] = ()  # of an arc's label the arc, by points
+    brief: tuple[Piece, ...] = ()  # what it says where it finds no place so long: the symbol without its value
 
     width: float = field(init=False)  # of the whole label, mm
     ascent: float = field(init=False)  # over the baseline, mm

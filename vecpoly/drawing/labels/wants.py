@@ -24,6 +24,7 @@ from ...board.paper.marks import (
     TurnArrow,
     Vector,
 )
+from ...foundation.slotted import replace
 from ...typeset import layout
 from ...words import Lang
 from ..hues import Tones, mark_hue
@@ -83,8 +84,7 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
                 hue = mark_hue(mark, view, label, tones)
                 found.append(bow(mark, piece(label, hue, mark.step), marks, FRACTIONS))
             case AngleMark(label=label) if label:
-                its = piece(label, Hue.BLACK, mark.step)
-                found.append(_outside(mark, its) if narrow(mark) else bow(mark, its, marks, FRACTIONS))
+                found.append(_angle(mark, marks))
             case FrictionCircle() if mark.label or mark.enlarged > 1:
                 found.append(_circle(mark))
             case Note(at=at, words=words):
@@ -93,6 +93,13 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
             case _:
                 pass
     return tuple(found)
+
+
+def _angle(mark: AngleMark, marks: tuple[Mark, ...]) -> Want:
+    """The symbol of an angle, with its value where that has room."""
+    its, (symbol, equals, _) = piece(mark.label, Hue.BLACK, mark.step), mark.label.partition(" = ")
+    want = _outside(mark, its) if narrow(mark) else bow(mark, its, marks, FRACTIONS)
+    return replace(want, brief=(piece(symbol, Hue.BLACK, mark.step),)) if equals else want
 
 
 def _note(mark: Note, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Want:

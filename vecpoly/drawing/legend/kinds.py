@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from ...board.construction import Figure
 from ...board.paper.marks import (
@@ -12,52 +12,45 @@ from ...board.paper.marks import (
     GearMark,
     Hatched,
     ImageOf,
-    Mark,
     Passing,
     Point,
+    RackMark,
     Role,
     Segment,
     Vector,
     Weld,
 )
 from ...board.paper.tones import key_of
-from ...foundation.slotted import dataclass
 from ...words import Lang, Words
 from ..beside import ASIDE, beside
 from ..hues import dash_of
 from ..labels.actions import is_line_of_action
 from ..style import Dash
 from ..symbols.around import RING
+from .bodies import BODIES, CURVES
 from .entry import HALF, MIDDLE, WIDE, Entry, drawn_as_on
+from .kind import Kind
 from .met import (
-    Met,
     area,
+    designed,
     dotted,
     has_lobes,
     imagined,
     in_axial_view,
     in_centre_polygon,
     in_polygon,
+    is_lone_profile,
+    is_rim,
     of_profile,
     of_rotor,
     on_curvature,
+    osculates,
     to_counterweight,
     traced,
 )
-from .samples import Marks, arrow, image, line, passing, pinned, welded
+from .samples import arrow, image, line, passing, pinned, welded
 
 LEAST = 8.0  # mm²: an image with a smaller area is a line
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Kind:
-    """met: whether a mark of a figure is one; sample: how it looks, by one that was met."""
-
-    words: Words
-    met: Met
-    sample: Callable[[Mark], Marks]
-    black: bool = False
-    plain: bool = False
 
 
 def kinds_met(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
@@ -115,8 +108,8 @@ KINDS: tuple[Kind, ...] = (
         sample=line,
     ),
     Kind(
-        words=Words("不计摩擦时的作用线", "line of action without friction"),
-        met=lambda _, mark: is_line_of_action(mark) and getattr(mark, "role", None) is Role.IDEAL,
+        words=Words("不计摩擦时的作用线、力臂", "line of action or arm without friction"),
+        met=traced(Role.IDEAL, Segment),
         sample=line,
     ),
     Kind(
@@ -135,8 +128,13 @@ KINDS: tuple[Kind, ...] = (
         sample=line,
     ),
     Kind(words=Words("实际廓线", "cam profile"), met=of_profile(Role.LINK), sample=line),
+    Kind(words=Words("凸轮廓线", "profile of the cam"), met=is_lone_profile, sample=line),
     Kind(words=Words("理论廓线", "pitch curve"), met=of_profile(Role.HIDDEN), sample=line),
     Kind(words=Words("机构的另一位置", "another position"), met=traced(Role.OTHER, Segment), sample=line),
+    Kind(words=Words("给定位置", "given position"), met=designed(Role.GIVEN, given=True), sample=line),
+    Kind(words=Words("给定的其余位置", "other given positions"), met=designed(Role.HIDDEN, given=True), sample=line),
+    Kind(words=Words("另一解", "other solution"), met=designed(Role.GIVEN, given=False), sample=line),
+    Kind(words=Words("舍去的解", "solution rejected"), met=designed(Role.HIDDEN, given=False), sample=line),
     Kind(
         words=Words("平衡质量的方位", "place of a balancing mass"),
         met=lambda figure, mark: of_rotor(figure) and traced(Role.HIDDEN, Segment)(figure, mark),
@@ -153,8 +151,14 @@ KINDS: tuple[Kind, ...] = (
     Kind(words=Words("校正平面", "correction plane"), met=in_axial_view, sample=line),
     Kind(words=Words("配重的方位", "place of a counterweight"), met=to_counterweight, sample=line),
     Kind(words=Words("假想线、辅助线", "imagined or auxiliary line"), met=imagined, sample=line),
-    Kind(words=Words("节圆", "pitch circle"), met=lambda _, mark: isinstance(mark, GearMark), sample=line, black=True),
+    Kind(
+        words=Words("节圆、节线", "pitch circle or line"),
+        met=lambda _, mark: isinstance(mark, GearMark | RackMark),
+        sample=line,
+        black=True,
+    ),
     Kind(words=Words("轨迹圆、基准圆", "path or base circle"), met=traced(Role.CENTRE, Arc), sample=line),
+    *CURVES,
     _hatched(True),
     _hatched(False),
     Kind(
@@ -169,16 +173,24 @@ KINDS: tuple[Kind, ...] = (
         sample=passing,
     ),
     Kind(words=Words("质心", "centre of mass"), met=dotted(Dot.MASS), sample=pinned(Dot.MASS)),
+    *BODIES,
     Kind(words=Words("固连为一体", "rigidly joined"), met=lambda _, mark: isinstance(mark, Weld), sample=welded),
     Kind(
         words=Words("作图线", "construction line"),
-        met=lambda _, mark: (
+        met=lambda figure, mark: (
             isinstance(mark, Segment | Arc)
             and mark.role in (Role.DIRECTION, Role.CONSTRUCTION)
             and mark.owner != RING
             and not is_line_of_action(mark)
+            and not (is_rim(mark) and osculates(figure, mark))
         ),
         sample=lambda _: (Segment(a=0j, b=complex(WIDE), role=Role.CONSTRUCTION),),
+        plain=True,
+    ),
+    Kind(
+        words=Words("中心线、基准线", "centre or reference line"),
+        met=traced(Role.CENTRE, Segment),
+        sample=line,
         plain=True,
     ),
 )

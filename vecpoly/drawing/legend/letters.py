@@ -59,8 +59,9 @@ def _sample(names: Sequence[str]) -> TextBox:
 
 
 def is_of_curvature(figure: Figure) -> bool:
-    """Whether an inflection circle stands on it, with the inflection pole."""
-    return figure.view is View.MECHANISM and any(re.fullmatch(r"W_\{\d\}", label) for label in _labels(figure))
+    """Whether an inflection circle stands on it, with the inflection pole and the instant centre."""
+    labels = _labels(figure) if figure.view is View.MECHANISM else []
+    return all(any(re.fullmatch(one, label) for label in labels) for one in (r"W_\{\d\}", r"P_\{\d+\}"))
 
 
 def _motion(figure: Figure) -> bool:

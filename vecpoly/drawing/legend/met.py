@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from math import tau
 
 from ...board.construction import Figure, View
-from ...board.paper.marks import Curve, Dot, Mark, Point, Role, Segment
+from ...board.paper.marks import Arc, Curve, Disc, Dot, Mark, Outline, Plate, Point, Role, Segment, Vector
 from .letters import is_of_cam, is_of_curvature
 
+_FORCES = frozenset("FRQGNTWC")  # first letters of a force's symbol
+_PLACES = ("alpha_rise", "alpha_return", "rho_min")  # of a cam, each with a figure of its own
+_MASSES = ("mass", "trial", "crank", "counterweight")  # whose bodies on a rotor are masses
 Met = Callable[[Figure, Mark], bool]
 
 
 def in_polygon(figure: Figure) -> bool:
     """Whether vectors are laid end to end on it."""
-    return not figure.view.bodies and figure.view is not View.MECHANISM and figure.view.across is None
+    return figure.view.is_polygon
 
 
 def traced(role: Role, *types: type[Mark]) -> Met:
@@ -41,6 +45,11 @@ def of_profile(role: Role) -> Met:
     )
 
 
+def is_lone_profile(figure: Figure, mark: Mark) -> bool:
+    """Whether it is the profile of a cam that has no pitch curve beside it."""
+    return isinstance(mark, Curve) and mark.role is Role.RESULT and is_of_cam(figure)
+
+
 def on_curvature(role: Role, *types: type[Mark]) -> Met:
     """The same on a curvature drawing."""
     drawn = traced(role, *types)
@@ -63,6 +72,121 @@ def in_axial_view(figure: Figure, mark: Mark) -> bool:
 def to_counterweight(figure: Figure, mark: Mark) -> bool:
     """Whether it leads to a mass that is hung on a link."""
     return _fine(mark) and any(isinstance(one, Point) and one.label.startswith("m_{c") for one in figure.marks)
+
+
+def designed(role: Role, *, given: bool) -> Met:
+    """Whether it is a line, in this role, of the sheet on which a linkage is found: given, or a bar of a solution
+    that is not the one in thick lines."""
+    drawn = traced(role, Segment)
+    return lambda figure, mark: (
+        drawn(figure, mark)
+        and figure.view is View.MECHANISM
+        and not figure.name
+        and (mark.step <= 1 or not _between_pins(figure, mark)) is given
+        and any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
+    )
+
+
+def _between_pins(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a bar, with a pin at either end."""
+    pins = [one.at for one in figure.marks if isinstance(one, Point) and one.dot in (Dot.JOINT, Dot.MULTIPLE)]
+    return isinstance(mark, Segment) and all(any(abs(pin - end) < 0.1 for pin in pins) for end in (mark.a, mark.b))
+
+
+def is_rim(mark: Mark) -> bool:
+    """Whether it is a whole circle."""
+    return isinstance(mark, Arc) and abs(abs(mark.sweep) - tau) < 1e-6
+
+
+def osculates(figure: Figure, mark: Mark) -> bool:
+    """Whether it is the circle about a centre of curvature K."""
+    return (
+        isinstance(mark, Arc)
+        and is_rim(mark)
+        and mark.role is Role.CONSTRUCTION
+        and any(
+            isinstance(one, Point) and one.label[:1] == "K" and abs(one.at - mark.centre) < 0.1 for one in figure.marks
+        )
+    )
+
+
+def is_path(figure: Figure, mark: Mark) -> bool:
+    """Whether it is what a point of a link passes on a curvature drawing."""
+    return isinstance(mark, Curve) and mark.role is Role.GIVEN and is_of_curvature(figure)
+
+
+def is_coupler_curve(figure: Figure, mark: Mark) -> bool:
+    """Whether it is the curve that a linkage was found for."""
+    found = isinstance(mark, Curve) and mark.role is Role.RESULT and figure.view is View.MECHANISM and not figure.name
+    return found and any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
+
+
+def is_arc_of_cam(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a part of a cam's curve about one place."""
+    drawn = isinstance(mark, Curve) and mark.role is Role.RESULT and figure.view is View.MECHANISM
+    return drawn and figure.name in _PLACES
+
+
+def is_base_circle(figure: Figure, mark: Mark) -> bool:
+    """Whether it is that of a wheel, on which its teeth are generated."""
+    lettered = any(isinstance(one, Point) and one.label.replace("{", "").startswith("r_b") for one in figure.marks)
+    return lettered and isinstance(mark, Arc) and mark.role is Role.HIDDEN and figure.view is View.MECHANISM
+
+
+def is_outline(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a full line, neither thick nor fine, that is known for what it is: an outline, a spring, a line
+    between two places."""
+    thin = isinstance(mark, Arc | Segment) and mark.role is Role.GIVEN
+    known = in_polygon(figure) or in_centre_polygon(figure) or on_curvature(Role.GIVEN, Arc)(figure, mark)
+    return thin and not known and not any(designed(Role.GIVEN, given=one)(figure, mark) for one in (True, False))
+
+
+def is_flow(figure: Figure, mark: Mark) -> bool:
+    """Whether it is an arrow between the machines of a train."""
+    return isinstance(mark, Vector) and mark.role is Role.GIVEN and figure.name == "train" and not mark.label
+
+
+def is_force(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a force where it acts, on a link or on the mechanism."""
+    acts = figure.view.bodies or figure.view is View.MECHANISM
+    named = isinstance(mark, Vector) and (mark.label[:1] in _FORCES or mark.label == "mg")
+    return named and acts and getattr(mark, "role", None) in (Role.GIVEN, Role.RESULT)
+
+
+def is_speed(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a velocity where it is, at a point of a link."""
+    acts = figure.view.bodies or figure.view is View.MECHANISM
+    return isinstance(mark, Vector) and acts and mark.label[:1] in ("v", "u")
+
+
+def is_solid(mark: Mark) -> bool:
+    """Whether it is a tinted body of a link."""
+    return isinstance(mark, Plate | Disc) or (isinstance(mark, Outline) and not mark.fixed)
+
+
+def at_infinity(figure: Figure, mark: Mark) -> bool:
+    """Whether it is an arrow towards a centre at infinity."""
+    far = any("∞" in getattr(one, "label", "") for one in figure.marks)
+    return far and isinstance(mark, Vector) and mark.role is Role.DIRECTION and figure.view is View.MECHANISM
+
+
+def is_mass(kind: type[Mark]) -> Met:
+    """Whether it is a mass of a rotor as a body, or as one that is added."""
+    return lambda figure, mark: (
+        isinstance(mark, kind)
+        and (mark.owner.startswith(_MASSES) if isinstance(mark, Disc) else traced(Role.RESULT, Arc)(figure, mark))
+        and (of_rotor(figure) or figure.title.zh == "轴向简图" or mark.owner == "counterweight")
+    )
+
+
+def bored(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a ring on a rotor where mass is missing."""
+    return isinstance(mark, Arc) and of_rotor(figure) and mark.role is Role.HIDDEN
+
+
+def allowed(figure: Figure, mark: Mark) -> bool:
+    """Whether it is the circle within which a rest of unbalance may be."""
+    return isinstance(mark, Arc) and mark.role is Role.HIDDEN and figure.view.is_polygon and not of_rotor(figure)
 
 
 def _fine(mark: Mark) -> bool:

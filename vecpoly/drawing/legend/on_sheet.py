@@ -8,23 +8,27 @@ from collections.abc import Sequence
 from ...foundation.slotted import replace
 from ..scene import Item, Layer, Rect, Stroke, moved
 from ..sheets.boxes.redbox import BAND
+from ..sheets.packing import TIGHT
 from ..sheets.sheet import Sheet
 from ..sheets.space import FRAME, STRIP
 from ..style import THIN
 from .kinds import FOUND, KNOWN
 from .legend import Cell, Grid, band, blocks, cells, entries
+from .moved_up import over_band
 from .places import standing
 from .vectors import key_of_vectors
 
 WHITE = 4.0  # mm over and under the figures of a page that keeps a band for its legend
 MOST = 0.6  # of the sheet's width that a block may take
+LEAST = 3.5  # mm of white between figures that are laid out anew over a band
 ROWS = 4  # of a band on a page: what is higher is a block
 
 
 def with_legend(sheet: Sheet) -> Sheet:
-    """The sheet with what its lines and symbols stand for: on a band; else on one without what is plain; else, with
-    both, on a block; without the kinds of vector where no block has room; else on two, of the inks of vectors and of
-    the rest, or the one that has room; as it is where all is plain, or nothing has room."""
+    """The sheet with what its lines and symbols stand for: on a band; else on one without what is plain; else on these
+    with the figures laid out anew, closer together; else, with both, on a block; else on a band, with the figures as
+    close as they may stand; else on a block without the kinds of vector; else on two, of the inks of vectors and of the
+    rest, or the one that has room; as it is where all is plain, or nothing has room."""
     figures = [one.figure for one in sheet.figures if one.figure is not None]
     found = entries(figures, sheet.lang)
     told = [one for one in found if not one.plain]
@@ -32,12 +36,19 @@ def with_legend(sheet: Sheet) -> Sheet:
     sets = [cells(some, sheet.lang) for some in (found, told, least) if some]
     if sheet.plate:
         return _grown(sheet, band(sets[0], sheet.lang, sheet.room[0])) if sets else sheet
-    bands = (_over_strip(sheet, band(some, sheet.lang, sheet.room[0])) for some in sets[:2])
-    made = next((one for one in bands if one is not None), None)
-    if made is not None or not sets:
-        return made or sheet
+    grids = [band(some, sheet.lang, sheet.room[0]) for some in sets[:2]]
+    bands = (made for way in (_over_strip, _laid_anew) for grid in grids if (made := way(sheet, grid)) is not None)
+    if (banded := next(bands, None)) is not None or not sets:
+        return banded or sheet
+    if (blocked := _with_block(sheet, sets[:2])) is not sheet:
+        return blocked
+    tight = next((one for grid in grids if (one := _laid_anew(sheet, grid, TIGHT)) is not None), None)
+    return tight or _with_blocks(sheet, sets, len([*key_of_vectors(figures, sheet.lang)]))
+
+
+def _with_blocks(sheet: Sheet, sets: Sequence[Sequence[Cell]], inks: int) -> Sheet:
+    """On one block, or on two: of so many inks of vectors, and of the rest."""
     blocked = _with_block(sheet, sets)
-    inks = len([*key_of_vectors(figures, sheet.lang)])
     return blocked if blocked is not sheet else _with_block(_with_block(sheet, (sets[-1][:inks],)), (sets[-1][inks:],))
 
 
@@ -63,6 +74,12 @@ def _over_strip(sheet: Sheet, grid: Grid) -> Sheet | None:
     if white < WHITE or grid.height > ROWS * 6.0:
         return None
     return replace(_shifted(sheet, 1j * (foot + white - low)), results=_ruled(grid, sheet))
+
+
+def _laid_anew(sheet: Sheet, grid: Grid, white: float = LEAST) -> Sheet | None:
+    """With the band, its figures closer together over it; None where they find no room so."""
+    made = over_band(sheet, grid.height, white) if grid.height <= ROWS * 6.0 else None
+    return None if made is None else replace(made, results=_ruled(grid, made))
 
 
 def _standing(sheet: Sheet) -> tuple[float, float]:

@@ -26,7 +26,8 @@ def key_of_vectors(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
     for several in found.values():
         figure, mark = several[0]
         names = dict.fromkeys(_symbol(one.key) for _, one in several)
-        sample = replace(mark, a=0j, b=complex(WIDE), role=Role.RESULT)
+        found_too = any(one.role is Role.RESULT for _, one in several)
+        sample = replace(mark, a=0j, b=complex(WIDE), role=Role.RESULT if found_too else mark.role)
         yield Entry(drawn_as_on(figure, (sample,), lang), Words.same(", ".join(f"${name}$" for name in names)))
 
 

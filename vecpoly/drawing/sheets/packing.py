@@ -85,10 +85,15 @@ def _best(slicing: Slicing, start: int, end: int, sizes: Sequence[Size], page: S
     return (None, True) if found is None else (found[0], is_read(found[1]))
 
 
-def flat(sizes: Sequence[Size], pairs: frozenset[Pair] = frozenset(), most: Size = (PLATE, HIGHEST)) -> Layout | None:
-    """The figures on a plate no larger than they need; None where it would be wider or higher than this."""
+def flat(
+    sizes: Sequence[Size], pairs: frozenset[Pair] = frozenset(), most: Size = (PLATE, HIGHEST), *, in_rows: bool = False
+) -> Layout | None:
+    """The figures on a plate no larger than they need; None where it would be wider or higher than this.
+
+    in_rows: one that is read row by row, or none.
+    """
     for slicing in slicings(sizes, most, pairs):
-        made = _plates(slicing, sizes, most[0])
+        made = _plates(slicing.read if in_rows else slicing, sizes, most[0])
         if made:
             least = max(layout.share(sizes) for layout in made) - LITTLE
             wide = [layout for layout in _plates(slicing.read, sizes, most[0]) if layout.share(sizes) >= least]

@@ -12,6 +12,7 @@ from .space import HIGHEST, LARGEST, PLATE, SPARSE
 
 CROWDED = 6.5  # mm of white below which a page is full to the brim
 LONGEST = 12  # figures on a page
+INKED = 0.6  # of a page that figures take themselves, without what is white between them
 BANDS, FULLER = 0.7, 0.12  # of a page that figures take that leave bands of it white; so much more they take of a plate
 
 
@@ -46,23 +47,29 @@ def covered(figures: Sequence[Sized], layout: Layout) -> float:
     return layout.share([one.size for one in figures])
 
 
+def inked(figures: Sequence[Sized], layout: Layout) -> float:
+    """What the rectangles of the figures take of it together: the less, the broader the bands between them."""
+    return sum(wide * high for wide, high in (one.size for one in figures)) / (layout.page[0] * layout.page[1])
+
+
 def trimmed(figures: Sequence[Sized], layout: Layout) -> Layout:
     """The figures on a plate no higher than they need, where they would be lost on the page."""
     return _on_plate(figures, layout, (PLATE, HIGHEST)) if covered(figures, layout) < SPARSE else layout
 
 
 def plated(figures: Sequence[Sized], layout: Layout) -> Layout:
-    """The same where they leave bands of the page white, on a plate that may be nearly as large as a page, if it is
-    filled so much better."""
-    share = covered(figures, layout)
-    if share >= BANDS:
-        return layout
-    made = _on_plate(figures, layout, LARGEST)
-    return made if covered(figures, made) > share + FULLER else trimmed(figures, layout)
+    """The same where they leave bands of the page white, about them or between them, on a plate that may be nearly as
+    large as a page, if it is filled so much better."""
+    share, own = covered(figures, layout), inked(figures, layout)
+    if share < BANDS and covered(figures, made := _on_plate(figures, layout, LARGEST)) > share + FULLER:
+        return made
+    if own < INKED and inked(figures, made := _on_plate(figures, layout, LARGEST, in_rows=True)) > own + FULLER:
+        return made
+    return trimmed(figures, layout) if share < BANDS else layout
 
 
-def _on_plate(figures: Sequence[Sized], layout: Layout, most: Size) -> Layout:
-    plate = flat([one.size for one in figures], pairs_of(figures), most)
+def _on_plate(figures: Sequence[Sized], layout: Layout, most: Size, *, in_rows: bool = False) -> Layout:
+    plate = flat([one.size for one in figures], pairs_of(figures), most, in_rows=in_rows)
     return plate if plate is not None and covered(figures, plate) > covered(figures, layout) else layout
 
 

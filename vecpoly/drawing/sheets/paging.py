@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import reduce
-from itertools import product
+from itertools import pairwise, product
 from operator import or_
 
 from ...board.construction import Figure, View
@@ -90,6 +90,12 @@ def even(figures: Sequence[Drawn], layout: Layout, still: Sequence[Rect] = ()) -
     """With as much white to the frame as between the figures, where they can be drawn together."""
     moves = evened(*_standing(figures, layout), layout.page, still)
     return replace(layout, corners=tuple(at + by for at, by in zip(layout.corners, moves, strict=True)))
+
+
+def read_on(figures: Sequence[Drawn], layout: Layout) -> bool:
+    """Whether no figure stands over the one before it."""
+    boxes, _ = _standing(figures, layout)
+    return all(other.y0 < one.y1 for one, other in pairwise(boxes))
 
 
 def _standing(figures: Sequence[Drawn], layout: Layout) -> tuple[list[Rect], list[float]]:

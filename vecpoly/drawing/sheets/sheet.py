@@ -20,7 +20,7 @@ from .detailing import arrangements, drawn
 from .expected import Expected, dear, further, trials
 from .packing import Layout
 from .pages import Page, fullness, plated, trimmed
-from .paging import Drawn, arranged, best_paged, even, lined, paged, reading_order, under_box
+from .paging import Drawn, arranged, best_paged, even, lined, paged, read_on, reading_order, under_box
 from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
 
 NO_TITLE = Words.same("")
@@ -142,6 +142,8 @@ def _on_plates(pages: Sequence[Page[Drawn]], bands: bool) -> Iterator[Page[Drawn
     first = not bands
     for group, layout in pages:
         made = plated(group, layout) if first else trimmed(group, layout)
+        if made is not layout and not read_on(group, even(group, lined(group, made))):
+            made = trimmed(group, layout)
         first = first and not is_page(made.page)
         yield group, made
 

@@ -41,11 +41,13 @@ from ...board.paper.marks import (
 from ...board.paper.tones import key_of
 from ..hues import dash_of, image_hue, is_hollow, line_hue, mark_hue, tint_of
 from ..scene import Fill, Item, Layer, Stroke
-from ..style import DOT_RADIUS, POINT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
+from ..style import DOT_RADIUS, FOUND, POINT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
 from . import bodies, shapes, solids
 from .angles import draw_angle, draw_square, draw_turn
 from .around import RING, Surroundings
 from .shapes import NEAR
+
+WALL, PALE = 0.22, 0.85  # mm: of an open head; as wide as so much of its width a hollow shaft looks
 
 
 def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
@@ -121,7 +123,10 @@ def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
             p = pen(role, image_hue(around.view, around.tones))
             layer = Layer.THIN if p.width <= THIN else around.link_layer(mark.owner, a, b)
             hue = line_hue(mark.key, around.tones, p.hue)
-            return (Stroke(points=(a, b), width=p.width, dash=p.dash, hue=hue, layer=layer, step=mark.step),)
+            cut = role is Role.RESULT and bool(mark.key) and around.view.is_polygon  # a vector that a ring cuts off
+            width = FOUND if cut else p.width
+            line = Stroke(points=(a, b), width=width, dash=p.dash, hue=hue, layer=layer, step=mark.step)
+            return shapes.hollow(line) if mark.key and is_hollow(mark.key, around.tones) else (line,)
         case Arc(centre=centre, radius=radius, start=start, sweep=sweep, role=role):
             p = pen(role, Hue.BLACK)
             full = abs(abs(sweep) - 2 * math.pi) < 1e-9
@@ -147,17 +152,22 @@ def _vector(mark: Vector, around: Surroundings) -> tuple[Item, ...]:
         return ()
     u = (mark.b - mark.a) / length
     p = pen(mark.role, mark_hue(mark, around.view, mark.label, around.tones))
-    width, dash = shapes.shaft_width(length, p.width), p.dash if p.dash is not Dash.FULL else dash_of(key_of(mark))
-    tip = shapes.head(mark.b, u, shapes.head_length(length), shapes.head_width(length, width))
+    wide = FOUND if mark.role is Role.RESULT and around.view.is_polygon else p.width
+    width, dash = shapes.shaft_width(length, wide), p.dash if p.dash is not Dash.FULL else dash_of(key_of(mark))
+    twofold = is_hollow(key_of(mark), around.tones)
+    line = PALE * shapes.hollow_width(width) if twofold else width
+    tip = shapes.head(mark.b, u, shapes.head_length(length), shapes.head_width(length, line))
     # the shaft ends inside the head, where the head is wider than the shaft, so that the tip stays sharp
     end = mark.b - u * shapes.head_length(length) * 0.75
     solid = Layer.OVER if around.view.bodies else Layer.LINE  # a force is seen over the block on which it acts
     layer = Layer.THIN if mark.role in (Role.DIRECTION, Role.CONSTRUCTION, Role.IDEAL) else solid
     shaft = Stroke(points=(mark.a, end), width=width, dash=dash, hue=p.hue, layer=layer, step=mark.step)
-    return (
-        *(shapes.hollow(shaft) if is_hollow(key_of(mark), around.tones) else (shaft,)),
-        Fill(points=tip, hue=p.hue, layer=Layer.HEAD, step=mark.step),
-    )
+    lines = shapes.hollow(shaft) if twofold else (shaft,)
+    known = mark.role is Role.GIVEN and around.view.is_polygon
+    heads = [Fill(points=tip, hue=p.hue, layer=Layer.HEAD, step=mark.step)]
+    if known:
+        heads.append(Fill(points=shapes.inside(tip, WALL), hue=Hue.WHITE, layer=Layer.HEAD, step=mark.step))
+    return (*lines, *heads)
 
 
 def _point(mark: Point, around: Surroundings) -> tuple[Item, ...]:

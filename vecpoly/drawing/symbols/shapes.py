@@ -11,7 +11,8 @@ from ..style import HEAD_LENGTH, HEAD_WIDTH, THIN, Dash, Hue
 
 HATCH = 1.7  # mm: how deep ground is hatched
 NEAR = 1e-4  # mm: places closer than this are one
-HOLLOW = 0.72  # mm: width of a hollow shaft
+WIDER = 2.4  # times as wide as its line a head is at least
+HOLLOW, WIDENED = 0.72, 1.45  # mm: width of a hollow shaft at least; times as wide as a full one
 SAGITTA = 0.004  # mm: how far a curve may be from its chords
 
 
@@ -53,8 +54,8 @@ def head_length(length: float) -> float:
 
 
 def head_width(length: float, line: float) -> float:
-    """A third of the head's length, but always wider than its line."""
-    return max(head_length(length) * HEAD_WIDTH / HEAD_LENGTH, 2 * line)
+    """Two fifths of the head's length, but always much wider than its line."""
+    return max(head_length(length) * HEAD_WIDTH / HEAD_LENGTH, WIDER * line)
 
 
 def shaft_width(length: float, line: float) -> float:
@@ -62,9 +63,14 @@ def shaft_width(length: float, line: float) -> float:
     return min(line, max(THIN, head_length(length) / 4))
 
 
+def hollow_width(line: float) -> float:
+    """How wide a shaft is that has white in its middle: that of a vector found is wider than that of a known one."""
+    return max(WIDENED * line, HOLLOW)
+
+
 def hollow(shaft: Stroke) -> tuple[Stroke, Stroke]:
     """A shaft as two thin lines with white between them."""
-    wide = max(shaft.width, HOLLOW)
+    wide = hollow_width(shaft.width)
     return replace(shaft, width=wide), replace(shaft, width=wide / 2, dash=Dash.FULL, hue=Hue.WHITE)
 
 
@@ -72,3 +78,14 @@ def head(tip: complex, direction: complex, length: float, width: float) -> tuple
     """A slim filled arrowhead with its point at `tip`."""
     foot = tip - direction * length
     return (tip, foot + direction * 1j * width / 2, foot - direction * 1j * width / 2)
+
+
+def inside(head: tuple[complex, complex, complex], wall: float) -> tuple[complex, ...]:
+    """The white of an open arrowhead, so far (mm) inside its three sides."""
+    a, b, c = head
+    sides = abs(b - c), abs(c - a), abs(a - b)
+    around = sum(sides)
+    middle = sum(side * corner for side, corner in zip(sides, head, strict=True)) / around  # of the circle in it
+    within = abs(((b - a) * (c - a).conjugate()).imag) / around
+    share = max(0.0, 1.0 - wall / within) if within else 0.0
+    return tuple(middle + share * (corner - middle) for corner in head)

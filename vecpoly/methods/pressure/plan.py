@@ -10,7 +10,7 @@ import numpy as np
 
 from ...algebra.formula import Row, Txt, row
 from ...board.construction import Reading, View
-from ...board.paper.marks import Role
+from ...board.paper.marks import Dot, Role
 from ...board.strokes import amount
 from ...errors import VecpolyError
 from ...mechanism.asked.pressure import Driven, driven_links
@@ -118,14 +118,31 @@ def _draw(desk: Desk, driven: Driven, marked: Marked) -> None:
 
 def _mark(desk: Desk, driven: Driven, marked: Marked, read: Mapping[str, Reals]) -> None:
     """Both angles with their letters, and with what was read of them."""
-    board, at, view = desk.board, marked.at, View.MECHANISM
     alpha, gamma = (np.angle(marked.force / base) for base in (marked.way, marked.across))
-    if abs(amount(alpha)) > SMALL:
-        board.angle(view, at, marked.way, alpha, OF_ALPHA, _told(driven.alpha, read), key=driven.alpha.key)
-    if abs(amount(gamma)) > SMALL and abs(amount(alpha)) > SMALL:
-        board.angle(view, at, marked.across, gamma, OF_GAMMA, _told(driven.gamma, read), key=driven.gamma.key)
-    elif abs(amount(gamma)) > SMALL:
-        board.right_angle(view, at, marked.across, marked.way)
+    square = min(abs(amount(alpha)), abs(amount(gamma))) <= SMALL
+    _arc(desk, marked, (marked.way, alpha, OF_ALPHA), driven.alpha, read, square=square)
+    _arc(desk, marked, (marked.across, gamma, OF_GAMMA), driven.gamma, read, square=square)
+
+
+def _arc(
+    desk: Desk,
+    marked: Marked,
+    arc: tuple[Points, Reals, float],
+    named: Named,
+    read: Mapping[str, Reals],
+    *,
+    square: bool,
+) -> None:
+    """One angle from its ray; where both its sides all but coincide what was read stands at them without an arc, and
+    the other is marked as the right angle that it is."""
+    board, at, view = desk.board, marked.at, View.MECHANISM
+    ray, turned, radius = arc
+    if abs(amount(turned)) > SMALL:
+        board.angle(view, at, ray, turned, radius, _told(named, read), key=named.key)
+        if square:
+            board.right_angle(view, at, marked.across, marked.way)
+    elif named.key in read:
+        board.plot(view, at + radius * ray, _told(named, read), Dot.NONE)
 
 
 def _told(named: Named, read: Mapping[str, Reals]) -> str:

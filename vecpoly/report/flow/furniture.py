@@ -41,6 +41,12 @@ class TextFrame(Frame):  # type: ignore[misc]
             self.white += above + flowable.getSpaceAfter()
         return int(added)
 
+    def split(self, flowable: Any, canv: Any) -> list[Any]:
+        """What of it finds room here, under as much white as it will have on this page."""
+        if isinstance(flowable, Block):
+            flowable._frame = self
+        return list(super().split(flowable, canv))
+
     def _took(self, block: Block, canv: Any) -> bool:
         """Whether a block of ours found room, and was drawn there: as reportlab does it, less what we never ask for."""
         block._frame, block.canv = self, canv

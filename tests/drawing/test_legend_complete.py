@@ -1,0 +1,116 @@
+"""What stands on a sheet has an entry in its legend, unless the standards for drawings have it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+
+from tests.drawn_library import DRAFTED, IDS, drawn
+from tests.drawn_sheets import laid
+from tests.each import each
+from vecpoly.board.construction import Figure, View
+from vecpoly.board.paper.marks import (
+    AngleMark,
+    Arc,
+    Block,
+    Cell,
+    Curve,
+    FixedGuide,
+    Ground,
+    ImageOf,
+    LinkNumber,
+    Mark,
+    Note,
+    Outline,
+    Point,
+    RightAngle,
+    Role,
+    Segment,
+    Slot,
+    TurnArrow,
+    Vector,
+)
+from vecpoly.drawing.legend.kinds import KINDS, LEAST
+from vecpoly.drawing.legend.legend import entries
+from vecpoly.drawing.legend.met import area
+from vecpoly.drawing.legend.on_sheet import with_legend
+
+SIGNS = (AngleMark, Block, Cell, FixedGuide, Ground, LinkNumber, Note, RightAngle, Slot, TurnArrow)  # GB/T 4460, 4458
+
+
+def _is_sign(figure: Figure, mark: Mark) -> bool:
+    """Whether the standards for drawings have it: points and pins, bars, guides, fixed bodies, dimensions, an axis and
+    the curve over it."""
+    on_axes = figure.view.across is not None or any(_is_axis(one) for one in figure.marks)
+    match mark:
+        case Point():
+            return True
+        case Segment(role=Role.LINK) | Arc(role=Role.LINK) | Curve(role=Role.LINK):
+            return True
+        case Outline(fixed=fixed):
+            return fixed
+        case ImageOf(points=points):
+            return area(points) <= LEAST
+        case Vector(role=Role.CONSTRUCTION):
+            return True
+        case (
+            Vector(role=Role.DIRECTION)
+            | Vector(role=Role.RESULT, label="")
+            | Curve(role=Role.RESULT | Role.GIVEN)
+            | Segment(role=Role.RESULT)
+        ):
+            return on_axes or figure.view is not View.MECHANISM
+        case _:
+            return isinstance(mark, SIGNS)
+
+
+def _is_axis(mark: Mark) -> bool:
+    return isinstance(mark, Vector) and mark.role is Role.DIRECTION
+
+
+def _unexplained(name: str) -> Iterator[tuple[str, Mark]]:
+    for figure in drawn(name).construction.figures:
+        for mark in figure.marks:
+            if not _is_sign(figure, mark) and not any(kind.met(figure, mark) for kind in KINDS):
+                yield figure.view.name, mark
+
+
+@each(IDS)
+def test_every_line_and_sign_of_a_figure_has_an_entry_or_is_one_of_the_standards(name: str) -> None:
+    assert not [*_unexplained(name)]
+
+
+@each(DRAFTED)
+def test_every_sheet_on_which_anything_asks_for_a_legend_has_one(name: str) -> None:
+    """Also a full one: its figures make room for the band, as close together as they may stand."""
+    for sheet in laid(name):
+        figures = [one.figure for one in sheet.figures if one.figure is not None]
+        assert bool(with_legend(sheet).results) is bool(entries(figures, sheet.lang))
+
+
+@pytest.mark.parametrize(
+    ("name", "told", "untold"),
+    [
+        ("8-10", {"given position", "other given positions"}, {"other solution"}),
+        ("K-crank-rocker-BC", {"other solution", "another position"}, {"given position"}),
+        ("four-positions", {"solution rejected"}, {"other solution"}),
+        ("curv-6", {"fixed centrode", "moving centrode"}, {"path of a point"}),
+        ("curv-3", {"path of a point", "osculating circle"}, {"base circle", "outline or connecting line"}),
+        ("gear-undercut", {"base circle"}, {"hole or negative mass"}),
+        ("cam-moves-arm", {"circle of curvature of the profile"}, {"osculating circle"}),
+        ("6-6", {"concentrated mass", "balancing mass"}, {"hole or negative mass"}),
+        ("rotor-blind-hole", {"hole or negative mass"}, {"balancing mass"}),
+        ("6-5", {"correction plane"}, {"inflection pole"}),
+        ("engine-single", {"concentrated mass"}, {"correction plane"}),
+        ("straight-roberts", {"coupler curve"}, {"to a centre at infinity"}),
+        ("3-1d", {"to a centre at infinity"}, {"coupler curve"}),
+        ("stephenson-valve-gear", {"image of a link"}, {"outline or connecting line"}),
+    ],
+)
+def test_lines_of_one_look_are_told_by_what_they_are_where_they_stand(
+    name: str, told: set[str], untold: set[str]
+) -> None:
+    figures = [one.figure for sheet in laid(name) for one in sheet.figures if one.figure is not None]
+    found = {one.words.en for one in entries(figures, "en")}
+    assert told <= found and not untold & found

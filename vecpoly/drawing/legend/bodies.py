@@ -1,0 +1,92 @@
+"""Kinds of curve, of body and of force that a legend explains."""
+
+from __future__ import annotations
+
+from ...board.paper.marks import Arc, Curve, Disc, Hatched, Mark, Plate, Role, Vector
+from ...words import Words
+from .entry import HALF, MIDDLE, WIDE
+from .kind import Kind
+from .met import (
+    allowed,
+    at_infinity,
+    bored,
+    has_lobes,
+    is_arc_of_cam,
+    is_base_circle,
+    is_coupler_curve,
+    is_flow,
+    is_force,
+    is_mass,
+    is_outline,
+    is_path,
+    is_solid,
+    is_speed,
+    osculates,
+    traced,
+)
+from .samples import Marks, arrow, line
+
+BODY = (-1j * HALF, WIDE - 1j * HALF, WIDE + 1j * HALF, 1j * HALF)  # corners of a sample
+SMALL = HALF + 0.2  # mm: radius of a round sample
+
+
+def _ring(mark: Mark) -> Marks:
+    """A circle drawn as this one."""
+    role = getattr(mark, "role", Role.RESULT)
+    return (Arc(centre=MIDDLE, radius=SMALL, start=0.0, sweep=6.2831853, role=role),)
+
+
+def _role(mark: Mark) -> Role:
+    return mark.role if isinstance(mark, Vector) else Role.RESULT
+
+
+def _mass(mark: Mark) -> Marks:
+    """A mass, tinted where it is."""
+    return (Disc(centre=MIDDLE, radius=SMALL, owner="mass"),) if isinstance(mark, Disc) else _ring(mark)
+
+
+CURVES: tuple[Kind, ...] = (
+    Kind(words=Words("廓线的曲率圆", "circle of curvature of the profile"), met=osculates, sample=line),
+    Kind(words=Words("定瞬心线", "fixed centrode"), met=traced(Role.LOCUS, Curve), sample=line),
+    Kind(words=Words("动瞬心线", "moving centrode"), met=traced(Role.CARRIED, Curve), sample=line),
+    Kind(words=Words("点的轨迹", "path of a point"), met=is_path, sample=line),
+    Kind(words=Words("连杆曲线", "coupler curve"), met=is_coupler_curve, sample=line),
+    Kind(
+        words=Words("凸轮廓线（理论廓线）的一段", "part of the profile or pitch curve"), met=is_arc_of_cam, sample=line
+    ),
+    Kind(words=Words("基圆", "base circle"), met=is_base_circle, sample=line),
+    Kind(words=Words("轮廓、连线", "outline or connecting line"), met=is_outline, sample=line, plain=True),
+)
+BODIES: tuple[Kind, ...] = (
+    Kind(
+        words=Words("力（长度不表示大小）", "force (length not to scale)"),
+        met=is_force,
+        sample=lambda _: arrow(Role.RESULT),
+        plain=True,
+    ),
+    Kind(
+        words=Words("瞬心在无穷远的方向", "to a centre at infinity"),
+        met=at_infinity,
+        sample=lambda _: arrow(Role.DIRECTION),
+    ),
+    Kind(words=Words("集中质量", "concentrated mass"), met=is_mass(Disc), sample=_mass),
+    Kind(words=Words("平衡质量", "balancing mass"), met=is_mass(Arc), sample=_mass),
+    Kind(words=Words("去重孔、负质量", "hole or negative mass"), met=bored, sample=_mass),
+    Kind(words=Words("功率流向", "flow of power"), met=is_flow, sample=lambda _: arrow(Role.GIVEN), plain=True),
+    Kind(words=Words("许用不平衡量", "allowed unbalance"), met=allowed, sample=line),
+    Kind(
+        words=Words("点的速度", "velocity of a point"), met=is_speed, sample=lambda one: arrow(_role(one)), plain=True
+    ),
+    Kind(
+        words=Words("构件实体", "body of a link"),
+        met=lambda figure, mark: is_solid(mark) and not is_mass(Disc)(figure, mark),
+        sample=lambda _: (Plate(points=BODY),),
+        plain=True,
+    ),
+    Kind(
+        words=Words("量取的面积", "area that is measured"),
+        met=lambda figure, mark: isinstance(mark, Hatched) and not has_lobes(figure),
+        sample=lambda _: (Hatched(points=BODY, rising=True),),
+        plain=True,
+    ),
+)
