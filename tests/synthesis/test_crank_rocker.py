@@ -132,7 +132,7 @@ def test_a_line_for_a_is_given_by_its_coordinate_and_a_circle_that_it_misses_is_
     assert ("y_{A}", "0 mm") in design.given()
     told = [step.words for step in solution.construction.steps if "Draw the given line" in step.words.en]
     assert [words.en.count("it meets") for words in told] == [1, 0]
-    assert "与圆 $η′$不相交" in told[1].zh and "passes the centre at" in told[1].en
+    assert "与圆 $η′$ 不相交" in told[1].zh and "passes the centre at" in told[1].en
 
 
 def test_a_curve_that_does_not_reach_the_given_angle_says_so() -> None:
