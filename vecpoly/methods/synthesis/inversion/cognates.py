@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import groupby, pairwise
 from math import ceil, radians, sin
 
 import numpy as np
@@ -129,10 +129,9 @@ def _third_pivot(draft: Draft, pins: Mapping[str, Points]) -> dict[str, Points]:
             f" Check: $ADF$ is similar to $BCE$; $F$ found so differs by {off:.2f} mm.",
         )
     )
-    for first, *others in (("A", "G", "H", "F"), ("D", "M", "N", "F")):
-        drawn(draft, tuple({**pins, "F": f}[letter] for letter in (first, *others)))
-    for one, two in (("G", "E"), ("E", "H"), ("M", "E"), ("E", "N")):
-        board.join(SHEET, pins[one], pins[two], Role.CONSTRUCTION)
+    for chain in ("AGHF", "GEH", "DMNF", "MEN"):  # thinner than the four-bar that is given
+        for one, two in pairwise(chain):
+            board.join(SHEET, {**pins, "F": f}[one], {**pins, "F": f}[two], Role.GIVEN)
     return {"F": f}
 
 
@@ -205,6 +204,6 @@ def _tried(draft: Draft, figure: _Figure) -> None:
         ),
         SHEET,
     )
-    for one, two in pairwise(spots):
-        if one is not None and two is not None:
-            board.join(SHEET, np.complex128(one), np.complex128(two), Role.CENTRE)
+    for reaches, piece in groupby(spots, lambda at: at is not None):
+        if reaches and len(places := [np.complex128(at) for at in piece if at is not None]) > 1:
+            board.curve(SHEET, places, Role.CENTRE)
