@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 
 from ..algebra.formula import Node, Row, Sym, plain
 from ..board.construction import View
-from ..board.paper.marks import Mark
+from ..board.paper.marks import Mark, Role
 from ..board.paper.tones import HUES, key_of, known_as, whose
 from ..figures.hue import TONES, Hue
 from .style import Dash, kind_hue
@@ -53,6 +53,12 @@ def mark_hue(mark: Mark, view: View, label: str, tones: Tones) -> Hue:
     return (
         kind_hue(view, label) if tones is None or (tones and view.across is not None) else ink_of(key_of(mark), tones)
     )
+
+
+def curve_hue(role: Role, tones: Tones) -> Hue:
+    """The ink of a curve: of its own where it is a centrode, which may lie on a link; black where all is black."""
+    inks = {} if tones is not None and not tones else {Role.LOCUS: TONES[0], Role.CARRIED: TONES[1]}
+    return inks.get(role, Hue.BLACK)
 
 
 def line_hue(key: str, tones: Tones, else_: Hue) -> Hue:

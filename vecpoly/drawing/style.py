@@ -63,7 +63,7 @@ def kind_hue(view: View, label: str = "") -> Hue:
 
 
 def pen(role: Role, hue: Hue) -> Pen:
-    """The pen for a role; `hue` serves the vectors."""
+    """The pen for a role; `hue` serves vectors and centrodes."""
     match role:
         case Role.LINK:
             return Pen(width=LINK)
@@ -84,9 +84,9 @@ def pen(role: Role, hue: Hue) -> Pen:
         case Role.OTHER:
             return Pen(width=GIVEN, dash=Dash.DASHED)
         case Role.LOCUS:
-            return Pen(width=LINK)
+            return Pen(width=RESULT, hue=hue)
         case Role.CARRIED:
-            return Pen(width=LINK, dash=Dash.DASHED)
+            return Pen(width=RESULT, dash=Dash.DASHED, hue=hue)
         case Role.HIDDEN:
             return Pen(width=THIN, dash=Dash.DASHED)
     assert_never(role)

@@ -17,8 +17,8 @@ class Role(StrEnum):
     CENTRE = "centre"  # 0.25 mm dash-dot: centre lines, pitch circles
     IDEAL = "ideal"  # 0.25 mm dashed grey: the construction without friction, beside that with it
     OTHER = "other"  # 0.35 mm dashed: a link in another position than the one that is drawn thick
-    LOCUS = "locus"  # 0.7 mm: a curve that is the answer, the fixed centrode
-    CARRIED = "carried"  # 0.7 mm dashed: such a curve that moves with a link
+    LOCUS = "locus"  # 0.5 mm in an ink of its own: a curve that is the answer, the fixed centrode
+    CARRIED = "carried"  # 0.5 mm dashed: such a curve that moves with a link
     HIDDEN = "hidden"  # 0.25 mm dashed: the expanded link (扩大构件), what is only thought
 
 

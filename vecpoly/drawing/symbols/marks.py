@@ -39,7 +39,7 @@ from ...board.paper.marks import (
     Weld,
 )
 from ...board.paper.tones import key_of
-from ..hues import dash_of, image_hue, is_hollow, line_hue, mark_hue, tint_of
+from ..hues import curve_hue, dash_of, image_hue, is_hollow, line_hue, mark_hue, tint_of
 from ..scene import Fill, Item, Layer, Stroke
 from ..style import DOT_RADIUS, FOUND, POINT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
 from . import bodies, shapes, solids
@@ -138,7 +138,7 @@ def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
             bare = full and mark.owner != RING and around.bare(centre, radius)
             return (line, *bodies.cross(centre, mark.step)) if bare else (line,)
         case Curve(points=points, role=role):
-            p = pen(role, Hue.BLACK)
+            p = pen(role, curve_hue(role, around.tones))
             layer = Layer.THIN if p.width <= THIN else Layer.LINE
             return (Stroke(points=points, width=p.width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),)
         case Vector():
