@@ -13,6 +13,7 @@ from .met import (
     has_lobes,
     is_arc_of_cam,
     is_base_circle,
+    is_cognate,
     is_coupler_curve,
     is_flow,
     is_force,
@@ -49,6 +50,8 @@ CURVES: tuple[Kind, ...] = (
     Kind(words=Words("廓线的曲率圆", "circle of curvature of the profile"), met=osculates, sample=line),
     Kind(words=Words("定瞬心线", "fixed centrode"), met=traced(Role.LOCUS, Curve), sample=line),
     Kind(words=Words("动瞬心线", "moving centrode"), met=traced(Role.CARRIED, Curve), sample=line),
+    Kind(words=Words("点的轨迹", "path of a point"), met=traced(Role.CENTRE, Curve), sample=line),
+    Kind(words=Words("同源机构", "cognate"), met=is_cognate, sample=line),
     Kind(words=Words("点的轨迹", "path of a point"), met=is_path, sample=line),
     Kind(words=Words("连杆曲线", "coupler curve"), met=is_coupler_curve, sample=line),
     Kind(

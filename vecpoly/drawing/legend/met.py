@@ -93,6 +93,12 @@ def _between_pins(figure: Figure, mark: Mark) -> bool:
     return isinstance(mark, Segment) and all(any(abs(pin - end) < 0.1 for pin in pins) for end in (mark.a, mark.b))
 
 
+def is_cognate(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a bar, thinner than those of the linkage beside it, where both lead a point along one path."""
+    path = any(isinstance(one, Curve) and one.role is Role.CENTRE for one in figure.marks)
+    return path and traced(Role.GIVEN, Segment)(figure, mark) and _between_pins(figure, mark)
+
+
 def is_rim(mark: Mark) -> bool:
     """Whether it is a whole circle."""
     return isinstance(mark, Arc) and abs(abs(mark.sweep) - tau) < 1e-6
