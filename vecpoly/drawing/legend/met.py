@@ -144,6 +144,7 @@ def is_outline(figure: Figure, mark: Mark) -> bool:
     between two places."""
     thin = isinstance(mark, Arc | Segment) and mark.role is Role.GIVEN
     known = in_polygon(figure) or in_centre_polygon(figure) or on_curvature(Role.GIVEN, Arc)(figure, mark)
+    known = known or is_cognate(figure, mark)
     return thin and not known and not any(designed(Role.GIVEN, given=one)(figure, mark) for one in (True, False))
 
 
