@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Sequence
+from unicodedata import normalize
 
 import numpy as np
 
@@ -70,7 +71,7 @@ def _detail(figure: Figure, knot: Knot, name: str, number: int, inner: tuple[Mar
     ring = _circle(0j, knot.radius * knot.factor, inner)
     return replace(
         figure,
-        title=Words(f"局部放大图 {name}（{knot.factor:g}:1）", f"Detail {name} ({knot.factor:g}:1)"),
+        title=Words(f"局部放大图 {name}（{knot.factor:g}:1）", f"Detail {normalize('NFKC', name)} ({knot.factor:g}:1)"),
         scale=replace(figure.scale, symbol="", value=figure.scale.value / knot.factor),  # its title tells it
         marks=(*inner, ring),
         name=_named(figure, number),
