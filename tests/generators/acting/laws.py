@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -93,15 +94,24 @@ def _sure(value: float) -> float:
 
 
 def _travel(at: moving.Moving, link: str, point: str, way: float) -> tuple[float, float]:
-    """How far the point has gone, and its stroke, from two thousand positions: to a millionth."""
-    mech = at.mech
-    q = _range(mech)
-    motion = oracle.solve(mech, q, order=0, strict=False)
-    local = mech.link(link).points[point]
-    path = np.real((motion.origin(link) + np.exp(1j * motion.angle(link)) * local) * np.exp(-1j * way))
-    low, high = float(np.nanmin(path)), float(np.nanmax(path))
+    """How far the point has gone, and its stroke, from twenty thousand positions, and again about both ends."""
+    local = at.mech.link(link).points[point]
+
+    def path(q: np.ndarray) -> np.ndarray:
+        motion = oracle.solve(at.mech, q, order=0, strict=False)
+        return np.real((motion.origin(link) + np.exp(1j * motion.angle(link)) * local) * np.exp(-1j * way))
+
+    q = _range(at.mech)
+    there = path(q)
+    low, high = (sign * _highest(lambda at, sign=sign: sign * path(at), q, sign * there) for sign in (-1.0, 1.0))
     here = (at.place(link, local) * np.exp(-1j * way)).real
     return here - low, high - low
+
+
+def _highest(path: Callable[[np.ndarray], np.ndarray], q: np.ndarray, there: np.ndarray) -> float:
+    """The greatest value between the neighbours of the highest place of the grid."""
+    i = int(np.nanargmax(there))
+    return float(np.nanmax(path(np.linspace(q[max(i - 1, 0)], q[min(i + 1, q.size - 1)], 2001))))
 
 
 def _range(mech: Mechanism) -> np.ndarray:
