@@ -8,6 +8,7 @@ from ....mechanism.model import Prismatic
 from ....plane import Line, Points, Reals, cross, nominal
 from ....words import Words
 from ..acting import Acting
+from ..bodies.link_polygon import unread
 from ..senses import inclined
 from ..state import Statics
 from .links_of_group import Held
@@ -25,7 +26,8 @@ def balance_on_guide(st: Statics, held: Held, load: Resultant, line: Line, by: s
     )
     one, two = _shares(st, held, load, line)
     drawn = load.forces[0].drawn.reversed() if len(load.forces) == 1 and load.forces[0].drawn else None
-    st.keep_reaction(by, held.link, Acting(named=st.named(by, held.link), vector=one, at=line.at, drawn=drawn))
+    found = Acting(named=st.named(by, held.link), vector=one, at=line.at, drawn=drawn, computed=unread(st, load))
+    st.keep_reaction(by, held.link, found)
     pin = st.desk.at[held.joint.pin]
     paper = cross(line.at - load.at, load.vector) + cross(line.at - pin, -load.vector - one)
     couple = st.newton_metres(paper) if abs(nominal(paper)) > NO_LENGTH * abs(nominal(load.vector)) else 0.0
