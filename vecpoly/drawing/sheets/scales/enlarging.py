@@ -19,7 +19,7 @@ from ..space import is_page
 
 MOST = 2.0  # times as large a figure is at most
 SPARSE = 0.55  # of a page that the rectangles of its figures take, below which it has white to spare
-ABOUT, MANY = 12.0, 6  # mm about a letter in which so many, itself included, are a crowd
+ABOUT, MANY = 12.0, 5  # mm about a letter in which so many, itself included, are a crowd
 SKETCHED = (2.0, 1.75, 1.5, 1.25)  # times that a sketch without a scale may be larger
 GAIN = 1.2  # times as large at least, or it is left as it is
 
