@@ -86,6 +86,11 @@ def test_larger_figures_ask_for_no_further_sheet(name: str) -> None:
     assert pages is not None and len(laid(name)) <= len(pages)
 
 
+def test_a_circle_diagram_is_no_larger_than_it_was_constructed_beside_its_mechanism() -> None:
+    found = [(old, new) for old, new in _pairs("3-3") if not old.scale.symbol]
+    assert found and all(_dots(new) == _dots(old) for old, new in found)
+
+
 def test_a_friction_circle_grows_with_its_body_and_a_block_keeps_its_size() -> None:
     circle = FrictionCircle(centre=4 + 2j, radius=1.5, enlarged=3.0)
     block, rod = Block(at=10 + 0j, along=1j), Segment(a=0j, b=3 + 4j, role=Role.LINK)

@@ -18,7 +18,8 @@ def may_be_larger(figure: Figure) -> bool:
     if figure.view is View.BODY and figure.scale.symbol:
         return not any(isinstance(mark, Block) for mark in figure.marks)
     sketched = figure.view is View.MECHANISM and bool(figure.name) and not figure.scale.symbol
-    return sketched and not any(isinstance(mark, Vector | Cell | Hatched) for mark in figure.marks)
+    linked = any(mark.owner.startswith("link ") for mark in figure.marks)
+    return sketched and linked and not any(isinstance(mark, Vector | Cell | Hatched) for mark in figure.marks)
 
 
 def larger(figure: Figure, factor: float) -> Figure:
