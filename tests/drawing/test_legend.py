@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import combinations
 
 import pytest
 
@@ -12,7 +13,7 @@ from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Mark, Vector, Weld
 from vecpoly.board.paper.tones import key_of, whose
 from vecpoly.drawing.hues import ink_of, is_hollow
-from vecpoly.drawing.legend.kinds import KINDS
+from vecpoly.drawing.legend.kinds import FOUND, KINDS, KNOWN
 from vecpoly.drawing.legend.legend import band, blocks, cells, entries
 from vecpoly.drawing.legend.on_sheet import with_legend
 from vecpoly.drawing.legend.vectors import _symbol, key_of_vectors
@@ -115,6 +116,17 @@ def test_a_full_sheet_tells_the_inks_of_its_vectors_in_one_block_and_the_rest_in
     )
     assert not one.overlaps(other) and sheet.drawn == bare.drawn
     assert not any(part for block in (one, other) for part in _stands_in(sheet, block))
+
+
+@pytest.mark.parametrize("name", ["3-6", "3-13", "six-bar-dynamic"])
+def test_a_full_sheet_tells_all_kinds_of_vector_and_line_in_blocks_that_overlap_nowhere(name: str) -> None:
+    sheet = with_legend(laid(name)[0])
+    told = [one for one in entries([one.figure for one in sheet.figures if one.figure], sheet.lang) if not one.plain]
+    words = {item.box for item in sheet.results if isinstance(item, TextBox)}
+    assert {KNOWN.words, FOUND.words} <= {one.words for one in told}
+    assert {cell.box for cell in cells(told, sheet.lang)} <= words
+    frames = [rect_of(item) for item in sheet.results if isinstance(item, Stroke) and _is_frame(item)]
+    assert len(frames) > 1 and not any(a.overlaps(b) for a, b in combinations(frames, 2))
 
 
 def _is_frame(item: Stroke) -> bool:

@@ -4,6 +4,7 @@ their white allows it; else a block where nothing stands."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain
 
 from ...foundation.slotted import replace
 from ..scene import Item, Layer, Rect, Stroke, moved
@@ -12,7 +13,6 @@ from ..sheets.packing import TIGHT
 from ..sheets.sheet import Sheet
 from ..sheets.space import FRAME, STRIP
 from ..style import THIN
-from .kinds import FOUND, KNOWN
 from .legend import Cell, Grid, band, blocks, cells, entries
 from .moved_up import over_band
 from .places import standing
@@ -21,35 +21,51 @@ from .vectors import key_of_vectors
 WHITE = 4.0  # mm over and under the figures of a page that keeps a band for its legend
 MOST = 0.6  # of the sheet's width that a block may take
 LEAST = 3.5  # mm of white between figures that are laid out anew over a band
+BLOCKS = 3  # into which a legend is parted at most
 ROWS = 4  # of a band on a page: what is higher is a block
 
 
 def with_legend(sheet: Sheet) -> Sheet:
     """The sheet with what its lines and symbols stand for: on a band; else on one without what is plain; else on these
     with the figures laid out anew, closer together; else, with both, on a block; else on a band, with the figures as
-    close as they may stand; else on a block without the kinds of vector; else on two, of the inks of vectors and of the
-    rest, or the one that has room; as it is where all is plain, or nothing has room."""
+    close as they may stand; else parted on two blocks or three, of the inks of vectors and of the rest where they have
+    room so; else as much of it as has room; as it is where all is plain, or nothing has room."""
     figures = [one.figure for one in sheet.figures if one.figure is not None]
     found = entries(figures, sheet.lang)
     told = [one for one in found if not one.plain]
-    least = [one for one in told if one.words not in (KNOWN.words, FOUND.words)]
-    sets = [cells(some, sheet.lang) for some in (found, told, least) if some]
+    sets = [cells(some, sheet.lang) for some in (found, told) if some]
     if sheet.plate:
         return _grown(sheet, band(sets[0], sheet.lang, sheet.room[0])) if sets else sheet
-    grids = [band(some, sheet.lang, sheet.room[0]) for some in sets[:2]]
+    grids = [band(some, sheet.lang, sheet.room[0]) for some in sets]
     bands = (made for way in (_over_strip, _laid_anew) for grid in grids if (made := way(sheet, grid)) is not None)
     if (banded := next(bands, None)) is not None or not sets:
         return banded or sheet
-    if (blocked := _with_block(sheet, sets[:2])) is not sheet:
+    if (blocked := _with_block(sheet, sets)) is not sheet:
         return blocked
-    tight = next((one for grid in grids if (one := _laid_anew(sheet, grid, TIGHT)) is not None), None)
-    return tight or _with_blocks(sheet, sets, len([*key_of_vectors(figures, sheet.lang)]))
+    tight = (_laid_anew(sheet, grid, TIGHT) for grid in grids)
+    inks = len([*key_of_vectors(figures, sheet.lang)])
+    split = (_parted(sheet, some, inks, most) for most in range(2, BLOCKS + 1) for some in sets)
+    return next((one for one in chain(tight, split) if one is not None), None) or _as_many(sheet, sets[-1])
 
 
-def _with_blocks(sheet: Sheet, sets: Sequence[Sequence[Cell]], inks: int) -> Sheet:
-    """On one block, or on two: of so many inks of vectors, and of the rest."""
-    blocked = _with_block(sheet, sets)
-    return blocked if blocked is not sheet else _with_block(_with_block(sheet, (sets[-1][:inks],)), (sets[-1][inks:],))
+def _parted(sheet: Sheet, some: Sequence[Cell], inks: int, most: int = BLOCKS) -> Sheet | None:
+    """All of these on so many blocks at most, of so many inks of vectors and of the rest where they have room so; None
+    where they have none."""
+    if not some or most < 1:
+        return None if some else sheet
+    for first in sorted(range(1, len(some) + 1), key=lambda count: abs(count - inks)):
+        one = _with_block(sheet, (some[:first],))
+        if one is not sheet and (made := _parted(one, some[first:], len(some) - first, most - 1)) is not None:
+            return made
+    return None
+
+
+def _as_many(sheet: Sheet, some: Sequence[Cell], most: int = BLOCKS) -> Sheet:
+    """As many of these, in order, as have room on so many blocks."""
+    for count in range(len(some), 0, -1) if most else ():
+        if (one := _with_block(sheet, (some[:count],))) is not sheet:
+            return _as_many(one, some[count:], most - 1)
+    return sheet
 
 
 def _grown(plate: Sheet, grid: Grid) -> Sheet:

@@ -19,8 +19,10 @@ from .boxes.titleblock import Strip, furniture
 from .detailing import arrangements, drawn
 from .expected import Expected, dear, further, trials
 from .packing import Layout
-from .pages import Page, fullness, plated, trimmed
-from .paging import Drawn, arranged, best_paged, even, lined, paged, read_on, reading_order, under_box
+from .pages import Page, fullness
+from .paging import Drawn, arranged, best_paged, even, lined, paged, reading_order, under_box
+from .plating import on_plates
+from .scales.enlarging import enlarged
 from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
 
 NO_TITLE = Words.same("")
@@ -125,27 +127,18 @@ def sheets(
 ) -> tuple[Sheet, ...]:
     """The figures of a construction on as few sheets as hold them, the mechanism first, each force polygon beside
     its free body; on: sheets of this paper. plates: figures that would be lost on a page stand on a plate of their
-    height; bands: of the others some may stay white, as where results are written on them.
+    height; bands: of the others some may stay white, as where results are written on them, else free bodies and parts
+    of a mechanism drawn apart are larger.
 
     Crowded places are drawn apart, enlarged, beside their figures, where that asks for no further sheet, or for one
     that is well filled. Raises VecpolyError where a figure is larger than a sheet.
     """
     pages = _pages(reading_order(construction.figures), lang, on, construction.warning is not None)
     if plates and on.way is None:
-        pages = [*_on_plates(pages, bands)]
+        pages = [*on_plates(pages, bands)]
+    if plates and not bands and construction.warning is None:
+        pages = [*enlarged(pages, lang, construction)]
     return _numbered([(group, even(group, lined(group, layout))) for group, layout in pages], construction, lang, title)
-
-
-def _on_plates(pages: Sequence[Page[Drawn]], bands: bool) -> Iterator[Page[Drawn]]:
-    """What would be lost on a page on plates; the first sheets, about which the text runs, also on large ones that
-    leave no bands white, if none may stay so. What comes behind a page stands at the end of the text."""
-    first = not bands
-    for group, layout in pages:
-        made = plated(group, layout) if first else trimmed(group, layout)
-        if made is not layout and not read_on(group, even(group, lined(group, made))):
-            made = trimmed(group, layout)
-        first = first and not is_page(made.page)
-        yield group, made
 
 
 def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> list[Page[Drawn]]:

@@ -44,7 +44,8 @@ def placed(one: Placed, construction: Construction, lang: Lang) -> str:
     """What a figure of a sheet shows, in words; of a detail also which figure it is a part of."""
     for figure in construction.figures:
         if (figure.view, figure.name) == (one.view, one.name):
-            return shown(figure, lang)
+            own = one.figure
+            return shown(figure if own is None or own.scale == figure.scale else own, lang)
         if one.figure is not None and figure.view is one.view and is_detail(one.name, figure):
             return f"{shown(one.figure, lang)}{_PART.of(lang)}{words_said(figure.title.of(lang), lang)}"
     return words_said(one.view.title.of(lang), lang)
