@@ -41,9 +41,10 @@ def curves(
 ) -> Plot:
     """The columns over the drive's position; each unit has a panel of its own.
 
-    A vector is drawn by its magnitude. width, panel: mm. marks: dots at each curve's turning points far from its
-    middle, the greatest and the least told in numbers. inks: of vectors that have one wherever they appear, by key;
-    curves of one ink differ by their dashes. known: the exact extremes of a column, told in place of the sampled ones.
+    A vector is drawn by its magnitude. width, panel: mm. marks: a dot at the greatest and the least value of each
+    curve, with its number; none where that would stand on a curve. inks: of vectors that have one wherever they appear,
+    by key; curves of one ink differ by their dashes. known: the exact extremes of a column, told in place of those
+    of the samples.
     Raises UnknownNameError, and NotAskedError for nothing to draw or more than six curves in one panel.
     """
     groups = _grouped(cycle, keys)
@@ -159,9 +160,7 @@ def _panel(
         if column.key.startswith("gamma_"):
             spots = lowest(spots)
         spots = [spot for spot in spots if limit[0] <= spot[1] <= limit[1]]
-        told = spots if known is None else exact(spots, known(column.key), drive, column, float(phi[1] - phi[0]))
-        style.dots(at, [x for x, _ in spots], [y for _, y in spots], pen.hue)
-        peaks.append(told)
+        peaks.append(spots if known is None else exact(spots, known(column.key), drive, column, float(phi[1] - phi[0])))
     if all(column.key.startswith("gamma_") for column in group) and limit[0] < USUAL < limit[1]:
         style.line(at, [phi[0], phi[-1]], [USUAL] * 2, style.Pen(Dash.DASHED, Hue.GREY, THIN))
         lines.append(np.array([complex(x, USUAL) for x in (phi[0], phi[-1])]))

@@ -22,6 +22,7 @@ from ....solution import Answer, scales_of
 from ....words import Words
 from ..analysis.force_words import refusals
 from ..numbering import SMALL, Press
+from ..results.plots import WIDE
 from ..results.positions import at_position, read_there
 from .refused import cause
 
@@ -215,7 +216,7 @@ def _chart(study: Study, press: Press, found: Compared) -> list[str]:
     plots = []
     for key in list(last.values())[-_DENSE if study.dense else -_SHOWN :]:
         info = study.turn.info(key)
-        width, panel = (83.0, 57.0) if study.dense else (150.0, 50.0)
+        width, panel = WIDE
         plot, symbol = (
             curves(study.turn, (key,), press.lang, width=width, panel=panel, marks=False),
             f"$|{info.symbol}|$" if info.is_vector else f"${info.symbol}$",  # as on the axis

@@ -8,6 +8,7 @@ import numpy as np
 
 from ....algebra.quantity import number
 from ....findings.machine.running import Running
+from ....findings.shown import places
 from ....findings.study.study import Study
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.asked.machine import Equivalent, equivalents
@@ -74,12 +75,12 @@ def _range(study: Study, to: Equivalent) -> Words:
         return Words.same("")
     small = _NOTHING * found.highest.value
     (a, p), (b, q) = (
-        (number(0.0 if spot.value < small else spot.value), study.where(spot.phi))
+        (number(0.0 if spot.value < small else spot.value), places(study, found, spot))
         for spot in (found.lowest, found.highest)
     )
     return Words(
-        f"$J_e$ 在 {a} kg·m²（{p}）与 {b} kg·m²（{q}）之间变化。",
-        f"$J_e$ lies between {a} kg·m² ({p}) and {b} kg·m² ({q}).",
+        f"$J_e$ 在 {a} kg·m²（{p.zh}）与 {b} kg·m²（{q.zh}）之间变化。",
+        f"$J_e$ lies between {a} kg·m² ({p.en}) and {b} kg·m² ({q.en}).",
     )
 
 
