@@ -97,10 +97,11 @@ def zero(study: Study, run: Running) -> str:
 
 def _table(study: Study, press: Press, run: Running) -> str:
     """From one place where the resultant moment changes its sign to the next."""
-    rows = []
+    rows, places = [], places_of(number(run.surplus, 5))
     for a, b, gain, end in pieces(run):
         span = f"{_angle(run, a)}–{_angle(run, b)}"
-        rows.append((span, _KINDS[gain > 0].of(press.lang), _five(gain), _five(_plain(run, end))))
+        both = (decimal(value, places) for value in (gain, _plain(run, end)))
+        rows.append((span, _KINDS[gain > 0].of(press.lang), *both))
     return press.table(Words("盈功和亏功", "Surplus and deficit of work"), _HEADER[press.lang], rows, "lcrr")
 
 
@@ -112,10 +113,6 @@ def _angle(run: Running, psi: float) -> str:
 def _plain(run: Running, energy: float) -> float:
     """An energy (J): nothing for what rounding leaves beside the greatest surplus."""
     return 0.0 if abs(energy) < _LITTLE * run.surplus else energy
-
-
-def _five(value: float) -> str:
-    return number(value, 5).replace("-", "−")
 
 
 def pieces(run: Running) -> list[tuple[float, float, float, float]]:
