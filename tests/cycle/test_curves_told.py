@@ -12,12 +12,13 @@ from matplotlib.axes import Axes
 from tests.studies import studied
 from vecpoly.curves import curves, given_values, hodograph, trace
 from vecpoly.curves.flat import plane
-from vecpoly.curves.peaks import exact, extremes, figures, told
+from vecpoly.curves.peaks import SIZE, exact, extremes, figures, told
 from vecpoly.curves.place import Placer
 from vecpoly.cycle import Cycle, Extremes, Spot, cycle
 from vecpoly.figures.hue import TONES, Hue
 from vecpoly.problem.load import load
 from vecpoly.report.course.results.plots import inks
+from vecpoly.typeset import layout_words
 from vecpoly.words import Words
 
 TOLD = re.compile(r"(−?[\d.]+) \((−?[\d.]+)°\)")
@@ -193,3 +194,15 @@ def test_a_value_that_is_rounding_beside_the_greatest_is_labelled_nought() -> No
     known = Extremes("omega_2", (high,), (low,), (), high, low)
     shown = exact([(0.0, 4.9e-13)], known, turn.drive, turn.info("omega_2"), 1.0)
     assert shown == [(0.0, 0.0)] and told(shown, turn.drive) == "0 (0°)"
+
+
+@pytest.mark.parametrize("name", ["curv-3", "balance-four-bar"])
+def test_the_name_of_the_usual_bound_stands_on_no_curve(name: str) -> None:
+    it = studied(name)
+    at = curves(it.turn, ("gamma_23",), known=it.extremes).figure.axes[0]
+    (text,) = (one for one in at.texts if one.get_text().startswith("[$γ$]"))
+    box = layout_words(text.get_text(), SIZE)
+    right, low = at.transData.transform(text.get_position())
+    curve = max(at.get_lines(), key=lambda line: np.size(line.get_xdata()))
+    x, y = at.transData.transform(curve.get_xydata()).T
+    assert not np.any((x > right - box.width) & (x < right) & (y > low) & (y < low + box.ascent))

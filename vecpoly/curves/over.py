@@ -17,6 +17,7 @@ from ..words import Lang, Words
 from . import style
 from .called import title_of
 from .peaks import SIZE, Known, exact, label_peaks, lowest
+from .place import Placer, Points
 from .plot import Plot
 from .record import MM
 from .turning import turning
@@ -24,6 +25,7 @@ from .turning import turning
 _PART = 0.35  # mm: a part of a vector
 _BARE, _TOLD = 0.06, 0.15  # of the range: white above and below curves, where their peaks are told in numbers
 _NONE: Mapping[str, Hue] = {}
+_PLACES = 25  # along the usual bound, where its name may stand
 Pens = tuple[style.Pen, ...]
 _SAMPLE, _AFTER, _GAP, _LINE = 8.5, 1.2, 3.5, 5.0  # of the legend, mm
 
@@ -164,9 +166,19 @@ def _panel(
     if all(column.key.startswith("gamma_") for column in group) and limit[0] < USUAL < limit[1]:
         style.line(at, [phi[0], phi[-1]], [USUAL] * 2, style.Pen(Dash.DASHED, Hue.GREY, THIN))
         lines.append(np.array([complex(x, USUAL) for x in (phi[0], phi[-1])]))
-        above, right = USUAL + 0.02 * (limit[1] - limit[0]), phi[-1] - 0.01 * (phi[-1] - phi[0])
-        style.text(at, right, above, f"[$γ$] = {USUAL:.0f}°", ha="right", va="bottom", size=SIZE, data=True)
+        _bound(at, lines[:-1])
     label_peaks(at, lines, peaks, [pen.hue for pen in pens], drive)
+
+
+def _bound(at: Any, lines: list[Points]) -> None:
+    """The name of the usual bound over its line, as far to the right as it stands on no curve."""
+    words, (low, high), (left, right) = f"[$γ$] = {USUAL:.0f}°", at.get_ylim(), at.get_xlim()
+    placer, margin = Placer(at, lines), 0.01 * (right - left)
+    wide = layout_words(words, SIZE).width / at.bbox.width * (right - left)
+    above = USUAL + 0.02 * (high - low)
+    ends = np.linspace(right - margin, left + margin + wide, _PLACES)
+    free = (end for end in ends if placer.is_free(complex(end - wide, above), words, SIZE))
+    style.text(at, float(next(free, ends[0])), above, words, ha="right", va="bottom", size=SIZE, data=True)
 
 
 def _common(group: list[Column]) -> str:

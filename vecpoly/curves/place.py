@@ -42,6 +42,12 @@ class Placer:
         """Round marks that no text may cover (mm)."""
         self.boxes += [(z - complex(radius, radius), z + complex(radius, radius)) for z in self.mm(places)]
 
+    def is_free(self, low: complex, words: str, size: float) -> bool:
+        """Whether nothing stands where a text would, of which this is the lower left corner (data)."""
+        box = layout_words(words, size)
+        half = complex(box.width / 2, (box.ascent + box.descent) / 2)
+        return self._cost(complex(self.mm(np.array([low]))[0]) + half, half) == 0.0
+
     def put(
         self, place: complex, words: str, outward: complex, size: float, *, most: float = inf, hue: Hue = Hue.BLACK
     ) -> bool:

@@ -30,7 +30,7 @@ def poses(cycle: Cycle, letter: str, lang: Lang = "zh", *, width: float = 150.0,
     the pin of its crank (else at the letter); the problem's own position thick. Raises UnknownNameError."""
     phi = _quarters(cycle)
     lines, own = skeleton(cycle, phi), [line[:, 0] for line in skeleton(cycle, np.array([cycle.mech.drive.position]))]
-    low, high = _corners([*lines, *own, 1e3 * np.array(list(cycle.mech.frame.values()))])
+    low, high = _corners([*lines, *own, 1e3 * np.array(list(cycle.mech.frame.values()), np.complex128)])
     figure, at = plane(low, high, width, height, (style.axis_label("x", "mm"), style.axis_label("y", "mm")))
     for k, hue in enumerate(TONES[:COUNT]):
         for line in lines:
@@ -56,7 +56,7 @@ def _quarters(cycle: Cycle) -> NDArray[np.float64]:
     """The drive's positions that are drawn."""
     if cycle.mech.drive.slide or not cycle.whole:
         return np.linspace(cycle.low, cycle.high, COUNT + 2)[1:-1]
-    return np.radians(np.arange(0.0, 360.0, 360.0 / COUNT))
+    return np.linspace(0.0, 2 * np.pi, COUNT, endpoint=False)
 
 
 def _turned(cycle: Cycle) -> str:
