@@ -42,3 +42,9 @@ def test_results_stand_over_the_legend_and_neither_on_a_figure(name: str) -> Non
         boxes = [box.rect.grown(-0.2) for _, box in written]
         assert not any(a.overlaps(b) for n, a in enumerate(boxes) for b in boxes[:n])
         assert not any(box.overlaps(other.rect) for box in boxes for _, other in drawn)
+
+
+@pytest.mark.parametrize("name", few(["A-27", "4-6"], 2))
+def test_the_sheet_of_the_given_position_carries_what_was_asked_beside_its_legend(name: str) -> None:
+    drawn = chosen(studied(name), "en")[0]
+    assert any({TITLE.en, RESULTS.en} <= {*dict(_texts(sheet.results))} for sheet in drawn.sheets)

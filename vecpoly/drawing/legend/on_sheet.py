@@ -37,9 +37,8 @@ def with_legend(sheet: Sheet) -> Sheet:
         return banded or sheet
     if (blocked := _with_block(sheet, sets[:2])) is not sheet:
         return blocked
-    grids = (band(some, sheet.lang, sheet.room[0]) for some in sets[:2])
-    tight = next((one for grid in grids if (one := _laid_anew(sheet, grid, TIGHT)) is not None), None)
-    return tight or _with_blocks(sheet, sets, len([*key_of_vectors(_figures(sheet), sheet.lang)]))
+    tight = next((made for made, _ in _tight(sheet, sets)), None)
+    return tight or _with_blocks(sheet, sets, _inks(sheet))
 
 
 def with_legend_under(sheet: Sheet, write: Callable[[Sheet], Sheet]) -> Sheet:
@@ -50,11 +49,22 @@ def with_legend_under(sheet: Sheet, write: Callable[[Sheet], Sheet]) -> Sheet:
         return written
     if sheet.plate:
         return _grown(written, band(sets[0], sheet.lang, sheet.room[0]))
-    both = (_written_over(made, grid, write) for made, grid in _banded(sheet, sets))
+    both = (_written_over(made, grid, write) for made, grid in (*_banded(sheet, sets), *_tight(sheet, sets)))
     if (found := next((one for one in both if one is not None), None)) is not None:
         return found
-    blocked = _with_block(written, sets[:2]) if written.results else written
+    blocked = _with_blocks(written, sets, _inks(sheet)) if written.results else written
     return with_legend(sheet) if blocked is written else blocked
+
+
+def _tight(sheet: Sheet, sets: Sequence[Sequence[Cell]]) -> Iterator[tuple[Sheet, Grid]]:
+    """The sheet with a band, its figures as close as they may stand."""
+    grids = (band(some, sheet.lang, sheet.room[0]) for some in sets[:2])
+    yield from ((made, grid) for grid in grids if (made := _laid_anew(sheet, grid, TIGHT)) is not None)
+
+
+def _inks(sheet: Sheet) -> int:
+    """How many inks of vectors its legend tells."""
+    return len([*key_of_vectors(_figures(sheet), sheet.lang)])
 
 
 def _written_over(made: Sheet, grid: Grid, write: Callable[[Sheet], Sheet]) -> Sheet | None:
