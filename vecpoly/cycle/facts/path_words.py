@@ -58,7 +58,7 @@ def _swept(cycle: Cycle, found: Path, start: Words) -> Words:
         return start + Words("。", ".")
     whole, all_ = cycle.whole, _mm(found.length)
     turn = whole and cycle.once is not cycle  # the cycle of a machine is several turns
-    span = Words("原动件每转一周" if turn else "每循环", "a turn of the input link" if turn else "a cycle")
+    span = Words("原动件每转一周" if turn else "每循环", "per turn of the input link" if turn else "per cycle")
     span = span if whole else Words("在这一范围内", "in this range")
     if not found.passes:
         return start + Words(
